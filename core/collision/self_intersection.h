@@ -1,0 +1,36 @@
+#pragma once
+// All self-intersections of a triangle mesh (paper, section 2): spatial hashing of the vertices with eight
+// shifted hash functions finds candidates, exact predicates decide.
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/geometry/vec.h"
+
+namespace handlebody {
+
+//! Two faces by slot, first < second.
+using FacePair = std::pair<int, int>;
+
+//! All pairs of faces that intersect, sorted. Faces that share a vertex or an edge intersect if they have a
+//! point in common outside that vertex or edge; degenerate triangles are treated as the point sets they are.
+//! Faces (-1,-1,-1) are skipped. Exact for any coordinates that are finite; scale, rotation and permutation
+//! do not change the answer.
+std::vector<FacePair> findSelfIntersections(std::span<const Vec3> points, std::span<const Triangle> faces);
+
+//! Keeps its tables between calls, so that repeated detection allocates nothing.
+class CollisionDetector {
+ public:
+  //! As findSelfIntersections, over all faces.
+  const std::vector<FacePair>& detectAll(std::span<const Vec3> points, std::span<const Triangle> faces);
+  //! Only the pairs with at least one face that has a vertex v with moved[v] != 0. Equal to detectAll when
+  //! the faces without such a vertex do not intersect each other.
+  const std::vector<FacePair>& detectMoved(std::span<const Vec3> points, std::span<const Triangle> faces,
+                                           std::span<const unsigned char> moved);
+
+ private:
+  std::vector<FacePair> pairs_;
+};
+
+}  // namespace handlebody

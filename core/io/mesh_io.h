@@ -1,0 +1,31 @@
+#pragma once
+// Meshes from and to files, through VTK. No VTK type appears here.
+
+#include <string>
+
+#include "core/mesh/mesh.h"
+#include "core/volume/volume.h"
+
+namespace handlebody {
+
+//! Coordinates in a mesh file; RAS turns x and y. Written into the file where the format has a place for it.
+enum class CoordinateSpace { lps, ras };
+
+//! True for .stl .vtp .ply .obj (any case).
+bool isMeshPath(const std::string& path);
+//! True for .nii .nii.gz .nrrd .mha (any case).
+bool isLabelMapPath(const std::string& path);
+
+//! Writes by extension (.stl binary, .vtp, .ply binary, .obj), whole or not at all (temporary name, then
+//! rename). Throws OutputError; UsageError for an unknown extension.
+void writeMesh(const TriangleSoup& mesh, const std::string& path,
+               CoordinateSpace space = CoordinateSpace::lps);
+
+//! Reads .stl .vtp .ply .obj; STL vertices with equal coordinates are merged. RAS files that say so come back
+//! as LPS. Throws InputError.
+TriangleSoup readMesh(const std::string& path);
+
+//! Label map on `grid`: 1 where the voxel centre lies inside the closed mesh, else 0 (uint8).
+Volume rasterize(const TriangleSoup& mesh, const Grid& grid);
+
+}  // namespace handlebody

@@ -1,0 +1,127 @@
+#pragma once
+// The triangle mesh of the engine: a corner table (implicit half-edges) in flat arrays.
+//
+// Face f has the half-edges 3f, 3f+1, 3f+2; half-edge h runs from origin(h) to target(h) = origin(next(h)),
+// and the face lies to its left. opposite(h) is the half-edge that runs the other way in the neighbouring
+// face, or -1 on a boundary (an opened mesh only). Deleted faces and vertices leave free slots that later
+// insertions fill again, so an index stays valid until its element is deleted.
+
+#include <span>
+#include <vector>
+
+#include "core/geometry/vec.h"
+
+namespace handlebody {
+
+//! Triangles by index, of any kind (closed or not, manifold or not): what comes from a file or goes to one.
+struct TriangleSoup {
+  std::vector<Vec3> points;         //!< mm
+  std::vector<Triangle> triangles;  //!< indices into points, counter-clockwise seen from outside
+};
+
+class Mesh {
+ public:
+  Mesh() = default;
+  //! Builds from triangles. Precondition: every directed edge occurs at most once (oriented manifold edges).
+  explicit Mesh(const TriangleSoup& soup);
+
+  // --- sizes: slots include deleted elements, counts do not ---
+  int vertexSlots() const { return static_cast<int>(positions_.size()); }
+  int faceSlots() const { return static_cast<int>(faces_.size()); }
+  int vertexCount() const { return vertexSlots() - static_cast<int>(freeVertices_.size()); }
+  int faceCount() const { return faceSlots() - static_cast<int>(freeFaces_.size()); }
+  bool isVertex(int v) const { return outgoing_[idx(v)] != kDeleted; }
+  bool isFace(int f) const { return faces_[idx(f)][0] >= 0; }
+
+  // --- geometry ---
+  const Vec3& position(int v) const { return positions_[idx(v)]; }
+  void setPosition(int v, const Vec3& p) { positions_[idx(v)] = p; }
+  std::span<const Vec3> positions() const { return positions_; }
+  //! Vertex indices per face slot; deleted faces hold -1.
+  std::span<const Triangle> faces() const { return faces_; }
+  const Triangle& face(int f) const { return faces_[idx(f)]; }
+  //! Cross product of two edges of face f: its length is twice the area (mm²), outward.
+  Vec3 areaVector(int f) const;
+
+  // --- half-edges ---
+  static int faceOf(int h) { return h / 3; }
+  static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static int prev(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  int origin(int h) const { return faces_[idx(h / 3)][idx(h % 3)]; }
+  int target(int h) const { return origin(next(h)); }
+  int apex(int h) const { return origin(prev(h)); }
+  int opposite(int h) const { return opposite_[idx(h)]; }
+  //! One half-edge that leaves v; on a boundary vertex the one from which rotating with `turn` meets all
+  //! faces. -1 for an isolated vertex.
+  int outgoing(int v) const { return outgoing_[idx(v)]; }
+  //! Next half-edge that leaves the same vertex, counter-clockwise seen from outside; -1 at a boundary.
+  int turn(int h) const { return opposite(prev(h)); }
+  //! The half-edge from u to v, or -1.
+  int findHalfedge(int u, int v) const;
+
+  //! Calls f(h) for every half-edge that leaves v, counter-clockwise.
+  template <typename F>
+  void forEachOutgoing(int v, F&& f) const {
+    const int start = outgoing(v);
+    if (start < 0) return;
+    int h = start;
+    do {
+      f(h);
+      h = turn(h);
+    } while (h >= 0 && h != start);
+  }
+  //! Calls f(w) for every neighbour of v, counter-clockwise (boundary vertices: all of them too).
+  template <typename F>
+  void forEachNeighbour(int v, F&& f) const {
+    const int start = outgoing(v);
+    if (start < 0) return;
+    int h = start;
+    int last = -1;
+    do {
+      f(target(h));
+      last = h;
+      h = turn(h);
+    } while (h >= 0 && h != start);
+    if (h < 0) f(apex(last));
+  }
+  int valence(int v) const;
+
+  // --- elementary changes; they keep opposite_ and outgoing_ consistent, nothing more ---
+  int addVertex(const Vec3& p);
+  //! Adds a face and joins it to faces that already hold the opposite half-edges, which must be boundary
+  //! ones.
+  int addFace(int a, int b, int c);
+  //! Removes a face; its neighbours get a boundary there. Vertices stay.
+  void removeFace(int f);
+  //! Removes a vertex without faces.
+  void removeVertex(int v);
+  //! Splits the edge of h at p; returns the new vertex. Both faces (or one at a boundary) are divided in two.
+  int splitEdge(int h, const Vec3& p);
+  //! Turns the edge of h. Precondition: canFlip(h).
+  void flipEdge(int h);
+  bool canFlip(int h) const;
+  //! Merges origin(h) and target(h) into origin(h), placed at p. Precondition: canCollapse(h).
+  void collapseEdge(int h, const Vec3& p);
+  //! Link condition on a closed mesh: the collapse keeps it a manifold of the same topology.
+  bool canCollapse(int h) const;
+
+  //! Copy without free slots, in slot order; if wanted, `vertexMap` gets the new index of each old slot or
+  //! -1.
+  TriangleSoup compact(std::vector<int>* vertexMap = nullptr) const;
+
+ private:
+  static constexpr int kIsolated = -1;
+  static constexpr int kDeleted = -2;
+  static std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+  void link(int h, int g);
+  void refreshOutgoing(int v, int h);
+
+  std::vector<Vec3> positions_;
+  std::vector<Triangle> faces_;
+  std::vector<int> opposite_;  // per half-edge
+  std::vector<int> outgoing_;  // per vertex; kIsolated, kDeleted
+  std::vector<int> freeVertices_;
+  std::vector<int> freeFaces_;
+};
+
+}  // namespace handlebody

@@ -1,0 +1,1 @@
+# target_sources(handlebody_core PRIVATE ${CMAKE_SOURCE_DIR}/core/mesh/....cpp)
