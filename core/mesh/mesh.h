@@ -88,14 +88,16 @@ class Mesh {
 
   // --- elementary changes; they keep opposite_ and outgoing_ consistent, nothing more ---
   int addVertex(const Vec3& p);
-  //! Adds a face and joins it to faces that already hold the opposite half-edges, which must be boundary
-  //! ones.
-  int addFace(int a, int b, int c);
-  //! Removes a face; its neighbours get a boundary there. Vertices stay.
-  void removeFace(int f);
+  //! Adds faces and joins them to each other and to boundary half-edges around their vertices. Precondition:
+  //! no directed edge occurs twice afterwards, and every vertex has at most one fan of faces before.
+  void addFaces(std::span<const Triangle> faces);
+  //! Removes faces; what is left beside them gets a boundary. Vertices stay. Precondition: the faces around
+  //! each vertex that are left form one fan (no pinched vertices).
+  void removeFaces(std::span<const int> faces);
   //! Removes a vertex without faces.
   void removeVertex(int v);
-  //! Splits the edge of h at p; returns the new vertex. Both faces (or one at a boundary) are divided in two.
+  //! Splits the edge of h at p; returns the new vertex. Both faces are divided in two. Precondition: not a
+  //! boundary.
   int splitEdge(int h, const Vec3& p);
   //! Turns the edge of h. Precondition: canFlip(h).
   void flipEdge(int h);
@@ -114,7 +116,8 @@ class Mesh {
   static constexpr int kDeleted = -2;
   static std::size_t idx(int i) { return static_cast<std::size_t>(i); }
   void link(int h, int g);
-  void refreshOutgoing(int v, int h);
+  int newFace(const Triangle& corners);
+  void deleteFaceSlot(int f);
 
   std::vector<Vec3> positions_;
   std::vector<Triangle> faces_;

@@ -1,1 +1,4 @@
-# target_sources(handlebody_core PRIVATE ${CMAKE_SOURCE_DIR}/core/mesh/....cpp)
+target_sources(handlebody_core PRIVATE
+  ${CMAKE_SOURCE_DIR}/core/mesh/certificate.cpp
+  ${CMAKE_SOURCE_DIR}/core/mesh/mesh.cpp
+  ${CMAKE_SOURCE_DIR}/core/mesh/shapes.cpp)

@@ -1,0 +1,238 @@
+#include "core/mesh/mesh.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cassert>
+
+namespace handlebody {
+
+namespace {
+
+//! A half-edge under the key of its directed edge, for joining faces to each other.
+struct DirectedEdge {
+  int from;
+  int to;
+  int halfedge;
+  bool operator<(const DirectedEdge& o) const { return from != o.from ? from < o.from : to < o.to; }
+};
+
+//! For each half-edge in the sorted list, the half-edge that runs the other way, or -1.
+int findReverse(const std::vector<DirectedEdge>& sorted, const DirectedEdge& e) {
+  const auto it = std::lower_bound(sorted.begin(), sorted.end(), DirectedEdge{e.to, e.from, 0});
+  return it != sorted.end() && it->from == e.to && it->to == e.from ? it->halfedge : -1;
+}
+
+}  // namespace
+
+Mesh::Mesh(const TriangleSoup& soup) : positions_(soup.points), outgoing_(soup.points.size(), kIsolated) {
+  addFaces(soup.triangles);
+}
+
+Vec3 Mesh::areaVector(int f) const {
+  const Triangle& t = face(f);
+  return (position(t[1]) - position(t[0])).cross(position(t[2]) - position(t[0]));
+}
+
+int Mesh::findHalfedge(int u, int v) const {
+  int found = -1;
+  forEachOutgoing(u, [&](int h) {
+    if (target(h) == v) found = h;
+  });
+  return found;
+}
+
+int Mesh::valence(int v) const {
+  int n = 0;
+  forEachNeighbour(v, [&](int) { ++n; });
+  return n;
+}
+
+void Mesh::link(int h, int g) {
+  opposite_[idx(h)] = g;
+  opposite_[idx(g)] = h;
+}
+
+int Mesh::addVertex(const Vec3& p) {
+  if (freeVertices_.empty()) {
+    positions_.push_back(p);
+    outgoing_.push_back(kIsolated);
+    return vertexSlots() - 1;
+  }
+  const int v = freeVertices_.back();
+  freeVertices_.pop_back();
+  positions_[idx(v)] = p;
+  outgoing_[idx(v)] = kIsolated;
+  return v;
+}
+
+int Mesh::newFace(const Triangle& corners) {
+  int f = faceSlots();
+  if (freeFaces_.empty()) {
+    faces_.push_back(corners);
+    opposite_.insert(opposite_.end(), 3, -1);
+  } else {
+    f = freeFaces_.back();
+    freeFaces_.pop_back();
+    faces_[idx(f)] = corners;
+    for (int i = 0; i < 3; ++i) opposite_[idx(3 * f + i)] = -1;
+  }
+  return f;
+}
+
+void Mesh::deleteFaceSlot(int f) {
+  faces_[idx(f)] = {-1, -1, -1};
+  freeFaces_.push_back(f);
+}
+
+void Mesh::addFaces(std::span<const Triangle> faces) {
+  std::vector<int> vertices;
+  for (const Triangle& t : faces) vertices.insert(vertices.end(), t.begin(), t.end());
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+
+  std::vector<DirectedEdge> open;  // boundary half-edges that exist already
+  for (int v : vertices)
+    forEachOutgoing(v, [&](int h) {
+      if (opposite(h) < 0) open.push_back({v, target(h), h});
+      if (opposite(prev(h)) < 0) open.push_back({origin(prev(h)), v, prev(h)});
+    });
+  const std::size_t firstNew = open.size();
+  for (const Triangle& t : faces) {
+    const int f = newFace(t);
+    for (int h = 3 * f; h < 3 * f + 3; ++h) open.push_back({origin(h), target(h), h});
+  }
+  const std::vector<DirectedEdge> added(open.begin() + static_cast<std::ptrdiff_t>(firstNew), open.end());
+  std::sort(open.begin(), open.end());
+  for (const DirectedEdge& e : added) {
+    const int reverse = findReverse(open, e);
+    if (reverse >= 0) link(e.halfedge, reverse);
+    outgoing_[idx(e.from)] = e.halfedge;
+  }
+  // A boundary vertex must start at its boundary half-edge, so that `turn` meets all its faces.
+  for (const DirectedEdge& e : open)
+    if (opposite(e.halfedge) < 0) outgoing_[idx(e.from)] = e.halfedge;
+}
+
+void Mesh::removeFaces(std::span<const int> faces) {
+  std::vector<int> doomed(faces.begin(), faces.end());
+  std::sort(doomed.begin(), doomed.end());
+  const auto isDoomed = [&](int h) { return std::binary_search(doomed.begin(), doomed.end(), faceOf(h)); };
+  std::vector<std::pair<int, int>> fresh;  // vertex, its new outgoing half-edge
+  for (int f : doomed)
+    for (int v : face(f)) {
+      int start = kIsolated;
+      forEachOutgoing(v, [&](int h) {
+        if (!isDoomed(h) && (opposite(h) < 0 || isDoomed(opposite(h)))) start = h;
+      });
+      fresh.emplace_back(v, start);
+    }
+  for (int f : doomed) {
+    for (int h = 3 * f; h < 3 * f + 3; ++h)
+      if (opposite(h) >= 0) opposite_[idx(opposite(h))] = -1;
+    deleteFaceSlot(f);
+  }
+  for (const auto& [v, h] : fresh) outgoing_[idx(v)] = h;
+}
+
+void Mesh::removeVertex(int v) {
+  assert(outgoing(v) == kIsolated);
+  outgoing_[idx(v)] = kDeleted;
+  freeVertices_.push_back(v);
+}
+
+int Mesh::splitEdge(int h, const Vec3& p) {
+  const int g = opposite(h);
+  assert(g >= 0);
+  const int hn = next(h), gp = prev(g);
+  const int b = target(h), c = apex(h), d = apex(g);
+  const int beyondC = opposite(hn), beyondD = opposite(gp);
+  const int m = addVertex(p);
+  faces_[idx(faceOf(hn))][idx(hn % 3)] = m;
+  faces_[idx(faceOf(g))][idx(g % 3)] = m;
+  const int f2 = newFace({m, b, c});
+  const int f3 = newFace({b, m, d});
+  link(3 * f2 + 1, beyondC);
+  link(3 * f2 + 2, hn);
+  link(3 * f3 + 2, beyondD);
+  link(3 * f3 + 1, gp);
+  link(3 * f2, 3 * f3);
+  outgoing_[idx(m)] = hn;
+  outgoing_[idx(b)] = 3 * f2 + 1;
+  return m;
+}
+
+bool Mesh::canFlip(int h) const {
+  const int g = opposite(h);
+  if (g < 0) return false;
+  const int c = apex(h), d = apex(g);
+  if (c == d || findHalfedge(c, d) >= 0 || findHalfedge(d, c) >= 0) return false;
+  return valence(origin(h)) > 3 && valence(target(h)) > 3;
+}
+
+void Mesh::flipEdge(int h) {
+  const int g = opposite(h);
+  const int hn = next(h), hp = prev(h), gn = next(g), gp = prev(g);
+  const int a = origin(h), b = origin(g), c = apex(h), d = apex(g);
+  const int bc = opposite(hn), ca = opposite(hp), ad = opposite(gn), db = opposite(gp);
+  const auto setOrigin = [&](int e, int v) { faces_[idx(faceOf(e))][idx(e % 3)] = v; };
+  setOrigin(h, d);
+  setOrigin(hn, c);
+  setOrigin(hp, a);
+  setOrigin(g, c);
+  setOrigin(gn, d);
+  setOrigin(gp, b);
+  link(hn, ca);
+  link(hp, ad);
+  link(gn, db);
+  link(gp, bc);
+  outgoing_[idx(a)] = hp;
+  outgoing_[idx(b)] = gp;
+  outgoing_[idx(c)] = hn;
+  outgoing_[idx(d)] = gn;
+}
+
+bool Mesh::canCollapse(int h) const {
+  const int g = opposite(h);
+  if (g < 0) return false;
+  const int a = origin(h), b = target(h), c = apex(h), d = apex(g);
+  if (c == d || valence(c) <= 3 || valence(d) <= 3) return false;
+  bool linkCondition = true;
+  forEachNeighbour(a, [&](int w) {
+    if (w != c && w != d && w != b && findHalfedge(b, w) >= 0) linkCondition = false;
+  });
+  return linkCondition;
+}
+
+void Mesh::collapseEdge(int h, const Vec3& p) {
+  const int g = opposite(h);
+  const int a = origin(h), b = target(h), c = apex(h), d = apex(g);
+  const int cb = opposite(next(h)), ac = opposite(prev(h)), da = opposite(next(g)), bd = opposite(prev(g));
+  forEachOutgoing(b, [&](int e) { faces_[idx(faceOf(e))][idx(e % 3)] = a; });
+  deleteFaceSlot(faceOf(h));
+  deleteFaceSlot(faceOf(g));
+  link(cb, ac);
+  link(da, bd);
+  outgoing_[idx(a)] = ac;
+  outgoing_[idx(c)] = cb;
+  outgoing_[idx(d)] = da;
+  outgoing_[idx(b)] = kDeleted;
+  freeVertices_.push_back(b);
+  positions_[idx(a)] = p;
+}
+
+TriangleSoup Mesh::compact(std::vector<int>* vertexMap) const {
+  std::vector<int> map(positions_.size(), -1);
+  TriangleSoup soup;
+  soup.points.reserve(positions_.size());
+  for (int v = 0; v < vertexSlots(); ++v)
+    if (isVertex(v)) {
+      map[idx(v)] = static_cast<int>(soup.points.size());
+      soup.points.push_back(position(v));
+    }
+  for (const Triangle& t : faces_)
+    if (t[0] >= 0) soup.triangles.push_back({map[idx(t[0])], map[idx(t[1])], map[idx(t[2])]});
+  if (vertexMap) *vertexMap = std::move(map);
+  return soup;
+}
+
+}  // namespace handlebody
