@@ -1,1 +1,3 @@
-target_sources(handlebody_core PRIVATE ${CMAKE_SOURCE_DIR}/core/volume/volume.cpp)
+target_sources(handlebody_core PRIVATE
+  ${CMAKE_SOURCE_DIR}/core/volume/smoothed_volume.cpp
+  ${CMAKE_SOURCE_DIR}/core/volume/volume.cpp)

@@ -1,0 +1,133 @@
+#include "core/mesh/remesh.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace handlebody {
+
+namespace {
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+Vec3 normal(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a).normalized(); }
+
+class Regulator {
+ public:
+  Regulator(Mesh& mesh, const RemeshLimits& limits, std::vector<unsigned char>& active)
+      : mesh_(mesh), limits_(limits), active_(active) {
+    active_.resize(idx(mesh.vertexSlots()), 0);
+  }
+
+  void run() {
+    for (int pass = 0; pass < kMaxSplitPasses && splitLongEdges(); ++pass) {
+    }
+    collapseShortEdges();
+    flipForValence();
+  }
+
+ private:
+  // An edge of a moving mesh is at most a few times too long (handles); each pass halves it.
+  static constexpr int kMaxSplitPasses = 6;
+
+  bool isActive(int v) const { return active_[idx(v)] != 0; }
+  double squaredLength(int h) const {
+    return (mesh_.position(mesh_.target(h)) - mesh_.position(mesh_.origin(h))).squaredNorm();
+  }
+  //! One of the two half-edges of each edge beside an active vertex, of a face that exists.
+  bool isCandidate(int h) const {
+    return mesh_.isFace(Mesh::faceOf(h)) && h < mesh_.opposite(h) &&
+           (isActive(mesh_.origin(h)) || isActive(mesh_.target(h)));
+  }
+
+  bool splitLongEdges() {
+    const double limit = limits_.longest * limits_.longest;
+    std::vector<std::pair<double, int>> edges;
+    for (int h = 0; h < 3 * mesh_.faceSlots(); ++h)
+      if (isCandidate(h) && squaredLength(h) > limit) edges.emplace_back(-squaredLength(h), h);
+    // Longest first: that is what keeps the triangles well shaped.
+    std::sort(edges.begin(), edges.end());
+    for (const auto& [length, h] : edges) {
+      if (squaredLength(h) <= limit) continue;
+      const int m =
+          mesh_.splitEdge(h, (mesh_.position(mesh_.origin(h)) + mesh_.position(mesh_.target(h))) / 2);
+      if (idx(m) >= active_.size()) active_.resize(idx(m) + 1, 0);
+      active_[idx(m)] = 1;
+    }
+    return !edges.empty();
+  }
+
+  void collapseShortEdges() {
+    const double limit = limits_.shortest * limits_.shortest;
+    for (int h = 0; h < 3 * mesh_.faceSlots(); ++h) {
+      if (!isCandidate(h) || squaredLength(h) >= limit) continue;
+      // The vertex that does not move stays where it is.
+      const int a = mesh_.origin(h), b = mesh_.target(h);
+      if (!isActive(a) || !isActive(b)) {
+        const int e = isActive(b) ? h : mesh_.opposite(h);
+        if (collapseAllowed(e, mesh_.position(mesh_.origin(e))))
+          mesh_.collapseEdge(e, mesh_.position(mesh_.origin(e)));
+        continue;
+      }
+      const Vec3 middle = (mesh_.position(a) + mesh_.position(b)) / 2;
+      if (collapseAllowed(h, middle)) mesh_.collapseEdge(h, middle);
+    }
+  }
+
+  bool collapseAllowed(int h, const Vec3& p) const {
+    return mesh_.canCollapse(h) && starStaysFlat(mesh_.origin(h), mesh_.target(h), p) &&
+           starStaysFlat(mesh_.target(h), mesh_.origin(h), p);
+  }
+
+  //! True if the faces around v that do not hold `other` keep their normals, and no edge gets too long, when
+  //! v goes to p.
+  bool starStaysFlat(int v, int other, const Vec3& p) const {
+    bool ok = true;
+    mesh_.forEachOutgoing(v, [&](int h) {
+      const int b = mesh_.target(h), c = mesh_.apex(h);
+      if (!ok || b == other || c == other) return;
+      const Vec3 before = normal(mesh_.position(v), mesh_.position(b), mesh_.position(c));
+      const Vec3 after = normal(p, mesh_.position(b), mesh_.position(c));
+      const double limit = limits_.longest * limits_.longest;
+      ok = before.dot(after) > kFlatEnough && (mesh_.position(b) - p).squaredNorm() < limit &&
+           (mesh_.position(c) - p).squaredNorm() < limit;
+    });
+    return ok;
+  }
+
+  void flipForValence() {
+    for (int h = 0; h < 3 * mesh_.faceSlots(); ++h)
+      if (isCandidate(h) && isActive(mesh_.origin(h)) && isActive(mesh_.target(h)) && flipImproves(h) &&
+          mesh_.canFlip(h))
+        mesh_.flipEdge(h);
+  }
+
+  bool flipImproves(int h) const {
+    const int a = mesh_.origin(h), b = mesh_.target(h), c = mesh_.apex(h), d = mesh_.apex(mesh_.opposite(h));
+    const Vec3 &pa = mesh_.position(a), &pb = mesh_.position(b), &pc = mesh_.position(c),
+               &pd = mesh_.position(d);
+    // Delaunay: turn the edge when the angles that face it add up to more than a straight one (with a margin,
+    // so that no edge is turned to and fro).
+    const auto cosine = [](const Vec3& apex, const Vec3& p, const Vec3& q) {
+      return (p - apex).dot(q - apex) / std::sqrt((p - apex).squaredNorm() * (q - apex).squaredNorm());
+    };
+    const double sum = cosine(pc, pa, pb) + cosine(pd, pa, pb);
+    if (!(sum < -0.1)) return false;
+    if ((pc - pd).squaredNorm() > limits_.longest * limits_.longest) return false;
+    const Vec3 n0 = normal(pa, pb, pc), n1 = normal(pb, pa, pd);
+    const Vec3 m0 = normal(pd, pc, pa), m1 = normal(pc, pd, pb);
+    return n0.dot(n1) > kFlatEnough && m0.dot(m1) > kFlatEnough && m0.dot(n0) > kFlatEnough;
+  }
+
+  Mesh& mesh_;
+  const RemeshLimits& limits_;
+  std::vector<unsigned char>& active_;
+};
+
+}  // namespace
+
+void regulate(Mesh& mesh, const RemeshLimits& limits, std::vector<unsigned char>& active) {
+  Regulator(mesh, limits, active).run();
+}
+
+}  // namespace handlebody

@@ -1,0 +1,140 @@
+#include "core/volume/smoothed_volume.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handlebody {
+
+namespace {
+
+constexpr int kShift = 5;
+constexpr int kBrick = 1 << kShift;  // voxels that belong to a brick, per axis
+constexpr int kStored = kBrick + 1;  // with one more layer, so that trilinear sampling stays inside one brick
+constexpr double kCutOff =
+    3.0;  // radius of the kernel in standard deviations: 0.3 % of the weight is left out
+constexpr double kNoSmoothing =
+    0.2;  // narrower kernels than this many voxels change nothing (weight of a neighbour < 4e-6)
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+std::vector<float> gaussian(double sigmaVoxels) {
+  if (sigmaVoxels < kNoSmoothing) return {1.0f};
+  const int radius = std::max(1, static_cast<int>(std::ceil(kCutOff * sigmaVoxels)));
+  std::vector<double> w(idx(radius) + 1);
+  double sum = 0;
+  for (int i = 0; i <= radius; ++i) {
+    w[idx(i)] = std::exp(-0.5 * i * i / (sigmaVoxels * sigmaVoxels));
+    sum += i == 0 ? w[0] : 2 * w[idx(i)];
+  }
+  std::vector<float> out;
+  for (double x : w) out.push_back(static_cast<float>(x / sum));
+  return out;
+}
+
+//! out[i] = sum over the kernel of in[i + radius ± t], for lines of a block: `stride` between neighbours
+//! along the axis.
+void convolve(const float* in, float* out, const std::vector<float>& w, int outCount, int lineStride,
+              int lines) {
+  const int radius = static_cast<int>(w.size()) - 1;
+  for (int i = 0; i < outCount; ++i) {
+    const float* centre = in + static_cast<std::ptrdiff_t>(i + radius) * lineStride;
+    float* target = out + static_cast<std::ptrdiff_t>(i) * lineStride;
+    for (int l = 0; l < lines; ++l) target[l] = w[0] * centre[l];
+    for (int t = 1; t <= radius; ++t) {
+      const float* before = centre - static_cast<std::ptrdiff_t>(t) * lineStride;
+      const float* after = centre + static_cast<std::ptrdiff_t>(t) * lineStride;
+      const float weight = w[idx(t)];
+      for (int l = 0; l < lines; ++l) target[l] += weight * (before[l] + after[l]);
+    }
+  }
+}
+
+//! Along x, where neighbours lie side by side.
+void convolveRow(const float* in, float* out, const std::vector<float>& w, int outCount) {
+  const int radius = static_cast<int>(w.size()) - 1;
+  for (int i = 0; i < outCount; ++i) out[i] = w[0] * in[i + radius];
+  for (int t = 1; t <= radius; ++t)
+    for (int i = 0; i < outCount; ++i) out[i] += w[idx(t)] * (in[i + radius - t] + in[i + radius + t]);
+}
+
+}  // namespace
+
+SmoothedVolume::SmoothedVolume(Volume volume, double sigma) : volume_(std::move(volume)), sigma_(sigma) {
+  std::size_t count = 1;
+  for (std::size_t a = 0; a < 3; ++a) {
+    kernels_[a].weights = gaussian(sigma / grid().spacing[static_cast<int>(a)]);
+    bricks_[a] = (grid().size[a] + kBrick - 1) / kBrick;
+    count *= idx(bricks_[a]);
+  }
+  table_ = std::vector<std::atomic<float*>>(count);
+}
+
+SmoothedVolume::~SmoothedVolume() {
+  for (auto& b : table_) delete[] b.load();
+}
+
+const float* SmoothedVolume::brick(int bi, int bj, int bk) const {
+  auto& slot = table_[(idx(bk) * idx(bricks_[1]) + idx(bj)) * idx(bricks_[0]) + idx(bi)];
+  if (const float* ready = slot.load(std::memory_order_acquire)) return ready;
+  const std::lock_guard<std::mutex> lock(making_);
+  if (const float* ready = slot.load(std::memory_order_acquire)) return ready;
+  float* made = makeBrick(bi, bj, bk).release();
+  slot.store(made, std::memory_order_release);
+  return made;
+}
+
+std::unique_ptr<float[]> SmoothedVolume::makeBrick(int bi, int bj, int bk) const {
+  const std::array<int, 3> first{bi * kBrick, bj * kBrick, bk * kBrick};
+  const std::array<int, 3> radius{kernels_[0].radius(), kernels_[1].radius(), kernels_[2].radius()};
+  const std::array<int, 3> n{kStored + 2 * radius[0], kStored + 2 * radius[1], kStored + 2 * radius[2]};
+  // Voxels with a halo of the kernel's radius; beyond the border the border's values repeat.
+  std::vector<float> raw(idx(n[0]) * idx(n[1]) * idx(n[2]));
+  const auto clampTo = [&](int i, std::size_t a) { return std::clamp(i, 0, grid().size[a] - 1); };
+  visitVoxels(volume_, [&](const auto* voxels) {
+    float* out = raw.data();
+    for (int k = 0; k < n[2]; ++k)
+      for (int j = 0; j < n[1]; ++j) {
+        const std::size_t row = (idx(clampTo(first[2] + k - radius[2], 2)) * idx(grid().size[1]) +
+                                 idx(clampTo(first[1] + j - radius[1], 1))) *
+                                idx(grid().size[0]);
+        for (int i = 0; i < n[0]; ++i)
+          *out++ = static_cast<float>(voxels[row + idx(clampTo(first[0] + i - radius[0], 0))]);
+      }
+  });
+  std::vector<float> alongZ(idx(n[0]) * idx(n[1]) * idx(kStored));
+  convolve(raw.data(), alongZ.data(), kernels_[2].weights, kStored, n[0] * n[1], n[0] * n[1]);
+  std::vector<float> alongY(idx(n[0]) * idx(kStored) * idx(kStored));
+  for (int k = 0; k < kStored; ++k)
+    convolve(&alongZ[idx(k) * idx(n[0] * n[1])], &alongY[idx(k) * idx(n[0] * kStored)], kernels_[1].weights,
+             kStored, n[0], n[0]);
+  auto out = std::make_unique<float[]>(idx(kStored) * idx(kStored) * idx(kStored));
+  for (int row = 0; row < kStored * kStored; ++row)
+    convolveRow(&alongY[idx(row) * idx(n[0])], &out[idx(row) * idx(kStored)], kernels_[0].weights, kStored);
+  return out;
+}
+
+float SmoothedVolume::at(int i, int j, int k) const {
+  const float* b = brick(i >> kShift, j >> kShift, k >> kShift);
+  const int mask = kBrick - 1;
+  return b[((k & mask) * kStored + (j & mask)) * kStored + (i & mask)];
+}
+
+double SmoothedVolume::sample(const Vec3& index) const {
+  std::array<int, 3> cell;
+  std::array<double, 3> t;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double x = std::clamp(index[static_cast<int>(a)], 0.0, grid().size[a] - 1.0);
+    cell[a] = std::min(static_cast<int>(x), std::max(0, grid().size[a] - 2));
+    t[a] = x - cell[a];
+  }
+  const float* b = brick(cell[0] >> kShift, cell[1] >> kShift, cell[2] >> kShift);
+  const int mask = kBrick - 1;
+  const float* p = b + ((cell[2] & mask) * kStored + (cell[1] & mask)) * kStored + (cell[0] & mask);
+  const auto along = [](double a, double c, double s) { return a + s * (c - a); };
+  const double c00 = along(p[0], p[1], t[0]), c10 = along(p[kStored], p[kStored + 1], t[0]);
+  const float* q = p + kStored * kStored;
+  const double c01 = along(q[0], q[1], t[0]), c11 = along(q[kStored], q[kStored + 1], t[0]);
+  return along(along(c00, c10, t[1]), along(c01, c11, t[1]), t[2]);
+}
+
+}  // namespace handlebody

@@ -1,0 +1,46 @@
+#pragma once
+// The volume as the evolution sees it: smoothed by a Gaussian, once, in bricks, and only where something
+// asks.
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "core/volume/volume.h"
+
+namespace handlebody {
+
+//! Smoothed voxel values with trilinear sampling. Bricks are made when first needed; any number of threads
+//! may sample at once, and the values do not depend on who asks first. Memory is that of the bricks touched
+//! (4 bytes a voxel).
+class SmoothedVolume {
+ public:
+  //! `sigma`: standard deviation of the Gaussian in mm, >= 0; the same in all directions of space.
+  SmoothedVolume(Volume volume, double sigma);
+  ~SmoothedVolume();
+
+  const Grid& grid() const { return volume_.grid; }
+  double sigma() const { return sigma_; }
+  //! Smoothed value at a voxel of the grid.
+  float at(int i, int j, int k) const;
+  //! Trilinear value at a continuous index; indices outside are moved to the nearest voxel of the border.
+  double sample(const Vec3& index) const;
+
+ private:
+  struct Kernel {
+    std::vector<float> weights;  // radius + 1 values, the centre first
+    int radius() const { return static_cast<int>(weights.size()) - 1; }
+  };
+  const float* brick(int bi, int bj, int bk) const;
+  std::unique_ptr<float[]> makeBrick(int bi, int bj, int bk) const;
+
+  Volume volume_;
+  double sigma_;
+  std::array<Kernel, 3> kernels_;
+  std::array<int, 3> bricks_;
+  mutable std::vector<std::atomic<float*>> table_;
+  mutable std::mutex making_;
+};
+
+}  // namespace handlebody
