@@ -1,1 +1,1 @@
-# target_sources(handlebody_core PRIVATE ${CMAKE_SOURCE_DIR}/core/handles/....cpp)
+target_sources(handlebody_core PRIVATE ${CMAKE_SOURCE_DIR}/core/handles/two_front_handle.cpp)

@@ -2,6 +2,7 @@
 // Handles that join two boundary loops (k = 2) of any sizes (paper, section 3; engine's own dynamic
 // programming).
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -16,14 +17,21 @@ struct HandleCandidate {
   double length = 0;            //!< sum of the lengths of the edges between the loops, mm
 };
 
-//! The best handles for two loops, shortest total edge length first: for each way to start (which vertex of
-//! the second loop is joined to vertex 0 of the first) the strip of least total length, found as a shortest
-//! cyclic monotone lattice path; at most `limit` distinct ones. `first` and `second` are the boundary loops
-//! of the opened mesh, each in the order in which its boundary half-edges run when seen from the missing
-//! side: a handle face that uses the loop edge (v_i, v_i+1) holds it in exactly that direction, so that
-//! handle and opened mesh fit with consistent orientation. No handle has a repeated edge or face (it is a
-//! simplicial complex by itself). Empty if none exists (a loop of fewer than 3 vertices).
+//! A pair of vertices that must not be joined: an index into the first loop, one into the second.
+using LoopPair = std::array<int, 2>;
+
+//! The best handles for two loops, shortest total edge length first: for each apex that the edge (0, 1) of
+//! the first loop can have in the second, the strip of least total length, found as a shortest cyclic
+//! monotone lattice path (O(p·q) each). These classes divide the whole family, so the first result is the
+//! best of all handles for k = 2; at most `limit` are returned, and they are distinct. `first` and `second`
+//! are the boundary loops of the opened mesh (mm), each in the order in which its boundary half-edges run
+//! when seen from the missing side: a handle face that uses the loop edge (v_i, v_i+1) holds it in exactly
+//! that direction, so that handle and opened mesh fit with consistent orientation. No handle has a repeated
+//! edge or face (it is a simplicial complex by itself), and none has an edge of `forbidden`: name there the
+//! pairs that the opened mesh already joins by an edge. Empty if no handle exists: a loop of fewer than 3
+//! vertices, too many forbidden pairs, or coordinates that are not finite. Precondition: the loops share no
+//! vertex, and the forbidden indices are within the loops.
 std::vector<HandleCandidate> bestTwoFrontHandles(std::span<const Vec3> first, std::span<const Vec3> second,
-                                                 int limit);
+                                                 int limit, std::span<const LoopPair> forbidden = {});
 
 }  // namespace handlebody

@@ -1,0 +1,1 @@
+target_sources(core_tests PRIVATE ${CMAKE_SOURCE_DIR}/tests/core/handles/two_front_handle_test.cpp)
