@@ -9,7 +9,7 @@
 #include "core/collision/certify.h"
 #include "core/errors.h"
 #include "core/evolution/active_contour.h"
-#include "core/io/text_file.h"
+#include "core/io/atomic_file.h"
 
 namespace handlebody::cli {
 
@@ -101,8 +101,8 @@ void printSummary(const RunReport& report) {
 
 void writeSideFiles(const RunReport& report, const RunOutputs& outputs) {
   if (!outputs.session.empty()) writeSession(report.session, outputs.session);
-  if (!outputs.trace.empty()) writeTextFile(traceText(report), outputs.trace);
-  if (!outputs.report.empty()) writeTextFile(reportText(report), outputs.report);
+  if (!outputs.trace.empty()) writeTextAtomically(outputs.trace, traceText(report));
+  if (!outputs.report.empty()) writeTextAtomically(outputs.report, reportText(report));
 }
 
 }  // namespace

@@ -1,16 +1,29 @@
 #include "core/io/session.h"
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "core/errors.h"
+#include "core/io/atomic_file.h"
 #include "core/io/json.h"
-#include "core/io/text_file.h"
 
 namespace handlebody {
 
 namespace fs = std::filesystem;
 
 namespace {
+
+std::string readText(const std::string& path) {
+  if (fs::is_directory(path)) throw InputError(path + " is a folder, not a session.");
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw InputError(path + " cannot be opened: " + std::strerror(errno) + ".");
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (in.bad()) throw InputError(path + " cannot be read.");
+  return text;
+}
 
 // A relative path survives a move of the folder that holds volume and session; across different drives or
 // roots there is none, and the absolute path stays.
@@ -59,11 +72,11 @@ void writeSession(const Session& session, const std::string& path) {
     json["parameters"] = resolvedToJson(*session.resolved);
     json["seeds"] = seedsToJson(session.resolved->seeds);
   }
-  writeTextFile(jsonText(json), path);
+  writeTextAtomically(path, jsonText(json));
 }
 
 Session readSession(const std::string& path) {
-  const std::string text = readTextFile(path);
+  const std::string text = readText(path);
   try {
     return sessionFromJson(Json::parse(text), path);
   } catch (const Json::parse_error&) {
