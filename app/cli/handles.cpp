@@ -27,7 +27,8 @@ Family parseFamily(const std::string& text) {
 
 int handles(const HandlesOptions& o) {
   const std::vector<int> sizes = parseIntegers("--sizes", o.sizes, 3);
-  if (sizes.size() < 2) throw UsageError("--sizes: '" + o.sizes + "' is not two or more loop sizes M1,M2,….");
+  if (sizes.size() < 2)
+    throw UsageError("--sizes: '" + o.sizes + "' is not two or more loop sizes M1,M2,...");
   const HandleCount count = countHandles(sizes, o.family);
   if (o.json)
     std::fputs(jsonText({{"handles", count.handles}, {"generators", count.generators}}).c_str(), stdout);

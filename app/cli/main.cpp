@@ -16,6 +16,7 @@ int fail(const std::string& message, ExitCode code) {
   std::string line = message;
   std::replace_if(
       line.begin(), line.end(), [](unsigned char c) { return c < ' '; }, ' ');
+  if (line.empty() || line.back() != '.') line += '.';
   std::cerr << "handlebody-cli: " << line << std::endl;
   return code;
 }

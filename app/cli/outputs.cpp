@@ -31,7 +31,8 @@ void checkFolder(const OutputFile& file, const fs::path& folder) {
   if (!fs::is_directory(folder)) refuse(file, folder.string() + " is not a folder");
   std::string probe = (folder / ".handlebody-XXXXXX").string();
   const int descriptor = ::mkstemp(probe.data());
-  if (descriptor < 0) refuse(file, std::string("in its folder, ") + std::strerror(errno));
+  if (descriptor < 0)
+    refuse(file, "its folder takes no new file (" + std::string(std::strerror(errno)) + ")");
   ::close(descriptor);
   ::unlink(probe.c_str());
 }

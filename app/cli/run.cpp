@@ -22,6 +22,7 @@ void addRunOutputs(CLI::App& command, RunOutputs& outputs) {
       ->type_name("OUT")
       ->expected(1)
       ->take_all()
+      ->allow_extra_args(false)
       ->required();
   command.add_option("--report", outputs.report, "Report of the run (JSON)")->type_name("F.json");
   command.add_option("--session", outputs.session, "Session for `replay` (JSON)")->type_name("F.json");

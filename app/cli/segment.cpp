@@ -67,11 +67,13 @@ void addInput(CLI::App& command, SegmentOptions& o) {
       .add_option("--seed", o.seeds, "A ball inside the object, LPS millimetres; may be given several times")
       ->type_name("X,Y,Z[,R]")
       ->expected(1)
-      ->take_all();
+      ->take_all()
+      ->allow_extra_args(false);
   command.add_option("--seed-ijk", o.voxelSeeds, "The same in voxels; the radius in voxels of mean size")
       ->type_name("I,J,K[,R]")
       ->expected(1)
-      ->take_all();
+      ->take_all()
+      ->allow_extra_args(false);
 }
 
 void addParameters(CLI::App& command, Parameters& p) {
