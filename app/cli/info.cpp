@@ -21,9 +21,9 @@ struct InfoOptions {
 
 constexpr std::array kPercents{0.1, 1.0, 5.0, 25.0, 50.0, 75.0, 95.0, 99.0, 99.9};
 
-// A folder with several series has no one volume until one is chosen.
+// A folder with several series holds no one volume, and no frame, until one is chosen.
 std::optional<IntensityStatistics> intensities(const VolumeInfo& info, const InfoOptions& o) {
-  if (info.series.size() > 1 && !o.selection.series) return std::nullopt;
+  if (info.frames == 0) return std::nullopt;
   return intensityStatistics(readVolume(o.path, o.selection), kPercents);
 }
 
@@ -68,18 +68,10 @@ Json toJson(const VolumeInfo& info, const std::optional<IntensityStatistics>& st
   return json;
 }
 
-void printSeries(const VolumeInfo& info) {
-  std::printf("%s: %s, %d x %d x %d voxels, %s", info.path.c_str(), info.format.c_str(), info.grid.size[0],
-              info.grid.size[1], info.grid.size[2], voxelTypeName(info.type));
-  std::printf(info.frames == 1 ? "\n" : ", %d time points\n", info.frames);
-  for (const SeriesInfo& s : info.series)
-    if (!s.uid.empty())
-      std::printf("series %s: %s, files %d\n", s.uid.c_str(), s.description.c_str(), s.files);
-}
-
-void printText(const VolumeInfo& info, const std::optional<IntensityStatistics>& statistics) {
-  printSeries(info);
+void printGrid(const VolumeInfo& info) {
   const Grid& g = info.grid;
+  std::printf("%d x %d x %d voxels, %s", g.size[0], g.size[1], g.size[2], voxelTypeName(info.type));
+  std::printf(info.frames == 1 ? "\n" : ", %d time points\n", info.frames);
   std::printf("spacing %g, %g, %g mm; origin %g, %g, %g mm (LPS)\n", g.spacing.x(), g.spacing.y(),
               g.spacing.z(), g.origin.x(), g.origin.y(), g.origin.z());
   std::printf("axes point to %s; direction", orientation(g).c_str());
@@ -87,12 +79,24 @@ void printText(const VolumeInfo& info, const std::optional<IntensityStatistics>&
     std::printf("%s %.4g %.4g %.4g", row ? " /" : "", g.direction(row, 0), g.direction(row, 1),
                 g.direction(row, 2));
   std::printf("\n");
+}
+
+void printIntensities(const IntensityStatistics& statistics) {
+  std::printf("intensities %g to %g, mean %g; percentiles", statistics.minimum, statistics.maximum,
+              statistics.mean);
+  for (std::size_t i = 0; i < kPercents.size(); ++i)
+    std::printf("%s %g%%: %g", i ? "," : "", kPercents[i], statistics.percentiles[i]);
+  std::printf("\n");
+}
+
+void printText(const VolumeInfo& info, const std::optional<IntensityStatistics>& statistics) {
+  std::printf("%s: %s\n", info.path.c_str(), info.format.c_str());
+  for (const SeriesInfo& s : info.series)
+    if (!s.uid.empty())
+      std::printf("series %s: %s, files %d\n", s.uid.c_str(), s.description.c_str(), s.files);
   if (statistics) {
-    std::printf("intensities %g to %g, mean %g; percentiles", statistics->minimum, statistics->maximum,
-                statistics->mean);
-    for (std::size_t i = 0; i < kPercents.size(); ++i)
-      std::printf("%s %g%%: %g", i ? "," : "", kPercents[i], statistics->percentiles[i]);
-    std::printf("\n");
+    printGrid(info);
+    printIntensities(*statistics);
   }
   for (const std::string& warning : info.warnings) std::printf("warning: %s\n", warning.c_str());
 }

@@ -164,22 +164,26 @@ void append(std::string& text, const Json& json, std::size_t indent) {
   text += "\n" + std::string(indent, ' ') + (json.is_array() ? "]" : "}");
 }
 
+// Stricter than the library, which also makes numbers of true and false.
+double finiteFromJson(const Json& json) {
+  if (!json.is_number()) throw UsageError(compact(json) + " is not a number.");
+  return json.get<double>();
+}
+
 double numberFromJson(const Json& json) {
-  if (!json.is_string()) return json.get<double>();
-  const double infinity = std::numeric_limits<double>::infinity();
-  if (json == "inf") return infinity;
-  if (json == "-inf") return -infinity;
-  throw UsageError(compact(json) + " is not a number.");
+  if (json == "inf") return std::numeric_limits<double>::infinity();
+  if (json == "-inf") return -std::numeric_limits<double>::infinity();
+  return finiteFromJson(json);
 }
 
 Vec3 vectorFromJson(const Json& json) {
-  const auto v = json.get<std::array<double, 3>>();
-  return {v[0], v[1], v[2]};
+  if (json.size() != 3) throw UsageError(compact(json) + " is not a point.");
+  return {finiteFromJson(json.at(0)), finiteFromJson(json.at(1)), finiteFromJson(json.at(2))};
 }
 
 std::optional<double> optionalFromJson(const Json& object, const char* key) {
   if (!object.contains(key) || object.at(key).is_null()) return std::nullopt;
-  return object.at(key).get<double>();
+  return finiteFromJson(object.at(key));
 }
 
 template <typename T>
@@ -200,15 +204,13 @@ CoordinateSpace spaceFromJson(const Json& json) {
   throw UsageError(compact(json) + " is not a known space.");
 }
 
-// Whole numbers only: the JSON library would cut 1.5 to 1 and wrap what does not fit.
-int countFromJson(const Json& json) {
-  const double value = json.get<double>();
-  if (!json.is_number_integer() || std::abs(value) > std::numeric_limits<int>::max())
+}  // namespace
+
+int integerFromJson(const Json& json) {
+  if (!json.is_number_integer() || std::abs(json.get<double>()) > std::numeric_limits<int>::max())
     throw UsageError(compact(json) + " is not a whole number in range.");
   return json.get<int>();
 }
-
-}  // namespace
 
 std::string jsonText(const Json& json) {
   std::string text;
@@ -223,10 +225,10 @@ void readRequest(const Json& json, Session& session) {
   p.smoothing = optionalFromJson(json, "smoothing");
   p.edgeLength = optionalFromJson(json, "edge_length");
   if (json.contains("direction")) p.direction = wordFromJson(json.at("direction"), directionFromName);
-  if (json.contains("balloon")) p.balloon = json.at("balloon").get<double>();
-  if (json.contains("curvature")) p.curvature = json.at("curvature").get<double>();
-  if (json.contains("max_iterations")) p.maxIterations = countFromJson(json.at("max_iterations"));
-  if (json.contains("threads")) p.threads = countFromJson(json.at("threads"));
+  if (json.contains("balloon")) p.balloon = finiteFromJson(json.at("balloon"));
+  if (json.contains("curvature")) p.curvature = finiteFromJson(json.at("curvature"));
+  if (json.contains("max_iterations")) p.maxIterations = integerFromJson(json.at("max_iterations"));
+  if (json.contains("threads")) p.threads = integerFromJson(json.at("threads"));
   if (json.contains("space")) session.space = spaceFromJson(json.at("space"));
   for (const Json& entry : json.at("seeds"))
     session.seeds.push_back(Seed{vectorFromJson(entry.at("centre")), optionalFromJson(entry, "radius")});

@@ -48,6 +48,8 @@ Json traceToJson(const EventTrace& trace);
 //! that are not UTF-8 (a path may have them) are replaced.
 std::string jsonText(const Json& json);
 
+//! Whole numbers that fit only: the library would cut 1.5 to 1 and wrap what does not fit. Throws UsageError.
+int integerFromJson(const Json& json);
 //! The inverse of requestToJson: parameters, seeds and space of `session`. Absent keys keep their defaults,
 //! null is "automatic". Throws Json::exception for a value of the wrong type, UsageError for a word or number
 //! without meaning.

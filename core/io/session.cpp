@@ -49,7 +49,8 @@ Session sessionFromJson(const Json& json, const std::string& path) {
   if (input.contains("series") && !input.at("series").is_null())
     session.volume.selection.series = input.at("series").get<std::string>();
   if (input.contains("frame") && !input.at("frame").is_null())
-    session.volume.selection.frame = input.at("frame").get<int>();
+    session.volume.selection.frame = integerFromJson(input.at("frame"));
+  if (session.volume.selection.frame < 0) throw UsageError("the frame is below 0.");
   readRequest(json.at("requested"), session);
   return session;
 }

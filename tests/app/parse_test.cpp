@@ -59,7 +59,8 @@ TEST_CASE("a seed has three finite coordinates and perhaps a radius above zero",
   const Seed seed = parseSeed("--seed", "-1,2,3,0.25");
   CHECK(seed.centre == Vec3(-1, 2, 3));
   CHECK(*seed.radius == 0.25);
-  for (const char* text : {"1,2", "1,2,3,4,5", "1,2,3,0", "1,2,3,-1", "1,2,3,inf", "inf,2,3", "nan,2,3", "1,2,3,"}) {
+  for (const char* text :
+       {"1,2", "1,2,3,4,5", "1,2,3,0", "1,2,3,-1", "1,2,3,inf", "inf,2,3", "nan,2,3", "1,2,3,"}) {
     INFO(text);
     CHECK_THROWS_AS(parseSeed("--seed", text), UsageError);
   }

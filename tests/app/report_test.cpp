@@ -35,23 +35,26 @@ RunReport smallReport() {
 
 TEST_CASE("a report holds every field of the contract", "[report]") {
   const auto json = nlohmann::json::parse(reportText(smallReport()));
-  for (const char* key : {"version", "notice", "input", "parameters", "requested", "seeds", "iterations", "stopped",
-                          "seconds", "mesh", "events"}) {
+  for (const char* key : {"version", "notice", "input", "parameters", "requested", "seeds", "iterations",
+                          "stopped", "seconds", "mesh", "events"}) {
     INFO(key);
     CHECK(json.contains(key));
   }
-  for (const char* key : {"path", "sha256", "size", "spacing", "origin", "direction"}) CHECK(json["input"].contains(key));
+  for (const char* key : {"path", "sha256", "size", "spacing", "origin", "direction"})
+    CHECK(json["input"].contains(key));
   for (const char* key : {"object", "range", "smoothing", "edge_length", "direction", "balloon", "curvature",
                           "max_iterations", "threads"}) {
     INFO(key);
     CHECK(json["parameters"].contains(key));
     CHECK(json["requested"].contains(key));
   }
-  for (const char* key : {"load", "prepare", "evolve", "export", "total"}) CHECK(json["seconds"].contains(key));
-  for (const char* key : {"vertices", "faces", "components", "genus", "euler", "volume_mm3", "area_mm2", "closed",
-                          "manifold", "oriented", "self_intersections"})
+  for (const char* key : {"load", "prepare", "evolve", "export", "total"})
+    CHECK(json["seconds"].contains(key));
+  for (const char* key : {"vertices", "faces", "components", "genus", "euler", "volume_mm3", "area_mm2",
+                          "closed", "manifold", "oriented", "self_intersections"})
     CHECK(json["mesh"].contains(key));
-  for (const char* key : {"kind", "iteration", "location", "fronts", "loop_sizes", "before", "after", "reason"})
+  for (const char* key :
+       {"kind", "iteration", "location", "fronts", "loop_sizes", "before", "after", "reason"})
     CHECK(json["events"][0].contains(key));
   for (const char* key : {"components", "genus", "euler"}) CHECK(json["events"][0]["before"].contains(key));
 }
@@ -80,8 +83,8 @@ TEST_CASE("traces are in the trace file only", "[report]") {
     CHECK(trace[key].is_array());
 }
 
-TEMPLATE_TEST_CASE("percentiles are values at their rank", "[volume]", std::uint8_t, std::int8_t, std::uint16_t,
-                   std::int16_t, std::int32_t, float, double) {
+TEMPLATE_TEST_CASE("percentiles are values at their rank", "[volume]", std::uint8_t, std::int8_t,
+                   std::uint16_t, std::int16_t, std::int32_t, float, double) {
   constexpr VoxelType kType = std::is_same_v<TestType, std::uint8_t>    ? VoxelType::uint8
                               : std::is_same_v<TestType, std::int8_t>   ? VoxelType::int8
                               : std::is_same_v<TestType, std::uint16_t> ? VoxelType::uint16
@@ -101,5 +104,6 @@ TEMPLATE_TEST_CASE("percentiles are values at their rank", "[volume]", std::uint
   CHECK(s.minimum == lowest);
   CHECK(s.maximum == lowest + 100);
   CHECK(s.mean == Approx(lowest + 50));
-  CHECK(s.percentiles == std::vector<double>{lowest + 0., lowest + 1., lowest + 50., lowest + 99., lowest + 100.});
+  CHECK(s.percentiles ==
+        std::vector<double>{lowest + 0., lowest + 1., lowest + 50., lowest + 99., lowest + 100.});
 }

@@ -53,10 +53,12 @@ nlohmann::json runForJson(const std::vector<std::string>& arguments) {
   return nlohmann::json::parse(outcome.out);
 }
 
-PhantomFile makePhantomFile(const TempFolder& folder, const std::string& name, const std::vector<std::string>& more) {
+PhantomFile makePhantomFile(const TempFolder& folder, const std::string& name,
+                            const std::vector<std::string>& more) {
   PhantomFile file;
   file.path = folder / name;
-  std::vector<std::string> arguments{"phantom", "sphere", "-o", file.path, "--size", "32,32,32"};
+  std::vector<std::string> arguments{"phantom", "sphere",   "-o",        file.path,
+                                     "--size",  "32,32,32", "--spacing", "2.5,2.5,2.5"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   file.json = runForJson(arguments);
   for (const auto& x : file.json.at("seed").at("centre")) file.seed += x.dump() + ",";

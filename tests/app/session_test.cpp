@@ -110,15 +110,25 @@ TEST_CASE("what is not a session is an input error that names the file", "[sessi
       [](nlohmann::json& j) { j["requested"].erase("seeds"); },
       [](nlohmann::json& j) { j["requested"]["seeds"] = nlohmann::json::array(); },
       [](nlohmann::json& j) { j["requested"]["seeds"] = 3; },
-      [](nlohmann::json& j) { j["requested"]["seeds"][0]["centre"] = {1, 2}; },
-      [](nlohmann::json& j) { j["requested"]["seeds"][0]["centre"] = {1, 2, 3, 4}; },
-      [](nlohmann::json& j) { j["requested"]["seeds"][0]["centre"] = {1, 2, nullptr}; },
+      [](nlohmann::json& j) {
+        j["requested"]["seeds"][0]["centre"] = {1, 2};
+      },
+      [](nlohmann::json& j) {
+        j["requested"]["seeds"][0]["centre"] = {1, 2, 3, 4};
+      },
+      [](nlohmann::json& j) {
+        j["requested"]["seeds"][0]["centre"] = {1, 2, nullptr};
+      },
       [](nlohmann::json& j) { j["requested"]["object"] = "grey"; },
       [](nlohmann::json& j) { j["requested"]["object"] = 1; },
       [](nlohmann::json& j) { j["requested"]["direction"] = "inward"; },
       [](nlohmann::json& j) { j["requested"]["space"] = "MNI"; },
-      [](nlohmann::json& j) { j["requested"]["range"] = {1, 2, 3}; },
-      [](nlohmann::json& j) { j["requested"]["range"] = {"low", 2}; },
+      [](nlohmann::json& j) {
+        j["requested"]["range"] = {1, 2, 3};
+      },
+      [](nlohmann::json& j) {
+        j["requested"]["range"] = {"low", 2};
+      },
       [](nlohmann::json& j) { j["requested"]["balloon"] = "strong"; },
       [](nlohmann::json& j) { j["requested"]["balloon"] = true; },
       [](nlohmann::json& j) { j["requested"]["max_iterations"] = 1.5; },
