@@ -2,6 +2,7 @@
 // All self-intersections of a triangle mesh (paper, section 2): spatial hashing of the vertices with eight
 // shifted hash functions finds candidates, exact predicates decide.
 
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -15,13 +16,24 @@ using FacePair = std::pair<int, int>;
 
 //! All pairs of faces that intersect, sorted. Faces that share a vertex or an edge intersect if they have a
 //! point in common outside that vertex or edge; degenerate triangles are treated as the point sets they are.
-//! Faces (-1,-1,-1) are skipped. Exact for any coordinates that are finite; scale, rotation and permutation
-//! do not change the answer.
+//! Faces (-1,-1,-1) are skipped. Two faces with the same three vertices intersect. Exact for coordinates in
+//! the domain of predicates.h; no tolerance, so scale, exact rotation and permutation do not change the
+//! answer.
+//!
+//! The same as CGAL's Polygon_mesh_processing::self_intersections on meshes of proper triangles. CGAL reports
+//! a degenerate triangle as intersecting itself and looks no further; here it is the segment or point that it
+//! is, and appears in the pairs that this segment or point intersects.
 std::vector<FacePair> findSelfIntersections(std::span<const Vec3> points, std::span<const Triangle> faces);
 
-//! Keeps its tables between calls, so that repeated detection allocates nothing.
+//! Keeps its tables between calls, so that repeated detection allocates nothing, and sorts the faces by
+//! vertex anew only when they have changed. One thread at a time.
 class CollisionDetector {
  public:
+  CollisionDetector();
+  ~CollisionDetector();
+  CollisionDetector(CollisionDetector&&) noexcept;
+  CollisionDetector& operator=(CollisionDetector&&) noexcept;
+
   //! As findSelfIntersections, over all faces.
   const std::vector<FacePair>& detectAll(std::span<const Vec3> points, std::span<const Triangle> faces);
   //! Only the pairs with at least one face that has a vertex v with moved[v] != 0. Equal to detectAll when
@@ -30,7 +42,8 @@ class CollisionDetector {
                                            std::span<const unsigned char> moved);
 
  private:
-  std::vector<FacePair> pairs_;
+  struct Tables;
+  std::unique_ptr<Tables> tables_;
 };
 
 }  // namespace handlebody

@@ -1,0 +1,121 @@
+#pragma once
+// Finds all pairs of vertices closer than a radius (paper, section 2, Theorem 3), in linear time.
+//
+// The paper hashes every vertex eight times, for i = (i1,i2,i3) in {0,1}³, by its box of size l in a grid
+// that is shifted by i/2 boxes: Eq. (1), read as the integer r(a,i) = floor(a/l + i/2), and Eq. (2), r1·p1 +
+// r2·p2
+// + r3·p3 modulo the table size. Here the vertices are sorted once, by the half boxes floor(2a/l) of size
+// l/2: every box of the eight functions is a block of 2×2×2 half boxes (boxIndex below), so two vertices
+// share a box of at least one function exactly if their half boxes are equal or neighbours along each axis.
+// Visiting the neighbours finds each such pair once, where the eight tables find it up to eight times.
+//
+// p1 is 1, not a prime: half boxes that follow each other along x are then neighbours in the table, and the
+// three of one row are one piece of memory.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/geometry/vec.h"
+
+namespace handlebody {
+
+class SpatialHash {
+ public:
+  //! Eq. (1): floor(a/l + i/2) for i in {0,1}, given the half box floor(2a/l).
+  static int boxIndex(int halfBox, int i) { return (halfBox + i) >> 1; }
+
+  struct Entry {
+    Vec3 point;
+    int vertex;
+    int x, y, z;  //!< half box
+  };
+
+  //! Sorts the vertices in `vertices` by half boxes somewhat larger than `radius` (mm). False if that makes
+  //! no sense: radius is not positive, the half boxes cannot be numbered, or they hold so many vertices each
+  //! (a mesh with very uneven edges) that visiting neighbours would not be linear any more; see kCrowd.
+  bool build(std::span<const Vec3> points, std::span<const int> vertices, double radius);
+
+  //! Calls f(u, v) once for each pair of entries not farther apart than `radius`.
+  template <typename F>
+  void forEachPair(F&& f) const;
+  //! The same for pairs in which at least one vertex has active[vertex] != 0.
+  template <typename F>
+  void forEachPair(std::span<const unsigned char> active, F&& f) const;
+
+ private:
+  // The sum of squares of the bucket sizes may be this many times the number of vertices. By Cauchy-Schwarz,
+  // visiting all neighbours then looks at no more than 27/2 times as many pairs. A mesh with edges between
+  // s/3 and s stays below 8.
+  static constexpr double kCrowd = 24;
+
+  std::uint32_t bucket(int x, int y, int z) const {
+    return (static_cast<std::uint32_t>(x) + static_cast<std::uint32_t>(y) * 73856093u +
+            static_cast<std::uint32_t>(z) * 83492791u) &
+           mask_;
+  }
+  //! Calls f(entry) for the entries of half boxes (x-1..x+1, y, z) within the radius of e.
+  template <typename F>
+  void visitRow(const Entry& e, int y, int z, F&& f) const;
+  template <typename F>
+  void visitBuckets(std::uint32_t first, std::uint32_t last, const Entry& e, int y, int z, F&& f) const;
+
+  std::uint32_t mask_ = 0;
+  double radiusSquared_ = 0;
+  std::vector<std::uint32_t> start_;  // per bucket, into entries_; one more at the end
+  std::vector<Entry> entries_;        // by bucket
+  std::vector<Entry> unsorted_;
+};
+
+template <typename F>
+void SpatialHash::visitBuckets(std::uint32_t first, std::uint32_t last, const Entry& e, int y, int z,
+                               F&& f) const {
+  for (std::uint32_t i = start_[first]; i < start_[last + 1]; ++i) {
+    const Entry& other = entries_[i];
+    if ((other.point - e.point).squaredNorm() > radiusSquared_) continue;
+    // Different rows may share buckets: only the one that is being visited counts.
+    if (other.y == y && other.z == z && other.x - e.x <= 1 && e.x - other.x <= 1) f(other);
+  }
+}
+
+template <typename F>
+void SpatialHash::visitRow(const Entry& e, int y, int z, F&& f) const {
+  const std::uint32_t first = bucket(e.x - 1, y, z);
+  if (first + 2 <= mask_) {
+    visitBuckets(first, first + 2, e, y, z, f);
+    return;
+  }
+  for (std::uint32_t i = 0; i < 3; ++i) {  // the row goes on at the beginning of the table
+    const std::uint32_t b = (first + i) & mask_;
+    visitBuckets(b, b, e, y, z, f);
+  }
+}
+
+template <typename F>
+void SpatialHash::forEachPair(F&& f) const {
+  for (const Entry& e : entries_) {
+    const auto any = [&](const Entry& other) { f(e, other); };
+    const auto later = [&](const Entry& other) {
+      if (&e < &other) f(e, other);
+    };
+    visitRow(e, e.y, e.z, later);
+    visitRow(e, e.y + 1, e.z, any);
+    for (int dy = -1; dy <= 1; ++dy) visitRow(e, e.y + dy, e.z + 1, any);
+  }
+}
+
+template <typename F>
+void SpatialHash::forEachPair(std::span<const unsigned char> active, F&& f) const {
+  for (const Entry& e : entries_) {
+    if (active[static_cast<std::size_t>(e.vertex)] == 0) continue;
+    const auto once = [&](const Entry& other) {
+      if (&other == &e || (&other < &e && active[static_cast<std::size_t>(other.vertex)] != 0)) return;
+      f(e, other);
+    };
+    for (int dz = -1; dz <= 1; ++dz) {
+      for (int dy = -1; dy <= 1; ++dy) visitRow(e, e.y + dy, e.z + dz, once);
+    }
+  }
+}
+
+}  // namespace handlebody

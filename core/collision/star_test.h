@@ -1,0 +1,28 @@
+#pragma once
+// Faces that share a vertex: a cheap sufficient test that a whole star is free of intersections.
+
+#include <span>
+#include <vector>
+
+#include "core/collision/vertex_stars.h"
+
+namespace handlebody {
+
+class StarTest {
+ public:
+  //! Looks at the closed star of v (precondition: stars.isCycle(v)). True: no two of its faces have a point
+  //! in common outside the vertex or edge they share; proven, rounding included. False: not decided. Sets
+  //! longestSquared to the square of the longest edge at v (mm², to rounding).
+  //!
+  //! If all faces look up along one direction d (cone of normals), their projections along d are proper
+  //! sectors around v that follow each other in one sense. They tile the plane once, and the star is the
+  //! graph of a function, if they wind around v once; without the count, a star folded like a rose passes.
+  bool isEmbedded(std::span<const Vec3> points, int v, std::span<const Corner> corners,
+                  double& longestSquared);
+
+ private:
+  std::vector<Vec3> edges_;
+  std::vector<Vec3> normals_;
+};
+
+}  // namespace handlebody

@@ -1,0 +1,110 @@
+#include "core/collision/vertex_stars.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace handlebody {
+namespace {
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+//! Brings the corners into cyclic order by looking for each successor among the rest. For few corners.
+bool orderByScanning(std::span<Corner> corners) {
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+    std::size_t j = i + 1;
+    while (j < corners.size() && corners[j].next != corners[i].prev) ++j;
+    if (j == corners.size()) return false;
+    std::swap(corners[i + 1], corners[j]);
+  }
+  return corners.back().prev == corners.front().next;
+}
+
+//! The same in O(k log k).
+bool orderBySorting(std::span<Corner> corners, std::vector<Corner>& scratch) {
+  const auto byNext = [](const Corner& a, const Corner& b) { return a.next < b.next; };
+  scratch.assign(corners.begin(), corners.end());
+  std::sort(scratch.begin(), scratch.end(), byNext);
+  for (std::size_t i = 1; i < scratch.size(); ++i) {
+    if (scratch[i - 1].next == scratch[i].next) return false;
+  }
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    corners[i] = scratch[at];
+    const Corner wanted{0, corners[i].prev, 0};
+    const auto found = std::lower_bound(scratch.begin(), scratch.end(), wanted, byNext);
+    if (found == scratch.end() || found->next != wanted.next) {
+      std::copy(scratch.begin(), scratch.end(), corners.begin());
+      return false;
+    }
+    at = static_cast<std::size_t>(found - scratch.begin());
+    if (at == 0 && i + 1 < corners.size()) {  // closed too early: more than one cycle
+      std::copy(scratch.begin(), scratch.end(), corners.begin());
+      return false;
+    }
+  }
+  return at == 0;
+}
+
+//! A simple cycle meets every neighbour once; a corner that starts or ends at the vertex itself (a face with
+//! a repeated index) makes none.
+bool isSimple(int v, std::span<const Corner> corners) {
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (corners[i].next == v) return false;
+    for (std::size_t j = i + 1; j < corners.size(); ++j) {
+      if (corners[i].next == corners[j].next) return false;
+    }
+  }
+  return true;
+}
+
+bool orderCycle(int v, std::span<Corner> corners, std::vector<Corner>& scratch) {
+  constexpr std::size_t kFew = 32;
+  if (corners.size() < 3) return false;
+  if (corners.size() <= kFew) return isSimple(v, corners) && orderByScanning(corners);
+  for (const Corner& c : corners) {
+    if (c.next == v || c.prev == v) return false;
+  }
+  return orderBySorting(corners, scratch);
+}
+
+bool same(std::span<const Triangle> a, const std::vector<Triangle>& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
+}
+
+}  // namespace
+
+void VertexStars::build(std::size_t pointCount, std::span<const Triangle> faces) {
+  if (first_.size() == pointCount + 1 && same(faces, faces_)) return;
+  faces_.assign(faces.begin(), faces.end());
+  fill(pointCount);
+  isCycle_.resize(pointCount);
+  for (std::size_t v = 0; v < pointCount; ++v) {
+    const std::span<Corner> star{corners_.data() + first_[v], idx(first_[v + 1] - first_[v])};
+    isCycle_[v] = orderCycle(static_cast<int>(v), star, scratch_);
+  }
+}
+
+//! Counting sort of all corners by their vertex.
+void VertexStars::fill(std::size_t pointCount) {
+  first_.assign(pointCount + 1, 0);
+  for (const Triangle& t : faces_) {
+    if (t[0] < 0) continue;
+    for (const int v : t) ++first_[idx(v)];
+  }
+  int sum = 0;
+  for (int& entry : first_) {
+    sum += entry;
+    entry = sum;
+  }
+  corners_.resize(idx(sum));
+  for (std::size_t f = faces_.size(); f-- > 0;) {  // backwards, so that corners stay in the order of faces
+    const Triangle& t = faces_[f];
+    if (t[0] < 0) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int slot = --first_[idx(t[i])];
+      corners_[idx(slot)] = {static_cast<int>(f), t[(i + 1) % 3], t[(i + 2) % 3]};
+    }
+  }
+}
+
+}  // namespace handlebody
