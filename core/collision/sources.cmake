@@ -1,5 +1,6 @@
 target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/collision/box_tree.cpp
+  ${CMAKE_SOURCE_DIR}/core/collision/certify.cpp
   ${CMAKE_SOURCE_DIR}/core/collision/face_pair.cpp
   ${CMAKE_SOURCE_DIR}/core/collision/self_intersection.cpp
   ${CMAKE_SOURCE_DIR}/core/collision/spatial_hash.cpp

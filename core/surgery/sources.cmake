@@ -1,1 +1,7 @@
-# target_sources(handlebody_core PRIVATE ${CMAKE_SOURCE_DIR}/core/surgery/....cpp)
+target_sources(handlebody_core PRIVATE
+  ${CMAKE_SOURCE_DIR}/core/surgery/closing.cpp
+  ${CMAKE_SOURCE_DIR}/core/surgery/collision_groups.cpp
+  ${CMAKE_SOURCE_DIR}/core/surgery/event.cpp
+  ${CMAKE_SOURCE_DIR}/core/surgery/fold_smoothing.cpp
+  ${CMAKE_SOURCE_DIR}/core/surgery/opening.cpp
+  ${CMAKE_SOURCE_DIR}/core/surgery/topology_adaptation.cpp)

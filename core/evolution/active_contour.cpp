@@ -1,0 +1,314 @@
+#include "core/evolution/active_contour.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/collision/self_intersection.h"
+#include "core/errors.h"
+#include "core/evolution/motion.h"
+#include "core/evolution/object_image.h"
+#include "core/evolution/object_range.h"
+#include "core/evolution/resting_places.h"
+#include "core/evolution/seeds.h"
+#include "core/mesh/remesh.h"
+#include "core/mesh/topology.h"
+#include "core/surgery/topology_adaptation.h"
+
+namespace handlebody {
+
+namespace {
+
+// Lengths as parts of the target edge length.
+constexpr double kLongest = 1.4;  // the paper's bound s
+constexpr double kShortest = 0.55;
+constexpr double kStep =
+    0.28;  // largest move along the normal: two fronts come closer by little more than s / 3
+constexpr double kStepVoxels = 0.9;  // and never further than this many voxels of the finest axis
+constexpr double kQuiet = 0.015;     // a vertex that moves less than this is quiet
+constexpr double kStirring = 0.1;    // a neighbour that moves more than this wakes a sleeper
+constexpr double kCollapsed = 1.0;   // a component of less extent than this is gone
+
+constexpr int kQuietToSleep = 3;  // iterations
+constexpr int kQuietToStop = 3;   // iterations without motion or event
+constexpr int kRounds = 5;        // of detection and surgery in one step
+constexpr int kAttempts = 8;      // at one step before all of it is rolled back
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+void requireSensible(const Parameters& p) {
+  const auto require = [](bool ok, const char* message) {
+    if (!ok) throw UsageError(message);
+  };
+  require(p.balloon > 0 && std::isfinite(p.balloon), "The balloon weight must be a number above 0.");
+  require(p.curvature >= 0 && std::isfinite(p.curvature),
+          "The curvature weight must be a number of at least 0.");
+  require(p.maxIterations >= 0, "The number of iterations must not be negative.");
+  require(p.threads >= 1 && p.threads <= 1024, "The number of threads must be between 1 and 1024.");
+  require(!p.smoothing || (*p.smoothing >= 0 && std::isfinite(*p.smoothing)),
+          "The smoothing must be at least 0 mm.");
+  require(!p.edgeLength || (*p.edgeLength > 0 && std::isfinite(*p.edgeLength)),
+          "The edge length must be above 0 mm.");
+}
+
+}  // namespace
+
+const char* stopReasonName(StopReason reason) {
+  switch (reason) {
+    case StopReason::converged:
+      return "converged";
+    case StopReason::maxIterations:
+      return "max-iterations";
+    case StopReason::empty:
+      return "empty";
+    default:
+      return "running";
+  }
+}
+
+struct ActiveContour::State {
+  Mesh mesh;
+  std::vector<unsigned char> quiet;  // iterations per vertex without motion, up to kQuietToSleep
+  std::unique_ptr<ObjectImage> image;
+  ResolvedParameters parameters;
+  MotionSettings motion;
+  RemeshLimits limits;
+  CollisionDetector detector;
+  RestingPlaces resting;
+  TopologyNumbers topology;
+  StopReason stop = StopReason::running;
+  int iteration = 0;
+  int quietIterations = 0;
+  double smallestExtent = 0;  // mm, of the components when last looked at
+  bool traces = false;
+
+  //! What one attempt at a step leaves behind besides the mesh.
+  struct Attempt {
+    std::vector<Event> events;
+    std::vector<Trouble> troubles;
+    std::vector<int> moving;        // vertices that were asked to move
+    std::vector<double> distances;  // how far, mm
+    std::vector<unsigned char> touched;
+  };
+
+  bool sleeps(int v) const { return quiet[idx(v)] >= kQuietToSleep; }
+
+  void resolve(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& p);
+  Attempt attempt();
+  std::vector<int> vertexToMove() const;
+  void adapt(Attempt& a);
+  void deleteCollapsed(Attempt& a);
+  void accept(Attempt& a, StepReport& report);
+  void updateQuiet(const Attempt& a);
+  void decideStop(const StepReport& report);
+  StepReport step();
+};
+
+void ActiveContour::State::resolve(const Volume& volume, const std::vector<Seed>& seeds,
+                                   const Parameters& p) {
+  requireSensible(p);
+  const ObjectChoice choice = chooseObject(volume, seeds, p);
+  image = std::make_unique<ObjectImage>(choice.volume, choice.range, choice.contrast);
+  const double voxel = volume.grid.meanSpacing();
+  double fit = 0;
+  for (const Seed& s : seeds) fit = std::max(fit, fittingRadius(*image, s.centre, 8 * voxel));
+  // Two voxels, but finer in thin structures.
+  const double edge = p.edgeLength.value_or(std::clamp(0.6 * fit / voxel, 1.0, 2.0) * voxel);
+
+  parameters.object = choice.object;
+  parameters.range = choice.range;
+  parameters.smoothing = choice.volume->sigma();
+  parameters.edgeLength = edge;
+  parameters.direction = p.direction;
+  parameters.balloon = p.balloon;
+  parameters.curvature = p.curvature;
+  parameters.maxIterations = p.maxIterations;
+  parameters.threads = p.threads;
+  parameters.seeds = fitSeeds(*image, seeds, edge);
+
+  motion.balloon = p.balloon;
+  motion.curvature = p.curvature;
+  motion.edgeLength = edge;
+  motion.largestStep = std::min(kStep * edge, kStepVoxels * volume.grid.spacing.minCoeff());
+  motion.outwardOnly = p.direction == Direction::outward;
+  motion.threads = p.threads;
+  limits = {kLongest * edge, kShortest * edge};
+  mesh = seedMesh(parameters.seeds, edge);
+  quiet.assign(idx(mesh.vertexSlots()), 0);
+  topology = topologyNumbers(mesh);
+}
+
+std::vector<int> ActiveContour::State::vertexToMove() const {
+  std::vector<int> out;
+  const bool anyRest = resting.any(iteration);
+  for (int v = 0; v < mesh.vertexSlots(); ++v)
+    if (mesh.isVertex(v) && !sleeps(v) && !(anyRest && resting.rests(mesh.position(v), iteration)))
+      out.push_back(v);
+  return out;
+}
+
+ActiveContour::State::Attempt ActiveContour::State::attempt() {
+  Attempt a;
+  a.moving = vertexToMove();
+  const std::vector<Vec3> moves = computeMotion(mesh, *image, motion, a.moving);
+  a.touched.assign(idx(mesh.vertexSlots()), 0);
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    mesh.setPosition(a.moving[i], mesh.position(a.moving[i]) + moves[i]);
+    a.distances.push_back(moves[i].norm());
+    a.touched[idx(a.moving[i])] = 1;
+  }
+  regulate(mesh, limits, a.touched);
+  adapt(a);
+  if (a.troubles.empty()) deleteCollapsed(a);
+  return a;
+}
+
+//! Detection and surgery until nothing intersects, or until a place has to be rolled back.
+void ActiveContour::State::adapt(Attempt& a) {
+  const AdaptationSettings settings{motion.outwardOnly, traces, iteration};
+  std::vector<unsigned char> changed = a.touched;
+  for (int round = 0; round < kRounds; ++round) {
+    const std::vector<FacePair>& pairs = detector.detectMoved(mesh.positions(), mesh.faces(), changed);
+    if (pairs.empty()) return;
+    changed.assign(idx(mesh.vertexSlots()), 0);
+    for (const auto& [f, g] : pairs)
+      for (int face : {f, g})
+        for (int v : mesh.face(face)) changed[idx(v)] = 1;
+    AdaptationResult result = adaptTopology(mesh, pairs, settings, changed);
+    a.events.insert(a.events.end(), std::make_move_iterator(result.events.begin()),
+                    std::make_move_iterator(result.events.end()));
+    a.touched.resize(idx(mesh.vertexSlots()), 0);
+    changed.resize(idx(mesh.vertexSlots()), 0);
+    for (std::size_t v = 0; v < changed.size(); ++v) a.touched[v] = a.touched[v] | changed[v];
+    if (!result.troubles.empty()) {
+      a.troubles = std::move(result.troubles);
+      return;
+    }
+  }
+  for (const auto& [f, g] : detector.detectMoved(mesh.positions(), mesh.faces(), changed)) {
+    const Vec3 centre = mesh.position(mesh.face(f)[0]);
+    a.troubles.push_back(
+        {centre, 2 * limits.longest, "the surface still intersected itself after several changes"});
+  }
+}
+
+void ActiveContour::State::deleteCollapsed(Attempt& a) {
+  // A component of more than four edge lengths cannot collapse within one step.
+  if (a.events.empty() && smallestExtent > 4 * parameters.edgeLength && iteration % 8 != 0) return;
+  const Components parts = findComponents(mesh);
+  smallestExtent = parts.count() == 0 ? 0 : *std::min_element(parts.extent.begin(), parts.extent.end());
+  std::vector<int> first(parts.vertices.size(), -1);
+  for (int v = mesh.vertexSlots() - 1; v >= 0; --v)
+    if (mesh.isVertex(v)) first[idx(parts.ofVertex[idx(v)])] = v;
+  for (std::size_t c = 0; c < first.size(); ++c) {
+    if (parts.extent[c] >= kCollapsed * parameters.edgeLength) continue;
+    Event event;
+    event.kind = EventKind::componentDeleted;
+    event.iteration = iteration;
+    event.location = mesh.position(first[c]);
+    event.before = topologyNumbers(mesh);
+    deleteComponent(mesh, first[c]);
+    event.after = topologyNumbers(mesh);
+    a.events.push_back(std::move(event));
+  }
+}
+
+void ActiveContour::State::updateQuiet(const Attempt& a) {
+  const std::size_t known = quiet.size();
+  quiet.resize(idx(mesh.vertexSlots()), 0);
+  std::vector<unsigned char> stirred(quiet.size(), 0);
+  std::vector<double> moved(quiet.size(), 0);
+  for (std::size_t i = 0; i < a.moving.size(); ++i) {
+    const int v = a.moving[i];
+    if (!mesh.isVertex(v)) continue;
+    moved[idx(v)] = a.distances[i];
+    if (a.distances[i] > kStirring * parameters.edgeLength)
+      mesh.forEachNeighbour(v, [&](int w) { stirred[idx(w)] = 1; });
+  }
+  std::vector<unsigned char> wasMoved(quiet.size(), 0);
+  for (int v : a.moving) wasMoved[idx(v)] = 1;
+  for (std::size_t v = 0; v < quiet.size(); ++v) {
+    const bool fresh = v >= known || (a.touched[v] && !wasMoved[v]);
+    if (fresh || stirred[v])
+      quiet[v] = 0;
+    else if (wasMoved[v])
+      quiet[v] = moved[v] < kQuiet * parameters.edgeLength
+                     ? static_cast<unsigned char>(std::min(quiet[v] + 1, kQuietToSleep))
+                     : static_cast<unsigned char>(0);
+  }
+}
+
+void ActiveContour::State::accept(Attempt& a, StepReport& report) {
+  updateQuiet(a);
+  for (double d : a.distances) {
+    report.movedVertices += d >= kQuiet * parameters.edgeLength;
+    report.largestMove = std::max(report.largestMove, d);
+  }
+  report.settledVertices = std::max(0, mesh.vertexCount() - report.movedVertices);
+  report.events.insert(report.events.end(), std::make_move_iterator(a.events.begin()),
+                       std::make_move_iterator(a.events.end()));
+  for (int f = 0; f < mesh.faceSlots(); ++f)
+    if (mesh.isFace(f)) report.volume += mesh.position(mesh.face(f)[0]).dot(mesh.areaVector(f)) / 6;
+  if (!report.events.empty()) topology = report.events.back().after;
+}
+
+void ActiveContour::State::decideStop(const StepReport& report) {
+  const bool still = report.movedVertices == 0 && report.events.empty() && !resting.anyWillWake(iteration);
+  quietIterations = still ? quietIterations + 1 : 0;
+  if (mesh.faceCount() == 0)
+    stop = StopReason::empty;
+  else if (quietIterations >= kQuietToStop)
+    stop = StopReason::converged;
+  else if (iteration >= parameters.maxIterations)
+    stop = StopReason::maxIterations;
+}
+
+StepReport ActiveContour::State::step() {
+  StepReport report;
+  report.iteration = ++iteration;
+  const Mesh before = mesh;
+  std::vector<Event> rollbacks;
+  const auto rollBack = [&](const Trouble& t) {
+    Event event;
+    event.kind = EventKind::rolledBack;
+    event.iteration = iteration;
+    event.location = t.centre;
+    event.before = event.after = topology;
+    event.reason = t.reason;
+    rollbacks.push_back(std::move(event));
+    resting.add(t.centre, t.radius + 0.5 * limits.longest, iteration);
+  };
+  for (int tries = 0;; ++tries) {
+    Attempt a = attempt();
+    if (a.troubles.empty()) {
+      accept(a, report);
+      break;
+    }
+    mesh = before;
+    for (const Trouble& t : a.troubles) rollBack(t);
+    if (tries + 1 < kAttempts) continue;
+    rollBack({a.troubles[0].centre, 1e3 * parameters.edgeLength, "no part of the step could be kept"});
+    break;
+  }
+  for (Event& e : rollbacks) e.after = e.before = topology;
+  report.events.insert(report.events.begin(), std::make_move_iterator(rollbacks.begin()),
+                       std::make_move_iterator(rollbacks.end()));
+  decideStop(report);
+  return report;
+}
+
+ActiveContour::ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters parameters)
+    : state_(std::make_unique<State>()) {
+  state_->resolve(volume, seeds, parameters);
+}
+ActiveContour::~ActiveContour() = default;
+ActiveContour::ActiveContour(ActiveContour&&) noexcept = default;
+ActiveContour& ActiveContour::operator=(ActiveContour&&) noexcept = default;
+
+StepReport ActiveContour::step() { return state_->step(); }
+StopReason ActiveContour::stopReason() const { return state_->stop; }
+int ActiveContour::iteration() const { return state_->iteration; }
+const Mesh& ActiveContour::mesh() const { return state_->mesh; }
+const ResolvedParameters& ActiveContour::parameters() const { return state_->parameters; }
+void ActiveContour::recordTraces(bool on) { state_->traces = on; }
+
+}  // namespace handlebody

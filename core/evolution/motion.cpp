@@ -1,0 +1,96 @@
+#include "core/evolution/motion.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+namespace handlebody {
+
+namespace {
+
+// Part of the tangential umbrella vector that a moving vertex follows; settled ones do not slide.
+constexpr double kTangential = 0.4;
+// Below this many vertices a thread costs more than it saves.
+constexpr std::size_t kVerticesPerThread = 500;
+
+struct Ring {
+  Vec3 normal{0, 0, 0};
+  Vec3 umbrella{0, 0, 0};  // mean of the neighbours less the vertex
+  double meanSquare = 0;   // of the distances to the neighbours
+};
+
+Ring examineRing(const Mesh& mesh, int v) {
+  Ring r;
+  const Vec3 p = mesh.position(v);
+  double n = 0;
+  mesh.forEachOutgoing(v, [&](int h) {
+    const Vec3 a = mesh.position(mesh.target(h)) - p, b = mesh.position(mesh.apex(h)) - p;
+    r.normal += a.cross(b);
+    r.umbrella += a;
+    r.meanSquare += a.squaredNorm();
+    n += 1;
+  });
+  const double length = r.normal.norm();
+  if (length > 0) r.normal /= length;
+  r.umbrella /= n;
+  r.meanSquare /= n;
+  return r;
+}
+
+//! Distance along `direction` from p to the zero of image.inside, where it is `here` at p and `there` at
+//! `reach`, of opposite signs: one step of regula falsi, improved once.
+double crossing(const ObjectImage& image, const Vec3& p, const Vec3& direction, double reach, double here,
+                double there) {
+  const double t = reach * here / (here - there);
+  const double value = image.inside(p + t * direction);
+  if (value * here > 0) return t + (reach - t) * value / (value - there);
+  return here == value ? t : t * here / (here - value);
+}
+
+//! Signed distance along the normal.
+double normalStep(const ObjectImage& image, const Vec3& p, const Ring& ring, const MotionSettings& s) {
+  // Mean curvature from the umbrella: a ring at distance h on a sphere of radius r lies h²/(2r) below its
+  // middle.
+  const double curvature = -2 * ring.normal.dot(ring.umbrella) / ring.meanSquare;
+  double force = s.balloon - s.curvature * s.edgeLength * curvature;
+  force = std::clamp(force / s.balloon, s.outwardOnly ? 0.0 : -1.0, 1.0);
+  const double here = image.inside(p);
+  if (here < 0) {
+    const double there = image.inside(p - s.largestStep * ring.normal);
+    return there <= 0 ? -s.largestStep : -crossing(image, p, -ring.normal, s.largestStep, here, there);
+  }
+  if (force <= 0) return force * s.largestStep;
+  const double reach = s.largestStep;
+  const double there = image.inside(p + reach * ring.normal);
+  const double room = there >= 0 ? reach : crossing(image, p, ring.normal, reach, here, there);
+  return std::min(force * s.largestStep, room);
+}
+
+Vec3 displacement(const Mesh& mesh, const ObjectImage& image, const MotionSettings& s, int v) {
+  const Ring ring = examineRing(mesh, v);
+  const double along = normalStep(image, mesh.position(v), ring, s);
+  const Vec3 tangential = ring.umbrella - ring.normal.dot(ring.umbrella) * ring.normal;
+  const double moving = std::min(1.0, 4 * std::abs(along) / s.largestStep);
+  return along * ring.normal + kTangential * moving * tangential;
+}
+
+}  // namespace
+
+std::vector<Vec3> computeMotion(const Mesh& mesh, const ObjectImage& image, const MotionSettings& settings,
+                                std::span<const int> vertices) {
+  std::vector<Vec3> moves(vertices.size());
+  const auto work = [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) moves[i] = displacement(mesh, image, settings, vertices[i]);
+  };
+  const std::size_t threads = std::clamp<std::size_t>(
+      vertices.size() / kVerticesPerThread, 1, static_cast<std::size_t>(std::max(1, settings.threads)));
+  std::vector<std::jthread> others;
+  for (std::size_t t = 1; t < threads; ++t)
+    others.emplace_back(work, t * vertices.size() / threads, (t + 1) * vertices.size() / threads);
+  work(0, vertices.size() / threads);
+  others.clear();
+  return moves;
+}
+
+}  // namespace handlebody

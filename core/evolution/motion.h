@@ -1,0 +1,28 @@
+#pragma once
+// How far each vertex moves in one iteration: balloon force times image speed, plus regularisation.
+
+#include <span>
+#include <vector>
+
+#include "core/evolution/object_image.h"
+#include "core/mesh/mesh.h"
+
+namespace handlebody {
+
+struct MotionSettings {
+  double balloon = 1;  //!< weight of the balloon force
+  double curvature =
+      0.2;  //!< weight of the curvature; a front of radius curvature · edgeLength / balloon stands still
+  double edgeLength = 1;     //!< mm, the target
+  double largestStep = 0.3;  //!< mm along the normal
+  bool outwardOnly = true;
+  int threads = 1;
+};
+
+//! Displacements (mm) of the listed vertices, in the same order. Along the normal a vertex goes no further
+//! than the object's boundary; a vertex outside the object goes back to it. Every vertex depends on the mesh
+//! as it is, not on the others' displacements, so the result does not depend on the number of threads.
+std::vector<Vec3> computeMotion(const Mesh& mesh, const ObjectImage& image, const MotionSettings& settings,
+                                std::span<const int> vertices);
+
+}  // namespace handlebody

@@ -1,0 +1,29 @@
+#pragma once
+// The image as a force sees it: how far inside the object's intensities a point lies.
+
+#include <memory>
+
+#include "core/evolution/parameters.h"
+#include "core/volume/smoothed_volume.h"
+
+namespace handlebody {
+
+//! Smoothed volume and intensity range of the object.
+class ObjectImage {
+ public:
+  ObjectImage(std::shared_ptr<const SmoothedVolume> volume, const IntensityRange& range, double scale)
+      : volume_(std::move(volume)), range_(range), scale_(scale) {}
+
+  //! > 0 inside the object, 0 at its boundary, < 0 outside; 1 is `scale` intensity units from the boundary.
+  //! World mm. Outside the volume, and from half a voxel beyond the centres of the border voxels on, it is
+  //! negative.
+  double inside(const Vec3& world) const;
+  const SmoothedVolume& volume() const { return *volume_; }
+
+ private:
+  std::shared_ptr<const SmoothedVolume> volume_;
+  IntensityRange range_;
+  double scale_;  // intensity units
+};
+
+}  // namespace handlebody

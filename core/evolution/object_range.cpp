@@ -1,0 +1,255 @@
+#include "core/evolution/object_range.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "core/errors.h"
+#include "core/evolution/region_growth.h"
+
+namespace handlebody {
+
+namespace {
+
+// Standard deviations of the Gaussian that are tried, in voxels (mean spacing).
+constexpr std::array<double, 6> kSigmas{0.7, 1.0, 1.3, 1.6, 2.0, 2.5};
+constexpr double kFirstSigma = 1.0;
+// Noise may be this part of the distance between the object's level and the boundary level: then one voxel in
+// 10^4 of Gaussian noise looks like background.
+constexpr double kNoiseAllowed = 0.25;
+// A jump of the region's size by this factor from one level to the next is a leak into another region.
+constexpr double kLeakFactor = 1.5;
+// A boundary found after a leak must be this much stronger than the best one before it.
+constexpr double kLeakAdvantage = 2.5;
+// Fewer voxels than this are no region yet.
+constexpr double kLeastRegion = 30;
+
+double quantile(std::vector<double> values, double q) {
+  const auto at = static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + at, values.end());
+  return values[static_cast<std::size_t>(at)];
+}
+
+//! About 200,000 voxel values, evenly spread.
+std::vector<double> sampleVoxels(const Volume& volume) {
+  const std::size_t n = volume.grid.voxelCount();
+  const std::size_t stride =
+      std::max<std::size_t>(1, n / 200'000) | 1;  // odd: does not fall in step with the rows
+  std::vector<double> values;
+  visitVoxels(volume, [&](const auto* v) {
+    for (std::size_t i = 0; i < n; i += stride) values.push_back(static_cast<double>(v[i]));
+  });
+  return values;
+}
+
+//! Smoothed values at the voxels within `radius` mm of the seeds.
+std::vector<double> valuesNear(const SmoothedVolume& volume, const std::vector<Seed>& seeds, double radius) {
+  const Grid& grid = volume.grid();
+  std::vector<double> values;
+  for (const Seed& seed : seeds) {
+    const Vec3 centre = grid.toIndex(seed.centre);
+    std::array<int, 3> low, high;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double reach = radius / grid.spacing[static_cast<int>(a)];
+      low[a] = std::max(0, static_cast<int>(std::ceil(centre[static_cast<int>(a)] - reach)));
+      high[a] = std::min(grid.size[a] - 1, static_cast<int>(std::floor(centre[static_cast<int>(a)] + reach)));
+    }
+    for (int k = low[2]; k <= high[2]; ++k)
+      for (int j = low[1]; j <= high[1]; ++j)
+        for (int i = low[0]; i <= high[0]; ++i)
+          if ((grid.toWorld(Vec3(i, j, k)) - seed.centre).norm() <= radius)
+            values.push_back(static_cast<double>(volume.at(i, j, k)));
+    values.push_back(volume.sample(centre));
+  }
+  return values;
+}
+
+//! Radius in which the seeds' statistics are taken: the user's, but no more than a few voxels.
+double statisticsRadius(const Grid& grid, const std::vector<Seed>& seeds) {
+  double radius = 3 * grid.meanSpacing();
+  for (const Seed& s : seeds)
+    if (s.radius) radius = std::min(radius, *s.radius);
+  return radius;
+}
+
+//! A boundary level that the region growth suggests.
+struct Boundary {
+  double level = 0;     // signed
+  double strength = 0;  // signed intensity per mm
+  bool found = false;
+};
+
+//! Weighted mean of the levels around the strongest bin whose edge is nearly as strong: on an ideal ramp the
+//! half-way level, whatever the noise does to the top of the curve.
+double centreOfPeak(const RegionGrowth& g, std::size_t best, std::size_t first, std::size_t last) {
+  double sum = 0, weight = 0;
+  const double least = 0.85 * g.edge[best];
+  for (std::size_t b = best; b + 1 > first && g.edge[b] >= least; --b) {
+    sum += g.level(b) * (g.edge[b] - least);
+    weight += g.edge[b] - least;
+    if (b == 0) break;
+  }
+  for (std::size_t b = best + 1; b < last && g.edge[b] >= least; ++b) {
+    sum += g.level(b) * (g.edge[b] - least);
+    weight += g.edge[b] - least;
+  }
+  return weight > 0 ? sum / weight : g.level(best);
+}
+
+Boundary findBoundary(const RegionGrowth& g) {
+  Boundary out;
+  std::size_t first = 0;
+  for (std::size_t b = 1; b <= g.edge.size(); ++b) {
+    const bool leak =
+        b < g.edge.size() && g.voxels[b - 1] >= kLeastRegion && g.voxels[b] > kLeakFactor * g.voxels[b - 1];
+    if (!leak && b < g.edge.size()) continue;
+    std::size_t best = first;
+    for (std::size_t c = first; c < b; ++c)
+      if (g.voxels[c] >= kLeastRegion && g.edge[c] > g.edge[best]) best = c;
+    if (g.voxels[best] >= kLeastRegion && g.edge[best] > (out.found ? kLeakAdvantage : 1.0) * out.strength)
+      out = {centreOfPeak(g, best, first, b), g.edge[best], true};
+    first = b;
+  }
+  return out;
+}
+
+struct Statistics {
+  double level;            // median in the seeds
+  double lowest, highest;  // of the whole volume, outliers left out
+};
+
+Boundary searchBoundary(const SmoothedVolume& volume, const std::vector<Seed>& seeds, const Statistics& s,
+                        ObjectKind kind) {
+  const double sign = kind == ObjectKind::dark ? 1 : -1;
+  const double from = sign * s.level, to = sign > 0 ? s.highest : -s.lowest;
+  if (!(to > from)) return {};
+  std::vector<Vec3> indices;
+  for (const Seed& seed : seeds) indices.push_back(volume.grid().toIndex(seed.centre));
+  return findBoundary(growRegion(volume, indices, sign, from, to));
+}
+
+void requireSeedsInside(const Grid& grid, const std::vector<Seed>& seeds) {
+  if (seeds.empty()) throw UsageError("No seed was given: at least one is needed.");
+  for (const Seed& s : seeds) {
+    const Vec3 i = grid.toIndex(s.centre);
+    if (!grid.contains(i))
+      throw SeedError("The seed at (" + std::to_string(s.centre[0]) + ", " + std::to_string(s.centre[1]) +
+                      ", " + std::to_string(s.centre[2]) + ") mm lies outside the volume (voxel " +
+                      std::to_string(i[0]) + ", " + std::to_string(i[1]) + ", " + std::to_string(i[2]) +
+                      ").");
+  }
+}
+
+void requireVoxelsInRange(const Volume& volume, const IntensityRange& range) {
+  if (!(range.low <= range.high))
+    throw UsageError("The range is empty: its lower end is above its upper end.");
+  bool any = false;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  visitVoxels(volume, [&](const auto* v) {
+    for (std::size_t i = 0; i < volume.grid.voxelCount(); ++i) {
+      const double x = static_cast<double>(v[i]);
+      any = any || (x >= range.low && x <= range.high);
+      low = std::min(low, x);
+      high = std::max(high, x);
+    }
+  });
+  if (!any)
+    throw UsageError("The range " + std::to_string(range.low) + " to " + std::to_string(range.high) +
+                     " holds no voxel of the volume, whose values run from " + std::to_string(low) + " to " +
+                     std::to_string(high) + ".");
+}
+
+void requireSeedsInRange(const ObjectChoice& choice, const std::vector<Seed>& seeds) {
+  for (const Seed& s : seeds) {
+    const double value = choice.volume->sample(choice.volume->grid().toIndex(s.centre));
+    if (value < choice.range.low || value > choice.range.high)
+      throw SeedError("The seed at (" + std::to_string(s.centre[0]) + ", " + std::to_string(s.centre[1]) +
+                      ", " + std::to_string(s.centre[2]) +
+                      ") mm is not in the object: the smoothed intensity there is " + std::to_string(value) +
+                      ", the object's range is " + std::to_string(choice.range.low) + " to " +
+                      std::to_string(choice.range.high) + ".");
+  }
+}
+
+//! With a given range the contrast is the distance from the level in the seeds to the nearer end.
+ObjectChoice withGivenRange(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& p) {
+  requireVoxelsInRange(volume, *p.range);
+  ObjectChoice choice;
+  const double sigma = p.smoothing.value_or(kFirstSigma * volume.grid.meanSpacing());
+  choice.volume = std::make_shared<SmoothedVolume>(volume, sigma);
+  choice.range = *p.range;
+  choice.level = quantile(valuesNear(*choice.volume, seeds, statisticsRadius(volume.grid, seeds)), 0.5);
+  choice.contrast = std::min(choice.range.high - choice.level, choice.level - choice.range.low);
+  choice.object = p.object != ObjectKind::automatic                                    ? p.object
+                  : choice.range.high - choice.level < choice.level - choice.range.low ? ObjectKind::dark
+                                                                                       : ObjectKind::bright;
+  requireSeedsInRange(choice, seeds);
+  if (!(choice.contrast > 0)) choice.contrast = std::max(1e-6, std::abs(choice.level) * 1e-3);
+  return choice;
+}
+
+//! Dark or bright, and the level of the boundary, on an image of one smoothing.
+bool chooseBoundary(ObjectChoice& choice, const std::vector<Seed>& seeds, const Statistics& whole,
+                    ObjectKind asked) {
+  Boundary best;
+  for (ObjectKind kind : {ObjectKind::dark, ObjectKind::bright}) {
+    if (asked != ObjectKind::automatic && asked != kind) continue;
+    const Boundary b = searchBoundary(*choice.volume, seeds, whole, kind);
+    if (!b.found || (best.found && b.strength <= best.strength)) continue;
+    best = b;
+    choice.object = kind;
+  }
+  if (!best.found) return false;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  choice.range = choice.object == ObjectKind::dark ? IntensityRange{-kInfinity, best.level}
+                                                   : IntensityRange{-best.level, kInfinity};
+  choice.level = whole.level;
+  choice.contrast = std::abs((choice.object == ObjectKind::dark ? best.level : -best.level) - whole.level);
+  return choice.contrast > 0;
+}
+
+//! The least smoothing that is enough for the noise near the seeds.
+double chooseSmoothing(const Volume& volume, const std::vector<Seed>& seeds, const ObjectChoice& choice) {
+  const double voxel = volume.grid.meanSpacing();
+  for (double sigma : kSigmas) {
+    const SmoothedVolume smoothed(volume, sigma * voxel);
+    std::vector<double> values = valuesNear(smoothed, seeds, statisticsRadius(volume.grid, seeds));
+    const double middle = quantile(values, 0.5);
+    for (double& v : values) v = std::abs(v - middle);
+    // 1.4826: from the median deviation to the standard deviation of a normal distribution.
+    if (1.4826 * quantile(values, 0.5) <= kNoiseAllowed * choice.contrast) return sigma * voxel;
+  }
+  return kSigmas.back() * voxel;
+}
+
+}  // namespace
+
+ObjectChoice chooseObject(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& p) {
+  requireSeedsInside(volume.grid, seeds);
+  if (p.range) return withGivenRange(volume, seeds, p);
+
+  const std::vector<double> voxels = sampleVoxels(volume);
+  Statistics whole{0, quantile(voxels, 0.002), quantile(voxels, 0.998)};
+  ObjectChoice choice;
+  const auto choose = [&](double sigma) {
+    choice.volume = std::make_shared<SmoothedVolume>(volume, sigma);
+    whole.level = quantile(valuesNear(*choice.volume, seeds, statisticsRadius(volume.grid, seeds)), 0.5);
+    if (!chooseBoundary(choice, seeds, whole, p.object))
+      throw SeedError(std::string("The seed is not in a ") +
+                      (p.object == ObjectKind::bright ? "bright"
+                       : p.object == ObjectKind::dark ? "dark"
+                                                      : "dark or bright") +
+                      " object: the image has no boundary around it.");
+  };
+  const double first = kFirstSigma * volume.grid.meanSpacing();
+  choose(p.smoothing.value_or(first));
+  if (!p.smoothing) {
+    const double sigma = chooseSmoothing(volume, seeds, choice);
+    if (sigma != first) choose(sigma);
+  }
+  requireSeedsInRange(choice, seeds);
+  return choice;
+}
+
+}  // namespace handlebody

@@ -1,0 +1,28 @@
+#pragma once
+// Which intensities belong to the object, found from the image around the seeds.
+
+#include <memory>
+#include <vector>
+
+#include "core/evolution/parameters.h"
+#include "core/volume/smoothed_volume.h"
+
+namespace handlebody {
+
+//! What was chosen, and on what grounds.
+struct ObjectChoice {
+  ObjectKind object = ObjectKind::dark;
+  IntensityRange range{};
+  double level = 0;     //!< median of the smoothed image in the seeds
+  double contrast = 0;  //!< |boundary level - level|: scale of the image force
+  std::shared_ptr<const SmoothedVolume> volume;
+};
+
+//! Chooses what `parameters` leaves open. The boundary level is the one at which the connected region that
+//! grows from the seeds has the strongest mean edge; a level after the region has leaked into another one
+//! counts only if its edge is much stronger. Smoothing is the least that brings the noise in the seeds well
+//! below the contrast. Throws SeedError (seed outside the volume or not in an object), UsageError (range
+//! without voxels).
+ObjectChoice chooseObject(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& parameters);
+
+}  // namespace handlebody

@@ -1,0 +1,28 @@
+#pragma once
+// How the region around the seeds grows as the intensity level rises, and how strong its edge is at each
+// level.
+
+#include <vector>
+
+#include "core/geometry/vec.h"
+#include "core/volume/smoothed_volume.h"
+
+namespace handlebody {
+
+//! Region growth over equally spaced levels. All intensities are multiplied by `sign` first: +1 for a dark
+//! object, -1 for a bright one, so that the region always grows upwards.
+struct RegionGrowth {
+  double lowest = 0;           //!< level of bin 0 (signed intensity)
+  double step = 1;             //!< between bins
+  std::vector<double> voxels;  //!< region size when the level has reached the end of the bin
+  std::vector<double>
+      edge;  //!< mean gradient (signed intensity per mm) over the region's boundary at that level, smoothed
+  double level(std::size_t bin) const { return lowest + step * (static_cast<double>(bin) + 0.5); }
+};
+
+//! Floods from the voxels nearest to `seeds` (continuous indices), lowest signed value first, up to the
+//! signed level `highest` or kMaxVoxels voxels.
+RegionGrowth growRegion(const SmoothedVolume& volume, const std::vector<Vec3>& seeds, double sign,
+                        double lowest, double highest);
+
+}  // namespace handlebody

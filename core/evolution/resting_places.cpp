@@ -1,0 +1,44 @@
+#include "core/evolution/resting_places.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace handlebody {
+
+namespace {
+constexpr int kFirstRest = 4;       // iterations; doubled each time
+constexpr int kMostTimes = 6;       // then for good
+constexpr double kSamePlace = 1.0;  // part of the radius within which a new place is an old one come again
+constexpr double kGrowth = 1.15;    // of the radius each time
+}  // namespace
+
+void RestingPlaces::add(const Vec3& centre, double radius, int iteration) {
+  for (Place& p : places_)
+    if ((p.centre - centre).norm() < kSamePlace * std::min(p.radius, radius)) {
+      const bool sameStep = p.until > iteration;
+      if (!sameStep) ++p.times;
+      p.radius = std::max((sameStep ? kGrowth : 1.0) * p.radius, radius);
+      p.centre = centre;
+      p.until = p.times > kMostTimes ? std::numeric_limits<int>::max() : iteration + (kFirstRest << p.times);
+      return;
+    }
+  places_.push_back({centre, radius, iteration + kFirstRest, 0});
+}
+
+bool RestingPlaces::rests(const Vec3& p, int iteration) const {
+  return std::any_of(places_.begin(), places_.end(), [&](const Place& place) {
+    return iteration < place.until && (p - place.centre).squaredNorm() < place.radius * place.radius;
+  });
+}
+
+bool RestingPlaces::any(int iteration) const {
+  return std::any_of(places_.begin(), places_.end(), [&](const Place& p) { return iteration < p.until; });
+}
+
+bool RestingPlaces::anyWillWake(int iteration) const {
+  return std::any_of(places_.begin(), places_.end(), [&](const Place& p) {
+    return iteration < p.until && p.until != std::numeric_limits<int>::max();
+  });
+}
+
+}  // namespace handlebody

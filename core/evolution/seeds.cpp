@@ -1,0 +1,67 @@
+#include "core/evolution/seeds.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/mesh/shapes.h"
+
+namespace handlebody {
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kFit = 0.85;  // part of the fitting radius that a seed takes
+constexpr double kLargestSeed =
+    4.0;  // edge lengths; a larger seed saves little time and may reach over a thin wall
+constexpr double kSmallestSeed = 0.7;  // edge lengths: a smaller sphere would be collapsed at once
+
+//! Evenly spread directions (Fibonacci lattice).
+std::vector<Vec3> directions(int n) {
+  std::vector<Vec3> d;
+  for (int i = 0; i < n; ++i) {
+    const double z = 1 - (2 * i + 1.0) / n, angle = i * kPi * (3 - std::sqrt(5.0)), r = std::sqrt(1 - z * z);
+    d.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
+  }
+  return d;
+}
+
+}  // namespace
+
+double fittingRadius(const ObjectImage& image, const Vec3& centre, double limit) {
+  const double step = 0.25 * image.volume().grid().spacing.minCoeff();
+  const std::vector<Vec3> around = directions(64);
+  for (double radius = step; radius < limit; radius += step)
+    for (const Vec3& d : around)
+      if (image.inside(centre + radius * d) <= 0) return radius - step;
+  return limit;
+}
+
+std::vector<Seed> fitSeeds(const ObjectImage& image, const std::vector<Seed>& seeds, double edgeLength) {
+  std::vector<Seed> fitted;
+  for (const Seed& seed : seeds) {
+    const double fit =
+        fittingRadius(image, seed.centre, std::max(seed.radius.value_or(0), kLargestSeed * edgeLength));
+    double radius = seed.radius ? std::min(*seed.radius, fit) : kFit * fit;
+    radius = std::max(radius, kSmallestSeed * edgeLength);
+    for (const Seed& other : fitted)
+      radius = std::min(radius, (seed.centre - other.centre).norm() - *other.radius - edgeLength);
+    if (fitted.empty() || radius >= kSmallestSeed * edgeLength) fitted.push_back({seed.centre, radius});
+  }
+  return fitted;
+}
+
+Mesh seedMesh(const std::vector<Seed>& seeds, double edgeLength) {
+  TriangleSoup all;
+  for (const Seed& s : seeds) {
+    const TriangleSoup sphere = icosphere(s.centre, *s.radius, 1.2 * edgeLength);
+    const int shift = static_cast<int>(all.points.size());
+    all.points.insert(all.points.end(), sphere.points.begin(), sphere.points.end());
+    for (Triangle t : sphere.triangles) {
+      for (int& v : t) v += shift;
+      all.triangles.push_back(t);
+    }
+  }
+  return Mesh(all);
+}
+
+}  // namespace handlebody

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "core/evolution/object_image.h"
+#include "core/mesh/mesh.h"
+
+namespace handlebody {
+
+//! Radius (mm) of the largest ball around `centre` that lies in the object, at most `limit`.
+double fittingRadius(const ObjectImage& image, const Vec3& centre, double limit);
+
+//! Gives every seed a radius: the one asked for, or what fits, and never so large that two balls come closer
+//! than one edge length to each other. A seed that lies in or too close to an earlier ball is left out: that
+//! ball grows over it.
+std::vector<Seed> fitSeeds(const ObjectImage& image, const std::vector<Seed>& seeds, double edgeLength);
+
+//! The spheres of the seeds as one mesh.
+Mesh seedMesh(const std::vector<Seed>& seeds, double edgeLength);
+
+}  // namespace handlebody

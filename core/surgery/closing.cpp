@@ -1,0 +1,221 @@
+#include "core/surgery/closing.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+
+#include "core/geometry/triangle_intersection.h"
+#include "core/handles/two_front_handle.h"
+
+namespace handlebody {
+
+namespace {
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+bool stays(std::span<const Opening> openings, int f) {
+  return std::none_of(openings.begin(), openings.end(), [f](const Opening& o) {
+    return std::binary_search(o.faces.begin(), o.faces.end(), f);
+  });
+}
+
+//! True if the opened mesh holds the edge uv.
+bool opensOn(const Mesh& mesh, std::span<const Opening> openings, int u, int v) {
+  const int h = mesh.findHalfedge(u, v);
+  return h >= 0 && (stays(openings, Mesh::faceOf(h)) || stays(openings, Mesh::faceOf(mesh.opposite(h))));
+}
+
+std::vector<Vec3> positionsOf(const Mesh& mesh, const std::vector<int>& loop) {
+  std::vector<Vec3> p;
+  for (int v : loop) p.push_back(mesh.position(v));
+  return p;
+}
+
+std::array<Vec3, 3> corners(const Mesh& mesh, const Patch& patch, const Triangle& t) {
+  return {patch.position(mesh, t[0]), patch.position(mesh, t[1]), patch.position(mesh, t[2])};
+}
+
+Eigen::AlignedBox3d boxOf(const std::array<Vec3, 3>& p) {
+  Eigen::AlignedBox3d box(p[0]);
+  box.extend(p[1]);
+  box.extend(p[2]);
+  return box;
+}
+
+//! Least-area triangulations of the sub-polygons i … j, for leastAreaCap.
+class PolygonTriangulation {
+ public:
+  PolygonTriangulation(const Mesh& mesh, const Opening& opening, const std::vector<int>& loop)
+      : mesh_(mesh), opening_(opening), loop_(loop), n_(static_cast<int>(loop.size())) {
+    cost_.assign(idx(n_ * n_), 0);
+    apex_.assign(idx(n_ * n_), -1);
+    for (int span = 2; span < n_; ++span)
+      for (int i = 0; i + span < n_; ++i) solve(i, i + span);
+  }
+  bool exists() const { return cost_[idx(n_ - 1)] < kNone; }
+  void collect(int i, int j, Patch& out) const {
+    if (j - i < 2) return;
+    const int m = apex_[idx(i * n_ + j)];
+    out.faces.push_back({loop_[idx(i)], loop_[idx(m)], loop_[idx(j)]});
+    collect(i, m, out);
+    collect(m, j, out);
+  }
+
+ private:
+  static constexpr double kNone = 1e300;
+  bool allowed(int i, int j) const {
+    const bool side = j - i == 1 || (i == 0 && j == n_ - 1);
+    return side || !opensOn(mesh_, std::span(&opening_, 1), loop_[idx(i)], loop_[idx(j)]);
+  }
+  void solve(int i, int j) {
+    double best = kNone;
+    if (allowed(i, j))
+      for (int m = i + 1; m < j; ++m) {
+        const Vec3 &a = mesh_.position(loop_[idx(i)]), &b = mesh_.position(loop_[idx(m)]),
+                   &c = mesh_.position(loop_[idx(j)]);
+        const double area = cost_[idx(i * n_ + m)] + cost_[idx(m * n_ + j)] + (b - a).cross(c - a).norm();
+        if (area < best) {
+          best = area;
+          apex_[idx(i * n_ + j)] = m;
+        }
+      }
+    cost_[idx(i * n_ + j)] = best;
+  }
+
+  const Mesh& mesh_;
+  const Opening& opening_;
+  const std::vector<int>& loop_;
+  int n_;
+  std::vector<double> cost_;
+  std::vector<int> apex_;
+};
+
+}  // namespace
+
+void Patch::append(const Patch& other) {
+  const int shift = static_cast<int>(points.size());
+  points.insert(points.end(), other.points.begin(), other.points.end());
+  for (Triangle t : other.faces) {
+    for (int& v : t)
+      if (v >= firstNew) v += shift;
+    faces.push_back(t);
+  }
+  length += other.length;
+}
+
+Patch fanCap(const Mesh& mesh, const std::vector<int>& loop) {
+  Patch patch;
+  patch.firstNew = mesh.vertexSlots();
+  Vec3 sum(0, 0, 0);
+  for (int v : loop) sum += mesh.position(v);
+  patch.points.push_back(sum / static_cast<double>(loop.size()));
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    patch.faces.push_back({loop[i], loop[(i + 1) % loop.size()], patch.firstNew});
+    patch.length += (mesh.position(loop[i]) - patch.points[0]).norm();
+  }
+  return patch;
+}
+
+std::optional<Patch> leastAreaCap(const Mesh& mesh, const Opening& opening, const std::vector<int>& loop) {
+  const PolygonTriangulation triangulation(mesh, opening, loop);
+  if (!triangulation.exists()) return std::nullopt;
+  Patch patch;
+  patch.firstNew = mesh.vertexSlots();
+  triangulation.collect(0, static_cast<int>(loop.size()) - 1, patch);
+  return patch;
+}
+
+std::vector<Patch> handlesBetween(const Mesh& mesh, std::span<const Opening> openings,
+                                  const std::vector<int>& first, const std::vector<int>& second, int limit) {
+  std::vector<LoopPair> forbidden;
+  for (std::size_t i = 0; i < first.size(); ++i)
+    for (std::size_t j = 0; j < second.size(); ++j)
+      if (opensOn(mesh, openings, first[i], second[j]))
+        forbidden.push_back({static_cast<int>(i), static_cast<int>(j)});
+  std::vector<Patch> out;
+  const int m = static_cast<int>(first.size());
+  for (const HandleCandidate& c :
+       bestTwoFrontHandles(positionsOf(mesh, first), positionsOf(mesh, second), limit, forbidden)) {
+    Patch patch;
+    patch.firstNew = mesh.vertexSlots();
+    patch.length = c.length;
+    for (const Triangle& t : c.faces) {
+      Triangle g;
+      for (std::size_t i = 0; i < 3; ++i) g[i] = t[i] < m ? first[idx(t[i])] : second[idx(t[i] - m)];
+      patch.faces.push_back(g);
+    }
+    out.push_back(std::move(patch));
+  }
+  return out;
+}
+
+double volumeGain(const Mesh& mesh, std::span<const Opening> openings, const Patch& patch) {
+  const Vec3 origin = mesh.position(openings[0].lambda[0]);
+  const auto cone = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+    return (a - origin).dot((b - origin).cross(c - origin)) / 6;
+  };
+  double gain = 0;
+  for (const Triangle& t : patch.faces)
+    gain += cone(patch.position(mesh, t[0]), patch.position(mesh, t[1]), patch.position(mesh, t[2]));
+  for (const Opening& o : openings)
+    for (int f : o.faces) {
+      const Triangle& t = mesh.face(f);
+      gain -= cone(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
+    }
+  return gain;
+}
+
+bool facesIntersect(const Triangle& f, const std::array<Vec3, 3>& p, const Triangle& g,
+                    const std::array<Vec3, 3>& q) {
+  std::array<std::array<std::size_t, 2>, 3> shared;
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      if (f[i] == g[j] && n < 3) shared[n++] = {i, j};
+  if (n == 0) return trianglesIntersect(p[0], p[1], p[2], q[0], q[1], q[2]);
+  if (n == 1) {
+    const auto [i, j] = shared[0];
+    return trianglesIntersectSharedVertex(p[i], p[(i + 1) % 3], p[(i + 2) % 3], q[(j + 1) % 3],
+                                          q[(j + 2) % 3]);
+  }
+  if (n == 2) {
+    const std::size_t otherF = 3 - shared[0][0] - shared[1][0], otherG = 3 - shared[0][1] - shared[1][1];
+    return trianglesIntersectSharedEdge(p[shared[0][0]], p[shared[1][0]], p[otherF], q[otherG]);
+  }
+  return true;
+}
+
+Surroundings::Surroundings(const Mesh& mesh, std::span<const Opening> openings,
+                           std::span<const unsigned char> ignored)
+    : mesh_(mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Opening& o : openings)
+    for (const auto& loop : o.loops)
+      for (int v : loop) box.extend(mesh.position(v));
+  for (int f = 0; f < mesh.faceSlots(); ++f) {
+    if (!mesh.isFace(f)) continue;
+    const Triangle& t = mesh.face(f);
+    const Vec3 &a = mesh.position(t[0]), &b = mesh.position(t[1]), &c = mesh.position(t[2]);
+    const Vec3 low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
+    if ((low.array() > box.max().array()).any() || (high.array() < box.min().array()).any()) continue;
+    if ((idx(f) < ignored.size() && ignored[idx(f)]) || !stays(openings, f)) continue;
+    faces_.push_back(f);
+  }
+}
+
+bool Surroundings::fits(const Patch& patch) const {
+  for (std::size_t i = 0; i < patch.faces.size(); ++i) {
+    const Triangle& f = patch.faces[i];
+    const std::array<Vec3, 3> p = corners(mesh_, patch, f);
+    const Eigen::AlignedBox3d box = boxOf(p);
+    for (std::size_t j = 0; j < i; ++j)
+      if (facesIntersect(f, p, patch.faces[j], corners(mesh_, patch, patch.faces[j]))) return false;
+    for (int g : faces_) {
+      const std::array<Vec3, 3> q = corners(mesh_, patch, mesh_.face(g));
+      if (box.intersects(boxOf(q)) && facesIntersect(f, p, mesh_.face(g), q)) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace handlebody

@@ -1,0 +1,60 @@
+#pragma once
+// Faces that close an opened mesh: caps on single polygons, handles between two, and the test whether they
+// fit.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/mesh/mesh.h"
+#include "core/surgery/opening.h"
+
+namespace handlebody {
+
+//! New faces and vertices. Face indices below `firstNew` are vertices of the mesh, the others index `points`
+//! from there.
+struct Patch {
+  int firstNew = 0;
+  std::vector<Vec3> points;
+  std::vector<Triangle> faces;
+  double length = 0;  //!< total length of the new edges, mm
+
+  Vec3 position(const Mesh& mesh, int v) const {
+    return v < firstNew ? mesh.position(v) : points[static_cast<std::size_t>(v - firstNew)];
+  }
+  void append(const Patch& other);
+};
+
+//! Joins the barycentre of the polygon to its vertices (the paper's cap).
+Patch fanCap(const Mesh& mesh, const std::vector<int>& loop);
+
+//! The triangulation of the polygon of least area, without a new vertex (Barequet and Sharir's dynamic
+//! programme). None if every one would repeat an edge that the mesh has outside the opening.
+std::optional<Patch> leastAreaCap(const Mesh& mesh, const Opening& opening, const std::vector<int>& loop);
+
+//! Handles between two polygons, shortest first, at most `limit`; none has an edge that the opened mesh has
+//! already.
+std::vector<Patch> handlesBetween(const Mesh& mesh, std::span<const Opening> openings,
+                                  const std::vector<int>& first, const std::vector<int>& second, int limit);
+
+//! Volume gained when the faces of the openings are replaced by the patch, mm³.
+double volumeGain(const Mesh& mesh, std::span<const Opening> openings, const Patch& patch);
+
+//! The faces of the mesh near an opening that stay: what a patch must not intersect.
+class Surroundings {
+ public:
+  //! `ignored[f]` != 0: faces that do not count because they collide themselves and will be dealt with.
+  Surroundings(const Mesh& mesh, std::span<const Opening> openings, std::span<const unsigned char> ignored);
+  //! True if no face of the patch intersects another or one that stays.
+  bool fits(const Patch& patch) const;
+
+ private:
+  const Mesh& mesh_;
+  std::vector<int> faces_;
+};
+
+//! True if two triangles have a common point besides the vertices and the edge they share by index.
+bool facesIntersect(const Triangle& f, const std::array<Vec3, 3>& p, const Triangle& g,
+                    const std::array<Vec3, 3>& q);
+
+}  // namespace handlebody

@@ -1,0 +1,68 @@
+#include "core/surgery/collision_groups.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace handlebody {
+
+namespace {
+
+class UnionFind {
+ public:
+  explicit UnionFind(int n) : parent_(static_cast<std::size_t>(n)) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+  int find(int i) {
+    while (at(i) != i) i = at(i) = at(at(i));
+    return i;
+  }
+  void join(int a, int b) {
+    a = find(a);
+    b = find(b);
+    at(std::max(a, b)) = std::min(a, b);
+  }
+
+ private:
+  int& at(int i) { return parent_[static_cast<std::size_t>(i)]; }
+  std::vector<int> parent_;
+};
+
+std::vector<int> collidingVertices(const Mesh& mesh, std::span<const FacePair> pairs) {
+  std::vector<int> vertices;
+  for (const auto& [f, g] : pairs) {
+    vertices.insert(vertices.end(), mesh.face(f).begin(), mesh.face(f).end());
+    vertices.insert(vertices.end(), mesh.face(g).begin(), mesh.face(g).end());
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+}  // namespace
+
+std::vector<CollisionGroup> groupCollisions(const Mesh& mesh, std::span<const FacePair> pairs) {
+  const std::vector<int> vertices = collidingVertices(mesh, pairs);
+  UnionFind sets(mesh.vertexSlots());
+  // Joining every colliding vertex with its neighbours joins those at distance 1 and 2, and no others.
+  for (int v : vertices) mesh.forEachNeighbour(v, [&](int w) { sets.join(v, w); });
+  UnionFind groups(mesh.vertexSlots());
+  for (const auto& [f, g] : pairs) groups.join(sets.find(mesh.face(f)[0]), sets.find(mesh.face(g)[0]));
+
+  std::vector<CollisionGroup> out;
+  std::map<int, std::size_t> groupOf, setOf;  // by representative
+  for (int v : vertices) {
+    const int set = sets.find(v);
+    const auto [group, newGroup] = groupOf.try_emplace(groups.find(set), out.size());
+    if (newGroup) out.emplace_back();
+    auto& lambda = out[group->second].lambda;
+    const auto [slot, newSet] = setOf.try_emplace(set, lambda.size());
+    if (newSet) lambda.emplace_back();
+    lambda[slot->second].push_back(v);
+  }
+  for (const FacePair& p : pairs)
+    out[groupOf.at(groups.find(sets.find(mesh.face(p.first)[0])))].pairs.push_back(p);
+  return out;
+}
+
+}  // namespace handlebody

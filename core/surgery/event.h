@@ -1,0 +1,52 @@
+#pragma once
+// A change of the mesh that somebody may question: what happened, where, and the topology before and after.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/geometry/vec.h"
+
+namespace handlebody {
+
+//! Topology of the whole mesh.
+struct TopologyNumbers {
+  int components = 0;
+  int euler = 0;  //!< V - E + F
+  int genus = 0;  //!< sum over the components
+};
+
+enum class EventKind {
+  handleInserted,      //!< k fronts joined
+  split,               //!< a neck was cut: two components
+  enclosedPartCutOff,  //!< a part wholly inside a collision was cut off and capped
+  tunnelClosed,        //!< a cut that did not separate: the genus fell by one
+  componentDeleted,    //!< a component collapsed or lay wholly in a collision
+  smoothed,            //!< a fold was smoothed away
+  rolledBack,          //!< a part returned to its position before the step
+};
+//! "handle inserted", "split" … as in the report.
+const char* eventKindName(EventKind kind);
+
+//! The stages of a change of topology (the paper's Figures 1 and 7), in mm; recorded only on request.
+struct EventTrace {
+  std::vector<std::array<Vec3, 3>> collidingFaces;
+  std::vector<std::vector<Vec3>> lambda;         //!< the sets Λ, one list of vertex positions each
+  std::vector<std::array<Vec3, 3>> openedFaces;  //!< M_b near the place
+  std::vector<std::vector<Vec3>> boundaryLoops;  //!< the boundary polygons of M_b
+  std::vector<std::array<Vec3, 3>> handleFaces;  //!< K (handle or caps)
+  std::vector<std::array<Vec3, 3>> closedFaces;  //!< M_c near the place
+};
+
+struct Event {
+  EventKind kind = EventKind::smoothed;
+  int iteration = 0;
+  Vec3 location{0, 0, 0};      //!< mm
+  int fronts = 0;              //!< k, for handles
+  std::vector<int> loopSizes;  //!< vertices of each boundary polygon
+  TopologyNumbers before, after;
+  std::string reason;  //!< for a roll-back: why
+  EventTrace trace;    //!< empty unless traces are recorded
+};
+
+}  // namespace handlebody

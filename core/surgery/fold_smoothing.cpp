@@ -1,0 +1,63 @@
+#include "core/surgery/fold_smoothing.h"
+
+#include <algorithm>
+
+#include "core/surgery/closing.h"
+#include "core/surgery/opening.h"
+
+namespace handlebody {
+
+namespace {
+
+// Taubin's factors: pass band 1/lambda + 1/mu = 0.1 (the value of his paper), five pairs a pass.
+constexpr double kLambda = 0.5;
+constexpr double kMu = -0.526;
+constexpr int kPairs = 5;
+
+void laplacianStep(Mesh& mesh, const std::vector<int>& vertices, double factor) {
+  std::vector<Vec3> fresh;
+  for (int v : vertices) {
+    Vec3 sum(0, 0, 0);
+    double n = 0;
+    mesh.forEachNeighbour(v, [&](int w) {
+      sum += mesh.position(w);
+      n += 1;
+    });
+    fresh.push_back(mesh.position(v) + factor * (sum / n - mesh.position(v)));
+  }
+  for (std::size_t i = 0; i < vertices.size(); ++i) mesh.setPosition(vertices[i], fresh[i]);
+}
+
+}  // namespace
+
+bool smoothFold(Mesh& mesh, const std::vector<int>& lambda, std::span<const unsigned char> ignored,
+                std::vector<unsigned char>& touched) {
+  const std::vector<int> vertices = enlarge(mesh, lambda);
+  std::vector<Vec3> old;
+  for (int v : vertices) old.push_back(mesh.position(v));
+  Opening moved;  // the faces that move, as if they were taken out
+  moved.lambda = vertices;
+  for (int v : vertices) mesh.forEachOutgoing(v, [&](int h) { moved.faces.push_back(Mesh::faceOf(h)); });
+  std::sort(moved.faces.begin(), moved.faces.end());
+  moved.faces.erase(std::unique(moved.faces.begin(), moved.faces.end()), moved.faces.end());
+  moved.loops.push_back(vertices);
+  std::vector<unsigned char> others(ignored.begin(), ignored.end());
+  Patch patch;
+  patch.firstNew = mesh.vertexSlots();
+  for (int f : moved.faces) patch.faces.push_back(mesh.face(f));
+  for (int pass = 0; pass < kFoldPasses; ++pass) {
+    for (int i = 0; i < kPairs; ++i) {
+      laplacianStep(mesh, vertices, kLambda);
+      laplacianStep(mesh, vertices, kMu);
+    }
+    if (Surroundings(mesh, std::span(&moved, 1), others).fits(patch)) {
+      touched.resize(static_cast<std::size_t>(mesh.vertexSlots()), 0);
+      for (int v : vertices) touched[static_cast<std::size_t>(v)] = 1;
+      return true;
+    }
+  }
+  for (std::size_t i = 0; i < vertices.size(); ++i) mesh.setPosition(vertices[i], old[i]);
+  return false;
+}
+
+}  // namespace handlebody

@@ -1,0 +1,42 @@
+#pragma once
+// Topology adaptation (paper, section 4): the colliding parts of the mesh are opened, and closed again by a
+// handle, by caps, or by a smoother patch.
+
+#include <span>
+#include <vector>
+
+#include "core/collision/self_intersection.h"
+#include "core/mesh/mesh.h"
+#include "core/surgery/event.h"
+
+namespace handlebody {
+
+struct AdaptationSettings {
+  //! Only changes that fill outside space: fronts that meet through the inside of the object are left alone.
+  bool outwardOnly = true;
+  bool recordTraces = false;
+  int iteration = 0;  //!< for the events
+};
+
+//! A place where nothing fitted: the caller rolls it back.
+struct Trouble {
+  Vec3 centre{0, 0, 0};  //!< mm
+  double radius = 0;     //!< mm; holds all colliding vertices and the patches that were tried
+  const char* reason = "";
+};
+
+struct AdaptationResult {
+  std::vector<Event> events;
+  std::vector<Trouble> troubles;
+};
+
+//! Number of components, Euler number, genus of a closed mesh.
+TopologyNumbers topologyNumbers(const Mesh& mesh);
+
+//! Handles every group of colliding faces once. `touched` grows with the mesh; touched[v] = 1 for the
+//! vertices of every face that is new or was moved. Places listed as troubles are unchanged but for
+//! refinement, and still collide.
+AdaptationResult adaptTopology(Mesh& mesh, std::span<const FacePair> pairs,
+                               const AdaptationSettings& settings, std::vector<unsigned char>& touched);
+
+}  // namespace handlebody
