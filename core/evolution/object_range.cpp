@@ -245,8 +245,10 @@ ObjectChoice chooseObject(const Volume& volume, const std::vector<Seed>& seeds, 
   const double first = kFirstSigma * volume.grid.meanSpacing();
   choose(p.smoothing.value_or(first));
   if (!p.smoothing) {
+    // Less smoothing moves no level, and the growth need not be repeated; more does.
     const double sigma = chooseSmoothing(volume, seeds, choice);
-    if (sigma != first) choose(sigma);
+    if (sigma > first) choose(sigma);
+    if (sigma < first) choice.volume = std::make_shared<SmoothedVolume>(volume, sigma);
   }
   requireSeedsInRange(choice, seeds);
   return choice;

@@ -53,8 +53,4 @@ class Surroundings {
   std::vector<int> faces_;
 };
 
-//! True if two triangles have a common point besides the vertices and the edge they share by index.
-bool facesIntersect(const Triangle& f, const std::array<Vec3, 3>& p, const Triangle& g,
-                    const std::array<Vec3, 3>& q);
-
 }  // namespace handlebody

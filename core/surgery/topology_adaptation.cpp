@@ -246,12 +246,16 @@ class Adaptation {
 
     event.before = before;
     event.after = plan.kind == EventKind::smoothed ? before : topologyNumbers(mesh_);
-    if (plan.kind == EventKind::split && event.after.components == before.components)
-      event.kind = EventKind::tunnelClosed;
+    if (plan.kind == EventKind::split) event.kind = kindOfCut(before, event.after);
     if (settings_.recordTraces)
       for (const Triangle& t : patch)
         event.trace.handleFaces.push_back({mesh_.position(t[0]), mesh_.position(t[1]), mesh_.position(t[2])});
     result_.events.push_back(std::move(event));
+  }
+
+  static EventKind kindOfCut(const TopologyNumbers& before, const TopologyNumbers& after) {
+    if (after.components > before.components) return EventKind::split;
+    return after.genus < before.genus ? EventKind::tunnelClosed : EventKind::smoothed;
   }
 
   Event describe(const CollisionGroup& group, const Plan& plan) const {
