@@ -1,1 +1,4 @@
-target_sources(handlebody_core PRIVATE ${CMAKE_SOURCE_DIR}/core/handles/two_front_handle.cpp)
+target_sources(handlebody_core PRIVATE
+  ${CMAKE_SOURCE_DIR}/core/handles/homology.cpp
+  ${CMAKE_SOURCE_DIR}/core/handles/smith_normal_form.cpp
+  ${CMAKE_SOURCE_DIR}/core/handles/two_front_handle.cpp)
