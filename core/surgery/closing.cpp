@@ -165,6 +165,15 @@ double volumeGain(const Mesh& mesh, std::span<const Opening> openings, const Pat
   return gain;
 }
 
+double area(const Mesh& mesh, const Patch& patch) {
+  double sum = 0;
+  for (const Triangle& t : patch.faces) {
+    const std::array<Vec3, 3> p = corners(mesh, patch, t);
+    sum += (p[1] - p[0]).cross(p[2] - p[0]).norm() / 2;
+  }
+  return sum;
+}
+
 Surroundings::Surroundings(const Mesh& mesh, std::span<const Opening> openings,
                            std::span<const unsigned char> ignored)
     : mesh_(mesh) {
