@@ -1,6 +1,6 @@
 # Sourced by run.sh and test.sh: installs the Debian packages that are missing (Debian 12 and 13).
 
-BUILD_PACKAGES="g++ cmake ninja-build ccache libvtk9-dev libinsighttoolkit5-dev libeigen3-dev libcli11-dev nlohmann-json3-dev"
+BUILD_PACKAGES="g++ cmake ninja-build ccache libvtk9-dev libinsighttoolkit5-dev libeigen3-dev libcli11-dev nlohmann-json3-dev libssl-dev zlib1g-dev"
 TEST_PACKAGES="catch2 libcgal-dev"
 
 install_dependencies() {

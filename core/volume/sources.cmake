@@ -1,3 +1,4 @@
 target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/volume/smoothed_volume.cpp
+  ${CMAKE_SOURCE_DIR}/core/volume/intensity_statistics.cpp
   ${CMAKE_SOURCE_DIR}/core/volume/volume.cpp)

@@ -1,0 +1,50 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "app/cli/command.h"
+#include "core/collision/certify.h"
+#include "core/io/json.h"
+#include "core/io/mesh_io.h"
+
+namespace handlebody::cli {
+
+namespace {
+
+struct CheckOptions {
+  std::string path;
+  bool json = false;
+};
+
+void printText(const Certificate& c) {
+  const auto word = [](bool yes) { return yes ? "yes" : "no"; };
+  std::string genus;
+  for (int g : c.genus) genus += " " + std::to_string(g);
+  std::printf("%s\n", c.passes() ? "passes" : "does not pass");
+  std::printf("closed %s, manifold %s, oriented %s, self-intersections %d\n", word(c.closed),
+              word(c.manifold), word(c.oriented), c.selfIntersections);
+  std::printf("vertices %d, faces %d, components %d, Euler number %d, genus%s\n", c.vertices, c.faces,
+              c.components, c.euler, genus.empty() ? " undefined" : genus.c_str());
+  std::printf("volume %.6g mm3, area %.6g mm2\n", c.volume, c.area);
+}
+
+int check(const CheckOptions& o) {
+  const Certificate certificate = certify(readMesh(o.path));
+  if (o.json)
+    std::fputs(jsonText(certificateToJson(certificate)).c_str(), stdout);
+  else
+    printText(certificate);
+  return certificate.passes() ? kDone : kInternalError;
+}
+
+}  // namespace
+
+void addCheck(CLI::App& app, Action& action) {
+  CLI::App* command = addCommand(app, "check", "The certificate of a mesh; exit code 1 if it does not pass");
+  auto options = std::make_shared<CheckOptions>();
+  command->add_option("MESH", options->path, "A .stl, .vtp, .ply or .obj file")->required();
+  command->add_flag("--json", options->json, "As JSON, like \"mesh\" in a report");
+  command->callback([&action, options] { action = [options] { return check(*options); }; });
+}
+
+}  // namespace handlebody::cli

@@ -1,0 +1,27 @@
+#include "app/cli/command.h"
+
+#include <CLI/CLI.hpp>
+#include <limits>
+
+#include "app/cli/parse.h"
+#include "core/io/json.h"
+
+namespace handlebody::cli {
+
+CLI::App* addCommand(CLI::App& app, const std::string& name, const std::string& description) {
+  CLI::App* command = app.add_subcommand(name, description);
+  command->footer(kNotice);
+  return command;
+}
+
+void addSelection(CLI::App& command, VolumeSelection& selection) {
+  const auto set = [&selection](const std::string& text) {
+    selection.frame = parseInteger("--frame", text, 0, std::numeric_limits<int>::max());
+  };
+  command.add_option("--series", selection.series, "SeriesInstanceUID, if a folder holds several")
+      ->type_name("UID");
+  command.add_option_function<std::string>("--frame", set, "Time point of a 4D volume, from 0")
+      ->type_name("N");
+}
+
+}  // namespace handlebody::cli

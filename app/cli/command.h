@@ -1,0 +1,42 @@
+#pragma once
+// What the subcommands share: how they are added, and what the program's exit codes mean.
+
+#include <functional>
+#include <string>
+
+#include "core/io/volume_io.h"
+
+namespace CLI {
+class App;
+}
+
+namespace handlebody::cli {
+
+//! The contract with callers; see the README.
+enum ExitCode : int {
+  kDone = 0,
+  kInternalError = 1,  //!< also: `check` says no
+  kUsage = 2,          //!< also: an output cannot be written
+  kInput = 3,
+  kSeed = 4,
+  kMaxIterations = 5
+};
+
+//! What a parsed command line asks for; returns the exit code and throws the errors of core/errors.h.
+using Action = std::function<int()>;
+
+//! Each adds one subcommand, which sets `action` when it is the one that was called.
+void addSegment(CLI::App& app, Action& action);
+void addInfo(CLI::App& app, Action& action);
+void addCheck(CLI::App& app, Action& action);
+void addHandles(CLI::App& app, Action& action);
+void addPhantom(CLI::App& app, Action& action);
+void addReplay(CLI::App& app, Action& action);
+
+//! A subcommand with the notice under its help.
+CLI::App* addCommand(CLI::App& app, const std::string& name, const std::string& description);
+
+//! Adds --series and --frame.
+void addSelection(CLI::App& command, VolumeSelection& selection);
+
+}  // namespace handlebody::cli

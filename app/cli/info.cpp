@@ -1,0 +1,125 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <limits>
+#include <memory>
+
+#include "app/cli/command.h"
+#include "app/cli/parse.h"
+#include "core/io/json.h"
+#include "core/io/volume_io.h"
+#include "core/volume/intensity_statistics.h"
+
+namespace handlebody::cli {
+
+namespace {
+
+struct InfoOptions {
+  std::string path;
+  VolumeSelection selection;
+  bool json = false;
+};
+
+constexpr std::array kPercents{0.1, 1.0, 5.0, 25.0, 50.0, 75.0, 95.0, 99.0, 99.9};
+
+// A folder with several series holds no one volume, and no frame, until one is chosen.
+std::optional<IntensityStatistics> intensities(const VolumeInfo& info, const InfoOptions& o) {
+  if (info.frames == 0) return std::nullopt;
+  return intensityStatistics(readVolume(o.path, o.selection), kPercents);
+}
+
+std::string percentText(double percent) {
+  char text[16];
+  std::snprintf(text, sizeof text, "%g", percent);
+  return text;
+}
+
+// Three letters: where the axes point, e.g. "LPS".
+std::string orientation(const Grid& grid) {
+  std::string letters;
+  for (int axis = 0; axis < 3; ++axis) {
+    Eigen::Index largest = 0;
+    grid.direction.col(axis).cwiseAbs().maxCoeff(&largest);
+    letters += grid.direction(largest, axis) > 0 ? "LPS"[largest] : "RAI"[largest];
+  }
+  return letters;
+}
+
+Json toJson(const VolumeInfo& info, const std::optional<IntensityStatistics>& statistics) {
+  Json json = {
+      {"version", HANDLEBODY_VERSION}, {"notice", kNotice}, {"path", info.path}, {"format", info.format}};
+  Json& series = json["series"] = Json::array();
+  for (const SeriesInfo& s : info.series)
+    series.push_back({{"uid", s.uid}, {"description", s.description}, {"files", s.files}});
+  addGrid(json, info.grid);
+  json["orientation"] = orientation(info.grid);
+  json["type"] = voxelTypeName(info.type);
+  json["frames"] = info.frames;
+  json["intensities"] = nullptr;
+  if (statistics) {
+    Json percentiles = Json::object();
+    for (std::size_t i = 0; i < kPercents.size(); ++i)
+      percentiles[percentText(kPercents[i])] = statistics->percentiles[i];
+    json["intensities"] = {{"min", statistics->minimum},
+                           {"max", statistics->maximum},
+                           {"mean", statistics->mean},
+                           {"percentiles", std::move(percentiles)}};
+  }
+  json["warnings"] = info.warnings;
+  return json;
+}
+
+void printGrid(const VolumeInfo& info) {
+  const Grid& g = info.grid;
+  std::printf("%d x %d x %d voxels, %s", g.size[0], g.size[1], g.size[2], voxelTypeName(info.type));
+  std::printf(info.frames == 1 ? "\n" : ", %d time points\n", info.frames);
+  std::printf("spacing %g, %g, %g mm; origin %g, %g, %g mm (LPS)\n", g.spacing.x(), g.spacing.y(),
+              g.spacing.z(), g.origin.x(), g.origin.y(), g.origin.z());
+  std::printf("axes point to %s; direction", orientation(g).c_str());
+  for (int row = 0; row < 3; ++row)
+    std::printf("%s %.4g %.4g %.4g", row ? " /" : "", g.direction(row, 0), g.direction(row, 1),
+                g.direction(row, 2));
+  std::printf("\n");
+}
+
+void printIntensities(const IntensityStatistics& statistics) {
+  std::printf("intensities %g to %g, mean %g; percentiles", statistics.minimum, statistics.maximum,
+              statistics.mean);
+  for (std::size_t i = 0; i < kPercents.size(); ++i)
+    std::printf("%s %g%%: %g", i ? "," : "", kPercents[i], statistics.percentiles[i]);
+  std::printf("\n");
+}
+
+void printText(const VolumeInfo& info, const std::optional<IntensityStatistics>& statistics) {
+  std::printf("%s: %s\n", info.path.c_str(), info.format.c_str());
+  for (const SeriesInfo& s : info.series)
+    if (!s.uid.empty())
+      std::printf("series %s: %s, files %d\n", s.uid.c_str(), s.description.c_str(), s.files);
+  if (statistics) {
+    printGrid(info);
+    printIntensities(*statistics);
+  }
+  for (const std::string& warning : info.warnings) std::printf("warning: %s\n", warning.c_str());
+}
+
+int info(const InfoOptions& o) {
+  const VolumeInfo found = inspectVolume(o.path, o.selection);
+  const auto statistics = intensities(found, o);
+  if (o.json)
+    std::fputs(jsonText(toJson(found, statistics)).c_str(), stdout);
+  else
+    printText(found, statistics);
+  return kDone;
+}
+
+}  // namespace
+
+void addInfo(CLI::App& app, Action& action) {
+  CLI::App* command = addCommand(app, "info", "What a file or folder holds");
+  auto options = std::make_shared<InfoOptions>();
+  command->add_option("VOLUME", options->path, "A file, or a folder with DICOM series")->required();
+  addSelection(*command, options->selection);
+  command->add_flag("--json", options->json, "As JSON");
+  command->callback([&action, options] { action = [options] { return info(*options); }; });
+}
+
+}  // namespace handlebody::cli

@@ -1,0 +1,64 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <new>
+
+#include "app/cli/command.h"
+#include "core/errors.h"
+#include "core/io/json.h"
+
+namespace handlebody::cli {
+
+namespace {
+
+// One error, one line: messages of libraries may hold several.
+int fail(const std::string& message, ExitCode code) {
+  std::string line = message;
+  std::replace_if(
+      line.begin(), line.end(), [](unsigned char c) { return c < ' '; }, ' ');
+  if (line.empty() || line.back() != '.') line += '.';
+  std::cerr << "handlebody-cli: " << line << std::endl;
+  return code;
+}
+
+int perform(const Action& action) try {
+  const int code = action();
+  if (!std::cout.flush()) return fail("standard output cannot be written.", kUsage);
+  return code;
+} catch (const UsageError& error) {
+  return fail(error.what(), kUsage);
+} catch (const OutputError& error) {
+  return fail(error.what(), kUsage);
+} catch (const InputError& error) {
+  return fail(error.what(), kInput);
+} catch (const SeedError& error) {
+  return fail(error.what(), kSeed);
+} catch (const std::bad_alloc&) {
+  return fail("internal error: there is not enough memory.", kInternalError);
+} catch (const std::exception& error) {
+  return fail(std::string("internal error: ") + error.what(), kInternalError);
+}
+
+int parseAndPerform(int argc, char** argv) {
+  CLI::App app("From a medical volume and a seed to a certified surface mesh.", "handlebody-cli");
+  app.footer(kNotice);
+  app.set_version_flag("--version", std::string("handlebody-cli ") + HANDLEBODY_VERSION);
+  app.require_subcommand(1);
+  Action action;
+  for (auto add : {addSegment, addInfo, addCheck, addHandles, addPhantom, addReplay}) add(app, action);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {  // --help and --version
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    return fail(error.what(), kUsage);
+  } catch (const UsageError& error) {  // thrown by the options that parse themselves
+    return fail(error.what(), kUsage);
+  }
+  return perform(action);
+}
+
+}  // namespace
+}  // namespace handlebody::cli
+
+int main(int argc, char** argv) { return handlebody::cli::parseAndPerform(argc, argv); }

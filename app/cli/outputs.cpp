@@ -1,0 +1,114 @@
+#include "app/cli/outputs.h"
+
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+
+#include "core/errors.h"
+#include "core/io/mesh_io.h"
+#include "core/io/volume_io.h"
+
+namespace handlebody::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void refuse(const OutputFile& file, const std::string& why) {
+  throw UsageError(file.option + " " + file.path + " cannot be written: " + why + ".");
+}
+
+// Permission bits do not tell the truth for root, read-only mounts or /proc: only trying does.
+void checkFolder(const OutputFile& file, const fs::path& folder) {
+  if (!fs::exists(folder)) refuse(file, "the folder " + folder.string() + " does not exist");
+  if (!fs::is_directory(folder)) refuse(file, folder.string() + " is not a folder");
+  std::string probe = (folder / ".handlebody-XXXXXX").string();
+  const int descriptor = ::mkstemp(probe.data());
+  if (descriptor < 0)
+    refuse(file, "its folder takes no new file (" + std::string(std::strerror(errno)) + ")");
+  ::close(descriptor);
+  ::unlink(probe.c_str());
+}
+
+fs::path identity(const std::string& path) { return fs::weakly_canonical(fs::absolute(path)); }
+
+}  // namespace
+
+void checkWritable(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs) try {
+  std::vector<fs::path> seen;
+  for (const OutputFile& file : files) {
+    if (file.path.empty()) throw UsageError(file.option + " needs a file name.");
+    const fs::path path = identity(file.path);
+    if (fs::is_directory(path)) refuse(file, "it is a folder");
+    if (fs::exists(path) && !fs::is_regular_file(path)) refuse(file, "it is not a regular file");
+    for (const std::string& input : inputs)
+      if (path == identity(input)) refuse(file, "it is the input");
+    if (std::find(seen.begin(), seen.end(), path) != seen.end()) refuse(file, "it is named twice");
+    checkFolder(file, path.parent_path());
+    seen.push_back(path);
+  }
+} catch (const fs::filesystem_error& error) {
+  throw UsageError(std::string("an output cannot be written: ") + error.what() + ".");
+}
+
+void checkMeshExtension(const OutputFile& file) {
+  if (!isMeshPath(file.path))
+    throw UsageError(file.option + " " + file.path +
+                     ": unknown extension; a mesh is .stl, .vtp, .ply or .obj.");
+}
+
+void checkVolumeExtension(const OutputFile& file) {
+  if (!isLabelMapPath(file.path))
+    throw UsageError(file.option + " " + file.path +
+                     ": unknown extension; a volume is .nii, .nii.gz, .nrrd or .mha.");
+}
+
+void checkResultExtension(const OutputFile& file) {
+  if (!isMeshPath(file.path) && !isLabelMapPath(file.path))
+    throw UsageError(file.option + " " + file.path +
+                     ": unknown extension; a mesh is .stl, .vtp, .ply or .obj, a label map .nii, .nii.gz, "
+                     ".nrrd or .mha.");
+}
+
+namespace {
+
+constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
+volatile std::sig_atomic_t receivedSignal = 0;
+void remember(int signal) { receivedSignal = signal; }
+
+}  // namespace
+
+DeferSignals::DeferSignals() {
+  receivedSignal = 0;
+  for (std::size_t i = 0; i < kSignals.size(); ++i) {
+    previous_[i] = std::signal(kSignals[i], remember);
+    if (previous_[i] == SIG_IGN) std::signal(kSignals[i], SIG_IGN);  // nohup
+  }
+}
+
+DeferSignals::~DeferSignals() {
+  for (std::size_t i = 0; i < kSignals.size(); ++i) std::signal(kSignals[i], previous_[i]);
+  if (receivedSignal != 0) std::raise(receivedSignal);
+}
+
+void writeResults(const TriangleSoup& mesh, const Grid& grid, const std::vector<std::string>& paths,
+                  CoordinateSpace space) {
+  std::optional<Volume> label;
+  for (const std::string& path : paths) {
+    if (isMeshPath(path)) {
+      writeMesh(mesh, path, space);
+      continue;
+    }
+    if (!label) label = rasterize(mesh, grid);
+    writeVolume(*label, path);
+  }
+}
+
+}  // namespace handlebody::cli

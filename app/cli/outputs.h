@@ -1,0 +1,46 @@
+#pragma once
+// The files a run writes: checked before the work, written whole after it.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/io/report.h"
+#include "core/mesh/mesh.h"
+
+namespace handlebody::cli {
+
+//! A file that an option asks for.
+struct OutputFile {
+  std::string option;  //!< for messages
+  std::string path;
+};
+
+//! Throws UsageError that names the option if a file could not be written: its folder is missing or closed to
+//! us, it is a folder itself, two options name it, or it is one of the inputs, which would be
+//! destroyed.
+void checkWritable(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs);
+
+//! Throws UsageError unless the extension is one of a mesh or a label map.
+void checkResultExtension(const OutputFile& file);
+void checkMeshExtension(const OutputFile& file);
+void checkVolumeExtension(const OutputFile& file);
+
+//! Holds interrupt, termination and hang-up back while it lives, so that no file is left half-written; a
+//! signal that came takes effect when it goes.
+class DeferSignals {
+ public:
+  DeferSignals();
+  ~DeferSignals();
+  DeferSignals(const DeferSignals&) = delete;
+  DeferSignals& operator=(const DeferSignals&) = delete;
+
+ private:
+  std::array<void (*)(int), 3> previous_{};
+};
+
+//! Writes the mesh, or its label map on `grid`, to each path by its extension.
+void writeResults(const TriangleSoup& mesh, const Grid& grid, const std::vector<std::string>& paths,
+                  CoordinateSpace space);
+
+}  // namespace handlebody::cli

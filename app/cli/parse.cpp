@@ -1,0 +1,105 @@
+#include "app/cli/parse.h"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "core/errors.h"
+
+namespace handlebody::cli {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& wanted) {
+  throw UsageError(option + ": '" + text + "' is not " + wanted + ".");
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(' ');
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+// The whole text as a T; false if anything is left over or it does not fit.
+template <typename T>
+bool convert(std::string_view text, T& value) {
+  text = trimmed(text);
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+std::vector<std::string_view> splitAtCommas(std::string_view text) {
+  std::vector<std::string_view> parts;
+  for (auto comma = text.find(','); comma != std::string_view::npos; comma = text.find(',')) {
+    parts.push_back(text.substr(0, comma));
+    text.remove_prefix(comma + 1);
+  }
+  parts.push_back(text);
+  return parts;
+}
+
+bool allFinite(const std::vector<double>& values) {
+  for (double v : values)
+    if (!std::isfinite(v)) return false;
+  return true;
+}
+
+}  // namespace
+
+double parseNumber(const std::string& option, const std::string& text) {
+  double value = 0;
+  if (!convert(text, value) || std::isnan(value)) refuse(option, text, "a number");
+  return value;
+}
+
+int parseInteger(const std::string& option, const std::string& text, int lowest, int highest) {
+  int value = 0;
+  if (!convert(text, value) || value < lowest || value > highest) {
+    const bool open = highest == std::numeric_limits<int>::max();
+    refuse(option, text,
+           "a whole number of at least " + std::to_string(lowest) +
+               (open ? "" : " and at most " + std::to_string(highest)));
+  }
+  return value;
+}
+
+std::vector<double> parseNumbers(const std::string& option, const std::string& text) {
+  std::vector<double> values;
+  for (std::string_view part : splitAtCommas(text)) values.push_back(parseNumber(option, std::string(part)));
+  return values;
+}
+
+Vec3 parseVector(const std::string& option, const std::string& text) {
+  const auto v = parseNumbers(option, text);
+  if (v.size() != 3 || !allFinite(v)) refuse(option, text, "three numbers X,Y,Z");
+  return {v[0], v[1], v[2]};
+}
+
+std::vector<int> parseIntegers(const std::string& option, const std::string& text, int lowest) {
+  std::vector<int> values;
+  for (std::string_view part : splitAtCommas(text))
+    values.push_back(parseInteger(option, std::string(part), lowest, std::numeric_limits<int>::max()));
+  return values;
+}
+
+IntensityRange parseRange(const std::string& option, const std::string& text) {
+  const auto v = parseNumbers(option, text);
+  if (v.size() != 2 || v[0] > v[1]) refuse(option, text, "a range LO,HI with LO not above HI");
+  return {v[0], v[1]};
+}
+
+Seed parseSeed(const std::string& option, const std::string& text) {
+  const auto v = parseNumbers(option, text);
+  if ((v.size() != 3 && v.size() != 4) || !allFinite(v))
+    refuse(option, text, "X,Y,Z or X,Y,Z,R in finite numbers");
+  Seed seed{{v[0], v[1], v[2]}, {}};
+  if (v.size() == 4) {
+    if (!(v[3] > 0)) refuse(option, text, "a seed with a radius above 0");
+    seed.radius = v[3];
+  }
+  return seed;
+}
+
+}  // namespace handlebody::cli

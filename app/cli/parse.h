@@ -1,0 +1,27 @@
+#pragma once
+// Option values from text. Independent of the locale; every error is a UsageError that names the option.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/evolution/parameters.h"
+
+namespace handlebody::cli {
+
+//! A number; "inf" and "-inf" count, NaN does not.
+double parseNumber(const std::string& option, const std::string& text);
+//! A whole number in [lowest, highest].
+int parseInteger(const std::string& option, const std::string& text, int lowest, int highest);
+//! Numbers with commas between them.
+std::vector<double> parseNumbers(const std::string& option, const std::string& text);
+//! X,Y,Z, all finite.
+Vec3 parseVector(const std::string& option, const std::string& text);
+//! Whole numbers >= lowest with commas between them.
+std::vector<int> parseIntegers(const std::string& option, const std::string& text, int lowest);
+//! LO,HI with LO <= HI.
+IntensityRange parseRange(const std::string& option, const std::string& text);
+//! X,Y,Z[,R] in any one unit; R > 0.
+Seed parseSeed(const std::string& option, const std::string& text);
+
+}  // namespace handlebody::cli

@@ -1,0 +1,142 @@
+#include "app/cli/run.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <stdexcept>
+
+#include "app/cli/command.h"
+#include "app/cli/progress.h"
+#include "core/collision/certify.h"
+#include "core/errors.h"
+#include "core/evolution/active_contour.h"
+#include "core/io/atomic_file.h"
+
+namespace handlebody::cli {
+
+void addRunOutputs(CLI::App& command, RunOutputs& outputs) {
+  command
+      .add_option(
+          "-o,--output", outputs.results,
+          "What to write, by extension: .stl .vtp .ply .obj = the mesh; .nii.gz .nii .nrrd .mha = its "
+          "label map on the input grid; may be given several times")
+      ->type_name("OUT")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false)
+      ->required();
+  command.add_option("--report", outputs.report, "Report of the run (JSON)")->type_name("F.json");
+  command.add_option("--session", outputs.session, "Session for `replay` (JSON)")->type_name("F.json");
+  command.add_option("--trace", outputs.trace, "Stages of every change of topology (JSON)")
+      ->type_name("F.json");
+  command.add_flag("--quiet", outputs.quiet, "No progress and no summary");
+}
+
+void addSpace(CLI::App& command, std::optional<CoordinateSpace>& space) {
+  const auto set = [&space](const std::string& text) {
+    if (text != "LPS" && text != "RAS") throw UsageError("--space: '" + text + "' is not LPS or RAS.");
+    space = text == "RAS" ? CoordinateSpace::ras : CoordinateSpace::lps;
+  };
+  command
+      .add_option_function<std::string>("--space", set, "Coordinates of the mesh files: LPS (default) or RAS")
+      ->type_name("LPS|RAS");
+}
+
+void checkOutputs(const RunOutputs& outputs, const std::vector<std::string>& inputs) {
+  std::vector<OutputFile> files;
+  for (const std::string& path : outputs.results) {
+    files.push_back({"-o", path});
+    checkResultExtension(files.back());
+  }
+  if (!outputs.report.empty()) files.push_back({"--report", outputs.report});
+  if (!outputs.session.empty()) files.push_back({"--session", outputs.session});
+  if (!outputs.trace.empty()) files.push_back({"--trace", outputs.trace});
+  checkWritable(files, inputs);
+}
+
+double Stopwatch::lap() {
+  const auto now = std::chrono::steady_clock::now();
+  const std::chrono::duration<double> seconds = now - last_;
+  last_ = now;
+  return seconds.count();
+}
+
+namespace {
+
+// Traces are kept only when they will be written: they can be many times larger than the mesh.
+void evolve(ActiveContour& contour, RunReport& report, const RunOutputs& outputs) {
+  contour.recordTraces(!outputs.trace.empty());
+  Progress progress(outputs.quiet);
+  while (contour.stopReason() == StopReason::running) {
+    StepReport step = contour.step();
+    progress.show(step);
+    std::move(step.events.begin(), step.events.end(), std::back_inserter(report.events));
+  }
+  report.iterations = contour.iteration();
+  report.stopped = contour.stopReason();
+}
+
+// STL and most readers hold single precision. The mesh that is certified, counted and written is therefore
+// the rounded one: the same coordinates in every file, and the report's numbers are theirs.
+TriangleSoup roundedToSingle(TriangleSoup mesh) {
+  for (Vec3& p : mesh.points) p = p.cast<float>().cast<double>();
+  return mesh;
+}
+
+void requirePass(const Certificate& c) {
+  if (c.passes()) return;
+  const auto word = [](bool yes) { return yes ? "yes" : "no"; };
+  throw std::runtime_error(std::string("the mesh failed its certificate and nothing was written (closed: ") +
+                           word(c.closed) + ", manifold: " + word(c.manifold) +
+                           ", oriented: " + word(c.oriented) +
+                           ", self-intersections: " + std::to_string(c.selfIntersections) + ").");
+}
+
+void printSummary(const RunReport& report) {
+  const Certificate& mesh = report.mesh;
+  std::string genus;
+  for (int g : mesh.genus) genus += (genus.empty() ? "" : "+") + std::to_string(g);
+  std::printf("%s after %d iterations (%.2f s): components %d, genus %s, %d vertices, %.4g ml, %.4g cm2\n",
+              stopReasonName(report.stopped), report.iterations, report.seconds.total, mesh.components,
+              genus.c_str(), mesh.vertices, mesh.volume / 1000.0, mesh.area / 100.0);
+}
+
+void writeSideFiles(const RunReport& report, const RunOutputs& outputs) {
+  if (!outputs.session.empty()) writeSession(report.session, outputs.session);
+  if (!outputs.trace.empty()) writeTextAtomically(outputs.trace, traceText(report));
+  if (!outputs.report.empty()) writeTextAtomically(outputs.report, reportText(report));
+}
+
+}  // namespace
+
+int run(LoadedSession loaded, const RunOutputs& outputs) {
+  Stopwatch watch;
+  RunReport report;
+  report.session = std::move(loaded.session);
+  report.grid = loaded.volume.grid;
+  report.seconds.load = loaded.loadSeconds;
+  ActiveContour contour(std::move(loaded.volume), report.session.seeds, report.session.requested);
+  report.session.resolved = contour.parameters();
+  report.seconds.prepare = watch.lap();
+
+  evolve(contour, report, outputs);
+  report.seconds.evolve = watch.lap();
+  if (report.stopped == StopReason::empty)
+    throw SeedError("The surface vanished after " + std::to_string(report.iterations) +
+                    " iterations: the seeds are not in an object of that kind and range.");
+
+  const TriangleSoup mesh = roundedToSingle(contour.mesh().compact());
+  report.mesh = certify(mesh);
+  requirePass(report.mesh);
+  {
+    DeferSignals whole;
+    writeResults(mesh, report.grid, outputs.results, report.session.space);
+    report.seconds.exported = watch.lap();
+    const Timings& s = report.seconds;
+    report.seconds.total = s.load + s.prepare + s.evolve + s.exported;
+    writeSideFiles(report, outputs);
+  }
+  if (!outputs.quiet) printSummary(report);
+  return report.stopped == StopReason::maxIterations ? kMaxIterations : kDone;
+}
+
+}  // namespace handlebody::cli

@@ -1,0 +1,52 @@
+#pragma once
+// From a loaded volume to files: what `segment` and `replay` share.
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "app/cli/outputs.h"
+#include "core/io/report.h"
+
+namespace CLI {
+class App;
+}
+
+namespace handlebody::cli {
+
+//! What a run writes and says.
+struct RunOutputs {
+  std::vector<std::string> results;  //!< -o
+  std::string report, session, trace;
+  bool quiet = false;
+};
+
+//! Adds -o, --report, --session, --trace and --quiet.
+void addRunOutputs(CLI::App& command, RunOutputs& outputs);
+//! Adds --space; LPS unless given.
+void addSpace(CLI::App& command, std::optional<CoordinateSpace>& space);
+
+//! Before any work: throws UsageError if an output has no known extension or cannot be written.
+void checkOutputs(const RunOutputs& outputs, const std::vector<std::string>& inputs);
+
+//! Seconds since it was made or last asked.
+class Stopwatch {
+ public:
+  double lap();
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+//! A session whose volume is in memory.
+struct LoadedSession {
+  Session session;
+  Volume volume;
+  double loadSeconds = 0;
+};
+
+//! Grows the surface, certifies it and writes everything; returns the exit code. Throws SeedError,
+//! UsageError, OutputError; std::runtime_error if the mesh fails its certificate (nothing is written then).
+int run(LoadedSession loaded, const RunOutputs& outputs);
+
+}  // namespace handlebody::cli

@@ -1,0 +1,142 @@
+#include <CLI/CLI.hpp>
+#include <limits>
+#include <memory>
+
+#include "app/cli/command.h"
+#include "app/cli/parse.h"
+#include "app/cli/run.h"
+#include "core/errors.h"
+#include "core/io/parameter_names.h"
+#include "core/io/volume_io.h"
+
+namespace handlebody::cli {
+
+namespace {
+
+constexpr int kAnyCount = std::numeric_limits<int>::max();
+constexpr int kMostThreads =
+    256;  // far above what helps; keeps a slip of the hand from exhausting the system
+
+struct SegmentOptions {
+  Session session;
+  std::vector<std::string> seeds, voxelSeeds;
+  std::optional<CoordinateSpace> space;
+  RunOutputs outputs;
+};
+
+using Text = const std::string&;
+
+double positive(Text option, Text text) {
+  const double value = parseNumber(option, text);
+  if (!(value > 0) || value == std::numeric_limits<double>::infinity())
+    throw UsageError(option + ": '" + text + "' is not above 0.");
+  return value;
+}
+
+double notNegative(Text option, Text text) {
+  const double value = parseNumber(option, text);
+  if (!(value >= 0) || value == std::numeric_limits<double>::infinity())
+    throw UsageError(option + ": '" + text + "' is below 0 or infinite.");
+  return value;
+}
+
+void setObject(Parameters& p, Text text) {
+  const auto kind = objectKindFromName(text);
+  if (!kind) throw UsageError("--object: '" + text + "' is not auto, dark or bright.");
+  p.object = *kind;
+}
+
+void setDirection(Parameters& p, Text text) {
+  const auto direction = directionFromName(text);
+  if (!direction) throw UsageError("--direction: '" + text + "' is not outward or both.");
+  p.direction = *direction;
+}
+
+void setSmoothing(Parameters& p, Text text) {
+  if (text == "auto")
+    p.smoothing.reset();
+  else
+    p.smoothing = notNegative("--smoothing", text);
+}
+
+void addInput(CLI::App& command, SegmentOptions& o) {
+  VolumeReference& volume = o.session.volume;
+  command.add_option("VOLUME", volume.path, "A file, or a folder with a DICOM series")->required();
+  addSelection(command, volume.selection);
+  command
+      .add_option("--seed", o.seeds, "A ball inside the object, LPS millimetres; may be given several times")
+      ->type_name("X,Y,Z[,R]")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+  command.add_option("--seed-ijk", o.voxelSeeds, "The same in voxels; the radius in voxels of mean size")
+      ->type_name("I,J,K[,R]")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
+void addParameters(CLI::App& command, Parameters& p) {
+  const auto add = [&command, &p](Text name, Text type, Text help, void (*set)(Parameters&, Text)) {
+    command
+        .add_option_function<std::string>(
+            name, [&p, set](Text t) { set(p, t); }, help)
+        ->type_name(type);
+  };
+  add("--object", "auto|dark|bright", "Against its surroundings", setObject);
+  add("--range", "LO,HI", "Intensities of the object; inf and -inf are allowed",
+      [](Parameters& q, Text t) { q.range = parseRange("--range", t); });
+  add("--smoothing", "auto|SIGMA", "Gaussian smoothing of the image, mm", setSmoothing);
+  add("--edge-length", "MM", "Target edge length of the mesh",
+      [](Parameters& q, Text t) { q.edgeLength = positive("--edge-length", t); });
+  add("--direction", "outward|both", "Whether the surface may also shrink", setDirection);
+  add("--balloon", "W", "Weight of the balloon force (default 1)",
+      [](Parameters& q, Text t) { q.balloon = positive("--balloon", t); });
+  add("--curvature", "W", "Weight of the curvature term (default 0.2)",
+      [](Parameters& q, Text t) { q.curvature = notNegative("--curvature", t); });
+  add("--max-iterations", "N", "Stop after so many (exit code 5)",
+      [](Parameters& q, Text t) { q.maxIterations = parseInteger("--max-iterations", t, 1, kAnyCount); });
+  add("--threads", "N", "The mesh does not depend on it (default 1)",
+      [](Parameters& q, Text t) { q.threads = parseInteger("--threads", t, 1, kMostThreads); });
+}
+
+// Voxel seeds come as continuous indices with a radius in voxels.
+Seed toWorld(const Seed& seed, const Grid& grid) {
+  Seed world{grid.toWorld(seed.centre), seed.radius};
+  if (world.radius) *world.radius *= grid.meanSpacing();
+  return world;
+}
+
+int segment(SegmentOptions o) {
+  Session& session = o.session;
+  session.version = HANDLEBODY_VERSION;
+  session.space = o.space.value_or(CoordinateSpace::lps);
+  if (o.seeds.empty() && o.voxelSeeds.empty()) throw UsageError("segment needs a --seed or --seed-ijk.");
+  std::vector<Seed> voxelSeeds;
+  for (Text text : o.seeds) session.seeds.push_back(parseSeed("--seed", text));
+  for (Text text : o.voxelSeeds) voxelSeeds.push_back(parseSeed("--seed-ijk", text));
+  checkOutputs(o.outputs, {session.volume.path});
+
+  Stopwatch watch;
+  LoadedSession loaded;
+  loaded.volume = readVolume(session.volume.path, session.volume.selection);
+  session.volume.sha256 = sha256OfPath(session.volume.path);
+  for (const Seed& seed : voxelSeeds) session.seeds.push_back(toWorld(seed, loaded.volume.grid));
+  loaded.session = std::move(session);
+  loaded.loadSeconds = watch.lap();
+  return run(std::move(loaded), o.outputs);
+}
+
+}  // namespace
+
+void addSegment(CLI::App& app, Action& action) {
+  CLI::App* command = addCommand(app, "segment", "Grow a surface from seeds in a volume");
+  auto options = std::make_shared<SegmentOptions>();
+  addInput(*command, *options);
+  addParameters(*command, options->session.requested);
+  addRunOutputs(*command, options->outputs);
+  addSpace(*command, options->space);
+  command->callback([&action, options] { action = [options] { return segment(*options); }; });
+}
+
+}  // namespace handlebody::cli

@@ -1,0 +1,101 @@
+#include "core/io/atomic_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "core/errors.h"
+
+namespace handlebody {
+namespace fs = std::filesystem;
+namespace {
+
+//! Removes the temporary file when it goes out of scope, unless the file has been renamed.
+class Temporary {
+ public:
+  explicit Temporary(std::string path) : path_(std::move(path)) {}
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+  ~Temporary() {
+    if (!path_.empty()) ::unlink(path_.c_str());
+  }
+  const std::string& path() const { return path_; }
+  void release() { path_.clear(); }
+
+ private:
+  std::string path_;
+};
+
+[[noreturn]] void refuse(const std::string& path, const std::string& cause) {
+  throw OutputError(path + ": cannot be written: " + cause + ".");
+}
+
+std::string temporaryName(const std::string& path) {
+  static std::atomic<unsigned> counter{0};
+  const fs::path target(path);
+  // In front, so that the ending stays; in lower case, because libraries know endings only so.
+  std::string name = ".tmp-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + "-" +
+                     target.filename().string();
+  for (char& c : name)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return (target.parent_path() / name).string();
+}
+
+//! Creates the file empty: finds out before the work whether the folder takes files at all.
+void create(const std::string& temporary, const std::string& path) {
+  const int file = ::open(temporary.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+  if (file < 0) refuse(path, std::strerror(errno));
+  ::close(file);
+}
+
+//! The data must be on the disk before the name is: else a crash leaves an empty file under the final name.
+void flushToDisk(const std::string& temporary, const std::string& path) {
+  const int file = ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) refuse(path, std::strerror(errno));
+  const int failed = ::fsync(file);
+  const int cause = errno;
+  ::close(file);
+  if (failed != 0 && cause != EINVAL) refuse(path, std::strerror(cause));
+}
+
+}  // namespace
+
+void writeAtomically(const std::string& path, const std::function<void(const std::string&)>& write) {
+  if (fs::path(path).filename().empty()) refuse(path, "it is a folder, not a file name");
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) refuse(path, "a folder has this name");
+  Temporary temporary(temporaryName(path));
+  create(temporary.path(), path);
+  write(temporary.path());
+  flushToDisk(temporary.path(), path);
+  if (::rename(temporary.path().c_str(), path.c_str()) != 0) refuse(path, std::strerror(errno));
+  temporary.release();
+}
+
+void writeTextAtomically(const std::string& path, const std::string& text) {
+  writeAtomically(path, [&](const std::string& temporary) {
+    const int file = ::open(temporary.c_str(), O_WRONLY | O_CLOEXEC);
+    if (file < 0) refuse(path, std::strerror(errno));
+    const char* at = text.data();
+    std::size_t left = text.size();
+    while (left > 0) {
+      const ssize_t written = ::write(file, at, left);
+      if (written < 0 && errno == EINTR) continue;
+      if (written <= 0) {
+        const int cause = errno;
+        ::close(file);
+        refuse(path, std::strerror(cause));
+      }
+      at += written;
+      left -= static_cast<std::size_t>(written);
+    }
+    if (::close(file) != 0) refuse(path, std::strerror(errno));
+  });
+}
+
+}  // namespace handlebody

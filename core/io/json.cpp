@@ -1,0 +1,238 @@
+#include "core/io/json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/errors.h"
+#include "core/io/parameter_names.h"
+
+namespace handlebody {
+
+Json numberToJson(double value) {
+  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+  return value;
+}
+
+Json vectorToJson(const Vec3& v) { return Json::array({v.x(), v.y(), v.z()}); }
+
+Json rangeToJson(const IntensityRange& range) {
+  return Json::array({numberToJson(range.low), numberToJson(range.high)});
+}
+
+namespace {
+
+Json optionalToJson(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json topologyToJson(const TopologyNumbers& numbers) {
+  return {{"components", numbers.components}, {"genus", numbers.genus}, {"euler", numbers.euler}};
+}
+
+Json polygonToJson(const std::vector<Vec3>& polygon) {
+  Json list = Json::array();
+  for (const Vec3& p : polygon) list.push_back(vectorToJson(p));
+  return list;
+}
+
+Json polygonsToJson(const std::vector<std::vector<Vec3>>& polygons) {
+  Json list = Json::array();
+  for (const auto& polygon : polygons) list.push_back(polygonToJson(polygon));
+  return list;
+}
+
+Json trianglesToJson(const std::vector<std::array<Vec3, 3>>& triangles) {
+  Json list = Json::array();
+  for (const auto& [a, b, c] : triangles)
+    list.push_back(Json::array({vectorToJson(a), vectorToJson(b), vectorToJson(c)}));
+  return list;
+}
+
+}  // namespace
+
+Json seedToJson(const Seed& seed) {
+  return {{"centre", vectorToJson(seed.centre)}, {"radius", optionalToJson(seed.radius)}};
+}
+
+Json seedsToJson(const std::vector<Seed>& seeds) {
+  Json list = Json::array();
+  for (const Seed& seed : seeds) list.push_back(seedToJson(seed));
+  return list;
+}
+
+void addGrid(Json& object, const Grid& grid) {
+  object["size"] = grid.size;
+  object["spacing"] = vectorToJson(grid.spacing);
+  object["origin"] = vectorToJson(grid.origin);
+  Json rows = Json::array();
+  for (int r = 0; r < 3; ++r) rows.push_back(vectorToJson(grid.direction.row(r).transpose()));
+  object["direction"] = std::move(rows);
+}
+
+Json certificateToJson(const Certificate& certificate) {
+  return {{"vertices", certificate.vertices},
+          {"faces", certificate.faces},
+          {"components", certificate.components},
+          {"genus", certificate.genus},
+          {"euler", certificate.euler},
+          {"volume_mm3", certificate.volume},
+          {"area_mm2", certificate.area},
+          {"closed", certificate.closed},
+          {"manifold", certificate.manifold},
+          {"oriented", certificate.oriented},
+          {"self_intersections", certificate.selfIntersections}};
+}
+
+Json referenceToJson(const VolumeReference& volume) {
+  Json json = {{"path", volume.path}, {"sha256", volume.sha256}};
+  if (volume.selection.series) json["series"] = *volume.selection.series;
+  if (volume.selection.frame) json["frame"] = *volume.selection.frame;
+  return json;
+}
+
+Json requestToJson(const Session& session) {
+  const Parameters& parameters = session.requested;
+  return {{"object", objectKindName(parameters.object)},
+          {"range", parameters.range ? rangeToJson(*parameters.range) : Json(nullptr)},
+          {"smoothing", optionalToJson(parameters.smoothing)},
+          {"edge_length", optionalToJson(parameters.edgeLength)},
+          {"direction", directionName(parameters.direction)},
+          {"balloon", parameters.balloon},
+          {"curvature", parameters.curvature},
+          {"max_iterations", parameters.maxIterations},
+          {"threads", parameters.threads},
+          {"seeds", seedsToJson(session.seeds)},
+          {"space", session.space == CoordinateSpace::ras ? "RAS" : "LPS"}};
+}
+
+Json resolvedToJson(const ResolvedParameters& parameters) {
+  return {{"object", objectKindName(parameters.object)},
+          {"range", rangeToJson(parameters.range)},
+          {"smoothing", parameters.smoothing},
+          {"edge_length", parameters.edgeLength},
+          {"direction", directionName(parameters.direction)},
+          {"balloon", parameters.balloon},
+          {"curvature", parameters.curvature},
+          {"max_iterations", parameters.maxIterations},
+          {"threads", parameters.threads}};
+}
+
+Json eventToJson(const Event& event) {
+  return {{"kind", eventKindName(event.kind)},
+          {"iteration", event.iteration},
+          {"location", vectorToJson(event.location)},
+          {"fronts", event.fronts},
+          {"loop_sizes", event.loopSizes},
+          {"before", topologyToJson(event.before)},
+          {"after", topologyToJson(event.after)},
+          {"reason", event.reason}};
+}
+
+Json traceToJson(const EventTrace& trace) {
+  return {{"colliding_faces", trianglesToJson(trace.collidingFaces)},
+          {"lambda", polygonsToJson(trace.lambda)},
+          {"opened_faces", trianglesToJson(trace.openedFaces)},
+          {"boundary_loops", polygonsToJson(trace.boundaryLoops)},
+          {"handle_faces", trianglesToJson(trace.handleFaces)},
+          {"closed_faces", trianglesToJson(trace.closedFaces)}};
+}
+
+namespace {
+
+std::string compact(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+bool isFlat(const Json& json) {
+  return json.empty() || !json.is_structured() ||
+         (json.is_array() &&
+          std::none_of(json.begin(), json.end(), [](const Json& e) { return e.is_structured(); }));
+}
+
+// The library's own indentation would put every coordinate on a line of its own.
+void append(std::string& text, const Json& json, std::size_t indent) {
+  if (isFlat(json)) {
+    text += compact(json);
+    return;
+  }
+  const std::string inner(indent + 2, ' ');
+  text += json.is_array() ? "[" : "{";
+  const char* separator = "\n";
+  for (auto it = json.begin(); it != json.end(); ++it) {
+    text += separator + inner;
+    if (json.is_object()) text += compact(Json(it.key())) + ": ";
+    append(text, it.value(), indent + 2);
+    separator = ",\n";
+  }
+  text += "\n" + std::string(indent, ' ') + (json.is_array() ? "]" : "}");
+}
+
+// Stricter than the library, which also makes numbers of true and false.
+double finiteFromJson(const Json& json) {
+  if (!json.is_number()) throw UsageError(compact(json) + " is not a number.");
+  return json.get<double>();
+}
+
+double numberFromJson(const Json& json) {
+  if (json == "inf") return std::numeric_limits<double>::infinity();
+  if (json == "-inf") return -std::numeric_limits<double>::infinity();
+  return finiteFromJson(json);
+}
+
+Vec3 vectorFromJson(const Json& json) {
+  if (json.size() != 3) throw UsageError(compact(json) + " is not a point.");
+  return {finiteFromJson(json.at(0)), finiteFromJson(json.at(1)), finiteFromJson(json.at(2))};
+}
+
+std::optional<double> optionalFromJson(const Json& object, const char* key) {
+  if (!object.contains(key) || object.at(key).is_null()) return std::nullopt;
+  return finiteFromJson(object.at(key));
+}
+
+template <typename T>
+T wordFromJson(const Json& json, std::optional<T> (*fromName)(std::string_view)) {
+  const auto value = fromName(json.get_ref<const std::string&>());
+  if (!value) throw UsageError(compact(json) + " is not a known word.");
+  return *value;
+}
+
+IntensityRange rangeFromJson(const Json& json) {
+  if (json.size() != 2) throw UsageError("the range is not a pair.");
+  return {numberFromJson(json.at(0)), numberFromJson(json.at(1))};
+}
+
+CoordinateSpace spaceFromJson(const Json& json) {
+  if (json == "LPS") return CoordinateSpace::lps;
+  if (json == "RAS") return CoordinateSpace::ras;
+  throw UsageError(compact(json) + " is not a known space.");
+}
+
+}  // namespace
+
+int integerFromJson(const Json& json) {
+  if (!json.is_number_integer() || std::abs(json.get<double>()) > std::numeric_limits<int>::max())
+    throw UsageError(compact(json) + " is not a whole number in range.");
+  return json.get<int>();
+}
+
+std::string jsonText(const Json& json) {
+  std::string text;
+  append(text, json, 0);
+  return text + "\n";
+}
+
+void readRequest(const Json& json, Session& session) {
+  Parameters& p = session.requested;
+  if (json.contains("object")) p.object = wordFromJson(json.at("object"), objectKindFromName);
+  if (json.contains("range") && !json.at("range").is_null()) p.range = rangeFromJson(json.at("range"));
+  p.smoothing = optionalFromJson(json, "smoothing");
+  p.edgeLength = optionalFromJson(json, "edge_length");
+  if (json.contains("direction")) p.direction = wordFromJson(json.at("direction"), directionFromName);
+  if (json.contains("balloon")) p.balloon = finiteFromJson(json.at("balloon"));
+  if (json.contains("curvature")) p.curvature = finiteFromJson(json.at("curvature"));
+  if (json.contains("max_iterations")) p.maxIterations = integerFromJson(json.at("max_iterations"));
+  if (json.contains("threads")) p.threads = integerFromJson(json.at("threads"));
+  if (json.contains("space")) session.space = spaceFromJson(json.at("space"));
+  for (const Json& entry : json.at("seeds"))
+    session.seeds.push_back(Seed{vectorFromJson(entry.at("centre")), optionalFromJson(entry, "radius")});
+  if (session.seeds.empty()) throw UsageError("it has no seeds.");
+}
+
+}  // namespace handlebody

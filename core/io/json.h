@@ -1,0 +1,58 @@
+#pragma once
+// How the project's types stand in JSON: shared by reports, sessions and the command line's --json. Only
+// sources include this header; public headers stay free of the JSON library.
+//
+// Numbers are written with the fewest digits that read back to the same double, whatever the locale. JSON has
+// no infinity: infinite ends of a range are the strings "inf" and "-inf". A value that was left to the image
+// is null.
+
+#include <nlohmann/json.hpp>
+
+#include "core/evolution/step_report.h"
+#include "core/io/session.h"
+#include "core/mesh/certificate.h"
+#include "core/volume/volume.h"
+
+namespace handlebody {
+
+//! Keeps the keys in the order in which they were added.
+using Json = nlohmann::ordered_json;
+
+//! The line that every report carries.
+inline constexpr const char* kNotice = "For research use only; not a medical device.";
+
+//! A number, or "inf" / "-inf".
+Json numberToJson(double value);
+//! [x, y, z]
+Json vectorToJson(const Vec3& v);
+//! [low, high]
+Json rangeToJson(const IntensityRange& range);
+//! {"centre": [x, y, z] in mm LPS, "radius": mm or null}
+Json seedToJson(const Seed& seed);
+Json seedsToJson(const std::vector<Seed>& seeds);
+//! Adds size, spacing, origin and direction (its three rows) to an object.
+void addGrid(Json& object, const Grid& grid);
+//! The certificate: "mesh" of a report and the answer of `check`.
+Json certificateToJson(const Certificate& certificate);
+//! {"path", "sha256"} and, where they were chosen, "series" and "frame".
+Json referenceToJson(const VolumeReference& volume);
+//! "requested": every parameter as asked for, the seeds and the space of the mesh files.
+Json requestToJson(const Session& session);
+//! Every parameter as used; seeds apart.
+Json resolvedToJson(const ResolvedParameters& parameters);
+//! An event without its trace.
+Json eventToJson(const Event& event);
+//! The stages of an event: lists of triangles (three points each) and of polygons, mm.
+Json traceToJson(const EventTrace& trace);
+//! As text: two spaces of indentation, flat lists of numbers on one line each, a newline at the end. Bytes
+//! that are not UTF-8 (a path may have them) are replaced.
+std::string jsonText(const Json& json);
+
+//! Whole numbers that fit only: the library would cut 1.5 to 1 and wrap what does not fit. Throws UsageError.
+int integerFromJson(const Json& json);
+//! The inverse of requestToJson: parameters, seeds and space of `session`. Absent keys keep their defaults,
+//! null is "automatic". Throws Json::exception for a value of the wrong type, UsageError for a word or number
+//! without meaning.
+void readRequest(const Json& json, Session& session);
+
+}  // namespace handlebody

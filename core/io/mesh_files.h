@@ -1,0 +1,38 @@
+#pragma once
+// Internal: the mesh formats. Coordinates are passed as they stand in the file.
+
+#include <memory>
+#include <string>
+
+#include "core/io/mesh_io.h"
+
+namespace handlebody {
+
+//! A mesh as a file holds it.
+struct MeshFile {
+  TriangleSoup mesh{};
+  CoordinateSpace space = CoordinateSpace::lps;
+};
+
+//! "SPACE=LPS" or "SPACE=RAS": what we write into comments and headers.
+std::string spaceMark(CoordinateSpace space);
+//! The space that `text` (a header or comment) names; LPS if it names none.
+CoordinateSpace spaceIn(const std::string& text);
+
+//! Text, with every digit (VTK's OBJ writer and reader keep six). Write: `temporary` is a file that exists.
+void writeObj(const MeshFile& file, const std::string& temporary);
+MeshFile readObj(const std::string& path);
+
+//! VTK's messages go nowhere while one of these lives; errors are found through error codes and observers.
+class VtkSilence {
+ public:
+  VtkSilence();
+  ~VtkSilence();
+  VtkSilence(const VtkSilence&) = delete;
+  VtkSilence& operator=(const VtkSilence&) = delete;
+
+ private:
+  bool before_;
+};
+
+}  // namespace handlebody

@@ -1,0 +1,21 @@
+#pragma once
+// The words for the enumerations of Parameters: the same in options, reports and sessions.
+
+#include <optional>
+#include <string_view>
+
+#include "core/evolution/parameters.h"
+
+namespace handlebody {
+
+//! "auto", "dark", "bright".
+const char* objectKindName(ObjectKind kind);
+//! None for any other word.
+std::optional<ObjectKind> objectKindFromName(std::string_view name);
+
+//! "outward", "both".
+const char* directionName(Direction direction);
+//! None for any other word.
+std::optional<Direction> directionFromName(std::string_view name);
+
+}  // namespace handlebody

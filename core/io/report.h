@@ -1,0 +1,38 @@
+#pragma once
+// The report of a run: what went in, how it was done, what came out, and every change of topology.
+
+#include <string>
+#include <vector>
+
+#include "core/evolution/step_report.h"
+#include "core/io/session.h"
+#include "core/mesh/certificate.h"
+
+namespace handlebody {
+
+//! Wall-clock seconds.
+struct Timings {
+  double load = 0;      //!< reading and hashing the volume
+  double prepare = 0;   //!< automatic parameters, smoothing, seed spheres
+  double evolve = 0;    //!< all iterations
+  double exported = 0;  //!< certificate and files
+  double total = 0;
+};
+
+struct RunReport {
+  Session session;  //!< with `resolved` set
+  Grid grid;        //!< of the volume
+  int iterations = 0;
+  StopReason stopped = StopReason::running;
+  Timings seconds;
+  Certificate mesh;  //!< of the exported mesh
+  std::vector<Event> events;
+};
+
+//! The report as JSON text, without the traces of the events.
+std::string reportText(const RunReport& report);
+
+//! The events with their traces as JSON text.
+std::string traceText(const RunReport& report);
+
+}  // namespace handlebody

@@ -1,0 +1,90 @@
+#include "core/io/session.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "core/errors.h"
+#include "core/io/atomic_file.h"
+#include "core/io/json.h"
+
+namespace handlebody {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string readText(const std::string& path) {
+  if (fs::is_directory(path)) throw InputError(path + " is a folder, not a session.");
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw InputError(path + " cannot be opened: " + std::strerror(errno) + ".");
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (in.bad()) throw InputError(path + " cannot be read.");
+  return text;
+}
+
+// A relative path survives a move of the folder that holds volume and session; across different drives or
+// roots there is none, and the absolute path stays.
+std::string storedPath(const std::string& volume, const std::string& session) {
+  const fs::path target = fs::weakly_canonical(fs::absolute(volume));
+  const fs::path folder = fs::weakly_canonical(fs::absolute(session)).parent_path();
+  const fs::path relative = target.lexically_relative(folder);
+  return relative.empty() ? target.string() : relative.string();
+}
+
+std::string openablePath(const std::string& stored, const std::string& session) {
+  if (fs::path(stored).is_absolute()) return stored;
+  const fs::path beside = fs::path(session).parent_path() / stored;
+  return fs::exists(beside) || !fs::exists(stored) ? beside.string() : stored;
+}
+
+Session sessionFromJson(const Json& json, const std::string& path) {
+  Session session;
+  session.version = json.at("version").get<std::string>();
+  const Json& input = json.at("input");
+  session.volume.path = openablePath(input.at("path").get<std::string>(), path);
+  session.volume.sha256 = input.at("sha256").get<std::string>();
+  if (input.contains("series") && !input.at("series").is_null())
+    session.volume.selection.series = input.at("series").get<std::string>();
+  if (input.contains("frame") && !input.at("frame").is_null())
+    session.volume.selection.frame = integerFromJson(input.at("frame"));
+  if (session.volume.selection.frame < 0) throw UsageError("the frame is below 0.");
+  readRequest(json.at("requested"), session);
+  return session;
+}
+
+// The JSON library starts its messages with a tag in brackets.
+std::string withoutTag(const std::string& message) {
+  const auto end = message.find("] ");
+  return message.rfind("[json", 0) == 0 && end != std::string::npos ? message.substr(end + 2) + "." : message;
+}
+
+}  // namespace
+
+void writeSession(const Session& session, const std::string& path) {
+  Json json = {{"version", session.version}, {"notice", kNotice}};
+  Json input = referenceToJson(session.volume);
+  input["path"] = storedPath(session.volume.path, path);
+  json["input"] = std::move(input);
+  json["requested"] = requestToJson(session);
+  if (session.resolved) {
+    json["parameters"] = resolvedToJson(*session.resolved);
+    json["seeds"] = seedsToJson(session.resolved->seeds);
+  }
+  writeTextAtomically(path, jsonText(json));
+}
+
+Session readSession(const std::string& path) {
+  const std::string text = readText(path);
+  try {
+    return sessionFromJson(Json::parse(text), path);
+  } catch (const Json::parse_error&) {
+    throw InputError(path + " is not a JSON file.");
+  } catch (const std::exception& error) {
+    throw InputError(path + " is neither a session nor a report: " + withoutTag(error.what()));
+  }
+}
+
+}  // namespace handlebody

@@ -1,0 +1,37 @@
+#pragma once
+// Sessions: what is needed to make the same mesh again. A JSON file whose keys are a subset of the report's,
+// so that a report can be read as a session.
+
+#include <string>
+
+#include "core/evolution/parameters.h"
+#include "core/io/mesh_io.h"
+#include "core/io/volume_io.h"
+
+namespace handlebody {
+
+//! Where the voxels came from, and how to know them again.
+struct VolumeReference {
+  std::string path;    //!< file or folder
+  std::string sha256;  //!< as sha256OfPath
+  VolumeSelection selection{};
+};
+
+struct Session {
+  std::string version;                           //!< of the program that wrote it
+  VolumeReference volume;                        //!< in memory, the path is as the caller would open it
+  std::vector<Seed> seeds;                       //!< as asked for, mm LPS
+  Parameters requested;                          //!< as asked for
+  std::optional<ResolvedParameters> resolved{};  //!< as used, for the record; not read back
+  CoordinateSpace space = CoordinateSpace::lps;  //!< of the mesh files
+};
+
+//! Writes the session, whole or not at all. The volume's path is stored relative to the session file when one
+//! leads to the other, so that a folder with both can be moved. Throws OutputError.
+void writeSession(const Session& session, const std::string& path);
+
+//! Reads a session or a report. A relative path of the volume is looked for beside the file first, then from
+//! the current folder. Throws InputError that names the file.
+Session readSession(const std::string& path);
+
+}  // namespace handlebody

@@ -1,0 +1,89 @@
+// Which format a file has: by content, not by name.
+
+#include "core/io/volume_source.h"
+
+#include <array>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "core/errors.h"
+#include "core/io/byte_stream.h"
+
+namespace handlebody {
+namespace {
+
+namespace fs = std::filesystem;
+using Start = std::array<unsigned char, 512>;
+
+Start startOf(const std::string& path, bool inflated) {
+  Start start{};
+  ByteStream stream(path, 0, inflated ? ByteStream::Coding::deflate : ByteStream::Coding::raw);
+  stream.read(start.data(), start.size());
+  return start;
+}
+
+bool beginsWith(const Start& start, const std::string& magic, std::size_t at = 0) {
+  return std::memcmp(start.data() + at, magic.data(), magic.size()) == 0;
+}
+
+bool looksLikeNifti(const Start& s) {
+  const auto is = [&](int a, int b) {
+    const int little = s[0] | s[1] << 8, big = s[3] | s[2] << 8;
+    return ((little == a && s[2] == 0 && s[3] == 0) || (big == b && s[0] == 0 && s[1] == 0));
+  };
+  return is(348, 348) || is(540, 540);
+}
+
+bool looksLikeMetaImage(const Start& s) {
+  const std::string text(s.begin(), s.end());
+  return text.find("NDims") != std::string::npos || text.find("ObjectType") != std::string::npos;
+}
+
+bool looksLikeTiff(const Start& s) {
+  return beginsWith(s, std::string("II*\0", 4)) || beginsWith(s, std::string("MM\0*", 4)) ||
+         beginsWith(s, std::string("II+\0", 4)) || beginsWith(s, std::string("MM\0+", 4));
+}
+
+//! DICOM without its preamble begins with a tag of group 2 or 8.
+bool looksLikeDicom(const Start& s) {
+  if (beginsWith(s, "DICM", 128)) return true;
+  return (s[0] == 8 || s[0] == 2) && s[1] == 0 && s[3] == 0 && s[2] <= 0x18;
+}
+
+void checkExists(const std::string& path) {
+  std::error_code failed;
+  const auto status = fs::status(path, failed);
+  if (!fs::exists(status)) refuseInput(path, "there is no such file or folder");
+  if (!fs::is_regular_file(status)) refuseInput(path, "it is neither a file nor a folder");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) refuseInput(path, "it cannot be opened (permission?)");
+  if (fs::file_size(path, failed) == 0) refuseInput(path, "the file is empty");
+}
+
+SourcePointer openFile(const std::string& path, const VolumeSelection& selection, bool* several) {
+  checkExists(path);
+  const Start start = startOf(path, false);
+  if (beginsWith(start, "version https://git-lfs"))
+    refuseInput(path, "this is a Git LFS pointer, not the file it stands for");
+  if (looksLikeDicom(start) && !looksLikeNifti(start)) return openDicom(path, selection, several);
+  if (beginsWith(start, "NRRD0")) return openNrrd(path);
+  if (looksLikeTiff(start)) return openTiff(path);
+  if (looksLikeNifti(start) || path.ends_with(".img") || path.ends_with(".img.gz")) return openNifti(path);
+  if (isGzip(path) && looksLikeNifti(startOf(path, true))) return openNifti(path);
+  if (looksLikeMetaImage(start)) return openMetaImage(path);
+  refuseInput(path, "it is not a volume in a known format (NIfTI, NRRD, MetaImage, DICOM, TIFF)");
+}
+
+}  // namespace
+
+SourcePointer openVolume(const std::string& path, const VolumeSelection& selection, bool* several) {
+  std::error_code failed;
+  if (fs::is_directory(path, failed)) return openDicom(path, selection, several);
+  SourcePointer source = openFile(path, selection, several);
+  if (selection.series && source->header().format != "DICOM")
+    throw UsageError(path + ": --series is for DICOM, this is " + source->header().format + ".");
+  return source;
+}
+
+}  // namespace handlebody

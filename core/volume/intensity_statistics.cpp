@@ -1,0 +1,67 @@
+#include "core/volume/intensity_statistics.h"
+
+#include <algorithm>
+#include <limits>
+#include <type_traits>
+
+namespace handlebody {
+
+namespace {
+
+std::size_t rankOf(double percent, std::size_t count) {
+  return static_cast<std::size_t>(percent / 100.0 * static_cast<double>(count - 1));
+}
+
+// Types of one or two bytes have few values: counting them needs no copy of the volume.
+template <typename T>
+std::vector<double> percentilesByCounting(std::span<const T> voxels, std::span<const double> percents) {
+  constexpr int kLowest = std::numeric_limits<T>::min();
+  std::vector<std::size_t> counts(std::size_t{1} << (8 * sizeof(T)), 0);
+  for (T v : voxels) ++counts[static_cast<std::size_t>(v - kLowest)];
+  std::vector<double> result;
+  for (double percent : percents) {
+    const std::size_t rank = rankOf(percent, voxels.size());
+    std::size_t value = 0;
+    for (std::size_t below = counts[0]; below <= rank; below += counts[value]) ++value;
+    result.push_back(static_cast<double>(value) + kLowest);
+  }
+  return result;
+}
+
+template <typename T>
+std::vector<double> percentilesBySelection(std::span<const T> voxels, std::span<const double> percents) {
+  std::vector<T> copy(voxels.begin(), voxels.end());
+  std::vector<double> result;
+  for (double percent : percents) {
+    const auto nth = copy.begin() + static_cast<std::ptrdiff_t>(rankOf(percent, copy.size()));
+    std::nth_element(copy.begin(), nth, copy.end());
+    result.push_back(static_cast<double>(*nth));
+  }
+  return result;
+}
+
+template <typename T>
+IntensityStatistics statisticsOf(std::span<const T> voxels, std::span<const double> percents) {
+  IntensityStatistics s;
+  const auto [low, high] = std::minmax_element(voxels.begin(), voxels.end());
+  s.minimum = static_cast<double>(*low);
+  s.maximum = static_cast<double>(*high);
+  double sum = 0;
+  for (T v : voxels) sum += static_cast<double>(v);
+  s.mean = sum / static_cast<double>(voxels.size());
+  if constexpr (std::is_integral_v<T> && sizeof(T) <= 2)
+    s.percentiles = percentilesByCounting(voxels, percents);
+  else
+    s.percentiles = percentilesBySelection(voxels, percents);
+  return s;
+}
+
+}  // namespace
+
+IntensityStatistics intensityStatistics(const Volume& volume, std::span<const double> percents) {
+  return visitVoxels(volume, [&](const auto* voxels) {
+    return statisticsOf(std::span(voxels, volume.grid.voxelCount()), percents);
+  });
+}
+
+}  // namespace handlebody

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/volume/volume.h"
+
+namespace handlebody {
+
+//! Of all voxels of a volume, in its own intensities.
+struct IntensityStatistics {
+  double minimum = 0;
+  double maximum = 0;
+  double mean = 0;
+  std::vector<double> percentiles;  //!< one for each that was asked for
+};
+
+//! `percents` in [0, 100]: the percentile is the value at rank floor(p/100 · (n - 1)) of the sorted voxels,
+//! so it is always a value that occurs. Precondition: at least one voxel, none of them NaN.
+IntensityStatistics intensityStatistics(const Volume& volume, std::span<const double> percents);
+
+}  // namespace handlebody

@@ -1,0 +1,109 @@
+#include "core/io/report.h"
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "core/volume/intensity_statistics.h"
+#include "tests/support/catch.h"
+
+using namespace handlebody;
+
+namespace {
+
+RunReport smallReport() {
+  RunReport r;
+  r.session.version = "1.2.3";
+  r.session.volume = {"v.mha", "00ff", {}};
+  r.session.seeds = {{{1, 2, 3}, {}}};
+  ResolvedParameters resolved;
+  resolved.range = {-std::numeric_limits<double>::infinity(), 0.1};
+  resolved.seeds = {{{1, 2, 3}, 4.5}};
+  r.session.resolved = resolved;
+  r.grid.size = {3, 4, 5};
+  r.grid.direction << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  r.stopped = StopReason::converged;
+  Event event;
+  event.kind = EventKind::handleInserted;
+  event.fronts = 2;
+  event.loopSizes = {5, 6};
+  event.trace.boundaryLoops = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  r.events = {event};
+  return r;
+}
+
+}  // namespace
+
+TEST_CASE("a report holds every field of the contract", "[report]") {
+  const auto json = nlohmann::json::parse(reportText(smallReport()));
+  for (const char* key : {"version", "notice", "input", "parameters", "requested", "seeds", "iterations",
+                          "stopped", "seconds", "mesh", "events"}) {
+    INFO(key);
+    CHECK(json.contains(key));
+  }
+  for (const char* key : {"path", "sha256", "size", "spacing", "origin", "direction"})
+    CHECK(json["input"].contains(key));
+  for (const char* key : {"object", "range", "smoothing", "edge_length", "direction", "balloon", "curvature",
+                          "max_iterations", "threads"}) {
+    INFO(key);
+    CHECK(json["parameters"].contains(key));
+    CHECK(json["requested"].contains(key));
+  }
+  for (const char* key : {"load", "prepare", "evolve", "export", "total"})
+    CHECK(json["seconds"].contains(key));
+  for (const char* key : {"vertices", "faces", "components", "genus", "euler", "volume_mm3", "area_mm2",
+                          "closed", "manifold", "oriented", "self_intersections"})
+    CHECK(json["mesh"].contains(key));
+  for (const char* key :
+       {"kind", "iteration", "location", "fronts", "loop_sizes", "before", "after", "reason"})
+    CHECK(json["events"][0].contains(key));
+  for (const char* key : {"components", "genus", "euler"}) CHECK(json["events"][0]["before"].contains(key));
+}
+
+TEST_CASE("a report says what was used and what was asked for", "[report]") {
+  const auto json = nlohmann::json::parse(reportText(smallReport()));
+  CHECK(json["parameters"]["range"] == nlohmann::json::array({"-inf", 0.1}));
+  CHECK(json["requested"]["range"].is_null());
+  CHECK(json["seeds"][0]["radius"] == 4.5);
+  CHECK(json["requested"]["seeds"][0]["radius"].is_null());
+  CHECK(json["stopped"] == "converged");
+}
+
+TEST_CASE("the direction matrix is written row by row", "[report]") {
+  const auto json = nlohmann::json::parse(reportText(smallReport()));
+  CHECK(json["input"]["direction"][0] == nlohmann::json::array({0.0, -1.0, 0.0}));
+  CHECK(json["input"]["direction"][1] == nlohmann::json::array({1.0, 0.0, 0.0}));
+}
+
+TEST_CASE("traces are in the trace file only", "[report]") {
+  const RunReport report = smallReport();
+  CHECK_FALSE(nlohmann::json::parse(reportText(report))["events"][0].contains("trace"));
+  const auto trace = nlohmann::json::parse(traceText(report))["events"][0]["trace"];
+  CHECK(trace["boundary_loops"][0][1] == nlohmann::json::array({1.0, 0.0, 0.0}));
+  for (const char* key : {"colliding_faces", "lambda", "opened_faces", "handle_faces", "closed_faces"})
+    CHECK(trace[key].is_array());
+}
+
+TEMPLATE_TEST_CASE("percentiles are values at their rank", "[volume]", std::uint8_t, std::int8_t,
+                   std::uint16_t, std::int16_t, std::int32_t, float, double) {
+  constexpr VoxelType kType = std::is_same_v<TestType, std::uint8_t>    ? VoxelType::uint8
+                              : std::is_same_v<TestType, std::int8_t>   ? VoxelType::int8
+                              : std::is_same_v<TestType, std::uint16_t> ? VoxelType::uint16
+                              : std::is_same_v<TestType, std::int16_t>  ? VoxelType::int16
+                              : std::is_same_v<TestType, std::int32_t>  ? VoxelType::int32
+                              : std::is_same_v<TestType, float>         ? VoxelType::float32
+                                                                        : VoxelType::float64;
+  Grid grid;
+  grid.size = {101, 1, 1};
+  void* buffer = nullptr;
+  const Volume volume = makeVolume(grid, kType, &buffer);
+  const int lowest = std::is_signed_v<TestType> ? -50 : 0;
+  for (int i = 0; i <= 100; ++i)  // 37 and 101 have no common factor: a permutation of 101 values in a row
+    static_cast<TestType*>(buffer)[i] = static_cast<TestType>(lowest + i * 37 % 101);
+  const std::array percents{0.0, 1.0, 50.0, 99.9, 100.0};
+  const IntensityStatistics s = intensityStatistics(volume, percents);
+  CHECK(s.minimum == lowest);
+  CHECK(s.maximum == lowest + 100);
+  CHECK(s.mean == Approx(lowest + 50));
+  CHECK(s.percentiles ==
+        std::vector<double>{lowest + 0., lowest + 1., lowest + 50., lowest + 99., lowest + 100.});
+}

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/app/temp_folder.h"
+
+namespace handlebody::test {
+
+//! What a run of handlebody-cli left behind.
+struct Outcome {
+  int exitCode = -1;  //!< minus the signal's number if one ended it
+  std::string out, err;
+};
+
+//! Runs the program that was built beside the tests, with nothing on its standard input.
+Outcome runCli(const std::vector<std::string>& arguments);
+
+//! Runs it and requires exit code 0; the standard output as JSON.
+nlohmann::json runForJson(const std::vector<std::string>& arguments);
+
+//! A small phantom on disk, and a seed in it as an option's value: X,Y,Z,R.
+struct PhantomFile {
+  std::string path, seed;
+  nlohmann::json json;  //!< what the program printed
+};
+PhantomFile makePhantomFile(const TempFolder& folder, const std::string& name = "sphere.mha",
+                            const std::vector<std::string>& more = {});
+
+}  // namespace handlebody::test

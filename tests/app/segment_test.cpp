@@ -1,0 +1,255 @@
+// The whole way from a volume and a seed to files, through the program.
+
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "core/io/mesh_io.h"
+#include "core/io/volume_io.h"
+#include "tests/app/run_cli.h"
+#include "tests/support/catch.h"
+
+using namespace handlebody;
+using namespace handlebody::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+// A sphere of radius 30 mm in voxels of 2.5 mm, and segment's arguments for it.
+struct SphereRun {
+  TempFolder folder;
+  PhantomFile phantom = makePhantomFile(folder);
+
+  std::vector<std::string> arguments(const std::vector<std::string>& more) const {
+    std::vector<std::string> all{"segment", phantom.path, "--seed", phantom.seed};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+  void requireSuccess(const std::vector<std::string>& more) const {
+    const Outcome outcome = runCli(arguments(more));
+    INFO(outcome.err);
+    REQUIRE(outcome.exitCode == 0);
+  }
+  nlohmann::json json(const std::string& name) const {
+    return nlohmann::json::parse(readBytes(folder / name));
+  }
+};
+
+nlohmann::json checkJson(const std::string& mesh) { return runForJson({"check", mesh, "--json"}); }
+
+}  // namespace
+
+TEST_CASE("segment writes a mesh that check passes, and a report of that mesh", "[cli][segment]") {
+  const SphereRun run;
+  run.requireSuccess({"-o", run.folder / "m.stl", "--report", run.folder / "r.json"});
+  CHECK(run.folder.names() == std::vector<std::string>{"m.stl", "r.json", "sphere.mha"});
+  const auto report = run.json("r.json");
+  const auto& mesh = report.at("mesh");
+  CHECK(mesh.at("genus") == nlohmann::json::array({0}));
+  CHECK(mesh.at("self_intersections") == 0);
+  // The numbers are those of the file. Volume and area are sums in another order of vertices.
+  const auto checked = checkJson(run.folder / "m.stl");
+  for (const char* key :
+       {"vertices", "faces", "components", "genus", "euler", "closed", "manifold", "oriented"})
+    CHECK(checked.at(key) == mesh.at(key));
+  CHECK(checked.at("volume_mm3").get<double>() == Approx(mesh.at("volume_mm3").get<double>()).epsilon(1e-9));
+  CHECK(report.at("stopped") == "converged");
+  CHECK(report.at("iterations") > 0);
+  CHECK(report.at("input").at("sha256") == sha256OfPath(run.phantom.path));
+  CHECK_THAT(report.at("notice").get<std::string>(), Contains("not a medical device"));
+}
+
+TEST_CASE("segment finds the sphere within half a voxel", "[cli][segment]") {
+  const SphereRun run;
+  run.requireSuccess({"-o", run.folder / "m.ply"});
+  const double volume = checkJson(run.folder / "m.ply").at("volume_mm3");
+  const double radius = std::cbrt(volume * 3 / (4 * std::acos(-1.0)));
+  CHECK(std::abs(radius - 30) < 0.5 * 2.5);
+}
+
+TEST_CASE("every kind of mesh file holds the same mesh", "[cli][segment]") {
+  const SphereRun run;
+  std::vector<std::string> outputs;
+  for (const char* name : {"m.stl", "m.vtp", "m.ply", "m.obj"})
+    outputs.insert(outputs.end(), {"-o", run.folder / name});
+  run.requireSuccess(outputs);
+  const auto stl = checkJson(run.folder / "m.stl");
+  for (const char* name : {"m.vtp", "m.ply", "m.obj"}) {
+    INFO(name);
+    const auto other = checkJson(run.folder / name);
+    CHECK(other.at("vertices") == stl.at("vertices"));
+    CHECK(other.at("faces") == stl.at("faces"));
+    CHECK(other.at("area_mm2").get<double>() == Approx(stl.at("area_mm2").get<double>()).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("the mesh is the same bit for bit with one and two threads and in two runs", "[cli][segment]") {
+  const SphereRun run;
+  run.requireSuccess({"-o", run.folder / "a.vtp", "--threads", "1"});
+  run.requireSuccess({"-o", run.folder / "b.vtp", "--threads", "1"});
+  run.requireSuccess({"-o", run.folder / "c.vtp", "--threads", "2"});
+  CHECK(readBytes(run.folder / "a.vtp") == readBytes(run.folder / "b.vtp"));
+  CHECK(readBytes(run.folder / "a.vtp") == readBytes(run.folder / "c.vtp"));
+}
+
+TEST_CASE("replay makes the same mesh from a session and from a report", "[cli][segment]") {
+  const SphereRun run;
+  run.requireSuccess({"--object", "dark", "--curvature", "0.3", "-o", run.folder / "a.stl", "--space", "RAS",
+                      "--session", run.folder / "s.json", "--report", run.folder / "r.json"});
+  for (const char* from : {"s.json", "r.json"}) {
+    const Outcome outcome = runCli({"replay", run.folder / from, "-o", run.folder / "b.stl"});
+    INFO(outcome.err);
+    REQUIRE(outcome.exitCode == 0);
+    CHECK(outcome.err.empty());
+    CHECK(readBytes(run.folder / "a.stl") == readBytes(run.folder / "b.stl"));
+  }
+}
+
+TEST_CASE("replay refuses another volume and warns of another version", "[cli][segment]") {
+  const SphereRun run;
+  run.requireSuccess({"-o", run.folder / "a.stl", "--session", run.folder / "s.json"});
+  auto session = run.json("s.json");
+  session["version"] = "0.0.0";
+  writeBytes(run.folder / "old.json", session.dump());
+  const Outcome old = runCli({"replay", run.folder / "old.json", "-o", run.folder / "b.stl"});
+  CHECK(old.exitCode == 0);
+  CHECK_THAT(old.err, Contains("warning") && Contains("0.0.0"));
+
+  writeBytes(run.phantom.path, readBytes(run.phantom.path) + " ");
+  const Outcome changed = runCli({"replay", run.folder / "s.json", "-o", run.folder / "c.stl"});
+  CHECK(changed.exitCode == 3);
+  CHECK_THAT(changed.err, Contains("sphere.mha"));
+  CHECK_FALSE(std::filesystem::exists(run.folder / "c.stl"));
+}
+
+TEST_CASE("a replay without sense in its parameters blames the session", "[cli][segment]") {
+  const SphereRun run;
+  run.requireSuccess({"-o", run.folder / "a.stl", "--session", run.folder / "s.json"});
+  auto session = run.json("s.json");
+  session["requested"]["balloon"] = -1;
+  writeBytes(run.folder / "s.json", session.dump());
+  const Outcome outcome = runCli({"replay", run.folder / "s.json", "-o", run.folder / "b.stl"});
+  CHECK(outcome.exitCode == 3);
+  CHECK_THAT(outcome.err, Contains("s.json"));
+}
+
+TEST_CASE("a label map lies on the input grid and encloses the volume of the mesh", "[cli][segment]") {
+  const SphereRun run;
+  run.requireSuccess({"-o", run.folder / "l.nii.gz", "-o", run.folder / "l.nrrd", "-o", run.folder / "l.mha",
+                      "--report", run.folder / "r.json"});
+  const double meshVolume = run.json("r.json").at("mesh").at("volume_mm3");
+  const Grid grid = readVolume(run.phantom.path).grid;
+  for (const char* name : {"l.nii.gz", "l.nrrd", "l.mha"}) {
+    INFO(name);
+    const Volume label = readVolume(run.folder / name);
+    CHECK(label.type == VoxelType::uint8);
+    CHECK(label.grid.size == grid.size);
+    CHECK((label.grid.origin - grid.origin).norm() < 1e-3);
+    std::set<int> values;
+    std::size_t inside = 0;
+    for (std::size_t i = 0; i < label.grid.voxelCount(); ++i) {
+      values.insert(label.data<std::uint8_t>()[i]);
+      inside += label.data<std::uint8_t>()[i];
+    }
+    CHECK(values == std::set<int>{0, 1});
+    // The surface of a sphere of 30 mm cuts about 4·pi·144 = 1800 voxels of the 7200: half of each may go
+    // either way, and the errors cancel to far below this bound.
+    CHECK(static_cast<double>(inside) * label.grid.voxelVolume() == Approx(meshVolume).epsilon(0.03));
+  }
+}
+
+TEST_CASE("RAS turns x and y, says so, and comes back the same", "[cli][segment]") {
+  const SphereRun run;
+  for (const char* name : {"m.obj", "m.vtp", "m.ply", "m.stl"}) {
+    INFO(name);
+    run.requireSuccess({"-o", run.folder / ("lps-" + std::string(name))});
+    run.requireSuccess({"-o", run.folder / ("ras-" + std::string(name)), "--space", "RAS"});
+    const TriangleSoup lps = readMesh(run.folder / ("lps-" + std::string(name)));
+    const TriangleSoup ras = readMesh(run.folder / ("ras-" + std::string(name)));
+    CHECK(readBytes(run.folder / ("lps-" + std::string(name))) !=
+          readBytes(run.folder / ("ras-" + std::string(name))));
+    CHECK(lps.points == ras.points);
+    CHECK(lps.triangles == ras.triangles);
+  }
+}
+
+TEST_CASE("a seed in voxels is the same seed in millimetres", "[cli][segment]") {
+  const SphereRun run;
+  const Grid grid = readVolume(run.phantom.path).grid;
+  const Outcome outcome = runCli({"segment", run.phantom.path, "--seed-ijk", "15,16.5,17,2", "-o",
+                                  run.folder / "a.stl", "--report", run.folder / "r.json"});
+  INFO(outcome.err);
+  REQUIRE(outcome.exitCode == 0);
+  const Vec3 expected = grid.toWorld({15, 16.5, 17});
+  const auto seed = run.json("r.json").at("seeds")[0];
+  for (int axis = 0; axis < 3; ++axis)
+    CHECK(seed.at("centre")[static_cast<std::size_t>(axis)].get<double>() == expected[axis]);
+  CHECK(seed.at("radius").get<double>() == Approx(2 * 2.5));
+}
+
+TEST_CASE("options may come in any order and seeds may be negative", "[cli][segment]") {
+  const SphereRun run;
+  const auto args = [&](const std::vector<std::string>& words) {
+    std::vector<std::string> all{"segment"};
+    all.insert(all.end(), words.begin(), words.end());
+    const Outcome outcome = runCli(all);
+    INFO(outcome.err);
+    CHECK(outcome.exitCode == 0);
+    return readBytes(run.folder / "a.stl");
+  };
+  const std::string out = run.folder / "a.stl";
+  const std::string one = args({run.phantom.path, "--seed", "-8,-4,3,5", "--seed", "6,-4,3,5", "-o", out});
+  CHECK(args({"--seed=-8,-4,3,5", "--seed=6,-4,3,5", run.phantom.path, "-o", out}) == one);
+  CHECK(args({"-o", out, "--seed", "-8,-4,3,5", "--seed", "6,-4,3,5", run.phantom.path, "--quiet"}) == one);
+}
+
+TEST_CASE("stopping at --max-iterations has its own exit code and still writes the mesh", "[cli][segment]") {
+  const SphereRun run;
+  const Outcome outcome = runCli(run.arguments(
+      {"--max-iterations", "3", "-o", run.folder / "m.vtp", "--report", run.folder / "r.json"}));
+  CHECK(outcome.exitCode == 5);
+  CHECK(run.json("r.json").at("stopped") == "max-iterations");
+  CHECK(run.json("r.json").at("iterations") == 3);
+  CHECK(runCli({"check", run.folder / "m.vtp"}).exitCode == 0);
+}
+
+TEST_CASE("standard error stays empty when it is not a terminal, and --quiet says nothing",
+          "[cli][segment]") {
+  const SphereRun run;
+  const Outcome loud = runCli(run.arguments({"-o", run.folder / "m.stl"}));
+  CHECK(loud.err.empty());
+  CHECK_THAT(loud.out, Contains("converged"));
+  const Outcome quiet = runCli(run.arguments({"-o", run.folder / "m.stl", "--quiet"}));
+  CHECK(quiet.err.empty());
+  CHECK(quiet.out.empty());
+}
+
+TEST_CASE("an open range in the options is an open range in the report", "[cli][segment]") {
+  const SphereRun run;
+  const auto info = runForJson({"info", run.phantom.path, "--json"});
+  const double middle =
+      (info.at("intensities").at("min").get<double>() + info.at("intensities").at("max").get<double>()) / 2;
+  run.requireSuccess({"--range", "-inf," + std::to_string(middle), "-o", run.folder / "m.stl", "--report",
+                      run.folder / "r.json"});
+  const auto report = run.json("r.json");
+  CHECK(report.at("requested").at("range")[0] == "-inf");
+  CHECK(report.at("parameters").at("range")[1].get<double>() == Approx(middle).margin(1e-6));
+}
+
+TEST_CASE("a run with two seeds tells of the handle that joins them", "[cli][segment]") {
+  const SphereRun run;
+  const Outcome outcome =
+      runCli({"segment", run.phantom.path, "--seed", "-10,0,0,4", "--seed", "10,0,0,4", "-o",
+              run.folder / "m.stl", "--report", run.folder / "r.json", "--trace", run.folder / "t.json"});
+  INFO(outcome.err);
+  REQUIRE(outcome.exitCode == 0);
+  const auto report = run.json("r.json");
+  CHECK(report.at("mesh").at("components") == 1);
+  CHECK(report.at("seeds").size() == 2);
+  REQUIRE_FALSE(report.at("events").empty());
+  bool joined = false;
+  for (const auto& event : report.at("events"))
+    joined = joined || (event.at("before").at("components") == 2 && event.at("after").at("components") == 1);
+  CHECK(joined);
+  CHECK(run.json("t.json").at("events").size() == report.at("events").size());
+}

@@ -1,0 +1,159 @@
+#include "core/io/session.h"
+
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "core/errors.h"
+#include "tests/app/temp_folder.h"
+#include "tests/support/catch.h"
+
+using namespace handlebody;
+using handlebody::test::TempFolder;
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Nothing at its default, and numbers that have no short decimal form.
+Session unusualSession(const std::string& volume) {
+  Session s;
+  s.version = "1.2.3";
+  s.volume = {volume, "00ff", {"1.2.840.1", 3}};
+  s.seeds = {{{0.1, -1.0 / 3.0, 1e-300}, 2.0 / 7.0}, {{1e300, 0, -0.0}, {}}};
+  s.requested.object = ObjectKind::bright;
+  s.requested.range = IntensityRange{-kInfinity, 100.0 / 3.0};
+  s.requested.smoothing = 0.7;
+  s.requested.edgeLength = 1.0 / 9.0;
+  s.requested.direction = Direction::both;
+  s.requested.balloon = 0.3;
+  s.requested.curvature = 0.6;
+  s.requested.maxIterations = 17;
+  s.requested.threads = 2;
+  s.space = CoordinateSpace::ras;
+  return s;
+}
+
+nlohmann::json validJson() {
+  const TempFolder folder;
+  writeSession(unusualSession(folder / "v.mha"), folder / "s.json");
+  return nlohmann::json::parse(test::readBytes(folder / "s.json"));
+}
+
+}  // namespace
+
+TEST_CASE("a session comes back exactly as it was written", "[session]") {
+  const TempFolder folder;
+  const Session s = unusualSession(folder / "v.mha");
+  writeSession(s, folder / "s.json");
+  const Session back = readSession(folder / "s.json");
+  CHECK(back.version == s.version);
+  CHECK(back.volume.path == s.volume.path);
+  CHECK(back.volume.sha256 == s.volume.sha256);
+  CHECK(back.volume.selection.series == s.volume.selection.series);
+  CHECK(back.volume.selection.frame == s.volume.selection.frame);
+  REQUIRE(back.seeds.size() == 2);
+  CHECK(back.seeds[0].centre == s.seeds[0].centre);
+  CHECK(back.seeds[0].radius == s.seeds[0].radius);
+  CHECK(back.seeds[1].centre == s.seeds[1].centre);
+  CHECK_FALSE(back.seeds[1].radius.has_value());
+  CHECK(back.requested.object == s.requested.object);
+  CHECK(back.requested.range->low == s.requested.range->low);
+  CHECK(back.requested.range->high == s.requested.range->high);
+  CHECK(back.requested.smoothing == s.requested.smoothing);
+  CHECK(back.requested.edgeLength == s.requested.edgeLength);
+  CHECK(back.requested.direction == s.requested.direction);
+  CHECK(back.requested.balloon == s.requested.balloon);
+  CHECK(back.requested.curvature == s.requested.curvature);
+  CHECK(back.requested.maxIterations == s.requested.maxIterations);
+  CHECK(back.requested.threads == s.requested.threads);
+  CHECK(back.space == s.space);
+}
+
+TEST_CASE("what was left to the image stays open in a session", "[session]") {
+  const TempFolder folder;
+  Session s;
+  s.volume.path = folder / "v.mha";
+  s.seeds = {{{1, 2, 3}, {}}};
+  writeSession(s, folder / "s.json");
+  const Session back = readSession(folder / "s.json");
+  CHECK_FALSE(back.requested.range.has_value());
+  CHECK_FALSE(back.requested.smoothing.has_value());
+  CHECK_FALSE(back.requested.edgeLength.has_value());
+  CHECK_FALSE(back.volume.selection.series.has_value());
+  CHECK_FALSE(back.volume.selection.frame.has_value());
+}
+
+TEST_CASE("a folder with volume and session can be moved", "[session]") {
+  const TempFolder folder;
+  std::filesystem::create_directories(folder / "a/data");
+  test::writeBytes(folder / "a/data/v.mha", "x");
+  writeSession(unusualSession(folder / "a/data/v.mha"), folder / "a/s.json");
+  std::filesystem::rename(folder / "a", folder / "b");
+  CHECK(std::filesystem::exists(readSession(folder / "b/s.json").volume.path));
+}
+
+TEST_CASE("what is not a session is an input error that names the file", "[session]") {
+  using Edit = void (*)(nlohmann::json&);
+  const Edit edits[] = {
+      [](nlohmann::json& j) { j = nlohmann::json::array(); },
+      [](nlohmann::json& j) { j = 5; },
+      [](nlohmann::json& j) { j.erase("version"); },
+      [](nlohmann::json& j) { j.erase("input"); },
+      [](nlohmann::json& j) { j["input"] = "v.mha"; },
+      [](nlohmann::json& j) { j["input"]["path"] = 7; },
+      [](nlohmann::json& j) { j["input"].erase("sha256"); },
+      [](nlohmann::json& j) { j["input"]["frame"] = "first"; },
+      [](nlohmann::json& j) { j["input"]["frame"] = -1; },
+      [](nlohmann::json& j) { j["input"]["frame"] = 0.5; },
+      [](nlohmann::json& j) { j.erase("requested"); },
+      [](nlohmann::json& j) { j["requested"].erase("seeds"); },
+      [](nlohmann::json& j) { j["requested"]["seeds"] = nlohmann::json::array(); },
+      [](nlohmann::json& j) { j["requested"]["seeds"] = 3; },
+      [](nlohmann::json& j) {
+        j["requested"]["seeds"][0]["centre"] = {1, 2};
+      },
+      [](nlohmann::json& j) {
+        j["requested"]["seeds"][0]["centre"] = {1, 2, 3, 4};
+      },
+      [](nlohmann::json& j) {
+        j["requested"]["seeds"][0]["centre"] = {1, 2, nullptr};
+      },
+      [](nlohmann::json& j) { j["requested"]["object"] = "grey"; },
+      [](nlohmann::json& j) { j["requested"]["object"] = 1; },
+      [](nlohmann::json& j) { j["requested"]["direction"] = "inward"; },
+      [](nlohmann::json& j) { j["requested"]["space"] = "MNI"; },
+      [](nlohmann::json& j) {
+        j["requested"]["range"] = {1, 2, 3};
+      },
+      [](nlohmann::json& j) {
+        j["requested"]["range"] = {"low", 2};
+      },
+      [](nlohmann::json& j) { j["requested"]["balloon"] = "strong"; },
+      [](nlohmann::json& j) { j["requested"]["balloon"] = true; },
+      [](nlohmann::json& j) { j["requested"]["max_iterations"] = 1.5; },
+      [](nlohmann::json& j) { j["requested"]["threads"] = 1e12; },
+      [](nlohmann::json& j) { j["requested"]["threads"] = 4294967297; },
+  };
+  const TempFolder folder;
+  int number = 0;
+  for (Edit edit : edits) {
+    INFO("edit " << number++);
+    nlohmann::json json = validJson();
+    edit(json);
+    test::writeBytes(folder / "s.json", json.dump());
+    CHECK_THROWS_AS(readSession(folder / "s.json"), InputError);
+    CHECK_THROWS_WITH(readSession(folder / "s.json"), Catch::Matchers::Contains("s.json"));
+  }
+}
+
+TEST_CASE("bytes that are not JSON are an input error", "[session]") {
+  const TempFolder folder;
+  for (const std::string text : {"", "{", "hello", "\xff\xfe", "{\"version\": NaN}"}) {
+    INFO(text);
+    test::writeBytes(folder / "s.json", text);
+    CHECK_THROWS_AS(readSession(folder / "s.json"), InputError);
+  }
+  CHECK_THROWS_AS(readSession(folder / "missing.json"), InputError);
+  CHECK_THROWS_AS(readSession(folder.path()), InputError);
+}
