@@ -156,7 +156,7 @@ void checkSlices(const std::vector<ScannedSlice>& slices, const std::string& pat
     if (s.samples != 1) refuseInput(path, "colour DICOM images are not supported");
     const auto bytes = static_cast<std::uint64_t>(s.rows) * static_cast<std::uint64_t>(s.columns) *
                        static_cast<std::uint64_t>(s.samples) *
-                       static_cast<std::uint64_t>(std::max(8, s.bits)) / 8;
+                       static_cast<std::uint64_t>(std::max(1, s.bits)) / 8;
     if (kUncompressed.count(s.transferSyntax)) checkDataSize(path, s.file, 0, bytes, false);
   }
 }
