@@ -21,7 +21,7 @@ struct Wave {
   Vec3 number;  // per mm
   double phase;
 };
-// Long waves only: the radius of curvature of the body stays well above 10 mm.
+// Long waves only: the radius of curvature of the body stays above 8 mm.
 const std::array<Wave, 3> kWaves{{{0.15, {0.070, 0.020, 0.045}, 0.4},
                                   {0.11, {-0.030, 0.060, 0.085}, 1.3},
                                   {0.07, {0.095, 0.070, -0.060}, 2.2}}};
@@ -38,9 +38,11 @@ double bodyFunction(const Vec3& p, Vec3* gradient) {
   return value;
 }
 
+}  // namespace
+
 // Foot of p on the body by repeated projection onto the tangent plane; the error shrinks by
 // distance·curvature per turn. Farther away than kBand only the first-order estimate is given.
-double bodyDistance(const Vec3& p) {
+double cystBodyDistance(const Vec3& p) {
   constexpr double kBand = 6;        // mm
   constexpr double kPrecise = 1e-7;  // mm
   Vec3 gradient;
@@ -58,17 +60,15 @@ double bodyDistance(const Vec3& p) {
   return estimate;
 }
 
-double needleDistance(const Vec3& p) {
+double cystNeedleDistance(const Vec3& p) {
   return cylinderDistance(p - kNeedlePoint, kNeedleAxis, kNeedleRadius);
 }
 
-}  // namespace
-
-double cystDistance(const Vec3& p) { return std::max(bodyDistance(p), -needleDistance(p)); }
+double cystDistance(const Vec3& p) { return std::max(cystBodyDistance(p), -cystNeedleDistance(p)); }
 
 double cystBrightness(const Vec3& p) {
   // 1 at the needle's surface, so that the half-way level lies there; brighter towards its core.
-  const double t = std::clamp((-needleDistance(p) - 0.5) / 1.5, 0.0, 1.0);
+  const double t = std::clamp((-cystNeedleDistance(p) - 0.5) / 1.5, 0.0, 1.0);
   return 1 + 0.5 * t * t * (3 - 2 * t);
 }
 

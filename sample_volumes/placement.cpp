@@ -13,8 +13,10 @@ namespace {
 
 constexpr double kMostVoxels = 1e9;
 
-void require(bool good, const std::string& message) {
-  if (!good) throw UsageError(message);
+// The message is a callable: distances are asked for by the million, and a text would cost more than they do.
+template <typename Message>
+void require(bool good, Message&& message) {
+  if (!good) throw UsageError(message());
 }
 
 std::string number(double value) {
@@ -25,21 +27,24 @@ std::string number(double value) {
 
 void checkNumbers(const Shape& shape, const PhantomOptions& options) {
   require((options.spacing.array() > 0).all() && options.spacing.allFinite(),
-          "The phantom's spacing (--spacing) must be positive lengths in mm.");
-  require(options.spacing.maxCoeff() <= shape.thinnest / 2,
-          "A spacing (--spacing) of " + number(options.spacing.maxCoeff()) +
-              " mm is too coarse for the phantom " + shape.name + ", whose thinnest part has " +
-              number(shape.thinnest) + " mm; the most is " + number(shape.thinnest / 2) + " mm.");
+          [&] { return "The phantom's spacing (--spacing) must be positive lengths in mm."; });
+  require(options.spacing.maxCoeff() <= shape.thinnest / 2, [&] {
+    return "A spacing (--spacing) of " + number(options.spacing.maxCoeff()) +
+           " mm is too coarse for the phantom " + shape.name + ", whose thinnest part has " +
+           number(shape.thinnest) + " mm; the most is " + number(shape.thinnest / 2) + " mm.";
+  });
   require(options.rotationDegrees.allFinite(),
-          "The phantom's rotation (--rotate) must be three angles in degrees.");
-  require(std::isfinite(options.noise), "The phantom's noise (--noise) must be a number.");
-  require(std::isfinite(options.bias) && options.bias >= 1,
-          "The phantom's bias (--bias) is the largest over the smallest gain and must be at least 1.");
+          [&] { return "The phantom's rotation (--rotate) must be three angles in degrees."; });
+  require(std::isfinite(options.noise), [&] { return "The phantom's noise (--noise) must be a number."; });
+  require(std::isfinite(options.bias) && options.bias >= 1, [&] {
+    return "The phantom's bias (--bias) is the largest over the smallest gain and must be at least 1.";
+  });
   require(std::isfinite(options.gapVoxels) && options.gapVoxels >= 0,
-          "The phantom's gap (--gap) must be a width in voxels, 0 or more.");
-  require(
-      options.gapVoxels == 0 || shape.dark,
-      "The phantom " + shape.name + " has no wall that could have a gap (--gap); the phantom wall has one.");
+          [&] { return "The phantom's gap (--gap) must be a width in voxels, 0 or more."; });
+  require(options.gapVoxels == 0 || shape.dark, [&] {
+    return "The phantom " + shape.name +
+           " has no wall that could have a gap (--gap); the phantom wall has one.";
+  });
 }
 
 std::array<int, 3> gridSize(const Shape& shape, const PhantomOptions& options) {
@@ -48,17 +53,21 @@ std::array<int, 3> gridSize(const Shape& shape, const PhantomOptions& options) {
   for (std::size_t a = 0; a < 3; ++a) {
     const int axis = static_cast<int>(a);
     const double h = options.spacing[axis];
-    require(size[a] >= 0, "The phantom's size (--size) must be three numbers of voxels.");
+    require(size[a] >= 0, [&] { return "The phantom's size (--size) must be three numbers of voxels."; });
     const double own = std::ceil(shape.extent[axis] / h - 1e-9);  // 1e-9: 100 mm at 0.1 mm are 1000 voxels
     voxels *= size[a] > 0 ? size[a] : own;
-    require(voxels <= kMostVoxels, "The phantom would have more than " + number(kMostVoxels) +
-                                       " voxels; a larger --spacing or a smaller --size is needed.");
+    require(voxels <= kMostVoxels, [&] {
+      return "The phantom would have more than " + number(kMostVoxels) +
+             " voxels; a larger --spacing or a smaller --size is needed.";
+    });
     if (size[a] == 0) size[a] = static_cast<int>(own);
     // One voxel of background all round: the object's surface must be closed within the volume.
     const int least = static_cast<int>(std::ceil(2 * shape.objectHalf[axis] / h)) + 2;
-    require(size[a] >= least, "A size (--size) of " + number(size[a]) + " voxels of " + number(h) +
-                                  " mm is too small for the phantom " + shape.name + "; axis " +
-                                  number(axis) + " needs at least " + number(least) + ".");
+    require(size[a] >= least, [&] {
+      return "A size (--size) of " + number(size[a]) + " voxels of " + number(h) +
+             " mm is too small for the phantom " + shape.name + "; axis " + number(axis) +
+             " needs at least " + number(least) + ".";
+    });
   }
   return size;
 }
@@ -74,8 +83,9 @@ Hole makeHole(const Shape& shape, const PhantomOptions& options, const Placement
         std::floor((place.grid.size[static_cast<std::size_t>(axis)] - std::ceil(options.gapVoxels)) / 2);
     hole.low[side] = place.corner[axis] + (first - 0.5) * h;
     hole.high[side] = hole.low[side] + options.gapVoxels * h;
-    require(options.gapVoxels * h <= shape.objectHalf[axis],
-            "A gap (--gap) of " + number(options.gapVoxels) + " voxels is wider than half the wall.");
+    require(options.gapVoxels * h <= shape.objectHalf[axis], [&] {
+      return "A gap (--gap) of " + number(options.gapVoxels) + " voxels is wider than half the wall.";
+    });
   }
   return hole;
 }

@@ -23,7 +23,7 @@ double genus3Distance(const Vec3& p) {
 double torusWithBallsDistance(const Vec3& p) {
   const double at = 30 * std::sqrt(0.5);  // four balls on the diagonals of the ring
   const Vec3 ball(std::abs(p.x()) - at, std::abs(p.y()) - at, p.z());
-  return std::max(torusDistance(p, Vec3::UnitZ(), 30, 13.5), -ballDistance(ball, 6));
+  return std::max(torusDistance(p, Vec3::UnitZ(), 30, 13.3), -ballDistance(ball, 6));
 }
 
 double sphereDistance(const Vec3& p) { return ballDistance(p, 30); }
@@ -67,7 +67,7 @@ std::vector<Shape> makeShapes() {
   const Vec3 hundred(100, 100, 100);
   add("cube", hundred, {40, 40, 40}, 7, {32, 32, 32}, 6, {5}, cubeDistance).noise = 0.12;
   add("genus3", hundred, {40, 40, 44}, 12, {0, 0, kRing}, 7, {3}, genus3Distance);
-  add("torus", hundred, {43.5, 43.5, 13.5}, 7, {30, 0, 0}, 8, {1, 0, 0, 0, 0}, torusWithBallsDistance);
+  add("torus", hundred, {43.3, 43.3, 13.3}, 7, {30, 0, 0}, 8, {1, 0, 0, 0, 0}, torusWithBallsDistance);
   add("sphere", {80, 80, 80}, {30, 30, 30}, 20, {6, -4, 3}, 8, {0}, sphereDistance);
   add("dumbbell", {100, 60, 60}, {42, 16, 16}, 12, {-26, 0, 0}, 8, {0}, dumbbellDistance);
   add("wall", {100, 80, 80}, {41, 30, 30}, 4, {-21, 0, 0}, 10, {0}, leftChamberDistance).dark =

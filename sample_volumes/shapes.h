@@ -39,8 +39,12 @@ const std::vector<Shape>& allShapes();
 //! Throws UsageError for an unknown name.
 const Shape& findShape(const std::string& name);
 
-//! Cyst without needle, and the intensity of the needle; see cyst.cpp.
+//! The body of the cyst alone, exact within 4 mm of its surface, and the needle alone.
+double cystBodyDistance(const Vec3& p);
+double cystNeedleDistance(const Vec3& p);
+//! The cyst: its body without the needle.
 double cystDistance(const Vec3& p);
+//! 1, and more within the needle.
 double cystBrightness(const Vec3& p);
 
 }  // namespace handlebody::phantoms

@@ -14,6 +14,9 @@ constexpr double kTangential = 0.4;
 // Below this many vertices a thread costs more than it saves.
 constexpr std::size_t kVerticesPerThread = 500;
 
+// Bound of the correction for flat faces on a curved boundary, in edge lengths.
+constexpr double kLargestSagitta = 0.1;
+
 struct Ring {
   Vec3 normal{0, 0, 0};
   Vec3 umbrella{0, 0, 0};  // mean of the neighbours less the vertex
@@ -55,15 +58,20 @@ double normalStep(const ObjectImage& image, const Vec3& p, const Ring& ring, con
   const double curvature = -2 * ring.normal.dot(ring.umbrella) / ring.meanSquare;
   double force = s.balloon - s.curvature * s.edgeLength * curvature;
   force = std::clamp(force / s.balloon, s.outwardOnly ? 0.0 : -1.0, 1.0);
-  const double here = image.inside(p);
+  // On a curved boundary the flat faces lie inside of their corners. The image is asked where the faces lie
+  // on the mean, a quarter of the ring's height below the vertex (mean sagitta of a triangle: e²/8r, of the
+  // ring: e²/2r), so that surface and volume come out right, not the corners alone.
+  const double limit = kLargestSagitta * s.edgeLength;
+  const Vec3 q = p + std::clamp(0.25 * ring.normal.dot(ring.umbrella), -limit, limit) * ring.normal;
+  const double here = image.inside(q);
   if (here < 0) {
-    const double there = image.inside(p - s.largestStep * ring.normal);
-    return there <= 0 ? -s.largestStep : -crossing(image, p, -ring.normal, s.largestStep, here, there);
+    const double there = image.inside(q - s.largestStep * ring.normal);
+    return there <= 0 ? -s.largestStep : -crossing(image, q, -ring.normal, s.largestStep, here, there);
   }
   if (force <= 0) return force * s.largestStep;
   const double reach = s.largestStep;
-  const double there = image.inside(p + reach * ring.normal);
-  const double room = there >= 0 ? reach : crossing(image, p, ring.normal, reach, here, there);
+  const double there = image.inside(q + reach * ring.normal);
+  const double room = there >= 0 ? reach : crossing(image, q, ring.normal, reach, here, there);
   return std::min(force * s.largestStep, room);
 }
 

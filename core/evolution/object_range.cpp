@@ -13,11 +13,11 @@ namespace handlebody {
 namespace {
 
 // Standard deviations of the Gaussian that are tried, in voxels (mean spacing).
-constexpr std::array<double, 6> kSigmas{0.7, 1.0, 1.3, 1.6, 2.0, 2.5};
+constexpr std::array<double, 7> kSigmas{0.5, 0.7, 1.0, 1.3, 1.6, 2.0, 2.5};
 constexpr double kFirstSigma = 1.0;
 // Noise may be this part of the distance between the object's level and the boundary level: then one voxel in
-// 10^4 of Gaussian noise looks like background.
-constexpr double kNoiseAllowed = 0.25;
+// 10^4 of Gaussian noise looks like background, and more.
+constexpr double kNoiseAllowed = 0.2;
 // A jump of the region's size by this factor from one level to the next is a leak into another region.
 constexpr double kLeakFactor = 1.5;
 // A boundary found after a leak must be this much stronger than the best one before it.
@@ -245,8 +245,10 @@ ObjectChoice chooseObject(const Volume& volume, const std::vector<Seed>& seeds, 
   const double first = kFirstSigma * volume.grid.meanSpacing();
   choose(p.smoothing.value_or(first));
   if (!p.smoothing) {
+    // Less smoothing moves no level, and the growth need not be repeated; more does.
     const double sigma = chooseSmoothing(volume, seeds, choice);
-    if (sigma != first) choose(sigma);
+    if (sigma > first) choose(sigma);
+    if (sigma < first) choice.volume = std::make_shared<SmoothedVolume>(volume, sigma);
   }
   requireSeedsInRange(choice, seeds);
   return choice;

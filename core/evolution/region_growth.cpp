@@ -8,8 +8,10 @@ namespace handlebody {
 namespace {
 
 constexpr int kBins = 200;
-// Enough for the structures of the paper's experiments many times over, and a bound on time and memory.
-constexpr std::size_t kMaxVoxels = 4'000'000;
+// The growth goes on until it is this many voxels, or this many times what it was at its strongest edge: by
+// then it has leaked, and nothing but time and memory is spent.
+constexpr double kEnoughVoxels = 250'000;
+constexpr double kEnoughTimes = 4;
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
@@ -41,10 +43,14 @@ class Flood {
 
   RegionGrowth run() {
     RegionGrowth growth{lowest_, step_, {}, {}};
-    std::size_t count = 0;
-    for (int bin = 0; bin < kBins && count < kMaxVoxels; ++bin) {
-      count += drain(bin);
-      growth.voxels.push_back(static_cast<double>(count));
+    double count = 0, strongest = 0, enough = kEnoughVoxels;
+    for (int bin = 0; bin < kBins && count < enough; ++bin) {
+      count += static_cast<double>(drain(bin));
+      growth.voxels.push_back(count);
+      const double edge = sumGradient_[idx(bin)] > 0 ? sumSquared_[idx(bin)] / sumGradient_[idx(bin)] : 0;
+      if (edge <= strongest) continue;
+      strongest = edge;
+      enough = std::max(kEnoughVoxels, kEnoughTimes * count);
     }
     growth.edge = edgeStrength(growth.voxels.size());
     return growth;

@@ -21,7 +21,7 @@ struct RegionGrowth {
 };
 
 //! Floods from the voxels nearest to `seeds` (continuous indices), lowest signed value first, up to the
-//! signed level `highest` or kMaxVoxels voxels.
+//! signed level `highest` or until the region has clearly leaked.
 RegionGrowth growRegion(const SmoothedVolume& volume, const std::vector<Vec3>& seeds, double sign,
                         double lowest, double highest);
 

@@ -15,9 +15,11 @@ constexpr std::uint64_t kMaxTrials = 400'000'000;
 
 constexpr int kMaxListedVertices = 200;
 
-struct DirectedEdge {
+//! An entry of a stack that branches: taking a branch back is to remember its last entry.
+struct NeededEdge {
   int from;
   int to;
+  int below;  // index of the entry below, -1 at the bottom
 };
 
 // The search keeps the directed edges of the faces chosen so far. A directed edge is needed if it is a
@@ -57,7 +59,8 @@ class HandleSearch {
   std::vector<int> typeTwoCount_;
   int typeTwo_ = 0;
   std::uint64_t trials_ = 0;
-  std::vector<DirectedEdge> needed_;  // a stack; what is used by now is skipped
+  std::vector<NeededEdge> needed_;  // what is used by now is skipped
+  int lastNeeded_ = -1;
   Handle faces_;
   std::vector<Handle> found_;
 };
@@ -124,14 +127,18 @@ void HandleSearch::tryFace(int u, int v, int w) {
   if (!allowed(face, apex)) return;
   mark(face, apex, 1);
   faces_.push_back(face);
-  const std::vector<DirectedEdge> before = needed_;
+  const int lastBefore = lastNeeded_;
+  const std::size_t sizeBefore = needed_.size();
   for (std::size_t k = 0; k < 3; ++k) {
     const int from = face[(k + 1) % 3];
     const int to = face[k];
-    if (cap_[idx(from)] != cap_[idx(to)]) needed_.push_back({from, to});
+    if (cap_[idx(from)] == cap_[idx(to)]) continue;
+    needed_.push_back({from, to, lastNeeded_});
+    lastNeeded_ = static_cast<int>(needed_.size()) - 1;
   }
   search();
-  needed_ = before;
+  needed_.resize(sizeBefore);
+  lastNeeded_ = lastBefore;
   faces_.pop_back();
   mark(face, apex, -1);
 }
@@ -144,9 +151,14 @@ void HandleSearch::tryBoundary(int v) {
 }
 
 void HandleSearch::search() {
-  while (!needed_.empty() && used(needed_.back().from, needed_.back().to) != 0) needed_.pop_back();
-  if (needed_.empty()) return complete();
-  const auto [u, v] = needed_.back();
+  while (lastNeeded_ >= 0) {
+    const NeededEdge& edge = needed_[idx(lastNeeded_)];
+    if (used(edge.from, edge.to) == 0) break;
+    lastNeeded_ = edge.below;
+  }
+  if (lastNeeded_ < 0) return complete();
+  const int u = needed_[idx(lastNeeded_)].from;
+  const int v = needed_[idx(lastNeeded_)].to;
   tryFace(u, v, previous_[idx(u)]);
   tryFace(u, v, next_[idx(v)]);
   if (typeTwo_ == mostTypeTwo_) return;

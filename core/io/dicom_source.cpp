@@ -14,6 +14,7 @@
 
 #include "core/errors.h"
 #include "core/io/dicom_geometry.h"
+#include "core/io/dicom_structure.h"
 #include "core/io/itk_source.h"
 
 namespace handlebody {
@@ -31,6 +32,7 @@ struct ScannedSlice : DicomSlice {
   std::string uid, description, transferSyntax;
   std::string valueTags;  //!< what the type of the decoded values depends on
   int frames = 1, samples = 1, bits = 16;
+  DicomStructure structure{};
 };
 
 std::string text(const gdcm::Scanner& scanner, const std::string& file, const gdcm::Tag& tag) {
@@ -91,13 +93,19 @@ ScannedSlice scannedSlice(const gdcm::Scanner& scanner, const std::string& file)
   return s;
 }
 
-//! A cheap look before GDCM parses: the file has the preamble, or begins with a tag of group 2 or 8.
+bool hasPreamble(const fs::path& file) {
+  char start[132] = {};
+  std::ifstream stream(file, std::ios::binary);
+  return stream.read(start, sizeof start) && std::memcmp(start + 128, "DICM", 4) == 0;
+}
+
+//! A cheap look before anything parses: the file has the preamble, or begins with a tag of group 2 or 8.
 bool isCandidate(const fs::path& file) {
-  unsigned char start[132] = {};
+  unsigned char start[8] = {};
   std::ifstream stream(file, std::ios::binary);
   stream.read(reinterpret_cast<char*>(start), sizeof start);
-  if (stream.gcount() == sizeof start && std::memcmp(start + 128, "DICM", 4) == 0) return true;
-  return stream.gcount() >= 8 && (start[0] == 2 || start[0] == 8) && start[1] == 0 && start[3] == 0;
+  if (stream.gcount() < 8) return false;
+  return ((start[0] == 2 || start[0] == 8) && start[1] == 0 && start[3] == 0) || hasPreamble(file);
 }
 
 std::vector<std::string> candidates(const std::string& path) {
@@ -112,9 +120,27 @@ std::vector<std::string> candidates(const std::string& path) {
   return files;
 }
 
+//! Drops what only looked like DICOM; a broken DICOM file refuses the folder, it may be a slice of the
+//! series.
+std::map<std::string, DicomStructure> walkAll(const std::string& path, std::vector<std::string>& files) {
+  std::map<std::string, DicomStructure> structures;
+  for (const std::string& file : files) {
+    const DicomStructure structure = walkDicom(file);
+    if (structure.whole)
+      structures[file] = structure;
+    else if (file == path)
+      refuseInput(path, "the DICOM file is truncated or damaged");
+    else if (hasPreamble(file))
+      refuseInput(path, "the file " + file + " is truncated or damaged");
+  }
+  std::erase_if(files, [&](const std::string& file) { return structures.count(file) == 0; });
+  return structures;
+}
+
 std::vector<ScannedSlice> scan(const std::string& path) {
   const Quiet quiet;
-  const std::vector<std::string> files = candidates(path);
+  std::vector<std::string> files = candidates(path);
+  const auto structures = walkAll(path, files);
   std::vector<ScannedSlice> slices;
   withItk(path, "its DICOM header cannot be read", [&] {
     gdcm::Scanner scanner;
@@ -126,6 +152,7 @@ std::vector<ScannedSlice> scan(const std::string& path) {
     for (const std::string& file : files) {
       if (!scanner.IsKey(file.c_str())) continue;
       ScannedSlice slice = scannedSlice(scanner, file);
+      slice.structure = structures.at(file);
       if (slice.rows > 0 && slice.columns > 0) slices.push_back(std::move(slice));
     }
   });
@@ -156,8 +183,11 @@ void checkSlices(const std::vector<ScannedSlice>& slices, const std::string& pat
     if (s.samples != 1) refuseInput(path, "colour DICOM images are not supported");
     const auto bytes = static_cast<std::uint64_t>(s.rows) * static_cast<std::uint64_t>(s.columns) *
                        static_cast<std::uint64_t>(s.samples) *
-                       static_cast<std::uint64_t>(std::max(8, s.bits)) / 8;
-    if (kUncompressed.count(s.transferSyntax)) checkDataSize(path, s.file, 0, bytes, false);
+                       static_cast<std::uint64_t>(std::max(1, s.bits)) / 8;
+    if (kUncompressed.count(s.transferSyntax) == 0) continue;
+    checkDataSize(path, s.file, 0, bytes, false);
+    if (s.structure.walked && s.structure.pixelBytes < bytes)
+      refuseInput(path, "the slice " + s.file + " holds less pixels than its header says");
   }
 }
 

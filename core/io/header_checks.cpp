@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <limits>
 
@@ -51,6 +52,11 @@ void checkGeometry(Grid& grid, const std::string& path) {
 
 void refuseInput(const std::string& path, const std::string& cause) {
   throw InputError(path + ": " + cause + ".");
+}
+
+bool isLaterFrame(const std::string& field) {
+  const std::string prefix = "Seq_Frame";
+  return field.rfind(prefix, 0) == 0 && std::atoi(field.c_str() + prefix.size()) > 0;
 }
 
 std::size_t bytesOf(Component component) {

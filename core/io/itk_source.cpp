@@ -90,7 +90,7 @@ NrrdText readNrrdText(const std::string& path) {
   while (std::getline(file, line)) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
     if (line.empty()) break;
-    text.sequence |= line.rfind("Seq_Frame", 0) == 0;
+    text.sequence |= isLaterFrame(line);
     const auto colon = line.find(": ");
     if (colon == std::string::npos) continue;
     const std::string key = line.substr(0, colon), value = line.substr(colon + 2);

@@ -44,7 +44,7 @@ MetaText readText(const std::string& path) {
     const auto equal = line.find('=');
     if (equal == std::string::npos) continue;
     const std::string key = trimmed(line.substr(0, equal));
-    if (key.rfind("Seq_Frame", 0) == 0)
+    if (isLaterFrame(key))
       refuseInput(
           path, "this is a sequence of tracked 2D frames, not a volume; reconstruct a volume from it first");
     text.fields[key] = trimmed(line.substr(equal + 1));

@@ -148,8 +148,11 @@ NiftiSource::NiftiSource(const std::string& path) : nifti_(readHeader(path)) {
     refuseInput(path, compressed_ ? "it is compressed but its name does not end with .nii.gz; rename it"
                                   : "it is not compressed but its name ends with .gz; rename it");
   auto io = itk::NiftiImageIO::New();
+  VolumeHeader stored;
+  setStoredType(nifti_, path, stored);  // before ITK, whose library prints what it does not like
   header_ = readItkHeader(*io, path, "NIfTI");
-  setStoredType(nifti_, path, header_);
+  header_.component = stored.component;
+  header_.components = stored.components;
   setScaling(nifti_, header_);
   header_.frames = nifti_.dim[0] >= 4 ? nifti_.dim[4] : 1;
   checkHeader(header_, path);

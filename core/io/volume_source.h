@@ -69,6 +69,9 @@ void checkDataSize(const std::string& path, const std::string& file, std::uint64
                    std::uint64_t bytes, bool compressed);
 //! Reverses the bytes of `count` values of `size` bytes.
 void swapBytes(void* values, std::size_t count, std::size_t size);
+//! True for a header field of the second or a later frame of a tracked sequence ("Seq_Frame0001_…"), as Plus
+//! and 3D Slicer write them. (Volumes reconstructed by them may carry the fields of one frame, 0.)
+bool isLaterFrame(const std::string& field);
 //! "path: cause."
 [[noreturn]] void refuseInput(const std::string& path, const std::string& cause);
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/geometry/triangle_intersection.h"
+#include "core/collision/face_pair.h"
 #include "core/handles/two_front_handle.h"
 
 namespace handlebody {
@@ -165,24 +165,13 @@ double volumeGain(const Mesh& mesh, std::span<const Opening> openings, const Pat
   return gain;
 }
 
-bool facesIntersect(const Triangle& f, const std::array<Vec3, 3>& p, const Triangle& g,
-                    const std::array<Vec3, 3>& q) {
-  std::array<std::array<std::size_t, 2>, 3> shared;
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      if (f[i] == g[j] && n < 3) shared[n++] = {i, j};
-  if (n == 0) return trianglesIntersect(p[0], p[1], p[2], q[0], q[1], q[2]);
-  if (n == 1) {
-    const auto [i, j] = shared[0];
-    return trianglesIntersectSharedVertex(p[i], p[(i + 1) % 3], p[(i + 2) % 3], q[(j + 1) % 3],
-                                          q[(j + 2) % 3]);
+double area(const Mesh& mesh, const Patch& patch) {
+  double sum = 0;
+  for (const Triangle& t : patch.faces) {
+    const std::array<Vec3, 3> p = corners(mesh, patch, t);
+    sum += (p[1] - p[0]).cross(p[2] - p[0]).norm() / 2;
   }
-  if (n == 2) {
-    const std::size_t otherF = 3 - shared[0][0] - shared[1][0], otherG = 3 - shared[0][1] - shared[1][1];
-    return trianglesIntersectSharedEdge(p[shared[0][0]], p[shared[1][0]], p[otherF], q[otherG]);
-  }
-  return true;
+  return sum;
 }
 
 Surroundings::Surroundings(const Mesh& mesh, std::span<const Opening> openings,
@@ -204,15 +193,25 @@ Surroundings::Surroundings(const Mesh& mesh, std::span<const Opening> openings,
 }
 
 bool Surroundings::fits(const Patch& patch) const {
+  // The exact test takes one array of points: the patch's own corners behind those of the face beside it.
+  const auto intersect = [&](const Triangle& f, const std::array<Vec3, 3>& p, const Triangle& g,
+                             const std::array<Vec3, 3>& q) {
+    const std::array<Vec3, 6> points{p[0], p[1], p[2], q[0], q[1], q[2]};
+    Triangle other{3, 4, 5};
+    for (std::size_t j = 0; j < 3; ++j)
+      for (int i = 0; i < 3; ++i)
+        if (g[j] == f[idx(i)]) other[j] = i;
+    return facesIntersect(points, {0, 1, 2}, other);
+  };
   for (std::size_t i = 0; i < patch.faces.size(); ++i) {
     const Triangle& f = patch.faces[i];
     const std::array<Vec3, 3> p = corners(mesh_, patch, f);
     const Eigen::AlignedBox3d box = boxOf(p);
     for (std::size_t j = 0; j < i; ++j)
-      if (facesIntersect(f, p, patch.faces[j], corners(mesh_, patch, patch.faces[j]))) return false;
+      if (intersect(f, p, patch.faces[j], corners(mesh_, patch, patch.faces[j]))) return false;
     for (int g : faces_) {
       const std::array<Vec3, 3> q = corners(mesh_, patch, mesh_.face(g));
-      if (box.intersects(boxOf(q)) && facesIntersect(f, p, mesh_.face(g), q)) return false;
+      if (box.intersects(boxOf(q)) && intersect(f, p, mesh_.face(g), q)) return false;
     }
   }
   return true;

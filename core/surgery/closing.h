@@ -40,6 +40,9 @@ std::vector<Patch> handlesBetween(const Mesh& mesh, std::span<const Opening> ope
 //! Volume gained when the faces of the openings are replaced by the patch, mm³.
 double volumeGain(const Mesh& mesh, std::span<const Opening> openings, const Patch& patch);
 
+//! Area of the patch, mm².
+double area(const Mesh& mesh, const Patch& patch);
+
 //! The faces of the mesh near an opening that stay: what a patch must not intersect.
 class Surroundings {
  public:
@@ -52,9 +55,5 @@ class Surroundings {
   const Mesh& mesh_;
   std::vector<int> faces_;
 };
-
-//! True if two triangles have a common point besides the vertices and the edge they share by index.
-bool facesIntersect(const Triangle& f, const std::array<Vec3, 3>& p, const Triangle& g,
-                    const std::array<Vec3, 3>& q);
 
 }  // namespace handlebody

@@ -39,6 +39,39 @@ std::vector<int> collidingVertices(const Mesh& mesh, std::span<const FacePair> p
   return vertices;
 }
 
+//! Adds the common neighbours that hold a set together, so that it is connected.
+void connect(const Mesh& mesh, std::vector<int>& lambda) {
+  const auto slot = [&](int v) {
+    const auto it = std::lower_bound(lambda.begin(), lambda.end(), v);
+    return it != lambda.end() && *it == v ? static_cast<int>(it - lambda.begin()) : -1;
+  };
+  UnionFind parts(static_cast<int>(lambda.size()));
+  std::vector<int> ring;
+  for (int v : lambda)
+    mesh.forEachNeighbour(v, [&](int w) {
+      if (slot(w) >= 0)
+        parts.join(slot(v), slot(w));
+      else
+        ring.push_back(w);
+    });
+  std::sort(ring.begin(), ring.end());
+  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+  std::vector<int> links;
+  for (int w : ring) {
+    int first = -1;
+    bool joins = false;
+    mesh.forEachNeighbour(w, [&](int v) {
+      if (slot(v) < 0) return;
+      if (first < 0) first = slot(v);
+      joins = joins || parts.find(first) != parts.find(slot(v));
+      parts.join(first, slot(v));
+    });
+    if (joins) links.push_back(w);
+  }
+  lambda.insert(lambda.end(), links.begin(), links.end());
+  std::sort(lambda.begin(), lambda.end());
+}
+
 }  // namespace
 
 std::vector<CollisionGroup> groupCollisions(const Mesh& mesh, std::span<const FacePair> pairs) {
@@ -60,6 +93,8 @@ std::vector<CollisionGroup> groupCollisions(const Mesh& mesh, std::span<const Fa
     if (newSet) lambda.emplace_back();
     lambda[slot->second].push_back(v);
   }
+  for (CollisionGroup& group : out)
+    for (auto& lambda : group.lambda) connect(mesh, lambda);
   for (const FacePair& p : pairs)
     out[groupOf.at(groups.find(sets.find(mesh.face(p.first)[0])))].pairs.push_back(p);
   return out;

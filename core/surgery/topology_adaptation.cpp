@@ -28,6 +28,14 @@ struct Plan {
   int fronts = 0;
 };
 
+//! A way to close one opening, and what it costs.
+struct ClosingChoice {
+  Patch patch;
+  EventKind kind = EventKind::smoothed;
+  double area = 0;  // mm²
+  bool shrinks = false;
+};
+
 class Adaptation {
  public:
   Adaptation(Mesh& mesh, const AdaptationSettings& settings, std::vector<unsigned char>& touched)
@@ -170,21 +178,39 @@ class Adaptation {
     return sum.normalized();
   }
 
-  //! One set: a patch if it is a disc; caps (a cut) or a band if it has several polygons, whichever leaves
-  //! more volume.
+  //! One set: a patch if it is a disc; caps (a cut) or a band if it has several polygons, whichever is
+  //! smaller. Where only outward motion is allowed, what takes volume away comes last: a narrow neck of
+  //! outside space is cut by caps, the crease around a handle that has just been made is not.
   std::optional<Plan> closeOne(Plan plan, const Opening& opening, const Surroundings& surroundings,
                                const char*& reason) const {
-    struct Choice {
-      Patch patch;
-      EventKind kind;
-      double gain;
-    };
-    std::vector<Choice> choices;
-    const auto consider = [&](Patch patch, EventKind kind) {
-      const double gain = volumeGain(mesh_, std::span(&opening, 1), patch);
-      choices.push_back({std::move(patch), kind, gain});
-    };
     const bool disc = opening.loops.size() == 1;
+    std::vector<ClosingChoice> choices = capsFor(opening);
+    if (opening.loops.size() == 2)
+      for (Patch& p : handlesBetween(mesh_, std::span(&opening, 1), opening.loops[0], opening.loops[1],
+                                     kHandleCandidates))
+        choices.push_back({std::move(p), EventKind::smoothed});
+    for (ClosingChoice& c : choices) {
+      c.area = area(mesh_, c.patch);
+      c.shrinks = settings_.outwardOnly && volumeGain(mesh_, std::span(&opening, 1), c.patch) < 0;
+    }
+    if (!disc)
+      std::stable_sort(choices.begin(), choices.end(), [](const ClosingChoice& a, const ClosingChoice& b) {
+        return a.shrinks != b.shrinks ? b.shrinks : a.area < b.area;
+      });
+    for (ClosingChoice& c : choices)
+      if (surroundings.fits(c.patch)) {
+        plan.patch = std::move(c.patch);
+        plan.kind = c.kind;
+        return plan;
+      }
+    reason = "no patch fits";
+    return std::nullopt;
+  }
+
+  //! Caps on every polygon: with barycentres, and of least area. Whether caps on several polygons split the
+  //! mesh or close a tunnel is known only when it is done.
+  std::vector<ClosingChoice> capsFor(const Opening& opening) const {
+    const EventKind kind = opening.loops.size() == 1 ? EventKind::smoothed : EventKind::split;
     Patch fans, flats;
     fans.firstNew = flats.firstNew = mesh_.vertexSlots();
     bool flat = true;
@@ -194,25 +220,10 @@ class Adaptation {
       flat = flat && cap;
       if (flat) flats.append(*cap);
     }
-    // The final kind of a cut is known only when it is done: it separates or it does not.
-    const EventKind kind = disc ? EventKind::smoothed : EventKind::split;
-    consider(fans, kind);
-    if (flat) consider(flats, kind);
-    if (opening.loops.size() == 2)
-      for (Patch& p : handlesBetween(mesh_, std::span(&opening, 1), opening.loops[0], opening.loops[1],
-                                     kHandleCandidates))
-        consider(std::move(p), EventKind::smoothed);
-    if (!disc && settings_.outwardOnly)
-      std::stable_sort(choices.begin(), choices.end(),
-                       [](const Choice& a, const Choice& b) { return a.gain > b.gain; });
-    for (Choice& c : choices)
-      if (surroundings.fits(c.patch)) {
-        plan.patch = std::move(c.patch);
-        plan.kind = c.kind;
-        return plan;
-      }
-    reason = "no patch fits";
-    return std::nullopt;
+    std::vector<ClosingChoice> choices;
+    choices.push_back({std::move(fans), kind});
+    if (flat) choices.push_back({std::move(flats), kind});
+    return choices;
   }
 
   void apply(const CollisionGroup& group, const Plan& plan) {
@@ -246,12 +257,43 @@ class Adaptation {
 
     event.before = before;
     event.after = plan.kind == EventKind::smoothed ? before : topologyNumbers(mesh_);
-    if (plan.kind == EventKind::split && event.after.components == before.components)
-      event.kind = EventKind::tunnelClosed;
+    if (plan.kind == EventKind::split) event.kind = kindOfCut(before, event.after);
+    const bool cut = event.kind == EventKind::split;
     if (settings_.recordTraces)
       for (const Triangle& t : patch)
         event.trace.handleFaces.push_back({mesh_.position(t[0]), mesh_.position(t[1]), mesh_.position(t[2])});
     result_.events.push_back(std::move(event));
+    if (cut && settings_.outwardOnly) deleteFlake(patch);
+  }
+
+  //! Motion outwards can cut off nothing but cavities. A solid piece that a cut leaves is a scrap of surface
+  //! turned inside out, and would grow into the object once more.
+  void deleteFlake(const std::vector<Triangle>& patch) {
+    const Components parts = findComponents(mesh_);
+    int solid = -1, flake = -1;  // vertices of the larger and the smaller solid piece beside the cut
+    const auto volume = [&](int v) { return v < 0 ? 0.0 : parts.volume[idx(parts.ofVertex[idx(v)])]; };
+    for (const Triangle& t : patch) {
+      if (volume(t[0]) < 0 || (solid >= 0 && parts.ofVertex[idx(t[0])] == parts.ofVertex[idx(solid)]))
+        continue;
+      if (solid < 0 || volume(t[0]) > volume(solid))
+        std::swap(solid, flake = t[0]);
+      else
+        flake = t[0];
+    }
+    if (flake < 0) return;
+    Event event;
+    event.kind = EventKind::componentDeleted;
+    event.iteration = settings_.iteration;
+    event.location = mesh_.position(flake);
+    event.before = topologyNumbers(mesh_);
+    deleteComponent(mesh_, flake);
+    event.after = topologyNumbers(mesh_);
+    result_.events.push_back(std::move(event));
+  }
+
+  static EventKind kindOfCut(const TopologyNumbers& before, const TopologyNumbers& after) {
+    if (after.components > before.components) return EventKind::split;
+    return after.genus < before.genus ? EventKind::tunnelClosed : EventKind::smoothed;
   }
 
   Event describe(const CollisionGroup& group, const Plan& plan) const {

@@ -88,27 +88,46 @@ std::vector<FacePair> selfIntersectionsByDefinition(const TriangleSoup& soup) {
   return pairs;
 }
 
-std::vector<FacePair> selfIntersections(const TriangleSoup& soup) {
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+struct PreparedMesh::Data {
+  using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
   Mesh mesh;
-  std::vector<Mesh::Vertex_index> vertex;
+
+  auto pairs() const {
+    std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> found;
+    CGAL::Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(found));
+    return found;
+  }
+};
+
+PreparedMesh::PreparedMesh(const TriangleSoup& soup) : data_(std::make_unique<Data>()) {
+  Data::Mesh& mesh = data_->mesh;
+  std::vector<Data::Mesh::Vertex_index> vertex;
   for (const Vec3& p : soup.points) vertex.push_back(mesh.add_vertex({p.x(), p.y(), p.z()}));
   for (const Triangle& t : soup.triangles) {
     const auto at = [&](std::size_t i) { return vertex[static_cast<std::size_t>(t[i])]; };
-    if (mesh.add_face(at(0), at(1), at(2)) == Mesh::null_face())
+    if (mesh.add_face(at(0), at(1), at(2)) == Data::Mesh::null_face()) {
       throw std::invalid_argument("not a manifold");
+    }
   }
-  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> found;
-  CGAL::Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(found));
+}
+
+PreparedMesh::~PreparedMesh() = default;
+
+std::size_t PreparedMesh::countSelfIntersections() const { return data_->pairs().size(); }
+
+std::vector<FacePair> PreparedMesh::selfIntersections() const {
   std::vector<FacePair> pairs;
-  for (const auto& [f, g] : found) {
+  for (const auto& [f, g] : data_->pairs()) {
     const auto i = static_cast<int>(f.idx());
     const auto j = static_cast<int>(g.idx());
     pairs.emplace_back(std::min(i, j), std::max(i, j));
   }
   std::sort(pairs.begin(), pairs.end());
   return pairs;
+}
+
+std::vector<FacePair> selfIntersections(const TriangleSoup& soup) {
+  return PreparedMesh(soup).selfIntersections();
 }
 
 int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {

@@ -89,10 +89,11 @@ inline TriangleSoup rose(int k, int turns) {
   return s;
 }
 
-//! A fan of very long, thin triangles over a fine sphere: edges from 1/n to 100.
+//! A fine sphere with long spikes, some of which run through it: edges from 1/n to 150.
 inline TriangleSoup spikySphere(int n) {
   TriangleSoup s = sphere(n);
-  for (std::size_t v = 0; v < s.points.size(); v += 97) s.points[v] *= v % 2 == 0 ? 100.0 : 1e-3;
+  for (std::size_t v = 0; v < s.points.size(); v += 97)
+    s.points[v] = (v % 2 == 0 ? 100.0 : -30.0) * s.points[v];
   return s;
 }
 

@@ -1,8 +1,8 @@
 #include "core/handles/handle_enumeration.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
+#include <string>
 
 #include "core/errors.h"
 #include "core/handles/homology.h"
@@ -99,6 +99,20 @@ Handle rotated(Handle handle, int p, int q, int byFirst, int bySecond) {
     for (int& v : f) v = v < p ? (v + byFirst) % p : p + (v - p + bySecond) % q;
   }
   return sorted(handle);
+}
+
+//! What the refusal says; empty if there is none.
+std::string refusal(const Sizes& sizes, Family family) {
+  try {
+    countHandles(sizes, family);
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
 }
 
 }  // namespace
@@ -224,14 +238,14 @@ TEST_CASE("Large sizes of two caps are counted exactly or refused", "[handles][e
 
 TEST_CASE("Sizes and numbers of caps that have no handles are refused with a reason",
           "[handles][enumeration]") {
-  CHECK_THROWS_WITH(countHandles(Sizes{2, 5}, Family::all), Catch::Contains("at least 3"));
-  CHECK_THROWS_WITH(countHandles(Sizes{-1, 5}, Family::all), Catch::Contains("at least 3"));
-  CHECK_THROWS_WITH(countHandles(Sizes{4}, Family::all), Catch::Contains("2, 3 or 4"));
-  CHECK_THROWS_WITH(countHandles(Sizes{}, Family::balanced), Catch::Contains("2, 3 or 4"));
-  CHECK_THROWS_WITH(countHandles(Sizes{3, 3, 3, 3, 3}, Family::all), Catch::Contains("2, 3 or 4"));
-  CHECK_THROWS_WITH(countHandles(Sizes{3, 3, 4}, Family::monotone), Catch::Contains("for 2 caps"));
-  CHECK_THROWS_WITH(countHandles(Sizes{3, 3, 3, 3}, Family::all), Catch::Contains("200000"));
-  CHECK_THROWS_WITH(countHandles(Sizes{3, 3, 3, 1000}, Family::all), Catch::Contains("200 vertices"));
+  CHECK(contains(refusal(Sizes{2, 5}, Family::all), "at least 3"));
+  CHECK(contains(refusal(Sizes{-1, 5}, Family::all), "at least 3"));
+  CHECK(contains(refusal(Sizes{4}, Family::all), "2, 3 or 4"));
+  CHECK(contains(refusal(Sizes{}, Family::balanced), "2, 3 or 4"));
+  CHECK(contains(refusal(Sizes{3, 3, 3, 3, 3}, Family::all), "2, 3 or 4"));
+  CHECK(contains(refusal(Sizes{3, 3, 4}, Family::monotone), "for 2 caps"));
+  CHECK(contains(refusal(Sizes{3, 3, 3, 3}, Family::all), "200000"));
+  CHECK(contains(refusal(Sizes{3, 3, 3, 1000}, Family::all), "200 vertices"));
 }
 
 }  // namespace handlebody

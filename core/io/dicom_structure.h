@@ -1,0 +1,19 @@
+#pragma once
+// Internal: is a DICOM file whole? GDCM accepts truncated pixel data in silence and its Debian build aborts
+// the process on some broken headers, so every file is walked, bounds checked, before GDCM sees it.
+
+#include <cstdint>
+#include <string>
+
+namespace handlebody {
+
+struct DicomStructure {
+  bool whole = true;             //!< every element up to the end of the pixel data lies within the file
+  bool walked = true;            //!< false: deflated or big-endian, not looked into
+  std::uint64_t pixelBytes = 0;  //!< length of uncompressed pixel data; 0 if none or compressed
+};
+
+//! Throws InputError if the file cannot be opened.
+DicomStructure walkDicom(const std::string& path);
+
+}  // namespace handlebody

@@ -1,0 +1,84 @@
+// Detection of all self-intersections, beside CGAL's in the same run. For medians on a busy machine:
+// --benchmark_repetitions=9 --benchmark_report_aggregates_only=true
+#include <benchmark/benchmark.h>
+
+#include <map>
+
+#include "core/collision/self_intersection.h"
+#include "tests/collision_oracle/oracle.h"
+#include "tests/support/mesh_zoo.h"
+
+using namespace handlebody;
+
+namespace {
+
+enum Kind { kSphere, kOverlapping, kRough, kShuffled };
+
+//! About 20·n² triangles.
+const TriangleSoup& meshOf(int kind, int n) {
+  static std::map<std::pair<int, int>, TriangleSoup> made;
+  TriangleSoup& s = made[{kind, n}];
+  if (!s.points.empty()) return s;
+  if (kind == kSphere) s = zoo::sphere(n);
+  if (kind == kOverlapping) s = zoo::overlappingSpheres(static_cast<int>(n * 0.7071));
+  if (kind == kRough) s = zoo::perturbed(zoo::sphere(n), 0.2 / n, 1);
+  if (kind == kShuffled) s = zoo::shuffled(zoo::sphere(n), 1);
+  return s;
+}
+
+void report(benchmark::State& state, const TriangleSoup& s, std::size_t pairs) {
+  state.counters["triangles"] = static_cast<double>(s.triangles.size());
+  state.counters["pairs"] = static_cast<double>(pairs);
+}
+
+//! As inside an evolution: positions change, faces mostly do not.
+void warm(benchmark::State& state) {
+  const TriangleSoup& s = meshOf(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+  CollisionDetector detector;
+  std::size_t pairs = 0;
+  for (auto _ : state) pairs = detector.detectAll(s.points, s.triangles).size();
+  report(state, s, pairs);
+}
+
+//! As in `check`: everything from nothing.
+void cold(benchmark::State& state) {
+  const TriangleSoup& s = meshOf(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+  std::size_t pairs = 0;
+  for (auto _ : state) pairs = findSelfIntersections(s.points, s.triangles).size();
+  report(state, s, pairs);
+}
+
+//! One cap of the mesh has moved: its share of the vertices in percent.
+void moved(benchmark::State& state) {
+  const TriangleSoup& s = meshOf(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+  std::vector<unsigned char> flags(s.points.size());
+  const double height = 1 - 2 * static_cast<double>(state.range(2)) / 100;
+  for (std::size_t v = 0; v < flags.size(); ++v) flags[v] = s.points[v].z() > height;
+  CollisionDetector detector;
+  std::size_t pairs = 0;
+  for (auto _ : state) pairs = detector.detectMoved(s.points, s.triangles, flags).size();
+  report(state, s, pairs);
+}
+
+void cgal(benchmark::State& state) {
+  const oracle::PreparedMesh mesh(meshOf(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))));
+  std::size_t pairs = 0;
+  for (auto _ : state) pairs = mesh.countSelfIntersections();
+  state.counters["pairs"] = static_cast<double>(pairs);
+}
+
+void sizes(benchmark::internal::Benchmark* b) {
+  b->Unit(benchmark::kMillisecond)->ArgNames({"kind", "n"});
+  for (const int n : {32, 100, 224}) b->Args({kSphere, n});
+  for (const int n : {32, 100, 224}) b->Args({kOverlapping, n});
+  for (const int n : {32, 100}) b->Args({kRough, n});
+  b->Args({kShuffled, 224});
+}
+
+}  // namespace
+
+BENCHMARK(warm)->Apply(sizes);
+BENCHMARK(cold)->Apply(sizes);
+BENCHMARK(moved)->Args({kSphere, 32, 5})->Args({kSphere, 32, 100})->Unit(benchmark::kMillisecond);
+BENCHMARK(cgal)->Apply(sizes);
+BENCHMARK_MAIN();

@@ -1,0 +1,4 @@
+target_sources(core_tests PRIVATE
+  ${CMAKE_SOURCE_DIR}/tests/core/collision/spatial_hash_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/collision/broad_phase_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/collision/self_intersection_test.cpp)

@@ -1,0 +1,126 @@
+#include "core/io/atomic_file.h"
+
+#include <sys/resource.h>
+
+#include <csignal>
+
+#include "core/io/mesh_io.h"
+#include "tests/io/io_test_support.h"
+
+using namespace handlebody;
+using namespace handlebody::test;
+
+namespace {
+
+TriangleSoup tetrahedron() {
+  return {{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)},
+          {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+}
+
+//! Everything that is written by extension, to one path.
+void writeBy(const std::string& path) {
+  if (isMeshPath(path))
+    writeMesh(tetrahedron(), path);
+  else if (isLabelMapPath(path))
+    writeVolume(randomVolume(obliqueGrid(), VoxelType::uint8), path);
+  else
+    writeTextAtomically(path, std::string(500, 'x'));
+}
+
+const char* const kOutputs[] = {"m.stl",    "m.vtp",  "m.ply", "m.obj", "v.nii",
+                                "v.nii.gz", "v.nrrd", "v.mha", "r.json"};
+
+//! No file may grow beyond `bytes` while this lives: a disk that is full.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    rlimit limit = before_;
+    limit.rlim_cur = bytes;
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int) = nullptr;
+};
+
+}  // namespace
+
+TEST_CASE("text is written whole and replaces what was there") {
+  const TemporaryFolder folder;
+  writeTextAtomically(folder / "r.json", "first");
+  writeTextAtomically(folder / "r.json", "second");
+  CHECK(readBytes(folder / "r.json") == "second");
+  CHECK(folder.fileCount() == 1);
+}
+
+TEST_CASE("a writer that throws leaves no file and keeps the old one") {
+  const TemporaryFolder folder;
+  writeTextAtomically(folder / "r.json", "old");
+  CHECK_THROWS_AS(writeAtomically(folder / "r.json",
+                                  [](const std::string& temporary) {
+                                    writeBytes(temporary, "half");
+                                    throw std::runtime_error("no");
+                                  }),
+                  std::runtime_error);
+  CHECK(readBytes(folder / "r.json") == "old");
+  CHECK(folder.fileCount() == 1);
+}
+
+TEST_CASE("outputs into a missing folder, onto a folder or into an unwritable one leave nothing behind") {
+  const TemporaryFolder folder;
+  for (const std::string name : kOutputs) {
+    INFO(name);
+    CHECK_THROWS_AS(writeBy(folder / ("missing/" + name)), OutputError);
+    fs::create_directory(folder / name);
+    CHECK_THROWS_AS(writeBy(folder / name), OutputError);
+    fs::remove(folder / name);
+    writeBytes(folder / "file", "");
+    CHECK_THROWS_AS(writeBy(folder / ("file/" + name)), OutputError);
+    fs::remove(folder / "file");
+    CHECK(folder.fileCount() == 0);
+    // /proc takes no files, not even root's.
+    CHECK_THROWS_AS(writeBy("/proc/" + name), OutputError);
+  }
+}
+
+TEST_CASE("a full disk is an error that names the file, and leaves nothing behind") {
+  const TemporaryFolder folder;
+  for (const std::string name : kOutputs) {
+    INFO(name);
+    std::string message;
+    {
+      const FullDisk disk(100);
+      try {
+        writeBy(folder / name);
+      } catch (const OutputError& e) {
+        message = e.what();
+      }
+    }
+    CHECK(message.rfind(folder / name, 0) == 0);
+    CHECK(folder.fileCount() == 0);
+  }
+}
+
+TEST_CASE("unknown output extensions are usage errors") {
+  const TemporaryFolder folder;
+  for (const char* name : {"v.tiff", "v", "v.nii.zip", "v.gz"}) {
+    CHECK_THROWS_AS(writeVolume(randomVolume(obliqueGrid(), VoxelType::uint8), folder / name), UsageError);
+    CHECK_FALSE(isLabelMapPath(name));
+  }
+  for (const char* name : {"m.vtk", "m", "stl"}) {
+    CHECK_THROWS_AS(writeMesh(tetrahedron(), folder / name), UsageError);
+    CHECK_FALSE(isMeshPath(name));
+  }
+  CHECK(isMeshPath("A.STL"));
+  CHECK(isLabelMapPath("A.Nii.GZ"));
+  CHECK(folder.fileCount() == 0);
+}

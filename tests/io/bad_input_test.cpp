@@ -1,0 +1,224 @@
+#include <iostream>
+#include <limits>
+#include <sstream>
+
+#include "tests/io/io_test_support.h"
+
+using namespace handlebody;
+using namespace handlebody::test;
+
+namespace {
+
+std::string metaHeader(const std::string& changes = "", const std::string& size = "2 2 2") {
+  return "ObjectType = Image\nNDims = 3\nBinaryData = True\nDimSize = " + size +
+         "\nElementType = MET_UCHAR\n" + changes + "ElementDataFile = LOCAL\n";
+}
+
+std::string nrrd(const std::string& directions) {
+  return "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 2 2 2\nspace: left-posterior-superior\nspace "
+         "directions: " +
+         directions + "\nspace origin: (0,0,0)\nencoding: raw\n\nabcdefgh";
+}
+
+}  // namespace
+
+TEST_CASE("missing, empty and foreign files are refused with one sentence") {
+  const TemporaryFolder folder;
+  expectInputError(folder / "missing.nii.gz", "there is no such file");
+  writeBytes(folder / "empty.nrrd", "");
+  expectInputError(folder / "empty.nrrd", "the file is empty");
+  writeBytes(folder / "text.nii.gz", "This is a letter, not a volume.\n");
+  expectInputError(folder / "text.nii.gz", "not a volume in a known format");
+  writeBytes(folder / "pointer.mhd", "version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 12\n");
+  expectInputError(folder / "pointer.mhd", "Git LFS pointer");
+  fs::create_directory(folder / "images");
+  expectInputError(folder / "images", "holds no DICOM images");
+  writeBytes(folder / "images/readme.txt", "nothing here");
+  expectInputError(folder / "images", "holds no DICOM images");
+  expectInputError("/dev/null", "neither a file nor a folder");
+}
+
+TEST_CASE("every truncation of a volume file is refused") {
+  const TemporaryFolder folder;
+  const std::string ending = GENERATE(".nii", ".nii.gz", ".nrrd", ".mha");
+  const Volume volume = randomVolume(obliqueGrid(), VoxelType::int16);
+  writeVolume(volume, folder / ("whole" + ending));
+  const std::string bytes = readBytes(folder / ("whole" + ending));
+  const std::string path = folder / ("cut" + ending);
+  for (std::size_t n = 1; n < bytes.size(); ++n) {
+    writeBytes(path, bytes.substr(0, n));
+    INFO(ending << " cut to " << n << " of " << bytes.size() << " bytes");
+    bool refused = false;
+    try {
+      // The very last bytes of a compressed NRRD are its checksum: the voxels may be whole without it.
+      refused =
+          voxelBytes(readVolume(path)) == voxelBytes(volume) && ending == ".nrrd" && n + 8 >= bytes.size();
+    } catch (const InputError& e) {
+      refused = std::string(e.what()).rfind(path, 0) == 0;
+    }
+    if (!refused) CHECK(refused);
+  }
+}
+
+TEST_CASE("a flipped bit in compressed NIfTI and MetaImage data is found by the checksum") {
+  const TemporaryFolder folder;
+  for (const char* name : {"v.nii.gz", "v.mha"}) {
+    writeVolume(randomVolume(obliqueGrid(), VoxelType::uint8), folder / name);
+    std::string bytes = readBytes(folder / name);
+    bytes[bytes.size() - 40] = static_cast<char>(bytes[bytes.size() - 40] ^ 4);
+    writeBytes(folder / name, bytes);
+    expectInputError(folder / name, "", true);
+  }
+}
+
+TEST_CASE("uncompressed NRRD and MetaImage files that are too short are refused before reading") {
+  const TemporaryFolder folder;
+  writeBytes(folder / "short.mha", metaHeader() + "abcdefg");
+  expectInputError(folder / "short.mha", "truncated");
+  const std::string whole = nrrd("(1,0,0) (0,1,0) (0,0,1)");
+  writeBytes(folder / "whole.nrrd", whole);
+  CHECK(voxelBytes(readVolume(folder / "whole.nrrd")) == "abcdefgh");
+  writeBytes(folder / "short.nrrd", whole.substr(0, whole.size() - 1));
+  expectInputError(folder / "short.nrrd", "truncated");
+}
+
+TEST_CASE("headers that declare absurd sizes are refused without allocating them") {
+  const TemporaryFolder folder;
+  writeBytes(folder / "huge.mha", metaHeader("", "2000000000 2000000000 2000000000") + "abc");
+  expectInputError(folder / "huge.mha", "");
+  writeBytes(folder / "packed.mha", metaHeader("CompressedData = True\n", "3000 3000 300") + "abc");
+  expectInputError(folder / "packed.mha", "truncated or damaged");
+  writeVolume(randomVolume(obliqueGrid(), VoxelType::uint8), folder / "v.nii");
+  std::string bytes = readBytes(folder / "v.nii");
+  for (std::size_t a = 0; a < 3; ++a) patch(bytes, 42 + 2 * a, std::int16_t{32000});
+  writeBytes(folder / "huge.nii", bytes);
+  expectInputError(folder / "huge.nii", "declares");
+}
+
+TEST_CASE("volumes without voxels and 2D images are refused") {
+  const TemporaryFolder folder;
+  writeBytes(folder / "zero.mha", metaHeader("", "0 2 2"));
+  expectInputError(folder / "zero.mha", "");
+  writeVolume(randomVolume(obliqueGrid(), VoxelType::uint8), folder / "v.nii");
+  std::string bytes = readBytes(folder / "v.nii");
+  patch(bytes, 44, std::int16_t{0});
+  writeBytes(folder / "zero.nii", bytes);
+  expectInputError(folder / "zero.nii", "no voxels");
+  writeBytes(folder / "flat.mha", metaHeader("", "2 4 1") + "abcdefgh");
+  expectInputError(folder / "flat.mha", "2D image");
+  writeBytes(folder / "flat.nrrd",
+             "NRRD0004\ntype: uint8\ndimension: 2\nsizes: 2 4\nencoding: raw\n\nabcdefgh");
+  expectInputError(folder / "flat.nrrd", "2D image");
+}
+
+TEST_CASE("sheared axes, spacing of zero and vector voxels are refused") {
+  const TemporaryFolder folder;
+  writeBytes(folder / "sheared.nrrd", nrrd("(1,0,0) (0.1,1,0) (0,0,1)"));
+  expectInputError(folder / "sheared.nrrd", "right angles");
+  writeBytes(folder / "sheared.mha",
+             metaHeader("TransformMatrix = 1 0 0 0.1 0.99498743710662 0 0 0 1\n") + "abcdefgh");
+  expectInputError(folder / "sheared.mha", "right angles");
+  writeBytes(
+      folder / "vector.mha",
+      "ObjectType = Image\nNDims = 3\nBinaryData = True\nElementNumberOfChannels = 3\nDimSize = 2 2 2\n"
+      "ElementType = MET_FLOAT\nElementDataFile = LOCAL\n" +
+          std::string(96, 'a'));
+  expectInputError(folder / "vector.mha", "components");
+  writeVolume(randomVolume(obliqueGrid(), VoxelType::uint8), folder / "v.nii");
+  std::string bytes = readBytes(folder / "v.nii");
+  patch(bytes, 40, std::int16_t{5});
+  patch(bytes, 50, std::int16_t{3});
+  writeBytes(folder / "vector.nii", bytes + bytes + bytes);
+  expectInputError(folder / "vector.nii", "components");
+}
+
+TEST_CASE("NIfTI-2, Analyze and other lengths than millimetres are refused") {
+  const TemporaryFolder folder;
+  writeVolume(randomVolume(obliqueGrid(), VoxelType::uint8), folder / "v.nii");
+  const std::string bytes = readBytes(folder / "v.nii");
+  std::string changed = bytes;
+  patch(changed, 0, std::int32_t{540});
+  writeBytes(folder / "two.nii", changed);
+  expectInputError(folder / "two.nii", "NIfTI-2");
+  changed = bytes;
+  patch(changed, 344, std::int32_t{0});
+  writeBytes(folder / "analyze.img", changed);
+  writeBytes(folder / "analyze.hdr", changed);
+  expectInputError(folder / "analyze.hdr", "Analyze");
+  changed = bytes;
+  changed[123] = 1;
+  writeBytes(folder / "metres.nii", changed);
+  expectInputError(folder / "metres.nii", "metres");
+}
+
+TEST_CASE("a MetaImage whose data file is missing and a tracked sequence are refused") {
+  const TemporaryFolder folder;
+  writeBytes(
+      folder / "v.mhd",
+      "ObjectType = Image\nNDims = 3\nDimSize = 2 2 2\nElementType = MET_UCHAR\nElementDataFile = v.raw\n");
+  expectInputError(folder / "v.mhd", "v.raw is missing");
+  writeBytes(folder / "v.raw", "abcdefgh");
+  CHECK(voxelBytes(readVolume(folder / "v.mhd")) == "abcdefgh");
+  writeBytes(folder / "one.mha", metaHeader("Seq_Frame0000_ImageStatus = OK\n") + "abcdefgh");
+  CHECK_NOTHROW(readVolume(folder / "one.mha"));
+  writeBytes(folder / "sequence.mha",
+             metaHeader("Seq_Frame0000_ImageStatus = OK\nSeq_Frame0001_ImageStatus = OK\n") + "abcdefgh");
+  expectInputError(folder / "sequence.mha", "sequence of tracked");
+}
+
+TEST_CASE("voxels that are not numbers are refused with their count and the first index") {
+  const TemporaryFolder folder;
+  const VoxelType type = GENERATE(VoxelType::float32, VoxelType::float64);
+  const Volume volume = randomVolume(obliqueGrid(), type);
+  const auto spoil = [&](auto* values) {
+    values[7 * 5 * 2 + 7 * 3 + 4] =
+        std::numeric_limits<std::remove_reference_t<decltype(*values)>>::quiet_NaN();
+    values[7 * 5 * 4 - 1] = -std::numeric_limits<std::remove_reference_t<decltype(*values)>>::infinity();
+  };
+  std::string voxels = voxelBytes(volume);
+  if (type == VoxelType::float32)
+    spoil(reinterpret_cast<float*>(voxels.data()));
+  else
+    spoil(reinterpret_cast<double*>(voxels.data()));
+  writeBytes(folder / "nan.mha",
+             "ObjectType = Image\nNDims = 3\nBinaryData = True\nDimSize = 7 5 4\nElementType = " +
+                 std::string(type == VoxelType::float32 ? "MET_FLOAT" : "MET_DOUBLE") +
+                 "\nElementDataFile = LOCAL\n" + voxels);
+  expectInputError(folder / "nan.mha",
+                   "2 of its voxels are not a number or infinite, the first at index (4, 3, 2)", true);
+}
+
+TEST_CASE("any bytes under any name are refused or read, never a crash") {
+  const TemporaryFolder folder;
+  std::mt19937 random(7);
+  std::string bytes;
+  for (const char* name : {"v.nii", "v.nrrd", "v.mha"}) {
+    writeVolume(randomVolume(obliqueGrid(), VoxelType::int16), folder / name);
+    const std::string whole = readBytes(folder / name);
+    for (int round = 0; round < 400; ++round) {
+      bytes = whole;
+      for (int change = 0; change < 4; ++change)
+        bytes[random() % std::min<std::size_t>(400, bytes.size())] = static_cast<char>(random());
+      const std::string path = folder / ("changed" + fs::path(name).extension().string());
+      writeBytes(path, bytes);
+      try {
+        const Volume volume = readVolume(path);
+        REQUIRE(volume.grid.spacing.minCoeff() > 0);
+      } catch (const InputError& e) {
+        REQUIRE(std::string(e.what()).rfind(path, 0) == 0);
+      }
+    }
+  }
+}
+
+TEST_CASE("refusals leave standard error to the caller") {
+  const TemporaryFolder folder;
+  writeBytes(folder / "short.mha", metaHeader() + "abcdefg");
+  writeBytes(folder / "bad.nrrd", "NRRD0004\ntype: strange\n\n");
+  std::ostringstream caught;
+  std::streambuf* before = std::cerr.rdbuf(caught.rdbuf());
+  CHECK_THROWS_AS(readVolume(folder / "short.mha"), InputError);
+  CHECK_THROWS_AS(readVolume(folder / "bad.nrrd"), InputError);
+  std::cerr.rdbuf(before);
+  CHECK(caught.str().empty());
+}

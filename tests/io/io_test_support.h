@@ -1,0 +1,109 @@
+#pragma once
+// What the tests of core/io share: a folder that goes away, volumes with known values, damaged copies of
+// files.
+
+#include <unistd.h>
+
+#include <Eigen/Geometry>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "core/errors.h"
+#include "core/io/volume_io.h"
+#include "tests/support/catch.h"
+
+namespace handlebody::test {
+
+namespace fs = std::filesystem;
+
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string pattern = (fs::temp_directory_path() / "handlebody-io-XXXXXX").string();
+    REQUIRE(mkdtemp(pattern.data()) != nullptr);
+    path_ = pattern;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::permissions(path_, fs::perms::owner_all, ignored);
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  std::string path() const { return path_.string(); }
+  std::size_t fileCount() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(path_), fs::directory_iterator{}));
+  }
+
+ private:
+  fs::path path_;
+};
+
+inline std::string readBytes(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+inline void writeBytes(const std::string& path, const std::string& bytes) {
+  std::ofstream stream(path, std::ios::binary);
+  stream << bytes;
+}
+
+template <typename T>
+void patch(std::string& bytes, std::size_t offset, T value) {
+  std::memcpy(bytes.data() + offset, &value, sizeof value);
+}
+
+inline Grid obliqueGrid() {
+  Grid grid;
+  grid.size = {7, 5, 4};
+  grid.spacing = Vec3(0.5, 1.25, 2.75);
+  grid.origin = Vec3(-17.375, 33.0625, 121.5);
+  grid.direction = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+  return grid;
+}
+
+//! Random bytes; for float types random finite numbers.
+inline Volume randomVolume(const Grid& grid, VoxelType type, unsigned seed = 1) {
+  void* buffer = nullptr;
+  Volume volume = makeVolume(grid, type, &buffer);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> real(-1000, 1000);
+  const std::size_t n = grid.voxelCount();
+  if (type == VoxelType::float32)
+    for (std::size_t i = 0; i < n; ++i) static_cast<float*>(buffer)[i] = static_cast<float>(real(random));
+  else if (type == VoxelType::float64)
+    for (std::size_t i = 0; i < n; ++i) static_cast<double*>(buffer)[i] = real(random);
+  else
+    for (std::size_t i = 0; i < n * bytesPerVoxel(type); ++i)
+      static_cast<unsigned char*>(buffer)[i] = static_cast<unsigned char>(random());
+  return volume;
+}
+
+inline std::string voxelBytes(const Volume& volume) {
+  return {static_cast<const char*>(volume.voxels.get()),
+          volume.grid.voxelCount() * bytesPerVoxel(volume.type)};
+}
+
+//! Reading and inspecting are refused alike (`onlyReading`: what only the voxels show), in one line that
+//! begins with the path and holds `cause`.
+inline void expectInputError(const std::string& path, const std::string& cause, bool onlyReading = false) {
+  INFO(path);
+  std::string message;
+  try {
+    readVolume(path);
+  } catch (const InputError& e) {
+    message = e.what();
+  }
+  CHECK_THAT(message, Catch::Contains(cause));
+  CHECK(message.rfind(path, 0) == 0);
+  CHECK(message.find('\n') == std::string::npos);
+  if (!onlyReading) CHECK_THROWS_AS(inspectVolume(path), InputError);
+}
+
+}  // namespace handlebody::test
