@@ -5,7 +5,6 @@
 #include "app/cli/command.h"
 #include "app/cli/run.h"
 #include "core/errors.h"
-#include "core/io/volume_io.h"
 
 namespace handlebody::cli {
 
@@ -17,17 +16,8 @@ struct ReplayOptions {
   RunOutputs outputs;
 };
 
-// A replay on other voxels would not be one.
-void checkSameVolume(const VolumeReference& volume, const std::string& session) {
-  if (sha256OfPath(volume.path) == volume.sha256) return;
-  throw InputError(volume.path + " is not the volume that " + session +
-                   " was made from: its SHA-256 differs.");
-}
-
 int replay(const ReplayOptions& o) {
-  LoadedSession loaded;
-  Session& session = loaded.session;
-  session = readSession(o.path);
+  Session session = readSession(o.path);
   if (o.space) session.space = *o.space;
   checkOutputs(o.outputs, {o.path, session.volume.path});
   if (session.version != HANDLEBODY_VERSION)
@@ -35,13 +25,9 @@ int replay(const ReplayOptions& o) {
               << "; this is " << HANDLEBODY_VERSION << ", and the mesh may differ." << std::endl;
   session.version = HANDLEBODY_VERSION;
 
-  Stopwatch watch;
-  checkSameVolume(session.volume, o.path);
-  loaded.volume = readVolume(session.volume.path, session.volume.selection);
-  loaded.loadSeconds = watch.lap();
   try {
-    return run(std::move(loaded), o.outputs);
-  } catch (const UsageError& error) {  // the parameters came from the file, not from an option
+    return run(load(std::move(session)), o.outputs);
+  } catch (const UsageError& error) {  // the parameters and the frame came from the file
     throw InputError(o.path + ": " + error.what());
   }
 }

@@ -60,6 +60,24 @@ double Stopwatch::lap() {
   return seconds.count();
 }
 
+LoadedSession load(Session session) {
+  Stopwatch watch;
+  VolumeReference& reference = session.volume;
+  LoadedSession loaded;
+  loaded.warnings = inspectVolume(reference.path, reference.selection).warnings;
+  const std::string hash = sha256OfPath(reference.path);
+  if (!reference.sha256.empty() && reference.sha256 != hash)
+    throw InputError(reference.path +
+                     " is not the volume that the session was made from: its SHA-256 differs.");
+  reference.sha256 = hash;
+  loaded.volume = readVolume(reference.path, reference.selection);
+  for (const std::string& warning : loaded.warnings)
+    std::fprintf(stderr, "handlebody-cli: warning: %s\n", warning.c_str());
+  loaded.session = std::move(session);
+  loaded.loadSeconds = watch.lap();
+  return loaded;
+}
+
 namespace {
 
 // Traces are kept only when they will be written: they can be many times larger than the mesh.
@@ -115,6 +133,7 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
   RunReport report;
   report.session = std::move(loaded.session);
   report.grid = loaded.volume.grid;
+  report.warnings = std::move(loaded.warnings);
   report.seconds.load = loaded.loadSeconds;
   ActiveContour contour(std::move(loaded.volume), report.session.seeds, report.session.requested);
   report.session.resolved = contour.parameters();

@@ -42,8 +42,13 @@ class Stopwatch {
 struct LoadedSession {
   Session session;
   Volume volume;
+  std::vector<std::string> warnings;  //!< about the volume
   double loadSeconds = 0;
 };
+
+//! Reads the volume of a session; what is doubtful about it is said on standard error. Throws InputError: if
+//! the session holds a hash that is not the file's, too; where it holds none, it gets it.
+LoadedSession load(Session session);
 
 //! Grows the surface, certifies it and writes everything; returns the exit code. Throws SeedError,
 //! UsageError, OutputError; std::runtime_error if the mesh fails its certificate (nothing is written then).

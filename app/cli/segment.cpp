@@ -7,7 +7,6 @@
 #include "app/cli/run.h"
 #include "core/errors.h"
 #include "core/io/parameter_names.h"
-#include "core/io/volume_io.h"
 
 namespace handlebody::cli {
 
@@ -117,13 +116,8 @@ int segment(SegmentOptions o) {
   for (Text text : o.voxelSeeds) voxelSeeds.push_back(parseSeed("--seed-ijk", text));
   checkOutputs(o.outputs, {session.volume.path});
 
-  Stopwatch watch;
-  LoadedSession loaded;
-  loaded.volume = readVolume(session.volume.path, session.volume.selection);
-  session.volume.sha256 = sha256OfPath(session.volume.path);
-  for (const Seed& seed : voxelSeeds) session.seeds.push_back(toWorld(seed, loaded.volume.grid));
-  loaded.session = std::move(session);
-  loaded.loadSeconds = watch.lap();
+  LoadedSession loaded = load(std::move(session));
+  for (const Seed& seed : voxelSeeds) loaded.session.seeds.push_back(toWorld(seed, loaded.volume.grid));
   return run(std::move(loaded), o.outputs);
 }
 

@@ -18,6 +18,7 @@ Json headToJson(const RunReport& report) {
   Json json = {{"version", report.session.version}, {"notice", kNotice}};
   Json input = referenceToJson(report.session.volume);
   addGrid(input, report.grid);
+  input["warnings"] = report.warnings;
   json["input"] = std::move(input);
   return json;
 }

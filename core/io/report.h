@@ -20,8 +20,9 @@ struct Timings {
 };
 
 struct RunReport {
-  Session session;  //!< with `resolved` set
-  Grid grid;        //!< of the volume
+  Session session;                    //!< with `resolved` set
+  Grid grid;                          //!< of the volume
+  std::vector<std::string> warnings;  //!< about the volume
   int iterations = 0;
   StopReason stopped = StopReason::running;
   Timings seconds;

@@ -46,6 +46,7 @@ Session sessionFromJson(const Json& json, const std::string& path) {
   const Json& input = json.at("input");
   session.volume.path = openablePath(input.at("path").get<std::string>(), path);
   session.volume.sha256 = input.at("sha256").get<std::string>();
+  if (session.volume.sha256.empty()) throw UsageError("the volume's SHA-256 is empty.");
   if (input.contains("series") && !input.at("series").is_null())
     session.volume.selection.series = input.at("series").get<std::string>();
   if (input.contains("frame") && !input.at("frame").is_null()) {

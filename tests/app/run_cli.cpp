@@ -4,6 +4,10 @@
 #include <spawn.h>
 #include <sys/wait.h>
 
+#include <chrono>
+#include <csignal>
+#include <thread>
+
 #include "tests/support/catch.h"
 
 extern char** environ;
@@ -13,7 +17,7 @@ namespace handlebody::test {
 namespace {
 
 // Output goes to files: no pipe can fill up and block the program.
-int spawnAndWait(const std::vector<std::string>& arguments, const std::string& out, const std::string& err) {
+pid_t spawn(const std::vector<std::string>& arguments, const std::string& out, const std::string& err) {
   std::vector<std::string> words{HANDLEBODY_CLI};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
@@ -30,6 +34,10 @@ int spawnAndWait(const std::vector<std::string>& arguments, const std::string& o
   const int failed = posix_spawn(&child, HANDLEBODY_CLI, &files, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&files);
   REQUIRE(failed == 0);
+  return child;
+}
+
+int exitCodeOf(pid_t child) {
   int status = 0;
   REQUIRE(waitpid(child, &status, 0) == child);
   return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
@@ -37,10 +45,15 @@ int spawnAndWait(const std::vector<std::string>& arguments, const std::string& o
 
 }  // namespace
 
-Outcome runCli(const std::vector<std::string>& arguments) {
+Outcome runCli(const std::vector<std::string>& arguments, int interruptAfter) {
   const TempFolder folder;
   Outcome outcome;
-  outcome.exitCode = spawnAndWait(arguments, folder / "out", folder / "err");
+  const pid_t child = spawn(arguments, folder / "out", folder / "err");
+  if (interruptAfter > 0) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(interruptAfter));
+    kill(child, SIGINT);
+  }
+  outcome.exitCode = exitCodeOf(child);
   outcome.out = readBytes(folder / "out");
   outcome.err = readBytes(folder / "err");
   return outcome;

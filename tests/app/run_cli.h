@@ -15,7 +15,8 @@ struct Outcome {
 };
 
 //! Runs the program that was built beside the tests, with nothing on its standard input.
-Outcome runCli(const std::vector<std::string>& arguments);
+//! With `interruptAfter` > 0 it gets an interrupt (Ctrl-C) after so many milliseconds.
+Outcome runCli(const std::vector<std::string>& arguments, int interruptAfter = 0);
 
 //! Runs it and requires exit code 0; the standard output as JSON.
 nlohmann::json runForJson(const std::vector<std::string>& arguments);

@@ -246,6 +246,32 @@ TEST_CASE("standard error stays empty when it is not a terminal, and --quiet say
   CHECK(quiet.out.empty());
 }
 
+TEST_CASE("segment says when it takes the first of several time points", "[cli][segment]") {
+  const SphereRun run;
+  std::string bytes = readBytes(run.phantom.path);
+  const std::string voxels = bytes.substr(bytes.size() - 32 * 32 * 32);
+  writeBytes(run.folder / "4d.mha",
+             "ObjectType = Image\nNDims = 4\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
+             "Offset = 0.75 0.75 0.75 0\nElementSpacing = 2.5 2.5 2.5 1\nDimSize = 32 32 32 2\n"
+             "ElementType = MET_UCHAR\nElementDataFile = LOCAL\n" +
+                 std::string(voxels.size(), '\1') + voxels);
+  const auto arguments = [&](const std::string& frame) {
+    return std::vector<std::string>{"segment",  run.folder / "4d.mha", "--frame", frame,
+                                    "--seed",   run.phantom.seed,      "-o",      run.folder / "b.stl",
+                                    "--report", run.folder / "r.json"};
+  };
+  REQUIRE(runCli(arguments("1")).exitCode == 0);
+  run.requireSuccess({"-o", run.folder / "a.stl"});
+  CHECK(readBytes(run.folder / "a.stl") == readBytes(run.folder / "b.stl"));
+  CHECK(run.json("r.json").at("input").at("frame") == 1);
+  CHECK(run.json("r.json").at("input").at("warnings").empty());
+  CHECK(runCli(arguments("2")).exitCode == 2);
+  const Outcome silent = runCli({"segment", run.folder / "4d.mha", "--range", "0,200", "--max-iterations",
+                                 "1", "--seed", run.phantom.seed, "-o", run.folder / "c.stl"});
+  CHECK(silent.exitCode == 5);
+  CHECK_THAT(silent.err, Contains("warning") && Contains("frame 0"));
+}
+
 TEST_CASE("an open range in the options is an open range in the report", "[cli][segment]") {
   const SphereRun run;
   const auto info = runForJson({"info", run.phantom.path, "--json"});

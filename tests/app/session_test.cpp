@@ -73,7 +73,7 @@ TEST_CASE("a session comes back exactly as it was written", "[session]") {
 TEST_CASE("what was left to the image stays open in a session", "[session]") {
   const TempFolder folder;
   Session s;
-  s.volume.path = folder / "v.mha";
+  s.volume = {folder / "v.mha", "00ff", {}};
   s.seeds = {{{1, 2, 3}, {}}};
   writeSession(s, folder / "s.json");
   const Session back = readSession(folder / "s.json");
@@ -103,6 +103,7 @@ TEST_CASE("what is not a session is an input error that names the file", "[sessi
       [](nlohmann::json& j) { j["input"] = "v.mha"; },
       [](nlohmann::json& j) { j["input"]["path"] = 7; },
       [](nlohmann::json& j) { j["input"].erase("sha256"); },
+      [](nlohmann::json& j) { j["input"]["sha256"] = ""; },
       [](nlohmann::json& j) { j["input"]["frame"] = "first"; },
       [](nlohmann::json& j) { j["input"]["frame"] = -1; },
       [](nlohmann::json& j) { j["input"]["frame"] = 0.5; },
