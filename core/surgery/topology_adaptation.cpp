@@ -16,7 +16,8 @@ namespace handlebody {
 namespace {
 
 constexpr int kHandleCandidates = 12;  // next-best handles tried before Λ is enlarged
-constexpr int kEnlargements = 3;       // rings added to Λ before a place is given up
+constexpr int kLongestLoop = 120;      // vertices; closing takes time that grows with the cube of this
+constexpr int kEnlargements = 4;       // rings added to Λ before a place is given up
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
@@ -113,6 +114,12 @@ class Adaptation {
       plan.openings.push_back(openWithRefinement(mesh_, lambda));
       if (!plan.openings.back().loops.empty()) open.push_back(plan.openings.size() - 1);
     }
+    for (const Opening& o : plan.openings)
+      for (const auto& loop : o.loops)
+        if (static_cast<int>(loop.size()) > kLongestLoop) {
+          reason = "the opening is too large";
+          return std::nullopt;
+        }
     colliding_.resize(idx(mesh_.faceSlots()), 0);
     plan.patch.firstNew = mesh_.vertexSlots();
     if (open.empty()) {
