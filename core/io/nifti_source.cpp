@@ -144,7 +144,7 @@ NiftiSource::NiftiSource(const std::string& path) : nifti_(readHeader(path)) {
   checkDimensions(nifti_, path);
   dataFile_ = nifti_.pair ? pairOf(path) : path;
   compressed_ = isGzip(dataFile_);
-  if (!nifti_.pair && compressed_ != path.ends_with(".gz"))
+  if (!nifti_.pair && compressed_ != (path.ends_with(".gz") || path.ends_with(".GZ")))
     refuseInput(path, compressed_ ? "it is compressed but its name does not end with .nii.gz; rename it"
                                   : "it is not compressed but its name ends with .gz; rename it");
   auto io = itk::NiftiImageIO::New();
