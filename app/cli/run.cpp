@@ -78,7 +78,9 @@ void evolve(ActiveContour& contour, RunReport& report, const RunOutputs& outputs
 // STL and most readers hold single precision. The mesh that is certified, counted and written is therefore
 // the rounded one: the same coordinates in every file, and the report's numbers are theirs.
 TriangleSoup roundedToSingle(TriangleSoup mesh) {
-  for (Vec3& p : mesh.points) p = p.cast<float>().cast<double>();
+  // Not p.cast<float>().cast<double>(): Eigen 3.4 vectorises that to nothing.
+  for (Vec3& p : mesh.points)
+    for (double& x : p) x = static_cast<float>(x);
   return mesh;
 }
 

@@ -48,9 +48,11 @@ Session sessionFromJson(const Json& json, const std::string& path) {
   session.volume.sha256 = input.at("sha256").get<std::string>();
   if (input.contains("series") && !input.at("series").is_null())
     session.volume.selection.series = input.at("series").get<std::string>();
-  if (input.contains("frame") && !input.at("frame").is_null())
-    session.volume.selection.frame = integerFromJson(input.at("frame"));
-  if (session.volume.selection.frame < 0) throw UsageError("the frame is below 0.");
+  if (input.contains("frame") && !input.at("frame").is_null()) {
+    const int frame = integerFromJson(input.at("frame"));
+    if (frame < 0) throw UsageError("the frame is below 0.");
+    session.volume.selection.frame = frame;
+  }
   readRequest(json.at("requested"), session);
   return session;
 }

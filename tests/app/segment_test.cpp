@@ -25,6 +25,11 @@ struct SphereRun {
     all.insert(all.end(), more.begin(), more.end());
     return all;
   }
+  // A seed of 4 mm, moved along x from the phantom's own.
+  std::string seedAt(double dx) const {
+    const auto& c = phantom.json.at("seed").at("centre");
+    return nlohmann::json(c[0].get<double>() + dx).dump() + "," + c[1].dump() + "," + c[2].dump() + ",4";
+  }
   void requireSuccess(const std::vector<std::string>& more) const {
     const Outcome outcome = runCli(arguments(more));
     INFO(outcome.err);
@@ -187,20 +192,37 @@ TEST_CASE("a seed in voxels is the same seed in millimetres", "[cli][segment]") 
   CHECK(seed.at("radius").get<double>() == Approx(2 * 2.5));
 }
 
-TEST_CASE("options may come in any order and seeds may be negative", "[cli][segment]") {
+TEST_CASE("options may come in any order", "[cli][segment]") {
   const SphereRun run;
-  const auto args = [&](const std::vector<std::string>& words) {
-    std::vector<std::string> all{"segment"};
-    all.insert(all.end(), words.begin(), words.end());
-    const Outcome outcome = runCli(all);
+  const std::string out = run.folder / "a.stl", left = run.seedAt(-20), right = run.seedAt(0);
+  const auto meshOf = [&](std::vector<std::string> arguments) {
+    std::filesystem::remove(out);
+    arguments.insert(arguments.begin(), "segment");
+    const Outcome outcome = runCli(arguments);
     INFO(outcome.err);
     CHECK(outcome.exitCode == 0);
-    return readBytes(run.folder / "a.stl");
+    return readBytes(out);
   };
-  const std::string out = run.folder / "a.stl";
-  const std::string one = args({run.phantom.path, "--seed", "-8,-4,3,5", "--seed", "6,-4,3,5", "-o", out});
-  CHECK(args({"--seed=-8,-4,3,5", "--seed=6,-4,3,5", run.phantom.path, "-o", out}) == one);
-  CHECK(args({"-o", out, "--seed", "-8,-4,3,5", "--seed", "6,-4,3,5", run.phantom.path, "--quiet"}) == one);
+  const std::string one = meshOf({run.phantom.path, "--seed", left, "--seed", right, "-o", out});
+  CHECK(meshOf({"--seed=" + left, "--seed=" + right, run.phantom.path, "-o", out}) == one);
+  CHECK(meshOf({"-o", out, "--seed", left, "--seed", right, run.phantom.path, "--quiet"}) == one);
+}
+
+TEST_CASE("coordinates of seeds may be negative", "[cli][segment]") {
+  const SphereRun run;
+  std::string bytes = readBytes(run.phantom.path);
+  const auto from = bytes.find("\nOffset = ");
+  REQUIRE(from != std::string::npos);
+  bytes.replace(from, bytes.find('\n', from + 1) - from, "\nOffset = -200 -200 -200");
+  writeBytes(run.folder / "far.mha", bytes);
+  for (const std::vector<std::string>& seed :
+       std::vector<std::vector<std::string>>{{"--seed", "-160,-160,-160,5"}, {"--seed=-160,-160,-160,5"}}) {
+    std::vector<std::string> arguments{"segment", run.folder / "far.mha", "-o", run.folder / "a.stl"};
+    arguments.insert(arguments.end(), seed.begin(), seed.end());
+    const Outcome outcome = runCli(arguments);
+    INFO(outcome.err);
+    CHECK(outcome.exitCode == 0);
+  }
 }
 
 TEST_CASE("stopping at --max-iterations has its own exit code and still writes the mesh", "[cli][segment]") {
@@ -239,7 +261,7 @@ TEST_CASE("an open range in the options is an open range in the report", "[cli][
 TEST_CASE("a run with two seeds tells of the handle that joins them", "[cli][segment]") {
   const SphereRun run;
   const Outcome outcome =
-      runCli({"segment", run.phantom.path, "--seed", "-10,0,0,4", "--seed", "10,0,0,4", "-o",
+      runCli({"segment", run.phantom.path, "--seed", run.seedAt(-20), "--seed", run.seedAt(0), "-o",
               run.folder / "m.stl", "--report", run.folder / "r.json", "--trace", run.folder / "t.json"});
   INFO(outcome.err);
   REQUIRE(outcome.exitCode == 0);
