@@ -149,7 +149,8 @@ std::vector<int> ActiveContour::State::vertexToMove() const {
 ActiveContour::State::Attempt ActiveContour::State::attempt() {
   Attempt a;
   a.moving = vertexToMove();
-  const std::vector<Vec3> moves = computeMotion(mesh, *image, motion, a.moving);
+  std::vector<Vec3> moves = computeMotion(mesh, *image, motion, a.moving);
+  for (std::size_t i = 0; i < moves.size(); ++i) moves[i] *= resting.pace(mesh.position(a.moving[i]));
   a.touched.assign(idx(mesh.vertexSlots()), 0);
   for (std::size_t i = 0; i < moves.size(); ++i) {
     mesh.setPosition(a.moving[i], mesh.position(a.moving[i]) + moves[i]);

@@ -1,15 +1,18 @@
 #include "core/evolution/resting_places.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace handlebody {
 
 namespace {
 constexpr int kFirstRest = 4;       // iterations; doubled each time
-constexpr int kMostTimes = 6;       // then for good
+constexpr int kMostTimes = 5;       // then for good
 constexpr double kSamePlace = 1.0;  // part of the radius within which a new place is an old one come again
-constexpr double kGrowth = 1.15;    // of the radius each time
+constexpr double kSlower = 0.6;     // each time, down to kSlowest
+constexpr double kSlowest = 0.2;
+constexpr double kGrowth = 1.15;  // of the radius each time
 }  // namespace
 
 void RestingPlaces::add(const Vec3& centre, double radius, int iteration) {
@@ -29,6 +32,14 @@ bool RestingPlaces::rests(const Vec3& p, int iteration) const {
   return std::any_of(places_.begin(), places_.end(), [&](const Place& place) {
     return iteration < place.until && (p - place.centre).squaredNorm() < place.radius * place.radius;
   });
+}
+
+double RestingPlaces::pace(const Vec3& p) const {
+  double pace = 1;
+  for (const Place& place : places_)
+    if ((p - place.centre).squaredNorm() < place.radius * place.radius)
+      pace = std::min(pace, std::max(kSlowest, std::pow(kSlower, place.times + 1)));
+  return pace;
 }
 
 bool RestingPlaces::any(int iteration) const {

@@ -1,6 +1,6 @@
 #pragma once
-// Places that were rolled back rest for some iterations; a place that is rolled back again and again rests
-// for good.
+// Places that were rolled back rest for some iterations and then move on slowly; a place that is rolled back
+// again and again rests for good.
 
 #include <vector>
 
@@ -16,8 +16,9 @@ class RestingPlaces {
   bool any(int iteration) const;
   //! True if some place rests now but will move again.
   bool anyWillWake(int iteration) const;
-  //! Makes the newest places larger, for another try of the same step.
-  std::size_t size() const { return places_.size(); }
+  //! Part of its step that a vertex at p may take: places that have rested move on more slowly, so that the
+  //! fronts there meet in another way than the one that failed.
+  double pace(const Vec3& p) const;
 
  private:
   struct Place {

@@ -137,11 +137,24 @@ std::map<std::string, DicomStructure> walkAll(const std::string& path, std::vect
   return structures;
 }
 
-std::vector<ScannedSlice> scan(const std::string& path) {
+struct Scan {
+  std::vector<ScannedSlice> slices{};
+  std::vector<ScannedSlice> others{};  //!< DICOM files without an image: reports, structures, cut off slices
+};
+
+//! A file without an image that names the series of images is one of them, cut off between two elements.
+void checkOthers(const Scan& scanned, const std::string& path) {
+  for (const ScannedSlice& other : scanned.others)
+    for (const ScannedSlice& s : scanned.slices)
+      if (!other.uid.empty() && other.uid == s.uid)
+        refuseInput(path, "the file " + other.file + " is truncated (a slice without an image)");
+}
+
+Scan scan(const std::string& path) {
   const Quiet quiet;
   std::vector<std::string> files = candidates(path);
   const auto structures = walkAll(path, files);
-  std::vector<ScannedSlice> slices;
+  Scan scanned;
   withItk(path, "its DICOM header cannot be read", [&] {
     gdcm::Scanner scanner;
     for (const gdcm::Tag& tag :
@@ -153,13 +166,15 @@ std::vector<ScannedSlice> scan(const std::string& path) {
       if (!scanner.IsKey(file.c_str())) continue;
       ScannedSlice slice = scannedSlice(scanner, file);
       slice.structure = structures.at(file);
-      if (slice.rows > 0 && slice.columns > 0) slices.push_back(std::move(slice));
+      const bool image = slice.rows > 0 && slice.columns > 0;
+      (image ? scanned.slices : scanned.others).push_back(std::move(slice));
     }
   });
-  if (slices.empty())
+  if (scanned.slices.empty())
     refuseInput(path, fs::is_directory(path) ? "the folder holds no DICOM images"
                                              : "it is not a DICOM image (no rows and columns)");
-  return slices;
+  checkOthers(scanned, path);
+  return scanned;
 }
 
 std::vector<SeriesInfo> listSeries(const std::vector<ScannedSlice>& slices) {
@@ -310,7 +325,8 @@ class SeriesList : public VolumeSource {
 }  // namespace
 
 SourcePointer openDicom(const std::string& path, const VolumeSelection& selection, bool* several) {
-  std::vector<ScannedSlice> slices = scan(path);
+  Scan scanned = scan(path);
+  std::vector<ScannedSlice>& slices = scanned.slices;
   const std::vector<SeriesInfo> series = listSeries(slices);
   if (selection.series) {
     std::erase_if(slices, [&](const ScannedSlice& s) { return s.uid != *selection.series; });
@@ -322,6 +338,9 @@ SourcePointer openDicom(const std::string& path, const VolumeSelection& selectio
   checkSlices(slices, path);
   auto source = std::make_unique<DicomSource>(path, slices);
   source->header().series = series;
+  if (!scanned.others.empty())
+    source->header().warnings.push_back(std::to_string(scanned.others.size()) +
+                                        " DICOM files in the folder hold no image and were left out.");
   return source;
 }
 

@@ -23,6 +23,9 @@ CoordinateSpace spaceIn(const std::string& text);
 void writeObj(const MeshFile& file, const std::string& temporary);
 MeshFile readObj(const std::string& path);
 
+//! Text or binary, of either byte order.
+MeshFile readPly(const std::string& path);
+
 //! VTK's messages go nowhere while one of these lives; errors are found through error codes and observers.
 class VtkSilence {
  public:

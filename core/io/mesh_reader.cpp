@@ -4,7 +4,6 @@
 #include <vtkCommand.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
-#include <vtkPLYReader.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSTLReader.h>
@@ -17,8 +16,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <map>
-#include <sstream>
 #include <unordered_map>
 
 #include "core/errors.h"
@@ -155,63 +152,6 @@ MeshFile readStl(const std::string& path) {
   } else {
     refuse(path, "it is not an STL file, or it is truncated");
   }
-  return file;
-}
-
-// --- PLY ---
-
-//! Bytes an element needs at least; lists are counted as holding what a triangle needs.
-std::uint64_t propertyBytes(std::istringstream& words, bool ascii) {
-  static const std::map<std::string, unsigned> kSizes{
-      {"char", 1},  {"uchar", 1},   {"int8", 1},   {"uint8", 1},  {"short", 2}, {"ushort", 2},
-      {"int16", 2}, {"uint16", 2},  {"int", 4},    {"uint", 4},   {"int32", 4}, {"uint32", 4},
-      {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
-  const auto sizeOf = [&](const std::string& type) {
-    const auto found = kSizes.find(type);
-    return found == kSizes.end() ? 0u : (ascii ? 2u : found->second);
-  };
-  std::string type, name;
-  words >> type;
-  if (type != "list") return sizeOf(type);
-  std::string countType, itemType;
-  words >> countType >> itemType >> name;
-  const bool corners = name == "vertex_indices" || name == "vertex_index";
-  return sizeOf(countType) + (corners ? 3u * sizeOf(itemType) : 0u);
-}
-
-//! VTK allocates what the header declares and does not notice a file that ends early.
-CoordinateSpace checkPlyHeader(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::string line;
-  std::getline(stream, line);
-  if (line.rfind("ply", 0) != 0) refuse(path, "it is not a PLY file");
-  CoordinateSpace space = CoordinateSpace::lps;
-  bool ascii = false, ended = false;
-  double count = 0, needed = 0;  // double: hostile counts overflow nothing
-  while (!ended && std::getline(stream, line) && line.size() < 10000) {
-    std::istringstream words(line);
-    std::string key, word;
-    words >> key;
-    if (key == "comment" && line.find("SPACE=") != std::string::npos) space = spaceIn(line);
-    if (key == "format") ascii = (words >> word) && word == "ascii";
-    if (key == "element" && !(words >> word >> count && count >= 0))
-      refuse(path, "its PLY header is damaged");
-    if (key == "property") needed += count * static_cast<double>(propertyBytes(words, ascii));
-    ended = key == "end_header";
-  }
-  if (!ended) refuse(path, "its PLY header is truncated");
-  // The last number of a text file may lack its line break.
-  const double held =
-      static_cast<double>(fs::file_size(path)) - static_cast<double>(stream.tellg()) + (ascii ? 1 : 0);
-  if (needed > held) refuse(path, "the PLY file is truncated");
-  return space;
-}
-
-MeshFile readPly(const std::string& path) {
-  MeshFile file;
-  file.space = checkPlyHeader(path);
-  vtkNew<vtkPLYReader> reader;
-  file.mesh = fromVtk(run(reader.Get(), path), path);
   return file;
 }
 

@@ -3,6 +3,7 @@
 
 #include <itkNiftiImageIO.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -19,6 +20,7 @@ struct NiftiHeader {
   float voxOffset, slope, intercept;
   std::int16_t qform, sform;
   unsigned char units;
+  float rows[12];  // sform: voxel index to RAS
   bool swapped = false, pair = false;
 };
 
@@ -52,6 +54,7 @@ NiftiHeader readHeader(const std::string& path) {
   h.slope = field<float>(bytes, 112, h.swapped);
   h.intercept = field<float>(bytes, 116, h.swapped);
   h.units = bytes[123];
+  for (std::size_t i = 0; i < 12; ++i) h.rows[i] = field<float>(bytes, 280 + 4 * i, h.swapped);
   h.qform = field<std::int16_t>(bytes, 252, h.swapped);
   h.sform = field<std::int16_t>(bytes, 254, h.swapped);
   return h;
@@ -144,7 +147,7 @@ NiftiSource::NiftiSource(const std::string& path) : nifti_(readHeader(path)) {
   checkDimensions(nifti_, path);
   dataFile_ = nifti_.pair ? pairOf(path) : path;
   compressed_ = isGzip(dataFile_);
-  if (!nifti_.pair && compressed_ != path.ends_with(".gz"))
+  if (!nifti_.pair && compressed_ != (path.ends_with(".gz") || path.ends_with(".GZ")))
     refuseInput(path, compressed_ ? "it is compressed but its name does not end with .nii.gz; rename it"
                                   : "it is not compressed but its name ends with .gz; rename it");
   auto io = itk::NiftiImageIO::New();
@@ -165,6 +168,24 @@ NiftiSource::NiftiSource(const std::string& path) : nifti_(readHeader(path)) {
   addWarnings(path);
 }
 
+//! Largest distance (mm) between where the sform and the grid put a corner of the volume.
+double distanceFromSform(const NiftiHeader& h, const Grid& grid) {
+  double largest = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    Vec3 index(0, 0, 0);
+    for (int a = 0; a < 3; ++a)
+      if (corner >> a & 1) index[a] = grid.size[static_cast<std::size_t>(a)];
+    Vec3 world;
+    for (int r = 0; r < 3; ++r) {
+      const float* row = h.rows + 4 * r;
+      const double value = row[0] * index[0] + row[1] * index[1] + row[2] * index[2] + row[3];
+      world[r] = r < 2 ? -value : value;
+    }
+    largest = std::max(largest, (world - grid.toWorld(index)).norm());
+  }
+  return largest;
+}
+
 void NiftiSource::addWarnings(const std::string& path) {
   const int unit = nifti_.units & 7;
   if (unit == 1 || unit == 3)
@@ -173,6 +194,10 @@ void NiftiSource::addWarnings(const std::string& path) {
   if (nifti_.qform <= 0 && nifti_.sform <= 0)
     header_.warnings.push_back(
         "The header does not say how the volume lies in space (qform and sform codes are 0).");
+  const double apart = nifti_.sform > 0 ? distanceFromSform(nifti_, header_.grid) : 0;
+  if (apart > 0.1)
+    header_.warnings.push_back("The sform and the qform of the header disagree (by up to " +
+                               std::to_string(std::lround(std::ceil(apart))) + " mm); the qform is used.");
 }
 
 void NiftiSource::readFrame(int frame, void* to) {

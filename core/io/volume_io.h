@@ -33,12 +33,21 @@ struct VolumeInfo {
   std::vector<std::string> warnings;
 };
 
-//! Throws InputError (one sentence, with the path) for anything that is missing, damaged or not supported.
+//! Both throw InputError (one sentence, which begins with the path) for anything that is missing, damaged or
+//! not supported, and UsageError for a frame or series that is not there. The type is the file's own; 64-bit
+//! integers become float64, scaled integers float32 or float64, colour (RGB, RGBA of 8 or 16 bits) luminance.
+//!
+//! inspectVolume reads no voxels. A folder with several series of which none is chosen is listed: frames is 0
+//! and the grid empty, where readVolume throws.
 VolumeInfo inspectVolume(const std::string& path, const VolumeSelection& selection = {});
+//! Besides, refuses float volumes with voxels that are NaN or infinite (their number and the first index).
+//! Without a selection the first time point. Not for several threads at once: output of the libraries below
+//! to std::cerr and std::cout is held back meanwhile.
 Volume readVolume(const std::string& path, const VolumeSelection& selection = {});
 
-//! Writes by extension (.nii.gz .nii .nrrd .mha), whole or not at all. Throws OutputError; UsageError for an
-//! unknown extension.
+//! Writes by extension (.nii.gz .nii .nrrd .mha), compressed except .nii, whole or not at all; what was
+//! written is read back and compared. The volume has two voxels or more along each axis and only finite
+//! values. Throws OutputError; UsageError for an unknown extension.
 void writeVolume(const Volume& volume, const std::string& path);
 
 //! SHA-256 of a file, or of the files of a folder in name order; lower-case hex. Throws InputError.

@@ -84,6 +84,9 @@ bool isLabelMapPath(const std::string& path) {
 
 void writeVolume(const Volume& volume, const std::string& path) {
   const auto io = writerFor(path);
+  for (int n : volume.grid.size)
+    if (n < 2)
+      throw OutputError(path + ": a volume to be written needs at least two voxels along each axis.");
   // NIfTI holds sizes in 16 bits.
   if (dynamic_cast<itk::NiftiImageIO*>(io.GetPointer()))
     for (int n : volume.grid.size)

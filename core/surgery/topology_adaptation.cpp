@@ -16,7 +16,8 @@ namespace handlebody {
 namespace {
 
 constexpr int kHandleCandidates = 12;  // next-best handles tried before Λ is enlarged
-constexpr int kEnlargements = 3;       // rings added to Λ before a place is given up
+constexpr int kLongestLoop = 120;      // vertices; closing takes time that grows with the cube of this
+constexpr int kEnlargements = 4;       // rings added to Λ before a place is given up
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
@@ -113,6 +114,12 @@ class Adaptation {
       plan.openings.push_back(openWithRefinement(mesh_, lambda));
       if (!plan.openings.back().loops.empty()) open.push_back(plan.openings.size() - 1);
     }
+    for (const Opening& o : plan.openings)
+      for (const auto& loop : o.loops)
+        if (static_cast<int>(loop.size()) > kLongestLoop) {
+          reason = "the opening is too large";
+          return std::nullopt;
+        }
     colliding_.resize(idx(mesh_.faceSlots()), 0);
     plan.patch.firstNew = mesh_.vertexSlots();
     if (open.empty()) {
@@ -258,37 +265,35 @@ class Adaptation {
     event.before = before;
     event.after = plan.kind == EventKind::smoothed ? before : topologyNumbers(mesh_);
     if (plan.kind == EventKind::split) event.kind = kindOfCut(before, event.after);
-    const bool cut = event.kind == EventKind::split;
+    const bool cut = event.after.components > before.components;
     if (settings_.recordTraces)
       for (const Triangle& t : patch)
         event.trace.handleFaces.push_back({mesh_.position(t[0]), mesh_.position(t[1]), mesh_.position(t[2])});
     result_.events.push_back(std::move(event));
-    if (cut && settings_.outwardOnly) deleteFlake(patch);
+    if (cut && settings_.outwardOnly) deleteFlakes(patch);
   }
 
   //! Motion outwards can cut off nothing but cavities. A solid piece that a cut leaves is a scrap of surface
   //! turned inside out, and would grow into the object once more.
-  void deleteFlake(const std::vector<Triangle>& patch) {
+  void deleteFlakes(const std::vector<Triangle>& patch) {
     const Components parts = findComponents(mesh_);
-    int solid = -1, flake = -1;  // vertices of the larger and the smaller solid piece beside the cut
-    const auto volume = [&](int v) { return v < 0 ? 0.0 : parts.volume[idx(parts.ofVertex[idx(v)])]; };
-    for (const Triangle& t : patch) {
-      if (volume(t[0]) < 0 || (solid >= 0 && parts.ofVertex[idx(t[0])] == parts.ofVertex[idx(solid)]))
-        continue;
-      if (solid < 0 || volume(t[0]) > volume(solid))
-        std::swap(solid, flake = t[0]);
-      else
-        flake = t[0];
+    std::map<int, int> solids;  // component beside the cut → one of its vertices
+    for (const Triangle& t : patch)
+      if (parts.volume[idx(parts.ofVertex[idx(t[0])])] >= 0) solids.emplace(parts.ofVertex[idx(t[0])], t[0]);
+    const auto body = std::max_element(solids.begin(), solids.end(), [&](const auto& a, const auto& b) {
+      return parts.volume[idx(a.first)] < parts.volume[idx(b.first)];
+    });
+    for (auto it = solids.begin(); it != solids.end(); ++it) {
+      if (it == body) continue;
+      Event event;
+      event.kind = EventKind::componentDeleted;
+      event.iteration = settings_.iteration;
+      event.location = mesh_.position(it->second);
+      event.before = topologyNumbers(mesh_);
+      deleteComponent(mesh_, it->second);
+      event.after = topologyNumbers(mesh_);
+      result_.events.push_back(std::move(event));
     }
-    if (flake < 0) return;
-    Event event;
-    event.kind = EventKind::componentDeleted;
-    event.iteration = settings_.iteration;
-    event.location = mesh_.position(flake);
-    event.before = topologyNumbers(mesh_);
-    deleteComponent(mesh_, flake);
-    event.after = topologyNumbers(mesh_);
-    result_.events.push_back(std::move(event));
   }
 
   static EventKind kindOfCut(const TopologyNumbers& before, const TopologyNumbers& after) {

@@ -253,3 +253,25 @@ TEST_CASE("a truncated slice is refused") {
   writeBytes(victim, bytes.substr(0, 200));
   expectInputError(folder.path(), "", true);
 }
+
+TEST_CASE("a slice that ends anywhere is refused or warned about, and GDCM does not abort") {
+  const TemporaryFolder folder;
+  writeSeries(folder.path(), evenStack(3));
+  const std::string bytes = readBytes(folder / "999");
+  int warned = 0;
+  // Before its preamble is whole a file is no DICOM file at all.
+  for (std::size_t n = 132; n < bytes.size(); ++n) {
+    INFO(n << " of " << bytes.size() << " bytes");
+    writeBytes(folder / "999", bytes.substr(0, n));
+    try {
+      const VolumeInfo info = inspectVolume(folder.path());
+      REQUIRE(info.warnings.size() == 1);
+      REQUIRE_THAT(info.warnings[0], Catch::Contains("hold no image"));
+      ++warned;
+    } catch (const InputError&) {
+      SUCCEED();
+    }
+  }
+  // Only where it ends between two elements before its series is named.
+  CHECK(warned < 10);
+}

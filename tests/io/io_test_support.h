@@ -50,6 +50,7 @@ inline std::string readBytes(const std::string& path) {
 }
 
 inline void writeBytes(const std::string& path, const std::string& bytes) {
+  fs::remove(path);  // file systems flush a file that is emptied and written again, at length
   std::ofstream stream(path, std::ios::binary);
   stream << bytes;
 }

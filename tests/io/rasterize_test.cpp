@@ -53,14 +53,24 @@ TEST_CASE("a rasterized sphere holds exactly the voxel centres inside it, up to 
   const Volume label = rasterize(mesh, grid);
   // Facets lie between the sphere of their midpoints and the sphere of their vertices.
   const double inner = radius * (1 - 2e-3);
-  double volume = 0;
   forEachVoxel(label, [&](const Vec3& index, bool inside) {
     const double r = (grid.toWorld(index) - centre).norm();
     if (r < inner) REQUIRE(inside);
     if (r > radius) REQUIRE_FALSE(inside);
-    volume += inside ? grid.voxelVolume() : 0;
   });
-  CHECK(volume == Approx(4.0 / 3 * M_PI * radius * radius * radius).epsilon(0.01));
+}
+
+TEST_CASE("a rasterized sphere has the analytic volume") {
+  Grid grid = obliqueGrid();
+  grid.size = {120, 120, 120};
+  grid.spacing = Vec3(0.1, 0.1, 0.1);
+  const double radius = 5;
+  const Volume label = rasterize(sphere(centreOf(grid), radius, 6), grid);
+  double volume = 0;
+  forEachVoxel(label, [&](const Vec3&, bool inside) { volume += inside ? grid.voxelVolume() : 0; });
+  // 31,400 surface voxels err by half a voxel each at most, and mostly cancel: 0.1 % is ten times what is
+  // left.
+  CHECK(volume == Approx(4.0 / 3 * M_PI * radius * radius * radius).epsilon(1e-3));
 }
 
 TEST_CASE("rasterize agrees with the winding number, with a cavity and a second component") {

@@ -204,6 +204,21 @@ TEST_CASE("NIfTI scaling is applied: slope and intercept make integers float32")
   CHECK(readVolume(folder / "zero.nii").type == VoxelType::int16);
 }
 
+TEST_CASE("a sheared sform beside a good qform is a warning, and the qform is used") {
+  const TemporaryFolder folder;
+  std::string bytes = niftiBytes(folder, VoxelType::uint8);
+  float shear = 0;
+  std::memcpy(&shear, bytes.data() + 284, 4);
+  patch(bytes, 284, shear + 0.5f);
+  patch(bytes, 252, std::int16_t{1});
+  patch(bytes, 254, std::int16_t{1});
+  writeBytes(folder / "sheared.nii", bytes);
+  const VolumeInfo info = inspectVolume(folder / "sheared.nii");
+  expectSameGrid(info.grid, obliqueGrid(), 2e-5);
+  REQUIRE(info.warnings.size() == 1);
+  CHECK_THAT(info.warnings[0], Catch::Contains("disagree"));
+}
+
 TEST_CASE("a big-endian NIfTI and a big-endian MetaImage hold the same numbers") {
   const TemporaryFolder folder;
   std::string bytes = niftiBytes(folder, VoxelType::int16);
