@@ -248,8 +248,8 @@ TEST_CASE("standard error stays empty when it is not a terminal, and --quiet say
 
 TEST_CASE("segment says when it takes the first of several time points", "[cli][segment]") {
   const SphereRun run;
-  std::string bytes = readBytes(run.phantom.path);
-  const std::string voxels = bytes.substr(bytes.size() - 32 * 32 * 32);
+  const std::string bytes = readBytes(makePhantomFile(run.folder, "plain.nii").path);
+  const std::string voxels = bytes.substr(bytes.size() - 32 * 32 * 32);  // MetaImage files are compressed
   writeBytes(run.folder / "4d.mha",
              "ObjectType = Image\nNDims = 4\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
              "Offset = 0.75 0.75 0.75 0\nElementSpacing = 2.5 2.5 2.5 1\nDimSize = 32 32 32 2\n"
@@ -300,4 +300,12 @@ TEST_CASE("a run with two seeds tells of the handle that joins them", "[cli][seg
     joined = joined || (event.at("before").at("components") == 2 && event.at("after").at("components") == 1);
   CHECK(joined);
   CHECK(run.json("t.json").at("events").size() == report.at("events").size());
+}
+
+// Known defect of the engine (a crash); take the tag away when this passes.
+TEST_CASE("a range that is open at both ends fills the volume", "[cli][segment][!shouldfail]") {
+  const SphereRun run;
+  const Outcome outcome = runCli(run.arguments({"--range", "-inf,inf", "-o", run.folder / "m.stl"}));
+  INFO(outcome.err);
+  CHECK(outcome.exitCode == 0);
 }
