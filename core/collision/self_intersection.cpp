@@ -15,6 +15,9 @@ namespace {
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
+// Room for rounding in distances that only reject: their relative errors are below 2^-48.
+constexpr double kRounding = 1 + 0x1p-40;
+
 Box boxOf(std::span<const Vec3> points, const Triangle& t) {
   const Vec3& a = points[idx(t[0])];
   const Vec3& b = points[idx(t[1])];
@@ -30,7 +33,7 @@ struct CollisionDetector::Tables {
   bool all = true;                       //!< else only pairs with a face in `movedFace`
   std::vector<unsigned char> movedFace;  //!< per face
   std::vector<unsigned char> active;     //!< per vertex: it belongs to a moved face
-  std::vector<double> longestSquared;    //!< per vertex: of its edges
+  std::vector<StarSize> sizes;           //!< per vertex
   std::vector<int> vertices;             //!< those that belong to a face
   std::vector<FacePair> pairs;
   VertexStars stars;
@@ -49,10 +52,15 @@ struct CollisionDetector::Tables {
   void markMoved(std::span<const unsigned char> moved);
   void testStars();
   void testStar(int v);
-  void measure(int v);
   void testStarPairs(int v);
   void testSeparate();
-  void testNear(int u, int v, double distanceSquared, double reachSquared);
+  //! How near (mm², squared) the vertex u of a face T must be to the vertex v = P; see testSeparate.
+  double reachSquared(int u, int v) const {
+    return (sizes[idx(u)].edge * (1.0 / 3) + sizes[idx(v)].spoke * 0.25) * kRounding;
+  }
+  void testNear(int u, int v, double distanceSquared);
+  bool isFirstNear(int u, const Triangle& t, int v) const;
+  void testFan(int f, int v);
   void testSeparateByTree();
 };
 
@@ -79,34 +87,25 @@ void CollisionDetector::Tables::markMoved(std::span<const unsigned char> moved) 
 //! Faces that share a vertex; on the way, the longest edge at every vertex.
 void CollisionDetector::Tables::testStars() {
   vertices.clear();
-  longestSquared.assign(points.size(), 0);
+  sizes.assign(points.size(), StarSize{});
   for (int v = 0; v < stars.vertexCount(); ++v) {
     if (stars.corners(v).empty()) continue;
     vertices.push_back(v);
     if (all || active[idx(v)] != 0) {
       testStar(v);
     } else {
-      measure(v);
+      sizes[idx(v)] = measureStar(points, v, stars.corners(v));
     }
   }
 }
 
 void CollisionDetector::Tables::testStar(int v) {
   if (stars.isCycle(v)) {
-    if (!starTest.isEmbedded(points, v, stars.corners(v), longestSquared[idx(v)])) testStarPairs(v);
+    if (!starTest.isEmbedded(points, v, stars.corners(v), sizes[idx(v)])) testStarPairs(v);
   } else {
-    measure(v);
+    sizes[idx(v)] = measureStar(points, v, stars.corners(v));
     testStarPairs(v);
   }
-}
-
-void CollisionDetector::Tables::measure(int v) {
-  double longest = 0;
-  for (const Corner& c : stars.corners(v)) {
-    longest = std::max(longest, (points[idx(c.next)] - points[idx(v)]).squaredNorm());
-    if (!stars.isCycle(v)) longest = std::max(longest, (points[idx(c.prev)] - points[idx(v)]).squaredNorm());
-  }
-  longestSquared[idx(v)] = longest;
 }
 
 void CollisionDetector::Tables::testStarPairs(int v) {
@@ -123,23 +122,22 @@ void CollisionDetector::Tables::testStarPairs(int v) {
 //! Faces without a common vertex. If two such triangles intersect, an edge of one of them, PP', meets the
 //! other, T, in a point Q, and P may be chosen such that |PQ| ≤ |PP'|/2. Let Q = Σ λi Ti with the vertices Ti
 //! of T. Then
-//!   Σ λi |P-Ti|² = |P-Q|² + Σ λi |Q-Ti|² = |P-Q|² + Σi<j λi λj |Ti-Tj|² ≤ |PP'|²/4 + s²/3
-//! where s is the longest edge of the mesh, because Σi<j λi λj ≤ 1/3. So some Ti is that near to P. This
-//! proves Theorem 4 with sqrt(7/12)·s, which is sharp, instead of sqrt(2/3)·s, and says more: P is within
-//! half of its longest edge of T. What is left are pairs of a vertex P and a triangle T.
+//!   Σ λi |P-Ti|² = |P-Q|² + Σ λi |Q-Ti|² = |P-Q|² + Σi<j λi λj |Ti-Tj|² ≤ |PP'|²/4 + t²/3
+//! where t is the longest edge of T, because Σi<j λi λj ≤ 1/3. So some Ti is that near to P. With the longest
+//! edge s of the mesh for PP' and t, this proves Theorem 4 for sqrt(7/12)·s, which is sharp, instead of
+//! sqrt(2/3)·s. It says more, too: P is within |PP'|/2 of T, which hardly any neighbour is. So what is looked
+//! for are pairs of a vertex P and a triangle T.
 void CollisionDetector::Tables::testSeparate() {
   double longest = 0;
-  for (const double l : longestSquared) longest = std::max(longest, l);
-  constexpr double kSlack = 1 + 0x1p-40;  // for rounding: all quantities are good to 2^-50 or so
-  const double reachSquared = longest / 3 * kSlack;
-  if (!hash.build(points, vertices, std::sqrt(longest * (7.0 / 12.0)) * kSlack)) {
+  for (const StarSize& size : sizes) longest = std::max(longest, size.spoke);
+  if (!hash.build(points, vertices, std::sqrt(longest * (7.0 / 12.0)) * kRounding)) {
     testSeparateByTree();
     return;
   }
   const auto visit = [&](const SpatialHash::Entry& a, const SpatialHash::Entry& b) {
     const double d = (a.point - b.point).squaredNorm();
-    testNear(a.vertex, b.vertex, d, reachSquared);
-    testNear(b.vertex, a.vertex, d, reachSquared);
+    if (d <= reachSquared(a.vertex, b.vertex)) testNear(a.vertex, b.vertex, d);
+    if (d <= reachSquared(b.vertex, a.vertex)) testNear(b.vertex, a.vertex, d);
   };
   if (all) {
     hash.forEachPair(visit);
@@ -148,28 +146,45 @@ void CollisionDetector::Tables::testSeparate() {
   }
 }
 
-//! The faces T at u against the faces at P = v, if u may be the vertex Ti of testSeparate.
-void CollisionDetector::Tables::testNear(int u, int v, double distanceSquared, double reachSquared) {
-  const double quarter = longestSquared[idx(v)] * (0.25 * (1 + 0x1p-40));
-  const double limit = quarter + reachSquared;
-  if (distanceSquared > limit) return;
-  const Vec3& p = points[idx(v)];
-  for (const Corner& c : stars.corners(u)) {
-    if (c.next == v || c.prev == v) continue;
-    if (isFarFrom(p, points[idx(u)], points[idx(c.next)], points[idx(c.prev)], quarter)) continue;
-    const Triangle& t = faces[idx(c.face)];
-    // Another vertex of T, earlier in T, may be as near: then T has its turn there.
-    bool first = true;
-    for (std::size_t i = 0; t[i] != u && first; ++i) {
-      first = (points[idx(t[i])] - p).squaredNorm() > limit;
-    }
-    if (!first) continue;
-    const Box box = boxOf(points, t);
-    for (const Corner& d : stars.corners(v)) {
-      const Triangle& s = faces[idx(d.face)];
-      if (wanted(c.face, d.face) && boxOf(points, s).overlaps(box) && !shareVertex(s, t))
-        test(c.face, d.face);
-    }
+//! The faces T at u against the faces at P = v.
+void CollisionDetector::Tables::testNear(int u, int v, double distanceSquared) {
+  const double nearSquared = sizes[idx(v)].spoke * (0.25 * kRounding);
+  const Vec3& pu = points[idx(u)];
+  const Vec3 w = points[idx(v)] - pu;
+  // First a cheap rejection: a face whose corners stay behind `end` along w is too far from v.
+  const double end = distanceSquared - std::sqrt(distanceSquared * nearSquared) -
+                     (kRounding - 1) * (distanceSquared + sizes[idx(u)].edge);
+  const auto along = [&](int r) { return w.dot(points[idx(r)] - pu); };
+  const std::span<const Corner> corners = stars.corners(u);
+  const bool inOrder = stars.isCycle(u);
+  double here = along(corners[0].next);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Corner& c = corners[i];
+    if (!inOrder) here = along(c.next);
+    const double next = along(c.prev);
+    const bool behind = 0 < end && here < end && next < end;
+    here = next;
+    if (behind || c.next == v || c.prev == v) continue;
+    if (isFarFrom(points[idx(v)], pu, points[idx(c.next)], points[idx(c.prev)], nearSquared)) continue;
+    if (isFirstNear(u, faces[idx(c.face)], v)) testFan(c.face, v);
+  }
+}
+
+//! False if an earlier vertex of T is as near to v as u is: then T has its turn there.
+bool CollisionDetector::Tables::isFirstNear(int u, const Triangle& t, int v) const {
+  for (std::size_t i = 0; t[i] != u; ++i) {
+    if ((points[idx(t[i])] - points[idx(v)]).squaredNorm() <= reachSquared(t[i], v)) return false;
+  }
+  return true;
+}
+
+//! Face f against the faces at v.
+void CollisionDetector::Tables::testFan(int f, int v) {
+  const Triangle& t = faces[idx(f)];
+  const Box box = boxOf(points, t);
+  for (const Corner& c : stars.corners(v)) {
+    const Triangle& s = faces[idx(c.face)];
+    if (wanted(f, c.face) && boxOf(points, s).overlaps(box) && !shareVertex(s, t)) test(f, c.face);
   }
 }
 

@@ -50,6 +50,7 @@ bool SpatialHash::build(std::span<const Vec3> points, std::span<const int> verti
   }
   if (crowd > kCrowd * static_cast<double>(vertices.size())) return false;
   entries_.resize(vertices.size());
+  entries_.resize(vertices.size() + kLanes, Entry{Vec3::Zero(), -1, 0, 0, 0});
   for (std::size_t i = unsorted_.size(); i-- > 0;) {
     const Entry& e = unsorted_[i];
     entries_[--start_[bucket(e.x, e.y, e.z)]] = e;

@@ -12,6 +12,9 @@
 // p1 is 1, not a prime: half boxes that follow each other along x are then neighbours in the table, and the
 // three of one row are one piece of memory.
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -54,27 +57,44 @@ class SpatialHash {
             static_cast<std::uint32_t>(z) * 83492791u) &
            mask_;
   }
-  //! Calls f(entry) for the entries of half boxes (x-1..x+1, y, z) within the radius of e.
+  //! Calls f(other) for the entries of half boxes (x-1..x+1, y, z) within the radius of e.
   template <typename F>
   void visitRow(const Entry& e, int y, int z, F&& f) const;
+  //! Calls f(other) for the entries from `first` to before `last` that belong to that row.
   template <typename F>
-  void visitBuckets(std::uint32_t first, std::uint32_t last, const Entry& e, int y, int z, F&& f) const;
+  void visitEntries(std::uint32_t first, std::uint32_t last, const Entry& e, int y, int z, F&& f) const;
+
+  std::span<const Entry> entries() const { return {entries_.data(), entries_.size() - kLanes}; }
+  //! Entries that are compared at once.
+  static constexpr std::uint32_t kLanes = 4;
+  //! Bit k: entry first + k lies within the radius of p. May read kLanes - 1 entries beyond the last.
+  unsigned nearLanes(const Vec3& p, std::uint32_t first) const {
+    std::array<double, kLanes> d;
+    for (std::uint32_t k = 0; k < kLanes; ++k) {
+      d[k] = (entries_[first + k].point - p).squaredNorm();
+    }
+    unsigned bits = 0;
+    for (std::uint32_t k = 0; k < kLanes; ++k) bits |= static_cast<unsigned>(d[k] <= radiusSquared_) << k;
+    return bits;
+  }
 
   std::uint32_t mask_ = 0;
   double radiusSquared_ = 0;
   std::vector<std::uint32_t> start_;  // per bucket, into entries_; one more at the end
-  std::vector<Entry> entries_;        // by bucket
+  std::vector<Entry> entries_;        // by bucket; kLanes more at the end
   std::vector<Entry> unsorted_;
 };
 
 template <typename F>
-void SpatialHash::visitBuckets(std::uint32_t first, std::uint32_t last, const Entry& e, int y, int z,
+void SpatialHash::visitEntries(std::uint32_t first, std::uint32_t last, const Entry& e, int y, int z,
                                F&& f) const {
-  for (std::uint32_t i = start_[first]; i < start_[last + 1]; ++i) {
-    const Entry& other = entries_[i];
-    if ((other.point - e.point).squaredNorm() > radiusSquared_) continue;
-    // Different rows may share buckets: only the one that is being visited counts.
-    if (other.y == y && other.z == z && other.x - e.x <= 1 && e.x - other.x <= 1) f(other);
+  for (std::uint32_t i = first; i < last; i += kLanes) {
+    unsigned near = nearLanes(e.point, i) & ((2u << std::min(last - i - 1, kLanes - 1)) - 1);
+    for (; near != 0; near &= near - 1) {
+      const Entry& other = entries_[i + static_cast<std::uint32_t>(std::countr_zero(near))];
+      // Different rows may share buckets: only the one that is being visited counts.
+      if (other.y == y && other.z == z && other.x - e.x <= 1 && e.x - other.x <= 1) f(other);
+    }
   }
 }
 
@@ -82,31 +102,33 @@ template <typename F>
 void SpatialHash::visitRow(const Entry& e, int y, int z, F&& f) const {
   const std::uint32_t first = bucket(e.x - 1, y, z);
   if (first + 2 <= mask_) {
-    visitBuckets(first, first + 2, e, y, z, f);
+    visitEntries(start_[first], start_[first + 3], e, y, z, f);
     return;
   }
   for (std::uint32_t i = 0; i < 3; ++i) {  // the row goes on at the beginning of the table
     const std::uint32_t b = (first + i) & mask_;
-    visitBuckets(b, b, e, y, z, f);
+    visitEntries(start_[b], start_[b + 1], e, y, z, f);
   }
 }
 
 template <typename F>
 void SpatialHash::forEachPair(F&& f) const {
-  for (const Entry& e : entries_) {
-    const auto any = [&](const Entry& other) { f(e, other); };
-    const auto later = [&](const Entry& other) {
-      if (&e < &other) f(e, other);
-    };
-    visitRow(e, e.y, e.z, later);
-    visitRow(e, e.y + 1, e.z, any);
-    for (int dy = -1; dy <= 1; ++dy) visitRow(e, e.y + dy, e.z + 1, any);
+  for (const Entry& e : entries()) {
+    const auto visit = [&](const Entry& other) { f(e, other); };
+    // In its own row an entry looks forward only: at the rest of its bucket and at the next half box.
+    const std::uint32_t own = bucket(e.x, e.y, e.z);
+    const auto after = static_cast<std::uint32_t>(&e - entries_.data()) + 1;
+    visitEntries(after, start_[own + 1], e, e.y, e.z, visit);
+    const std::uint32_t ahead = (own + 1) & mask_;
+    visitEntries(start_[ahead], start_[ahead + 1], e, e.y, e.z, visit);
+    visitRow(e, e.y + 1, e.z, visit);
+    for (int dy = -1; dy <= 1; ++dy) visitRow(e, e.y + dy, e.z + 1, visit);
   }
 }
 
 template <typename F>
 void SpatialHash::forEachPair(std::span<const unsigned char> active, F&& f) const {
-  for (const Entry& e : entries_) {
+  for (const Entry& e : entries()) {
     if (active[static_cast<std::size_t>(e.vertex)] == 0) continue;
     const auto once = [&](const Entry& other) {
       if (&other == &e || (&other < &e && active[static_cast<std::size_t>(other.vertex)] != 0)) return;

@@ -24,8 +24,21 @@ double norm1(const Vec3& v) { return std::abs(v.x()) + std::abs(v.y()) + std::ab
 
 }  // namespace
 
+StarSize measureStar(std::span<const Vec3> points, int v, std::span<const Corner> corners) {
+  const Vec3& centre = points[static_cast<std::size_t>(v)];
+  StarSize size;
+  for (const Corner& c : corners) {
+    const Vec3& a = points[static_cast<std::size_t>(c.next)];
+    const Vec3& b = points[static_cast<std::size_t>(c.prev)];
+    size.spoke = std::max({size.spoke, (a - centre).squaredNorm(), (b - centre).squaredNorm()});
+    size.edge = std::max(size.edge, (b - a).squaredNorm());
+  }
+  size.edge = std::max(size.edge, size.spoke);
+  return size;
+}
+
 bool StarTest::isEmbedded(std::span<const Vec3> points, int v, std::span<const Corner> corners,
-                          double& longestSquared) {
+                          StarSize& size) {
   const std::size_t k = corners.size();
   if (edges_.size() < k + 1) {
     edges_.resize(k + 1);
@@ -38,7 +51,11 @@ bool StarTest::isEmbedded(std::span<const Vec3> points, int v, std::span<const C
     longest = std::max(longest, edges_[i].squaredNorm());
   }
   edges_[k] = edges_[0];
-  longestSquared = longest;
+  size.spoke = longest;
+  size.edge = longest;
+  for (std::size_t i = 0; i < k; ++i) {
+    size.edge = std::max(size.edge, (edges_[i + 1] - edges_[i]).squaredNorm());
+  }
   if (longest < kTiny) return false;
 
   Vec3 up = Vec3::Zero();

@@ -8,6 +8,14 @@
 
 namespace handlebody {
 
+//! Squared lengths in the star of a vertex (mm²).
+struct StarSize {
+  double spoke = 0;  //!< of the longest edge at the vertex
+  double edge = 0;   //!< of the longest edge of its faces
+};
+
+StarSize measureStar(std::span<const Vec3> points, int v, std::span<const Corner> corners);
+
 class StarTest {
  public:
   //! Looks at the closed star of v (precondition: stars.isCycle(v)). True: no two of its faces have a point
@@ -17,8 +25,7 @@ class StarTest {
   //! If all faces look up along one direction d (cone of normals), their projections along d are proper
   //! sectors around v that follow each other in one sense. They tile the plane once, and the star is the
   //! graph of a function, if they wind around v once; without the count, a star folded like a rose passes.
-  bool isEmbedded(std::span<const Vec3> points, int v, std::span<const Corner> corners,
-                  double& longestSquared);
+  bool isEmbedded(std::span<const Vec3> points, int v, std::span<const Corner> corners, StarSize& size);
 
  private:
   std::vector<Vec3> edges_;

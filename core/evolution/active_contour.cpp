@@ -98,6 +98,8 @@ struct ActiveContour::State {
   void adapt(Attempt& a);
   void deleteCollapsed(Attempt& a);
   void accept(Attempt& a, StepReport& report);
+  void restRepeated(StepReport& report);
+  Event rolledBack(const Vec3& place, const char* reason) const;
   void updateQuiet(const Attempt& a);
   void decideStop(const StepReport& report);
   StepReport step();
@@ -250,6 +252,26 @@ void ActiveContour::State::accept(Attempt& a, StepReport& report) {
   for (int f = 0; f < mesh.faceSlots(); ++f)
     if (mesh.isFace(f)) report.volume += mesh.position(mesh.face(f)[0]).dot(mesh.areaVector(f)) / 6;
   if (!report.events.empty()) topology = report.events.back().after;
+  restRepeated(report);
+}
+
+void ActiveContour::State::restRepeated(StepReport& report) {
+  for (std::size_t i = 0, n = report.events.size(); i < n; ++i) {
+    const Event& e = report.events[i];
+    if (e.kind != EventKind::rolledBack && resting.repeats(e.location, limits.longest))
+      report.events.push_back(
+          rolledBack(e.location, "the same place changed again and again, and rests from now on"));
+  }
+}
+
+Event ActiveContour::State::rolledBack(const Vec3& place, const char* reason) const {
+  Event event;
+  event.kind = EventKind::rolledBack;
+  event.iteration = iteration;
+  event.location = place;
+  event.before = event.after = topology;
+  event.reason = reason;
+  return event;
 }
 
 void ActiveContour::State::decideStop(const StepReport& report) {
@@ -267,15 +289,8 @@ StepReport ActiveContour::State::step() {
   StepReport report;
   report.iteration = ++iteration;
   const Mesh before = mesh;
-  std::vector<Event> rollbacks;
   const auto rollBack = [&](const Trouble& t) {
-    Event event;
-    event.kind = EventKind::rolledBack;
-    event.iteration = iteration;
-    event.location = t.centre;
-    event.before = event.after = topology;
-    event.reason = t.reason;
-    rollbacks.push_back(std::move(event));
+    report.events.push_back(rolledBack(t.centre, t.reason));
     resting.add(t.centre, t.radius + 0.5 * limits.longest, iteration);
   };
   for (int tries = 0;; ++tries) {
@@ -290,9 +305,6 @@ StepReport ActiveContour::State::step() {
     rollBack({a.troubles[0].centre, 1e3 * parameters.edgeLength, "no part of the step could be kept"});
     break;
   }
-  for (Event& e : rollbacks) e.after = e.before = topology;
-  report.events.insert(report.events.begin(), std::make_move_iterator(rollbacks.begin()),
-                       std::make_move_iterator(rollbacks.end()));
   decideStop(report);
   return report;
 }

@@ -18,8 +18,11 @@ constexpr double kFirstSigma = 1.0;
 // Noise may be this part of the distance between the object's level and the boundary level: then one voxel in
 // 10^4 of Gaussian noise looks like background, and more.
 constexpr double kNoiseAllowed = 0.2;
+// White noise falls by at least a third from one of kSigmas to the next; what falls by less than this is
+// structure.
+constexpr double kStructure = 0.85;
 // A jump of the region's size by this factor from one level to the next is a leak into another region.
-constexpr double kLeakFactor = 1.5;
+constexpr double kLeakFactor = 4;
 // A boundary found after a leak must be this much stronger than the best one before it.
 constexpr double kLeakAdvantage = 2.5;
 // Fewer voxels than this are no region yet.
@@ -162,7 +165,9 @@ void requireVoxelsInRange(const Volume& volume, const IntensityRange& range) {
 
 void requireSeedsInRange(const ObjectChoice& choice, const std::vector<Seed>& seeds) {
   for (const Seed& s : seeds) {
-    const double value = choice.volume->sample(choice.volume->grid().toIndex(s.centre));
+    // The median of the nearest voxels: one of them may be noise.
+    const double value =
+        quantile(valuesNear(*choice.volume, {s}, 1.5 * choice.volume->grid().meanSpacing()), 0.5);
     if (value < choice.range.low || value > choice.range.high)
       throw SeedError("The seed at (" + std::to_string(s.centre[0]) + ", " + std::to_string(s.centre[1]) +
                       ", " + std::to_string(s.centre[2]) +
@@ -172,20 +177,50 @@ void requireSeedsInRange(const ObjectChoice& choice, const std::vector<Seed>& se
   }
 }
 
+bool anyInPadding(const Grid& grid, const FieldOfView& view, const std::vector<Seed>& seeds) {
+  return std::any_of(seeds.begin(), seeds.end(), [&](const Seed& s) {
+    const Vec3 i = grid.toIndex(s.centre);
+    std::size_t at = 0;
+    for (int a = 2; a >= 0; --a) {
+      const int n = grid.size[static_cast<std::size_t>(a)];
+      at = at * static_cast<std::size_t>(n) +
+           static_cast<std::size_t>(std::clamp(static_cast<int>(std::lround(i[a])), 0, n - 1));
+    }
+    return view.isPadding(at);
+  });
+}
+
+//! Padding, unless a seed lies in it.
+std::shared_ptr<const FieldOfView> paddingBeside(const Volume& volume, const std::vector<Seed>& seeds) {
+  std::shared_ptr<const FieldOfView> view = FieldOfView::find(volume);
+  return view && anyInPadding(volume.grid, *view, seeds) ? nullptr : view;
+}
+
+//! The final image: padding lies as far outside the object's range as the object lies inside it.
+void setImage(ObjectChoice& choice, const Volume& volume, double sigma,
+              std::shared_ptr<const FieldOfView> view) {
+  const double wall = std::isfinite(choice.range.high) ? choice.range.high + choice.contrast
+                                                       : choice.range.low - choice.contrast;
+  choice.volume = std::make_shared<SmoothedVolume>(volume, sigma, std::move(view), wall);
+}
+
 //! With a given range the contrast is the distance from the level in the seeds to the nearer end.
 ObjectChoice withGivenRange(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& p) {
   requireVoxelsInRange(volume, *p.range);
   ObjectChoice choice;
   const double sigma = p.smoothing.value_or(kFirstSigma * volume.grid.meanSpacing());
-  choice.volume = std::make_shared<SmoothedVolume>(volume, sigma);
   choice.range = *p.range;
-  choice.level = quantile(valuesNear(*choice.volume, seeds, statisticsRadius(volume.grid, seeds)), 0.5);
-  choice.contrast = std::min(choice.range.high - choice.level, choice.level - choice.range.low);
-  choice.object = p.object != ObjectKind::automatic                                    ? p.object
-                  : choice.range.high - choice.level < choice.level - choice.range.low ? ObjectKind::dark
-                                                                                       : ObjectKind::bright;
+  choice.volume = std::make_shared<SmoothedVolume>(volume, sigma);
   requireSeedsInRange(choice, seeds);
-  if (!(choice.contrast > 0)) choice.contrast = std::max(1e-6, std::abs(choice.level) * 1e-3);
+  choice.level = quantile(valuesNear(*choice.volume, seeds, statisticsRadius(volume.grid, seeds)), 0.5);
+  const double above = choice.range.high - choice.level, below = choice.level - choice.range.low;
+  choice.contrast = std::min(above, below);
+  if (!(choice.contrast > 0) || !std::isfinite(choice.contrast))
+    choice.contrast = std::max(1e-6, std::abs(choice.level) * 1e-3);
+  choice.object = p.object;
+  if (p.object == ObjectKind::automatic)
+    choice.object = above < below ? ObjectKind::dark : ObjectKind::bright;
+  setImage(choice, volume, sigma, paddingBeside(volume, seeds));
   return choice;
 }
 
@@ -209,18 +244,25 @@ bool chooseBoundary(ObjectChoice& choice, const std::vector<Seed>& seeds, const 
   return choice.contrast > 0;
 }
 
-//! The least smoothing that is enough for the noise near the seeds.
+//! The least smoothing that is enough for the noise near the seeds. What more smoothing hardly lessens is
+//! structure and not noise: it ends the search too.
 double chooseSmoothing(const Volume& volume, const std::vector<Seed>& seeds, const ObjectChoice& choice) {
   const double voxel = volume.grid.meanSpacing();
+  double before = std::numeric_limits<double>::infinity();
+  double best = kSigmas.front();
   for (double sigma : kSigmas) {
     const SmoothedVolume smoothed(volume, sigma * voxel);
     std::vector<double> values = valuesNear(smoothed, seeds, statisticsRadius(volume.grid, seeds));
     const double middle = quantile(values, 0.5);
     for (double& v : values) v = std::abs(v - middle);
     // 1.4826: from the median deviation to the standard deviation of a normal distribution.
-    if (1.4826 * quantile(values, 0.5) <= kNoiseAllowed * choice.contrast) return sigma * voxel;
+    const double noise = 1.4826 * quantile(values, 0.5);
+    if (noise > kStructure * before) break;
+    best = sigma;
+    before = noise;
+    if (noise <= kNoiseAllowed * choice.contrast) break;
   }
-  return kSigmas.back() * voxel;
+  return best * voxel;
 }
 
 }  // namespace
@@ -232,24 +274,34 @@ ObjectChoice chooseObject(const Volume& volume, const std::vector<Seed>& seeds, 
   const std::vector<double> voxels = sampleVoxels(volume);
   Statistics whole{0, quantile(voxels, 0.002), quantile(voxels, 0.998)};
   ObjectChoice choice;
+  std::shared_ptr<const FieldOfView> view = paddingBeside(volume, seeds);
   const auto choose = [&](double sigma) {
-    choice.volume = std::make_shared<SmoothedVolume>(volume, sigma);
+    choice.volume = std::make_shared<SmoothedVolume>(volume, sigma, view);
     whole.level = quantile(valuesNear(*choice.volume, seeds, statisticsRadius(volume.grid, seeds)), 0.5);
-    if (!chooseBoundary(choice, seeds, whole, p.object))
-      throw SeedError(std::string("The seed is not in a ") +
-                      (p.object == ObjectKind::bright ? "bright"
-                       : p.object == ObjectKind::dark ? "dark"
-                                                      : "dark or bright") +
-                      " object: the image has no boundary around it.");
+    if (chooseBoundary(choice, seeds, whole, p.object)) return true;
+    if (!view) return false;
+    view = nullptr;  // an image whose background is one value has no other edge than that against the padding
+    choice.volume = std::make_shared<SmoothedVolume>(volume, sigma);
+    return chooseBoundary(choice, seeds, whole, p.object);
   };
   const double first = kFirstSigma * volume.grid.meanSpacing();
-  choose(p.smoothing.value_or(first));
-  if (!p.smoothing) {
+  double sigma = p.smoothing.value_or(first);
+  bool found = choose(sigma);
+  if (found && !p.smoothing) {
     // Less smoothing moves no level, and the growth need not be repeated; more does.
-    const double sigma = chooseSmoothing(volume, seeds, choice);
-    if (sigma > first) choose(sigma);
-    if (sigma < first) choice.volume = std::make_shared<SmoothedVolume>(volume, sigma);
+    sigma = chooseSmoothing(volume, seeds, choice);
+    if (sigma > first) found = choose(sigma);
   }
+  if (!found)
+    throw SeedError(std::string("The seed is not in a ") +
+                    (p.object == ObjectKind::bright ? "bright"
+                     : p.object == ObjectKind::dark ? "dark"
+                                                    : "dark or bright") +
+                    " object: the image has no boundary around it.");
+  const double outwards = choice.object == ObjectKind::dark ? 1 : -1;
+  const double boundary = choice.object == ObjectKind::dark ? choice.range.high : choice.range.low;
+  choice.volume =
+      std::make_shared<SmoothedVolume>(volume, sigma, view, boundary + outwards * choice.contrast);
   requireSeedsInRange(choice, seeds);
   return choice;
 }

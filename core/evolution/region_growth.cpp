@@ -32,10 +32,9 @@ class Flood {
         seen_(volume.grid().voxelCount(), false) {}
 
   void push(const Voxel& v) {
-    const auto& size = volume_.grid().size;
-    if (v.i < 0 || v.j < 0 || v.k < 0 || v.i >= size[0] || v.j >= size[1] || v.k >= size[2]) return;
-    const std::size_t at = (idx(v.k) * idx(size[1]) + idx(v.j)) * idx(size[0]) + idx(v.i);
-    if (seen_[at]) return;
+    if (!isInside(v)) return;
+    const std::size_t at = indexOf(v);
+    if (seen_[at] || volume_.isPadding(at)) return;
     seen_[at] = true;
     const int bin = std::max(0, static_cast<int>(std::floor((value(v) - lowest_) / step_)));
     if (bin < kBins) queue_[idx(std::max(bin, level_))].push_back(v);
@@ -57,6 +56,15 @@ class Flood {
   }
 
  private:
+  bool isInside(const Voxel& v) const {
+    const auto& size = volume_.grid().size;
+    return v.i >= 0 && v.j >= 0 && v.k >= 0 && v.i < size[0] && v.j < size[1] && v.k < size[2];
+  }
+  std::size_t indexOf(const Voxel& v) const {
+    const auto& size = volume_.grid().size;
+    return (idx(v.k) * idx(size[1]) + idx(v.j)) * idx(size[0]) + idx(v.i);
+  }
+  bool isPadding(const Voxel& v) const { return isInside(v) && volume_.isPadding(indexOf(v)); }
   double value(const Voxel& v) const { return sign_ * static_cast<double>(volume_.at(v.i, v.j, v.k)); }
 
   //! Takes in all voxels that the level of this bin lets in, also those behind them that are lower.
@@ -68,16 +76,19 @@ class Flood {
       const Voxel v = front.back();
       front.pop_back();
       ++taken;
-      const double g = gradient(v);
       // Only voxels at the level itself lie on the boundary; lower ones are the inside of what has just been
       // joined.
-      if (value(v) >= lowest_ + step_ * bin) {
+      bool atPadding = false;  // an edge against the padding says nothing about the object
+      for (const Voxel& w : {Voxel{v.i + 1, v.j, v.k}, Voxel{v.i - 1, v.j, v.k}, Voxel{v.i, v.j + 1, v.k},
+                             Voxel{v.i, v.j - 1, v.k}, Voxel{v.i, v.j, v.k + 1}, Voxel{v.i, v.j, v.k - 1}}) {
+        atPadding = atPadding || isPadding(w);
+        push(w);
+      }
+      if (!atPadding && value(v) >= lowest_ + step_ * bin) {
+        const double g = gradient(v);
         sumGradient_[idx(bin)] += g;
         sumSquared_[idx(bin)] += g * g;
       }
-      for (const Voxel& w : {Voxel{v.i + 1, v.j, v.k}, Voxel{v.i - 1, v.j, v.k}, Voxel{v.i, v.j + 1, v.k},
-                             Voxel{v.i, v.j - 1, v.k}, Voxel{v.i, v.j, v.k + 1}, Voxel{v.i, v.j, v.k - 1}})
-        push(w);
     }
     return taken;
   }

@@ -28,6 +28,17 @@ void RestingPlaces::add(const Vec3& centre, double radius, int iteration) {
   places_.push_back({centre, radius, iteration + kFirstRest, 0});
 }
 
+bool RestingPlaces::repeats(const Vec3& p, double radius) {
+  for (Change& c : changes_)
+    if ((c.centre - p).squaredNorm() < radius * radius) {
+      if (++c.times != kMostRepeats) return false;
+      places_.push_back({c.centre, 2 * radius, std::numeric_limits<int>::max(), kMostTimes});
+      return true;
+    }
+  changes_.push_back({p, 1});
+  return false;
+}
+
 bool RestingPlaces::rests(const Vec3& p, int iteration) const {
   return std::any_of(places_.begin(), places_.end(), [&](const Place& place) {
     return iteration < place.until && (p - place.centre).squaredNorm() < place.radius * place.radius;

@@ -8,10 +8,17 @@
 
 namespace handlebody {
 
+//! Changes at one place after which it rests for good. A neck that closes, a crease that fills take a few
+//! each.
+inline constexpr int kMostRepeats = 12;
+
 class RestingPlaces {
  public:
   //! A place rests from `iteration` on; each time it comes again it rests longer.
   void add(const Vec3& centre, double radius, int iteration);
+  //! Counts a change of the mesh at `p`. True when it is the kMostRepeats-th within `radius`: the place then
+  //! rests for good, so that attaching and splitting, or folding and smoothing, cannot go on for ever.
+  bool repeats(const Vec3& p, double radius);
   bool rests(const Vec3& p, int iteration) const;
   bool any(int iteration) const;
   //! True if some place rests now but will move again.
@@ -27,7 +34,12 @@ class RestingPlaces {
     int until;      // first iteration at which it moves again
     int times;
   };
+  struct Change {
+    Vec3 centre;
+    int times;
+  };
   std::vector<Place> places_;
+  std::vector<Change> changes_;
 };
 
 }  // namespace handlebody

@@ -59,7 +59,9 @@ void convolveRow(const float* in, float* out, const std::vector<float>& w, int o
 
 }  // namespace
 
-SmoothedVolume::SmoothedVolume(Volume volume, double sigma) : volume_(std::move(volume)), sigma_(sigma) {
+SmoothedVolume::SmoothedVolume(Volume volume, double sigma, std::shared_ptr<const FieldOfView> view,
+                               double wall)
+    : volume_(std::move(volume)), sigma_(sigma), view_(std::move(view)), wall_(static_cast<float>(wall)) {
   std::size_t count = 1;
   for (std::size_t a = 0; a < 3; ++a) {
     kernels_[a].weights = gaussian(sigma / grid().spacing[static_cast<int>(a)]);
@@ -97,8 +99,10 @@ std::unique_ptr<float[]> SmoothedVolume::makeBrick(int bi, int bj, int bk) const
         const std::size_t row = (idx(clampTo(first[2] + k - radius[2], 2)) * idx(grid().size[1]) +
                                  idx(clampTo(first[1] + j - radius[1], 1))) *
                                 idx(grid().size[0]);
-        for (int i = 0; i < n[0]; ++i)
-          *out++ = static_cast<float>(voxels[row + idx(clampTo(first[0] + i - radius[0], 0))]);
+        for (int i = 0; i < n[0]; ++i) {
+          const std::size_t voxel = row + idx(clampTo(first[0] + i - radius[0], 0));
+          *out++ = isPadding(voxel) ? wall_ : static_cast<float>(voxels[voxel]);
+        }
       }
   });
   std::vector<float> alongZ(idx(n[0]) * idx(n[1]) * idx(kStored));

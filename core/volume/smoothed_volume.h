@@ -7,6 +7,7 @@
 #include <mutex>
 #include <vector>
 
+#include "core/volume/field_of_view.h"
 #include "core/volume/volume.h"
 
 namespace handlebody {
@@ -17,10 +18,13 @@ namespace handlebody {
 class SmoothedVolume {
  public:
   //! `sigma`: standard deviation of the Gaussian in mm, >= 0; the same in all directions of space.
-  SmoothedVolume(Volume volume, double sigma);
+  //! Padding of `view` (may be null) counts as `wall`, in intensity units.
+  SmoothedVolume(Volume volume, double sigma, std::shared_ptr<const FieldOfView> view = nullptr,
+                 double wall = 0);
   ~SmoothedVolume();
 
   const Grid& grid() const { return volume_.grid; }
+  bool isPadding(std::size_t voxel) const { return view_ && view_->isPadding(voxel); }
   double sigma() const { return sigma_; }
   //! Smoothed value at a voxel of the grid.
   float at(int i, int j, int k) const;
@@ -37,6 +41,8 @@ class SmoothedVolume {
 
   Volume volume_;
   double sigma_;
+  std::shared_ptr<const FieldOfView> view_;
+  float wall_;
   std::array<Kernel, 3> kernels_;
   std::array<int, 3> bricks_;
   mutable std::vector<std::atomic<float*>> table_;

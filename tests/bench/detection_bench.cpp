@@ -2,9 +2,13 @@
 // --benchmark_repetitions=9 --benchmark_report_aggregates_only=true
 #include <benchmark/benchmark.h>
 
+#include <cmath>
 #include <map>
+#include <numeric>
 
 #include "core/collision/self_intersection.h"
+#include "core/collision/spatial_hash.h"
+#include "tests/bench/eight_tables.h"
 #include "tests/collision_oracle/oracle.h"
 #include "tests/support/mesh_zoo.h"
 
@@ -67,6 +71,45 @@ void cgal(benchmark::State& state) {
   state.counters["pairs"] = static_cast<double>(pairs);
 }
 
+//! Vertex pairs alone: the radius of the detection, for this mesh.
+double radiusOf(const TriangleSoup& s) {
+  double longest = 0;
+  for (const Triangle& t : s.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3& a = s.points[static_cast<std::size_t>(t[i])];
+      longest = std::max(longest, (a - s.points[static_cast<std::size_t>(t[(i + 1) % 3])]).norm());
+    }
+  }
+  return longest * std::sqrt(7.0 / 12.0);
+}
+
+void pairsInOneTable(benchmark::State& state) {
+  const TriangleSoup& s = meshOf(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+  const double radius = radiusOf(s);
+  std::vector<int> vertices(s.points.size());
+  std::iota(vertices.begin(), vertices.end(), 0);
+  SpatialHash hash;
+  std::size_t pairs = 0;
+  for (auto _ : state) {
+    pairs = 0;
+    hash.build(s.points, vertices, radius);
+    hash.forEachPair([&](const auto&, const auto&) { ++pairs; });
+  }
+  state.counters["pairs"] = static_cast<double>(pairs);
+}
+
+void pairsInEightTables(benchmark::State& state) {
+  const TriangleSoup& s = meshOf(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+  const double radius = radiusOf(s);
+  bench::EightTables tables;
+  std::size_t pairs = 0;
+  for (auto _ : state) {
+    pairs = 0;
+    tables.forEachPair(s.points, 2.0001 * radius, radius, [&](std::uint32_t, std::uint32_t) { ++pairs; });
+  }
+  state.counters["pairs"] = static_cast<double>(pairs);
+}
+
 void sizes(benchmark::internal::Benchmark* b) {
   b->Unit(benchmark::kMillisecond)->ArgNames({"kind", "n"});
   for (const int n : {32, 100, 224}) b->Args({kSphere, n});
@@ -80,5 +123,7 @@ void sizes(benchmark::internal::Benchmark* b) {
 BENCHMARK(warm)->Apply(sizes);
 BENCHMARK(cold)->Apply(sizes);
 BENCHMARK(moved)->Args({kSphere, 32, 5})->Args({kSphere, 32, 100})->Unit(benchmark::kMillisecond);
+BENCHMARK(pairsInOneTable)->Apply(sizes);
+BENCHMARK(pairsInEightTables)->Apply(sizes);
 BENCHMARK(cgal)->Apply(sizes);
 BENCHMARK_MAIN();

@@ -1,0 +1,74 @@
+#include "core/volume/field_of_view.h"
+
+#include <unordered_map>
+
+namespace handlebody {
+
+namespace {
+
+struct Size {
+  std::size_t x, y, z;
+  std::size_t at(std::size_t i, std::size_t j, std::size_t k) const { return (k * y + j) * x + i; }
+};
+
+//! Calls f(index) for every voxel on a face of the grid.
+template <typename F>
+void forEachBorderVoxel(const Size& n, F&& f) {
+  for (std::size_t k = 0; k < n.z; ++k)
+    for (std::size_t j = 0; j < n.y; ++j) {
+      const bool wholeRow = k == 0 || k + 1 == n.z || j == 0 || j + 1 == n.y;
+      const std::size_t stride = wholeRow || n.x == 1 ? 1 : n.x - 1;
+      for (std::size_t i = 0; i < n.x; i += stride) f(n.at(i, j, k));
+    }
+}
+
+template <typename T>
+std::vector<bool> findPadding(const T* voxels, const Size& n) {
+  std::unordered_map<T, std::size_t> count;
+  std::size_t border = 0;
+  forEachBorderVoxel(n, [&](std::size_t v) {
+    ++border;
+    if (count.size() < 100'000 || count.count(voxels[v])) ++count[voxels[v]];
+  });
+  T value{};
+  std::size_t most = 0;
+  for (const auto& [v, c] : count)
+    if (c > most || (c == most && v < value)) {
+      most = c;
+      value = v;
+    }
+  if (static_cast<double>(most) < kLeastPadding * static_cast<double>(border)) return {};
+
+  std::vector<bool> padding(n.x * n.y * n.z, false);
+  std::vector<std::size_t> stack;
+  const auto push = [&](std::size_t v) {
+    if (padding[v] || voxels[v] != value) return;
+    padding[v] = true;
+    stack.push_back(v);
+  };
+  forEachBorderVoxel(n, push);
+  while (!stack.empty()) {
+    const std::size_t v = stack.back();
+    stack.pop_back();
+    const std::size_t i = v % n.x, j = v / n.x % n.y, k = v / (n.x * n.y);
+    if (i > 0) push(v - 1);
+    if (i + 1 < n.x) push(v + 1);
+    if (j > 0) push(v - n.x);
+    if (j + 1 < n.y) push(v + n.x);
+    if (k > 0) push(v - n.x * n.y);
+    if (k + 1 < n.z) push(v + n.x * n.y);
+  }
+  return padding;
+}
+
+}  // namespace
+
+std::shared_ptr<const FieldOfView> FieldOfView::find(const Volume& volume) {
+  const Size n{static_cast<std::size_t>(volume.grid.size[0]), static_cast<std::size_t>(volume.grid.size[1]),
+               static_cast<std::size_t>(volume.grid.size[2])};
+  auto found = std::make_shared<FieldOfView>();
+  found->padding_ = visitVoxels(volume, [&](const auto* voxels) { return findPadding(voxels, n); });
+  return found->padding_.empty() ? nullptr : found;
+}
+
+}  // namespace handlebody

@@ -1,0 +1,28 @@
+#pragma once
+// Where a volume holds no image: scanners and reconstructions fill what they did not see with one value.
+
+#include <memory>
+#include <vector>
+
+#include "core/volume/volume.h"
+
+namespace handlebody {
+
+//! Marks the padding of a volume: voxels of the one value that is commonest on the border of the grid,
+//! connected with the border. One bit per voxel.
+class FieldOfView {
+ public:
+  //! Null if there is no padding: fewer than kLeastPadding of the border voxels have the same value.
+  static std::shared_ptr<const FieldOfView> find(const Volume& volume);
+
+  bool isPadding(std::size_t voxel) const { return padding_[voxel]; }
+
+ private:
+  std::vector<bool> padding_;
+};
+
+//! Part of the border voxels. A circular field of view leaves 21 % of four faces out; noise never repeats one
+//! value so often.
+inline constexpr double kLeastPadding = 0.1;
+
+}  // namespace handlebody
