@@ -59,25 +59,34 @@ GreyWindow windowOf(const Volume& volume) {
   return {ends[0], ends[1]};
 }
 
+std::array<SliceView, 3> planAround(const Grid& grid, const IndexMesh& mesh, const PictureOptions& options) {
+  const Vec3 point = options.point ? grid.toIndex(*options.point) : Vec3((mesh.low + mesh.high) / 2);
+  const auto plan = [&](Anatomical plane, int panel) {
+    return planSlice(grid, plane, point, mesh.low, mesh.high, panelArea(panel));
+  };
+  return {plan(Anatomical::axial, 0), plan(Anatomical::coronal, 1), plan(Anatomical::sagittal, 2)};
+}
+
 void drawSlices(Canvas& canvas, const Volume& volume, const TriangleSoup& mesh,
                 const PictureOptions& options) {
-  const Grid& grid = volume.grid;
-  const IndexMesh inVoxels = toIndices(grid, mesh);
-  const Vec3 point = options.point ? grid.toIndex(*options.point) : Vec3((inVoxels.low + inVoxels.high) / 2);
+  const IndexMesh inVoxels = toIndices(volume.grid, mesh);
   const GreyWindow window = windowOf(volume);
-  int panel = 0;
-  for (const Anatomical plane : {Anatomical::axial, Anatomical::coronal, Anatomical::sagittal}) {
-    const SliceView view = planSlice(grid, plane, point, inVoxels.low, inVoxels.high, panelArea(panel++));
+  for (const SliceView& view : planAround(volume.grid, inVoxels, options)) {
     canvas.fill(view.area, kPanel);
     drawVoxels(canvas, view, volume, window);
     drawOutline(canvas, view, inVoxels.points, mesh.triangles);
     drawLetters(canvas, view);
     drawScaleBar(canvas, view.area, view.mmPerPixel);
-    drawHeader(canvas, view.area, sliceCaptions(view, grid));
+    drawHeader(canvas, view.area, sliceCaptions(view, volume.grid));
   }
 }
 
 }  // namespace
+
+std::array<SliceView, 3> planSlices(const Grid& grid, const TriangleSoup& mesh,
+                                    const PictureOptions& options) {
+  return planAround(grid, toIndices(grid, mesh), options);
+}
 
 bool isPicturePath(const std::string& path) {
   constexpr std::size_t kEnding = 4;

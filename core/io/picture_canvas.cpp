@@ -86,10 +86,11 @@ void forEachTextPixel(vtkImageData* image, const Vec2& anchor, F&& f) {
 }  // namespace
 
 void drawText(Canvas& canvas, const std::string& text, const Vec2& anchor, TextAlign align, int size,
-              const Colour& colour) {
+              const Colour& colour, TextWeight weight) {
   vtkNew<vtkTextProperty> style;
   style->SetFontFamilyToArial();  // comes with VTK: the same letters on every machine
   style->SetFontSize(size);
+  style->SetBold(weight == TextWeight::bold ? 1 : 0);
   style->SetColor(1, 1, 1);
   style->SetVerticalJustificationToCentered();
   if (align == TextAlign::centre) style->SetJustificationToCentered();

@@ -57,10 +57,12 @@ class LineDrawing {
 
 enum class TextAlign { left, centre, right };
 
+enum class TextWeight { normal, bold };
+
 //! UTF-8 text, `size` pixels high, its middle at the height of `anchor`, with a dark rim that keeps it
 //! readable on any ground.
 void drawText(Canvas& canvas, const std::string& text, const Vec2& anchor, TextAlign align, int size,
-              const Colour& colour);
+              const Colour& colour, TextWeight weight = TextWeight::normal);
 
 //! A bar of a round length at the lower right of `area`, with its length in mm.
 void drawScaleBar(Canvas& canvas, const Rect& area, double mmPerPixel);

@@ -79,14 +79,15 @@ double slicePosition(const Grid& grid, int axis, double wanted, double low, doub
 
 //! Millimetres per pixel, and the middle of what is shown, within the volume if it is larger than the area.
 void fit(SliceView& view, const Grid& grid, const Vec3& low, const Vec3& high) {
-  constexpr double kTimesExtent = 2, kFewestVoxels = 32;
+  constexpr double kTimesExtent = 2.5, kFewestVoxels = 48;
+  constexpr double kRim = 1.05;  // an outline on the volume's border must be seen
   const double fewest = kFewestVoxels * std::min(view.spacing[view.across], view.spacing[view.down]);
   double wanted = 0, whole = 0;
   for (const auto& [axis, pixels] :
        {std::pair(view.across, view.area.width), {view.down, view.area.height}}) {
     const double extent = kTimesExtent * (high[axis] - low[axis]) * view.spacing[axis];
     wanted = std::max(wanted, std::max(extent, fewest) / pixels);
-    whole = std::max(whole, grid.size[at(axis)] * view.spacing[axis] / pixels);
+    whole = std::max(whole, kRim * grid.size[at(axis)] * view.spacing[axis] / pixels);
   }
   view.mmPerPixel = std::min(wanted, whole);
   for (const auto& [axis, pixels] :
@@ -196,14 +197,15 @@ void drawOutline(Canvas& canvas, const SliceView& view, const std::vector<Vec3>&
 
 void drawLetters(Canvas& canvas, const SliceView& view) {
   constexpr double kInset = 16;
-  constexpr int kSize = 18;
+  constexpr int kSize = 17;
   const int right = view.plane == Anatomical::sagittal ? 1 : 0;
   const int vertical = view.plane == Anatomical::axial ? 1 : 2;
   const bool downIsPositive = view.plane == Anatomical::axial;
   const Rect& a = view.area;
   const Vec2 c = a.centre();
   const auto letter = [&](int axis, bool positive, double x, double y) {
-    drawText(canvas, std::string(1, letterOf(axis, positive)), Vec2(x, y), TextAlign::centre, kSize, kLetter);
+    drawText(canvas, std::string(1, letterOf(axis, positive)), Vec2(x, y), TextAlign::centre, kSize, kLetter,
+             TextWeight::bold);
   };
   letter(right, false, a.x + kInset, c.y());
   letter(right, true, a.right() - kInset, c.y());

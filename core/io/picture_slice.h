@@ -5,6 +5,7 @@
 #include <array>
 #include <string>
 
+#include "core/io/picture.h"
 #include "core/io/picture_canvas.h"
 #include "core/mesh/mesh.h"
 #include "core/volume/volume.h"
@@ -34,10 +35,14 @@ struct SliceView {
 };
 
 //! The slice through `point` (continuous voxel index) that shows [low, high] (voxel indices of the mesh's
-//! bounding box) at twice its size, or the whole volume if that is smaller. It lies on voxel centres unless
-//! the mesh would be missed there.
+//! bounding box) at two and a half times its size, or the whole volume if that is smaller. It lies on voxel
+//! centres unless the mesh would be missed there.
 SliceView planSlice(const Grid& grid, Anatomical plane, const Vec3& point, const Vec3& low, const Vec3& high,
                     const Rect& area);
+
+//! The three slices of a picture: axial, coronal, sagittal.
+std::array<SliceView, 3> planSlices(const Grid& grid, const TriangleSoup& mesh,
+                                    const PictureOptions& options);
 
 //! Intensities that are drawn black and white.
 struct GreyWindow {
