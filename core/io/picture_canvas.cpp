@@ -68,7 +68,7 @@ void LineDrawing::paint(Canvas& canvas, const Colour& colour, double opacity) co
 namespace {
 
 const Colour kRim(0.0F, 0.0F, 0.0F);
-const Colour kBar(0.85F, 0.87F, 0.90F);
+const Colour kBar(0.92F, 0.94F, 0.96F);
 
 //! Calls f(x, y, opacity) for the pixels of the text, in canvas coordinates.
 template <typename F>
@@ -101,7 +101,7 @@ void drawText(Canvas& canvas, const std::string& text, const Vec2& anchor, TextA
     throw std::runtime_error("the text \"" + text + "\" could not be drawn.");
   forEachTextPixel(image, anchor, [&](int x, int y, double opacity) {
     for (int dy = -1; dy <= 1; ++dy)
-      for (int dx = -1; dx <= 1; ++dx) canvas.blend(x + dx, y + dy, kRim, 0.35 * opacity);
+      for (int dx = -1; dx <= 1; ++dx) canvas.blend(x + dx, y + dy, kRim, 0.55 * opacity);
   });
   forEachTextPixel(image, anchor, [&](int x, int y, double opacity) { canvas.blend(x, y, colour, opacity); });
 }

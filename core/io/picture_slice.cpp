@@ -8,7 +8,7 @@ namespace handlebody {
 namespace {
 
 const Colour kOutline(1.0F, 0.72F, 0.10F);
-const Colour kLetter(0.85F, 0.87F, 0.90F);
+const Colour kLetter(0.92F, 0.94F, 0.96F);
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
