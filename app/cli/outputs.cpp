@@ -13,6 +13,7 @@
 
 #include "core/errors.h"
 #include "core/io/mesh_io.h"
+#include "core/io/picture.h"
 #include "core/io/volume_io.h"
 
 namespace handlebody::cli {
@@ -68,6 +69,11 @@ void checkVolumeExtension(const OutputFile& file) {
   if (!isLabelMapPath(file.path))
     throw UsageError(file.option + " " + file.path +
                      ": unknown extension; a volume is .nii, .nii.gz, .nrrd or .mha.");
+}
+
+void checkPictureExtension(const OutputFile& file) {
+  if (!isPicturePath(file.path))
+    throw UsageError(file.option + " " + file.path + ": unknown extension; a picture is .png.");
 }
 
 void checkResultExtension(const OutputFile& file) {

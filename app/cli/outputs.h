@@ -25,6 +25,8 @@ void checkWritable(const std::vector<OutputFile>& files, const std::vector<std::
 void checkResultExtension(const OutputFile& file);
 void checkMeshExtension(const OutputFile& file);
 void checkVolumeExtension(const OutputFile& file);
+//! Throws UsageError unless it is .png.
+void checkPictureExtension(const OutputFile& file);
 
 //! Holds interrupt, termination and hang-up back while it lives, so that no file is left half-written; a
 //! signal that came takes effect when it goes.

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <optional>
 #include <stdexcept>
 
 #include "app/cli/command.h"
@@ -10,6 +11,7 @@
 #include "core/errors.h"
 #include "core/evolution/active_contour.h"
 #include "core/io/atomic_file.h"
+#include "core/io/picture.h"
 
 namespace handlebody::cli {
 
@@ -28,6 +30,8 @@ void addRunOutputs(CLI::App& command, RunOutputs& outputs) {
   command.add_option("--session", outputs.session, "Session for `replay` (JSON)")->type_name("F.json");
   command.add_option("--trace", outputs.trace, "Stages of every change of topology (JSON)")
       ->type_name("F.json");
+  command.add_option("--picture", outputs.picture, "Three slices with the outline, and the surface (PNG)")
+      ->type_name("F.png");
   command.add_flag("--quiet", outputs.quiet, "No progress and no summary");
 }
 
@@ -50,6 +54,10 @@ void checkOutputs(const RunOutputs& outputs, const std::vector<std::string>& inp
   if (!outputs.report.empty()) files.push_back({"--report", outputs.report});
   if (!outputs.session.empty()) files.push_back({"--session", outputs.session});
   if (!outputs.trace.empty()) files.push_back({"--trace", outputs.trace});
+  if (!outputs.picture.empty()) {
+    files.push_back({"--picture", outputs.picture});
+    checkPictureExtension(files.back());
+  }
   checkWritable(files, inputs);
 }
 
@@ -135,6 +143,8 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
   report.grid = loaded.volume.grid;
   report.warnings = std::move(loaded.warnings);
   report.seconds.load = loaded.loadSeconds;
+  std::optional<Volume> shown;  // the voxels are not kept in memory for nothing
+  if (!outputs.picture.empty()) shown = loaded.volume;
   ActiveContour contour(std::move(loaded.volume), report.session.seeds, report.session.requested);
   report.session.resolved = contour.parameters();
   report.seconds.prepare = watch.lap();
@@ -151,6 +161,7 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
   {
     DeferSignals whole;
     writeResults(mesh, report.grid, outputs.results, report.session.space);
+    if (shown) writePicture(*shown, mesh, outputs.picture);
     report.seconds.exported = watch.lap();
     const Timings& s = report.seconds;
     report.seconds.total = s.load + s.prepare + s.evolve + s.exported;

@@ -17,11 +17,11 @@ namespace handlebody::cli {
 //! What a run writes and says.
 struct RunOutputs {
   std::vector<std::string> results;  //!< -o
-  std::string report, session, trace;
+  std::string report, session, trace, picture;
   bool quiet = false;
 };
 
-//! Adds -o, --report, --session, --trace and --quiet.
+//! Adds -o, --report, --session, --trace, --picture and --quiet.
 void addRunOutputs(CLI::App& command, RunOutputs& outputs);
 //! Adds --space; LPS unless given.
 void addSpace(CLI::App& command, std::optional<CoordinateSpace>& space);

@@ -166,6 +166,7 @@ TEST_CASE("an output that cannot be written is refused before the work", "[cli][
   refuse("--report", folder / "missing/r.json");
   refuse("--session", folder / "missing/s.json");
   refuse("--trace", folder / "missing/t.json");
+  refuse("--picture", folder / "missing/p.png");
   refuse("--report", folder / "out.stl");
   refuse("--report", "/dev/null");
 }
@@ -175,6 +176,9 @@ TEST_CASE("an unknown ending of an output is refused before the input is opened"
   const std::string missing = folder / "missing.mha";
   for (const char* name : {"out.xyz", "out", "out.stl.txt", "out.gz"})
     requireRefusal(folder, {"segment", missing, "--seed", "1,1,1", "-o", folder / name}, 2, name);
+  requireRefusal(
+      folder, {"segment", missing, "--seed", "1,1,1", "-o", folder / "m.stl", "--picture", folder / "p.jpg"},
+      2, "p.jpg");
   requireRefusal(folder, {"phantom", "sphere", "-o", folder / "p.stl"}, 2, "p.stl");
   requireRefusal(folder, {"phantom", "sphere", "-o", folder / "p.mha", "--surface", folder / "s.mha"}, 2,
                  "s.mha");

@@ -235,6 +235,21 @@ TEST_CASE("stopping at --max-iterations has its own exit code and still writes t
   CHECK(runCli({"check", run.folder / "m.vtp"}).exitCode == 0);
 }
 
+TEST_CASE("a picture is written beside the mesh, the same from a replay, and only when asked for",
+          "[cli][segment]") {
+  const SphereRun run;
+  run.requireSuccess(
+      {"-o", run.folder / "m.stl", "--picture", run.folder / "a.png", "--session", run.folder / "s.json"});
+  const std::string picture = readBytes(run.folder / "a.png");
+  CHECK(picture.rfind("\x89PNG\r\n", 0) == 0);
+  const Outcome again = runCli(
+      {"replay", run.folder / "s.json", "-o", run.folder / "n.stl", "--picture", run.folder / "b.png"});
+  CHECK(again.exitCode == 0);
+  CHECK(readBytes(run.folder / "b.png") == picture);
+  CHECK(run.folder.names() ==
+        std::vector<std::string>{"a.png", "b.png", "m.stl", "n.stl", "s.json", "sphere.mha"});
+}
+
 TEST_CASE("standard error stays empty when it is not a terminal, and --quiet says nothing",
           "[cli][segment]") {
   const SphereRun run;

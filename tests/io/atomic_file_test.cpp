@@ -5,6 +5,7 @@
 #include <csignal>
 
 #include "core/io/mesh_io.h"
+#include "core/io/picture.h"
 #include "tests/io/io_test_support.h"
 
 using namespace handlebody;
@@ -23,12 +24,14 @@ void writeBy(const std::string& path) {
     writeMesh(tetrahedron(), path);
   else if (isLabelMapPath(path))
     writeVolume(randomVolume(obliqueGrid(), VoxelType::uint8), path);
+  else if (isPicturePath(path))
+    writePicture(randomVolume(obliqueGrid(), VoxelType::uint8), tetrahedron(), path);
   else
     writeTextAtomically(path, std::string(500, 'x'));
 }
 
 const char* const kOutputs[] = {"m.stl",    "m.vtp",  "m.ply", "m.obj", "v.nii",
-                                "v.nii.gz", "v.nrrd", "v.mha", "r.json"};
+                                "v.nii.gz", "v.nrrd", "v.mha", "p.png", "r.json"};
 
 //! No file may grow beyond `bytes` while this lives: a disk that is full.
 class FullDisk {
@@ -120,6 +123,12 @@ TEST_CASE("unknown output extensions are usage errors") {
     CHECK_THROWS_AS(writeMesh(tetrahedron(), folder / name), UsageError);
     CHECK_FALSE(isMeshPath(name));
   }
+  for (const char* name : {"p.jpg", "p", "png", "p.png.gz"}) {
+    CHECK_THROWS_AS(writePicture(randomVolume(obliqueGrid(), VoxelType::uint8), tetrahedron(), folder / name),
+                    UsageError);
+    CHECK_FALSE(isPicturePath(name));
+  }
+  CHECK(isPicturePath("A.PNG"));
   CHECK(isMeshPath("A.STL"));
   CHECK(isLabelMapPath("A.Nii.GZ"));
   CHECK(folder.fileCount() == 0);
