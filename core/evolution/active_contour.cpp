@@ -167,7 +167,7 @@ ActiveContour::State::Attempt ActiveContour::State::attempt() {
 
 //! Detection and surgery until nothing intersects, or until a place has to be rolled back.
 void ActiveContour::State::adapt(Attempt& a) {
-  const AdaptationSettings settings{motion.outwardOnly, traces, iteration};
+  AdaptationSettings settings{motion.outwardOnly, traces, iteration, topology};
   std::vector<unsigned char> changed = a.touched;
   for (int round = 0; round < kRounds; ++round) {
     const std::vector<FacePair>& pairs = detector.detectMoved(mesh.positions(), mesh.faces(), changed);
@@ -177,6 +177,7 @@ void ActiveContour::State::adapt(Attempt& a) {
       for (int face : {f, g})
         for (int v : mesh.face(face)) changed[idx(v)] = 1;
     AdaptationResult result = adaptTopology(mesh, pairs, settings, changed);
+    if (!result.events.empty()) settings.topology = result.events.back().after;
     a.events.insert(a.events.end(), std::make_move_iterator(result.events.begin()),
                     std::make_move_iterator(result.events.end()));
     a.touched.resize(idx(mesh.vertexSlots()), 0);

@@ -55,7 +55,7 @@ double crossing(const ObjectImage& image, const Vec3& p, const Vec3& direction, 
 double normalStep(const ObjectImage& image, const Vec3& p, const Ring& ring, const MotionSettings& s) {
   // Mean curvature from the umbrella: a ring at distance h on a sphere of radius r lies h²/(2r) below its
   // middle.
-  const double curvature = -2 * ring.normal.dot(ring.umbrella) / ring.meanSquare;
+  const double curvature = ring.meanSquare > 0 ? -2 * ring.normal.dot(ring.umbrella) / ring.meanSquare : 0.0;
   double force = s.balloon - s.curvature * s.edgeLength * curvature;
   force = std::clamp(force / s.balloon, s.outwardOnly ? 0.0 : -1.0, 1.0);
   // On a curved boundary the flat faces lie inside of their corners. The image is asked where the faces lie

@@ -25,6 +25,11 @@ constexpr double kStructure = 0.85;
 constexpr double kLeakFactor = 4;
 // A boundary found after a leak must be this much stronger than the best one before it.
 constexpr double kLeakAdvantage = 2.5;
+// A dark object is none if a bright one at the same seed has a boundary this many times stronger, and the
+// reverse.
+constexpr double kWrongKind = 4;
+// An automatic object that holds more than this part of the volume's border is the background.
+constexpr double kBackground = 0.5;
 // Fewer voxels than this are no region yet.
 constexpr double kLeastRegion = 30;
 
@@ -80,6 +85,7 @@ double statisticsRadius(const Grid& grid, const std::vector<Seed>& seeds) {
 struct Boundary {
   double level = 0;     // signed
   double strength = 0;  // signed intensity per mm
+  double border = 0;    // part of the volume's border that the region holds
   bool found = false;
 };
 
@@ -111,7 +117,7 @@ Boundary findBoundary(const RegionGrowth& g) {
     for (std::size_t c = first; c < b; ++c)
       if (g.voxels[c] >= kLeastRegion && g.edge[c] > g.edge[best]) best = c;
     if (g.voxels[best] >= kLeastRegion && g.edge[best] > (out.found ? kLeakAdvantage : 1.0) * out.strength)
-      out = {centreOfPeak(g, best, first, b), g.edge[best], true};
+      out = {centreOfPeak(g, best, first, b), g.edge[best], g.border[best], true};
     first = b;
   }
   return out;
@@ -201,6 +207,7 @@ void setImage(ObjectChoice& choice, const Volume& volume, double sigma,
               std::shared_ptr<const FieldOfView> view) {
   const double wall = std::isfinite(choice.range.high) ? choice.range.high + choice.contrast
                                                        : choice.range.low - choice.contrast;
+  if (!std::isfinite(wall)) view = nullptr;  // a range without ends holds everything
   choice.volume = std::make_shared<SmoothedVolume>(volume, sigma, std::move(view), wall);
 }
 
@@ -224,23 +231,24 @@ ObjectChoice withGivenRange(const Volume& volume, const std::vector<Seed>& seeds
   return choice;
 }
 
-//! Dark or bright, and the level of the boundary, on an image of one smoothing.
+//! Dark or bright, and the level of the boundary, on an image of one smoothing. False if there is none, or if
+//! what is asked for has a far weaker boundary than the opposite, or if what was found is the background
+//! around everything.
 bool chooseBoundary(ObjectChoice& choice, const std::vector<Seed>& seeds, const Statistics& whole,
                     ObjectKind asked) {
-  Boundary best;
-  for (ObjectKind kind : {ObjectKind::dark, ObjectKind::bright}) {
-    if (asked != ObjectKind::automatic && asked != kind) continue;
-    const Boundary b = searchBoundary(*choice.volume, seeds, whole, kind);
-    if (!b.found || (best.found && b.strength <= best.strength)) continue;
-    best = b;
-    choice.object = kind;
-  }
-  if (!best.found) return false;
+  const Boundary dark = searchBoundary(*choice.volume, seeds, whole, ObjectKind::dark);
+  const Boundary bright = searchBoundary(*choice.volume, seeds, whole, ObjectKind::bright);
+  const bool takeDark = asked == ObjectKind::dark || (asked == ObjectKind::automatic && dark.found &&
+                                                      (!bright.found || dark.strength >= bright.strength));
+  const Boundary& best = takeDark ? dark : bright;
+  const Boundary& other = takeDark ? bright : dark;
+  if (!best.found || (other.found && other.strength > kWrongKind * best.strength)) return false;
+  if (asked == ObjectKind::automatic && best.border > kBackground) return false;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  choice.range = choice.object == ObjectKind::dark ? IntensityRange{-kInfinity, best.level}
-                                                   : IntensityRange{-best.level, kInfinity};
+  choice.object = takeDark ? ObjectKind::dark : ObjectKind::bright;
+  choice.range = takeDark ? IntensityRange{-kInfinity, best.level} : IntensityRange{-best.level, kInfinity};
   choice.level = whole.level;
-  choice.contrast = std::abs((choice.object == ObjectKind::dark ? best.level : -best.level) - whole.level);
+  choice.contrast = std::abs((takeDark ? best.level : -best.level) - whole.level);
   return choice.contrast > 0;
 }
 

@@ -10,13 +10,18 @@ namespace {
 constexpr int kBins = 200;
 // The growth goes on until it is this many voxels, or this many times what it was at its strongest edge: by
 // then it has leaked, and nothing but time and memory is spent.
-constexpr double kEnoughVoxels = 250'000;
-constexpr double kEnoughTimes = 4;
+constexpr double kEnoughVoxels = 120'000;
+constexpr double kEnoughTimes = 2;
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 struct Voxel {
   int i, j, k;
+};
+
+struct Entry {
+  Voxel voxel;
+  double value;  // signed
 };
 
 class Flood {
@@ -31,21 +36,21 @@ class Flood {
         sumSquared_(kBins, 0),
         seen_(volume.grid().voxelCount(), false) {}
 
-  void push(const Voxel& v) {
-    if (!isInside(v)) return;
-    const std::size_t at = indexOf(v);
-    if (seen_[at] || volume_.isPadding(at)) return;
-    seen_[at] = true;
-    const int bin = std::max(0, static_cast<int>(std::floor((value(v) - lowest_) / step_)));
-    if (bin < kBins) queue_[idx(std::max(bin, level_))].push_back(v);
+  void start(const Voxel& v) {
+    if (isInside(v)) push(v, value(v));
   }
 
   RegionGrowth run() {
-    RegionGrowth growth{lowest_, step_, {}, {}};
+    RegionGrowth growth{lowest_, step_, {}, {}, {}};
+    const auto& n = volume_.grid().size;
+    const double borderVoxels =
+        static_cast<double>(volume_.grid().voxelCount()) -
+        std::max(0.0, n[0] - 2.0) * std::max(0.0, n[1] - 2.0) * std::max(0.0, n[2] - 2.0);
     double count = 0, strongest = 0, enough = kEnoughVoxels;
     for (int bin = 0; bin < kBins && count < enough; ++bin) {
       count += static_cast<double>(drain(bin));
       growth.voxels.push_back(count);
+      growth.border.push_back(border_ / borderVoxels);
       const double edge = sumGradient_[idx(bin)] > 0 ? sumSquared_[idx(bin)] / sumGradient_[idx(bin)] : 0;
       if (edge <= strongest) continue;
       strongest = edge;
@@ -64,28 +69,34 @@ class Flood {
     const auto& size = volume_.grid().size;
     return (idx(v.k) * idx(size[1]) + idx(v.j)) * idx(size[0]) + idx(v.i);
   }
-  bool isPadding(const Voxel& v) const { return isInside(v) && volume_.isPadding(indexOf(v)); }
+  bool isOnBorder(const Voxel& v) const {
+    const auto& n = volume_.grid().size;
+    return v.i == 0 || v.j == 0 || v.k == 0 || v.i == n[0] - 1 || v.j == n[1] - 1 || v.k == n[2] - 1;
+  }
   double value(const Voxel& v) const { return sign_ * static_cast<double>(volume_.at(v.i, v.j, v.k)); }
+
+  void push(const Voxel& v, double signedValue) {
+    const std::size_t at = indexOf(v);
+    if (seen_[at] || volume_.isPadding(at)) return;
+    seen_[at] = true;
+    const int bin = std::max(0, static_cast<int>(std::floor((signedValue - lowest_) / step_)));
+    if (bin < kBins) queue_[idx(std::max(bin, level_))].push_back({v, signedValue});
+  }
 
   //! Takes in all voxels that the level of this bin lets in, also those behind them that are lower.
   std::size_t drain(int bin) {
     level_ = bin;
     std::size_t taken = 0;
-    std::vector<Voxel>& front = queue_[idx(bin)];
+    std::vector<Entry>& front = queue_[idx(bin)];
     while (!front.empty()) {
-      const Voxel v = front.back();
+      const Entry entry = front.back();
       front.pop_back();
       ++taken;
+      if (isOnBorder(entry.voxel)) ++border_;
+      const double g = takeNeighbours(entry);
       // Only voxels at the level itself lie on the boundary; lower ones are the inside of what has just been
       // joined.
-      bool atPadding = false;  // an edge against the padding says nothing about the object
-      for (const Voxel& w : {Voxel{v.i + 1, v.j, v.k}, Voxel{v.i - 1, v.j, v.k}, Voxel{v.i, v.j + 1, v.k},
-                             Voxel{v.i, v.j - 1, v.k}, Voxel{v.i, v.j, v.k + 1}, Voxel{v.i, v.j, v.k - 1}}) {
-        atPadding = atPadding || isPadding(w);
-        push(w);
-      }
-      if (!atPadding && value(v) >= lowest_ + step_ * bin) {
-        const double g = gradient(v);
+      if (g >= 0 && entry.value >= lowest_ + step_ * bin) {
         sumGradient_[idx(bin)] += g;
         sumSquared_[idx(bin)] += g * g;
       }
@@ -93,18 +104,26 @@ class Flood {
     return taken;
   }
 
-  double gradient(const Voxel& v) const {
-    const Grid& grid = volume_.grid();
-    const auto difference = [&](int axis, const Voxel& a, const Voxel& b, int span) {
-      return span == 0 ? 0.0 : (value(b) - value(a)) / (span * grid.spacing[axis]);
-    };
-    const auto& n = grid.size;
-    const int i0 = std::max(0, v.i - 1), i1 = std::min(n[0] - 1, v.i + 1), j0 = std::max(0, v.j - 1),
-              j1 = std::min(n[1] - 1, v.j + 1), k0 = std::max(0, v.k - 1), k1 = std::min(n[2] - 1, v.k + 1);
-    return Vec3(difference(0, {i0, v.j, v.k}, {i1, v.j, v.k}, i1 - i0),
-                difference(1, {v.i, j0, v.k}, {v.i, j1, v.k}, j1 - j0),
-                difference(2, {v.i, v.j, k0}, {v.i, v.j, k1}, k1 - k0))
-        .norm();
+  //! Queues the neighbours; returns the gradient's length, or -1 beside padding: an edge there says nothing
+  //! about the object.
+  double takeNeighbours(const Entry& entry) {
+    double squared = 0;
+    bool atPadding = false;
+    for (int axis = 0; axis < 3; ++axis) {
+      std::array<double, 2> side{entry.value, entry.value};
+      double span = 0;
+      for (int d : {0, 1}) {
+        Voxel w = entry.voxel;
+        (axis == 0 ? w.i : axis == 1 ? w.j : w.k) += 2 * d - 1;
+        if (!isInside(w)) continue;
+        side[idx(d)] = value(w);
+        span += volume_.grid().spacing[axis];
+        atPadding = atPadding || volume_.isPadding(indexOf(w));
+        push(w, side[idx(d)]);
+      }
+      if (span > 0) squared += (side[1] - side[0]) * (side[1] - side[0]) / (span * span);
+    }
+    return atPadding ? -1 : std::sqrt(squared);
   }
 
   //! The voxels of one bin fill a shell whose thickness is inverse to the gradient: weighting them with the
@@ -126,8 +145,9 @@ class Flood {
 
   const SmoothedVolume& volume_;
   double sign_, lowest_, step_;
-  int level_ = 0;  // the bin that is being drained
-  std::vector<std::vector<Voxel>> queue_;
+  double border_ = 0;  // voxels taken on the faces of the grid
+  int level_ = 0;      // the bin that is being drained
+  std::vector<std::vector<Entry>> queue_;
   std::vector<double> sumGradient_, sumSquared_;
   std::vector<bool> seen_;
 };
@@ -138,8 +158,8 @@ RegionGrowth growRegion(const SmoothedVolume& volume, const std::vector<Vec3>& s
                         double lowest, double highest) {
   Flood flood(volume, sign, lowest, highest);
   for (const Vec3& s : seeds)
-    flood.push({static_cast<int>(std::lround(s[0])), static_cast<int>(std::lround(s[1])),
-                static_cast<int>(std::lround(s[2]))});
+    flood.start({static_cast<int>(std::lround(s[0])), static_cast<int>(std::lround(s[1])),
+                 static_cast<int>(std::lround(s[2]))});
   return flood.run();
 }
 

@@ -15,8 +15,10 @@ struct RegionGrowth {
   double lowest = 0;           //!< level of bin 0 (signed intensity)
   double step = 1;             //!< between bins
   std::vector<double> voxels;  //!< region size when the level has reached the end of the bin
-  std::vector<double>
-      edge;  //!< mean gradient (signed intensity per mm) over the region's boundary at that level, smoothed
+  //! Part of the voxels on the faces of the grid that the region holds by then.
+  std::vector<double> border;
+  //! Mean gradient (signed intensity per mm) over the region's boundary at that level, smoothed.
+  std::vector<double> edge;
   double level(std::size_t bin) const { return lowest + step * (static_cast<double>(bin) + 0.5); }
 };
 

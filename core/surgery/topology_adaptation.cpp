@@ -40,7 +40,11 @@ struct ClosingChoice {
 class Adaptation {
  public:
   Adaptation(Mesh& mesh, const AdaptationSettings& settings, std::vector<unsigned char>& touched)
-      : mesh_(mesh), settings_(settings), touched_(touched), colliding_(idx(mesh.faceSlots()), 0) {}
+      : mesh_(mesh),
+        settings_(settings),
+        touched_(touched),
+        colliding_(idx(mesh.faceSlots()), 0),
+        topology_(settings.topology) {}
 
   AdaptationResult run(std::span<const FacePair> pairs) {
     for (const auto& [f, g] : pairs) colliding_[idx(f)] = colliding_[idx(g)] = 1;
@@ -234,7 +238,6 @@ class Adaptation {
   }
 
   void apply(const CollisionGroup& group, const Plan& plan) {
-    const TopologyNumbers before = topologyNumbers(mesh_);
     Event event = describe(group, plan);
     std::vector<int> faces, vertices;
     for (const Opening& o : plan.openings) {
@@ -262,10 +265,9 @@ class Adaptation {
     for (const Triangle& t : patch)
       for (int v : t) mesh_.forEachOutgoing(v, [&](int h) { colliding_[idx(Mesh::faceOf(h))] = 0; });
 
-    event.before = before;
-    event.after = plan.kind == EventKind::smoothed ? before : topologyNumbers(mesh_);
-    if (plan.kind == EventKind::split) event.kind = kindOfCut(before, event.after);
-    const bool cut = event.after.components > before.components;
+    countTopology(event);
+    if (plan.kind == EventKind::split || plan.kind == EventKind::smoothed) event.kind = kindOfCut(event);
+    const bool cut = event.after.components > event.before.components;
     if (settings_.recordTraces)
       for (const Triangle& t : patch)
         event.trace.handleFaces.push_back({mesh_.position(t[0]), mesh_.position(t[1]), mesh_.position(t[2])});
@@ -289,16 +291,26 @@ class Adaptation {
       event.kind = EventKind::componentDeleted;
       event.iteration = settings_.iteration;
       event.location = mesh_.position(it->second);
-      event.before = topologyNumbers(mesh_);
       deleteComponent(mesh_, it->second);
-      event.after = topologyNumbers(mesh_);
+      countTopology(event);
       result_.events.push_back(std::move(event));
     }
   }
 
-  static EventKind kindOfCut(const TopologyNumbers& before, const TopologyNumbers& after) {
-    if (after.components > before.components) return EventKind::split;
-    return after.genus < before.genus ? EventKind::tunnelClosed : EventKind::smoothed;
+  //! The numbers before are known from the event before; components are counted anew only if something
+  //! changed.
+  void countTopology(Event& event) {
+    event.before = topology_;
+    const int euler = mesh_.vertexCount() - mesh_.faceCount() / 2;
+    if (euler != topology_.euler || event.kind == EventKind::handleInserted)
+      topology_ = topologyNumbers(mesh_);
+    event.after = topology_;
+  }
+
+  //! What closing one opening with caps or a band did is known only when it is done.
+  static EventKind kindOfCut(const Event& event) {
+    if (event.after.components > event.before.components) return EventKind::split;
+    return event.after.genus < event.before.genus ? EventKind::tunnelClosed : EventKind::smoothed;
   }
 
   Event describe(const CollisionGroup& group, const Plan& plan) const {
@@ -366,7 +378,7 @@ class Adaptation {
     event.iteration = settings_.iteration;
     event.location = middle(group);
     event.loopSizes = std::move(loopSizes);
-    event.before = event.after = topologyNumbers(mesh_);
+    event.before = event.after = topology_;
     result_.events.push_back(std::move(event));
   }
 
@@ -383,6 +395,7 @@ class Adaptation {
   std::vector<unsigned char>& touched_;
   std::vector<unsigned char> colliding_;  // per face
   std::vector<unsigned char> replaced_;   // per vertex
+  TopologyNumbers topology_;              // as after the last event
   AdaptationResult result_;
 };
 

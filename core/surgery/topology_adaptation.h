@@ -15,7 +15,8 @@ struct AdaptationSettings {
   //! Only changes that fill outside space: fronts that meet through the inside of the object are left alone.
   bool outwardOnly = true;
   bool recordTraces = false;
-  int iteration = 0;  //!< for the events
+  int iteration = 0;         //!< for the events
+  TopologyNumbers topology;  //!< of the mesh as it is handed over
 };
 
 //! A place where nothing fitted: the caller rolls it back.

@@ -127,7 +127,8 @@ double SmoothedVolume::sample(const Vec3& index) const {
   std::array<int, 3> cell;
   std::array<double, 3> t;
   for (std::size_t a = 0; a < 3; ++a) {
-    const double x = std::clamp(index[static_cast<int>(a)], 0.0, grid().size[a] - 1.0);
+    // In this order a coordinate that is not a number becomes 0.
+    const double x = std::min(std::max(0.0, index[static_cast<int>(a)]), grid().size[a] - 1.0);
     cell[a] = std::min(static_cast<int>(x), std::max(0, grid().size[a] - 2));
     t[a] = x - cell[a];
   }
