@@ -1,26 +1,58 @@
 # Sourced by run.sh and test.sh: installs the Debian packages that are missing (Debian 12 and 13).
+# shellcheck shell=bash
 
 BUILD_PACKAGES="g++ cmake ninja-build ccache libvtk9-dev libinsighttoolkit5-dev libeigen3-dev libcli11-dev nlohmann-json3-dev libssl-dev zlib1g-dev"
 TEST_PACKAGES="catch2 libcgal-dev"
 
-install_dependencies() {
-  local wanted="" missing="" p
+# The packages of the groups named ("build", "test"), on this release of Debian.
+wanted_packages() {
+  local group
   for group in "$@"; do
     case "$group" in
-      build) wanted="$wanted $BUILD_PACKAGES" ;;
-      test) wanted="$wanted $TEST_PACKAGES" ;;
+      build) echo "$BUILD_PACKAGES" ;;
+      test) echo "$TEST_PACKAGES" ;;
+      *) echo "unknown group of packages: $group" >&2; return 1 ;;
     esac
   done
-  # Debian 13's ITK needs FFTW's headers beside it; harmless on 12.
-  wanted="$wanted libfftw3-dev"
-  for p in $wanted; do
-    dpkg-query -W -f='${Status}' "$p" 2>/dev/null | grep -q 'install ok installed' || missing="$missing $p"
+  # Debian 13's ITK does not link without FFTW.
+  # shellcheck source=/dev/null
+  (. /etc/os-release; [ "${VERSION_ID:-13}" = 12 ] || echo libfftw3-dev)
+}
+
+is_installed() {
+  dpkg-query -W -f='${Status}' "$1" 2>/dev/null | grep -q 'install ok installed'
+}
+
+# Runs a command as root; DEBIAN_FRONTEND goes through `env` because sudo drops the environment.
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then
+    env DEBIAN_FRONTEND=noninteractive "$@"
+  else
+    sudo env DEBIAN_FRONTEND=noninteractive "$@"
+  fi
+}
+
+can_be_root() { [ "$(id -u)" -eq 0 ] || command -v sudo >/dev/null; }
+
+# install_dependencies GROUP…; needs the network only if something is missing.
+install_dependencies() {
+  local wanted package missing=""
+  wanted=$(wanted_packages "$@")
+  for package in $wanted; do
+    is_installed "$package" || missing="$missing $package"
   done
-  [ -z "$missing" ] && return 0
-  local sudo=""
-  [ "$(id -u)" -eq 0 ] || sudo=sudo
+  [ -n "$missing" ] || return 0
+  if ! command -v apt-get >/dev/null || ! can_be_root; then
+    echo "These packages are missing, and this user cannot install them here (apt-get, and root or sudo):$missing" >&2
+    return 1
+  fi
   echo "Installing:$missing"
-  $sudo apt-get update -q
+  as_root apt-get update -q </dev/null
   # shellcheck disable=SC2086
-  DEBIAN_FRONTEND=noninteractive $sudo apt-get install -y -q --no-install-recommends $missing
+  as_root apt-get install -y -q --no-install-recommends $missing </dev/null
+}
+
+# configure PRESET [OPTION…]: a build folder that cannot be used any more (the sources were moved) is set up anew.
+configure() {
+  cmake --preset "$@" || cmake --fresh --preset "$@"
 }

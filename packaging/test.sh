@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds and runs all tests.
+# From a fresh Debian (git, apt, root or sudo) to a test run: installs what is missing, builds, runs all tests.
+# Arguments go to ctest, e.g. `-LE slow` leaves the slow tests out.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 # shellcheck source=packaging/dependencies.sh
 . packaging/dependencies.sh
 install_dependencies build test
-cmake --preset dev
-cmake --build --preset dev
-ctest --preset dev -j "$(nproc)"
+configure dev
+cmake --build --preset dev -j "$(nproc)"
+# The limit is for tests that do not set their own.
+ctest --preset dev -j "$(nproc)" --timeout 600 "$@"

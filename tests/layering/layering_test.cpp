@@ -1,0 +1,110 @@
+// The dependency rule, on the project itself and on small trees that break it.
+
+#include "tests/layering/include_rules.h"
+#include "tests/support/catch.h"
+
+using namespace handlebody::test;
+
+namespace {
+
+SourceTree including(const std::string& path, const std::string& include) {
+  return {{path, "#pragma once\n#include " + include + "\n"}};
+}
+
+bool breaks(const std::string& path, const std::string& include) {
+  return !brokenRules(including(path, include)).empty();
+}
+
+}  // namespace
+
+TEST_CASE("no include of the project breaks the dependency rule") {
+  const SourceTree sources = readSources(HANDLEBODY_SOURCE_DIR);
+  REQUIRE(sources.count("core/errors.h") == 1);
+  REQUIRE(sources.count("core/geometry/vec.h") == 1);
+  REQUIRE(sources.count("app/cli/main.cpp") == 1);
+  std::string all;
+  for (const std::string& broken : brokenRules(sources)) all += broken + "\n";
+  CHECK(all == "");
+}
+
+TEST_CASE("the engine's library links Eigen, threads and nothing else") {
+  CHECK(std::string(HANDLEBODY_CORE_LINKS) == "handlebody_options,Eigen3::Eigen,Threads::Threads");
+}
+
+TEST_CASE("a breach is told with its file, line and reason") {
+  const auto broken = brokenRules(including("core/mesh/mesh.h", "\"core/surgery/event.h\""));
+  REQUIRE(broken.size() == 1);
+  CHECK(broken[0] == "core/mesh/mesh.h:2: core/surgery/event.h: core/mesh may not use core/surgery");
+}
+
+TEST_CASE("each part uses the parts under it and not the ones above or beside") {
+  const std::vector<std::string> line{"geometry", "mesh", "collision", "surgery", "evolution", "io"};
+  for (std::size_t upper = 1; upper < line.size(); ++upper)
+    for (std::size_t lower = 0; lower < upper; ++lower) {
+      INFO(line[upper] << " on " << line[lower]);
+      CHECK_FALSE(breaks("core/" + line[upper] + "/a.cpp", "\"core/" + line[lower] + "/b.h\""));
+      CHECK(breaks("core/" + line[lower] + "/b.h", "\"core/" + line[upper] + "/a.h\""));
+    }
+  CHECK(breaks("core/collision/a.h", "\"core/handles/b.h\""));
+  CHECK(breaks("core/handles/a.h", "\"core/collision/b.h\""));
+  CHECK(breaks("core/volume/a.h", "\"core/mesh/b.h\""));
+  CHECK(breaks("core/surgery/a.h", "\"core/volume/b.h\""));
+  CHECK_FALSE(breaks("core/evolution/a.h", "\"core/volume/b.h\""));
+}
+
+TEST_CASE("angle brackets do not get round the rule") {
+  CHECK(breaks("core/mesh/a.cpp", "<core/surgery/event.h>"));
+  CHECK(breaks("core/mesh/a.cpp", "  <core/surgery/event.h>  // a remark"));
+}
+
+TEST_CASE("core does not use the programs, the window, the phantoms or the tests") {
+  for (const char* above :
+       {"app/cli/run.h", "ui/view.h", "sample_volumes/phantom.h", "tests/support/catch.h"}) {
+    INFO(above);
+    CHECK(breaks("core/evolution/a.cpp", '"' + std::string(above) + '"'));
+    CHECK(breaks("core/io/a.cpp", '"' + std::string(above) + '"'));
+  }
+  CHECK(breaks("ui/view.cpp", "\"app/cli/run.h\""));
+  CHECK(breaks("app/cli/run.cpp", "\"tests/support/catch.h\""));
+  CHECK_FALSE(breaks("app/cli/run.cpp", "\"sample_volumes/phantom.h\""));
+}
+
+TEST_CASE("the engine includes Eigen and the standard library only") {
+  for (const char* allowed : {"<vector>", "<cstdint>", "<Eigen/Core>", "\"core/errors.h\""})
+    CHECK_FALSE(breaks("core/mesh/a.h", allowed));
+  for (const char* other :
+       {"<unistd.h>", "<nlohmann/json.hpp>", "<CGAL/Kernel.h>", "<tbb/parallel_for.h>", "<QString>",
+        "<vtkPolyData.h>", "<itkImage.h>", "<gdcmReader.h>", "\"vtkPolyData.h\""}) {
+    INFO(other);
+    CHECK(breaks("core/mesh/a.h", other));
+    CHECK(breaks("core/evolution/a.cpp", other));
+    CHECK(breaks("core/errors.h", other));
+  }
+}
+
+TEST_CASE("Qt stays out of io as well") {
+  for (const char* qt : {"<QString>", "<QtCore/QString>", "<qobject.h>"}) CHECK(breaks("core/io/a.cpp", qt));
+  CHECK_FALSE(breaks("ui/view.h", "<QWidget>"));
+}
+
+TEST_CASE("headers of io that reach ITK or VTK are for io alone") {
+  SourceTree tree{{"core/io/inner.h", "#include <itkImage.h>\n"},
+                  {"core/io/outer.h", "#include \"core/io/inner.h\"\n"},
+                  {"core/io/reader.cpp", "#include \"core/io/outer.h\"\n#include <vtkPolyData.h>\n"},
+                  {"core/io/reader.h", "#include <string>\n"},
+                  {"app/main.cpp", "#include \"core/io/reader.h\"\n"}};
+  CHECK(brokenRules(tree).empty());
+  tree["app/main.cpp"] = "#include \"core/io/outer.h\"\n";
+  CHECK(brokenRules(tree).size() == 1);
+  tree["sample_volumes/make.cpp"] = "#include \"core/io/inner.h\"\n";
+  CHECK(brokenRules(tree).size() == 2);
+}
+
+TEST_CASE("includes that the rules could not see are refused") {
+  CHECK(breaks("core/mesh/a.cpp", "SOME_HEADER"));
+  CHECK(breaks("core/novel/a.cpp", "\"core/geometry/vec.h\""));
+  const SourceTree beside{{"core/io/a.cpp", "#include \"b.h\"\n"}, {"core/io/b.h", ""}};
+  CHECK(brokenRules(beside).size() == 1);
+  const SourceTree upwards{{"app/cli/a.cpp", "#include \"../b.h\"\n"}, {"app/b.h", ""}};
+  CHECK(brokenRules(upwards).size() == 1);
+}
