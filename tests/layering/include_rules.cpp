@@ -122,7 +122,7 @@ std::string faultOfProjectInclude(const std::string& path, const std::string& na
   if (layer == layers().end()) return from + " has no place in the layering yet";
   if (from != to && !contains(layer->second, to)) return from + " may not use " + to;
   if (from != "core/io" && contains(reaching, name))
-    return name + " brings in ITK or VTK and is for core/io alone";
+    return "it brings in ITK or VTK and is for core/io alone";
   return {};
 }
 
