@@ -10,7 +10,6 @@
 #include "tests/support/catch.h"
 
 using namespace handlebody::test;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -4,7 +4,6 @@
 #include "tests/support/catch.h"
 
 using namespace handlebody::test;
-using Catch::Matchers::Contains;
 
 TEST_CASE("help and version succeed and say what the program is not", "[cli]") {
   for (const std::vector<std::string>& arguments :

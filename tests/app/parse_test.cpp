@@ -23,7 +23,7 @@ TEST_CASE("what is not a number is refused by the option's name", "[cli]") {
     INFO(text);
     CHECK_THROWS_AS(parseNumber("--balloon", text), UsageError);
   }
-  CHECK_THROWS_WITH(parseNumber("--balloon", "x"), Catch::Matchers::Contains("--balloon"));
+  CHECK_THROWS_WITH(parseNumber("--balloon", "x"), Contains("--balloon"));
 }
 
 TEST_CASE("a decimal point is a point in every locale", "[cli]") {

@@ -11,7 +11,6 @@
 
 using namespace handlebody;
 using namespace handlebody::test;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -144,7 +144,7 @@ TEST_CASE("what is not a session is an input error that names the file", "[sessi
     edit(json);
     test::writeBytes(folder / "s.json", json.dump());
     CHECK_THROWS_AS(readSession(folder / "s.json"), InputError);
-    CHECK_THROWS_WITH(readSession(folder / "s.json"), Catch::Matchers::Contains("s.json"));
+    CHECK_THROWS_WITH(readSession(folder / "s.json"), Contains("s.json"));
   }
 }
 

@@ -266,7 +266,7 @@ TEST_CASE("a slice that ends anywhere is refused or warned about, and GDCM does 
     try {
       const VolumeInfo info = inspectVolume(folder.path());
       REQUIRE(info.warnings.size() == 1);
-      REQUIRE_THAT(info.warnings[0], Catch::Contains("hold no image"));
+      REQUIRE_THAT(info.warnings[0], Contains("hold no image"));
       ++warned;
     } catch (const InputError&) {
       SUCCEED();

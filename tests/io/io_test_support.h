@@ -101,7 +101,7 @@ inline void expectInputError(const std::string& path, const std::string& cause, 
   } catch (const InputError& e) {
     message = e.what();
   }
-  CHECK_THAT(message, Catch::Contains(cause));
+  CHECK_THAT(message, Contains(cause));
   CHECK(message.rfind(path, 0) == 0);
   CHECK(message.find('\n') == std::string::npos);
   if (!onlyReading) CHECK_THROWS_AS(inspectVolume(path), InputError);

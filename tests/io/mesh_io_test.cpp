@@ -30,7 +30,7 @@ void expectMeshError(const std::string& path, const std::string& cause) {
   } catch (const InputError& e) {
     message = e.what();
   }
-  CHECK_THAT(message, Catch::Contains(cause));
+  CHECK_THAT(message, Contains(cause));
   CHECK(message.rfind(path, 0) == 0);
 }
 

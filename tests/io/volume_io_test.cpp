@@ -216,7 +216,7 @@ TEST_CASE("a sheared sform beside a good qform is a warning, and the qform is us
   const VolumeInfo info = inspectVolume(folder / "sheared.nii");
   expectSameGrid(info.grid, obliqueGrid(), 2e-5);
   REQUIRE(info.warnings.size() == 1);
-  CHECK_THAT(info.warnings[0], Catch::Contains("disagree"));
+  CHECK_THAT(info.warnings[0], Contains("disagree"));
 }
 
 TEST_CASE("a big-endian NIfTI and a big-endian MetaImage hold the same numbers") {
@@ -273,7 +273,7 @@ TEST_CASE("colour becomes luminance with a warning") {
     CHECK(volume.grid.size == std::array<int, 3>{2, 2, 2});
     CHECK(int{volume.data<std::uint8_t>()[7]} == 54);  // 0.2125 · 255
     REQUIRE(inspectVolume(folder / name).warnings.size() == 1);
-    CHECK_THAT(inspectVolume(folder / name).warnings[0], Catch::Contains("luminance"));
+    CHECK_THAT(inspectVolume(folder / name).warnings[0], Contains("luminance"));
   }
 }
 
