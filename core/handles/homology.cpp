@@ -64,6 +64,7 @@ IntegerMatrix secondBoundary(const Complex& complex) {
 
 std::vector<std::int64_t> lastColumn(const IntegerMatrix& matrix) {
   std::vector<std::int64_t> column;
+  column.reserve(static_cast<std::size_t>(matrix.rows));
   for (int r = 0; r < matrix.rows; ++r) column.push_back(matrix.at(r, matrix.columns - 1));
   return column;
 }
