@@ -54,5 +54,7 @@ install_dependencies() {
 
 # configure PRESET [OPTION…]: a build folder that cannot be used any more (the sources were moved) is set up anew.
 configure() {
-  cmake --preset "$@" || cmake --fresh --preset "$@"
+  cmake --preset "$@" && return 0
+  echo "Configuring failed; once more in an empty build folder."
+  cmake --fresh --preset "$@"
 }
