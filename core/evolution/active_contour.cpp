@@ -30,8 +30,11 @@ constexpr double kCollapsed = 1.0;   // a component of less extent than this is 
 
 constexpr int kQuietToSleep = 3;  // iterations
 constexpr int kQuietToStop = 3;   // iterations without motion or event
-constexpr int kRounds = 5;        // of detection and surgery in one step
-constexpr int kAttempts = 8;      // at one step before all of it is rolled back
+constexpr int kStillToStop = 40;  // iterations in which next to nothing moves and nothing happens
+constexpr double kNextToNothing =
+    0.001;  // part of the vertices: single ones may tremble between two faces of a noisy voxel
+constexpr int kRounds = 5;    // of detection and surgery in one step
+constexpr int kAttempts = 8;  // at one step before all of it is rolled back
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
@@ -78,6 +81,7 @@ struct ActiveContour::State {
   StopReason stop = StopReason::running;
   int iteration = 0;
   int quietIterations = 0;
+  int nearlyStillIterations = 0;
   double smallestExtent = 0;  // mm, of the components when last looked at
   bool traces = false;
 
@@ -276,11 +280,13 @@ Event ActiveContour::State::rolledBack(const Vec3& place, const char* reason) co
 }
 
 void ActiveContour::State::decideStop(const StepReport& report) {
-  const bool still = report.movedVertices == 0 && report.events.empty() && !resting.anyWillWake(iteration);
-  quietIterations = still ? quietIterations + 1 : 0;
+  const bool calm = report.events.empty() && !resting.anyWillWake(iteration);
+  quietIterations = calm && report.movedVertices == 0 ? quietIterations + 1 : 0;
+  const bool nearlyStill = report.movedVertices <= std::max(1.0, kNextToNothing * mesh.vertexCount());
+  nearlyStillIterations = calm && nearlyStill ? nearlyStillIterations + 1 : 0;
   if (mesh.faceCount() == 0)
     stop = StopReason::empty;
-  else if (quietIterations >= kQuietToStop)
+  else if (quietIterations >= kQuietToStop || nearlyStillIterations >= kStillToStop)
     stop = StopReason::converged;
   else if (iteration >= parameters.maxIterations)
     stop = StopReason::maxIterations;

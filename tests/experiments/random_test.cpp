@@ -1,0 +1,101 @@
+// Any seeds and parameters: never an invalid mesh, a crash or a hang.
+
+#include <map>
+#include <random>
+
+#include "core/collision/certify.h"
+#include "core/errors.h"
+#include "core/evolution/active_contour.h"
+#include "sample_volumes/phantom.h"
+#include "tests/support/catch.h"
+
+using namespace handlebody;
+
+namespace {
+
+struct RandomRun {
+  std::vector<Seed> seeds;
+  Parameters parameters;
+};
+
+std::size_t voxelAt(const Grid& grid, const Vec3& index) {
+  std::size_t at = 0;
+  for (int a = 2; a >= 0; --a)
+    at = at * static_cast<std::size_t>(grid.size[static_cast<std::size_t>(a)]) +
+         static_cast<std::size_t>(std::lround(index[a]));
+  return at;
+}
+
+RandomRun randomRun(const Phantom& phantom, unsigned seed) {
+  const Grid& grid = phantom.volume.grid;
+  std::mt19937 random(seed);
+  const auto uniform = [&](double a, double b) {
+    return a + (b - a) * static_cast<double>(random()) / 4294967296.0;
+  };
+  const auto once = [&](unsigned n) { return random() % n == 0; };
+  RandomRun run;
+  const auto count = 1 + random() % 3;
+  for (unsigned i = 0; i < count; ++i) {
+    Seed s;
+    const double x = uniform(0, grid.size[0] - 1), y = uniform(0, grid.size[1] - 1),
+                 z = uniform(0, grid.size[2] - 1);
+    s.centre = grid.toWorld(Vec3(x, y, z));
+    if (once(2)) s.radius = uniform(0.5, 12);
+    run.seeds.push_back(s);
+  }
+  Parameters& p = run.parameters;
+  p.object = static_cast<ObjectKind>(random() % 3);
+  if (once(2)) p.edgeLength = uniform(1.2, 4) * grid.meanSpacing();
+  if (once(2)) p.smoothing = uniform(0, 2) * grid.meanSpacing();
+  p.balloon = uniform(0.2, 3);
+  p.curvature = uniform(0, 1.5);
+  if (once(3)) p.direction = Direction::both;
+  if (once(4)) {
+    const double low = uniform(-20, 80);
+    p.range = IntensityRange{low, low + uniform(40, 200)};
+  }
+  p.maxIterations = 40 + static_cast<int>(random() % 60);
+  p.threads = 1 + static_cast<int>(random() % 2);
+  return run;
+}
+
+//! Steps to the end; every mesh on the way must pass. Returns false if the seed was refused.
+bool runCertified(const Phantom& phantom, const RandomRun& run) {
+  try {
+    ActiveContour contour(phantom.volume, run.seeds, run.parameters);
+    while (contour.stopReason() == StopReason::running) {
+      const StepReport report = contour.step();
+      const TriangleSoup mesh = contour.mesh().compact();
+      if (mesh.triangles.empty()) continue;
+      const Certificate c = certify(mesh);
+      INFO("iteration " << contour.iteration());
+      REQUIRE(c.passes());
+      if (!report.events.empty()) REQUIRE(report.events.back().after.euler == c.euler);
+    }
+    return true;
+  } catch (const SeedError&) {
+    return false;
+  } catch (const UsageError&) {
+    return false;  // a range without voxels
+  }
+}
+
+}  // namespace
+
+TEST_CASE("random seeds and parameters never leave an invalid mesh", "[random]") {
+  const int part = GENERATE(0, 1, 2, 3);
+  std::map<std::string, Phantom> phantoms;
+  PhantomOptions coarse;
+  coarse.spacing = Vec3(2, 2, 2);
+  phantoms.emplace("cyst", makePhantom("cyst", coarse));
+  phantoms.emplace("cube", makePhantom("cube", coarse));
+  for (const char* name : {"genus3", "torus"}) phantoms.emplace(name, makePhantom(name));
+  int grown = 0;
+  for (int i = 0; i < 50; ++i) {
+    const unsigned seed = static_cast<unsigned>(50 * part + i);
+    const auto& [name, phantom] = *std::next(phantoms.begin(), i % 4);
+    INFO("random seed " << seed << " on " << name);
+    grown += runCertified(phantom, randomRun(phantom, seed));
+  }
+  CHECK(grown > 20);  // the test would be empty if most seeds were refused
+}
