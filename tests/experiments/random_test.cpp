@@ -44,7 +44,7 @@ RandomRun randomRun(const Phantom& phantom, unsigned seed) {
     run.seeds.push_back(s);
   }
   Parameters& p = run.parameters;
-  p.object = static_cast<ObjectKind>(random() % 3);
+  p.object = once(8) ? ObjectKind::bright : once(2) ? ObjectKind::automatic : ObjectKind::dark;
   if (once(2)) p.edgeLength = uniform(1.2, 4) * grid.meanSpacing();
   if (once(2)) p.smoothing = uniform(0, 2) * grid.meanSpacing();
   p.balloon = uniform(0.2, 3);
