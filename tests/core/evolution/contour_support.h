@@ -1,0 +1,71 @@
+#pragma once
+// Small volumes, and evolution with a look at every step.
+
+#include <Eigen/Geometry>
+#include <random>
+
+#include "core/collision/certify.h"
+#include "core/evolution/active_contour.h"
+#include "core/surgery/topology_adaptation.h"
+#include "tests/support/catch.h"
+#include "tests/support/surgery_support.h"
+#include "tests/support/test_volume.h"
+
+namespace handlebody::testing {
+
+inline const Vec3 kMiddle(18, 18, 18);  // of a grid of 37³ voxels
+constexpr double kTorusR = 10, kTorusr = 4.5;
+inline const double kBallVolume = 4.0 / 3 * M_PI * 1000;
+
+inline double ballDistance(const Vec3& p) { return (p - kMiddle).norm() - 10; }
+inline double torusDistance(const Vec3& p) {
+  const Vec3 q = p - kMiddle;
+  return std::hypot(std::hypot(q.x(), q.y()) - kTorusR, q.z()) - kTorusr;
+}
+
+//! A dark ball of radius 10 mm; its edge lies at the half-way level 110.
+inline Volume ballVolume() { return volumeByDistance(cubicGrid(37), 20, 200, ballDistance); }
+//! A dark torus round the z axis.
+inline Volume torusVolume() { return volumeByDistance(cubicGrid(37), 20, 200, torusDistance); }
+
+inline double furthestFrom(const Mesh& mesh, double (*distance)(const Vec3&)) {
+  double furthest = 0;
+  for (const Vec3& p : mesh.compact().points) furthest = std::max(furthest, std::abs(distance(p)));
+  return furthest;
+}
+
+//! Runs to the end. After every step the mesh must pass the certificate and agree with the report.
+inline std::vector<StepReport> runCertified(ActiveContour& contour) {
+  std::vector<StepReport> reports;
+  TopologyNumbers now = topologyNumbers(contour.mesh());
+  while (contour.stopReason() == StopReason::running) {
+    reports.push_back(contour.step());
+    const StepReport& r = reports.back();
+    REQUIRE(reports.size() < 5000);
+    const Certificate c = certify(contour.mesh().compact());
+    CAPTURE(r.iteration, c.closed, c.manifold, c.oriented, c.selfIntersections);
+    if (!c.passes()) FAIL("a step left an invalid mesh");
+    for (const Event& e : r.events) {
+      CAPTURE(eventKindName(e.kind));
+      if (e.before.euler != now.euler || e.before.components != now.components)
+        FAIL_CHECK("the event's Euler number " << e.before.euler << " and " << e.before.components
+                                               << " components are not the mesh's " << now.euler << ", "
+                                               << now.components);
+      now = e.after;
+    }
+    if (c.euler != now.euler || c.components != now.components)
+      FAIL_CHECK("Euler number " << c.euler << " and " << c.components << " components, the events say "
+                                 << now.euler << ", " << now.components);
+    now = topologyNumbers(contour.mesh());
+  }
+  return reports;
+}
+
+inline int countEvents(const std::vector<StepReport>& reports, EventKind kind) {
+  int n = 0;
+  for (const StepReport& r : reports)
+    for (const Event& e : r.events) n += e.kind == kind;
+  return n;
+}
+
+}  // namespace handlebody::testing
