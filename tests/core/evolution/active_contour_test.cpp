@@ -27,6 +27,27 @@ TEST_CASE("a ball becomes a sphere of its volume") {
   }
 }
 
+TEST_CASE("a bright object becomes a surface like a dark one") {
+  Volume dark = ballVolume();
+  const float* values = dark.data<float>();
+  const Volume bright =
+      volumeByIndex(dark.grid, [&](int i, int j, int k) { return 220 - values[(k * 37 + j) * 37 + i]; });
+  ActiveContour contour(bright, {Seed{kMiddle, 4.0}}, {});
+  runCertified(contour);
+  CHECK(contour.parameters().object == ObjectKind::bright);
+  CHECK(volumeOf(contour.mesh()) == Approx(kBallVolume).epsilon(0.02));
+}
+
+// A bug that is known: where the background is one value throughout, FieldOfView takes it for padding, and
+// the boundary level is searched in the voxels of the edge alone. The ball comes out nearly a voxel too
+// small.
+TEST_CASE("a ball in a background of one value becomes a sphere of its volume", "[!shouldfail]") {
+  const Volume volume = volumeByDistance(cubicGrid(37), 20, 200, ballDistance);
+  ActiveContour contour(volume, {Seed{kMiddle, 4.0}}, {});
+  runCertified(contour);
+  CHECK(volumeOf(contour.mesh()) == Approx(kBallVolume).epsilon(0.02));
+}
+
 TEST_CASE("a torus becomes a torus") {
   ActiveContour contour(torusVolume(), {Seed{kMiddle + Vec3(kTorusR, 0, 0), 3.0}}, {});
   runCertified(contour);
@@ -43,7 +64,7 @@ TEST_CASE("an enclosed ball of background becomes a component of its own") {
     const double r = (p - kMiddle).norm();
     return std::max(r - 13, 4 - r);
   };
-  const Volume volume = volumeByDistance(cubicGrid(36), 20, 200, shell);
+  const Volume volume = darkObject(cubicGrid(36), shell);
   ActiveContour contour(volume, {Seed{kMiddle + Vec3(8.5, 0, 0), 2.5}}, {});
   runCertified(contour);
   const Certificate c = certify(contour.mesh().compact());
@@ -71,10 +92,9 @@ TEST_CASE("seeds in two objects stay two components") {
   const auto twoBalls = [](const Vec3& p) {
     return std::min((p - Vec3(11, 18, 18)).norm(), (p - Vec3(25, 18, 18)).norm()) - 5.5;
   };
-  const Volume volume = volumeByDistance(cubicGrid(37), 200, 20, twoBalls);
+  const Volume volume = darkObject(cubicGrid(37), twoBalls);
   ActiveContour contour(volume, {Seed{Vec3(11, 18, 18), {}}, Seed{Vec3(25, 18, 18), {}}}, {});
   runCertified(contour);
-  CHECK(contour.parameters().object == ObjectKind::bright);
   const Certificate c = certify(contour.mesh().compact());
   CHECK(c.passes());
   CHECK(c.components == 2);
@@ -116,6 +136,7 @@ TEST_CASE("a surface that starts beyond the boundary goes back to it") {
   Parameters p;
   p.direction = Direction::both;
   p.range = IntensityRange{-1000, 110};
+  p.smoothing = 0.5;
   ActiveContour contour(ballVolume(), {Seed{kMiddle + Vec3(7, 0, 0), {}}}, p);
   runCertified(contour);
   CHECK(volumeOf(contour.mesh()) == Approx(kBallVolume).epsilon(0.02));
@@ -127,7 +148,7 @@ TEST_CASE("anisotropic spacing and an oblique direction give the same shape in m
   grid.spacing = Vec3(0.7, 1, 2);
   grid.direction = Eigen::AngleAxisd(0.5, Vec3(1, 2, -1).normalized()).toRotationMatrix();
   grid.origin = kMiddle - grid.direction * Vec3(26 * 0.7, 17, 18);
-  const Volume volume = volumeByDistance(grid, 20, 200, ballDistance);
+  const Volume volume = darkObject(grid, ballDistance);
   ActiveContour contour(volume, {Seed{kMiddle, 4.0}}, {});
   runCertified(contour);
   const Certificate c = certify(contour.mesh().compact());
@@ -153,7 +174,7 @@ TEST_CASE("the curvature weight keeps the surface out of a narrow gap") {
   p.smoothing = 0;
   p.edgeLength = 1.5;
   p.curvature = 2;  // holds a front of 3 mm
-  ActiveContour contour(volumeByDistance(grid, 20, 200, chambers), {Seed{Vec3(11, 16, 16), 4.0}}, p);
+  ActiveContour contour(darkObject(grid, chambers), {Seed{Vec3(11, 16, 16), 4.0}}, p);
   runCertified(contour);
   CHECK(certify(contour.mesh().compact()).passes());
   for (const Vec3& q : contour.mesh().compact().points) REQUIRE(q.x() < 22);

@@ -23,10 +23,20 @@ inline double torusDistance(const Vec3& p) {
   return std::hypot(std::hypot(q.x(), q.y()) - kTorusR, q.z()) - kTorusr;
 }
 
-//! A dark ball of radius 10 mm; its edge lies at the half-way level 110.
-inline Volume ballVolume() { return volumeByDistance(cubicGrid(37), 20, 200, ballDistance); }
-//! A dark torus round the z axis.
-inline Volume torusVolume() { return volumeByDistance(cubicGrid(37), 20, 200, torusDistance); }
+//! A dark object (20) in a bright background (200) whose edge lies at the half-way level 110. No two voxels
+//! have quite the same value, so that the background is not taken for padding.
+template <typename F>
+Volume darkObject(const Grid& grid, F&& distance) {
+  return volumeByIndex(grid, [&](int i, int j, int k) {
+    const double t = std::clamp(distance(grid.toWorld(Vec3(i, j, k))) + 0.5, 0.0, 1.0);
+    return 20 + 180 * t + 0.5 * std::sin(i + 37.1 * j + 1234.5 * k);
+  });
+}
+
+//! A ball of radius 10 mm.
+inline Volume ballVolume() { return darkObject(cubicGrid(37), ballDistance); }
+//! A torus round the z axis.
+inline Volume torusVolume() { return darkObject(cubicGrid(37), torusDistance); }
 
 inline double furthestFrom(const Mesh& mesh, double (*distance)(const Vec3&)) {
   double furthest = 0;

@@ -73,7 +73,9 @@ TEST_CASE("a region does not reach what is separated by a wall above the level")
 
 TEST_CASE("padding is no part of a region and no edge of it") {
   // The object touches the padding, a step of 1000; its true edge is a step of 100.
-  const auto image = [](int i, int, int k) { return i < 4 ? -900.0 : k < 12 ? 0.5 + 0.001 * i : 100.0; };
+  const auto image = [](int i, int j, int k) {
+    return i < 4 ? -900.0 : (k < 12 ? 0.5 : 100.0) + 0.0001 * (i + 24 * j + 576 * k);
+  };
   const Volume volume = volumeByIndex(cubicGrid(24), image);
   const auto view = FieldOfView::find(volume);
   REQUIRE(view);
@@ -81,5 +83,5 @@ TEST_CASE("padding is no part of a region and no edge of it") {
   const SmoothedVolume smoothed(volume, 0, view, 200);
   const RegionGrowth g = growRegion(smoothed, {Vec3(10, 12, 4)}, 1, 0, 90);
   CHECK(g.voxels.back() == 20 * 24 * 12);
-  for (double edge : g.edge) CHECK(edge <= 100);
+  for (double edge : g.edge) CHECK(edge <= 101);
 }

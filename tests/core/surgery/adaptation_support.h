@@ -17,6 +17,13 @@ inline std::string text(const TopologyNumbers& n) {
          std::to_string(n.genus);
 }
 
+//! One round, with the topology numbers that it is to be given.
+inline AdaptationResult adaptOnce(Mesh& mesh, std::span<const FacePair> pairs, AdaptationSettings settings,
+                                  std::vector<unsigned char>& touched) {
+  settings.topology = topologyNumbers(mesh);
+  return adaptTopology(mesh, pairs, settings, touched);
+}
+
 //! Detection and adaptation in rounds, as in a step. Checks that the numbers of the events follow each other
 //! and lead to those of the mesh.
 inline AdaptationResult adaptFully(Mesh& mesh, const AdaptationSettings& settings = {}) {
@@ -26,7 +33,7 @@ inline AdaptationResult adaptFully(Mesh& mesh, const AdaptationSettings& setting
     if (pairs.empty()) break;
     std::string now = text(topologyNumbers(mesh));
     std::vector<unsigned char> touched;
-    AdaptationResult result = adaptTopology(mesh, pairs, settings, touched);
+    AdaptationResult result = adaptOnce(mesh, pairs, settings, touched);
     for (Event& e : result.events) {
       CAPTURE(eventKindName(e.kind));
       CHECK(text(e.before) == now);
@@ -82,14 +89,15 @@ TriangleSoup revolution(int along, int around, R&& radius, Z&& z) {
   return s;
 }
 
-//! Two bulbs of radius 0.5 on the z axis, with a neck of the given radius (negative: it runs through itself).
+//! Two bulbs of radius 0.5 on the z axis, with a neck of the given radius. Negative: one ring of vertices has
+//! just run through itself, as the rings of a front that closes do.
 inline TriangleSoup peanut(double neck) {
   return revolution(
-      25, 12,
+      24, 12,
       [neck](double t) {
         const double x = 2 * t - 1;  // -1 … 1
         const double bulb = 0.5 * std::sqrt(std::max(0.0, 1 - (2 * std::abs(x) - 1) * (2 * std::abs(x) - 1)));
-        const double middle = neck + 1.8 * x * x;
+        const double middle = neck + 8 * x * x;
         return std::min(bulb + (std::abs(x) < 0.5 ? std::max(0.0, neck) : 0.0), middle);
       },
       [](double t) { return 2 * t - 1; });

@@ -1,5 +1,6 @@
 #include "core/surgery/closing.h"
 
+#include <Eigen/Geometry>
 #include <set>
 
 #include "tests/support/expect_valid.h"

@@ -38,16 +38,16 @@ TEST_CASE("a bent tube whose ends do not meet has nothing to adapt") {
 }
 
 TEST_CASE("the hole of a torus that collides with itself is closed") {
-  Mesh mesh(zoo::torus(30, 20, 1, 1.02));
+  Mesh mesh(zoo::torus(30, 20, 1, 1.12));
   const double before = volumeOf(mesh);
   const AdaptationResult result = adaptFully(mesh);
   expectAdapted(mesh, 1, 0);
   CHECK(findEvent(result, EventKind::tunnelClosed));
-  CHECK(volumeOf(mesh) > before - 0.05);
+  CHECK(volumeOf(mesh) > 0.9 * before);
 }
 
 TEST_CASE("a neck of outside space that collides is cut, and the cavity falls in two") {
-  Mesh mesh(cavityWithNeck(-0.03));
+  Mesh mesh(cavityWithNeck(-0.02));
   REQUIRE(topologyNumbers(mesh).components == 2);
   const AdaptationResult result = adaptFully(mesh);
   expectAdapted(mesh, 3, 0);
@@ -55,7 +55,7 @@ TEST_CASE("a neck of outside space that collides is cut, and the cavity falls in
 }
 
 TEST_CASE("a neck of the object is cut where shrinking is allowed") {
-  Mesh mesh(peanut(-0.03));
+  Mesh mesh(peanut(-0.02));
   AdaptationSettings settings;
   settings.outwardOnly = false;
   const AdaptationResult result = adaptFully(mesh, settings);
@@ -64,7 +64,7 @@ TEST_CASE("a neck of the object is cut where shrinking is allowed") {
 }
 
 TEST_CASE("where only outward motion is allowed, a cut leaves no scrap of the object behind") {
-  Mesh mesh(peanut(-0.03));
+  Mesh mesh(peanut(-0.02));
   const AdaptationResult result = adaptFully(mesh);
   if (result.troubles.empty()) {
     const Components parts = findComponents(mesh);
@@ -82,7 +82,7 @@ TEST_CASE(
   const double area = areaOf(mesh), volume = volumeOf(mesh);
   AdaptationSettings settings;
   std::vector<unsigned char> touched;
-  const AdaptationResult result = adaptTopology(mesh, intersections(mesh), settings, touched);
+  const AdaptationResult result = adaptOnce(mesh, intersections(mesh), settings, touched);
   CHECK(result.events.empty());
   REQUIRE(result.troubles.size() == 1);
   CHECK(std::string(result.troubles[0].reason) == "the fronts meet through the inside of the object");
@@ -105,7 +105,9 @@ TEST_CASE("a fold is smoothed and the topology stays") {
   const Mesh clean(zoo::sphere(10));
   Mesh mesh = clean;
   const int v = vertexNear(mesh, Vec3(0.2, 0.3, 0.9));
-  mesh.setPosition(v, mesh.position(v) + Vec3(0.25, 0, -0.1));
+  const int w0 = mesh.target(mesh.outgoing(v));
+  mesh.setPosition(v, clean.position(w0));
+  mesh.setPosition(w0, clean.position(v));  // two neighbours have changed places
   REQUIRE_FALSE(intersections(mesh).empty());
   const AdaptationResult result = adaptFully(mesh);
   expectAdapted(mesh, 1, 0);
@@ -120,7 +122,7 @@ TEST_CASE("a place where nothing fits is reported and the surface stays where it
   Mesh mesh(zoo::both(zoo::sphere(24), zoo::moved(zoo::sphere(24), Vec3(1, 0.02, 0.01))));
   const Mesh before = mesh;
   std::vector<unsigned char> touched;
-  const AdaptationResult result = adaptTopology(mesh, intersections(mesh), {}, touched);
+  const AdaptationResult result = adaptOnce(mesh, intersections(mesh), {}, touched);
   CHECK(result.events.empty());
   REQUIRE(result.troubles.size() == 1);
   CHECK(result.troubles[0].radius > 0.8);  // holds the circle in which they meet
@@ -135,7 +137,7 @@ TEST_CASE("the vertices of every face that is new are marked as touched") {
   Mesh mesh(zoo::both(zoo::sphere(8), zoo::moved(zoo::sphere(8), Vec3(1.95, 0.02, 0.01))));
   const Mesh before = mesh;
   std::vector<unsigned char> touched(static_cast<std::size_t>(mesh.vertexSlots()), 0);
-  adaptTopology(mesh, intersections(mesh), {}, touched);
+  adaptOnce(mesh, intersections(mesh), {}, touched);
   REQUIRE(touched.size() >= static_cast<std::size_t>(mesh.vertexSlots()));
   int marked = 0;
   for (int f = 0; f < mesh.faceSlots(); ++f) {
@@ -150,7 +152,7 @@ TEST_CASE("two places far from each other are adapted in one go") {
   const TriangleSoup a = zoo::both(zoo::sphere(8), zoo::moved(zoo::sphere(8), Vec3(1.95, 0.02, 0.01)));
   Mesh mesh(zoo::both(a, zoo::moved(zoo::sphere(8), Vec3(-1.95, 0.03, 0.02))));
   std::vector<unsigned char> touched;
-  const AdaptationResult result = adaptTopology(mesh, intersections(mesh), {}, touched);
+  const AdaptationResult result = adaptOnce(mesh, intersections(mesh), {}, touched);
   CHECK(result.events.size() == 2);
   CHECK(topologyNumbers(mesh).components == 1);
   expectValid(mesh);
