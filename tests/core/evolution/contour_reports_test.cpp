@@ -169,7 +169,7 @@ TEST_CASE("a seed radius without meaning is refused", "[!shouldfail]") {
 }
 
 TEST_CASE("a seed outside the volume is refused") {
-  CHECK_THROWS_AS(ActiveContour(ballVolume(), {Seed{Vec3(-5, 18, 18), {}}}, {}), SeedError);
+  CHECK_THROWS_AS(ActiveContour(ballVolume(), {Seed{Vec3(-5, 20, 20), {}}}, {}), SeedError);
   CHECK_THROWS_AS(ActiveContour(ballVolume(), {}, {}), UsageError);
 }
 

@@ -13,8 +13,8 @@
 
 namespace handlebody::testing {
 
-inline const Vec3 kMiddle(18, 18, 18);  // of a grid of 37³ voxels
-constexpr double kTorusR = 10, kTorusr = 4.5;
+inline const Vec3 kMiddle(20, 20, 20);  // of a grid of 41³ voxels
+constexpr double kTorusR = 11.5, kTorusr = 6;
 inline const double kBallVolume = 4.0 / 3 * M_PI * 1000;
 
 inline double ballDistance(const Vec3& p) { return (p - kMiddle).norm() - 10; }
@@ -34,9 +34,24 @@ Volume darkObject(const Grid& grid, F&& distance) {
 }
 
 //! A ball of radius 10 mm.
-inline Volume ballVolume() { return darkObject(cubicGrid(37), ballDistance); }
+inline Volume ballVolume() { return darkObject(cubicGrid(41), ballDistance); }
 //! A torus round the z axis.
-inline Volume torusVolume() { return darkObject(cubicGrid(37), torusDistance); }
+inline Volume torusVolume() { return darkObject(cubicGrid(41), torusDistance); }
+
+//! Mean distance of the middles of the faces from a surface, weighted with their areas.
+template <typename F>
+double meanDistance(const Mesh& mesh, F&& distance) {
+  double sum = 0, area = 0;
+  for (int f = 0; f < mesh.faceSlots(); ++f) {
+    if (!mesh.isFace(f)) continue;
+    const Triangle& t = mesh.face(f);
+    const Vec3 middle = (mesh.position(t[0]) + mesh.position(t[1]) + mesh.position(t[2])) / 3;
+    const double weight = mesh.areaVector(f).norm();
+    sum += weight * std::abs(distance(middle));
+    area += weight;
+  }
+  return sum / area;
+}
 
 inline double furthestFrom(const Mesh& mesh, double (*distance)(const Vec3&)) {
   double furthest = 0;

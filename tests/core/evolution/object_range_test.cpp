@@ -147,19 +147,20 @@ TEST_CASE("an empty range, one that holds no voxel and one without meaning are r
 }
 
 TEST_CASE("two chambers joined by a gap have the boundary of their wall, not that of the gap") {
-  // Two boxes of value 0 in 100, a wall of 100 between them with a hole of two voxels that is half as bright.
-  Grid grid = cubicGrid(32);
-  grid.size[0] = 48;
-  const Volume volume = volumeByIndex(grid, [](int i, int j, int k) {
-    const bool inBox = j > 5 && j < 26 && k > 5 && k < 26 && i > 5 && i < 42;
-    const bool wall = i == 23 || i == 24;
-    const bool hole = std::abs(j - 16) < 2 && std::abs(k - 16) < 2;
-    const int value = !inBox ? 100 : wall ? (hole ? 40 : 100) : 0;
-    return value + texture(i, j, k);
+  // Two balls of radius 9, 3 mm apart, joined by a channel of one voxel that smoothing half fills.
+  Grid grid = cubicGrid(33);
+  grid.size[0] = 54;
+  const auto chambers = [](const Vec3& p) {
+    const double balls = std::min((p - Vec3(16, 16, 16)).norm(), (p - Vec3(37, 16, 16)).norm()) - 9;
+    const double channel = std::hypot(p.y() - 16, p.z() - 16) - 1;
+    return std::min(balls, std::max(channel, std::abs(p.x() - 26.5) - 3));
+  };
+  const Volume volume = volumeByIndex(grid, [&](int i, int j, int k) {
+    return 100 * std::clamp(chambers(Vec3(i, j, k)) + 0.5, 0.0, 1.0) + texture(i, j, k);
   });
-  const ObjectChoice c = chooseObject(volume, seedAt(Vec3(13, 16, 16)), {});
+  const ObjectChoice c = chooseObject(volume, seedAt(Vec3(16, 16, 16)), {});
   CHECK(c.object == ObjectKind::dark);
-  CHECK(c.range.high == Approx(50).margin(15));
+  CHECK(c.range.high == Approx(50).margin(10));
 }
 
 TEST_CASE("a leak into a far larger dark space does not decide the level") {
