@@ -1,0 +1,188 @@
+// Changes of topology: fronts that meet, tunnels that close, necks, folds and scraps.
+#include "core/surgery/topology_adaptation.h"
+
+#include "core/mesh/topology.h"
+#include "tests/core/surgery/adaptation_support.h"
+
+using namespace handlebody;
+using namespace handlebody::testing;
+
+TEST_CASE("two spheres that touch are joined by a handle of two fronts") {
+  Mesh mesh(zoo::both(zoo::sphere(8), zoo::moved(zoo::sphere(8), Vec3(1.95, 0.02, 0.01))));
+  const AdaptationResult result = adaptFully(mesh);
+  expectAdapted(mesh, 1, 0);
+  const Event* handle = findEvent(result, EventKind::handleInserted);
+  REQUIRE(handle);
+  CHECK(handle->fronts == 2);
+  CHECK(handle->loopSizes.size() == 2);
+  CHECK(handle->before.components == 2);
+  CHECK(handle->after.components == 1);
+  CHECK((handle->location - Vec3(0.97, 0, 0)).norm() < 0.1);
+}
+
+TEST_CASE("fronts of one component that meet outside make a tunnel") {
+  Mesh mesh(bentTube(0.02));
+  REQUIRE_FALSE(intersections(mesh).empty());
+  const AdaptationResult result = adaptFully(mesh);
+  expectAdapted(mesh, 1, 1);
+  const Event* handle = findEvent(result, EventKind::handleInserted);
+  REQUIRE(handle);
+  CHECK(handle->fronts == 2);
+  CHECK(handle->after.genus == 1);
+}
+
+TEST_CASE("a bent tube whose ends do not meet has nothing to adapt") {
+  Mesh mesh(bentTube(-0.1));
+  CHECK(intersections(mesh).empty());
+  CHECK(adaptFully(mesh).events.empty());
+}
+
+TEST_CASE("the hole of a torus that collides with itself is closed") {
+  Mesh mesh(zoo::torus(30, 20, 1, 1.3));
+  const double before = volumeOf(mesh);
+  const AdaptationResult result = adaptFully(mesh);
+  CHECK(intersections(mesh).empty());
+  expectValid(mesh);
+  CHECK(topologyNumbers(mesh).genus == 0);
+  CHECK(findEvent(result, EventKind::tunnelClosed));
+  CHECK(volumeOf(mesh) > 0.9 * before);
+}
+
+TEST_CASE("a neck of outside space that collides is cut, and the cavity falls in two") {
+  Mesh mesh(cavityWithNeck(-0.02));
+  REQUIRE(topologyNumbers(mesh).components == 2);
+  const AdaptationResult result = adaptFully(mesh);
+  expectAdapted(mesh, 3, 0);
+  CHECK(findEvent(result, EventKind::split));
+}
+
+TEST_CASE("a neck of the object is cut where shrinking is allowed") {
+  Mesh mesh(peanut(-0.02));
+  AdaptationSettings settings;
+  settings.outwardOnly = false;
+  const AdaptationResult result = adaptFully(mesh, settings);
+  expectAdapted(mesh, 2, 0);
+  CHECK(findEvent(result, EventKind::split));
+}
+
+TEST_CASE("where only outward motion is allowed, a cut leaves no scrap of the object behind") {
+  Mesh mesh(peanut(-0.02));
+  const AdaptationResult result = adaptFully(mesh);
+  if (result.troubles.empty()) {
+    const Components parts = findComponents(mesh);
+    CHECK(parts.count() == 1);
+    for (double v : parts.volume) CHECK(v > 0);
+  }
+  expectValid(mesh);
+}
+
+TEST_CASE(
+    "fronts that meet through the inside of the object are left alone if only outward motion is allowed") {
+  const TriangleSoup plate = dentedPlate();
+  Mesh mesh(plate);
+  REQUIRE_FALSE(intersections(mesh).empty());
+  const double area = areaOf(mesh), volume = volumeOf(mesh);
+  AdaptationSettings settings;
+  std::vector<unsigned char> touched;
+  const AdaptationResult result = adaptOnce(mesh, intersections(mesh), settings, touched);
+  CHECK(result.events.empty());
+  REQUIRE(result.troubles.size() == 1);
+  CHECK(std::string(result.troubles[0].reason) == "the fronts meet through the inside of the object");
+  CHECK(areaOf(mesh) == Approx(area).epsilon(1e-9));
+  CHECK(volumeOf(mesh) == Approx(volume).epsilon(1e-9));
+  expectValid(mesh);
+  expectTopology(mesh, 1, 0);
+}
+
+TEST_CASE("fronts that meet through the inside of the object make a hole if shrinking is allowed") {
+  Mesh mesh(dentedPlate());
+  AdaptationSettings settings;
+  settings.outwardOnly = false;
+  const AdaptationResult result = adaptFully(mesh, settings);
+  expectAdapted(mesh, 1, 1);
+  CHECK(findEvent(result, EventKind::handleInserted));
+}
+
+TEST_CASE("a fold is smoothed and the topology stays") {
+  const Mesh clean(zoo::sphere(10));
+  Mesh mesh = clean;
+  const int v = vertexNear(mesh, Vec3(0.2, 0.3, 0.9));
+  const int w0 = mesh.target(mesh.outgoing(v));
+  mesh.setPosition(v, clean.position(w0));
+  mesh.setPosition(w0, clean.position(v));  // two neighbours have changed places
+  REQUIRE_FALSE(intersections(mesh).empty());
+  const AdaptationResult result = adaptFully(mesh);
+  expectAdapted(mesh, 1, 0);
+  CHECK(findEvent(result, EventKind::smoothed));
+  for (int w = 0; w < clean.vertexSlots(); ++w)
+    if (mesh.isVertex(w) && (clean.position(w) - clean.position(v)).norm() > 0.8)
+      REQUIRE(mesh.position(w) == clean.position(w));  // smoothing is local
+}
+
+TEST_CASE("a place where nothing fits is reported and the surface stays where it is") {
+  // Two spheres deep in each other: their polygons are too long.
+  Mesh mesh(zoo::both(zoo::sphere(24), zoo::moved(zoo::sphere(24), Vec3(1, 0.02, 0.01))));
+  const Mesh before = mesh;
+  std::vector<unsigned char> touched;
+  const AdaptationResult result = adaptOnce(mesh, intersections(mesh), {}, touched);
+  CHECK(result.events.empty());
+  REQUIRE(result.troubles.size() == 1);
+  CHECK(result.troubles[0].radius > 0.8);  // holds the circle in which they meet
+  CHECK(std::string(result.troubles[0].reason) == "the opening is too large");
+  for (int v = 0; v < before.vertexSlots(); ++v) REQUIRE(mesh.position(v) == before.position(v));
+  CHECK(volumeOf(mesh) == Approx(volumeOf(before)).epsilon(1e-9));
+  expectValid(mesh);
+  expectTopology(mesh, 2, 0);
+}
+
+TEST_CASE("the vertices of every face that is new are marked as touched") {
+  Mesh mesh(zoo::both(zoo::sphere(8), zoo::moved(zoo::sphere(8), Vec3(1.95, 0.02, 0.01))));
+  const Mesh before = mesh;
+  std::vector<unsigned char> touched(static_cast<std::size_t>(mesh.vertexSlots()), 0);
+  adaptOnce(mesh, intersections(mesh), {}, touched);
+  REQUIRE(touched.size() >= static_cast<std::size_t>(mesh.vertexSlots()));
+  int marked = 0;
+  for (int f = 0; f < mesh.faceSlots(); ++f) {
+    if (!mesh.isFace(f) || (f < before.faceSlots() && before.face(f) == mesh.face(f))) continue;
+    for (int v : mesh.face(f)) REQUIRE(touched[static_cast<std::size_t>(v)] == 1);
+    ++marked;
+  }
+  CHECK(marked > 0);
+}
+
+TEST_CASE("two places far from each other are adapted in one go") {
+  const TriangleSoup a = zoo::both(zoo::sphere(8), zoo::moved(zoo::sphere(8), Vec3(1.95, 0.02, 0.01)));
+  Mesh mesh(zoo::both(a, zoo::moved(zoo::sphere(8), Vec3(-1.95, 0.03, 0.02))));
+  std::vector<unsigned char> touched;
+  const AdaptationResult result = adaptOnce(mesh, intersections(mesh), {}, touched);
+  CHECK(result.events.size() == 2);
+  CHECK(topologyNumbers(mesh).components == 1);
+  expectValid(mesh);
+}
+
+TEST_CASE("random collisions of two bumpy spheres and a torus are resolved or reported, never broken") {
+  for (unsigned seed = 1; seed <= 25; ++seed) {
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    const auto part = [&] { return static_cast<double>(random() % 1000) / 1000; };
+    const Vec3 apart(1.85 + 0.15 * part(), 0.3 * part(), 0.3 * part());
+    const double phase = part();
+    Mesh mesh(zoo::both(zoo::both(zoo::bumpySphere(8, phase), zoo::moved(zoo::bumpySphere(8, 2), apart)),
+                        zoo::moved(zoo::torus(24, 12, 1, 0.4), Vec3(0, 2.1, 0.2 * part()))));
+    AdaptationSettings settings;
+    settings.outwardOnly = seed % 2 == 0;
+    const AdaptationResult result = adaptFully(mesh, settings);
+    if (result.troubles.empty()) CHECK(intersections(mesh).empty());
+    expectValid(mesh);
+  }
+}
+
+TEST_CASE("random folds of a sphere are resolved or reported, never broken") {
+  for (unsigned seed = 1; seed <= 25; ++seed) {
+    CAPTURE(seed);
+    Mesh mesh(zoo::perturbed(zoo::sphere(8), 0.08 + 0.004 * seed, seed));
+    const AdaptationResult result = adaptFully(mesh);
+    if (result.troubles.empty()) CHECK(intersections(mesh).empty());
+    expectValid(mesh);
+  }
+}

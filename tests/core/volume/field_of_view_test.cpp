@@ -1,0 +1,99 @@
+#include "core/volume/field_of_view.h"
+
+#include "tests/support/catch.h"
+#include "tests/support/test_volume.h"
+
+using namespace handlebody;
+using testing::cubicGrid;
+using testing::volumeByIndex;
+
+namespace {
+
+//! Values that never repeat on a grid of fewer than 16 million voxels.
+int unique(int i, int j, int k) { return 1 + i + 200 * j + 40'000 * k; }
+
+std::size_t indexOf(const Grid& g, int i, int j, int k) {
+  return static_cast<std::size_t>((k * g.size[1] + j) * g.size[0] + i);
+}
+
+bool outsideCircle(int i, int j) { return std::hypot(i - 9.5, j - 9.5) > 9.8; }
+
+}  // namespace
+
+TEST_CASE("an image without a repeated border value has no padding") {
+  CHECK(FieldOfView::find(volumeByIndex(cubicGrid(20), unique)) == nullptr);
+}
+
+TEST_CASE("padding is exactly what lies outside a circular field of view") {
+  const Grid grid = cubicGrid(20);
+  const Volume volume =
+      volumeByIndex(grid, [](int i, int j, int k) { return outsideCircle(i, j) ? -1000 : unique(i, j, k); });
+  const auto view = FieldOfView::find(volume);
+  REQUIRE(view != nullptr);
+  for (int k = 0; k < 20; ++k)
+    for (int j = 0; j < 20; ++j)
+      for (int i = 0; i < 20; ++i) REQUIRE(view->isPadding(indexOf(grid, i, j, k)) == outsideCircle(i, j));
+}
+
+TEST_CASE("the padding value inside the image, away from the border, is no padding") {
+  const Grid grid = cubicGrid(20);
+  const Volume volume = volumeByIndex(grid, [](int i, int j, int k) {
+    const bool hole = i == 10 && j == 10 && k == 10;
+    return hole || outsideCircle(i, j) ? -1000 : unique(i, j, k);
+  });
+  const auto view = FieldOfView::find(volume);
+  REQUIRE(view != nullptr);
+  CHECK(view->isPadding(0));
+  CHECK_FALSE(view->isPadding(indexOf(grid, 10, 10, 10)));
+}
+
+TEST_CASE("padding goes on through faces of voxels, not through edges or corners") {
+  const Grid grid = cubicGrid(6);
+  const Volume volume = volumeByIndex(grid, [](int i, int j, int k) {
+    const bool attached = i == 1 && j == 2 && k == 2, diagonal = i == 2 && j == 3 && k == 2;
+    return i == 0 || attached || diagonal ? 0 : unique(i, j, k);
+  });
+  const auto view = FieldOfView::find(volume);
+  REQUIRE(view != nullptr);
+  CHECK(view->isPadding(indexOf(grid, 1, 2, 2)));
+  CHECK_FALSE(view->isPadding(indexOf(grid, 2, 3, 2)));
+}
+
+TEST_CASE("a value on fewer border voxels than kLeastPadding is no padding, on as many it is") {
+  const Grid grid = cubicGrid(10);
+  const int border = 10 * 10 * 10 - 8 * 8 * 8;
+  const auto withRepeats = [&](int repeats) {
+    int left = repeats;
+    return volumeByIndex(grid, [&](int i, int j, int k) {
+      const bool onBorder = i == 0 || i == 9 || j == 0 || j == 9 || k == 0 || k == 9;
+      return onBorder && left-- > 0 ? 0 : unique(i, j, k);
+    });
+  };
+  const int least = static_cast<int>(std::ceil(kLeastPadding * border));
+  CHECK(FieldOfView::find(withRepeats(least - 1)) == nullptr);
+  CHECK(FieldOfView::find(withRepeats(least)) != nullptr);
+}
+
+TEST_CASE("of two repeated border values the commoner one is the padding") {
+  const Grid grid = cubicGrid(10);
+  const Volume volume = volumeByIndex(grid, [](int i, int j, int k) {
+    return k == 0 ? 7 : (k == 9 || k == 8) ? 5 : unique(i, j, k);
+  });
+  const auto view = FieldOfView::find(volume);
+  REQUIRE(view != nullptr);
+  CHECK(view->isPadding(indexOf(grid, 5, 5, 9)));
+  CHECK(view->isPadding(indexOf(grid, 5, 5, 8)));
+  CHECK_FALSE(view->isPadding(indexOf(grid, 5, 5, 0)));
+}
+
+TEST_CASE("padding is found in integer volumes and in volumes of one slice") {
+  Grid grid;
+  grid.size = {8, 8, 1};
+  void* buffer = nullptr;
+  const Volume volume = makeVolume(grid, VoxelType::int16, &buffer);
+  for (int v = 0; v < 64; ++v) static_cast<std::int16_t*>(buffer)[v] = static_cast<std::int16_t>(v);
+  for (int v = 0; v < 16; ++v) static_cast<std::int16_t*>(buffer)[v] = -2000;
+  const auto view = FieldOfView::find(volume);
+  REQUIRE(view != nullptr);
+  for (std::size_t v = 0; v < 64; ++v) CHECK(view->isPadding(v) == (v < 16));
+}
