@@ -141,6 +141,7 @@ void ActiveContour::State::resolve(const Volume& volume, const std::vector<Seed>
   mesh = seedMesh(parameters.seeds, edge);
   quiet.assign(idx(mesh.vertexSlots()), 0);
   topology = topologyNumbers(mesh);
+  if (p.maxIterations == 0) stop = StopReason::maxIterations;
 }
 
 std::vector<int> ActiveContour::State::vertexToMove() const {

@@ -28,10 +28,15 @@ constexpr double kLeakAdvantage = 2.5;
 // A dark object is none if a bright one at the same seed has a boundary this many times stronger, and the
 // reverse.
 constexpr double kWrongKind = 4;
+// In pure noise the mean edge is as strong at every level as in the seeds; a boundary must be stronger than
+// that.
+constexpr double kClearEdge = 1.4;
 // An automatic object that holds more than this part of the volume's border is the background.
 constexpr double kBackground = 0.5;
 // Fewer voxels than this are no region yet.
 constexpr double kLeastRegion = 30;
+
+using FieldOfViewPointer = std::shared_ptr<const FieldOfView>;
 
 double quantile(std::vector<double> values, double q) {
   const auto at = static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
@@ -71,6 +76,29 @@ std::vector<double> valuesNear(const SmoothedVolume& volume, const std::vector<S
     values.push_back(volume.sample(centre));
   }
   return values;
+}
+
+//! Gradient (intensity per mm) of the noise in the seeds, weighted as RegionGrowth::edge is.
+double noiseEdge(const SmoothedVolume& volume, const std::vector<Seed>& seeds, double radius) {
+  const Grid& grid = volume.grid();
+  double s1 = 0, s2 = 0;
+  for (const Seed& seed : seeds) {
+    const Vec3 centre = grid.toIndex(seed.centre);
+    const Vec3 reach = Vec3::Constant(radius).cwiseQuotient(grid.spacing);
+    for (double k = std::ceil(centre[2] - reach[2]); k <= centre[2] + reach[2]; ++k)
+      for (double j = std::ceil(centre[1] - reach[1]); j <= centre[1] + reach[1]; ++j)
+        for (double i = std::ceil(centre[0] - reach[0]); i <= centre[0] + reach[0]; ++i) {
+          const Vec3 index(i, j, k);
+          if (!grid.contains(index) || (grid.toWorld(index) - seed.centre).norm() > radius) continue;
+          Vec3 gradient;
+          for (int a = 0; a < 3; ++a)
+            gradient[a] = (volume.sample(index + Vec3::Unit(a)) - volume.sample(index - Vec3::Unit(a))) /
+                          (2 * grid.spacing[a]);
+          s1 += gradient.norm();
+          s2 += gradient.squaredNorm();
+        }
+  }
+  return s1 > 0 ? s2 / s1 : 0;
 }
 
 //! Radius in which the seeds' statistics are taken: the user's, but no more than a few voxels.
@@ -141,6 +169,8 @@ Boundary searchBoundary(const SmoothedVolume& volume, const std::vector<Seed>& s
 void requireSeedsInside(const Grid& grid, const std::vector<Seed>& seeds) {
   if (seeds.empty()) throw UsageError("No seed was given: at least one is needed.");
   for (const Seed& s : seeds) {
+    if (s.radius && !(*s.radius > 0 && std::isfinite(*s.radius)))
+      throw UsageError("The radius of a seed must be a number of mm above 0.");
     const Vec3 i = grid.toIndex(s.centre);
     if (!grid.contains(i))
       throw SeedError("The seed at (" + std::to_string(s.centre[0]) + ", " + std::to_string(s.centre[1]) +
@@ -148,6 +178,13 @@ void requireSeedsInside(const Grid& grid, const std::vector<Seed>& seeds) {
                       std::to_string(i[0]) + ", " + std::to_string(i[1]) + ", " + std::to_string(i[2]) +
                       ").");
   }
+}
+
+std::string notInObject(ObjectKind asked) {
+  const std::string kind = asked == ObjectKind::bright ? "bright"
+                           : asked == ObjectKind::dark ? "dark"
+                                                       : "dark or bright";
+  return "The seed is not in a " + kind + " object: the image has no clear boundary of that kind around it.";
 }
 
 void requireVoxelsInRange(const Volume& volume, const IntensityRange& range) {
@@ -183,75 +220,6 @@ void requireSeedsInRange(const ObjectChoice& choice, const std::vector<Seed>& se
   }
 }
 
-bool anyInPadding(const Grid& grid, const FieldOfView& view, const std::vector<Seed>& seeds) {
-  return std::any_of(seeds.begin(), seeds.end(), [&](const Seed& s) {
-    const Vec3 i = grid.toIndex(s.centre);
-    std::size_t at = 0;
-    for (int a = 2; a >= 0; --a) {
-      const int n = grid.size[static_cast<std::size_t>(a)];
-      at = at * static_cast<std::size_t>(n) +
-           static_cast<std::size_t>(std::clamp(static_cast<int>(std::lround(i[a])), 0, n - 1));
-    }
-    return view.isPadding(at);
-  });
-}
-
-//! Padding, unless a seed lies in it.
-std::shared_ptr<const FieldOfView> paddingBeside(const Volume& volume, const std::vector<Seed>& seeds) {
-  std::shared_ptr<const FieldOfView> view = FieldOfView::find(volume);
-  return view && anyInPadding(volume.grid, *view, seeds) ? nullptr : view;
-}
-
-//! The final image: padding lies as far outside the object's range as the object lies inside it.
-void setImage(ObjectChoice& choice, const Volume& volume, double sigma,
-              std::shared_ptr<const FieldOfView> view) {
-  const double wall = std::isfinite(choice.range.high) ? choice.range.high + choice.contrast
-                                                       : choice.range.low - choice.contrast;
-  if (!std::isfinite(wall)) view = nullptr;  // a range without ends holds everything
-  choice.volume = std::make_shared<SmoothedVolume>(volume, sigma, std::move(view), wall);
-}
-
-//! With a given range the contrast is the distance from the level in the seeds to the nearer end.
-ObjectChoice withGivenRange(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& p) {
-  requireVoxelsInRange(volume, *p.range);
-  ObjectChoice choice;
-  const double sigma = p.smoothing.value_or(kFirstSigma * volume.grid.meanSpacing());
-  choice.range = *p.range;
-  choice.volume = std::make_shared<SmoothedVolume>(volume, sigma);
-  requireSeedsInRange(choice, seeds);
-  choice.level = quantile(valuesNear(*choice.volume, seeds, statisticsRadius(volume.grid, seeds)), 0.5);
-  const double above = choice.range.high - choice.level, below = choice.level - choice.range.low;
-  choice.contrast = std::min(above, below);
-  if (!(choice.contrast > 0) || !std::isfinite(choice.contrast))
-    choice.contrast = std::max(1e-6, std::abs(choice.level) * 1e-3);
-  choice.object = p.object;
-  if (p.object == ObjectKind::automatic)
-    choice.object = above < below ? ObjectKind::dark : ObjectKind::bright;
-  setImage(choice, volume, sigma, paddingBeside(volume, seeds));
-  return choice;
-}
-
-//! Dark or bright, and the level of the boundary, on an image of one smoothing. False if there is none, or if
-//! what is asked for has a far weaker boundary than the opposite, or if what was found is the background
-//! around everything.
-bool chooseBoundary(ObjectChoice& choice, const std::vector<Seed>& seeds, const Statistics& whole,
-                    ObjectKind asked) {
-  const Boundary dark = searchBoundary(*choice.volume, seeds, whole, ObjectKind::dark);
-  const Boundary bright = searchBoundary(*choice.volume, seeds, whole, ObjectKind::bright);
-  const bool takeDark = asked == ObjectKind::dark || (asked == ObjectKind::automatic && dark.found &&
-                                                      (!bright.found || dark.strength >= bright.strength));
-  const Boundary& best = takeDark ? dark : bright;
-  const Boundary& other = takeDark ? bright : dark;
-  if (!best.found || (other.found && other.strength > kWrongKind * best.strength)) return false;
-  if (asked == ObjectKind::automatic && best.border > kBackground) return false;
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  choice.object = takeDark ? ObjectKind::dark : ObjectKind::bright;
-  choice.range = takeDark ? IntensityRange{-kInfinity, best.level} : IntensityRange{-best.level, kInfinity};
-  choice.level = whole.level;
-  choice.contrast = std::abs((takeDark ? best.level : -best.level) - whole.level);
-  return choice.contrast > 0;
-}
-
 //! The least smoothing that is enough for the noise near the seeds. What more smoothing hardly lessens is
 //! structure and not noise: it ends the search too.
 double chooseSmoothing(const Volume& volume, const std::vector<Seed>& seeds, const ObjectChoice& choice) {
@@ -273,6 +241,89 @@ double chooseSmoothing(const Volume& volume, const std::vector<Seed>& seeds, con
   return best * voxel;
 }
 
+bool anyInPadding(const Grid& grid, const FieldOfView& view, const std::vector<Seed>& seeds) {
+  return std::any_of(seeds.begin(), seeds.end(), [&](const Seed& s) {
+    const Vec3 i = grid.toIndex(s.centre);
+    std::size_t at = 0;
+    for (int a = 2; a >= 0; --a) {
+      const int n = grid.size[static_cast<std::size_t>(a)];
+      at = at * static_cast<std::size_t>(n) +
+           static_cast<std::size_t>(std::clamp(static_cast<int>(std::lround(i[a])), 0, n - 1));
+    }
+    return view.isPadding(at);
+  });
+}
+
+//! Padding, unless a seed lies in it.
+std::shared_ptr<const FieldOfView> paddingBeside(const Volume& volume, const std::vector<Seed>& seeds) {
+  std::shared_ptr<const FieldOfView> view = FieldOfView::find(volume);
+  return view && anyInPadding(volume.grid, *view, seeds) ? nullptr : view;
+}
+
+//! The final image. Padding matters where its value would count as object: there it is given a value as far
+//! outside the range as the object lies inside it. Elsewhere it is a background like any other.
+void setImage(ObjectChoice& choice, const Volume& volume, double sigma,
+              std::shared_ptr<const FieldOfView> view) {
+  const bool needed = view && view->value() >= choice.range.low && view->value() <= choice.range.high;
+  const double wall = std::isfinite(choice.range.high) ? choice.range.high + choice.contrast
+                                                       : choice.range.low - choice.contrast;
+  if (!needed || !std::isfinite(wall)) view = nullptr;  // a range without ends holds everything
+  choice.volume = std::make_shared<SmoothedVolume>(volume, sigma, std::move(view), wall);
+}
+
+//! With a given range the contrast is the distance from the level in the seeds to the nearer end.
+ObjectChoice withGivenRange(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& p) {
+  requireVoxelsInRange(volume, *p.range);
+  ObjectChoice choice;
+  double sigma = p.smoothing.value_or(kFirstSigma * volume.grid.meanSpacing());
+  choice.range = *p.range;
+  choice.volume = std::make_shared<SmoothedVolume>(volume, sigma);
+  requireSeedsInRange(choice, seeds);
+  choice.level = quantile(valuesNear(*choice.volume, seeds, statisticsRadius(volume.grid, seeds)), 0.5);
+  const double above = choice.range.high - choice.level, below = choice.level - choice.range.low;
+  choice.contrast = std::min(above, below);
+  if (!(choice.contrast > 0) || !std::isfinite(choice.contrast))
+    choice.contrast = std::max(1e-6, std::abs(choice.level) * 1e-3);
+  choice.object = p.object;
+  if (p.object == ObjectKind::automatic)
+    choice.object = above < below ? ObjectKind::dark : ObjectKind::bright;
+  if (!p.smoothing) sigma = std::min(sigma, chooseSmoothing(volume, seeds, choice));
+  setImage(choice, volume, sigma, paddingBeside(volume, seeds));
+  return choice;
+}
+
+//! Dark or bright, and the level of the boundary, on an image of one smoothing. False if there is none, or if
+//! what is asked for has a far weaker boundary than the opposite, or if what was found is the background
+//! around everything.
+bool chooseBoundary(ObjectChoice& choice, const Volume& volume, double sigma, const FieldOfViewPointer& view,
+                    const std::vector<Seed>& seeds, Statistics& whole, ObjectKind asked) {
+  const SmoothedVolume plain(volume, sigma);
+  whole.level = quantile(valuesNear(plain, seeds, statisticsRadius(volume.grid, seeds)), 0.5);
+  const auto search = [&](ObjectKind kind) {
+    // Padding as dark as a dark object would be flooded with it; the region stops there, and its edge does
+    // not count.
+    const bool alike =
+        view && (kind == ObjectKind::dark ? view->value() <= whole.level : view->value() >= whole.level);
+    if (!alike) return searchBoundary(plain, seeds, whole, kind);
+    return searchBoundary(SmoothedVolume(volume, sigma, view, view->value()), seeds, whole, kind);
+  };
+  Boundary dark = search(ObjectKind::dark), bright = search(ObjectKind::bright);
+  const double noise = noiseEdge(plain, seeds, statisticsRadius(volume.grid, seeds));
+  for (Boundary* b : {&dark, &bright}) b->found = b->found && b->strength > kClearEdge * noise;
+  const bool takeDark = asked == ObjectKind::dark || (asked == ObjectKind::automatic && dark.found &&
+                                                      (!bright.found || dark.strength >= bright.strength));
+  const Boundary& best = takeDark ? dark : bright;
+  const Boundary& other = takeDark ? bright : dark;
+  if (!best.found || (other.found && other.strength > kWrongKind * best.strength)) return false;
+  if (asked == ObjectKind::automatic && best.border > kBackground) return false;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  choice.object = takeDark ? ObjectKind::dark : ObjectKind::bright;
+  choice.range = takeDark ? IntensityRange{-kInfinity, best.level} : IntensityRange{-best.level, kInfinity};
+  choice.level = whole.level;
+  choice.contrast = std::abs((takeDark ? best.level : -best.level) - whole.level);
+  return choice.contrast > 0;
+}
+
 }  // namespace
 
 ObjectChoice chooseObject(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& p) {
@@ -282,34 +333,17 @@ ObjectChoice chooseObject(const Volume& volume, const std::vector<Seed>& seeds, 
   const std::vector<double> voxels = sampleVoxels(volume);
   Statistics whole{0, quantile(voxels, 0.002), quantile(voxels, 0.998)};
   ObjectChoice choice;
-  std::shared_ptr<const FieldOfView> view = paddingBeside(volume, seeds);
-  const auto choose = [&](double sigma) {
-    choice.volume = std::make_shared<SmoothedVolume>(volume, sigma, view);
-    whole.level = quantile(valuesNear(*choice.volume, seeds, statisticsRadius(volume.grid, seeds)), 0.5);
-    if (chooseBoundary(choice, seeds, whole, p.object)) return true;
-    if (!view) return false;
-    view = nullptr;  // an image whose background is one value has no other edge than that against the padding
-    choice.volume = std::make_shared<SmoothedVolume>(volume, sigma);
-    return chooseBoundary(choice, seeds, whole, p.object);
-  };
+  const FieldOfViewPointer view = paddingBeside(volume, seeds);
   const double first = kFirstSigma * volume.grid.meanSpacing();
   double sigma = p.smoothing.value_or(first);
-  bool found = choose(sigma);
+  bool found = chooseBoundary(choice, volume, sigma, view, seeds, whole, p.object);
   if (found && !p.smoothing) {
     // Less smoothing moves no level, and the growth need not be repeated; more does.
     sigma = chooseSmoothing(volume, seeds, choice);
-    if (sigma > first) found = choose(sigma);
+    if (sigma > first) found = chooseBoundary(choice, volume, sigma, view, seeds, whole, p.object);
   }
-  if (!found)
-    throw SeedError(std::string("The seed is not in a ") +
-                    (p.object == ObjectKind::bright ? "bright"
-                     : p.object == ObjectKind::dark ? "dark"
-                                                    : "dark or bright") +
-                    " object: the image has no boundary around it.");
-  const double outwards = choice.object == ObjectKind::dark ? 1 : -1;
-  const double boundary = choice.object == ObjectKind::dark ? choice.range.high : choice.range.low;
-  choice.volume =
-      std::make_shared<SmoothedVolume>(volume, sigma, view, boundary + outwards * choice.contrast);
+  if (!found) throw SeedError(notInObject(p.object));
+  setImage(choice, volume, sigma, view);
   requireSeedsInRange(choice, seeds);
   return choice;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 namespace handlebody {
 
@@ -12,6 +13,8 @@ constexpr int kBins = 200;
 // then it has leaked, and nothing but time and memory is spent.
 constexpr double kEnoughVoxels = 120'000;
 constexpr double kEnoughTimes = 2;
+// One level that lets in more than this is a leak, whatever it leads to.
+constexpr std::size_t kMostVoxels = 2'000'000;
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
@@ -47,7 +50,7 @@ class Flood {
         static_cast<double>(volume_.grid().voxelCount()) -
         std::max(0.0, n[0] - 2.0) * std::max(0.0, n[1] - 2.0) * std::max(0.0, n[2] - 2.0);
     double count = 0, strongest = 0, enough = kEnoughVoxels;
-    for (int bin = 0; bin < kBins && count < enough; ++bin) {
+    for (int bin = 0; bin < kBins && count < std::min(enough, 2.0 * kMostVoxels); ++bin) {
       count += static_cast<double>(drain(bin));
       growth.voxels.push_back(count);
       growth.border.push_back(border_ / borderVoxels);
@@ -87,10 +90,11 @@ class Flood {
   std::size_t drain(int bin) {
     level_ = bin;
     std::size_t taken = 0;
-    std::vector<Entry>& front = queue_[idx(bin)];
-    while (!front.empty()) {
-      const Entry entry = front.back();
-      front.pop_back();
+    // First in, first out: the region grows like a ball, and the queue is never more than its surface.
+    std::deque<Entry>& front = queue_[idx(bin)];
+    while (!front.empty() && taken < kMostVoxels) {
+      const Entry entry = front.front();
+      front.pop_front();
       ++taken;
       if (isOnBorder(entry.voxel)) ++border_;
       const double g = takeNeighbours(entry);
@@ -147,7 +151,7 @@ class Flood {
   double sign_, lowest_, step_;
   double border_ = 0;  // voxels taken on the faces of the grid
   int level_ = 0;      // the bin that is being drained
-  std::vector<std::vector<Entry>> queue_;
+  std::vector<std::deque<Entry>> queue_;
   std::vector<double> sumGradient_, sumSquared_;
   std::vector<bool> seen_;
 };

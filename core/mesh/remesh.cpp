@@ -27,8 +27,8 @@ class Regulator {
   }
 
  private:
-  // An edge of a moving mesh is at most a few times too long (handles); each pass halves it.
-  static constexpr int kMaxSplitPasses = 6;
+  // Each pass halves the longest edges: enough for any that are less than 2^16 times too long.
+  static constexpr int kMaxSplitPasses = 16;
 
   bool isActive(int v) const { return active_[idx(v)] != 0; }
   double squaredLength(int h) const {

@@ -39,15 +39,16 @@ std::vector<int> collidingVertices(const Mesh& mesh, std::span<const FacePair> p
   return vertices;
 }
 
-//! Adds the common neighbours that hold a set together, so that it is connected.
-void connect(const Mesh& mesh, std::vector<int>& lambda) {
+//! Vertices that join through common neighbours but have no path within the set: those neighbours, so that
+//! every set is connected.
+std::vector<int> missingLinks(const Mesh& mesh, const std::vector<int>& vertices) {
   const auto slot = [&](int v) {
-    const auto it = std::lower_bound(lambda.begin(), lambda.end(), v);
-    return it != lambda.end() && *it == v ? static_cast<int>(it - lambda.begin()) : -1;
+    const auto it = std::lower_bound(vertices.begin(), vertices.end(), v);
+    return it != vertices.end() && *it == v ? static_cast<int>(it - vertices.begin()) : -1;
   };
-  UnionFind parts(static_cast<int>(lambda.size()));
+  UnionFind parts(static_cast<int>(vertices.size()));
   std::vector<int> ring;
-  for (int v : lambda)
+  for (int v : vertices)
     mesh.forEachNeighbour(v, [&](int w) {
       if (slot(w) >= 0)
         parts.join(slot(v), slot(w));
@@ -68,14 +69,25 @@ void connect(const Mesh& mesh, std::vector<int>& lambda) {
     });
     if (joins) links.push_back(w);
   }
-  lambda.insert(lambda.end(), links.begin(), links.end());
-  std::sort(lambda.begin(), lambda.end());
+  return links;
+}
+
+//! The colliding vertices and what links them; a link may bring two sets within reach of each other, so again
+//! until nothing is missing.
+std::vector<int> connectedVertices(const Mesh& mesh, std::span<const FacePair> pairs) {
+  std::vector<int> vertices = collidingVertices(mesh, pairs);
+  for (std::vector<int> links = missingLinks(mesh, vertices); !links.empty();
+       links = missingLinks(mesh, vertices)) {
+    vertices.insert(vertices.end(), links.begin(), links.end());
+    std::sort(vertices.begin(), vertices.end());
+  }
+  return vertices;
 }
 
 }  // namespace
 
 std::vector<CollisionGroup> groupCollisions(const Mesh& mesh, std::span<const FacePair> pairs) {
-  const std::vector<int> vertices = collidingVertices(mesh, pairs);
+  const std::vector<int> vertices = connectedVertices(mesh, pairs);
   UnionFind sets(mesh.vertexSlots());
   // Joining every colliding vertex with its neighbours joins those at distance 1 and 2, and no others.
   for (int v : vertices) mesh.forEachNeighbour(v, [&](int w) { sets.join(v, w); });
@@ -93,8 +105,6 @@ std::vector<CollisionGroup> groupCollisions(const Mesh& mesh, std::span<const Fa
     if (newSet) lambda.emplace_back();
     lambda[slot->second].push_back(v);
   }
-  for (CollisionGroup& group : out)
-    for (auto& lambda : group.lambda) connect(mesh, lambda);
   for (const FacePair& p : pairs)
     out[groupOf.at(groups.find(sets.find(mesh.face(p.first)[0])))].pairs.push_back(p);
   return out;

@@ -268,11 +268,24 @@ class Adaptation {
     countTopology(event);
     if (plan.kind == EventKind::split || plan.kind == EventKind::smoothed) event.kind = kindOfCut(event);
     const bool cut = event.after.components > event.before.components;
+    if (cut && event.kind == EventKind::split && hasCavity(patch)) event.kind = EventKind::enclosedPartCutOff;
     if (settings_.recordTraces)
       for (const Triangle& t : patch)
         event.trace.handleFaces.push_back({mesh_.position(t[0]), mesh_.position(t[1]), mesh_.position(t[2])});
+    if (settings_.recordTraces) {
+      event.trace.closedFaces = event.trace.openedFaces;
+      event.trace.closedFaces.insert(event.trace.closedFaces.end(), event.trace.handleFaces.begin(),
+                                     event.trace.handleFaces.end());
+    }
     result_.events.push_back(std::move(event));
     if (cut && settings_.outwardOnly) deleteFlakes(patch);
+  }
+
+  //! True if the patch bounds a part of outside space that it has just enclosed.
+  bool hasCavity(const std::vector<Triangle>& patch) const {
+    const Components parts = findComponents(mesh_);
+    return std::any_of(patch.begin(), patch.end(),
+                       [&](const Triangle& t) { return parts.volume[idx(parts.ofVertex[idx(t[0])])] < 0; });
   }
 
   //! Motion outwards can cut off nothing but cavities. A solid piece that a cut leaves is a scrap of surface
@@ -302,7 +315,9 @@ class Adaptation {
   void countTopology(Event& event) {
     event.before = topology_;
     const int euler = mesh_.vertexCount() - mesh_.faceCount() / 2;
-    if (euler != topology_.euler || event.kind == EventKind::handleInserted)
+    // A handle between two components, or a deleted torus, changes them and not the Euler number.
+    if (euler != topology_.euler || event.kind == EventKind::handleInserted ||
+        event.kind == EventKind::componentDeleted)
       topology_ = topologyNumbers(mesh_);
     event.after = topology_;
   }

@@ -1,5 +1,6 @@
 #include "core/volume/field_of_view.h"
 
+#include <deque>
 #include <unordered_map>
 
 namespace handlebody {
@@ -23,7 +24,7 @@ void forEachBorderVoxel(const Size& n, F&& f) {
 }
 
 template <typename T>
-std::vector<bool> findPadding(const T* voxels, const Size& n) {
+std::vector<bool> findPadding(const T* voxels, const Size& n, double& paddingValue) {
   std::unordered_map<T, std::size_t> count;
   std::size_t border = 0;
   forEachBorderVoxel(n, [&](std::size_t v) {
@@ -39,17 +40,18 @@ std::vector<bool> findPadding(const T* voxels, const Size& n) {
     }
   if (static_cast<double>(most) < kLeastPadding * static_cast<double>(border)) return {};
 
+  paddingValue = static_cast<double>(value);
   std::vector<bool> padding(n.x * n.y * n.z, false);
-  std::vector<std::size_t> stack;
+  std::deque<std::size_t> front;  // first in, first out: it never holds more than the surface of the padding
   const auto push = [&](std::size_t v) {
     if (padding[v] || voxels[v] != value) return;
     padding[v] = true;
-    stack.push_back(v);
+    front.push_back(v);
   };
   forEachBorderVoxel(n, push);
-  while (!stack.empty()) {
-    const std::size_t v = stack.back();
-    stack.pop_back();
+  while (!front.empty()) {
+    const std::size_t v = front.front();
+    front.pop_front();
     const std::size_t i = v % n.x, j = v / n.x % n.y, k = v / (n.x * n.y);
     if (i > 0) push(v - 1);
     if (i + 1 < n.x) push(v + 1);
@@ -67,7 +69,8 @@ std::shared_ptr<const FieldOfView> FieldOfView::find(const Volume& volume) {
   const Size n{static_cast<std::size_t>(volume.grid.size[0]), static_cast<std::size_t>(volume.grid.size[1]),
                static_cast<std::size_t>(volume.grid.size[2])};
   auto found = std::make_shared<FieldOfView>();
-  found->padding_ = visitVoxels(volume, [&](const auto* voxels) { return findPadding(voxels, n); });
+  found->padding_ =
+      visitVoxels(volume, [&](const auto* voxels) { return findPadding(voxels, n, found->value_); });
   return found->padding_.empty() ? nullptr : found;
 }
 

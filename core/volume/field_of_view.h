@@ -16,9 +16,12 @@ class FieldOfView {
   static std::shared_ptr<const FieldOfView> find(const Volume& volume);
 
   bool isPadding(std::size_t voxel) const { return padding_[voxel]; }
+  //! The padding's value.
+  double value() const { return value_; }
 
  private:
   std::vector<bool> padding_;
+  double value_ = 0;
 };
 
 //! Part of the border voxels. A circular field of view leaves 21 % of four faces out; noise never repeats one

@@ -96,8 +96,7 @@ TEST_CASE("the trace of a handle holds its sets, its polygons and its faces, and
   CHECK_FALSE(e.trace.openedFaces.empty());
 }
 
-TEST_CASE("the trace of a handle shows the closed mesh near the place", "[!shouldfail]") {
-  // A bug that is known: EventTrace::closedFaces (M_c of the paper's Figure 1) is never filled.
+TEST_CASE("the trace of a handle shows the closed mesh near the place") {
   Mesh mesh = touchingSpheres();
   AdaptationSettings settings;
   settings.recordTraces = true;
@@ -131,9 +130,7 @@ TEST_CASE("a component that collides with itself everywhere and cannot be smooth
   CHECK(deleted->after.components == 1);
 }
 
-// A bug that is known: components are counted anew only if the Euler number changed, and a torus has none.
-// The numbers after the event, and all that follow from them, keep a component and a handle that have gone.
-TEST_CASE("a component with a handle that is deleted counts in the event", "[!shouldfail]") {
+TEST_CASE("a component with a handle that is deleted counts in the event") {
   const TriangleSoup torus = zoo::perturbed(zoo::torus(7, 5, 1, 0.5), 1.5, 8);
   Mesh mesh(zoo::both(zoo::sphere(5), zoo::moved(torus, Vec3(9, 0, 0))));
   const AdaptationResult result = adaptFully(mesh);
