@@ -13,6 +13,9 @@ constexpr int kBins = 200;
 // then it has leaked, and nothing but time and memory is spent.
 constexpr double kEnoughVoxels = 120'000;
 constexpr double kEnoughTimes = 2;
+// The growth ends when it has touched a quarter of a large volume.
+constexpr std::size_t kFewBricks = 300;
+constexpr std::size_t kPartOfBricks = 4;
 // One level that lets in more than this is a leak, whatever it leads to.
 constexpr std::size_t kMostVoxels = 2'000'000;
 
@@ -50,7 +53,7 @@ class Flood {
         static_cast<double>(volume_.grid().voxelCount()) -
         std::max(0.0, n[0] - 2.0) * std::max(0.0, n[1] - 2.0) * std::max(0.0, n[2] - 2.0);
     double count = 0, strongest = 0, enough = kEnoughVoxels;
-    for (int bin = 0; bin < kBins && count < std::min(enough, 2.0 * kMostVoxels); ++bin) {
+    for (int bin = 0; bin < kBins && count < std::min(enough, 2.0 * kMostVoxels) && !isFarSpread(); ++bin) {
       count += static_cast<double>(drain(bin));
       growth.voxels.push_back(count);
       growth.border.push_back(border_ / borderVoxels);
@@ -64,6 +67,10 @@ class Flood {
   }
 
  private:
+  //! A leak into noise spreads thinly through the whole volume, and would have all of it smoothed and kept.
+  bool isFarSpread() const {
+    return volume_.bricksMade() > std::max(kFewBricks, volume_.brickCount() / kPartOfBricks);
+  }
   bool isInside(const Voxel& v) const {
     const auto& size = volume_.grid().size;
     return v.i >= 0 && v.j >= 0 && v.k >= 0 && v.i < size[0] && v.j < size[1] && v.k < size[2];
@@ -92,7 +99,7 @@ class Flood {
     std::size_t taken = 0;
     // First in, first out: the region grows like a ball, and the queue is never more than its surface.
     std::deque<Entry>& front = queue_[idx(bin)];
-    while (!front.empty() && taken < kMostVoxels) {
+    while (!front.empty() && taken < kMostVoxels && !isFarSpread()) {
       const Entry entry = front.front();
       front.pop_front();
       ++taken;

@@ -82,6 +82,7 @@ const float* SmoothedVolume::brick(int bi, int bj, int bk) const {
   if (const float* ready = slot.load(std::memory_order_acquire)) return ready;
   float* made = makeBrick(bi, bj, bk).release();
   slot.store(made, std::memory_order_release);
+  made_.fetch_add(1, std::memory_order_relaxed);
   return made;
 }
 

@@ -26,6 +26,9 @@ class SmoothedVolume {
   const Grid& grid() const { return volume_.grid; }
   bool isPadding(std::size_t voxel) const { return view_ && view_->isPadding(voxel); }
   double sigma() const { return sigma_; }
+  //! Bricks of the whole volume, and those made so far.
+  std::size_t brickCount() const { return table_.size(); }
+  std::size_t bricksMade() const { return made_.load(std::memory_order_relaxed); }
   //! Smoothed value at a voxel of the grid.
   float at(int i, int j, int k) const;
   //! Trilinear value at a continuous index; indices outside are moved to the nearest voxel of the border.
@@ -46,6 +49,7 @@ class SmoothedVolume {
   std::array<Kernel, 3> kernels_;
   std::array<int, 3> bricks_;
   mutable std::vector<std::atomic<float*>> table_;
+  mutable std::atomic<std::size_t> made_{0};
   mutable std::mutex making_;
 };
 
