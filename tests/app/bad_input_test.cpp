@@ -64,7 +64,7 @@ TEST_CASE("a file that is not there is unreadable", "[cli][bad]") {
 TEST_CASE("an empty file is unreadable", "[cli][bad]") {
   const TempFolder folder;
   for (const char* name : {"e.nii", "e.nii.gz", "e.nrrd", "e.mha", "e.dcm", "e.tif"}) {
-    writeBytes(folder / name);
+    writeBytes(folder / name, "");
     requireUnreadable(folder, name);
   }
 }
@@ -149,7 +149,7 @@ TEST_CASE("a range without voxels is a mistake in --range", "[cli][bad]") {
 TEST_CASE("an output that cannot be written is refused before the work", "[cli][bad]") {
   const TempFolder folder;
   const PhantomFile phantom = makePhantomFile(folder);
-  writeBytes(folder / "file");
+  writeBytes(folder / "file", "");
   std::filesystem::create_directory(folder / "sub.stl");
   const auto refuse = [&](const std::string& option, const std::string& path) {
     std::vector<std::string> arguments{"segment", phantom.path, "--seed", phantom.seed, option, path};
@@ -160,7 +160,7 @@ TEST_CASE("an output that cannot be written is refused before the work", "[cli][
   refuse("-o", folder / "file/out.stl");
   refuse("-o", folder / "sub.stl");
   refuse("-o", "/proc/out.stl");
-  refuse("-o");
+  refuse("-o", "");
   refuse("-o", phantom.path);
   refuse("--report", folder / "missing/r.json");
   refuse("--session", folder / "missing/s.json");
@@ -204,7 +204,7 @@ TEST_CASE("mistakes on the command line are named", "[cli][bad]") {
 TEST_CASE("a command line that asks for nothing is a mistake", "[cli][bad]") {
   const TempFolder folder;
   requireRefusal(folder, {}, 2, "subcommand");
-  requireRefusal(folder, {"divide"}, 2);
+  requireRefusal(folder, {"divide"}, 2, "");
   requireRefusal(folder, {"segment"}, 2, "VOLUME");
   requireRefusal(folder, {"segment", "v.mha", "--seed", "1,1,1"}, 2, "--output");
   requireRefusal(folder, {"segment", "v.mha", "-o", folder / "o.stl"}, 2, "--seed");
@@ -228,7 +228,7 @@ TEST_CASE("a mesh that cannot be read is unreadable", "[cli][bad]") {
   for (const char* name : {"m.stl", "m.vtp", "m.ply", "m.obj", "m.xyz"}) {
     INFO(name);
     requireRefusal(folder, {"check", folder / name}, 3, name);
-    writeBytes(folder / name);
+    writeBytes(folder / name, "");
     requireRefusal(folder, {"check", folder / name}, 3, name);
     writeBytes(folder / name, "This is a letter and not a mesh.\n");
     requireRefusal(folder, {"check", folder / name}, 3, name);
