@@ -18,14 +18,6 @@ struct RandomRun {
   Parameters parameters;
 };
 
-std::size_t voxelAt(const Grid& grid, const Vec3& index) {
-  std::size_t at = 0;
-  for (int a = 2; a >= 0; --a)
-    at = at * static_cast<std::size_t>(grid.size[static_cast<std::size_t>(a)]) +
-         static_cast<std::size_t>(std::lround(index[a]));
-  return at;
-}
-
 RandomRun randomRun(const Phantom& phantom, unsigned seed) {
   const Grid& grid = phantom.volume.grid;
   std::mt19937 random(seed);
