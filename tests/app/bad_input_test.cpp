@@ -128,7 +128,6 @@ TEST_CASE("a seed outside the volume or on the background has an exit code of it
                  "seed");
 }
 
-// Known defect of the automatic range; take the tag away when this passes.
 TEST_CASE("a seed on the bright background is not in a dark object", "[cli][bad]") {
   const TempFolder folder;
   const PhantomFile phantom = makePhantomFile(folder);

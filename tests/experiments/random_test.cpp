@@ -18,6 +18,12 @@ struct RandomRun {
   Parameters parameters;
 };
 
+bool isObject(const Phantom& phantom, const std::array<int, 3>& voxel) {
+  const auto& size = phantom.volume.grid.size;
+  const auto index = (static_cast<std::ptrdiff_t>(voxel[2]) * size[1] + voxel[1]) * size[0] + voxel[0];
+  return phantom.truth.data<std::uint8_t>()[index] != 0;
+}
+
 RandomRun randomRun(const Phantom& phantom, unsigned seed) {
   const Grid& grid = phantom.volume.grid;
   std::mt19937 random(seed);
@@ -29,9 +35,14 @@ RandomRun randomRun(const Phantom& phantom, unsigned seed) {
   const auto count = 1 + random() % 3;
   for (unsigned i = 0; i < count; ++i) {
     Seed s;
-    const double x = uniform(0, grid.size[0] - 1), y = uniform(0, grid.size[1] - 1),
-                 z = uniform(0, grid.size[2] - 1);
-    s.centre = grid.toWorld(Vec3(x, y, z));
+    // Most seeds in the object: elsewhere most would be refused.
+    const bool inObject = !once(10);
+    std::array<int, 3> voxel;
+    do {
+      for (std::size_t a = 0; a < 3; ++a) voxel[a] = static_cast<int>(uniform(0, grid.size[a]));
+    } while (inObject && !isObject(phantom, voxel));
+    const double x = voxel[0] + uniform(-0.4, 0.4), y = voxel[1] + uniform(-0.4, 0.4);
+    s.centre = grid.toWorld(Vec3(x, y, voxel[2] + uniform(-0.4, 0.4)));
     if (once(2)) s.radius = uniform(0.5, 12);
     run.seeds.push_back(s);
   }
