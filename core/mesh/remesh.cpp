@@ -30,21 +30,30 @@ class Regulator {
   // Each pass halves the longest edges: enough for any that are less than 2^16 times too long.
   static constexpr int kMaxSplitPasses = 16;
 
-  bool isActive(int v) const { return active_[idx(v)] != 0; }
+  bool isActive(int v) const { return active_[idx(v)] == kActive; }
   double squaredLength(int h) const {
     return (mesh_.position(mesh_.target(h)) - mesh_.position(mesh_.origin(h))).squaredNorm();
   }
-  //! One of the two half-edges of each edge beside an active vertex, of a face that exists.
-  bool isCandidate(int h) const {
-    return mesh_.isFace(Mesh::faceOf(h)) && h < mesh_.opposite(h) &&
-           (isActive(mesh_.origin(h)) || isActive(mesh_.target(h)));
+  //! Calls f(h) for one of the two half-edges of each edge beside an active vertex. Faces at rest cost three
+  //! looks.
+  template <typename F>
+  void forEachActiveEdge(F&& f) {
+    for (int face = 0; face < mesh_.faceSlots(); ++face) {
+      const Triangle& t = mesh_.face(face);
+      if (t[0] < 0 || !(isActive(t[0]) || isActive(t[1]) || isActive(t[2]))) continue;
+      for (int h = 3 * face; h < 3 * face + 3; ++h)
+        if (mesh_.isFace(face) && h < mesh_.opposite(h) &&
+            (isActive(mesh_.origin(h)) || isActive(mesh_.target(h))))
+          f(h);
+    }
   }
 
   bool splitLongEdges() {
     const double limit = limits_.longest * limits_.longest;
     std::vector<std::pair<double, int>> edges;
-    for (int h = 0; h < 3 * mesh_.faceSlots(); ++h)
-      if (isCandidate(h) && squaredLength(h) > limit) edges.emplace_back(-squaredLength(h), h);
+    forEachActiveEdge([&](int h) {
+      if (squaredLength(h) > limit) edges.emplace_back(-squaredLength(h), h);
+    });
     // Longest first: that is what keeps the triangles well shaped.
     std::sort(edges.begin(), edges.end());
     for (const auto& [length, h] : edges) {
@@ -52,26 +61,28 @@ class Regulator {
       const int m =
           mesh_.splitEdge(h, (mesh_.position(mesh_.origin(h)) + mesh_.position(mesh_.target(h))) / 2);
       if (idx(m) >= active_.size()) active_.resize(idx(m) + 1, 0);
-      active_[idx(m)] = 1;
+      active_[idx(m)] = kActive;
     }
     return !edges.empty();
   }
 
   void collapseShortEdges() {
     const double limit = limits_.shortest * limits_.shortest;
-    for (int h = 0; h < 3 * mesh_.faceSlots(); ++h) {
-      if (!isCandidate(h) || squaredLength(h) >= limit) continue;
-      // The vertex that does not move stays where it is.
+    forEachActiveEdge([&](int h) {
+      if (squaredLength(h) >= limit) return;
       const int a = mesh_.origin(h), b = mesh_.target(h);
-      if (!isActive(a) || !isActive(b)) {
-        const int e = isActive(b) ? h : mesh_.opposite(h);
-        if (collapseAllowed(e, mesh_.position(mesh_.origin(e))))
-          mesh_.collapseEdge(e, mesh_.position(mesh_.origin(e)));
-        continue;
+      if (isActive(a) && isActive(b)) {
+        const Vec3 middle = (mesh_.position(a) + mesh_.position(b)) / 2;
+        if (collapseAllowed(h, middle)) mesh_.collapseEdge(h, middle);
+        return;
       }
-      const Vec3 middle = (mesh_.position(a) + mesh_.position(b)) / 2;
-      if (collapseAllowed(h, middle)) mesh_.collapseEdge(h, middle);
-    }
+      // The vertex that rests stays where it is; but its faces are new ones.
+      const int e = isActive(b) ? h : mesh_.opposite(h);
+      const int resting = mesh_.origin(e);
+      if (!collapseAllowed(e, mesh_.position(resting))) return;
+      mesh_.collapseEdge(e, mesh_.position(resting));
+      active_[idx(resting)] = kTouched;
+    });
   }
 
   bool collapseAllowed(int h, const Vec3& p) const {
@@ -96,10 +107,10 @@ class Regulator {
   }
 
   void flipForValence() {
-    for (int h = 0; h < 3 * mesh_.faceSlots(); ++h)
-      if (isCandidate(h) && isActive(mesh_.origin(h)) && isActive(mesh_.target(h)) && flipImproves(h) &&
-          mesh_.canFlip(h))
+    forEachActiveEdge([&](int h) {
+      if (isActive(mesh_.origin(h)) && isActive(mesh_.target(h)) && flipImproves(h) && mesh_.canFlip(h))
         mesh_.flipEdge(h);
+    });
   }
 
   bool flipImproves(int h) const {

@@ -16,11 +16,16 @@ struct RemeshLimits {
 //! at most the longest edge times the sine of it. (cosine)
 inline constexpr double kFlatEnough = 0.8;
 
-//! Regulates the mesh around the vertices with active[v] != 0. Topology never changes. New vertices are
-//! marked active; `active` grows with the mesh. Vertices with active[v] == 0 are not moved or removed. No
-//! edge beside an active vertex is longer than limits.longest afterwards; collapses and flips are done only
-//! where the surface is nearly flat (kFlatEnough), so that the surface moves by little; they may still make
-//! it intersect another sheet close by, which the caller's detection sees.
+//! What `active` holds per vertex: it rests; it may be moved, merged and turned about; it rests, but faces of
+//! it changed.
+inline constexpr unsigned char kAtRest = 0, kActive = 1, kTouched = 2;
+
+//! Regulates the mesh around the active vertices. Topology never changes. New vertices become active;
+//! `active` grows with the mesh. Vertices at rest are neither moved nor removed. No edge beside an active
+//! vertex is longer than limits.longest afterwards, unless its other faces hold longer edges between vertices
+//! at rest; collapses and flips are done only where the surface is nearly flat (kFlatEnough), so that it
+//! moves by little; they may still make it intersect another sheet close by, which the caller's detection
+//! sees.
 void regulate(Mesh& mesh, const RemeshLimits& limits, std::vector<unsigned char>& active);
 
 }  // namespace handlebody
