@@ -12,7 +12,7 @@ constexpr int kBins = 200;
 // The growth goes on until it is this many voxels, or this many times what it was at its strongest edge: by
 // then it has leaked, and nothing but time and memory is spent.
 constexpr double kEnoughVoxels = 120'000;
-constexpr double kEnoughTimes = 1.5;
+constexpr double kEnoughTimes = 2;
 // The growth ends when it has touched a quarter of a large volume.
 constexpr std::size_t kFewBricks = 300;
 constexpr std::size_t kPartOfBricks = 4;
