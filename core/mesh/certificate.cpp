@@ -5,29 +5,11 @@
 #include <cstdint>
 #include <numeric>
 
+#include "core/mesh/union_find.h"
+
 namespace handlebody {
 
 namespace {
-
-//! Union-find over vertices.
-class Components {
- public:
-  explicit Components(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int find(int v) {
-    while (parent_[static_cast<std::size_t>(v)] != v) {
-      int& p = parent_[static_cast<std::size_t>(v)];
-      p = parent_[static_cast<std::size_t>(p)];
-      v = p;
-    }
-    return v;
-  }
-  void join(int a, int b) {
-    parent_[static_cast<std::size_t>(std::max(find(a), find(b)))] = std::min(find(a), find(b));
-  }
-
- private:
-  std::vector<int> parent_;
-};
 
 struct Edge {
   int low, high;
@@ -111,7 +93,7 @@ Certificate examine(const TriangleSoup& soup) {
   Certificate c;
   c.faces = static_cast<int>(soup.triangles.size());
   if (c.faces == 0) return c;
-  Components parts(soup.points.size());
+  UnionFind parts(soup.points.size());
   std::vector<char> used(soup.points.size(), 0);
   for (const Triangle& t : soup.triangles) {
     for (int v : t) used[static_cast<std::size_t>(v)] = 1;

@@ -2,31 +2,12 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
+
+#include "core/mesh/union_find.h"
 
 namespace handlebody {
 
 namespace {
-
-class UnionFind {
- public:
-  explicit UnionFind(int n) : parent_(static_cast<std::size_t>(n)) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  int find(int i) {
-    while (at(i) != i) i = at(i) = at(at(i));
-    return i;
-  }
-  void join(int a, int b) {
-    a = find(a);
-    b = find(b);
-    at(std::max(a, b)) = std::min(a, b);
-  }
-
- private:
-  int& at(int i) { return parent_[static_cast<std::size_t>(i)]; }
-  std::vector<int> parent_;
-};
 
 std::vector<int> collidingVertices(const Mesh& mesh, std::span<const FacePair> pairs) {
   std::vector<int> vertices;
@@ -46,7 +27,7 @@ std::vector<int> missingLinks(const Mesh& mesh, const std::vector<int>& vertices
     const auto it = std::lower_bound(vertices.begin(), vertices.end(), v);
     return it != vertices.end() && *it == v ? static_cast<int>(it - vertices.begin()) : -1;
   };
-  UnionFind parts(static_cast<int>(vertices.size()));
+  UnionFind parts(vertices.size());
   std::vector<int> ring;
   for (int v : vertices)
     mesh.forEachNeighbour(v, [&](int w) {
@@ -88,10 +69,10 @@ std::vector<int> connectedVertices(const Mesh& mesh, std::span<const FacePair> p
 
 std::vector<CollisionGroup> groupCollisions(const Mesh& mesh, std::span<const FacePair> pairs) {
   const std::vector<int> vertices = connectedVertices(mesh, pairs);
-  UnionFind sets(mesh.vertexSlots());
+  UnionFind sets(static_cast<std::size_t>(mesh.vertexSlots()));
   // Joining every colliding vertex with its neighbours joins those at distance 1 and 2, and no others.
   for (int v : vertices) mesh.forEachNeighbour(v, [&](int w) { sets.join(v, w); });
-  UnionFind groups(mesh.vertexSlots());
+  UnionFind groups(static_cast<std::size_t>(mesh.vertexSlots()));
   for (const auto& [f, g] : pairs) groups.join(sets.find(mesh.face(f)[0]), sets.find(mesh.face(g)[0]));
 
   std::vector<CollisionGroup> out;
