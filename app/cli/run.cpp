@@ -1,7 +1,10 @@
 #include "app/cli/run.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 
@@ -88,6 +91,9 @@ LoadedSession load(Session session) {
 
 namespace {
 
+constexpr double kHardlyGrown = 1.5;  // times the volume of the seeds
+constexpr double kMuchBorder = 0.15;  // part of the vertices
+
 // Traces are kept only when they will be written: they can be many times larger than the mesh.
 void evolve(ActiveContour& contour, RunReport& report, const RunOutputs& outputs) {
   contour.recordTraces(!outputs.trace.empty());
@@ -117,6 +123,34 @@ void requirePass(const Certificate& c) {
                            word(c.closed) + ", manifold: " + word(c.manifold) +
                            ", oriented: " + word(c.oriented) +
                            ", self-intersections: " + std::to_string(c.selfIntersections) + ").");
+}
+
+//! What a user should look at before trusting the result.
+std::vector<std::string> doubts(const RunReport& report, const TriangleSoup& mesh) {
+  std::vector<std::string> out;
+  double seeds = 0;
+  for (const Seed& s : report.session.resolved->seeds)
+    seeds += 4.0 / 3.0 * std::numbers::pi * std::pow(*s.radius, 3);
+  if (report.mesh.volume < kHardlyGrown * seeds)
+    out.push_back(
+        "the surface hardly grew beyond its seed: look at --object and --range, and whether --curvature "
+        "holds so "
+        "small a seed");
+  double onBorder = 0;
+  for (const Vec3& p : mesh.points) {
+    const Vec3 index = report.grid.toIndex(p);
+    for (int a = 0; a < 3; ++a)
+      if (std::min(index[a], report.grid.size[static_cast<std::size_t>(a)] - 1 - index[a]) < 0) {
+        onBorder += 1;
+        break;
+      }
+  }
+  const double part = onBorder / static_cast<double>(mesh.points.size());
+  if (part > kMuchBorder)
+    out.push_back(std::to_string(static_cast<int>(100 * part)) +
+                  " % of the surface lies on the border of the volume: the object is cut off there, or the "
+                  "surface leaked");
+  return out;
 }
 
 void printSummary(const RunReport& report) {
@@ -158,6 +192,8 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
   const TriangleSoup mesh = roundedToSingle(contour.mesh().compact());
   report.mesh = certify(mesh);
   requirePass(report.mesh);
+  report.doubts = doubts(report, mesh);
+  for (const std::string& d : report.doubts) std::fprintf(stderr, "handlebody-cli: warning: %s\n", d.c_str());
   {
     DeferSignals whole;
     writeResults(mesh, report.grid, outputs.results, report.session.space);

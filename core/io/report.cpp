@@ -33,6 +33,7 @@ std::string reportText(const RunReport& report) {
   json["seeds"] = seedsToJson(resolved.seeds);
   json["iterations"] = report.iterations;
   json["stopped"] = stopReasonName(report.stopped);
+  json["warnings"] = report.doubts;
   json["seconds"] = secondsToJson(report.seconds);
   json["mesh"] = certificateToJson(report.mesh);
   Json& events = json["events"] = Json::array();

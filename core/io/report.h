@@ -23,6 +23,7 @@ struct RunReport {
   Session session;                    //!< with `resolved` set
   Grid grid;                          //!< of the volume
   std::vector<std::string> warnings;  //!< about the volume
+  std::vector<std::string> doubts;    //!< about the result: hardly grown, much of it on the volume's border
   int iterations = 0;
   StopReason stopped = StopReason::running;
   Timings seconds;

@@ -316,10 +316,20 @@ TEST_CASE("a run with two seeds tells of the handle that joins them", "[cli][seg
   CHECK(run.json("t.json").at("events").size() == report.at("events").size());
 }
 
-// Known defect of the engine (a crash); take the tag away when this passes.
 TEST_CASE("a range that is open at both ends fills the volume", "[cli][segment]") {
   const SphereRun run;
   const Outcome outcome = runCli(run.arguments({"--range", "-inf,inf", "-o", run.folder / "m.stl"}));
   INFO(outcome.err);
   CHECK(outcome.exitCode == 0);
+}
+
+TEST_CASE("a surface that the curvature holds at its seed comes with a warning", "[cli][segment]") {
+  const SphereRun run;
+  const Outcome outcome = runCli({"segment", run.phantom.path, "--seed", run.phantom.seed, "--curvature",
+                                  "50", "-o", run.folder / "m.stl", "--report", run.folder / "r.json"});
+  CHECK(outcome.exitCode == 0);
+  CHECK_THAT(outcome.err, Contains("hardly grew"));
+  CHECK(run.json("r.json").at("warnings").size() == 1);
+  run.requireSuccess({"-o", run.folder / "m.stl", "--report", run.folder / "r.json"});
+  CHECK(run.json("r.json").at("warnings").empty());
 }
