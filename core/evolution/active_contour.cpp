@@ -98,7 +98,7 @@ struct ActiveContour::State {
 
   void resolve(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& p);
   Attempt attempt();
-  std::vector<int> vertexToMove() const;
+  std::vector<int> verticesToMove() const;
   void adapt(Attempt& a);
   void deleteCollapsed(Attempt& a);
   void accept(Attempt& a, StepReport& report);
@@ -144,7 +144,7 @@ void ActiveContour::State::resolve(const Volume& volume, const std::vector<Seed>
   if (p.maxIterations == 0) stop = StopReason::maxIterations;
 }
 
-std::vector<int> ActiveContour::State::vertexToMove() const {
+std::vector<int> ActiveContour::State::verticesToMove() const {
   std::vector<int> out;
   const bool anyRest = resting.any(iteration);
   for (int v = 0; v < mesh.vertexSlots(); ++v)
@@ -155,7 +155,7 @@ std::vector<int> ActiveContour::State::vertexToMove() const {
 
 ActiveContour::State::Attempt ActiveContour::State::attempt() {
   Attempt a;
-  a.moving = vertexToMove();
+  a.moving = verticesToMove();
   std::vector<Vec3> moves = computeMotion(mesh, *image, motion, a.moving);
   for (std::size_t i = 0; i < moves.size(); ++i) moves[i] *= resting.pace(mesh.position(a.moving[i]));
   a.touched.assign(idx(mesh.vertexSlots()), 0);
@@ -252,11 +252,8 @@ void ActiveContour::State::accept(Attempt& a, StepReport& report) {
     report.movedVertices += d >= kQuiet * parameters.edgeLength;
     report.largestMove = std::max(report.largestMove, d);
   }
-  report.settledVertices = std::max(0, mesh.vertexCount() - report.movedVertices);
   report.events.insert(report.events.end(), std::make_move_iterator(a.events.begin()),
                        std::make_move_iterator(a.events.end()));
-  for (int f = 0; f < mesh.faceSlots(); ++f)
-    if (mesh.isFace(f)) report.volume += mesh.position(mesh.face(f)[0]).dot(mesh.areaVector(f)) / 6;
   if (!report.events.empty()) topology = report.events.back().after;
   restRepeated(report);
 }
@@ -313,6 +310,10 @@ StepReport ActiveContour::State::step() {
     rollBack({a.troubles[0].centre, 1e3 * parameters.edgeLength, "no part of the step could be kept"});
     break;
   }
+  // Of the mesh that is left, also when all of the step was rolled back.
+  report.settledVertices = std::max(0, mesh.vertexCount() - report.movedVertices);
+  for (int f = 0; f < mesh.faceSlots(); ++f)
+    if (mesh.isFace(f)) report.volume += mesh.position(mesh.face(f)[0]).dot(mesh.areaVector(f)) / 6;
   decideStop(report);
   return report;
 }
