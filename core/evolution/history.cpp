@@ -60,12 +60,17 @@ StepReport History::stepFrom(ActiveContour& contour) const {
 
 void History::advance() {
   assert(stopReason() == StopReason::running);
-  const bool isNew = iteration() == lastIteration();
+  const int before = iteration();
   const auto start = std::chrono::steady_clock::now();
-  StepReport report = stepFrom(shown_);
-  if (!isNew) return;
-  sinceKeyframe_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  record(std::move(report));
+  try {
+    StepReport report = stepFrom(shown_);
+    if (before < lastIteration()) return;
+    sinceKeyframe_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    record(std::move(report));
+  } catch (...) {  // not enough memory, say: a step that was broken off leaves no mesh to go on with
+    if (shown_.iteration() > before) shown_ = restored(before);
+    throw;
+  }
 }
 
 void History::record(StepReport report) {

@@ -37,7 +37,7 @@ class History {
   const ResolvedParameters& resolved() const;
 
   //! One iteration on: records it, or shows it again where it is recorded. Precondition: stopReason() is
-  //! running.
+  //! running. If the step throws (no memory), the shown iteration stays.
   void advance();
   //! Shows any iteration from firstIteration() to lastIteration().
   void goTo(int iteration);
