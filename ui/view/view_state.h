@@ -1,0 +1,55 @@
+#pragma once
+// What the four views share: crosshair, window and level, colour map, what is shown. One object, so that linked
+// views cannot disagree.
+
+#include <QObject>
+#include <QString>
+#include <optional>
+
+#include "core/evolution/parameters.h"
+#include "core/geometry/vec.h"
+
+namespace handlebody::ui {
+
+//! Slices run along the volume's own axes; each is named after the nearest anatomical plane.
+enum class Plane { axial, coronal, sagittal };
+
+enum class ColourMap { grey, inverted, hot, contrast };
+enum class MeshColouring { plain, edges, state };
+
+class ViewState : public QObject {
+  Q_OBJECT
+
+ public:
+  using QObject::QObject;
+
+  const Vec3& crosshair() const { return crosshair_; }  //!< mm LPS
+  void setCrosshair(const Vec3& world);
+  double window() const { return window_; }  //!< intensity units, > 0
+  double level() const { return level_; }
+  void setWindowLevel(double window, double level);
+  ColourMap colourMap() const { return colourMap_; }
+  void setColourMap(ColourMap map);
+  MeshColouring meshColouring() const { return meshColouring_; }
+  void setMeshColouring(MeshColouring colouring);
+  bool slicesIn3d() const { return slicesIn3d_; }
+  void setSlicesIn3d(bool on);
+  //! Voxels of these intensities are tinted on the slices; none: no tint.
+  const std::optional<IntensityRange>& tint() const { return tint_; }
+  void setTint(const std::optional<IntensityRange>& range);
+
+ Q_SIGNALS:
+  void crosshairChanged();
+  void changed();  //!< anything else
+
+ private:
+  Vec3 crosshair_{0, 0, 0};
+  double window_ = 1;
+  double level_ = 0;
+  ColourMap colourMap_ = ColourMap::grey;
+  MeshColouring meshColouring_ = MeshColouring::plain;
+  bool slicesIn3d_ = true;
+  std::optional<IntensityRange> tint_;
+};
+
+}  // namespace handlebody::ui
