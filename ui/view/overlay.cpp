@@ -3,13 +3,14 @@
 #include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QGuiApplication>
+#include <QPainterPath>
 
 #include "core/volume/anatomy.h"
 
 namespace handlebody::ui {
 namespace {
 
-const QColor kRim(0, 0, 0, 150);
+const QColor kRim(0, 0, 0, 150), kTextRim(0, 0, 0, 190);
 
 QRectF textRect(const QPointF& place, Qt::Alignment flags, const QSizeF& size) {
   QPointF corner = place;
@@ -46,10 +47,10 @@ void paintText(QPainter& painter, const QPointF& place, Qt::Alignment flags, con
   const QFontMetricsF metrics(font, painter.device());
   const QRectF rect = textRect(place, flags, {metrics.horizontalAdvance(text) + 1, metrics.height()});
   const QPointF baseline(rect.x(), rect.y() + metrics.ascent());
+  QPainterPath outline;
+  outline.addText(baseline, font, text);
+  painter.strokePath(outline, QPen(kTextRim, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.setFont(font);
-  painter.setPen(kRim);
-  for (const QPointF& shift : {QPointF(-1, 0), QPointF(1, 0), QPointF(0, -1), QPointF(0, 1)})
-    painter.drawText(baseline + shift, text);
   painter.setPen(colour);
   painter.drawText(baseline, text);
 }

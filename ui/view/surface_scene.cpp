@@ -23,6 +23,8 @@ namespace {
 const QColor kMaterial(0xed, 0xbd, 0x70), kSeedBall(0x4f, 0xc3, 0xf7), kHandle(0x3d, 0xc9, 0x7c);
 const QColor kColliding(0xf0, 0x3e, 0x3e), kAround(0xb9, 0xc3, 0xd0);
 
+constexpr double kSliceOpacity = 0.55;  // the part of the mesh behind a slice is seen through it
+
 //! Lines and points of one colour.
 struct LineActor {
   LineActor() {
@@ -82,6 +84,7 @@ struct SliceActor {
     actor->SetMapper(mapper);
     actor->SetTexture(texture);
     actor->GetProperty()->LightingOff();
+    actor->GetProperty()->SetOpacity(kSliceOpacity);
     actor->VisibilityOff();
   }
   void set(const QImage& picture, const std::array<Vec3, 3>& corners) {
@@ -145,6 +148,7 @@ SurfaceScene::SurfaceScene(vtkRenderer* renderer) : d_(std::make_unique<Private>
   renderer->AutomaticLightCreationOff();
   addLight(renderer, Vec3(-0.45, 0.65, 0.9), 0.85);
   addLight(renderer, Vec3(0.85, -0.1, 0.5), 0.30);
+  addLight(renderer, Vec3(-0.1, -0.9, 0.4), 0.22);
   renderer->GetActiveCamera()->ParallelProjectionOn();
   for (TriangleActor* part : {&d_->mesh, &d_->seeds, &d_->around, &d_->red, &d_->handle})
     renderer->AddActor(part->actor());

@@ -37,10 +37,21 @@ CameraPose obliquePose() {
   return pose;
 }
 
-Sight volumeSight(const Grid& grid) {
-  const Vec3 last(grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1);
-  return {grid.toWorld(last / 2),
-          std::max(1e-6, (last + Vec3::Ones()).cwiseProduct(grid.spacing).norm() / 2)};
+Vec3 middleOf(const Grid& grid) {
+  return grid.toWorld(Vec3(grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1) / 2);
+}
+
+//! The pose moved so that all of the volume is just in view.
+CameraPose around(const Grid& grid, CameraPose pose, double aspect) {
+  constexpr double kMargin = 1.12;
+  const Vec3 half = Vec3(grid.size[0], grid.size[1], grid.size[2]).cwiseProduct(grid.spacing) / 2;
+  const auto reach = [&](const Vec3& screenAxis) {
+    return (grid.direction.transpose() * screenAxis).cwiseAbs().dot(half);
+  };
+  pose.focus = middleOf(grid);
+  pose.height =
+      std::max(1e-6, kMargin * 2 * std::max(reach(pose.up), reach(pose.up.cross(pose.towardsEye)) / aspect));
+  return pose;
 }
 
 //! A direction from which fronts do not hide each other: across the line between the first two polygons.
@@ -67,6 +78,9 @@ struct SurfaceView::Private {
   void syncSeeds();
   void syncSlices();
   void followMesh();
+  double aspect() const {
+    return std::max(1, view.width()) / std::max(1.0, static_cast<double>(view.height()));
+  }
   double heightFor(const Sight& sight, double margin) const;
   void flyTo(const CameraPose& pose);
   const QImage& frame(double pixelRatio);
@@ -126,18 +140,12 @@ void SurfaceView::Private::startVolume() {
   flight.stop();
   scene->showStage({}, EventStage::none);
   scene->setVolume(document.hasVolume() ? &document.volume().grid : nullptr);
-  CameraPose pose = obliquePose();
-  if (document.hasVolume()) {
-    const Sight sight = volumeSight(document.volume().grid);
-    pose.focus = sight.centre;
-    pose.height = heightFor(sight, 1.02);
-  }
-  scene->setPose(pose);
+  scene->setPose(document.hasVolume() ? around(document.volume().grid, obliquePose(), aspect())
+                                      : obliquePose());
 }
 
 double SurfaceView::Private::heightFor(const Sight& sight, double margin) const {
-  const double aspect = view.width() / std::max(1.0, static_cast<double>(view.height()));
-  return margin * 2 * sight.radius / std::min(1.0, aspect);
+  return margin * 2 * sight.radius / std::min(1.0, aspect());
 }
 
 void SurfaceView::Private::sync() {
@@ -340,11 +348,14 @@ void SurfaceView::clearStage() {
 void SurfaceView::resetCamera() {
   if (!hasOpenGl() || !d_->document.hasVolume()) return;
   const std::shared_ptr<const MeshSnapshot> mesh = d_->document.snapshot();
-  const std::optional<Sight> ofMesh = mesh ? ui::sightOf(mesh->mesh.points) : std::nullopt;
-  const Sight sight = ofMesh.value_or(volumeSight(d_->document.volume().grid));
+  const std::optional<Sight> sight = mesh ? ui::sightOf(mesh->mesh.points) : std::nullopt;
   CameraPose pose = d_->scene->pose();
-  pose.focus = sight.centre;
-  pose.height = d_->heightFor(sight, ofMesh ? 1.25 : 1.02);
+  if (sight) {
+    pose.focus = sight->centre;
+    pose.height = d_->heightFor(*sight, 1.25);
+  } else {
+    pose = around(d_->document.volume().grid, pose, d_->aspect());
+  }
   d_->follows = true;
   d_->flyTo(pose);
 }

@@ -35,7 +35,7 @@ TriangleActor::TriangleActor() {
   property->SetDiffuse(0.82);
   property->SetSpecular(0.16);
   property->SetSpecularPower(24);
-  property->SetEdgeColor(0.10, 0.09, 0.07);
+  property->SetEdgeColor(0.42, 0.33, 0.20);
   property->SetLineWidth(1);
 }
 

@@ -15,15 +15,27 @@ using namespace handlebody::ui;
 
 namespace {
 
+//! Not a real event: what lies near one vertex, in rings.
 EventTrace exampleTrace(const TriangleSoup& mesh) {
   EventTrace trace;
-  for (std::size_t i = 0; i < mesh.triangles.size() / 12; ++i) {
+  const Vec3 place = mesh.points[0];
+  double longest = 0;
+  for (const Triangle& t : mesh.triangles)
+    longest = std::max(
+        longest,
+        (mesh.points[static_cast<std::size_t>(t[0])] - mesh.points[static_cast<std::size_t>(t[1])]).norm());
+  for (const Triangle& t : mesh.triangles) {
     std::array<Vec3, 3> face;
-    for (std::size_t c = 0; c < 3; ++c) face[c] = mesh.points[static_cast<std::size_t>(mesh.triangles[i][c])];
-    (i % 5 == 0 ? trace.collidingFaces : trace.openedFaces).push_back(face);
+    for (std::size_t c = 0; c < 3; ++c) face[c] = mesh.points[static_cast<std::size_t>(t[c])];
+    const double distance = (face[0] - place).norm();
+    if (distance > 6 * longest) continue;
+    (distance < 2 * longest ? trace.collidingFaces : trace.openedFaces).push_back(face);
+    if (distance < 2 * longest) trace.handleFaces.push_back(face);
     trace.closedFaces.push_back(face);
   }
-  trace.boundaryLoops.push_back({trace.openedFaces[0].begin(), trace.openedFaces[0].end()});
+  for (const auto& face : trace.collidingFaces) trace.boundaryLoops.push_back({face.begin(), face.end()});
+  trace.boundaryLoops.resize(1);
+  trace.lambda = {{place}};
   return trace;
 }
 
