@@ -220,7 +220,7 @@ void ActiveContour::State::adapt(Attempt& a) {
   AdaptationSettings settings{motion.outwardOnly, traces, iteration, topology};
   std::vector<unsigned char> changed = a.touched;
   for (int round = 0; round < kRounds; ++round) {
-    const std::vector<FacePair>& pairs = detector.detectMoved(mesh.positions(), mesh.faces(), changed);
+    const std::vector<FacePair>& pairs = detector.detectMoved(mesh, changed);
     if (pairs.empty()) return;
     changed.assign(idx(mesh.vertexSlots()), 0);
     for (const auto& [f, g] : pairs)
@@ -238,7 +238,7 @@ void ActiveContour::State::adapt(Attempt& a) {
       return;
     }
   }
-  for (const auto& [f, g] : detector.detectMoved(mesh.positions(), mesh.faces(), changed)) {
+  for (const auto& [f, g] : detector.detectMoved(mesh, changed)) {
     const Vec3 centre = mesh.position(mesh.face(f)[0]);
     a.troubles.push_back(
         {centre, 2 * limits.longest, "the surface still intersected itself after several changes"});
