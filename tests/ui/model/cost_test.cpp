@@ -64,6 +64,8 @@ TEST_CASE("a thousand iterations above 15,000 vertices fit in 500 MB and any is 
   std::printf("going back: %.0f ms on the average, %.0f ms at most\n", 1000 * all / 50, 1000 * longest);
   CHECK(longest < 0.2);
 
-  const double frame = seconds([&] { CHECK(makeSnapshot(history)->certificate.passes()); });
-  std::printf("a frame of %d vertices: %.1f ms\n", history.shown().mesh().vertexCount(), 1000 * frame);
+  const double onTheWay = seconds([&] { (void)makeSnapshot(history, Checking::structure); });
+  const double atRest = seconds([&] { (void)makeSnapshot(history, Checking::everything); });
+  std::printf("a frame of %d vertices: %.1f ms on the way, %.1f ms at rest\n",
+              history.shown().mesh().vertexCount(), 1000 * onTheWay, 1000 * atRest);
 }
