@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <memory>
 
+#include "core/cancellation.h"
+
 namespace handlebody {
 
 namespace {
@@ -26,6 +28,8 @@ constexpr int kStored = SmoothedVolume::kStored;
 constexpr int kBrickMask = kBrick - 1;
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+constexpr std::size_t kBetweenLooks = 16384;  // voxels: a millisecond
 
 constexpr int kShift = SmoothedVolume::kBrickShift;
 
@@ -219,6 +223,7 @@ class Flood {
     // First in, first out: the region grows like a ball, and the queue is never more than its surface.
     Queue& front = queue_[idx(bin)];
     while (!front.empty() && taken < kMostVoxels && !isFarSpread()) {
+      if (taken % kBetweenLooks == 0) giveUpIfCancelled();
       const Entry entry = front.pop();
       ++taken;
       const double g = takeNeighbours(entry);
