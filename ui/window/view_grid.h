@@ -18,7 +18,7 @@ class SurfaceView;
 
 //! The places of the 2×2 grid, row by row (as in 3D Slicer's four-up layout).
 enum class Cell { axial, surface, coronal, sagittal };
-constexpr std::array kCells{Cell::axial, Cell::surface, Cell::coronal, Cell::sagittal};
+inline constexpr std::array kCells{Cell::axial, Cell::surface, Cell::coronal, Cell::sagittal};
 
 //! "Axial", "3D" …, translated.
 QString cellName(Cell cell);
