@@ -66,6 +66,6 @@ int main(int argc, char** argv) {
   QApplication::setOrganizationName(QStringLiteral("Handlebody"));
   QApplication::setApplicationName(QStringLiteral("handlebody"));
   QApplication::setApplicationVersion(QStringLiteral(HANDLEBODY_VERSION));
-  QApplication::setDesktopFileName(QStringLiteral("handlebody"));
+  QApplication::setDesktopFileName(QStringLiteral("org.handlebody.Handlebody"));
   return handlebody::app::showWindow(options);
 }

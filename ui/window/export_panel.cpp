@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "ui/model/document.h"
+#include "ui/window/action_button.h"
 #include "ui/window/choice_row.h"
 #include "ui/window/commands.h"
 #include "ui/window/numbers.h"
@@ -53,7 +54,7 @@ void ExportPanel::buildResult(const Commands& commands) {
   static_cast<QVBoxLayout*>(layout())->addLayout(form);
   numbers_ = value(tr("What is written"), this);
   layout()->addWidget(numbers_);
-  layout()->addWidget(wideButton(commands[Command::exportResult], this));
+  layout()->addWidget(new ActionButton(commands[Command::exportResult], this));
 }
 
 void ExportPanel::buildRest(const Commands& commands) {
@@ -64,14 +65,14 @@ void ExportPanel::buildRest(const Commands& commands) {
   describe(picture_, tr("Picture of"), tr("Which view is written as PNG"));
   ignoreWheelWithoutFocus(picture_);
   layout()->addWidget(picture_);
-  layout()->addWidget(wideButton(commands[Command::exportPicture], this));
+  layout()->addWidget(new ActionButton(commands[Command::exportPicture], this));
   layout()->addWidget(heading(tr("Report and session"), this));
   layout()->addWidget(
       hint(tr("The report holds every parameter, number and event. A session opens here again, and "
               "“handlebody-cli replay” makes the same mesh of it."),
            this));
-  layout()->addWidget(wideButton(commands[Command::exportReport], this));
-  layout()->addWidget(wideButton(commands[Command::saveSession], this));
+  layout()->addWidget(new ActionButton(commands[Command::exportReport], this));
+  layout()->addWidget(new ActionButton(commands[Command::saveSession], this));
 }
 
 QString ExportPanel::extension() const { return format_->currentData().toString(); }

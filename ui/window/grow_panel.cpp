@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "ui/model/document.h"
+#include "ui/window/action_button.h"
 #include "ui/window/commands.h"
 #include "ui/window/event_inspector.h"
 #include "ui/window/numbers.h"
@@ -105,7 +106,7 @@ QWidget* GrowPanel::buildButtons(const Commands& commands) {
   auto* part = new QWidget(this);
   auto* layout = new QVBoxLayout(part);
   layout->setContentsMargins(0, 0, 0, 0);
-  QToolButton* run = wideButton(commands[Command::run], part);
+  auto* run = new ActionButton(commands[Command::run], part);
   run->setMinimumHeight(36);
   layout->addWidget(run);
   auto* row = new QHBoxLayout;

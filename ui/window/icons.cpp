@@ -60,10 +60,10 @@ QByteArray resource(const QString& name) {
 
 QIcon icon(const QString& name) { return QIcon(new LineIcon(resource(name))); }
 
-QIcon programIcon() { return icon(QStringLiteral("handlebody")); }
-
-QColor textOn(const QColor& background) {
-  return background.lightnessF() > 0.55F ? QColor(Qt::black) : QColor(Qt::white);
+QIcon iconOnBlack(const QString& name) {
+  return QIcon(new LineIcon(resource(name).replace("currentColor", "#e6e9ec")));
 }
+
+QIcon programIcon() { return icon(QStringLiteral("handlebody")); }
 
 }  // namespace handlebody::ui

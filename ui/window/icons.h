@@ -10,9 +10,9 @@ namespace handlebody::ui {
 //! resources/icons/NAME.svg; "currentColor" in it is the palette's text colour at the time of painting.
 //! Precondition: there is such a file.
 QIcon icon(const QString& name);
+//! The same for a ground that is always black.
+QIcon iconOnBlack(const QString& name);
 //! The program's icon, in its own colours.
 QIcon programIcon();
-//! Text that can be read on `background`: what labels on coloured ground use.
-QColor textOn(const QColor& background);
 
 }  // namespace handlebody::ui

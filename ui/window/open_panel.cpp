@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "ui/model/document.h"
+#include "ui/window/action_button.h"
 #include "ui/window/commands.h"
 #include "ui/window/numbers.h"
 #include "ui/window/panel_tools.h"
@@ -36,8 +37,8 @@ Vec3 sizeOf(const Grid& grid) { return {double(grid.size[0]), double(grid.size[1
 OpenPanel::OpenPanel(Document& document, const Commands& commands, QWidget* parent)
     : QWidget(parent), document_(document) {
   auto* layout = panelLayout(this);
-  layout->addWidget(wideButton(commands[Command::openFile], this));
-  layout->addWidget(wideButton(commands[Command::openFolder], this));
+  layout->addWidget(new ActionButton(commands[Command::openFile], this));
+  layout->addWidget(new ActionButton(commands[Command::openFolder], this));
   hint_ = hint(tr("Open a CT, MR or ultrasound volume, a DICOM folder or a saved session; files can also be "
                   "dropped on the window."),
                this);

@@ -21,15 +21,6 @@ class WheelGuard : public QObject {
   }
 };
 
-QToolButton* button(QAction* action, QWidget* parent, Qt::ToolButtonStyle style) {
-  auto* button = new QToolButton(parent);
-  button->setDefaultAction(action);
-  button->setToolButtonStyle(style);
-  button->setFocusPolicy(Qt::TabFocus);
-  button->setAccessibleName(action->text().remove(QLatin1Char('&')));
-  return button;
-}
-
 }  // namespace
 
 QVBoxLayout* panelLayout(QWidget* panel) {
@@ -73,17 +64,13 @@ QLabel* value(const QString& name, QWidget* parent) {
   return label;
 }
 
-QToolButton* wideButton(QAction* action, QWidget* parent) {
-  QToolButton* wide = button(action, parent, Qt::ToolButtonTextBesideIcon);
-  wide->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  wide->setMinimumHeight(30);
-  return wide;
-}
-
 QToolButton* smallButton(QAction* action, QWidget* parent) {
-  QToolButton* small = button(action, parent, Qt::ToolButtonIconOnly);
-  small->setMinimumSize(30, 30);
-  return small;
+  auto* button = new QToolButton(parent);
+  button->setDefaultAction(action);
+  button->setFocusPolicy(Qt::TabFocus);
+  button->setMinimumSize(30, 30);
+  button->setAccessibleName(action->text().remove(QLatin1Char('&')));
+  return button;
 }
 
 void ignoreWheelWithoutFocus(QWidget* field) {

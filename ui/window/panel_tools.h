@@ -6,7 +6,6 @@
 
 class QAction;
 class QFormLayout;
-class QPushButton;
 class QToolButton;
 class QVBoxLayout;
 
@@ -22,9 +21,6 @@ QLabel* hint(const QString& text, QWidget* parent);
 QFormLayout* panelForm();
 //! A text beside a name in a form, that can be selected and wraps.
 QLabel* value(const QString& name, QWidget* parent);
-//! Wide, with icon and text of the action. Space reaches it by Tab only: a click leaves the keyboard with the
-//! views, where Space runs and pauses.
-QToolButton* wideButton(QAction* action, QWidget* parent);
 //! Icon only; the tooltip and the accessible name are the action's.
 QToolButton* smallButton(QAction* action, QWidget* parent);
 //! Fields do not change under a wheel that was meant to scroll the panel.

@@ -11,6 +11,7 @@
 
 #include "ui/model/document.h"
 #include "ui/view/view_state.h"
+#include "ui/window/action_button.h"
 #include "ui/window/commands.h"
 #include "ui/window/numbers.h"
 #include "ui/window/panel_tools.h"
@@ -55,7 +56,7 @@ SeedPanel::SeedPanel(Document& document, ViewState& state, const Commands& comma
       this);
   layout->addWidget(hint_);
   auto* row = new QHBoxLayout;
-  row->addWidget(wideButton(commands[Command::addSeed], this), 1);
+  row->addWidget(new ActionButton(commands[Command::addSeed], this), 1);
   row->addWidget(smallButton(commands[Command::deleteSeed], this));
   layout->addLayout(row);
   buildTable();

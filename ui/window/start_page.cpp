@@ -6,6 +6,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/window/action_button.h"
 #include "ui/window/commands.h"
 #include "ui/window/icons.h"
 #include "ui/window/panel_tools.h"
@@ -15,7 +16,7 @@ namespace handlebody::ui {
 namespace {
 
 constexpr int kMostRecent = 6;
-constexpr int kWidth = 420;
+constexpr int kWidth = 460;
 
 QLabel* title(QWidget* parent) {
   auto* label = new QLabel(StartPage::tr("Open a volume to begin"), parent);
@@ -28,6 +29,7 @@ QLabel* title(QWidget* parent) {
 
 QLabel* symbol(QWidget* parent) {
   auto* label = new QLabel(parent);
+  label->setMinimumHeight(84);  // or the layout, short of a wrapped line, takes it from the picture
   label->setPixmap(programIcon().pixmap(QSize(72, 72), parent->devicePixelRatioF()));
   label->setAlignment(Qt::AlignHCenter);
   return label;
@@ -43,11 +45,11 @@ StartPage::StartPage(const Commands& commands, QWidget* parent)
   layout->setSpacing(10);
   layout->addWidget(symbol(column));
   layout->addWidget(title(column));
-  QLabel* text = hint(tr("CT, MR or ultrasound: drop a file or a DICOM folder here, or choose one."), column);
+  QLabel* text = hint(tr("Drop a CT, MR or ultrasound volume here, or choose one."), column);
   text->setAlignment(Qt::AlignHCenter);
   layout->addWidget(text);
-  layout->addWidget(wideButton(commands[Command::openFile], column));
-  layout->addWidget(wideButton(commands[Command::openFolder], column));
+  layout->addWidget(new ActionButton(commands[Command::openFile], column));
+  layout->addWidget(new ActionButton(commands[Command::openFolder], column));
   auto* sample = new QPushButton(tr("Try the ultrasound sample"), column);
   sample->setMinimumHeight(30);
   sample->setToolTip(tr("A simulated cyst with a needle through it, with its seed placed"));

@@ -24,8 +24,8 @@ TimelinePanel::TimelinePanel(Document& document, QWidget* parent) : QWidget(pare
   split->setChildrenCollapsible(false);
   split->addWidget(buildTime());
   split->addWidget(buildTable());
-  split->setStretchFactor(0, 3);
-  split->setStretchFactor(1, 2);
+  split->setStretchFactor(0, 1);
+  split->setStretchFactor(1, 0);
   layout->addWidget(split);
   for (auto changed : {&Document::snapshotChanged, &Document::summariesChanged, &Document::stateChanged})
     connect(&document_, changed, this, &TimelinePanel::showIterations);
@@ -65,7 +65,7 @@ QWidget* TimelinePanel::buildTable() {
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Stretch);
   table_->setAccessibleName(tr("Events"));
-  table_->setMinimumWidth(300);
+  table_->setMinimumWidth(430);
   empty_ = hint(tr("Changes of topology are listed here."), part);
   empty_->setAlignment(Qt::AlignCenter);
   layout->addWidget(table_, 1);

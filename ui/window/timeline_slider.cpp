@@ -46,7 +46,7 @@ void TimelineSlider::paintEvent(QPaintEvent*) {
   line.setAlphaF(0.35F);
   painter.setPen(QPen(line, 2));
   painter.drawLine(QPointF(a.toX(0), y), QPointF(a.toX(a.last), y));
-  if (!isEnabled()) return;
+  if (!isEnabled()) return;  // nothing to choose yet: the bare line
   painter.setPen(QPen(kAccent, 2));
   painter.drawLine(QPointF(a.toX(0), y), QPointF(a.toX(value()), y));
 

@@ -1,7 +1,6 @@
 #pragma once
-// A view with its title bar: the colour of its plane, its name, the button that lets it fill the grid.
+// A view with the button that lets it fill the grid, over its upper right corner.
 
-#include <QColor>
 #include <QWidget>
 
 class QToolButton;
@@ -12,7 +11,7 @@ class ViewFrame : public QWidget {
   Q_OBJECT
 
  public:
-  ViewFrame(const QString& name, const QColor& colour, QWidget* view, QWidget* parent = nullptr);
+  ViewFrame(const QString& name, QWidget* view, QWidget* parent = nullptr);
 
   //! Which of the two the button offers.
   void setMaximised(bool maximised);
@@ -21,11 +20,10 @@ class ViewFrame : public QWidget {
   void maximiseRequested();
 
  protected:
-  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   QString name_;
-  QColor colour_;
   QToolButton* button_;
 };
 

@@ -14,10 +14,6 @@ namespace handlebody::ui {
 
 namespace {
 
-// 3D Slicer's colours of the three planes.
-const QColor kAxial(0xF3, 0x4A, 0x33), kSagittal(0xED, 0xD5, 0x4C), kCoronal(0x6E, 0xB0, 0x4B);
-const QColor kSurface(0x5C, 0x9F, 0xD6);
-
 struct CellWords {
   Cell cell;
   const char* word;
@@ -65,7 +61,7 @@ ViewGrid::ViewGrid(Document& document, ViewState& state, QWidget* parent)
   surface_ = new SurfaceView(document, state, this);
   connect(surface_, &SurfaceView::maximiseRequested, this,
           [this] { maximise(maximised_ ? std::nullopt : std::optional(Cell::surface)); });
-  addFrame(Cell::surface, surface_, kSurface);
+  addFrame(Cell::surface, surface_);
   addSlice(Cell::coronal, Plane::coronal, document, state);
   addSlice(Cell::sagittal, Plane::sagittal, document, state);
 }
@@ -75,12 +71,12 @@ void ViewGrid::addSlice(Cell cell, Plane plane, Document& document, ViewState& s
   slices_[static_cast<std::size_t>(plane)] = view;
   connect(view, &SliceView::maximiseRequested, this,
           [this, cell] { maximise(maximised_ ? std::nullopt : std::optional(cell)); });
-  addFrame(cell, view, plane == Plane::axial ? kAxial : (plane == Plane::coronal ? kCoronal : kSagittal));
+  addFrame(cell, view);
 }
 
-void ViewGrid::addFrame(Cell cell, QWidget* view, const QColor& colour) {
+void ViewGrid::addFrame(Cell cell, QWidget* view) {
   view->setAccessibleName(tr("%1 view").arg(cellName(cell)));
-  auto* frame = new ViewFrame(cellName(cell), colour, view, this);
+  auto* frame = new ViewFrame(cellName(cell), view, this);
   frames_[static_cast<std::size_t>(cell)] = frame;
   (cell == Cell::axial || cell == Cell::surface ? top_ : bottom_)->addWidget(frame);
   connect(frame, &ViewFrame::maximiseRequested, this,

@@ -50,7 +50,7 @@ class ViewGrid : public QWidget {
  private:
   QWidget* frameOf(Cell cell) const { return frames_[static_cast<std::size_t>(cell)]; }
   void addSlice(Cell cell, Plane plane, Document& document, ViewState& state);
-  void addFrame(Cell cell, QWidget* view, const QColor& colour);
+  void addFrame(Cell cell, QWidget* view);
   void arrange();
 
   std::array<SliceView*, 3> slices_{};
