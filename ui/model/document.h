@@ -2,8 +2,10 @@
 // The open work: volume, seeds, parameters and the growth made from them. What the views show and the panels
 // change. Lives on the GUI thread; reading and growing run on worker threads and never block a call here.
 
+#include <QByteArray>
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -25,9 +27,9 @@ enum class FaceState : unsigned char { moving, settled, newHandle, colliding };
 //! The mesh after one iteration, as the views draw it. Never changed once it was handed out.
 struct MeshSnapshot {
   int iteration = 0;
-  TriangleSoup mesh;               //!< mm LPS
-  std::vector<FaceState> states;   //!< one per triangle
-  Certificate certificate;         //!< topology numbers, area, volume; selfIntersections as certified
+  TriangleSoup mesh;              //!< mm LPS
+  std::vector<FaceState> states;  //!< one per triangle
+  Certificate certificate;        //!< topology numbers, area, volume; selfIntersections as certified
 };
 
 //! One row of the timeline, cheap to copy; iteration 0 is the seed surface.
@@ -61,9 +63,12 @@ class Document : public QObject {
   void cancelOpening();
   bool isOpening() const;
   bool hasVolume() const;
-  const Volume& volume() const;     //!< precondition: hasVolume()
-  const VolumeInfo& info() const;   //!< precondition: hasVolume()
-  QString path() const;             //!< of the volume
+  const Volume& volume() const;    //!< precondition: hasVolume()
+  const VolumeInfo& info() const;  //!< precondition: hasVolume()
+  QString path() const;            //!< of the volume
+  //! What the window keeps in the session for itself (JSON); empty: none. Read it after opened().
+  QByteArray view() const;
+  void setView(const QByteArray& json);
 
   // --- seeds and parameters; each change is one undo entry with a name ("Move seed") ---
   const std::vector<Seed>& seeds() const;
@@ -97,6 +102,9 @@ class Document : public QObject {
   void goToNextEvent();      //!< runs on if none is recorded yet
   void goToPreviousEvent();
   void goToStart();
+  //! While it runs a frame is shown every so many iterations, or later if the views are slower. 1 at first.
+  void setStepsPerFrame(int steps);
+  int stepsPerFrame() const;
   int iteration() const;      //!< shown; -1 without a growth
   int lastIteration() const;  //!< recorded so far; -1 without a growth
   //! The shown iteration; null without a growth.
@@ -119,7 +127,9 @@ class Document : public QObject {
   // --- crash recovery ---
   //! Journals that ended without a clean close, newest first (paths to session files).
   static QStringList recoverable();
-  void discardRecoverable(const QString& journal);
+  //! open() takes a journal as it takes a session; what was recovered counts as modified and has no session
+  //! file. Discard it when it was opened, or is not wanted.
+  static void discardRecoverable(const QString& journal);
 
  Q_SIGNALS:
   void opening(const QString& path, double progress);  //!< 0 … 1, negative: unknown
@@ -141,7 +151,7 @@ class Document : public QObject {
   void modifiedChanged();
 
  private:
-  struct Private;
+  class Private;
   std::unique_ptr<Private> d_;
 };
 
