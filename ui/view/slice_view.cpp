@@ -209,6 +209,8 @@ QSize SliceView::sizeHint() const { return {480, 360}; }
 
 void SliceView::startVolume() {
   d_->interaction.cancel();
+  d_->slice = {};  // the volume before is let go
+  d_->shownKey = {};
   d_->geometry = d_->document.hasVolume() ? SliceGeometry(d_->document.volume().grid, d_->plane, size())
                                           : SliceGeometry();
   d_->geometry.resize(size());

@@ -207,6 +207,19 @@ TEST_CASE("Only voxels in range are tinted", "[slice_image]") {
   for (int x = 10; x < 150; ++x) CHECK(qRed(plain.pixel(x, 80)) == qGreen(plain.pixel(x, 80)));
 }
 
+TEST_CASE("A volume of a single slice is shown in all three planes", "[slice_image]") {
+  Grid grid;
+  grid.size = {20, 10, 1};
+  const Volume volume = handlebody::testing::volumeByIndex(grid, [](int, int, int) { return 7; });
+  for (Plane plane : kPlanes) {
+    SliceImage picture;
+    const SliceGeometry geometry(grid, plane, {60, 60});
+    const QImage& image = picture.render(volume, geometry, 1, {{1, 0}, ColourMap::grey, {}});
+    CHECK(gray(image, 30, 30) == 255);
+    CHECK(gray(image, 30, 1) == 0);
+  }
+}
+
 TEST_CASE("Another slice, plane or volume is not mistaken for the one that was gathered", "[slice_image]") {
   const Grid grid = handlebody::testing::cubicGrid(8);
   const auto constant = [&](double v) {
