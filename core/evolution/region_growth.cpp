@@ -106,8 +106,7 @@ class Flood {
 
   void start(const Voxel& v) {
     if (!isInside(v)) return;
-    Patch& patch = patchOf({v.i >> kShift, v.j >> kShift, v.k >> kShift});
-    push(patch, placeOf(v), sign_ * patch.values[valueIndex(inBrick(placeOf(v)))]);
+    push({&patchOf({v.i >> kShift, v.j >> kShift, v.k >> kShift}), placeOf(v)});
   }
 
   RegionGrowth run() {
@@ -181,21 +180,16 @@ class Flood {
   struct Neighbour {
     Patch* patch;
     Place place;
-    float value;  // signed
   };
   Neighbour neighbour(Patch& patch, const Voxel& at, Place place, int axis, int side) {
-    const auto a = idx(axis);
+    const int stride = kPlaceStride[idx(axis)];
     const int local = at.along(axis);
-    if (side == 0 ? local > 0 : local < patch.last.along(axis)) {
-      const int step = 2 * side - 1;
-      return {&patch, static_cast<Place>(place + step * kPlaceStride[a]),
-              sign_ * patch.values[valueIndex(at) + step * kValueStride[a]]};
-    }
-    Patch* other = beyond(patch, axis, side);
-    if (!other) return {nullptr, 0, 0};
-    const auto wrapped = static_cast<Place>(place ^ kBrickMask * kPlaceStride[a]);
-    return {other, wrapped, sign_ * other->values[valueIndex(inBrick(wrapped))]};
+    if (side == 0 ? local > 0 : local < patch.last.along(axis))
+      return {&patch, static_cast<Place>(side == 0 ? place - stride : place + stride)};
+    return {beyond(patch, axis, side), static_cast<Place>(place ^ kBrickMask * stride)};
   }
+  float value(const Neighbour& n) const { return sign_ * n.patch->values[valueIndex(inBrick(n.place))]; }
+
   Patch* beyond(Patch& patch, int axis, int side) {
     Patch*& other = patch.neighbours[idx(2 * axis + side)];
     if (other) return other;
@@ -205,11 +199,14 @@ class Flood {
     return other = &patchOf({at[0], at[1], at[2]});
   }
 
-  void push(Patch& patch, Place place, float signedValue) {
-    if (!patch.visit(place)) return;
+  //! Queues the voxel if it has not been seen before.
+  void push(const Neighbour& n) {
+    if (!n.patch->visit(n.place)) return;
+    const float signedValue = value(n);
     const double bin = (signedValue - lowest_) / step_;
     if (bin < kBins)
-      queue_[idx(std::max(static_cast<int>(std::max(bin, 0.0)), level_))].push({&patch, place, signedValue});
+      queue_[idx(std::max(static_cast<int>(std::max(bin, 0.0)), level_))].push(
+          {n.patch, n.place, signedValue});
   }
 
   //! Takes in all voxels that the level of this bin lets in, also those behind them that are lower.
@@ -221,35 +218,34 @@ class Flood {
     while (!front.empty() && taken < kMostVoxels && !isFarSpread()) {
       const Entry entry = front.pop();
       ++taken;
-      const double g = takeNeighbours(entry);
+      const Voxel at = inBrick(entry.place);
+      if (entry.patch->onBorder && isOnBorder(entry.patch->inGrid(at))) ++border_;
+      for (int axis = 0; axis < 3; ++axis)
+        for (int side : {0, 1}) {
+          const Neighbour n = neighbour(*entry.patch, at, entry.place, axis, side);
+          if (n.patch) push(n);
+        }
       // Only voxels at the level itself lie on the boundary; lower ones are the inside of what has just been
       // joined.
-      if (g >= 0 && entry.value >= lowest_ + step_ * bin) {
-        sumGradient_[idx(bin)] += g;
-        sumSquared_[idx(bin)] += g * g;
-      }
+      if (entry.value >= lowest_ + step_ * bin) addEdge(entry, at, idx(bin));
     }
     return taken;
   }
 
-  //! Queues the neighbours; returns the gradient's length, or -1 beside padding: an edge there says nothing
-  //! about the object.
-  double takeNeighbours(const Entry& entry) {
-    Patch& patch = *entry.patch;
-    const Voxel at = inBrick(entry.place);
+  //! Counts the gradient at a voxel of the boundary. Beside padding an edge says nothing about the object.
+  void addEdge(const Entry& entry, const Voxel& at, std::size_t bin) {
+    if (volume_.hasPadding() && isBesidePadding(entry.patch->inGrid(at))) return;
     double squared = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      const Neighbour before = neighbour(patch, at, entry.place, axis, 0);
-      if (before.patch) push(*before.patch, before.place, before.value);
-      const Neighbour after = neighbour(patch, at, entry.place, axis, 1);
-      if (after.patch) push(*after.patch, after.place, after.value);
-      const double low = before.patch ? before.value : entry.value;
-      const double high = after.patch ? after.value : entry.value;
+      const Neighbour before = neighbour(*entry.patch, at, entry.place, axis, 0);
+      const Neighbour after = neighbour(*entry.patch, at, entry.place, axis, 1);
+      const double low = before.patch ? value(before) : entry.value;
+      const double high = after.patch ? value(after) : entry.value;
       const double span = volume_.grid().spacing[axis] * ((before.patch ? 1 : 0) + (after.patch ? 1 : 0));
       if (span > 0) squared += (high - low) * (high - low) / (span * span);
     }
-    if (patch.onBorder && isOnBorder(patch.inGrid(at))) ++border_;
-    return volume_.hasPadding() && isBesidePadding(patch.inGrid(at)) ? -1 : std::sqrt(squared);
+    sumGradient_[bin] += std::sqrt(squared);
+    sumSquared_[bin] += std::sqrt(squared) * std::sqrt(squared);
   }
 
   bool isBesidePadding(const Voxel& v) const {
