@@ -129,7 +129,7 @@ void ActiveContour::State::resolve(const Volume& volume, const std::vector<Seed>
   parameters.curvature = p.curvature;
   parameters.maxIterations = p.maxIterations;
   parameters.threads = p.threads;
-  parameters.seeds = fitSeeds(*image, seeds, edge);
+  parameters.seeds = fitSeeds(*image, seeds, edge, p.direction == Direction::both);
 
   motion.balloon = p.balloon;
   motion.curvature = p.curvature;
@@ -172,7 +172,8 @@ ActiveContour::State::Attempt ActiveContour::State::attempt() {
 
 //! Detection and surgery until nothing intersects, or until a place has to be rolled back.
 void ActiveContour::State::adapt(Attempt& a) {
-  AdaptationSettings settings{motion.outwardOnly, traces, iteration, topology};
+  AdaptationSettings settings{motion.outwardOnly, traces, iteration, topology, {}};
+  settings.cameBack = [this](const Vec3& p) { return resting.cameBack(p, limits.longest); };
   std::vector<unsigned char> changed = a.touched;
   for (int round = 0; round < kRounds; ++round) {
     const std::vector<FacePair>& pairs = detector.detectMoved(mesh.positions(), mesh.faces(), changed);
