@@ -30,7 +30,8 @@ double plateDistance(const Vec3& p);
 //! Two balls joined by a bar of 2.5 mm radius. Genus 0.
 double neckDistance(const Vec3& p);
 
-//! One side of a gyroid of 40 mm period within a rounded cube.
+//! One side of a gyroid of 40 mm period within a rounded cube. Genus 27, which no formula gives: the tests
+//! count it on the ideal surface and, independently, on the voxels of the label.
 double gyroidDistance(const Vec3& p);
 
 }  // namespace handlebody::phantoms
