@@ -1,8 +1,10 @@
 #include "core/evolution/region_growth.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <deque>
+#include <cstdint>
+#include <memory>
 
 namespace handlebody {
 
@@ -19,31 +21,93 @@ constexpr std::size_t kPartOfBricks = 4;
 // One level that lets in more than this is a leak, whatever it leads to.
 constexpr std::size_t kMostVoxels = 2'000'000;
 
+constexpr int kBrick = SmoothedVolume::kBrick;
+constexpr int kStored = SmoothedVolume::kStored;
+constexpr int kBrickMask = kBrick - 1;
+
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+constexpr int kShift = SmoothedVolume::kBrickShift;
 
 struct Voxel {
   int i, j, k;
+  int along(int axis) const { return axis == 0 ? i : axis == 1 ? j : k; }
 };
 
+//! A voxel of a brick: five bits per axis, x lowest.
+using Place = std::uint16_t;
+constexpr std::array<int, 3> kPlaceStride{1, kBrick, kBrick* kBrick};
+constexpr std::array<int, 3> kValueStride{1, kStored, kStored* kStored};
+
+Place placeOf(const Voxel& v) {
+  return static_cast<Place>((v.k & kBrickMask) << 2 * kShift | (v.j & kBrickMask) << kShift |
+                            (v.i & kBrickMask));
+}
+Voxel inBrick(Place place) { return {place & kBrickMask, place >> kShift & kBrickMask, place >> 2 * kShift}; }
+int valueIndex(const Voxel& v) { return (v.k * kStored + v.j) * kStored + v.i; }
+
+//! What the flood keeps of a brick that it has reached.
+struct Patch {
+  const float* values = nullptr;
+  Voxel first{};  // voxel of the grid
+  Voxel last{};   // in the brick: beyond it a neighbour lies in another brick or outside the grid
+  bool onBorder = false;
+  std::array<Patch*, 6> neighbours{};  // two per axis; null: not asked for yet, or outside
+  std::array<std::uint64_t, kBrick * kBrick * kBrick / 64> seen{};
+
+  //! True the first time.
+  bool visit(Place place) {
+    const std::uint64_t bit = std::uint64_t{1} << (place & 63);
+    const bool fresh = (seen[place >> 6] & bit) == 0;
+    seen[place >> 6] |= bit;
+    return fresh;
+  }
+  Voxel inGrid(const Voxel& local) const { return {first.i + local.i, first.j + local.j, first.k + local.k}; }
+};
+
+//! A voxel that waits, and its signed value.
 struct Entry {
-  Voxel voxel;
-  double value;  // signed
+  Patch* patch;
+  Place place;
+  float value;
+};
+
+//! First in, first out. Memory follows what waits: what was taken is dropped when it is half of the array.
+class Queue {
+ public:
+  bool empty() const { return head_ == entries_.size(); }
+  void push(const Entry& e) { entries_.push_back(e); }
+  Entry pop() {
+    const Entry e = entries_[head_++];
+    if (head_ >= kLeast && 2 * head_ >= entries_.size()) {
+      entries_.erase(entries_.begin(), entries_.begin() + static_cast<std::ptrdiff_t>(head_));
+      head_ = 0;
+    }
+    return e;
+  }
+
+ private:
+  static constexpr std::size_t kLeast = 4096;
+  std::vector<Entry> entries_;
+  std::size_t head_ = 0;
 };
 
 class Flood {
  public:
   Flood(const SmoothedVolume& volume, double sign, double lowest, double highest)
       : volume_(volume),
-        sign_(sign),
+        sign_(static_cast<float>(sign)),
         lowest_(lowest),
         step_((highest - lowest) / kBins),
         queue_(kBins),
         sumGradient_(kBins, 0),
         sumSquared_(kBins, 0),
-        seen_(volume.grid().voxelCount(), false) {}
+        patches_(volume.brickCount()) {}
 
   void start(const Voxel& v) {
-    if (isInside(v)) push(v, value(v));
+    if (!isInside(v)) return;
+    Patch& patch = patchOf({v.i >> kShift, v.j >> kShift, v.k >> kShift});
+    push(patch, placeOf(v), sign_ * patch.values[valueIndex(inBrick(placeOf(v)))]);
   }
 
   RegionGrowth run() {
@@ -83,14 +147,69 @@ class Flood {
     const auto& n = volume_.grid().size;
     return v.i == 0 || v.j == 0 || v.k == 0 || v.i == n[0] - 1 || v.j == n[1] - 1 || v.k == n[2] - 1;
   }
-  double value(const Voxel& v) const { return sign_ * static_cast<double>(volume_.at(v.i, v.j, v.k)); }
+  bool isPadding(const Voxel& v) const { return volume_.isPadding(indexOf(v)); }
 
-  void push(const Voxel& v, double signedValue) {
-    const std::size_t at = indexOf(v);
-    if (seen_[at] || volume_.isPadding(at)) return;
-    seen_[at] = true;
-    const int bin = std::max(0, static_cast<int>(std::floor((signedValue - lowest_) / step_)));
-    if (bin < kBins) queue_[idx(std::max(bin, level_))].push_back({v, signedValue});
+  //! By the brick's place among the bricks.
+  Patch& patchOf(const Voxel& at) {
+    const std::array<int, 3>& n = volume_.bricks();
+    std::unique_ptr<Patch>& patch = patches_[idx((at.k * n[1] + at.j) * n[0] + at.i)];
+    if (!patch) patch = makePatch(at);
+    return *patch;
+  }
+  std::unique_ptr<Patch> makePatch(const Voxel& at) const {
+    const std::array<int, 3>&n = volume_.bricks(), &size = volume_.grid().size;
+    auto patch = std::make_unique<Patch>();
+    patch->values = volume_.brick(at.i, at.j, at.k);
+    patch->first = {at.i * kBrick, at.j * kBrick, at.k * kBrick};
+    patch->last = {std::min(kBrickMask, size[0] - 1 - patch->first.i),
+                   std::min(kBrickMask, size[1] - 1 - patch->first.j),
+                   std::min(kBrickMask, size[2] - 1 - patch->first.k)};
+    patch->onBorder =
+        at.i == 0 || at.j == 0 || at.k == 0 || at.i == n[0] - 1 || at.j == n[1] - 1 || at.k == n[2] - 1;
+    if (volume_.hasPadding()) markPadding(*patch);
+    return patch;
+  }
+  //! Padding is never entered.
+  void markPadding(Patch& patch) const {
+    for (int k = 0; k <= patch.last.k; ++k)
+      for (int j = 0; j <= patch.last.j; ++j)
+        for (int i = 0; i <= patch.last.i; ++i)
+          if (isPadding(patch.inGrid({i, j, k}))) patch.visit(placeOf({i, j, k}));
+  }
+
+  //! The voxel before (side 0) or after (side 1) the given one along an axis. Null patch: outside the grid.
+  struct Neighbour {
+    Patch* patch;
+    Place place;
+    float value;  // signed
+  };
+  Neighbour neighbour(Patch& patch, const Voxel& at, Place place, int axis, int side) {
+    const auto a = idx(axis);
+    const int local = at.along(axis);
+    if (side == 0 ? local > 0 : local < patch.last.along(axis)) {
+      const int step = 2 * side - 1;
+      return {&patch, static_cast<Place>(place + step * kPlaceStride[a]),
+              sign_ * patch.values[valueIndex(at) + step * kValueStride[a]]};
+    }
+    Patch* other = beyond(patch, axis, side);
+    if (!other) return {nullptr, 0, 0};
+    const auto wrapped = static_cast<Place>(place ^ kBrickMask * kPlaceStride[a]);
+    return {other, wrapped, sign_ * other->values[valueIndex(inBrick(wrapped))]};
+  }
+  Patch* beyond(Patch& patch, int axis, int side) {
+    Patch*& other = patch.neighbours[idx(2 * axis + side)];
+    if (other) return other;
+    std::array<int, 3> at{patch.first.i / kBrick, patch.first.j / kBrick, patch.first.k / kBrick};
+    at[idx(axis)] += 2 * side - 1;
+    if (at[idx(axis)] < 0 || at[idx(axis)] >= volume_.bricks()[idx(axis)]) return nullptr;
+    return other = &patchOf({at[0], at[1], at[2]});
+  }
+
+  void push(Patch& patch, Place place, float signedValue) {
+    if (!patch.visit(place)) return;
+    const double bin = (signedValue - lowest_) / step_;
+    if (bin < kBins)
+      queue_[idx(std::max(static_cast<int>(std::max(bin, 0.0)), level_))].push({&patch, place, signedValue});
   }
 
   //! Takes in all voxels that the level of this bin lets in, also those behind them that are lower.
@@ -98,12 +217,10 @@ class Flood {
     level_ = bin;
     std::size_t taken = 0;
     // First in, first out: the region grows like a ball, and the queue is never more than its surface.
-    std::deque<Entry>& front = queue_[idx(bin)];
+    Queue& front = queue_[idx(bin)];
     while (!front.empty() && taken < kMostVoxels && !isFarSpread()) {
-      const Entry entry = front.front();
-      front.pop_front();
+      const Entry entry = front.pop();
       ++taken;
-      if (isOnBorder(entry.voxel)) ++border_;
       const double g = takeNeighbours(entry);
       // Only voxels at the level itself lie on the boundary; lower ones are the inside of what has just been
       // joined.
@@ -118,23 +235,28 @@ class Flood {
   //! Queues the neighbours; returns the gradient's length, or -1 beside padding: an edge there says nothing
   //! about the object.
   double takeNeighbours(const Entry& entry) {
+    Patch& patch = *entry.patch;
+    const Voxel at = inBrick(entry.place);
     double squared = 0;
-    bool atPadding = false;
     for (int axis = 0; axis < 3; ++axis) {
-      std::array<double, 2> side{entry.value, entry.value};
-      double span = 0;
-      for (int d : {0, 1}) {
-        Voxel w = entry.voxel;
-        (axis == 0 ? w.i : axis == 1 ? w.j : w.k) += 2 * d - 1;
-        if (!isInside(w)) continue;
-        side[idx(d)] = value(w);
-        span += volume_.grid().spacing[axis];
-        atPadding = atPadding || volume_.isPadding(indexOf(w));
-        push(w, side[idx(d)]);
-      }
-      if (span > 0) squared += (side[1] - side[0]) * (side[1] - side[0]) / (span * span);
+      const Neighbour before = neighbour(patch, at, entry.place, axis, 0);
+      if (before.patch) push(*before.patch, before.place, before.value);
+      const Neighbour after = neighbour(patch, at, entry.place, axis, 1);
+      if (after.patch) push(*after.patch, after.place, after.value);
+      const double low = before.patch ? before.value : entry.value;
+      const double high = after.patch ? after.value : entry.value;
+      const double span = volume_.grid().spacing[axis] * ((before.patch ? 1 : 0) + (after.patch ? 1 : 0));
+      if (span > 0) squared += (high - low) * (high - low) / (span * span);
     }
-    return atPadding ? -1 : std::sqrt(squared);
+    if (patch.onBorder && isOnBorder(patch.inGrid(at))) ++border_;
+    return volume_.hasPadding() && isBesidePadding(patch.inGrid(at)) ? -1 : std::sqrt(squared);
+  }
+
+  bool isBesidePadding(const Voxel& v) const {
+    for (int d : {-1, 1})
+      for (const Voxel& w : {Voxel{v.i + d, v.j, v.k}, Voxel{v.i, v.j + d, v.k}, Voxel{v.i, v.j, v.k + d}})
+        if (isInside(w) && isPadding(w)) return true;
+    return false;
   }
 
   //! The voxels of one bin fill a shell whose thickness is inverse to the gradient: weighting them with the
@@ -155,12 +277,13 @@ class Flood {
   }
 
   const SmoothedVolume& volume_;
-  double sign_, lowest_, step_;
+  float sign_;  // exact: +1 or -1
+  double lowest_, step_;
   double border_ = 0;  // voxels taken on the faces of the grid
   int level_ = 0;      // the bin that is being drained
-  std::vector<std::deque<Entry>> queue_;
+  std::vector<Queue> queue_;
   std::vector<double> sumGradient_, sumSquared_;
-  std::vector<bool> seen_;
+  std::vector<std::unique_ptr<Patch>> patches_;  // per brick; null: not reached
 };
 
 }  // namespace
