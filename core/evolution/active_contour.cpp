@@ -167,7 +167,7 @@ void ActiveContour::State::resolve(const Parameters& p) {
 }
 
 void ActiveContour::State::begin() {
-  parameters.seeds = fitSeeds(*image, seeds, parameters.edgeLength);
+  parameters.seeds = fitSeeds(*image, seeds, parameters.edgeLength, parameters.direction == Direction::both);
   mesh = seedMesh(parameters.seeds, parameters.edgeLength);
   quiet.assign(idx(mesh.vertexSlots()), 0);
   topology = topologyNumbers(mesh);
@@ -218,7 +218,8 @@ ActiveContour::State::Attempt ActiveContour::State::attempt() {
 
 //! Detection and surgery until nothing intersects, or until a place has to be rolled back.
 void ActiveContour::State::adapt(Attempt& a) {
-  AdaptationSettings settings{motion.outwardOnly, traces, iteration, topology};
+  AdaptationSettings settings{motion.outwardOnly, traces, iteration, topology, {}};
+  settings.cameBack = [this](const Vec3& p) { return resting.cameBack(p, limits.longest); };
   std::vector<unsigned char> changed = a.touched;
   for (int round = 0; round < kRounds; ++round) {
     const std::vector<FacePair>& pairs = detector.detectMoved(mesh, changed);
