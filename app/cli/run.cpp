@@ -75,14 +75,15 @@ LoadedSession load(Session session) {
   Stopwatch watch;
   VolumeReference& reference = session.volume;
   LoadedSession loaded;
-  loaded.warnings = inspectVolume(reference.path, reference.selection).warnings;
   const std::string hash = sha256OfPath(reference.path);
   if (!reference.sha256.empty() && reference.sha256 != hash)
     throw InputError(reference.path +
                      " is not the volume that the session was made from: its SHA-256 differs.");
   reference.sha256 = hash;
-  loaded.volume = readVolume(reference.path, reference.selection);
-  for (const std::string& warning : loaded.warnings)
+  LoadedVolume read = loadVolume(reference.path, reference.selection).value();  // nobody cancels it
+  loaded.volume = std::move(read.volume);
+  loaded.info = std::move(read.info);
+  for (const std::string& warning : loaded.info.warnings)
     std::fprintf(stderr, "handlebody-cli: warning: %s\n", warning.c_str());
   loaded.session = std::move(session);
   loaded.loadSeconds = watch.lap();
@@ -138,9 +139,9 @@ std::vector<std::string> doubts(const RunReport& report, const TriangleSoup& mes
         "small a seed");
   double onBorder = 0;
   for (const Vec3& p : mesh.points) {
-    const Vec3 index = report.grid.toIndex(p);
+    const Vec3 index = report.volume.grid.toIndex(p);
     for (int a = 0; a < 3; ++a)
-      if (std::min(index[a], report.grid.size[static_cast<std::size_t>(a)] - 1 - index[a]) < 0) {
+      if (std::min(index[a], report.volume.grid.size[static_cast<std::size_t>(a)] - 1 - index[a]) < 0) {
         onBorder += 1;
         break;
       }
@@ -174,8 +175,7 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
   Stopwatch watch;
   RunReport report;
   report.session = std::move(loaded.session);
-  report.grid = loaded.volume.grid;
-  report.warnings = std::move(loaded.warnings);
+  report.volume = std::move(loaded.info);
   report.seconds.load = loaded.loadSeconds;
   std::optional<Volume> shown;  // the voxels are not kept in memory for nothing
   if (!outputs.picture.empty()) shown = loaded.volume;
@@ -196,7 +196,7 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
   for (const std::string& d : report.doubts) std::fprintf(stderr, "handlebody-cli: warning: %s\n", d.c_str());
   {
     DeferSignals whole;
-    writeResults(mesh, report.grid, outputs.results, report.session.space);
+    writeResults(mesh, report.volume.grid, outputs.results, report.session.space);
     if (shown) writePicture(*shown, mesh, outputs.picture);
     report.seconds.exported = watch.lap();
     const Timings& s = report.seconds;

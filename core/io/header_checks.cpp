@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
@@ -52,6 +53,12 @@ void checkGeometry(Grid& grid, const std::string& path) {
 
 void refuseInput(const std::string& path, const std::string& cause) {
   throw InputError(path + ": " + cause + ".");
+}
+
+std::string millimetres(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g mm", value);
+  return text;
 }
 
 bool isLaterFrame(const std::string& field) {

@@ -63,7 +63,8 @@ class ItkSource : public VolumeSource {
       : io_(std::move(io)), path_(std::move(path)) {
     header_ = readItkHeader(*io_, path_, format);
   }
-  void readFrame(int frame, void* to) override {
+  void readFrame(int frame, void* to, const ReadControl& control) override {
+    report(control, 0);
     const Quiet quiet;
     const std::size_t bytes = static_cast<std::size_t>(header_.bytesPerFrame());
     std::unique_ptr<char[]> all;

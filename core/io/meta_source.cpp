@@ -59,7 +59,7 @@ MetaText readText(const std::string& path) {
 class MetaSource : public VolumeSource {
  public:
   explicit MetaSource(const std::string& path);
-  void readFrame(int frame, void* to) override;
+  void readFrame(int frame, void* to, const ReadControl& control) override;
 
  private:
   void locateData(const MetaText& text);
@@ -104,13 +104,13 @@ void MetaSource::locateData(const MetaText& text) {
   checkDataSize(path_, dataFile_, offset_, bytes, compressed_);
 }
 
-void MetaSource::readFrame(int frame, void* to) {
+void MetaSource::readFrame(int frame, void* to, const ReadControl& control) {
   const std::uint64_t bytes = header_.bytesPerFrame();
   const std::uint64_t before = bytes * static_cast<std::uint64_t>(frame);
   ByteStream stream(dataFile_, compressed_ ? offset_ : offset_ + before,
                     compressed_ ? ByteStream::Coding::deflate : ByteStream::Coding::raw);
-  if (compressed_) stream.skip(before);
-  stream.readAll(to, static_cast<std::size_t>(bytes));
+  if (compressed_) stream.skip(before, control);
+  stream.readAll(to, static_cast<std::size_t>(bytes), control);
   stream.checkEnd();
   if (swapped_)
     swapBytes(to, header_.grid.voxelCount() * static_cast<std::size_t>(header_.components),

@@ -126,7 +126,7 @@ void setScaling(const NiftiHeader& h, VolumeHeader& header) {
 class NiftiSource : public VolumeSource {
  public:
   explicit NiftiSource(const std::string& path);
-  void readFrame(int frame, void* to) override;
+  void readFrame(int frame, void* to, const ReadControl& control) override;
 
  private:
   void addWarnings(const std::string& path);
@@ -200,13 +200,13 @@ void NiftiSource::addWarnings(const std::string& path) {
                                std::to_string(std::lround(std::ceil(apart))) + " mm); the qform is used.");
 }
 
-void NiftiSource::readFrame(int frame, void* to) {
+void NiftiSource::readFrame(int frame, void* to, const ReadControl& control) {
   const std::uint64_t bytes = header_.bytesPerFrame();
   const std::uint64_t before = offset_ + bytes * static_cast<std::uint64_t>(frame);
   ByteStream stream(dataFile_, compressed_ ? 0 : before,
                     compressed_ ? ByteStream::Coding::deflate : ByteStream::Coding::raw);
-  if (compressed_) stream.skip(before);
-  stream.readAll(to, static_cast<std::size_t>(bytes));
+  if (compressed_) stream.skip(before, control);
+  stream.readAll(to, static_cast<std::size_t>(bytes), control);
   stream.checkEnd();
   if (nifti_.swapped)
     swapBytes(to, header_.grid.voxelCount() * static_cast<std::size_t>(header_.components),
