@@ -154,15 +154,6 @@ void report(const ReadControl& control, double part) {
   if (control.progress) control.progress(std::clamp(part, 0.0, 1.0));
 }
 
-std::shared_ptr<void> allocate(std::uint64_t bytes, const std::string& path) {
-  try {  // double: aligned for every voxel type
-    const std::shared_ptr<double[]> memory(new double[static_cast<std::size_t>(bytes) / sizeof(double) + 1]);
-    return {memory, memory.get()};
-  } catch (const std::bad_alloc&) {
-    refuseInput(path, "there is not enough memory to read it");
-  }
-}
-
 VolumeInfo inspectVolume(const std::string& path, const VolumeSelection& selection) {
   bool several = false;
   const SourcePointer source = openVolume({path, selection}, {}, &several);
