@@ -94,9 +94,10 @@ bool isToolkit(const std::string& name) {
   return startsWith(name, "vtk") || startsWith(name, "itk") || startsWith(name, "gdcm");
 }
 
-// The standard library's headers are the ones without a folder or an extension in lower case.
+// The standard library's headers are the ones without a folder or an extension in lower case; the compiler's own
+// for vector instructions (emmintrin.h …) count with them.
 bool isEigenOrStandard(const std::string& name) {
-  static const std::regex standard("[a-z_0-9]+");
+  static const std::regex standard("[a-z_0-9]+|[a-z]+intrin[.]h");
   return startsWith(name, "Eigen/") || std::regex_match(name, standard);
 }
 
