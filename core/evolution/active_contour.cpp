@@ -60,17 +60,23 @@ struct Detector : CollisionDetector {
   Detector& operator=(const Detector&) = delete;
 };
 
-bool sameImage(const Parameters& a, const Parameters& b) {
-  return a.object == b.object && a.range == b.range && a.smoothing == b.smoothing;
-}
-
 //! But for the number of iterations and threads.
-bool sameMotion(const Parameters& a, const Parameters& b) {
-  return sameImage(a, b) && a.edgeLength == b.edgeLength && a.direction == b.direction &&
-         a.balloon == b.balloon && a.curvature == b.curvature;
+bool moveAlike(Parameters a, const Parameters& b) {
+  a.maxIterations = b.maxIterations;
+  a.threads = b.threads;
+  return a == b;
 }
 
 }  // namespace
+
+// What does not matter to the image is listed here, so that a parameter that nobody thought of does.
+bool chooseSameImage(Parameters a, const Parameters& b) {
+  a.edgeLength = b.edgeLength;
+  a.direction = b.direction;
+  a.balloon = b.balloon;
+  a.curvature = b.curvature;
+  return moveAlike(a, b);
+}
 
 const char* stopReasonName(StopReason reason) {
   switch (reason) {
@@ -120,7 +126,8 @@ struct ActiveContour::State {
   void chooseImage(const Parameters& p);
   void resolve(const Parameters& p);
   void begin();
-  void change(const Parameters& p);
+  void change(const Parameters& p, const State* prepared);
+  void takeImage(const State& other);
   Attempt attempt();
   std::vector<int> verticesToMove() const;
   void adapt(Attempt& a);
@@ -174,10 +181,20 @@ void ActiveContour::State::begin() {
   if (parameters.maxIterations == 0) stop = StopReason::maxIterations;
 }
 
-void ActiveContour::State::change(const Parameters& p) {
+void ActiveContour::State::takeImage(const State& other) {
+  image = other.image;
+  parameters.object = other.parameters.object;
+  parameters.range = other.parameters.range;
+  parameters.smoothing = other.parameters.smoothing;
+}
+
+void ActiveContour::State::change(const Parameters& p, const State* prepared) {
   requireSensible(p);
-  if (!sameImage(p, requested)) chooseImage(p);
-  const bool wake = !sameMotion(p, requested);
+  if (prepared)
+    takeImage(*prepared);
+  else if (!chooseSameImage(p, requested))
+    chooseImage(p);
+  const bool wake = !moveAlike(p, requested);
   resolve(p);
   if (wake) {
     quiet.assign(idx(mesh.vertexSlots()), 0);
@@ -369,6 +386,7 @@ ActiveContour::ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters 
   state_->resolve(parameters);
   state_->begin();
 }
+ActiveContour::ActiveContour(std::unique_ptr<State> state) : state_(std::move(state)) {}
 ActiveContour::~ActiveContour() = default;
 ActiveContour::ActiveContour(ActiveContour&&) noexcept = default;
 ActiveContour& ActiveContour::operator=(ActiveContour&&) noexcept = default;
@@ -378,8 +396,24 @@ ActiveContour& ActiveContour::operator=(const ActiveContour& other) { return *th
 StepReport ActiveContour::step() { return state_->step(); }
 void ActiveContour::changeParameters(const Parameters& parameters) {
   auto changed = std::make_unique<State>(*state_);
-  changed->change(parameters);
+  changed->change(parameters, nullptr);
   state_ = std::move(changed);
+}
+void ActiveContour::changeParameters(const ActiveContour& prepared) {
+  auto changed = std::make_unique<State>(*state_);
+  changed->change(prepared.requested(), prepared.state_.get());
+  state_ = std::move(changed);
+}
+ActiveContour ActiveContour::restarted(const Parameters& parameters) const {
+  if (!chooseSameImage(parameters, requested())) return {state_->volume, state_->seeds, parameters};
+  requireSensible(parameters);
+  auto fresh = std::make_unique<State>();
+  fresh->volume = state_->volume;
+  fresh->seeds = state_->seeds;
+  fresh->takeImage(*state_);
+  fresh->resolve(parameters);
+  fresh->begin();
+  return ActiveContour(std::move(fresh));
 }
 StopReason ActiveContour::stopReason() const { return state_->stop; }
 int ActiveContour::iteration() const { return state_->iteration; }

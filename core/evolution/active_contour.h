@@ -16,7 +16,7 @@ class ActiveContour {
  public:
   //! Resolves the automatic parameters from the image around the seeds and makes the seed spheres.
   //! Throws SeedError (seed outside the volume or not in an object), UsageError (a parameter without meaning,
-  //! a range without voxels).
+  //! a range without voxels), Cancelled (cancellation.h).
   ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters parameters);
   ~ActiveContour();
   ActiveContour(ActiveContour&&) noexcept;
@@ -34,6 +34,12 @@ class ActiveContour {
   //! seeds; the mesh and the seeds' radii stay. Everything that has settled or rests wakes, unless only the
   //! iterations or threads have changed. Throws as the constructor, and nothing has changed then.
   void changeParameters(const Parameters& parameters);
+  //! The same with the parameters of `prepared`, whose image is taken over instead of being chosen again.
+  //! Precondition: it was made for the same volume and seeds.
+  void changeParameters(const ActiveContour& prepared);
+  //! A new contour at iteration 0 for the same volume and seeds. Quick if both choose the same image. Throws
+  //! as the constructor.
+  ActiveContour restarted(const Parameters& parameters) const;
 
   //! StopReason::running while step() would go on.
   StopReason stopReason() const;
@@ -52,6 +58,7 @@ class ActiveContour {
 
  private:
   struct State;
+  explicit ActiveContour(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
 

@@ -123,11 +123,14 @@ void History::goTo(int iteration) {
   shown_ = restored(iteration);
 }
 
-void History::changeParameters(const Parameters& parameters) {
+void History::changeParameters(const Parameters& parameters, const ActiveContour* prepared) {
   if (sameResult(parameters, this->parameters())) return;
   const bool isOther = !sameResult(parameters, shown_.requested());
   ActiveContour after = shown_;
-  if (isOther) after.changeParameters(parameters);
+  if (isOther && prepared && prepared->requested() == parameters)
+    after.changeParameters(*prepared);
+  else if (isOther)
+    after.changeParameters(parameters);
   dropAfter(iteration());
   if (isOther) changes_.push_back({{iteration(), parameters}, std::move(after)});
   countMemory();

@@ -43,8 +43,9 @@ class History {
   void goTo(int iteration);
   //! Other parameters from the shown iteration on: what was recorded after it is dropped. Nothing happens if
   //! they are those that hold already (the number of threads does not count). Throws as
-  //! ActiveContour::changeParameters; nothing has changed then.
-  void changeParameters(const Parameters& parameters);
+  //! ActiveContour::changeParameters; nothing has changed then. `prepared`, if given, is a contour of the
+  //! same volume, seeds and parameters, and spares choosing the image again.
+  void changeParameters(const Parameters& parameters, const ActiveContour* prepared = nullptr);
 
   //! One per iteration from the first on, without events; the first has the volume alone.
   const std::vector<StepReport>& steps() const { return steps_; }

@@ -39,6 +39,10 @@ struct Parameters {
   bool operator==(const Parameters&) const = default;
 };
 
+//! True if both see the object in the image in the same way: changing from one to the other takes no
+//! preparation.
+bool chooseSameImage(Parameters a, const Parameters& b);
+
 //! Parameters that hold from the step after `iteration` on.
 struct ParameterChange {
   int iteration = 0;

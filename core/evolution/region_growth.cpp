@@ -7,6 +7,8 @@
 #include <limits>
 #include <memory>
 
+#include "core/cancellation.h"
+
 namespace handlebody {
 
 namespace {
@@ -27,6 +29,8 @@ constexpr int kStored = SmoothedVolume::kStored;
 constexpr int kBrickMask = kBrick - 1;
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+constexpr std::size_t kBetweenLooks = 16384;  // voxels: a millisecond
 
 constexpr int kShift = SmoothedVolume::kBrickShift;
 
@@ -203,6 +207,7 @@ class Flood {
       Patch& patch = *queue_[idx(bin)][q];
       std::vector<Entry>& waiting = patch.waiting[idx(bin)];
       for (std::size_t i = 0; i < waiting.size(); ++i, ++taken) {
+        if (taken % kBetweenLooks == 0) giveUpIfCancelled();
         if (taken >= kMostVoxels || isFarSpread()) return taken;
         take(patch, Entry(waiting[i]));
       }

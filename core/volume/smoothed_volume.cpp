@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/cancellation.h"
+
 namespace handlebody {
 
 namespace {
@@ -84,6 +86,7 @@ const float* SmoothedVolume::brick(int bi, int bj, int bk) const {
 }
 
 std::unique_ptr<float[]> SmoothedVolume::makeBrick(int bi, int bj, int bk) const {
+  giveUpIfCancelled();
   const std::array<int, 3> first{bi * kBrick, bj * kBrick, bk * kBrick};
   const std::array<int, 3> radius{kernels_[0].radius(), kernels_[1].radius(), kernels_[2].radius()};
   const std::array<int, 3> n{kStored + 2 * radius[0], kStored + 2 * radius[1], kStored + 2 * radius[2]};

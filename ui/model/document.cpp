@@ -80,10 +80,7 @@ void Document::Private::adopt(const QString& path, OpenedWork opened) {
   undo.clear();
   journal.clear();
   work = std::move(opened);
-  prepared.reset();
-  resolved.reset();
-  resolveError.clear();
-  isOutdated = true;
+  forgetPreparation();
   error.clear();
   sessionPath.clear();
   view.clear();
@@ -157,13 +154,10 @@ void Document::Private::apply(const Edits& after) {
 }
 
 void Document::Private::editsChanged(bool seeds) {
-  prepared.reset();
-  resolved.reset();
-  resolveError.clear();
-  isOutdated = true;
+  forgetPreparation();
   if (seeds) dropGrowth();
   if (wanted == Wanted::replay) wanted = Wanted::nothing;
-  changedOnTheWay = growth.isRunning();
+  changedOnTheWay = changedOnTheWay || growth.isRunning();
   settle.start();
   journalNow();
   updateState();

@@ -6,48 +6,48 @@ namespace handlebody::ui {
 
 // --- automatic parameters ---
 
+void Document::Private::forgetPreparation() {
+  preparation.cancel();
+  isPreparing = false;
+  ++preparations;
+  prepared.reset();
+  resolved.reset();
+  resolveError.clear();
+}
+
 //! Seeds or parameters have been at rest for a moment.
 void Document::Private::preparationDue() {
-  if (std::exchange(changedOnTheWay, false) && growth.isRunning()) growth.run(edits.parameters);
-  if (!work || edits.seeds.empty() || isPreparing) return;  // when it is done, it looks again
-  if (!prepared) requestPreparation(edits.parameters);
+  if (work && !edits.seeds.empty() && !prepared && !isPreparing) requestPreparation(edits.parameters);
 }
 
 void Document::Private::requestPreparation(const Parameters& parameters) {
   settle.stop();
   isPreparing = true;
-  isOutdated = false;
   const int number = ++preparations;
-  preparation.request(
-      work->volume, edits.seeds, parameters, [this, number, parameters](const Prepared& result) {
-        QMetaObject::invokeMethod(
-            &q, [this, number, parameters, result] { preparationDone(number, parameters, result); },
-            Qt::QueuedConnection);
-      });
+  preparation.request(work->volume, edits.seeds, parameters, [this, number](const Prepared& result) {
+    QMetaObject::invokeMethod(
+        &q, [this, number, result] { preparationDone(number, result); }, Qt::QueuedConnection);
+  });
 }
 
-void Document::Private::preparationDone(int number, const Parameters& parameters, Prepared result) {
-  if (number != preparations) return;  // a newer one is under way
+void Document::Private::preparationDone(int number, const Prepared& result) {
+  if (number != preparations) return;  // out of date
   isPreparing = false;
-  if (isOutdated) {
-    preparationDue();
-    return;
-  }
   prepareSeconds = result.seconds;
-  if (!(parameters == edits.parameters)) {  // the beginning of a replay
-    prepared = std::move(result.contour);
-    error = result.error;
+  if (wanted != Wanted::nothing) error = result.error;
+  prepared = result.contour;
+  if (prepared && !(prepared->requested() == edits.parameters)) {  // for the beginning of a replay
     startPrepared();
     prepared.reset();
     preparationDue();
     return;
   }
-  prepared = std::move(result.contour);
-  resolved.reset();
-  if (prepared) resolved = prepared->parameters();
   resolveError = result.error;
-  if (wanted != Wanted::nothing) error = result.error;
+  if (prepared) resolved = prepared->parameters();
   Q_EMIT q.resolvedChanged();
+  // Also if it came to its end meanwhile: it would have gone on with these.
+  if (std::exchange(changedOnTheWay, false) && prepared && growth.exists())
+    growth.run(edits.parameters, prepared);
   startPrepared();
 }
 
@@ -62,19 +62,34 @@ void Document::Private::goOn(Wanted what) {
     beginGrowth(what);
     return;
   }
+  if (!prepared && !chooseSameImage(edits.parameters, growth.parameters())) {
+    await(what);
+    return;
+  }
   switch (what) {
     case Wanted::run:
-      growth.run(edits.parameters);
+      growth.run(edits.parameters, prepared);
       break;
     case Wanted::step:
-      growth.step(edits.parameters);
+      growth.step(edits.parameters, prepared);
       break;
     case Wanted::toEvent:
-      growth.runToEvent(edits.parameters);
+      growth.runToEvent(edits.parameters, prepared);
       break;
     default:
       break;
   }
+}
+
+//! Goes on when the contour with the present parameters is prepared.
+void Document::Private::await(Wanted what) {
+  wanted = what;
+  if (growth.isRunning()) growth.pause();
+  if (what == Wanted::replay)
+    requestPreparation(replayed);
+  else if (!isPreparing)
+    requestPreparation(edits.parameters);
+  updateState();
 }
 
 void Document::Private::beginGrowth(Wanted what) {
@@ -82,31 +97,25 @@ void Document::Private::beginGrowth(Wanted what) {
   if (edits.seeds.empty()) {
     error = tr("There is no seed yet: place one inside the object first.");
     updateState();
-    return;
-  }
-  wanted = what;
-  const Parameters& first = what == Wanted::replay ? replayed : edits.parameters;
-  if (prepared && prepared->requested() == first) {
+  } else if (prepared && what != Wanted::replay) {
+    wanted = what;
     startPrepared();
-  } else if (!isPreparing || what == Wanted::replay) {
-    requestPreparation(first);
   } else {
-    settle.stop();  // looked at again as soon as what is under way is done
+    await(what);
   }
-  updateState();
 }
 
 void Document::Private::startPrepared() {
   const Wanted what = std::exchange(wanted, Wanted::nothing);
   if (what == Wanted::nothing) return;
-  if (prepared) {
+  if (prepared && !growth.exists())
     growth.start(prepared, what == Wanted::replay ? std::optional(replay) : std::nullopt);
-    goOn(what);
-  }
+  if (prepared) goOn(what);
   updateState();
 }
 
 void Document::Private::dropGrowth() {
+  changedOnTheWay = false;
   wanted = Wanted::nothing;
   error.clear();
   growth.clear();
@@ -147,6 +156,7 @@ void Document::stepForward() { d_->goOn(Private::Wanted::step); }
 void Document::goToNextEvent() { d_->goOn(Private::Wanted::toEvent); }
 
 void Document::pause() {
+  d_->changedOnTheWay = false;
   if (d_->wanted != Private::Wanted::nothing) {
     d_->wanted = Private::Wanted::nothing;
     d_->updateState();
@@ -155,12 +165,15 @@ void Document::pause() {
 }
 
 void Document::goTo(int iteration) {
+  d_->changedOnTheWay = false;
   if (d_->growth.exists()) d_->growth.goTo(iteration);
 }
 void Document::stepBack() {
+  d_->changedOnTheWay = false;
   if (d_->growth.exists()) d_->growth.stepBack();
 }
 void Document::goToPreviousEvent() {
+  d_->changedOnTheWay = false;
   if (d_->growth.exists()) d_->growth.goToPreviousEvent();
 }
 void Document::goToStart() { goTo(0); }

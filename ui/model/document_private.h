@@ -37,12 +37,14 @@ class Document::Private {
 
   // --- automatic parameters ---
   void requestPreparation(const Parameters& parameters);
-  void preparationDone(int number, const Parameters& parameters, Prepared result);
+  void preparationDone(int number, const Prepared& result);
   void preparationDue();
+  void forgetPreparation();
 
   // --- growth ---
-  void goOn(Wanted wanted);
-  void beginGrowth(Wanted wanted);
+  void goOn(Wanted what);
+  void beginGrowth(Wanted what);
+  void await(Wanted what);
   void startPrepared();
   void dropGrowth();
   void growthStateChanged();
@@ -74,7 +76,6 @@ class Document::Private {
 
   int preparations = 0;  // number of the newest that was asked for
   bool isPreparing = false;
-  bool isOutdated = false;                        // seeds or parameters have changed since it was asked for
   bool changedOnTheWay = false;                   // parameters, while the growth runs
   std::shared_ptr<const ActiveContour> prepared;  // of the present seeds
   double prepareSeconds = 0;

@@ -47,18 +47,18 @@ void Growth::clear() {
   listener_.stateChanged();
 }
 
-void Growth::run(const Parameters& parameters) {
-  worker_.run(parameters);
+void Growth::run(const Parameters& parameters, PreparedContour prepared) {
+  worker_.run(parameters, std::move(prepared));
   expect(true);
 }
 
-void Growth::runToEvent(const Parameters& parameters) {
-  worker_.runToEvent(parameters);
+void Growth::runToEvent(const Parameters& parameters, PreparedContour prepared) {
+  worker_.runToEvent(parameters, std::move(prepared));
   expect(true);
 }
 
-void Growth::step(const Parameters& parameters) {
-  worker_.step(parameters);
+void Growth::step(const Parameters& parameters, PreparedContour prepared) {
+  worker_.step(parameters, std::move(prepared));
   expect(false);
 }
 

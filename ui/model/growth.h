@@ -26,9 +26,9 @@ class Growth {
   //! As it was before the first step. Precondition: exists().
   const ActiveContour& beginning() const { return *start_; }
 
-  void run(const Parameters& parameters);
-  void step(const Parameters& parameters);
-  void runToEvent(const Parameters& parameters);
+  void run(const Parameters& parameters, PreparedContour prepared = {});
+  void step(const Parameters& parameters, PreparedContour prepared = {});
+  void runToEvent(const Parameters& parameters, PreparedContour prepared = {});
   void pause();
   void goTo(int iteration);
   void stepBack();

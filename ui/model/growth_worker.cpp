@@ -42,17 +42,19 @@ void GrowthWorker::clear() {
   });
 }
 
-void GrowthWorker::run(const Parameters& parameters) {
-  send([this, parameters] { goOn(parameters, Mode::run); });
+void GrowthWorker::run(const Parameters& parameters, PreparedContour prepared) {
+  send([this, parameters, prepared = std::move(prepared)] { goOn(parameters, prepared.get(), Mode::run); });
 }
 
-void GrowthWorker::runToEvent(const Parameters& parameters) {
-  send([this, parameters] { goOn(parameters, Mode::toEvent); });
+void GrowthWorker::runToEvent(const Parameters& parameters, PreparedContour prepared) {
+  send([this, parameters, prepared = std::move(prepared)] {
+    goOn(parameters, prepared.get(), Mode::toEvent);
+  });
 }
 
-void GrowthWorker::step(const Parameters& parameters) {
-  send([this, parameters] {
-    goOn(parameters, Mode::run);
+void GrowthWorker::step(const Parameters& parameters, PreparedContour prepared) {
+  send([this, parameters, prepared = std::move(prepared)] {
+    goOn(parameters, prepared.get(), Mode::run);
     if (mode_ == Mode::run) stepOnce();
     mode_ = Mode::idle;
   });
@@ -162,15 +164,15 @@ std::shared_ptr<const MeshSnapshot> GrowthWorker::nextFrame() {
   return frame;
 }
 
-void GrowthWorker::changeParameters(const Parameters& parameters) {
-  history_->changeParameters(parameters);
+void GrowthWorker::changeParameters(const Parameters& parameters, const ActiveContour* prepared) {
+  history_->changeParameters(parameters, prepared);
   kept_ = std::min(kept_, history_->lastIteration());
 }
 
-void GrowthWorker::goOn(const Parameters& parameters, Mode mode) {
+void GrowthWorker::goOn(const Parameters& parameters, const ActiveContour* prepared, Mode mode) {
   mode_ = Mode::idle;
   if (!history_) return;
-  changeParameters(parameters);
+  changeParameters(parameters, prepared);
   if (mode == Mode::toEvent && goToRecordedEvent()) return;
   if (history_->stopReason() == StopReason::running) mode_ = mode;
 }

@@ -35,6 +35,10 @@ struct GrowthUpdate {
   double seconds = 0;  //!< computing time of all steps
 };
 
+//! Made elsewhere for the same volume, seeds and the parameters it comes with, so that changing to them takes
+//! no time; may be null.
+using PreparedContour = std::shared_ptr<const ActiveContour>;
+
 //! A growth to be made again: these changes on the way, and the iteration to pause at.
 struct Replay {
   std::vector<ParameterChange> changes;
@@ -58,9 +62,9 @@ class GrowthWorker {
   void clear();
   //! All three go on from the shown iteration with these parameters; if they are others than recorded, what
   //! was recorded after it is dropped.
-  void run(const Parameters& parameters);
-  void step(const Parameters& parameters);
-  void runToEvent(const Parameters& parameters);
+  void run(const Parameters& parameters, PreparedContour prepared = {});
+  void step(const Parameters& parameters, PreparedContour prepared = {});
+  void runToEvent(const Parameters& parameters, PreparedContour prepared = {});
   //! Grows again as recorded in a session.
   void replay(const Replay& replay);
   void pause();
@@ -83,7 +87,7 @@ class GrowthWorker {
   void loop(const std::stop_token& stop);
   std::optional<Command> next(const std::stop_token& stop);
   void perform(const Command& command);
-  void goOn(const Parameters& parameters, Mode mode);
+  void goOn(const Parameters& parameters, const ActiveContour* prepared, Mode mode);
   bool goToRecordedEvent();
   void stepOnce();
   bool replayChange();
@@ -91,7 +95,7 @@ class GrowthWorker {
   bool isEventIteration(int iteration) const;
   void show(int iteration);
   void traceEvent(int index);
-  void changeParameters(const Parameters& parameters);
+  void changeParameters(const Parameters& parameters, const ActiveContour* prepared = nullptr);
   std::shared_ptr<const MeshSnapshot> nextFrame();
   void publish(std::shared_ptr<const MeshSnapshot> frame);
   void publishLists();

@@ -2,27 +2,52 @@
 
 #include <chrono>
 
+#include "core/cancellation.h"
 #include "ui/model/error_sentence.h"
 
 namespace handlebody::ui {
 
 namespace {
-
-Prepared prepare(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& parameters) try {
-  const auto start = std::chrono::steady_clock::now();
-  Prepared prepared;
-  prepared.contour = std::make_shared<const ActiveContour>(volume, seeds, parameters);
-  prepared.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return prepared;
-} catch (...) {
-  return {nullptr, errorSentence(), 0};
+constexpr std::size_t kMostKnown = 4;
 }
 
-}  // namespace
+ActiveContour Preparation::make(const Volume& volume, const std::vector<Seed>& seeds,
+                                const Parameters& parameters) const {
+  for (const Known& known : known_)
+    if (known.contour->requestedSeeds() == seeds && chooseSameImage(known.contour->requested(), parameters))
+      return known.contour->restarted(parameters);
+  return {volume, seeds, parameters};
+}
+
+Prepared Preparation::prepare(const Volume& volume, const std::vector<Seed>& seeds,
+                              const Parameters& parameters) {
+  const auto start = std::chrono::steady_clock::now();
+  if (!known_.empty() && known_.front().volume.voxels != volume.voxels) known_.clear();
+  Prepared prepared;
+  prepared.contour = std::make_shared<const ActiveContour>(make(volume, seeds, parameters));
+  prepared.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  known_.push_front({volume, prepared.contour});
+  if (known_.size() > kMostKnown) known_.pop_back();
+  return prepared;
+}
+
+Preparation::~Preparation() { cancel(); }
+
+void Preparation::cancel() { *cancelled_ = true; }
 
 void Preparation::request(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& parameters,
                           std::function<void(Prepared)> done) {
-  background_.postInstead([=, done = std::move(done)] { done(prepare(volume, seeds, parameters)); });
+  cancel();
+  cancelled_ = std::make_shared<std::atomic<bool>>(false);
+  background_.postInstead([=, this, stop = cancelled_, done = std::move(done)] {
+    const CancelScope scope(*stop);
+    try {
+      done(prepare(volume, seeds, parameters));
+    } catch (const Cancelled&) {  // nobody waits for it
+    } catch (...) {
+      done({nullptr, errorSentence(), 0});
+    }
+  });
 }
 
 }  // namespace handlebody::ui

@@ -3,6 +3,7 @@
 // whenever seeds or parameters change, so that the automatic values can be shown and a growth begins at once.
 
 #include <QString>
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -18,14 +19,30 @@ struct Prepared {
   double seconds = 0;
 };
 
+//! One at a time; calls come from one thread.
 class Preparation {
  public:
-  //! `done` is called on the worker thread. A request that has not begun is dropped for a newer one.
+  ~Preparation();
+  //! `done` is called on the worker thread. Of several requests only the newest is answered; what is under
+  //! way for an older one is given up.
   void request(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& parameters,
                std::function<void(Prepared)> done);
+  void cancel();
 
  private:
-  Background background_;
+  //! What was prepared lately for the open volume: the choice of the image takes nearly all of the time, and
+  //! undo comes back to it.
+  struct Known {
+    Volume volume;
+    std::shared_ptr<const ActiveContour> contour;
+  };
+  Prepared prepare(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& parameters);
+  ActiveContour make(const Volume& volume, const std::vector<Seed>& seeds,
+                     const Parameters& parameters) const;
+
+  std::deque<Known> known_;  // the worker's
+  std::shared_ptr<std::atomic<bool>> cancelled_ = std::make_shared<std::atomic<bool>>(false);
+  Background background_;  // last: its job uses the others
 };
 
 }  // namespace handlebody::ui

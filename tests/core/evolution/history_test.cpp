@@ -1,8 +1,9 @@
 #include "core/evolution/history.h"
 
-#include <chrono>
+#include <atomic>
 #include <random>
 
+#include "core/cancellation.h"
 #include "core/errors.h"
 #include "tests/core/evolution/contour_support.h"
 
@@ -188,6 +189,40 @@ TEST_CASE("a converged surface wakes when the range grows, and follows the new b
   CHECK(before == Approx(4.0 / 3 * M_PI * 343).epsilon(0.1));
   CHECK(history.steps().back().volume == Approx(4.0 / 3 * M_PI * 1728).epsilon(0.1));
   CHECK(certify(history.shown().mesh().compact()).passes());
+}
+
+TEST_CASE("a prepared image leads to the same mesh as one that is chosen anew", "[history]") {
+  Parameters other;
+  other.range = IntensityRange{-100, 90};
+  other.curvature = 0.4;
+  const ActiveContour prepared = torusContour(other);
+  ActiveContour chosen = torusContour(), taken = torusContour();
+  for (ActiveContour* c : {&chosen, &taken})
+    for (int i = 0; i < 10; ++i) c->step();
+  chosen.changeParameters(other);
+  taken.changeParameters(prepared);
+  CHECK(taken.parameters().range == chosen.parameters().range);
+  CHECK(taken.parameters().smoothing == chosen.parameters().smoothing);
+  CHECK(isSame(straightRun(taken).back(), straightRun(chosen).back()));
+}
+
+TEST_CASE("a contour begun again with other parameters is as a new one", "[history]") {
+  ActiveContour contour = torusContour();
+  for (int i = 0; i < 10; ++i) contour.step();
+  Parameters sameImage, otherImage;
+  sameImage.edgeLength = 1.3;
+  otherImage.range = IntensityRange{-100, 90};
+  for (const Parameters& p : {sameImage, otherImage}) {
+    const ActiveContour again = contour.restarted(p);
+    CHECK(again.iteration() == 0);
+    CHECK(isSame(straightRun(again).back(), straightRun(torusContour(p)).back()));
+  }
+}
+
+TEST_CASE("the choice of the image gives up when it is cancelled", "[history]") {
+  const std::atomic<bool> cancelled{true};
+  const CancelScope scope(cancelled);
+  CHECK_THROWS_AS(torusContour(), Cancelled);
 }
 
 TEST_CASE("an event of the past tells its stages without disturbing the history", "[history]") {

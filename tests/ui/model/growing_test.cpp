@@ -170,6 +170,68 @@ TEST_CASE("a pause answers within a tenth of a second", "[document]") {
   CHECK(document.lastIteration() == stopped);
 }
 
+TEST_CASE("another range on the way is prepared first, and the growth goes on with it", "[document]") {
+  Work work;
+  Document& document = work.document;
+  for (int i = 0; i < 5; ++i) REQUIRE(work.stepForward());
+  Parameters p = document.parameters();
+  p.range = IntensityRange{-100, 90};
+  document.setParameters(p, QStringLiteral("Change range"));
+  document.run();
+  CHECK(document.state() == GrowthState::preparing);
+  CHECK(document.iteration() == 5);
+  REQUIRE(waitFor([&] { return document.state() == GrowthState::finished; }));
+  CHECK(document.resolved()->range == *p.range);
+  ActiveContour straight(document.volume(), document.seeds(), Parameters{});
+  for (int i = 0; i < 5; ++i) straight.step();
+  straight.changeParameters(p);
+  while (straight.stopReason() == StopReason::running) straight.step();
+  CHECK(isSame(document.snapshot()->mesh, straight.mesh().compact()));
+}
+
+TEST_CASE("a range that the seed is not in stops with a sentence, and the growth stays", "[document]") {
+  Work work;
+  Document& document = work.document;
+  for (int i = 0; i < 5; ++i) REQUIRE(work.stepForward());
+  Parameters p = document.parameters();
+  p.range = IntensityRange{150, 250};
+  document.setParameters(p, QStringLiteral("Change range"));
+  document.run();
+  REQUIRE(waitFor([&] { return document.state() == GrowthState::paused; }));
+  CHECK(document.growthError().contains(QStringLiteral("not in the object")));
+  CHECK(document.iteration() == 5);
+  document.undoStack()->undo();
+  REQUIRE(runToEnd(document));
+  CHECK(document.growthError().isEmpty());
+}
+
+TEST_CASE("parameters changed while it runs take effect on the way", "[document]") {
+  Work work;
+  Document& document = work.document;
+  Parameters slow;
+  slow.balloon = 0.3;
+  document.setParameters(slow, QStringLiteral("Change balloon"));
+  document.run();
+  REQUIRE(waitFor([&] { return document.state() == GrowthState::running; }));
+  Parameters fast;
+  fast.range = IntensityRange{-100, 90};
+  document.setParameters(fast, QStringLiteral("Change range"));
+  REQUIRE(waitFor([&] { return document.state() == GrowthState::finished; }));
+  CHECK(document.snapshot()->certificate.genus == std::vector<int>{1});
+  document.goTo(0);
+  REQUIRE(waitFor([&] { return document.iteration() == 0; }));
+}
+
+TEST_CASE("a document that is closed while it prepares does not wait for that", "[document]") {
+  QElapsedTimer clock;
+  {
+    Work work;
+    work.document.run();
+    clock.start();
+  }
+  CHECK(clock.elapsed() < 100);
+}
+
 TEST_CASE("the stages of an event come on request", "[document]") {
   Work work;
   Document& document = work.document;
