@@ -207,6 +207,19 @@ TEST_CASE("Only voxels in range are tinted", "[slice_image]") {
   for (int x = 10; x < 150; ++x) CHECK(qRed(plain.pixel(x, 80)) == qGreen(plain.pixel(x, 80)));
 }
 
+TEST_CASE("A volume of a single slice is shown in all three planes", "[slice_image]") {
+  Grid grid;
+  grid.size = {20, 10, 1};
+  const Volume volume = handlebody::testing::volumeByIndex(grid, [](int, int, int) { return 7; });
+  for (Plane plane : kPlanes) {
+    SliceImage picture;
+    const SliceGeometry geometry(grid, plane, {60, 60});
+    const QImage& image = picture.render(volume, geometry, 1, {{1, 0}, ColourMap::grey, {}});
+    CHECK(gray(image, 30, 30) == 255);
+    CHECK(gray(image, 30, 1) == 0);
+  }
+}
+
 TEST_CASE("Another slice, plane or volume is not mistaken for the one that was gathered", "[slice_image]") {
   const Grid grid = handlebody::testing::cubicGrid(8);
   const auto constant = [&](double v) {
@@ -260,4 +273,17 @@ TEST_CASE("A rim that is dragged to a place runs through it", "[seeds]") {
   const Vec3 centre = geometry.toWorld({140, 90}) - 2 * geometry.normal();
   const QPointF place(190, 120);
   CHECK(draggedRadius(geometry, centre, place) == Approx((geometry.toWorld(place) - centre).norm()));
+}
+
+TEST_CASE("The corner says which slice it is, and where", "[slice]") {
+  Grid grid = handlebody::testing::cubicGrid(20);
+  grid.origin = Vec3(0, 0, -30);
+  SliceGeometry straight(grid, Plane::axial, {100, 100});
+  straight.setSlice(4);
+  CHECK(slicePlace(straight, Plane::axial, Vec3::Zero()) == QStringList{"Slice 5 of 20, I 26.0 mm"});
+  const SliceGeometry oblique(awkwardGrid(), Plane::axial, {100, 100});
+  const QStringList lines = slicePlace(oblique, Plane::axial, Vec3(-1.25, -2, 3));
+  REQUIRE(lines.size() == 2);
+  CHECK(lines[0].startsWith("Slice "));
+  CHECK(lines[1] == "R 1.2  A 2.0  S 3.0 mm");
 }
