@@ -156,6 +156,7 @@ SurfaceScene::SurfaceScene(vtkRenderer* renderer) : d_(std::make_unique<Private>
   for (LineActor* part : {&d_->loops, &d_->lambda, &d_->box}) renderer->AddActor(part->actor);
   for (SliceActor& slice : d_->slices) renderer->AddActor(slice.actor);
   for (TriangleActor* part : {&d_->around, &d_->red, &d_->handle}) part->setEdges(true);
+  for (TriangleActor* part : {&d_->red, &d_->handle}) part->setInFront();
   d_->seeds.setColour(kSeedBall);
   d_->around.setColour(kAround);
   d_->red.setColour(kColliding);

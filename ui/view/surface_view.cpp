@@ -259,7 +259,9 @@ void SurfaceView::Private::paint(QPainter& painter, double pixelRatio, bool focu
     painter.setRenderHint(QPainter::Antialiasing);
     const CameraPose pose = scene->pose();
     const bool empty = !document.hasVolume();
-    if (!empty) {
+    if (empty) {
+      paintHint(painter, size, tr("The surface grows here"));
+    } else {
       paintTriad(painter, size, pose);
       paintScaleBar(painter, size, pose.height / std::max(1.0, size.height()));
     }

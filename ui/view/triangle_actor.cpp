@@ -119,4 +119,9 @@ void TriangleActor::setColours(const std::vector<QColor>& palette, const unsigne
 
 void TriangleActor::setEdges(bool visible) { actor_->GetProperty()->SetEdgeVisibility(visible ? 1 : 0); }
 
+void TriangleActor::setInFront() {
+  mapper_->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper_->SetRelativeCoincidentTopologyPolygonOffsetParameters(-1, -2);
+}
+
 }  // namespace handlebody::ui
