@@ -236,6 +236,7 @@ const QImage& SurfaceView::Private::frame(double pixelRatio) {
   if (!poseChanged && shown.size() == size) return shown;
   QElapsedTimer timer;
   timer.start();
+  scene->setPixelRatio(pixelRatio);
   scene->fitDepth();
   shown = gl->render(size, pixelRatio);
   shown.setDevicePixelRatio(pixelRatio);
@@ -332,7 +333,7 @@ void SurfaceView::showStage(const EventTrace& trace, EventStage stage) {
   if (sight && !there) {
     CameraPose pose = d_->scene->pose();
     pose.focus = sight->centre;
-    pose.height = d_->heightFor(*sight, 1.25);
+    pose.height = d_->heightFor(*sight, 0.95);  // a mesh fills its ball nowhere near
     pose.towardsEye = acrossFronts(trace, pose.towardsEye);
     pose.up = (pose.up - pose.up.dot(pose.towardsEye) * pose.towardsEye).normalized();
     d_->flyTo(pose);
