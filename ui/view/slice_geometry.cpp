@@ -96,6 +96,20 @@ Vec3 SliceGeometry::clamped(const Vec3& index) const {
   return inside;
 }
 
+SliceGeometry wholeSlice(const Grid& grid, Plane plane, double longest) {
+  SliceGeometry geometry(grid, plane, {1, 1});
+  const double width = sizeOf(grid, geometry.axes().across) * grid.spacing[geometry.axes().across];
+  const double height = sizeOf(grid, geometry.axes().down) * grid.spacing[geometry.axes().down];
+  const double pixels = std::min(longest, std::max(width, height) / grid.spacing.minCoeff());
+  const double perMm = pixels / std::max(width, height);
+  const QSizeF size(std::max(1.0, std::round(perMm * width)), std::max(1.0, std::round(perMm * height)));
+  geometry.resize(size);
+  // The larger side decides; rounding leaves at most half a pixel of the other one out.
+  const double mmPerPixel = std::min(width / size.width(), height / size.height());
+  geometry.zoom(geometry.mmPerPixel() / mmPerPixel, {size.width() / 2, size.height() / 2});
+  return geometry;
+}
+
 QStringList slicePlace(const SliceGeometry& geometry, Plane plane, const Vec3& crosshair) {
   const auto tr = [](const char* text) { return QCoreApplication::translate("SliceView", text); };
   const auto place = [](int w, double mm) { return QString::fromStdString(anatomicalPlace(w, mm)); };

@@ -35,7 +35,7 @@ TriangleActor::TriangleActor() {
   property->SetDiffuse(0.82);
   property->SetSpecular(0.16);
   property->SetSpecularPower(24);
-  property->SetEdgeColor(0.42, 0.33, 0.20);
+  property->SetEdgeColor(0.34, 0.29, 0.22);
   property->SetLineWidth(1);
 }
 

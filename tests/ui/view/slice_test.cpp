@@ -287,3 +287,17 @@ TEST_CASE("The corner says which slice it is, and where", "[slice]") {
   CHECK(lines[0].startsWith("Slice "));
   CHECK(lines[1] == "R 1.2  A 2.0  S 3.0 mm");
 }
+
+TEST_CASE("The texture of a slice covers its voxels and nothing else, to a pixel", "[slice]") {
+  const Grid grid = awkwardGrid();
+  for (Plane plane : kPlanes) {
+    const SliceGeometry whole = wholeSlice(grid, plane, 25);
+    CHECK(std::max(whole.size().width(), whole.size().height()) == 25);
+    Vec3 high;
+    for (int a = 0; a < 3; ++a) high[a] = grid.size[static_cast<std::size_t>(a)] - 0.5;
+    const QPointF one = whole.toScreen(Vec3::Constant(-0.5)), other = whole.toScreen(high);
+    CHECK(std::abs(std::abs(one.x() - other.x()) - whole.size().width()) <= 1);
+    CHECK(std::abs(std::abs(one.y() - other.y()) - whole.size().height()) <= 1);
+    CHECK((one + other).x() == Approx(whole.size().width()));
+  }
+}
