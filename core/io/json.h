@@ -40,7 +40,8 @@ Json referenceToJson(const VolumeReference& volume);
 void readSelection(const Json& json, VolumeSelection& selection);
 //! Adds "calibrated" and "sources" (of size, spacing, origin, direction).
 void addSources(Json& object, const VolumeInfo& info);
-//! "requested": every parameter as asked for, the seeds and the space of the mesh files.
+//! "requested": every parameter as asked for, the seeds and the space of the mesh files; where there are any,
+//! the changes of parameters on the way and the iteration to stop at.
 Json requestToJson(const Session& session);
 //! Every parameter as used; seeds apart.
 Json resolvedToJson(const ResolvedParameters& parameters);
@@ -54,9 +55,9 @@ std::string jsonText(const Json& json);
 
 //! Whole numbers that fit only: the library would cut 1.5 to 1 and wrap what does not fit. Throws UsageError.
 int integerFromJson(const Json& json);
-//! The inverse of requestToJson: parameters, seeds and space of `session`. Absent keys keep their defaults,
-//! null is "automatic". Throws Json::exception for a value of the wrong type, UsageError for a word or number
-//! without meaning.
+//! The inverse of requestToJson: parameters, seeds, space, changes and last iteration of `session`. Absent
+//! keys keep their defaults, null is "automatic". Throws Json::exception for a value of the wrong type,
+//! UsageError for a word or number without meaning.
 void readRequest(const Json& json, Session& session);
 
 }  // namespace handlebody

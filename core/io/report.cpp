@@ -26,6 +26,10 @@ Json headToJson(const RunReport& report) {
 
 }  // namespace
 
+const char* endName(StopReason stopped) {
+  return stopped == StopReason::running ? "stop-at" : stopReasonName(stopped);
+}
+
 std::string reportText(const RunReport& report) {
   const ResolvedParameters& resolved = report.session.resolved.value();
   Json json = headToJson(report);
@@ -33,7 +37,7 @@ std::string reportText(const RunReport& report) {
   json["requested"] = requestToJson(report.session);
   json["seeds"] = seedsToJson(resolved.seeds);
   json["iterations"] = report.iterations;
-  json["stopped"] = stopReasonName(report.stopped);
+  json["stopped"] = endName(report.stopped);
   json["warnings"] = report.doubts;
   json["seconds"] = secondsToJson(report.seconds);
   json["mesh"] = certificateToJson(report.mesh);

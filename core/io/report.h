@@ -30,6 +30,9 @@ struct RunReport {
   std::vector<Event> events;
 };
 
+//! Why a growth ended, as in the report: stopReasonName, and "stop-at" where it was asked to end there.
+const char* endName(StopReason stopped);
+
 //! The report as JSON text, without the traces of the events.
 std::string reportText(const RunReport& report);
 
