@@ -3,14 +3,18 @@
 
 BUILD_PACKAGES="g++ cmake ninja-build ccache libvtk9-dev libinsighttoolkit5-dev libeigen3-dev libcli11-dev nlohmann-json3-dev libssl-dev zlib1g-dev qt6-base-dev qt6-svg-dev libqt6svg6"
 TEST_PACKAGES="catch2 libcgal-dev xvfb xauth fonts-dejavu-core"
+PACKAGE_PACKAGES="file dpkg-dev fakeroot"
+RUN_PACKAGES="qt6-qpa-plugins qt6-wayland fonts-dejavu-core libgl1-mesa-dri"
 
-# The packages of the groups named ("build", "test"), on this release of Debian.
+# The packages of the groups named ("build", "test", "package", "run"), on this release of Debian.
 wanted_packages() {
   local group
   for group in "$@"; do
     case "$group" in
       build) echo "$BUILD_PACKAGES" ;;
       test) echo "$TEST_PACKAGES" ;;
+      package) echo "$PACKAGE_PACKAGES" ;;
+      run) echo "$RUN_PACKAGES" ;;
       *) echo "unknown group of packages: $group" >&2; return 1 ;;
     esac
   done

@@ -73,14 +73,15 @@ LoadedSession load(Session session) {
   Stopwatch watch;
   VolumeReference& reference = session.volume;
   LoadedSession loaded;
-  loaded.warnings = inspectVolume(reference.path, reference.selection).warnings;
   const std::string hash = sha256OfPath(reference.path);
   if (!reference.sha256.empty() && reference.sha256 != hash)
     throw InputError(reference.path +
                      " is not the volume that the session was made from: its SHA-256 differs.");
   reference.sha256 = hash;
-  loaded.volume = readVolume(reference.path, reference.selection);
-  for (const std::string& warning : loaded.warnings)
+  LoadedVolume read = loadVolume(reference.path, reference.selection).value();  // nobody cancels it
+  loaded.volume = std::move(read.volume);
+  loaded.info = std::move(read.info);
+  for (const std::string& warning : loaded.info.warnings)
     std::fprintf(stderr, "handlebody-cli: warning: %s\n", warning.c_str());
   loaded.session = std::move(session);
   loaded.loadSeconds = watch.lap();
@@ -128,8 +129,7 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
   Stopwatch watch;
   RunReport report;
   report.session = std::move(loaded.session);
-  report.grid = loaded.volume.grid;
-  report.warnings = std::move(loaded.warnings);
+  report.volume = std::move(loaded.info);
   report.seconds.load = loaded.loadSeconds;
   std::optional<Volume> shown;  // the voxels are not kept in memory for nothing
   if (!outputs.picture.empty()) shown = loaded.volume;
@@ -149,7 +149,7 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
   for (const std::string& d : report.doubts) std::fprintf(stderr, "handlebody-cli: warning: %s\n", d.c_str());
   {
     DeferSignals whole;
-    writeResults(mesh, report.grid, outputs.results, report.session.space);
+    writeResults(mesh, report.volume.grid, outputs.results, report.session.space);
     if (shown) writePicture(*shown, mesh, outputs.picture);
     report.seconds.exported = watch.lap();
     const Timings& s = report.seconds;

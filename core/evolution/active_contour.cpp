@@ -91,6 +91,7 @@ const char* stopReasonName(StopReason reason) {
 
 struct ActiveContour::State {
   Mesh mesh;
+  Mesh before;                       // of the step that is being made; kept for its memory
   std::vector<unsigned char> quiet;  // iterations per vertex without motion, up to kQuietToSleep
   Volume volume;
   std::vector<Seed> seeds;  // as asked for
@@ -274,26 +275,21 @@ void ActiveContour::State::deleteCollapsed(Attempt& a) {
 void ActiveContour::State::updateQuiet(const Attempt& a) {
   const std::size_t known = quiet.size();
   quiet.resize(idx(mesh.vertexSlots()), 0);
-  std::vector<unsigned char> stirred(quiet.size(), 0);
-  std::vector<double> moved(quiet.size(), 0);
-  for (std::size_t i = 0; i < a.moving.size(); ++i) {
-    const int v = a.moving[i];
-    if (!mesh.isVertex(v)) continue;
-    moved[idx(v)] = a.distances[i];
-    if (a.distances[i] > kStirring * parameters.edgeLength)
-      mesh.forEachNeighbour(v, [&](int w) { stirred[idx(w)] = 1; });
-  }
+  // Vertices that surgery made, moved or gave new faces are awake.
   std::vector<unsigned char> wasMoved(quiet.size(), 0);
   for (int v : a.moving) wasMoved[idx(v)] = 1;
-  for (std::size_t v = 0; v < quiet.size(); ++v) {
-    const bool fresh = v >= known || (a.touched[v] && !wasMoved[v]);
-    if (fresh || stirred[v])
-      quiet[v] = 0;
-    else if (wasMoved[v])
-      quiet[v] = moved[v] < kQuiet * parameters.edgeLength
-                     ? static_cast<unsigned char>(std::min(quiet[v] + 1, kQuietToSleep))
-                     : static_cast<unsigned char>(0);
+  for (std::size_t v = 0; v < quiet.size(); ++v)
+    if (v >= known || (a.touched[v] != 0 && wasMoved[v] == 0)) quiet[v] = 0;
+  const double quietMove = kQuiet * parameters.edgeLength, stirringMove = kStirring * parameters.edgeLength;
+  for (std::size_t i = 0; i < a.moving.size(); ++i) {
+    unsigned char& q = quiet[idx(a.moving[i])];
+    if (idx(a.moving[i]) >= known || !mesh.isVertex(a.moving[i])) continue;
+    q = a.distances[i] < quietMove ? static_cast<unsigned char>(std::min(q + 1, kQuietToSleep))
+                                   : static_cast<unsigned char>(0);
   }
+  for (std::size_t i = 0; i < a.moving.size(); ++i)
+    if (a.distances[i] > stirringMove && mesh.isVertex(a.moving[i]))
+      mesh.forEachNeighbour(a.moving[i], [&](int w) { quiet[idx(w)] = 0; });
 }
 
 void ActiveContour::State::accept(Attempt& a, StepReport& report) {
@@ -355,7 +351,7 @@ StopReason ActiveContour::State::restReason() const {
 StepReport ActiveContour::State::step() {
   StepReport report;
   report.iteration = ++iteration;
-  const Mesh before = mesh;
+  before = mesh;
   const auto rollBack = [&](const Trouble& t) {
     report.events.push_back(rolledBack(t.centre, t.reason));
     resting.add(t.centre, t.radius + 0.5 * limits.longest, iteration);

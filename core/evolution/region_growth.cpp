@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 
 namespace handlebody {
@@ -46,6 +47,12 @@ Place placeOf(const Voxel& v) {
 Voxel inBrick(Place place) { return {place & kBrickMask, place >> kShift & kBrickMask, place >> 2 * kShift}; }
 int valueIndex(const Voxel& v) { return (v.k * kStored + v.j) * kStored + v.i; }
 
+//! A voxel that waits, and its signed value.
+struct Entry {
+  Place place;
+  float value;
+};
+
 //! What the flood keeps of a brick that it has reached.
 struct Patch {
   const float* values = nullptr;
@@ -54,6 +61,7 @@ struct Patch {
   bool onBorder = false;
   std::array<Patch*, 6> neighbours{};  // two per axis; null: not asked for yet, or outside
   std::array<std::uint64_t, kBrick * kBrick * kBrick / 64> seen{};
+  std::array<std::vector<Entry>, kBins> waiting;  // per bin
 
   //! True the first time.
   bool visit(Place place) {
@@ -63,33 +71,6 @@ struct Patch {
     return fresh;
   }
   Voxel inGrid(const Voxel& local) const { return {first.i + local.i, first.j + local.j, first.k + local.k}; }
-};
-
-//! A voxel that waits, and its signed value.
-struct Entry {
-  Patch* patch;
-  Place place;
-  float value;
-};
-
-//! First in, first out. Memory follows what waits: what was taken is dropped when it is half of the array.
-class Queue {
- public:
-  bool empty() const { return head_ == entries_.size(); }
-  void push(const Entry& e) { entries_.push_back(e); }
-  Entry pop() {
-    const Entry e = entries_[head_++];
-    if (head_ >= kLeast && 2 * head_ >= entries_.size()) {
-      entries_.erase(entries_.begin(), entries_.begin() + static_cast<std::ptrdiff_t>(head_));
-      head_ = 0;
-    }
-    return e;
-  }
-
- private:
-  static constexpr std::size_t kLeast = 4096;
-  std::vector<Entry> entries_;
-  std::size_t head_ = 0;
 };
 
 class Flood {
@@ -106,8 +87,7 @@ class Flood {
 
   void start(const Voxel& v) {
     if (!isInside(v)) return;
-    Patch& patch = patchOf({v.i >> kShift, v.j >> kShift, v.k >> kShift});
-    push(patch, placeOf(v), sign_ * patch.values[valueIndex(inBrick(placeOf(v)))]);
+    push({&patchOf({v.i >> kShift, v.j >> kShift, v.k >> kShift}), placeOf(v)});
   }
 
   RegionGrowth run() {
@@ -181,21 +161,16 @@ class Flood {
   struct Neighbour {
     Patch* patch;
     Place place;
-    float value;  // signed
   };
   Neighbour neighbour(Patch& patch, const Voxel& at, Place place, int axis, int side) {
-    const auto a = idx(axis);
+    const int stride = kPlaceStride[idx(axis)];
     const int local = at.along(axis);
-    if (side == 0 ? local > 0 : local < patch.last.along(axis)) {
-      const int step = 2 * side - 1;
-      return {&patch, static_cast<Place>(place + step * kPlaceStride[a]),
-              sign_ * patch.values[valueIndex(at) + step * kValueStride[a]]};
-    }
-    Patch* other = beyond(patch, axis, side);
-    if (!other) return {nullptr, 0, 0};
-    const auto wrapped = static_cast<Place>(place ^ kBrickMask * kPlaceStride[a]);
-    return {other, wrapped, sign_ * other->values[valueIndex(inBrick(wrapped))]};
+    if (side == 0 ? local > 0 : local < patch.last.along(axis))
+      return {&patch, static_cast<Place>(side == 0 ? place - stride : place + stride)};
+    return {beyond(patch, axis, side), static_cast<Place>(place ^ kBrickMask * stride)};
   }
+  float value(const Neighbour& n) const { return sign_ * n.patch->values[valueIndex(inBrick(n.place))]; }
+
   Patch* beyond(Patch& patch, int axis, int side) {
     Patch*& other = patch.neighbours[idx(2 * axis + side)];
     if (other) return other;
@@ -205,51 +180,64 @@ class Flood {
     return other = &patchOf({at[0], at[1], at[2]});
   }
 
-  void push(Patch& patch, Place place, float signedValue) {
-    if (!patch.visit(place)) return;
-    const double bin = (signedValue - lowest_) / step_;
-    if (bin < kBins)
-      queue_[idx(std::max(static_cast<int>(std::max(bin, 0.0)), level_))].push({&patch, place, signedValue});
+  //! Queues the voxel if it has not been seen before.
+  void push(const Neighbour& n) {
+    if (!n.patch->visit(n.place)) return;
+    const float signedValue = value(n);
+    const double bin = signedValue < levelStart_ ? level_ : (signedValue - lowest_) / step_;
+    if (!(bin < kBins)) return;
+    const std::size_t target = idx(std::max(static_cast<int>(bin), level_));
+    std::vector<Entry>& waiting = n.patch->waiting[target];
+    if (waiting.empty()) queue_[target].push_back(n.patch);
+    waiting.push_back({n.place, signedValue});
   }
 
-  //! Takes in all voxels that the level of this bin lets in, also those behind them that are lower.
+  //! Takes in all voxels that the level of this bin lets in, also those behind them that are lower. Brick by
+  //! brick, so that what it touches stays in the cache; the bricks first in, first out, so that the region
+  //! grows like a ball.
   std::size_t drain(int bin) {
     level_ = bin;
+    levelStart_ = lowest_ + step_ * bin;
     std::size_t taken = 0;
-    // First in, first out: the region grows like a ball, and the queue is never more than its surface.
-    Queue& front = queue_[idx(bin)];
-    while (!front.empty() && taken < kMostVoxels && !isFarSpread()) {
-      const Entry entry = front.pop();
-      ++taken;
-      const double g = takeNeighbours(entry);
-      // Only voxels at the level itself lie on the boundary; lower ones are the inside of what has just been
-      // joined.
-      if (g >= 0 && entry.value >= lowest_ + step_ * bin) {
-        sumGradient_[idx(bin)] += g;
-        sumSquared_[idx(bin)] += g * g;
+    for (std::size_t q = 0; q < queue_[idx(bin)].size(); ++q) {
+      Patch& patch = *queue_[idx(bin)][q];
+      std::vector<Entry>& waiting = patch.waiting[idx(bin)];
+      for (std::size_t i = 0; i < waiting.size(); ++i, ++taken) {
+        if (taken >= kMostVoxels || isFarSpread()) return taken;
+        take(patch, Entry(waiting[i]));
       }
+      waiting = {};  // from here on the brick may come again
     }
     return taken;
   }
 
-  //! Queues the neighbours; returns the gradient's length, or -1 beside padding: an edge there says nothing
-  //! about the object.
-  double takeNeighbours(const Entry& entry) {
-    Patch& patch = *entry.patch;
+  void take(Patch& patch, const Entry& entry) {
     const Voxel at = inBrick(entry.place);
+    if (patch.onBorder && isOnBorder(patch.inGrid(at))) ++border_;
+    for (int axis = 0; axis < 3; ++axis)
+      for (int side : {0, 1}) {
+        const Neighbour n = neighbour(patch, at, entry.place, axis, side);
+        if (n.patch) push(n);
+      }
+    // Only voxels at the level itself lie on the boundary; lower ones are the inside of what has just been
+    // joined.
+    if (entry.value >= levelStart_) addEdge(patch, entry, at);
+  }
+
+  //! Counts the gradient at a voxel of the boundary. Beside padding an edge says nothing about the object.
+  void addEdge(Patch& patch, const Entry& entry, const Voxel& at) {
+    if (volume_.hasPadding() && isBesidePadding(patch.inGrid(at))) return;
     double squared = 0;
     for (int axis = 0; axis < 3; ++axis) {
       const Neighbour before = neighbour(patch, at, entry.place, axis, 0);
-      if (before.patch) push(*before.patch, before.place, before.value);
       const Neighbour after = neighbour(patch, at, entry.place, axis, 1);
-      if (after.patch) push(*after.patch, after.place, after.value);
-      const double low = before.patch ? before.value : entry.value;
-      const double high = after.patch ? after.value : entry.value;
+      const double low = before.patch ? value(before) : entry.value;
+      const double high = after.patch ? value(after) : entry.value;
       const double span = volume_.grid().spacing[axis] * ((before.patch ? 1 : 0) + (after.patch ? 1 : 0));
       if (span > 0) squared += (high - low) * (high - low) / (span * span);
     }
-    if (patch.onBorder && isOnBorder(patch.inGrid(at))) ++border_;
-    return volume_.hasPadding() && isBesidePadding(patch.inGrid(at)) ? -1 : std::sqrt(squared);
+    sumGradient_[idx(level_)] += std::sqrt(squared);
+    sumSquared_[idx(level_)] += squared;
   }
 
   bool isBesidePadding(const Voxel& v) const {
@@ -279,9 +267,10 @@ class Flood {
   const SmoothedVolume& volume_;
   float sign_;  // exact: +1 or -1
   double lowest_, step_;
-  double border_ = 0;  // voxels taken on the faces of the grid
-  int level_ = 0;      // the bin that is being drained
-  std::vector<Queue> queue_;
+  double border_ = 0;                                             // voxels taken on the faces of the grid
+  int level_ = 0;                                                 // the bin that is being drained
+  double levelStart_ = -std::numeric_limits<double>::infinity();  // its signed level
+  std::vector<std::vector<Patch*>> queue_;                        // per bin: bricks with voxels that wait
   std::vector<double> sumGradient_, sumSquared_;
   std::vector<std::unique_ptr<Patch>> patches_;  // per brick; null: not reached
 };

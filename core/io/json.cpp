@@ -86,7 +86,16 @@ Json referenceToJson(const VolumeReference& volume) {
   Json json = {{"path", volume.path}, {"sha256", volume.sha256}};
   if (volume.selection.series) json["series"] = *volume.selection.series;
   if (volume.selection.frame) json["frame"] = *volume.selection.frame;
+  if (volume.selection.spacing) json["given_spacing"] = vectorToJson(*volume.selection.spacing);
+  if (volume.selection.uneven == UnevenSlices::refuse) json["uneven"] = "refuse";
   return json;
+}
+
+void addSources(Json& object, const VolumeInfo& info) {
+  const GeometrySources& s = info.sources;
+  object["calibrated"] = info.calibrated;
+  object["sources"] = {
+      {"size", s.size}, {"spacing", s.spacing}, {"origin", s.origin}, {"direction", s.direction}};
 }
 
 namespace {
@@ -225,6 +234,19 @@ CoordinateSpace spaceFromJson(const Json& json) {
 }
 
 }  // namespace
+
+void readSelection(const Json& json, VolumeSelection& selection) {
+  const auto given = [&](const char* key) { return json.contains(key) && !json.at(key).is_null(); };
+  if (given("series")) selection.series = json.at("series").get<std::string>();
+  if (given("frame")) {
+    const int frame = integerFromJson(json.at("frame"));
+    if (frame < 0) throw UsageError("the frame is below 0.");
+    selection.frame = frame;
+  }
+  if (given("given_spacing")) selection.spacing = vectorFromJson(json.at("given_spacing"));
+  if (given("uneven") && json.at("uneven").get<std::string>() == "refuse")
+    selection.uneven = UnevenSlices::refuse;
+}
 
 int integerFromJson(const Json& json) {
   if (!json.is_number_integer() || std::abs(json.get<double>()) > std::numeric_limits<int>::max())

@@ -34,8 +34,12 @@ Json seedsToJson(const std::vector<Seed>& seeds);
 void addGrid(Json& object, const Grid& grid);
 //! The certificate: "mesh" of a report and the answer of `check`.
 Json certificateToJson(const Certificate& certificate);
-//! {"path", "sha256"} and, where they were chosen, "series" and "frame".
+//! {"path", "sha256"} and, where they were chosen, "series", "frame", "given_spacing" and "uneven".
 Json referenceToJson(const VolumeReference& volume);
+//! The inverse for what was chosen. Throws as readRequest.
+void readSelection(const Json& json, VolumeSelection& selection);
+//! Adds "calibrated" and "sources" (of size, spacing, origin, direction).
+void addSources(Json& object, const VolumeInfo& info);
 //! "requested": every parameter as asked for, the seeds and the space of the mesh files; where there are any,
 //! the changes of parameters on the way and the iteration to stop at.
 Json requestToJson(const Session& session);

@@ -17,8 +17,9 @@ Json secondsToJson(const Timings& seconds) {
 Json headToJson(const RunReport& report) {
   Json json = {{"version", report.session.version}, {"notice", kNotice}};
   Json input = referenceToJson(report.session.volume);
-  addGrid(input, report.grid);
-  input["warnings"] = report.warnings;
+  addGrid(input, report.volume.grid);
+  addSources(input, report.volume);
+  input["warnings"] = report.volume.warnings;
   json["input"] = std::move(input);
   return json;
 }

@@ -20,10 +20,9 @@ struct Timings {
 };
 
 struct RunReport {
-  Session session;                    //!< with `resolved` set
-  Grid grid;                          //!< of the volume
-  std::vector<std::string> warnings;  //!< about the volume
-  std::vector<std::string> doubts;    //!< about the result: hardly grown, much of it on the volume's border
+  Session session;                  //!< with `resolved` set
+  VolumeInfo volume;                //!< its grid and where that comes from, warnings
+  std::vector<std::string> doubts;  //!< about the result: hardly grown, much of it on the volume's border
   int iterations = 0;
   StopReason stopped = StopReason::running;
   Timings seconds;

@@ -77,9 +77,9 @@ std::vector<std::string> doubts(const RunReport& report, const TriangleSoup& mes
   if (atItsSeeds(report, mesh)) out.push_back(hardlyGrown(*report.session.resolved));
   double onBorder = 0;
   for (const Vec3& p : mesh.points) {
-    const Vec3 index = report.grid.toIndex(p);
+    const Vec3 index = report.volume.grid.toIndex(p);
     for (int a = 0; a < 3; ++a)
-      if (std::min(index[a], report.grid.size[static_cast<std::size_t>(a)] - 1 - index[a]) < 0) {
+      if (std::min(index[a], report.volume.grid.size[static_cast<std::size_t>(a)] - 1 - index[a]) < 0) {
         onBorder += 1;
         break;
       }

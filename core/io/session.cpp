@@ -49,13 +49,7 @@ Session sessionFromJson(const Json& json, const std::string& path) {
     session.volume.sha256 = input.at("sha256").get<std::string>();
     if (session.volume.sha256.empty()) throw UsageError("the volume's SHA-256 is empty.");
   }
-  if (input.contains("series") && !input.at("series").is_null())
-    session.volume.selection.series = input.at("series").get<std::string>();
-  if (input.contains("frame") && !input.at("frame").is_null()) {
-    const int frame = integerFromJson(input.at("frame"));
-    if (frame < 0) throw UsageError("the frame is below 0.");
-    session.volume.selection.frame = frame;
-  }
+  readSelection(input, session.volume.selection);
   readRequest(json.at("requested"), session);
   if (json.contains("view")) session.view = json.at("view").dump();
   return session;

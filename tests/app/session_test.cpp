@@ -19,7 +19,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 Session unusualSession(const std::string& volume) {
   Session s;
   s.version = "1.2.3";
-  s.volume = {volume, "00ff", {"1.2.840.1", 3}};
+  s.volume = {volume, "00ff", {"1.2.840.1", 3, Vec3(0.1, 1.0 / 3.0, 7), UnevenSlices::refuse}};
   s.seeds = {{{0.1, -1.0 / 3.0, 1e-300}, 2.0 / 7.0}, {{1e300, 0, -0.0}, {}}};
   s.requested.object = ObjectKind::bright;
   s.requested.range = IntensityRange{-kInfinity, 100.0 / 3.0};
@@ -59,6 +59,8 @@ TEST_CASE("a session comes back exactly as it was written", "[session]") {
   CHECK(back.volume.sha256 == s.volume.sha256);
   CHECK(back.volume.selection.series == s.volume.selection.series);
   CHECK(back.volume.selection.frame == s.volume.selection.frame);
+  CHECK(back.volume.selection.spacing == s.volume.selection.spacing);
+  CHECK(back.volume.selection.uneven == s.volume.selection.uneven);
   REQUIRE(back.seeds.size() == 2);
   CHECK(back.seeds[0].centre == s.seeds[0].centre);
   CHECK(back.seeds[0].radius == s.seeds[0].radius);

@@ -53,8 +53,8 @@ Session Document::Private::session() const {
 RunReport Document::Private::report() const {
   RunReport r;
   r.session = session();
-  r.grid = work->volume.grid;
-  r.warnings = work->info.warnings;
+  r.volume = work->info;
+  r.volume.grid = work->volume.grid;
   r.iterations = growth.iteration();
   r.stopped = growth.stopReason();
   r.seconds.load = work->seconds;

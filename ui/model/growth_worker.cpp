@@ -146,15 +146,18 @@ void GrowthWorker::perform(const Command& command) {
   publish(std::move(frame));
 }
 
-//! At rest the iteration is always shown; on the way a frame is left out while the last one was not fetched.
+//! At rest the iteration is always shown, and checked in full; on the way a frame is left out while the last
+//! one was not fetched.
 std::shared_ptr<const MeshSnapshot> GrowthWorker::nextFrame() {
-  if (!history_ || framed_ == history_->iteration()) return nullptr;
-  if (mode_ != Mode::idle) {
+  const bool atRest = mode_ == Mode::idle;
+  if (!history_ || (framed_ == history_->iteration() && (framedInFull_ || !atRest))) return nullptr;
+  if (!atRest) {
     const std::lock_guard lock(mutex_);
     if (sinceFrame_ < stepsPerFrame_ || update_.snapshot) return nullptr;
   }
-  auto frame = makeSnapshot(*history_);
+  auto frame = makeSnapshot(*history_, atRest ? Checking::everything : Checking::structure);
   framed_ = frame->iteration;
+  framedInFull_ = atRest;
   sinceFrame_ = 0;
   return frame;
 }

@@ -105,7 +105,8 @@ class GrowthWorker {
   Replay replay_;
   int sinceFrame_ = 0;
   int framed_ = -1;  // iteration of the last frame
-  int kept_ = -1;    // what was published up to this iteration still holds
+  bool framedInFull_ = false;
+  int kept_ = -1;  // what was published up to this iteration still holds
   double seconds_ = 0;
   QString error_;
 

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QFile>
 #include <chrono>
+#include <filesystem>
 
 #include "core/errors.h"
 #include "ui/model/error_sentence.h"
@@ -26,6 +27,8 @@ OpeningResult read(const QString& path, const VolumeSelection& selection,
   if (isSessionPath(path)) {
     work.session = readSession(work.reference.path);
     work.reference = work.session->volume;
+    // Relative to the session's folder it may be full of "..", which nobody wants to read.
+    work.reference.path = std::filesystem::weakly_canonical(work.reference.path).string();
   }
   work.info = inspectVolume(work.reference.path, work.reference.selection);
   if (work.info.frames == 0) return SeriesChoice{work.info.series};

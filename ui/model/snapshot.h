@@ -8,8 +8,15 @@
 
 namespace handlebody::ui {
 
-//! The iteration that `history` shows, certified in full.
-std::shared_ptr<const MeshSnapshot> makeSnapshot(const History& history);
+//! How much of a snapshot's certificate is worked out anew.
+enum class Checking {
+  //! All but self-intersections, of which a step leaves none: for frames on the way.
+  structure,
+  everything,
+};
+
+//! The iteration that `history` shows.
+std::shared_ptr<const MeshSnapshot> makeSnapshot(const History& history, Checking checking);
 
 //! One row of the timeline per recorded iteration from index `from` on.
 std::vector<IterationSummary> summariesFrom(const History& history, std::size_t from);

@@ -28,6 +28,7 @@ std::optional<Sight> sightOf(const EventTrace& trace) {
 }
 
 CameraPose between(const CameraPose& from, const CameraPose& to, double share) {
+  if (share >= 1) return to;  // to the last digit
   const auto rotation = [](const CameraPose& p) {
     Eigen::Matrix3d axes;
     axes << p.up.cross(p.towardsEye), p.up, p.towardsEye;

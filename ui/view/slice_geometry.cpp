@@ -96,15 +96,17 @@ Vec3 SliceGeometry::clamped(const Vec3& index) const {
   return inside;
 }
 
-QString slicePlace(const SliceGeometry& geometry, Plane plane) {
+QString slicePlace(const SliceGeometry& geometry, Plane plane, const Vec3& crosshair) {
   const auto tr = [](const char* text) { return QCoreApplication::translate("SliceView", text); };
+  const auto place = [](int w, double mm) { return QString::fromStdString(anatomicalPlace(w, mm)); };
   const QString number = tr("Slice %1 of %2").arg(geometry.slice() + 1).arg(geometry.slices());
-  if (isOblique(geometry.grid())) return tr("%1, oblique").arg(number);
+  if (isOblique(geometry.grid()))
+    return tr("%1, %2  %3  %4 mm")
+        .arg(number, place(0, crosshair[0]), place(1, crosshair[1]), place(2, crosshair[2]));
   Vec3 index = Vec3::Zero();
   index[geometry.axes().normal] = geometry.slice();
   const int world = static_cast<int>(anatomical(plane));
-  const std::string place = anatomicalPlace(world, geometry.grid().toWorld(index)[world]);
-  return tr("%1, %2 mm").arg(number, QString::fromStdString(place));
+  return tr("%1, %2 mm").arg(number, place(world, geometry.grid().toWorld(index)[world]));
 }
 
 }  // namespace handlebody::ui

@@ -64,7 +64,8 @@ class SliceGeometry {
   bool fitted_ = true;
 };
 
-//! "Slice 5 of 20, S 12.0 mm", and of an oblique volume "Slice 5 of 20, oblique".
-QString slicePlace(const SliceGeometry& geometry, Plane plane);
+//! "Slice 5 of 20, S 12.0 mm"; of an oblique volume, where no one number says where a slice lies, with the
+//! whole place of the crosshair (mm LPS).
+QString slicePlace(const SliceGeometry& geometry, Plane plane, const Vec3& crosshair);
 
 }  // namespace handlebody::ui

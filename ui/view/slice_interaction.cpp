@@ -37,7 +37,7 @@ QCursor contrastCursor() {
 }  // namespace
 
 SliceInteraction::SliceInteraction(Document& document, ViewState& state, SliceGeometry& geometry)
-    : document_(document), state_(state), geometry_(geometry) {}
+    : document_(document), state_(state), geometry_(geometry), contrast_(contrastCursor()) {}
 
 std::vector<SeedCircle> SliceInteraction::circles() const {
   std::vector<Vec3> centres;
@@ -286,7 +286,7 @@ QCursor SliceInteraction::cursorAt(const QPointF& pixel) const {
   if (drag_ == Drag::pan) return Qt::ClosedHandCursor;
   if (drag_ == Drag::zoom) return Qt::SizeVerCursor;
   if (drag_ == Drag::moveSeed) return Qt::SizeAllCursor;
-  if (state_.windowLevelTool()) return contrastCursor();
+  if (state_.windowLevelTool()) return contrast_;
   if (drag_ == Drag::resizeSeed && seed_ >= 0) return rimCursor({SeedGrab::Part::rim, seed_}, pixel);
   if (drag_ == Drag::crosshair) return Qt::CrossCursor;
   const SeedGrab grab = seedAt(circles(), pixel, document_.selectedSeed());

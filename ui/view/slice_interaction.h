@@ -62,6 +62,7 @@ class SliceInteraction {
   QPointF seedOffset_;  // from the mouse to the centre of the seed
   int seed_ = -1, gesture_ = -1;
   int wheelAngle_ = 0;  // what is left of a turn smaller than a notch, 1/8 degree
+  const QCursor contrast_;
   QElapsedTimer toolKey_;
   bool toolWasOn_ = false, toolUsed_ = false;
 };

@@ -137,10 +137,11 @@ void SliceView::Private::paintTexts(QPainter& painter) const {
   edge(axes.right, width - kOverlayMargin, height / 2, Qt::AlignRight | Qt::AlignVCenter);
   edge(axes.top, width / 2, kOverlayMargin, Qt::AlignHCenter | Qt::AlignTop);
   edge(axes.bottom, width / 2, height - kOverlayMargin, Qt::AlignHCenter | Qt::AlignBottom);
-  paintText(painter, {kOverlayMargin, kOverlayMargin}, Qt::AlignLeft | Qt::AlignTop, planeName(plane), title,
+  paintText(painter, {kOverlayMargin, kOverlayMargin}, Qt::AlignLeft | Qt::AlignTop,
+            isOblique(geometry.grid()) ? tr("%1, oblique").arg(planeName(plane)) : planeName(plane), title,
             planeColour(plane).lighter(120));
   paintText(painter, {kOverlayMargin, kOverlayMargin + 1.2 * line}, Qt::AlignLeft | Qt::AlignTop,
-            slicePlace(geometry, plane), small);
+            slicePlace(geometry, plane, state.crosshair()), small);
   const QString window =
       tr("W %1  L %2").arg(QString::number(state.window(), 'g', 4), QString::number(state.level(), 'g', 4));
   paintText(painter, {kOverlayMargin, height - kOverlayMargin}, Qt::AlignLeft | Qt::AlignBottom, window,
@@ -208,6 +209,8 @@ QSize SliceView::sizeHint() const { return {480, 360}; }
 
 void SliceView::startVolume() {
   d_->interaction.cancel();
+  d_->slice = {};  // the volume before is let go
+  d_->shownKey = {};
   d_->geometry = d_->document.hasVolume() ? SliceGeometry(d_->document.volume().grid, d_->plane, size())
                                           : SliceGeometry();
   d_->geometry.resize(size());

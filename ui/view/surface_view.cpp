@@ -134,6 +134,7 @@ void SurfaceView::Private::createOpenGl() {
 void SurfaceView::Private::startVolume() {
   meshChanged = seedsChanged = slicesChanged = coloursChanged = poseChanged = true;
   shownSlices = {-1, -1, -1};
+  slices = {};  // the volume before is let go
   follows = true;
   stage = EventStage::none;
   if (!scene) return;

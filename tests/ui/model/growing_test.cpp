@@ -3,6 +3,7 @@
 #include <random>
 
 #include "tests/ui/model/document_support.h"
+#include "ui/model/snapshot.h"
 
 using namespace handlebody;
 using namespace handlebody::ui;
@@ -49,6 +50,22 @@ TEST_CASE("a seed grows into the torus and stops by itself", "[document]") {
   int events = 0;
   for (const IterationSummary& s : document.summaries()) events += s.events;
   CHECK(events >= 1);
+}
+
+TEST_CASE("what is shown on the way has the numbers of the full certificate", "[document]") {
+  History history(ActiveContour(testing::torusVolume(),
+                                {{testing::kMiddle + Vec3(testing::kTorusR, 0, 0), 3.0}}, Parameters{}));
+  for (; history.stopReason() == StopReason::running; history.advance()) {
+    const auto snapshot = makeSnapshot(history, Checking::structure);
+    const Certificate a = snapshot->certificate, b = certify(snapshot->mesh);
+    INFO("iteration " << history.iteration());
+    CHECK(a.passes());
+    CHECK(b.passes());
+    CHECK(std::tie(a.vertices, a.faces, a.components, a.genus, a.euler) ==
+          std::tie(b.vertices, b.faces, b.components, b.genus, b.euler));
+    CHECK(a.volume == Approx(b.volume));
+    CHECK(a.area == Approx(b.area));
+  }
 }
 
 TEST_CASE("without a seed nothing grows, and it is said why", "[document]") {
