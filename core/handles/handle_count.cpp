@@ -1,5 +1,5 @@
 // The numbers of handles. For two caps a handle is a cyclic sequence of p steps along the first and q along
-// the second cap, placed on the p · q pairs of vertices (see two_front_handle.cpp).
+// the second cap, placed on the p · q pairs of vertices (see countAllOfTwo).
 
 #include <algorithm>
 #include <array>
