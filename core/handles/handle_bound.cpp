@@ -9,7 +9,8 @@ namespace handlebody {
 namespace {
 
 constexpr double kNone = CrossEdges::kNone;
-constexpr double kLeastPace = 0.01;  // of Polyak's step: below, the bound hardly rises
+constexpr int kPatience = 20;         // rounds without a better bound, before steps are made smaller
+constexpr double kLeastPace = 0.002;  // of Polyak's step: below, the bound hardly rises
 
 //! The class of a face that holds loops in this order. With four loops, the missing one names the three.
 int classOfLoops(const std::array<int, 3>& l) {
@@ -195,7 +196,7 @@ void HandleBound::tighten(double target, int rounds) {
       bound = ofAll();
       best = share_;
       since = 0;
-    } else if (++since == 8) {
+    } else if (++since == kPatience) {
       pace /= 2;
       since = 0;
     }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNone = CrossEdges::kNone;
 constexpr std::size_t kMaxLoops = 4;
-constexpr int kRounds = 300;  // of the search for a good lower bound
+constexpr int kRounds = 1000;  // of the search for a good lower bound
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
@@ -27,6 +27,12 @@ struct Partial {
   std::vector<Word> loops;  // of the part that is no disc; none: there are only discs
   std::vector<Word> discs;
 };
+
+std::vector<Triangle> sortedFaces(const Partial& p) {
+  std::vector<Triangle> faces = p.taken;
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
 
 //! The face on the side of loops.back() or of a whole loop that is to be joined next, by its third corner.
 struct Branch {
@@ -73,7 +79,8 @@ class ShortestHandles::Search {
   };
 
   void chooseTellingEdges();
-  double anyLength();
+  std::optional<Partial> anyPartial();
+  void giveUp();
   static Triangle faceOf(const Partial& p, const Branch& b);
   void push(double length, Kind kind, std::size_t index);
   double takenLength(const Partial& p) const;
@@ -122,7 +129,8 @@ ShortestHandles::Search::Search(std::span<const std::vector<Vec3>> loops,
   partials_.push_back(std::move(whole));
   chooseTellingEdges();
   if (edges_.loopCount() > 2) {
-    bound_.tighten(anyLength(), kRounds);
+    const std::optional<Partial> any = anyPartial();
+    if (any) bound_.tighten(discsOf(*any).solve() + takenLength(*any), kRounds);
     chooseTellingEdges();
   }
   expand(0);
@@ -143,8 +151,8 @@ void ShortestHandles::Search::chooseTellingEdges() {
   });
 }
 
-//! Of the shortest triangulation behind the branches that look best one by one; kNone if it has none.
-double ShortestHandles::Search::anyLength() {
+//! Behind the branches that look best one by one.
+std::optional<Partial> ShortestHandles::Search::anyPartial() {
   Partial p = partials_[0];
   while (!p.loops.empty()) {
     const auto [loop, side] = sideToJoin(p);
@@ -161,11 +169,24 @@ double ShortestHandles::Search::anyLength() {
         best = {0, loop, side, static_cast<int>(l), static_cast<int>(i), true};
       }
     }
-    if (least == kNone) return kNone;
+    if (least == kNone) return std::nullopt;
     p.taken.push_back(faceOf(p, best));
     join(p, best);
   }
-  return discsOf(p).solve() + takenLength(p);
+  return p;
+}
+
+//! From now on only what has been found counts, and the handle that looked best at first.
+void ShortestHandles::Search::giveUp() {
+  gaveUp_ = true;
+  std::optional<Partial> any = anyPartial();
+  if (!any) return;
+  const auto same = [&](const Solved& s) {
+    return sortedFaces(partials_[idx(s.partial)]) == sortedFaces(*any);
+  };
+  if (std::any_of(solved_.begin(), solved_.end(), same)) return;
+  partials_.push_back(std::move(*any));
+  solve(static_cast<int>(partials_.size()) - 1);
 }
 
 Triangle ShortestHandles::Search::faceOf(const Partial& p, const Branch& b) {
@@ -383,16 +404,13 @@ std::optional<HandleCandidate> ShortestHandles::Search::follow(const Next& n, do
 
 std::optional<HandleCandidate> ShortestHandles::Search::next() {
   while (!heap_.empty()) {
-    if (workLeft_ == 0) {
-      gaveUp_ = true;
-      return std::nullopt;
-    }
+    if (workLeft_ == 0 && !gaveUp_) giveUp();
     std::pop_heap(heap_.begin(), heap_.end());
     const Entry entry = heap_.back();
     heap_.pop_back();
-    --workLeft_;
+    workLeft_ -= workLeft_ > 0 ? 1 : 0;
     if (entry.kind == Kind::branch) {
-      take(branches_[entry.index]);
+      if (!gaveUp_) take(branches_[entry.index]);
     } else if (entry.kind == Kind::solved) {
       openSolved(solved_[entry.index], entry.length);
     } else {

@@ -74,10 +74,8 @@ FittingHandle shortestFittingHandle(const Mesh& mesh, std::span<const Opening> o
   ShortestHandles search = polygons.handles(forbidden);
   for (; out.tried < kFitTries; ++out.tried) {
     const auto handle = search.next();
-    if (!handle) {
-      if (search.gaveUp()) out.fit = Fit::tooLong;
-      return out;
-    }
+    out.shortest = out.shortest && !search.gaveUp();
+    if (!handle) return out;
     out.patch = polygons.patch(*handle);
     const std::vector<std::size_t> hits = surroundings.hits(out.patch, caps);
     for (const std::size_t f : hits) forbidden.push_back(handle->faces[f]);
@@ -85,7 +83,7 @@ FittingHandle shortestFittingHandle(const Mesh& mesh, std::span<const Opening> o
       search = polygons.handles(forbidden);
     } else if (!surroundings.intersectsItself(out.patch)) {
       out.patch.append(caps);
-      out.fit = Fit::found;
+      out.found = true;
       return out;
     }
   }

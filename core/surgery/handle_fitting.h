@@ -17,13 +17,11 @@ namespace handlebody {
 std::vector<Patch> handlesBetween(const Mesh& mesh, std::span<const Opening> openings,
                                   std::span<const std::vector<int>> loops, std::size_t limit);
 
-//! What became of the search for a handle.
-enum class Fit { found, none, tooLong };
-
 struct FittingHandle {
   Patch patch;  //!< handle and caps
-  Fit fit = Fit::none;
-  int tried = 0;  //!< handles that did not fit before this one
+  bool found = false;
+  bool shortest = true;  //!< false: the search was cut short, and there may be a shorter one
+  int tried = 0;         //!< handles that did not fit before this one
 };
 
 //! The shortest of all handles for the polygons that intersects neither itself, nor the caps, nor what stays

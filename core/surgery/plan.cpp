@@ -68,7 +68,6 @@ class Planner {
 bool Planner::joinFronts(std::span<const Opening> openings) {
   bool inward = false;
   bool tried = false;
-  bool tooLong = false;
   FittingHandle best;
   std::vector<std::size_t> chosen(openings.size(), 0);
   do {
@@ -81,19 +80,16 @@ bool Planner::joinFronts(std::span<const Opening> openings) {
     tried = true;
     FittingHandle handle =
         shortestFittingHandle(mesh_, plan_.openings, loops, capsBut(openings, chosen), surroundings_);
-    tooLong = tooLong || handle.fit == Fit::tooLong;
-    const bool better = best.fit != Fit::found || handle.patch.length < best.patch.length;
-    if (handle.fit == Fit::found && better) best = std::move(handle);
+    const bool better = !best.found || handle.patch.length < best.patch.length;
+    if (handle.found && better) best = std::move(handle);
   } while (nextChoice(openings, chosen));
-  if (best.fit == Fit::found) {
+  if (best.found) {
     plan_.patch = std::move(best.patch);
     plan_.kind = EventKind::handleInserted;
     plan_.fronts = static_cast<int>(openings.size());
     return true;
   }
-  reason_ = inward && !tried ? "the fronts meet through the inside of the object"
-            : tooLong        ? "the search for a handle took too long"
-                             : "no handle fits";
+  reason_ = inward && !tried ? "the fronts meet through the inside of the object" : "no handle fits";
   return false;
 }
 
@@ -132,7 +128,7 @@ bool Planner::closeOne(const Opening& opening) {
     Patch noCaps;
     noCaps.firstNew = mesh_.vertexSlots();
     FittingHandle band = shortestFittingHandle(mesh_, one, opening.loops, noCaps, surroundings_);
-    if (band.fit == Fit::found) choices.push_back({std::move(band.patch), EventKind::smoothed});
+    if (band.found) choices.push_back({std::move(band.patch), EventKind::smoothed});
   }
   for (ClosingChoice& c : choices) {
     c.area = area(mesh_, c.patch);

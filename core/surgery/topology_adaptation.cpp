@@ -7,6 +7,7 @@
 #include "core/mesh/topology.h"
 #include "core/surgery/collision_groups.h"
 #include "core/surgery/fold_smoothing.h"
+#include "core/surgery/front_gathering.h"
 #include "core/surgery/opening.h"
 #include "core/surgery/plan.h"
 #include "core/surgery/trace.h"
@@ -16,6 +17,7 @@ namespace handlebody {
 namespace {
 
 constexpr int kEnlargements = 4;      // rings added to Λ before a place is given up
+constexpr int kReach = 8;             // edges between sets that are one front
 constexpr int kManyEnlargements = 1;  // before several fronts are joined two by two
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
@@ -31,7 +33,12 @@ class Adaptation {
 
   AdaptationResult run(std::span<const FacePair> pairs) {
     for (const auto& [f, g] : pairs) colliding_[idx(f)] = colliding_[idx(g)] = 1;
-    for (const CollisionGroup& group : groupCollisions(mesh_, pairs)) treat(group);
+    for (const Gathering& g : gatherFronts(mesh_, groupCollisions(mesh_, pairs), kReach)) {
+      std::string before;
+      if (!g.parts.empty() && joinGathered(g.whole, before)) continue;
+      if (g.parts.empty()) treat(g.whole, before);
+      for (const CollisionGroup& part : g.parts) treat(part, before);
+    }
     return std::move(result_);
   }
 
@@ -44,18 +51,29 @@ class Adaptation {
     return false;
   }
 
-  void treat(const CollisionGroup& group) {
+  //! Joins fronts that were found in several groups at once; if that fails, `before` says why.
+  bool joinGathered(const CollisionGroup& group, std::string& before) {
+    if (isStale(group)) return false;
+    const char* reason = "";
+    if (close(group, group.lambda, kManyEnlargements, "", reason)) return true;
+    before = notAtOnce(group.lambda.size(), reason);
+    return false;
+  }
+  static std::string notAtOnce(std::size_t fronts, const char* reason) {
+    return std::to_string(fronts) + " fronts could not be joined at once: " + reason;
+  }
+
+  void treat(const CollisionGroup& group, std::string before) {
     if (isStale(group)) return;
     if (group.lambda.size() == 1 && smoothFold(mesh_, group.lambda[0], colliding_, touched_)) {
       report(group, EventKind::smoothed);
       return;
     }
-    std::string before;
     const char* reason = "";
     if (group.lambda.size() > 2) {
       const auto fronts = mostColliding(mesh_, group, kMaxFronts);
       if (close(group, fronts, kManyEnlargements, before, reason)) return;
-      before = std::to_string(fronts.size()) + " fronts could not be joined at once: " + reason;
+      before = notAtOnce(fronts.size(), reason);
     }
     if (!close(group, mostColliding(mesh_, group, 2), kEnlargements, before, reason)) giveUp(group, reason);
   }
