@@ -5,9 +5,7 @@
 
 namespace handlebody {
 
-CrossEdges::CrossEdges(std::span<const std::vector<Vec3>> loops, std::span<const VertexPair> forbiddenEdges,
-                       std::span<const Triangle> forbiddenFaces)
-    : forbiddenFaces_(forbiddenFaces.begin(), forbiddenFaces.end()) {
+CrossEdges::CrossEdges(std::span<const std::vector<Vec3>> loops, std::span<const VertexPair> forbiddenEdges) {
   std::vector<Vec3> points;
   first_.push_back(0);
   for (std::size_t i = 0; i < loops.size(); ++i) {
@@ -27,7 +25,13 @@ CrossEdges::CrossEdges(std::span<const std::vector<Vec3>> loops, std::span<const
     assert(u >= 0 && u < vertexCount() && v >= 0 && v < vertexCount());
     length_[idx(u) * points.size() + idx(v)] = length_[idx(v) * points.size() + idx(u)] = kNone;
   }
-  for (Triangle& face : forbiddenFaces_) std::sort(face.begin(), face.end());
+}
+
+void CrossEdges::forbid(std::span<const Triangle> faces) {
+  for (Triangle face : faces) {
+    std::sort(face.begin(), face.end());
+    forbiddenFaces_.push_back(face);
+  }
   std::sort(forbiddenFaces_.begin(), forbiddenFaces_.end());
 }
 

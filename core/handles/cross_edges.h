@@ -19,8 +19,9 @@ class CrossEdges {
   static constexpr double kNone = std::numeric_limits<double>::infinity();
 
   //! `loops`: positions (mm) in the order in which handle faces hold the edges of the loop.
-  CrossEdges(std::span<const std::vector<Vec3>> loops, std::span<const VertexPair> forbiddenEdges,
-             std::span<const Triangle> forbiddenFaces);
+  CrossEdges(std::span<const std::vector<Vec3>> loops, std::span<const VertexPair> forbiddenEdges);
+  //! No handle may have these faces, corners in any order.
+  void forbid(std::span<const Triangle> faces);
 
   int vertexCount() const { return static_cast<int>(loop_.size()); }
   int loopCount() const { return static_cast<int>(first_.size()) - 1; }

@@ -79,7 +79,7 @@ void HandleBound::findLeastOnLoopEdge(int v) {
   const double* in = share_.data() + idx(edges_.behind(v)) * count_;
   for (int w = 0; w < edges_.vertexCount(); ++w) {
     const double sum = in[w] + shareOf(w, v);
-    if (sum >= least_[idx(v)]) continue;
+    if (sum >= least_[idx(v)] || !edges_.allows({v, edges_.behind(v), w})) continue;
     least_[idx(v)] = sum;
     apex_[idx(v)] = w;
   }
@@ -103,7 +103,7 @@ void HandleBound::findLeastOfClass(const std::array<int, 3>& loops) {
       if (uv + from[idx(v)] + back[idx(u)] >= leastOfClass_[id]) continue;
       for (int w = first(2); w < end(2); ++w) {
         const double sum = uv + shareOf(v, w) + shareOf(w, u);
-        if (sum >= leastOfClass_[id]) continue;
+        if (sum >= leastOfClass_[id] || !edges_.allows({u, v, w})) continue;
         leastOfClass_[id] = sum;
         faceOfClass_[id] = {u, v, w};
       }

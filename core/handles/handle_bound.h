@@ -16,6 +16,9 @@ class HandleBound {
  public:
   explicit HandleBound(const CrossEdges& edges);
 
+  //! Looks again at the faces that are allowed.
+  void update() { findLeast(); }
+
   //! Moves shares between the two directions of edges to raise the bound (subgradient steps of the dual
   //! problem, with Polyak's step towards `target`, the length of a good handle).
   void tighten(double target, int rounds);

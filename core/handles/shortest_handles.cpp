@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kNone = CrossEdges::kNone;
 constexpr std::size_t kMaxLoops = 4;
+constexpr int kRoundsAgain = 20;
 constexpr int kRounds = 1000;  // of the search for a good lower bound
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
@@ -57,8 +58,9 @@ struct Next {
 class ShortestHandles::Search {
  public:
   Search(std::span<const std::vector<Vec3>> loops, std::span<const VertexPair> forbiddenEdges,
-         std::span<const Triangle> forbiddenFaces, std::size_t maxWork);
+         std::size_t maxWork);
   std::optional<HandleCandidate> next();
+  void forbid(std::span<const Triangle> faces);
   bool gaveUp() const { return gaveUp_; }
 
  private:
@@ -78,6 +80,7 @@ class ShortestHandles::Search {
     std::shared_ptr<const DiscTriangulation> discs;  // none: not kept, solved again when it is wanted
   };
 
+  void start(int rounds);
   void chooseTellingEdges();
   std::optional<Partial> anyPartial();
   void giveUp();
@@ -115,9 +118,8 @@ class ShortestHandles::Search {
 };
 
 ShortestHandles::Search::Search(std::span<const std::vector<Vec3>> loops,
-                                std::span<const VertexPair> forbiddenEdges,
-                                std::span<const Triangle> forbiddenFaces, std::size_t maxWork)
-    : edges_(loops, forbiddenEdges, forbiddenFaces), bound_(edges_), workLeft_(maxWork) {
+                                std::span<const VertexPair> forbiddenEdges, std::size_t maxWork)
+    : edges_(loops, forbiddenEdges), bound_(edges_), workLeft_(maxWork) {
   assert(loops.size() >= 2 && loops.size() <= kMaxLoops);
   Partial whole;
   for (int k = 0; k < edges_.loopCount(); ++k) {
@@ -125,15 +127,33 @@ ShortestHandles::Search::Search(std::span<const std::vector<Vec3>> loops,
     Word& word = whole.loops.emplace_back(idx(edges_.firstOf(k + 1) - edges_.firstOf(k)));
     std::iota(word.begin(), word.end(), edges_.firstOf(k));
   }
-  if (!(bound_.ofAll() < kNone)) return;
   partials_.push_back(std::move(whole));
+  start(kRounds);
+}
+
+void ShortestHandles::Search::start(int rounds) {
+  if (!(bound_.ofAll() < kNone)) return;
   chooseTellingEdges();
   if (edges_.loopCount() > 2) {
     const std::optional<Partial> any = anyPartial();
-    if (any) bound_.tighten(discsOf(*any).solve() + takenLength(*any), kRounds);
+    if (any) bound_.tighten(discsOf(*any).solve() + takenLength(*any), rounds);
     chooseTellingEdges();
   }
   expand(0);
+}
+
+//! The shares found so far stay good ones; all else is done anew.
+void ShortestHandles::Search::forbid(std::span<const Triangle> faces) {
+  edges_.forbid(faces);
+  if (partials_.empty()) return;
+  partials_.resize(1);
+  heap_.clear();
+  branches_.clear();
+  solved_.clear();
+  nexts_.clear();
+  bound_.update();
+  start(kRoundsAgain);
+  if (gaveUp_) giveUp();
 }
 
 //! Where a wrong third corner costs most, so that few branches are followed.
@@ -422,14 +442,14 @@ std::optional<HandleCandidate> ShortestHandles::Search::next() {
 }
 
 ShortestHandles::ShortestHandles(std::span<const std::vector<Vec3>> loops,
-                                 std::span<const VertexPair> forbiddenEdges,
-                                 std::span<const Triangle> forbiddenFaces, std::size_t maxWork)
-    : search_(std::make_unique<Search>(loops, forbiddenEdges, forbiddenFaces, maxWork)) {}
+                                 std::span<const VertexPair> forbiddenEdges, std::size_t maxWork)
+    : search_(std::make_unique<Search>(loops, forbiddenEdges, maxWork)) {}
 ShortestHandles::~ShortestHandles() = default;
 ShortestHandles::ShortestHandles(ShortestHandles&&) noexcept = default;
 ShortestHandles& ShortestHandles::operator=(ShortestHandles&&) noexcept = default;
 
 std::optional<HandleCandidate> ShortestHandles::next() { return search_->next(); }
+void ShortestHandles::forbid(std::span<const Triangle> faces) { search_->forbid(faces); }
 bool ShortestHandles::gaveUp() const { return search_->gaveUp(); }
 
 }  // namespace handlebody

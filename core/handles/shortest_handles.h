@@ -47,12 +47,10 @@ class ShortestHandles {
   //! `loops`: two to four boundary loops of the opened mesh (mm), without common vertices, each in the order
   //! in which its boundary half-edges run when seen from the missing side: a handle face that uses the loop
   //! edge (v_i, v_i+1) holds it in exactly that direction, so that handle and opened mesh fit with consistent
-  //! orientation. No handle has an edge of `forbiddenEdges` (name there what the opened mesh joins already)
-  //! or a face of `forbiddenFaces` (corners in any order). Coordinates that are not finite and loops of fewer
-  //! than three vertices have no handles.
+  //! orientation. No handle has an edge of `forbiddenEdges`: name there what the opened mesh joins already.
+  //! Coordinates that are not finite and loops of fewer than three vertices have no handles.
   explicit ShortestHandles(std::span<const std::vector<Vec3>> loops,
-                           std::span<const VertexPair> forbiddenEdges = {},
-                           std::span<const Triangle> forbiddenFaces = {}, std::size_t maxWork = kMaxWork);
+                           std::span<const VertexPair> forbiddenEdges = {}, std::size_t maxWork = kMaxWork);
   ~ShortestHandles();
   ShortestHandles(ShortestHandles&&) noexcept;
   ShortestHandles& operator=(ShortestHandles&&) noexcept;
@@ -61,6 +59,10 @@ class ShortestHandles {
   //! only. After maxWork steps the search is not widened: handles still come shortest first, but not all of
   //! them.
   std::optional<HandleCandidate> next();
+
+  //! From now on no handle has one of these faces (corners in any order). The next handle is the shortest of
+  //! all without them, also if it came before.
+  void forbid(std::span<const Triangle> faces);
 
   //! True if the search reached maxWork: the last handle may not have been the next, nor have been the last.
   bool gaveUp() const;

@@ -6,7 +6,6 @@
 #include <span>
 
 #include "core/mesh/union_find.h"
-#include "core/surgery/plan.h"
 
 namespace handlebody {
 
@@ -109,7 +108,7 @@ class Gatherer {
     std::map<int, std::vector<int>> fronts;  // by the representative of their sets
     for (std::size_t s = 0; s < sets_.size(); ++s)
       if (places_.find(groupOf_[s]) == group) append(fronts[fronts_.find(static_cast<int>(s))], *sets_[s]);
-    const bool several = out.parts.size() > 1 && fronts.size() > 2 && fronts.size() <= kMaxFronts;
+    const bool several = out.parts.size() > 1 && fronts.size() > 2;
     if (!several || !everyGroupHasTwoFronts(group)) return std::nullopt;
     for (const Reach::Bridge& b : bridges_)
       if (places_.find(groupOf_[idx(b.from)]) == group) append(fronts[fronts_.find(b.from)], b.between);

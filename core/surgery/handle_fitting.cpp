@@ -20,9 +20,7 @@ class HandleLoops {
       vertices_.insert(vertices_.end(), loop.begin(), loop.end());
     }
   }
-  ShortestHandles handles(std::span<const Triangle> forbiddenFaces) const {
-    return ShortestHandles(points_, forbiddenEdges_, forbiddenFaces);
-  }
+  ShortestHandles handles() const { return ShortestHandles(points_, forbiddenEdges_); }
   Patch patch(const HandleCandidate& handle) const {
     Patch out;
     out.firstNew = mesh_.vertexSlots();
@@ -54,7 +52,7 @@ class HandleLoops {
 std::vector<Patch> handlesBetween(const Mesh& mesh, std::span<const Opening> openings,
                                   std::span<const std::vector<int>> loops, std::size_t limit) {
   const HandleLoops polygons(mesh, openings, loops);
-  ShortestHandles search = polygons.handles({});
+  ShortestHandles search = polygons.handles();
   std::vector<Patch> out;
   while (out.size() < limit) {
     const auto handle = search.next();
@@ -70,17 +68,17 @@ FittingHandle shortestFittingHandle(const Mesh& mesh, std::span<const Opening> o
   FittingHandle out;
   if (!surroundings.fits(caps)) return out;
   const HandleLoops polygons(mesh, openings, loops);
-  std::vector<Triangle> forbidden;
-  ShortestHandles search = polygons.handles(forbidden);
+  ShortestHandles search = polygons.handles();
   for (; out.tried < kFitTries; ++out.tried) {
     const auto handle = search.next();
     out.shortest = out.shortest && !search.gaveUp();
     if (!handle) return out;
     out.patch = polygons.patch(*handle);
     const std::vector<std::size_t> hits = surroundings.hits(out.patch, caps);
-    for (const std::size_t f : hits) forbidden.push_back(handle->faces[f]);
-    if (!hits.empty()) {
-      search = polygons.handles(forbidden);
+    std::vector<Triangle> faults;
+    for (const std::size_t f : hits) faults.push_back(handle->faces[f]);
+    if (!faults.empty()) {
+      search.forbid(faults);
     } else if (!surroundings.intersectsItself(out.patch)) {
       out.patch.append(caps);
       out.found = true;

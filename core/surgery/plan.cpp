@@ -86,6 +86,7 @@ bool Planner::joinFronts(std::span<const Opening> openings) {
   if (best.found) {
     plan_.patch = std::move(best.patch);
     plan_.kind = EventKind::handleInserted;
+    plan_.shortest = best.shortest;
     plan_.fronts = static_cast<int>(openings.size());
     return true;
   }

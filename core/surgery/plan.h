@@ -19,6 +19,7 @@ struct Plan {
   Patch patch;
   EventKind kind = EventKind::smoothed;
   int fronts = 0;
+  bool shortest = true;  //!< false: there may be a shorter handle, the search for it was cut short
 };
 
 struct PlanSettings {

@@ -17,7 +17,7 @@ namespace handlebody {
 namespace {
 
 constexpr int kEnlargements = 4;      // rings added to Λ before a place is given up
-constexpr int kReach = 8;             // edges between sets that are one front
+constexpr int kReach = 10;            // edges between sets that are one front
 constexpr int kManyEnlargements = 1;  // before several fronts are joined two by two
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
@@ -55,12 +55,19 @@ class Adaptation {
   bool joinGathered(const CollisionGroup& group, std::string& before) {
     if (isStale(group)) return false;
     const char* reason = "";
-    if (close(group, group.lambda, kManyEnlargements, "", reason)) return true;
-    before = notAtOnce(group.lambda.size(), reason);
+    const auto fronts = mostColliding(mesh_, group, kMaxFronts);
+    if (close(group, fronts, kManyEnlargements, waiting(group, fronts.size()), reason)) return true;
+    before = notAtOnce(fronts.size(), reason);
     return false;
   }
   static std::string notAtOnce(std::size_t fronts, const char* reason) {
     return std::to_string(fronts) + " fronts could not be joined at once: " + reason;
+  }
+
+  static std::string waiting(const CollisionGroup& group, std::size_t fronts) {
+    if (group.lambda.size() == fronts) return "";
+    return "of " + std::to_string(group.lambda.size()) + " fronts " +
+           std::to_string(group.lambda.size() - fronts) + " left for the next round";
   }
 
   void treat(const CollisionGroup& group, std::string before) {
@@ -72,7 +79,7 @@ class Adaptation {
     const char* reason = "";
     if (group.lambda.size() > 2) {
       const auto fronts = mostColliding(mesh_, group, kMaxFronts);
-      if (close(group, fronts, kManyEnlargements, before, reason)) return;
+      if (close(group, fronts, kManyEnlargements, waiting(group, fronts.size()), reason)) return;
       before = notAtOnce(fronts.size(), reason);
     }
     if (!close(group, mostColliding(mesh_, group, 2), kEnlargements, before, reason)) giveUp(group, reason);
@@ -99,6 +106,8 @@ class Adaptation {
   void apply(const CollisionGroup& group, const Plan& plan, const std::string& why) {
     Event event = describe(group, plan);
     event.reason = why;
+    if (!plan.shortest)
+      event.reason += (why.empty() ? "" : "; ") + std::string("there may be a shorter handle");
     std::vector<int> faces, vertices;
     for (const Opening& o : plan.openings) {
       faces.insert(faces.end(), o.faces.begin(), o.faces.end());

@@ -110,7 +110,7 @@ double shortest(const Loops& loops, std::span<const VertexPair> forbidden = {}) 
 void expectEqualsList(const Loops& loops, std::vector<Handle> list) {
   std::vector<Handle> found;
   double last = 0;
-  for (const HandleCandidate& h : take(ShortestHandles(loops, {}, {}, kNoLimit), kNoLimit)) {
+  for (const HandleCandidate& h : take(ShortestHandles(loops, {}, kNoLimit), kNoLimit)) {
     REQUIRE(h.length == Approx(lengthOf(loops, h.faces)).epsilon(1e-12));
     REQUIRE(h.length >= last - 1e-9);
     last = h.length;
@@ -180,7 +180,9 @@ TEST_CASE("Forbidden edges and faces are avoided, and the handle is the shortest
     std::vector<Triangle> faces;
     std::vector<VertexPair> edges;
     for (int round = 0; round < 6; ++round) {
-      const auto best = ShortestHandles(loops, edges, faces).next();
+      ShortestHandles search(loops, edges);
+      search.forbid(faces);
+      const auto best = search.next();
       std::vector<double> lengths{std::numeric_limits<double>::infinity()};
       for (const Handle& h : list) {
         const auto cross = crossEdges(loopOf(loops), h);
@@ -257,7 +259,7 @@ TEST_CASE("Loops too short or not finite have no handle", "[handles][shortest]")
 
 TEST_CASE("A search that is cut short says so, and still finds handles in order", "[handles][shortest]") {
   const Loops loops = facingRings({9, 9, 9, 9}, 0.3, 3);
-  ShortestHandles search(loops, {}, {}, 10);
+  ShortestHandles search(loops, {}, 10);
   std::vector<HandleCandidate> handles;
   while (handles.size() < 20) handles.push_back(search.next().value());
   CHECK(search.gaveUp());
