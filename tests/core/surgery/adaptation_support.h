@@ -129,13 +129,13 @@ inline TriangleSoup bentTube(double overlap) {
 }
 
 //! Half circles of radius 1 from pole to pole of the z axis, as tubes with round ends that come to within
-//! `gap` mm of the axis: fronts that meet in two nodes.
-inline TriangleSoup meridians(int count, double gap) {
+//! `gap` mm of the axis: fronts that meet in two nodes. Finer by the factor.
+inline TriangleSoup meridians(int count, double gap, int finer = 1) {
   const double r = 0.25, length = std::numbers::pi - 2 * gap;
   TriangleSoup all;
   for (int k = 0; k < count; ++k) {
     TriangleSoup s = revolution(
-        26, 10,
+        26 * finer, 10 * finer,
         [&](double t) {
           const double end = std::min(t, 1 - t) * length;
           return end < r ? std::sqrt(std::max(0.0, r * r - (r - end) * (r - end))) : r;

