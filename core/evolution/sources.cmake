@@ -1,5 +1,6 @@
 target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/active_contour.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/history.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/motion.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/object_image.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/object_range.cpp
