@@ -1,6 +1,7 @@
 #include "core/evolution/object_image.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace handlebody {
 
@@ -18,7 +19,9 @@ double ObjectImage::inside(const Vec3& world) const {
     border = std::min({border, index[a] + kBorder, last + kBorder - index[a]});
   }
   const double value = volume_->sample(index);
-  return std::min({(value - range_.low) / scale_, (range_.high - value) / scale_, border});
+  double low = range_.low, high = range_.high;
+  if (levels_) (std::isfinite(high) ? high : low) = levels_->at(index);
+  return std::min({(value - low) / scale_, (high - value) / scale_, border});
 }
 
 }  // namespace handlebody

@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <cstdio>
+#include <cstdlib>
 #include <string>
 
 #include "core/errors.h"
+#include "core/evolution/local_levels.h"
+#include "core/evolution/object_image.h"
 #include "core/evolution/region_growth.h"
+#include "core/evolution/seeds.h"
 
 namespace handlebody {
 
@@ -15,9 +20,12 @@ namespace {
 // Standard deviations of the Gaussian that are tried, in voxels (mean spacing).
 constexpr std::array<double, 7> kSigmas{0.5, 0.7, 1.0, 1.3, 1.6, 2.0, 2.5};
 constexpr double kFirstSigma = 1.0;
-// Noise may be this part of the distance between the object's level and the boundary level: then one voxel in
-// 10^4 of Gaussian noise looks like background, and more.
-constexpr double kNoiseAllowed = 0.2;
+// Noise may be this part of the distance between the object's level and the boundary level. Speckle that the
+// smoothing has made a few voxels wide still looks like background here and there at a fifth.
+constexpr double kNoiseAllowed = 0.15;
+// The noise is measured in balls of up to this many voxels: in smaller ones speckle is hardly more than one
+// grain.
+constexpr double kNoiseRadius = 8;
 // White noise falls by at least a third from one of kSigmas to the next; what falls by less than this is
 // structure.
 constexpr double kStructure = 0.85;
@@ -220,19 +228,30 @@ void requireSeedsInRange(const ObjectChoice& choice, const std::vector<Seed>& se
   }
 }
 
+//! Radius (mm) of the balls around the seeds in which the noise is measured: as far as the object goes.
+double noiseRadius(const std::vector<Seed>& seeds, const ObjectChoice& choice) {
+  const Grid& grid = choice.volume->grid();
+  const ObjectImage image(choice.volume, choice.range, choice.contrast);
+  double radius = kNoiseRadius * grid.meanSpacing();
+  for (const Seed& s : seeds) radius = std::min(radius, fittingRadius(image, s.centre, radius));
+  return std::max(radius, statisticsRadius(grid, seeds));
+}
+
 //! The least smoothing that is enough for the noise near the seeds. What more smoothing hardly lessens is
 //! structure and not noise: it ends the search too.
 double chooseSmoothing(const Volume& volume, const std::vector<Seed>& seeds, const ObjectChoice& choice) {
   const double voxel = volume.grid.meanSpacing();
+  const double radius = noiseRadius(seeds, choice);
   double before = std::numeric_limits<double>::infinity();
   double best = kSigmas.front();
   for (double sigma : kSigmas) {
     const SmoothedVolume smoothed(volume, sigma * voxel);
-    std::vector<double> values = valuesNear(smoothed, seeds, statisticsRadius(volume.grid, seeds));
+    std::vector<double> values = valuesNear(smoothed, seeds, radius);
     const double middle = quantile(values, 0.5);
     for (double& v : values) v = std::abs(v - middle);
     // 1.4826: from the median deviation to the standard deviation of a normal distribution.
     const double noise = 1.4826 * quantile(values, 0.5);
+    if (getenv("DBG")) fprintf(stderr,"sigma %g noise %g contrast %g\n",sigma,noise,choice.contrast);
     if (noise > kStructure * before) break;
     best = sigma;
     before = noise;
@@ -268,7 +287,17 @@ void setImage(ObjectChoice& choice, const Volume& volume, double sigma,
   const double wall = std::isfinite(choice.range.high) ? choice.range.high + choice.contrast
                                                        : choice.range.low - choice.contrast;
   if (!needed || !std::isfinite(wall)) view = nullptr;  // a range without ends holds everything
+  if (!view && choice.volume && choice.volume->sigma() == sigma) return;  // it has been made already
   choice.volume = std::make_shared<SmoothedVolume>(volume, sigma, std::move(view), wall);
+}
+
+void setLevels(ObjectChoice& choice, const std::vector<Seed>& seeds) {
+  const bool dark = choice.object == ObjectKind::dark;
+  std::vector<Vec3> indices;
+  for (const Seed& s : seeds) indices.push_back(choice.volume->grid().toIndex(s.centre));
+  choice.levels = std::make_shared<LevelField>(findLocalLevels(*choice.volume, indices, dark ? 1 : -1,
+                                                               dark ? choice.range.high : choice.range.low,
+                                                               choice.contrast));
 }
 
 //! With a given range the contrast is the distance from the level in the seeds to the nearer end.
@@ -297,7 +326,8 @@ ObjectChoice withGivenRange(const Volume& volume, const std::vector<Seed>& seeds
 //! around everything.
 bool chooseBoundary(ObjectChoice& choice, const Volume& volume, double sigma, const FieldOfViewPointer& view,
                     const std::vector<Seed>& seeds, Statistics& whole, ObjectKind asked) {
-  const SmoothedVolume plain(volume, sigma);
+  const auto image = std::make_shared<SmoothedVolume>(volume, sigma);
+  const SmoothedVolume& plain = *image;
   whole.level = quantile(valuesNear(plain, seeds, statisticsRadius(volume.grid, seeds)), 0.5);
   const auto search = [&](ObjectKind kind) {
     // Padding as dark as a dark object would be flooded with it; the region stops there, and its edge does
@@ -319,6 +349,7 @@ bool chooseBoundary(ObjectChoice& choice, const Volume& volume, double sigma, co
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   choice.object = takeDark ? ObjectKind::dark : ObjectKind::bright;
   choice.range = takeDark ? IntensityRange{-kInfinity, best.level} : IntensityRange{-best.level, kInfinity};
+  choice.volume = image;
   choice.level = whole.level;
   choice.contrast = std::abs((takeDark ? best.level : -best.level) - whole.level);
   return choice.contrast > 0;
@@ -345,6 +376,7 @@ ObjectChoice chooseObject(const Volume& volume, const std::vector<Seed>& seeds, 
   if (!found) throw SeedError(notInObject(p.object));
   setImage(choice, volume, sigma, view);
   requireSeedsInRange(choice, seeds);
+  setLevels(choice, seeds);
   return choice;
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/evolution/level_field.h"
 #include "core/evolution/parameters.h"
 #include "core/volume/smoothed_volume.h"
 
@@ -16,6 +17,7 @@ struct ObjectChoice {
   double level = 0;     //!< median of the smoothed image in the seeds
   double contrast = 0;  //!< |boundary level - level|: scale of the image force
   std::shared_ptr<const SmoothedVolume> volume;
+  std::shared_ptr<const LevelField> levels;  //!< null with a given range
 };
 
 //! Chooses what `parameters` leaves open. The boundary level is the one at which the connected region that
