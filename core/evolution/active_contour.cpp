@@ -113,7 +113,8 @@ void ActiveContour::State::resolve(const Volume& volume, const std::vector<Seed>
                                    const Parameters& p) {
   requireSensible(p);
   const ObjectChoice choice = chooseObject(volume, seeds, p);
-  image = std::make_unique<ObjectImage>(choice.volume, choice.range, choice.contrast, choice.levels);
+  image = std::make_unique<ObjectImage>(choice.volume, choice.range, choice.contrast, choice.levels,
+                                        choice.neck ? choice.neck->barrier : nullptr);
   const double voxel = volume.grid.meanSpacing();
   double fit = 0;
   for (const Seed& s : seeds) fit = std::max(fit, fittingRadius(*image, s.centre, 8 * voxel));

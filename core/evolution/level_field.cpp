@@ -47,6 +47,15 @@ std::vector<double> heavyTailed(std::vector<double> field, const std::array<int,
 
 LevelField::LevelField(const Grid&, double level) : values_{level} {}
 
+LevelField LevelField::between(const LevelField& a, const LevelField& b, double part) {
+  LevelField out = b.values_.size() == 1 ? a : b;
+  for (std::size_t i = 0; i < out.values_.size(); ++i) {
+    const double from = a.values_[a.values_.size() == 1 ? 0 : i], to = b.values_[b.values_.size() == 1 ? 0 : i];
+    out.values_[i] = from + part * (to - from);
+  }
+  return out;
+}
+
 double LevelField::lowest() const { return *std::min_element(values_.begin(), values_.end()); }
 double LevelField::highest() const { return *std::max_element(values_.begin(), values_.end()); }
 

@@ -20,6 +20,8 @@ class LevelField {
     if (values_.size() == 1) return values_[0];
     return interpolate(index);
   }
+  //! a + part · (b - a), node by node.
+  static LevelField between(const LevelField& a, const LevelField& b, double part);
   double lowest() const;
   double highest() const;
 

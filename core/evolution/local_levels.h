@@ -1,9 +1,11 @@
 #pragma once
 // The boundary level of an object place by place, from the edges of the object itself.
 
+#include <optional>
 #include <vector>
 
 #include "core/evolution/level_field.h"
+#include "core/evolution/neck.h"
 #include "core/volume/smoothed_volume.h"
 
 namespace handlebody {
@@ -18,7 +20,16 @@ namespace handlebody {
 //! simple image statistic", taken locally and at the boundary of a region only.
 //! `seeds`: continuous indices; `sign`: +1 for a dark object, -1 for a bright one; `contrast`: between object
 //! and level, intensity units.
-LevelField findLocalLevels(const SmoothedVolume& volume, const std::vector<Vec3>& seeds, double sign,
-                           double level, double contrast);
+//! `expectedVoxels`: size of the region at `level`.
+struct ObjectBoundary {
+  LevelField levels;
+  std::optional<NeckCut> neck;
+};
+ObjectBoundary findObjectBoundary(const SmoothedVolume& volume, const std::vector<Vec3>& seeds, double sign,
+                                  double level, double contrast, double expectedVoxels);
+
+//! With a constant level, lowered towards that of the object until a neck shows.
+std::optional<ObjectBoundary> boundaryWithNeck(const SmoothedVolume& volume, const std::vector<Vec3>& seeds,
+                                               double sign, double object, double level);
 
 }  // namespace handlebody

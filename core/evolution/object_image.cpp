@@ -18,6 +18,7 @@ double ObjectImage::inside(const Vec3& world) const {
     const double last = grid.size[static_cast<std::size_t>(a)] - 1.0;
     border = std::min({border, index[a] + kBorder, last + kBorder - index[a]});
   }
+  if (barrier_) border = std::min(border, barrier_->openness(index));
   const double value = volume_->sample(index);
   double low = range_.low, high = range_.high;
   if (levels_) (std::isfinite(high) ? high : low) = levels_->at(index);

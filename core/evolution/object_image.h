@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/evolution/level_field.h"
+#include "core/evolution/neck.h"
 #include "core/evolution/parameters.h"
 #include "core/volume/smoothed_volume.h"
 
@@ -14,8 +15,13 @@ namespace handlebody {
 class ObjectImage {
  public:
   ObjectImage(std::shared_ptr<const SmoothedVolume> volume, const IntensityRange& range, double scale,
-              std::shared_ptr<const LevelField> levels = nullptr)
-      : volume_(std::move(volume)), range_(range), scale_(scale), levels_(std::move(levels)) {}
+              std::shared_ptr<const LevelField> levels = nullptr,
+              std::shared_ptr<const Barrier> barrier = nullptr)
+      : volume_(std::move(volume)),
+        range_(range),
+        scale_(scale),
+        levels_(std::move(levels)),
+        barrier_(std::move(barrier)) {}
 
   //! > 0 inside the object, 0 at its boundary, < 0 outside; 1 is `scale` intensity units from the boundary.
   //! World mm. Outside the volume, and from half a voxel beyond the centres of the border voxels on, it is
@@ -28,6 +34,7 @@ class ObjectImage {
   IntensityRange range_;
   double scale_;  // intensity units
   std::shared_ptr<const LevelField> levels_;
+  std::shared_ptr<const Barrier> barrier_;
 };
 
 }  // namespace handlebody

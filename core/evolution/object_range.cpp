@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -12,6 +13,7 @@
 #include "core/evolution/object_image.h"
 #include "core/evolution/region_growth.h"
 #include "core/evolution/seeds.h"
+#include "core/volume/intensity_statistics.h"
 
 namespace handlebody {
 
@@ -26,6 +28,9 @@ constexpr double kNoiseAllowed = 0.15;
 // The noise is measured in balls of up to this many voxels: in smaller ones speckle is hardly more than one
 // grain.
 constexpr double kNoiseRadius = 8;
+// A region of this many times the ball that fits around the seed may have leaked.
+constexpr double kOutOfProportion = 400;
+constexpr double kOnBorder = 1e-3;
 // White noise falls by at least a third from one of kSigmas to the next; what falls by less than this is
 // structure.
 constexpr double kStructure = 0.85;
@@ -45,12 +50,6 @@ constexpr double kBackground = 0.5;
 constexpr double kLeastRegion = 30;
 
 using FieldOfViewPointer = std::shared_ptr<const FieldOfView>;
-
-double quantile(std::vector<double> values, double q) {
-  const auto at = static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + at, values.end());
-  return values[static_cast<std::size_t>(at)];
-}
 
 //! About 200,000 voxel values, evenly spread.
 std::vector<double> sampleVoxels(const Volume& volume) {
@@ -122,6 +121,7 @@ struct Boundary {
   double level = 0;     // signed
   double strength = 0;  // signed intensity per mm
   double border = 0;    // part of the volume's border that the region holds
+  double voxels = 0;    // of the region
   bool found = false;
 };
 
@@ -153,7 +153,7 @@ Boundary findBoundary(const RegionGrowth& g) {
     for (std::size_t c = first; c < b; ++c)
       if (g.voxels[c] >= kLeastRegion && g.edge[c] > g.edge[best]) best = c;
     if (g.voxels[best] >= kLeastRegion && g.edge[best] > (out.found ? kLeakAdvantage : 1.0) * out.strength)
-      out = {centreOfPeak(g, best, first, b), g.edge[best], g.border[best], true};
+      out = {centreOfPeak(g, best, first, b), g.edge[best], g.border[best], g.voxels[best], true};
     first = b;
   }
   return out;
@@ -291,13 +291,32 @@ void setImage(ObjectChoice& choice, const Volume& volume, double sigma,
   choice.volume = std::make_shared<SmoothedVolume>(volume, sigma, std::move(view), wall);
 }
 
+//! Voxels of the largest ball around a seed, of at most kNoiseRadius.
+double seedBallVoxels(const ObjectChoice& choice, const std::vector<Seed>& seeds) {
+  const ObjectImage image(choice.volume, choice.range, choice.contrast);
+  const double voxel = choice.volume->grid().meanSpacing();
+  double largest = voxel;
+  for (const Seed& s : seeds) largest = std::max(largest, fittingRadius(image, s.centre, kNoiseRadius * voxel));
+  return 4.0 / 3 * std::numbers::pi * std::pow(largest / voxel, 3);
+}
+
 void setLevels(ObjectChoice& choice, const std::vector<Seed>& seeds) {
   const bool dark = choice.object == ObjectKind::dark;
   std::vector<Vec3> indices;
   for (const Seed& s : seeds) indices.push_back(choice.volume->grid().toIndex(s.centre));
-  choice.levels = std::make_shared<LevelField>(findLocalLevels(*choice.volume, indices, dark ? 1 : -1,
-                                                               dark ? choice.range.high : choice.range.low,
-                                                               choice.contrast));
+  const double sign = dark ? 1 : -1;
+  double& end = dark ? choice.range.high : choice.range.low;
+  std::optional<ObjectBoundary> found;
+  if (choice.border > kOnBorder && choice.expectedVoxels > kOutOfProportion * seedBallVoxels(choice, seeds))
+    found = boundaryWithNeck(*choice.volume, indices, sign, choice.level, end);
+  if (found) {
+    end = found->levels.at(indices[0]);
+    choice.contrast = std::abs(end - choice.level);
+  } else {
+    found = findObjectBoundary(*choice.volume, indices, sign, end, choice.contrast, choice.expectedVoxels);
+  }
+  choice.levels = std::make_shared<LevelField>(std::move(found->levels));
+  choice.neck = std::move(found->neck);
 }
 
 //! With a given range the contrast is the distance from the level in the seeds to the nearer end.
@@ -350,6 +369,8 @@ bool chooseBoundary(ObjectChoice& choice, const Volume& volume, double sigma, co
   choice.object = takeDark ? ObjectKind::dark : ObjectKind::bright;
   choice.range = takeDark ? IntensityRange{-kInfinity, best.level} : IntensityRange{-best.level, kInfinity};
   choice.volume = image;
+  choice.expectedVoxels = best.voxels;
+  choice.border = best.border;
   choice.level = whole.level;
   choice.contrast = std::abs((takeDark ? best.level : -best.level) - whole.level);
   return choice.contrast > 0;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/evolution/level_field.h"
+#include "core/evolution/neck.h"
 #include "core/evolution/parameters.h"
 #include "core/volume/smoothed_volume.h"
 
@@ -18,6 +19,9 @@ struct ObjectChoice {
   double contrast = 0;  //!< |boundary level - level|: scale of the image force
   std::shared_ptr<const SmoothedVolume> volume;
   std::shared_ptr<const LevelField> levels;  //!< null with a given range
+  std::optional<NeckCut> neck;
+  double expectedVoxels = 0;
+  double border = 0;
 };
 
 //! Chooses what `parameters` leaves open. The boundary level is the one at which the connected region that

@@ -15,7 +15,7 @@ struct ObjectRegion {
   using Voxel = std::array<std::int32_t, 3>;
   //! A face between a voxel of the region and its outer neighbour along `axis` (`step` = +1 or -1).
   struct Face {
-    Voxel inner;
+    std::int32_t voxel;  //!< index into `voxels`: the inner side
     std::int8_t axis;
     std::int8_t step;
   };

@@ -3,6 +3,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/level_field.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/local_levels.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/motion.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/neck.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/object_image.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/object_range.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/object_region.cpp
