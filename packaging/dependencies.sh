@@ -1,22 +1,26 @@
 # Sourced by run.sh and test.sh: installs the Debian packages that are missing (Debian 12 and 13).
 # shellcheck shell=bash
 
-BUILD_PACKAGES="g++ cmake ninja-build ccache libvtk9-dev libinsighttoolkit5-dev libeigen3-dev libcli11-dev nlohmann-json3-dev libssl-dev zlib1g-dev"
-TEST_PACKAGES="catch2 libcgal-dev"
+BUILD_PACKAGES="g++ cmake ninja-build ccache libvtk9-dev libinsighttoolkit5-dev libeigen3-dev libcli11-dev nlohmann-json3-dev libssl-dev zlib1g-dev qt6-base-dev qt6-svg-dev libqt6svg6"
+TEST_PACKAGES="catch2 libcgal-dev xvfb xauth fonts-dejavu-core"
+PACKAGE_PACKAGES="file dpkg-dev fakeroot"
+RUN_PACKAGES="qt6-qpa-plugins qt6-wayland fonts-dejavu-core libgl1-mesa-dri"
 
-# The packages of the groups named ("build", "test"), on this release of Debian.
+# The packages of the groups named ("build", "test", "package", "run"), on this release of Debian.
 wanted_packages() {
   local group
   for group in "$@"; do
     case "$group" in
       build) echo "$BUILD_PACKAGES" ;;
       test) echo "$TEST_PACKAGES" ;;
+      package) echo "$PACKAGE_PACKAGES" ;;
+      run) echo "$RUN_PACKAGES" ;;
       *) echo "unknown group of packages: $group" >&2; return 1 ;;
     esac
   done
-  # Debian 13's ITK does not link without FFTW.
+  # Debian 13's ITK does not link without FFTW; Debian 12 has Qt's OpenGL classes in a package of their own.
   # shellcheck source=/dev/null
-  (. /etc/os-release; [ "${VERSION_ID:-13}" = 12 ] || echo libfftw3-dev)
+  (. /etc/os-release; if [ "${VERSION_ID:-13}" = 12 ]; then echo libqt6opengl6-dev; else echo libfftw3-dev; fi)
 }
 
 is_installed() {

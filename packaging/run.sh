@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# From a fresh Debian (git, apt, root or sudo) to the main job: installs what is missing, builds the command
-# line, and segments the ultrasound sample: a dark cyst with a bright needle through it.
-#   packaging/run.sh [OUTPUT_FOLDER]        default: ./handlebody-output
-# There is no window yet: the work is done by handlebody-cli, which needs no display.
+# From a fresh Debian (git, apt, root or sudo) to the main job: installs what is missing, builds the programs, and
+# opens the window on the ultrasound sample, a dark cyst with a bright needle through it, with its seed placed.
+# Without a display handlebody-cli does the same work.
+#   packaging/run.sh [OUTPUT_FOLDER]        default: ./handlebody-output; for the files that are made without a display
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 output=${1:-handlebody-output}
@@ -12,10 +12,15 @@ output=$(cd "$output" && pwd)
 cd "$root"
 # shellcheck source=packaging/dependencies.sh
 . packaging/dependencies.sh
-install_dependencies build
+install_dependencies build run
 # In a build folder of its own: without tests, so that their packages need not be there.
 configure release -B build/run -DBUILD_TESTING=OFF
-cmake --build build/run -j "$(nproc)" --target handlebody-cli
+cmake --build build/run -j "$(nproc)" --target handlebody-cli handlebody
+
+if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
+  echo "Opening the window on the ultrasound sample: press Space to grow the surface, F1 for the guide."
+  exec build/run/app/handlebody sample_volumes/cyst_session.json
+fi
 
 cli=build/run/app/handlebody-cli
 echo

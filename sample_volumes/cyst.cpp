@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "sample_volumes/curves.h"
 #include "sample_volumes/distances.h"
 #include "sample_volumes/shapes.h"
 
@@ -40,24 +41,9 @@ double bodyFunction(const Vec3& p, Vec3* gradient) {
 
 }  // namespace
 
-// Foot of p on the body by repeated projection onto the tangent plane; the error shrinks by
-// distance·curvature per turn. Farther away than kBand only the first-order estimate is given.
 double cystBodyDistance(const Vec3& p) {
-  constexpr double kBand = 6;        // mm
-  constexpr double kPrecise = 1e-7;  // mm
-  Vec3 gradient;
-  double value = bodyFunction(p, &gradient);
-  const double estimate = value / std::max(gradient.norm(), 1e-2);  // 1e-2 per mm: only met near the centre
-  if (std::abs(estimate) > kBand) return estimate;
-  Vec3 foot = p;
-  for (int turn = 0; turn < 60; ++turn) {
-    const Vec3 better = p - gradient * ((value + gradient.dot(p - foot)) / gradient.squaredNorm());
-    const double moved = (better - foot).norm();
-    foot = better;
-    if (moved < kPrecise) return std::copysign((p - foot).norm(), estimate);
-    value = bodyFunction(foot, &gradient);
-  }
-  return estimate;
+  constexpr double kBand = 6;  // mm
+  return implicitDistance(bodyFunction, p, kBand);
 }
 
 double cystNeedleDistance(const Vec3& p) {

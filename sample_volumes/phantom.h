@@ -15,6 +15,13 @@
 // wall      two chambers apart by a 2 mm wall, in which `gapVoxels` makes a hole. The object (truth,
 // distance,
 //           surface) is the seeded chamber alone. Genus 0.
+// neck      two balls joined by a bar of 2.5 mm radius. Genus 0.
+// rings     two linked rings joined by a bridge. Genus 2.
+// trefoil   tube about a trefoil knot. Genus 1.
+// tree      vessel tree: tubes of 3 mm radius with three loops. Genus 3.
+// balls     ball with nine bright balls of 2 to 10 mm radius in it. Ten spheres.
+// plate     4 mm thick, with round rims. Genus 0.
+// gyroid    one of the two labyrinths of a gyroid of 40 mm period, in a rounded cube. Genus 27.
 //
 // Intensities of object and background: uint8 60 and 180, int16 -200 and 800, float32 0.25 and 0.75. A voxel
 // at the surface holds the part of it that is dark (a smooth ramp as wide as the voxel along the normal), so
@@ -62,9 +69,10 @@ const std::vector<std::string>& phantomNames();
 Phantom makePhantom(const std::string& name, const PhantomOptions& options = {});
 
 //! Signed distance (mm, negative inside the object) of a world point to the ideal surface of a phantom. Exact
-//! for cube, torus and wall, outside of the others also at concave creases; inside their creases (genus3,
-//! dumbbell), and outside the rings where the needle enters the cyst, its magnitude is a lower bound. More
-//! than 10 mm from the body of the cyst it is an estimate of the right sign. Throws UsageError as makePhantom
+//! for cube, torus, sphere, wall, plate, balls and trefoil, outside of the others also at concave creases;
+//! inside their creases (genus3, dumbbell, neck, rings, tree), and outside the rims where the needle enters
+//! the cyst and where the cube cuts the gyroid, its magnitude is a lower bound. More than 6 mm from the body
+//! of the cyst and 3 mm from the gyroid it is an estimate of the right sign. Throws UsageError as makePhantom
 //! does.
 double phantomDistance(const std::string& name, const PhantomOptions& options, const Vec3& world);
 

@@ -5,6 +5,7 @@
 
 #include "core/errors.h"
 #include "sample_volumes/distances.h"
+#include "sample_volumes/labyrinths.h"
 
 namespace handlebody::phantoms {
 namespace {
@@ -72,6 +73,14 @@ std::vector<Shape> makeShapes() {
   add("dumbbell", {100, 60, 60}, {42, 16, 16}, 12, {-26, 0, 0}, 8, {0}, dumbbellDistance);
   add("wall", {100, 80, 80}, {41, 30, 30}, 4, {-21, 0, 0}, 10, {0}, leftChamberDistance).dark =
       bothChambersDistance;
+  add("rings", {100, 80, 80}, {42, 30, 30}, 10, kRingsSeed, 5, {2}, ringsDistance);
+  add("trefoil", {100, 100, 60}, {45, 45, 19}, 11, trefoilPoint(0.3), 4.5, {1}, trefoilDistance);
+  add("tree", {100, 60, 100}, {39, 23, 45}, 6, kTreeSeed, 2.5, {3}, treeDistance);
+  add("balls", hundred, {45, 45, 45}, 4, {-6, 2, 2}, 8, std::vector<int>(1 + kBallsCavities, 0),
+      ballsDistance);
+  add("plate", {84, 68, 20}, {36, 28, 2}, 4, {-20, 10, 0}, 1.6, {0}, plateDistance);
+  add("neck", {100, 60, 60}, {40, 16, 16}, 5, {-24, 2, 1}, 8, {0}, neckDistance);
+  add("gyroid", hundred, {44, 44, 44}, 8, {-5, -5, -5}, 5, {27}, gyroidDistance);
   return shapes;
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "app/cli/parse.h"
+#include "core/errors.h"
 #include "core/io/json.h"
 
 namespace handlebody::cli {
@@ -22,6 +23,23 @@ void addSelection(CLI::App& command, VolumeSelection& selection) {
       ->type_name("UID");
   command.add_option_function<std::string>("--frame", set, "Time point of a 4D volume, from 0")
       ->type_name("N");
+  const auto setSpacing = [&selection](const std::string& text) {
+    selection.spacing = parseVector("--spacing", text);
+    if (selection.spacing->minCoeff() <= 0) throw UsageError("--spacing: '" + text + "' is not above 0.");
+  };
+  command
+      .add_option_function<std::string>("--spacing", setSpacing,
+                                        "Voxel size in mm, for a file that does not give it")
+      ->type_name("X,Y,Z");
+  const auto setUneven = [&selection](const std::string& text) {
+    if (text != "resample" && text != "refuse")
+      throw UsageError("--uneven: '" + text + "' is not resample or refuse.");
+    selection.uneven = text == "refuse" ? UnevenSlices::refuse : UnevenSlices::resample;
+  };
+  command
+      .add_option_function<std::string>(
+          "--uneven", setUneven, "Unevenly spaced DICOM slices: interpolate an even grid (default) or refuse")
+      ->type_name("resample|refuse");
 }
 
 }  // namespace handlebody::cli

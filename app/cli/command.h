@@ -32,11 +32,13 @@ void addCheck(CLI::App& app, Action& action);
 void addHandles(CLI::App& app, Action& action);
 void addPhantom(CLI::App& app, Action& action);
 void addReplay(CLI::App& app, Action& action);
+//! Not for users: see runDicomDecoder.
+void addDecode(CLI::App& app, Action& action);
 
 //! A subcommand with the notice under its help.
 CLI::App* addCommand(CLI::App& app, const std::string& name, const std::string& description);
 
-//! Adds --series and --frame.
+//! Adds --series, --frame, --spacing and --uneven.
 void addSelection(CLI::App& command, VolumeSelection& selection);
 
 }  // namespace handlebody::cli

@@ -22,8 +22,11 @@ struct InfoOptions {
 constexpr std::array kPercents{0.1, 1.0, 5.0, 25.0, 50.0, 75.0, 95.0, 99.0, 99.9};
 
 // A folder with several series holds no one volume, and no frame, until one is chosen.
-std::optional<IntensityStatistics> intensities(const VolumeInfo& info, const InfoOptions& o) {
-  if (info.frames == 0) return std::nullopt;
+std::optional<IntensityStatistics> intensities(VolumeInfo& info, const InfoOptions& o) {
+  if (info.frames == 0) {
+    info.series = listSeries(o.path).value();  // with sizes and spacings; nobody cancels it
+    return std::nullopt;
+  }
   return intensityStatistics(readVolume(o.path, o.selection), kPercents);
 }
 
@@ -44,13 +47,26 @@ std::string orientation(const Grid& grid) {
   return letters;
 }
 
+Json seriesToJson(const SeriesInfo& s) {
+  Json json = {{"uid", s.uid},
+               {"modality", s.modality},
+               {"description", s.description},
+               {"files", s.files},
+               {"slices", s.slices},
+               {"size", s.size},
+               {"frames", s.frames},
+               {"spacing", vectorToJson(s.spacing)}};
+  if (!s.note.empty()) json["note"] = s.note;
+  return json;
+}
+
 Json toJson(const VolumeInfo& info, const std::optional<IntensityStatistics>& statistics) {
   Json json = {
       {"version", HANDLEBODY_VERSION}, {"notice", kNotice}, {"path", info.path}, {"format", info.format}};
   Json& series = json["series"] = Json::array();
-  for (const SeriesInfo& s : info.series)
-    series.push_back({{"uid", s.uid}, {"description", s.description}, {"files", s.files}});
+  for (const SeriesInfo& s : info.series) series.push_back(seriesToJson(s));
   addGrid(json, info.grid);
+  addSources(json, info);
   json["orientation"] = orientation(info.grid);
   json["type"] = voxelTypeName(info.type);
   json["frames"] = info.frames;
@@ -68,12 +84,32 @@ Json toJson(const VolumeInfo& info, const std::optional<IntensityStatistics>& st
   return json;
 }
 
+void printSources(const VolumeInfo& info) {
+  const GeometrySources& s = info.sources;
+  std::printf("size from %s\n", s.size.c_str());
+  for (std::size_t a = 0; a < 3; ++a)
+    if (a == 0 || s.spacing[a] != s.spacing[a - 1])
+      std::printf("spacing %c from %s%s\n", "xyz"[a], s.spacing[a].c_str(),
+                  info.calibrated ? "" : " (uncalibrated)");
+  std::printf("origin from %s; direction from %s\n", s.origin.c_str(), s.direction.c_str());
+}
+
+void printSeries(const SeriesInfo& s) {
+  if (s.uid.empty()) return;
+  std::printf("series %s: %s, files %d, slices %d", s.uid.c_str(), s.description.c_str(), s.files, s.slices);
+  if (s.size[0] > 0)
+    std::printf(", %d x %d x %d voxels of %g, %g, %g mm", s.size[0], s.size[1], s.size[2], s.spacing.x(),
+                s.spacing.y(), s.spacing.z());
+  std::printf(s.note.empty() ? "\n" : "; no volume: %s\n", s.note.c_str());
+}
+
 void printGrid(const VolumeInfo& info) {
   const Grid& g = info.grid;
   std::printf("%d x %d x %d voxels, %s", g.size[0], g.size[1], g.size[2], voxelTypeName(info.type));
   std::printf(info.frames == 1 ? "\n" : ", %d time points\n", info.frames);
   std::printf("spacing %g, %g, %g mm; origin %g, %g, %g mm (LPS)\n", g.spacing.x(), g.spacing.y(),
               g.spacing.z(), g.origin.x(), g.origin.y(), g.origin.z());
+  printSources(info);
   std::printf("axes point to %s; direction", orientation(g).c_str());
   for (int row = 0; row < 3; ++row)
     std::printf("%s %.4g %.4g %.4g", row ? " /" : "", g.direction(row, 0), g.direction(row, 1),
@@ -91,9 +127,7 @@ void printIntensities(const IntensityStatistics& statistics) {
 
 void printText(const VolumeInfo& info, const std::optional<IntensityStatistics>& statistics) {
   std::printf("%s: %s\n", info.path.c_str(), info.format.c_str());
-  for (const SeriesInfo& s : info.series)
-    if (!s.uid.empty())
-      std::printf("series %s: %s, files %d\n", s.uid.c_str(), s.description.c_str(), s.files);
+  for (const SeriesInfo& s : info.series) printSeries(s);
   if (statistics) {
     printGrid(info);
     printIntensities(*statistics);
@@ -102,7 +136,7 @@ void printText(const VolumeInfo& info, const std::optional<IntensityStatistics>&
 }
 
 int info(const InfoOptions& o) {
-  const VolumeInfo found = inspectVolume(o.path, o.selection);
+  VolumeInfo found = inspectVolume(o.path, o.selection);
   const auto statistics = intensities(found, o);
   if (o.json)
     std::fputs(jsonText(toJson(found, statistics)).c_str(), stdout);

@@ -45,7 +45,8 @@ int parseAndPerform(int argc, char** argv) {
   app.set_version_flag("--version", std::string("handlebody-cli ") + HANDLEBODY_VERSION);
   app.require_subcommand(1);
   Action action;
-  for (auto add : {addSegment, addInfo, addCheck, addHandles, addPhantom, addReplay}) add(app, action);
+  for (auto add : {addSegment, addInfo, addCheck, addHandles, addPhantom, addReplay, addDecode})
+    add(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {  // --help and --version

@@ -9,12 +9,10 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
-#include <optional>
 
 #include "core/errors.h"
 #include "core/io/mesh_io.h"
 #include "core/io/picture.h"
-#include "core/io/volume_io.h"
 
 namespace handlebody::cli {
 
@@ -102,19 +100,6 @@ DeferSignals::DeferSignals() {
 DeferSignals::~DeferSignals() {
   for (std::size_t i = 0; i < kSignals.size(); ++i) std::signal(kSignals[i], previous_[i]);
   if (receivedSignal != 0) std::raise(receivedSignal);
-}
-
-void writeResults(const TriangleSoup& mesh, const Grid& grid, const std::vector<std::string>& paths,
-                  CoordinateSpace space) {
-  std::optional<Volume> label;
-  for (const std::string& path : paths) {
-    if (isMeshPath(path)) {
-      writeMesh(mesh, path, space);
-      continue;
-    }
-    if (!label) label = rasterize(mesh, grid);
-    writeVolume(*label, path);
-  }
 }
 
 }  // namespace handlebody::cli

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/io/report.h"
-#include "core/mesh/mesh.h"
 
 namespace handlebody::cli {
 
@@ -40,9 +39,5 @@ class DeferSignals {
  private:
   std::array<void (*)(int), 3> previous_{};
 };
-
-//! Writes the mesh, or its label map on `grid`, to each path by its extension.
-void writeResults(const TriangleSoup& mesh, const Grid& grid, const std::vector<std::string>& paths,
-                  CoordinateSpace space);
 
 }  // namespace handlebody::cli

@@ -1,20 +1,18 @@
 #include "app/cli/run.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <numbers>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 
 #include "app/cli/command.h"
 #include "app/cli/progress.h"
-#include "core/collision/certify.h"
 #include "core/errors.h"
 #include "core/evolution/active_contour.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
+#include "core/io/result.h"
 
 namespace handlebody::cli {
 
@@ -75,14 +73,15 @@ LoadedSession load(Session session) {
   Stopwatch watch;
   VolumeReference& reference = session.volume;
   LoadedSession loaded;
-  loaded.warnings = inspectVolume(reference.path, reference.selection).warnings;
   const std::string hash = sha256OfPath(reference.path);
   if (!reference.sha256.empty() && reference.sha256 != hash)
     throw InputError(reference.path +
                      " is not the volume that the session was made from: its SHA-256 differs.");
   reference.sha256 = hash;
-  loaded.volume = readVolume(reference.path, reference.selection);
-  for (const std::string& warning : loaded.warnings)
+  LoadedVolume read = loadVolume(reference.path, reference.selection).value();  // nobody cancels it
+  loaded.volume = std::move(read.volume);
+  loaded.info = std::move(read.info);
+  for (const std::string& warning : loaded.info.warnings)
     std::fprintf(stderr, "handlebody-cli: warning: %s\n", warning.c_str());
   loaded.session = std::move(session);
   loaded.loadSeconds = watch.lap();
@@ -91,14 +90,16 @@ LoadedSession load(Session session) {
 
 namespace {
 
-constexpr double kHardlyGrown = 1.5;  // times the volume of the seeds
-constexpr double kMuchBorder = 0.15;  // part of the vertices
-
 // Traces are kept only when they will be written: they can be many times larger than the mesh.
 void evolve(ActiveContour& contour, RunReport& report, const RunOutputs& outputs) {
   contour.recordTraces(!outputs.trace.empty());
   Progress progress(outputs.quiet);
-  while (contour.stopReason() == StopReason::running) {
+  auto change = report.session.changes.begin();
+  const int last = report.session.stopAt.value_or(std::numeric_limits<int>::max());
+  while (contour.iteration() < last) {
+    if (change != report.session.changes.end() && change->iteration == contour.iteration())
+      contour.changeParameters(change++->parameters);
+    if (contour.stopReason() != StopReason::running) break;
     StepReport step = contour.step();
     progress.show(step);
     std::move(step.events.begin(), step.events.end(), std::back_inserter(report.events));
@@ -107,58 +108,12 @@ void evolve(ActiveContour& contour, RunReport& report, const RunOutputs& outputs
   report.stopped = contour.stopReason();
 }
 
-// STL and most readers hold single precision. The mesh that is certified, counted and written is therefore
-// the rounded one: the same coordinates in every file, and the report's numbers are theirs.
-TriangleSoup roundedToSingle(TriangleSoup mesh) {
-  // Not p.cast<float>().cast<double>(): Eigen 3.4 vectorises that to nothing.
-  for (Vec3& p : mesh.points)
-    for (double& x : p) x = static_cast<float>(x);
-  return mesh;
-}
-
-void requirePass(const Certificate& c) {
-  if (c.passes()) return;
-  const auto word = [](bool yes) { return yes ? "yes" : "no"; };
-  throw std::runtime_error(std::string("the mesh failed its certificate and nothing was written (closed: ") +
-                           word(c.closed) + ", manifold: " + word(c.manifold) +
-                           ", oriented: " + word(c.oriented) +
-                           ", self-intersections: " + std::to_string(c.selfIntersections) + ").");
-}
-
-//! What a user should look at before trusting the result.
-std::vector<std::string> doubts(const RunReport& report, const TriangleSoup& mesh) {
-  std::vector<std::string> out;
-  double seeds = 0;
-  for (const Seed& s : report.session.resolved->seeds)
-    seeds += 4.0 / 3.0 * std::numbers::pi * std::pow(*s.radius, 3);
-  if (report.mesh.volume < kHardlyGrown * seeds)
-    out.push_back(
-        "the surface hardly grew beyond its seed: look at --object and --range, and whether --curvature "
-        "holds so "
-        "small a seed");
-  double onBorder = 0;
-  for (const Vec3& p : mesh.points) {
-    const Vec3 index = report.grid.toIndex(p);
-    for (int a = 0; a < 3; ++a)
-      if (std::min(index[a], report.grid.size[static_cast<std::size_t>(a)] - 1 - index[a]) < 0) {
-        onBorder += 1;
-        break;
-      }
-  }
-  const double part = onBorder / static_cast<double>(mesh.points.size());
-  if (part > kMuchBorder)
-    out.push_back(std::to_string(static_cast<int>(100 * part)) +
-                  " % of the surface lies on the border of the volume: the object is cut off there, or the "
-                  "surface leaked");
-  return out;
-}
-
 void printSummary(const RunReport& report) {
   const Certificate& mesh = report.mesh;
   std::string genus;
   for (int g : mesh.genus) genus += (genus.empty() ? "" : "+") + std::to_string(g);
   std::printf("%s after %d iterations (%.2f s): components %d, genus %s, %d vertices, %.4g ml, %.4g cm2\n",
-              stopReasonName(report.stopped), report.iterations, report.seconds.total, mesh.components,
+              endName(report.stopped), report.iterations, report.seconds.total, mesh.components,
               genus.c_str(), mesh.vertices, mesh.volume / 1000.0, mesh.area / 100.0);
 }
 
@@ -174,8 +129,7 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
   Stopwatch watch;
   RunReport report;
   report.session = std::move(loaded.session);
-  report.grid = loaded.volume.grid;
-  report.warnings = std::move(loaded.warnings);
+  report.volume = std::move(loaded.info);
   report.seconds.load = loaded.loadSeconds;
   std::optional<Volume> shown;  // the voxels are not kept in memory for nothing
   if (!outputs.picture.empty()) shown = loaded.volume;
@@ -189,14 +143,14 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
     throw SeedError("The surface vanished after " + std::to_string(report.iterations) +
                     " iterations: the seeds are not in an object of that kind and range.");
 
-  const TriangleSoup mesh = roundedToSingle(contour.mesh().compact());
-  report.mesh = certify(mesh);
-  requirePass(report.mesh);
+  const auto [mesh, certificate] = certifiedForExport(contour.mesh().compact());
+  report.mesh = certificate;
   report.doubts = doubts(report, mesh);
+  for (std::string& d : contour.doubts()) report.doubts.push_back(std::move(d));
   for (const std::string& d : report.doubts) std::fprintf(stderr, "handlebody-cli: warning: %s\n", d.c_str());
   {
     DeferSignals whole;
-    writeResults(mesh, report.grid, outputs.results, report.session.space);
+    writeResults(mesh, report.volume.grid, outputs.results, report.session.space);
     if (shown) writePicture(*shown, mesh, outputs.picture);
     report.seconds.exported = watch.lap();
     const Timings& s = report.seconds;

@@ -42,7 +42,7 @@ class Stopwatch {
 struct LoadedSession {
   Session session;
   Volume volume;
-  std::vector<std::string> warnings;  //!< about the volume
+  VolumeInfo info;
   double loadSeconds = 0;
 };
 

@@ -6,6 +6,7 @@
 #include "core/collision/box_tree.h"
 #include "core/collision/face_pair.h"
 #include "core/collision/near_faces.h"
+#include "core/collision/near_points.h"
 #include "core/collision/spatial_hash.h"
 #include "core/collision/star_test.h"
 #include "core/collision/vertex_stars.h"
@@ -33,12 +34,16 @@ struct CollisionDetector::Tables {
   bool all = true;                       //!< else only pairs with a face in `movedFace`
   std::vector<unsigned char> movedFace;  //!< per face
   std::vector<unsigned char> active;     //!< per vertex: it belongs to a moved face
-  std::vector<StarSize> sizes;           //!< per vertex
-  std::vector<int> vertices;             //!< those that belong to a face
+  std::vector<int> movedFaces;           //!< by slot
+  //! Those that are looked at: all that belong to a face; or the active ones, and then those near to them.
+  std::vector<int> vertices;
+  std::vector<StarSize> sizes;  //!< per vertex in `vertices`
+  double longestSquared = 0;    //!< of all edges that may meet one of `vertices`
   std::vector<FacePair> pairs;
   VertexStars stars;
   StarTest starTest;
   SpatialHash hash;
+  NearPoints near;
   BoxTree tree;
   std::vector<Box> boxes;
   std::vector<int> boxFaces;
@@ -48,9 +53,12 @@ struct CollisionDetector::Tables {
     if (facesIntersect(points, faces[idx(f)], faces[idx(g)]))
       pairs.emplace_back(std::min(f, g), std::max(f, g));
   }
-  void run();
-  void markMoved(std::span<const unsigned char> moved);
-  void testStars();
+  void runAll();
+  void runMoved(std::span<const unsigned char> moved);
+  void listActive(std::span<const unsigned char> moved);
+  void addNear();
+  double reach() const { return std::sqrt(longestSquared * (7.0 / 12.0)) * kRounding; }
+  void sortPairs();
   void testStar(int v);
   void testStarPairs(int v);
   void testSeparate();
@@ -64,38 +72,81 @@ struct CollisionDetector::Tables {
   void testSeparateByTree();
 };
 
-void CollisionDetector::Tables::run() {
-  pairs.clear();
-  stars.build(points.size(), faces);
-  testStars();
-  testSeparate();
+void CollisionDetector::Tables::sortPairs() {
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 }
 
-void CollisionDetector::Tables::markMoved(std::span<const unsigned char> moved) {
-  movedFace.assign(faces.size(), 0);
-  active.assign(points.size(), 0);
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    const Triangle& t = faces[f];
-    if (t[0] < 0 || (moved[idx(t[0])] | moved[idx(t[1])] | moved[idx(t[2])]) == 0) continue;
-    movedFace[f] = 1;
-    for (const int v : t) active[idx(v)] = 1;
-  }
-}
-
-//! Faces that share a vertex; on the way, the longest edge at every vertex.
-void CollisionDetector::Tables::testStars() {
+void CollisionDetector::Tables::runAll() {
+  all = true;
+  pairs.clear();
   vertices.clear();
-  sizes.assign(points.size(), StarSize{});
+  sizes.resize(points.size());
+  longestSquared = 0;
   for (int v = 0; v < stars.vertexCount(); ++v) {
     if (stars.corners(v).empty()) continue;
     vertices.push_back(v);
-    if (all || active[idx(v)] != 0) {
-      testStar(v);
-    } else {
-      sizes[idx(v)] = measureStar(points, v, stars.corners(v));
+    testStar(v);
+    longestSquared = std::max(longestSquared, sizes[idx(v)].spoke);
+  }
+  testSeparate();
+  sortPairs();
+}
+
+void CollisionDetector::Tables::runMoved(std::span<const unsigned char> moved) {
+  all = false;
+  pairs.clear();
+  sizes.resize(points.size());
+  listActive(moved);
+  for (const int v : vertices) testStar(v);
+  addNear();
+  testSeparate();
+  for (const int f : movedFaces) movedFace[idx(f)] = 0;
+  for (const int v : vertices) active[idx(v)] = 0;
+  sortPairs();
+}
+
+//! The faces that moved and their vertices. The flags are all 0 before.
+void CollisionDetector::Tables::listActive(std::span<const unsigned char> moved) {
+  movedFace.resize(faces.size(), 0);
+  active.resize(points.size(), 0);
+  movedFaces.clear();
+  vertices.clear();
+  for (int v = 0; v < static_cast<int>(moved.size()); ++v) {
+    if (moved[idx(v)] == 0) continue;
+    stars.need(v);
+    for (const Corner& c : stars.corners(v)) {
+      if (movedFace[idx(c.face)] != 0) continue;
+      movedFace[idx(c.face)] = 1;
+      movedFaces.push_back(c.face);
     }
+  }
+  for (const int f : movedFaces)
+    for (const int v : faces[idx(f)]) {
+      if (active[idx(v)] != 0) continue;
+      active[idx(v)] = 1;
+      vertices.push_back(v);
+    }
+  for (const int v : vertices) stars.need(v);
+}
+
+//! Adds the vertices at rest that an active one can reach.
+void CollisionDetector::Tables::addNear() {
+  if (vertices.empty()) return;
+  longestSquared = 0;
+  for (const Triangle& t : faces) {
+    if (t[0] < 0) continue;
+    const Vec3 &a = points[idx(t[0])], &b = points[idx(t[1])], &c = points[idx(t[2])];
+    longestSquared =
+        std::max({longestSquared, (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  }
+  near.build(points, vertices, reach());
+  for (int v = 0; v < static_cast<int>(points.size()); ++v) {
+    if (active[idx(v)] != 0 || !near.mayBeNear(points[idx(v)])) continue;
+    stars.need(v);
+    if (stars.corners(v).empty()) continue;  // free, or without a face
+    sizes[idx(v)] = measureStar(points, v, stars.corners(v));
+    vertices.push_back(v);
   }
 }
 
@@ -128,22 +179,15 @@ void CollisionDetector::Tables::testStarPairs(int v) {
 //! sqrt(2/3)·s. It says more, too: P is within |PP'|/2 of T, which hardly any neighbour is. So what is looked
 //! for are pairs of a vertex P and a triangle T.
 void CollisionDetector::Tables::testSeparate() {
-  double longest = 0;
-  for (const StarSize& size : sizes) longest = std::max(longest, size.spoke);
-  if (!hash.build(points, vertices, std::sqrt(longest * (7.0 / 12.0)) * kRounding)) {
+  if (!hash.build(points, vertices, reach())) {
     testSeparateByTree();
     return;
   }
-  const auto visit = [&](const SpatialHash::Entry& a, const SpatialHash::Entry& b) {
-    const double d = (a.point - b.point).squaredNorm();
-    if (d <= reachSquared(a.vertex, b.vertex)) testNear(a.vertex, b.vertex, d);
-    if (d <= reachSquared(b.vertex, a.vertex)) testNear(b.vertex, a.vertex, d);
-  };
-  if (all) {
-    hash.forEachPair(visit);
-  } else {
-    hash.forEachPair(active, visit);
-  }
+  hash.forEachPair([&](int u, int v, double distanceSquared) {
+    const bool mayBeWanted = all || (active[idx(u)] | active[idx(v)]) != 0;
+    if (mayBeWanted && distanceSquared <= reachSquared(u, v)) testNear(u, v, distanceSquared);
+    if (mayBeWanted && distanceSquared <= reachSquared(v, u)) testNear(v, u, distanceSquared);
+  });
 }
 
 //! The faces T at u against the faces at P = v.
@@ -165,6 +209,7 @@ void CollisionDetector::Tables::testNear(int u, int v, double distanceSquared) {
     const bool behind = 0 < end && here < end && next < end;
     here = next;
     if (behind || c.next == v || c.prev == v) continue;
+    if (!all && (active[idx(v)] | movedFace[idx(c.face)]) == 0) continue;
     if (isFarFrom(points[idx(v)], pu, points[idx(c.next)], points[idx(c.prev)], nearSquared)) continue;
     if (isFirstNear(u, faces[idx(c.face)], v)) testFan(c.face, v);
   }
@@ -213,8 +258,8 @@ const std::vector<FacePair>& CollisionDetector::detectAll(std::span<const Vec3> 
                                                           std::span<const Triangle> faces) {
   tables_->points = points;
   tables_->faces = faces;
-  tables_->all = true;
-  tables_->run();
+  tables_->stars.build(points.size(), faces);
+  tables_->runAll();
   return tables_->pairs;
 }
 
@@ -223,9 +268,17 @@ const std::vector<FacePair>& CollisionDetector::detectMoved(std::span<const Vec3
                                                             std::span<const unsigned char> moved) {
   tables_->points = points;
   tables_->faces = faces;
-  tables_->all = false;
-  tables_->markMoved(moved);
-  tables_->run();
+  tables_->stars.build(points.size(), faces);
+  tables_->runMoved(moved);
+  return tables_->pairs;
+}
+
+const std::vector<FacePair>& CollisionDetector::detectMoved(const Mesh& mesh,
+                                                            std::span<const unsigned char> moved) {
+  tables_->points = mesh.positions();
+  tables_->faces = mesh.faces();
+  tables_->stars.readFrom(mesh);
+  tables_->runMoved(moved);
   return tables_->pairs;
 }
 

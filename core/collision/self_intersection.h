@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/geometry/vec.h"
+#include "core/mesh/mesh.h"
 
 namespace handlebody {
 
@@ -40,6 +41,9 @@ class CollisionDetector {
   //! the faces without such a vertex do not intersect each other.
   const std::vector<FacePair>& detectMoved(std::span<const Vec3> points, std::span<const Triangle> faces,
                                            std::span<const unsigned char> moved);
+  //! The same for a mesh, whose faces need not be sorted by vertex: costs what the moved vertices cost, and
+  //! one look at each of the others.
+  const std::vector<FacePair>& detectMoved(const Mesh& mesh, std::span<const unsigned char> moved);
 
  private:
   struct Tables;

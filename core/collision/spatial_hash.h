@@ -19,6 +19,7 @@
 #include <span>
 #include <vector>
 
+#include "core/collision/lanes.h"
 #include "core/geometry/vec.h"
 
 namespace handlebody {
@@ -28,23 +29,15 @@ class SpatialHash {
   //! Eq. (1): floor(a/l + i/2) for i in {0,1}, given the half box floor(2a/l).
   static int boxIndex(int halfBox, int i) { return (halfBox + i) >> 1; }
 
-  struct Entry {
-    Vec3 point;
-    int vertex;
-    int x, y, z;  //!< half box
-  };
-
   //! Sorts the vertices in `vertices` by half boxes somewhat larger than `radius` (mm). False if that makes
   //! no sense: radius is not positive, the half boxes cannot be numbered, or they hold so many vertices each
   //! (a mesh with very uneven edges) that visiting neighbours would not be linear any more; see kCrowd.
+  //! The points must stay as they are until the last forEachPair.
   bool build(std::span<const Vec3> points, std::span<const int> vertices, double radius);
 
-  //! Calls f(u, v) once for each pair of entries not farther apart than `radius`.
+  //! Calls f(u, v, squared distance) once for each pair of vertices not farther apart than `radius`.
   template <typename F>
   void forEachPair(F&& f) const;
-  //! The same for pairs in which at least one vertex has active[vertex] != 0.
-  template <typename F>
-  void forEachPair(std::span<const unsigned char> active, F&& f) const;
 
  private:
   // The sum of squares of the bucket sizes may be this many times the number of vertices. By Cauchy-Schwarz,
@@ -52,55 +45,58 @@ class SpatialHash {
   // s/3 and s stays below 8.
   static constexpr double kCrowd = 24;
 
+  struct Entry {
+    int vertex;
+    int x, y, z;  // half box
+  };
+  //! Coordinates in half boxes from the lower corner of all, rounded: for rejection only.
+  using Coordinates = std::array<std::vector<float>, 3>;
+
   std::uint32_t bucket(int x, int y, int z) const {
     return (static_cast<std::uint32_t>(x) + static_cast<std::uint32_t>(y) * 73856093u +
             static_cast<std::uint32_t>(z) * 83492791u) &
            mask_;
   }
-  //! Calls f(other) for the entries of half boxes (x-1..x+1, y, z) within the radius of e.
+  void sortByBucket(std::size_t count);
+  //! Calls f for the entries of half boxes (x-1..x+1, y, z) within the radius of entry e.
   template <typename F>
-  void visitRow(const Entry& e, int y, int z, F&& f) const;
-  //! Calls f(other) for the entries from `first` to before `last` that belong to that row.
+  void visitRow(std::uint32_t e, int y, int z, F&& f) const;
+  //! Calls f for the entries from `first` to before `last` that belong to that row.
   template <typename F>
-  void visitEntries(std::uint32_t first, std::uint32_t last, const Entry& e, int y, int z, F&& f) const;
-
-  std::span<const Entry> entries() const { return {entries_.data(), entries_.size() - kLanes}; }
-  //! Entries that are compared at once.
-  static constexpr std::uint32_t kLanes = 4;
-  //! Bit k: entry first + k lies within the radius of p. May read kLanes - 1 entries beyond the last.
-  unsigned nearLanes(const Vec3& p, std::uint32_t first) const {
-    std::array<double, kLanes> d;
-    for (std::uint32_t k = 0; k < kLanes; ++k) {
-      d[k] = (entries_[first + k].point - p).squaredNorm();
-    }
-    unsigned bits = 0;
-    for (std::uint32_t k = 0; k < kLanes; ++k) bits |= static_cast<unsigned>(d[k] <= radiusSquared_) << k;
-    return bits;
-  }
+  void visitEntries(std::uint32_t first, std::uint32_t last, std::uint32_t e, int y, int z, F&& f) const;
 
   std::uint32_t mask_ = 0;
   double radiusSquared_ = 0;
+  float rejectBeyond_ = 0;  // squared, in half boxes
+  std::span<const Vec3> points_;
   std::vector<std::uint32_t> start_;  // per bucket, into entries_; one more at the end
-  std::vector<Entry> entries_;        // by bucket; kLanes more at the end
-  std::vector<Entry> unsorted_;
+  std::vector<Entry> entries_, unsorted_;
+  Coordinates at_, unsortedAt_;  // of the entries; kLanes more at the end, far away
 };
 
 template <typename F>
-void SpatialHash::visitEntries(std::uint32_t first, std::uint32_t last, const Entry& e, int y, int z,
+void SpatialHash::visitEntries(std::uint32_t first, std::uint32_t last, std::uint32_t e, int y, int z,
                                F&& f) const {
+  const std::array<float, 3> centre{at_[0][e], at_[1][e], at_[2][e]};
+  const Entry& own = entries_[e];
   for (std::uint32_t i = first; i < last; i += kLanes) {
-    unsigned near = nearLanes(e.point, i) & ((2u << std::min(last - i - 1, kLanes - 1)) - 1);
+    unsigned near = lanesWithin(&at_[0][i], &at_[1][i], &at_[2][i], centre, rejectBeyond_);
+    near &= (2u << std::min(last - i - 1, kLanes - 1)) - 1;
     for (; near != 0; near &= near - 1) {
       const Entry& other = entries_[i + static_cast<std::uint32_t>(std::countr_zero(near))];
       // Different rows may share buckets: only the one that is being visited counts.
-      if (other.y == y && other.z == z && other.x - e.x <= 1 && e.x - other.x <= 1) f(other);
+      if (other.y != y || other.z != z || other.x - own.x > 1 || own.x - other.x > 1) continue;
+      const double d =
+          (points_[static_cast<std::size_t>(other.vertex)] - points_[static_cast<std::size_t>(own.vertex)])
+              .squaredNorm();
+      if (d <= radiusSquared_) f(own.vertex, other.vertex, d);
     }
   }
 }
 
 template <typename F>
-void SpatialHash::visitRow(const Entry& e, int y, int z, F&& f) const {
-  const std::uint32_t first = bucket(e.x - 1, y, z);
+void SpatialHash::visitRow(std::uint32_t e, int y, int z, F&& f) const {
+  const std::uint32_t first = bucket(entries_[e].x - 1, y, z);
   if (first + 2 <= mask_) {
     visitEntries(start_[first], start_[first + 3], e, y, z, f);
     return;
@@ -113,30 +109,18 @@ void SpatialHash::visitRow(const Entry& e, int y, int z, F&& f) const {
 
 template <typename F>
 void SpatialHash::forEachPair(F&& f) const {
-  for (const Entry& e : entries()) {
-    const auto visit = [&](const Entry& other) { f(e, other); };
+  for (std::uint32_t i = 0; i < entries_.size(); ++i) {
+    const Entry& e = entries_[i];
     // In its own row an entry looks forward only: at the rest of its bucket and at the next half box.
     const std::uint32_t own = bucket(e.x, e.y, e.z);
-    const auto after = static_cast<std::uint32_t>(&e - entries_.data()) + 1;
-    visitEntries(after, start_[own + 1], e, e.y, e.z, visit);
-    const std::uint32_t ahead = (own + 1) & mask_;
-    visitEntries(start_[ahead], start_[ahead + 1], e, e.y, e.z, visit);
-    visitRow(e, e.y + 1, e.z, visit);
-    for (int dy = -1; dy <= 1; ++dy) visitRow(e, e.y + dy, e.z + 1, visit);
-  }
-}
-
-template <typename F>
-void SpatialHash::forEachPair(std::span<const unsigned char> active, F&& f) const {
-  for (const Entry& e : entries()) {
-    if (active[static_cast<std::size_t>(e.vertex)] == 0) continue;
-    const auto once = [&](const Entry& other) {
-      if (&other == &e || (&other < &e && active[static_cast<std::size_t>(other.vertex)] != 0)) return;
-      f(e, other);
-    };
-    for (int dz = -1; dz <= 1; ++dz) {
-      for (int dy = -1; dy <= 1; ++dy) visitRow(e, e.y + dy, e.z + dz, once);
+    if (own < mask_) {
+      visitEntries(i + 1, start_[own + 2], i, e.y, e.z, f);
+    } else {
+      visitEntries(i + 1, start_[own + 1], i, e.y, e.z, f);
+      visitEntries(start_[0], start_[1], i, e.y, e.z, f);
     }
+    visitRow(i, e.y + 1, e.z, f);
+    for (int dy = -1; dy <= 1; ++dy) visitRow(i, e.y + dy, e.z + 1, f);
   }
 }
 

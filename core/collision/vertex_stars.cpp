@@ -74,37 +74,57 @@ bool same(std::span<const Triangle> a, const std::vector<Triangle>& b) {
 }  // namespace
 
 void VertexStars::build(std::size_t pointCount, std::span<const Triangle> faces) {
-  if (first_.size() == pointCount + 1 && same(faces, faces_)) return;
+  if (!mesh_ && stars_.size() == pointCount && same(faces, faces_)) return;
+  mesh_ = nullptr;
   faces_.assign(faces.begin(), faces.end());
   fill(pointCount);
-  isCycle_.resize(pointCount);
   for (std::size_t v = 0; v < pointCount; ++v) {
-    const std::span<Corner> star{corners_.data() + first_[v], idx(first_[v + 1] - first_[v])};
-    isCycle_[v] = orderCycle(static_cast<int>(v), star, scratch_);
+    Star& star = stars_[v];
+    star.isCycle = orderCycle(static_cast<int>(v), {corners_.data() + star.first, idx(star.count)}, scratch_);
   }
 }
 
 //! Counting sort of all corners by their vertex.
 void VertexStars::fill(std::size_t pointCount) {
-  first_.assign(pointCount + 1, 0);
+  stars_.assign(pointCount, {0, 0, false});
   for (const Triangle& t : faces_) {
     if (t[0] < 0) continue;
-    for (const int v : t) ++first_[idx(v)];
+    for (const int v : t) ++stars_[idx(v)].count;
   }
   int sum = 0;
-  for (int& entry : first_) {
-    sum += entry;
-    entry = sum;
+  for (Star& star : stars_) {
+    sum += star.count;
+    star.first = sum;
   }
   corners_.resize(idx(sum));
   for (std::size_t f = faces_.size(); f-- > 0;) {  // backwards, so that corners stay in the order of faces
     const Triangle& t = faces_[f];
     if (t[0] < 0) continue;
     for (std::size_t i = 0; i < 3; ++i) {
-      const int slot = --first_[idx(t[i])];
+      const int slot = --stars_[idx(t[i])].first;
       corners_[idx(slot)] = {static_cast<int>(f), t[(i + 1) % 3], t[(i + 2) % 3]};
     }
   }
+}
+
+void VertexStars::readFrom(const Mesh& mesh) {
+  mesh_ = &mesh;
+  corners_.clear();
+  stars_.assign(idx(mesh.vertexSlots()), {-1, 0, false});
+}
+
+void VertexStars::read(int v) {
+  Star& star = stars_[idx(v)];
+  star.first = static_cast<int>(corners_.size());
+  const int start = mesh_->outgoing(v);
+  if (start < 0) return;
+  int h = start;
+  do {
+    corners_.push_back({Mesh::faceOf(h), mesh_->target(h), mesh_->apex(h)});
+    h = mesh_->turn(h);
+  } while (h >= 0 && h != start);
+  star.count = static_cast<int>(corners_.size()) - star.first;
+  star.isCycle = h == start && star.count >= 3;
 }
 
 }  // namespace handlebody

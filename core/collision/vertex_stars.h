@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/geometry/vec.h"
+#include "core/mesh/mesh.h"
 
 namespace handlebody {
 
@@ -17,26 +18,38 @@ struct Corner {
 
 class VertexStars {
  public:
-  //! Faces (-1,-1,-1) are skipped. Costs next to nothing when the faces are those of the last call.
+  //! The stars of all vertices. Faces (-1,-1,-1) are skipped. Costs next to nothing when the faces are those
+  //! of the last call.
   void build(std::size_t pointCount, std::span<const Triangle> faces);
+  //! No star yet: those that are asked for by need() are read from the mesh, which must not change meanwhile.
+  void readFrom(const Mesh& mesh);
+  //! After readFrom: makes corners(v) valid, those of other vertices stay so; spans do not.
+  void need(int v) {
+    if (mesh_ && stars_[static_cast<std::size_t>(v)].first < 0) read(v);
+  }
 
   std::span<const Corner> corners(int v) const {
-    const auto first = static_cast<std::size_t>(first_[static_cast<std::size_t>(v)]);
-    const auto last = static_cast<std::size_t>(first_[static_cast<std::size_t>(v) + 1]);
-    return {corners_.data() + first, last - first};
+    const Star& star = stars_[static_cast<std::size_t>(v)];
+    return {corners_.data() + star.first, static_cast<std::size_t>(star.count)};
   }
   //! True if the faces at v form one closed cycle; corners(v) are then in that order: corner i and corner i+1
   //! share the edge from v to prev of i = next of i+1.
-  bool isCycle(int v) const { return isCycle_[static_cast<std::size_t>(v)] != 0; }
-  int vertexCount() const { return static_cast<int>(isCycle_.size()); }
+  bool isCycle(int v) const { return stars_[static_cast<std::size_t>(v)].isCycle; }
+  int vertexCount() const { return static_cast<int>(stars_.size()); }
 
  private:
+  struct Star {
+    int first;  // into corners_; -1: not read
+    int count;
+    bool isCycle;
+  };
   void fill(std::size_t pointCount);
+  void read(int v);
 
-  std::vector<Triangle> faces_;  // of the last call
-  std::vector<int> first_;       // per vertex, into corners_; one more at the end
+  const Mesh* mesh_ = nullptr;   // of readFrom
+  std::vector<Triangle> faces_;  // of the last build
+  std::vector<Star> stars_;
   std::vector<Corner> corners_;
-  std::vector<unsigned char> isCycle_;
   std::vector<Corner> scratch_;
 };
 

@@ -5,6 +5,7 @@
 
 #include "core/collision/self_intersection.h"
 #include "core/errors.h"
+#include "core/evolution/image_doubts.h"
 #include "core/evolution/motion.h"
 #include "core/evolution/object_image.h"
 #include "core/evolution/object_range.h"
@@ -53,6 +54,23 @@ void requireSensible(const Parameters& p) {
           "The edge length must be above 0 mm.");
 }
 
+//! The detector's tables speed it up and decide nothing: a copy starts with none.
+struct Detector : CollisionDetector {
+  Detector() = default;
+  Detector(const Detector&) : CollisionDetector() {}
+  Detector& operator=(const Detector&) = delete;
+};
+
+bool sameImage(const Parameters& a, const Parameters& b) {
+  return a.object == b.object && a.range == b.range && a.smoothing == b.smoothing;
+}
+
+//! But for the number of iterations and threads.
+bool sameMotion(const Parameters& a, const Parameters& b) {
+  return sameImage(a, b) && a.edgeLength == b.edgeLength && a.direction == b.direction &&
+         a.balloon == b.balloon && a.curvature == b.curvature;
+}
+
 }  // namespace
 
 const char* stopReasonName(StopReason reason) {
@@ -70,12 +88,16 @@ const char* stopReasonName(StopReason reason) {
 
 struct ActiveContour::State {
   Mesh mesh;
+  Mesh before;                       // of the step that is being made; kept for its memory
   std::vector<unsigned char> quiet;  // iterations per vertex without motion, up to kQuietToSleep
-  std::unique_ptr<ObjectImage> image;
+  Volume volume;
+  std::vector<Seed> seeds;  // as asked for
+  Parameters requested;
+  std::shared_ptr<const ObjectImage> image;
   ResolvedParameters parameters;
   MotionSettings motion;
   RemeshLimits limits;
-  CollisionDetector detector;
+  Detector detector;
   RestingPlaces resting;
   TopologyNumbers topology;
   StopReason stop = StopReason::running;
@@ -96,7 +118,10 @@ struct ActiveContour::State {
 
   bool sleeps(int v) const { return quiet[idx(v)] >= kQuietToSleep; }
 
-  void resolve(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& p);
+  void chooseImage(const Parameters& p);
+  void resolve(const Parameters& p);
+  void begin();
+  void change(const Parameters& p);
   Attempt attempt();
   std::vector<int> verticesToMove() const;
   void adapt(Attempt& a);
@@ -109,28 +134,30 @@ struct ActiveContour::State {
   StepReport step();
 };
 
-void ActiveContour::State::resolve(const Volume& volume, const std::vector<Seed>& seeds,
-                                   const Parameters& p) {
-  requireSensible(p);
+void ActiveContour::State::chooseImage(const Parameters& p) {
   const ObjectChoice choice = chooseObject(volume, seeds, p);
-  image = std::make_unique<ObjectImage>(choice.volume, choice.range, choice.contrast, choice.levels,
-                                        choice.neck ? choice.neck->barrier : nullptr);
+  image =
+      std::make_shared<ObjectImage>(choice.volume, choice.range, choice.contrast, choice.levels, choice.neck);
+  parameters.object = choice.object;
+  parameters.range = choice.range;
+  parameters.smoothing = choice.volume->sigma();
+}
+
+//! Everything but the seeds' radii. Precondition: the image is that of `p`.
+void ActiveContour::State::resolve(const Parameters& p) {
   const double voxel = volume.grid.meanSpacing();
   double fit = 0;
   for (const Seed& s : seeds) fit = std::max(fit, fittingRadius(*image, s.centre, 8 * voxel));
   // Two voxels, but finer in thin structures.
   const double edge = p.edgeLength.value_or(std::clamp(0.6 * fit / voxel, 1.0, 2.0) * voxel);
 
-  parameters.object = choice.object;
-  parameters.range = choice.range;
-  parameters.smoothing = choice.volume->sigma();
+  requested = p;
   parameters.edgeLength = edge;
   parameters.direction = p.direction;
   parameters.balloon = p.balloon;
   parameters.curvature = p.curvature;
   parameters.maxIterations = p.maxIterations;
   parameters.threads = p.threads;
-  parameters.seeds = fitSeeds(*image, seeds, edge);
 
   motion.balloon = p.balloon;
   motion.curvature = p.curvature;
@@ -139,10 +166,30 @@ void ActiveContour::State::resolve(const Volume& volume, const std::vector<Seed>
   motion.outwardOnly = p.direction == Direction::outward;
   motion.threads = p.threads;
   limits = {kLongest * edge, kShortest * edge};
-  mesh = seedMesh(parameters.seeds, edge);
+}
+
+void ActiveContour::State::begin() {
+  parameters.seeds = fitSeeds(*image, seeds, parameters.edgeLength, parameters.direction == Direction::both);
+  mesh = seedMesh(parameters.seeds, parameters.edgeLength);
   quiet.assign(idx(mesh.vertexSlots()), 0);
   topology = topologyNumbers(mesh);
-  if (p.maxIterations == 0) stop = StopReason::maxIterations;
+  if (parameters.maxIterations == 0) stop = StopReason::maxIterations;
+}
+
+void ActiveContour::State::change(const Parameters& p) {
+  requireSensible(p);
+  if (!sameImage(p, requested)) chooseImage(p);
+  const bool wake = !sameMotion(p, requested);
+  resolve(p);
+  if (wake) {
+    quiet.assign(idx(mesh.vertexSlots()), 0);
+    resting = {};
+    quietIterations = nearlyStillIterations = 0;
+    smallestExtent = 0;
+  }
+  if (stop == StopReason::maxIterations || (wake && stop == StopReason::converged))
+    stop = StopReason::running;
+  if (stop == StopReason::running && iteration >= p.maxIterations) stop = StopReason::maxIterations;
 }
 
 std::vector<int> ActiveContour::State::verticesToMove() const {
@@ -173,10 +220,11 @@ ActiveContour::State::Attempt ActiveContour::State::attempt() {
 
 //! Detection and surgery until nothing intersects, or until a place has to be rolled back.
 void ActiveContour::State::adapt(Attempt& a) {
-  AdaptationSettings settings{motion.outwardOnly, traces, iteration, topology};
+  AdaptationSettings settings{motion.outwardOnly, traces, iteration, topology, {}};
+  settings.cameBack = [this](const Vec3& p) { return resting.cameBack(p, limits.longest); };
   std::vector<unsigned char> changed = a.touched;
   for (int round = 0; round < kRounds; ++round) {
-    const std::vector<FacePair>& pairs = detector.detectMoved(mesh.positions(), mesh.faces(), changed);
+    const std::vector<FacePair>& pairs = detector.detectMoved(mesh, changed);
     if (pairs.empty()) return;
     changed.assign(idx(mesh.vertexSlots()), 0);
     for (const auto& [f, g] : pairs)
@@ -194,7 +242,7 @@ void ActiveContour::State::adapt(Attempt& a) {
       return;
     }
   }
-  for (const auto& [f, g] : detector.detectMoved(mesh.positions(), mesh.faces(), changed)) {
+  for (const auto& [f, g] : detector.detectMoved(mesh, changed)) {
     const Vec3 centre = mesh.position(mesh.face(f)[0]);
     a.troubles.push_back(
         {centre, 2 * limits.longest, "the surface still intersected itself after several changes"});
@@ -225,26 +273,21 @@ void ActiveContour::State::deleteCollapsed(Attempt& a) {
 void ActiveContour::State::updateQuiet(const Attempt& a) {
   const std::size_t known = quiet.size();
   quiet.resize(idx(mesh.vertexSlots()), 0);
-  std::vector<unsigned char> stirred(quiet.size(), 0);
-  std::vector<double> moved(quiet.size(), 0);
-  for (std::size_t i = 0; i < a.moving.size(); ++i) {
-    const int v = a.moving[i];
-    if (!mesh.isVertex(v)) continue;
-    moved[idx(v)] = a.distances[i];
-    if (a.distances[i] > kStirring * parameters.edgeLength)
-      mesh.forEachNeighbour(v, [&](int w) { stirred[idx(w)] = 1; });
-  }
+  // Vertices that surgery made, moved or gave new faces are awake.
   std::vector<unsigned char> wasMoved(quiet.size(), 0);
   for (int v : a.moving) wasMoved[idx(v)] = 1;
-  for (std::size_t v = 0; v < quiet.size(); ++v) {
-    const bool fresh = v >= known || (a.touched[v] && !wasMoved[v]);
-    if (fresh || stirred[v])
-      quiet[v] = 0;
-    else if (wasMoved[v])
-      quiet[v] = moved[v] < kQuiet * parameters.edgeLength
-                     ? static_cast<unsigned char>(std::min(quiet[v] + 1, kQuietToSleep))
-                     : static_cast<unsigned char>(0);
+  for (std::size_t v = 0; v < quiet.size(); ++v)
+    if (v >= known || (a.touched[v] != 0 && wasMoved[v] == 0)) quiet[v] = 0;
+  const double quietMove = kQuiet * parameters.edgeLength, stirringMove = kStirring * parameters.edgeLength;
+  for (std::size_t i = 0; i < a.moving.size(); ++i) {
+    unsigned char& q = quiet[idx(a.moving[i])];
+    if (idx(a.moving[i]) >= known || !mesh.isVertex(a.moving[i])) continue;
+    q = a.distances[i] < quietMove ? static_cast<unsigned char>(std::min(q + 1, kQuietToSleep))
+                                   : static_cast<unsigned char>(0);
   }
+  for (std::size_t i = 0; i < a.moving.size(); ++i)
+    if (a.distances[i] > stirringMove && mesh.isVertex(a.moving[i]))
+      mesh.forEachNeighbour(a.moving[i], [&](int w) { quiet[idx(w)] = 0; });
 }
 
 void ActiveContour::State::accept(Attempt& a, StepReport& report) {
@@ -294,7 +337,7 @@ void ActiveContour::State::decideStop(const StepReport& report) {
 StepReport ActiveContour::State::step() {
   StepReport report;
   report.iteration = ++iteration;
-  const Mesh before = mesh;
+  before = mesh;
   const auto rollBack = [&](const Trouble& t) {
     report.events.push_back(rolledBack(t.centre, t.reason));
     resting.add(t.centre, t.radius + 0.5 * limits.longest, iteration);
@@ -321,17 +364,36 @@ StepReport ActiveContour::State::step() {
 
 ActiveContour::ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters parameters)
     : state_(std::make_unique<State>()) {
-  state_->resolve(volume, seeds, parameters);
+  requireSensible(parameters);
+  state_->volume = std::move(volume);
+  state_->seeds = std::move(seeds);
+  state_->chooseImage(parameters);
+  state_->resolve(parameters);
+  state_->begin();
 }
 ActiveContour::~ActiveContour() = default;
 ActiveContour::ActiveContour(ActiveContour&&) noexcept = default;
 ActiveContour& ActiveContour::operator=(ActiveContour&&) noexcept = default;
+ActiveContour::ActiveContour(const ActiveContour& other) : state_(std::make_unique<State>(*other.state_)) {}
+ActiveContour& ActiveContour::operator=(const ActiveContour& other) { return *this = ActiveContour(other); }
 
 StepReport ActiveContour::step() { return state_->step(); }
+void ActiveContour::changeParameters(const Parameters& parameters) {
+  auto changed = std::make_unique<State>(*state_);
+  changed->change(parameters);
+  state_ = std::move(changed);
+}
 StopReason ActiveContour::stopReason() const { return state_->stop; }
 int ActiveContour::iteration() const { return state_->iteration; }
 const Mesh& ActiveContour::mesh() const { return state_->mesh; }
 const ResolvedParameters& ActiveContour::parameters() const { return state_->parameters; }
+const Parameters& ActiveContour::requested() const { return state_->requested; }
+const std::vector<Seed>& ActiveContour::requestedSeeds() const { return state_->seeds; }
+bool ActiveContour::isSettled(int vertex) const { return state_->sleeps(vertex); }
+std::size_t ActiveContour::memory() const {
+  return sizeof(State) + state_->mesh.memory() + state_->quiet.size();
+}
+std::vector<std::string> ActiveContour::doubts() const { return imageDoubts(state_->mesh, *state_->image); }
 void ActiveContour::recordTraces(bool on) { state_->traces = on; }
 
 }  // namespace handlebody

@@ -2,6 +2,8 @@
 // The active contour: seeds grow into the object; each step is a transaction that leaves a certified mesh.
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "core/evolution/parameters.h"
 #include "core/evolution/step_report.h"
@@ -21,16 +23,35 @@ class ActiveContour {
   ~ActiveContour();
   ActiveContour(ActiveContour&&) noexcept;
   ActiveContour& operator=(ActiveContour&&) noexcept;
+  //! A copy goes on exactly as the original would, bit for bit. The image is shared: what a copy costs is the
+  //! mesh.
+  ActiveContour(const ActiveContour&);
+  ActiveContour& operator=(const ActiveContour&);
 
   //! One iteration, all or nothing: the mesh it leaves is closed, manifold, oriented and free of
   //! self-intersections.
   StepReport step();
+
+  //! Goes on with other parameters from here. What is automatic is chosen as for a new contour with the same
+  //! seeds; the mesh and the seeds' radii stay. Everything that has settled or rests wakes, unless only the
+  //! iterations or threads have changed. Throws as the constructor, and nothing has changed then.
+  void changeParameters(const Parameters& parameters);
 
   //! StopReason::running while step() would go on.
   StopReason stopReason() const;
   int iteration() const;
   const Mesh& mesh() const;
   const ResolvedParameters& parameters() const;
+  //! As asked for: with what was left to the image still open.
+  const Parameters& requested() const;
+  const std::vector<Seed>& requestedSeeds() const;
+  //! True if the vertex has not moved for a while and sleeps. Precondition: mesh().isVertex(vertex).
+  bool isSettled(int vertex) const;
+  //! Bytes of a copy that are its own: not the image.
+  std::size_t memory() const;
+  //! What in the image speaks against the surface as it is now: sentences without a full stop
+  //! (image_doubts.h).
+  std::vector<std::string> doubts() const;
   //! Traces of events are recorded from the next step on. Off by default.
   void recordTraces(bool on);
 

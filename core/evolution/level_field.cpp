@@ -50,7 +50,8 @@ LevelField::LevelField(const Grid&, double level) : values_{level} {}
 LevelField LevelField::between(const LevelField& a, const LevelField& b, double part) {
   LevelField out = b.values_.size() == 1 ? a : b;
   for (std::size_t i = 0; i < out.values_.size(); ++i) {
-    const double from = a.values_[a.values_.size() == 1 ? 0 : i], to = b.values_[b.values_.size() == 1 ? 0 : i];
+    const double from = a.values_[a.values_.size() == 1 ? 0 : i],
+                 to = b.values_[b.values_.size() == 1 ? 0 : i];
     out.values_[i] = from + part * (to - from);
   }
   return out;
@@ -65,8 +66,8 @@ double LevelField::interpolate(const Vec3& index) const {
   std::size_t stride = 1;
   for (std::size_t a = 0; a < 3; ++a) {
     // In this order a coordinate that is not a number becomes 0.
-    const double x = std::min(std::max(0.0, index[static_cast<int>(a)] * perVoxel_[static_cast<int>(a)]),
-                              nodes_[a] - 1.0);
+    const double x =
+        std::min(std::max(0.0, index[static_cast<int>(a)] * perVoxel_[static_cast<int>(a)]), nodes_[a] - 1.0);
     const int cell = std::min(static_cast<int>(x), std::max(0, nodes_[a] - 2));
     t[a] = x - cell;
     low[a] = idx(cell) * stride;
@@ -77,7 +78,8 @@ double LevelField::interpolate(const Vec3& index) const {
   const double* p = &values_[low[0] + low[1] + low[2]];
   const double* q = p + next[2];
   return along(along(along(p[0], p[next[0]], t[0]), along(p[next[1]], p[next[1] + next[0]], t[0]), t[1]),
-               along(along(q[0], q[next[0]], t[0]), along(q[next[1]], q[next[1] + next[0]], t[0]), t[1]), t[2]);
+               along(along(q[0], q[next[0]], t[0]), along(q[next[1]], q[next[1] + next[0]], t[0]), t[1]),
+               t[2]);
 }
 
 LevelField::Samples::Samples(const Grid& grid) : grid_(grid) {

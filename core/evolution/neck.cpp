@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 
 namespace handlebody {
@@ -25,8 +23,8 @@ constexpr int kBinsPerVoxel = 4;
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
-//! The box of a region, one voxel wider on all sides, with the distance of every voxel (mm, chamfer: Borgefors
-//! 1986) to the outside. The border of the volume is no wall.
+//! The box of a region, one voxel wider on all sides, with the distance of every voxel (mm, chamfer:
+//! Borgefors 1986) to the outside. The border of the volume is no wall.
 class ThicknessMap {
  public:
   ThicknessMap(const Grid& grid, const ObjectRegion& region) : grid_(grid) {
@@ -63,7 +61,8 @@ class ThicknessMap {
     return (idx(v[2] - low_[2]) * idx(size_[1]) + idx(v[1] - low_[1])) * idx(size_[0]) + idx(v[0] - low_[0]);
   }
   Voxel voxel(std::size_t i) const {
-    const auto x = static_cast<int>(i % idx(size_[0])), y = static_cast<int>(i / idx(size_[0]) % idx(size_[1])),
+    const auto x = static_cast<int>(i % idx(size_[0])),
+               y = static_cast<int>(i / idx(size_[0]) % idx(size_[1])),
                z = static_cast<int>(i / (idx(size_[0]) * idx(size_[1])));
     return {x + low_[0], y + low_[1], z + low_[2]};
   }
@@ -203,7 +202,8 @@ WidestPathFlood floodThickFirst(const ThicknessMap& map, const std::vector<std::
 
 //! The side of the seeds: what a ball of the neck's radius covers without passing the neck, and all crumbs
 //! that hang on it alone. Marks: 1 = kept, 2 = cut off, 0 = no part of the region.
-std::vector<unsigned char> splitAt(const ThicknessMap& map, const WidestPathFlood& flood, const Stage& stage) {
+std::vector<unsigned char> splitAt(const ThicknessMap& map, const WidestPathFlood& flood,
+                                   const Stage& stage) {
   std::vector<unsigned char> core(map.count(), 0);
   for (std::size_t i = 0; i < stage.first; ++i) core[flood.order[i]] = 1;
   const std::vector<float> fromCore = map.distanceTo(core);
@@ -273,10 +273,12 @@ double Barrier::openness(const Vec3& index) const {
   const float* p = &values_[low[0] + low[1] + low[2]];
   const float* q = p + next[2];
   return along(along(along(p[0], p[next[0]], t[0]), along(p[next[1]], p[next[1] + next[0]], t[0]), t[1]),
-               along(along(q[0], q[next[0]], t[0]), along(q[next[1]], q[next[1] + next[0]], t[0]), t[1]), t[2]);
+               along(along(q[0], q[next[0]], t[0]), along(q[next[1]], q[next[1] + next[0]], t[0]), t[1]),
+               t[2]);
 }
 
-std::optional<NeckCut> findNeck(const Grid& grid, const ObjectRegion& region, const std::vector<Vec3>& seeds) {
+std::optional<NeckCut> findNeck(const Grid& grid, const ObjectRegion& region,
+                                const std::vector<Vec3>& seeds) {
   if (region.voxels.empty()) return {};
   const ThicknessMap map(grid, region);
   std::vector<std::size_t> starts, seedVoxels;
@@ -291,23 +293,18 @@ std::optional<NeckCut> findNeck(const Grid& grid, const ObjectRegion& region, co
   }
   if (starts.empty() || structure <= 0) return {};
   const WidestPathFlood flood = floodThickFirst(map, starts, grid.meanSpacing() / kBinsPerVoxel);
-  const double total = static_cast<double>(region.voxels.size());
-  if (getenv("DBG")) {
-    fprintf(stderr, "neck: structure %g total %g:", structure, total);
-    for (const Stage& s : flood.stages) fprintf(stderr, " (%.2f %zu+%zu w%.1f)", s.neck, s.first, s.last - s.first, s.widest);
-    fprintf(stderr, "\n");
-  }
   for (const Rule& rule : kRules)
     for (const Stage& stage : flood.stages) {
-      const double before = static_cast<double>(stage.first), more = static_cast<double>(stage.last - stage.first);
+      const double before = static_cast<double>(stage.first),
+                   more = static_cast<double>(stage.last - stage.first);
       if (stage.neck > rule.narrow * structure || stage.first == 0 || more < rule.larger * before ||
           stage.widest < rule.wider * structure)
         continue;
       const std::vector<unsigned char> side = splitAt(map, flood, stage);
       const auto kept = static_cast<double>(std::count(side.begin(), side.end(), 1));
       const auto cut = static_cast<double>(std::count(side.begin(), side.end(), 2));
-      if (getenv("DBG")) fprintf(stderr, "neck: try %g kept %g cut %g\n", stage.neck, kept, cut);
-      const bool seedsKept = std::none_of(seedVoxels.begin(), seedVoxels.end(), [&](std::size_t i) { return side[i] == 2; });
+      const bool seedsKept =
+          std::none_of(seedVoxels.begin(), seedVoxels.end(), [&](std::size_t i) { return side[i] == 2; });
       if (!seedsKept || cut < rule.larger * kept) continue;
       NeckCut out;
       out.neckRadius = stage.neck;

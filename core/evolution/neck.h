@@ -25,11 +25,11 @@ class Barrier {
 
 //! A region cut at its neck.
 struct NeckCut {
-  double neckRadius = 0;       //!< mm: of the widest ball that passes to what was cut off
-  double structureRadius = 0;  //!< mm: of the ball that fits into the seeded structure
-  double widestBehind = 0;     //!< mm: of the widest ball behind the neck
-  double keptVolume = 0;       //!< mm³
-  double cutVolume = 0;        //!< mm³; a lower bound if the region was not whole
+  double neckRadius = 0;            //!< mm: of the widest ball that passes to what was cut off
+  double structureRadius = 0;       //!< mm: of the ball that fits into the seeded structure
+  double widestBehind = 0;          //!< mm: of the widest ball behind the neck
+  double keptVolume = 0;            //!< mm³
+  double cutVolume = 0;             //!< mm³; a lower bound if the region was not whole
   std::vector<unsigned char> kept;  //!< for each voxel of the region: 1 = on the side of the seeds
   std::shared_ptr<const Barrier> barrier;
 };

@@ -11,6 +11,11 @@ constexpr double kBorder = 0.49;  // voxels
 }  // namespace
 
 double ObjectImage::inside(const Vec3& world) const {
+  const double value = insideByIntensity(world);
+  return neck_ ? std::min(value, neck_->barrier->openness(volume_->grid().toIndex(world))) : value;
+}
+
+double ObjectImage::insideByIntensity(const Vec3& world) const {
   const Grid& grid = volume_->grid();
   const Vec3 index = grid.toIndex(world);
   double border = 1;
@@ -18,7 +23,6 @@ double ObjectImage::inside(const Vec3& world) const {
     const double last = grid.size[static_cast<std::size_t>(a)] - 1.0;
     border = std::min({border, index[a] + kBorder, last + kBorder - index[a]});
   }
-  if (barrier_) border = std::min(border, barrier_->openness(index));
   const double value = volume_->sample(index);
   double low = range_.low, high = range_.high;
   if (levels_) (std::isfinite(high) ? high : low) = levels_->at(index);

@@ -33,7 +33,8 @@ class ObjectFlood {
         for (int step : {-1, 1}) {
           Voxel w = v;
           w[static_cast<std::size_t>(axis)] += step;
-          if (visit(w) == kOutside) region_.faces.push_back({static_cast<std::int32_t>(next), axis, static_cast<std::int8_t>(step)});
+          if (visit(w) == kOutside)
+            region_.faces.push_back({static_cast<std::int32_t>(next), axis, static_cast<std::int8_t>(step)});
         }
     }
     return std::move(region_);

@@ -11,6 +11,7 @@ namespace handlebody {
 struct Seed {
   Vec3 centre{0, 0, 0};            //!< mm, LPS
   std::optional<double> radius{};  //!< mm; none: what fits
+  bool operator==(const Seed&) const = default;
 };
 
 enum class ObjectKind { automatic, dark, bright };
@@ -20,6 +21,7 @@ enum class Direction { outward, both };
 struct IntensityRange {
   double low = 0;
   double high = 0;
+  bool operator==(const IntensityRange&) const = default;
 };
 
 //! What a user may choose. Empty optionals are chosen from the image; `ResolvedParameters` says what was
@@ -34,6 +36,13 @@ struct Parameters {
   double curvature = 0.2;  //!< weight of the curvature regularisation, >= 0
   int maxIterations = 3000;
   int threads = 1;
+  bool operator==(const Parameters&) const = default;
+};
+
+//! Parameters that hold from the step after `iteration` on.
+struct ParameterChange {
+  int iteration = 0;
+  Parameters parameters{};
 };
 
 //! Every parameter as used.

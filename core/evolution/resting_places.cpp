@@ -39,6 +39,12 @@ bool RestingPlaces::repeats(const Vec3& p, double radius) {
   return false;
 }
 
+bool RestingPlaces::cameBack(const Vec3& p, double radius) const {
+  return std::any_of(changes_.begin(), changes_.end(), [&](const Change& c) {
+    return c.times >= kCameBack && (c.centre - p).squaredNorm() < radius * radius;
+  });
+}
+
 bool RestingPlaces::rests(const Vec3& p, int iteration) const {
   return std::any_of(places_.begin(), places_.end(), [&](const Place& place) {
     return iteration < place.until && (p - place.centre).squaredNorm() < place.radius * place.radius;

@@ -11,6 +11,8 @@ namespace handlebody {
 //! Changes at one place after which it rests for good. A neck that closes, a crease that fills take a few
 //! each.
 inline constexpr int kMostRepeats = 12;
+//! Changes at one place after which smoothing alone is not expected to help.
+inline constexpr int kCameBack = 3;
 
 class RestingPlaces {
  public:
@@ -19,6 +21,8 @@ class RestingPlaces {
   //! Counts a change of the mesh at `p`. True when it is the kMostRepeats-th within `radius`: the place then
   //! rests for good, so that attaching and splitting, or folding and smoothing, cannot go on for ever.
   bool repeats(const Vec3& p, double radius);
+  //! True if the mesh has changed kCameBack times or more within `radius` of p.
+  bool cameBack(const Vec3& p, double radius) const;
   bool rests(const Vec3& p, int iteration) const;
   bool any(int iteration) const;
   //! True if some place rests now but will move again.

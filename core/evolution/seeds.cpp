@@ -36,12 +36,18 @@ double fittingRadius(const ObjectImage& image, const Vec3& centre, double limit)
   return limit;
 }
 
-std::vector<Seed> fitSeeds(const ObjectImage& image, const std::vector<Seed>& seeds, double edgeLength) {
+std::vector<Seed> fitSeeds(const ObjectImage& image, const std::vector<Seed>& seeds, double edgeLength,
+                           bool beyond) {
   std::vector<Seed> fitted;
   for (const Seed& seed : seeds) {
-    const double fit =
-        fittingRadius(image, seed.centre, std::max(seed.radius.value_or(0), kLargestSeed * edgeLength));
-    double radius = seed.radius ? std::min(*seed.radius, fit) : kFit * fit;
+    double radius = 0;
+    if (seed.radius && beyond) {
+      radius = *seed.radius;
+    } else {
+      const double fit =
+          fittingRadius(image, seed.centre, std::max(seed.radius.value_or(0), kLargestSeed * edgeLength));
+      radius = seed.radius ? std::min(*seed.radius, fit) : kFit * fit;
+    }
     radius = std::max(radius, kSmallestSeed * edgeLength);
     for (const Seed& other : fitted)
       radius = std::min(radius, (seed.centre - other.centre).norm() - *other.radius - edgeLength);

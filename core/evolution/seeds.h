@@ -11,9 +11,11 @@ namespace handlebody {
 double fittingRadius(const ObjectImage& image, const Vec3& centre, double limit);
 
 //! Gives every seed a radius: the one asked for, or what fits, and never so large that two balls come closer
-//! than one edge length to each other. A seed that lies in or too close to an earlier ball is left out: that
-//! ball grows over it.
-std::vector<Seed> fitSeeds(const ObjectImage& image, const std::vector<Seed>& seeds, double edgeLength);
+//! than one edge length to each other. A radius that was asked for may reach beyond the object only where the
+//! surface may shrink (`beyond`); elsewhere it is cut to what fits. A seed that lies in or too close to an
+//! earlier ball is left out: that ball grows over it.
+std::vector<Seed> fitSeeds(const ObjectImage& image, const std::vector<Seed>& seeds, double edgeLength,
+                           bool beyond);
 
 //! The spheres of the seeds as one mesh.
 Mesh seedMesh(const std::vector<Seed>& seeds, double edgeLength);

@@ -82,14 +82,22 @@ std::size_t ByteStream::read(void* to, std::size_t n) {
   return done;
 }
 
-void ByteStream::readAll(void* to, std::size_t n) {
-  if (read(to, n) != n) throw InputError(state_->path + ": the voxel data are truncated or damaged.");
+void ByteStream::readAll(void* to, std::size_t n, const ReadControl& control) {
+  constexpr std::size_t kPart = 4u << 20;  // a few milliseconds, also where it is inflated
+  for (std::size_t done = 0; done < n;) {
+    handlebody::report(control, static_cast<double>(done) / static_cast<double>(n));
+    const std::size_t part = std::min(kPart, n - done);
+    if (read(static_cast<char*>(to) + done, part) != part)
+      throw InputError(state_->path + ": the voxel data are truncated or damaged.");
+    done += part;
+  }
 }
 
-void ByteStream::skip(std::uint64_t n) {
+void ByteStream::skip(std::uint64_t n, const ReadControl& control) {
   std::vector<char> sink(1 << 16);
   while (n > 0) {
     const auto part = static_cast<std::size_t>(std::min<std::uint64_t>(n, sink.size()));
+    handlebody::report(control, 0);
     readAll(sink.data(), part);
     n -= part;
   }

@@ -6,6 +6,8 @@
 #include <memory>
 #include <string>
 
+#include "core/io/volume_source.h"
+
 namespace handlebody {
 
 //! Sequential reader. Compressed data (gzip, also of several members, or zlib) are checked with their own
@@ -21,10 +23,10 @@ class ByteStream {
 
   //! Reads up to n bytes; fewer at the end of the data or where they are damaged.
   std::size_t read(void* to, std::size_t n);
-  //! Throws InputError unless n bytes could be read.
-  void readAll(void* to, std::size_t n);
+  //! Throws InputError unless n bytes could be read. Says how far it is, and may be cancelled.
+  void readAll(void* to, std::size_t n, const ReadControl& control = {});
   //! Passes over n bytes; throws InputError if there are not so many.
-  void skip(std::uint64_t n);
+  void skip(std::uint64_t n, const ReadControl& control = {});
   //! Throws InputError if the stream breaks off or its checksum is wrong at this place. (Further data is
   //! fine.)
   void checkEnd();

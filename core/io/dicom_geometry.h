@@ -1,22 +1,39 @@
 #pragma once
 // Internal: the grid of a stack of DICOM slices, from their positions. No DICOM library here.
 
-#include <optional>
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "core/volume/volume.h"
+#include "core/io/dicom_header.h"
+#include "core/io/volume_source.h"
 
 namespace handlebody {
 
+//! One image of one place: a file of a series, or a frame of a multi-frame file.
 struct DicomSlice {
-  std::string file;
-  int columns = 0;
-  int rows = 0;
-  std::optional<Vec3> position{};      //!< mm, LPS: centre of the first pixel
-  std::optional<Vec3> rowDirection{};  //!< direction in which the column index grows
-  std::optional<Vec3> columnDirection{};
-  std::optional<Vec3> pixelSpacing{};  //!< mm: x between columns, y between rows
+  const DicomFile* file = nullptr;
+  int frame = 0;
+
+  const DicomPlace& place() const { return file->places[static_cast<std::size_t>(frame)]; }
+};
+
+//! Where a slice of the input lies in the grid of the volume.
+struct SlicePlace {
+  double along = 0;     //!< mm from the first slice, along the normal
+  double x = 0, y = 0;  //!< index in the grid of its first pixel
+};
+
+struct DicomStack {
+  Grid grid;
+  int frames = 1;                  //!< time points
+  std::vector<DicomSlice> slices;  //!< of the first time point in the order of space, then of the next …
+  std::vector<SlicePlace> places;  //!< one per slice of one time point
+  bool straight = true;            //!< the slices are the grid's; else they are to be resampled
+  std::string distanceSource;      //!< of the distance between slices
+  std::vector<std::string> warnings;
+
+  std::size_t slicesPerFrame() const { return places.size(); }
 };
 
 //! Largest distance of a slice from its place in the even stack: a tenth of the slice distance, at most this
@@ -26,9 +43,15 @@ inline constexpr double kLargestSliceOffset = 0.1;
 //! passes this within a few slices, rounded direction cosines do not.
 inline constexpr double kLargestShift = 0.25;
 
-//! Sorts the slices along their normal and returns their grid (right-handed: row × column is the third axis).
-//! Throws InputError (which begins with `path`) for less than two slices, missing geometry, slices of
-//! different size or direction, two slices in one place, uneven spacing and a tilted stack.
-Grid stackSlices(std::vector<DicomSlice>& slices, const std::string& path);
+//! True if two slices hold the same pixels.
+using SamePixels = std::function<bool(const DicomSlice&, const DicomSlice&)>;
+
+//! Sorts the slices along their normal and finds their grid (right-handed: row × column is the third axis).
+//! Copies of a slice are left out; several slices in every place are time points. A tilted stack gets a
+//! straight grid that holds all of it, an uneven one the median distance or the smallest above half of it;
+//! warnings say so. Throws InputError (which begins with `path`) for less than two slices, missing geometry,
+//! slices of different size or direction, and time points that are not complete.
+DicomStack stackSlices(std::vector<DicomSlice> slices, const std::string& path, UnevenSlices uneven,
+                       const SamePixels& same);
 
 }  // namespace handlebody

@@ -1,346 +1,307 @@
-// A plain DICOM series: one file per slice. Tags through GDCM's scanner, the grid from the positions
-// (dicom_geometry.h), pixels through ITK slice by slice into the one buffer.
-
-#include <gdcmScanner.h>
-#include <itkGDCMImageIO.h>
+#include "core/io/dicom_source.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <set>
 
 #include "core/errors.h"
 #include "core/io/dicom_geometry.h"
-#include "core/io/dicom_structure.h"
-#include "core/io/itk_source.h"
+#include "core/io/dicom_pixels.h"
+#include "core/io/dicom_resample.h"
+#include "core/io/itk_guard.h"
 
 namespace handlebody {
 namespace {
 
 namespace fs = std::filesystem;
 
-const gdcm::Tag kTransferSyntax(0x0002, 0x0010), kModality(0x0008, 0x0060), kDescription(0x0008, 0x103e),
-    kSeriesUid(0x0020, 0x000e), kPosition(0x0020, 0x0032), kOrientation(0x0020, 0x0037),
-    kSamples(0x0028, 0x0002), kFrames(0x0028, 0x0008), kRows(0x0028, 0x0010), kColumns(0x0028, 0x0011),
-    kPixelSpacing(0x0028, 0x0030), kBitsAllocated(0x0028, 0x0100), kBitsStored(0x0028, 0x0101),
-    kSign(0x0028, 0x0103), kIntercept(0x0028, 0x1052), kSlope(0x0028, 0x1053);
+//! The images of one series.
+struct Series {
+  std::string uid;
+  std::vector<DicomFile*> files;
 
-struct ScannedSlice : DicomSlice {
-  std::string uid, description, transferSyntax;
-  std::string valueTags;  //!< what the type of the decoded values depends on
-  int frames = 1, samples = 1, bits = 16;
-  DicomStructure structure{};
+  int images() const {
+    int n = 0;
+    for (const DicomFile* f : files) n += f->frames;
+    return n;
+  }
 };
 
-std::string text(const gdcm::Scanner& scanner, const std::string& file, const gdcm::Tag& tag) {
-  const char* value = scanner.GetValue(file.c_str(), tag);
-  if (!value) return {};
-  std::string s(value);
-  while (!s.empty() && (s.back() == ' ' || s.back() == '\0')) s.pop_back();
-  return s.substr(std::min(s.size(), s.find_first_not_of(' ')));
-}
-
-//! The numbers of a multi-valued field, in the C locale whatever the program's is; nothing unless all n are
-//! there.
-std::optional<std::vector<double>> numbers(const std::string& s, std::size_t n) {
-  std::vector<double> values;
-  std::size_t at = 0;
-  while (at <= s.size() && values.size() < n) {
-    while (at < s.size() && (s[at] == ' ' || s[at] == '+')) ++at;
-    double value = 0;
-    const auto [end, error] = std::from_chars(s.data() + at, s.data() + s.size(), value);
-    if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
-    values.push_back(value);
-    at = s.find('\\', static_cast<std::size_t>(end - s.data()));
-    if (at == std::string::npos) break;
-    ++at;
+std::vector<Series> seriesOf(DicomScan& scan) {
+  std::map<std::string, Series> found;
+  for (DicomFile& f : scan.images) {
+    Series& series = found[f.seriesUid];
+    series.uid = f.seriesUid;
+    series.files.push_back(&f);
   }
-  if (values.size() != n) return std::nullopt;
-  return values;
-}
-
-int integer(const std::string& s, int otherwise) {
-  const auto value = numbers(s, 1);
-  return value && std::abs((*value)[0]) < 1e9 ? static_cast<int>((*value)[0]) : otherwise;
-}
-
-ScannedSlice scannedSlice(const gdcm::Scanner& scanner, const std::string& file) {
-  const auto get = [&](const gdcm::Tag& tag) { return text(scanner, file, tag); };
-  ScannedSlice s;
-  s.file = file;
-  s.uid = get(kSeriesUid);
-  s.description = get(kModality);
-  const std::string words = get(kDescription);
-  if (!words.empty()) s.description += (s.description.empty() ? "" : " ") + words;
-  s.transferSyntax = get(kTransferSyntax);
-  s.rows = integer(get(kRows), 0);
-  s.columns = integer(get(kColumns), 0);
-  s.frames = integer(get(kFrames), 1);
-  s.samples = integer(get(kSamples), 1);
-  s.bits = integer(get(kBitsAllocated), 16);
-  for (const gdcm::Tag& tag : {kBitsAllocated, kBitsStored, kSign, kIntercept, kSlope, kSamples})
-    s.valueTags += get(tag) + "|";
-  if (const auto p = numbers(get(kPosition), 3)) s.position = Vec3((*p)[0], (*p)[1], (*p)[2]);
-  if (const auto o = numbers(get(kOrientation), 6)) {
-    s.rowDirection = Vec3((*o)[0], (*o)[1], (*o)[2]);
-    s.columnDirection = Vec3((*o)[3], (*o)[4], (*o)[5]);
-  }
-  // The field gives the distance between rows first.
-  if (const auto p = numbers(get(kPixelSpacing), 2)) s.pixelSpacing = Vec3((*p)[1], (*p)[0], 0);
-  return s;
-}
-
-bool hasPreamble(const fs::path& file) {
-  char start[132] = {};
-  std::ifstream stream(file, std::ios::binary);
-  return stream.read(start, sizeof start) && std::memcmp(start + 128, "DICM", 4) == 0;
-}
-
-//! A cheap look before anything parses: the file has the preamble, or begins with a tag of group 2 or 8.
-bool isCandidate(const fs::path& file) {
-  unsigned char start[8] = {};
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(reinterpret_cast<char*>(start), sizeof start);
-  if (stream.gcount() < 8) return false;
-  return ((start[0] == 2 || start[0] == 8) && start[1] == 0 && start[3] == 0) || hasPreamble(file);
-}
-
-std::vector<std::string> candidates(const std::string& path) {
-  std::vector<std::string> files;
-  if (!fs::is_directory(path)) return {path};
-  std::error_code failed;
-  for (const auto& entry : fs::directory_iterator(path, failed))
-    if (entry.is_regular_file() && isCandidate(entry.path())) files.push_back(entry.path().string());
-  if (failed) refuseInput(path, "the folder cannot be read (" + failed.message() + ")");
-  std::sort(files.begin(), files.end());
-  if (files.empty()) refuseInput(path, "the folder holds no DICOM images");
-  return files;
-}
-
-//! Drops what only looked like DICOM; a broken DICOM file refuses the folder, it may be a slice of the
-//! series.
-std::map<std::string, DicomStructure> walkAll(const std::string& path, std::vector<std::string>& files) {
-  std::map<std::string, DicomStructure> structures;
-  for (const std::string& file : files) {
-    const DicomStructure structure = walkDicom(file);
-    if (structure.whole)
-      structures[file] = structure;
-    else if (file == path)
-      refuseInput(path, "the DICOM file is truncated or damaged");
-    else if (hasPreamble(file))
-      refuseInput(path, "the file " + file + " is truncated or damaged");
-  }
-  std::erase_if(files, [&](const std::string& file) { return structures.count(file) == 0; });
-  return structures;
-}
-
-struct Scan {
-  std::vector<ScannedSlice> slices{};
-  std::vector<ScannedSlice> others{};  //!< DICOM files without an image: reports, structures, cut off slices
-};
-
-//! A file without an image that names the series of images is one of them, cut off between two elements.
-void checkOthers(const Scan& scanned, const std::string& path) {
-  for (const ScannedSlice& other : scanned.others)
-    for (const ScannedSlice& s : scanned.slices)
-      if (!other.uid.empty() && other.uid == s.uid)
-        refuseInput(path, "the file " + other.file + " is truncated (a slice without an image)");
-}
-
-Scan scan(const std::string& path) {
-  const Quiet quiet;
-  std::vector<std::string> files = candidates(path);
-  const auto structures = walkAll(path, files);
-  Scan scanned;
-  withItk(path, "its DICOM header cannot be read", [&] {
-    gdcm::Scanner scanner;
-    for (const gdcm::Tag& tag :
-         {kTransferSyntax, kModality, kDescription, kSeriesUid, kPosition, kOrientation, kSamples, kFrames,
-          kRows, kColumns, kPixelSpacing, kBitsAllocated, kBitsStored, kSign, kIntercept, kSlope})
-      scanner.AddTag(tag);
-    scanner.Scan(files);
-    for (const std::string& file : files) {
-      if (!scanner.IsKey(file.c_str())) continue;
-      ScannedSlice slice = scannedSlice(scanner, file);
-      slice.structure = structures.at(file);
-      const bool image = slice.rows > 0 && slice.columns > 0;
-      (image ? scanned.slices : scanned.others).push_back(std::move(slice));
-    }
-  });
-  if (scanned.slices.empty())
-    refuseInput(path, fs::is_directory(path) ? "the folder holds no DICOM images"
-                                             : "it is not a DICOM image (no rows and columns)");
-  checkOthers(scanned, path);
-  return scanned;
-}
-
-std::vector<SeriesInfo> listSeries(const std::vector<ScannedSlice>& slices) {
-  std::map<std::string, SeriesInfo> found;
-  for (const ScannedSlice& s : slices) {
-    auto [entry, fresh] = found.try_emplace(s.uid, SeriesInfo{s.uid, s.description, 0});
-    ++entry->second.files;
-  }
-  std::vector<SeriesInfo> list;
-  for (auto& [uid, info] : found) list.push_back(info);
+  std::vector<Series> list;
+  for (auto& [uid, series] : found) list.push_back(std::move(series));
   return list;
 }
 
-void checkSlices(const std::vector<ScannedSlice>& slices, const std::string& path) {
-  static const std::set<std::string> kUncompressed{"", "1.2.840.10008.1.2", "1.2.840.10008.1.2.1",
-                                                   "1.2.840.10008.1.2.2"};
-  for (const ScannedSlice& s : slices) {
-    if (s.frames > 1)
-      refuseInput(path, "this is a multi-frame DICOM file (" + std::to_string(s.frames) +
-                            " frames), which is not supported yet");
-    if (s.samples != 1) refuseInput(path, "colour DICOM images are not supported");
-    const auto bytes = static_cast<std::uint64_t>(s.rows) * static_cast<std::uint64_t>(s.columns) *
-                       static_cast<std::uint64_t>(s.samples) *
-                       static_cast<std::uint64_t>(std::max(1, s.bits)) / 8;
-    if (kUncompressed.count(s.transferSyntax) == 0) continue;
-    checkDataSize(path, s.file, 0, bytes, false);
-    if (s.structure.walked && s.structure.pixelBytes < bytes)
-      refuseInput(path, "the slice " + s.file + " holds less pixels than its header says");
+bool samePixels(const DicomSlice& a, const DicomSlice& b) {
+  const DicomStructure &sa = a.file->structure, &sb = b.file->structure;
+  const std::uint64_t bytes = sa.pixelEnd - sa.pixelOffset;
+  if (sa.pixelOffset == 0 || sb.pixelOffset == 0 || bytes != sb.pixelEnd - sb.pixelOffset) return false;
+  std::ifstream first(a.file->file, std::ios::binary), second(b.file->file, std::ios::binary);
+  first.seekg(static_cast<std::streamoff>(sa.pixelOffset));
+  second.seekg(static_cast<std::streamoff>(sb.pixelOffset));
+  std::vector<char> one(1 << 16), two(1 << 16);
+  for (std::uint64_t done = 0; done < bytes;) {
+    const auto part = static_cast<std::size_t>(std::min<std::uint64_t>(one.size(), bytes - done));
+    if (!first.read(one.data(), static_cast<std::streamsize>(part)) ||
+        !second.read(two.data(), static_cast<std::streamsize>(part)) ||
+        std::memcmp(one.data(), two.data(), part) != 0)
+      return false;
+    done += part;
   }
+  return true;
 }
 
-class DicomSource : public VolumeSource {
- public:
-  DicomSource(std::string path, const std::vector<ScannedSlice>& slices);
-  void readFrame(int frame, void* to) override;
-
- private:
-  Component typeOf(const std::string& file, itk::GDCMImageIO& io) const;
-  void readSlice(const DicomSlice& slice, char* to) const;
-  std::string path_;
-  std::vector<DicomSlice> slices_;
+//! What was assumed because the files do not say it.
+struct Assumed {
+  bool places = false, pixels = false, distance = false;
 };
 
-//! float32 holds the values of up to 16 bits exactly.
-Component widened(Component a, Component b) {
-  if (a == b) return a;
-  const auto small = [](Component c) { return bytesOf(c) <= 2 || c == Component::float32; };
-  return small(a) && small(b) ? Component::float32 : Component::float64;
-}
-
-Component DicomSource::typeOf(const std::string& file, itk::GDCMImageIO& io) const {
-  Component type{};
-  withItk(path_, "the slice " + file + " cannot be read", [&] {
-    io.SetFileName(file);
-    io.ReadImageInformation();
-    if (io.GetNumberOfComponents() != 1) refuseInput(path_, "colour DICOM images are not supported");
-    type = itkComponent(io, path_);
+//! Gives slices without a position places one behind the other, in the order of their numbers.
+Assumed assumeGeometry(Series& series, const VolumeSelection& selection, const std::string& path) {
+  Assumed assumed;
+  std::vector<DicomFile*>& files = series.files;
+  const auto any = [&](auto&& missing) {
+    return std::any_of(files.begin(), files.end(), [&](const DicomFile* f) {
+      return std::any_of(f->places.begin(), f->places.end(), missing);
+    });
+  };
+  const auto all = [&](auto&& missing) { return !any([&](const DicomPlace& p) { return !missing(p); }); };
+  const auto noPosition = [](const DicomPlace& p) { return !p.position || !p.rowDirection; };
+  const auto noSpacing = [](const DicomPlace& p) { return !p.pixelSpacing; };
+  if (!any(noPosition) && !any(noSpacing)) return assumed;
+  const bool cine = std::any_of(files.begin(), files.end(), [](const DicomFile* f) { return f->cine; });
+  if (cine && !selection.spacing)
+    refuseInput(path, "this is a cine (2D images over time: " + std::to_string(series.images()) +
+                          " frames), not a volume; if its frames are slices in space, give --spacing X,Y,Z");
+  assumed.pixels = all(noSpacing);
+  assumed.places = all(noPosition);
+  if ((any(noSpacing) && !assumed.pixels) || (any(noPosition) && !assumed.places))
+    return {};  // refused as a stack
+  if (assumed.pixels)
+    for (DicomFile* f : files)
+      for (DicomPlace& p : f->places) p.pixelSpacing = Vec3(1, 1, 0);
+  if (!assumed.places) return assumed;
+  std::stable_sort(files.begin(), files.end(), [](const DicomFile* a, const DicomFile* b) {
+    return a->instanceNumber < b->instanceNumber;
   });
-  return type;
+  const std::optional<double> stated = files.front()->sliceDistance;
+  assumed.distance = !stated || *stated <= 0;
+  const double distance = assumed.distance ? 1 : *stated;
+  int k = 0;
+  for (DicomFile* f : files)
+    for (DicomPlace& p : f->places) {
+      p.position = Vec3(0, 0, distance * k++);
+      p.rowDirection = Vec3(1, 0, 0);
+      p.columnDirection = Vec3(0, 1, 0);
+    }
+  return assumed;
 }
 
-DicomSource::DicomSource(std::string path, const std::vector<ScannedSlice>& slices)
-    : path_(std::move(path)), slices_(slices.begin(), slices.end()) {
+class StackSource : public DicomSource {
+ public:
+  StackSource(std::string path, Series series, std::shared_ptr<const DicomScan> scan,
+              const VolumeSelection& selection);
+  void decode(int frame, void* to, const DicomProgress& progress) override;
+
+ protected:
+  void readFrame(int frame, void* to, const ReadControl&) override {
+    decode(frame, to, [](double, const std::string&, std::uint64_t) {});
+  }
+
+ private:
+  void describe(const Assumed& assumed);
+  void readSlice(const DicomSlice& slice, char* to);
+  std::string path_;
+  std::shared_ptr<const DicomScan> scan_;  // holds the files of the series
+  Series series_;
+  DicomStack stack_;
+  const DicomFile* open_ = nullptr;  // whose pixels these are
+  std::unique_ptr<DicomPixels> pixels_;
+};
+
+StackSource::StackSource(std::string path, Series series, std::shared_ptr<const DicomScan> scan,
+                         const VolumeSelection& selection)
+    : path_(std::move(path)), scan_(std::move(scan)), series_(std::move(series)) {
+  for (const DicomFile* f : series_.files) checkDicomPixels(*f, path_);
+  const bool mixed = std::any_of(series_.files.begin(), series_.files.end(), [&](const DicomFile* f) {
+    return isColour(*f) != isColour(*series_.files.front()) ||
+           (isColour(*f) && f->bitsAllocated != series_.files.front()->bitsAllocated);
+  });
+  if (mixed) refuseInput(path_, "its slices are partly in colour");
+  const Assumed assumed = assumeGeometry(series_, selection, path_);
+  std::vector<DicomSlice> slices;
+  for (const DicomFile* f : series_.files)
+    for (int i = 0; i < f->frames; ++i) slices.push_back({f, i});
+  stack_ = stackSlices(std::move(slices), path_, selection.uneven, samePixels);
   header_.format = "DICOM";
-  header_.grid = stackSlices(slices_, path_);
-  const Quiet quiet;
-  auto io = itk::GDCMImageIO::New();
-  std::set<std::string> seen;
-  for (const ScannedSlice& s : slices)
-    if (seen.insert(s.valueTags).second) {
-      const Component type = typeOf(s.file, *io);
-      header_.component = seen.size() == 1 ? type : widened(header_.component, type);
-    }
+  header_.grid = stack_.grid;
+  header_.frames = stack_.frames;
+  header_.component = dicomValueType({series_.files.begin(), series_.files.end()});
+  header_.warnings = stack_.warnings;
+  describe(assumed);
   checkHeader(header_, path_);
 }
 
-template <typename From, typename To>
-void convert(const void* from, std::size_t n, void* to) {
-  std::transform(static_cast<const From*>(from), static_cast<const From*>(from) + n, static_cast<To*>(to),
-                 [](From v) { return static_cast<To>(v); });
+void StackSource::describe(const Assumed& assumed) {
+  const DicomFile& f = *stack_.slices.front().file;
+  GeometrySources& s = header_.sources;
+  s.size = "Rows, Columns (0028,0010; 0028,0011) and the number of slices";
+  s.spacing[0] = s.spacing[1] = assumed.pixels ? "assumed" : f.spacingSource;
+  s.spacing[2] = assumed.distance ? "assumed" : assumed.places ? f.distanceSource : stack_.distanceSource;
+  s.origin = assumed.places ? "assumed" : f.positionSource;
+  s.direction = assumed.places ? "assumed" : f.orientationSource;
+  header_.calibrated = !assumed.pixels && !assumed.distance;
+  const auto warn = [&](bool when, const char* text) {
+    if (when) header_.warnings.push_back(text);
+  };
+  warn(assumed.places,
+       "The header does not say where the slices lie; they are taken one behind the other, with LPS axes.");
+  warn(f.ownFrameOfReference,
+       "Positions are in the frame of the ultrasound volume, not of the patient: its axes are taken as LPS.");
+  warn(isColour(f), "Colour was turned into luminance (0.2125 R + 0.7154 G + 0.0721 B).");
+  warn(f.photometric == "MONOCHROME1", "MONOCHROME1: low values are bright on a display.");
 }
 
-template <typename To>
-void convertTo(Component type, const void* from, std::size_t n, void* to) {
-  switch (type) {
-    case Component::uint8:
-      return convert<std::uint8_t, To>(from, n, to);
-    case Component::int8:
-      return convert<std::int8_t, To>(from, n, to);
-    case Component::uint16:
-      return convert<std::uint16_t, To>(from, n, to);
-    case Component::int16:
-      return convert<std::int16_t, To>(from, n, to);
-    case Component::uint32:
-      return convert<std::uint32_t, To>(from, n, to);
-    case Component::int32:
-      return convert<std::int32_t, To>(from, n, to);
-    case Component::float32:
-      return convert<float, To>(from, n, to);
-    case Component::float64:
-      return convert<double, To>(from, n, to);
-    case Component::int64:
-      return convert<std::int64_t, To>(from, n, to);
-    case Component::uint64:
-      return convert<std::uint64_t, To>(from, n, to);
+void StackSource::readSlice(const DicomSlice& slice, char* to) {
+  if (open_ != slice.file) {
+    pixels_ = openDicomPixels(*slice.file, path_);
+    open_ = slice.file;
   }
+  StoredFrame stored;
+  withItk(path_, "the slice " + slice.file->file + " is truncated or damaged",
+          [&] { pixels_->read(slice.frame, stored); });
+  const bool colour = isColour(*slice.file);
+  const double slope = colour ? 1 : slice.place().slope, intercept = colour ? 0 : slice.place().intercept;
+  if (!scaleDicomFrame(stored, slope, intercept, header_.component, to))
+    refuseInput(path_,
+                "the slice " + slice.file->file + " is damaged: a value is larger than its header allows");
 }
 
-void DicomSource::readSlice(const DicomSlice& slice, char* to) const {
-  auto io = itk::GDCMImageIO::New();
-  const Component type = typeOf(slice.file, *io);
-  const auto columns = static_cast<std::uint64_t>(slice.columns),
-             rows = static_cast<std::uint64_t>(slice.rows);
-  // The scanner and the decoder must mean the same image, or the decoder would write past our slice.
-  std::uint64_t pixels = 1;
-  for (unsigned a = 0; a < io->GetNumberOfDimensions(); ++a) pixels *= io->GetDimensions(a);
-  if (io->GetDimensions(0) != columns || io->GetDimensions(1) != rows || pixels != columns * rows)
-    refuseInput(path_, "the slice " + slice.file + " has another size than its header says");
-  itk::ImageIORegion region(io->GetNumberOfDimensions());
-  for (unsigned a = 0; a < io->GetNumberOfDimensions(); ++a) region.SetSize(a, io->GetDimensions(a));
-  io->SetIORegion(region);
-  std::vector<char> own(type == header_.component ? 0 : static_cast<std::size_t>(pixels) * bytesOf(type));
-  withItk(path_, "the slice " + slice.file + " is truncated or damaged",
-          [&] { io->Read(own.empty() ? to : own.data()); });
-  if (own.empty()) return;
-  if (header_.component == Component::float32)
-    convertTo<float>(type, own.data(), static_cast<std::size_t>(pixels), to);
-  else
-    convertTo<double>(type, own.data(), static_cast<std::size_t>(pixels), to);
-}
-
-void DicomSource::readFrame(int, void* to) {
+void StackSource::decode(int frame, void* to, const DicomProgress& progress) {
   const Quiet quiet;
-  const std::size_t bytes = static_cast<std::size_t>(header_.bytesPerFrame()) / slices_.size();
-  for (std::size_t i = 0; i < slices_.size(); ++i) readSlice(slices_[i], static_cast<char*>(to) + i * bytes);
+  const std::size_t count = stack_.slicesPerFrame();
+  const std::uint64_t bytes = stack_.slices.front().file->pixelsPerFrame() * bytesOf(header_.component);
+  std::shared_ptr<void> own;  // the slices as they are, where they are to be resampled
+  if (!stack_.straight) own = allocate(bytes * count, path_);
+  char* slices = static_cast<char*>(own ? own.get() : to);
+  for (std::size_t i = 0; i < count; ++i) {
+    const DicomSlice& slice = stack_.slices[count * static_cast<std::size_t>(frame) + i];
+    progress(static_cast<double>(i) / static_cast<double>(count), slice.file->file,
+             slice.file->structure.fileBytes);
+    readSlice(slice, slices + bytes * i);
+  }
+  pixels_.reset();
+  open_ = nullptr;
+  if (own) resampleStack(stack_, header_.component, own.get(), to, progress);
 }
 
 //! Only the header: which series there are.
-class SeriesList : public VolumeSource {
+class SeriesList : public DicomSource {
  public:
   explicit SeriesList(std::vector<SeriesInfo> series) {
     header_.format = "DICOM";
     header_.series = std::move(series);
   }
-  void readFrame(int, void*) override {}
+  void decode(int, void*, const DicomProgress&) override {}
+
+ protected:
+  void readFrame(int, void*, const ReadControl&) override {}
 };
+
+void refuseDamaged(const DicomScan& scan, const std::string& uid, const std::string& path) {
+  for (std::size_t i = 0; i < scan.damaged.size(); ++i)
+    if (scan.damagedSeries[i] == uid)
+      refuseInput(path, "the file " + scan.damaged[i] + " is truncated or damaged");
+  // A file without an image that names the series of images is one of them, cut off between two elements.
+  for (const DicomFile& other : scan.others)
+    if (!other.seriesUid.empty() && other.seriesUid == uid)
+      refuseInput(path, "the file " + other.file + " is truncated (a slice without an image)");
+}
+
+//! "a, b, c and 4 more"
+std::string someOf(const std::vector<std::string>& names) {
+  constexpr std::size_t kShown = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kShown, names.size()); ++i) text += (i ? ", " : "") + names[i];
+  return names.size() > kShown ? text + " and " + std::to_string(names.size() - kShown) + " more" : text;
+}
+
+void addLeftOut(const DicomScan& scan, VolumeHeader& header) {
+  const auto files = [](std::size_t n) { return std::to_string(n) + (n == 1 ? " file" : " files"); };
+  if (!scan.others.empty())
+    header.warnings.push_back(files(scan.others.size()) +
+                              " of DICOM in the folder hold no image and were left out.");
+  if (!scan.damaged.empty())
+    header.warnings.push_back(files(scan.damaged.size()) + " of other series are truncated or damaged.");
+  if (!scan.foreign.empty())
+    header.warnings.push_back(files(scan.foreign.size()) +
+                              " in the folder that are not DICOM were left out: " + someOf(scan.foreign) +
+                              ".");
+}
+
+SourcePointer openSeries(const Series& series, std::shared_ptr<const DicomScan> scan,
+                         const OpenRequest& request) {
+  refuseDamaged(*scan, series.uid, request.path);
+  return std::make_unique<StackSource>(request.path, series, std::move(scan), request.selection);
+}
+
+SeriesInfo infoOf(const Series& series) {
+  const DicomFile& f = *series.files.front();
+  SeriesInfo info;
+  info.uid = series.uid;
+  info.modality = f.modality;
+  info.description = f.modality + (f.modality.empty() || f.description.empty() ? "" : " ") + f.description;
+  info.files = static_cast<int>(series.files.size());
+  info.slices = series.images();
+  return info;
+}
+
+void addGeometry(const VolumeHeader& h, SeriesInfo& info) {
+  info.size = h.grid.size;
+  info.spacing = h.grid.spacing;
+  info.frames = h.frames;
+}
+
+//! With its size and spacing, or why it has none.
+SeriesInfo measuredInfo(const Series& series, std::shared_ptr<const DicomScan> scan,
+                        const OpenRequest& request) {
+  SeriesInfo info = infoOf(series);
+  try {
+    addGeometry(openSeries(series, std::move(scan), request)->header(), info);
+  } catch (const InputError& error) {
+    info.note = std::string(error.what()).substr(request.path.size() + 2);
+  }
+  return info;
+}
 
 }  // namespace
 
-SourcePointer openDicom(const std::string& path, const VolumeSelection& selection, bool* several) {
-  Scan scanned = scan(path);
-  std::vector<ScannedSlice>& slices = scanned.slices;
-  const std::vector<SeriesInfo> series = listSeries(slices);
-  if (selection.series) {
-    std::erase_if(slices, [&](const ScannedSlice& s) { return s.uid != *selection.series; });
-    if (slices.empty()) throw UsageError(path + ": it holds no series " + *selection.series + ".");
-  } else if (series.size() > 1) {
+SourcePointer openDicomHere(const OpenRequest& request, const DicomProgress& progress, bool* several) {
+  const auto scan = std::make_shared<DicomScan>(scanDicom(request.path, progress));
+  const std::vector<Series> series = seriesOf(*scan);
+  const auto& wanted = request.selection.series;
+  if (request.listOnly || (!wanted && series.size() > 1)) {
+    std::vector<SeriesInfo> list;
+    for (const Series& s : series) list.push_back(measuredInfo(s, scan, request));
     *several = true;
-    return std::make_unique<SeriesList>(series);
+    return std::make_unique<SeriesList>(std::move(list));
   }
-  checkSlices(slices, path);
-  auto source = std::make_unique<DicomSource>(path, slices);
-  source->header().series = series;
-  if (!scanned.others.empty())
-    source->header().warnings.push_back(std::to_string(scanned.others.size()) +
-                                        " DICOM files in the folder hold no image and were left out.");
+  const auto chosen = std::find_if(series.begin(), series.end(),
+                                   [&](const Series& s) { return !wanted || s.uid == *wanted; });
+  if (chosen == series.end()) throw UsageError(request.path + ": it holds no series " + *wanted + ".");
+  SourcePointer source = openSeries(*chosen, scan, request);
+  for (const Series& s : series) source->header().series.push_back(infoOf(s));
+  addGeometry(source->header(), source->header().series[static_cast<std::size_t>(chosen - series.begin())]);
+  addLeftOut(*scan, source->header());
   return source;
 }
 

@@ -14,7 +14,8 @@ namespace handlebody {
 namespace {
 
 constexpr std::uint32_t kUndefined = 0xffffffffu, kItem = 0xfffee000u, kItemEnd = 0xfffee00du,
-                        kSequenceEnd = 0xfffee0ddu, kPixelData = 0x7fe00010u, kTransferSyntax = 0x00020010u;
+                        kSequenceEnd = 0xfffee0ddu, kPixelData = 0x7fe00010u, kTransferSyntax = 0x00020010u,
+                        kSeriesUid = 0x0020000eu;
 constexpr int kDeepest = 32;  // sequences within sequences; real files have a handful
 
 //! The bytes of a file, mapped.
@@ -49,6 +50,12 @@ class Mapped {
   const unsigned char* bytes_ = nullptr;
   std::uint64_t size_ = 0;
 };
+
+//! UIDs are padded to even lengths.
+std::string trimmedUid(std::string_view text) {
+  while (!text.empty() && (text.back() == '\0' || text.back() == ' ')) text.remove_suffix(1);
+  return std::string(text);
+}
 
 struct Element {
   std::uint32_t tag = 0, length = 0;
@@ -143,8 +150,11 @@ bool Walker::walkData(std::uint64_t at, bool explicitVr, DicomStructure& result)
   Element e;
   while (at < file_.size()) {
     if (!read(at, explicitVr, e) || !skipValue(e, at, explicitVr, 0)) return false;
+    if (e.tag == kSeriesUid && e.length <= 64) result.seriesUid = trimmedUid(file_.text(e.data, e.length));
     if (e.tag != kPixelData) continue;
     // What follows (padding, garbage) does not matter.
+    result.pixelOffset = e.data;
+    result.pixelEnd = at;
     if (e.length != kUndefined) result.pixelBytes = e.length;
     return true;
   }
@@ -153,10 +163,11 @@ bool Walker::walkData(std::uint64_t at, bool explicitVr, DicomStructure& result)
 
 DicomStructure Walker::walk() {
   DicomStructure result;
+  result.fileBytes = file_.size();
   std::uint64_t at = file_.size() >= 132 && file_.text(128, 4) == "DICM" ? 132 : 0;
   std::string syntax;
   result.whole = walkMeta(at, syntax);
-  while (!syntax.empty() && (syntax.back() == '\0' || syntax.back() == ' ')) syntax.pop_back();
+  syntax = trimmedUid(syntax);
   result.walked = syntax != "1.2.840.10008.1.2.2" && syntax != "1.2.840.10008.1.2.1.99";
   if (!result.whole || !result.walked) return result;
   result.whole = walkData(at, syntax != "1.2.840.10008.1.2", result);

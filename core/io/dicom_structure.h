@@ -8,9 +8,13 @@
 namespace handlebody {
 
 struct DicomStructure {
-  bool whole = true;             //!< every element up to the end of the pixel data lies within the file
-  bool walked = true;            //!< false: deflated or big-endian, not looked into
-  std::uint64_t pixelBytes = 0;  //!< length of uncompressed pixel data; 0 if none or compressed
+  bool whole = true;              //!< every element up to the end of the pixel data lies within the file
+  bool walked = true;             //!< false: deflated or big-endian, not looked into
+  std::uint64_t fileBytes = 0;    //!< size of the file
+  std::uint64_t pixelOffset = 0;  //!< where the value of the pixel data begins; 0 if there is none
+  std::uint64_t pixelBytes = 0;   //!< length of uncompressed pixel data; 0 if none or compressed
+  std::uint64_t pixelEnd = 0;     //!< first byte after the pixel data
+  std::string seriesUid{};        //!< as far as it was seen
 };
 
 //! Throws InputError if the file cannot be opened.

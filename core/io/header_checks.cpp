@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
@@ -48,10 +49,32 @@ void checkGeometry(Grid& grid, const std::string& path) {
   if (error > 1e-15) grid.direction = polished(grid.direction);
 }
 
+double physicalMemory() {
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+}
+
 }  // namespace
+
+std::shared_ptr<void> allocate(std::uint64_t bytes, const std::string& path) {
+  try {
+    // Linux promises more than there is, and kills who then uses it.
+    if (static_cast<double>(bytes) > physicalMemory()) throw std::bad_alloc();
+    // double: aligned for every voxel type
+    const std::shared_ptr<double[]> memory(new double[static_cast<std::size_t>(bytes) / sizeof(double) + 1]);
+    return {memory, memory.get()};
+  } catch (const std::bad_alloc&) {
+    refuseInput(path, "there is not enough memory to read it");
+  }
+}
 
 void refuseInput(const std::string& path, const std::string& cause) {
   throw InputError(path + ": " + cause + ".");
+}
+
+std::string millimetres(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g mm", value);
+  return text;
 }
 
 bool isLaterFrame(const std::string& field) {
@@ -83,8 +106,9 @@ void checkHeader(VolumeHeader& header, const std::string& path) {
   // In double: a product of hostile sizes may exceed 64 bits.
   double bytes = static_cast<double>(bytesOf(header.component)) * header.components;
   for (int n : header.grid.size) bytes *= n;
-  const double memory =
-      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+  const double memory = physicalMemory();
+  if (bytes * header.frames > std::ldexp(1.0, 60))
+    refuseInput(path, "the number of its time points is implausible (" + std::to_string(header.frames) + ")");
   if (bytes > memory)
     refuseInput(path, "its header declares " + gigabytes(bytes) + " of voxels, more than the " +
                           gigabytes(memory) + " of memory of this computer");

@@ -1,7 +1,6 @@
 #include "core/io/itk_source.h"
 
 #include <gdcmTrace.h>
-#include <itkNrrdImageIO.h>
 #include <itkObject.h>
 #include <itkTIFFImageIO.h>
 
@@ -56,14 +55,15 @@ void readComponents(const itk::ImageIOBase& io, const std::string& path, VolumeH
   header.warnings.push_back("Colour was turned into luminance (0.2125 R + 0.7154 G + 0.0721 B).");
 }
 
-//! NRRD and TIFF: ITK reads them straight into our buffer.
+//! TIFF: ITK reads it straight into our buffer.
 class ItkSource : public VolumeSource {
  public:
   ItkSource(itk::ImageIOBase::Pointer io, std::string path, const std::string& format)
       : io_(std::move(io)), path_(std::move(path)) {
     header_ = readItkHeader(*io_, path_, format);
   }
-  void readFrame(int frame, void* to) override {
+  void readFrame(int frame, void* to, const ReadControl& control) override {
+    report(control, 0);
     const Quiet quiet;
     const std::size_t bytes = static_cast<std::size_t>(header_.bytesPerFrame());
     std::unique_ptr<char[]> all;
@@ -76,41 +76,6 @@ class ItkSource : public VolumeSource {
   itk::ImageIOBase::Pointer io_;
   std::string path_;
 };
-
-struct NrrdText {
-  std::string encoding, space, units;
-  bool directions = false, detached = false, sequence = false;
-  std::uint64_t dataOffset = 0;
-};
-
-NrrdText readNrrdText(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  NrrdText text;
-  std::string line;
-  while (std::getline(file, line)) {
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    if (line.empty()) break;
-    text.sequence |= isLaterFrame(line);
-    const auto colon = line.find(": ");
-    if (colon == std::string::npos) continue;
-    const std::string key = line.substr(0, colon), value = line.substr(colon + 2);
-    if (key == "encoding") text.encoding = value;
-    if (key == "space") text.space = value;
-    if (key == "space units") text.units = value;
-    text.directions |= key == "space directions";
-    text.detached |= key == "data file" || key == "datafile";
-  }
-  if (file) text.dataOffset = static_cast<std::uint64_t>(file.tellg());
-  return text;
-}
-
-bool onlyMillimetres(const std::string& units) {
-  std::istringstream words(units);
-  std::string word;
-  while (words >> word)
-    if (word != "\"mm\"" && word != "\"\"" && word != "???") return false;
-  return true;
-}
 
 }  // namespace
 
@@ -208,30 +173,18 @@ VolumeHeader readItkHeader(itk::ImageIOBase& io, const std::string& path, const 
   return header;
 }
 
-SourcePointer openNrrd(const std::string& path) {
-  const NrrdText text = readNrrdText(path);
-  if (text.sequence)
-    refuseInput(path,
-                "this is a sequence of tracked 2D frames, not a volume; reconstruct a volume from it first");
-  auto source = std::make_unique<ItkSource>(itk::NrrdImageIO::New().GetPointer(), path, "NRRD");
-  VolumeHeader& header = source->header();
-  checkHeader(header, path);
-  const std::uint64_t bytes = header.bytesPerFrame() * static_cast<std::uint64_t>(header.frames);
-  const bool compressed = text.encoding == "gzip" || text.encoding == "gz";
-  if (!text.detached && (text.encoding == "raw" || compressed))
-    checkDataSize(path, path, text.dataOffset, bytes, compressed);
-  if (text.space.empty() || !text.directions)
-    header.warnings.push_back(
-        "The header does not say how the volume lies in space; its axes are taken as LPS.");
-  if (!onlyMillimetres(text.units))
-    header.warnings.push_back("The space units " + text.units + " are taken as millimetres.");
-  return source;
-}
-
 SourcePointer openTiff(const std::string& path) {
   auto source = std::make_unique<ItkSource>(itk::TIFFImageIO::New().GetPointer(), path, "TIFF");
-  checkHeader(source->header(), path);
-  source->header().warnings.push_back(
+  VolumeHeader& header = source->header();
+  checkHeader(header, path);
+  // Whatever its compression, so many voxels do not come from so few bytes.
+  checkDataSize(path, path, 0, header.bytesPerFrame(), true);
+  const bool resolution = header.grid.spacing.x() != 1 || header.grid.spacing.y() != 1;
+  const std::string inPlane = resolution ? "XResolution, YResolution" : "assumed";
+  header.sources = {
+      "ImageWidth, ImageLength and the number of pages", {inPlane, inPlane, "assumed"}, "assumed", "assumed"};
+  header.calibrated = false;
+  header.warnings.push_back(
       "TIFF does not say how far apart the slices are nor how they lie; 1 mm and LPS axes are assumed.");
   return source;
 }

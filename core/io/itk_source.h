@@ -5,12 +5,10 @@
 
 #include <functional>
 
+#include "core/io/itk_guard.h"
 #include "core/io/volume_source.h"
 
 namespace handlebody {
-
-//! Runs f; ITK's exceptions become InputErrors ("path: what: ITK's description").
-void withItk(const std::string& path, const std::string& what, const std::function<void()>& f);
 
 //! Reads the header of `path` through `io`. Throws InputError for fewer than three dimensions, more than
 //! four, vectors and unknown voxel types.

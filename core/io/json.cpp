@@ -86,11 +86,21 @@ Json referenceToJson(const VolumeReference& volume) {
   Json json = {{"path", volume.path}, {"sha256", volume.sha256}};
   if (volume.selection.series) json["series"] = *volume.selection.series;
   if (volume.selection.frame) json["frame"] = *volume.selection.frame;
+  if (volume.selection.spacing) json["given_spacing"] = vectorToJson(*volume.selection.spacing);
+  if (volume.selection.uneven == UnevenSlices::refuse) json["uneven"] = "refuse";
   return json;
 }
 
-Json requestToJson(const Session& session) {
-  const Parameters& parameters = session.requested;
+void addSources(Json& object, const VolumeInfo& info) {
+  const GeometrySources& s = info.sources;
+  object["calibrated"] = info.calibrated;
+  object["sources"] = {
+      {"size", s.size}, {"spacing", s.spacing}, {"origin", s.origin}, {"direction", s.direction}};
+}
+
+namespace {
+
+Json requestedToJson(const Parameters& parameters) {
   return {{"object", objectKindName(parameters.object)},
           {"range", parameters.range ? rangeToJson(*parameters.range) : Json(nullptr)},
           {"smoothing", optionalToJson(parameters.smoothing)},
@@ -99,9 +109,28 @@ Json requestToJson(const Session& session) {
           {"balloon", parameters.balloon},
           {"curvature", parameters.curvature},
           {"max_iterations", parameters.maxIterations},
-          {"threads", parameters.threads},
-          {"seeds", seedsToJson(session.seeds)},
-          {"space", session.space == CoordinateSpace::ras ? "RAS" : "LPS"}};
+          {"threads", parameters.threads}};
+}
+
+Json changesToJson(const std::vector<ParameterChange>& changes) {
+  Json list = Json::array();
+  for (const ParameterChange& change : changes) {
+    Json entry = {{"iteration", change.iteration}};
+    entry.update(requestedToJson(change.parameters));
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+}  // namespace
+
+Json requestToJson(const Session& session) {
+  Json json = requestedToJson(session.requested);
+  json["seeds"] = seedsToJson(session.seeds);
+  json["space"] = session.space == CoordinateSpace::ras ? "RAS" : "LPS";
+  if (!session.changes.empty()) json["changes"] = changesToJson(session.changes);
+  if (session.stopAt) json["stop_at"] = *session.stopAt;
+  return json;
 }
 
 Json resolvedToJson(const ResolvedParameters& parameters) {
@@ -206,6 +235,19 @@ CoordinateSpace spaceFromJson(const Json& json) {
 
 }  // namespace
 
+void readSelection(const Json& json, VolumeSelection& selection) {
+  const auto given = [&](const char* key) { return json.contains(key) && !json.at(key).is_null(); };
+  if (given("series")) selection.series = json.at("series").get<std::string>();
+  if (given("frame")) {
+    const int frame = integerFromJson(json.at("frame"));
+    if (frame < 0) throw UsageError("the frame is below 0.");
+    selection.frame = frame;
+  }
+  if (given("given_spacing")) selection.spacing = vectorFromJson(json.at("given_spacing"));
+  if (given("uneven") && json.at("uneven").get<std::string>() == "refuse")
+    selection.uneven = UnevenSlices::refuse;
+}
+
 int integerFromJson(const Json& json) {
   if (!json.is_number_integer() || std::abs(json.get<double>()) > std::numeric_limits<int>::max())
     throw UsageError(compact(json) + " is not a whole number in range.");
@@ -218,8 +260,10 @@ std::string jsonText(const Json& json) {
   return text + "\n";
 }
 
-void readRequest(const Json& json, Session& session) {
-  Parameters& p = session.requested;
+namespace {
+
+Parameters parametersFromJson(const Json& json) {
+  Parameters p;
   if (json.contains("object")) p.object = wordFromJson(json.at("object"), objectKindFromName);
   if (json.contains("range") && !json.at("range").is_null()) p.range = rangeFromJson(json.at("range"));
   p.smoothing = optionalFromJson(json, "smoothing");
@@ -229,7 +273,35 @@ void readRequest(const Json& json, Session& session) {
   if (json.contains("curvature")) p.curvature = finiteFromJson(json.at("curvature"));
   if (json.contains("max_iterations")) p.maxIterations = integerFromJson(json.at("max_iterations"));
   if (json.contains("threads")) p.threads = integerFromJson(json.at("threads"));
+  return p;
+}
+
+int iterationFromJson(const Json& json) {
+  const int iteration = integerFromJson(json);
+  if (iteration < 0) throw UsageError("an iteration is below 0.");
+  return iteration;
+}
+
+std::vector<ParameterChange> changesFromJson(const Json& json) {
+  if (!json.is_array()) throw UsageError("the changes of parameters are not a list.");
+  std::vector<ParameterChange> changes;
+  for (const Json& entry : json) {
+    const int iteration = iterationFromJson(entry.at("iteration"));
+    if (!changes.empty() && iteration <= changes.back().iteration)
+      throw UsageError("the changes of parameters are not in ascending order.");
+    changes.push_back({iteration, parametersFromJson(entry)});
+  }
+  return changes;
+}
+
+}  // namespace
+
+void readRequest(const Json& json, Session& session) {
+  session.requested = parametersFromJson(json);
   if (json.contains("space")) session.space = spaceFromJson(json.at("space"));
+  if (json.contains("changes")) session.changes = changesFromJson(json.at("changes"));
+  if (json.contains("stop_at") && !json.at("stop_at").is_null())
+    session.stopAt = iterationFromJson(json.at("stop_at"));
   for (const Json& entry : json.at("seeds"))
     session.seeds.push_back(Seed{vectorFromJson(entry.at("centre")), optionalFromJson(entry, "radius")});
   if (session.seeds.empty()) throw UsageError("it has no seeds.");

@@ -34,9 +34,14 @@ Json seedsToJson(const std::vector<Seed>& seeds);
 void addGrid(Json& object, const Grid& grid);
 //! The certificate: "mesh" of a report and the answer of `check`.
 Json certificateToJson(const Certificate& certificate);
-//! {"path", "sha256"} and, where they were chosen, "series" and "frame".
+//! {"path", "sha256"} and, where they were chosen, "series", "frame", "given_spacing" and "uneven".
 Json referenceToJson(const VolumeReference& volume);
-//! "requested": every parameter as asked for, the seeds and the space of the mesh files.
+//! The inverse for what was chosen. Throws as readRequest.
+void readSelection(const Json& json, VolumeSelection& selection);
+//! Adds "calibrated" and "sources" (of size, spacing, origin, direction).
+void addSources(Json& object, const VolumeInfo& info);
+//! "requested": every parameter as asked for, the seeds and the space of the mesh files; where there are any,
+//! the changes of parameters on the way and the iteration to stop at.
 Json requestToJson(const Session& session);
 //! Every parameter as used; seeds apart.
 Json resolvedToJson(const ResolvedParameters& parameters);
@@ -50,9 +55,9 @@ std::string jsonText(const Json& json);
 
 //! Whole numbers that fit only: the library would cut 1.5 to 1 and wrap what does not fit. Throws UsageError.
 int integerFromJson(const Json& json);
-//! The inverse of requestToJson: parameters, seeds and space of `session`. Absent keys keep their defaults,
-//! null is "automatic". Throws Json::exception for a value of the wrong type, UsageError for a word or number
-//! without meaning.
+//! The inverse of requestToJson: parameters, seeds, space, changes and last iteration of `session`. Absent
+//! keys keep their defaults, null is "automatic". Throws Json::exception for a value of the wrong type,
+//! UsageError for a word or number without meaning.
 void readRequest(const Json& json, Session& session);
 
 }  // namespace handlebody

@@ -1,15 +1,15 @@
-// MetaImage: geometry through ITK, plain voxel data (in the file or in one beside it) through our own stream,
-// which sees truncation; lists and patterns of data files through ITK.
-
-#include <itkMetaImageIO.h>
+// MetaImage, with its voxels in the file or in one beside it, through our own stream, which sees truncation.
 
 #include <bit>
+#include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <map>
+#include <sstream>
 
 #include "core/io/byte_stream.h"
-#include "core/io/itk_source.h"
 
 namespace handlebody {
 namespace {
@@ -29,6 +29,12 @@ struct MetaText {
   std::string value(const std::string& key) const {
     const auto found = fields.find(key);
     return found == fields.end() ? std::string() : found->second;
+  }
+  //! The first of these fields that is there.
+  std::string nameOf(std::initializer_list<const char*> keys) const {
+    for (const char* key : keys)
+      if (!value(key).empty()) return key;
+    return {};
   }
   bool isTrue(const std::string& key) const {
     const std::string v = value(key);
@@ -56,29 +62,118 @@ MetaText readText(const std::string& path) {
   return text;
 }
 
+std::vector<double> numbers(const std::string& text, const std::string& path) {
+  std::istringstream stream(text);
+  std::vector<double> values;
+  for (std::string word; stream >> word;) {
+    double value = 0;
+    const char* first = word.data() + (word.size() > 1 && word[0] == '+');
+    const auto [end, error] = std::from_chars(first, word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size())
+      refuseInput(path, "its MetaImage header is damaged (" + word.substr(0, 40) + " is not a number)");
+    values.push_back(value);
+  }
+  return values;
+}
+
+Component componentOf(const std::string& type, const std::string& path) {
+  static const std::map<std::string, Component> kTypes{
+      {"MET_CHAR", Component::int8},       {"MET_UCHAR", Component::uint8},
+      {"MET_SHORT", Component::int16},     {"MET_USHORT", Component::uint16},
+      {"MET_INT", Component::int32},       {"MET_UINT", Component::uint32},
+      {"MET_LONG", Component::int32},      {"MET_ULONG", Component::uint32},
+      {"MET_LONG_LONG", Component::int64}, {"MET_ULONG_LONG", Component::uint64},
+      {"MET_FLOAT", Component::float32},   {"MET_DOUBLE", Component::float64}};
+  // An array of three or four is a colour, written "MET_UCHAR_ARRAY".
+  const auto found = kTypes.find(type.substr(0, type.rfind("_ARRAY")));
+  if (found == kTypes.end()) refuseInput(path, "its voxel type is not supported");
+  return found->second;
+}
+
 class MetaSource : public VolumeSource {
  public:
   explicit MetaSource(const std::string& path);
-  void readFrame(int frame, void* to) override;
+
+ protected:
+  void readFrame(int frame, void* to, const ReadControl& control) override;
 
  private:
+  void setSizes(const MetaText& text);
+  void setGeometry(const MetaText& text);
+  void setComponents(const MetaText& text);
   void locateData(const MetaText& text);
   std::string path_, dataFile_;
   std::uint64_t offset_ = 0;
+  std::size_t dimensions_ = 0;
   bool compressed_ = false, swapped_ = false;
 };
 
 MetaSource::MetaSource(const std::string& path) : path_(path) {
   const MetaText text = readText(path);
-  if (text.value("ElementType") == "MET_NONE" || text.value("ElementType") == "MET_OTHER")
-    refuseInput(path, "its voxel type is not supported");
-  auto io = itk::MetaImageIO::New();
-  header_ = readItkHeader(*io, path, "MetaImage");
+  header_.format = "MetaImage";
+  header_.component = componentOf(text.value("ElementType"), path);
+  setSizes(text);
+  setComponents(text);
+  setGeometry(text);
   checkHeader(header_, path);
   locateData(text);
   const std::string unit = text.value("DistanceUnits");
   if (!unit.empty() && unit != "mm" && unit != "?")
     header_.warnings.push_back("The distance unit " + unit + " is taken as millimetres.");
+}
+
+void MetaSource::setSizes(const MetaText& text) {
+  const std::vector<double> sizes = numbers(text.value("DimSize"), path_);
+  const std::vector<double> dimensions = numbers(text.value("NDims"), path_);
+  dimensions_ = sizes.size();
+  if (dimensions.size() != 1 || dimensions[0] != static_cast<double>(dimensions_))
+    refuseInput(path_, "its MetaImage header is damaged (NDims and DimSize)");
+  if (dimensions_ < 3) refuseInput(path_, "this is a 2D image, a volume is needed");
+  for (std::size_t a = 0; a < dimensions_; ++a) {
+    if (!(sizes[a] >= 0 && sizes[a] <= std::numeric_limits<int>::max()) || std::floor(sizes[a]) != sizes[a])
+      refuseInput(path_, "a size in its header is implausible (" + text.value("DimSize") + ")");
+    if (a > 3 && sizes[a] > 1)
+      refuseInput(path_, "it has " + std::to_string(dimensions_) + " dimensions; at most four are supported");
+    if (a < 3) header_.grid.size[a] = static_cast<int>(sizes[a]);
+  }
+  if (dimensions_ > 3) header_.frames = static_cast<int>(sizes[3]);
+}
+
+void MetaSource::setComponents(const MetaText& text) {
+  const std::vector<double> channels = numbers(text.value("ElementNumberOfChannels"), path_);
+  if (channels.empty() || channels[0] == 1) return;
+  // MetaImage has no word for colour: three or four bytes per voxel are colour by convention.
+  if (header_.component != Component::uint8 || (channels[0] != 3 && channels[0] != 4))
+    refuseInput(path_, "its voxels have " + text.value("ElementNumberOfChannels") +
+                           " components (vectors); only scalar and colour volumes are supported");
+  header_.components = static_cast<int>(channels[0]);
+  header_.warnings.push_back("Colour was turned into luminance (0.2125 R + 0.7154 G + 0.0721 B).");
+}
+
+void MetaSource::setGeometry(const MetaText& text) {
+  const std::string spacing = text.nameOf({"ElementSpacing", "ElementSize"}),
+                    origin = text.nameOf({"Offset", "Position", "Origin"}),
+                    direction = text.nameOf({"TransformMatrix", "Rotation", "Orientation"});
+  const auto read = [&](const std::string& key, std::size_t least) {
+    std::vector<double> values = key.empty() ? std::vector<double>() : numbers(text.value(key), path_);
+    if (!key.empty() && values.size() < least)
+      refuseInput(path_, "its MetaImage header is damaged (" + key + ")");
+    return values;
+  };
+  const auto distances = read(spacing, dimensions_), place = read(origin, dimensions_),
+             matrix = read(direction, dimensions_ * dimensions_);
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto i = static_cast<Eigen::Index>(a);
+    if (!distances.empty()) header_.grid.spacing[i] = distances[a];
+    if (!place.empty()) header_.grid.origin[i] = place[a];
+    // The matrix is written axis by axis.
+    for (std::size_t r = 0; r < 3 && !matrix.empty(); ++r)
+      header_.grid.direction(static_cast<Eigen::Index>(r), i) = matrix[a * dimensions_ + r];
+  }
+  const auto source = [](const std::string& key) { return key.empty() ? std::string("assumed") : key; };
+  header_.calibrated = !spacing.empty();
+  header_.sources = {
+      "DimSize", {source(spacing), source(spacing), source(spacing)}, source(origin), source(direction)};
 }
 
 void MetaSource::locateData(const MetaText& text) {
@@ -104,13 +199,13 @@ void MetaSource::locateData(const MetaText& text) {
   checkDataSize(path_, dataFile_, offset_, bytes, compressed_);
 }
 
-void MetaSource::readFrame(int frame, void* to) {
+void MetaSource::readFrame(int frame, void* to, const ReadControl& control) {
   const std::uint64_t bytes = header_.bytesPerFrame();
   const std::uint64_t before = bytes * static_cast<std::uint64_t>(frame);
   ByteStream stream(dataFile_, compressed_ ? offset_ : offset_ + before,
                     compressed_ ? ByteStream::Coding::deflate : ByteStream::Coding::raw);
-  if (compressed_) stream.skip(before);
-  stream.readAll(to, static_cast<std::size_t>(bytes));
+  if (compressed_) stream.skip(before, control);
+  stream.readAll(to, static_cast<std::size_t>(bytes), control);
   stream.checkEnd();
   if (swapped_)
     swapBytes(to, header_.grid.voxelCount() * static_cast<std::size_t>(header_.components),

@@ -12,6 +12,8 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "core/volume/anatomy.h"
+
 namespace handlebody {
 
 Canvas::Canvas(int width, int height, const Colour& background)
@@ -107,9 +109,7 @@ void drawText(Canvas& canvas, const std::string& text, const Vec2& anchor, TextA
 }
 
 void drawScaleBar(Canvas& canvas, const Rect& area, double mmPerPixel) {
-  const double longest = 0.25 * area.width * mmPerPixel;
-  const double decade = std::pow(10.0, std::floor(std::log10(longest)));
-  const double length = decade * (longest >= 5 * decade ? 5 : longest >= 2 * decade ? 2 : 1);
+  const double length = roundLength(0.25 * area.width * mmPerPixel);
   const int pixels = static_cast<int>(std::lround(length / mmPerPixel));
   constexpr int kInset = 16, kThickness = 3;
   const Rect bar{area.right() - kInset - pixels, area.bottom() - kInset - kThickness, pixels, kThickness};

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/mesh/plane_section.h"
+
 namespace handlebody {
 namespace {
 
@@ -12,33 +14,7 @@ const Colour kLetter(0.92F, 0.94F, 0.96F);
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-//! The letter at the end of world axis 0, 1 or 2.
-char letterOf(int worldAxis, bool positive) { return (positive ? "LPS" : "RAI")[worldAxis]; }
-
 }  // namespace
-
-std::array<int, 3> nearestAxes(const Grid& grid) {
-  std::array<int, 3> order{0, 1, 2}, best = order;
-  double most = -1;
-  do {
-    double sum = 0;
-    for (int w = 0; w < 3; ++w) sum += std::abs(grid.direction(w, order[at(w)]));
-    // The margin keeps the first of orders that are equally good, whatever the rounding.
-    if (sum > most + 1e-9) {
-      most = sum;
-      best = order;
-    }
-  } while (std::next_permutation(order.begin(), order.end()));
-  return best;
-}
-
-bool isOblique(const Grid& grid) {
-  const double kOneDegree = std::cos(M_PI / 180);
-  const std::array<int, 3> axes = nearestAxes(grid);
-  for (int w = 0; w < 3; ++w)
-    if (std::abs(grid.direction(w, axes[at(w)])) < kOneDegree) return true;
-  return false;
-}
 
 Vec2 SliceView::toPicture(const Vec3& index) const {
   const Vec3 mm = (index - centre).cwiseProduct(spacing) / mmPerPixel;
@@ -54,20 +30,6 @@ Vec3 SliceView::toIndex(const Vec2& pixel) const {
 }
 
 namespace {
-
-//! Which world axis runs to the right and which downwards, and where to: R left of L, A left of P, S above I.
-void orient(SliceView& view, const Grid& grid) {
-  const std::array<int, 3> axes = nearestAxes(grid);
-  const int normal = static_cast<int>(view.plane);
-  const int right = view.plane == Anatomical::sagittal ? 1 : 0;
-  const int downwards = view.plane == Anatomical::axial ? 1 : 2;
-  view.normal = axes[at(normal)];
-  view.across = axes[at(right)];
-  view.down = axes[at(downwards)];
-  view.acrossSign = grid.direction(right, view.across) < 0 ? -1 : 1;
-  const double downDirection = view.plane == Anatomical::axial ? 1 : -1;
-  view.downSign = downDirection * grid.direction(downwards, view.down) < 0 ? -1 : 1;
-}
 
 //! A slice between two rows of voxels is a mixture: the nearest row shows what was measured.
 double slicePosition(const Grid& grid, int axis, double wanted, double low, double high) {
@@ -103,10 +65,10 @@ void fit(SliceView& view, const Grid& grid, const Vec3& low, const Vec3& high) {
 SliceView planSlice(const Grid& grid, Anatomical plane, const Vec3& point, const Vec3& low, const Vec3& high,
                     const Rect& area) {
   SliceView view;
+  static_cast<SliceAxes&>(view) = sliceAxes(grid, plane);
   view.plane = plane;
   view.area = area;
   view.spacing = grid.spacing;
-  orient(view, grid);
   view.centre = (low + high) / 2;
   view.centre[view.normal] =
       slicePosition(grid, view.normal, point[view.normal], low[view.normal], high[view.normal]);
@@ -176,20 +138,11 @@ void drawOutline(Canvas& canvas, const SliceView& view, const std::vector<Vec3>&
                  const std::vector<Triangle>& triangles) {
   constexpr double kThickness = 2;
   LineDrawing lines(view.area, kThickness), shadow(view.area, kThickness + 2);
-  const auto height = [&](const Vec3& p) { return p[view.normal] - view.centre[view.normal]; };
-  for (const Triangle& t : triangles) {
-    std::array<Vec2, 2> ends;
-    std::size_t count = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const Vec3 &p = points[at(t[c])], &q = points[at(t[(c + 1) % 3])];
-      const double hp = height(p), hq = height(q);
-      // A point on the plane counts as above it: then a triangle is crossed by two edges or none.
-      if ((hp >= 0) == (hq >= 0)) continue;
-      ends[count++] = view.toPicture(p + (hp / (hp - hq)) * (q - p));
-    }
-    if (count != 2) continue;
-    lines.add(ends[0], ends[1]);
-    shadow.add(ends[0], ends[1]);
+  std::vector<std::array<Vec3, 2>> section;
+  planeSection(points, triangles, Vec3::Unit(view.normal), view.centre[view.normal], section);
+  for (const auto& [from, to] : section) {
+    lines.add(view.toPicture(from), view.toPicture(to));
+    shadow.add(view.toPicture(from), view.toPicture(to));
   }
   shadow.paint(canvas, Colour::Zero(), 0.3);
   lines.paint(canvas, kOutline);
@@ -198,32 +151,21 @@ void drawOutline(Canvas& canvas, const SliceView& view, const std::vector<Vec3>&
 void drawLetters(Canvas& canvas, const SliceView& view) {
   constexpr double kInset = 16;
   constexpr int kSize = 17;
-  const int right = view.plane == Anatomical::sagittal ? 1 : 0;
-  const int vertical = view.plane == Anatomical::axial ? 1 : 2;
-  const bool downIsPositive = view.plane == Anatomical::axial;
   const Rect& a = view.area;
   const Vec2 c = a.centre();
-  const auto letter = [&](int axis, bool positive, double x, double y) {
-    drawText(canvas, std::string(1, letterOf(axis, positive)), Vec2(x, y), TextAlign::centre, kSize, kLetter,
-             TextWeight::bold);
+  const auto letter = [&](char text, double x, double y) {
+    drawText(canvas, std::string(1, text), Vec2(x, y), TextAlign::centre, kSize, kLetter, TextWeight::bold);
   };
-  letter(right, false, a.x + kInset, c.y());
-  letter(right, true, a.right() - kInset, c.y());
-  letter(vertical, !downIsPositive, c.x(), a.y + kInset);
-  letter(vertical, downIsPositive, c.x(), a.bottom() - kInset);
+  letter(view.left, a.x + kInset, c.y());
+  letter(view.right, a.right() - kInset, c.y());
+  letter(view.top, c.x(), a.y + kInset);
+  letter(view.bottom, c.x(), a.bottom() - kInset);
 }
 
 std::array<std::string, 2> sliceCaptions(const SliceView& view, const Grid& grid) {
-  const char* const name = view.plane == Anatomical::axial     ? "Axial"
-                           : view.plane == Anatomical::coronal ? "Coronal"
-                                                               : "Sagittal";
   const Vec3 world = grid.toWorld(view.centre);
-  const auto place = [&](int w) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%c %.1f", letterOf(w, world[w] >= 0), std::abs(world[w]));
-    return std::string(text);
-  };
-  std::string where = name;
+  const auto place = [&](int w) { return anatomicalPlace(w, world[w]); };
+  std::string where = anatomicalName(view.plane);
   if (isOblique(grid))  // no one number says where it lies: the point at its middle does
     where += ", oblique, centre " + place(0) + "  " + place(1) + "  " + place(2) + " mm";
   else

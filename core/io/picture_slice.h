@@ -8,23 +8,15 @@
 #include "core/io/picture.h"
 #include "core/io/picture_canvas.h"
 #include "core/mesh/mesh.h"
+#include "core/volume/anatomy.h"
 #include "core/volume/volume.h"
 
 namespace handlebody {
 
-enum class Anatomical { sagittal, coronal, axial };  //!< the plane across the axis of L, P, S
-
-//! The voxel axis nearest to each of L, P, S: every axis is taken once.
-std::array<int, 3> nearestAxes(const Grid& grid);
-//! True if a voxel axis is more than a degree away from its anatomical one.
-bool isOblique(const Grid& grid);
-
 //! A plane across one voxel axis, and how the other two lie on the picture.
-struct SliceView {
+struct SliceView : SliceAxes {
   Anatomical plane = Anatomical::axial;
-  Rect area;                             //!< pixels
-  int normal = 2, across = 0, down = 1;  //!< voxel axes
-  double acrossSign = 1, downSign = 1;   //!< -1: the index falls to the right, or downwards
+  Rect area;              //!< pixels
   Vec3 centre{0, 0, 0};   //!< voxel index at the middle of `area`; its `normal` part is the slice
   Vec3 spacing{1, 1, 1};  //!< mm
   double mmPerPixel = 1;

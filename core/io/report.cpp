@@ -17,13 +17,18 @@ Json secondsToJson(const Timings& seconds) {
 Json headToJson(const RunReport& report) {
   Json json = {{"version", report.session.version}, {"notice", kNotice}};
   Json input = referenceToJson(report.session.volume);
-  addGrid(input, report.grid);
-  input["warnings"] = report.warnings;
+  addGrid(input, report.volume.grid);
+  addSources(input, report.volume);
+  input["warnings"] = report.volume.warnings;
   json["input"] = std::move(input);
   return json;
 }
 
 }  // namespace
+
+const char* endName(StopReason stopped) {
+  return stopped == StopReason::running ? "stop-at" : stopReasonName(stopped);
+}
 
 std::string reportText(const RunReport& report) {
   const ResolvedParameters& resolved = report.session.resolved.value();
@@ -32,7 +37,7 @@ std::string reportText(const RunReport& report) {
   json["requested"] = requestToJson(report.session);
   json["seeds"] = seedsToJson(resolved.seeds);
   json["iterations"] = report.iterations;
-  json["stopped"] = stopReasonName(report.stopped);
+  json["stopped"] = endName(report.stopped);
   json["warnings"] = report.doubts;
   json["seconds"] = secondsToJson(report.seconds);
   json["mesh"] = certificateToJson(report.mesh);

@@ -20,16 +20,18 @@ struct Timings {
 };
 
 struct RunReport {
-  Session session;                    //!< with `resolved` set
-  Grid grid;                          //!< of the volume
-  std::vector<std::string> warnings;  //!< about the volume
-  std::vector<std::string> doubts;    //!< about the result: hardly grown, much of it on the volume's border
+  Session session;                  //!< with `resolved` set
+  VolumeInfo volume;                //!< its grid and where that comes from, warnings
+  std::vector<std::string> doubts;  //!< about the result: hardly grown, much of it on the volume's border
   int iterations = 0;
   StopReason stopped = StopReason::running;
   Timings seconds;
   Certificate mesh;  //!< of the exported mesh
   std::vector<Event> events;
 };
+
+//! Why a growth ended, as in the report: stopReasonName, and "stop-at" where it was asked to end there.
+const char* endName(StopReason stopped);
 
 //! The report as JSON text, without the traces of the events.
 std::string reportText(const RunReport& report);

@@ -45,16 +45,13 @@ Session sessionFromJson(const Json& json, const std::string& path) {
   session.version = json.at("version").get<std::string>();
   const Json& input = json.at("input");
   session.volume.path = openablePath(input.at("path").get<std::string>(), path);
-  session.volume.sha256 = input.at("sha256").get<std::string>();
-  if (session.volume.sha256.empty()) throw UsageError("the volume's SHA-256 is empty.");
-  if (input.contains("series") && !input.at("series").is_null())
-    session.volume.selection.series = input.at("series").get<std::string>();
-  if (input.contains("frame") && !input.at("frame").is_null()) {
-    const int frame = integerFromJson(input.at("frame"));
-    if (frame < 0) throw UsageError("the frame is below 0.");
-    session.volume.selection.frame = frame;
+  if (!input.at("sha256").is_null()) {
+    session.volume.sha256 = input.at("sha256").get<std::string>();
+    if (session.volume.sha256.empty()) throw UsageError("the volume's SHA-256 is empty.");
   }
+  readSelection(input, session.volume.selection);
   readRequest(json.at("requested"), session);
+  if (json.contains("view")) session.view = json.at("view").dump();
   return session;
 }
 
@@ -70,12 +67,14 @@ void writeSession(const Session& session, const std::string& path) {
   Json json = {{"version", session.version}, {"notice", kNotice}};
   Json input = referenceToJson(session.volume);
   input["path"] = storedPath(session.volume.path, path);
+  if (session.volume.sha256.empty()) input["sha256"] = nullptr;
   json["input"] = std::move(input);
   json["requested"] = requestToJson(session);
   if (session.resolved) {
     json["parameters"] = resolvedToJson(*session.resolved);
     json["seeds"] = seedsToJson(session.resolved->seeds);
   }
+  if (!session.view.empty()) json["view"] = Json::parse(session.view);
   writeTextAtomically(path, jsonText(json));
 }
 

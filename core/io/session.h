@@ -24,10 +24,16 @@ struct Session {
   Parameters requested;                          //!< as asked for
   std::optional<ResolvedParameters> resolved{};  //!< as used, for the record; not read back
   CoordinateSpace space = CoordinateSpace::lps;  //!< of the mesh files
+  //! Other parameters from some iteration on, in ascending order.
+  std::vector<ParameterChange> changes{};
+  //! The iteration whose mesh is meant; none: the one at which the growth ends by itself.
+  std::optional<int> stopAt{};
+  std::string view{};  //!< JSON text that a window keeps here for itself; empty: none
 };
 
 //! Writes the session, whole or not at all. The volume's path is stored relative to the session file when one
-//! leads to the other, so that a folder with both can be moved. Throws OutputError.
+//! leads to the other, so that a folder with both can be moved. A hash that is not known (empty) is written
+//! as null, and such a session is read back without one. Throws OutputError.
 void writeSession(const Session& session, const std::string& path);
 
 //! Reads a session or a report. A relative path of the volume is looked for beside the file first, then from

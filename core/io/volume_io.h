@@ -1,6 +1,9 @@
 #pragma once
-// Volumes from and to files, through ITK. No ITK type appears here.
+// Volumes from and to files. No type of a library appears here.
 
+#include <array>
+#include <atomic>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,10 +12,18 @@
 
 namespace handlebody {
 
-//! Which volume of a file or folder to read.
+//! What to do with slices at uneven distances.
+enum class UnevenSlices {
+  resample,  //!< onto an even grid, linearly between neighbouring slices; a warning says so
+  refuse     //!< InputError
+};
+
+//! Which volume of a file or folder to read, and how.
 struct VolumeSelection {
   std::optional<std::string> series{};  //!< SeriesInstanceUID, for a folder with several series
   std::optional<int> frame{};           //!< time point of a 4D file, zero-based
+  std::optional<Vec3> spacing{};        //!< mm, instead of the file's; for files that have none
+  UnevenSlices uneven = UnevenSlices::resample;
 };
 
 //! One image series or file, as found.
@@ -20,6 +31,20 @@ struct SeriesInfo {
   std::string uid;          //!< SeriesInstanceUID; empty for other formats
   std::string description;  //!< modality and description where known
   int files = 1;
+  std::string modality{};       //!< "CT", "MR", "US" …
+  std::array<int, 3> size{};    //!< voxels; 0 where the series is no volume
+  int slices = 0;               //!< images in the series, all time points
+  Vec3 spacing = Vec3::Zero();  //!< mm; 0 where the series is no volume
+  int frames = 1;               //!< time points
+  std::string note{};           //!< why it cannot be opened as a volume; empty if it can
+};
+
+//! Where the numbers of a geometry come from: the tag or header field, "assumed" or "given".
+struct GeometrySources {
+  std::string size{};
+  std::array<std::string, 3> spacing{};  //!< one per axis
+  std::string origin{};
+  std::string direction{};
 };
 
 //! What is in a file or folder, without its voxels where possible.
@@ -29,13 +54,29 @@ struct VolumeInfo {
   std::vector<SeriesInfo> series;
   Grid grid;
   VoxelType type = VoxelType::uint8;
-  int frames = 1;  //!< time points
+  int frames = 1;          //!< time points
+  bool calibrated = true;  //!< false: a spacing is assumed, and lengths and volumes in mm mean nothing
+  GeometrySources sources{};
   std::vector<std::string> warnings;
 };
 
-//! Both throw InputError (one sentence, which begins with the path) for anything that is missing, damaged or
+//! Progress and cancellation of a long reading.
+struct ReadControl {
+  std::function<void(double)> progress{};        //!< 0 … 1, never falling, from the thread that reads
+  const std::atomic<bool>* cancelled = nullptr;  //!< once true, reading ends within some 50 ms
+};
+
+//! A volume with what is known about it.
+struct LoadedVolume {
+  Volume volume;
+  VolumeInfo info;
+};
+
+//! All throw InputError (one sentence, which begins with the path) for anything that is missing, damaged or
 //! not supported, and UsageError for a frame or series that is not there. The type is the file's own; 64-bit
 //! integers become float64, scaled integers float32 or float64, colour (RGB, RGBA of 8 or 16 bits) luminance.
+//!
+//! DICOM is decoded in a child process (setDicomDecoder), whose crash, hang or hunger is an InputError.
 //!
 //! inspectVolume reads no voxels. A folder with several series of which none is chosen is listed: frames is 0
 //! and the grid empty, where readVolume throws.
@@ -44,6 +85,24 @@ VolumeInfo inspectVolume(const std::string& path, const VolumeSelection& selecti
 //! Without a selection the first time point. Not for several threads at once: output of the libraries below
 //! to std::cerr and std::cout is held back meanwhile.
 Volume readVolume(const std::string& path, const VolumeSelection& selection = {});
+//! Both in one reading. Nothing if it was cancelled.
+std::optional<LoadedVolume> loadVolume(const std::string& path, const VolumeSelection& selection = {},
+                                       const ReadControl& control = {});
+//! The series of a folder with modality, description, size, slices and spacing, in the order of their UIDs;
+//! the one entry of a file. Series that are no volumes are in the list, with a note. Nothing if it was
+//! cancelled.
+std::optional<std::vector<SeriesInfo>> listSeries(const std::string& path, const ReadControl& control = {});
+
+//! The program that decodes DICOM, and how long it may go without a sign of life.
+struct DicomDecoder {
+  //! Started as `program decode-dicom`. Empty: handlebody-cli in the folder of the running program.
+  std::string program{};
+  double patience = 8;  //!< seconds for one image, and for every 100 MB of its file 5 more
+};
+//! For all readings that begin later. Not while another thread reads.
+void setDicomDecoder(const DicomDecoder& decoder);
+//! What that program does; returns its exit code. Talks on file descriptor 3, fills the memory behind 4.
+int runDicomDecoder();
 
 //! Writes by extension (.nii.gz .nii .nrrd .mha), compressed except .nii, whole or not at all; what was
 //! written is read back and compared. The volume has two voxels or more along each axis and only finite

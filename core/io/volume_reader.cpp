@@ -25,32 +25,6 @@ VoxelType voxelTypeOf(const VolumeHeader& h) {
 static_assert(static_cast<int>(VoxelType::uint8) == static_cast<int>(Component::uint8));
 static_assert(static_cast<int>(VoxelType::float64) == static_cast<int>(Component::float64));
 
-template <typename F>
-void visitComponents(Component c, const void* p, F&& f) {
-  switch (c) {
-    case Component::uint8:
-      return f(static_cast<const std::uint8_t*>(p));
-    case Component::int8:
-      return f(static_cast<const std::int8_t*>(p));
-    case Component::uint16:
-      return f(static_cast<const std::uint16_t*>(p));
-    case Component::int16:
-      return f(static_cast<const std::int16_t*>(p));
-    case Component::uint32:
-      return f(static_cast<const std::uint32_t*>(p));
-    case Component::int32:
-      return f(static_cast<const std::int32_t*>(p));
-    case Component::float32:
-      return f(static_cast<const float*>(p));
-    case Component::float64:
-      return f(static_cast<const double*>(p));
-    case Component::int64:
-      return f(static_cast<const std::int64_t*>(p));
-    case Component::uint64:
-      return f(static_cast<const std::uint64_t*>(p));
-  }
-}
-
 template <typename To>
 void scaleInto(const VolumeHeader& h, const void* from, void* to) {
   auto* out = static_cast<To*>(to);
@@ -68,13 +42,13 @@ void luminanceInto(const VolumeHeader& h, const T* in, void* to) {
     out[i] = static_cast<T>(std::lround(0.2125 * in[0] + 0.7154 * in[1] + 0.0721 * in[2]));
 }
 
-void convertInto(const VolumeHeader& h, const void* from, Volume& volume, void* to) {
+void convertInto(const VolumeHeader& h, const void* from, VoxelType type, void* to) {
   if (h.components > 1) {
     if (h.component == Component::uint8)
       luminanceInto(h, static_cast<const std::uint8_t*>(from), to);
     else
       luminanceInto(h, static_cast<const std::uint16_t*>(from), to);
-  } else if (volume.type == VoxelType::float32) {
+  } else if (type == VoxelType::float32) {
     scaleInto<float>(h, from, to);
   } else {
     scaleInto<double>(h, from, to);
@@ -110,63 +84,119 @@ std::string seriesChoice(const std::vector<SeriesInfo>& series) {
   return text;
 }
 
-//! Owns its memory without clearing it first: every byte is read from the file or the reading throws.
-struct Buffer {
-  std::shared_ptr<double[]> memory;  // double: aligned for every voxel type
-  Buffer(std::uint64_t bytes, const std::string& path) {
-    try {
-      memory.reset(new double[static_cast<std::size_t>(bytes) / sizeof(double) + 1]);
-    } catch (const std::bad_alloc&) {
-      refuseInput(path, "there is not enough memory to read it");
-    }
-  }
-};
+void setSpacing(const VolumeSelection& selection, VolumeHeader& header, const std::string& path) {
+  if (!selection.spacing) return;
+  const Vec3& given = *selection.spacing;
+  if (!given.allFinite() || given.minCoeff() <= 0) throw UsageError(path + ": a spacing is not above 0.");
+  if (header.calibrated && (given - header.grid.spacing).norm() > 1e-6 * given.norm())
+    header.warnings.push_back(
+        "The spacing was given by the user; the file says " + millimetres(header.grid.spacing.x()) + ", " +
+        millimetres(header.grid.spacing.y()) + ", " + millimetres(header.grid.spacing.z()) + ".");
+  header.grid.spacing = given;
+  header.calibrated = true;
+  for (std::string& source : header.sources.spacing) source = "given by the user";
+}
 
-}  // namespace
-
-VolumeInfo inspectVolume(const std::string& path, const VolumeSelection& selection) {
-  bool several = false;
-  const SourcePointer source = openVolume(path, selection, &several);
-  const VolumeHeader& h = source->header();
+VolumeInfo infoOf(const VolumeHeader& h, const VolumeSelection& selection, const std::string& path) {
+  checkFrame(selection, h.frames, path);
   VolumeInfo info;
   info.path = path;
   info.format = h.format;
   info.series = h.series;
   info.warnings = h.warnings;
-  if (several) {
-    info.frames = 0;
-    info.warnings.push_back("Nothing is chosen: " + seriesChoice(h.series) + ".");
-    return info;
-  }
-  checkFrame(selection, h.frames, path);
   info.grid = h.grid;
   info.type = voxelTypeOf(h);
   info.frames = h.frames;
+  info.calibrated = h.calibrated;
+  info.sources = h.sources;
   if (h.frames > 1 && !selection.frame)
     info.warnings.push_back("There are " + std::to_string(h.frames) + " time points; frame 0 is used.");
+  if (!h.calibrated)
+    info.warnings.push_back(
+        "The volume is uncalibrated: its file does not give the spacing, 1 mm is assumed where it is "
+        "missing, and "
+        "lengths and volumes mean nothing until --spacing gives it.");
+  return info;
+}
+
+//! Voxels of the type that is handed out, from those of the file.
+std::shared_ptr<void> converted(const VolumeHeader& h, VoxelType type, std::shared_ptr<void> stored,
+                                const std::string& path) {
+  const bool widen = static_cast<int>(type) != static_cast<int>(h.component);
+  if (h.components == 1 && !h.scaled() && !widen) return stored;
+  std::shared_ptr<void> result = allocate(h.grid.voxelCount() * bytesPerVoxel(type), path);
+  convertInto(h, stored.get(), type, result.get());
+  return result;
+}
+
+LoadedVolume load(const OpenRequest& request, const ReadControl& control) {
+  const std::string& path = request.path;
+  bool several = false;
+  const SourcePointer source = openVolume(request, control, &several);
+  VolumeHeader& h = source->header();
+  if (several) refuseInput(path, seriesChoice(h.series));
+  setSpacing(request.selection, h, path);
+  LoadedVolume loaded{{}, infoOf(h, request.selection, path)};
+  Volume& volume = loaded.volume;
+  volume = {h.grid, loaded.info.type, nullptr};
+  volume.voxels =
+      converted(h, volume.type, source->read(request.selection.frame.value_or(0), path, control), path);
+  if (volume.type == VoxelType::float32) checkFinite(volume.data<float>(), h.grid, path);
+  if (volume.type == VoxelType::float64) checkFinite(volume.data<double>(), h.grid, path);
+  report(control, 1);
+  return loaded;
+}
+
+}  // namespace
+
+void report(const ReadControl& control, double part) {
+  if (control.cancelled && *control.cancelled) throw Cancelled{};
+  if (control.progress) control.progress(std::clamp(part, 0.0, 1.0));
+}
+
+VolumeInfo inspectVolume(const std::string& path, const VolumeSelection& selection) {
+  bool several = false;
+  const SourcePointer source = openVolume({path, selection}, {}, &several);
+  VolumeHeader& h = source->header();
+  if (!several) {
+    setSpacing(selection, h, path);
+    return infoOf(h, selection, path);
+  }
+  VolumeInfo info;
+  info.path = path;
+  info.format = h.format;
+  info.series = h.series;
+  info.frames = 0;
+  info.warnings = h.warnings;
+  info.warnings.push_back("Nothing is chosen: " + seriesChoice(h.series) + ".");
   return info;
 }
 
 Volume readVolume(const std::string& path, const VolumeSelection& selection) {
-  bool several = false;
-  const SourcePointer source = openVolume(path, selection, &several);
-  const VolumeHeader& h = source->header();
-  if (several) refuseInput(path, seriesChoice(h.series));
-  checkFrame(selection, h.frames, path);
+  return load({path, selection}, {}).volume;
+}
 
-  Volume volume{h.grid, voxelTypeOf(h), nullptr};
-  const bool widen = static_cast<int>(volume.type) != static_cast<int>(h.component);
-  Buffer voxels(h.bytesPerFrame(), path);
-  source->readFrame(selection.frame.value_or(0), voxels.memory.get());
-  if (h.components > 1 || h.scaled() || widen) {
-    Buffer converted(h.grid.voxelCount() * bytesPerVoxel(volume.type), path);
-    convertInto(h, voxels.memory.get(), volume, converted.memory.get());
-    voxels = converted;
-  }
-  volume.voxels = std::shared_ptr<const void>(voxels.memory, voxels.memory.get());
-  if (volume.type == VoxelType::float32) checkFinite(volume.data<float>(), h.grid, path);
-  if (volume.type == VoxelType::float64) checkFinite(volume.data<double>(), h.grid, path);
-  return volume;
+std::optional<LoadedVolume> loadVolume(const std::string& path, const VolumeSelection& selection,
+                                       const ReadControl& control) try {
+  return load({path, selection}, control);
+} catch (const Cancelled&) {
+  return std::nullopt;
+}
+
+std::optional<std::vector<SeriesInfo>> listSeries(const std::string& path, const ReadControl& control) try {
+  bool several = false;
+  const SourcePointer source = openVolume({path, {}, true}, control, &several);
+  const VolumeHeader& h = source->header();
+  if (!h.series.empty()) return h.series;
+  SeriesInfo info;
+  info.description = h.format;
+  info.size = h.grid.size;
+  info.slices = h.grid.size[2] * h.frames;
+  info.spacing = h.grid.spacing;
+  info.frames = h.frames;
+  return std::vector{info};
+} catch (const Cancelled&) {
+  return std::nullopt;
 }
 
 }  // namespace handlebody

@@ -61,28 +61,34 @@ void checkExists(const std::string& path) {
   if (fs::file_size(path, failed) == 0) refuseInput(path, "the file is empty");
 }
 
-SourcePointer openFile(const std::string& path, const VolumeSelection& selection, bool* several) {
+SourcePointer openFile(const OpenRequest& request, const ReadControl& control, bool* several) {
+  const std::string& path = request.path;
   checkExists(path);
   const Start start = startOf(path, false);
   if (beginsWith(start, "version https://git-lfs"))
     refuseInput(path, "this is a Git LFS pointer, not the file it stands for");
-  if (looksLikeDicom(start) && !looksLikeNifti(start)) return openDicom(path, selection, several);
+  if (looksLikeDicom(start) && !looksLikeNifti(start)) return openDicom(request, control, several);
   if (beginsWith(start, "NRRD0")) return openNrrd(path);
   if (looksLikeTiff(start)) return openTiff(path);
   if (looksLikeNifti(start) || path.ends_with(".img") || path.ends_with(".img.gz")) return openNifti(path);
-  if (isGzip(path) && looksLikeNifti(startOf(path, true))) return openNifti(path);
+  if (isGzip(path)) {
+    const Start inside = startOf(path, true);
+    if (looksLikeNifti(inside)) return openNifti(path);
+    if (looksLikeDicom(inside))
+      refuseInput(path, "this is a compressed DICOM file; unpack it first (gunzip)");
+  }
   if (looksLikeMetaImage(start)) return openMetaImage(path);
   refuseInput(path, "it is not a volume in a known format (NIfTI, NRRD, MetaImage, DICOM, TIFF)");
 }
 
 }  // namespace
 
-SourcePointer openVolume(const std::string& path, const VolumeSelection& selection, bool* several) {
+SourcePointer openVolume(const OpenRequest& request, const ReadControl& control, bool* several) {
   std::error_code failed;
-  if (fs::is_directory(path, failed)) return openDicom(path, selection, several);
-  SourcePointer source = openFile(path, selection, several);
-  if (selection.series && source->header().format != "DICOM")
-    throw UsageError(path + ": --series is for DICOM, this is " + source->header().format + ".");
+  if (fs::is_directory(request.path, failed)) return openDicom(request, control, several);
+  SourcePointer source = openFile(request, control, several);
+  if (request.selection.series && source->header().format != "DICOM")
+    throw UsageError(request.path + ": --series is for DICOM, this is " + source->header().format + ".");
   return source;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 // Internal: one way to read a volume per format. A source is opened with its header read and checked; the
-// voxels of one time point are read on demand into memory of the caller.
+// voxels of one time point are read on demand.
 
 #include <cstdint>
 #include <memory>
@@ -16,15 +16,44 @@ enum class Component { uint8, int8, uint16, int16, uint32, int32, float32, float
 
 std::size_t bytesOf(Component component);
 
+//! Calls f with `p` as a pointer to values of the component's type.
+template <typename F>
+void visitComponents(Component c, const void* p, F&& f) {
+  switch (c) {
+    case Component::uint8:
+      return f(static_cast<const std::uint8_t*>(p));
+    case Component::int8:
+      return f(static_cast<const std::int8_t*>(p));
+    case Component::uint16:
+      return f(static_cast<const std::uint16_t*>(p));
+    case Component::int16:
+      return f(static_cast<const std::int16_t*>(p));
+    case Component::uint32:
+      return f(static_cast<const std::uint32_t*>(p));
+    case Component::int32:
+      return f(static_cast<const std::int32_t*>(p));
+    case Component::float32:
+      return f(static_cast<const float*>(p));
+    case Component::float64:
+      return f(static_cast<const double*>(p));
+    case Component::int64:
+      return f(static_cast<const std::int64_t*>(p));
+    case Component::uint64:
+      return f(static_cast<const std::uint64_t*>(p));
+  }
+}
+
 struct VolumeHeader {
-  std::string format;
+  std::string format{};
   std::vector<SeriesInfo> series{};
-  Grid grid;
+  Grid grid{};
   Component component = Component::uint8;
   int components = 1;  //!< per voxel: 1, or 3 or 4 for colour
   int frames = 1;
   double slope = 1;  //!< value = slope · stored + intercept, applied after reading
   double intercept = 0;
+  bool calibrated = true;
+  GeometrySources sources{};
   std::vector<std::string> warnings{};
 
   bool scaled() const { return slope != 1 || intercept != 0; }
@@ -34,30 +63,54 @@ struct VolumeHeader {
   }
 };
 
+//! Thrown within the readers when ReadControl::cancelled is seen; never leaves them.
+struct Cancelled {};
+
+//! Reports `part` (0 … 1) and throws Cancelled if that is asked for.
+void report(const ReadControl& control, double part);
+
+//! Memory for a volume, not cleared: every byte is read from the file or the reading throws. Aligned for
+//! every type. Throws InputError.
+std::shared_ptr<void> allocate(std::uint64_t bytes, const std::string& path);
+
 class VolumeSource {
  public:
   virtual ~VolumeSource() = default;
-  //! Fills `to` with header().bytesPerFrame() bytes, native byte order. Throws InputError.
-  virtual void readFrame(int frame, void* to) = 0;
+  //! header().bytesPerFrame() bytes, native byte order. Throws InputError, Cancelled.
+  virtual std::shared_ptr<void> read(int frame, const std::string& path, const ReadControl& control) {
+    std::shared_ptr<void> memory = allocate(header_.bytesPerFrame(), path);
+    readFrame(frame, memory.get(), control);
+    return memory;
+  }
   const VolumeHeader& header() const { return header_; }
   VolumeHeader& header() { return header_; }
 
  protected:
+  //! The same into memory of the caller.
+  virtual void readFrame(int frame, void* to, const ReadControl& control) = 0;
   VolumeHeader header_;
 };
 
 using SourcePointer = std::unique_ptr<VolumeSource>;
+
+//! What openVolume is asked for.
+struct OpenRequest {
+  std::string path;
+  VolumeSelection selection{};
+  bool listOnly = false;  //!< DICOM: all series with their geometry, none opened
+};
 
 // The formats. Each throws InputError with one sentence that begins with the path.
 SourcePointer openNifti(const std::string& path);
 SourcePointer openMetaImage(const std::string& path);
 SourcePointer openNrrd(const std::string& path);
 SourcePointer openTiff(const std::string& path);
-//! A folder or a file. With several series and none chosen, `several` is set and the header holds only them.
-SourcePointer openDicom(const std::string& path, const VolumeSelection& selection, bool* several);
+//! A folder or a file, in a child process. With several series and none chosen (or listOnly), `several` is
+//! set and the header holds only them.
+SourcePointer openDicom(const OpenRequest& request, const ReadControl& control, bool* several);
 
 //! Finds the format by content and opens; `several` as for openDicom.
-SourcePointer openVolume(const std::string& path, const VolumeSelection& selection, bool* several);
+SourcePointer openVolume(const OpenRequest& request, const ReadControl& control, bool* several);
 
 // --- checks before memory is allocated ---
 
@@ -74,6 +127,8 @@ void swapBytes(void* values, std::size_t count, std::size_t size);
 bool isLaterFrame(const std::string& field);
 //! "path: cause."
 [[noreturn]] void refuseInput(const std::string& path, const std::string& cause);
+//! "0.9 mm"
+std::string millimetres(double value);
 
 //! Libraries below write to std::cerr, std::cout and their own channels; errors reach us as exceptions. Quiet
 //! while one of these lives. Not for several threads at once.

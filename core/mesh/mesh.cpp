@@ -220,6 +220,11 @@ void Mesh::collapseEdge(int h, const Vec3& p) {
   positions_[idx(a)] = p;
 }
 
+std::size_t Mesh::memory() const {
+  return positions_.size() * sizeof(Vec3) + faces_.size() * sizeof(Triangle) +
+         (opposite_.size() + outgoing_.size() + freeVertices_.size() + freeFaces_.size()) * sizeof(int);
+}
+
 TriangleSoup Mesh::compact(std::vector<int>* vertexMap) const {
   std::vector<int> map(positions_.size(), -1);
   TriangleSoup soup;

@@ -30,6 +30,8 @@ class Mesh {
   int faceSlots() const { return static_cast<int>(faces_.size()); }
   int vertexCount() const { return vertexSlots() - static_cast<int>(freeVertices_.size()); }
   int faceCount() const { return faceSlots() - static_cast<int>(freeFaces_.size()); }
+  //! Bytes of the arrays that a copy of the mesh takes.
+  std::size_t memory() const;
   bool isVertex(int v) const { return outgoing_[idx(v)] != kDeleted; }
   bool isFace(int f) const { return faces_[idx(f)][0] >= 0; }
 

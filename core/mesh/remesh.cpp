@@ -20,8 +20,8 @@ class Regulator {
   }
 
   void run() {
-    for (int pass = 0; pass < kMaxSplitPasses && splitLongEdges(); ++pass) {
-    }
+    listActiveFaces();
+    splitLongEdges();
     collapseShortEdges();
     flipForValence();
   }
@@ -34,41 +34,74 @@ class Regulator {
   double squaredLength(int h) const {
     return (mesh_.position(mesh_.target(h)) - mesh_.position(mesh_.origin(h))).squaredNorm();
   }
-  //! Calls f(h) for one of the two half-edges of each edge beside an active vertex. Faces at rest cost three
-  //! looks.
-  template <typename F>
-  void forEachActiveEdge(F&& f) {
+  //! Collapses and flips bring no active vertex into a face that had none: only splits add faces.
+  void listActiveFaces() {
     for (int face = 0; face < mesh_.faceSlots(); ++face) {
       const Triangle& t = mesh_.face(face);
-      if (t[0] < 0 || !(isActive(t[0]) || isActive(t[1]) || isActive(t[2]))) continue;
+      if (t[0] >= 0 && (isActive(t[0]) || isActive(t[1]) || isActive(t[2]))) faces_.push_back(face);
+    }
+  }
+  //! Calls f(h) for one of the two half-edges of each edge beside an active vertex, in the listed faces.
+  template <typename F>
+  void forEachActiveEdge(const std::vector<int>& faces, F&& f) {
+    for (const int face : faces)
       for (int h = 3 * face; h < 3 * face + 3; ++h)
         if (mesh_.isFace(face) && h < mesh_.opposite(h) &&
             (isActive(mesh_.origin(h)) || isActive(mesh_.target(h))))
           f(h);
-    }
   }
 
-  bool splitLongEdges() {
+  //! An edge that is still too long after a pass lies in a face with one of its new vertices: it is one of
+  //! theirs, or the split of another edge of its face has renamed it.
+  void splitLongEdges() {
+    std::vector<int> faces = faces_;
+    for (int pass = 0; pass < kMaxSplitPasses && !faces.empty(); ++pass) {
+      faces = splitLongEdges(faces);
+      faces_.insert(faces_.end(), faces.begin(), faces.end());
+    }
+    std::sort(faces_.begin(), faces_.end());
+    faces_.erase(std::unique(faces_.begin(), faces_.end()), faces_.end());
+  }
+
+  //! One pass; returns the faces at the new vertices, and beside them.
+  std::vector<int> splitLongEdges(const std::vector<int>& faces) {
     const double limit = limits_.longest * limits_.longest;
     std::vector<std::pair<double, int>> edges;
-    forEachActiveEdge([&](int h) {
+    forEachActiveEdge(faces, [&](int h) {
       if (squaredLength(h) > limit) edges.emplace_back(-squaredLength(h), h);
     });
     // Longest first: that is what keeps the triangles well shaped.
     std::sort(edges.begin(), edges.end());
+    std::vector<int> fresh;
     for (const auto& [length, h] : edges) {
       if (squaredLength(h) <= limit) continue;
       const int m =
           mesh_.splitEdge(h, (mesh_.position(mesh_.origin(h)) + mesh_.position(mesh_.target(h))) / 2);
       if (idx(m) >= active_.size()) active_.resize(idx(m) + 1, 0);
       active_[idx(m)] = kActive;
+      fresh.push_back(m);
     }
-    return !edges.empty();
+    return facesAround(fresh);
+  }
+
+  //! The faces at these vertices, and those across an edge of one: one of the two holds the half-edge of
+  //! lower number.
+  std::vector<int> facesAround(const std::vector<int>& vertices) const {
+    std::vector<int> faces;
+    for (const int v : vertices)
+      mesh_.forEachOutgoing(v, [&](int h) {
+        faces.push_back(Mesh::faceOf(h));
+        const int across = mesh_.opposite(Mesh::next(h));
+        if (across >= 0) faces.push_back(Mesh::faceOf(across));
+      });
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    return faces;
   }
 
   void collapseShortEdges() {
     const double limit = limits_.shortest * limits_.shortest;
-    forEachActiveEdge([&](int h) {
+    forEachActiveEdge(faces_, [&](int h) {
       if (squaredLength(h) >= limit) return;
       const int a = mesh_.origin(h), b = mesh_.target(h);
       if (isActive(a) && isActive(b)) {
@@ -107,7 +140,7 @@ class Regulator {
   }
 
   void flipForValence() {
-    forEachActiveEdge([&](int h) {
+    forEachActiveEdge(faces_, [&](int h) {
       if (isActive(mesh_.origin(h)) && isActive(mesh_.target(h)) && flipImproves(h) && mesh_.canFlip(h))
         mesh_.flipEdge(h);
     });
@@ -118,7 +151,8 @@ class Regulator {
     const Vec3 &pa = mesh_.position(a), &pb = mesh_.position(b), &pc = mesh_.position(c),
                &pd = mesh_.position(d);
     // Delaunay: turn the edge when the angles that face it add up to more than a straight one (with a margin,
-    // so that no edge is turned to and fro).
+    // so that no edge is turned to and fro). Two acute angles, the rule, do not.
+    if ((pa - pc).dot(pb - pc) >= 0 && (pa - pd).dot(pb - pd) >= 0) return false;
     const auto cosine = [](const Vec3& apex, const Vec3& p, const Vec3& q) {
       return (p - apex).dot(q - apex) / std::sqrt((p - apex).squaredNorm() * (q - apex).squaredNorm());
     };
@@ -133,6 +167,7 @@ class Regulator {
   Mesh& mesh_;
   const RemeshLimits& limits_;
   std::vector<unsigned char>& active_;
+  std::vector<int> faces_;  // that hold an active vertex, ascending
 };
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "core/mesh/union_find.h"
+
 namespace handlebody {
 
 namespace {
@@ -23,16 +25,30 @@ std::vector<int> flood(const Mesh& mesh, int v, std::vector<int>& label, int val
 }  // namespace
 
 Components findComponents(const Mesh& mesh) {
-  Components c;
-  c.ofVertex.assign(static_cast<std::size_t>(mesh.vertexSlots()), -1);
-  for (int v = 0; v < mesh.vertexSlots(); ++v) {
-    if (!mesh.isVertex(v) || c.ofVertex[static_cast<std::size_t>(v)] >= 0) continue;
-    const std::vector<int> part = flood(mesh, v, c.ofVertex, c.count());
-    Eigen::AlignedBox3d box;
-    for (int w : part) box.extend(mesh.position(w));
-    c.vertices.push_back(static_cast<int>(part.size()));
-    c.extent.push_back(box.sizes().maxCoeff());
+  const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  // Face by face, in the order of memory: far quicker than a walk from neighbour to neighbour.
+  UnionFind parts(at(mesh.vertexSlots()));
+  for (const Triangle& t : mesh.faces()) {
+    if (t[0] < 0) continue;
+    parts.join(t[0], t[1]);
+    parts.join(t[0], t[2]);
   }
+  Components c;
+  c.ofVertex.assign(at(mesh.vertexSlots()), -1);
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (int v = 0; v < mesh.vertexSlots(); ++v) {
+    if (!mesh.isVertex(v)) continue;
+    const int lowest = parts.find(v);
+    if (lowest == v) {
+      c.ofVertex[at(v)] = c.count();
+      c.vertices.push_back(0);
+      boxes.emplace_back();
+    }
+    const int part = c.ofVertex[at(v)] = c.ofVertex[at(lowest)];
+    ++c.vertices[at(part)];
+    boxes[at(part)].extend(mesh.position(v));
+  }
+  for (const auto& box : boxes) c.extent.push_back(box.sizes().maxCoeff());
   c.faces.assign(c.vertices.size(), 0);
   c.volume.assign(c.vertices.size(), 0);
   for (int f = 0; f < mesh.faceSlots(); ++f) {

@@ -9,6 +9,7 @@
 #include "core/surgery/closing.h"
 #include "core/surgery/collision_groups.h"
 #include "core/surgery/fold_smoothing.h"
+#include "core/surgery/nesting.h"
 #include "core/surgery/opening.h"
 
 namespace handlebody {
@@ -63,10 +64,9 @@ class Adaptation {
 
   void treat(const CollisionGroup& group) {
     if (isStale(group)) return;
-    if (group.lambda.size() == 1 && smoothFold(mesh_, group.lambda[0], colliding_, touched_)) {
-      report(group, EventKind::smoothed, {});
-      return;
-    }
+    // A collar that closes behind an enclosed part can be smoothed again and again: it has to be cut.
+    const bool cutFirst = settings_.cameBack && settings_.cameBack(middle(group));
+    if (!cutFirst && smoothed(group)) return;
     std::vector<std::vector<int>> sets = chooseFronts(group);
     const char* reason = "";
     for (int ring = 0; ring <= kEnlargements; ++ring) {
@@ -77,7 +77,13 @@ class Adaptation {
       for (auto& lambda : sets) lambda = enlarge(mesh_, lambda);
       mergeTouching(sets);
     }
-    giveUp(group, reason);
+    if (!cutFirst || !smoothed(group)) giveUp(group, reason);
+  }
+
+  bool smoothed(const CollisionGroup& group) {
+    if (group.lambda.size() != 1 || !smoothFold(mesh_, group.lambda[0], colliding_, touched_)) return false;
+    report(group, EventKind::smoothed, {});
+    return true;
   }
 
   //! The one or two sets to work on: of several, the two with the most collisions; the rest waits for the
@@ -279,6 +285,7 @@ class Adaptation {
     }
     result_.events.push_back(std::move(event));
     if (cut && settings_.outwardOnly) deleteFlakes(patch);
+    if (cut && !settings_.outwardOnly) deleteMisplaced(patch);
   }
 
   //! True if the patch bounds a part of outside space that it has just enclosed.
@@ -299,15 +306,28 @@ class Adaptation {
       return parts.volume[idx(a.first)] < parts.volume[idx(b.first)];
     });
     for (auto it = solids.begin(); it != solids.end(); ++it) {
-      if (it == body) continue;
-      Event event;
-      event.kind = EventKind::componentDeleted;
-      event.iteration = settings_.iteration;
-      event.location = mesh_.position(it->second);
-      deleteComponent(mesh_, it->second);
-      countTopology(event);
-      result_.events.push_back(std::move(event));
+      if (it != body) deletePart(it->second);
     }
+  }
+
+  //! Where the surface may shrink, a cut may well leave two solid pieces, and only the place of a piece tells
+  //! that it is a scrap.
+  void deleteMisplaced(const std::vector<Triangle>& patch) {
+    const Components parts = findComponents(mesh_);
+    std::map<int, int> beside;  // component beside the cut → one of its vertices
+    for (const Triangle& t : patch) beside.emplace(parts.ofVertex[idx(t[0])], t[0]);
+    for (const auto& [component, vertex] : beside)
+      if (isMisplaced(mesh_, parts, component)) deletePart(vertex);
+  }
+
+  void deletePart(int v) {
+    Event event;
+    event.kind = EventKind::componentDeleted;
+    event.iteration = settings_.iteration;
+    event.location = mesh_.position(v);
+    deleteComponent(mesh_, v);
+    countTopology(event);
+    result_.events.push_back(std::move(event));
   }
 
   //! The numbers before are known from the event before; components are counted anew only if something

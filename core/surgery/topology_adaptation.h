@@ -2,6 +2,7 @@
 // Topology adaptation (paper, section 4): the colliding parts of the mesh are opened, and closed again by a
 // handle, by caps, or by a smoother patch.
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct AdaptationSettings {
   bool recordTraces = false;
   int iteration = 0;         //!< for the events
   TopologyNumbers topology;  //!< of the mesh as it is handed over
+  //! True where folds have been smoothed before and came back: there a cut is tried first. None: nowhere.
+  std::function<bool(const Vec3&)> cameBack{};
 };
 
 //! A place where nothing fitted: the caller rolls it back.

@@ -7,9 +7,6 @@ namespace handlebody {
 
 namespace {
 
-constexpr int kShift = 5;
-constexpr int kBrick = 1 << kShift;  // voxels that belong to a brick, per axis
-constexpr int kStored = kBrick + 1;  // with one more layer, so that trilinear sampling stays inside one brick
 constexpr double kCutOff =
     3.0;  // radius of the kernel in standard deviations: 0.3 % of the weight is left out
 constexpr double kNoSmoothing =
@@ -119,7 +116,7 @@ std::unique_ptr<float[]> SmoothedVolume::makeBrick(int bi, int bj, int bk) const
 }
 
 float SmoothedVolume::at(int i, int j, int k) const {
-  const float* b = brick(i >> kShift, j >> kShift, k >> kShift);
+  const float* b = brick(i >> kBrickShift, j >> kBrickShift, k >> kBrickShift);
   const int mask = kBrick - 1;
   return b[((k & mask) * kStored + (j & mask)) * kStored + (i & mask)];
 }
@@ -133,7 +130,7 @@ double SmoothedVolume::sample(const Vec3& index) const {
     cell[a] = std::min(static_cast<int>(x), std::max(0, grid().size[a] - 2));
     t[a] = x - cell[a];
   }
-  const float* b = brick(cell[0] >> kShift, cell[1] >> kShift, cell[2] >> kShift);
+  const float* b = brick(cell[0] >> kBrickShift, cell[1] >> kBrickShift, cell[2] >> kBrickShift);
   const int mask = kBrick - 1;
   const float* p = b + ((cell[2] & mask) * kStored + (cell[1] & mask)) * kStored + (cell[0] & mask);
   const auto along = [](double a, double c, double s) { return a + s * (c - a); };

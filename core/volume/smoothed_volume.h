@@ -24,6 +24,7 @@ class SmoothedVolume {
   ~SmoothedVolume();
 
   const Grid& grid() const { return volume_.grid; }
+  bool hasPadding() const { return view_ != nullptr; }
   bool isPadding(std::size_t voxel) const { return view_ && view_->isPadding(voxel); }
   double sigma() const { return sigma_; }
   //! Bricks of the whole volume, and those made so far.
@@ -34,12 +35,21 @@ class SmoothedVolume {
   //! Trilinear value at a continuous index; indices outside are moved to the nearest voxel of the border.
   double sample(const Vec3& index) const;
 
+  // --- for walks over many voxels: brick (bi,bj,bk) holds the voxels from kBrick·(bi,bj,bk) on ---
+  static constexpr int kBrickShift = 5;
+  static constexpr int kBrick = 1 << kBrickShift;  //!< voxels that belong to a brick, per axis
+  //! Voxels stored: one more layer, so that trilinear sampling stays inside one brick.
+  static constexpr int kStored = kBrick + 1;
+  //! Bricks along each axis.
+  const std::array<int, 3>& bricks() const { return bricks_; }
+  //! kStored³ smoothed values, x fastest. Beyond the grid they are those of its border.
+  const float* brick(int bi, int bj, int bk) const;
+
  private:
   struct Kernel {
     std::vector<float> weights;  // radius + 1 values, the centre first
     int radius() const { return static_cast<int>(weights.size()) - 1; }
   };
-  const float* brick(int bi, int bj, int bk) const;
   std::unique_ptr<float[]> makeBrick(int bi, int bj, int bk) const;
 
   Volume volume_;

@@ -60,7 +60,7 @@ TEST_CASE("info says which time points a 4D volume has and takes the one asked f
   writeBytes(
       folder / "v.mha",
       "ObjectType = Image\nNDims = 4\nBinaryData = True\nBinaryDataByteOrderMSB = False\nDimSize = 8 8 8 2\n"
-      "ElementType = MET_UCHAR\nElementDataFile = LOCAL\n" +
+      "ElementSpacing = 1 1 1 1\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n" +
           bytes);
   CHECK(runForJson({"info", folder / "v.mha", "--json"}).at("frames") == 2);
   CHECK(runForJson({"info", folder / "v.mha", "--json"}).at("warnings").size() == 1);

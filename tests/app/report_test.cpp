@@ -19,8 +19,8 @@ RunReport smallReport() {
   resolved.range = {-std::numeric_limits<double>::infinity(), 0.1};
   resolved.seeds = {{{1, 2, 3}, 4.5}};
   r.session.resolved = resolved;
-  r.grid.size = {3, 4, 5};
-  r.grid.direction << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  r.volume.grid.size = {3, 4, 5};
+  r.volume.grid.direction << 0, -1, 0, 1, 0, 0, 0, 0, 1;
   r.stopped = StopReason::converged;
   Event event;
   event.kind = EventKind::handleInserted;

@@ -19,7 +19,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 Session unusualSession(const std::string& volume) {
   Session s;
   s.version = "1.2.3";
-  s.volume = {volume, "00ff", {"1.2.840.1", 3}};
+  s.volume = {volume, "00ff", {"1.2.840.1", 3, Vec3(0.1, 1.0 / 3.0, 7), UnevenSlices::refuse}};
   s.seeds = {{{0.1, -1.0 / 3.0, 1e-300}, 2.0 / 7.0}, {{1e300, 0, -0.0}, {}}};
   s.requested.object = ObjectKind::bright;
   s.requested.range = IntensityRange{-kInfinity, 100.0 / 3.0};
@@ -31,6 +31,13 @@ Session unusualSession(const std::string& volume) {
   s.requested.maxIterations = 17;
   s.requested.threads = 2;
   s.space = CoordinateSpace::ras;
+  Parameters later = s.requested;
+  later.range = IntensityRange{-3, kInfinity};
+  later.smoothing.reset();
+  later.balloon = 1.0 / 7.0;
+  s.changes = {{0, later}, {9, s.requested}};
+  s.stopAt = 12;
+  s.view = R"({"zoom":1.5})";
   return s;
 }
 
@@ -52,6 +59,8 @@ TEST_CASE("a session comes back exactly as it was written", "[session]") {
   CHECK(back.volume.sha256 == s.volume.sha256);
   CHECK(back.volume.selection.series == s.volume.selection.series);
   CHECK(back.volume.selection.frame == s.volume.selection.frame);
+  CHECK(back.volume.selection.spacing == s.volume.selection.spacing);
+  CHECK(back.volume.selection.uneven == s.volume.selection.uneven);
   REQUIRE(back.seeds.size() == 2);
   CHECK(back.seeds[0].centre == s.seeds[0].centre);
   CHECK(back.seeds[0].radius == s.seeds[0].radius);
@@ -68,6 +77,34 @@ TEST_CASE("a session comes back exactly as it was written", "[session]") {
   CHECK(back.requested.maxIterations == s.requested.maxIterations);
   CHECK(back.requested.threads == s.requested.threads);
   CHECK(back.space == s.space);
+  REQUIRE(back.changes.size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    CHECK(back.changes[i].iteration == s.changes[i].iteration);
+    CHECK(back.changes[i].parameters == s.changes[i].parameters);
+  }
+  CHECK(back.stopAt == s.stopAt);
+  CHECK(back.view == s.view);
+}
+
+TEST_CASE("a session without changes, last iteration and view is that of earlier versions", "[session]") {
+  nlohmann::json json = validJson();
+  json["requested"].erase("changes");
+  json["requested"].erase("stop_at");
+  json.erase("view");
+  const TempFolder folder;
+  test::writeBytes(folder / "s.json", json.dump());
+  const Session back = readSession(folder / "s.json");
+  CHECK(back.changes.empty());
+  CHECK_FALSE(back.stopAt.has_value());
+  CHECK(back.view.empty());
+}
+
+TEST_CASE("a session may be kept before the hash of its volume is known", "[session]") {
+  const TempFolder folder;
+  Session s = unusualSession(folder / "v.mha");
+  s.volume.sha256.clear();
+  writeSession(s, folder / "s.json");
+  CHECK(readSession(folder / "s.json").volume.sha256.empty());
 }
 
 TEST_CASE("what was left to the image stays open in a session", "[session]") {
@@ -135,6 +172,14 @@ TEST_CASE("what is not a session is an input error that names the file", "[sessi
       [](nlohmann::json& j) { j["requested"]["max_iterations"] = 1.5; },
       [](nlohmann::json& j) { j["requested"]["threads"] = 1e12; },
       [](nlohmann::json& j) { j["requested"]["threads"] = 4294967297; },
+      [](nlohmann::json& j) { j["requested"]["stop_at"] = -1; },
+      [](nlohmann::json& j) { j["requested"]["stop_at"] = "end"; },
+      [](nlohmann::json& j) { j["requested"]["changes"] = 3; },
+      [](nlohmann::json& j) { j["requested"]["changes"] = nlohmann::json::object(); },
+      [](nlohmann::json& j) { j["requested"]["changes"][0].erase("iteration"); },
+      [](nlohmann::json& j) { j["requested"]["changes"][0]["iteration"] = -1; },
+      [](nlohmann::json& j) { j["requested"]["changes"][0]["iteration"] = 9; },
+      [](nlohmann::json& j) { j["requested"]["changes"][1]["object"] = "grey"; },
   };
   const TempFolder folder;
   int number = 0;

@@ -93,7 +93,7 @@ void pairsInOneTable(benchmark::State& state) {
   for (auto _ : state) {
     pairs = 0;
     hash.build(s.points, vertices, radius);
-    hash.forEachPair([&](const auto&, const auto&) { ++pairs; });
+    hash.forEachPair([&](int, int, double) { ++pairs; });
   }
   state.counters["pairs"] = static_cast<double>(pairs);
 }

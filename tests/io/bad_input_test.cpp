@@ -132,7 +132,7 @@ TEST_CASE("sheared axes, spacing of zero and vector voxels are refused") {
   expectInputError(folder / "vector.nii", "components");
 }
 
-TEST_CASE("NIfTI-2, Analyze and other lengths than millimetres are refused") {
+TEST_CASE("a damaged NIfTI-2 header and Analyze are refused, metres become millimetres with a warning") {
   const TemporaryFolder folder;
   writeVolume(randomVolume(obliqueGrid(), VoxelType::uint8), folder / "v.nii");
   const std::string bytes = readBytes(folder / "v.nii");
@@ -148,7 +148,11 @@ TEST_CASE("NIfTI-2, Analyze and other lengths than millimetres are refused") {
   changed = bytes;
   changed[123] = 1;
   writeBytes(folder / "metres.nii", changed);
-  expectInputError(folder / "metres.nii", "metres");
+  const VolumeInfo info = inspectVolume(folder / "metres.nii");
+  CHECK_THAT(info.warnings.at(0), Contains("in metres"));
+  const Grid grid = obliqueGrid();
+  CHECK((info.grid.spacing - 1000 * grid.spacing).norm() < 0.02);
+  CHECK((info.grid.toWorld(Vec3(3, 4, 2)) - 1000 * grid.toWorld(Vec3(3, 4, 2))).norm() < 0.02);
 }
 
 TEST_CASE("a MetaImage whose data file is missing and a tracked sequence are refused") {

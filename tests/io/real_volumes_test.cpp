@@ -1,6 +1,7 @@
 // Real files, where the machine has them: the folder in HANDLEBODY_VOLUMES or shared/volumes beside the
 // sources.
 
+#include <chrono>
 #include <cstdlib>
 #include <iostream>
 
@@ -40,6 +41,9 @@ TEST_CASE("the real cases open with their size, type and spacing") {
   expectGrid("mr_spinalcord/t2.nii.gz", VoxelType::int16, {60, 55, 52}, Vec3(1, 1, 1));
   expectGrid("ct_head_small_dicom", VoxelType::int16, {64, 64, 93}, Vec3(3.2, 3.2, 1.5));
   expectGrid("ct_abdomen_dicom_j2k", VoxelType::int16, {512, 512, 20}, Vec3(0.976562, 0.976562, 2));
+  expectGrid("us_liver_invivo/liver_enhanced_us_volume_rle.dcm", VoxelType::uint8, {260, 210, 156},
+             Vec3(0.9, 0.9, 0.9));
+  expectGrid("ct_head_ge_tilt_nonuniform", VoxelType::int16, {512, 611, 37}, Vec3(0.48828, 0.48828, 4.002));
   expectGrid("mr_oblique_dicom", VoxelType::int16, {256, 256, 20}, Vec3(0.859375, 0.859375, 7.0));
 }
 
@@ -77,9 +81,6 @@ TEST_CASE("labels lie on the grid of their volume") {
 
 TEST_CASE("what is not supported yet is refused with one sentence") {
   if (skipped()) return;
-  expectInputError(volumes() + "/ct_head_ge_tilt_nonuniform", "tilted");
-  expectInputError(volumes() + "/us_liver_invivo/liver_enhanced_us_volume_rle.dcm", "multi-frame");
-  expectInputError(volumes() + "/odd_volumes/nibabel/example_nifti2.nii.gz", "NIfTI-2");
   expectInputError(volumes() + "/odd_volumes/rgb2d_spine_report.nii.gz", "2D image");
   expectInputError(volumes() + "/odd_volumes/vtkdata/FullHead.mhd", "is missing");
   expectInputError(volumes() + "/odd_volumes/lfs_pointer/17.nii.gz", "Git LFS pointer");
@@ -102,4 +103,115 @@ TEST_CASE("every odd file is read or refused with one line that begins with its 
       }
     }
   CHECK(refused > 50);
+}
+
+namespace {
+
+//! A volume of two slices: the file, and the file with another position of the same length.
+void writePair(const std::string& file, const std::string& folder) {
+  std::string bytes = readBytes(file);
+  const auto at = bytes.find("\\4.700000");
+  REQUIRE(at != std::string::npos);
+  fs::create_directory(folder);
+  writeBytes(folder + "/1", bytes);
+  bytes.replace(at, 9, "\\9.700000");
+  writeBytes(folder + "/2", bytes);
+}
+
+//! Mean and largest difference of two volumes' voxels.
+std::pair<double, double> difference(const Volume& a, const Volume& b) {
+  double sum = 0, largest = 0;
+  visitVoxels(a, [&](const auto* va) {
+    visitVoxels(b, [&](const auto* vb) {
+      for (std::size_t i = 0; i < a.grid.voxelCount(); ++i) {
+        const double d = std::abs(static_cast<double>(va[i]) - static_cast<double>(vb[i]));
+        sum += d;
+        largest = std::max(largest, d);
+      }
+    });
+  });
+  return {sum / static_cast<double>(a.grid.voxelCount()), largest};
+}
+
+}  // namespace
+
+TEST_CASE("one CT slice in every transfer syntax gives the same pixels, lossy ones nearly") {
+  if (skipped()) return;
+  const std::string source = volumes() + "/odd_dicom_shared/ct_all_transfer_syntaxes/CTImage.dcm_";
+  const TemporaryFolder folder;
+  writePair(source + "LittleEndianExplicitTransferSyntax_1.2.840.10008.1.2.1.dcm", folder / "plain");
+  const Volume plain = readVolume(folder / "plain");
+  REQUIRE(plain.grid.size == std::array<int, 3>{512, 512, 2});
+  for (const char* name : {"BigEndianExplicitTransferSyntax_1.2.840.10008.1.2.2",
+                           "LittleEndianImplicitTransferSyntax_1.2.840.10008.1.2",
+                           "RLELosslessTransferSyntax_1.2.840.10008.1.2.5",
+                           "JPEG2000LosslessOnlyTransferSyntax_1.2.840.10008.1.2.4.90",
+                           "JPEGLSLosslessTransferSyntax_1.2.840.10008.1.2.4.80",
+                           "JPEGProcess14SV1TransferSyntax_1.2.840.10008.1.2.4.70",
+                           "JPEGProcess14TransferSyntax_1.2.840.10008.1.2.4.57"}) {
+    INFO(name);
+    writePair(source + name + ".dcm", folder / name);
+    const Volume volume = readVolume(folder / name);
+    CHECK(volume.type == plain.type);
+    CHECK((voxelBytes(volume) == voxelBytes(plain)));
+  }
+  for (const char* name : {"JPEG2000TransferSyntax_1.2.840.10008.1.2.4.91",
+                           "JPEGLSLossyTransferSyntax_1.2.840.10008.1.2.4.81"}) {
+    INFO(name);
+    writePair(source + name + ".dcm", folder / name);
+    CHECK(difference(readVolume(folder / name), plain).first < 10);  // of some 4000 grey values
+  }
+}
+
+TEST_CASE("the same CT as slices, as a multi-frame file and as NRRD lies in the same place") {
+  if (skipped()) return;
+  const std::string base = volumes() + "/odd_dicom_shared/dcmqi_24x38x3/";
+  const Volume slices = readVolume(base + "image"), frames = readVolume(base + "multiframe/mf.dcm"),
+               segmented = readVolume(base + "seg/label.seg");
+  const Volume label = readVolume(base + "nrrd/label.nrrd");
+  for (const Volume* v : {&frames, &segmented, &label}) {
+    CHECK(v->grid.size == slices.grid.size);
+    CHECK((v->grid.toWorld(Vec3(23, 37, 2)) - slices.grid.toWorld(Vec3(23, 37, 2))).norm() < 1e-3);
+  }
+  CHECK(difference(frames, slices).second == 0);
+}
+
+TEST_CASE(
+    "every volume of the machine opens with its geometry or is refused with file and cause: the table") {
+  if (skipped()) return;
+  std::vector<std::string> paths;
+  for (const auto& entry : fs::recursive_directory_iterator(volumes())) {
+    const std::string path = entry.path().string();
+    const bool slice = path.find("headsq/quarter.") != std::string::npos && !path.ends_with(".nhdr");
+    if (entry.is_directory() ||
+        (entry.is_regular_file() && !slice && !path.ends_with(".txt") && !path.ends_with(".json")))
+      paths.push_back(path);
+  }
+  std::sort(paths.begin(), paths.end());
+  int opened = 0, refused = 0;
+  for (const std::string& path : paths) {
+    const auto start = std::chrono::steady_clock::now();
+    std::string line;
+    try {
+      const LoadedVolume loaded = loadVolume(path).value();
+      const Grid& g = loaded.volume.grid;
+      line = std::to_string(g.size[0]) + " x " + std::to_string(g.size[1]) + " x " +
+             std::to_string(g.size[2]) + (loaded.info.calibrated ? "" : ", uncalibrated");
+      for (const std::string& source : loaded.info.sources.spacing) CHECK_FALSE(source.empty());
+      ++opened;
+    } catch (const InputError& error) {
+      line = error.what();
+      INFO(line);
+      CHECK(line.rfind(path + ": ", 0) == 0);
+      CHECK(line.find('\n') == std::string::npos);
+      line = line.substr(path.size() + 2);
+      CHECK(line.size() > 10);
+      ++refused;
+    }
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    CHECK(seconds.count() < 10);
+    std::cout << path.substr(volumes().size() + 1) << "\t" << line << "\n";
+  }
+  std::cout << opened << " opened, " << refused << " refused\n";
+  CHECK(opened >= 50);
 }

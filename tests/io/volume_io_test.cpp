@@ -258,7 +258,8 @@ TEST_CASE("colour becomes luminance with a warning") {
   std::string pixels;
   for (int i = 0; i < 8; ++i) pixels += std::string("\xff\0\0", 3);  // red
   writeBytes(folder / "rgb.mha",
-             "ObjectType = Image\nNDims = 3\nBinaryData = True\nElementNumberOfChannels = 3\n"
+             "ObjectType = Image\nNDims = 3\nBinaryData = True\nElementNumberOfChannels = 3\nElementSpacing "
+             "= 1 1 1\n"
              "DimSize = 2 2 2\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n" +
                  pixels);
   writeBytes(folder / "rgb.nrrd",
@@ -298,7 +299,11 @@ TEST_CASE("an NRRD in RAS is turned to LPS, and one without a space is a warning
   CHECK((grid.toWorld(Vec3(1, 1, 1)) - Vec3(-12, -23, 34)).norm() < 1e-12);
   CHECK(inspectVolume(folder / "ras.nrrd").warnings.empty());
   writeBytes(folder / "none.nrrd", nrrdHeader("uint8", "2 2 2", "") + "abcdefgh");
-  CHECK(inspectVolume(folder / "none.nrrd").warnings.size() == 1);
+  const VolumeInfo none = inspectVolume(folder / "none.nrrd");
+  REQUIRE(none.warnings.size() == 2);
+  CHECK_THAT(none.warnings[0], Contains("how the volume lies in space"));
+  CHECK_THAT(none.warnings[1], Contains("uncalibrated"));
+  CHECK_FALSE(none.calibrated);
 }
 
 TEST_CASE("a TIFF of several pages is a volume, with a warning about its geometry") {
@@ -307,7 +312,10 @@ TEST_CASE("a TIFF of several pages is a volume, with a warning about its geometr
   const Volume volume = readVolume(folder / "v.tif");
   CHECK(volume.grid.size == std::array<int, 3>{3, 2, 4});
   CHECK(voxelBytes(volume) == "abcdefghijklmnopqrstuvwx");
-  CHECK(inspectVolume(folder / "v.tif").warnings.size() == 1);
+  const VolumeInfo info = inspectVolume(folder / "v.tif");
+  REQUIRE(info.warnings.size() == 2);
+  CHECK_THAT(info.warnings[0], Contains("TIFF does not say"));
+  CHECK_FALSE(info.calibrated);
   writeBytes(folder / "flat.tif", tiffBytes(3, 2, {"abcdef"}));
   expectInputError(folder / "flat.tif", "2D image");
   writeBytes(folder / "short.tif", readBytes(folder / "v.tif").substr(0, 150));

@@ -45,8 +45,10 @@ const Layers& layers() {
     add("core/evolution", {"core/surgery", "core/volume"});
     add("core/io", {"core/evolution"});
     add("sample_volumes", {"core/io"});
-    add("ui", {"core/io"});
-    add("app", {"ui", "sample_volumes"});
+    add("ui/model", {"core/io"});
+    add("ui/view", {"ui/model"});
+    add("ui/window", {"ui/view"});
+    add("app", {"ui/window", "sample_volumes"});
     return l;
   }();
   return all;
@@ -56,7 +58,8 @@ bool startsWith(const std::string& text, const std::string& start) { return text
 
 bool contains(const std::set<std::string>& set, const std::string& value) { return set.count(value) > 0; }
 
-// "core/mesh/mesh.h" → "core/mesh", "core/errors.h" → "core", "app/cli/run.h" → "app"; "" for other people's.
+// "core/mesh/mesh.h" → "core/mesh", "core/errors.h" → "core", "ui/view/slice_view.h" → "ui/view",
+// "app/cli/run.h" → "app"; "" for other people's.
 std::string partOf(const std::string& path) {
   const auto slash = path.find('/');
   if (slash == std::string::npos) return {};
@@ -64,7 +67,7 @@ std::string partOf(const std::string& path) {
   if (top == "tests") return top;
   if (std::find(kSourceFolders.begin(), kSourceFolders.end(), top) == kSourceFolders.end()) return {};
   const auto second = path.find('/', slash + 1);
-  return top == "core" && second != std::string::npos ? path.substr(0, second) : top;
+  return (top == "core" || top == "ui") && second != std::string::npos ? path.substr(0, second) : top;
 }
 
 bool isHeader(const std::string& path) { return path.ends_with(".h"); }
@@ -91,9 +94,10 @@ bool isToolkit(const std::string& name) {
   return startsWith(name, "vtk") || startsWith(name, "itk") || startsWith(name, "gdcm");
 }
 
-// The standard library's headers are the ones without a folder or an extension in lower case.
+// The standard library's headers are the ones without a folder or an extension in lower case; the compiler's own
+// for vector instructions (emmintrin.h …) count with them.
 bool isEigenOrStandard(const std::string& name) {
-  static const std::regex standard("[a-z_0-9]+");
+  static const std::regex standard("[a-z_0-9]+|[a-z]+intrin[.]h");
   return startsWith(name, "Eigen/") || std::regex_match(name, standard);
 }
 

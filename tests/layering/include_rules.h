@@ -16,7 +16,8 @@ SourceTree readSources(const std::string& root);
 //! One sentence, "FILE:LINE: …", for every include that breaks a rule, in the order of the files:
 //! - geometry ← mesh ← collision, handles ← surgery ← evolution; geometry ← volume ← evolution; io on all of
 //! core;
-//!   sample_volumes and ui on core and io; app on everything; nothing on tests.
+//!   sample_volumes and ui on core and io; model ← view ← window within ui; app on everything; nothing on
+//!   tests.
 //! - core outside io: Eigen and the standard library only.
 //! - Qt nowhere in core. ITK, GDCM and VTK in core only under io; a header of io that reaches them, itself or
 //!   through another, is for io alone.

@@ -52,6 +52,17 @@ TEST_CASE("each part uses the parts under it and not the ones above or beside") 
   CHECK_FALSE(breaks("core/evolution/a.h", "\"core/volume/b.h\""));
 }
 
+TEST_CASE("the model does not know its views, nor the views the window") {
+  CHECK(breaks("ui/model/a.h", "\"ui/view/b.h\""));
+  CHECK(breaks("ui/model/a.cpp", "\"ui/window/b.h\""));
+  CHECK(breaks("ui/view/a.cpp", "\"ui/window/b.h\""));
+  CHECK_FALSE(breaks("ui/view/a.h", "\"ui/model/b.h\""));
+  CHECK_FALSE(breaks("ui/window/a.h", "\"ui/model/b.h\""));
+  CHECK_FALSE(breaks("ui/window/a.h", "\"ui/view/b.h\""));
+  CHECK_FALSE(breaks("ui/model/a.h", "\"core/mesh/b.h\""));
+  CHECK_FALSE(breaks("app/handlebody/main.cpp", "\"ui/window/b.h\""));
+}
+
 TEST_CASE("angle brackets do not get round the rule") {
   CHECK(breaks("core/mesh/a.cpp", "<core/surgery/event.h>"));
   CHECK(breaks("core/mesh/a.cpp", "  <core/surgery/event.h>  // a remark"));
@@ -59,12 +70,12 @@ TEST_CASE("angle brackets do not get round the rule") {
 
 TEST_CASE("core does not use the programs, the window, the phantoms or the tests") {
   for (const char* above :
-       {"app/cli/run.h", "ui/view.h", "sample_volumes/phantom.h", "tests/support/catch.h"}) {
+       {"app/cli/run.h", "ui/view/view.h", "sample_volumes/phantom.h", "tests/support/catch.h"}) {
     INFO(above);
     CHECK(breaks("core/evolution/a.cpp", '"' + std::string(above) + '"'));
     CHECK(breaks("core/io/a.cpp", '"' + std::string(above) + '"'));
   }
-  CHECK(breaks("ui/view.cpp", "\"app/cli/run.h\""));
+  CHECK(breaks("ui/view/view.cpp", "\"app/cli/run.h\""));
   CHECK(breaks("app/cli/run.cpp", "\"tests/support/catch.h\""));
   CHECK_FALSE(breaks("app/cli/run.cpp", "\"sample_volumes/phantom.h\""));
 }
@@ -84,7 +95,7 @@ TEST_CASE("the engine includes Eigen and the standard library only") {
 
 TEST_CASE("Qt stays out of io as well") {
   for (const char* qt : {"<QString>", "<QtCore/QString>", "<qobject.h>"}) CHECK(breaks("core/io/a.cpp", qt));
-  CHECK_FALSE(breaks("ui/view.h", "<QWidget>"));
+  CHECK_FALSE(breaks("ui/view/view.h", "<QWidget>"));
 }
 
 TEST_CASE("headers of io that reach ITK or VTK are for io alone") {

@@ -4,9 +4,11 @@
 #include <numbers>
 
 #include "core/mesh/certificate.h"
+#include "sample_volumes/labyrinths.h"
 #include "tests/phantoms/helpers.h"
 
 using namespace handlebody;
+using namespace handlebody::phantoms;
 using namespace handlebody::phantomtest;
 
 namespace {
@@ -22,18 +24,41 @@ double cap(double radius, double height) {
 
 double ball(double radius) { return 4 * std::numbers::pi / 3 * radius * radius * radius; }
 
+// Two balls of 16 mm radius at ±x and what of the bar between them is outside the balls.
+double barbell(double x, double bar) {
+  const double leave = std::sqrt(16.0 * 16 - bar * bar);
+  return 2 * ball(16) + std::numbers::pi * bar * bar * (2 * x - 2 * leave) - 2 * cap(16, 16 - leave);
+}
+
+// A box rounded by r: the inner box a × b × c, its faces, edges and corners.
+double roundedBox(double a, double b, double c, double r) {
+  return a * b * c + 2 * r * (a * b + b * c + c * a) + std::numbers::pi * r * r * (a + b + c) + ball(r);
+}
+
+// The trapezium rule is exact to rounding on a smooth periodic function.
+double trefoilLength() {
+  constexpr int kParts = 4096;
+  double sum = 0;
+  for (int i = 0; i < kParts; ++i) sum += trefoilDerivative(2 * std::numbers::pi * i / kParts).norm();
+  return sum * 2 * std::numbers::pi / kParts;
+}
+
 double analyticVolume(const std::string& name) {
   constexpr double kPi = std::numbers::pi;
   if (name == "sphere") return ball(30);
   if (name == "torus") return 2 * kPi * kPi * 30 * 13.3 * 13.3 - 4 * ball(6);
   if (name == "cube") return 80.0 * 80 * 80 - ball(47.5) + 6 * cap(47.5, 7.5);
-  if (name == "wall") {  // a box rounded by 6 mm: the inner box, its faces, edges and corners
-    const double a = 28, b = 48, c = 48, r = 6;
-    return a * b * c + 2 * r * (a * b + b * c + c * a) + kPi * r * r * (a + b + c) + ball(r);
+  if (name == "wall") return roundedBox(28, 48, 48, 6);
+  if (name == "plate") return roundedBox(68, 52, 0, 2);
+  if (name == "balls") {
+    double volume = ball(45);
+    for (int r = 2; r <= 10; ++r) volume -= ball(r);
+    return volume;
   }
-  // dumbbell: two balls and what of the bar is outside them
-  const double leave = std::sqrt(16.0 * 16 - 6 * 6);
-  return 2 * ball(16) + kPi * 36 * 52 - 2 * (kPi * 36 * leave + cap(16, 16 - leave));
+  // A tube about a curve: its cross-section times its length (Pappus, Weyl).
+  if (name == "trefoil") return kPi * kTrefoilTube * kTrefoilTube * trefoilLength();
+  if (name == "neck") return barbell(24, 2.5);
+  return barbell(26, 6);  // dumbbell
 }
 
 // Sum of the dark parts of the voxels of a noise-free volume, mm³.
@@ -93,18 +118,23 @@ TEST_CASE("the ideal surface's triangles stay close to the surface and face outw
 
 TEST_CASE("the ideal surface encloses the analytic volume") {
   // Its flat triangles lie up to 0.02 mm beside it on average: times area over volume 0.3 %.
-  for (const char* name : {"sphere", "torus", "cube", "wall", "dumbbell"}) {
+  for (const char* name :
+       {"sphere", "torus", "cube", "wall", "dumbbell", "plate", "balls", "trefoil", "neck"}) {
     INFO(name);
     CHECK(examine(phantomSurface(name, {})).volume == Approx(analyticVolume(name)).epsilon(0.003));
   }
 }
 
 TEST_CASE("the dark parts of the voxels add up to the analytic volume for every spacing") {
-  for (const char* name : {"sphere", "torus", "cube", "wall", "dumbbell"}) {
+  for (const char* name :
+       {"sphere", "torus", "cube", "wall", "dumbbell", "plate", "balls", "trefoil", "neck"}) {
     INFO(name);
     const double volume = analyticVolume(name) * (name == std::string("wall") ? 2 : 1);  // two dark chambers
     CHECK(darkVolume(name, {}) == Approx(volume).epsilon(0.003));
-    CHECK(darkVolume(name, oblique()) == Approx(volume).epsilon(0.003));
+    // A voxel's dark part is that of a flat boundary. Voxels of 2 mm add to a tube of radius r their variance
+    // over r², which is up to 1 % of the thin shapes.
+    if (name != std::string("plate") && name != std::string("trefoil"))
+      CHECK(darkVolume(name, oblique()) == Approx(volume).epsilon(0.003));
   }
 }
 

@@ -102,7 +102,9 @@ TEST_CASE("thresholding the noise-free volume half way gives the truth label") {
     const double expected = name == "wall" ? 2.0 / 3 : 1;
     // The cyst's intensity falls with depth by ±1/8 of the contrast, which moves the level by up to an eighth
     // of the ramp: 29,000 mm² of surface on 480,000 mm³, 0.06 mm on average.
-    const double tolerance = name == "cyst" ? 0.004 : 0.001;
+    // The tree's tubes have 2/3 mm² of surface per mm³; half a grey value of 120 is 0.005 mm, which its Dice
+    // shows.
+    const double tolerance = name == "cyst" ? 0.004 : name == "tree" ? 0.002 : 0.001;
     CHECK(std::abs(diceOfThreshold(makePhantom(name, noiseFree())) - expected) < tolerance);
   }
 }

@@ -112,6 +112,7 @@ TEST_CASE("detection of what moved finds all when the rest is clean") {
     const auto expected = find(s);
     all += expected.size();
     CHECK(detector.detectMoved(s.points, s.triangles, moved) == expected);
+    CHECK(detector.detectMoved(Mesh(s), moved) == expected);
   }
   CHECK(all > 100);
 }
@@ -131,6 +132,7 @@ TEST_CASE("detection of what moved leaves out pairs of resting faces only") {
   CollisionDetector detector;
   CHECK(expected.size() < find(s).size());
   CHECK(detector.detectMoved(s.points, s.triangles, moved) == expected);
+  CHECK(detector.detectMoved(Mesh(s), moved) == expected);
   CHECK(detector.detectMoved(s.points, s.triangles, std::vector<unsigned char>(moved.size(), 0)).empty());
 }
 

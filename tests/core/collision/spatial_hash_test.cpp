@@ -1,5 +1,7 @@
 #include "core/collision/spatial_hash.h"
 
+#include "core/collision/near_points.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -32,11 +34,11 @@ std::vector<int> allOf(const std::vector<Vec3>& points) {
   return v;
 }
 
-Pairs bruteForce(const std::vector<Vec3>& p, double radius, const std::vector<unsigned char>& active) {
+Pairs bruteForce(const std::vector<Vec3>& p, double radius) {
   Pairs pairs;
   for (std::size_t i = 0; i < p.size(); ++i) {
     for (std::size_t j = i + 1; j < p.size(); ++j) {
-      if ((active[i] | active[j]) != 0 && (p[i] - p[j]).norm() <= radius) pairs.emplace_back(i, j);
+      if ((p[i] - p[j]).norm() <= radius) pairs.emplace_back(i, j);
     }
   }
   return pairs;
@@ -54,29 +56,41 @@ TEST_CASE("every pair within the radius is found exactly once") {
       SpatialHash hash;
       REQUIRE(hash.build(points, allOf(points), radius));
       Pairs found;
-      hash.forEachPair([&](const auto& a, const auto& b) {
-        found.emplace_back(std::min(a.vertex, b.vertex), std::max(a.vertex, b.vertex));
+      hash.forEachPair([&](int u, int v, double d) {
+        const double expected =
+            (points[static_cast<std::size_t>(u)] - points[static_cast<std::size_t>(v)]).squaredNorm();
+        REQUIRE(d == expected);
+        found.emplace_back(std::min(u, v), std::max(u, v));
       });
       std::sort(found.begin(), found.end());
-      const Pairs expected = bruteForce(points, radius, std::vector<unsigned char>(points.size(), 1));
+      const Pairs expected = bruteForce(points, radius);
       CHECK(expected.size() > 10);
       CHECK(found == expected);
     }
   }
 }
 
-TEST_CASE("with active vertices, every pair that has one is found exactly once") {
-  const auto points = cloud(1500, Vec3(12, 12, 12), 2);
-  std::vector<unsigned char> active(points.size());
-  for (std::size_t v = 0; v < points.size(); ++v) active[v] = points[v].x() > 4;
-  SpatialHash hash;
-  REQUIRE(hash.build(points, allOf(points), 1));
-  Pairs found;
-  hash.forEachPair(active, [&](const auto& a, const auto& b) {
-    found.emplace_back(std::min(a.vertex, b.vertex), std::max(a.vertex, b.vertex));
-  });
-  std::sort(found.begin(), found.end());
-  CHECK(found == bruteForce(points, 1, active));
+TEST_CASE("points near to marked ones are never missed, and few others are taken for near") {
+  const auto points = cloud(6000, Vec3(40, 40, 4), 2);
+  std::vector<int> marked;
+  for (int v = 0; v < 6000; ++v)
+    if (points[static_cast<std::size_t>(v)].x() > 16) marked.push_back(v);
+  NearPoints near;
+  for (const double radius : {0.01, 0.9, 100.0}) {
+    near.build(points, marked, radius);
+    int taken = 0, wrong = 0;
+    for (const Vec3& p : points) {
+      const bool isNear = std::any_of(marked.begin(), marked.end(), [&](int v) {
+        return (points[static_cast<std::size_t>(v)] - p).norm() <= radius;
+      });
+      const bool found = near.mayBeNear(p);
+      REQUIRE((found || !isNear));
+      taken += found;
+      wrong += found && !isNear;
+    }
+    CHECK(wrong < 0.2 * static_cast<double>(points.size()));
+    CHECK(taken >= static_cast<int>(marked.size()));
+  }
 }
 
 TEST_CASE("the boxes of the eight hash functions are blocks of half boxes, negative coordinates too") {

@@ -107,3 +107,13 @@ TEST_CASE("changes at places apart from each other are no repetition") {
   for (int i = 0; i < 5 * kMostRepeats; ++i) CHECK_FALSE(places.repeats(kPlace + Vec3(1.5 * i, 0, 0), 1));
   CHECK_FALSE(places.any(0));
 }
+
+TEST_CASE("a place has come back once it has changed kCameBack times") {
+  RestingPlaces places;
+  for (int i = 0; i < kCameBack; ++i) {
+    CHECK_FALSE(places.cameBack(kPlace, 1));
+    places.repeats(kPlace, 1);
+  }
+  CHECK(places.cameBack(kPlace + Vec3(0.9, 0, 0), 1));
+  CHECK_FALSE(places.cameBack(kPlace + Vec3(1.1, 0, 0), 1));
+}

@@ -1,7 +1,9 @@
 target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/active_contour_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/contour_reports_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/evolution/history_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/motion_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/object_range_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/region_growth_test.cpp
-  ${CMAKE_SOURCE_DIR}/tests/core/evolution/resting_places_test.cpp)
+  ${CMAKE_SOURCE_DIR}/tests/core/evolution/resting_places_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/evolution/shrinking_test.cpp)

@@ -1,4 +1,5 @@
 target_sources(core_tests PRIVATE
+  ${CMAKE_SOURCE_DIR}/tests/core/mesh/plane_section_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/mesh/mesh_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/mesh/remesh_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/mesh/topology_test.cpp)

@@ -1,0 +1,71 @@
+// The window: `handlebody [FILE]`.
+
+#include <QApplication>
+#include <cstdlib>
+#include <iostream>
+
+#include "app/window/options.h"
+#include "app/window/screenshot.h"
+#include "ui/window/file_work.h"
+#include "ui/window/main_window.h"
+
+namespace handlebody::app {
+
+namespace {
+
+constexpr int kNoDisplay = 1;
+
+// Qt ends the program with an abort if it gets no display; a sentence and an exit code serve better.
+void endOnFatal(QtMsgType type, const QMessageLogContext&, const QString& text) {
+  if (type == QtDebugMsg || type == QtInfoMsg) return;
+  if (type != QtFatalMsg) {
+    if (!text.startsWith(QLatin1String("qt.qpa")) && !text.contains(QLatin1String("platform plugin")))
+      std::cerr << "handlebody: " << text.toStdString() << std::endl;
+    return;
+  }
+  if (text.contains(QLatin1String("platform plugin")))
+    std::cerr
+        << "handlebody: there is no display to open the window on; handlebody-cli does the same work without "
+           "one.\n";
+  else
+    std::cerr << "handlebody: " << text.toStdString() << std::endl;
+  std::_Exit(kNoDisplay);
+}
+
+ui::Appearance appearanceFrom(const QString& word) {
+  if (word == QStringLiteral("light")) return ui::Appearance::light;
+  return word == QStringLiteral("dark") ? ui::Appearance::dark : ui::Appearance::system;
+}
+
+int showWindow(const Options& options) {
+  ui::MainWindow window;
+  if (!options.appearance.isEmpty()) window.setAppearance(appearanceFrom(options.appearance));
+  const bool picture = !options.screenshot.isEmpty();
+  if (picture) window.resize(options.size);
+  Screenshot screenshot(options, window);
+  window.show();
+  if (picture) {
+    screenshot.start();
+  } else {
+    if (!options.file.isEmpty()) window.files().open(options.file);
+    window.greet();
+  }
+  return QApplication::exec();
+}
+
+}  // namespace
+
+}  // namespace handlebody::app
+
+int main(int argc, char** argv) {
+  handlebody::app::Options options;
+  if (const auto code = handlebody::app::readOptions(argc, argv, options)) return *code;
+  qInstallMessageHandler(handlebody::app::endOnFatal);
+  int qtArguments = 1;  // ours are read
+  QApplication application(qtArguments, argv);
+  QApplication::setOrganizationName(QStringLiteral("Handlebody"));
+  QApplication::setApplicationName(QStringLiteral("handlebody"));
+  QApplication::setApplicationVersion(QStringLiteral(HANDLEBODY_VERSION));
+  QApplication::setDesktopFileName(QStringLiteral("org.handlebody.Handlebody"));
+  return handlebody::app::showWindow(options);
+}

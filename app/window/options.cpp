@@ -1,0 +1,79 @@
+#include "app/window/options.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+namespace handlebody::app {
+
+namespace {
+
+constexpr int kUsage = 2;
+
+// "WxH"; CLI11 checks it before it is read.
+std::string faultOfSize(const std::string& text) {
+  const QStringList parts = QString::fromStdString(text).split(QLatin1Char('x'));
+  const bool good = parts.size() == 2 && parts[0].toInt() >= 640 && parts[1].toInt() >= 480 &&
+                    parts[0].toInt() <= 8192 && parts[1].toInt() <= 8192;
+  return good ? std::string() : "'" + text + "' is not a size from 640x480 to 8192x8192";
+}
+
+QSize sizeFrom(const std::string& text) {
+  const QStringList parts = QString::fromStdString(text).split(QLatin1Char('x'));
+  return {parts[0].toInt(), parts[1].toInt()};
+}
+
+struct Texts {
+  std::string file, session, screenshot, view = "window", step, appearance, size;
+};
+
+void addOptions(CLI::App& app, Texts& texts, Options& options) {
+  auto* file =
+      app.add_option("FILE", texts.file, "A volume, a folder with a DICOM series, a session or a report");
+  app.add_option("--session", texts.session, "The same as FILE, for a session")
+      ->type_name("FILE")
+      ->excludes(file);
+  auto* screenshot =
+      app.add_option("--screenshot", texts.screenshot, "Write a picture and end")->type_name("OUT.png");
+  app.add_option("--view", texts.view, "What the picture shows (default window)")
+      ->check(CLI::IsMember({"window", "all", "axial", "coronal", "sagittal", "3d"}))
+      ->needs(screenshot);
+  app.add_option("--iteration", options.iteration, "Grow the surface so far first")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1'000'000))
+      ->needs(screenshot);
+  app.add_option("--size", texts.size, "Of the window in logical pixels")
+      ->type_name("WxH")
+      ->check(faultOfSize);
+  app.add_option("--step", texts.step, "The step to begin with")
+      ->check(CLI::IsMember({"open", "seed", "tune", "grow", "export"}));
+  app.add_option("--appearance", texts.appearance, "Colours of the window")
+      ->check(CLI::IsMember({"system", "light", "dark"}));
+}
+
+}  // namespace
+
+std::optional<int> readOptions(int argc, char** argv, Options& options) {
+  CLI::App app("Shows a medical volume and grows a certified surface in it.", "handlebody");
+  app.footer(
+      "For research use only; not a medical device. handlebody-cli does the same work without a window.");
+  app.set_version_flag("--version", std::string("handlebody ") + HANDLEBODY_VERSION);
+  Texts texts;
+  addOptions(app, texts, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    std::cerr << "handlebody: " << error.what() << ".\n";
+    return kUsage;
+  }
+  options.file = QString::fromStdString(texts.file.empty() ? texts.session : texts.file);
+  options.screenshot = QString::fromStdString(texts.screenshot);
+  options.view = QString::fromStdString(texts.view);
+  options.step = QString::fromStdString(texts.step);
+  options.appearance = QString::fromStdString(texts.appearance);
+  if (!texts.size.empty()) options.size = sizeFrom(texts.size);
+  return std::nullopt;
+}
+
+}  // namespace handlebody::app

@@ -1,0 +1,25 @@
+#pragma once
+// The command line of the window.
+
+#include <QSize>
+#include <QString>
+#include <QStringList>
+#include <optional>
+
+namespace handlebody::app {
+
+struct Options {
+  QString file;                  //!< volume, folder, session or report; empty: none
+  QString screenshot;            //!< PNG to write, and then to end; empty: a window for a person
+  QString view;                  //!< window, all, axial, coronal, sagittal, 3d
+  QString step;                  //!< open, seed, tune, grow, export; empty: as the window thinks best
+  QString appearance;            //!< system, light, dark; empty: as set in the window
+  std::optional<int> iteration;  //!< the surface is grown to it
+  QSize size{1280, 800};
+};
+
+//! Reads the command line. Where it asks for help or the version, or is wrong, that is printed and the exit
+//! code returned.
+std::optional<int> readOptions(int argc, char** argv, Options& options);
+
+}  // namespace handlebody::app

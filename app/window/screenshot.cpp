@@ -1,0 +1,85 @@
+#include "app/window/screenshot.h"
+
+#include <QCoreApplication>
+#include <QTimer>
+#include <iostream>
+
+#include "ui/window/main_window.h"
+#include "ui/window/view_grid.h"
+
+namespace handlebody::app {
+
+namespace {
+
+enum Code { kDone = 0, kOutput = 2, kInput = 3, kSeed = 4 };
+constexpr int kSettle = 400;  // ms for layouts and the last drawing
+
+}  // namespace
+
+Screenshot::Screenshot(const Options& options, ui::MainWindow& window) : options_(options), window_(window) {
+  ui::Document& document = window_.document();
+  connect(&document, &ui::Document::openFailed, this, [this](const QString& why) { end(kInput, why); });
+  connect(&document, &ui::Document::seriesChoiceNeeded, this, [this] { take(); });
+  connect(&document, &ui::Document::opened, this, &Screenshot::grow);
+  connect(&document, &ui::Document::stateChanged, this, &Screenshot::continueGrowing);
+  connect(&document, &ui::Document::snapshotChanged, this, &Screenshot::continueGrowing);
+}
+
+void Screenshot::start() {
+  if (options_.file.isEmpty())
+    take();
+  else
+    window_.document().open(options_.file);
+}
+
+void Screenshot::grow() {
+  ui::Document& document = window_.document();
+  if (!options_.iteration) return take();
+  if (document.seeds().empty()) return end(kSeed, tr("There is no seed to grow from: open a session."));
+  growing_ = true;
+  if (*options_.iteration == 0)
+    document.goToStart();
+  else
+    document.run();
+}
+
+// Runs until the iteration is recorded or the growth ends, then goes exactly there.
+void Screenshot::continueGrowing() {
+  if (!growing_) return;
+  ui::Document& document = window_.document();
+  if (!document.growthError().isEmpty()) return end(kSeed, document.growthError());
+  const int wanted = std::min(*options_.iteration, std::max(0, document.lastIteration()));
+  const bool recorded = document.lastIteration() >= *options_.iteration;
+  const bool finished = document.state() == ui::GrowthState::finished;
+  if (!recorded && !finished) return;
+  if (document.state() == ui::GrowthState::running) return document.pause();
+  if (document.iteration() != wanted) return document.goTo(wanted);
+  take();
+}
+
+void Screenshot::take() {
+  growing_ = false;
+  if (!options_.step.isEmpty()) {
+    const QStringList steps{QStringLiteral("open"), QStringLiteral("seed"), QStringLiteral("tune"),
+                            QStringLiteral("grow"), QStringLiteral("export")};
+    window_.showStep(
+        static_cast<ui::Command>(int(ui::Command::stepOpen) + int(steps.indexOf(options_.step))));
+  }
+  QTimer::singleShot(kSettle, this, [this] {
+    const QString& view = options_.view;
+    const QImage picture = view == QStringLiteral("window") ? window_.grab().toImage()
+                                                            : window_.views().picture(ui::cellFromWord(view));
+    if (picture.save(options_.screenshot, "png")) return end(kDone);
+    end(kOutput, tr("%1 cannot be written.").arg(options_.screenshot));
+  });
+}
+
+void Screenshot::end(int code, const QString& sentence) {
+  if (ended_) return;
+  ended_ = true;
+  growing_ = false;
+  if (!sentence.isEmpty()) std::cerr << "handlebody: " << sentence.toStdString() << std::endl;
+  QCoreApplication::exit(code);
+}
+
+}  // namespace handlebody::app

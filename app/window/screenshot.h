@@ -1,0 +1,36 @@
+#pragma once
+// Takes a picture of the window without a person at it.
+
+#include <QObject>
+
+#include "app/window/options.h"
+
+namespace handlebody::ui {
+class MainWindow;
+}
+
+namespace handlebody::app {
+
+//! Opens what the options name, grows to their iteration, writes the picture and ends the program: exit code
+//! 0; 3 if the file cannot be opened, 4 if the surface does not grow, 2 if the picture cannot be written.
+class Screenshot : public QObject {
+  Q_OBJECT
+
+ public:
+  Screenshot(const Options& options, ui::MainWindow& window);
+
+  void start();
+
+ private:
+  void grow();
+  void continueGrowing();
+  void take();
+  void end(int code, const QString& sentence = {});
+
+  Options options_;
+  ui::MainWindow& window_;
+  bool growing_ = false;
+  bool ended_ = false;
+};
+
+}  // namespace handlebody::app

@@ -1,0 +1,148 @@
+#include "core/io/decoder_channel.h"
+
+#include <sys/socket.h>
+
+#include <cerrno>
+
+namespace handlebody {
+namespace {
+
+constexpr std::uint32_t kLongest = 64u << 20;
+
+bool sendBytes(int socket, const void* bytes, std::size_t n) {
+  const char* at = static_cast<const char*>(bytes);
+  while (n > 0) {
+    const ssize_t sent = ::send(socket, at, n, MSG_NOSIGNAL);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent <= 0) return false;
+    at += sent;
+    n -= static_cast<std::size_t>(sent);
+  }
+  return true;
+}
+
+bool receiveBytes(int socket, void* bytes, std::size_t n) {
+  char* at = static_cast<char*>(bytes);
+  while (n > 0) {
+    const ssize_t got = ::recv(socket, at, n, 0);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    at += got;
+    n -= static_cast<std::size_t>(got);
+  }
+  return true;
+}
+
+Message vectorMessage(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+Vec3 vectorFrom(const Message& m) {
+  return {m.at(0).get<double>(), m.at(1).get<double>(), m.at(2).get<double>()};
+}
+
+Message gridMessage(const Grid& g) {
+  return {{"size", g.size},
+          {"spacing", vectorMessage(g.spacing)},
+          {"origin", vectorMessage(g.origin)},
+          {"x", vectorMessage(g.direction.col(0))},
+          {"y", vectorMessage(g.direction.col(1))},
+          {"z", vectorMessage(g.direction.col(2))}};
+}
+
+Grid gridFrom(const Message& m) {
+  Grid g;
+  g.size = m.at("size").get<std::array<int, 3>>();
+  g.spacing = vectorFrom(m.at("spacing"));
+  g.origin = vectorFrom(m.at("origin"));
+  g.direction.col(0) = vectorFrom(m.at("x"));
+  g.direction.col(1) = vectorFrom(m.at("y"));
+  g.direction.col(2) = vectorFrom(m.at("z"));
+  return g;
+}
+
+Message seriesMessage(const SeriesInfo& s) {
+  return {{"uid", s.uid},       {"description", s.description},
+          {"files", s.files},   {"modality", s.modality},
+          {"size", s.size},     {"slices", s.slices},
+          {"frames", s.frames}, {"spacing", vectorMessage(s.spacing)},
+          {"note", s.note}};
+}
+
+SeriesInfo seriesFrom(const Message& m) {
+  SeriesInfo s;
+  s.uid = m.at("uid").get<std::string>();
+  s.description = m.at("description").get<std::string>();
+  s.files = m.at("files").get<int>();
+  s.modality = m.at("modality").get<std::string>();
+  s.size = m.at("size").get<std::array<int, 3>>();
+  s.slices = m.at("slices").get<int>();
+  s.frames = m.at("frames").get<int>();
+  s.spacing = vectorFrom(m.at("spacing"));
+  s.note = m.at("note").get<std::string>();
+  return s;
+}
+
+}  // namespace
+
+bool sendMessage(int socket, const Message& message) {
+  const std::vector<std::uint8_t> bytes = Message::to_cbor(message);
+  const auto length = static_cast<std::uint32_t>(bytes.size());
+  return sendBytes(socket, &length, sizeof length) && sendBytes(socket, bytes.data(), bytes.size());
+}
+
+std::optional<Message> receiveMessage(int socket) {
+  std::uint32_t length = 0;
+  if (!receiveBytes(socket, &length, sizeof length) || length > kLongest) return std::nullopt;
+  std::vector<std::uint8_t> bytes(length);
+  if (!receiveBytes(socket, bytes.data(), length)) return std::nullopt;
+  Message message = Message::from_cbor(bytes, true, false);
+  if (message.is_discarded()) return std::nullopt;
+  return message;
+}
+
+Message requestToMessage(const OpenRequest& r) {
+  Message m = {
+      {"path", r.path}, {"list", r.listOnly}, {"refuse", r.selection.uneven == UnevenSlices::refuse}};
+  if (r.selection.series) m["series"] = *r.selection.series;
+  if (r.selection.spacing) m["spacing"] = vectorMessage(*r.selection.spacing);
+  return m;
+}
+
+OpenRequest requestFromMessage(const Message& m) {
+  OpenRequest r;
+  r.path = m.at("path").get<std::string>();
+  r.listOnly = m.at("list").get<bool>();
+  r.selection.uneven = m.at("refuse").get<bool>() ? UnevenSlices::refuse : UnevenSlices::resample;
+  if (m.contains("series")) r.selection.series = m.at("series").get<std::string>();
+  if (m.contains("spacing")) r.selection.spacing = vectorFrom(m.at("spacing"));
+  return r;
+}
+
+Message headerToMessage(const VolumeHeader& h) {
+  Message series = Message::array();
+  for (const SeriesInfo& s : h.series) series.push_back(seriesMessage(s));
+  const GeometrySources& s = h.sources;
+  return {{"series", series},
+          {"grid", gridMessage(h.grid)},
+          {"component", static_cast<int>(h.component)},
+          {"frames", h.frames},
+          {"calibrated", h.calibrated},
+          {"sources", {s.size, s.spacing[0], s.spacing[1], s.spacing[2], s.origin, s.direction}},
+          {"warnings", h.warnings}};
+}
+
+VolumeHeader headerFromMessage(const Message& m) {
+  VolumeHeader h;
+  h.format = "DICOM";
+  for (const Message& s : m.at("series")) h.series.push_back(seriesFrom(s));
+  h.grid = gridFrom(m.at("grid"));
+  const int component = m.at("component").get<int>();
+  if (component < 0 || component > static_cast<int>(Component::float64)) m.at("no such component");
+  h.component = static_cast<Component>(component);
+  h.frames = m.at("frames").get<int>();
+  h.calibrated = m.at("calibrated").get<bool>();
+  const auto s = m.at("sources").get<std::array<std::string, 6>>();
+  h.sources = {s[0], {s[1], s[2], s[3]}, s[4], s[5]};
+  h.warnings = m.at("warnings").get<std::vector<std::string>>();
+  return h;
+}
+
+}  // namespace handlebody

@@ -1,0 +1,86 @@
+// The child process's side of DICOM decoding: one request, a header, the voxels into shared memory.
+
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+
+#include "core/errors.h"
+#include "core/io/decoder_channel.h"
+#include "core/io/dicom_source.h"
+
+namespace handlebody {
+namespace {
+
+//! Says which file comes next, so that the parent can name it if this process dies, and when to be patient.
+class Teller {
+ public:
+  void operator()(double part, const std::string& file, std::uint64_t bytes) {
+    const auto now = std::chrono::steady_clock::now();
+    if (file == last_ && now - told_ < std::chrono::milliseconds(20)) return;
+    last_ = file;
+    told_ = now;
+    sendMessage(kDecoderSocket, {{"part", part}, {"file", file}, {"bytes", bytes}});
+  }
+
+ private:
+  std::string last_;
+  std::chrono::steady_clock::time_point told_{};
+};
+
+//! Fills the parent's memory file; throws InputError if the machine has not so much.
+void fillMemory(DicomSource& source, int frame, const std::string& path, const DicomProgress& tell) {
+  const std::uint64_t bytes = source.header().bytesPerFrame();
+  if (::ftruncate(kDecoderMemory, static_cast<off_t>(bytes)) != 0)
+    refuseInput(path, "there is not enough memory to read it");
+  void* memory = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, kDecoderMemory, 0);
+  if (memory == MAP_FAILED) refuseInput(path, "there is not enough memory to read it");
+  source.decode(frame, memory, tell);
+}
+
+void answer(const OpenRequest& request) {
+  Teller teller;
+  const DicomProgress tell = std::ref(teller);
+  bool several = false;
+  const SourcePointer source = openDicomHere(request, tell, &several);
+  Message header = headerToMessage(source->header());
+  header["several"] = several;
+  if (!sendMessage(kDecoderSocket, {{"header", header}})) return;
+  const std::optional<Message> go = receiveMessage(kDecoderSocket);
+  if (!go || several) return;  // only the header was wanted
+  fillMemory(dynamic_cast<DicomSource&>(*source), go->at("frame").get<int>(), request.path, tell);
+  sendMessage(kDecoderSocket, {{"done", true}});
+}
+
+}  // namespace
+
+int runDicomDecoder() {
+  // Never outlive the process that asked.
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  const rlimit nothing{0, 0};
+  ::setrlimit(RLIMIT_CORE, &nothing);  // no core files of aborted decoders
+  if (!sendMessage(kDecoderSocket, {{"ready", true}})) return 1;
+  const std::optional<Message> message = receiveMessage(kDecoderSocket);
+  if (!message) return 1;
+  OpenRequest request;
+  try {
+    request = requestFromMessage(*message);
+    answer(request);
+  } catch (const UsageError& error) {
+    sendMessage(kDecoderSocket, {{"usage", error.what()}});
+  } catch (const InputError& error) {
+    sendMessage(kDecoderSocket, {{"input", error.what()}});
+  } catch (const std::bad_alloc&) {
+    sendMessage(kDecoderSocket,
+                {{"input", request.path + ": decoding it takes more memory than its size allows."}});
+  } catch (const std::exception& error) {
+    sendMessage(kDecoderSocket,
+                {{"input", request.path + ": its DICOM data cannot be decoded (" + error.what() + ")."}});
+  }
+  return 0;
+}
+
+}  // namespace handlebody

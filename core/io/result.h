@@ -1,0 +1,31 @@
+#pragma once
+// From a grown mesh to files: what the command line and the window share, so that both write the same.
+
+#include <string>
+#include <vector>
+
+#include "core/io/report.h"
+
+namespace handlebody {
+
+//! A mesh as it is written, with its certificate.
+struct CertifiedMesh {
+  TriangleSoup mesh;  //!< mm LPS, rounded to single precision
+  Certificate certificate;
+};
+
+//! STL and most readers hold single precision. The mesh that is certified, counted and written is therefore
+//! the rounded one: the same coordinates in every file, and the report's numbers are theirs. Throws
+//! std::runtime_error if it fails its certificate: it must not be written then.
+CertifiedMesh certifiedForExport(TriangleSoup mesh);
+
+//! What a user should look at before trusting the result; sentences without a full stop. Uses the session's
+//! resolved seeds, the grid and the certificate of `report`.
+std::vector<std::string> doubts(const RunReport& report, const TriangleSoup& mesh);
+
+//! Writes the mesh, or its label map on `grid`, to each path by its extension. Throws OutputError; UsageError
+//! for an unknown extension.
+void writeResults(const TriangleSoup& mesh, const Grid& grid, const std::vector<std::string>& paths,
+                  CoordinateSpace space);
+
+}  // namespace handlebody

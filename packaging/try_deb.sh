@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# Installs a package in a fresh Debian (debootstrap, as root) and starts both programs there:
+#   packaging/try_deb.sh PACKAGE.deb [RELEASE]     default: the release of this machine
+set -euo pipefail
+package=$(readlink -f "$1")
+# shellcheck source=/dev/null
+release=${2:-$(. /etc/os-release && echo "$VERSION_CODENAME")}
+mirror=${HANDLEBODY_MIRROR:-http://deb.debian.org/debian}
+here=$(cd "$(dirname "$0")" && pwd)
+if [ "$(id -u)" -ne 0 ]; then
+  echo "try_deb.sh needs root: it makes a Debian of its own with debootstrap." >&2
+  exit 2
+fi
+folder=$(mktemp -d)
+trap 'rm -rf --one-file-system "$folder"' EXIT
+debootstrap --variant=minbase "$release" "$folder/debian" "$mirror"
+# The machine's own sources and proxy, so that a local mirror serves here, too.
+cp -rT /etc/apt "$folder/debian/etc/apt"
+cp "$package" "$folder/debian/handlebody.deb"
+cp "$here/../tests/ui/with_display.sh" "$folder/debian/with_display.sh"
+cp /etc/resolv.conf "$folder/debian/etc/resolv.conf" || true
+
+# In mounts of its own: /proc and /dev go with it.
+export folder
+unshare --mount bash -euc '
+  mount -t proc proc "$folder/debian/proc"
+  mount --rbind /dev "$folder/debian/dev"
+  run() { chroot "$folder/debian" env DEBIAN_FRONTEND=noninteractive "$@"; }
+  run apt-get update -q
+  run apt-get install -y -q --no-install-recommends /handlebody.deb
+  sample=/usr/share/handlebody/sample_volumes
+  run handlebody --version
+  run handlebody-cli segment "$sample/cyst.nii.gz" --seed 77,49,85,8 --object dark -o /tmp/cyst.stl --quiet
+  run handlebody-cli check /tmp/cyst.stl
+  run apt-get install -y -q --no-install-recommends xvfb libgl1-mesa-dri
+  run sh /with_display.sh handlebody "$sample/cyst_session.json" --screenshot /tmp/window.png --iteration 20
+  run test -s /tmp/window.png
+'
+echo "The package installs and both programs work in a fresh $release."

@@ -1,0 +1,224 @@
+#include "core/evolution/history.h"
+
+#include <chrono>
+#include <random>
+
+#include "core/errors.h"
+#include "tests/core/evolution/contour_support.h"
+
+using namespace handlebody;
+using namespace handlebody::testing;
+
+namespace {
+
+constexpr double kSeedX = 20 + kTorusR;
+
+ActiveContour torusContour(const Parameters& parameters = {}) {
+  return ActiveContour(torusVolume(), {{Vec3(kSeedX, 20, 20), 3.0}}, parameters);
+}
+
+//! Bit for bit: slots, free slots and their order too, since they decide how the mesh goes on.
+bool isSame(const Mesh& a, const Mesh& b) {
+  if (a.vertexSlots() != b.vertexSlots() || a.faceSlots() != b.faceSlots()) return false;
+  for (int v = 0; v < a.vertexSlots(); ++v)
+    if (a.isVertex(v) != b.isVertex(v) || a.outgoing(v) != b.outgoing(v) || a.position(v) != b.position(v))
+      return false;
+  for (int f = 0; f < a.faceSlots(); ++f)
+    if (a.face(f) != b.face(f)) return false;
+  return true;
+}
+
+//! The meshes of every iteration of a run that never went back.
+std::vector<Mesh> straightRun(ActiveContour contour) {
+  std::vector<Mesh> meshes{contour.mesh()};
+  while (contour.stopReason() == StopReason::running) {
+    contour.step();
+    meshes.push_back(contour.mesh());
+  }
+  return meshes;
+}
+
+void runToEnd(History& history) {
+  while (history.stopReason() == StopReason::running) history.advance();
+}
+
+//! A keyframe at every `n`-th millisecond of computing at most.
+HistoryLimits every(double milliseconds) {
+  HistoryLimits limits;
+  limits.redoSeconds = milliseconds / 1000;
+  return limits;
+}
+
+}  // namespace
+
+TEST_CASE("a copy of a contour goes on as the original does", "[history]") {
+  ActiveContour contour = torusContour();
+  for (int i = 0; i < 25; ++i) contour.step();
+  ActiveContour copy = contour;
+  while (contour.stopReason() == StopReason::running) {
+    const StepReport a = contour.step(), b = copy.step();
+    REQUIRE(isSame(contour.mesh(), copy.mesh()));
+    REQUIRE(a.events.size() == b.events.size());
+  }
+  CHECK(copy.stopReason() == contour.stopReason());
+}
+
+TEST_CASE("any iteration comes back bit for bit, in any order", "[history]") {
+  const std::vector<Mesh> expected = straightRun(torusContour());
+  History history(torusContour(), every(5));
+  runToEnd(history);
+  REQUIRE(history.lastIteration() + 1 == static_cast<int>(expected.size()));
+  REQUIRE(history.keyframes() > 3);
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> any(0, history.lastIteration());
+  for (int jump = 0; jump < 60; ++jump) {
+    const int target = any(random);
+    history.goTo(target);
+    INFO("iteration " << target);
+    REQUIRE(history.iteration() == target);
+    REQUIRE(isSame(history.shown().mesh(), expected[static_cast<std::size_t>(target)]));
+  }
+  CHECK(history.lastIteration() + 1 == static_cast<int>(expected.size()));
+}
+
+TEST_CASE("stepping on from an earlier iteration shows what was recorded", "[history]") {
+  const std::vector<Mesh> expected = straightRun(torusContour());
+  History history(torusContour());
+  runToEnd(history);
+  const std::size_t steps = history.steps().size(), events = history.events().size();
+  history.goTo(10);
+  for (int i = 11; i <= history.lastIteration(); ++i) {
+    history.advance();
+    REQUIRE(isSame(history.shown().mesh(), expected[static_cast<std::size_t>(i)]));
+  }
+  CHECK(history.stopReason() == StopReason::converged);
+  CHECK(history.steps().size() == steps);
+  CHECK(history.events().size() == events);
+}
+
+TEST_CASE("other parameters from an iteration on drop what came after, and are done again exactly",
+          "[history]") {
+  Parameters other;
+  other.curvature = 0.6;
+  other.edgeLength = 1.5;
+  ActiveContour straight = torusContour();
+  for (int i = 0; i < 20; ++i) straight.step();
+  straight.changeParameters(other);
+  const std::vector<Mesh> expected = straightRun(straight);
+
+  History history(torusContour(), every(5));
+  for (int i = 0; i < 40; ++i) history.advance();
+  history.goTo(20);
+  history.changeParameters(other);
+  CHECK(history.lastIteration() == 20);
+  CHECK(history.parameters() == other);
+  runToEnd(history);
+  REQUIRE(history.lastIteration() - 20 + 1 == static_cast<int>(expected.size()));
+  for (int target : {20, history.lastIteration(), 21, 30, 25, 20, 22}) {
+    history.goTo(target);
+    INFO("iteration " << target);
+    REQUIRE(isSame(history.shown().mesh(), expected[static_cast<std::size_t>(target - 20)]));
+  }
+  REQUIRE(history.changes().size() == 1);
+  CHECK(history.changes()[0].iteration == 20);
+  CHECK(history.changes()[0].parameters == other);
+  history.goTo(19);
+  CHECK(history.parameters() == Parameters{});
+}
+
+TEST_CASE("the parameters of before, given again, undo a change at the same iteration", "[history]") {
+  Parameters other;
+  other.balloon = 0.5;
+  History history(torusContour());
+  for (int i = 0; i < 15; ++i) history.advance();
+  history.changeParameters(other);
+  history.changeParameters({});
+  CHECK(history.changes().empty());
+  history.goTo(10);
+  history.changeParameters({});
+  CHECK(history.lastIteration() == 15);
+  runToEnd(history);
+  CHECK(isSame(history.shown().mesh(), straightRun(torusContour()).back()));
+}
+
+TEST_CASE("parameters that are refused change nothing", "[history]") {
+  History history(torusContour());
+  for (int i = 0; i < 15; ++i) history.advance();
+  history.goTo(10);
+  Parameters wrong;
+  wrong.balloon = -1;
+  CHECK_THROWS_AS(history.changeParameters(wrong), UsageError);
+  wrong = {};
+  wrong.range = IntensityRange{190, 300};  // the seed is not in it
+  CHECK_THROWS_AS(history.changeParameters(wrong), SeedError);
+  CHECK(history.lastIteration() == 15);
+  CHECK(history.parameters() == Parameters{});
+  runToEnd(history);
+  CHECK(isSame(history.shown().mesh(), straightRun(torusContour()).back()));
+}
+
+TEST_CASE("more iterations let a growth go on that had reached its limit", "[history]") {
+  Parameters few;
+  few.maxIterations = 12;
+  History history(torusContour(few));
+  runToEnd(history);
+  CHECK(history.stopReason() == StopReason::maxIterations);
+  history.changeParameters({});
+  CHECK(history.stopReason() == StopReason::running);
+  runToEnd(history);
+  CHECK(history.stopReason() == StopReason::converged);
+  CHECK(isSame(history.shown().mesh(), straightRun(torusContour()).back()));
+}
+
+TEST_CASE("a converged surface wakes when the range grows, and follows the new boundary", "[history]") {
+  // A ball in a softer shell: the first range ends at the ball, the second at the shell.
+  const Volume volume = volumeByIndex(cubicGrid(41), [](int i, int j, int k) {
+    const double r = (Vec3(i, j, k) - kMiddle).norm();
+    return (r < 7 ? 20 : r < 12 ? 60 : 200) + 0.5 * std::sin(i + 37.1 * j + 1234.5 * k);
+  });
+  Parameters narrow, wide;
+  narrow.range = IntensityRange{-100, 40};
+  wide.range = IntensityRange{-100, 130};
+  History history(ActiveContour(volume, {{kMiddle, 3.0}}, narrow));
+  runToEnd(history);
+  const double before = history.steps().back().volume;
+  history.changeParameters(wide);
+  runToEnd(history);
+  CHECK(history.stopReason() == StopReason::converged);
+  CHECK(before == Approx(4.0 / 3 * M_PI * 343).epsilon(0.1));
+  CHECK(history.steps().back().volume == Approx(4.0 / 3 * M_PI * 1728).epsilon(0.1));
+  CHECK(certify(history.shown().mesh().compact()).passes());
+}
+
+TEST_CASE("an event of the past tells its stages without disturbing the history", "[history]") {
+  History history(torusContour());
+  runToEnd(history);
+  int handles = 0;
+  for (const Event& e : history.events()) {
+    REQUIRE(e.trace.handleFaces.empty());
+    if (e.kind != EventKind::handleInserted) continue;
+    ++handles;
+    const std::vector<Event> traced = history.traced(e.iteration);
+    bool found = false;
+    for (const Event& t : traced)
+      found = found || (t.kind == e.kind && t.location == e.location && !t.trace.handleFaces.empty() &&
+                        t.loopSizes == e.loopSizes);
+    CHECK(found);
+  }
+  CHECK(handles >= 1);
+  CHECK(history.iteration() == history.lastIteration());
+}
+
+TEST_CASE("a history keeps to its memory and is as exact with fewer keyframes", "[history]") {
+  const std::vector<Mesh> expected = straightRun(torusContour());
+  HistoryLimits tight = every(0);  // a keyframe at every iteration, if the memory allowed it
+  tight.memory = 12 * torusContour().memory() + 12 * expected.back().memory();
+  History history(torusContour(), tight);
+  runToEnd(history);
+  CHECK(history.memory() <= tight.memory);
+  CHECK(history.keyframes() < expected.size() / 2);
+  for (int target : {1, 33, 17, history.lastIteration(), 0, history.lastIteration() - 1}) {
+    history.goTo(target);
+    REQUIRE(isSame(history.shown().mesh(), expected[static_cast<std::size_t>(target)]));
+  }
+}

@@ -1,0 +1,89 @@
+#include "tests/fuzz/corpus.h"
+
+#include "core/io/mesh_io.h"
+#include "core/io/session.h"
+#include "tests/io/dicom_test_support.h"
+#include "tests/io/mesh_test_support.h"
+
+namespace handlebody::test {
+
+namespace {
+
+void addVolumes(const std::string& folder, std::vector<Sample>& corpus) {
+  for (const VoxelType type : {VoxelType::uint8, VoxelType::int16, VoxelType::float32})
+    for (const char* name : {"v.nii", "v.nii.gz", "v.nrrd", "v.mha"}) {
+      const std::string path = folder + "/" + name;
+      writeVolume(randomVolume(obliqueGrid(), type), path);
+      corpus.push_back({name, readBytes(path)});
+    }
+  const std::string voxels(2 * 3 * 4 * 5, 'x');
+  corpus.push_back(
+      {"list.nrrd",
+       "NRRD0005\ntype: short\ndimension: 4\nspace: right-anterior-superior\nsizes: 2 3 4 5\nkinds: "
+       "list domain domain domain\nspace directions: none (1,0,0) (0,2,0) (0,0,3)\nspace origin: "
+       "(1,2,3)\nendian: little\nencoding: raw\n\n" +
+           voxels + voxels});
+  corpus.push_back(
+      {"text.nrrd",
+       "NRRD0001\ntype: float\ndimension: 3\nsizes: 2 2 2\nspacings: 1 2 3\nencoding: ascii\n\n1 2 3 4 "
+       "5.5 6 7 8\n"});
+  corpus.push_back(
+      {"v.mha",
+       "ObjectType = Image\nNDims = 3\nBinaryData = True\nTransformMatrix = 1 0 0 0 1 0 0 0 1\nOffset = 0 0 "
+       "0\nElementSpacing = 1 1 2\nDimSize = 2 3 4\nElementNumberOfChannels = 3\nElementType = "
+       "MET_UCHAR\nElementDataFile = LOCAL\n" +
+           voxels});
+  std::string second(544, '\0');  // NIfTI-2
+  patch(second, 0, std::int32_t{540});
+  second.replace(4, 3, "n+2");
+  patch(second, 12, std::int16_t{2});
+  for (std::size_t i = 0; i < 4; ++i) patch(second, 16 + 8 * i, std::int64_t{i == 0 ? 3 : 4});
+  for (std::size_t i = 0; i < 4; ++i) patch(second, 104 + 8 * i, 1.5);
+  patch(second, 168, std::int64_t{544});
+  patch(second, 344, std::int32_t{1});
+  corpus.push_back({"two.nii", second + std::string(64, 'x')});
+}
+
+void addDicom(std::vector<Sample>& corpus) {
+  Slice s = evenStack(1)[0];
+  s.frames = 4;
+  for (int k = 0; k < 4; ++k) s.framePositions.push_back(s.position + 2.5 * k * s.direction.col(2));
+  corpus.push_back({"enhanced.dcm", dicomBytes(s, "1.2")});
+  Slice us = evenStack(1)[0];
+  us.frames = 4;
+  us.placed = false;
+  us.spacing = "";
+  us.regionDelta = 0.02;
+  corpus.push_back({"us.dcm", dicomBytes(us, "1.2")});
+}
+
+void addMeshes(const std::string& folder, std::vector<Sample>& corpus) {
+  for (const char* name : {"m.stl", "m.ply", "m.obj", "m.vtp"}) {
+    const std::string path = folder + "/" + name;
+    writeMesh(sphere(Vec3(1, 2, 3), 4, 1), path);
+    corpus.push_back({name, readBytes(path)});
+  }
+}
+
+void addSession(const std::string& folder, std::vector<Sample>& corpus) {
+  Session session;
+  session.version = "1.0.0";
+  session.volume = {folder + "/v.nii", std::string(64, 'a'), {}};
+  session.volume.selection.spacing = Vec3(1, 2, 3);
+  session.seeds = {{{1, 2, 3}, 4.0}, {{5, 6, 7}, {}}};
+  writeSession(session, folder + "/s.json");
+  corpus.push_back({"s.json", readBytes(folder + "/s.json")});
+}
+
+}  // namespace
+
+std::vector<Sample> fuzzCorpus(const std::string& folder) {
+  std::vector<Sample> corpus;
+  addVolumes(folder, corpus);
+  addMeshes(folder, corpus);
+  addSession(folder, corpus);
+  addDicom(corpus);
+  return corpus;
+}
+
+}  // namespace handlebody::test

@@ -1,0 +1,150 @@
+// fuzz_readers COUNT [--seed N] [--dicom CLI] [--files FOLDER --cli CLI]
+//
+// Damaged files through the readers: they read or throw InputError or UsageError, within ten seconds each.
+// Without --files: the project's own samples, in this process; with --dicom the DICOM ones, each in a child.
+// With --files: the real files of a folder, whole `info` and `segment` runs of CLI. A file that breaks
+// something stays behind, and its path is printed.
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "core/errors.h"
+#include "core/io/mesh_io.h"
+#include "core/io/session.h"
+#include "tests/fuzz/corpus.h"
+#include "tests/fuzz/mutate.h"
+#include "tests/fuzz/run_program.h"
+
+namespace handlebody::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+constexpr double kLongest = 10;  // seconds
+
+struct Options {
+  std::size_t count = 1000;
+  std::uint64_t seed = 1;
+  std::string dicom, files, cli;
+};
+
+struct Tally {
+  std::size_t read = 0, refused = 0, broken = 0;
+  double longest = 0;
+  long memory = 0;  // kB, of child programs
+};
+
+std::string bytesOf(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void writeFile(const std::string& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
+}
+
+//! True if it was read, false if it was refused as it should be.
+bool readAny(const std::string& path) try {
+  if (path.ends_with(".json"))
+    readSession(path);
+  else if (isMeshPath(path))
+    readMesh(path);
+  else
+    readVolume(path);
+  return true;
+} catch (const InputError&) {
+  return false;
+} catch (const UsageError&) {
+  return false;
+}
+
+//! The exit code of `info` and of `segment`; false where one is none of the contract's.
+bool runAll(const std::string& cli, const std::string& path, const std::string& folder, Tally& tally) {
+  const auto fine = [](const ProgramEnd& end) { return end.code == 0 || (end.code >= 2 && end.code <= 5); };
+  const ProgramEnd info = runProgram({cli, "info", path}, 2 * kLongest);
+  const ProgramEnd segment = runProgram({cli, "segment", path, "--seed-ijk", "5,5,5,2", "--range", "-inf,inf",
+                                         "--max-iterations", "2", "-o", folder + "/out.stl", "--quiet"},
+                                        2 * kLongest);
+  tally.memory = std::max({tally.memory, info.memory, segment.memory});
+  (info.code == 0 ? tally.read : tally.refused) += 1;
+  return fine(info) && fine(segment);
+}
+
+std::vector<Sample> realFiles(const std::string& folder) {
+  std::vector<Sample> samples;
+  constexpr std::uintmax_t kLargest = 3u << 20;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file() && entry.file_size() < kLargest && entry.path().extension() != ".txt")
+      samples.push_back({entry.path().filename().string(), bytesOf(entry.path())});
+  std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.name < b.name; });
+  return samples;
+}
+
+bool feed(const Options& o, const std::string& path, const std::string& folder, Tally& tally) try {
+  if (!o.files.empty()) return runAll(o.cli, path, folder, tally);
+  (readAny(path) ? tally.read : tally.refused) += 1;
+  return true;
+} catch (const std::exception& error) {
+  std::cerr << "unexpected: " << error.what() << "\n";
+  return false;
+}
+
+void one(const Options& o, const std::vector<Sample>& samples, std::size_t i, const std::string& folder,
+         Tally& tally) {
+  std::mt19937_64 random(o.seed * 1000003 + i);
+  const Sample& sample = samples[random() % samples.size()];
+  const std::string path = folder + "/" + sample.name;
+  writeFile(path, mutated(sample.bytes, random));
+  const auto start = std::chrono::steady_clock::now();
+  const bool good = feed(o, path, folder, tally);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  tally.longest = std::max(tally.longest, seconds);
+  if (good && seconds < (o.files.empty() ? kLongest : 2 * kLongest)) {
+    fs::remove(path);
+    return;
+  }
+  ++tally.broken;
+  const std::string kept =
+      folder + "/broken-" + std::to_string(o.seed) + "-" + std::to_string(i) + "-" + sample.name;
+  fs::rename(path, kept);
+  std::cerr << "broken after " << seconds << " s: " << kept << std::endl;
+}
+
+int fuzz(const Options& o) {
+  std::string folder = (fs::temp_directory_path() / "handlebody-fuzz-XXXXXX").string();
+  if (!mkdtemp(folder.data())) return 2;
+  std::vector<Sample> samples = o.files.empty() ? fuzzCorpus(folder) : realFiles(o.files);
+  if (o.files.empty())
+    std::erase_if(samples, [&](const Sample& s) { return s.name.ends_with(".dcm") == o.dicom.empty(); });
+  if (!o.dicom.empty()) setDicomDecoder({o.dicom});
+  Tally tally;
+  for (std::size_t i = 0; i < o.count; ++i) {
+    one(o, samples, i, folder, tally);
+    if (o.count >= 10000 && i % 1000 == 999)
+      std::cerr << i + 1 << " done, " << tally.broken << " broken" << std::endl;
+  }
+  std::printf("%zu damaged files of %zu samples: %zu read, %zu refused, %zu broken; longest %.2f s", o.count,
+              samples.size(), tally.read, tally.refused, tally.broken, tally.longest);
+  std::printf(tally.memory ? ", largest program %ld MB\n" : "\n", tally.memory / 1024);
+  if (tally.broken == 0) fs::remove_all(folder);
+  return tally.broken == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace handlebody::test
+
+int main(int argc, char** argv) {
+  handlebody::test::Options o;
+  CLI::App app("Damaged files through the readers", "fuzz_readers");
+  app.add_option("COUNT", o.count, "How many");
+  app.add_option("--seed", o.seed, "Of the random numbers");
+  app.add_option("--dicom", o.dicom, "handlebody-cli, to decode DICOM");
+  app.add_option("--files", o.files, "Folder of real files, for whole runs of --cli");
+  app.add_option("--cli", o.cli, "handlebody-cli");
+  CLI11_PARSE(app, argc, argv);
+  return handlebody::test::fuzz(o);
+}

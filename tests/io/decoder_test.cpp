@@ -1,0 +1,144 @@
+// The child process that decodes DICOM: whatever it does, the reader answers with one sentence.
+
+#include <sys/wait.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "tests/io/dicom_test_support.h"
+
+using namespace handlebody;
+using namespace handlebody::test;
+
+namespace {
+
+//! A decoder for the length of a test.
+class WithDecoder {
+ public:
+  explicit WithDecoder(const DicomDecoder& decoder) { setDicomDecoder(decoder); }
+  ~WithDecoder() { setDicomDecoder({HANDLEBODY_CLI}); }
+};
+
+double secondsOf(const std::function<void()>& f) {
+  const auto start = std::chrono::steady_clock::now();
+  f();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::string folderCalled(const TemporaryFolder& folder, const std::string& name) {
+  writeSeries(folder / name, evenStack(3));
+  return folder / name;
+}
+
+void expectNoChildren() {
+  INFO("no child process is left behind, not even as a zombie");
+  CHECK(waitpid(-1, nullptr, WNOHANG) == -1);
+}
+
+}  // namespace
+
+TEST_CASE("a DICOM decoder that dies is a sentence with the file it worked on") {
+  const TemporaryFolder folder;
+  const WithDecoder decoder({MISBEHAVING_DECODER});
+  const std::string crash = folderCalled(folder, "crash");
+  expectInputError(crash, "broke down on " + crash + "/slice-7 (signal: Aborted)");
+  expectInputError(folderCalled(folder, "leave"), "exit code 9");
+  expectNoChildren();
+}
+
+TEST_CASE("a DICOM decoder that hangs is stopped when patience is over") {
+  const TemporaryFolder folder;
+  const WithDecoder decoder({MISBEHAVING_DECODER, 0.3});
+  const std::string path = folderCalled(folder, "hang");
+  const double seconds = secondsOf([&] { CHECK_THROWS_AS(readVolume(path), InputError); });
+  CHECK(seconds >= 0.3);
+  CHECK(seconds < 10);
+  expectInputError(path, "got stuck on " + path + "/slice-7");
+  expectNoChildren();
+}
+
+TEST_CASE("a DICOM decoder has no more memory than the image needs") {
+  const TemporaryFolder folder;
+  const WithDecoder decoder({MISBEHAVING_DECODER});
+  const std::string path = folderCalled(folder, "eat");
+  std::string message;
+  try {
+    readVolume(path);
+  } catch (const InputError& error) {
+    message = error.what();
+  }
+  const auto at = message.find("ate ");
+  REQUIRE(at != std::string::npos);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  CHECK(std::stoi(message.substr(at + 4)) <= 512);
+#endif
+}
+
+TEST_CASE("answers without meaning are refused") {
+  const TemporaryFolder folder;
+  const WithDecoder decoder({MISBEHAVING_DECODER});
+  expectInputError(folderCalled(folder, "nonsense"), "without meaning");
+  expectInputError(folderCalled(folder, "noise"), "broke down");
+}
+
+TEST_CASE("without its decoder DICOM is refused, and the message names the program") {
+  const TemporaryFolder folder;
+  const WithDecoder decoder({folder / "nothing-here"});
+  expectInputError(folderCalled(folder, "series"), "its decoder " + (folder / "nothing-here"));
+}
+
+TEST_CASE("a reading that is cancelled ends at once and leaves no process") {
+  const TemporaryFolder folder;
+  const WithDecoder decoder({MISBEHAVING_DECODER, 30});
+  const std::string path = folderCalled(folder, "hang");
+  std::atomic<bool> cancelled = false;
+  std::thread user([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    cancelled = true;
+  });
+  ReadControl control;
+  control.cancelled = &cancelled;
+  const double seconds = secondsOf([&] { CHECK_FALSE(loadVolume(path, {}, control).has_value()); });
+  user.join();
+  CHECK(seconds < 5);
+  expectNoChildren();
+}
+
+TEST_CASE("progress never falls, and ends at 1") {
+  const TemporaryFolder folder;
+  writeSeries(folder / "series", evenStack(40));
+  writeVolume(randomVolume(obliqueGrid(), VoxelType::int16), folder / "v.nii.gz");
+  for (const std::string& path : {folder / "series", folder / "v.nii.gz"}) {
+    std::vector<double> parts;
+    ReadControl control;
+    control.progress = [&](double part) { parts.push_back(part); };
+    REQUIRE(loadVolume(path, {}, control).has_value());
+    REQUIRE_FALSE(parts.empty());
+    CHECK(std::is_sorted(parts.begin(), parts.end()));
+    CHECK(parts.front() >= 0);
+    CHECK(parts.back() == 1);
+  }
+}
+
+TEST_CASE("a cancelled flag ends the reading of every format") {
+  const TemporaryFolder folder;
+  const std::atomic<bool> cancelled = true;
+  ReadControl control;
+  control.cancelled = &cancelled;
+  for (const char* name : {"v.nii", "v.nii.gz", "v.nrrd", "v.mha"}) {
+    INFO(name);
+    writeVolume(randomVolume(obliqueGrid(), VoxelType::int16), folder / name);
+    CHECK_FALSE(loadVolume(folder / name, {}, control).has_value());
+  }
+  writeSeries(folder / "series", evenStack(3));
+  CHECK_FALSE(loadVolume(folder / "series", {}, control).has_value());
+  CHECK_FALSE(listSeries(folder / "series", control).has_value());
+}
+
+TEST_CASE("paths with quotes, spaces, semicolons and bytes that are not UTF-8 are only names") {
+  const TemporaryFolder folder;
+  const std::string name = "it's; rm -rf $HOME \"x\" \xff\xfe\n`id`";
+  writeSeries(folder / name, evenStack(3));
+  CHECK(readVolume(folder / name).grid.size[2] == 3);
+}

@@ -1,0 +1,275 @@
+// Stacks that are no plain grid, multi-frame files, and files without geometry.
+
+#include "tests/io/dicom_test_support.h"
+
+using namespace handlebody;
+using namespace handlebody::test;
+
+namespace {
+
+bool warned(const VolumeInfo& info, const std::string& what) {
+  for (const std::string& warning : info.warnings)
+    if (warning.find(what) != std::string::npos) return true;
+  return false;
+}
+
+//! Values of a function that is linear in space (mm), as a scanner would see them; integers for whole
+//! numbers.
+int linear(const Vec3& p) { return static_cast<int>(std::lround(10 * p.x() + 20 * p.y() - 7 * p.z())); }
+
+//! Slices whose pixels hold linear() of their place. `positions`: of the first pixels.
+std::vector<Slice> linearStack(const std::vector<Vec3>& positions) {
+  std::vector<Slice> slices;
+  for (const Vec3& p : positions) {
+    Slice s;
+    s.position = p;
+    s.columns = 20;
+    s.rows = 24;
+    s.spacing = "2\\1";
+    s.pixel = [p](int x, int y) { return linear(p + Vec3(x, 2 * y, 0)); };
+    slices.push_back(s);
+  }
+  return slices;
+}
+
+//! Every voxel is either outside (the smallest value of all) or the linear function within `tolerance`.
+double partOfLinear(const Volume& volume, double tolerance) {
+  std::size_t right = 0, outside = 0;
+  const auto* values = volume.data<std::int16_t>();
+  const Grid& g = volume.grid;
+  const std::int16_t smallest = *std::min_element(values, values + g.voxelCount());
+  std::size_t n = 0;
+  for (int k = 0; k < g.size[2]; ++k)
+    for (int j = 0; j < g.size[1]; ++j)
+      for (int i = 0; i < g.size[0]; ++i, ++n) {
+        const double expected = linear(g.toWorld(Vec3(i, j, k)));
+        const bool near = std::abs(values[n] - expected) <= tolerance;
+        right += near;
+        outside += !near && values[n] == smallest;
+      }
+  CHECK(right + outside == g.voxelCount());
+  return static_cast<double>(right) / static_cast<double>(g.voxelCount());
+}
+
+}  // namespace
+
+TEST_CASE("a tilted stack is resampled to a straight grid, everything in its place in space") {
+  const TemporaryFolder folder;
+  std::vector<Vec3> positions;
+  for (int k = 0; k < 10; ++k) positions.push_back(Vec3(3, 5 + 0.7 * k, 2.0 * k));
+  writeSeries(folder.path(), linearStack(positions));
+  const VolumeInfo info = inspectVolume(folder.path());
+  CHECK(warned(info, "tilted by 19.3 degrees"));
+  const Volume volume = readVolume(folder.path());
+  CHECK((volume.grid.direction - Eigen::Matrix3d::Identity()).norm() < 1e-12);
+  CHECK((volume.grid.spacing - Vec3(1, 2, 2)).norm() < 1e-9);
+  CHECK(partOfLinear(volume, 1) > 0.7);
+}
+
+TEST_CASE(
+    "unevenly spaced slices are resampled with a warning that names the pitches, or refused by choice") {
+  const TemporaryFolder folder;
+  std::vector<Vec3> positions;
+  for (double z : {0.0, 2.0, 4.0, 6.0, 9.0, 12.0, 15.0}) positions.push_back(Vec3(0, 0, z));
+  writeSeries(folder.path(), linearStack(positions));
+  CHECK(warned(inspectVolume(folder.path()), "3 gaps of 2 mm, 3 of 3 mm"));
+  const Volume volume = readVolume(folder.path());
+  CHECK(volume.grid.size[2] == 8);
+  CHECK(volume.grid.spacing.z() == Approx(2));
+  CHECK(partOfLinear(volume, 1) == 1);
+  VolumeSelection refuse;
+  refuse.uneven = UnevenSlices::refuse;
+  CHECK_THROWS_AS(readVolume(folder.path(), refuse), InputError);
+  CHECK_THROWS_AS(inspectVolume(folder.path(), refuse), InputError);
+}
+
+TEST_CASE("missing slices are counted, and what lies in the gap is interpolated") {
+  const TemporaryFolder folder;
+  std::vector<Vec3> positions;
+  for (double z : {0.0, 2.0, 4.0, 10.0, 12.0, 14.0}) positions.push_back(Vec3(0, 0, z));
+  writeSeries(folder.path(), linearStack(positions));
+  CHECK(warned(inspectVolume(folder.path()), "2 seem to be missing"));
+  const Volume volume = readVolume(folder.path());
+  CHECK(volume.grid.size[2] == 8);
+  CHECK(partOfLinear(volume, 1) == 1);
+}
+
+TEST_CASE("copies of slices are left out with a warning") {
+  const TemporaryFolder folder;
+  std::vector<Slice> slices = evenStack(5);
+  slices.push_back(slices[1]);  // the same pixels under another UID
+  slices.push_back(slices[3]);
+  writeSeries(folder.path(), slices);
+  CHECK(warned(inspectVolume(folder.path()), "2 slices are copies"));
+  const Volume volume = readVolume(folder.path());
+  CHECK(volume.grid.size[2] == 5);
+  for (int k = 0; k < 5; ++k) CHECK(volume.data<std::int16_t>()[12 * k] == k);
+}
+
+TEST_CASE("several different slices in every place are time points; incomplete ones are refused") {
+  const TemporaryFolder folder;
+  std::vector<Slice> slices = evenStack(4);
+  for (int i = 0; i < 4; ++i) {
+    Slice later = slices[static_cast<std::size_t>(i)];
+    later.value = static_cast<std::int16_t>(later.value + 50);
+    later.number = 10 + i;
+    slices.push_back(later);
+  }
+  writeSeries(folder / "whole", slices);
+  const VolumeInfo info = inspectVolume(folder / "whole");
+  CHECK(info.frames == 2);
+  CHECK(warned(info, "2 time points; frame 0"));
+  CHECK(readVolume(folder / "whole").data<std::int16_t>()[12] == 1);
+  CHECK(readVolume(folder / "whole", {.frame = 1}).data<std::int16_t>()[12] == 51);
+  CHECK_THROWS_AS(readVolume(folder / "whole", {.frame = 2}), UsageError);
+  slices.pop_back();
+  writeSeries(folder / "part", slices);
+  expectInputError(folder / "part", "not equally many in every place");
+}
+
+TEST_CASE("an enhanced multi-frame file takes its places from the functional groups, in any order") {
+  const TemporaryFolder folder;
+  Slice s = evenStack(1)[0];
+  const Vec3 first = s.position, normal = s.direction.col(2);
+  s.frames = 4;
+  for (int k : {2, 0, 3, 1}) s.framePositions.push_back(first + 1.5 * k * normal);
+  writeBytes(folder / "multi", dicomBytes(s, "1.2"));
+  const VolumeInfo info = inspectVolume(folder / "multi");
+  CHECK(info.calibrated);
+  CHECK_THAT(info.sources.spacing[0], Contains("Pixel Measures"));
+  CHECK_THAT(info.sources.origin, Contains("Plane Position"));
+  const Volume volume = readVolume(folder / "multi");
+  CHECK(volume.grid.size == std::array<int, 3>{4, 3, 4});
+  CHECK((volume.grid.spacing - Vec3(0.75, 1.5, 1.5)).norm() < 1e-6);
+  CHECK((volume.grid.origin - first).norm() < 1e-6);
+  CHECK((volume.grid.direction - s.direction).norm() < 1e-6);
+  const int expected[] = {1, 3, 0, 2};  // frame f holds the value f
+  for (int k = 0; k < 4; ++k) CHECK(volume.data<std::int16_t>()[12 * k] == expected[k]);
+}
+
+TEST_CASE("a multi-frame file without geometry is uncalibrated until the user gives the spacing") {
+  const TemporaryFolder folder;
+  Slice s;
+  s.frames = 5;
+  s.placed = false;
+  s.spacing = "";
+  writeBytes(folder / "multi", dicomBytes(s, "1.2"));
+  const VolumeInfo info = inspectVolume(folder / "multi");
+  CHECK_FALSE(info.calibrated);
+  CHECK(warned(info, "uncalibrated"));
+  for (const std::string& source : info.sources.spacing) CHECK(source == "assumed");
+  CHECK(info.sources.origin == "assumed");
+  VolumeSelection given;
+  given.spacing = Vec3(0.5, 0.25, 2);
+  const VolumeInfo calibrated = inspectVolume(folder / "multi", given);
+  CHECK(calibrated.calibrated);
+  CHECK(calibrated.sources.spacing[2] == "given by the user");
+  CHECK(readVolume(folder / "multi", given).grid.spacing == Vec3(0.5, 0.25, 2));
+}
+
+TEST_CASE("ultrasound regions give the pixel spacing, in millimetres") {
+  const TemporaryFolder folder;
+  Slice s;
+  s.frames = 5;
+  s.placed = false;
+  s.spacing = "";
+  s.modality = "US";
+  s.regionDelta = 0.025;
+  s.sliceDistance = 0.7;
+  writeBytes(folder / "us", dicomBytes(s, "1.2"));
+  const VolumeInfo info = inspectVolume(folder / "us");
+  CHECK(info.calibrated);
+  CHECK((info.grid.spacing - Vec3(0.25, 0.5, 0.7)).norm() < 1e-12);
+  CHECK_THAT(info.sources.spacing[0], Contains("0018,602C"));
+  CHECK_THAT(info.sources.spacing[2], Contains("0018,0088"));
+}
+
+TEST_CASE("a cine is refused as a volume with a way out, and listed with the reason") {
+  const TemporaryFolder folder;
+  Slice s;
+  s.frames = 30;
+  s.placed = false;
+  s.frameTime = 33;
+  writeBytes(folder / "cine", dicomBytes(s, "1.2"));
+  expectInputError(folder / "cine", "a cine (2D images over time: 30 frames)");
+  const auto series = listSeries(folder / "cine");
+  REQUIRE(series->size() == 1);
+  CHECK_THAT(series->front().note, Contains("cine"));
+  CHECK(series->front().slices == 30);
+  VolumeSelection given;
+  given.spacing = Vec3(1, 1, 2);
+  CHECK(readVolume(folder / "cine", given).grid.size[2] == 30);
+}
+
+TEST_CASE("series are listed with modality, description, size, slices and spacing") {
+  const TemporaryFolder folder;
+  std::vector<Slice> slices = evenStack(3);
+  Slice lone = evenStack(1)[0];
+  lone.series = "9.8.7";
+  lone.modality = "CT";
+  slices.push_back(lone);
+  writeSeries(folder.path(), slices);
+  const auto series = listSeries(folder.path()).value();
+  REQUIRE(series.size() == 2);
+  CHECK(series[0].modality == "MR");
+  CHECK(series[0].description == "MR made by hand");
+  CHECK(series[0].slices == 3);
+  CHECK(series[0].size == std::array<int, 3>{4, 3, 3});
+  CHECK((series[0].spacing - Vec3(0.75, 1.5, 2.5)).norm() < 1e-6);
+  CHECK(series[0].note.empty());
+  CHECK(series[1].modality == "CT");
+  CHECK_THAT(series[1].note, Contains("single slice"));
+}
+
+TEST_CASE("a slice cut within its first 132 bytes is not dropped silently") {
+  const TemporaryFolder folder;
+  writeSeries(folder.path(), evenStack(4));
+  const std::string bytes = readBytes(folder / "1000");  // the first in space: no gap would show
+  for (const std::size_t n : {0u, 1u, 50u, 128u, 131u}) {
+    INFO(n);
+    writeBytes(folder / "1000", bytes.substr(0, n));
+    expectInputError(folder.path(), "1000 is truncated");
+  }
+}
+
+TEST_CASE("files that are not DICOM are named in a warning") {
+  const TemporaryFolder folder;
+  writeSeries(folder.path(), evenStack(4));
+  writeBytes(folder / "notes.txt", "something else");
+  CHECK(warned(inspectVolume(folder.path()), "notes.txt"));
+}
+
+TEST_CASE("a truncated slice of another series does not keep one from being read") {
+  const TemporaryFolder folder;
+  std::vector<Slice> slices = evenStack(3);
+  Slice other = evenStack(1)[0];
+  other.series = "9.8.7";
+  slices.push_back(other);
+  writeSeries(folder.path(), slices);
+  const std::string bytes = readBytes(folder / "997");
+  writeBytes(folder / "997", bytes.substr(0, bytes.size() - 4));
+  VolumeSelection first;
+  first.series = "1.2.3.4";
+  CHECK(readVolume(folder.path(), first).grid.size[2] == 3);
+  CHECK(warned(inspectVolume(folder.path(), first), "truncated"));
+}
+
+TEST_CASE("bits beside the stored ones are no part of a value") {
+  const TemporaryFolder folder;
+  std::vector<Slice> slices = evenStack(3);
+  writeSeries(folder.path(), slices);
+  for (int i = 0; i < 3; ++i) {
+    const std::string file = folder / std::to_string(1000 - i);
+    std::string bytes = readBytes(file);
+    // BitsStored 12, HighBit 11, and overlays in the upper four bits.
+    const auto stored = bytes.find(std::string("\x28\0\x01\x01US\x02\0", 8));
+    REQUIRE(stored != std::string::npos);
+    bytes[stored + 8] = 12;
+    bytes[stored + 18] = 11;
+    for (std::size_t at = bytes.size() - 23; at < bytes.size(); at += 2)
+      bytes[at] = static_cast<char>(bytes[at] | 0x50);
+    writeBytes(file, bytes);
+  }
+  const Volume volume = readVolume(folder.path());
+  for (int k = 0; k < 3; ++k) CHECK(volume.data<std::int16_t>()[12 * k] == k);
+}

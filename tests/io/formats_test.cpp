@@ -1,0 +1,185 @@
+// NIfTI-2, NRRD with a time axis at any place and with numbered data files, and where geometry comes from.
+
+#include "tests/io/io_test_support.h"
+
+using namespace handlebody;
+using namespace handlebody::test;
+
+namespace {
+
+//! The NIfTI-1 header of a file that we wrote, as NIfTI-2.
+std::string asNifti2(const std::string& first) {
+  std::string bytes(544, '\0');
+  const auto float32 = [&](std::size_t at) {
+    float value;
+    std::memcpy(&value, first.data() + at, sizeof value);
+    return static_cast<double>(value);
+  };
+  const auto int16 = [&](std::size_t at) {
+    std::int16_t value;
+    std::memcpy(&value, first.data() + at, sizeof value);
+    return value;
+  };
+  patch(bytes, 0, std::int32_t{540});
+  bytes.replace(4, 8, std::string("n+2\0\r\n\x1a\n", 8));
+  patch(bytes, 12, int16(70));
+  for (std::size_t i = 0; i < 8; ++i) patch(bytes, 16 + 8 * i, std::int64_t{int16(40 + 2 * i)});
+  for (std::size_t i = 0; i < 8; ++i) patch(bytes, 104 + 8 * i, float32(76 + 4 * i));
+  patch(bytes, 168, std::int64_t{544});
+  patch(bytes, 176, float32(112));
+  patch(bytes, 184, float32(116));
+  patch(bytes, 344, std::int32_t{int16(252)});
+  patch(bytes, 348, std::int32_t{int16(254)});
+  for (std::size_t i = 0; i < 6; ++i) patch(bytes, 352 + 8 * i, float32(256 + 4 * i));
+  for (std::size_t i = 0; i < 12; ++i) patch(bytes, 400 + 8 * i, float32(280 + 4 * i));
+  patch(bytes, 500, std::int32_t{first[123]});
+  return bytes + first.substr(352);
+}
+
+std::string nrrdOf(const std::string& sizes, const std::string& fields) {
+  return "NRRD0005\ntype: uint8\ndimension: " +
+         std::to_string(1 + std::count(sizes.begin(), sizes.end(), ' ')) + "\nsizes: " + sizes +
+         "\nencoding: raw\n" + fields + "\n";
+}
+
+}  // namespace
+
+TEST_CASE("a NIfTI-2 file is the same volume as its NIfTI-1 twin") {
+  const TemporaryFolder folder;
+  for (const VoxelType type : {VoxelType::uint8, VoxelType::int16, VoxelType::float64}) {
+    const Volume volume = randomVolume(obliqueGrid(), type);
+    writeVolume(volume, folder / "one.nii");
+    writeBytes(folder / "two.nii", asNifti2(readBytes(folder / "one.nii")));
+    const Volume one = readVolume(folder / "one.nii"), two = readVolume(folder / "two.nii");
+    CHECK(two.type == type);
+    CHECK((voxelBytes(two) == voxelBytes(volume)));
+    CHECK(two.grid.size == one.grid.size);
+    CHECK((two.grid.toWorld(Vec3(6, 4, 3)) - one.grid.toWorld(Vec3(6, 4, 3))).norm() < 1e-12);
+    CHECK(inspectVolume(folder / "two.nii").format == "NIfTI-2");
+  }
+}
+
+TEST_CASE("a NIfTI with a sform alone lies where the sform says") {
+  const TemporaryFolder folder;
+  writeVolume(randomVolume(obliqueGrid(), VoxelType::uint8), folder / "v.nii");
+  const Grid expected = readVolume(folder / "v.nii").grid;
+  std::string bytes = readBytes(folder / "v.nii");
+  patch(bytes, 252, std::int16_t{0});
+  patch(bytes, 254, std::int16_t{1});
+  for (std::size_t r = 0; r < 3; ++r) {
+    const double sign = r < 2 ? -1 : 1;
+    for (std::size_t a = 0; a < 4; ++a) {
+      const auto row = static_cast<Eigen::Index>(r), axis = static_cast<Eigen::Index>(a);
+      const double value =
+          a == 3 ? expected.origin[row] : expected.direction(row, axis) * expected.spacing[axis];
+      patch(bytes, 280 + 16 * r + 4 * a, static_cast<float>(sign * value));
+    }
+  }
+  writeBytes(folder / "s.nii", bytes);
+  const VolumeInfo info = inspectVolume(folder / "s.nii");
+  for (const Vec3& index : {Vec3(0, 0, 0), Vec3(6, 0, 3), Vec3(1, 4, 2)})
+    CHECK((info.grid.toWorld(index) - expected.toWorld(index)).norm() < 1e-4);
+  CHECK_THAT(info.sources.direction, Contains("sform"));
+}
+
+TEST_CASE("the time axis of an NRRD may stand first, last or between") {
+  const TemporaryFolder folder;
+  // Value of voxel (x, y, z) at time t: t · 100 + x + 2 y + 6 z.
+  const std::array<int, 3> size{2, 3, 4};
+  for (const std::size_t place : {0u, 1u, 2u, 3u}) {
+    std::string sizes, kinds, directions;
+    std::vector<int> order;
+    for (int a = 0, axis = 0; a < 4; ++a) {
+      const bool time = a == static_cast<int>(place);
+      order.push_back(time ? 3 : axis);
+      sizes += (a ? " " : "") + std::to_string(time ? 2 : size[static_cast<std::size_t>(axis)]);
+      kinds += time ? " list" : " domain";
+      directions += time ? " none" : axis == 0 ? " (1,0,0)" : axis == 1 ? " (0,1,0)" : " (0,0,1)";
+      if (!time) ++axis;
+    }
+    std::string voxels(48, '\0');
+    for (int i = 0; i < 48; ++i) {
+      int rest = i, at[4] = {0, 0, 0, 0};
+      for (int a : order) {
+        const int n = a == 3 ? 2 : size[static_cast<std::size_t>(a)];
+        at[a] = rest % n;
+        rest /= n;
+      }
+      voxels[static_cast<std::size_t>(i)] = static_cast<char>(100 * at[3] + at[0] + 2 * at[1] + 6 * at[2]);
+    }
+    const std::string path = folder / "4d.nrrd";
+    writeBytes(path, nrrdOf(sizes, "space: LPS\nkinds:" + kinds + "\nspace directions:" + directions + "\n") +
+                         voxels);
+    INFO("time axis " << place);
+    CHECK(inspectVolume(path).frames == 2);
+    for (int t = 0; t < 2; ++t) {
+      const Volume volume = readVolume(path, {.frame = t});
+      CHECK(volume.grid.size == size);
+      for (int i = 0; i < 24; ++i) CHECK(int{volume.data<std::uint8_t>()[i]} == 100 * t + i);
+    }
+  }
+}
+
+TEST_CASE("an NRRD header may name numbered data files, or a list of them") {
+  const TemporaryFolder folder;
+  for (int k = 1; k <= 3; ++k)
+    writeBytes(folder / ("slice.0" + std::to_string(k)), std::string(6, static_cast<char>(k)));
+  const std::string geometry = "spacings: 1 2 3\n";
+  writeBytes(folder / "numbered.nhdr", nrrdOf("3 2 3", geometry + "data file: slice.%02d 1 3 1\n"));
+  writeBytes(folder / "list.nhdr",
+             nrrdOf("3 2 3", geometry + "data file: LIST\nslice.03\nslice.02\nslice.01\n"));
+  const Volume up = readVolume(folder / "numbered.nhdr"), down = readVolume(folder / "list.nhdr");
+  for (int k = 0; k < 3; ++k) {
+    CHECK(int{up.data<std::uint8_t>()[6 * k]} == k + 1);
+    CHECK(int{down.data<std::uint8_t>()[6 * k]} == 3 - k);
+  }
+  fs::remove(folder / "slice.02");
+  expectInputError(folder / "numbered.nhdr", "slice.02 is missing");
+  writeBytes(folder / "hostile.nhdr", nrrdOf("3 2 3", geometry + "data file: %s%n 1 3 1\n"));
+  expectInputError(folder / "hostile.nhdr", "not supported");
+}
+
+TEST_CASE(
+    "sizes whose product exceeds 64 bits, the memory or the file are refused before anything is allocated") {
+  const TemporaryFolder folder;
+  const std::string spaced = "spacings: 1 1 1\n";
+  for (const char* sizes : {"2147483647 2147483647 2147483647", "100000 100000 100000", "4000 4000 4000"}) {
+    INFO(sizes);
+    writeBytes(folder / "v.nrrd", nrrdOf(sizes, spaced) + "abc");
+    expectInputError(folder / "v.nrrd", "");
+    writeBytes(folder / "v.mha", std::string("ObjectType = Image\nNDims = 3\nBinaryData = True\nDimSize = ") +
+                                     sizes + "\nElementType = MET_UCHAR\nElementDataFile = LOCAL\nabc");
+    expectInputError(folder / "v.mha", "");
+  }
+  writeBytes(folder / "t.nrrd", nrrdOf("2 2 2 2147483647", "spacings: 1 1 1 nan\n") + "abcdefgh");
+  expectInputError(folder / "t.nrrd", "");
+}
+
+TEST_CASE("every number of the geometry has a source") {
+  const TemporaryFolder folder;
+  for (const char* name : {"v.nii", "v.nrrd", "v.mha"}) {
+    INFO(name);
+    writeVolume(randomVolume(obliqueGrid(), VoxelType::uint8), folder / name);
+    const VolumeInfo info = inspectVolume(folder / name);
+    CHECK(info.calibrated);
+    for (const std::string* source :
+         {&info.sources.size, &info.sources.spacing[0], &info.sources.spacing[1], &info.sources.spacing[2],
+          &info.sources.origin, &info.sources.direction}) {
+      CHECK_FALSE(source->empty());
+      CHECK_THAT(*source, !Contains("assumed"));
+    }
+  }
+}
+
+TEST_CASE("a spacing given by the user replaces the file's, and is said") {
+  const TemporaryFolder folder;
+  writeVolume(randomVolume(obliqueGrid(), VoxelType::uint8), folder / "v.nrrd");
+  VolumeSelection given;
+  given.spacing = Vec3(1, 2, 3);
+  const VolumeInfo info = inspectVolume(folder / "v.nrrd", given);
+  CHECK(info.grid.spacing == Vec3(1, 2, 3));
+  REQUIRE(info.warnings.size() == 1);
+  CHECK_THAT(info.warnings[0], Contains("given by the user"));
+  given.spacing = Vec3(1, 0, 3);
+  CHECK_THROWS_AS(readVolume(folder / "v.nrrd", given), UsageError);
+}

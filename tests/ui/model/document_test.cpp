@@ -1,0 +1,144 @@
+// Opening, seeds, parameters, undo.
+
+#include "tests/ui/model/document_support.h"
+
+using namespace handlebody;
+using namespace handlebody::ui;
+
+TEST_CASE("a volume is opened on another thread", "[document]") {
+  const TorusFile torus;
+  Document document;
+  document.open(torus.path);
+  CHECK(document.isOpening());
+  CHECK_FALSE(document.hasVolume());
+  REQUIRE(waitFor([&] { return document.hasVolume(); }));
+  CHECK_FALSE(document.isOpening());
+  CHECK(document.volume().grid.size == std::array{41, 41, 41});
+  CHECK(document.info().format == "MetaImage");
+  CHECK(document.path() == torus.path);
+  CHECK_FALSE(document.isModified());
+}
+
+TEST_CASE("a file that cannot be opened leaves the open work alone", "[document]") {
+  const TorusFile torus;
+  Document document;
+  REQUIRE(openAndWait(document, torus.path));
+  document.addSeed(torus.seed);
+  QString sentence;
+  QObject::connect(&document, &Document::openFailed, [&](const QString& text) { sentence = text; });
+  QFile broken(torus.file("broken.nii"));
+  REQUIRE(broken.open(QIODevice::WriteOnly));
+  broken.write("this is no volume");
+  broken.close();
+  QFile other(torus.file("other.json"));
+  REQUIRE(other.open(QIODevice::WriteOnly));
+  other.write("{\"version\": 7}");
+  other.close();
+  for (const QString& path : {broken.fileName(), other.fileName(), torus.file("missing.mha"), QString()}) {
+    sentence.clear();
+    CHECK_FALSE(openAndWait(document, path));
+    INFO(sentence.toStdString());
+    CHECK(sentence.endsWith(QLatin1Char('.')));
+    CHECK(document.path() == torus.path);
+    CHECK(document.seeds().size() == 1);
+  }
+}
+
+TEST_CASE("a cancelled opening opens nothing", "[document]") {
+  const TorusFile torus;
+  Document document;
+  document.open(torus.path);
+  document.cancelOpening();
+  waitMilliseconds(500);
+  CHECK_FALSE(document.hasVolume());
+}
+
+TEST_CASE("of two openings the newer one wins", "[document]") {
+  const TorusFile torus, other;
+  Document document;
+  document.open(torus.path);
+  document.open(other.path);
+  REQUIRE(waitFor([&] { return document.hasVolume(); }));
+  CHECK(document.path() == other.path);
+}
+
+TEST_CASE("every change of the seeds is undone and done again by its name", "[document]") {
+  const TorusFile torus;
+  Document document;
+  REQUIRE(openAndWait(document, torus.path));
+  QUndoStack& undo = *document.undoStack();
+  document.addSeed(torus.seed);
+  CHECK(undo.undoText() == QStringLiteral("Add seed"));
+  CHECK(document.selectedSeed() == 0);
+  const Vec3 there = torus.seed.centre + Vec3(1, 2, 3);
+  document.moveSeed(0, there);
+  CHECK(undo.undoText() == QStringLiteral("Move seed"));
+  document.setSeedRadius(0, 2.5);
+  CHECK(undo.undoText() == QStringLiteral("Change seed radius"));
+  document.removeSeed(0);
+  CHECK(undo.undoText() == QStringLiteral("Delete seed"));
+  CHECK(document.seeds().empty());
+  CHECK(document.selectedSeed() == -1);
+  undo.undo();
+  REQUIRE(document.seeds().size() == 1);
+  CHECK(document.seeds()[0] == Seed{there, 2.5});
+  CHECK(document.selectedSeed() == 0);
+  undo.undo();
+  undo.undo();
+  CHECK(document.seeds()[0] == torus.seed);
+  undo.undo();
+  CHECK(document.seeds().empty());
+  CHECK_FALSE(document.isModified());
+  while (undo.canRedo()) undo.redo();
+  CHECK(document.seeds().empty());
+  CHECK(document.isModified());
+}
+
+TEST_CASE("one drag is one entry, the next drag another", "[document]") {
+  const TorusFile torus;
+  Document document;
+  REQUIRE(openAndWait(document, torus.path));
+  document.addSeed(torus.seed);
+  for (int gesture : {1, 2})
+    for (int i = 1; i <= 5; ++i) document.moveSeed(0, torus.seed.centre + Vec3(i, gesture, 0), gesture);
+  CHECK(document.undoStack()->count() == 3);
+  document.undoStack()->undo();
+  CHECK(document.seeds()[0].centre == Vec3(torus.seed.centre + Vec3(5, 1, 0)));
+  document.undoStack()->undo();
+  CHECK(document.seeds()[0] == torus.seed);
+}
+
+TEST_CASE("parameters are undone under the name they were changed by", "[document]") {
+  const TorusFile torus;
+  Document document;
+  REQUIRE(openAndWait(document, torus.path));
+  int told = 0;
+  QObject::connect(&document, &Document::parametersChanged, [&] { ++told; });
+  Parameters p = document.parameters();
+  p.curvature = 0.5;
+  document.setParameters(p, QStringLiteral("Change curvature"));
+  CHECK(document.undoStack()->undoText() == QStringLiteral("Change curvature"));
+  document.setParameters(p, QStringLiteral("Change curvature"));
+  CHECK(document.undoStack()->count() == 1);
+  document.undoStack()->undo();
+  CHECK(document.parameters() == Parameters{});
+  CHECK(told == 2);
+}
+
+TEST_CASE("the automatic parameters follow the seeds", "[document]") {
+  const TorusFile torus;
+  Document document;
+  REQUIRE(openAndWait(document, torus.path));
+  CHECK_FALSE(document.resolved().has_value());
+  document.addSeed({torus.seed.centre, {}});
+  REQUIRE(waitFor([&] { return document.resolved().has_value(); }));
+  CHECK(document.resolved()->object == ObjectKind::dark);
+  CHECK(document.shownRadius(0) == *document.resolved()->seeds[0].radius);
+  document.moveSeed(0, Vec3(1000, 0, 0));
+  REQUIRE(waitFor([&] { return !document.resolveError().isEmpty(); }));
+  CHECK_FALSE(document.resolved().has_value());
+  CHECK(document.resolveError().contains(QStringLiteral("outside the volume")));
+  document.undoStack()->undo();
+  REQUIRE(waitFor([&] { return document.resolved().has_value(); }));
+  CHECK(document.resolveError().isEmpty());
+}

@@ -1,0 +1,192 @@
+// Growing, stepping back, changing parameters on the way, export.
+
+#include <random>
+
+#include "tests/ui/model/document_support.h"
+#include "ui/model/snapshot.h"
+
+using namespace handlebody;
+using namespace handlebody::ui;
+
+namespace {
+
+//! A document with a torus and a seed in it.
+struct Work {
+  TorusFile torus;
+  Document document;
+
+  Work() {
+    REQUIRE(openAndWait(document, torus.path));
+    document.addSeed(torus.seed);
+  }
+  bool stepForward() {
+    const int before = document.iteration();
+    document.stepForward();
+    return waitFor([&] { return document.iteration() == std::max(0, before) + 1; });
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a seed grows into the torus and stops by itself", "[document]") {
+  Work work;
+  Document& document = work.document;
+  CHECK(document.state() == GrowthState::none);
+  CHECK(document.snapshot() == nullptr);
+  document.run();
+  CHECK(document.state() == GrowthState::preparing);
+  REQUIRE(waitFor([&] { return document.state() == GrowthState::finished; }));
+  CHECK(document.stopReason() == StopReason::converged);
+  CHECK(document.growthError().isEmpty());
+  const auto snapshot = document.snapshot();
+  REQUIRE(snapshot);
+  CHECK(snapshot->iteration == document.lastIteration());
+  CHECK(snapshot->certificate.passes());
+  CHECK(snapshot->states.size() == snapshot->mesh.triangles.size());
+  REQUIRE(document.summaries().size() == static_cast<std::size_t>(document.lastIteration()) + 1);
+  for (std::size_t i = 0; i < document.summaries().size(); ++i)
+    CHECK(document.summaries()[i].iteration == static_cast<int>(i));
+  CHECK(document.summaries().back().volume == Approx(snapshot->certificate.volume));
+  int events = 0;
+  for (const IterationSummary& s : document.summaries()) events += s.events;
+  CHECK(events >= 1);
+}
+
+TEST_CASE("what is shown on the way has the numbers of the full certificate", "[document]") {
+  History history(ActiveContour(testing::torusVolume(),
+                                {{testing::kMiddle + Vec3(testing::kTorusR, 0, 0), 3.0}}, Parameters{}));
+  for (; history.stopReason() == StopReason::running; history.advance()) {
+    const auto snapshot = makeSnapshot(history, Checking::structure);
+    const Certificate a = snapshot->certificate, b = certify(snapshot->mesh);
+    INFO("iteration " << history.iteration());
+    CHECK(a.passes());
+    CHECK(b.passes());
+    CHECK(std::tie(a.vertices, a.faces, a.components, a.genus, a.euler) ==
+          std::tie(b.vertices, b.faces, b.components, b.genus, b.euler));
+    CHECK(a.volume == Approx(b.volume));
+    CHECK(a.area == Approx(b.area));
+  }
+}
+
+TEST_CASE("without a seed nothing grows, and it is said why", "[document]") {
+  const TorusFile torus;
+  Document document;
+  REQUIRE(openAndWait(document, torus.path));
+  document.run();
+  CHECK(document.state() == GrowthState::none);
+  CHECK_FALSE(document.growthError().isEmpty());
+}
+
+TEST_CASE("a seed that is in no object ends in a sentence", "[document]") {
+  Work work;
+  work.document.moveSeed(0, Vec3(1000, 0, 0));
+  work.document.run();
+  REQUIRE(waitFor([&] { return work.document.state() == GrowthState::none; }));
+  CHECK(work.document.growthError().contains(QStringLiteral("outside the volume")));
+}
+
+TEST_CASE("steps forward and back show each iteration exactly", "[document]") {
+  Work work;
+  Document& document = work.document;
+  std::vector<TriangleSoup> meshes(1);
+  for (int i = 1; i <= 12; ++i) {
+    REQUIRE(work.stepForward());
+    CHECK(waitFor([&] { return document.state() == GrowthState::paused; }));
+    meshes.push_back(document.snapshot()->mesh);
+  }
+  for (int i = 11; i >= 1; --i) {
+    document.stepBack();
+    REQUIRE(waitFor([&] { return document.iteration() == i; }));
+    CHECK(isSame(document.snapshot()->mesh, meshes[static_cast<std::size_t>(i)]));
+  }
+  CHECK(document.lastIteration() == 12);
+}
+
+TEST_CASE("any jump shows what was there", "[document]") {
+  Work work;
+  Document& document = work.document;
+  REQUIRE(runToEnd(document));
+  std::map<int, TriangleSoup> seen;
+  std::mt19937 random(3);
+  std::uniform_int_distribution<int> any(0, document.lastIteration());
+  for (int jump = 0; jump < 40; ++jump) {
+    const int target = any(random) / 4 * 4;  // so that some come again
+    REQUIRE(showIteration(document, target));
+    const auto [at, first] = seen.emplace(target, document.snapshot()->mesh);
+    if (!first) CHECK(isSame(document.snapshot()->mesh, at->second));
+  }
+}
+
+TEST_CASE("next and previous event go where something happened", "[document]") {
+  Work work;
+  Document& document = work.document;
+  document.goToNextEvent();
+  REQUIRE(waitFor([&] { return document.iteration() > 0 && isAtRest(document); }));
+  const int first = document.iteration();
+  CHECK(document.summaries().back().events > 0);
+  CHECK(document.lastIteration() == first);
+  REQUIRE(runToEnd(document));
+  document.goToStart();
+  REQUIRE(waitFor([&] { return document.iteration() == 0; }));
+  document.goToNextEvent();
+  REQUIRE(waitFor([&] { return document.iteration() == first; }));
+  document.goTo(document.lastIteration());
+  REQUIRE(waitFor([&] { return document.iteration() == document.lastIteration(); }));
+  document.goToPreviousEvent();
+  REQUIRE(waitFor([&] { return document.iteration() != document.lastIteration(); }));
+  CHECK(document.summaries()[static_cast<std::size_t>(document.iteration())].events > 0);
+}
+
+TEST_CASE("other seeds drop the growth, and undo lets it be grown again the same", "[document]") {
+  Work work;
+  Document& document = work.document;
+  REQUIRE(runToEnd(document));
+  const TriangleSoup mesh = document.snapshot()->mesh;
+  document.setSeedRadius(0, 2.0);
+  CHECK(document.state() == GrowthState::none);
+  CHECK(document.snapshot() == nullptr);
+  CHECK(document.summaries().empty());
+  CHECK(document.events().empty());
+  CHECK(document.iteration() == -1);
+  document.undoStack()->undo();
+  REQUIRE(runToEnd(document));
+  CHECK(isSame(document.snapshot()->mesh, mesh));
+}
+
+TEST_CASE("a pause answers within a tenth of a second", "[document]") {
+  Work work;
+  Document& document = work.document;
+  document.run();
+  REQUIRE(waitFor([&] { return document.iteration() >= 5; }));
+  QElapsedTimer clock;
+  clock.start();
+  document.pause();
+  CHECK(document.state() == GrowthState::paused);
+  CHECK(clock.elapsed() < 100);
+  const bool settled = waitFor([&] { return document.iteration() == document.lastIteration(); });
+  CHECK(settled);
+  const int stopped = document.lastIteration();
+  waitMilliseconds(300);
+  CHECK(document.lastIteration() == stopped);
+}
+
+TEST_CASE("the stages of an event come on request", "[document]") {
+  Work work;
+  Document& document = work.document;
+  REQUIRE(runToEnd(document));
+  int handle = -1;
+  for (std::size_t i = 0; i < document.events().size(); ++i)
+    if (document.events()[i].kind == EventKind::handleInserted) handle = static_cast<int>(i);
+  REQUIRE(handle >= 0);
+  EventTrace got;
+  int of = -1;
+  QObject::connect(&document, &Document::eventTraced, [&](int index, const EventTrace& trace) {
+    of = index;
+    got = trace;
+  });
+  document.requestTrace(handle);
+  REQUIRE(waitFor([&] { return of == handle; }));
+  CHECK_FALSE(got.handleFaces.empty());
+  CHECK(got.boundaryLoops.size() == 2);
+  CHECK(document.iteration() == document.lastIteration());
+}

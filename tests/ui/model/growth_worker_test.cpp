@@ -1,0 +1,166 @@
+// The worker by itself, without an event loop: nothing here needs Qt's own synchronisation.
+
+#include <atomic>
+#include <random>
+#include <thread>
+
+#include "tests/core/evolution/contour_support.h"
+#include "ui/model/growth_worker.h"
+
+using namespace handlebody;
+using namespace handlebody::testing;
+using namespace handlebody::ui;
+
+namespace {
+
+std::shared_ptr<const ActiveContour> torusContour() {
+  return std::make_shared<const ActiveContour>(
+      torusVolume(), std::vector<Seed>{{kMiddle + Vec3(kTorusR, 0, 0), 3.0}}, Parameters{});
+}
+
+//! What a window knows, put together from the updates.
+struct Mirror {
+  GrowthUpdate last;
+  std::shared_ptr<const MeshSnapshot> snapshot;
+  std::vector<IterationSummary> summaries;
+  std::vector<Event> events;
+  int traces = 0;
+
+  void take(GrowthUpdate update) {
+    REQUIRE(update.summariesFrom <= summaries.size());
+    REQUIRE(update.eventsFrom <= events.size());
+    summaries.resize(update.summariesFrom);
+    summaries.insert(summaries.end(), update.summaries.begin(), update.summaries.end());
+    events.resize(update.eventsFrom);
+    events.insert(events.end(), update.events.begin(), update.events.end());
+    if (update.snapshot) snapshot = update.snapshot;
+    traces += static_cast<int>(update.traces.size());
+    last = std::move(update);
+  }
+};
+
+struct Rig {
+  std::atomic<int> notified{0};
+  Mirror mirror;
+  GrowthWorker worker{[this] { ++notified; }};
+
+  bool waitFor(const std::function<bool()>& done) {
+    for (int i = 0; i < 60'000; ++i) {
+      if (notified.exchange(0) > 0) mirror.take(worker.collect());
+      if (mirror.last.processed >= worker.sent() && done()) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return false;
+  }
+  bool waitForRest() {
+    return waitFor([&] { return !mirror.last.running; });
+  }
+};
+
+}  // namespace
+
+TEST_CASE("updates put together are the whole growth, however often they are fetched", "[worker]") {
+  Rig rig;
+  const auto start = torusContour();
+  rig.worker.start(start);
+  rig.worker.run({});
+  REQUIRE(rig.waitForRest());
+  ActiveContour straight = *start;
+  std::size_t events = 0;
+  while (straight.stopReason() == StopReason::running) events += straight.step().events.size();
+  CHECK(rig.mirror.last.stopReason == StopReason::converged);
+  CHECK(rig.mirror.summaries.size() == static_cast<std::size_t>(straight.iteration()) + 1);
+  CHECK(rig.mirror.events.size() == events);
+  CHECK(rig.mirror.snapshot->mesh.points == straight.mesh().compact().points);
+}
+
+TEST_CASE("a dropped tail is replaced even if nothing was fetched in between", "[worker]") {
+  Rig rig;
+  rig.worker.start(torusContour());
+  for (int i = 0; i < 30; ++i) rig.worker.step({});
+  REQUIRE(rig.waitForRest());
+  const double volume = rig.mirror.summaries[25].volume;
+  Parameters slow;
+  slow.balloon = 0.3;
+  rig.worker.goTo(20);
+  for (int i = 0; i < 6; ++i) rig.worker.step(slow);
+  REQUIRE(rig.waitForRest());
+  REQUIRE(rig.mirror.summaries.size() == 27);
+  CHECK(rig.mirror.summaries[25].volume < volume);
+  CHECK(rig.mirror.snapshot->iteration == 26);
+  CHECK(rig.mirror.snapshot->certificate.volume == Approx(rig.mirror.summaries[26].volume));
+}
+
+TEST_CASE("random commands leave the shown iteration in step with the lists", "[worker]") {
+  Rig rig;
+  rig.worker.start(torusContour());
+  std::mt19937 random(11);
+  const auto any = [&](int n) { return std::uniform_int_distribution<int>(0, n - 1)(random); };
+  for (int i = 0; i < 150; ++i) {
+    Parameters p;
+    p.curvature = 0.1 * any(3);
+    switch (any(8)) {
+      case 0:
+        rig.worker.run(p);
+        break;
+      case 1:
+        rig.worker.pause();
+        break;
+      case 2:
+        rig.worker.goTo(any(60));
+        break;
+      case 3:
+        rig.worker.stepBack();
+        break;
+      case 4:
+        rig.worker.runToEvent(p);
+        break;
+      case 5:
+        rig.worker.trace(any(4));
+        break;
+      case 6:
+        rig.worker.goToPreviousEvent();
+        break;
+      default:
+        rig.worker.step(p);
+    }
+    if (any(4) == 0) std::this_thread::sleep_for(std::chrono::milliseconds(any(15)));
+    if (rig.notified.exchange(0) > 0) rig.mirror.take(rig.worker.collect());
+  }
+  rig.worker.pause();
+  REQUIRE(rig.waitForRest());
+  const Mirror& m = rig.mirror;
+  REQUIRE(m.snapshot);
+  REQUIRE(m.snapshot->iteration < static_cast<int>(m.summaries.size()));
+  CHECK(m.snapshot->certificate.passes());
+  const auto shown = static_cast<std::size_t>(m.snapshot->iteration);
+  CHECK(m.snapshot->certificate.volume == Approx(m.summaries[shown].volume));
+  for (std::size_t i = 0; i < m.summaries.size(); ++i) CHECK(m.summaries[i].iteration == static_cast<int>(i));
+  for (const Event& e : m.events) CHECK(e.iteration < static_cast<int>(m.summaries.size()));
+}
+
+TEST_CASE("parameters that are refused end in a sentence, and the growth stays", "[worker]") {
+  Rig rig;
+  rig.worker.start(torusContour());
+  rig.worker.step({});
+  Parameters wrong;
+  wrong.range = IntensityRange{5000, 6000};
+  rig.worker.run(wrong);
+  REQUIRE(rig.waitForRest());
+  CHECK(rig.mirror.last.error.contains(QStringLiteral("holds no voxel")));
+  CHECK(rig.mirror.summaries.size() == 2);
+  rig.worker.step({});
+  REQUIRE(rig.waitForRest());
+  CHECK(rig.mirror.last.error.isEmpty());
+  CHECK(rig.mirror.snapshot->iteration == 2);
+}
+
+TEST_CASE("a worker ends while it is at work", "[worker]") {
+  for (int milliseconds : {0, 1, 10}) {
+    Rig rig;
+    rig.worker.start(torusContour());
+    rig.worker.run({});
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+  }
+  SUCCEED();
+}

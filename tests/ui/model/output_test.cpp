@@ -1,0 +1,272 @@
+// What the Document writes: the same files as the command line's, sessions that come back, journals.
+
+#include <QProcess>
+#include <QProcessEnvironment>
+
+#include "core/collision/certify.h"
+#include "core/io/session.h"
+#include "tests/ui/model/document_support.h"
+
+using namespace handlebody;
+using namespace handlebody::ui;
+
+namespace {
+
+struct Work {
+  TorusFile torus;
+  Document document;
+  QString failed;
+  QStringList written;
+
+  Work() {
+    const auto fail = [this](const QString& sentence) { failed = sentence; };
+    const auto done = [this](const QString& path) { written.append(path); };
+    QObject::connect(&document, &Document::exportFailed, fail);
+    QObject::connect(&document, &Document::saveFailed, fail);
+    QObject::connect(&document, &Document::exported, done);
+    QObject::connect(&document, &Document::sessionSaved, done);
+    REQUIRE(openAndWait(document, torus.path));
+    document.addSeed(torus.seed);
+  }
+  bool exportTo(const QString& path) {
+    document.exportResult(path, CoordinateSpace::lps);
+    return waitFor([&] { return written.contains(path) || !failed.isEmpty(); }) && failed.isEmpty();
+  }
+  bool saveTo(const QString& path) {
+    document.saveSession(path);
+    return waitFor([&] { return written.contains(path) || !failed.isEmpty(); }) && failed.isEmpty();
+  }
+  bool stepTo(int iteration) {
+    while (document.iteration() < iteration) {
+      const int before = document.iteration();
+      document.stepForward();
+      if (!waitFor([&] { return document.iteration() > before && isAtRest(document); })) return false;
+    }
+    return true;
+  }
+};
+
+//! Runs handlebody-cli; its exit code.
+int runCli(const QStringList& arguments) {
+  QProcess process;
+  process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+  process.start(QStringLiteral(HANDLEBODY_CLI), arguments);
+  process.waitForFinished(120'000);
+  return process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1;
+}
+
+//! What `replay` makes of a session, as STL bytes.
+QByteArray replayed(const TorusFile& torus, const QString& session) {
+  const QString mesh = torus.file("replayed.stl");
+  QFile::remove(mesh);
+  CHECK(runCli({QStringLiteral("replay"), session, QStringLiteral("-o"), mesh, QStringLiteral("--quiet")}) ==
+        0);
+  return bytesOf(mesh);
+}
+
+}  // namespace
+
+TEST_CASE("a mesh is exported as the command line writes it", "[document]") {
+  Work work;
+  REQUIRE(runToEnd(work.document));
+  const QString mine = work.torus.file("mine.stl"), theirs = work.torus.file("theirs.stl");
+  REQUIRE(work.exportTo(mine));
+  const Vec3& c = work.torus.seed.centre;
+  const QString seed =
+      QStringLiteral("%1,%2,%3,3").arg(c.x(), 0, 'g', 17).arg(c.y(), 0, 'g', 17).arg(c.z(), 0, 'g', 17);
+  REQUIRE(runCli({QStringLiteral("segment"), work.torus.path, QStringLiteral("--seed"), seed,
+                  QStringLiteral("-o"), theirs, QStringLiteral("--quiet")}) == 0);
+  CHECK(bytesOf(mine).size() > 1000);
+  CHECK(bytesOf(mine) == bytesOf(theirs));
+  CHECK(certify(readMesh(mine.toStdString())).passes());
+}
+
+TEST_CASE("a label map and a report are written as well, and the report is a session", "[document]") {
+  Work work;
+  REQUIRE(runToEnd(work.document));
+  REQUIRE(work.exportTo(work.torus.file("label.nii.gz")));
+  CHECK(readVolume(work.torus.file("label.nii.gz").toStdString()).grid.size == std::array{41, 41, 41});
+  const QString report = work.torus.file("report.json"), mesh = work.torus.file("mesh.stl");
+  work.document.exportReport(report);
+  REQUIRE(waitFor([&] { return work.written.contains(report); }));
+  REQUIRE(work.exportTo(mesh));
+  CHECK(bytesOf(report).contains("\"stopped\": \"converged\""));
+  CHECK(replayed(work.torus, report) == bytesOf(mesh));
+}
+
+TEST_CASE("an export that fails says so and leaves what was there", "[document]") {
+  Work work;
+  work.document.exportResult(work.torus.file("early.stl"), CoordinateSpace::lps);
+  CHECK_FALSE(work.failed.isEmpty());
+  work.failed.clear();
+  REQUIRE(runToEnd(work.document));
+  for (const char* name : {"mesh.xyz", "nowhere/mesh.stl"}) {
+    work.failed.clear();
+    CHECK_FALSE(work.exportTo(work.torus.file(name)));
+    INFO(work.failed.toStdString());
+    CHECK(work.failed.endsWith(QLatin1Char('.')));
+  }
+  CHECK(work.document.state() == GrowthState::finished);
+}
+
+TEST_CASE("a growth with parameters changed on the way replays to the same bytes", "[document]") {
+  Work work;
+  Document& document = work.document;
+  REQUIRE(work.stepTo(20));
+  document.stepBack();
+  REQUIRE(waitFor([&] { return document.iteration() == 19; }));
+  Parameters p = document.parameters();
+  p.curvature = 0.5;
+  document.setParameters(p, QStringLiteral("Change curvature"));
+  REQUIRE(work.stepTo(30));
+  CHECK(document.lastIteration() == 30);
+  p.balloon = 0.7;
+  p.edgeLength = 1.6;
+  document.setParameters(p, QStringLiteral("Change edge length"));
+  REQUIRE(work.stepTo(42));
+  const QString session = work.torus.file("session.json"), mesh = work.torus.file("mesh.stl");
+  REQUIRE(work.saveTo(session));
+  REQUIRE(work.exportTo(mesh));
+  const Session saved = readSession(session.toStdString());
+  REQUIRE(saved.changes.size() == 2);
+  CHECK(saved.changes[0].iteration == 19);
+  CHECK(saved.changes[1].iteration == 30);
+  CHECK(saved.stopAt == 42);
+  CHECK(replayed(work.torus, session) == bytesOf(mesh));
+
+  SECTION("and comes back in the window as it was") {
+    Document other;
+    other.open(session);
+    REQUIRE(waitFor([&] { return other.iteration() == 42 && isAtRest(other); }));
+    CHECK(isSame(other.snapshot()->mesh, document.snapshot()->mesh));
+    CHECK(other.parameters() == p);
+    CHECK(other.lastIteration() == 42);
+    CHECK(other.sessionPath() == session);
+    CHECK_FALSE(other.isModified());
+    other.run();
+    document.run();
+    REQUIRE(waitFor([&] { return other.state() == GrowthState::finished; }));
+    REQUIRE(waitFor([&] { return document.state() == GrowthState::finished; }));
+    CHECK(isSame(other.snapshot()->mesh, document.snapshot()->mesh));
+  }
+  SECTION("and an earlier iteration is what is saved when that is shown") {
+    REQUIRE(showIteration(document, 25));
+    REQUIRE(work.saveTo(work.torus.file("earlier.json")));
+    REQUIRE(work.exportTo(work.torus.file("earlier.stl")));
+    CHECK(replayed(work.torus, work.torus.file("earlier.json")) == bytesOf(work.torus.file("earlier.stl")));
+  }
+  SECTION("and parameters changed at rest are kept for what comes next") {
+    p.curvature = 0.1;
+    document.setParameters(p, QStringLiteral("Change curvature"));
+    CHECK(document.isModified());
+    REQUIRE(work.saveTo(work.torus.file("later.json")));
+    CHECK_FALSE(document.isModified());
+    Document other;
+    other.open(work.torus.file("later.json"));
+    REQUIRE(waitFor([&] { return other.iteration() == 42 && isAtRest(other); }));
+    CHECK(other.parameters() == p);
+    CHECK(isSame(other.snapshot()->mesh, document.snapshot()->mesh));
+  }
+}
+
+TEST_CASE("a session keeps seeds, parameters and the window's view", "[document]") {
+  Work work;
+  Parameters p;
+  p.smoothing = 0.4;
+  work.document.setParameters(p, QStringLiteral("Change smoothing"));
+  work.document.setView("{\"zoom\":2}");
+  const QString session = work.torus.file("session.json");
+  CHECK(work.document.isModified());
+  REQUIRE(work.saveTo(session));
+  CHECK_FALSE(work.document.isModified());
+  CHECK(work.document.sessionPath() == session);
+  Document other;
+  REQUIRE(openAndWait(other, session));
+  CHECK(other.seeds() == work.document.seeds());
+  CHECK(other.parameters() == p);
+  CHECK(other.view() == "{\"zoom\":2}");
+  CHECK(other.sessionPath() == session);
+  CHECK_FALSE(other.isModified());
+  CHECK(other.state() == GrowthState::none);
+}
+
+TEST_CASE("a session whose volume has changed is refused", "[document]") {
+  Work work;
+  const QString session = work.torus.file("session.json");
+  REQUIRE(work.saveTo(session));
+  QFile volume(work.torus.path);
+  REQUIRE(volume.open(QIODevice::ReadWrite));
+  volume.seek(volume.size() - 1);
+  volume.write("x");
+  volume.close();
+  Document other;
+  QString sentence;
+  QObject::connect(&other, &Document::openFailed, [&](const QString& text) { sentence = text; });
+  CHECK_FALSE(openAndWait(other, session));
+  CHECK(sentence.contains(QStringLiteral("SHA-256")));
+}
+
+TEST_CASE("a session without a seed is not saved, and it is said why", "[document]") {
+  Work work;
+  work.document.removeSeed(0);
+  CHECK_FALSE(work.saveTo(work.torus.file("session.json")));
+  CHECK_FALSE(QFile::exists(work.torus.file("session.json")));
+}
+
+TEST_CASE("a clean close leaves nothing to recover", "[document]") {
+  for (const QString& path : Document::recoverable()) Document::discardRecoverable(path);
+  {
+    Work work;
+    waitMilliseconds(200);
+    CHECK(Document::recoverable().isEmpty());  // this process lives
+  }
+  CHECK(Document::recoverable().isEmpty());
+}
+
+// Run by the test below in a process of its own, which is then killed.
+TEST_CASE("works until it is killed", "[.child]") {
+  Document document;
+  REQUIRE(openAndWait(document, qEnvironmentVariable("HANDLEBODY_TEST_VOLUME")));
+  document.addSeed({testing::kMiddle + Vec3(testing::kTorusR, 0, 0), 3.0});
+  Parameters p;
+  p.curvature = 0.3;
+  document.setParameters(p, QStringLiteral("Change curvature"));
+  for (int i = 1; i <= 8; ++i) {
+    document.stepForward();
+    REQUIRE(waitFor([&] { return document.iteration() == i && isAtRest(document); }));
+  }
+  document.moveSeed(0, document.seeds()[0].centre + Vec3(0, 0, 0.25));
+  document.undoStack()->undo();
+  waitMilliseconds(300);
+  std::puts("ready");
+  std::fflush(stdout);
+  waitMilliseconds(60'000);
+}
+
+TEST_CASE("what a killed program was about is recovered", "[document]") {
+  const TorusFile torus;
+  QProcess child;
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  environment.insert(QStringLiteral("HANDLEBODY_TEST_DATA"), QStringLiteral("keep"));
+  environment.insert(QStringLiteral("HANDLEBODY_TEST_VOLUME"), torus.path);
+  child.setProcessEnvironment(environment);
+  child.start(QCoreApplication::applicationFilePath(), {QStringLiteral("works until it is killed")});
+  QByteArray said;
+  REQUIRE(waitFor([&] { return (said += child.readAllStandardOutput()).contains("ready"); }));
+  CHECK(Document::recoverable().isEmpty());
+  child.kill();
+  child.waitForFinished();
+
+  const QStringList orphans = Document::recoverable();
+  REQUIRE(orphans.size() == 1);
+  Document document;
+  REQUIRE(openAndWait(document, orphans[0]));
+  Document::discardRecoverable(orphans[0]);
+  CHECK(document.path().toStdString() == torus.path.toStdString());
+  REQUIRE(document.seeds().size() == 1);
+  CHECK(document.seeds()[0] == torus.seed);
+  CHECK(document.parameters().curvature == 0.3);
+  CHECK(document.sessionPath().isEmpty());
+  CHECK(document.isModified());
+  CHECK(Document::recoverable().isEmpty());
+}

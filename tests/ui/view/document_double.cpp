@@ -1,0 +1,93 @@
+#include "tests/ui/view/document_double.h"
+
+#include <map>
+
+namespace handlebody::ui {
+namespace {
+
+struct State {
+  bool open = false;
+  Volume volume;
+  std::vector<Seed> seeds;
+  int selected = -1;
+  std::shared_ptr<const MeshSnapshot> snapshot;
+  std::vector<int> gestures;
+};
+
+//! A document's private part is its own; the functions for tests reach its state here.
+std::map<const Document*, State*>& states() {
+  static std::map<const Document*, State*> all;
+  return all;
+}
+
+}  // namespace
+
+struct Document::Private : State {};
+
+Document::Document(QObject* parent) : QObject(parent), d_(std::make_unique<Private>()) {
+  states()[this] = d_.get();
+}
+Document::~Document() { states().erase(this); }
+
+bool Document::hasVolume() const { return d_->open; }
+const Volume& Document::volume() const { return d_->volume; }
+const std::vector<Seed>& Document::seeds() const { return d_->seeds; }
+int Document::selectedSeed() const { return d_->selected; }
+std::shared_ptr<const MeshSnapshot> Document::snapshot() const { return d_->snapshot; }
+
+void Document::addSeed(const Seed& seed) {
+  d_->seeds.push_back(seed);
+  Q_EMIT seedsChanged();
+}
+
+void Document::removeSeed(int index) {
+  d_->seeds.erase(d_->seeds.begin() + index);
+  selectSeed(-1);
+  Q_EMIT seedsChanged();
+}
+
+void Document::moveSeed(int index, const Vec3& centre, int gesture) {
+  d_->seeds.at(static_cast<std::size_t>(index)).centre = centre;
+  d_->gestures.push_back(gesture);
+  Q_EMIT seedsChanged();
+}
+
+void Document::setSeedRadius(int index, std::optional<double> radius, int gesture) {
+  d_->seeds.at(static_cast<std::size_t>(index)).radius = radius;
+  d_->gestures.push_back(gesture);
+  Q_EMIT seedsChanged();
+}
+
+void Document::selectSeed(int index) {
+  d_->selected = index;
+  Q_EMIT selectedSeedChanged(index);
+}
+
+double Document::shownRadius(int index) const {
+  constexpr double kFitting = 6;  // mm
+  return d_->seeds.at(static_cast<std::size_t>(index)).radius.value_or(kFitting);
+}
+
+namespace testing {
+
+void setVolume(Document& document, const Volume& volume) {
+  State& state = *states().at(&document);
+  state = State{};
+  state.open = true;
+  state.volume = volume;
+  Q_EMIT document.opened();
+}
+
+void setSnapshot(Document& document, const TriangleSoup& mesh, const std::vector<FaceState>& faceStates) {
+  auto snapshot = std::make_shared<MeshSnapshot>();
+  snapshot->mesh = mesh;
+  snapshot->states = faceStates;
+  snapshot->states.resize(mesh.triangles.size(), FaceState::moving);
+  states().at(&document)->snapshot = snapshot;
+  Q_EMIT document.snapshotChanged();
+}
+
+const std::vector<int>& gestures(const Document& document) { return states().at(&document)->gestures; }
+
+}  // namespace testing
+}  // namespace handlebody::ui

@@ -1,0 +1,19 @@
+#pragma once
+// A Document without files, threads and growth, for tests of the views: it keeps what it is given and tells
+// it.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ui/model/document.h"
+
+namespace handlebody::ui::testing {
+
+//! As if the volume had just been opened.
+void setVolume(Document& document, const Volume& volume);
+void setSnapshot(Document& document, const TriangleSoup& mesh, const std::vector<FaceState>& states = {});
+//! The gestures of all calls that moved or sized a seed.
+const std::vector<int>& gestures(const Document& document);
+
+}  // namespace handlebody::ui::testing

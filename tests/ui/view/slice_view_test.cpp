@@ -1,0 +1,348 @@
+// The slice as a person meets it: real events in, pictures out.
+
+#include <QSignalSpy>
+#include <cmath>
+
+#include "tests/ui/view/widget_support.h"
+
+using namespace handlebody;
+using namespace handlebody::ui;
+using namespace handlebody::ui::testing;
+
+namespace {
+
+constexpr int kWidth = 400, kHeight = 300;
+
+//! A shown view of an open volume, and where its pixels lie by the geometry's own account.
+struct OneSlice : Work {
+  explicit OneSlice(Plane plane = Plane::axial) : view(plane, document, state) {
+    open();
+    show(view, {kWidth, kHeight});
+    geometry = SliceGeometry(volume.grid, plane, {kWidth, kHeight});
+    QObject::connect(&view, &SliceView::hovered, [this](const Vec3& world, const Vec3&, double value) {
+      hovered = world;
+      intensity = value;
+    });
+    QObject::connect(&view, &SliceView::left, [this] { hovered.reset(); });
+  }
+  //! What the view says lies under the mouse.
+  Vec3 under(const QPointF& pixel) {
+    QMouseEvent move(QEvent::MouseMove, pixel, view.mapToGlobal(pixel), Qt::NoButton, Qt::NoButton, {});
+    QCoreApplication::sendEvent(&view, &move);
+    REQUIRE(hovered.has_value());
+    return *hovered;
+  }
+  Vec3 index() const { return volume.grid.toIndex(state.crosshair()); }
+
+  SliceView view;
+  SliceGeometry geometry;
+  std::optional<Vec3> hovered;
+  double intensity = 0;
+};
+
+const QPoint kPlace(190, 130);
+
+}  // namespace
+
+TEST_CASE("An empty view says how to open a volume and bears events", "[slice_view]") {
+  Work work;
+  SliceView view(Plane::axial, work.document, work.state);
+  show(view, {kWidth, kHeight});
+  QTest::mouseClick(&view, Qt::LeftButton, {}, kPlace);
+  QTest::keyClick(&view, Qt::Key_Return);
+  QTest::keyClick(&view, Qt::Key_Up);
+  turnWheel(view, kPlace, 1);
+  CHECK(work.document.seeds().empty());
+  const auto light = [](const QColor& c) { return c.lightness() > 80; };
+  CHECK(countPixels(view.picture(), QRect(50, 100, 300, 100), light) > 100);  // the hint's letters
+}
+
+TEST_CASE("A click moves the crosshair to the place under the mouse", "[slice_view]") {
+  for (Plane plane : {Plane::axial, Plane::coronal, Plane::sagittal}) {
+    OneSlice slice(plane);
+    const Vec3 wanted = slice.geometry.toWorld(kPlace);
+    CHECK((slice.under(kPlace) - wanted).norm() < 1e-9);
+    QTest::mouseClick(&slice.view, Qt::LeftButton, {}, kPlace);
+    CHECK((slice.state.crosshair() - wanted).norm() < 1e-9);
+  }
+}
+
+TEST_CASE("The intensity under the mouse is that of the voxel there", "[slice_view]") {
+  OneSlice slice;
+  slice.state.setCrosshair(slice.world(32, 32, 50));
+  (void)slice.under(slice.geometry.toScreen(Vec3(50, 10, 50)));
+  CHECK(slice.intensity == 200);
+  (void)slice.under(slice.geometry.toScreen(Vec3(50, 40, 50)));
+  CHECK(slice.intensity == 100);
+}
+
+TEST_CASE("Beside the volume the mouse is over nothing", "[slice_view]") {
+  OneSlice slice;
+  (void)slice.under(kPlace);
+  const QPointF corner(5, 5);
+  QMouseEvent move(QEvent::MouseMove, corner, slice.view.mapToGlobal(corner), Qt::NoButton, Qt::NoButton, {});
+  QCoreApplication::sendEvent(&slice.view, &move);
+  CHECK_FALSE(slice.hovered.has_value());
+}
+
+TEST_CASE("A crosshair that is dragged out of the volume stays at its border", "[slice_view]") {
+  OneSlice slice;
+  drag(slice.view, Qt::LeftButton, kPlace, {-500, 5000});
+  CHECK(slice.index().x() == Approx(0));
+  CHECK(slice.index().y() == Approx(63));
+}
+
+TEST_CASE("The wheel goes through the slices, with Shift by five", "[slice_view]") {
+  OneSlice slice;
+  const double before = slice.index().z();
+  turnWheel(slice.view, kPlace, 1);
+  CHECK(slice.index().z() == before + 1);  // away from the user: towards superior
+  turnWheel(slice.view, kPlace, -2);
+  CHECK(slice.index().z() == before - 1);
+  turnWheel(slice.view, kPlace, 1, Qt::ShiftModifier);
+  CHECK(slice.index().z() == before + 4);
+  CHECK((slice.index().head<2>() - Eigen::Vector2d(32, 32)).norm() < 1e-9);
+}
+
+TEST_CASE("Small turns of a fine wheel add up to a slice", "[slice_view]") {
+  OneSlice slice;
+  const double before = slice.index().z();
+  for (int i = 0; i < 4; ++i) {
+    QWheelEvent event(kPlace, slice.view.mapToGlobal(QPointF(kPlace)), {}, {0, 30}, Qt::NoButton, {},
+                      Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&slice.view, &event);
+  }
+  CHECK(slice.index().z() == before + 1);
+}
+
+TEST_CASE("Ctrl and the wheel zoom at the mouse", "[slice_view]") {
+  OneSlice slice;
+  const Vec3 fixed = slice.under(kPlace), other = slice.under(kPlace + QPoint(50, 0));
+  turnWheel(slice.view, kPlace, 2, Qt::ControlModifier);
+  CHECK((slice.under(kPlace) - fixed).norm() < 1e-9);
+  CHECK((slice.under(kPlace + QPoint(50, 0)) - fixed).norm() < 0.9 * (other - fixed).norm());
+  turnWheel(slice.view, kPlace, -2, Qt::ControlModifier);
+  CHECK((slice.under(kPlace + QPoint(50, 0)) - other).norm() < 1e-9);
+}
+
+TEST_CASE("The right button zooms, upwards closer", "[slice_view]") {
+  OneSlice slice;
+  const Vec3 crosshair = slice.state.crosshair();
+  const auto width = [&] { return (slice.under(kPlace + QPoint(40, 0)) - slice.under(kPlace)).norm(); };
+  const double before = width();
+  drag(slice.view, Qt::RightButton, kPlace, kPlace - QPoint(0, 60));
+  CHECK(width() < 0.8 * before);
+  drag(slice.view, Qt::RightButton, kPlace, kPlace + QPoint(0, 60));
+  CHECK(width() == Approx(before));
+  CHECK(slice.state.crosshair() == crosshair);
+}
+
+TEST_CASE("The middle button, or Shift and the left one, pan", "[slice_view]") {
+  for (const auto& [button, modifiers] :
+       {std::pair(Qt::MiddleButton, Qt::NoModifier), {Qt::LeftButton, Qt::ShiftModifier}}) {
+    OneSlice slice;
+    const Vec3 crosshair = slice.state.crosshair(), before = slice.under(kPlace);
+    drag(slice.view, button, kPlace, kPlace + QPoint(30, -20), modifiers);
+    CHECK((slice.under(kPlace + QPoint(30, -20)) - before).norm() < 1e-9);
+    CHECK(slice.state.crosshair() == crosshair);
+    slice.view.resetZoom();
+    CHECK((slice.under(kPlace) - before).norm() < 1e-9);
+  }
+}
+
+TEST_CASE("Arrows move the crosshair by a voxel in their direction, with Shift by five", "[slice_view]") {
+  // On the screen, right is left of the patient, down is posterior; PgUp is superior.
+  OneSlice slice;
+  const Vec3 start = slice.state.crosshair();
+  const auto moved = [&](Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+    slice.state.setCrosshair(start);
+    QTest::keyClick(&slice.view, key, modifiers);
+    return Vec3(slice.state.crosshair() - start);
+  };
+  CHECK((moved(Qt::Key_Right) - Vec3(1, 0, 0)).norm() < 1e-9);
+  CHECK((moved(Qt::Key_Left) - Vec3(-1, 0, 0)).norm() < 1e-9);
+  CHECK((moved(Qt::Key_Down) - Vec3(0, 1, 0)).norm() < 1e-9);
+  CHECK((moved(Qt::Key_Up, Qt::ShiftModifier) - Vec3(0, -5, 0)).norm() < 1e-9);
+  CHECK((moved(Qt::Key_PageUp) - Vec3(0, 0, 1)).norm() < 1e-9);
+  CHECK((moved(Qt::Key_PageDown, Qt::ShiftModifier) - Vec3(0, 0, -5)).norm() < 1e-9);
+}
+
+TEST_CASE("Return adds a seed at the crosshair, Backspace removes it", "[slice_view]") {
+  OneSlice slice;
+  QTest::keyClick(&slice.view, Qt::Key_Return);
+  REQUIRE(slice.document.seeds().size() == 1);
+  CHECK(slice.document.seeds()[0].centre == slice.state.crosshair());
+  CHECK(slice.document.selectedSeed() == 0);
+  QTest::keyClick(&slice.view, Qt::Key_Backspace);
+  CHECK(slice.document.seeds().empty());
+  QTest::keyClick(&slice.view, Qt::Key_Delete);  // nothing is selected
+  CHECK(slice.document.seeds().empty());
+}
+
+TEST_CASE("Plus and minus change the radius of the selected seed, not below a voxel", "[slice_view]") {
+  OneSlice slice;
+  QTest::keyClick(&slice.view, Qt::Key_Return);
+  const double before = slice.document.shownRadius(0);
+  QTest::keyClick(&slice.view, Qt::Key_Plus);
+  CHECK(slice.document.shownRadius(0) == Approx(before + 0.5));
+  for (int i = 0; i < 50; ++i) QTest::keyClick(&slice.view, Qt::Key_Minus);
+  CHECK(slice.document.shownRadius(0) == 1);
+}
+
+TEST_CASE("A seed's centre is dragged within the slice, as one change", "[slice_view]") {
+  OneSlice slice;
+  slice.document.addSeed({slice.world(32, 32, 33), 8.0});
+  const QPoint centre = slice.geometry.toScreen(Vec3(32, 32, 33)).toPoint();
+  const Vec3 crosshair = slice.state.crosshair();
+  const Vec3 wanted = slice.world(32, 32, 33) + slice.geometry.toWorld(centre + QPoint(60, 30)) -
+                      slice.geometry.toWorld(centre);
+  drag(slice.view, Qt::LeftButton, centre, centre + QPoint(60, 30));
+  CHECK((slice.document.seeds()[0].centre - wanted).norm() < 1e-9);
+  CHECK(slice.document.selectedSeed() == 0);
+  CHECK(slice.state.crosshair() == crosshair);
+  const std::vector<int> first = gestures(slice.document);
+  REQUIRE_FALSE(first.empty());
+  for (int gesture : first) CHECK(gesture == first[0]);
+  drag(slice.view, Qt::LeftButton, centre + QPoint(60, 30), centre);
+  CHECK(gestures(slice.document).back() != first[0]);
+}
+
+TEST_CASE("A seed's rim sets its radius to where the mouse is", "[slice_view]") {
+  OneSlice slice;
+  slice.document.addSeed(
+      {slice.world(32, 32, 35), 8.0});  // three slices off: the rim is that of a smaller circle
+  const QPointF centre = slice.geometry.toScreen(Vec3(32, 32, 32));
+  const double shown = std::sqrt(64.0 - 9) / slice.geometry.mmPerPixel();
+  const QPoint rim = (centre + QPointF(shown, 0)).toPoint(), to = rim + QPoint(25, 0);
+  drag(slice.view, Qt::LeftButton, rim, to);
+  CHECK(slice.document.shownRadius(0) ==
+        Approx((slice.geometry.toWorld(to) - slice.world(32, 32, 35)).norm()));
+  CHECK((slice.document.seeds()[0].centre - slice.world(32, 32, 35)).norm() < 1e-12);
+}
+
+TEST_CASE("The cursor tells what a drag would do", "[slice_view]") {
+  OneSlice slice;
+  slice.document.addSeed({slice.world(32, 32, 32), 10.0});
+  const QPointF centre = slice.geometry.toScreen(Vec3(32, 32, 32));
+  const double radius = 10 / slice.geometry.mmPerPixel();
+  const auto shape = [&](const QPointF& at) {
+    (void)slice.under(at);
+    return slice.view.cursor().shape();
+  };
+  CHECK(shape(centre) == Qt::SizeAllCursor);
+  CHECK(shape(centre + QPointF(radius, 0)) == Qt::SizeHorCursor);
+  CHECK(shape(centre + QPointF(0, -radius)) == Qt::SizeVerCursor);
+  CHECK(shape(centre + QPointF(radius, -radius) * std::sqrt(0.5)) == Qt::SizeBDiagCursor);
+  CHECK(shape(centre + QPointF(radius, radius) * std::sqrt(0.5)) == Qt::SizeFDiagCursor);
+  CHECK(shape(centre + QPointF(2 * radius, 0)) == Qt::CrossCursor);
+  slice.state.setWindowLevelTool(true);
+  CHECK(shape(centre) == Qt::BitmapCursor);
+}
+
+TEST_CASE("With the W tool a drag changes window and level and leaves the crosshair", "[slice_view]") {
+  OneSlice slice;
+  const Vec3 crosshair = slice.state.crosshair();
+  slice.state.setWindowLevel(100, 50);
+  QTest::keyClick(&slice.view, Qt::Key_W);
+  CHECK(slice.state.windowLevelTool());
+  drag(slice.view, Qt::LeftButton, kPlace, kPlace + QPoint(50, -25));
+  CHECK(slice.state.window() == Approx(100 * std::exp(0.2)));
+  CHECK(slice.state.level() == Approx(40));
+  CHECK(slice.state.crosshair() == crosshair);
+  QTest::keyClick(&slice.view, Qt::Key_W);
+  CHECK_FALSE(slice.state.windowLevelTool());
+}
+
+TEST_CASE("A W that is held down during a drag is over when it is let go", "[slice_view]") {
+  OneSlice slice;
+  QTest::keyPress(&slice.view, Qt::Key_W);
+  drag(slice.view, Qt::LeftButton, kPlace, kPlace + QPoint(50, 0));
+  QTest::keyRelease(&slice.view, Qt::Key_W);
+  CHECK_FALSE(slice.state.windowLevelTool());
+}
+
+TEST_CASE("A double click asks for the whole window", "[slice_view]") {
+  OneSlice slice;
+  QSignalSpy spy(&slice.view, &SliceView::maximiseRequested);
+  QTest::mouseDClick(&slice.view, Qt::LeftButton, {}, kPlace);
+  CHECK(spy.count() == 1);
+}
+
+TEST_CASE("A click in one slice moves the others to that place", "[slice_view]") {
+  OneSlice axial;
+  SliceView coronal(Plane::coronal, axial.document, axial.state);
+  show(coronal, {kWidth, kHeight});
+  QSignalSpy spy(&coronal, &SliceView::hovered);
+  QTest::mouseClick(&axial.view, Qt::LeftButton, {}, axial.geometry.toScreen(Vec3(20, 51, 32)).toPoint());
+  QMouseEvent move(QEvent::MouseMove, QPointF(kPlace), coronal.mapToGlobal(QPointF(kPlace)), Qt::NoButton,
+                   Qt::NoButton, {});
+  QCoreApplication::sendEvent(&coronal, &move);
+  REQUIRE(spy.count() == 1);
+  CHECK(spy[0][1].value<Vec3>().y() == 51);
+}
+
+TEST_CASE("The mesh's outline lies on the circle in which the slice cuts a sphere", "[slice_view]") {
+  OneSlice slice;
+  constexpr double kRadius = 20, kOff = 6;
+  setSnapshot(slice.document, icosphere(slice.world(30, 34, 32 + kOff), kRadius, 0.7));
+  const QImage image = slice.view.picture();
+  const auto isOutline = [](const QColor& c) { return c.red() > 200 && c.blue() < 90 && c.green() > 130; };
+  const QPointF centre = slice.geometry.toScreen(Vec3(30, 34, 32));
+  const double radius = std::sqrt(kRadius * kRadius - kOff * kOff) / slice.geometry.mmPerPixel();
+  int onCircle = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      if (!isOutline(QColor(image.pixel(x, y)))) continue;
+      const double off = std::hypot(x + 0.5 - centre.x(), y + 0.5 - centre.y()) - radius;
+      // Half the line's width, half a pixel's diagonal and the chord of an edge.
+      CHECK(std::abs(off) < 0.8 + 0.71 + 0.1);
+      ++onCircle;
+    }
+  CHECK(onCircle > 0.7 * 2 * M_PI * radius);
+}
+
+TEST_CASE("The bright block is where its letters say", "[slice_view]") {
+  // It lies towards left, anterior and superior.
+  for (Plane plane : {Plane::axial, Plane::coronal, Plane::sagittal}) {
+    OneSlice slice(plane);
+    slice.state.setCrosshair(slice.world(52, 12, 52));
+    const QImage image = slice.view.picture();
+    const bool right =
+        plane != Plane::sagittal;  // left is on the right; in the sagittal slice anterior on the left
+    const QRect corner(right ? 245 : 110, 60, 40, 30), opposite(right ? 110 : 245, 210, 40, 30);
+    const auto light = [](const QColor& c) { return c.lightness() > 200; };
+    CHECK(countPixels(image, corner, light) > 900);
+    CHECK(countPixels(image, opposite, light) < 300);
+  }
+}
+
+TEST_CASE("The focus of the keyboard can be seen, and is not in pictures", "[slice_view]") {
+  OneSlice slice;
+  slice.view.clearFocus();
+  const QImage before = slice.view.grab().toImage();
+  slice.view.setFocus();
+  REQUIRE(slice.view.hasFocus());
+  const QImage after = slice.view.grab().toImage();
+  CHECK(before != after);
+  CHECK(slice.view.picture().pixel(0, kHeight / 3) == before.pixel(0, kHeight / 3));
+}
+
+TEST_CASE("Every view has a name for those who cannot see it", "[slice_view]") {
+  Work work;
+  CHECK(SliceView(Plane::axial, work.document, work.state).accessibleName() == "Axial slice");
+  CHECK(SliceView(Plane::sagittal, work.document, work.state).accessibleName() == "Sagittal slice");
+  CHECK(SurfaceView(work.document, work.state).accessibleName() == "3D view");
+}
+
+TEST_CASE("Another volume of another size is shown whole", "[slice_view]") {
+  OneSlice slice;
+  turnWheel(slice.view, kPlace, 5, Qt::ControlModifier);
+  Grid grid;
+  grid.size = {20, 30, 5};
+  grid.spacing = Vec3(1, 1, 9);
+  const Volume other = handlebody::testing::volumeByIndex(grid, [](int i, int, int) { return i; });
+  setVolume(slice.document, other);
+  slice.state.startWith(other);
+  const Vec3 there = SliceGeometry(grid, Plane::axial, {kWidth, kHeight}).toWorld(kPlace);
+  CHECK((slice.under(kPlace).head<2>() - there.head<2>()).norm() < 1e-9);
+}

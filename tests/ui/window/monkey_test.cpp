@@ -1,0 +1,177 @@
+// Random events on the window: nothing may crash, hang or leave an invalid surface. A minute, or as many
+// seconds as HANDLEBODY_MONKEY_SECONDS says; HANDLEBODY_MONKEY_SEED repeats a run.
+
+#include <QElapsedTimer>
+#include <QMenu>
+#include <QMessageBox>
+#include <QTimer>
+#include <random>
+
+#include "tests/ui/window/window_support.h"
+
+using namespace handlebody;
+using namespace handlebody::test;
+using ui::Command;
+
+namespace {
+
+int fromEnvironment(const char* name, int fallback) {
+  bool given = false;
+  const int value = qEnvironmentVariableIntValue(name, &given);
+  return given ? value : fallback;
+}
+
+// Not: what opens a dialog of files or ends the program.
+bool isSafe(Command id) {
+  switch (id) {
+    case Command::openFile:
+    case Command::openFolder:
+    case Command::saveSession:
+    case Command::saveSessionAs:
+    case Command::exportResult:
+    case Command::exportReport:
+    case Command::exportPicture:
+    case Command::quit:
+    case Command::fullScreen:
+      return false;
+    default:
+      return true;
+  }
+}
+
+class Monkey {
+ public:
+  Monkey(ui::MainWindow& window, unsigned seed) : window_(window), random_(seed) {
+    for (const ui::CommandSpec& spec : ui::Commands::table())
+      if (isSafe(spec.id)) commands_.push_back(window.commands()[spec.id]);
+  }
+
+  void act() {
+    switch (below(6)) {
+      case 0:
+      case 1:
+        return commands_[static_cast<std::size_t>(below(static_cast<int>(commands_.size())))]->trigger();
+      case 2:
+        return click();
+      case 3:
+        return key();
+      case 4:
+        return drag();
+      default:
+        return wheel();
+    }
+  }
+
+ private:
+  int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(random_); }
+
+  QWidget* target(QPoint& at) {
+    const QPoint point(below(window_.width()),
+                       60 + below(window_.height() - 60));  // menus are driven by commands
+    QWidget* widget = window_.childAt(point);
+    if (!widget) widget = &window_;
+    at = widget->mapFrom(&window_, point);
+    return widget;
+  }
+
+  // A file dialog would wait for a person.
+  static bool opensDialog(const QWidget* widget) {
+    const auto* button = qobject_cast<const QAbstractButton*>(widget);
+    return button && (button->text().contains(QChar(0x2026)) || button->text().contains("session"));
+  }
+
+  void click() {
+    QPoint at;
+    QWidget* widget = target(at);
+    if (opensDialog(widget)) return;
+    QTest::mouseClick(widget, below(8) == 0 ? Qt::MiddleButton : Qt::LeftButton, {}, at);
+  }
+
+  void key() {
+    constexpr Qt::Key keys[] = {Qt::Key_Space, Qt::Key_Period, Qt::Key_Comma,    Qt::Key_N,
+                                Qt::Key_P,     Qt::Key_Return, Qt::Key_Plus,     Qt::Key_Minus,
+                                Qt::Key_W,     Qt::Key_Up,     Qt::Key_Left,     Qt::Key_PageUp,
+                                Qt::Key_Home,  Qt::Key_Tab,    Qt::Key_Escape,   Qt::Key_Right,
+                                Qt::Key_Down,  Qt::Key_1,      Qt::Key_Backspace};
+    QWidget* focus = QApplication::focusWidget();
+    if (focus && (!window_.isAncestorOf(focus) || opensDialog(focus))) focus = nullptr;
+    QTest::keyClick(focus ? focus : &window_, keys[below(std::size(keys))]);
+  }
+
+  void drag() {
+    QPoint at;
+    QWidget* widget = target(at);
+    if (opensDialog(widget)) return;
+    constexpr Qt::MouseButton buttons[] = {Qt::LeftButton, Qt::RightButton, Qt::MiddleButton};
+    const Qt::MouseButton button = buttons[below(3)];
+    QTest::mousePress(widget, button, {}, at);
+    for (int i = 0; i < 4; ++i) {
+      at += QPoint(below(41) - 20, below(41) - 20);
+      QMouseEvent move(QEvent::MouseMove, at, widget->mapToGlobal(at), button, button, Qt::NoModifier);
+      QApplication::sendEvent(widget, &move);
+    }
+    QTest::mouseRelease(widget, button, {}, at);
+  }
+
+  void wheel() {
+    QPoint at;
+    QWidget* widget = target(at);
+    QWheelEvent event(at, widget->mapToGlobal(at), {}, {0, below(2) == 0 ? 120 : -120}, Qt::NoButton,
+                      below(4) == 0 ? Qt::ControlModifier : Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(widget, &event);
+  }
+
+  ui::MainWindow& window_;
+  std::mt19937 random_;
+  std::vector<QAction*> commands_;
+};
+
+void closePopups() {
+  while (QWidget* popup = QApplication::activePopupWidget()) popup->close();
+  if (QWidget* modal = QApplication::activeModalWidget()) modal->close();
+}
+
+}  // namespace
+
+class MonkeyTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void randomEventsDoNoHarm();
+};
+
+void MonkeyTest::randomEventsDoNoHarm() {
+  const unsigned seed = static_cast<unsigned>(fromEnvironment("HANDLEBODY_MONKEY_SEED", 1));
+  const int seconds = fromEnvironment("HANDLEBODY_MONKEY_SECONDS", 60);
+  qInfo("HANDLEBODY_MONKEY_SEED=%u", seed);
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst_session.json")));
+  QTimer closer;  // a dialog that waits in a loop of its own
+  connect(&closer, &QTimer::timeout, this, closePopups);
+  closer.start(200);
+  Monkey monkey(*window, seed);
+  QElapsedTimer clock, answer;
+  clock.start();
+  qint64 slowest = 0;
+  int actions = 0;
+  for (; clock.elapsed() < seconds * 1000LL; ++actions) {
+    answer.start();
+    monkey.act();
+    QApplication::processEvents();
+    slowest = std::max(slowest, answer.elapsed());
+    const auto snapshot = window->document().snapshot();
+    if (snapshot) QVERIFY(snapshot->certificate.passes());
+    QVERIFY(window->document().iteration() <= window->document().lastIteration());
+  }
+  qInfo("%d actions, the slowest took %lld ms", actions, static_cast<long long>(slowest));
+}
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName("Handlebody");
+  QApplication::setApplicationName("handlebody-monkey");
+  MonkeyTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "monkey_test.moc"

@@ -1,0 +1,49 @@
+#!/bin/sh
+# The program from outside: program_test.sh PROGRAM WITH_DISPLAY SAMPLES
+program=$1
+display=$2
+samples=$3
+folder=$(mktemp -d) || exit 1
+trap 'rm -rf "$folder"' EXIT
+failed=0
+
+fail() {
+  echo "FAILED: $1" >&2
+  failed=1
+}
+
+"$program" --version | grep -q '^handlebody [0-9]' || fail "--version"
+"$program" --help | grep -q 'not a medical device' || fail "--help carries the notice"
+
+"$program" --view nonsense 2> "$folder/error"
+test $? -eq 2 || fail "a wrong option ends with 2"
+
+env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM "$program" 2> "$folder/error"
+test $? -eq 1 || fail "without a display it ends with 1"
+grep -q 'no display' "$folder/error" || fail "without a display it says so"
+
+if ! command -v Xvfb > /dev/null; then
+  echo "SKIPPED: no Xvfb on this machine"
+  exit $failed
+fi
+
+# Prints width and height of a PNG.
+size_of() {
+  od -A n -t u1 -j 16 -N 8 "$1" | awk '{ print $1*16777216+$2*65536+$3*256+$4 "x" $5*16777216+$6*65536+$7*256+$8 }'
+}
+
+sh "$display" "$program" "$samples/cyst_session.json" --screenshot "$folder/window.png" --iteration 3 --size 1280x800 ||
+  fail "--screenshot of the window"
+test "$(size_of "$folder/window.png")" = 1280x800 || fail "the picture has the size that was asked for"
+
+for view in all axial coronal sagittal 3d; do
+  sh "$display" "$program" "$samples/cyst.nii.gz" --screenshot "$folder/$view.png" --view $view && test -s "$folder/$view.png" ||
+    fail "--view $view"
+done
+
+echo "not a volume" > "$folder/bad.nii"
+sh "$display" "$program" "$folder/bad.nii" --screenshot "$folder/bad.png" 2> "$folder/error"
+test $? -eq 3 || fail "a bad file ends with 3"
+grep -q 'bad.nii' "$folder/error" || fail "the message names the file"
+test ! -e "$folder/bad.png" || fail "no picture of a bad file"
+exit $failed

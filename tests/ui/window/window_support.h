@@ -1,0 +1,61 @@
+#pragma once
+// What tests of the window share: a window on the display, the sample in it, and waiting.
+
+#include <QApplication>
+#include <QLabel>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <memory>
+
+#include "ui/view/slice_view.h"
+#include "ui/view/surface_view.h"
+#include "ui/window/file_work.h"
+#include "ui/window/main_window.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/view_grid.h"
+
+namespace handlebody::test {
+
+constexpr int kPatience = 120'000;  // ms; the machine may be busy
+
+inline QString sample(const char* name) {
+  return QStringLiteral(HANDLEBODY_SAMPLES "/") + QLatin1String(name);
+}
+
+//! A window as at the first start, apart from the notice.
+inline std::unique_ptr<ui::MainWindow> shownWindow() {
+  QSettings().clear();
+  auto window = std::make_unique<ui::MainWindow>();
+  window->resize(1280, 800);
+  window->show();
+  window->activateWindow();
+  return QTest::qWaitForWindowExposed(window.get()) ? std::move(window) : nullptr;
+}
+
+inline bool open(ui::MainWindow& window, const QString& path) {
+  QSignalSpy opened(&window.document(), &ui::Document::opened);
+  window.files().open(path);
+  return !opened.isEmpty() || opened.wait(kPatience);
+}
+
+inline bool waitFor(ui::MainWindow& window, ui::GrowthState state) {
+  return QTest::qWaitFor([&] { return window.document().state() == state; }, kPatience);
+}
+
+//! The label or field that is read aloud under this name; null if none is shown.
+inline QLabel* shownLabel(ui::MainWindow& window, const QString& name) {
+  const auto labels = window.findChildren<QLabel*>();
+  for (QLabel* label : labels)
+    if (label->accessibleName() == name && label->isVisible()) return label;
+  return nullptr;
+}
+
+inline int firstHandle(const ui::Document& document) {
+  for (std::size_t i = 0; i < document.events().size(); ++i)
+    if (document.events()[i].kind == EventKind::handleInserted) return static_cast<int>(i);
+  return -1;
+}
+
+}  // namespace handlebody::test

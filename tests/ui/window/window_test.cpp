@@ -1,0 +1,290 @@
+// The window as a person uses it: real mouse and key events on a real display.
+
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QFile>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QProcess>
+#include <QUndoStack>
+
+#include "core/io/mesh_io.h"
+#include "tests/ui/window/window_support.h"
+#include "ui/window/commands.h"
+#include "ui/window/steps_panel.h"
+
+using namespace handlebody;
+using namespace handlebody::test;
+using ui::Command;
+using ui::GrowthState;
+
+namespace {
+
+void drop(ui::MainWindow& window, const QString& path) {
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(path)});
+  const QPoint middle = window.rect().center();
+  QDragEnterEvent enter(middle, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window, &enter);
+  QDropEvent event(middle, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window, &event);
+}
+
+QByteArray contentOf(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+// Runs the growth of the open session to its end with Space.
+bool growToTheEnd(ui::MainWindow& window) {
+  QTest::keyClick(&window, Qt::Key_Space);
+  return waitFor(window, GrowthState::finished);
+}
+
+}  // namespace
+
+class WindowTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void aClickAndReturnPlaceASeedAndSpaceGrowsItIntoARing();
+  void steppingBackIsExactAndANewParameterGoesOnFromThere();
+  void anEventIsInspectedInItsStages();
+  void whatIsExportedIsWhatReplayMakes();
+  void badFilesLeaveTheOpenWorkAlone();
+  void aSeedIsUndoneByName();
+  void everyCommandIsInAMenuWithItsKeys();
+  void everyControlHasAName();
+  void keysStayWithTheControlThatUsesThem();
+  void aViewFillsTheWindowAndGoesBack();
+  void theLayoutIsRemembered();
+};
+
+void WindowTest::aClickAndReturnPlaceASeedAndSpaceGrowsItIntoARing() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst.nii.gz")));
+  QVERIFY(window->document().seeds().empty());
+  ui::SliceView& axial = window->views().slice(ui::Plane::axial);
+  // The volume's middle lies in the cyst, beside the needle; the axial slice is centred in its view.
+  QTest::mouseClick(&axial, Qt::LeftButton, {}, axial.rect().center() - QPoint(30, 0));
+  QTest::keyClick(&axial, Qt::Key_Return);
+  QCOMPARE(window->document().seeds().size(), std::size_t{1});
+  const Vec3 offset = window->document().seeds().front().centre - window->viewState().crosshair();
+  QVERIFY(offset.norm() < 1e-9);
+
+  QTest::keyClick(&axial, Qt::Key_Space);
+  QVERIFY(waitFor(*window, GrowthState::finished));
+  QCOMPARE(shownLabel(*window, "Genus")->text(), QString("1"));
+  QCOMPARE(shownLabel(*window, "Components")->text(), QString("1"));
+  QVERIFY(shownLabel(*window, "Certificate")->text().startsWith(QString("✓")));
+}
+
+void WindowTest::steppingBackIsExactAndANewParameterGoesOnFromThere() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst_session.json")));
+  ui::Document& document = window->document();
+  const auto forward = [&](int n) {
+    for (int i = 0; i < n; ++i) {
+      const int wanted = document.iteration() + 1;
+      QTest::keyClick(window.get(), Qt::Key_Period);
+      if (!QTest::qWaitFor([&] { return document.iteration() == wanted; }, kPatience)) return false;
+    }
+    return true;
+  };
+  QTest::keyClick(window.get(), Qt::Key_Period);
+  QVERIFY(QTest::qWaitFor([&] { return document.iteration() >= 0; }, kPatience));
+  QVERIFY(forward(5));
+  const auto before = document.snapshot();
+  QVERIFY(forward(1));
+  QTest::keyClick(window.get(), Qt::Key_Comma);
+  QVERIFY(QTest::qWaitFor([&] { return document.iteration() == before->iteration; }, kPatience));
+  const auto after = document.snapshot();
+  QCOMPARE(after->mesh.points.size(), before->mesh.points.size());
+  QVERIFY(after->mesh.points == before->mesh.points);
+  QVERIFY(after->mesh.triangles == before->mesh.triangles);
+
+  const int dropped = document.lastIteration();
+  QVERIFY(dropped > before->iteration);
+  Parameters parameters = document.parameters();
+  parameters.curvature = 0.6;
+  document.setParameters(parameters, "Change curvature");
+  QVERIFY(forward(1));
+  QCOMPARE(document.lastIteration(), before->iteration + 1);
+}
+
+void WindowTest::anEventIsInspectedInItsStages() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst_session.json")));
+  QVERIFY(growToTheEnd(*window));
+  const int index = firstHandle(window->document());
+  QVERIFY(index >= 0);
+  window->goToEvent(index);
+  const Event event = window->document().events()[static_cast<std::size_t>(index)];
+  QVERIFY(QTest::qWaitFor([&] { return window->document().iteration() == event.iteration; }, kPatience));
+  QVERIFY((window->viewState().crosshair() - event.location).norm() < 1e-9);
+
+  QSignalSpy traced(&window->document(), &ui::Document::eventTraced);
+  const auto buttons = window->findChildren<QAbstractButton*>();
+  QAbstractButton* opened = nullptr;
+  for (QAbstractButton* button : buttons)
+    if (button->accessibleName() == "Stage: 2 Open") opened = button;
+  QVERIFY(opened && opened->isVisible());
+  const QImage plain = window->views().surface().picture();
+  QTest::mouseClick(opened, Qt::LeftButton);
+  QVERIFY(!traced.isEmpty() || traced.wait(kPatience));
+  QTest::qWait(1000);  // the camera's flight
+  if (window->views().surface().hasOpenGl()) QVERIFY(window->views().surface().picture() != plain);
+}
+
+void WindowTest::whatIsExportedIsWhatReplayMakes() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst_session.json")));
+  QVERIFY(growToTheEnd(*window));
+  const QTemporaryDir folder;
+  const QString mesh = folder.filePath("mesh.stl"), session = folder.filePath("session.json"),
+                again = folder.filePath("again.stl");
+  QSignalSpy exported(&window->document(), &ui::Document::exported);
+  window->document().exportResult(mesh, CoordinateSpace::lps);
+  QVERIFY(exported.wait(kPatience));
+  QSignalSpy saved(&window->document(), &ui::Document::sessionSaved);
+  window->document().saveSession(session);
+  QVERIFY(saved.wait(kPatience));
+  QCOMPARE(QProcess::execute(HANDLEBODY_CLI, {"replay", session, "-o", again, "--quiet"}), 0);
+  QVERIFY(!contentOf(mesh).isEmpty());
+  QCOMPARE(contentOf(again), contentOf(mesh));
+}
+
+void WindowTest::badFilesLeaveTheOpenWorkAlone() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst_session.json")));
+  const QString path = window->document().path();
+  const QTemporaryDir folder;
+  // Says that it holds 32768 x 32768 x 4 voxels, and is a hundred bytes long.
+  const QString huge = folder.filePath("huge.mha"), text = folder.filePath("text.nii");
+  QFile hugeFile(huge), textFile(text);
+  QVERIFY(hugeFile.open(QIODevice::WriteOnly) && textFile.open(QIODevice::WriteOnly));
+  hugeFile.write(
+      "ObjectType = Image\nNDims = 3\nDimSize = 32768 32768 4\nElementType = MET_SHORT\nElementDataFile = "
+      "LOCAL\n");
+  textFile.write("not a volume");
+  hugeFile.close();
+  textFile.close();
+  for (const QString& bad : {huge, text, folder.filePath("missing.nrrd")}) {
+    QSignalSpy failed(&window->document(), &ui::Document::openFailed);
+    drop(*window, bad);
+    QVERIFY(!failed.isEmpty() || failed.wait(kPatience));
+    QVERIFY2(window->messages().text().contains(QFileInfo(bad).fileName()),
+             qPrintable(window->messages().text()));
+    QVERIFY(window->messages().isVisible());
+    QCOMPARE(window->document().path(), path);
+    QCOMPARE(window->document().seeds().size(), std::size_t{1});
+  }
+}
+
+void WindowTest::aSeedIsUndoneByName() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst.nii.gz")));
+  ui::SliceView& coronal = window->views().slice(ui::Plane::coronal);
+  QTest::mouseClick(&coronal, Qt::LeftButton, {}, coronal.rect().center());
+  QTest::keyClick(&coronal, Qt::Key_Return);
+  QAction* undo = window->commands()[Command::undo];
+  QVERIFY2(undo->text().startsWith("Undo ") && undo->text().contains("seed"), qPrintable(undo->text()));
+  QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(window->document().seeds().empty());
+  QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  QCOMPARE(window->document().seeds().size(), std::size_t{1});
+  window->document().selectSeed(0);
+  QTest::keyClick(&coronal, Qt::Key_Backspace);
+  QVERIFY(window->document().seeds().empty());
+}
+
+void WindowTest::everyCommandIsInAMenuWithItsKeys() {
+  auto window = shownWindow();
+  QVERIFY(window);
+  QSet<QAction*> inMenus;
+  const auto menus = window->menuBar()->findChildren<QMenu*>();
+  for (QMenu* menu : menus)
+    for (QAction* action : menu->actions()) inMenus << action;
+  QSet<QString> keys;
+  for (const ui::CommandSpec& spec : ui::Commands::table()) {
+    QAction* action = window->commands()[spec.id];
+    QVERIFY2(inMenus.contains(action), spec.text);
+    for (const QKeySequence& key : action->shortcuts()) {
+      QVERIFY2(!keys.contains(key.toString()), qPrintable(key.toString()));  // one key, one command
+      keys << key.toString();
+    }
+  }
+}
+
+void WindowTest::everyControlHasAName() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst_session.json")));
+  const auto widgets = window->findChildren<QWidget*>();
+  for (const QWidget* widget : widgets) {
+    if (widget->focusPolicy() == Qt::NoFocus || widget->objectName().startsWith("qt_")) continue;
+    const bool own = QByteArray(widget->metaObject()->className()).startsWith("handlebody");
+    const bool control = own || qobject_cast<const QAbstractButton*>(widget) ||
+                         widget->inherits("QAbstractSpinBox") || widget->inherits("QComboBox") ||
+                         widget->inherits("QAbstractItemView") || widget->inherits("QAbstractSlider");
+    const auto* button = qobject_cast<const QAbstractButton*>(widget);
+    const bool named = !widget->accessibleName().isEmpty() || (button && !button->text().isEmpty());
+    const bool scrollBar = widget->inherits("QScrollBar") || widget->inherits("QScrollArea");
+    if (!control || named || scrollBar || qobject_cast<const ui::MainWindow*>(widget)) continue;
+    if (widget->focusProxy() || widget->inherits("handlebody::ui::ValueField")) continue;
+    QFAIL(qPrintable(
+        QString("%1 in %2 has no name")
+            .arg(widget->metaObject()->className(), widget->parentWidget()->metaObject()->className())));
+  }
+}
+
+void WindowTest::keysStayWithTheControlThatUsesThem() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst_session.json")));
+  window->showStep(Command::stepTune);
+  QWidget* curvature = nullptr;
+  const auto widgets = window->findChildren<QWidget*>();
+  for (QWidget* widget : widgets)
+    if (widget->accessibleName() == "Curvature" && widget->inherits("QDoubleSpinBox")) curvature = widget;
+  QVERIFY(curvature);
+  curvature->setFocus();
+  QTest::keyClick(curvature, Qt::Key_A, Qt::ControlModifier);
+  QTest::keyClicks(curvature, "0.5");  // "." is a command of the window as well
+  QTest::keyClick(curvature, Qt::Key_Return);
+  QCOMPARE(window->document().parameters().curvature, 0.5);
+  QCOMPARE(window->document().seeds().size(), std::size_t{1});  // Return placed no seed
+  QCOMPARE(window->document().iteration(), -1);                 // and nothing grew
+}
+
+void WindowTest::aViewFillsTheWindowAndGoesBack() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst.nii.gz")));
+  ui::SliceView& coronal = window->views().slice(ui::Plane::coronal);
+  ui::SliceView& axial = window->views().slice(ui::Plane::axial);
+  const int width = coronal.width();
+  QTest::mouseDClick(&coronal, Qt::LeftButton, {}, coronal.rect().center());
+  QTRY_VERIFY(!axial.isVisible() && coronal.width() > width);
+  QTest::keyClick(window.get(), Qt::Key_0, Qt::ControlModifier);
+  QTRY_VERIFY(axial.isVisible());
+}
+
+void WindowTest::theLayoutIsRemembered() {
+  auto window = shownWindow();
+  QVERIFY(window);
+  window->views().maximise(ui::Cell::sagittal);
+  window->setAppearance(ui::Appearance::dark);
+  window->close();
+  ui::MainWindow again;
+  QVERIFY(again.views().maximised() == ui::Cell::sagittal);
+  QVERIFY(again.commands()[Command::coloursDark]->isChecked());
+  again.setAppearance(ui::Appearance::light);
+}
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName("Handlebody");
+  QApplication::setApplicationName("handlebody-test");
+  WindowTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "window_test.moc"

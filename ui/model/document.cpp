@@ -1,0 +1,246 @@
+#include "ui/model/document.h"
+
+#include <QUndoStack>
+#include <algorithm>
+
+#include "ui/model/document_private.h"
+
+namespace handlebody::ui {
+
+namespace {
+
+constexpr int kSettleMilliseconds = 150;
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+Document::Private::Private(Document& document)
+    : q(document),
+      growth(&document,
+             {[this] { growthStateChanged(); }, [this] { Q_EMIT q.snapshotChanged(); },
+              [this] { Q_EMIT q.summariesChanged(); },
+              [this](int index, const EventTrace& trace) { Q_EMIT q.eventTraced(index, trace); }}) {
+  settle.setSingleShot(true);
+  settle.setInterval(kSettleMilliseconds);
+  QObject::connect(&settle, &QTimer::timeout, &q, [this] { preparationDue(); });
+  QObject::connect(&undo, &QUndoStack::cleanChanged, &q, [this] { updateModified(); });
+}
+Document::Private::~Private() { *cancelled = true; }
+
+Document::Document(QObject* parent) : QObject(parent), d_(std::make_unique<Private>(*this)) {}
+Document::~Document() = default;
+
+// --- opening ---
+
+void Document::open(const QString& path, const VolumeSelection& selection) { d_->open(path, selection); }
+
+void Document::Private::open(const QString& path, const VolumeSelection& selection) {
+  *cancelled = true;
+  cancelled = std::make_shared<std::atomic<bool>>(false);
+  isOpening = true;
+  const int number = ++openings;
+  Q_EMIT q.opening(path, 0);
+  files.post([this, number, path, selection, stop = cancelled] {
+    if (*stop) return;
+    const auto progress = [&](double part) {
+      QMetaObject::invokeMethod(
+          &q,
+          [this, number, path, part] {
+            if (number == openings && isOpening) Q_EMIT q.opening(path, part);
+          },
+          Qt::QueuedConnection);
+    };
+    auto result = std::make_shared<OpeningResult>(openWork(path, selection, progress, *stop));
+    QMetaObject::invokeMethod(
+        &q, [this, number, path, result] { finishOpening(number, path, std::move(*result)); },
+        Qt::QueuedConnection);
+  });
+}
+
+void Document::Private::finishOpening(int number, const QString& path, OpeningResult result) {
+  if (number != openings || !isOpening) return;  // cancelled, or a newer one is under way
+  isOpening = false;
+  if (auto* opened = std::get_if<OpenedWork>(&result))
+    adopt(path, std::move(*opened));
+  else if (const auto* choice = std::get_if<SeriesChoice>(&result))
+    Q_EMIT q.seriesChoiceNeeded(path, choice->series);
+  else
+    Q_EMIT q.openFailed(std::get<OpeningFailed>(result).sentence);
+}
+
+void Document::cancelOpening() {
+  *d_->cancelled = true;
+  d_->isOpening = false;
+}
+
+void Document::Private::adopt(const QString& path, OpenedWork opened) {
+  const std::optional<Session> session = std::move(opened.session);
+  dropGrowth();
+  undo.clear();
+  journal.clear();
+  work = std::move(opened);
+  prepared.reset();
+  resolved.reset();
+  resolveError.clear();
+  isOutdated = true;
+  error.clear();
+  sessionPath.clear();
+  view.clear();
+  edits = {};
+  savedIteration = -1;
+  hashInBackground();
+  if (session) adoptSession(path, *session);
+  Q_EMIT q.opened();
+  Q_EMIT q.seedsChanged();
+  Q_EMIT q.selectedSeedChanged(edits.selectedSeed);
+  Q_EMIT q.parametersChanged();
+  Q_EMIT q.resolvedChanged();
+  if (session && (session->stopAt || !session->changes.empty()))
+    beginGrowth(Wanted::replay);
+  else
+    settle.start();
+  updateState();
+  updateModified();
+}
+
+void Document::Private::adoptSession(const QString& path, const Session& session) {
+  edits.seeds = session.seeds;
+  edits.parameters = session.changes.empty() ? session.requested : session.changes.back().parameters;
+  view = QByteArray::fromStdString(session.view);
+  replay = {session.changes, session.stopAt};
+  replayed = session.requested;
+  savedIteration = session.stopAt.value_or(-1);
+  if (Journal::isJournal(path)) {
+    undo.resetClean();
+    journalNow();
+  } else {
+    sessionPath = path;
+  }
+}
+
+void Document::Private::hashInBackground() {
+  hash = std::make_shared<std::string>(work->reference.sha256);
+  if (!hash->empty()) return;
+  files.post([known = hash, path = work->reference.path] {
+    try {
+      *known = sha256OfPath(path);
+    } catch (const std::exception&) {  // tried again, and told, when a session is saved
+    }
+  });
+}
+
+bool Document::isOpening() const { return d_->isOpening; }
+bool Document::hasVolume() const { return d_->work.has_value(); }
+const Volume& Document::volume() const { return d_->work->volume; }
+const VolumeInfo& Document::info() const { return d_->work->info; }
+QString Document::path() const {
+  return d_->work ? QString::fromStdString(d_->work->reference.path) : QString();
+}
+QByteArray Document::view() const { return d_->view; }
+void Document::setView(const QByteArray& json) { d_->view = json; }
+
+// --- seeds and parameters ---
+
+void Document::Private::push(const QString& text, Edits after, int gesture) {
+  undo.push(new EditCommand(text, edits, std::move(after), gesture, [this](const Edits& e) { apply(e); }));
+}
+
+void Document::Private::apply(const Edits& after) {
+  const bool seeds = after.seeds != edits.seeds, parameters = !(after.parameters == edits.parameters);
+  const bool selection = after.selectedSeed != edits.selectedSeed;
+  edits = after;
+  if (seeds || parameters) editsChanged(seeds);
+  if (seeds) Q_EMIT q.seedsChanged();
+  if (selection) Q_EMIT q.selectedSeedChanged(edits.selectedSeed);
+  if (parameters) Q_EMIT q.parametersChanged();
+}
+
+void Document::Private::editsChanged(bool seeds) {
+  prepared.reset();
+  resolved.reset();
+  resolveError.clear();
+  isOutdated = true;
+  if (seeds) dropGrowth();
+  if (wanted == Wanted::replay) wanted = Wanted::nothing;
+  changedOnTheWay = growth.isRunning();
+  settle.start();
+  journalNow();
+  updateState();
+}
+
+const std::vector<Seed>& Document::seeds() const { return d_->edits.seeds; }
+
+void Document::addSeed(const Seed& seed) {
+  Edits after = d_->edits;
+  after.seeds.push_back(seed);
+  after.selectedSeed = static_cast<int>(after.seeds.size()) - 1;
+  d_->push(tr("Add seed"), std::move(after), -1);
+}
+
+void Document::removeSeed(int index) {
+  Edits after = d_->edits;
+  if (index < 0 || idx(index) >= after.seeds.size()) return;
+  after.seeds.erase(after.seeds.begin() + index);
+  after.selectedSeed = std::min(index, static_cast<int>(after.seeds.size()) - 1);
+  d_->push(tr("Delete seed"), std::move(after), -1);
+}
+
+void Document::moveSeed(int index, const Vec3& centre, int gesture) {
+  Edits after = d_->edits;
+  if (index < 0 || idx(index) >= after.seeds.size() || after.seeds[idx(index)].centre == centre) return;
+  after.seeds[idx(index)].centre = centre;
+  after.selectedSeed = index;
+  d_->push(tr("Move seed"), std::move(after), gesture);
+}
+
+void Document::setSeedRadius(int index, std::optional<double> radius, int gesture) {
+  Edits after = d_->edits;
+  if (index < 0 || idx(index) >= after.seeds.size() || after.seeds[idx(index)].radius == radius) return;
+  after.seeds[idx(index)].radius = radius;
+  after.selectedSeed = index;
+  d_->push(tr("Change seed radius"), std::move(after), gesture);
+}
+
+int Document::selectedSeed() const { return d_->edits.selectedSeed; }
+
+void Document::selectSeed(int index) {
+  const int last = static_cast<int>(d_->edits.seeds.size()) - 1;
+  index = std::clamp(index, -1, last);
+  if (index == d_->edits.selectedSeed) return;
+  d_->edits.selectedSeed = index;
+  Q_EMIT selectedSeedChanged(index);
+}
+
+double Document::shownRadius(int index) const {
+  const Seed& seed = d_->edits.seeds.at(idx(index));
+  if (seed.radius) return *seed.radius;
+  if (d_->resolved)
+    for (const Seed& known : d_->resolved->seeds)
+      if (known.centre == seed.centre) return *known.radius;
+  return d_->work ? 2 * d_->work->volume.grid.meanSpacing() : 1;
+}
+
+const Parameters& Document::parameters() const { return d_->edits.parameters; }
+
+void Document::setParameters(const Parameters& parameters, const QString& undoText, int gesture) {
+  if (parameters == d_->edits.parameters) return;
+  Edits after = d_->edits;
+  after.parameters = parameters;
+  d_->push(undoText, std::move(after), gesture);
+}
+
+const std::optional<ResolvedParameters>& Document::resolved() const { return d_->resolved; }
+QString Document::resolveError() const { return d_->resolveError; }
+QUndoStack* Document::undoStack() const { return &d_->undo; }
+
+bool Document::isModified() const { return d_->wasModified; }
+
+void Document::Private::updateModified() {
+  const bool modified = work && (!undo.isClean() || growth.iteration() != savedIteration);
+  if (modified == wasModified) return;
+  wasModified = modified;
+  Q_EMIT q.modifiedChanged();
+}
+
+}  // namespace handlebody::ui

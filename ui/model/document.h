@@ -1,0 +1,158 @@
+#pragma once
+// The open work: volume, seeds, parameters and the growth made from them. What the views show and the panels
+// change. Lives on the GUI thread; reading and growing run on worker threads and never block a call here.
+
+#include <QByteArray>
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/evolution/parameters.h"
+#include "core/evolution/step_report.h"
+#include "core/io/mesh_io.h"
+#include "core/io/volume_io.h"
+#include "core/mesh/certificate.h"
+#include "core/volume/volume.h"
+
+class QUndoStack;
+
+namespace handlebody::ui {
+
+//! What a face of the shown mesh is, for colouring.
+enum class FaceState : unsigned char { moving, settled, newHandle, colliding };
+
+//! The mesh after one iteration, as the views draw it. Never changed once it was handed out.
+struct MeshSnapshot {
+  int iteration = 0;
+  TriangleSoup mesh;              //!< mm LPS
+  std::vector<FaceState> states;  //!< one per triangle
+  Certificate certificate;        //!< topology numbers, area, volume; selfIntersections as certified
+};
+
+//! One row of the timeline, cheap to copy; iteration 0 is the seed surface.
+struct IterationSummary {
+  int iteration = 0;
+  double volume = 0;       //!< mm³
+  double movingShare = 0;  //!< 0 … 1 of the vertices
+  int events = 0;          //!< topology events (roll-backs not counted)
+};
+
+enum class GrowthState {
+  none,       //!< nothing was grown yet, or seeds or volume changed since
+  preparing,  //!< automatic parameters are chosen, the image is smoothed
+  paused,
+  running,
+  finished,  //!< converged or at the iteration limit (see stopReason)
+};
+
+class Document : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Document(QObject* parent = nullptr);
+  ~Document() override;
+
+  // --- open ---
+  //! Reads a volume, DICOM folder, session or report on a worker thread; opening() tells the progress, then
+  //! opened() or openFailed(). What is open stays as it is until the new volume is complete, and for good if
+  //! that fails. A folder of several series without a choice in `selection` ends in seriesChoiceNeeded().
+  void open(const QString& path, const VolumeSelection& selection = {});
+  void cancelOpening();
+  bool isOpening() const;
+  bool hasVolume() const;
+  const Volume& volume() const;    //!< precondition: hasVolume()
+  const VolumeInfo& info() const;  //!< precondition: hasVolume()
+  QString path() const;            //!< of the volume
+  //! What the window keeps in the session for itself (JSON); empty: none. Read it after opened().
+  QByteArray view() const;
+  void setView(const QByteArray& json);
+
+  // --- seeds and parameters; each change is one undo entry with a name ("Move seed") ---
+  const std::vector<Seed>& seeds() const;
+  void addSeed(const Seed& seed);
+  void removeSeed(int index);
+  //! Calls with the same `gesture` (one mouse drag) merge into one undo entry; -1 never merges.
+  void moveSeed(int index, const Vec3& centre, int gesture = -1);
+  void setSeedRadius(int index, std::optional<double> radius, int gesture = -1);
+  int selectedSeed() const;  //!< -1: none
+  void selectSeed(int index);
+  //! The radius (mm) that a seed has or would be given where it has none; of the resolved seed, if known.
+  double shownRadius(int index) const;
+  const Parameters& parameters() const;
+  //! Applies to the growth from its shown iteration on: what was grown after it is dropped when it goes on.
+  void setParameters(const Parameters& parameters, const QString& undoText, int gesture = -1);
+  //! What the automatic parameters come to with the present seeds; worked out in the background after every
+  //! change, told by resolvedChanged(). Empty while unknown or where it failed (resolveError()).
+  const std::optional<ResolvedParameters>& resolved() const;
+  QString resolveError() const;
+  QUndoStack* undoStack() const;
+
+  // --- growth ---
+  GrowthState state() const;
+  StopReason stopReason() const;
+  QString growthError() const;  //!< why the last attempt to grow failed; empty if it did not
+  void run();
+  void pause();
+  void stepForward();
+  void stepBack();
+  void goTo(int iteration);  //!< any iteration from 0 to lastIteration(); exact
+  void goToNextEvent();      //!< runs on if none is recorded yet
+  void goToPreviousEvent();
+  void goToStart();
+  //! While it runs a frame is shown every so many iterations, or later if the views are slower. 1 at first.
+  void setStepsPerFrame(int steps);
+  int stepsPerFrame() const;
+  int iteration() const;      //!< shown; -1 without a growth
+  int lastIteration() const;  //!< recorded so far; -1 without a growth
+  //! The shown iteration; null without a growth.
+  std::shared_ptr<const MeshSnapshot> snapshot() const;
+  const std::vector<IterationSummary>& summaries() const;  //!< index = iteration
+  const std::vector<Event>& events() const;                //!< of all iterations, in order, without traces
+  //! Works out the stages of events()[index] in the background, told by eventTraced(index, trace).
+  void requestTrace(int index);
+
+  // --- out ---
+  //! Mesh or label map by extension, of the shown iteration, written on a worker thread: exported() or
+  //! exportFailed().
+  void exportResult(const QString& path, CoordinateSpace space);
+  void exportReport(const QString& path);
+  //! What `handlebody-cli replay` needs to make the shown mesh again. Throws nothing; saveFailed() tells why.
+  void saveSession(const QString& path);
+  QString sessionPath() const;
+  bool isModified() const;  //!< since the session was saved or opened
+
+  // --- crash recovery ---
+  //! Journals that ended without a clean close, newest first (paths to session files).
+  static QStringList recoverable();
+  //! open() takes a journal as it takes a session; what was recovered counts as modified and has no session
+  //! file. Discard it when it was opened, or is not wanted.
+  static void discardRecoverable(const QString& journal);
+
+ Q_SIGNALS:
+  void opening(const QString& path, double progress);  //!< 0 … 1, negative: unknown
+  void opened();
+  void openFailed(const QString& sentence);
+  void seriesChoiceNeeded(const QString& path, const std::vector<handlebody::SeriesInfo>& series);
+  void seedsChanged();
+  void selectedSeedChanged(int index);
+  void parametersChanged();
+  void resolvedChanged();
+  void stateChanged();
+  void snapshotChanged();   //!< another iteration is shown
+  void summariesChanged();  //!< lastIteration() moved, or the tail was dropped
+  void eventTraced(int index, const handlebody::EventTrace& trace);
+  void exported(const QString& path);
+  void exportFailed(const QString& sentence);
+  void sessionSaved(const QString& path);
+  void saveFailed(const QString& sentence);
+  void modifiedChanged();
+
+ private:
+  class Private;
+  std::unique_ptr<Private> d_;
+};
+
+}  // namespace handlebody::ui

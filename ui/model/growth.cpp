@@ -1,0 +1,114 @@
+#include "ui/model/growth.h"
+
+#include <QMetaObject>
+
+namespace handlebody::ui {
+
+Growth::Growth(QObject* context, Listener listener)
+    : listener_(std::move(listener)), worker_([this, context] {
+        QMetaObject::invokeMethod(
+            context, [this] { collect(); }, Qt::QueuedConnection);
+      }) {}
+
+//! What the state is from now on, until the worker has done the commands given so far.
+void Growth::expect(bool running) {
+  expected_ = worker_.sent();
+  error_.clear();
+  if (running_ == running) return;
+  running_ = running;
+  listener_.stateChanged();
+}
+
+void Growth::start(std::shared_ptr<const ActiveContour> contour, const std::optional<Replay>& replay) {
+  clear();
+  start_ = contour;
+  parameters_ = contour->requested();
+  worker_.start(std::move(contour));
+  started_ = worker_.sent();
+  if (replay) worker_.replay(*replay);
+  expect(replay.has_value());
+}
+
+void Growth::clear() {
+  if (!exists()) return;
+  worker_.clear();
+  start_.reset();
+  started_ = expected_ = worker_.sent();
+  running_ = false;
+  stopReason_ = StopReason::running;
+  error_.clear();
+  snapshot_.reset();
+  summaries_.clear();
+  events_.clear();
+  changes_.clear();
+  seconds_ = 0;
+  listener_.summariesChanged();
+  listener_.snapshotChanged();
+  listener_.stateChanged();
+}
+
+void Growth::run(const Parameters& parameters) {
+  worker_.run(parameters);
+  expect(true);
+}
+
+void Growth::runToEvent(const Parameters& parameters) {
+  worker_.runToEvent(parameters);
+  expect(true);
+}
+
+void Growth::step(const Parameters& parameters) {
+  worker_.step(parameters);
+  expect(false);
+}
+
+void Growth::pause() {
+  worker_.pause();
+  expect(false);
+}
+
+void Growth::goTo(int iteration) {
+  worker_.goTo(iteration);
+  expect(false);
+}
+
+void Growth::stepBack() {
+  worker_.stepBack();
+  expect(false);
+}
+
+void Growth::goToPreviousEvent() {
+  worker_.goToPreviousEvent();
+  expect(false);
+}
+
+bool Growth::takeLists(GrowthUpdate& update) {
+  const bool changed = update.summariesFrom != summaries_.size() || !update.summaries.empty();
+  summaries_.resize(update.summariesFrom);
+  summaries_.insert(summaries_.end(), update.summaries.begin(), update.summaries.end());
+  events_.resize(update.eventsFrom);
+  std::move(update.events.begin(), update.events.end(), std::back_inserter(events_));
+  return changed;
+}
+
+void Growth::collect() {
+  GrowthUpdate update = worker_.collect();
+  if (!exists() || update.processed < started_) return;  // of an earlier growth
+  const bool listsChanged = takeLists(update);
+  const bool shownChanged = update.snapshot != nullptr;
+  if (shownChanged) snapshot_ = std::move(update.snapshot);
+  parameters_ = update.parameters;
+  changes_ = std::move(update.changes);
+  seconds_ = update.seconds;
+  stopReason_ = update.stopReason;
+  if (update.processed >= expected_) {
+    running_ = update.running;
+    error_ = update.error;
+  }
+  if (listsChanged) listener_.summariesChanged();
+  if (shownChanged) listener_.snapshotChanged();
+  for (const auto& [index, trace] : update.traces) listener_.traced(index, trace);
+  listener_.stateChanged();
+}
+
+}  // namespace handlebody::ui

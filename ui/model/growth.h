@@ -1,0 +1,73 @@
+#pragma once
+// The growth as the GUI thread knows it: what the worker last handed over, and what was asked of it since.
+
+#include <QObject>
+#include <functional>
+
+#include "ui/model/growth_worker.h"
+
+namespace handlebody::ui {
+
+class Growth {
+ public:
+  //! All are called on the thread of `context`.
+  struct Listener {
+    std::function<void()> stateChanged;
+    std::function<void()> snapshotChanged;
+    std::function<void()> summariesChanged;
+    std::function<void(int, const EventTrace&)> traced;
+  };
+  Growth(QObject* context, Listener listener);
+
+  //! A new growth from what was prepared, at rest; with `replay`, on its way as recorded.
+  void start(std::shared_ptr<const ActiveContour> contour, const std::optional<Replay>& replay);
+  void clear();
+  bool exists() const { return start_ != nullptr; }
+  //! As it was before the first step. Precondition: exists().
+  const ActiveContour& beginning() const { return *start_; }
+
+  void run(const Parameters& parameters);
+  void step(const Parameters& parameters);
+  void runToEvent(const Parameters& parameters);
+  void pause();
+  void goTo(int iteration);
+  void stepBack();
+  void goToPreviousEvent();
+  void trace(int index) { worker_.trace(index); }
+  void setStepsPerFrame(int steps) { worker_.setStepsPerFrame(steps); }
+
+  bool isRunning() const { return running_; }
+  //! Of the shown iteration; running while it could go on.
+  StopReason stopReason() const { return stopReason_; }
+  const QString& error() const { return error_; }
+  std::shared_ptr<const MeshSnapshot> snapshot() const { return snapshot_; }
+  int iteration() const { return snapshot_ ? snapshot_->iteration : -1; }
+  const std::vector<IterationSummary>& summaries() const { return summaries_; }
+  const std::vector<Event>& events() const { return events_; }
+  //! That the next step from the shown iteration is done with, as recorded.
+  const Parameters& parameters() const { return parameters_; }
+  const std::vector<ParameterChange>& changes() const { return changes_; }
+  double seconds() const { return seconds_; }
+
+ private:
+  void collect();
+  bool takeLists(GrowthUpdate& update);
+  void expect(bool running);
+
+  Listener listener_;
+  std::shared_ptr<const ActiveContour> start_;
+  bool running_ = false;
+  int expected_ = 0;  // commands that must be done before an update tells whether it runs
+  int started_ = 0;   // and before it tells of this growth at all
+  StopReason stopReason_ = StopReason::running;
+  QString error_;
+  std::shared_ptr<const MeshSnapshot> snapshot_;
+  std::vector<IterationSummary> summaries_;
+  std::vector<Event> events_;
+  Parameters parameters_;
+  std::vector<ParameterChange> changes_;
+  double seconds_ = 0;
+  GrowthWorker worker_;  // last: its thread ends before the rest
+};
+
+}  // namespace handlebody::ui

@@ -1,0 +1,282 @@
+#include "ui/model/growth_worker.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "ui/model/error_sentence.h"
+#include "ui/model/snapshot.h"
+
+namespace handlebody::ui {
+
+GrowthWorker::GrowthWorker(std::function<void()> notify)
+    : notify_(std::move(notify)), thread_([this](const std::stop_token& stop) { loop(stop); }) {}
+GrowthWorker::~GrowthWorker() = default;
+
+void GrowthWorker::send(Command command, bool isGoTo) {
+  {
+    const std::lock_guard lock(mutex_);
+    // A slider that is dragged asks for many iterations; only the newest counts.
+    if (isGoTo && !commands_.empty() && commands_.back().second) {
+      commands_.pop_back();
+      ++done_;
+    }
+    commands_.emplace_back(std::move(command), isGoTo);
+  }
+  ++sent_;
+  changed_.notify_all();
+}
+
+void GrowthWorker::start(std::shared_ptr<const ActiveContour> contour) {
+  send([this, contour = std::move(contour)] {
+    mode_ = Mode::idle;
+    seconds_ = 0;
+    framed_ = kept_ = -1;
+    history_.emplace(*contour);
+  });
+}
+
+void GrowthWorker::clear() {
+  send([this] {
+    mode_ = Mode::idle;
+    history_.reset();
+  });
+}
+
+void GrowthWorker::run(const Parameters& parameters) {
+  send([this, parameters] { goOn(parameters, Mode::run); });
+}
+
+void GrowthWorker::runToEvent(const Parameters& parameters) {
+  send([this, parameters] { goOn(parameters, Mode::toEvent); });
+}
+
+void GrowthWorker::step(const Parameters& parameters) {
+  send([this, parameters] {
+    goOn(parameters, Mode::run);
+    if (mode_ == Mode::run) stepOnce();
+    mode_ = Mode::idle;
+  });
+}
+
+void GrowthWorker::replay(const Replay& replay) {
+  send([this, replay] {
+    replay_ = replay;
+    mode_ = Mode::replay;
+  });
+}
+
+void GrowthWorker::pause() {
+  send([this] { mode_ = Mode::idle; });
+}
+
+void GrowthWorker::goTo(int iteration) {
+  send([this, iteration] { show(iteration); }, true);
+}
+
+void GrowthWorker::stepBack() {
+  send([this] { show(history_ ? history_->iteration() - 1 : 0); });
+}
+
+void GrowthWorker::goToPreviousEvent() {
+  send([this] {
+    if (!history_) return;
+    int at = history_->iteration() - 1;
+    while (at > history_->firstIteration() && !isEventIteration(at)) --at;
+    show(at);
+  });
+}
+
+void GrowthWorker::trace(int index) {
+  send([this, index] { traceEvent(index); });
+}
+
+void GrowthWorker::setStepsPerFrame(int steps) {
+  const std::lock_guard lock(mutex_);
+  stepsPerFrame_ = std::max(1, steps);
+}
+
+GrowthUpdate GrowthWorker::collect() {
+  const std::lock_guard lock(mutex_);
+  GrowthUpdate out = update_;
+  out.summariesFrom = knownSummaries_;
+  out.summaries.assign(summaries_.begin() + static_cast<std::ptrdiff_t>(knownSummaries_), summaries_.end());
+  out.eventsFrom = knownEvents_;
+  out.events.assign(events_.begin() + static_cast<std::ptrdiff_t>(knownEvents_), events_.end());
+  knownSummaries_ = summaries_.size();
+  knownEvents_ = events_.size();
+  update_.snapshot.reset();
+  update_.traces.clear();
+  notified_ = false;
+  return out;
+}
+
+// --- on the worker's thread ---
+
+void GrowthWorker::loop(const std::stop_token& stop) {
+  while (!stop.stop_requested()) {
+    if (const std::optional<Command> command = next(stop))
+      perform(*command);
+    else if (mode_ != Mode::idle)
+      perform([this] { stepOnce(); });
+  }
+}
+
+std::optional<GrowthWorker::Command> GrowthWorker::next(const std::stop_token& stop) {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, stop, [this] { return !commands_.empty() || mode_ != Mode::idle; });
+  if (commands_.empty() || stop.stop_requested()) return std::nullopt;
+  Command command = std::move(commands_.front().first);
+  commands_.pop_front();
+  ++done_;
+  error_.clear();
+  return command;
+}
+
+void GrowthWorker::perform(const Command& command) {
+  const int before = history_ ? history_->iteration() : -1;
+  std::shared_ptr<const MeshSnapshot> frame;
+  try {
+    command();
+    if (history_ && history_->iteration() != before) ++sinceFrame_;
+    frame = nextFrame();
+  } catch (...) {
+    error_ = errorSentence();
+    mode_ = Mode::idle;
+  }
+  publish(std::move(frame));
+}
+
+//! At rest the iteration is always shown, and checked in full; on the way a frame is left out while the last
+//! one was not fetched.
+std::shared_ptr<const MeshSnapshot> GrowthWorker::nextFrame() {
+  const bool atRest = mode_ == Mode::idle;
+  if (!history_ || (framed_ == history_->iteration() && (framedInFull_ || !atRest))) return nullptr;
+  if (!atRest) {
+    const std::lock_guard lock(mutex_);
+    if (sinceFrame_ < stepsPerFrame_ || update_.snapshot) return nullptr;
+  }
+  auto frame = makeSnapshot(*history_, atRest ? Checking::everything : Checking::structure);
+  framed_ = frame->iteration;
+  framedInFull_ = atRest;
+  sinceFrame_ = 0;
+  return frame;
+}
+
+void GrowthWorker::changeParameters(const Parameters& parameters) {
+  history_->changeParameters(parameters);
+  kept_ = std::min(kept_, history_->lastIteration());
+}
+
+void GrowthWorker::goOn(const Parameters& parameters, Mode mode) {
+  mode_ = Mode::idle;
+  if (!history_) return;
+  changeParameters(parameters);
+  if (mode == Mode::toEvent && goToRecordedEvent()) return;
+  if (history_->stopReason() == StopReason::running) mode_ = mode;
+}
+
+//! False, and at the last iteration, if no event is recorded after the shown one.
+bool GrowthWorker::goToRecordedEvent() {
+  const int last = history_->lastIteration();
+  int at = history_->iteration() + 1;
+  while (at <= last && !isEventIteration(at)) ++at;
+  history_->goTo(std::min(at, last));
+  return at <= last;
+}
+
+void GrowthWorker::stepOnce() {
+  if (mode_ == Mode::replay && !replayChange()) return;
+  const int last = history_->lastIteration();
+  const auto start = std::chrono::steady_clock::now();
+  history_->advance();
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  if (history_->lastIteration() > last) seconds_ += spent.count();
+  if (hasReached()) mode_ = Mode::idle;
+}
+
+//! The change that the session recorded here, if any. False if the replay ends here.
+bool GrowthWorker::replayChange() {
+  const int now = history_->iteration();
+  for (const ParameterChange& change : replay_.changes)
+    if (change.iteration == now && now < replay_.stopAt.value_or(now + 1))
+      changeParameters(change.parameters);
+  const bool goesOn = history_->stopReason() == StopReason::running && now < replay_.stopAt.value_or(now + 1);
+  if (!goesOn) mode_ = Mode::idle;
+  return goesOn;
+}
+
+bool GrowthWorker::hasReached() const {
+  if (mode_ == Mode::replay) return false;  // the next change may let it go on
+  if (history_->stopReason() != StopReason::running) return true;
+  return mode_ == Mode::toEvent && isEventIteration(history_->iteration());
+}
+
+bool GrowthWorker::isEventIteration(int iteration) const {
+  const std::vector<Event>& events = history_->events();
+  return std::any_of(events.begin(), events.end(), [&](const Event& e) {
+    return e.iteration == iteration && e.kind != EventKind::rolledBack;
+  });
+}
+
+void GrowthWorker::show(int iteration) {
+  mode_ = Mode::idle;
+  if (history_) history_->goTo(std::clamp(iteration, history_->firstIteration(), history_->lastIteration()));
+}
+
+void GrowthWorker::traceEvent(int index) {
+  if (!history_ || index < 0 || index >= static_cast<int>(history_->events().size())) return;
+  const std::vector<Event>& events = history_->events();
+  const int iteration = events[static_cast<std::size_t>(index)].iteration;
+  int nth = index;  // among those of its iteration
+  while (nth > 0 && events[static_cast<std::size_t>(nth - 1)].iteration == iteration) --nth;
+  std::vector<Event> traced = history_->traced(iteration);
+  const auto at = static_cast<std::size_t>(index - nth);
+  if (at >= traced.size()) return;
+  const std::lock_guard lock(mutex_);
+  update_.traces.emplace_back(index, std::move(traced[at].trace));
+}
+
+void GrowthWorker::publish(std::shared_ptr<const MeshSnapshot> frame) {
+  {
+    const std::lock_guard lock(mutex_);
+    publishLists();
+    update_.processed = done_;
+    update_.running = mode_ != Mode::idle;
+    update_.error = error_;
+    update_.seconds = seconds_;
+    if (frame || !history_) update_.snapshot = std::move(frame);
+    if (history_) {
+      update_.stopReason = history_->stopReason();
+      update_.parameters = history_->parameters();
+      update_.resolved = history_->resolved();
+      update_.changes = history_->changes();
+    }
+  }
+  notifyOnce();
+}
+
+//! Replaces what no longer holds and adds what is new.
+void GrowthWorker::publishLists() {
+  const int kept = history_ ? kept_ : -1;
+  std::erase_if(summaries_, [&](const IterationSummary& s) { return s.iteration > kept; });
+  std::erase_if(events_, [&](const Event& e) { return e.iteration > kept; });
+  knownSummaries_ = std::min(knownSummaries_, summaries_.size());
+  knownEvents_ = std::min(knownEvents_, events_.size());
+  if (!history_) return;
+  const std::vector<IterationSummary> more = summariesFrom(*history_, summaries_.size());
+  summaries_.insert(summaries_.end(), more.begin(), more.end());
+  const std::vector<Event>& all = history_->events();
+  events_.insert(events_.end(), all.begin() + static_cast<std::ptrdiff_t>(events_.size()), all.end());
+  kept_ = history_->lastIteration();
+}
+
+void GrowthWorker::notifyOnce() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (notified_) return;
+    notified_ = true;
+  }
+  notify_();
+}
+
+}  // namespace handlebody::ui

@@ -1,0 +1,129 @@
+#pragma once
+// The growth on its own thread: steps while it runs, steps back, and hands over what it did.
+
+#include <QString>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "core/evolution/history.h"
+#include "ui/model/document.h"
+
+namespace handlebody::ui {
+
+//! What has happened since the last update.
+struct GrowthUpdate {
+  int processed = 0;  //!< commands that are done; see GrowthWorker::send
+  bool running = false;
+  StopReason stopReason = StopReason::running;   //!< of the shown iteration; running: it can go on
+  QString error;                                 //!< of the last command; empty if it did not fail
+  std::shared_ptr<const MeshSnapshot> snapshot;  //!< null: the same as before
+  std::size_t summariesFrom = 0;                 //!< what was known from this index on is replaced
+  std::vector<IterationSummary> summaries;
+  std::size_t eventsFrom = 0;
+  std::vector<Event> events;
+  std::vector<std::pair<int, EventTrace>> traces;
+  Parameters parameters;  //!< that the next step from the shown iteration is done with
+  std::optional<ResolvedParameters> resolved;
+  std::vector<ParameterChange> changes;
+  double seconds = 0;  //!< computing time of all steps
+};
+
+//! A growth to be made again: these changes on the way, and the iteration to pause at.
+struct Replay {
+  std::vector<ParameterChange> changes;
+  std::optional<int> stopAt;
+};
+
+//! Every call returns at once; commands are done in order, a pause between two steps at the latest. Calls
+//! come from one thread.
+class GrowthWorker {
+ public:
+  //! `notify` is called on the worker's thread when there is something to collect; not again before that is
+  //! collected.
+  explicit GrowthWorker(std::function<void()> notify);
+  ~GrowthWorker();
+  GrowthWorker(const GrowthWorker&) = delete;
+  GrowthWorker& operator=(const GrowthWorker&) = delete;
+
+  //! A new growth, shown as it is; what was grown before is gone.
+  void start(std::shared_ptr<const ActiveContour> contour);
+  //! Nothing is grown any more.
+  void clear();
+  //! All three go on from the shown iteration with these parameters; if they are others than recorded, what
+  //! was recorded after it is dropped.
+  void run(const Parameters& parameters);
+  void step(const Parameters& parameters);
+  void runToEvent(const Parameters& parameters);
+  //! Grows again as recorded in a session.
+  void replay(const Replay& replay);
+  void pause();
+  void goTo(int iteration);
+  void stepBack();
+  void goToPreviousEvent();
+  //! Works out the stages of events()[index].
+  void trace(int index);
+  void setStepsPerFrame(int steps);
+
+  //! Number of commands given so far: compare with GrowthUpdate::processed.
+  int sent() const { return sent_; }
+  GrowthUpdate collect();
+
+ private:
+  enum class Mode { idle, run, toEvent, replay };
+  using Command = std::function<void()>;
+
+  void send(Command command, bool isGoTo = false);
+  void loop(const std::stop_token& stop);
+  std::optional<Command> next(const std::stop_token& stop);
+  void perform(const Command& command);
+  void goOn(const Parameters& parameters, Mode mode);
+  bool goToRecordedEvent();
+  void stepOnce();
+  bool replayChange();
+  bool hasReached() const;
+  bool isEventIteration(int iteration) const;
+  void show(int iteration);
+  void traceEvent(int index);
+  void changeParameters(const Parameters& parameters);
+  std::shared_ptr<const MeshSnapshot> nextFrame();
+  void publish(std::shared_ptr<const MeshSnapshot> frame);
+  void publishLists();
+  void notifyOnce();
+
+  const std::function<void()> notify_;
+
+  // The worker's own.
+  std::optional<History> history_;
+  Mode mode_ = Mode::idle;
+  Replay replay_;
+  int sinceFrame_ = 0;
+  int framed_ = -1;  // iteration of the last frame
+  bool framedInFull_ = false;
+  int kept_ = -1;  // what was published up to this iteration still holds
+  double seconds_ = 0;
+  QString error_;
+
+  // Shared.
+  std::mutex mutex_;
+  std::condition_variable_any changed_;
+  std::deque<std::pair<Command, bool>> commands_;  // true: goes to an iteration
+  int done_ = 0;
+  int stepsPerFrame_ = 1;
+  bool notified_ = false;
+  GrowthUpdate update_;  // without the lists
+  std::vector<IterationSummary> summaries_;
+  std::vector<Event> events_;
+  std::size_t knownSummaries_ = 0, knownEvents_ = 0;
+
+  int sent_ = 0;         // the caller's
+  std::jthread thread_;  // last: it uses the others
+};
+
+}  // namespace handlebody::ui

@@ -1,0 +1,55 @@
+#include "ui/model/opening.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <chrono>
+#include <filesystem>
+
+#include "core/errors.h"
+#include "ui/model/error_sentence.h"
+
+namespace handlebody::ui {
+
+namespace {
+
+void verifyHash(const VolumeReference& reference) {
+  if (reference.sha256.empty() || reference.sha256 == sha256OfPath(reference.path)) return;
+  throw InputError(reference.path +
+                   " is not the volume that the session was made from: its SHA-256 differs.");
+}
+
+// The voxels come last: everything that can be wrong cheaply is found before them.
+OpeningResult read(const QString& path, const VolumeSelection& selection,
+                   const std::function<void(double)>& progress, const std::atomic<bool>& cancelled) {
+  const auto start = std::chrono::steady_clock::now();
+  OpenedWork work;
+  work.reference = {QFile::encodeName(path).toStdString(), {}, selection};
+  if (isSessionPath(path)) {
+    work.session = readSession(work.reference.path);
+    work.reference = work.session->volume;
+    // Relative to the session's folder it may be full of "..", which nobody wants to read.
+    work.reference.path = std::filesystem::weakly_canonical(work.reference.path).string();
+  }
+  work.info = inspectVolume(work.reference.path, work.reference.selection);
+  if (work.info.frames == 0) return SeriesChoice{work.info.series};
+  if (cancelled) return OpeningFailed{};
+  progress(-1);
+  if (work.session) verifyHash(work.reference);
+  if (cancelled) return OpeningFailed{};
+  work.volume = readVolume(work.reference.path, work.reference.selection);
+  work.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return work;
+}
+
+}  // namespace
+
+bool isSessionPath(const QString& path) { return path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive); }
+
+OpeningResult openWork(const QString& path, const VolumeSelection& selection,
+                       const std::function<void(double)>& progress, const std::atomic<bool>& cancelled) try {
+  return read(path, selection, progress, cancelled);
+} catch (...) {
+  return OpeningFailed{errorSentence()};
+}
+
+}  // namespace handlebody::ui

@@ -1,0 +1,45 @@
+#pragma once
+// What is behind a path: read on a worker thread, and complete or not at all.
+
+#include <QString>
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "core/io/session.h"
+#include "core/io/volume_io.h"
+
+namespace handlebody::ui {
+
+//! A volume, and the session that named it if there was one.
+struct OpenedWork {
+  Volume volume;
+  VolumeInfo info;
+  VolumeReference reference;  //!< the hash is empty unless a session gave it
+  std::optional<Session> session;
+  double seconds = 0;  //!< that reading took
+};
+
+//! A folder of several series of which none was chosen.
+struct SeriesChoice {
+  std::vector<SeriesInfo> series;
+};
+
+struct OpeningFailed {
+  QString sentence;
+};
+
+using OpeningResult = std::variant<OpenedWork, SeriesChoice, OpeningFailed>;
+
+//! True for the ending of sessions and reports.
+bool isSessionPath(const QString& path);
+
+//! Reads a volume, a DICOM folder, or a session or report with its volume. `progress` is called with 0 … 1
+//! or, while unknown, -1. Gives up between its steps when `cancelled`; the result means nothing then. Throws
+//! nothing.
+OpeningResult openWork(const QString& path, const VolumeSelection& selection,
+                       const std::function<void(double)>& progress, const std::atomic<bool>& cancelled);
+
+}  // namespace handlebody::ui

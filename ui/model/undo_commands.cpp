@@ -1,0 +1,25 @@
+#include "ui/model/undo_commands.h"
+
+namespace handlebody::ui {
+
+namespace {
+constexpr int kEdit = 1;  // the only kind of command that merges
+}
+
+EditCommand::EditCommand(const QString& text, Edits before, Edits after, int gesture, Apply apply)
+    : QUndoCommand(text),
+      before_(std::move(before)),
+      after_(std::move(after)),
+      gesture_(gesture),
+      apply_(std::move(apply)) {}
+
+int EditCommand::id() const { return gesture_ < 0 ? -1 : kEdit; }
+
+bool EditCommand::mergeWith(const QUndoCommand* other) {
+  const auto* next = static_cast<const EditCommand*>(other);  // the same id: the same class
+  if (next->gesture_ != gesture_ || next->text() != text()) return false;
+  after_ = next->after_;
+  return true;
+}
+
+}  // namespace handlebody::ui

@@ -1,0 +1,87 @@
+#include "ui/view/overlay.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QGuiApplication>
+#include <QPainterPath>
+
+#include "core/volume/anatomy.h"
+
+namespace handlebody::ui {
+namespace {
+
+const QColor kRim(0, 0, 0, 150), kTextRim(0, 0, 0, 190);
+
+QRectF textRect(const QPointF& place, Qt::Alignment flags, const QSizeF& size) {
+  QPointF corner = place;
+  if (flags & Qt::AlignRight) corner.rx() -= size.width();
+  if (flags & Qt::AlignHCenter) corner.rx() -= size.width() / 2;
+  if (flags & Qt::AlignBottom) corner.ry() -= size.height();
+  if (flags & Qt::AlignVCenter) corner.ry() -= size.height() / 2;
+  return {corner, size};
+}
+
+}  // namespace
+
+QColor planeColour(Plane plane) {
+  return plane == Plane::axial     ? QColor(0xf3, 0x4a, 0x33)
+         : plane == Plane::coronal ? QColor(0x6e, 0xb0, 0x4b)
+                                   : QColor(0xed, 0xd5, 0x4c);
+}
+
+QString planeName(Plane plane) {
+  return plane == Plane::axial     ? QCoreApplication::translate("SliceView", "Axial")
+         : plane == Plane::coronal ? QCoreApplication::translate("SliceView", "Coronal")
+                                   : QCoreApplication::translate("SliceView", "Sagittal");
+}
+
+QFont overlayFont(double factor, bool bold) {
+  QFont font = QGuiApplication::font();
+  font.setPointSizeF(std::max(1.0, font.pointSizeF()) * factor);
+  font.setBold(bold);
+  return font;
+}
+
+void paintText(QPainter& painter, const QPointF& place, Qt::Alignment flags, const QString& text,
+               const QFont& font, const QColor& colour) {
+  const QFontMetricsF metrics(font, painter.device());
+  const QRectF rect = textRect(place, flags, {metrics.horizontalAdvance(text) + 1, metrics.height()});
+  const QPointF baseline(rect.x(), rect.y() + metrics.ascent());
+  QPainterPath outline;
+  outline.addText(baseline, font, text);
+  painter.strokePath(outline, QPen(kTextRim, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setFont(font);
+  painter.setPen(colour);
+  painter.drawText(baseline, text);
+}
+
+void paintScaleBar(QPainter& painter, const QSizeF& size, double mmPerPixel) {
+  if (!(mmPerPixel > 0) || size.width() < 80) return;
+  const double length = roundLength(0.25 * size.width() * mmPerPixel);
+  const double pixels = length / mmPerPixel;
+  constexpr double kThickness = 3;
+  const QRectF bar(size.width() - kOverlayMargin - pixels, size.height() - kOverlayMargin - kThickness,
+                   pixels, kThickness);
+  painter.fillRect(bar.adjusted(-1, -1, 1, 1), kRim);
+  painter.fillRect(bar, QColor(0xe8, 0xec, 0xf0));
+  paintText(painter, {bar.right(), bar.top() - 2}, Qt::AlignRight | Qt::AlignBottom,
+            QCoreApplication::translate("SliceView", "%1 mm").arg(length), overlayFont(0.95));
+}
+
+void paintFrame(QPainter& painter, const QSizeF& size, const QColor& colour, bool focused) {
+  constexpr double kBar = 3, kBorder = 2;
+  painter.fillRect(QRectF(0, 0, size.width(), kBar), colour);
+  if (!focused) return;
+  painter.fillRect(QRectF(0, 0, kBorder, size.height()), colour);
+  painter.fillRect(QRectF(size.width() - kBorder, 0, kBorder, size.height()), colour);
+  painter.fillRect(QRectF(0, size.height() - kBorder, size.width(), kBorder), colour);
+}
+
+void paintHint(QPainter& painter, const QSizeF& size, const QString& text) {
+  painter.setFont(overlayFont(1.1));
+  painter.setPen(QColor(0x9a, 0xa2, 0xac));
+  const QRectF inner = QRectF({0, 0}, size).adjusted(24, 24, -24, -24);
+  painter.drawText(inner, Qt::AlignCenter | Qt::TextWordWrap, text);
+}
+
+}  // namespace handlebody::ui

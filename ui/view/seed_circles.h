@@ -1,0 +1,36 @@
+#pragma once
+// Seeds as circles on a slice: where they are and what the mouse has hold of.
+
+#include <QPainter>
+#include <vector>
+
+#include "core/evolution/parameters.h"
+#include "ui/view/slice_geometry.h"
+
+namespace handlebody::ui {
+
+//! A seed's ball cut by a slice.
+struct SeedCircle {
+  int seed = 0;         //!< index of the seed
+  QPointF centre;       //!< pixels
+  double radius = 0;    //!< pixels
+  double distance = 0;  //!< mm of the ball's centre from the slice
+};
+
+//! The balls (centre and radius in mm, one each per seed) that the slice cuts.
+std::vector<SeedCircle> seedCircles(const SliceGeometry& geometry, const std::vector<Vec3>& centres,
+                                    const std::vector<double>& radii);
+
+//! What lies under the mouse: a circle's rim, or its centre; all of a small circle counts as its centre.
+struct SeedGrab {
+  enum class Part { none, centre, rim } part = Part::none;
+  int seed = -1;
+};
+//! Of several the selected one, else the one drawn last.
+SeedGrab seedAt(const std::vector<SeedCircle>& circles, const QPointF& pixel, int selected);
+//! The radius (mm) of a ball whose rim is dragged to `pixel`.
+double draggedRadius(const SliceGeometry& geometry, const Vec3& centre, const QPointF& pixel);
+
+void paintSeeds(QPainter& painter, const std::vector<SeedCircle>& circles, int selected);
+
+}  // namespace handlebody::ui

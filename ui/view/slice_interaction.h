@@ -1,0 +1,70 @@
+#pragma once
+// What mouse and keys do in a slice.
+
+#include <QCursor>
+#include <QElapsedTimer>
+#include <QPointF>
+#include <functional>
+#include <vector>
+
+#include "ui/view/colour_map.h"
+#include "ui/view/seed_circles.h"
+#include "ui/view/slice_geometry.h"
+
+class QKeyEvent;
+class QMouseEvent;
+class QWheelEvent;
+
+namespace handlebody::ui {
+
+class Document;
+
+//! Changes the view state, the document's seeds and the slice's zoom; the caller repaints. Precondition of
+//! all events: the document has a volume. Every event function returns false if the event is not for a slice.
+class SliceInteraction {
+ public:
+  SliceInteraction(Document& document, ViewState& state, SliceGeometry& geometry);
+
+  bool press(const QMouseEvent& event);
+  bool move(const QMouseEvent& event);
+  bool release(const QMouseEvent& event);
+  bool wheel(const QWheelEvent& event);
+  bool keyPress(const QKeyEvent& event);
+  bool keyRelease(const QKeyEvent& event);
+  //! Ends what the mouse has hold of, as when the volume is replaced.
+  void cancel();
+
+  //! What the mouse would do at a place, or is doing.
+  QCursor cursorAt(const QPointF& pixel) const;
+  std::vector<SeedCircle> circles() const;
+
+ private:
+  enum class Drag { none, crosshair, pan, zoom, window, moveSeed, resizeSeed };
+
+  void startLeftDrag(const QPointF& pixel);
+  void setCrosshairAt(const QPointF& pixel);
+  void moveSeedTo(const QPointF& pixel);
+  void stepCrosshair(int axis, int voxels);
+  void stepSlice(int slices) { stepCrosshair(geometry_.axes().normal, slices * geometry_.forward()); }
+  bool arrowKey(int key, int voxels);
+  bool seedKey(const QKeyEvent& event);
+  void addSeed();
+  void changeRadius(double step, bool repeated);
+  void windowLevelKey(bool pressed);
+  Qt::CursorShape rimCursor(const SeedGrab& grab, const QPointF& pixel) const;
+
+  Document& document_;
+  ViewState& state_;
+  SliceGeometry& geometry_;
+  Drag drag_ = Drag::none;
+  QPointF start_, last_;
+  WindowLevel startWindow_;
+  QPointF seedOffset_;  // from the mouse to the centre of the seed
+  int seed_ = -1, gesture_ = -1;
+  int wheelAngle_ = 0;  // what is left of a turn smaller than a notch, 1/8 degree
+  const QCursor contrast_;
+  QElapsedTimer toolKey_;
+  bool toolWasOn_ = false, toolUsed_ = false;
+};
+
+}  // namespace handlebody::ui

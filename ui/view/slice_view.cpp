@@ -1,0 +1,300 @@
+#include "ui/view/slice_view.h"
+
+#include <QKeyEvent>
+#include <QLineF>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QVector>
+#include <QWheelEvent>
+#include <cmath>
+
+#include "core/mesh/plane_section.h"
+#include "ui/model/document.h"
+#include "ui/view/overlay.h"
+#include "ui/view/slice_image.h"
+#include "ui/view/slice_interaction.h"
+
+namespace handlebody::ui {
+namespace {
+
+const QColor kOutline(0xff, 0xb8, 0x1a), kOutlineShadow(0, 0, 0, 110);
+
+//! The views whose planes the vertical and the horizontal line of a crosshair are.
+std::pair<Plane, Plane> crossedPlanes(Plane plane) {
+  return plane == Plane::axial     ? std::pair(Plane::sagittal, Plane::coronal)
+         : plane == Plane::coronal ? std::pair(Plane::sagittal, Plane::axial)
+                                   : std::pair(Plane::coronal, Plane::axial);
+}
+
+//! What the picture of the voxels depends on.
+struct ImageKey {
+  const void* voxels = nullptr;
+  QSizeF size;
+  QPointF origin, unit;  // of the voxel index, on the screen
+  int slice = -1;
+  double pixelRatio = 0, window = 0, level = 0, tintLow = 0, tintHigh = 0;
+  ColourMap map = ColourMap::grey;
+  bool tint = false;
+  bool operator==(const ImageKey&) const = default;
+};
+
+}  // namespace
+
+struct SliceView::Private {
+  Private(Plane p, Document& d, ViewState& s)
+      : plane(p), document(d), state(s), interaction(d, s, geometry) {}
+
+  const QImage& image(double pixelRatio);
+  const std::vector<std::array<Vec3, 2>>& outline();
+  void paint(QPainter& painter, double pixelRatio, bool focused);
+  void paintOutline(QPainter& painter);
+  void paintCrosshair(QPainter& painter) const;
+  void paintTexts(QPainter& painter) const;
+
+  const Plane plane;
+  Document& document;
+  ViewState& state;
+  SliceGeometry geometry;
+  SliceInteraction interaction;
+
+  SliceImage slice;
+  ImageKey shownKey;
+  QImage shownImage;
+  std::shared_ptr<const MeshSnapshot> cutMesh;
+  int cutSlice = -1;
+  std::vector<std::array<Vec3, 2>> section;  // of cutMesh with cutSlice, mm
+};
+
+const QImage& SliceView::Private::image(double pixelRatio) {
+  const auto& tint = state.tint();
+  const ImageKey key{document.volume().voxels.get(),
+                     geometry.size(),
+                     geometry.toScreen(Vec3::Zero()),
+                     geometry.toScreen(Vec3::Ones()),
+                     geometry.slice(),
+                     pixelRatio,
+                     state.window(),
+                     state.level(),
+                     tint ? tint->low : 0,
+                     tint ? tint->high : 0,
+                     state.colourMap(),
+                     tint.has_value()};
+  if (!(key == shownKey))
+    shownImage = slice.render(document.volume(), geometry, pixelRatio,
+                              {{state.window(), state.level()}, state.colourMap(), tint});
+  shownKey = key;
+  return shownImage;
+}
+
+const std::vector<std::array<Vec3, 2>>& SliceView::Private::outline() {
+  const std::shared_ptr<const MeshSnapshot> mesh = document.snapshot();
+  if (mesh == cutMesh && geometry.slice() == cutSlice) return section;
+  section.clear();
+  Vec3 index = Vec3::Zero();
+  index[geometry.axes().normal] = geometry.slice();
+  const double offset = geometry.normal().dot(geometry.grid().toWorld(index));
+  if (mesh) planeSection(mesh->mesh.points, mesh->mesh.triangles, geometry.normal(), offset, section);
+  cutMesh = mesh;
+  cutSlice = geometry.slice();
+  return section;
+}
+
+void SliceView::Private::paintOutline(QPainter& painter) {
+  QVector<QLineF> lines;
+  for (const auto& [from, to] : outline())
+    lines.append(QLineF(geometry.worldToScreen(from), geometry.worldToScreen(to)));
+  painter.setPen(QPen(kOutlineShadow, 3.2, Qt::SolidLine, Qt::FlatCap));
+  painter.drawLines(lines);
+  painter.setPen(QPen(kOutline, 1.6, Qt::SolidLine, Qt::RoundCap));
+  painter.drawLines(lines);
+}
+
+void SliceView::Private::paintCrosshair(QPainter& painter) const {
+  constexpr double kGap = 9;  // what is aimed at stays free
+  const QPointF c = geometry.worldToScreen(state.crosshair());
+  const auto [vertical, horizontal] = crossedPlanes(plane);
+  const auto line = [&](const QPointF& from, const QPointF& to, Plane crossed) {
+    QColor colour = planeColour(crossed);
+    colour.setAlpha(200);
+    painter.setPen(QPen(colour, 1));
+    painter.drawLine(from, to);
+  };
+  line({c.x(), 0}, {c.x(), c.y() - kGap}, vertical);
+  line({c.x(), c.y() + kGap}, {c.x(), geometry.size().height()}, vertical);
+  line({0, c.y()}, {c.x() - kGap, c.y()}, horizontal);
+  line({c.x() + kGap, c.y()}, {geometry.size().width(), c.y()}, horizontal);
+}
+
+void SliceView::Private::paintTexts(QPainter& painter) const {
+  const double width = geometry.size().width(), height = geometry.size().height();
+  const QFont title = overlayFont(1.05, true), letter = overlayFont(1.15, true), small = overlayFont(0.95);
+  const double line = QFontMetricsF(small).height();
+  const SliceAxes& axes = geometry.axes();
+  const auto edge = [&](char text, double x, double y, Qt::Alignment flags) {
+    paintText(painter, {x, y}, flags, QString(QChar::fromLatin1(text)), letter);
+  };
+  edge(axes.left, kOverlayMargin, height / 2, Qt::AlignLeft | Qt::AlignVCenter);
+  edge(axes.right, width - kOverlayMargin, height / 2, Qt::AlignRight | Qt::AlignVCenter);
+  edge(axes.top, width / 2, kOverlayMargin, Qt::AlignHCenter | Qt::AlignTop);
+  edge(axes.bottom, width / 2, height - kOverlayMargin, Qt::AlignHCenter | Qt::AlignBottom);
+  paintText(painter, {kOverlayMargin, kOverlayMargin}, Qt::AlignLeft | Qt::AlignTop,
+            isOblique(geometry.grid()) ? tr("%1, oblique").arg(planeName(plane)) : planeName(plane), title,
+            planeColour(plane).lighter(120));
+  paintText(painter, {kOverlayMargin, kOverlayMargin + 1.2 * line}, Qt::AlignLeft | Qt::AlignTop,
+            slicePlace(geometry, plane, state.crosshair()), small);
+  const QString window =
+      tr("W %1  L %2").arg(QString::number(state.window(), 'g', 4), QString::number(state.level(), 'g', 4));
+  paintText(painter, {kOverlayMargin, height - kOverlayMargin}, Qt::AlignLeft | Qt::AlignBottom, window,
+            small, state.windowLevelTool() ? QColor(0xff, 0xd5, 0x4f) : QColor(0xb8, 0xbf, 0xc7));
+}
+
+void SliceView::Private::paint(QPainter& painter, double pixelRatio, bool focused) {
+  const QSizeF size = geometry.size();
+  if (!document.hasVolume()) {
+    painter.fillRect(QRectF({0, 0}, size), Qt::black);
+    paintHint(painter, size, tr("Open a volume: Ctrl+O, or drop a file here"));
+  } else {
+    painter.drawImage(QPointF(0, 0), image(pixelRatio));
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintCrosshair(painter);
+    paintOutline(painter);
+    paintSeeds(painter, interaction.circles(), document.selectedSeed());
+    paintScaleBar(painter, size, geometry.mmPerPixel());
+    paintTexts(painter);
+  }
+  paintFrame(painter, size, planeColour(plane), focused);
+}
+
+SliceView::SliceView(Plane plane, Document& document, ViewState& state, QWidget* parent)
+    : QWidget(parent), d_(std::make_unique<Private>(plane, document, state)) {
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  setAccessibleName(tr("%1 slice").arg(planeName(plane)));
+  setAccessibleDescription(
+      tr("Arrows and Page Up or Down move the crosshair, Return adds a seed, W changes window and level."));
+  const auto repaint = [this] { update(); };
+  connect(&document, &Document::opened, this, &SliceView::startVolume);
+  connect(&document, &Document::seedsChanged, this, repaint);
+  connect(&document, &Document::selectedSeedChanged, this, repaint);
+  connect(&document, &Document::resolvedChanged, this, repaint);
+  connect(&document, &Document::snapshotChanged, this, repaint);
+  connect(&state, &ViewState::changed, this, [this] {
+    update();
+    if (d_->document.hasVolume()) setCursor(d_->interaction.cursorAt(mapFromGlobal(QCursor::pos())));
+  });
+  connect(&state, &ViewState::crosshairChanged, this, &SliceView::followCrosshair);
+  startVolume();
+}
+
+SliceView::~SliceView() = default;
+
+Plane SliceView::plane() const { return d_->plane; }
+
+void SliceView::resetZoom() {
+  d_->geometry.fit();
+  update();
+}
+
+QImage SliceView::picture() {
+  QImage image((QSizeF(size()) * devicePixelRatioF()).toSize(), QImage::Format_RGB32);
+  image.setDevicePixelRatio(devicePixelRatioF());
+  QPainter painter(&image);
+  d_->paint(painter, devicePixelRatioF(), false);
+  return image;
+}
+
+QSize SliceView::minimumSizeHint() const { return {160, 120}; }
+QSize SliceView::sizeHint() const { return {480, 360}; }
+
+void SliceView::startVolume() {
+  d_->interaction.cancel();
+  d_->slice = {};  // the volume before is let go
+  d_->shownKey = {};
+  d_->geometry = d_->document.hasVolume() ? SliceGeometry(d_->document.volume().grid, d_->plane, size())
+                                          : SliceGeometry();
+  d_->geometry.resize(size());
+  if (d_->document.hasVolume())
+    followCrosshair();
+  else
+    unsetCursor();
+  update();
+}
+
+void SliceView::followCrosshair() {
+  if (!d_->document.hasVolume()) return;
+  d_->geometry.setSlice(d_->geometry.nearestSlice(d_->state.crosshair()));
+  update();
+}
+
+void SliceView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  d_->paint(painter, devicePixelRatioF(), hasFocus());
+}
+
+void SliceView::resizeEvent(QResizeEvent*) { d_->geometry.resize(size()); }
+
+// --- events go to the interaction; what it does not want goes to the parent ---
+
+void SliceView::mousePressEvent(QMouseEvent* event) {
+  if (!d_->document.hasVolume() || !d_->interaction.press(*event)) return QWidget::mousePressEvent(event);
+  setCursor(d_->interaction.cursorAt(event->position()));
+  update();
+}
+
+void SliceView::mouseMoveEvent(QMouseEvent* event) {
+  if (!d_->document.hasVolume()) return;
+  if (d_->interaction.move(*event)) update();
+  setCursor(d_->interaction.cursorAt(event->position()));
+  tellHover(event->position());
+}
+
+void SliceView::mouseReleaseEvent(QMouseEvent* event) {
+  if (!d_->document.hasVolume() || !d_->interaction.release(*event)) return QWidget::mouseReleaseEvent(event);
+  setCursor(d_->interaction.cursorAt(event->position()));
+}
+
+void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton)
+    Q_EMIT maximiseRequested();
+  else
+    mousePressEvent(event);
+}
+
+void SliceView::wheelEvent(QWheelEvent* event) {
+  if (!d_->document.hasVolume() || !d_->interaction.wheel(*event)) return QWidget::wheelEvent(event);
+  event->accept();
+  update();
+  tellHover(event->position());
+}
+
+void SliceView::keyPressEvent(QKeyEvent* event) {
+  if (!d_->document.hasVolume() || !d_->interaction.keyPress(*event)) QWidget::keyPressEvent(event);
+}
+
+void SliceView::keyReleaseEvent(QKeyEvent* event) {
+  if (!d_->document.hasVolume() || !d_->interaction.keyRelease(*event)) QWidget::keyReleaseEvent(event);
+}
+
+void SliceView::leaveEvent(QEvent*) { Q_EMIT left(); }
+void SliceView::focusInEvent(QFocusEvent*) { update(); }
+void SliceView::focusOutEvent(QFocusEvent*) { update(); }
+
+void SliceView::tellHover(const QPointF& pixel) {
+  const Volume& volume = d_->document.volume();
+  const Vec3 index = d_->geometry.toIndex(pixel);
+  if (!volume.grid.contains(index)) {
+    Q_EMIT left();
+    return;
+  }
+  const Vec3 voxel = d_->geometry.clamped(index);
+  std::size_t at = 0;
+  for (int a = 2; a >= 0; --a)
+    at = at * static_cast<std::size_t>(volume.grid.size[static_cast<std::size_t>(a)]) +
+         static_cast<std::size_t>(std::lround(voxel[a]));
+  const double intensity =
+      visitVoxels(volume, [&](const auto* voxels) { return static_cast<double>(voxels[at]); });
+  Q_EMIT hovered(volume.grid.toWorld(index), index, intensity);
+}
+
+}  // namespace handlebody::ui

@@ -1,0 +1,80 @@
+#include "ui/view/surface_overlay.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <algorithm>
+#include <array>
+
+#include "ui/view/overlay.h"
+
+#include <Eigen/Geometry>
+
+namespace handlebody::ui {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("SurfaceView", text); }
+
+void paintKey(QPainter& painter, double y, const QColor& colour, const QString& text) {
+  const QFont font = overlayFont(0.95);
+  const double side = QFontMetricsF(font).ascent() * 0.8;
+  const QRectF swatch(kOverlayMargin, y - side / 2, side, side);
+  painter.fillRect(swatch.adjusted(-1, -1, 1, 1), QColor(0, 0, 0, 150));
+  painter.fillRect(swatch, colour);
+  paintText(painter, {swatch.right() + 6, y}, Qt::AlignLeft | Qt::AlignVCenter, text, font);
+}
+
+double firstLine() { return kOverlayMargin + 2.1 * QFontMetricsF(overlayFont()).height(); }
+double lineHeight() { return 1.2 * QFontMetricsF(overlayFont()).height(); }
+
+}  // namespace
+
+void paintTriad(QPainter& painter, const QSizeF& size, const CameraPose& pose) {
+  constexpr double kLength = 24, kLetterAt = 34;
+  const QPointF origin(50, size.height() - 50);
+  const Vec3 right = pose.up.cross(pose.towardsEye);
+  struct Arrow {
+    Vec3 direction;
+    char letter;
+    Plane plane;
+  };
+  std::array<Arrow, 3> arrows{Arrow{Vec3::UnitX(), 'L', Plane::sagittal},
+                              Arrow{-Vec3::UnitY(), 'A', Plane::coronal},
+                              Arrow{Vec3::UnitZ(), 'S', Plane::axial}};
+  // The one that points at the eye is painted last.
+  std::sort(arrows.begin(), arrows.end(), [&](const Arrow& a, const Arrow& b) {
+    return a.direction.dot(pose.towardsEye) < b.direction.dot(pose.towardsEye);
+  });
+  for (const Arrow& arrow : arrows) {
+    const QPointF step(arrow.direction.dot(right), -arrow.direction.dot(pose.up));
+    painter.setPen(QPen(QColor(0, 0, 0, 150), 4, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(origin, origin + kLength * step);
+    painter.setPen(QPen(planeColour(arrow.plane), 2, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(origin, origin + kLength * step);
+    paintText(painter, origin + kLetterAt * step, Qt::AlignCenter, QString(QChar::fromLatin1(arrow.letter)),
+              overlayFont(1, true));
+  }
+}
+
+void paintStateLegend(QPainter& painter) {
+  const QString names[] = {tr("moving"), tr("settled"), tr("new handle"), tr("colliding")};
+  for (int state = 0; state < 4; ++state)
+    paintKey(painter, firstLine() + state * lineHeight(), faceStateColour(state), names[state]);
+}
+
+void paintStageCaption(QPainter& painter, EventStage stage) {
+  const QColor loops(0xff, 0xbf, 0x26), handle = faceStateColour(2), colliding = faceStateColour(3);
+  double y = firstLine();
+  const auto key = [&](const QColor& colour, const QString& text) {
+    paintKey(painter, y, colour, text);
+    y += lineHeight();
+  };
+  if (stage == EventStage::colliding) {
+    key(colliding, tr("colliding triangles"));
+    key(Qt::white, tr("vertices that are taken out"));
+  }
+  if (stage == EventStage::opened || stage == EventStage::handle) key(loops, tr("boundary polygons"));
+  if (stage == EventStage::handle) key(handle, tr("handle"));
+  if (stage == EventStage::closed) key(QColor(0xb9, 0xc3, 0xd0), tr("closed mesh"));
+}
+
+}  // namespace handlebody::ui

@@ -1,0 +1,17 @@
+#pragma once
+// Internal: what is painted over the 3D view.
+
+#include <QPainter>
+
+#include "ui/view/surface_scene.h"
+
+namespace handlebody::ui {
+
+//! Arrows towards left, anterior and superior as the camera sees them, with their letters.
+void paintTriad(QPainter& painter, const QSizeF& size, const CameraPose& pose);
+//! What the colours of the mesh mean, under the title.
+void paintStateLegend(QPainter& painter);
+//! What a stage of an event shows.
+void paintStageCaption(QPainter& painter, EventStage stage);
+
+}  // namespace handlebody::ui

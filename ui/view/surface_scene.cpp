@@ -1,0 +1,279 @@
+#include "ui/view/surface_scene.h"
+
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkImageData.h>
+#include <vtkLight.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkTexture.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/mesh/shapes.h"
+#include "ui/model/document.h"
+#include "ui/view/triangle_actor.h"
+
+namespace handlebody::ui {
+namespace {
+
+const QColor kMaterial(0xed, 0xbd, 0x70), kSeedBall(0x4f, 0xc3, 0xf7), kHandle(0x3d, 0xc9, 0x7c);
+const QColor kColliding(0xf0, 0x3e, 0x3e), kAround(0xb9, 0xc3, 0xd0);
+
+constexpr double kSliceOpacity = 0.55;  // the part of the mesh behind a slice is seen through it
+
+//! Lines and points of one colour.
+struct LineActor {
+  LineActor() {
+    mapper->SetInputData(data);
+    mapper->ScalarVisibilityOff();
+    // In front of the triangles whose edges they are.
+    mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-2, -4);
+    mapper->SetRelativeCoincidentTopologyPointOffsetParameter(-6);
+    actor->SetMapper(mapper);
+    actor->GetProperty()->LightingOff();
+    actor->GetProperty()->SetLineWidth(3);
+    actor->GetProperty()->SetPointSize(7);
+  }
+  void setColour(double r, double g, double b) { actor->GetProperty()->SetColor(r, g, b); }
+  void set(const std::vector<std::vector<Vec3>>& lists, bool closedLines) {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> lines, dots;
+    for (const auto& list : lists) {
+      const vtkIdType first = points->GetNumberOfPoints();
+      for (const Vec3& p : list) points->InsertNextPoint(p.data());
+      const vtkIdType count = points->GetNumberOfPoints() - first;
+      for (vtkIdType i = 0; i < count; ++i) {
+        const vtkIdType ends[2] = {first + i, first + (i + 1) % count};
+        if (closedLines) lines->InsertNextCell(2, ends);
+        dots->InsertNextCell(1, ends);
+      }
+    }
+    data->SetPoints(points);
+    data->SetLines(closedLines ? lines.Get() : nullptr);
+    data->SetVerts(closedLines ? nullptr : dots.Get());
+  }
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<vtkActor> actor;
+};
+
+//! A picture on a parallelogram.
+struct SliceActor {
+  SliceActor() {
+    vtkNew<vtkPoints> points;
+    points->SetNumberOfPoints(4);
+    vtkNew<vtkFloatArray> coordinates;
+    coordinates->SetNumberOfComponents(2);
+    // VTK's rows run up, the picture's down: its first row is given to VTK first and so lies at t = 0.
+    for (const auto& [s, t] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) coordinates->InsertNextTuple2(s, t);
+    const vtkIdType corners[4] = {0, 1, 2, 3};
+    vtkNew<vtkCellArray> quad;
+    quad->InsertNextCell(4, corners);
+    data->SetPoints(points);
+    data->SetPolys(quad);
+    data->GetPointData()->SetTCoords(coordinates);
+    mapper->SetInputData(data);
+    texture->SetInputData(image);
+    texture->InterpolateOn();
+    texture->EdgeClampOn();
+    actor->SetMapper(mapper);
+    actor->SetTexture(texture);
+    actor->GetProperty()->LightingOff();
+    actor->GetProperty()->SetOpacity(kSliceOpacity);
+    actor->ForceOpaqueOn();  // drawn last among the opaque: VTK's own translucent pass costs 8 ms in software
+    actor->VisibilityOff();
+  }
+  void set(const QImage& picture, const std::array<Vec3, 3>& corners) {
+    const QImage rgb = picture.convertToFormat(QImage::Format_RGB888);
+    image->SetDimensions(rgb.width(), rgb.height(), 1);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    for (int y = 0; y < rgb.height(); ++y)
+      std::copy_n(rgb.constScanLine(y), 3 * rgb.width(),
+                  static_cast<unsigned char*>(image->GetScalarPointer(0, y, 0)));
+    image->Modified();
+    const Vec3 opposite = corners[1] + corners[2] - corners[0];
+    vtkPoints* points = data->GetPoints();
+    points->SetPoint(0, corners[0].data());
+    points->SetPoint(1, corners[1].data());
+    points->SetPoint(2, opposite.data());
+    points->SetPoint(3, corners[2].data());
+    points->Modified();
+    data->Modified();
+    filled = true;
+  }
+  bool filled = false;
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<vtkImageData> image;
+  vtkNew<vtkTexture> texture;
+  vtkNew<vtkActor> actor;
+};
+
+void addLight(vtkRenderer* renderer, const Vec3& from, double intensity) {
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToCameraLight();
+  light->SetPosition(from.x(), from.y(), from.z());
+  light->SetFocalPoint(0, 0, 0);
+  light->SetIntensity(intensity);
+  renderer->AddLight(light);
+}
+
+}  // namespace
+
+QColor faceStateColour(int state) {
+  static const QColor colours[] = {{0xf2, 0xa8, 0x3b}, {0x8f, 0xa6, 0xbf}, kHandle, kColliding};
+  return colours[state];
+}
+
+struct SurfaceScene::Private {
+  void updateVisibility();
+
+  vtkRenderer* renderer = nullptr;
+  TriangleActor mesh, seeds, around, red, handle;
+  LineActor loops, lambda, box;
+  std::array<SliceActor, 3> slices;
+  bool hasMesh = false, hasSeeds = false, hasVolume = false, slicesOn = false;
+  EventStage stage = EventStage::none;
+};
+
+SurfaceScene::SurfaceScene(vtkRenderer* renderer) : d_(std::make_unique<Private>()) {
+  d_->renderer = renderer;
+  renderer->GradientBackgroundOn();
+  renderer->SetBackground(0.065, 0.072, 0.085);
+  renderer->SetBackground2(0.135, 0.150, 0.175);
+  renderer->AutomaticLightCreationOff();
+  addLight(renderer, Vec3(-0.45, 0.65, 0.9), 0.85);
+  addLight(renderer, Vec3(0.85, -0.1, 0.5), 0.30);
+  addLight(renderer, Vec3(-0.1, -0.9, 0.4), 0.22);
+  renderer->GetActiveCamera()->ParallelProjectionOn();
+  for (TriangleActor* part : {&d_->mesh, &d_->seeds, &d_->around, &d_->red, &d_->handle})
+    renderer->AddActor(part->actor());
+  for (LineActor* part : {&d_->loops, &d_->lambda, &d_->box}) renderer->AddActor(part->actor);
+  for (SliceActor& slice : d_->slices) renderer->AddActor(slice.actor);
+  for (TriangleActor* part : {&d_->around, &d_->red, &d_->handle}) part->setEdges(true);
+  d_->seeds.setColour(kSeedBall);
+  d_->around.setColour(kAround);
+  d_->red.setColour(kColliding);
+  d_->handle.setColour(kHandle);
+  d_->loops.setColour(1, 0.75, 0.15);
+  d_->lambda.setColour(1, 1, 1);
+  d_->box.setColour(0.42, 0.46, 0.52);
+  d_->box.actor->GetProperty()->SetLineWidth(1);
+  d_->updateVisibility();
+}
+
+SurfaceScene::~SurfaceScene() = default;
+
+void SurfaceScene::Private::updateVisibility() {
+  const bool staged = stage != EventStage::none;
+  const bool open = stage == EventStage::opened || stage == EventStage::handle;
+  mesh.actor()->SetVisibility(hasMesh && !staged);
+  seeds.actor()->SetVisibility(hasSeeds && !hasMesh && !staged);
+  around.actor()->SetVisibility(staged);
+  red.actor()->SetVisibility(stage == EventStage::colliding);
+  lambda.actor->SetVisibility(stage == EventStage::colliding);
+  loops.actor->SetVisibility(open);
+  handle.actor()->SetVisibility(stage == EventStage::handle);
+  box.actor->SetVisibility(hasVolume && !staged);
+  for (SliceActor& slice : slices) slice.actor->SetVisibility(slice.filled && slicesOn && !staged);
+}
+
+void SurfaceScene::setMesh(const MeshSnapshot* mesh, MeshColouring colouring) {
+  d_->hasMesh = mesh != nullptr && !mesh->mesh.triangles.empty();
+  if (d_->hasMesh) {
+    const bool byState =
+        colouring == MeshColouring::state && mesh->states.size() == mesh->mesh.triangles.size();
+    d_->mesh.setMesh(mesh->mesh, colouring != MeshColouring::edges);
+    d_->mesh.setEdges(colouring == MeshColouring::edges);
+    if (byState)
+      d_->mesh.setColours({faceStateColour(0), faceStateColour(1), faceStateColour(2), faceStateColour(3)},
+                          reinterpret_cast<const unsigned char*>(mesh->states.data()), mesh->states.size());
+    else
+      d_->mesh.setColour(kMaterial);
+  }
+  d_->updateVisibility();
+}
+
+void SurfaceScene::setSeeds(const std::vector<Seed>& seeds) {
+  TriangleSoup all;
+  for (const Seed& seed : seeds) {
+    const double radius = std::max(1e-3, seed.radius.value_or(1));
+    const TriangleSoup ball = icosphere(seed.centre, radius, radius / 5);
+    const int first = static_cast<int>(all.points.size());
+    all.points.insert(all.points.end(), ball.points.begin(), ball.points.end());
+    for (const Triangle& t : ball.triangles)
+      all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  d_->hasSeeds = !seeds.empty();
+  if (d_->hasSeeds) d_->seeds.setMesh(all, true);
+  d_->updateVisibility();
+}
+
+void SurfaceScene::setVolume(const Grid* grid) {
+  d_->hasVolume = grid != nullptr;
+  if (grid) {
+    const auto corner = [&](int i) {
+      Vec3 index;
+      for (int a = 0; a < 3; ++a)
+        index[a] = (i >> a & 1) != 0 ? grid->size[static_cast<std::size_t>(a)] - 0.5 : -0.5;
+      return grid->toWorld(index);
+    };
+    std::vector<std::vector<Vec3>> edges;
+    for (int i = 0; i < 8; ++i)
+      for (int a = 0; a < 3; ++a)
+        if ((i >> a & 1) == 0) edges.push_back({corner(i), corner(i | 1 << a)});
+    d_->box.set(edges, true);
+  }
+  d_->updateVisibility();
+}
+
+void SurfaceScene::setSlice(Plane plane, const QImage& picture, const std::array<Vec3, 3>& corners) {
+  d_->slices[static_cast<std::size_t>(plane)].set(picture, corners);
+  d_->updateVisibility();
+}
+
+void SurfaceScene::showSlices(bool on) {
+  d_->slicesOn = on;
+  d_->updateVisibility();
+}
+
+void SurfaceScene::showStage(const EventTrace& trace, EventStage stage) {
+  d_->stage = stage;
+  if (stage != EventStage::none) {
+    d_->around.setFaces(stage == EventStage::closed ? trace.closedFaces : trace.openedFaces);
+    d_->red.setFaces(trace.collidingFaces);
+    d_->handle.setFaces(trace.handleFaces);
+    d_->loops.set(trace.boundaryLoops, true);
+    d_->lambda.set(trace.lambda, false);
+  }
+  d_->updateVisibility();
+}
+
+CameraPose SurfaceScene::pose() const {
+  vtkCamera* camera = d_->renderer->GetActiveCamera();
+  CameraPose pose;
+  camera->OrthogonalizeViewUp();
+  pose.focus = Vec3(camera->GetFocalPoint());
+  pose.towardsEye = (Vec3(camera->GetPosition()) - pose.focus).normalized();
+  pose.up = Vec3(camera->GetViewUp());
+  pose.height = 2 * camera->GetParallelScale();
+  return pose;
+}
+
+void SurfaceScene::setPose(const CameraPose& pose) {
+  vtkCamera* camera = d_->renderer->GetActiveCamera();
+  const Vec3 eye = pose.focus + 2 * pose.height * pose.towardsEye;
+  camera->SetFocalPoint(pose.focus.data());
+  camera->SetPosition(eye.data());
+  camera->SetViewUp(pose.up.data());
+  camera->SetParallelScale(pose.height / 2);
+}
+
+void SurfaceScene::fitDepth() { d_->renderer->ResetCameraClippingRange(); }
+
+}  // namespace handlebody::ui

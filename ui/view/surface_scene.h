@@ -1,0 +1,69 @@
+#pragma once
+// Internal: what the 3D view shows, as VTK actors, and its camera. Millimetres LPS throughout.
+
+#include <QColor>
+#include <QImage>
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/evolution/parameters.h"
+#include "core/surgery/event.h"
+#include "core/volume/volume.h"
+#include "ui/view/surface_view.h"
+
+class vtkRenderer;
+
+namespace handlebody::ui {
+
+struct MeshSnapshot;
+
+QColor faceStateColour(int state);  //!< of a FaceState
+
+//! A ball about what is to be seen.
+struct Sight {
+  Vec3 centre{0, 0, 0};
+  double radius = 1;
+};
+std::optional<Sight> sightOf(const std::vector<Vec3>& points);
+//! Points of all parts of a trace that have to do with its place.
+std::optional<Sight> sightOf(const EventTrace& trace);
+
+//! Parallel projection: lengths across the view are the same at any depth, so that a scale bar is true.
+struct CameraPose {
+  Vec3 focus{0, 0, 0}, towardsEye{0, -1, 0}, up{0, 0, 1};  //!< the last two of length 1
+  double height = 1;                                       //!< mm that the view is high
+};
+//! Half way and so on from one pose to another, for a flight; share 0 … 1.
+CameraPose between(const CameraPose& from, const CameraPose& to, double share);
+//! From superior (axial), anterior (coronal) or left (sagittal), or from the other side.
+CameraPose lookingFrom(const CameraPose& pose, Plane plane, bool opposite);
+
+class SurfaceScene {
+ public:
+  explicit SurfaceScene(vtkRenderer* renderer);
+  ~SurfaceScene();
+
+  //! Null: no mesh.
+  void setMesh(const MeshSnapshot* mesh, MeshColouring colouring);
+  void setSeeds(const std::vector<Seed>& seeds);  //!< all with radii; empty: none are shown
+  //! The volume's edges; null: none.
+  void setVolume(const Grid* grid);
+  //! A picture whose corners (upper left, upper right, lower left) lie at world points.
+  void setSlice(Plane plane, const QImage& picture, const std::array<Vec3, 3>& corners);
+  void showSlices(bool on);
+  //! Instead of mesh and seeds; EventStage::none: these again.
+  void showStage(const EventTrace& trace, EventStage stage);
+
+  CameraPose pose() const;
+  void setPose(const CameraPose& pose);
+  //! Keeps all that is shown between the clipping planes; before every rendering.
+  void fitDepth();
+
+ private:
+  struct Private;
+  std::unique_ptr<Private> d_;
+};
+
+}  // namespace handlebody::ui

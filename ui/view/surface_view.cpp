@@ -1,0 +1,458 @@
+#include "ui/view/surface_view.h"
+
+#include <vtkGenericRenderWindowInteractor.h>
+#include <vtkNew.h>
+
+#include <Eigen/Geometry>
+#include <QElapsedTimer>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QStyle>
+#include <QTimer>
+#include <QVariantAnimation>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/model/document.h"
+#include "ui/view/offscreen_renderer.h"
+#include "ui/view/overlay.h"
+#include "ui/view/slice_image.h"
+#include "ui/view/surface_overlay.h"
+#include "ui/view/surface_scene.h"
+#include "ui/view/surface_style.h"
+
+namespace handlebody::ui {
+namespace {
+
+const QColor kFrame(0x74, 0x83, 0xe6);
+constexpr Plane kPlanes[] = {Plane::axial, Plane::coronal, Plane::sagittal};
+
+//! From the front, the left and above, as in the pictures of the command line.
+CameraPose obliquePose() {
+  CameraPose pose;
+  pose.towardsEye = Vec3(0.62, -1, 0.55).normalized();
+  pose.up = (Vec3::UnitZ() - pose.towardsEye.z() * pose.towardsEye).normalized();
+  return pose;
+}
+
+Vec3 middleOf(const Grid& grid) {
+  return grid.toWorld(Vec3(grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1) / 2);
+}
+
+//! The pose moved so that all of the volume is just in view.
+CameraPose around(const Grid& grid, CameraPose pose, double aspect) {
+  constexpr double kMargin = 1.12;
+  const Vec3 half = Vec3(grid.size[0], grid.size[1], grid.size[2]).cwiseProduct(grid.spacing) / 2;
+  const auto reach = [&](const Vec3& screenAxis) {
+    return (grid.direction.transpose() * screenAxis).cwiseAbs().dot(half);
+  };
+  pose.focus = middleOf(grid);
+  pose.height =
+      std::max(1e-6, kMargin * 2 * std::max(reach(pose.up), reach(pose.up.cross(pose.towardsEye)) / aspect));
+  return pose;
+}
+
+//! A direction from which fronts do not hide each other: across the line between the first two polygons.
+Vec3 acrossFronts(const EventTrace& trace, const Vec3& towardsEye) {
+  if (trace.boundaryLoops.size() < 2) return towardsEye;
+  const auto middle = [](const std::vector<Vec3>& loop) {
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& p : loop) sum += p;
+    return Vec3(sum / static_cast<double>(std::max<std::size_t>(1, loop.size())));
+  };
+  const Vec3 line = (middle(trace.boundaryLoops[1]) - middle(trace.boundaryLoops[0])).normalized();
+  const Vec3 across = towardsEye - towardsEye.dot(line) * line;
+  return across.norm() > 0.1 ? across.normalized() : line.unitOrthogonal();
+}
+
+}  // namespace
+
+struct SurfaceView::Private {
+  Private(SurfaceView& v, Document& d, ViewState& s) : view(v), document(d), state(s) {}
+
+  void createOpenGl();
+  void startVolume();
+  void sync();
+  void syncSeeds();
+  void syncSlices();
+  void followMesh();
+  double aspect() const {
+    return std::max(1, view.width()) / std::max(1.0, static_cast<double>(view.height()));
+  }
+  double heightFor(const Sight& sight, double margin) const;
+  void flyTo(const CameraPose& pose);
+  const QImage& frame(double pixelRatio);
+  void paint(QPainter& painter, double pixelRatio, bool focused);
+  void tell(const QPointF& pixel, Qt::KeyboardModifiers modifiers, unsigned long event);
+  void draw(bool& part) {
+    part = true;
+    view.update();
+  }
+
+  SurfaceView& view;
+  Document& document;
+  ViewState& state;
+  bool triedOpenGl = false;
+  std::unique_ptr<OffscreenRenderer> gl;  // null where there is none
+  std::unique_ptr<SurfaceScene> scene;
+  QImage shown;
+  bool meshChanged = true, seedsChanged = true, slicesChanged = true, coloursChanged = true,
+       poseChanged = true;
+  std::array<SliceImage, 3> slices;
+  std::array<int, 3> shownSlices{-1, -1, -1};
+  bool follows = true;  // the mesh, until the camera is moved by hand
+  bool dragging = false;
+  EventStage stage = EventStage::none;
+  std::optional<Sight> stageSight;
+  CameraPose beforeStage;
+  QVariantAnimation flight;
+  CameraPose flightFrom, flightTo;
+  int flightTime = -1;
+  QTimer sliceDelay;      // slices that are scrolled are not held up by this view
+  qint64 renderTime = 0;  // ms, of the last picture
+};
+
+// --- scene ---
+
+void SurfaceView::Private::createOpenGl() {
+  if (triedOpenGl) return;
+  triedOpenGl = true;
+  gl = std::make_unique<OffscreenRenderer>();
+  if (!gl->isValid()) {
+    gl.reset();
+    return;
+  }
+  scene = std::make_unique<SurfaceScene>(gl->renderer());
+  vtkNew<SurfaceStyle> style;
+  gl->interactor()->SetInteractorStyle(style);
+  gl->onRenderRequest([this] { draw(poseChanged); });
+  startVolume();
+}
+
+void SurfaceView::Private::startVolume() {
+  meshChanged = seedsChanged = slicesChanged = coloursChanged = poseChanged = true;
+  shownSlices = {-1, -1, -1};
+  slices = {};  // the volume before is let go
+  follows = true;
+  stage = EventStage::none;
+  if (!scene) return;
+  flight.stop();
+  scene->showStage({}, EventStage::none);
+  scene->setVolume(document.hasVolume() ? &document.volume().grid : nullptr);
+  scene->setPose(document.hasVolume() ? around(document.volume().grid, obliquePose(), aspect())
+                                      : obliquePose());
+}
+
+double SurfaceView::Private::heightFor(const Sight& sight, double margin) const {
+  return margin * 2 * sight.radius / std::min(1.0, aspect());
+}
+
+void SurfaceView::Private::sync() {
+  if (meshChanged) {
+    scene->setMesh(document.snapshot().get(), state.meshColouring());
+    followMesh();
+  }
+  if (seedsChanged) syncSeeds();
+  if (slicesChanged || coloursChanged) syncSlices();
+  meshChanged = seedsChanged = slicesChanged = coloursChanged = false;
+}
+
+void SurfaceView::Private::syncSeeds() {
+  std::vector<Seed> seeds = document.seeds();
+  for (std::size_t i = 0; i < seeds.size(); ++i) seeds[i].radius = document.shownRadius(static_cast<int>(i));
+  scene->setSeeds(seeds);
+}
+
+void SurfaceView::Private::syncSlices() {
+  const bool on = state.slicesIn3d() && document.hasVolume();
+  scene->showSlices(on);
+  if (!on) return;
+  const Volume& volume = document.volume();
+  for (Plane plane : kPlanes) {
+    constexpr double kLargest = 512;  // pixels of a texture
+    SliceGeometry geometry(volume.grid, plane, {1, 1});
+    const SliceAxes& axes = geometry.axes();
+    const auto extent = [&](int a) {
+      return volume.grid.size[static_cast<std::size_t>(a)] * volume.grid.spacing[a];
+    };
+    const double longest = std::max(extent(axes.across), extent(axes.down));
+    const double pixels = std::min(kLargest, longest / volume.grid.spacing.minCoeff());
+    const QSizeF size(std::max(1.0, std::round(pixels * extent(axes.across) / longest)),
+                      std::max(1.0, std::round(pixels * extent(axes.down) / longest)));
+    geometry.resize(size);
+    geometry.zoom(geometry.mmPerPixel() *
+                      std::min(size.width() / extent(axes.across), size.height() / extent(axes.down)),
+                  {size.width() / 2, size.height() / 2});
+    geometry.setSlice(geometry.nearestSlice(state.crosshair()));
+    const auto i = static_cast<std::size_t>(plane);
+    if (shownSlices[i] == geometry.slice() && !coloursChanged) continue;
+    shownSlices[i] = geometry.slice();
+    const SliceColours colours{{state.window(), state.level()}, state.colourMap(), {}};
+    scene->setSlice(plane, slices[i].render(volume, geometry, 1, colours),
+                    {geometry.toWorld({0, 0}), geometry.toWorld({size.width(), 0}),
+                     geometry.toWorld({0, size.height()})});
+  }
+}
+
+//! Only when the mesh leaves the view or is lost in it: a camera that moves all the time hides the growth.
+void SurfaceView::Private::followMesh() {
+  constexpr double kMargin = 2.2, kTooSmall = 5, kTooLarge = 1.05;  // heights of view per mesh
+  const std::shared_ptr<const MeshSnapshot> mesh = document.snapshot();
+  if (!mesh || !follows || stage != EventStage::none || flight.state() == QAbstractAnimation::Running) return;
+  const std::optional<Sight> sight = ui::sightOf(mesh->mesh.points);
+  if (!sight) return;
+  CameraPose pose = scene->pose();
+  const double offset = (sight->centre - pose.focus).norm();
+  if (pose.height < heightFor(*sight, kTooSmall) &&
+      pose.height > heightFor({sight->centre, sight->radius + offset}, kTooLarge))
+    return;
+  pose.focus = sight->centre;
+  pose.height = heightFor(*sight, kMargin);
+  flyTo(pose);
+}
+
+void SurfaceView::Private::flyTo(const CameraPose& pose) {
+  flight.stop();
+  const int time =
+      flightTime >= 0 ? flightTime : 2 * view.style()->styleHint(QStyle::SH_Widget_Animation_Duration);
+  if (time <= 0 || !view.isVisible()) {
+    scene->setPose(pose);
+    draw(poseChanged);
+    return;
+  }
+  flightFrom = scene->pose();
+  flightTo = pose;
+  flight.setDuration(time);
+  flight.start();
+}
+
+// --- picture ---
+
+const QImage& SurfaceView::Private::frame(double pixelRatio) {
+  sync();
+  const QSize size = (QSizeF(view.size()) * pixelRatio).toSize();
+  if (!poseChanged && shown.size() == size) return shown;
+  QElapsedTimer timer;
+  timer.start();
+  scene->fitDepth();
+  shown = gl->render(size, pixelRatio);
+  shown.setDevicePixelRatio(pixelRatio);
+  poseChanged = false;
+  renderTime = timer.elapsed();
+  return shown;
+}
+
+void SurfaceView::Private::paint(QPainter& painter, double pixelRatio, bool focused) {
+  createOpenGl();
+  const QSizeF size = view.size();
+  if (!gl) {
+    painter.fillRect(view.rect(), QColor(0x15, 0x18, 0x1c));
+    paintHint(
+        painter, size,
+        tr("This machine offers no OpenGL 3.2: the surface cannot be shown in 3D. Slices, growth and export "
+           "work all the same."));
+  } else {
+    if (meshChanged || seedsChanged || slicesChanged || coloursChanged) poseChanged = true;
+    painter.drawImage(QPointF(0, 0), frame(pixelRatio));
+    painter.setRenderHint(QPainter::Antialiasing);
+    const CameraPose pose = scene->pose();
+    const bool empty = !document.hasVolume();
+    if (!empty) {
+      paintTriad(painter, size, pose);
+      paintScaleBar(painter, size, pose.height / std::max(1.0, size.height()));
+    }
+    if (stage != EventStage::none)
+      paintStageCaption(painter, stage);
+    else if (document.snapshot() && state.meshColouring() == MeshColouring::state)
+      paintStateLegend(painter);
+  }
+  paintText(painter, {kOverlayMargin, kOverlayMargin}, Qt::AlignLeft | Qt::AlignTop, tr("3D"),
+            overlayFont(1.05, true), kFrame.lighter(130));
+  paintFrame(painter, size, kFrame, focused);
+}
+
+// --- widget ---
+
+SurfaceView::SurfaceView(Document& document, ViewState& state, QWidget* parent)
+    : QWidget(parent), d_(std::make_unique<Private>(*this, document, state)) {
+  setFocusPolicy(Qt::StrongFocus);
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  setAccessibleName(tr("3D view"));
+  setAccessibleDescription(tr("Home, End and Page Down look from superior, anterior and left."));
+  Private* d = d_.get();
+  d->flight.setStartValue(0.0);
+  d->flight.setEndValue(1.0);
+  d->flight.setEasingCurve(QEasingCurve::InOutCubic);
+  connect(&d->flight, &QVariantAnimation::valueChanged, this, [d](const QVariant& share) {
+    d->scene->setPose(between(d->flightFrom, d->flightTo, share.toDouble()));
+    d->draw(d->poseChanged);
+  });
+  d->sliceDelay.setSingleShot(true);
+  connect(&d->sliceDelay, &QTimer::timeout, this, [d] { d->draw(d->slicesChanged); });
+  connect(&document, &Document::opened, this, [d] {
+    d->startVolume();
+    d->view.update();
+  });
+  const auto seeds = [d] { d->draw(d->seedsChanged); };
+  connect(&document, &Document::seedsChanged, this, seeds);
+  connect(&document, &Document::resolvedChanged, this, seeds);
+  connect(&document, &Document::snapshotChanged, this, [d] { d->draw(d->meshChanged); });
+  connect(&state, &ViewState::changed, this, [d] {
+    d->coloursChanged = true;
+    d->draw(d->meshChanged);
+  });
+  connect(&state, &ViewState::crosshairChanged, this, [d] {
+    if (d->state.slicesIn3d() && !d->sliceDelay.isActive())
+      d->sliceDelay.start(static_cast<int>(2 * d->renderTime));
+  });
+}
+
+SurfaceView::~SurfaceView() = default;
+
+bool SurfaceView::hasOpenGl() const {
+  d_->createOpenGl();
+  return d_->gl != nullptr;
+}
+
+void SurfaceView::showStage(const EventTrace& trace, EventStage stage) {
+  if (stage == EventStage::none) return clearStage();
+  if (!hasOpenGl()) return;
+  const bool first = d_->stage == EventStage::none;
+  if (first)
+    d_->beforeStage = d_->flight.state() == QAbstractAnimation::Running ? d_->flightTo : d_->scene->pose();
+  d_->stage = stage;
+  d_->scene->showStage(trace, stage);
+  const std::optional<Sight> sight = ui::sightOf(trace);
+  const bool there = !first && sight && d_->stageSight && sight->centre == d_->stageSight->centre;
+  d_->stageSight = sight;
+  if (sight && !there) {
+    CameraPose pose = d_->scene->pose();
+    pose.focus = sight->centre;
+    pose.height = d_->heightFor(*sight, 1.25);
+    pose.towardsEye = acrossFronts(trace, pose.towardsEye);
+    pose.up = (pose.up - pose.up.dot(pose.towardsEye) * pose.towardsEye).normalized();
+    d_->flyTo(pose);
+  }
+  d_->draw(d_->poseChanged);
+}
+
+void SurfaceView::clearStage() {
+  if (d_->stage == EventStage::none) return;
+  d_->stage = EventStage::none;
+  d_->scene->showStage({}, EventStage::none);
+  d_->flyTo(d_->beforeStage);
+  d_->draw(d_->meshChanged);
+}
+
+void SurfaceView::resetCamera() {
+  if (!hasOpenGl() || !d_->document.hasVolume()) return;
+  const std::shared_ptr<const MeshSnapshot> mesh = d_->document.snapshot();
+  const std::optional<Sight> sight = mesh ? ui::sightOf(mesh->mesh.points) : std::nullopt;
+  CameraPose pose = d_->scene->pose();
+  if (sight) {
+    pose.focus = sight->centre;
+    pose.height = d_->heightFor(*sight, 1.25);
+  } else {
+    pose = around(d_->document.volume().grid, pose, d_->aspect());
+  }
+  d_->follows = true;
+  d_->flyTo(pose);
+}
+
+void SurfaceView::lookFrom(Plane plane, bool opposite) {
+  if (!hasOpenGl()) return;
+  const bool flying = d_->flight.state() == QAbstractAnimation::Running;
+  d_->flyTo(lookingFrom(flying ? d_->flightTo : d_->scene->pose(), plane, opposite));
+}
+
+void SurfaceView::setFlightTime(int ms) { d_->flightTime = ms; }
+
+QImage SurfaceView::picture() {
+  QImage image((QSizeF(size()) * devicePixelRatioF()).toSize(), QImage::Format_RGB32);
+  image.setDevicePixelRatio(devicePixelRatioF());
+  QPainter painter(&image);
+  d_->paint(painter, devicePixelRatioF(), false);
+  return image;
+}
+
+QSize SurfaceView::minimumSizeHint() const { return {160, 120}; }
+QSize SurfaceView::sizeHint() const { return {480, 360}; }
+
+void SurfaceView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  d_->paint(painter, devicePixelRatioF(), hasFocus());
+}
+
+// --- events ---
+
+void SurfaceView::Private::tell(const QPointF& pixel, Qt::KeyboardModifiers modifiers, unsigned long event) {
+  if (!gl || !document.hasVolume()) return;
+  const QPointF device = pixel * view.devicePixelRatioF();
+  gl->interactor()->SetEventInformationFlipY(static_cast<int>(device.x()), static_cast<int>(device.y()),
+                                             modifiers & Qt::ControlModifier ? 1 : 0,
+                                             modifiers & Qt::ShiftModifier ? 1 : 0);
+  if (event != vtkCommand::MouseMoveEvent) {
+    flight.stop();
+    follows = false;
+  }
+  gl->interactor()->InvokeEvent(event);
+}
+
+void SurfaceView::mousePressEvent(QMouseEvent* event) {
+  const auto button = event->button();
+  if (d_->dragging || (button != Qt::LeftButton && button != Qt::MiddleButton && button != Qt::RightButton))
+    return;
+  d_->dragging = true;
+  d_->tell(event->position(), event->modifiers(),
+           button == Qt::LeftButton     ? vtkCommand::LeftButtonPressEvent
+           : button == Qt::MiddleButton ? vtkCommand::MiddleButtonPressEvent
+                                        : vtkCommand::RightButtonPressEvent);
+}
+
+void SurfaceView::mouseMoveEvent(QMouseEvent* event) {
+  if (d_->dragging) d_->tell(event->position(), event->modifiers(), vtkCommand::MouseMoveEvent);
+}
+
+void SurfaceView::mouseReleaseEvent(QMouseEvent* event) {
+  if (!d_->dragging || event->buttons() != Qt::NoButton) return;
+  d_->dragging = false;
+  // All of them: a drag that began with one button may end with another.
+  for (auto release : {vtkCommand::LeftButtonReleaseEvent, vtkCommand::MiddleButtonReleaseEvent,
+                       vtkCommand::RightButtonReleaseEvent})
+    d_->tell(event->position(), event->modifiers(), release);
+}
+
+void SurfaceView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) Q_EMIT maximiseRequested();
+}
+
+void SurfaceView::wheelEvent(QWheelEvent* event) {
+  if (!hasOpenGl() || !d_->document.hasVolume()) return;
+  constexpr double kZoomNotch = 1.2, kNotch = 120;
+  d_->flight.stop();
+  d_->follows = false;
+  CameraPose pose = d_->scene->pose();
+  pose.height /= std::pow(kZoomNotch, event->angleDelta().y() / kNotch);
+  d_->scene->setPose(pose);
+  d_->draw(d_->poseChanged);
+  event->accept();
+}
+
+void SurfaceView::keyPressEvent(QKeyEvent* event) {
+  const bool opposite = event->modifiers() & Qt::ShiftModifier;
+  if (event->key() == Qt::Key_Home)
+    lookFrom(Plane::axial, opposite);
+  else if (event->key() == Qt::Key_End)
+    lookFrom(Plane::coronal, opposite);
+  else if (event->key() == Qt::Key_PageDown)
+    lookFrom(Plane::sagittal, opposite);
+  else
+    QWidget::keyPressEvent(event);
+}
+
+void SurfaceView::focusInEvent(QFocusEvent*) { update(); }
+void SurfaceView::focusOutEvent(QFocusEvent*) { update(); }
+
+}  // namespace handlebody::ui

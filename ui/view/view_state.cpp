@@ -1,0 +1,58 @@
+#include "ui/view/view_state.h"
+
+#include "ui/view/colour_map.h"
+
+namespace handlebody::ui {
+
+template <typename T>
+void ViewState::change(T& member, const T& value) {
+  if (member == value) return;
+  member = value;
+  Q_EMIT changed();
+}
+
+void ViewState::setCrosshair(const Vec3& world) {
+  if (crosshair_ == world) return;
+  crosshair_ = world;
+  Q_EMIT crosshairChanged();
+}
+
+void ViewState::setWindowLevel(double window, double level) {
+  if (!(window > 0) || (window == window_ && level == level_)) return;
+  window_ = window;
+  level_ = level;
+  Q_EMIT changed();
+}
+
+void ViewState::setAutomaticWindow(const Volume& volume) {
+  const WindowLevel automatic = windowOver(displayRange(volume));
+  setWindowLevel(automatic.window, automatic.level);
+}
+
+void ViewState::startWith(const Volume& volume) {
+  const Grid& grid = volume.grid;
+  setTint(std::nullopt);
+  setAutomaticWindow(volume);
+  // On voxels, so that all three slices pass exactly through it.
+  setCrosshair(grid.toWorld(Vec3(grid.size[0] / 2, grid.size[1] / 2, grid.size[2] / 2)));
+}
+
+void ViewState::setWindowLevelTool(bool on) { change(windowLevelTool_, on); }
+void ViewState::setColourMap(ColourMap map) { change(colourMap_, map); }
+void ViewState::setMeshColouring(MeshColouring colouring) { change(meshColouring_, colouring); }
+void ViewState::setSlicesIn3d(bool on) { change(slicesIn3d_, on); }
+
+void ViewState::setTint(const std::optional<IntensityRange>& range) {
+  if (tint_.has_value() == range.has_value() &&
+      (!range || (tint_->low == range->low && tint_->high == range->high)))
+    return;
+  tint_ = range;
+  Q_EMIT changed();
+}
+
+int ViewState::nextGesture() {
+  static int last = 0;
+  return ++last;
+}
+
+}  // namespace handlebody::ui

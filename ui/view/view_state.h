@@ -1,0 +1,72 @@
+#pragma once
+// What the four views share: crosshair, window and level, colour map, what is shown. One object, so that
+// linked views cannot disagree.
+
+#include <QObject>
+#include <QString>
+#include <optional>
+
+#include "core/evolution/parameters.h"
+#include "core/geometry/vec.h"
+#include "core/volume/volume.h"
+
+namespace handlebody::ui {
+
+//! Slices run along the volume's own axes; each is named after the nearest anatomical plane.
+enum class Plane { axial, coronal, sagittal };
+
+enum class ColourMap { grey, inverted, hot, contrast };
+enum class MeshColouring { plain, edges, state };
+
+class ViewState : public QObject {
+  Q_OBJECT
+
+ public:
+  using QObject::QObject;
+
+  const Vec3& crosshair() const { return crosshair_; }  //!< mm LPS
+  void setCrosshair(const Vec3& world);
+  double window() const { return window_; }  //!< intensity units, > 0
+  double level() const { return level_; }
+  //! A window that is not above zero is ignored.
+  void setWindowLevel(double window, double level);
+  //! From the 0.1 to the 99.9 percentile of the volume; takes milliseconds for a volume of any size.
+  void setAutomaticWindow(const Volume& volume);
+  //! For a volume that was just opened: crosshair in its middle, automatic window, no tint. The views do not
+  //! call it, so that a session may restore its own state.
+  void startWith(const Volume& volume);
+  //! While on, dragging with the left button in a slice changes window and level (key W in a slice).
+  bool windowLevelTool() const { return windowLevelTool_; }
+  void setWindowLevelTool(bool on);
+  ColourMap colourMap() const { return colourMap_; }
+  void setColourMap(ColourMap map);
+  MeshColouring meshColouring() const { return meshColouring_; }
+  void setMeshColouring(MeshColouring colouring);
+  bool slicesIn3d() const { return slicesIn3d_; }
+  void setSlicesIn3d(bool on);
+  //! Voxels of these intensities are tinted on the slices; none: no tint.
+  const std::optional<IntensityRange>& tint() const { return tint_; }
+  void setTint(const std::optional<IntensityRange>& range);
+
+  //! A number for Document::moveSeed() and its like that no other drag has.
+  static int nextGesture();
+
+ Q_SIGNALS:
+  void crosshairChanged();
+  void changed();  //!< anything else
+
+ private:
+  template <typename T>
+  void change(T& member, const T& value);
+
+  Vec3 crosshair_{0, 0, 0};
+  double window_ = 1;
+  double level_ = 0;
+  bool windowLevelTool_ = false;
+  ColourMap colourMap_ = ColourMap::grey;
+  MeshColouring meshColouring_ = MeshColouring::plain;
+  bool slicesIn3d_ = true;
+  std::optional<IntensityRange> tint_;
+};
+
+}  // namespace handlebody::ui

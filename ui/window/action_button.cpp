@@ -1,0 +1,28 @@
+#include "ui/window/action_button.h"
+
+#include <QAction>
+
+namespace handlebody::ui {
+
+namespace {
+constexpr int kHeight = 30;
+}
+
+ActionButton::ActionButton(QAction* action, QWidget* parent) : QPushButton(parent), action_(action) {
+  setFocusPolicy(Qt::TabFocus);
+  setMinimumHeight(kHeight);
+  connect(this, &QPushButton::clicked, action_, &QAction::trigger);
+  connect(action_, &QAction::changed, this, &ActionButton::follow);
+  follow();
+}
+
+void ActionButton::follow() {
+  const QString text = action_->text().remove(QLatin1Char('&'));
+  setText(text);
+  setAccessibleName(text);
+  setIcon(action_->icon());
+  setToolTip(action_->toolTip());
+  setEnabled(action_->isEnabled());
+}
+
+}  // namespace handlebody::ui

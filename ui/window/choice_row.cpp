@@ -1,0 +1,32 @@
+#include "ui/window/choice_row.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QToolButton>
+
+#include "ui/window/panel_tools.h"
+
+namespace handlebody::ui {
+
+QWidget* choiceRow(const QString& name, const QStringList& texts, const QStringList& tips,
+                   QButtonGroup*& group, QWidget* parent) {
+  auto* row = new QWidget(parent);
+  row->setAccessibleName(name);
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  group = new QButtonGroup(row);
+  for (int i = 0; i < texts.size(); ++i) {
+    auto* button = new QToolButton(row);
+    button->setText(texts[i]);
+    button->setCheckable(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    describe(button, QStringLiteral("%1: %2").arg(name, texts[i]), tips[i]);
+    group->addButton(button, i);
+    layout->addWidget(button);
+  }
+  return row;
+}
+
+}  // namespace handlebody::ui

@@ -1,0 +1,178 @@
+// The table of all commands, in the order of the menus.
+
+#include "ui/window/commands.h"
+
+namespace handlebody::ui {
+
+namespace {
+
+#define T(text) QT_TRANSLATE_NOOP("Commands", text)
+
+constexpr auto kPlain = CommandSpec::plain;
+constexpr auto kToggle = CommandSpec::toggle;
+constexpr auto kChoice = CommandSpec::choice;
+
+void addFileCommands(std::vector<CommandSpec>& t) {
+  const char* menu = T("&File");
+  t.insert(t.end(),
+           {{Command::openFile, menu, "", T("&Open file…"), "Ctrl+O", "open",
+             T("Open a volume (NIfTI, NRRD, MetaImage, TIFF, DICOM) or a session"), kPlain, false},
+            {Command::openFolder, menu, "", T("Open &folder…"), "Ctrl+Shift+O", "folder",
+             T("Open a folder with a DICOM series"), kPlain, false},
+            {Command::saveSession, menu, "", T("&Save session"), "Ctrl+S", "save",
+             T("Save volume reference, seeds and parameters, to go on later or to replay"), kPlain, true},
+            {Command::saveSessionAs, menu, "", T("Save session &as…"), "Ctrl+Shift+S", "session",
+             T("Save the session under another name"), kPlain, false},
+            {Command::exportResult, menu, "", T("&Export result…"), "Ctrl+E", "export",
+             T("Write the surface or its label map to a file"), kPlain, true},
+            {Command::exportReport, menu, "", T("Export &report…"), "Ctrl+Shift+E", "report",
+             T("Write parameters, numbers and events as JSON"), kPlain, false},
+            {Command::exportPicture, menu, "", T("Export &picture…"), "Ctrl+Shift+P", "picture",
+             T("Write what the views show as PNG"), kPlain, false},
+            {Command::quit, menu, "", T("&Quit"), "Ctrl+Q", "", T("Close the program"), kPlain, true}});
+}
+
+void addEditCommands(std::vector<CommandSpec>& t) {
+  const char* menu = T("&Edit");
+  t.insert(t.end(), {{Command::undo, menu, "", T("Undo"), "Ctrl+Z", "undo", T("Take back the last change"),
+                      kPlain, false},
+                     {Command::redo, menu, "", T("Redo"), "Ctrl+Shift+Z; Ctrl+Y", "redo",
+                      T("Do again what was taken back"), kPlain, false}});
+}
+
+void addViewCommands(std::vector<CommandSpec>& t) {
+  const char* menu = T("&View");
+  const char* layout = T("&Layout");
+  const char* steps = T("&Step");
+  const char* camera = T("3D &camera");
+  t.insert(t.end(), {{Command::fourViews, menu, layout, T("All &four"), "Ctrl+0", "four-views",
+                      T("Axial, 3D, coronal and sagittal view together"), kChoice, false},
+                     {Command::onlyAxial, menu, layout, T("&Axial only"), "Ctrl+1", "",
+                      T("Only the axial slice"), kChoice, false},
+                     {Command::onlyCoronal, menu, layout, T("&Coronal only"), "Ctrl+2", "",
+                      T("Only the coronal slice"), kChoice, false},
+                     {Command::onlySagittal, menu, layout, T("&Sagittal only"), "Ctrl+3", "",
+                      T("Only the sagittal slice"), kChoice, false},
+                     {Command::onlySurface, menu, layout, T("&3D only"), "Ctrl+4", "",
+                      T("Only the surface in 3D"), kChoice, false},
+                     {Command::stepOpen, menu, steps, T("1 &Open"), "Alt+1", "open", T("Choose a volume"),
+                      kChoice, false},
+                     {Command::stepSeed, menu, steps, T("2 &Seed"), "Alt+2", "seed",
+                      T("Place seeds in the object"), kChoice, false},
+                     {Command::stepTune, menu, steps, T("3 &Tune"), "Alt+3", "tune",
+                      T("Set range and forces"), kChoice, false},
+                     {Command::stepGrow, menu, steps, T("4 &Grow"), "Alt+4", "grow",
+                      T("Grow the surface and watch it"), kChoice, false},
+                     {Command::stepExport, menu, steps, T("5 &Export"), "Alt+5", "export",
+                      T("Write the results"), kChoice, false},
+                     {Command::resetViews, menu, "", T("&Reset views"), "Ctrl+R", "reset",
+                      T("Whole slices, camera from the front"), kPlain, true},
+                     {Command::lookFromAbove, menu, camera, T("From &above (superior)"), "Home", "look",
+                      T("3D view: look from superior; with the 3D view in focus"), kPlain, false},
+                     {Command::lookFromFront, menu, camera, T("From the &front (anterior)"), "End", "look",
+                      T("3D view: look from anterior; with the 3D view in focus"), kPlain, false},
+                     {Command::lookFromLeft, menu, camera, T("From the &left"), "PgDown", "look",
+                      T("3D view: look from the patient's left; with the 3D view in focus"), kPlain, false},
+                     {Command::slicesIn3d, menu, "", T("&Slices in 3D"), "Ctrl+D", "",
+                      T("Show the three slices in the 3D view"), kToggle, false}});
+}
+
+void addDisplayCommands(std::vector<CommandSpec>& t) {
+  const char* menu = T("&View");
+  const char* presets = T("CT &presets");
+  const char* maps = T("C&olour map");
+  const char* mesh = T("Sur&face");
+  const char* colours = T("&Appearance");
+  t.insert(t.end(),
+           {{Command::windowLevelTool, menu, "", T("&Window and level by dragging"), "W", "window-level",
+             T("Drag in a slice: sideways for the window (contrast), up and down for the level (brightness)"),
+             kToggle, true},
+            {Command::autoWindow, menu, "", T("Au&to window"), "Ctrl+J", "auto-window",
+             T("Window and level from the intensities of the volume"), kPlain, false},
+            {Command::windowSoftTissue, menu, presets, T("&Soft tissue (400 / 40 HU)"), "", "",
+             T("Window 400, level 40"), kPlain, false},
+            {Command::windowLung, menu, presets, T("&Lung (1500 / −600 HU)"), "", "",
+             T("Window 1500, level −600"), kPlain, false},
+            {Command::windowBone, menu, presets, T("&Bone (1800 / 400 HU)"), "", "",
+             T("Window 1800, level 400"), kPlain, false},
+            {Command::windowBrain, menu, presets, T("B&rain (80 / 40 HU)"), "", "", T("Window 80, level 40"),
+             kPlain, false},
+            {Command::windowVessels, menu, presets, T("&Vessels (600 / 170 HU)"), "", "",
+             T("Window 600, level 170"), kPlain, false},
+            {Command::mapGrey, menu, maps, T("&Grey"), "", "", T("Black to white"), kChoice, false},
+            {Command::mapInverted, menu, maps, T("&Inverted"), "", "", T("White to black"), kChoice, false},
+            {Command::mapHot, menu, maps, T("&Hot"), "", "", T("Black over red and yellow to white"), kChoice,
+             false},
+            {Command::mapContrast, menu, maps, T("&Contrast-enhancing"), "", "",
+             T("Dark intensities spread over many colours, for ultrasound"), kChoice, false},
+            {Command::meshPlain, menu, mesh, T("&Plain"), "", "", T("One colour, shaded"), kChoice, false},
+            {Command::meshEdges, menu, mesh, T("With &edges"), "", "", T("The triangles' edges are drawn"),
+             kChoice, false},
+            {Command::meshState, menu, mesh, T("By &state"), "", "",
+             T("Moving, settled, new handle and colliding faces in their colours"), kChoice, false},
+            {Command::coloursOfSystem, menu, colours, T("As the &system"), "", "",
+             T("Light or dark as the desktop"), kChoice, false},
+            {Command::coloursLight, menu, colours, T("&Light"), "", "", T("Dark text on light ground"),
+             kChoice, false},
+            {Command::coloursDark, menu, colours, T("&Dark"), "", "", T("Light text on dark ground"), kChoice,
+             false},
+            {Command::fullScreen, menu, "", T("F&ull screen"), "F11", "", T("The window fills the screen"),
+             kToggle, true}});
+}
+
+void addSeedCommands(std::vector<CommandSpec>& t) {
+  const char* menu = T("&Seed");
+  t.insert(t.end(), {{Command::addSeed, menu, "", T("&Add at the crosshair"), "Return; Enter", "seed-add",
+                      T("Place a seed where the crosshair is"), kPlain, false},
+                     {Command::deleteSeed, menu, "", T("&Delete"), "Backspace; Delete", "seed-delete",
+                      T("Delete the selected seed"), kPlain, false},
+                     {Command::growSeed, menu, "", T("&Larger"), "+; =", "seed-bigger",
+                      T("Radius of the selected seed 10 % larger"), kPlain, true},
+                     {Command::shrinkSeed, menu, "", T("&Smaller"), "-", "seed-smaller",
+                      T("Radius of the selected seed 10 % smaller"), kPlain, false},
+                     {Command::nextSeed, menu, "", T("Select the &next"), "S", "",
+                      T("Select the next seed and move the crosshair there"), kPlain, true}});
+}
+
+void addGrowCommands(std::vector<CommandSpec>& t) {
+  const char* menu = T("&Grow");
+  t.insert(t.end(), {{Command::run, menu, "", T("&Start"), "Space", "run", T("Grow the surface, or pause"),
+                      kPlain, false},
+                     {Command::stepForward, menu, "", T("One step &forward"), ".", "step-forward",
+                      T("One iteration forward"), kPlain, true},
+                     {Command::stepBack, menu, "", T("One step &back"), ",", "step-back",
+                      T("One iteration back, exactly"), kPlain, false},
+                     {Command::nextEvent, menu, "", T("&Next event"), "N", "next-event",
+                      T("To the next change of topology; grows until there is one"), kPlain, true},
+                     {Command::previousEvent, menu, "", T("&Previous event"), "P", "previous-event",
+                      T("To the previous change of topology"), kPlain, false},
+                     {Command::toStart, menu, "", T("Back to the s&tart"), "Ctrl+Home", "to-start",
+                      T("To the seed spheres"), kPlain, true},
+                     {Command::toEnd, menu, "", T("To the &last step"), "Ctrl+End", "to-end",
+                      T("To the last iteration that was worked out"), kPlain, false}});
+}
+
+void addHelpCommands(std::vector<CommandSpec>& t) {
+  const char* menu = T("&Help");
+  t.insert(t.end(),
+           {{Command::guide, menu, "", T("&Guide"), "F1", "help", T("How to use the program"), kPlain, false},
+            {Command::shortcuts, menu, "", T("&Keyboard and mouse"), "Shift+F1", "keyboard",
+             T("All keys and mouse buttons"), kPlain, false},
+            {Command::about, menu, "", T("&About Handlebody"), "", "info", T("Version, purpose, licences"),
+             kPlain, true}});
+}
+
+}  // namespace
+
+const std::vector<CommandSpec>& Commands::table() {
+  static const std::vector<CommandSpec> all = [] {
+    std::vector<CommandSpec> t;
+    for (auto add : {addFileCommands, addEditCommands, addViewCommands, addDisplayCommands, addSeedCommands,
+                     addGrowCommands, addHelpCommands})
+      add(t);
+    return t;
+  }();
+  return all;
+}
+
+}  // namespace handlebody::ui

@@ -1,0 +1,64 @@
+#include "ui/window/commands.h"
+
+#include <QActionGroup>
+#include <QCoreApplication>
+#include <QUndoStack>
+
+#include "ui/window/icons.h"
+
+namespace handlebody::ui {
+
+namespace {
+
+QList<QKeySequence> keysOf(const CommandSpec& spec) {
+  QList<QKeySequence> keys;
+  const auto texts = QString::fromLatin1(spec.keys).split(QStringLiteral("; "), Qt::SkipEmptyParts);
+  for (const QString& text : texts) keys << QKeySequence(text, QKeySequence::PortableText);
+  return keys;
+}
+
+bool belongsToSurfaceView(Command id) {
+  return id == Command::lookFromAbove || id == Command::lookFromFront || id == Command::lookFromLeft;
+}
+
+}  // namespace
+
+Commands::Commands(QUndoStack* undoStack, QObject* parent) : QObject(parent) {
+  for (const CommandSpec& spec : table()) actions_[spec.id] = make(spec, undoStack);
+}
+
+QAction* Commands::make(const CommandSpec& spec, QUndoStack* undoStack) {
+  QAction* action = nullptr;
+  if (spec.id == Command::undo)
+    action = undoStack->createUndoAction(this, translated(spec.text));
+  else if (spec.id == Command::redo)
+    action = undoStack->createRedoAction(this, translated(spec.text));
+  else
+    action = new QAction(translated(spec.text), this);
+  action->setShortcuts(keysOf(spec));
+  if (belongsToSurfaceView(spec.id)) action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  if (*spec.icon) action->setIcon(icon(QString::fromLatin1(spec.icon)));
+  action->setStatusTip(translated(spec.tip));
+  const QString keys = keysText(*action);
+  action->setToolTip(
+      QStringLiteral("<p>%1%2</p>")
+          .arg(translated(spec.tip).toHtmlEscaped(),
+               keys.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(keys.toHtmlEscaped())));
+  action->setCheckable(spec.kind != CommandSpec::plain);
+  if (spec.kind == CommandSpec::choice) exclude(spec, action);
+  return action;
+}
+
+void Commands::exclude(const CommandSpec& spec, QAction* action) {
+  QActionGroup*& group = groups_[QString::fromLatin1(spec.submenu)];
+  if (!group) group = new QActionGroup(this);
+  group->addAction(action);
+}
+
+QString Commands::translated(const char* text) { return QCoreApplication::translate("Commands", text); }
+
+QString Commands::keysText(const QAction& action) {
+  return action.shortcut().toString(QKeySequence::NativeText);
+}
+
+}  // namespace handlebody::ui

@@ -1,0 +1,161 @@
+#include "ui/window/event_inspector.h"
+
+#include <QAbstractButton>
+#include <QButtonGroup>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "ui/model/document.h"
+#include "ui/window/choice_row.h"
+#include "ui/window/numbers.h"
+#include "ui/window/panel_tools.h"
+
+namespace handlebody::ui {
+
+namespace {
+
+constexpr EventStage kStages[] = {EventStage::none, EventStage::colliding, EventStage::opened,
+                                  EventStage::handle, EventStage::closed};
+
+QString explanation(EventStage stage) {
+  switch (stage) {
+    case EventStage::colliding:
+      return EventInspector::tr("The triangles that run into each other.");
+    case EventStage::opened:
+      return EventInspector::tr("The mesh without them, with the polygons that bound the openings.");
+    case EventStage::handle:
+      return EventInspector::tr("The handle, or the caps, that close the openings.");
+    case EventStage::closed:
+      return EventInspector::tr("The mesh with the handle in place.");
+    default:
+      return {};
+  }
+}
+
+QString loopsText(const Event& event) {
+  QStringList sizes;
+  for (int size : event.loopSizes) sizes << QString::number(size);
+  return sizes.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+QString eventName(EventKind kind) {
+  switch (kind) {
+    case EventKind::handleInserted:
+      return EventInspector::tr("Handle inserted");
+    case EventKind::split:
+      return EventInspector::tr("Split");
+    case EventKind::enclosedPartCutOff:
+      return EventInspector::tr("Enclosed part cut off");
+    case EventKind::tunnelClosed:
+      return EventInspector::tr("Tunnel closed");
+    case EventKind::componentDeleted:
+      return EventInspector::tr("Component deleted");
+    case EventKind::smoothed:
+      return EventInspector::tr("Fold smoothed");
+    case EventKind::rolledBack:
+      return EventInspector::tr("Rolled back");
+  }
+  return {};
+}
+
+QString changeText(int before, int after) {
+  return before == after ? QString::number(after) : QStringLiteral("%1 → %2").arg(before).arg(after);
+}
+
+EventInspector::EventInspector(Document& document, SurfaceView& surface, QWidget* parent)
+    : QWidget(parent), document_(document), surface_(surface) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  title_ = heading(QString(), this);
+  layout->addWidget(title_);
+  text_ = value(tr("Event"), this);
+  layout->addWidget(text_);
+  stages_ = choiceRow(
+      tr("Stage"), {tr("Off"), tr("1 Collide"), tr("2 Open"), tr("3 Handle"), tr("4 Close")},
+      {tr("Show the whole surface"), explanation(EventStage::colliding), explanation(EventStage::opened),
+       explanation(EventStage::handle), explanation(EventStage::closed)},
+      stage_, this);
+  layout->addWidget(stages_);
+  stageText_ = hint(QString(), this);
+  layout->addWidget(stageText_);
+  connect(stage_, &QButtonGroup::idClicked, this, [this](int id) { showStage(kStages[id]); });
+  connect(&document_, &Document::eventTraced, this, &EventInspector::receive);
+  connect(&document_, &Document::snapshotChanged, this, &EventInspector::followIteration);
+  connect(&document_, &Document::summariesChanged, this, &EventInspector::followIteration);
+  connect(&document_, &Document::stateChanged, this, &EventInspector::followIteration);
+  setEvent(-1);
+}
+
+void EventInspector::setEvent(int index) {
+  if (index == index_ && index >= 0) return;
+  leaveStage();
+  index_ = index;
+  trace_.reset();
+  showText();
+}
+
+void EventInspector::leaveStage() {
+  if (wanted_ != EventStage::none) surface_.clearStage();
+  wanted_ = EventStage::none;
+  stage_->button(0)->setChecked(true);
+  explain();
+}
+
+// The event of the shown iteration; the first, unless another one of it was chosen.
+void EventInspector::followIteration() {
+  const std::vector<Event>& events = document_.events();
+  const auto isHere = [&](int i) {
+    return i >= 0 && i < static_cast<int>(events.size()) &&
+           events[static_cast<std::size_t>(i)].iteration == document_.iteration();
+  };
+  if (isHere(index_)) return;
+  int first = -1;
+  for (int i = 0; i < static_cast<int>(events.size()) && first < 0; ++i)
+    if (isHere(i) && events[static_cast<std::size_t>(i)].kind != EventKind::rolledBack) first = i;
+  setEvent(first);
+}
+
+void EventInspector::showText() {
+  const bool any = index_ >= 0;
+  setVisible(any);
+  if (!any) return;
+  const Event& event = document_.events()[static_cast<std::size_t>(index_)];
+  title_->setText(tr("Event: %1").arg(eventName(event.kind)));
+  QStringList lines{tr("at %1").arg(place(event.location)),
+                    tr("Genus %1, components %2")
+                        .arg(changeText(event.before.genus, event.after.genus),
+                             changeText(event.before.components, event.after.components))};
+  if (event.fronts > 0) lines << tr("%n front(s) joined", nullptr, event.fronts);
+  if (!event.loopSizes.empty()) lines << tr("Boundary polygons of %1 vertices").arg(loopsText(event));
+  if (!event.reason.empty()) lines << QString::fromStdString(event.reason);
+  text_->setText(lines.join(QLatin1Char('\n')));
+}
+
+void EventInspector::showStage(EventStage stage) {
+  if (index_ < 0) return;
+  wanted_ = stage;
+  stage_->button(static_cast<int>(stage))->setChecked(true);
+  explain();
+  if (stage == EventStage::none)
+    surface_.clearStage();
+  else if (trace_)
+    surface_.showStage(*trace_, stage);
+  else
+    document_.requestTrace(index_);
+}
+
+void EventInspector::explain() {
+  const bool waiting = wanted_ != EventStage::none && !trace_;
+  stageText_->setText(waiting ? tr("The step is worked out again…") : explanation(wanted_));
+  stageText_->setVisible(!stageText_->text().isEmpty());
+}
+
+void EventInspector::receive(int index, const EventTrace& trace) {
+  if (index != index_) return;
+  trace_ = trace;
+  if (wanted_ != EventStage::none) showStage(wanted_);
+}
+
+}  // namespace handlebody::ui

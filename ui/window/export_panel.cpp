@@ -1,0 +1,100 @@
+#include "ui/window/export_panel.h"
+
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/model/document.h"
+#include "ui/window/action_button.h"
+#include "ui/window/choice_row.h"
+#include "ui/window/commands.h"
+#include "ui/window/numbers.h"
+#include "ui/window/panel_tools.h"
+
+namespace handlebody::ui {
+
+ExportPanel::ExportPanel(Document& document, const Commands& commands, QWidget* parent)
+    : QWidget(parent), document_(document) {
+  panelLayout(this);
+  buildResult(commands);
+  buildRest(commands);
+  static_cast<QVBoxLayout*>(layout())->addStretch();
+  connect(&document_, &Document::snapshotChanged, this, &ExportPanel::showWhatIsWritten);
+  connect(&document_, &Document::stateChanged, this, &ExportPanel::showWhatIsWritten);
+  connect(format_, &QComboBox::currentIndexChanged, this, &ExportPanel::showWhatIsWritten);
+  showWhatIsWritten();
+}
+
+void ExportPanel::buildResult(const Commands& commands) {
+  layout()->addWidget(heading(tr("Surface or label map"), this));
+  hint_ = hint(tr("Nothing has grown yet. Place a seed and start the growth first."), this);
+  layout()->addWidget(hint_);
+  QFormLayout* form = panelForm();
+  format_ = new QComboBox(this);
+  format_->addItem(tr("STL surface, binary"), QStringLiteral(".stl"));
+  format_->addItem(tr("VTP surface (VTK)"), QStringLiteral(".vtp"));
+  format_->addItem(tr("PLY surface, binary"), QStringLiteral(".ply"));
+  format_->addItem(tr("OBJ surface"), QStringLiteral(".obj"));
+  format_->insertSeparator(format_->count());
+  format_->addItem(tr("NIfTI label map"), QStringLiteral(".nii.gz"));
+  format_->addItem(tr("NRRD label map"), QStringLiteral(".nrrd"));
+  format_->addItem(tr("MetaImage label map"), QStringLiteral(".mha"));
+  describe(format_, tr("Format"), tr("A surface keeps all detail; a label map has the voxels of the volume"));
+  ignoreWheelWithoutFocus(format_);
+  form->addRow(tr("Format"), format_);
+  spaceRow_ = choiceRow(tr("Coordinates"), {tr("LPS"), tr("RAS")},
+                        {tr("x to the patient's left, y to the back, as in DICOM and ITK"),
+                         tr("x to the patient's right, y to the front, as in NIfTI and 3D Slicer")},
+                        space_, this);
+  space_->button(0)->setChecked(true);
+  form->addRow(tr("Coordinates"), spaceRow_);
+  static_cast<QVBoxLayout*>(layout())->addLayout(form);
+  numbers_ = value(tr("What is written"), this);
+  layout()->addWidget(numbers_);
+  layout()->addWidget(new ActionButton(commands[Command::exportResult], this));
+}
+
+void ExportPanel::buildRest(const Commands& commands) {
+  layout()->addWidget(heading(tr("Picture"), this));
+  picture_ = new QComboBox(this);
+  picture_->addItem(tr("All four views"), -1);
+  for (Cell cell : kCells) picture_->addItem(tr("%1 view").arg(cellName(cell)), static_cast<int>(cell));
+  describe(picture_, tr("Picture of"), tr("Which view is written as PNG"));
+  ignoreWheelWithoutFocus(picture_);
+  layout()->addWidget(picture_);
+  layout()->addWidget(new ActionButton(commands[Command::exportPicture], this));
+  layout()->addWidget(heading(tr("Report and session"), this));
+  layout()->addWidget(
+      hint(tr("The report holds every parameter, number and event. A session opens here again, and "
+              "“handlebody-cli replay” makes the same mesh of it."),
+           this));
+  layout()->addWidget(new ActionButton(commands[Command::exportReport], this));
+  layout()->addWidget(new ActionButton(commands[Command::saveSession], this));
+}
+
+QString ExportPanel::extension() const { return format_->currentData().toString(); }
+
+CoordinateSpace ExportPanel::space() const {
+  return space_->checkedId() == 1 ? CoordinateSpace::ras : CoordinateSpace::lps;
+}
+
+std::optional<Cell> ExportPanel::pictureOf() const {
+  const int cell = picture_->currentData().toInt();
+  return cell < 0 ? std::nullopt : std::optional(static_cast<Cell>(cell));
+}
+
+void ExportPanel::showWhatIsWritten() {
+  const auto snapshot = document_.snapshot();
+  hint_->setVisible(!snapshot);
+  numbers_->setVisible(snapshot != nullptr);
+  spaceRow_->setEnabled(isMeshPath("x" + extension().toStdString()));
+  if (!snapshot) return;
+  numbers_->setText(tr("Iteration %1: %2, %3")
+                        .arg(QString::number(snapshot->iteration), millilitres(snapshot->certificate.volume),
+                             squareCentimetres(snapshot->certificate.area)));
+}
+
+}  // namespace handlebody::ui

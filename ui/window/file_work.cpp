@@ -1,0 +1,237 @@
+#include "ui/window/file_work.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QImageWriter>
+#include <QMessageBox>
+#include <QSaveFile>
+#include <QSettings>
+#include <QWidget>
+#include <utility>
+
+#include "ui/model/document.h"
+#include "ui/window/export_panel.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/view_grid.h"
+
+namespace handlebody::ui {
+
+namespace {
+
+constexpr int kMostRecent = 10;
+const QString kRecent = QStringLiteral("recent");
+const QString kFolder = QStringLiteral("folder");
+
+QString volumeFilter() {
+  return FileWork::tr(
+      "Volumes and sessions (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.tif *.tiff *.dcm *.json);;"
+      "All files (*)");
+}
+
+// Beside an installed program, or in the source tree that the program was built from.
+QString samplePath() {
+  const QDir program(QCoreApplication::applicationDirPath());
+  for (const char* folder : {"../share/handlebody/sample_volumes", "../../../sample_volumes"}) {
+    const QString path = program.filePath(QLatin1String(folder) + QStringLiteral("/cyst_session.json"));
+    if (QFileInfo::exists(path)) return QFileInfo(path).canonicalFilePath();
+  }
+  return {};
+}
+
+// A file name without ".nii.gz" and its like.
+QString baseName(const QString& path) {
+  const QString name = QFileInfo(path).fileName();
+  const auto dot = name.indexOf(QLatin1Char('.'), 1);
+  return dot < 0 ? name : name.left(dot);
+}
+
+}  // namespace
+
+FileWork::FileWork(Document& document, ViewGrid& views, ExportPanel& exports, MessageBar& messages,
+                   QWidget* window)
+    : QObject(window),
+      document_(document),
+      views_(views),
+      exports_(exports),
+      messages_(messages),
+      window_(window) {
+  connectMessages();
+}
+
+void FileWork::connectMessages() {
+  const auto said = [this](const QString& text) { messages_.show(MessageBar::Kind::information, text); };
+  const auto failed = [this](const QString& text) { messages_.show(MessageBar::Kind::error, text); };
+  connect(&document_, &Document::openFailed, this, failed);
+  connect(&document_, &Document::exportFailed, this, failed);
+  connect(&document_, &Document::saveFailed, this, [this, failed](const QString& text) {
+    next_ = nullptr;
+    failed(text);
+  });
+  connect(&document_, &Document::exported, this,
+          [said](const QString& path) { said(tr("%1 is written.").arg(path)); });
+  connect(&document_, &Document::sessionSaved, this, [this, said](const QString& path) {
+    said(tr("The session is saved as %1.").arg(path));
+    remember(path);
+    afterSaved();
+  });
+}
+
+void FileWork::afterSaved() {
+  const auto next = std::exchange(next_, nullptr);
+  if (next) next();
+}
+
+QStringList FileWork::recent() const {
+  QStringList there;
+  const auto paths = QSettings().value(kRecent).toStringList();
+  for (const QString& path : paths)
+    if (QFileInfo::exists(path)) there << path;
+  return there;
+}
+
+void FileWork::remember(const QString& path) {
+  QSettings settings;
+  QStringList paths = settings.value(kRecent).toStringList();
+  const QString absolute = QFileInfo(path).absoluteFilePath();
+  paths.removeAll(absolute);
+  paths.prepend(absolute);
+  settings.setValue(kRecent, paths.mid(0, kMostRecent));
+  settings.setValue(kFolder, QFileInfo(absolute).absolutePath());
+  Q_EMIT recentChanged();
+}
+
+void FileWork::chooseFile() {
+  const QString path = QFileDialog::getOpenFileName(window_, tr("Open a volume or a session"),
+                                                    QSettings().value(kFolder).toString(), volumeFilter());
+  if (!path.isEmpty()) open(path);
+}
+
+void FileWork::chooseFolder() {
+  const QString path = QFileDialog::getExistingDirectory(window_, tr("Open a folder with a DICOM series"),
+                                                         QSettings().value(kFolder).toString());
+  if (!path.isEmpty()) open(path);
+}
+
+void FileWork::open(const QString& path) {
+  whenSaved([this, path] {
+    remember(path);
+    document_.open(path);
+  });
+}
+
+void FileWork::openSample() {
+  const QString path = samplePath();
+  if (path.isEmpty())
+    messages_.show(MessageBar::Kind::error, tr("The sample is not installed with this program."));
+  else
+    open(path);
+}
+
+// Runs `next` at once, after saving, or not at all, as the user answers.
+void FileWork::whenSaved(std::function<void()> next) {
+  if (!document_.hasVolume() || !document_.isModified()) return next();
+  QMessageBox question(QMessageBox::Question, tr("Unsaved work"), tr("Save the seeds and parameters first?"),
+                       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
+  question.setInformativeText(
+      tr("They are kept in a session, from which the same surface can be grown again."));
+  question.setDefaultButton(QMessageBox::Save);
+  switch (question.exec()) {
+    case QMessageBox::Save:
+      next_ = std::move(next);
+      return save();
+    case QMessageBox::Discard:
+      return next();
+    default:
+      return;
+  }
+}
+
+// The answer "save" ends in another close() when the session is written; by then nothing is unsaved.
+bool FileWork::mayClose() {
+  if (closing_ || !document_.hasVolume() || !document_.isModified()) return true;
+  whenSaved([this] {
+    closing_ = true;
+    QMetaObject::invokeMethod(window_, &QWidget::close, Qt::QueuedConnection);
+  });
+  return false;
+}
+
+void FileWork::save() {
+  if (document_.sessionPath().isEmpty()) return saveAs();
+  Q_EMIT aboutToSave();
+  document_.saveSession(document_.sessionPath());
+}
+
+void FileWork::saveAs() {
+  const QString path = askForName(tr("Save the session"), suggestedBase() + QStringLiteral("_session"),
+                                  tr("Sessions (*.json)"), QStringLiteral(".json"));
+  if (path.isEmpty()) {
+    next_ = nullptr;
+    return;
+  }
+  Q_EMIT aboutToSave();
+  document_.saveSession(path);
+}
+
+QString FileWork::suggestedBase() const {
+  const QString folder = QSettings().value(kFolder, QDir::homePath()).toString();
+  return QDir(folder).filePath(document_.hasVolume() ? baseName(document_.path())
+                                                     : QStringLiteral("handlebody"));
+}
+
+QString FileWork::askForName(const QString& title, const QString& suggestion, const QString& filter,
+                             const QString& extension) {
+  QString path = QFileDialog::getSaveFileName(window_, title, suggestion + extension, filter);
+  if (!path.isEmpty() && !path.endsWith(extension, Qt::CaseInsensitive)) path += extension;
+  return path;
+}
+
+void FileWork::exportResult() {
+  const QString extension = exports_.extension();
+  const QString path = askForName(tr("Export the result"), suggestedBase() + QStringLiteral("_surface"),
+                                  QStringLiteral("*%1").arg(extension), extension);
+  if (!path.isEmpty()) document_.exportResult(path, exports_.space());
+}
+
+void FileWork::exportReport() {
+  const QString path = askForName(tr("Export the report"), suggestedBase() + QStringLiteral("_report"),
+                                  QStringLiteral("*.json"), QStringLiteral(".json"));
+  if (!path.isEmpty()) document_.exportReport(path);
+}
+
+void FileWork::exportPicture() {
+  const QImage picture = views_.picture(exports_.pictureOf());  // before a dialog covers the views
+  const QString path =
+      askForName(tr("Export a picture"), suggestedBase(), QStringLiteral("*.png"), QStringLiteral(".png"));
+  if (path.isEmpty()) return;
+  QSaveFile file(path);  // whole or not at all
+  QImageWriter writer(&file, "png");
+  if (file.open(QIODevice::WriteOnly) && writer.write(picture) && file.commit())
+    messages_.show(MessageBar::Kind::information, tr("%1 is written.").arg(path));
+  else
+    messages_.show(MessageBar::Kind::error, tr("%1 cannot be written: %2.").arg(path, file.errorString()));
+}
+
+void FileWork::offerRecovery() {
+  const QStringList journals = Document::recoverable();
+  if (journals.isEmpty()) return;
+  const QString journal = journals.front();
+  messages_.show(MessageBar::Kind::warning,
+                 tr("The program ended unexpectedly last time. Its seeds and parameters were kept."),
+                 {{tr("Restore"), [this, journal] { recover(journal); }},
+                  {tr("Discard"), [journal] { Document::discardRecoverable(journal); }}});
+}
+
+void FileWork::recover(const QString& journal) {
+  auto* once = new QObject(this);
+  connect(&document_, &Document::opened, once, [journal, once] {
+    Document::discardRecoverable(journal);
+    once->deleteLater();
+  });
+  connect(&document_, &Document::openFailed, once, &QObject::deleteLater);  // the journal is offered again
+  document_.open(journal);
+}
+
+}  // namespace handlebody::ui

@@ -1,0 +1,66 @@
+#pragma once
+// Files: open, save, export, recent ones, and the questions about unsaved work.
+
+#include <QObject>
+#include <QStringList>
+#include <functional>
+
+class QWidget;
+
+namespace handlebody::ui {
+
+class Document;
+class ExportPanel;
+class MessageBar;
+class ViewGrid;
+
+class FileWork : public QObject {
+  Q_OBJECT
+
+ public:
+  FileWork(Document& document, ViewGrid& views, ExportPanel& exports, MessageBar& messages, QWidget* window);
+
+  void chooseFile();
+  void chooseFolder();
+  //! Asks about unsaved work first.
+  void open(const QString& path);
+  //! The ultrasound sample with its seed.
+  void openSample();
+  void save();
+  void saveAs();
+  void exportResult();
+  void exportReport();
+  void exportPicture();
+  //! True if the window may close now. Else it asks about unsaved work, and closes the window when the answer
+  //! is carried out.
+  bool mayClose();
+  //! Offers work that a crash left behind.
+  void offerRecovery();
+
+  QStringList recent() const;
+
+ Q_SIGNALS:
+  void recentChanged();
+  //! Before a session is written: whoever has something to keep in it says so now.
+  void aboutToSave();
+
+ private:
+  void remember(const QString& path);
+  void whenSaved(std::function<void()> next);
+  void afterSaved();
+  void recover(const QString& journal);
+  QString askForName(const QString& title, const QString& suggestion, const QString& filter,
+                     const QString& extension);
+  QString suggestedBase() const;
+  void connectMessages();
+
+  Document& document_;
+  ViewGrid& views_;
+  ExportPanel& exports_;
+  MessageBar& messages_;
+  QWidget* window_;
+  std::function<void()> next_;  //!< what waits for the session to be saved
+  bool closing_ = false;
+};
+
+}  // namespace handlebody::ui

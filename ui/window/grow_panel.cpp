@@ -1,0 +1,198 @@
+#include "ui/window/grow_panel.h"
+
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/model/document.h"
+#include "ui/window/action_button.h"
+#include "ui/window/commands.h"
+#include "ui/window/event_inspector.h"
+#include "ui/window/numbers.h"
+#include "ui/window/panel_tools.h"
+
+namespace handlebody::ui {
+
+namespace {
+
+QString genusText(const Certificate& certificate) {
+  if (certificate.genus.empty()) return QStringLiteral("–");
+  int total = 0;
+  QStringList each;
+  for (int genus : certificate.genus) {
+    total += genus;
+    each << QString::number(genus);
+  }
+  if (each.size() == 1 || each.size() > 8) return QString::number(total);
+  return QStringLiteral("%1 (%2)").arg(QString::number(total), each.join(QStringLiteral(", ")));
+}
+
+QString faultsOf(const Certificate& c) {
+  QStringList faults;
+  if (!c.closed) faults << GrowPanel::tr("not closed");
+  if (!c.manifold) faults << GrowPanel::tr("not manifold");
+  if (!c.oriented) faults << GrowPanel::tr("not oriented");
+  if (c.selfIntersections > 0)
+    faults << GrowPanel::tr("%n self-intersection(s)", nullptr, c.selfIntersections);
+  if (c.selfIntersections < 0) faults << GrowPanel::tr("self-intersections not checked");
+  return faults.join(QStringLiteral(", "));
+}
+
+QString finishedText(StopReason reason) {
+  switch (reason) {
+    case StopReason::converged:
+      return GrowPanel::tr("Finished: the surface is at rest");
+    case StopReason::maxIterations:
+      return GrowPanel::tr("Stopped at the iteration limit");
+    case StopReason::empty:
+      return GrowPanel::tr("Finished: nothing is left of the surface");
+    default:
+      return GrowPanel::tr("Finished");
+  }
+}
+
+}  // namespace
+
+QString stateText(const Document& document) {
+  const QString at =
+      document.iteration() < 0
+          ? QString()
+          : GrowPanel::tr(" · iteration %1 of %2").arg(document.iteration()).arg(document.lastIteration());
+  switch (document.state()) {
+    case GrowthState::preparing:
+      return GrowPanel::tr("Preparing the image…");
+    case GrowthState::running:
+      return GrowPanel::tr("Growing") + at;
+    case GrowthState::paused:
+      return GrowPanel::tr("Paused") + at;
+    case GrowthState::finished:
+      return finishedText(document.stopReason()) + at;
+    default:
+      return document.seeds().empty() ? GrowPanel::tr("No seed yet") : GrowPanel::tr("Ready to grow");
+  }
+}
+
+GrowPanel::GrowPanel(Document& document, SurfaceView& surface, const Commands& commands, QWidget* parent)
+    : QWidget(parent), document_(document) {
+  auto* layout = panelLayout(this);
+  hint_ = hint(
+      tr("Start grows the surface from the seeds. You may pause, go back exactly, change a parameter and go "
+         "on from there at any time."),
+      this);
+  layout->addWidget(buildButtons(commands));
+  layout->addWidget(hint_);
+  state_ = value(tr("State of the growth"), this);
+  layout->addWidget(state_);
+  error_ = value(tr("Why it did not grow"), this);
+  layout->addWidget(error_);
+  layout->addWidget(buildNumbers());
+  inspector_ = new EventInspector(document_, surface, this);
+  layout->addWidget(inspector_);
+  layout->addStretch();
+  for (auto changed : {&Document::stateChanged, &Document::snapshotChanged, &Document::summariesChanged,
+                       &Document::seedsChanged})
+    connect(&document_, changed, this, &GrowPanel::showState);
+  connect(&document_, &Document::snapshotChanged, this, &GrowPanel::showNumbers);
+  connect(&document_, &Document::stateChanged, this, &GrowPanel::showNumbers);
+  showState();
+  showNumbers();
+}
+
+QWidget* GrowPanel::buildButtons(const Commands& commands) {
+  auto* part = new QWidget(this);
+  auto* layout = new QVBoxLayout(part);
+  layout->setContentsMargins(0, 0, 0, 0);
+  auto* run = new ActionButton(commands[Command::run], part);
+  run->setMinimumHeight(36);
+  layout->addWidget(run);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(4);
+  for (Command id : {Command::toStart, Command::previousEvent, Command::stepBack, Command::stepForward,
+                     Command::nextEvent, Command::toEnd}) {
+    QToolButton* button = smallButton(commands[id], part);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    row->addWidget(button);
+  }
+  layout->addLayout(row);
+  auto* pace = new QHBoxLayout;
+  auto* label = new QLabel(tr("Steps per frame"), part);
+  auto* steps = new QSpinBox(part);
+  steps->setRange(1, 50);
+  steps->setValue(document_.stepsPerFrame());
+  describe(steps, tr("Steps per frame"),
+           tr("How many iterations the surface goes on between two pictures of it"));
+  ignoreWheelWithoutFocus(steps);
+  label->setBuddy(steps);
+  connect(steps, &QSpinBox::valueChanged, this, [this](int n) { document_.setStepsPerFrame(n); });
+  pace->addWidget(label);
+  pace->addWidget(steps, 1);
+  layout->addLayout(pace);
+  return part;
+}
+
+void GrowPanel::addNumber(QFormLayout* form, const QString& name, const QString& tip, QLabel*& field) {
+  field = value(name, numbers_);
+  auto* label = new QLabel(name, numbers_);
+  for (QLabel* l : {label, field}) l->setToolTip(QStringLiteral("<p>%1</p>").arg(tip.toHtmlEscaped()));
+  form->addRow(label, field);
+}
+
+QWidget* GrowPanel::buildNumbers() {
+  numbers_ = new QWidget(this);
+  auto* layout = new QVBoxLayout(numbers_);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(heading(tr("Surface now"), numbers_));
+  badge_ = new QLabel(numbers_);
+  badge_->setWordWrap(true);
+  badge_->setMargin(6);
+  badge_->setAutoFillBackground(true);
+  badge_->setAccessibleName(tr("Certificate"));
+  layout->addWidget(badge_);
+  QFormLayout* form = panelForm();
+  addNumber(form, tr("Volume"), tr("Volume enclosed by the surface"), volume_);
+  addNumber(form, tr("Area"), tr("Area of the surface"), area_);
+  addNumber(form, tr("Components"), tr("Connected parts of the surface"), components_);
+  addNumber(form, tr("Genus"), tr("Holes as in a ring: in all, and of each component"), genus_);
+  addNumber(form, tr("Euler number"), tr("Vertices minus edges plus faces"), euler_);
+  addNumber(form, tr("Vertices"), tr("Vertices of the mesh"), vertices_);
+  layout->addLayout(form);
+  return numbers_;
+}
+
+void GrowPanel::showState() {
+  state_->setText(stateText(document_));
+  error_->setText(document_.growthError());
+  error_->setVisible(!document_.growthError().isEmpty());
+  hint_->setVisible(document_.iteration() < 0);
+}
+
+void GrowPanel::showNumbers() {
+  const auto snapshot = document_.snapshot();
+  numbers_->setVisible(snapshot != nullptr);
+  if (!snapshot) return;
+  const Certificate& c = snapshot->certificate;
+  components_->setText(QString::number(c.components));
+  genus_->setText(genusText(c));
+  euler_->setText(QString::number(c.euler));
+  vertices_->setText(QLocale().toString(c.vertices));
+  area_->setText(squareCentimetres(c.area));
+  volume_->setText(millilitres(c.volume));
+  showCertificate();
+}
+
+void GrowPanel::showCertificate() {
+  const Certificate& c = document_.snapshot()->certificate;
+  const bool passes = c.passes();
+  badge_->setText(passes ? tr("✓ Closed, manifold, free of self-intersections")
+                         : tr("✗ %1").arg(faultsOf(c)));
+  QPalette palette = badge_->palette();
+  palette.setColor(QPalette::Window, passes ? QColor(0x2E, 0x7D, 0x4F) : QColor(0xB0, 0x3A, 0x2E));
+  palette.setColor(QPalette::WindowText, Qt::white);
+  badge_->setPalette(palette);
+}
+
+}  // namespace handlebody::ui

@@ -1,0 +1,42 @@
+#pragma once
+// Step 4: run, step, and the numbers of what has grown.
+
+#include <QWidget>
+
+class QFormLayout;
+class QLabel;
+
+namespace handlebody::ui {
+
+class Commands;
+class Document;
+class EventInspector;
+class SurfaceView;
+
+class GrowPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  GrowPanel(Document& document, SurfaceView& surface, const Commands& commands, QWidget* parent = nullptr);
+
+  EventInspector& inspector() const { return *inspector_; }
+
+ private:
+  QWidget* buildButtons(const Commands& commands);
+  QWidget* buildNumbers();
+  void addNumber(QFormLayout* form, const QString& name, const QString& tip, QLabel*& field);
+  void showState();
+  void showNumbers();
+  void showCertificate();
+
+  Document& document_;
+  QLabel *hint_, *state_, *error_, *badge_;
+  QWidget* numbers_;
+  QLabel *components_, *genus_, *euler_, *vertices_, *area_, *volume_;
+  EventInspector* inspector_;
+};
+
+//! "Running", "Finished: converged" … with the iteration.
+QString stateText(const Document& document);
+
+}  // namespace handlebody::ui

@@ -1,0 +1,51 @@
+#include "ui/window/help_window.h"
+
+#include <QShortcut>
+#include <QTabWidget>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+#include "ui/window/help_pages.h"
+#include "ui/window/icons.h"
+
+namespace handlebody::ui {
+
+namespace {
+const QSize kSize(820, 640);
+}
+
+HelpWindow::HelpWindow(QWidget* parent) : QWidget(parent, Qt::Window), tabs_(new QTabWidget(this)) {
+  setWindowTitle(tr("Handlebody: help"));
+  setWindowIcon(programIcon());
+  resize(kSize);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 8, 8, 8);
+  layout->addWidget(tabs_);
+  guide_ = addPage(tr("Guide"));
+  addPage(tr("Keyboard and mouse"))->setHtml(shortcutsPage());
+  addPage(tr("About"))->setHtml(aboutPage());
+  icon(QStringLiteral("help"));  // registers the resources that the guide lies in
+  guide_->setSource(QUrl(QStringLiteral("qrc:/handlebody/guide/guide.html")));
+  for (const char* keys : {"Esc", "Ctrl+W"})
+    connect(new QShortcut(QKeySequence(QString::fromLatin1(keys)), this), &QShortcut::activated, this,
+            &QWidget::close);
+}
+
+QTextBrowser* HelpWindow::addPage(const QString& title) {
+  auto* browser = new QTextBrowser(tabs_);
+  browser->setFrameShape(QFrame::NoFrame);
+  browser->setOpenExternalLinks(true);
+  browser->document()->setDocumentMargin(16);
+  browser->setAccessibleName(title);
+  tabs_->addTab(browser, title);
+  return browser;
+}
+
+void HelpWindow::show(Page page) {
+  tabs_->setCurrentIndex(static_cast<int>(page));
+  QWidget::show();
+  raise();
+  activateWindow();
+}
+
+}  // namespace handlebody::ui

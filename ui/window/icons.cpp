@@ -1,0 +1,69 @@
+#include "ui/window/icons.h"
+
+#include <QFile>
+#include <QGuiApplication>
+#include <QIconEngine>
+#include <QPainter>
+#include <QPalette>
+#include <QSvgRenderer>
+
+// Outside every namespace, as Q_INIT_RESOURCE asks for: resources of a static library are not found by
+// themselves.
+static void registerResources() { Q_INIT_RESOURCE(handlebody); }
+
+namespace handlebody::ui {
+
+namespace {
+
+QColor lineColour(QIcon::Mode mode) {
+  const QPalette palette = QGuiApplication::palette();
+  return palette.color(mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active, QPalette::WindowText);
+}
+
+class LineIcon : public QIconEngine {
+ public:
+  explicit LineIcon(QByteArray drawing) : drawing_(std::move(drawing)) {}
+
+  void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
+    QByteArray coloured = drawing_;
+    coloured.replace("currentColor", lineColour(mode).name().toLatin1());
+    QSvgRenderer renderer(coloured);
+    if (mode == QIcon::Disabled) painter->setOpacity(0.55);  // the accent colour is to fade as well
+    renderer.render(painter, rect);
+    painter->setOpacity(1);
+  }
+
+  QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+    QPixmap pixmap(size);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    paint(&painter, QRect(QPoint(0, 0), size), mode, state);
+    return pixmap;
+  }
+
+  QIconEngine* clone() const override { return new LineIcon(drawing_); }
+
+ private:
+  QByteArray drawing_;
+};
+
+QByteArray resource(const QString& name) {
+  static const bool registered = (registerResources(), true);
+  Q_UNUSED(registered);
+  QFile file(QStringLiteral(":/handlebody/icons/%1.svg").arg(name));
+  const bool there = file.open(QIODevice::ReadOnly);
+  Q_ASSERT_X(there, "icon", qPrintable(name));
+  return there ? file.readAll() : QByteArray();
+}
+
+}  // namespace
+
+QIcon icon(const QString& name) { return QIcon(new LineIcon(resource(name))); }
+
+QIcon iconOnBlack(const QString& name) {
+  return QIcon(new LineIcon(resource(name).replace("currentColor", "#e6e9ec")));
+}
+
+QIcon programIcon() { return icon(QStringLiteral("handlebody")); }
+
+}  // namespace handlebody::ui

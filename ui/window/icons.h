@@ -1,0 +1,18 @@
+#pragma once
+// The program's own icons: line drawings in the colour of the text, so that they can be read on light and
+// dark.
+
+#include <QIcon>
+#include <QString>
+
+namespace handlebody::ui {
+
+//! resources/icons/NAME.svg; "currentColor" in it is the palette's text colour at the time of painting.
+//! Precondition: there is such a file.
+QIcon icon(const QString& name);
+//! The same for a ground that is always black.
+QIcon iconOnBlack(const QString& name);
+//! The program's icon, in its own colours.
+QIcon programIcon();
+
+}  // namespace handlebody::ui

@@ -1,0 +1,24 @@
+#pragma once
+// A spin box for one end of a range of intensities, which may be open.
+
+#include <QDoubleSpinBox>
+
+namespace handlebody::ui {
+
+class IntensityField : public QDoubleSpinBox {
+  Q_OBJECT
+
+ public:
+  explicit IntensityField(QWidget* parent = nullptr);
+
+  //! The end, infinite if it is open.
+  double end() const;
+  void setEnd(double end);
+
+ protected:
+  QString textFromValue(double value) const override;
+  double valueFromText(const QString& text) const override;
+  QValidator::State validate(QString& text, int& position) const override;
+};
+
+}  // namespace handlebody::ui

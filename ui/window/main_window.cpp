@@ -1,0 +1,172 @@
+#include "ui/window/main_window.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMimeData>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+#include "ui/view/slice_view.h"
+#include "ui/view/surface_view.h"
+#include "ui/window/event_inspector.h"
+#include "ui/window/export_panel.h"
+#include "ui/window/file_work.h"
+#include "ui/window/grow_panel.h"
+#include "ui/window/help_window.h"
+#include "ui/window/icons.h"
+#include "ui/window/key_guard.h"
+#include "ui/window/menus.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/open_panel.h"
+#include "ui/window/seed_panel.h"
+#include "ui/window/start_page.h"
+#include "ui/window/status_fields.h"
+#include "ui/window/steps_panel.h"
+#include "ui/window/timeline_panel.h"
+#include "ui/window/tune_panel.h"
+#include "ui/window/view_grid.h"
+
+namespace handlebody::ui {
+
+MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), commands_(document_.undoStack(), nullptr) {
+  setWindowIcon(programIcon());
+  setAcceptDrops(true);
+  setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  buildCentre();
+  buildDocks();
+  buildStatusBar();
+  files_ = new FileWork(document_, *views_, *export_, *messages_, this);
+  const OpenMenus menus = buildMenus(*this, commands_);
+  recent_ = menus.recent;
+  panels_ = menus.panels;
+  for (QDockWidget* dock : {stepsDock_, timelineDock_}) panels_->addAction(dock->toggleViewAction());
+  buildToolbar(*this, commands_);
+  connectFileCommands();
+  connectViewCommands();
+  connectDisplayCommands();
+  connectSeedCommands();
+  connectGrowCommands();
+  connectHelpCommands();
+  connect(&document_, &Document::opened, this, &MainWindow::showOpened);
+  connect(&document_, &Document::modifiedChanged, this, &MainWindow::updateTitle);
+  connect(files_, &FileWork::recentChanged, this, &MainWindow::fillRecent);
+  connect(files_, &FileWork::aboutToSave, this, &MainWindow::keepView);
+  qApp->installEventFilter(new KeyGuard(this));
+  fillRecent();
+  restoreSettings();
+  updateCommands();
+  updateTitle();
+}
+
+// The views and panels use the document and the state, which are members and would die first.
+MainWindow::~MainWindow() {
+  delete help_;
+  delete centralWidget();
+  delete stepsDock_;
+  delete timelineDock_;
+}
+
+void MainWindow::buildCentre() {
+  auto* centre = new QWidget(this);
+  auto* layout = new QVBoxLayout(centre);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  messages_ = new MessageBar(centre);
+  centre_ = new QStackedWidget(centre);
+  start_ = new StartPage(commands_, centre_);
+  views_ = new ViewGrid(document_, state_, centre_);
+  centre_->addWidget(start_);
+  centre_->addWidget(views_);
+  layout->addWidget(messages_);
+  layout->addWidget(centre_, 1);
+  setCentralWidget(centre);
+}
+
+void MainWindow::buildDocks() {
+  steps_ = new StepsPanel(commands_);
+  steps_->add(Command::stepOpen, new OpenPanel(document_, commands_));
+  steps_->add(Command::stepSeed, new SeedPanel(document_, state_, commands_));
+  steps_->add(Command::stepTune, new TunePanel(document_, state_));
+  grow_ = new GrowPanel(document_, views_->surface(), commands_);
+  steps_->add(Command::stepGrow, grow_);
+  export_ = new ExportPanel(document_, commands_);
+  steps_->add(Command::stepExport, export_);
+  steps_->show(Command::stepOpen);
+  stepsDock_ = new QDockWidget(tr("Steps"), this);
+  stepsDock_->setObjectName(QStringLiteral("steps"));
+  stepsDock_->setWidget(steps_);
+  addDockWidget(Qt::LeftDockWidgetArea, stepsDock_);
+
+  timeline_ = new TimelinePanel(document_);
+  connect(timeline_, &TimelinePanel::eventChosen, this, &MainWindow::goToEvent);
+  timelineDock_ = new QDockWidget(tr("Timeline"), this);
+  timelineDock_->setObjectName(QStringLiteral("timeline"));
+  timelineDock_->setWidget(timeline_);
+  addDockWidget(Qt::BottomDockWidgetArea, timelineDock_);
+}
+
+void MainWindow::buildStatusBar() {
+  status_ = new StatusFields(statusBar(), document_);
+  for (Plane plane : {Plane::axial, Plane::coronal, Plane::sagittal}) {
+    connect(&views_->slice(plane), &SliceView::hovered, status_, &StatusFields::showCursor);
+    connect(&views_->slice(plane), &SliceView::left, status_, &StatusFields::clearCursor);
+  }
+}
+
+void MainWindow::showStep(Command step) { steps_->show(step); }
+
+void MainWindow::goToEvent(int index) {
+  if (index < 0 || index >= static_cast<int>(document_.events().size())) return;
+  const Event event = document_.events()[static_cast<std::size_t>(index)];
+  if (document_.iteration() != event.iteration) document_.goTo(event.iteration);
+  state_.setCrosshair(event.location);
+  grow_->inspector().setEvent(index);
+  timeline_->setEvent(index);
+}
+
+void MainWindow::fillRecent() {
+  recent_->clear();
+  const QStringList paths = files_->recent();
+  for (const QString& path : paths)
+    recent_->addAction(QFileInfo(path).fileName() + QStringLiteral("  —  ") + QFileInfo(path).absolutePath(),
+                       this, [this, path] { files_->open(path); });
+  recent_->setEnabled(!paths.isEmpty());
+  start_->setRecent(paths);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  event->setAccepted(files_->mayClose());
+  if (!event->isAccepted()) return;
+  saveSettings();
+  if (help_) help_->close();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  const auto urls = event->mimeData()->urls();
+  if (!urls.isEmpty() && urls.front().isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const auto urls = event->mimeData()->urls();
+  if (urls.isEmpty()) return;
+  event->acceptProposedAction();
+  files_->open(urls.front().toLocalFile());
+  if (urls.size() > 1)
+    messages_->show(
+        MessageBar::Kind::warning,
+        tr("Several files were dropped; the first one is opened. For a DICOM series drop its folder."));
+}
+
+// Icons are drawn in the colour of the text, which Qt does not know of.
+void MainWindow::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) update();
+}
+
+}  // namespace handlebody::ui

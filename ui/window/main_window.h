@@ -1,0 +1,103 @@
+#pragma once
+// The frame: views in the middle, the steps at the left, the timeline below, menus, toolbar and status bar.
+
+#include <QMainWindow>
+#include <functional>
+
+#include "ui/model/document.h"
+#include "ui/view/view_state.h"
+#include "ui/window/appearance.h"
+#include "ui/window/commands.h"
+
+class QDockWidget;
+class QMenu;
+class QStackedWidget;
+
+namespace handlebody::ui {
+
+class ExportPanel;
+class FileWork;
+class GrowPanel;
+class HelpWindow;
+class MessageBar;
+class StartPage;
+class StatusFields;
+class StepsPanel;
+class TimelinePanel;
+class ViewGrid;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  Document& document() { return document_; }
+  ViewState& viewState() { return state_; }
+  ViewGrid& views() { return *views_; }
+  FileWork& files() { return *files_; }
+  const Commands& commands() const { return commands_; }
+  MessageBar& messages() { return *messages_; }
+
+  void showStep(Command step);
+  void setAppearance(Appearance appearance);
+  //! Time, all views and the inspector go to an event (index into Document::events()).
+  void goToEvent(int index);
+  //! Recovery of lost work, and at the first start what the program is for.
+  void greet();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void buildCentre();
+  void buildDocks();
+  void buildStatusBar();
+  void fillRecent();
+  // main_window_commands.cpp
+  void connectFileCommands();
+  void connectViewCommands();
+  void connectDisplayCommands();
+  void connectSeedCommands();
+  void connectGrowCommands();
+  void connectHelpCommands();
+  void on(Command id, std::function<void()> action);
+  void resizeSelectedSeed(double direction);
+  void selectNextSeed();
+  void seekEvent(bool next);
+  void updateCommands();
+  void showLayout();
+  void showViewState();
+  // main_window_session.cpp
+  void restoreSettings();
+  void saveSettings();
+  void showOpened();
+  void keepView();
+  void restoreView();
+  void updateTitle();
+
+  Document document_;
+  ViewState state_;
+  Commands commands_;
+  ViewGrid* views_ = nullptr;
+  StartPage* start_ = nullptr;
+  QStackedWidget* centre_ = nullptr;
+  MessageBar* messages_ = nullptr;
+  StepsPanel* steps_ = nullptr;
+  ExportPanel* export_ = nullptr;
+  GrowPanel* grow_ = nullptr;
+  TimelinePanel* timeline_ = nullptr;
+  StatusFields* status_ = nullptr;
+  FileWork* files_ = nullptr;
+  HelpWindow* help_ = nullptr;
+  QDockWidget *stepsDock_ = nullptr, *timelineDock_ = nullptr;
+  QMenu *recent_ = nullptr, *panels_ = nullptr;
+  Appearance appearance_ = Appearance::system;
+  bool seekingEvent_ = false;  //!< N or P was pressed: the views follow to the event that is reached
+};
+
+}  // namespace handlebody::ui

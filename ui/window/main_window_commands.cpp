@@ -1,0 +1,218 @@
+// What the commands of the window do.
+
+#include <algorithm>
+
+#include "ui/view/slice_view.h"
+#include "ui/view/surface_view.h"
+#include "ui/window/event_inspector.h"
+#include "ui/window/file_work.h"
+#include "ui/window/grow_panel.h"
+#include "ui/window/help_window.h"
+#include "ui/window/icons.h"
+#include "ui/window/main_window.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/start_page.h"
+#include "ui/window/timeline_panel.h"
+#include "ui/window/value_field.h"
+#include "ui/window/view_grid.h"
+
+namespace handlebody::ui {
+
+namespace {
+
+template <typename Value>
+struct Choice {
+  Command command;
+  Value value;
+};
+
+constexpr Choice<ColourMap> kMaps[] = {{Command::mapGrey, ColourMap::grey},
+                                       {Command::mapInverted, ColourMap::inverted},
+                                       {Command::mapHot, ColourMap::hot},
+                                       {Command::mapContrast, ColourMap::contrast}};
+constexpr Choice<MeshColouring> kColourings[] = {{Command::meshPlain, MeshColouring::plain},
+                                                 {Command::meshEdges, MeshColouring::edges},
+                                                 {Command::meshState, MeshColouring::state}};
+constexpr Choice<std::optional<Cell>> kLayouts[] = {{Command::fourViews, std::nullopt},
+                                                    {Command::onlyAxial, Cell::axial},
+                                                    {Command::onlyCoronal, Cell::coronal},
+                                                    {Command::onlySagittal, Cell::sagittal},
+                                                    {Command::onlySurface, Cell::surface}};
+
+struct WindowPreset {
+  Command command;
+  double window, level;  // HU
+};
+constexpr WindowPreset kPresets[] = {{Command::windowSoftTissue, 400, 40},
+                                     {Command::windowLung, 1500, -600},
+                                     {Command::windowBone, 1800, 400},
+                                     {Command::windowBrain, 80, 40},
+                                     {Command::windowVessels, 600, 170}};
+
+}  // namespace
+
+void MainWindow::on(Command id, std::function<void()> action) {
+  connect(commands_[id], &QAction::triggered, this, [action = std::move(action)] { action(); });
+}
+
+void MainWindow::connectFileCommands() {
+  on(Command::openFile, [this] { files_->chooseFile(); });
+  on(Command::openFolder, [this] { files_->chooseFolder(); });
+  on(Command::saveSession, [this] { files_->save(); });
+  on(Command::saveSessionAs, [this] { files_->saveAs(); });
+  on(Command::exportResult, [this] { files_->exportResult(); });
+  on(Command::exportReport, [this] { files_->exportReport(); });
+  on(Command::exportPicture, [this] { files_->exportPicture(); });
+  on(Command::quit, [this] { close(); });
+  connect(start_, &StartPage::openRequested, files_, &FileWork::open);
+  connect(start_, &StartPage::sampleRequested, files_, &FileWork::openSample);
+}
+
+void MainWindow::connectViewCommands() {
+  for (const auto& layout : kLayouts)
+    on(layout.command, [this, cell = layout.value] { views_->maximise(cell); });
+  connect(views_, &ViewGrid::maximisedChanged, this, &MainWindow::showLayout);
+  on(Command::resetViews, [this] { views_->resetViews(); });
+  SurfaceView& surface = views_->surface();
+  on(Command::lookFromAbove, [&surface] { surface.lookFrom(Plane::axial); });
+  on(Command::lookFromFront, [&surface] { surface.lookFrom(Plane::coronal); });
+  on(Command::lookFromLeft, [&surface] { surface.lookFrom(Plane::sagittal); });
+  for (Command id : {Command::lookFromAbove, Command::lookFromFront, Command::lookFromLeft})
+    surface.addAction(commands_[id]);
+  on(Command::fullScreen, [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+  showLayout();
+}
+
+void MainWindow::showLayout() {
+  for (const auto& layout : kLayouts)
+    if (layout.value == views_->maximised()) commands_[layout.command]->setChecked(true);
+}
+
+void MainWindow::connectDisplayCommands() {
+  connect(commands_[Command::windowLevelTool], &QAction::toggled, &state_, &ViewState::setWindowLevelTool);
+  connect(commands_[Command::slicesIn3d], &QAction::toggled, &state_, &ViewState::setSlicesIn3d);
+  on(Command::autoWindow, [this] { state_.setAutomaticWindow(document_.volume()); });
+  for (const WindowPreset& preset : kPresets)
+    on(preset.command, [this, preset] { state_.setWindowLevel(preset.window, preset.level); });
+  for (const auto& map : kMaps) on(map.command, [this, value = map.value] { state_.setColourMap(value); });
+  for (const auto& c : kColourings)
+    on(c.command, [this, value = c.value] { state_.setMeshColouring(value); });
+  on(Command::coloursOfSystem, [this] { setAppearance(Appearance::system); });
+  on(Command::coloursLight, [this] { setAppearance(Appearance::light); });
+  on(Command::coloursDark, [this] { setAppearance(Appearance::dark); });
+  connect(&state_, &ViewState::changed, this, &MainWindow::showViewState);
+  showViewState();
+}
+
+void MainWindow::showViewState() {
+  commands_[Command::windowLevelTool]->setChecked(state_.windowLevelTool());
+  commands_[Command::slicesIn3d]->setChecked(state_.slicesIn3d());
+  for (const auto& map : kMaps)
+    if (map.value == state_.colourMap()) commands_[map.command]->setChecked(true);
+  for (const auto& c : kColourings)
+    if (c.value == state_.meshColouring()) commands_[c.command]->setChecked(true);
+}
+
+void MainWindow::setAppearance(Appearance appearance) {
+  appearance_ = appearance;
+  applyAppearance(appearance);
+  const Command chosen[] = {Command::coloursOfSystem, Command::coloursLight, Command::coloursDark};
+  commands_[chosen[static_cast<int>(appearance)]]->setChecked(true);
+}
+
+void MainWindow::connectSeedCommands() {
+  on(Command::addSeed, [this] {
+    if (document_.volume().grid.contains(document_.volume().grid.toIndex(state_.crosshair())))
+      document_.addSeed({state_.crosshair(), std::nullopt});
+  });
+  on(Command::deleteSeed, [this] { document_.removeSeed(document_.selectedSeed()); });
+  on(Command::growSeed, [this] { resizeSelectedSeed(1); });
+  on(Command::shrinkSeed, [this] { resizeSelectedSeed(-1); });
+  on(Command::nextSeed, [this] { selectNextSeed(); });
+  for (auto changed : {&Document::seedsChanged, &Document::opened, &Document::stateChanged,
+                       &Document::snapshotChanged, &Document::summariesChanged})
+    connect(&document_, changed, this, &MainWindow::updateCommands);
+  connect(&document_, &Document::selectedSeedChanged, this, &MainWindow::updateCommands);
+}
+
+void MainWindow::resizeSelectedSeed(double direction) {
+  const int index = document_.selectedSeed();
+  const double step = document_.volume().grid.meanSpacing() / 2;
+  const double radius = std::max(document_.shownRadius(index) + direction * step, step);
+  document_.setSeedRadius(index, radius, gestureOf(this));
+}
+
+void MainWindow::selectNextSeed() {
+  const auto count = static_cast<int>(document_.seeds().size());
+  const int next = (document_.selectedSeed() + 1) % count;
+  document_.selectSeed(next);
+  state_.setCrosshair(document_.seeds()[static_cast<std::size_t>(next)].centre);
+}
+
+void MainWindow::connectGrowCommands() {
+  on(Command::run, [this] {
+    seekingEvent_ = false;
+    if (document_.state() == GrowthState::running || document_.state() == GrowthState::preparing)
+      return document_.pause();
+    document_.run();
+    showStep(Command::stepGrow);
+  });
+  on(Command::stepForward, [this] { document_.stepForward(); });
+  on(Command::stepBack, [this] { document_.stepBack(); });
+  on(Command::nextEvent, [this] { seekEvent(true); });
+  on(Command::previousEvent, [this] { seekEvent(false); });
+  on(Command::toStart, [this] { document_.goToStart(); });
+  on(Command::toEnd, [this] { document_.goTo(document_.lastIteration()); });
+  const auto follow = [this] {
+    if (!seekingEvent_ || document_.state() == GrowthState::running) return;
+    const int event = grow_->inspector().event();
+    if (event >= 0) goToEvent(event);
+    seekingEvent_ = event < 0 && document_.state() == GrowthState::preparing;
+  };
+  connect(&document_, &Document::snapshotChanged, this, follow);
+  connect(&document_, &Document::stateChanged, this, follow);
+}
+
+void MainWindow::seekEvent(bool next) {
+  seekingEvent_ = true;
+  if (next)
+    document_.goToNextEvent();
+  else
+    document_.goToPreviousEvent();
+}
+
+void MainWindow::connectHelpCommands() {
+  const auto show = [this](HelpWindow::Page page) {
+    if (!help_) help_ = new HelpWindow(this);
+    help_->show(page);
+  };
+  on(Command::guide, [show] { show(HelpWindow::Page::guide); });
+  on(Command::shortcuts, [show] { show(HelpWindow::Page::shortcuts); });
+  on(Command::about, [show] { show(HelpWindow::Page::about); });
+}
+
+void MainWindow::updateCommands() {
+  const auto enable = [this](std::initializer_list<Command> ids, bool on) {
+    for (Command id : ids) commands_[id]->setEnabled(on);
+  };
+  const bool open = document_.hasVolume();
+  const bool grown = document_.iteration() >= 0;
+  const bool running =
+      document_.state() == GrowthState::running || document_.state() == GrowthState::preparing;
+  const bool seeded = open && !document_.seeds().empty();
+  enable({Command::saveSession, Command::saveSessionAs, Command::exportPicture, Command::addSeed,
+          Command::autoWindow, Command::windowSoftTissue, Command::windowLung, Command::windowBone,
+          Command::windowBrain, Command::windowVessels, Command::resetViews},
+         open);
+  enable({Command::deleteSeed, Command::growSeed, Command::shrinkSeed},
+         open && document_.selectedSeed() >= 0);
+  enable({Command::nextSeed, Command::run, Command::stepForward, Command::nextEvent}, seeded);
+  enable({Command::exportResult, Command::exportReport}, grown && !running);
+  enable({Command::stepBack, Command::previousEvent, Command::toStart}, document_.iteration() > 0);
+  enable({Command::toEnd}, grown && document_.iteration() < document_.lastIteration());
+  QAction* run = commands_[Command::run];
+  run->setText(running ? tr("&Pause") : (grown ? tr("&Go on") : tr("&Start")));
+  run->setIcon(icon(running ? QStringLiteral("pause") : QStringLiteral("run")));
+}
+
+}  // namespace handlebody::ui

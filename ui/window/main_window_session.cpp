@@ -1,0 +1,117 @@
+// What the window keeps: layout between starts, and the view in a session.
+
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QMessageBox>
+#include <QScreen>
+#include <QSettings>
+#include <QStackedWidget>
+
+#include "ui/window/file_work.h"
+#include "ui/window/help_window.h"
+#include "ui/window/main_window.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/view_grid.h"
+
+namespace handlebody::ui {
+
+namespace {
+
+constexpr int kLayoutVersion = 1;
+const QSize kUsualSize(1440, 900);
+const QString kNoticeShown = QStringLiteral("noticeShown"), kGeometry = QStringLiteral("geometry"),
+              kDocks = QStringLiteral("docks"), kViews = QStringLiteral("views"),
+              kAppearance = QStringLiteral("appearance");
+
+QJsonArray toJson(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+bool isPoint(const QJsonArray& array) {
+  return array.size() == 3 && array[0].isDouble() && array[1].isDouble() && array[2].isDouble();
+}
+
+}  // namespace
+
+void MainWindow::restoreSettings() {
+  const QSettings settings;
+  const QSize screen = QGuiApplication::primaryScreen()->availableSize();
+  resize(kUsualSize.boundedTo(screen));
+  restoreGeometry(settings.value(kGeometry).toByteArray());
+  if (!restoreState(settings.value(kDocks).toByteArray(), kLayoutVersion))
+    resizeDocks({timelineDock_}, {170}, Qt::Vertical);
+  views_->restoreLayout(settings.value(kViews).toByteArray());
+  const int appearance = settings.value(kAppearance, 0).toInt();
+  setAppearance(appearance == 1 ? Appearance::light
+                                : (appearance == 2 ? Appearance::dark : Appearance::system));
+}
+
+void MainWindow::saveSettings() {
+  QSettings settings;
+  settings.setValue(kGeometry, saveGeometry());
+  settings.setValue(kDocks, saveState(kLayoutVersion));
+  settings.setValue(kViews, views_->saveLayout());
+  settings.setValue(kAppearance, static_cast<int>(appearance_));
+}
+
+void MainWindow::greet() {
+  files_->offerRecovery();
+  QSettings settings;
+  if (settings.value(kNoticeShown).toBool()) return;
+  auto* notice =
+      new QMessageBox(QMessageBox::Information, tr("Handlebody"), purposeNotice(), QMessageBox::Ok, this);
+  notice->setAttribute(Qt::WA_DeleteOnClose);
+  connect(notice, &QMessageBox::finished, this, [] { QSettings().setValue(kNoticeShown, true); });
+  notice->open();
+}
+
+void MainWindow::showOpened() {
+  centre_->setCurrentWidget(views_);
+  state_.startWith(document_.volume());
+  restoreView();
+  showStep(document_.seeds().empty() ? Command::stepSeed : Command::stepGrow);
+  if (!document_.seeds().empty() && document_.view().isEmpty())
+    state_.setCrosshair(document_.seeds().front().centre);
+  updateTitle();
+  const std::vector<std::string>& warnings = document_.info().warnings;
+  messages_->dismiss();
+  if (!warnings.empty())
+    messages_->show(MessageBar::Kind::warning,
+                    QString::fromStdString(warnings.front()) +
+                        (warnings.size() > 1 ? tr(" More in the step Open.") : QString()));
+}
+
+void MainWindow::keepView() {
+  QJsonObject view;
+  view[QStringLiteral("crosshair")] = toJson(state_.crosshair());
+  view[QStringLiteral("window")] = state_.window();
+  view[QStringLiteral("level")] = state_.level();
+  view[QStringLiteral("colourMap")] = static_cast<int>(state_.colourMap());
+  view[QStringLiteral("surface")] = static_cast<int>(state_.meshColouring());
+  document_.setView(QJsonDocument(view).toJson(QJsonDocument::Compact));
+}
+
+// A session may come from anywhere: what makes no sense is left as it is.
+void MainWindow::restoreView() {
+  const QJsonObject view = QJsonDocument::fromJson(document_.view()).object();
+  const QJsonArray point = view[QStringLiteral("crosshair")].toArray();
+  if (isPoint(point)) state_.setCrosshair({point[0].toDouble(), point[1].toDouble(), point[2].toDouble()});
+  const double window = view[QStringLiteral("window")].toDouble();
+  if (window > 0) state_.setWindowLevel(window, view[QStringLiteral("level")].toDouble());
+  const int map = view[QStringLiteral("colourMap")].toInt(-1);
+  if (map >= 0 && map <= static_cast<int>(ColourMap::contrast))
+    state_.setColourMap(static_cast<ColourMap>(map));
+  const int surface = view[QStringLiteral("surface")].toInt(-1);
+  if (surface >= 0 && surface <= static_cast<int>(MeshColouring::state))
+    state_.setMeshColouring(static_cast<MeshColouring>(surface));
+}
+
+void MainWindow::updateTitle() {
+  setWindowModified(document_.hasVolume() && document_.isModified());
+  setWindowTitle(document_.hasVolume() ? tr("%1[*] – Handlebody").arg(QFileInfo(document_.path()).fileName())
+                                       : tr("Handlebody[*]"));
+}
+
+}  // namespace handlebody::ui

@@ -1,0 +1,77 @@
+#include "ui/window/menus.h"
+
+#include <QCoreApplication>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolBar>
+#include <map>
+
+#include "ui/window/commands.h"
+#include "ui/window/icons.h"
+
+namespace handlebody::ui {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Menus", text); }
+
+constexpr int kIcon = 20;  // logical pixels
+
+QMenu* submenu(QMenu& menu, const QString& title, std::map<QString, QMenu*>& known) {
+  QMenu*& sub = known[menu.title() + title];
+  if (!sub) sub = menu.addMenu(title);
+  return sub;
+}
+
+void addSpecialMenus(const CommandSpec& last, QMenu& menu, OpenMenus& special) {
+  if (last.id == Command::openFolder) {
+    special.recent = menu.addMenu(tr("Open &recent"));
+    special.recent->setEnabled(false);
+  }
+  if (last.id == Command::stepExport) special.panels = menu.addMenu(tr("&Panels"));
+}
+
+}  // namespace
+
+OpenMenus buildMenus(QMainWindow& window, const Commands& commands) {
+  OpenMenus special;
+  std::map<QString, QMenu*> menus, submenus;
+  for (const CommandSpec& spec : Commands::table()) {
+    QMenu*& menu = menus[QString::fromLatin1(spec.menu)];
+    if (!menu) menu = window.menuBar()->addMenu(Commands::translated(spec.menu));
+    if (spec.separatorBefore) menu->addSeparator();
+    QMenu* target = *spec.submenu ? submenu(*menu, Commands::translated(spec.submenu), submenus) : menu;
+    target->addAction(commands[spec.id]);
+    addSpecialMenus(spec, *menu, special);
+  }
+  return special;
+}
+
+void buildToolbar(QMainWindow& window, const Commands& commands) {
+  auto* bar = new QToolBar(tr("Tools"), &window);
+  bar->setObjectName(QStringLiteral("tools"));
+  bar->setIconSize(QSize(kIcon, kIcon));
+  bar->setMovable(false);
+  const std::vector<std::vector<Command>> groups{
+      {Command::openFile, Command::openFolder, Command::saveSession},
+      {Command::undo, Command::redo},
+      {Command::addSeed, Command::deleteSeed, Command::shrinkSeed, Command::growSeed},
+      {Command::toStart, Command::previousEvent, Command::stepBack, Command::run, Command::stepForward,
+       Command::nextEvent},
+      {Command::windowLevelTool, Command::autoWindow},
+      {Command::fourViews, Command::resetViews},
+      {Command::exportResult, Command::exportPicture},
+      {Command::guide}};
+  for (const auto& group : groups) {
+    if (!bar->actions().isEmpty()) bar->addSeparator();
+    for (Command id : group) {
+      bar->addAction(commands[id]);
+      QWidget* button = bar->widgetForAction(commands[id]);
+      button->setFocusPolicy(Qt::TabFocus);
+      button->setAccessibleName(commands[id]->text().remove(QLatin1Char('&')));
+    }
+  }
+  window.addToolBar(bar);
+}
+
+}  // namespace handlebody::ui

@@ -1,0 +1,164 @@
+#include "ui/window/open_panel.h"
+
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/model/document.h"
+#include "ui/window/action_button.h"
+#include "ui/window/commands.h"
+#include "ui/window/numbers.h"
+#include "ui/window/panel_tools.h"
+
+namespace handlebody::ui {
+
+namespace {
+
+// How far the volume's axes may be off the patient's before it is called oblique, as |cos| of the angle: the
+// one degree of the pictures.
+constexpr double kStraight = 0.99985;
+
+QString axesText(const Grid& grid) {
+  const bool straight = (grid.direction.cwiseAbs().colwise().maxCoeff().array() > kStraight).all();
+  return straight ? OpenPanel::tr("along the patient's axes")
+                  : OpenPanel::tr("oblique: slices follow the volume's own axes");
+}
+
+Vec3 sizeOf(const Grid& grid) { return {double(grid.size[0]), double(grid.size[1]), double(grid.size[2])}; }
+
+}  // namespace
+
+OpenPanel::OpenPanel(Document& document, const Commands& commands, QWidget* parent)
+    : QWidget(parent), document_(document) {
+  auto* layout = panelLayout(this);
+  layout->addWidget(new ActionButton(commands[Command::openFile], this));
+  layout->addWidget(new ActionButton(commands[Command::openFolder], this));
+  hint_ = hint(tr("Open a CT, MR or ultrasound volume, a DICOM folder or a saved session; files can also be "
+                  "dropped on the window."),
+               this);
+  layout->addWidget(hint_);
+  buildChoice();
+  layout->addWidget(choice_);
+  buildFacts();
+  layout->addWidget(facts_);
+  layout->addStretch();
+  connect(&document_, &Document::opened, this, &OpenPanel::showOpened);
+  connect(&document_, &Document::seriesChoiceNeeded, this, &OpenPanel::offerSeries);
+}
+
+void OpenPanel::buildChoice() {
+  choice_ = new QWidget(this);
+  auto* layout = new QVBoxLayout(choice_);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(heading(tr("Several series: choose one"), choice_));
+  series_ = new QListWidget(choice_);
+  series_->setAccessibleName(tr("Series in the folder"));
+  series_->setWordWrap(true);
+  series_->setMinimumHeight(140);
+  layout->addWidget(series_);
+  auto* open = new QPushButton(tr("Open this series"), choice_);
+  layout->addWidget(open);
+  connect(open, &QPushButton::clicked, this, &OpenPanel::openSeries);
+  connect(series_, &QListWidget::itemActivated, this, &OpenPanel::openSeries);
+  choice_->hide();
+}
+
+void OpenPanel::addFact(QFormLayout* form, const QString& name, QLabel*& field) {
+  field = value(name, facts_);
+  form->addRow(name, field);
+}
+
+void OpenPanel::buildFacts() {
+  facts_ = new QWidget(this);
+  auto* layout = new QVBoxLayout(facts_);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(heading(tr("Open now"), facts_));
+  QFormLayout* form = panelForm();
+  addFact(form, tr("Name"), name_);
+  addFact(form, tr("Format"), format_);
+  addFact(form, tr("Voxels"), size_);
+  addFact(form, tr("Spacing"), spacing_);
+  addFact(form, tr("Extent"), extent_);
+  addFact(form, tr("Type"), type_);
+  addFact(form, tr("Axes"), axes_);
+  layout->addLayout(form);
+
+  time_ = new QWidget(facts_);
+  auto* row = new QHBoxLayout(time_);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(new QLabel(tr("Time point"), time_));
+  frame_ = new QSpinBox(time_);
+  describe(frame_, tr("Time point"), tr("The volume has several time points; one is shown and segmented"));
+  row->addWidget(frame_, 1);
+  auto* load = new QPushButton(tr("Load"), time_);
+  row->addWidget(load);
+  layout->addWidget(time_);
+  connect(load, &QPushButton::clicked, this, [this] {
+    VolumeSelection selection;
+    selection.frame = frame_->value();
+    document_.open(document_.path(), selection);
+  });
+
+  warnings_ = value(tr("Warnings"), facts_);
+  layout->addWidget(warnings_);
+  facts_->hide();
+}
+
+void OpenPanel::offerSeries(const QString& path, const std::vector<SeriesInfo>& series) {
+  choicePath_ = path;
+  series_->clear();
+  for (const SeriesInfo& s : series) {
+    const QString description = QString::fromStdString(s.description.empty() ? s.uid : s.description);
+    auto* item = new QListWidgetItem(tr("%1\n%n file(s)", nullptr, s.files).arg(description), series_);
+    item->setData(Qt::UserRole, QString::fromStdString(s.uid));
+    item->setToolTip(QString::fromStdString(s.uid));
+  }
+  series_->setCurrentRow(0);
+  choice_->show();
+  series_->setFocus();
+}
+
+void OpenPanel::openSeries() {
+  if (!series_->currentItem()) return;
+  VolumeSelection selection;
+  selection.series = series_->currentItem()->data(Qt::UserRole).toString().toStdString();
+  document_.open(choicePath_, selection);
+}
+
+void OpenPanel::showOpened() {
+  choice_->hide();
+  const VolumeInfo& info = document_.info();
+  const Grid& grid = document_.volume().grid;
+  name_->setText(QFileInfo(document_.path()).fileName());
+  name_->setToolTip(document_.path());
+  format_->setText(QString::fromStdString(info.format));
+  size_->setText(times(sizeOf(grid), 0));
+  spacing_->setText(times(grid.spacing, 3) + tr(" mm"));
+  extent_->setText(times(sizeOf(grid).cwiseProduct(grid.spacing), 0) + tr(" mm"));
+  const VoxelType type = document_.volume().type;
+  const double size = double(grid.voxelCount()) * double(bytesPerVoxel(type));
+  type_->setText(QStringLiteral("%1, %2").arg(QString::fromLatin1(voxelTypeName(type)), bytes(size)));
+  axes_->setText(axesText(grid));
+  time_->setVisible(info.frames > 1);
+  frame_->setRange(0, info.frames - 1);
+  frame_->setSuffix(tr(" of 0 to %1").arg(info.frames - 1));
+  showWarnings(info.warnings);
+  hint_->hide();
+  facts_->show();
+}
+
+void OpenPanel::showWarnings(const std::vector<std::string>& warnings) {
+  QStringList lines;
+  for (const std::string& warning : warnings)
+    lines << QStringLiteral("<p>⚠ %1</p>").arg(QString::fromStdString(warning).toHtmlEscaped());
+  warnings_->setText(lines.join(QString()));
+  warnings_->setVisible(!lines.isEmpty());
+}
+
+}  // namespace handlebody::ui

@@ -1,0 +1,87 @@
+#include "ui/window/panel_tools.h"
+
+#include <QAction>
+#include <QEvent>
+#include <QFormLayout>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace handlebody::ui {
+
+namespace {
+
+class WheelGuard : public QObject {
+ public:
+  using QObject::QObject;
+
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() != QEvent::Wheel || static_cast<QWidget*>(watched)->hasFocus()) return false;
+    event->ignore();
+    return true;
+  }
+};
+
+}  // namespace
+
+QVBoxLayout* panelLayout(QWidget* panel) {
+  auto* layout = new QVBoxLayout(panel);
+  layout->setContentsMargins(12, 10, 12, 12);
+  layout->setSpacing(8);
+  return layout;
+}
+
+QLabel* heading(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  QFont font = label->font();
+  font.setBold(true);
+  label->setFont(font);
+  label->setContentsMargins(0, 6, 0, 0);
+  return label;
+}
+
+QLabel* hint(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setWordWrap(true);
+  label->setForegroundRole(QPalette::PlaceholderText);
+  return label;
+}
+
+QFormLayout* panelForm() {
+  auto* form = new QFormLayout;
+  form->setHorizontalSpacing(12);
+  form->setVerticalSpacing(6);
+  form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  form->setFormAlignment(Qt::AlignLeft | Qt::AlignTop);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  return form;
+}
+
+QLabel* value(const QString& name, QWidget* parent) {
+  auto* label = new QLabel(parent);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  label->setWordWrap(true);
+  label->setAccessibleName(name);
+  return label;
+}
+
+QToolButton* smallButton(QAction* action, QWidget* parent) {
+  auto* button = new QToolButton(parent);
+  button->setDefaultAction(action);
+  button->setFocusPolicy(Qt::TabFocus);
+  button->setMinimumSize(30, 30);
+  button->setAccessibleName(action->text().remove(QLatin1Char('&')));
+  return button;
+}
+
+void ignoreWheelWithoutFocus(QWidget* field) {
+  field->setFocusPolicy(Qt::StrongFocus);  // a wheel does not give the focus
+  field->installEventFilter(new WheelGuard(field));
+}
+
+void describe(QWidget* field, const QString& name, const QString& tip) {
+  field->setAccessibleName(name);
+  field->setAccessibleDescription(tip);
+  field->setToolTip(QStringLiteral("<p>%1</p>").arg(tip.toHtmlEscaped()));  // rich text, so that it wraps
+}
+
+}  // namespace handlebody::ui

@@ -1,0 +1,31 @@
+#pragma once
+// What all panels are built of, so that they look and behave alike.
+
+#include <QLabel>
+#include <QString>
+
+class QAction;
+class QFormLayout;
+class QToolButton;
+class QVBoxLayout;
+
+namespace handlebody::ui {
+
+//! The margins and spacing of a panel.
+QVBoxLayout* panelLayout(QWidget* panel);
+//! A heading over a part of a panel.
+QLabel* heading(const QString& text, QWidget* parent);
+//! Says what to do; wraps, in the colour of less important text.
+QLabel* hint(const QString& text, QWidget* parent);
+//! A form whose labels stand over or beside their fields as the width allows.
+QFormLayout* panelForm();
+//! A text beside a name in a form, that can be selected and wraps.
+QLabel* value(const QString& name, QWidget* parent);
+//! Icon only; the tooltip and the accessible name are the action's.
+QToolButton* smallButton(QAction* action, QWidget* parent);
+//! Fields do not change under a wheel that was meant to scroll the panel.
+void ignoreWheelWithoutFocus(QWidget* field);
+//! Lets a field be found and read aloud: accessible name, tooltip, and the same text as "what is this".
+void describe(QWidget* field, const QString& name, const QString& tip);
+
+}  // namespace handlebody::ui

@@ -1,0 +1,36 @@
+#pragma once
+// Step 2: the seeds, where they lie and how large they are.
+
+#include <QWidget>
+
+class QLabel;
+class QTableWidget;
+
+namespace handlebody::ui {
+
+class Commands;
+class Document;
+class ValueField;
+class ViewState;
+
+class SeedPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  SeedPanel(Document& document, ViewState& state, const Commands& commands, QWidget* parent = nullptr);
+
+ private:
+  void buildTable();
+  void showSeeds();
+  void showSelected();
+  void select(int row);
+
+  Document& document_;
+  ViewState& state_;
+  QLabel *hint_, *error_;
+  QTableWidget* table_;
+  QWidget* details_;
+  ValueField* radius_;
+};
+
+}  // namespace handlebody::ui
