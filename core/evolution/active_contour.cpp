@@ -5,6 +5,7 @@
 
 #include "core/collision/self_intersection.h"
 #include "core/errors.h"
+#include "core/evolution/image_doubts.h"
 #include "core/evolution/motion.h"
 #include "core/evolution/object_image.h"
 #include "core/evolution/object_range.h"
@@ -147,7 +148,8 @@ struct ActiveContour::State {
 
 void ActiveContour::State::chooseImage(const Parameters& p) {
   const ObjectChoice choice = chooseObject(volume, seeds, p);
-  image = std::make_shared<ObjectImage>(choice.volume, choice.range, choice.contrast);
+  image =
+      std::make_shared<ObjectImage>(choice.volume, choice.range, choice.contrast, choice.levels, choice.neck);
   parameters.object = choice.object;
   parameters.range = choice.range;
   parameters.smoothing = choice.volume->sigma();
@@ -441,6 +443,7 @@ bool ActiveContour::isSettled(int vertex) const { return state_->sleeps(vertex);
 std::size_t ActiveContour::memory() const {
   return sizeof(State) + state_->mesh.memory() + state_->quiet.size();
 }
+std::vector<std::string> ActiveContour::doubts() const { return imageDoubts(state_->mesh, *state_->image); }
 void ActiveContour::recordTraces(bool on) { state_->traces = on; }
 
 }  // namespace handlebody
