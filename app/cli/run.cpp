@@ -146,6 +146,7 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
   const auto [mesh, certificate] = certifiedForExport(contour.mesh().compact());
   report.mesh = certificate;
   report.doubts = doubts(report, mesh);
+  for (std::string& d : contour.doubts()) report.doubts.push_back(std::move(d));
   for (const std::string& d : report.doubts) std::fprintf(stderr, "handlebody-cli: warning: %s\n", d.c_str());
   {
     DeferSignals whole;

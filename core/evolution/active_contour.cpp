@@ -5,6 +5,7 @@
 
 #include "core/collision/self_intersection.h"
 #include "core/errors.h"
+#include "core/evolution/image_doubts.h"
 #include "core/evolution/motion.h"
 #include "core/evolution/object_image.h"
 #include "core/evolution/object_range.h"
@@ -88,6 +89,10 @@ const char* stopReasonName(StopReason reason) {
       return "max-iterations";
     case StopReason::empty:
       return "empty";
+    case StopReason::frozen:
+      return "frozen";
+    case StopReason::stuck:
+      return "stuck";
     default:
       return "running";
   }
@@ -139,12 +144,14 @@ struct ActiveContour::State {
   Event rolledBack(const Vec3& place, const char* reason) const;
   void updateQuiet(const Attempt& a);
   void decideStop(const StepReport& report);
+  StopReason restReason() const;
   StepReport step();
 };
 
 void ActiveContour::State::chooseImage(const Parameters& p) {
   const ObjectChoice choice = chooseObject(volume, seeds, p);
-  image = std::make_shared<ObjectImage>(choice.volume, choice.range, choice.contrast);
+  image =
+      std::make_shared<ObjectImage>(choice.volume, choice.range, choice.contrast, choice.levels, choice.neck);
   parameters.object = choice.object;
   parameters.range = choice.range;
   parameters.smoothing = choice.volume->sigma();
@@ -204,8 +211,7 @@ void ActiveContour::State::change(const Parameters& p, const State* prepared) {
     quietIterations = nearlyStillIterations = 0;
     smallestExtent = 0;
   }
-  if (stop == StopReason::maxIterations || (wake && stop == StopReason::converged))
-    stop = StopReason::running;
+  if (stop == StopReason::maxIterations || (wake && stop != StopReason::empty)) stop = StopReason::running;
   if (stop == StopReason::running && iteration >= p.maxIterations) stop = StopReason::maxIterations;
 }
 
@@ -346,9 +352,21 @@ void ActiveContour::State::decideStop(const StepReport& report) {
   if (mesh.faceCount() == 0)
     stop = StopReason::empty;
   else if (quietIterations >= kQuietToStop || nearlyStillIterations >= kStillToStop)
-    stop = StopReason::converged;
+    stop = restReason();
   else if (iteration >= parameters.maxIterations)
     stop = StopReason::maxIterations;
+}
+
+//! Why nothing moves: of its own accord, or because it rests for good and would move if it did not.
+StopReason ActiveContour::State::restReason() const {
+  std::vector<int> resters;
+  for (int v = 0; v < mesh.vertexSlots(); ++v)
+    if (mesh.isVertex(v) && resting.rests(mesh.position(v), iteration)) resters.push_back(v);
+  const std::vector<Vec3> moves = computeMotion(mesh, *image, motion, resters);
+  const bool held = std::any_of(moves.begin(), moves.end(),
+                                [&](const Vec3& m) { return m.norm() >= kQuiet * parameters.edgeLength; });
+  if (!held) return StopReason::converged;
+  return static_cast<int>(resters.size()) == mesh.vertexCount() ? StopReason::stuck : StopReason::frozen;
 }
 
 StepReport ActiveContour::State::step() {
@@ -427,6 +445,7 @@ bool ActiveContour::isSettled(int vertex) const { return state_->sleeps(vertex);
 std::size_t ActiveContour::memory() const {
   return sizeof(State) + state_->mesh.memory() + state_->quiet.size();
 }
+std::vector<std::string> ActiveContour::doubts() const { return imageDoubts(state_->mesh, *state_->image); }
 void ActiveContour::recordTraces(bool on) { state_->traces = on; }
 
 }  // namespace handlebody

@@ -2,6 +2,8 @@
 // The active contour: seeds grow into the object; each step is a transaction that leaves a certified mesh.
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "core/evolution/parameters.h"
 #include "core/evolution/step_report.h"
@@ -53,6 +55,9 @@ class ActiveContour {
   bool isSettled(int vertex) const;
   //! Bytes of a copy that are its own: not the image.
   std::size_t memory() const;
+  //! What in the image speaks against the surface as it is now: sentences without a full stop
+  //! (image_doubts.h).
+  std::vector<std::string> doubts() const;
   //! Traces of events are recorded from the next step on. Off by default.
   void recordTraces(bool on);
 

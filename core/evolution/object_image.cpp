@@ -1,6 +1,7 @@
 #include "core/evolution/object_image.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace handlebody {
 
@@ -10,6 +11,11 @@ constexpr double kBorder = 0.49;  // voxels
 }  // namespace
 
 double ObjectImage::inside(const Vec3& world) const {
+  const double value = insideByIntensity(world);
+  return neck_ ? std::min(value, neck_->barrier->openness(volume_->grid().toIndex(world))) : value;
+}
+
+double ObjectImage::insideByIntensity(const Vec3& world) const {
   const Grid& grid = volume_->grid();
   const Vec3 index = grid.toIndex(world);
   double border = 1;
@@ -18,7 +24,9 @@ double ObjectImage::inside(const Vec3& world) const {
     border = std::min({border, index[a] + kBorder, last + kBorder - index[a]});
   }
   const double value = volume_->sample(index);
-  return std::min({(value - range_.low) / scale_, (range_.high - value) / scale_, border});
+  double low = range_.low, high = range_.high;
+  if (levels_) (std::isfinite(high) ? high : low) = levels_->at(index);
+  return std::min({(value - low) / scale_, (high - value) / scale_, border});
 }
 
 }  // namespace handlebody

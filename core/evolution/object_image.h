@@ -3,27 +3,42 @@
 
 #include <memory>
 
+#include "core/evolution/level_field.h"
+#include "core/evolution/neck.h"
 #include "core/evolution/parameters.h"
 #include "core/volume/smoothed_volume.h"
 
 namespace handlebody {
 
-//! Smoothed volume and intensity range of the object.
+//! Smoothed volume and intensity range of the object. With `levels` the range's finite end is theirs, place
+//! by place (the upper end if both are finite); with `neck` the object ends there.
 class ObjectImage {
  public:
-  ObjectImage(std::shared_ptr<const SmoothedVolume> volume, const IntensityRange& range, double scale)
-      : volume_(std::move(volume)), range_(range), scale_(scale) {}
+  ObjectImage(std::shared_ptr<const SmoothedVolume> volume, const IntensityRange& range, double scale,
+              std::shared_ptr<const LevelField> levels = nullptr,
+              std::shared_ptr<const NeckCut> neck = nullptr)
+      : volume_(std::move(volume)),
+        range_(range),
+        scale_(scale),
+        levels_(std::move(levels)),
+        neck_(std::move(neck)) {}
 
   //! > 0 inside the object, 0 at its boundary, < 0 outside; 1 is `scale` intensity units from the boundary.
   //! World mm. Outside the volume, and from half a voxel beyond the centres of the border voxels on, it is
   //! negative.
   double inside(const Vec3& world) const;
+  //! The same without the neck: what the intensities alone say.
+  double insideByIntensity(const Vec3& world) const;
   const SmoothedVolume& volume() const { return *volume_; }
+  //! Null if the object is not cut off.
+  const NeckCut* neck() const { return neck_.get(); }
 
  private:
   std::shared_ptr<const SmoothedVolume> volume_;
   IntensityRange range_;
   double scale_;  // intensity units
+  std::shared_ptr<const LevelField> levels_;
+  std::shared_ptr<const NeckCut> neck_;
 };
 
 }  // namespace handlebody

@@ -1,12 +1,19 @@
 #include "core/evolution/object_range.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 
 #include "core/errors.h"
-#include "core/evolution/region_growth.h"
+#include "core/evolution/growth_level.h"
+#include "core/evolution/object_boundary.h"
+#include "core/evolution/object_image.h"
+#include "core/evolution/seed_statistics.h"
+#include "core/evolution/seeds.h"
+#include "core/volume/intensity_statistics.h"
 
 namespace handlebody {
 
@@ -15,16 +22,19 @@ namespace {
 // Standard deviations of the Gaussian that are tried, in voxels (mean spacing).
 constexpr std::array<double, 7> kSigmas{0.5, 0.7, 1.0, 1.3, 1.6, 2.0, 2.5};
 constexpr double kFirstSigma = 1.0;
-// Noise may be this part of the distance between the object's level and the boundary level: then one voxel in
-// 10^4 of Gaussian noise looks like background, and more.
-constexpr double kNoiseAllowed = 0.2;
+// Noise may be this part of the distance between the object's level and the boundary level. Speckle that the
+// smoothing has made a few voxels wide still looks like background here and there at a fifth.
+constexpr double kNoiseAllowed = 0.15;
+// The noise is measured in balls of up to this many voxels: in smaller ones speckle is hardly more than one
+// grain.
+constexpr double kNoiseRadius = 8;
+// A region of this many times the ball that fits around the seed, that also holds this part of the volume's
+// border, may have leaked.
+constexpr double kOutOfProportion = 400;
+constexpr double kOnBorder = 1e-3;
 // White noise falls by at least a third from one of kSigmas to the next; what falls by less than this is
 // structure.
 constexpr double kStructure = 0.85;
-// A jump of the region's size by this factor from one level to the next is a leak into another region.
-constexpr double kLeakFactor = 4;
-// A boundary found after a leak must be this much stronger than the best one before it.
-constexpr double kLeakAdvantage = 2.5;
 // A dark object is none if a bright one at the same seed has a boundary this many times stronger, and the
 // reverse.
 constexpr double kWrongKind = 4;
@@ -33,16 +43,8 @@ constexpr double kWrongKind = 4;
 constexpr double kClearEdge = 1.4;
 // An automatic object that holds more than this part of the volume's border is the background.
 constexpr double kBackground = 0.5;
-// Fewer voxels than this are no region yet.
-constexpr double kLeastRegion = 30;
 
 using FieldOfViewPointer = std::shared_ptr<const FieldOfView>;
-
-double quantile(std::vector<double> values, double q) {
-  const auto at = static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + at, values.end());
-  return values[static_cast<std::size_t>(at)];
-}
 
 //! About 200,000 voxel values, evenly spread.
 std::vector<double> sampleVoxels(const Volume& volume) {
@@ -56,114 +58,23 @@ std::vector<double> sampleVoxels(const Volume& volume) {
   return values;
 }
 
-//! Smoothed values at the voxels within `radius` mm of the seeds.
-std::vector<double> valuesNear(const SmoothedVolume& volume, const std::vector<Seed>& seeds, double radius) {
-  const Grid& grid = volume.grid();
-  std::vector<double> values;
-  for (const Seed& seed : seeds) {
-    const Vec3 centre = grid.toIndex(seed.centre);
-    std::array<int, 3> low, high;
-    for (std::size_t a = 0; a < 3; ++a) {
-      const double reach = radius / grid.spacing[static_cast<int>(a)];
-      low[a] = std::max(0, static_cast<int>(std::ceil(centre[static_cast<int>(a)] - reach)));
-      high[a] = std::min(grid.size[a] - 1, static_cast<int>(std::floor(centre[static_cast<int>(a)] + reach)));
-    }
-    for (int k = low[2]; k <= high[2]; ++k)
-      for (int j = low[1]; j <= high[1]; ++j)
-        for (int i = low[0]; i <= high[0]; ++i)
-          if ((grid.toWorld(Vec3(i, j, k)) - seed.centre).norm() <= radius)
-            values.push_back(static_cast<double>(volume.at(i, j, k)));
-    values.push_back(volume.sample(centre));
-  }
-  return values;
-}
-
-//! Gradient (intensity per mm) of the noise in the seeds, weighted as RegionGrowth::edge is.
-double noiseEdge(const SmoothedVolume& volume, const std::vector<Seed>& seeds, double radius) {
-  const Grid& grid = volume.grid();
-  double s1 = 0, s2 = 0;
-  for (const Seed& seed : seeds) {
-    const Vec3 centre = grid.toIndex(seed.centre);
-    const Vec3 reach = Vec3::Constant(radius).cwiseQuotient(grid.spacing);
-    for (double k = std::ceil(centre[2] - reach[2]); k <= centre[2] + reach[2]; ++k)
-      for (double j = std::ceil(centre[1] - reach[1]); j <= centre[1] + reach[1]; ++j)
-        for (double i = std::ceil(centre[0] - reach[0]); i <= centre[0] + reach[0]; ++i) {
-          const Vec3 index(i, j, k);
-          if (!grid.contains(index) || (grid.toWorld(index) - seed.centre).norm() > radius) continue;
-          Vec3 gradient;
-          for (int a = 0; a < 3; ++a)
-            gradient[a] = (volume.sample(index + Vec3::Unit(a)) - volume.sample(index - Vec3::Unit(a))) /
-                          (2 * grid.spacing[a]);
-          s1 += gradient.norm();
-          s2 += gradient.squaredNorm();
-        }
-  }
-  return s1 > 0 ? s2 / s1 : 0;
-}
-
-//! Radius in which the seeds' statistics are taken: the user's, but no more than a few voxels.
-double statisticsRadius(const Grid& grid, const std::vector<Seed>& seeds) {
-  double radius = 3 * grid.meanSpacing();
-  for (const Seed& s : seeds)
-    if (s.radius) radius = std::min(radius, *s.radius);
-  return radius;
-}
-
-//! A boundary level that the region growth suggests.
-struct Boundary {
-  double level = 0;     // signed
-  double strength = 0;  // signed intensity per mm
-  double border = 0;    // part of the volume's border that the region holds
-  bool found = false;
-};
-
-//! Weighted mean of the levels around the strongest bin whose edge is nearly as strong: on an ideal ramp the
-//! half-way level, whatever the noise does to the top of the curve.
-double centreOfPeak(const RegionGrowth& g, std::size_t best, std::size_t first, std::size_t last) {
-  double sum = 0, weight = 0;
-  const double least = 0.85 * g.edge[best];
-  for (std::size_t b = best; b + 1 > first && g.edge[b] >= least; --b) {
-    sum += g.level(b) * (g.edge[b] - least);
-    weight += g.edge[b] - least;
-    if (b == 0) break;
-  }
-  for (std::size_t b = best + 1; b < last && g.edge[b] >= least; ++b) {
-    sum += g.level(b) * (g.edge[b] - least);
-    weight += g.edge[b] - least;
-  }
-  return weight > 0 ? sum / weight : g.level(best);
-}
-
-Boundary findBoundary(const RegionGrowth& g) {
-  Boundary out;
-  std::size_t first = 0;
-  for (std::size_t b = 1; b <= g.edge.size(); ++b) {
-    const bool leak =
-        b < g.edge.size() && g.voxels[b - 1] >= kLeastRegion && g.voxels[b] > kLeakFactor * g.voxels[b - 1];
-    if (!leak && b < g.edge.size()) continue;
-    std::size_t best = first;
-    for (std::size_t c = first; c < b; ++c)
-      if (g.voxels[c] >= kLeastRegion && g.edge[c] > g.edge[best]) best = c;
-    if (g.voxels[best] >= kLeastRegion && g.edge[best] > (out.found ? kLeakAdvantage : 1.0) * out.strength)
-      out = {centreOfPeak(g, best, first, b), g.edge[best], g.border[best], true};
-    first = b;
-  }
-  return out;
-}
-
 struct Statistics {
   double level;            // median in the seeds
   double lowest, highest;  // of the whole volume, outliers left out
 };
 
-Boundary searchBoundary(const SmoothedVolume& volume, const std::vector<Seed>& seeds, const Statistics& s,
-                        ObjectKind kind) {
+std::vector<Vec3> indicesOf(const Grid& grid, const std::vector<Seed>& seeds) {
+  std::vector<Vec3> indices;
+  for (const Seed& s : seeds) indices.push_back(grid.toIndex(s.centre));
+  return indices;
+}
+
+std::optional<GrowthLevel> searchLevel(const SmoothedVolume& volume, const std::vector<Seed>& seeds,
+                                       const Statistics& s, ObjectKind kind) {
   const double sign = kind == ObjectKind::dark ? 1 : -1;
   const double from = sign * s.level, to = sign > 0 ? s.highest : -s.lowest;
   if (!(to > from)) return {};
-  std::vector<Vec3> indices;
-  for (const Seed& seed : seeds) indices.push_back(volume.grid().toIndex(seed.centre));
-  return findBoundary(growRegion(volume, indices, sign, from, to));
+  return strongestLevel(growRegion(volume, indicesOf(volume.grid(), seeds), sign, from, to));
 }
 
 void requireSeedsInside(const Grid& grid, const std::vector<Seed>& seeds) {
@@ -220,15 +131,25 @@ void requireSeedsInRange(const ObjectChoice& choice, const std::vector<Seed>& se
   }
 }
 
+//! Radius (mm) of the balls around the seeds in which the noise is measured: as far as the object goes.
+double noiseRadius(const std::vector<Seed>& seeds, const ObjectChoice& choice) {
+  const Grid& grid = choice.volume->grid();
+  const ObjectImage image(choice.volume, choice.range, choice.contrast);
+  double radius = kNoiseRadius * grid.meanSpacing();
+  for (const Seed& s : seeds) radius = std::min(radius, fittingRadius(image, s.centre, radius));
+  return std::max(radius, statisticsRadius(grid, seeds));
+}
+
 //! The least smoothing that is enough for the noise near the seeds. What more smoothing hardly lessens is
 //! structure and not noise: it ends the search too.
 double chooseSmoothing(const Volume& volume, const std::vector<Seed>& seeds, const ObjectChoice& choice) {
   const double voxel = volume.grid.meanSpacing();
+  const double radius = noiseRadius(seeds, choice);
   double before = std::numeric_limits<double>::infinity();
   double best = kSigmas.front();
   for (double sigma : kSigmas) {
     const SmoothedVolume smoothed(volume, sigma * voxel);
-    std::vector<double> values = valuesNear(smoothed, seeds, statisticsRadius(volume.grid, seeds));
+    std::vector<double> values = valuesNear(smoothed, seeds, radius);
     const double middle = quantile(values, 0.5);
     for (double& v : values) v = std::abs(v - middle);
     // 1.4826: from the median deviation to the standard deviation of a normal distribution.
@@ -268,7 +189,38 @@ void setImage(ObjectChoice& choice, const Volume& volume, double sigma,
   const double wall = std::isfinite(choice.range.high) ? choice.range.high + choice.contrast
                                                        : choice.range.low - choice.contrast;
   if (!needed || !std::isfinite(wall)) view = nullptr;  // a range without ends holds everything
+  if (!view && choice.volume && choice.volume->sigma() == sigma) return;  // it has been made already
   choice.volume = std::make_shared<SmoothedVolume>(volume, sigma, std::move(view), wall);
+}
+
+//! Voxels of the largest ball around a seed, of at most kNoiseRadius.
+double seedBallVoxels(const ObjectChoice& choice, const std::vector<Seed>& seeds) {
+  const ObjectImage image(choice.volume, choice.range, choice.contrast);
+  const double voxel = choice.volume->grid().meanSpacing();
+  double largest = voxel;
+  for (const Seed& s : seeds)
+    largest = std::max(largest, fittingRadius(image, s.centre, kNoiseRadius * voxel));
+  return 4.0 / 3 * std::numbers::pi * std::pow(largest / voxel, 3);
+}
+
+//! The boundary place by place. `found`: what the growth said about the level in the range.
+void setBoundary(ObjectChoice& choice, const std::vector<Seed>& seeds, const GrowthLevel& found) {
+  const bool dark = choice.object == ObjectKind::dark;
+  double& end = dark ? choice.range.high : choice.range.low;
+  const ObjectSearch search{
+      *choice.volume, indicesOf(choice.volume->grid(), seeds), dark ? 1.0 : -1.0, choice.level, end,
+      found.voxels};
+  std::optional<ObjectBoundary> boundary;
+  if (found.border > kOnBorder && found.voxels > kOutOfProportion * seedBallVoxels(choice, seeds))
+    boundary = findBoundaryAtNeck(search);
+  if (boundary) {
+    end = boundary->levels.at(search.seeds[0]);
+    choice.contrast = std::abs(end - choice.level);
+  } else {
+    boundary = findBoundary(search);
+  }
+  choice.levels = std::make_shared<LevelField>(std::move(boundary->levels));
+  if (boundary->neck) choice.neck = std::make_shared<NeckCut>(*std::move(boundary->neck));
 }
 
 //! With a given range the contrast is the distance from the level in the seeds to the nearer end.
@@ -292,36 +244,39 @@ ObjectChoice withGivenRange(const Volume& volume, const std::vector<Seed>& seeds
   return choice;
 }
 
-//! Dark or bright, and the level of the boundary, on an image of one smoothing. False if there is none, or if
+//! Dark or bright, and the level of the boundary, on an image of one smoothing. None if there is none, or if
 //! what is asked for has a far weaker boundary than the opposite, or if what was found is the background
 //! around everything.
-bool chooseBoundary(ObjectChoice& choice, const Volume& volume, double sigma, const FieldOfViewPointer& view,
-                    const std::vector<Seed>& seeds, Statistics& whole, ObjectKind asked) {
-  const SmoothedVolume plain(volume, sigma);
+std::optional<GrowthLevel> chooseLevel(ObjectChoice& choice, const Volume& volume, double sigma,
+                                       const FieldOfViewPointer& view, const std::vector<Seed>& seeds,
+                                       Statistics& whole, ObjectKind asked) {
+  choice.volume = std::make_shared<SmoothedVolume>(volume, sigma);
+  const SmoothedVolume& plain = *choice.volume;
   whole.level = quantile(valuesNear(plain, seeds, statisticsRadius(volume.grid, seeds)), 0.5);
+  const double noise = noiseEdge(plain, seeds, statisticsRadius(volume.grid, seeds));
   const auto search = [&](ObjectKind kind) {
     // Padding as dark as a dark object would be flooded with it; the region stops there, and its edge does
     // not count.
     const bool alike =
         view && (kind == ObjectKind::dark ? view->value() <= whole.level : view->value() >= whole.level);
-    if (!alike) return searchBoundary(plain, seeds, whole, kind);
-    return searchBoundary(SmoothedVolume(volume, sigma, view, view->value()), seeds, whole, kind);
+    auto found = alike ? searchLevel(SmoothedVolume(volume, sigma, view, view->value()), seeds, whole, kind)
+                       : searchLevel(plain, seeds, whole, kind);
+    if (found && found->strength <= kClearEdge * noise) found.reset();
+    return found;
   };
-  Boundary dark = search(ObjectKind::dark), bright = search(ObjectKind::bright);
-  const double noise = noiseEdge(plain, seeds, statisticsRadius(volume.grid, seeds));
-  for (Boundary* b : {&dark, &bright}) b->found = b->found && b->strength > kClearEdge * noise;
-  const bool takeDark = asked == ObjectKind::dark || (asked == ObjectKind::automatic && dark.found &&
-                                                      (!bright.found || dark.strength >= bright.strength));
-  const Boundary& best = takeDark ? dark : bright;
-  const Boundary& other = takeDark ? bright : dark;
-  if (!best.found || (other.found && other.strength > kWrongKind * best.strength)) return false;
-  if (asked == ObjectKind::automatic && best.border > kBackground) return false;
+  const auto dark = search(ObjectKind::dark), bright = search(ObjectKind::bright);
+  const bool takeDark = asked == ObjectKind::dark || (asked == ObjectKind::automatic && dark &&
+                                                      (!bright || dark->strength >= bright->strength));
+  const auto& best = takeDark ? dark : bright;
+  const auto& other = takeDark ? bright : dark;
+  if (!best || (other && other->strength > kWrongKind * best->strength)) return {};
+  if (asked == ObjectKind::automatic && best->border > kBackground) return {};
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   choice.object = takeDark ? ObjectKind::dark : ObjectKind::bright;
-  choice.range = takeDark ? IntensityRange{-kInfinity, best.level} : IntensityRange{-best.level, kInfinity};
+  choice.range = takeDark ? IntensityRange{-kInfinity, best->level} : IntensityRange{-best->level, kInfinity};
   choice.level = whole.level;
-  choice.contrast = std::abs((takeDark ? best.level : -best.level) - whole.level);
-  return choice.contrast > 0;
+  choice.contrast = std::abs((takeDark ? best->level : -best->level) - whole.level);
+  return choice.contrast > 0 ? best : std::nullopt;
 }
 
 }  // namespace
@@ -336,15 +291,16 @@ ObjectChoice chooseObject(const Volume& volume, const std::vector<Seed>& seeds, 
   const FieldOfViewPointer view = paddingBeside(volume, seeds);
   const double first = kFirstSigma * volume.grid.meanSpacing();
   double sigma = p.smoothing.value_or(first);
-  bool found = chooseBoundary(choice, volume, sigma, view, seeds, whole, p.object);
+  auto found = chooseLevel(choice, volume, sigma, view, seeds, whole, p.object);
   if (found && !p.smoothing) {
     // Less smoothing moves no level, and the growth need not be repeated; more does.
     sigma = chooseSmoothing(volume, seeds, choice);
-    if (sigma > first) found = chooseBoundary(choice, volume, sigma, view, seeds, whole, p.object);
+    if (sigma > first) found = chooseLevel(choice, volume, sigma, view, seeds, whole, p.object);
   }
   if (!found) throw SeedError(notInObject(p.object));
   setImage(choice, volume, sigma, view);
   requireSeedsInRange(choice, seeds);
+  setBoundary(choice, seeds, *found);
   return choice;
 }
 

@@ -4,6 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "core/evolution/level_field.h"
+#include "core/evolution/neck.h"
 #include "core/evolution/parameters.h"
 #include "core/volume/smoothed_volume.h"
 
@@ -16,11 +18,16 @@ struct ObjectChoice {
   double level = 0;     //!< median of the smoothed image in the seeds
   double contrast = 0;  //!< |boundary level - level|: scale of the image force
   std::shared_ptr<const SmoothedVolume> volume;
+  //! The finite end of the range place by place; null with a given range, which holds everywhere.
+  std::shared_ptr<const LevelField> levels;
+  //! Where the object is cut off at a neck; null if it is not.
+  std::shared_ptr<const NeckCut> neck;
 };
 
 //! Chooses what `parameters` leaves open. The boundary level is the one at which the connected region that
 //! grows from the seeds has the strongest mean edge; a level after the region has leaked into another one
-//! counts only if its edge is much stronger. Smoothing is the least that brings the noise in the seeds well
+//! counts only if its edge is much stronger. From there on the level is refined place by place
+//! (object_boundary.h). Smoothing is the least that brings the noise in the seeds well
 //! below the contrast. Throws SeedError (seed outside the volume or not in an object), UsageError (range
 //! without voxels).
 ObjectChoice chooseObject(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& parameters);

@@ -1,19 +1,21 @@
 #include "core/evolution/region_growth.h"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include "core/cancellation.h"
+#include "core/evolution/region_patch.h"
 
 namespace handlebody {
 
 namespace {
 
-constexpr int kBins = 200;
+using namespace region;
+
 // The growth goes on until it is this many voxels, or this many times what it was at its strongest edge: by
 // then it has leaked, and nothing but time and memory is spent.
 constexpr double kEnoughVoxels = 120'000;
@@ -23,73 +25,38 @@ constexpr std::size_t kFewBricks = 300;
 constexpr std::size_t kPartOfBricks = 4;
 // One level that lets in more than this is a leak, whatever it leads to.
 constexpr std::size_t kMostVoxels = 2'000'000;
-
-constexpr int kBrick = SmoothedVolume::kBrick;
-constexpr int kStored = SmoothedVolume::kStored;
-constexpr int kBrickMask = kBrick - 1;
+// If it has let in more than this part of the volume's border with it, it is the background: no level after
+// it is that of an object.
+constexpr double kBackground = 0.5;
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
-constexpr int kShift = SmoothedVolume::kBrickShift;
+constexpr std::size_t kBetweenLooks = 16384;  // voxels: a millisecond
 
-struct Voxel {
-  int i, j, k;
-  int along(int axis) const { return axis == 0 ? i : axis == 1 ? j : k; }
-};
-
-//! A voxel of a brick: five bits per axis, x lowest.
-using Place = std::uint16_t;
-constexpr std::array<int, 3> kPlaceStride{1, kBrick, kBrick* kBrick};
-constexpr std::array<int, 3> kValueStride{1, kStored, kStored* kStored};
-
-Place placeOf(const Voxel& v) {
-  return static_cast<Place>((v.k & kBrickMask) << 2 * kShift | (v.j & kBrickMask) << kShift |
-                            (v.i & kBrickMask));
+bool isInside(const Grid& grid, const Voxel& v) {
+  const auto& n = grid.size;
+  return v.i >= 0 && v.j >= 0 && v.k >= 0 && v.i < n[0] && v.j < n[1] && v.k < n[2];
 }
-Voxel inBrick(Place place) { return {place & kBrickMask, place >> kShift & kBrickMask, place >> 2 * kShift}; }
-int valueIndex(const Voxel& v) { return (v.k * kStored + v.j) * kStored + v.i; }
-
-//! A voxel that waits, and its signed value.
-struct Entry {
-  Place place;
-  float value;
-};
-
-//! What the flood keeps of a brick that it has reached.
-struct Patch {
-  const float* values = nullptr;
-  Voxel first{};  // voxel of the grid
-  Voxel last{};   // in the brick: beyond it a neighbour lies in another brick or outside the grid
-  bool onBorder = false;
-  std::array<Patch*, 6> neighbours{};  // two per axis; null: not asked for yet, or outside
-  std::array<std::uint64_t, kBrick * kBrick * kBrick / 64> seen{};
-  std::array<std::vector<Entry>, kBins> waiting;  // per bin
-
-  //! True the first time.
-  bool visit(Place place) {
-    const std::uint64_t bit = std::uint64_t{1} << (place & 63);
-    const bool fresh = (seen[place >> 6] & bit) == 0;
-    seen[place >> 6] |= bit;
-    return fresh;
-  }
-  Voxel inGrid(const Voxel& local) const { return {first.i + local.i, first.j + local.j, first.k + local.k}; }
-};
 
 class Flood {
  public:
-  Flood(const SmoothedVolume& volume, double sign, double lowest, double highest)
+  //! `first`: the level of the lowest seed; up to it nothing grows.
+  Flood(const SmoothedVolume& volume, double sign, double lowest, double highest, int first)
       : volume_(volume),
         sign_(static_cast<float>(sign)),
         lowest_(lowest),
         step_((highest - lowest) / kBins),
+        first_(first),
+        firstEnd_(static_cast<float>(lowest + step_ * (first + 1))),
+        level_(first + 1),
         queue_(kBins),
         sumGradient_(kBins, 0),
         sumSquared_(kBins, 0),
         patches_(volume.brickCount()) {}
 
   void start(const Voxel& v) {
-    if (!isInside(v)) return;
-    push({&patchOf({v.i >> kShift, v.j >> kShift, v.k >> kShift}), placeOf(v)});
+    Patch& patch = patchOf({v.i >> kShift, v.j >> kShift, v.k >> kShift});
+    reach(patch, placeOf(v) >> kShift, Row{1} << (v.i & kBrickMask));
   }
 
   RegionGrowth run() {
@@ -100,9 +67,11 @@ class Flood {
         std::max(0.0, n[0] - 2.0) * std::max(0.0, n[1] - 2.0) * std::max(0.0, n[2] - 2.0);
     double count = 0, strongest = 0, enough = kEnoughVoxels;
     for (int bin = 0; bin < kBins && count < std::min(enough, 2.0 * kMostVoxels) && !isFarSpread(); ++bin) {
-      count += static_cast<double>(drain(bin));
+      const std::size_t taken = bin == first_ ? drainFirst() : drain(bin);
+      count += static_cast<double>(taken);
       growth.voxels.push_back(count);
       growth.border.push_back(border_ / borderVoxels);
+      if (taken >= kMostVoxels && growth.border.back() > kBackground) break;
       const double edge = sumGradient_[idx(bin)] > 0 ? sumSquared_[idx(bin)] / sumGradient_[idx(bin)] : 0;
       if (edge <= strongest) continue;
       strongest = edge;
@@ -116,10 +85,6 @@ class Flood {
   //! A leak into noise spreads thinly through the whole volume, and would have all of it smoothed and kept.
   bool isFarSpread() const {
     return volume_.bricksMade() > std::max(kFewBricks, volume_.brickCount() / kPartOfBricks);
-  }
-  bool isInside(const Voxel& v) const {
-    const auto& size = volume_.grid().size;
-    return v.i >= 0 && v.j >= 0 && v.k >= 0 && v.i < size[0] && v.j < size[1] && v.k < size[2];
   }
   std::size_t indexOf(const Voxel& v) const {
     const auto& size = volume_.grid().size;
@@ -148,6 +113,11 @@ class Flood {
                    std::min(kBrickMask, size[2] - 1 - patch->first.k)};
     patch->onBorder =
         at.i == 0 || at.j == 0 || at.k == 0 || at.i == n[0] - 1 || at.j == n[1] - 1 || at.k == n[2] - 1;
+    for (int row = 0; row < kRows; ++row) {
+      const bool inGrid = (row & kBrickMask) <= patch->last.j && row >> kShift <= patch->last.k;
+      patch->seen[idx(row)] = inGrid ? ~(~Row{0} >> (kBrickMask - patch->last.i)) : ~Row{0};
+      patch->low[idx(row)] = rowBelow(patch->values + rowIndex(row), sign_, firstEnd_);
+    }
     if (volume_.hasPadding()) markPadding(*patch);
     return patch;
   }
@@ -194,6 +164,79 @@ class Flood {
     waiting.push_back({n.place, signedValue});
   }
 
+  // The first level lets in half of the object at once, and of the opposite kind of object all around it: a
+  // row of a brick at a time.
+
+  //! Voxels of a row beside voxels that were taken. Those above the first level wait for theirs.
+  void reach(Patch& patch, int row, Row bits) {
+    bits &= ~patch.seen[idx(row)];
+    const Row high = bits & ~patch.low[idx(row)];
+    for (Row left = high; left != 0; left &= left - 1)
+      push({&patch, static_cast<Place>(row << kShift | std::countr_zero(left))});
+    if ((bits & patch.low[idx(row)]) == 0) return;
+    if (patch.rows.empty()) queue_[idx(first_)].push_back(&patch);
+    if (patch.todo[idx(row)] == 0) patch.rows.push_back(row);
+    patch.todo[idx(row)] |= bits & patch.low[idx(row)];
+  }
+
+  //! Takes in what the first level lets in, brick by brick.
+  std::size_t drainFirst() {
+    std::size_t taken = 0;
+    level_ = first_ + 1;  // what it does not let in waits for the next one at least
+    std::vector<Patch*>& queue = queue_[idx(first_)];
+    for (std::size_t q = 0; q < queue.size() && taken < kMostVoxels && !isFarSpread(); ++q) {
+      std::vector<int>& rows = queue[q]->rows;
+      for (std::size_t r = 0; r < rows.size(); ++r) taken += takeRow(*queue[q], rows[r]);
+      rows.clear();  // from here on the brick may come again
+    }
+    level_ = first_;
+    levelStart_ = lowest_ + step_ * first_;
+    for (const auto& patch : patches_)
+      if (patch) addFirstEdges(*patch);
+    return taken;
+  }
+
+  std::size_t takeRow(Patch& patch, int row) {
+    const Row free = patch.low[idx(row)] & ~patch.seen[idx(row)];
+    const Row start = std::exchange(patch.todo[idx(row)], 0) & free;
+    if (start == 0) return 0;
+    const Row taken = fillRow(start, free);
+    patch.seen[idx(row)] |= taken;
+    patch.taken[idx(row)] |= taken;
+    reach(patch, row, taken << 1 | taken >> 1);
+    if (Patch* before = taken & 1 ? beyond(patch, 0, 0) : nullptr) reach(*before, row, Row{1} << kBrickMask);
+    if (Patch* after = taken >> kBrickMask ? beyond(patch, 0, 1) : nullptr) reach(*after, row, 1);
+    for (int axis : {1, 2})
+      for (int side : {0, 1}) {
+        // The row beside is the neighbour of its first voxel.
+        const auto place = static_cast<Place>(row << kShift);
+        const Neighbour n = neighbour(patch, inBrick(place), place, axis, side);
+        if (n.patch) reach(*n.patch, n.place >> kShift, taken);
+      }
+    if (patch.onBorder) countBorder(patch, row, taken);
+    return static_cast<std::size_t>(std::popcount(taken));
+  }
+
+  void countBorder(const Patch& patch, int row, Row taken) {
+    for (; taken != 0; taken &= taken - 1)
+      if (isOnBorder(patch.inGrid({std::countr_zero(taken), row & kBrickMask, row >> kShift}))) ++border_;
+  }
+
+  void addFirstEdges(Patch& patch) {
+    for (int row = 0; row < kRows; ++row) {
+      if (patch.taken[idx(row)] == 0) continue;
+      const float* values = patch.values + rowIndex(row);
+      Row edge = patch.taken[idx(row)] & ~rowBelow(values, sign_, static_cast<float>(levelStart_));
+      for (; edge != 0; edge &= edge - 1) {
+        const int x = std::countr_zero(edge);
+        const auto place = static_cast<Place>(row << kShift | x);
+        addEdge(patch, {place, sign_ * values[x]}, inBrick(place));
+      }
+    }
+  }
+
+  // The other levels: a voxel at a time.
+
   //! Takes in all voxels that the level of this bin lets in, also those behind them that are lower. Brick by
   //! brick, so that what it touches stays in the cache; the bricks first in, first out, so that the region
   //! grows like a ball.
@@ -202,10 +245,10 @@ class Flood {
     levelStart_ = lowest_ + step_ * bin;
     std::size_t taken = 0;
     for (std::size_t q = 0; q < queue_[idx(bin)].size(); ++q) {
-      giveUpIfCancelled();  // a brick takes a millisecond
       Patch& patch = *queue_[idx(bin)][q];
       std::vector<Entry>& waiting = patch.waiting[idx(bin)];
       for (std::size_t i = 0; i < waiting.size(); ++i, ++taken) {
+        if (taken % kBetweenLooks == 0) giveUpIfCancelled();
         if (taken >= kMostVoxels || isFarSpread()) return taken;
         take(patch, Entry(waiting[i]));
       }
@@ -246,7 +289,7 @@ class Flood {
   bool isBesidePadding(const Voxel& v) const {
     for (int d : {-1, 1})
       for (const Voxel& w : {Voxel{v.i + d, v.j, v.k}, Voxel{v.i, v.j + d, v.k}, Voxel{v.i, v.j, v.k + d}})
-        if (isInside(w) && isPadding(w)) return true;
+        if (isInside(volume_.grid(), w) && isPadding(w)) return true;
     return false;
   }
 
@@ -270,6 +313,8 @@ class Flood {
   const SmoothedVolume& volume_;
   float sign_;  // exact: +1 or -1
   double lowest_, step_;
+  int first_;                                                     // the first level that takes in anything
+  float firstEnd_;                                                // and where it ends
   double border_ = 0;                                             // voxels taken on the faces of the grid
   int level_ = 0;                                                 // the bin that is being drained
   double levelStart_ = -std::numeric_limits<double>::infinity();  // its signed level
@@ -282,10 +327,18 @@ class Flood {
 
 RegionGrowth growRegion(const SmoothedVolume& volume, const std::vector<Vec3>& seeds, double sign,
                         double lowest, double highest) {
-  Flood flood(volume, sign, lowest, highest);
-  for (const Vec3& s : seeds)
-    flood.start({static_cast<int>(std::lround(s[0])), static_cast<int>(std::lround(s[1])),
-                 static_cast<int>(std::lround(s[2]))});
+  std::vector<Voxel> voxels;
+  double least = highest;
+  for (const Vec3& s : seeds) {
+    const Voxel v{static_cast<int>(std::lround(s[0])), static_cast<int>(std::lround(s[1])),
+                  static_cast<int>(std::lround(s[2]))};
+    if (!isInside(volume.grid(), v)) continue;
+    voxels.push_back(v);
+    least = std::min(least, sign * static_cast<double>(volume.at(v.i, v.j, v.k)));
+  }
+  const double level = std::clamp((least - lowest) / (highest - lowest) * kBins, 0.0, kBins - 1.0);
+  Flood flood(volume, sign, lowest, highest, static_cast<int>(level));
+  for (const Voxel& v : voxels) flood.start(v);
   return flood.run();
 }
 

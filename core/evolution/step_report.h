@@ -17,8 +17,15 @@ struct StepReport {
 };
 
 //! Why an evolution ended.
-enum class StopReason { running, converged, maxIterations, empty };
-//! "converged", "max-iterations", "empty", "running".
+enum class StopReason {
+  running,        //!< it has not
+  converged,      //!< nothing moves any more of its own accord
+  maxIterations,  //!< the limit was reached
+  empty,          //!< nothing is left
+  frozen,         //!< nothing moves any more, but places that rest for good would
+  stuck,          //!< no part of a step could be kept, again and again: everything rests
+};
+//! "converged", "max-iterations", "empty", "frozen", "stuck", "running".
 const char* stopReasonName(StopReason reason);
 
 }  // namespace handlebody

@@ -1,5 +1,5 @@
 // The numbers of handles. For two caps a handle is a cyclic sequence of p steps along the first and q along
-// the second cap, placed on the p · q pairs of vertices (see two_front_handle.cpp).
+// the second cap, placed on the p · q pairs of vertices (see countAllOfTwo).
 
 #include <algorithm>
 #include <array>
@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/errors.h"
+#include "core/handles/handle_database.h"
 #include "core/handles/handle_enumeration.h"
 #include "core/handles/handle_sizes.h"
 
@@ -131,6 +132,8 @@ HandleCount countHandles(std::span<const int> sizes, Family family) {
   checkSizes(sizes, family);
   if (sizes.size() == 2) return countOfTwo(sizes, family);
   if (sizes.size() == 3 && family == Family::balanced) return countBalancedOfThree(sizes);
+  if (const auto* stored = HandleDatabase::stored().find(sizes, family))
+    return {stored->handles, stored->generators.size()};
   const std::vector<Handle> handles = enumerateHandles(sizes, family);
   return {handles.size(), countGenerators(sizes, handles)};
 }

@@ -45,8 +45,14 @@ std::vector<Handle> enumerateHandles(std::span<const int> sizes, Family family);
 //! enumerateHandles(sizes, …) returned.
 std::uint64_t countGenerators(std::span<const int> sizes, std::span<const Handle> handles);
 
+//! The least handle of each orbit, in their order. Precondition as for countGenerators.
+std::vector<Handle> generatorsOf(std::span<const int> sizes, std::span<const Handle> handles);
+
+//! All handles that rotations and exchanges make of one, in lexicographic order.
+std::vector<Handle> orbitOf(std::span<const int> sizes, const Handle& generator);
+
 //! The exact numbers. Closed formulas for k = 2 and for balanced handles of k = 3, any sizes; the rest is
-//! listed. Throws UsageError for k other than 2, 3, 4 (monotone: other than 2), a size below 3, numbers
+//! looked up in the database, or listed. Throws UsageError for k other than 2, 3, 4 (monotone: other than 2), a size below 3, numbers
 //! beyond 64 bits, and for handles that must be listed but are too many.
 HandleCount countHandles(std::span<const int> sizes, Family family);
 

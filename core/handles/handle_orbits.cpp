@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <numeric>
+#include <set>
 
 #include "core/handles/handle_enumeration.h"
 #include "core/handles/handle_sizes.h"
@@ -54,20 +55,24 @@ Handle normalised(Handle handle) {
 }
 
 std::uint64_t countGenerators(std::span<const int> sizes, std::span<const Handle> handles) {
-  const std::vector<Permutation> generators = groupGenerators(sizes);
+  return generatorsOf(sizes, handles).size();
+}
+
+std::vector<Handle> generatorsOf(std::span<const int> sizes, std::span<const Handle> handles) {
+  const std::vector<Permutation> group = groupGenerators(sizes);
   std::vector<bool> reached(handles.size(), false);
   std::vector<std::size_t> pending;
-  std::uint64_t orbits = 0;
+  std::vector<Handle> orbits;
   for (std::size_t i = 0; i < handles.size(); ++i) {
     if (reached[i]) continue;
-    ++orbits;
+    orbits.push_back(handles[i]);
     reached[i] = true;
     pending.push_back(i);
     while (!pending.empty()) {
       const Handle& handle = handles[pending.back()];
       pending.pop_back();
-      for (const Permutation& generator : generators) {
-        const auto at = std::lower_bound(handles.begin(), handles.end(), image(handle, generator));
+      for (const Permutation& permutation : group) {
+        const auto at = std::lower_bound(handles.begin(), handles.end(), image(handle, permutation));
         assert(at != handles.end());  // the families are closed under the group
         const auto index = static_cast<std::size_t>(at - handles.begin());
         if (reached[index]) continue;
@@ -77,6 +82,21 @@ std::uint64_t countGenerators(std::span<const int> sizes, std::span<const Handle
     }
   }
   return orbits;
+}
+
+std::vector<Handle> orbitOf(std::span<const int> sizes, const Handle& generator) {
+  const std::vector<Permutation> group = groupGenerators(sizes);
+  std::set<Handle> orbit{normalised(generator)};
+  std::vector<const Handle*> pending{&*orbit.begin()};
+  while (!pending.empty()) {
+    const Handle& handle = *pending.back();
+    pending.pop_back();
+    for (const Permutation& permutation : group) {
+      const auto [at, fresh] = orbit.insert(image(handle, permutation));
+      if (fresh) pending.push_back(&*at);
+    }
+  }
+  return {orbit.begin(), orbit.end()};
 }
 
 std::vector<Triangle> withCaps(std::span<const int> sizes, const Handle& handle) {

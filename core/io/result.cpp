@@ -2,25 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <iomanip>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 
 #include "core/collision/certify.h"
+#include "core/io/single_precision.h"
 
 namespace handlebody {
 
 namespace {
 
-constexpr double kHardlyGrown = 1.5;  // times the volume of the seeds
-constexpr double kMuchBorder = 0.15;  // part of the vertices
-
-TriangleSoup roundedToSingle(TriangleSoup mesh) {
-  // Not p.cast<float>().cast<double>(): Eigen 3.4 vectorises that to nothing.
-  for (Vec3& p : mesh.points)
-    for (double& x : p) x = static_cast<float>(x);
-  return mesh;
-}
+constexpr double kHardlyMoved = 0.15;  // part of the radius of a seed
+constexpr double kMuchBorder = 0.15;   // part of the vertices
 
 void requirePass(const Certificate& c) {
   if (c.passes()) return;
@@ -31,10 +26,46 @@ void requirePass(const Certificate& c) {
                            ", self-intersections: " + std::to_string(c.selfIntersections) + ").");
 }
 
+//! Why a surface that is at rest may not be the object's all the same; empty if there is no such reason.
+std::string unfinished(const RunReport& report) {
+  if (report.stopped == StopReason::stuck)
+    return "the surface got stuck: no part of a step could be kept, again and again (see the rolled back "
+           "events "
+           "of the report); another --edge-length may help";
+  if (report.stopped != StopReason::frozen) return {};
+  return "the surface rests at places that would still move, because changes there failed or repeated again "
+         "and "
+         "again (see the rolled back events of the report); another --edge-length or --smoothing may help";
+}
+
+//! The sentence for a surface that is still where its seeds were. A front of less radius than curvature times
+//! edge length over balloon stands still.
+std::string hardlyGrown(const ResolvedParameters& p) {
+  const double held = p.curvature * p.edgeLength / p.balloon;
+  const bool small =
+      std::any_of(p.seeds.begin(), p.seeds.end(), [&](const Seed& s) { return *s.radius < held; });
+  const std::string text = "the surface hardly grew beyond its seed: ";
+  if (!small) return text + "look at --object and --range";
+  std::ostringstream radius;
+  radius << std::setprecision(3) << held;
+  return text + "--curvature holds every front of a radius below " + radius.str() +
+         " mm, and the seed is smaller; give it a larger radius, or lower --curvature";
+}
+
+//! The surface is still where the seeds were: no vertex has gone further than kHardlyMoved of a radius.
+bool atItsSeeds(const RunReport& report, const TriangleSoup& mesh) {
+  const std::vector<Seed>& seeds = report.session.resolved->seeds;
+  return std::all_of(mesh.points.begin(), mesh.points.end(), [&](const Vec3& p) {
+    return std::any_of(seeds.begin(), seeds.end(), [&](const Seed& s) {
+      return std::abs((p - s.centre).norm() - *s.radius) < kHardlyMoved * *s.radius;
+    });
+  });
+}
+
 }  // namespace
 
-CertifiedMesh certifiedForExport(TriangleSoup mesh) {
-  CertifiedMesh out{roundedToSingle(std::move(mesh)), {}};
+CertifiedMesh certifiedForExport(const TriangleSoup& mesh) {
+  CertifiedMesh out{roundedToSingle(mesh), {}};
   out.certificate = certify(out.mesh);
   requirePass(out.certificate);
   return out;
@@ -42,14 +73,8 @@ CertifiedMesh certifiedForExport(TriangleSoup mesh) {
 
 std::vector<std::string> doubts(const RunReport& report, const TriangleSoup& mesh) {
   std::vector<std::string> out;
-  double seeds = 0;
-  for (const Seed& s : report.session.resolved->seeds)
-    seeds += 4.0 / 3.0 * std::numbers::pi * std::pow(*s.radius, 3);
-  if (report.mesh.volume < kHardlyGrown * seeds)
-    out.push_back(
-        "the surface hardly grew beyond its seed: look at --object and --range, and whether --curvature "
-        "holds so "
-        "small a seed");
+  if (std::string why = unfinished(report); !why.empty()) out.push_back(std::move(why));
+  if (atItsSeeds(report, mesh)) out.push_back(hardlyGrown(*report.session.resolved));
   double onBorder = 0;
   for (const Vec3& p : mesh.points) {
     const Vec3 index = report.volume.grid.toIndex(p);

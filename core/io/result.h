@@ -15,9 +15,9 @@ struct CertifiedMesh {
 };
 
 //! STL and most readers hold single precision. The mesh that is certified, counted and written is therefore
-//! the rounded one: the same coordinates in every file, and the report's numbers are theirs. Throws
-//! std::runtime_error if it fails its certificate: it must not be written then.
-CertifiedMesh certifiedForExport(TriangleSoup mesh);
+//! the rounded one (see roundedToSingle): the same coordinates in every file, and the report's numbers are
+//! theirs. Throws std::runtime_error if it fails its certificate: it must not be written then.
+CertifiedMesh certifiedForExport(const TriangleSoup& mesh);
 
 //! What a user should look at before trusting the result; sentences without a full stop. Uses the session's
 //! resolved seeds, the grid and the certificate of `report`.

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "core/collision/face_pair.h"
-#include "core/handles/two_front_handle.h"
 
 namespace handlebody {
 
@@ -17,18 +16,6 @@ bool stays(std::span<const Opening> openings, int f) {
   return std::none_of(openings.begin(), openings.end(), [f](const Opening& o) {
     return std::binary_search(o.faces.begin(), o.faces.end(), f);
   });
-}
-
-//! True if the opened mesh holds the edge uv.
-bool opensOn(const Mesh& mesh, std::span<const Opening> openings, int u, int v) {
-  const int h = mesh.findHalfedge(u, v);
-  return h >= 0 && (stays(openings, Mesh::faceOf(h)) || stays(openings, Mesh::faceOf(mesh.opposite(h))));
-}
-
-std::vector<Vec3> positionsOf(const Mesh& mesh, const std::vector<int>& loop) {
-  std::vector<Vec3> p;
-  for (int v : loop) p.push_back(mesh.position(v));
-  return p;
 }
 
 std::array<Vec3, 3> corners(const Mesh& mesh, const Patch& patch, const Triangle& t) {
@@ -65,7 +52,7 @@ class PolygonTriangulation {
   static constexpr double kNone = 1e300;
   bool allowed(int i, int j) const {
     const bool side = j - i == 1 || (i == 0 && j == n_ - 1);
-    return side || !opensOn(mesh_, std::span(&opening_, 1), loop_[idx(i)], loop_[idx(j)]);
+    return side || !staysOpenOn(mesh_, std::span(&opening_, 1), loop_[idx(i)], loop_[idx(j)]);
   }
   void solve(int i, int j) {
     double best = kNone;
@@ -90,7 +77,23 @@ class PolygonTriangulation {
   std::vector<int> apex_;
 };
 
+//! The exact test takes one array of points: the corners of the one behind those of the other.
+bool intersect(const Triangle& f, const std::array<Vec3, 3>& p, const Triangle& g,
+               const std::array<Vec3, 3>& q) {
+  const std::array<Vec3, 6> points{p[0], p[1], p[2], q[0], q[1], q[2]};
+  Triangle other{3, 4, 5};
+  for (std::size_t j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i)
+      if (g[j] == f[idx(i)]) other[j] = i;
+  return facesIntersect(points, {0, 1, 2}, other);
+}
+
 }  // namespace
+
+bool staysOpenOn(const Mesh& mesh, std::span<const Opening> openings, int u, int v) {
+  const int h = mesh.findHalfedge(u, v);
+  return h >= 0 && (stays(openings, Mesh::faceOf(h)) || stays(openings, Mesh::faceOf(mesh.opposite(h))));
+}
 
 void Patch::append(const Patch& other) {
   const int shift = static_cast<int>(points.size());
@@ -123,30 +126,6 @@ std::optional<Patch> leastAreaCap(const Mesh& mesh, const Opening& opening, cons
   patch.firstNew = mesh.vertexSlots();
   triangulation.collect(0, static_cast<int>(loop.size()) - 1, patch);
   return patch;
-}
-
-std::vector<Patch> handlesBetween(const Mesh& mesh, std::span<const Opening> openings,
-                                  const std::vector<int>& first, const std::vector<int>& second, int limit) {
-  std::vector<LoopPair> forbidden;
-  for (std::size_t i = 0; i < first.size(); ++i)
-    for (std::size_t j = 0; j < second.size(); ++j)
-      if (opensOn(mesh, openings, first[i], second[j]))
-        forbidden.push_back({static_cast<int>(i), static_cast<int>(j)});
-  std::vector<Patch> out;
-  const int m = static_cast<int>(first.size());
-  for (const HandleCandidate& c :
-       bestTwoFrontHandles(positionsOf(mesh, first), positionsOf(mesh, second), limit, forbidden)) {
-    Patch patch;
-    patch.firstNew = mesh.vertexSlots();
-    patch.length = c.length;
-    for (const Triangle& t : c.faces) {
-      Triangle g;
-      for (std::size_t i = 0; i < 3; ++i) g[i] = t[i] < m ? first[idx(t[i])] : second[idx(t[i] - m)];
-      patch.faces.push_back(g);
-    }
-    out.push_back(std::move(patch));
-  }
-  return out;
 }
 
 double volumeGain(const Mesh& mesh, std::span<const Opening> openings, const Patch& patch) {
@@ -196,29 +175,43 @@ Surroundings::Surroundings(const Mesh& mesh, std::span<const Opening> openings,
   }
 }
 
-bool Surroundings::fits(const Patch& patch) const {
-  // The exact test takes one array of points: the patch's own corners behind those of the face beside it.
-  const auto intersect = [&](const Triangle& f, const std::array<Vec3, 3>& p, const Triangle& g,
-                             const std::array<Vec3, 3>& q) {
-    const std::array<Vec3, 6> points{p[0], p[1], p[2], q[0], q[1], q[2]};
-    Triangle other{3, 4, 5};
-    for (std::size_t j = 0; j < 3; ++j)
-      for (int i = 0; i < 3; ++i)
-        if (g[j] == f[idx(i)]) other[j] = i;
-    return facesIntersect(points, {0, 1, 2}, other);
-  };
+bool Surroundings::hitsStaying(const Patch& patch, const Triangle& face) const {
+  const std::array<Vec3, 3> p = corners(mesh_, patch, face);
+  const Eigen::AlignedBox3d box = boxOf(p);
+  return std::any_of(faces_.begin(), faces_.end(), [&](int g) {
+    const std::array<Vec3, 3> q = corners(mesh_, patch, mesh_.face(g));
+    return box.intersects(boxOf(q)) && intersect(face, p, mesh_.face(g), q);
+  });
+}
+
+bool Surroundings::intersectsItself(const Patch& patch) const {
   for (std::size_t i = 0; i < patch.faces.size(); ++i) {
-    const Triangle& f = patch.faces[i];
-    const std::array<Vec3, 3> p = corners(mesh_, patch, f);
+    const std::array<Vec3, 3> p = corners(mesh_, patch, patch.faces[i]);
     const Eigen::AlignedBox3d box = boxOf(p);
-    for (std::size_t j = 0; j < i; ++j)
-      if (intersect(f, p, patch.faces[j], corners(mesh_, patch, patch.faces[j]))) return false;
-    for (int g : faces_) {
-      const std::array<Vec3, 3> q = corners(mesh_, patch, mesh_.face(g));
-      if (box.intersects(boxOf(q)) && intersect(f, p, mesh_.face(g), q)) return false;
+    for (std::size_t j = 0; j < i; ++j) {
+      const std::array<Vec3, 3> q = corners(mesh_, patch, patch.faces[j]);
+      if (box.intersects(boxOf(q)) && intersect(patch.faces[i], p, patch.faces[j], q)) return true;
     }
   }
-  return true;
+  return false;
+}
+
+bool Surroundings::fits(const Patch& patch) const {
+  return std::none_of(patch.faces.begin(), patch.faces.end(),
+                      [&](const Triangle& f) { return hitsStaying(patch, f); }) &&
+         !intersectsItself(patch);
+}
+
+std::vector<std::size_t> Surroundings::hits(const Patch& patch, const Patch& other) const {
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < patch.faces.size(); ++i) {
+    const std::array<Vec3, 3> p = corners(mesh_, patch, patch.faces[i]);
+    const bool hitsOther = std::any_of(other.faces.begin(), other.faces.end(), [&](const Triangle& g) {
+      return intersect(patch.faces[i], p, g, corners(mesh_, other, g));
+    });
+    if (hitsOther || hitsStaying(patch, patch.faces[i])) out.push_back(i);
+  }
+  return out;
 }
 
 }  // namespace handlebody

@@ -1,6 +1,5 @@
 #pragma once
-// Faces that close an opened mesh: caps on single polygons, handles between two, and the test whether they
-// fit.
+// Faces that close an opened mesh: caps on single polygons, and the test whether caps and handles fit.
 
 #include <optional>
 #include <span>
@@ -32,10 +31,8 @@ Patch fanCap(const Mesh& mesh, const std::vector<int>& loop);
 //! programme). None if every one would repeat an edge that the mesh has outside the opening.
 std::optional<Patch> leastAreaCap(const Mesh& mesh, const Opening& opening, const std::vector<int>& loop);
 
-//! Handles between two polygons, shortest first, at most `limit`; none has an edge that the opened mesh has
-//! already.
-std::vector<Patch> handlesBetween(const Mesh& mesh, std::span<const Opening> openings,
-                                  const std::vector<int>& first, const std::vector<int>& second, int limit);
+//! True if the opened mesh has the edge uv.
+bool staysOpenOn(const Mesh& mesh, std::span<const Opening> openings, int u, int v);
 
 //! Volume gained when the faces of the openings are replaced by the patch, mm³.
 double volumeGain(const Mesh& mesh, std::span<const Opening> openings, const Patch& patch);
@@ -50,8 +47,12 @@ class Surroundings {
   Surroundings(const Mesh& mesh, std::span<const Opening> openings, std::span<const unsigned char> ignored);
   //! True if no face of the patch intersects another or one that stays.
   bool fits(const Patch& patch) const;
+  //! The faces of the patch, by index, that intersect a face that stays or one of `other`.
+  std::vector<std::size_t> hits(const Patch& patch, const Patch& other) const;
+  bool intersectsItself(const Patch& patch) const;
 
  private:
+  bool hitsStaying(const Patch& patch, const Triangle& face) const;
   const Mesh& mesh_;
   std::vector<int> faces_;
 };

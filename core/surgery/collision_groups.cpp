@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/mesh/union_find.h"
+#include "core/surgery/opening.h"
 
 namespace handlebody {
 
@@ -89,6 +90,53 @@ std::vector<CollisionGroup> groupCollisions(const Mesh& mesh, std::span<const Fa
   for (const FacePair& p : pairs)
     out[groupOf.at(groups.find(sets.find(mesh.face(p.first)[0])))].pairs.push_back(p);
   return out;
+}
+
+std::vector<std::vector<int>> mostColliding(const Mesh& mesh, const CollisionGroup& group,
+                                            std::size_t limit) {
+  const std::size_t n = group.lambda.size();
+  if (n <= limit) return group.lambda;
+  const auto setOf = [&](int f) {
+    std::size_t s = 0;
+    while (!std::binary_search(group.lambda[s].begin(), group.lambda[s].end(), mesh.face(f)[0])) ++s;
+    return s;
+  };
+  std::vector<int> between(n * n, 0);
+  for (const auto& [f, g] : group.pairs) {
+    const std::size_t a = setOf(f), b = setOf(g);
+    if (a != b) ++between[a * n + b], ++between[b * n + a];
+  }
+  const auto best = std::max_element(between.begin(), between.end()) - between.begin();
+  std::vector<std::size_t> chosen{static_cast<std::size_t>(best) / n, static_cast<std::size_t>(best) % n};
+  while (chosen.size() < limit) {
+    std::vector<int> with(n, 0);
+    for (std::size_t s = 0; s < n; ++s)
+      for (const std::size_t c : chosen)
+        with[s] = c == s ? -1 : with[s] < 0 ? -1 : with[s] + between[s * n + c];
+    chosen.push_back(static_cast<std::size_t>(std::max_element(with.begin(), with.end()) - with.begin()));
+  }
+  std::vector<std::vector<int>> out;
+  for (const std::size_t c : chosen) out.push_back(group.lambda[c]);
+  return out;
+}
+
+void mergeTouching(const Mesh& mesh, std::vector<std::vector<int>>& sets) {
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    for (std::size_t j = i + 1; j < sets.size();) {
+      const std::vector<int> ring = enlarge(mesh, sets[i]), other = enlarge(mesh, sets[j]);
+      std::vector<int> common;
+      std::set_intersection(ring.begin(), ring.end(), other.begin(), other.end(), std::back_inserter(common));
+      if (common.empty()) {
+        ++j;
+        continue;
+      }
+      sets[i].insert(sets[i].end(), sets[j].begin(), sets[j].end());
+      sets[i].insert(sets[i].end(), common.begin(), common.end());
+      std::sort(sets[i].begin(), sets[i].end());
+      sets[i].erase(std::unique(sets[i].begin(), sets[i].end()), sets[i].end());
+      sets.erase(sets.begin() + static_cast<std::ptrdiff_t>(j));
+      j = i + 1;
+    }
 }
 
 }  // namespace handlebody

@@ -22,4 +22,11 @@ struct CollisionGroup {
 //! sets into groups that collide with each other, in the order of their lowest vertex.
 std::vector<CollisionGroup> groupCollisions(const Mesh& mesh, std::span<const FacePair> pairs);
 
+//! The sets of a group to work on, at most `limit`: all, or first the two with the most collisions between
+//! them and then one by one that with the most collisions with those; the rest waits for the next round.
+std::vector<std::vector<int>> mostColliding(const Mesh& mesh, const CollisionGroup& group, std::size_t limit);
+
+//! Makes one of any sets that have come to share a neighbour, with the neighbours that they share.
+void mergeTouching(const Mesh& mesh, std::vector<std::vector<int>>& sets);
+
 }  // namespace handlebody

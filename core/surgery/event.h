@@ -45,7 +45,7 @@ struct Event {
   int fronts = 0;              //!< k, for handles
   std::vector<int> loopSizes;  //!< vertices of each boundary polygon
   TopologyNumbers before, after;
-  std::string reason;  //!< for a roll-back: why
+  std::string reason;  //!< why it was rolled back, or what did not fit before this
   EventTrace trace;    //!< empty unless traces are recorded
 };
 

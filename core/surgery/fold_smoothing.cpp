@@ -28,6 +28,14 @@ void laplacianStep(Mesh& mesh, const std::vector<int>& vertices, double factor) 
   for (std::size_t i = 0; i < vertices.size(); ++i) mesh.setPosition(vertices[i], fresh[i]);
 }
 
+std::vector<int> cornersOf(const Mesh& mesh, const std::vector<int>& faces) {
+  std::vector<int> corners;
+  for (int f : faces) corners.insert(corners.end(), mesh.face(f).begin(), mesh.face(f).end());
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  return corners;
+}
+
 }  // namespace
 
 bool smoothFold(Mesh& mesh, const std::vector<int>& lambda, std::span<const unsigned char> ignored,
@@ -40,7 +48,7 @@ bool smoothFold(Mesh& mesh, const std::vector<int>& lambda, std::span<const unsi
   for (int v : vertices) mesh.forEachOutgoing(v, [&](int h) { moved.faces.push_back(Mesh::faceOf(h)); });
   std::sort(moved.faces.begin(), moved.faces.end());
   moved.faces.erase(std::unique(moved.faces.begin(), moved.faces.end()), moved.faces.end());
-  moved.loops.push_back(vertices);
+  moved.loops.push_back(cornersOf(mesh, moved.faces));  // what lies near any of them may be hit
   std::vector<unsigned char> others(ignored.begin(), ignored.end());
   Patch patch;
   patch.firstNew = mesh.vertexSlots();

@@ -3,6 +3,10 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/surgery/collision_groups.cpp
   ${CMAKE_SOURCE_DIR}/core/surgery/event.cpp
   ${CMAKE_SOURCE_DIR}/core/surgery/fold_smoothing.cpp
+  ${CMAKE_SOURCE_DIR}/core/surgery/front_gathering.cpp
+  ${CMAKE_SOURCE_DIR}/core/surgery/handle_fitting.cpp
   ${CMAKE_SOURCE_DIR}/core/surgery/nesting.cpp
   ${CMAKE_SOURCE_DIR}/core/surgery/opening.cpp
-  ${CMAKE_SOURCE_DIR}/core/surgery/topology_adaptation.cpp)
+  ${CMAKE_SOURCE_DIR}/core/surgery/plan.cpp
+  ${CMAKE_SOURCE_DIR}/core/surgery/topology_adaptation.cpp
+  ${CMAKE_SOURCE_DIR}/core/surgery/trace.cpp)

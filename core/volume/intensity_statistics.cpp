@@ -12,6 +12,13 @@ std::size_t rankOf(double percent, std::size_t count) {
   return static_cast<std::size_t>(percent / 100.0 * static_cast<double>(count - 1));
 }
 
+template <typename T>
+T valueAtRank(std::vector<T>& values, std::size_t rank) {
+  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(rank);
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
 // Types of one or two bytes have few values: counting them needs no copy of the volume.
 template <typename T>
 std::vector<double> percentilesByCounting(std::span<const T> voxels, std::span<const double> percents) {
@@ -32,11 +39,8 @@ template <typename T>
 std::vector<double> percentilesBySelection(std::span<const T> voxels, std::span<const double> percents) {
   std::vector<T> copy(voxels.begin(), voxels.end());
   std::vector<double> result;
-  for (double percent : percents) {
-    const auto nth = copy.begin() + static_cast<std::ptrdiff_t>(rankOf(percent, copy.size()));
-    std::nth_element(copy.begin(), nth, copy.end());
-    result.push_back(static_cast<double>(*nth));
-  }
+  for (double percent : percents)
+    result.push_back(static_cast<double>(valueAtRank(copy, rankOf(percent, copy.size()))));
   return result;
 }
 
@@ -62,6 +66,10 @@ IntensityStatistics intensityStatistics(const Volume& volume, std::span<const do
   return visitVoxels(volume, [&](const auto* voxels) {
     return statisticsOf(std::span(voxels, volume.grid.voxelCount()), percents);
   });
+}
+
+double quantile(std::vector<double> values, double q) {
+  return valueAtRank(values, static_cast<std::size_t>(q * static_cast<double>(values.size() - 1)));
 }
 
 }  // namespace handlebody

@@ -19,4 +19,7 @@ struct IntensityStatistics {
 //! so it is always a value that occurs. Precondition: at least one voxel, none of them NaN.
 IntensityStatistics intensityStatistics(const Volume& volume, std::span<const double> percents);
 
+//! The value at rank floor(q · (n - 1)) of the sorted values, q in [0, 1]. Precondition: not empty, no NaN.
+double quantile(std::vector<double> values, double q);
+
 }  // namespace handlebody

@@ -333,3 +333,18 @@ TEST_CASE("a surface that the curvature holds at its seed comes with a warning",
   run.requireSuccess({"-o", run.folder / "m.stl", "--report", run.folder / "r.json"});
   CHECK(run.json("r.json").at("warnings").empty());
 }
+
+TEST_CASE("a seed larger than the object contracts onto it where the surface may shrink", "[cli][segment]") {
+  const SphereRun run;
+  std::string seed = run.phantom.seed;
+  seed.replace(seed.rfind(','), std::string::npos, ",45");  // the ball has 30 mm
+  const Outcome outcome = runCli({"segment", run.phantom.path, "--seed", seed, "--direction", "both", "-o",
+                                  run.folder / "m.stl", "--report", run.folder / "r.json"});
+  INFO(outcome.err);
+  REQUIRE(outcome.exitCode == 0);
+  const auto report = run.json("r.json");
+  CHECK(report.at("stopped") == "converged");
+  CHECK(report.at("seeds").at(0).at("radius") == 45);
+  CHECK(report.at("warnings").empty());
+  CHECK(report.at("mesh").at("volume_mm3").get<double>() == Approx(113097).epsilon(0.02));
+}

@@ -96,17 +96,31 @@ Vec3 SliceGeometry::clamped(const Vec3& index) const {
   return inside;
 }
 
-QString slicePlace(const SliceGeometry& geometry, Plane plane, const Vec3& crosshair) {
+SliceGeometry wholeSlice(const Grid& grid, Plane plane, double longest) {
+  SliceGeometry geometry(grid, plane, {1, 1});
+  const double width = sizeOf(grid, geometry.axes().across) * grid.spacing[geometry.axes().across];
+  const double height = sizeOf(grid, geometry.axes().down) * grid.spacing[geometry.axes().down];
+  const double pixels = std::min(longest, std::max(width, height) / grid.spacing.minCoeff());
+  const double perMm = pixels / std::max(width, height);
+  const QSizeF size(std::max(1.0, std::round(perMm * width)), std::max(1.0, std::round(perMm * height)));
+  geometry.resize(size);
+  // The larger side decides; rounding leaves at most half a pixel of the other one out.
+  const double mmPerPixel = std::min(width / size.width(), height / size.height());
+  geometry.zoom(geometry.mmPerPixel() / mmPerPixel, {size.width() / 2, size.height() / 2});
+  return geometry;
+}
+
+QStringList slicePlace(const SliceGeometry& geometry, Plane plane, const Vec3& crosshair) {
   const auto tr = [](const char* text) { return QCoreApplication::translate("SliceView", text); };
   const auto place = [](int w, double mm) { return QString::fromStdString(anatomicalPlace(w, mm)); };
   const QString number = tr("Slice %1 of %2").arg(geometry.slice() + 1).arg(geometry.slices());
   if (isOblique(geometry.grid()))
-    return tr("%1, %2  %3  %4 mm")
-        .arg(number, place(0, crosshair[0]), place(1, crosshair[1]), place(2, crosshair[2]));
+    return {number,
+            tr("%1  %2  %3 mm").arg(place(0, crosshair[0]), place(1, crosshair[1]), place(2, crosshair[2]))};
   Vec3 index = Vec3::Zero();
   index[geometry.axes().normal] = geometry.slice();
   const int world = static_cast<int>(anatomical(plane));
-  return tr("%1, %2 mm").arg(number, place(world, geometry.grid().toWorld(index)[world]));
+  return {tr("%1, %2 mm").arg(number, place(world, geometry.grid().toWorld(index)[world]))};
 }
 
 }  // namespace handlebody::ui

@@ -3,7 +3,7 @@
 
 #include <QPointF>
 #include <QSizeF>
-#include <QString>
+#include <QStringList>
 
 #include "core/volume/anatomy.h"
 #include "ui/view/view_state.h"
@@ -64,8 +64,11 @@ class SliceGeometry {
   bool fitted_ = true;
 };
 
-//! "Slice 5 of 20, S 12.0 mm"; of an oblique volume, where no one number says where a slice lies, with the
-//! whole place of the crosshair (mm LPS).
-QString slicePlace(const SliceGeometry& geometry, Plane plane, const Vec3& crosshair);
+//! The middle slice without a rim, about a pixel per voxel but at most `longest` along a side: for a texture.
+SliceGeometry wholeSlice(const Grid& grid, Plane plane, double longest);
+
+//! Lines: "Slice 5 of 20, S 12.0 mm"; of an oblique volume, where no one number says where a slice lies,
+//! "Slice 5 of 20" and the whole place of the crosshair (mm LPS).
+QStringList slicePlace(const SliceGeometry& geometry, Plane plane, const Vec3& crosshair);
 
 }  // namespace handlebody::ui

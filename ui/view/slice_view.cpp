@@ -140,8 +140,11 @@ void SliceView::Private::paintTexts(QPainter& painter) const {
   paintText(painter, {kOverlayMargin, kOverlayMargin}, Qt::AlignLeft | Qt::AlignTop,
             isOblique(geometry.grid()) ? tr("%1, oblique").arg(planeName(plane)) : planeName(plane), title,
             planeColour(plane).lighter(120));
-  paintText(painter, {kOverlayMargin, kOverlayMargin + 1.2 * line}, Qt::AlignLeft | Qt::AlignTop,
-            slicePlace(geometry, plane, state.crosshair()), small);
+  double y = kOverlayMargin + 1.2 * line;
+  for (const QString& text : slicePlace(geometry, plane, state.crosshair())) {
+    paintText(painter, {kOverlayMargin, y}, Qt::AlignLeft | Qt::AlignTop, text, small);
+    y += 1.05 * line;
+  }
   const QString window =
       tr("W %1  L %2").arg(QString::number(state.window(), 'g', 4), QString::number(state.level(), 'g', 4));
   paintText(painter, {kOverlayMargin, height - kOverlayMargin}, Qt::AlignLeft | Qt::AlignBottom, window,
@@ -152,7 +155,7 @@ void SliceView::Private::paint(QPainter& painter, double pixelRatio, bool focuse
   const QSizeF size = geometry.size();
   if (!document.hasVolume()) {
     painter.fillRect(QRectF({0, 0}, size), Qt::black);
-    paintHint(painter, size, tr("Open a volume: Ctrl+O, or drop a file here"));
+    paintHint(painter, size, tr("Open a volume: Ctrl+O,\nor drop a file here"));
   } else {
     painter.drawImage(QPointF(0, 0), image(pixelRatio));
     painter.setRenderHint(QPainter::Antialiasing);

@@ -32,12 +32,10 @@ struct LineActor {
     mapper->ScalarVisibilityOff();
     // In front of the triangles whose edges they are.
     mapper->SetResolveCoincidentTopologyToPolygonOffset();
-    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-2, -4);
-    mapper->SetRelativeCoincidentTopologyPointOffsetParameter(-6);
+    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-4, -200);
+    mapper->SetRelativeCoincidentTopologyPointOffsetParameter(-200);
     actor->SetMapper(mapper);
     actor->GetProperty()->LightingOff();
-    actor->GetProperty()->SetLineWidth(3);
-    actor->GetProperty()->SetPointSize(7);
   }
   void setColour(double r, double g, double b) { actor->GetProperty()->SetColor(r, g, b); }
   void set(const std::vector<std::vector<Vec3>>& lists, bool closedLines) {
@@ -156,14 +154,15 @@ SurfaceScene::SurfaceScene(vtkRenderer* renderer) : d_(std::make_unique<Private>
   for (LineActor* part : {&d_->loops, &d_->lambda, &d_->box}) renderer->AddActor(part->actor);
   for (SliceActor& slice : d_->slices) renderer->AddActor(slice.actor);
   for (TriangleActor* part : {&d_->around, &d_->red, &d_->handle}) part->setEdges(true);
+  for (TriangleActor* part : {&d_->red, &d_->handle}) part->setInFront();
   d_->seeds.setColour(kSeedBall);
   d_->around.setColour(kAround);
   d_->red.setColour(kColliding);
   d_->handle.setColour(kHandle);
   d_->loops.setColour(1, 0.75, 0.15);
+  d_->loops.actor->GetProperty()->RenderLinesAsTubesOn();  // core OpenGL has no wide lines
   d_->lambda.setColour(1, 1, 1);
   d_->box.setColour(0.42, 0.46, 0.52);
-  d_->box.actor->GetProperty()->SetLineWidth(1);
   d_->updateVisibility();
 }
 
@@ -252,6 +251,11 @@ void SurfaceScene::showStage(const EventTrace& trace, EventStage stage) {
     d_->lambda.set(trace.lambda, false);
   }
   d_->updateVisibility();
+}
+
+void SurfaceScene::setPixelRatio(double ratio) {
+  d_->loops.actor->GetProperty()->SetLineWidth(static_cast<float>(4 * ratio));
+  d_->lambda.actor->GetProperty()->SetPointSize(static_cast<float>(5 * ratio));
 }
 
 CameraPose SurfaceScene::pose() const {

@@ -56,6 +56,8 @@ class SurfaceScene {
   //! Instead of mesh and seeds; EventStage::none: these again.
   void showStage(const EventTrace& trace, EventStage stage);
 
+  //! Device pixels per logical one: lines and points keep their width.
+  void setPixelRatio(double ratio);
   CameraPose pose() const;
   void setPose(const CameraPose& pose);
   //! Keeps all that is shown between the clipping planes; before every rendering.

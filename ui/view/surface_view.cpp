@@ -102,6 +102,8 @@ struct SurfaceView::Private {
        poseChanged = true;
   std::array<SliceImage, 3> slices;
   std::array<int, 3> shownSlices{-1, -1, -1};
+  bool slicesShown = false;
+  MeshColouring shownColouring = MeshColouring::plain;
   bool follows = true;  // the mesh, until the camera is moved by hand
   bool dragging = false;
   EventStage stage = EventStage::none;
@@ -151,7 +153,8 @@ double SurfaceView::Private::heightFor(const Sight& sight, double margin) const 
 
 void SurfaceView::Private::sync() {
   if (meshChanged) {
-    scene->setMesh(document.snapshot().get(), state.meshColouring());
+    shownColouring = state.meshColouring();
+    scene->setMesh(document.snapshot().get(), shownColouring);
     followMesh();
   }
   if (seedsChanged) syncSeeds();
@@ -168,23 +171,13 @@ void SurfaceView::Private::syncSeeds() {
 void SurfaceView::Private::syncSlices() {
   const bool on = state.slicesIn3d() && document.hasVolume();
   scene->showSlices(on);
+  slicesShown = on;
   if (!on) return;
   const Volume& volume = document.volume();
   for (Plane plane : kPlanes) {
     constexpr double kLargest = 512;  // pixels of a texture
-    SliceGeometry geometry(volume.grid, plane, {1, 1});
-    const SliceAxes& axes = geometry.axes();
-    const auto extent = [&](int a) {
-      return volume.grid.size[static_cast<std::size_t>(a)] * volume.grid.spacing[a];
-    };
-    const double longest = std::max(extent(axes.across), extent(axes.down));
-    const double pixels = std::min(kLargest, longest / volume.grid.spacing.minCoeff());
-    const QSizeF size(std::max(1.0, std::round(pixels * extent(axes.across) / longest)),
-                      std::max(1.0, std::round(pixels * extent(axes.down) / longest)));
-    geometry.resize(size);
-    geometry.zoom(geometry.mmPerPixel() *
-                      std::min(size.width() / extent(axes.across), size.height() / extent(axes.down)),
-                  {size.width() / 2, size.height() / 2});
+    SliceGeometry geometry = wholeSlice(volume.grid, plane, kLargest);
+    const QSizeF& size = geometry.size();
     geometry.setSlice(geometry.nearestSlice(state.crosshair()));
     const auto i = static_cast<std::size_t>(plane);
     if (shownSlices[i] == geometry.slice() && !coloursChanged) continue;
@@ -236,6 +229,7 @@ const QImage& SurfaceView::Private::frame(double pixelRatio) {
   if (!poseChanged && shown.size() == size) return shown;
   QElapsedTimer timer;
   timer.start();
+  scene->setPixelRatio(pixelRatio);
   scene->fitDepth();
   shown = gl->render(size, pixelRatio);
   shown.setDevicePixelRatio(pixelRatio);
@@ -259,7 +253,9 @@ void SurfaceView::Private::paint(QPainter& painter, double pixelRatio, bool focu
     painter.setRenderHint(QPainter::Antialiasing);
     const CameraPose pose = scene->pose();
     const bool empty = !document.hasVolume();
-    if (!empty) {
+    if (empty) {
+      paintHint(painter, size, tr("The surface grows here"));
+    } else {
       paintTriad(painter, size, pose);
       paintScaleBar(painter, size, pose.height / std::max(1.0, size.height()));
     }
@@ -290,7 +286,7 @@ SurfaceView::SurfaceView(Document& document, ViewState& state, QWidget* parent)
     d->draw(d->poseChanged);
   });
   d->sliceDelay.setSingleShot(true);
-  connect(&d->sliceDelay, &QTimer::timeout, this, [d] { d->draw(d->slicesChanged); });
+  connect(&d->sliceDelay, &QTimer::timeout, this, [d] { d->view.update(); });
   connect(&document, &Document::opened, this, [d] {
     d->startVolume();
     d->view.update();
@@ -299,13 +295,19 @@ SurfaceView::SurfaceView(Document& document, ViewState& state, QWidget* parent)
   connect(&document, &Document::seedsChanged, this, seeds);
   connect(&document, &Document::resolvedChanged, this, seeds);
   connect(&document, &Document::snapshotChanged, this, [d] { d->draw(d->meshChanged); });
-  connect(&state, &ViewState::changed, this, [d] {
+  const auto laterSlices = [d] {
+    if (!d->sliceDelay.isActive()) d->sliceDelay.start(static_cast<int>(2 * d->renderTime));
+  };
+  connect(&state, &ViewState::changed, this, [d, laterSlices] {
+    if (d->state.meshColouring() != d->shownColouring) d->draw(d->meshChanged);
+    if (!d->state.slicesIn3d() && !d->slicesShown) return;
     d->coloursChanged = true;
-    d->draw(d->meshChanged);
+    laterSlices();
   });
-  connect(&state, &ViewState::crosshairChanged, this, [d] {
-    if (d->state.slicesIn3d() && !d->sliceDelay.isActive())
-      d->sliceDelay.start(static_cast<int>(2 * d->renderTime));
+  connect(&state, &ViewState::crosshairChanged, this, [d, laterSlices] {
+    if (!d->state.slicesIn3d()) return;
+    d->slicesChanged = true;
+    laterSlices();
   });
 }
 
@@ -330,7 +332,7 @@ void SurfaceView::showStage(const EventTrace& trace, EventStage stage) {
   if (sight && !there) {
     CameraPose pose = d_->scene->pose();
     pose.focus = sight->centre;
-    pose.height = d_->heightFor(*sight, 1.25);
+    pose.height = d_->heightFor(*sight, 0.95);  // a mesh fills its ball nowhere near
     pose.towardsEye = acrossFronts(trace, pose.towardsEye);
     pose.up = (pose.up - pose.up.dot(pose.towardsEye) * pose.towardsEye).normalized();
     d_->flyTo(pose);

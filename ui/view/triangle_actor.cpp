@@ -35,7 +35,7 @@ TriangleActor::TriangleActor() {
   property->SetDiffuse(0.82);
   property->SetSpecular(0.16);
   property->SetSpecularPower(24);
-  property->SetEdgeColor(0.42, 0.33, 0.20);
+  property->SetEdgeColor(0.34, 0.29, 0.22);
   property->SetLineWidth(1);
 }
 
@@ -118,5 +118,10 @@ void TriangleActor::setColours(const std::vector<QColor>& palette, const unsigne
 }
 
 void TriangleActor::setEdges(bool visible) { actor_->GetProperty()->SetEdgeVisibility(visible ? 1 : 0); }
+
+void TriangleActor::setInFront() {
+  mapper_->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper_->SetRelativeCoincidentTopologyPolygonOffsetParameters(-1, -2);
+}
 
 }  // namespace handlebody::ui

@@ -31,6 +31,8 @@ class TriangleActor {
   //! One colour per triangle.
   void setColours(const std::vector<QColor>& palette, const unsigned char* entries, std::size_t count);
   void setEdges(bool visible);
+  //! Where triangles of several actors lie in one place these are seen.
+  void setInFront();
   vtkActor* actor() const { return actor_; }
 
  private:

@@ -127,7 +127,7 @@ void EventInspector::showText() {
                     tr("Genus %1, components %2")
                         .arg(changeText(event.before.genus, event.after.genus),
                              changeText(event.before.components, event.after.components))};
-  if (event.fronts > 0) lines << tr("%n front(s) joined", nullptr, event.fronts);
+  if (event.fronts > 0) lines << tr("Fronts joined: %1").arg(event.fronts);
   if (!event.loopSizes.empty()) lines << tr("Boundary polygons of %1 vertices").arg(loopsText(event));
   if (!event.reason.empty()) lines << QString::fromStdString(event.reason);
   text_->setText(lines.join(QLatin1Char('\n')));

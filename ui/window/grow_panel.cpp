@@ -37,7 +37,7 @@ QString faultsOf(const Certificate& c) {
   if (!c.manifold) faults << GrowPanel::tr("not manifold");
   if (!c.oriented) faults << GrowPanel::tr("not oriented");
   if (c.selfIntersections > 0)
-    faults << GrowPanel::tr("%n self-intersection(s)", nullptr, c.selfIntersections);
+    faults << GrowPanel::tr("self-intersections: %1").arg(c.selfIntersections);
   if (c.selfIntersections < 0) faults << GrowPanel::tr("self-intersections not checked");
   return faults.join(QStringLiteral(", "));
 }

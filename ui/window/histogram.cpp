@@ -38,7 +38,8 @@ Histogram histogramOf(const Volume& volume, int bins) {
   Histogram histogram;
   histogram.low = nthOf(samples, kTail);
   histogram.high = std::max(nthOf(samples, 1 - kTail), std::nextafter(histogram.low, HUGE_VAL));
-  if (isWhole(volume.type)) {
+  histogram.whole = isWhole(volume.type);
+  if (histogram.whole) {
     histogram.low -= 0.5;
     const double width = std::max(1.0, std::ceil((histogram.high + 0.5 - histogram.low) / bins));
     bins = std::max(1, static_cast<int>(std::ceil((histogram.high + 0.5 - histogram.low) / width)));

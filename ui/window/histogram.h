@@ -9,6 +9,7 @@ namespace handlebody::ui {
 
 struct Histogram {
   double low = 0, high = 1;      //!< intensities that the bins cover
+  bool whole = false;            //!< the type has whole numbers only
   std::vector<double> counts{};  //!< of equal width; the outer ones hold what lies beyond, too
 };
 

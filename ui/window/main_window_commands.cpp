@@ -206,7 +206,9 @@ void MainWindow::updateCommands() {
          open);
   enable({Command::deleteSeed, Command::growSeed, Command::shrinkSeed},
          open && document_.selectedSeed() >= 0);
-  enable({Command::nextSeed, Command::run, Command::stepForward, Command::nextEvent}, seeded);
+  const bool atRest = document_.state() == GrowthState::finished && document_.iteration() == document_.lastIteration();
+  enable({Command::nextSeed}, seeded);
+  enable({Command::run, Command::stepForward, Command::nextEvent}, seeded && !atRest);
   enable({Command::exportResult, Command::exportReport}, grown && !running);
   enable({Command::stepBack, Command::previousEvent, Command::toStart}, document_.iteration() > 0);
   enable({Command::toEnd}, grown && document_.iteration() < document_.lastIteration());

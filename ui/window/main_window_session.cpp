@@ -72,6 +72,7 @@ void MainWindow::showOpened() {
   state_.startWith(document_.volume());
   restoreView();
   showStep(document_.seeds().empty() ? Command::stepSeed : Command::stepGrow);
+  if (!document_.seeds().empty() && document_.selectedSeed() < 0) document_.selectSeed(0);
   if (!document_.seeds().empty() && document_.view().isEmpty())
     state_.setCrosshair(document_.seeds().front().centre);
   updateTitle();

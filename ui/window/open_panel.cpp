@@ -115,7 +115,7 @@ void OpenPanel::offerSeries(const QString& path, const std::vector<SeriesInfo>& 
   series_->clear();
   for (const SeriesInfo& s : series) {
     const QString description = QString::fromStdString(s.description.empty() ? s.uid : s.description);
-    auto* item = new QListWidgetItem(tr("%1\n%n file(s)", nullptr, s.files).arg(description), series_);
+    auto* item = new QListWidgetItem(tr("%1\nFiles: %2").arg(description).arg(s.files), series_);
     item->setData(Qt::UserRole, QString::fromStdString(s.uid));
     item->setToolTip(QString::fromStdString(s.uid));
   }

@@ -21,6 +21,8 @@ namespace handlebody::ui {
 
 namespace {
 
+constexpr int kTableHeight = 190;
+
 ValueSpec radiusSpec() {
   ValueSpec spec;
   spec.name = SeedPanel::tr("Radius");
@@ -60,7 +62,7 @@ SeedPanel::SeedPanel(Document& document, ViewState& state, const Commands& comma
   row->addWidget(smallButton(commands[Command::deleteSeed], this));
   layout->addLayout(row);
   buildTable();
-  layout->addWidget(table_, 1);
+  layout->addWidget(table_);
 
   details_ = new QWidget(this);
   QFormLayout* form = panelForm();
@@ -71,6 +73,8 @@ SeedPanel::SeedPanel(Document& document, ViewState& state, const Commands& comma
   layout->addWidget(details_);
   error_ = value(tr("What is wrong with the seeds"), this);
   layout->addWidget(error_);
+  layout->addStretch();
+  layout->addWidget(new ActionButton(commands[Command::run], this));
   connect(radius_, &ValueField::edited, this, [this](std::optional<double> radius, int gesture) {
     if (document_.selectedSeed() >= 0) document_.setSeedRadius(document_.selectedSeed(), radius, gesture);
   });
@@ -90,7 +94,7 @@ void SeedPanel::buildTable() {
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setTabKeyNavigation(false);
   table_->setAccessibleName(tr("Seeds"));
-  table_->setMinimumHeight(110);
+  table_->setFixedHeight(kTableHeight);
   connect(table_, &QTableWidget::currentCellChanged, this, [this](int row) { select(row); });
 }
 

@@ -52,7 +52,7 @@ bool TimelinePlot::event(QEvent* event) {
   QToolTip::showText(help->globalPos(),
                      tr("Iteration %1: %2, %3 % of the vertices moving, %4")
                          .arg(QString::number(s.iteration), millilitres(s.volume),
-                              number(100 * s.movingShare, 2), tr("%n event(s)", nullptr, s.events)));
+                              number(100 * s.movingShare, 2), tr("events: %1").arg(s.events)));
   return true;
 }
 

@@ -84,6 +84,8 @@ TEST_CASE("every stop reason has its name") {
   CHECK(std::string(stopReasonName(StopReason::converged)) == "converged");
   CHECK(std::string(stopReasonName(StopReason::maxIterations)) == "max-iterations");
   CHECK(std::string(stopReasonName(StopReason::empty)) == "empty");
+  CHECK(std::string(stopReasonName(StopReason::frozen)) == "frozen");
+  CHECK(std::string(stopReasonName(StopReason::stuck)) == "stuck");
 }
 
 TEST_CASE("what shrinks away altogether ends empty") {

@@ -128,6 +128,31 @@ inline TriangleSoup bentTube(double overlap) {
   return s;
 }
 
+//! Half circles of radius 1 from pole to pole of the z axis, as tubes with round ends that come to within
+//! `gap` mm of the axis: fronts that meet in two nodes. Finer by the factor.
+inline TriangleSoup meridians(int count, double gap, int finer = 1) {
+  const double r = 0.25, length = std::numbers::pi - 2 * gap;
+  TriangleSoup all;
+  for (int k = 0; k < count; ++k) {
+    TriangleSoup s = revolution(
+        26 * finer, 10 * finer,
+        [&](double t) {
+          const double end = std::min(t, 1 - t) * length;
+          return end < r ? std::sqrt(std::max(0.0, r * r - (r - end) * (r - end))) : r;
+        },
+        [&](double t) { return t * length; });
+    const double turn = 2 * std::numbers::pi * k / count;
+    for (Vec3& p : s.points) {
+      const double u = p.z() + gap;
+      const double out = (1 + p.x()) * std::sin(u), up = (1 + p.x()) * std::cos(u), side = -p.y();
+      p = Vec3(out * std::cos(turn) - side * std::sin(turn), out * std::sin(turn) + side * std::cos(turn),
+               up);
+    }
+    all = k == 0 ? s : zoo::both(all, s);
+  }
+  return all;
+}
+
 //! A plate of 1 × 1 × 0.2 mm whose upper side is dented in the middle and comes out of the lower one.
 inline TriangleSoup dentedPlate() {
   TriangleSoup s = zoo::cube(12);

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <set>
 
+#include "core/surgery/handle_fitting.h"
 #include "tests/support/expect_valid.h"
 #include "tests/support/mesh_zoo.h"
 #include "tests/support/surgery_support.h"
@@ -64,6 +65,12 @@ std::vector<Opening> openingsApart(const Mesh& mesh, int from, int distance) {
   const auto to = std::find(d.begin(), d.end(), distance);
   REQUIRE(to != d.end());
   return {*planOpening(mesh, {from}), *planOpening(mesh, {static_cast<int>(to - d.begin())})};
+}
+
+std::vector<std::vector<int>> firstLoops(const std::vector<Opening>& openings) {
+  std::vector<std::vector<int>> loops;
+  for (const Opening& o : openings) loops.push_back(o.loops[0]);
+  return loops;
 }
 
 }  // namespace
@@ -140,7 +147,7 @@ TEST_CASE("handles between two loops join the mesh without repeating an edge, ne
     for (int from = 0; from < mesh.vertexSlots(); from += 31) {
       CAPTURE(distance, from);
       const auto openings = openingsApart(mesh, from, distance);
-      const auto handles = handlesBetween(mesh, openings, openings[0].loops[0], openings[1].loops[0], 5);
+      const auto handles = handlesBetween(mesh, openings, firstLoops(openings), 5);
       CHECK(!handles.empty());
       double last = 0;
       for (const Patch& handle : handles) {
@@ -158,10 +165,8 @@ TEST_CASE("handles between two loops join the mesh without repeating an edge, ne
 TEST_CASE("no more handles are made than asked for") {
   const Mesh mesh(zoo::sphere(7));
   const auto openings = openingsApart(mesh, 0, 5);
-  const auto& a = openings[0].loops[0];
-  const auto& b = openings[1].loops[0];
-  CHECK(handlesBetween(mesh, openings, a, b, 1).size() == 1);
-  CHECK(handlesBetween(mesh, openings, a, b, 3).size() == 3);
+  CHECK(handlesBetween(mesh, openings, firstLoops(openings), 1).size() == 1);
+  CHECK(handlesBetween(mesh, openings, firstLoops(openings), 3).size() == 3);
 }
 
 TEST_CASE("the volume gained by a patch is the difference of the volumes of the meshes") {
@@ -171,7 +176,7 @@ TEST_CASE("the volume gained by a patch is the difference of the volumes of the 
   std::vector<std::pair<std::vector<Opening>, Patch>> cases{
       {first, fanCap(mesh, openings[0].loops[0])},
       {first, *leastAreaCap(mesh, openings[0], openings[0].loops[0])}};
-  for (const Patch& p : handlesBetween(mesh, openings, openings[0].loops[0], openings[1].loops[0], 4))
+  for (const Patch& p : handlesBetween(mesh, openings, firstLoops(openings), 4))
     cases.emplace_back(openings, p);
   for (const auto& [opened, patch] : cases) {
     Mesh closed = mesh;

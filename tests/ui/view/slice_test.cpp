@@ -274,3 +274,30 @@ TEST_CASE("A rim that is dragged to a place runs through it", "[seeds]") {
   const QPointF place(190, 120);
   CHECK(draggedRadius(geometry, centre, place) == Approx((geometry.toWorld(place) - centre).norm()));
 }
+
+TEST_CASE("The corner says which slice it is, and where", "[slice]") {
+  Grid grid = handlebody::testing::cubicGrid(20);
+  grid.origin = Vec3(0, 0, -30);
+  SliceGeometry straight(grid, Plane::axial, {100, 100});
+  straight.setSlice(4);
+  CHECK(slicePlace(straight, Plane::axial, Vec3::Zero()) == QStringList{"Slice 5 of 20, I 26.0 mm"});
+  const SliceGeometry oblique(awkwardGrid(), Plane::axial, {100, 100});
+  const QStringList lines = slicePlace(oblique, Plane::axial, Vec3(-1.25, -2, 3));
+  REQUIRE(lines.size() == 2);
+  CHECK(lines[0].startsWith("Slice "));
+  CHECK(lines[1] == "R 1.2  A 2.0  S 3.0 mm");
+}
+
+TEST_CASE("The texture of a slice covers its voxels and nothing else, to a pixel", "[slice]") {
+  const Grid grid = awkwardGrid();
+  for (Plane plane : kPlanes) {
+    const SliceGeometry whole = wholeSlice(grid, plane, 25);
+    CHECK(std::max(whole.size().width(), whole.size().height()) == 25);
+    Vec3 high;
+    for (int a = 0; a < 3; ++a) high[a] = grid.size[static_cast<std::size_t>(a)] - 0.5;
+    const QPointF one = whole.toScreen(Vec3::Constant(-0.5)), other = whole.toScreen(high);
+    CHECK(std::abs(std::abs(one.x() - other.x()) - whole.size().width()) <= 1);
+    CHECK(std::abs(std::abs(one.y() - other.y()) - whole.size().height()) <= 1);
+    CHECK((one + other).x() == Approx(whole.size().width()));
+  }
+}

@@ -1,10 +1,11 @@
-// Makes pictures of the views for looking at: view_pictures VOLUME MESH SEED(i,j,k) OUT_FOLDER [WIDTH HEIGHT]
+// Makes pictures of the views for looking at: view_pictures VOLUME I,J,K ITERATIONS OUT_FOLDER [WIDTH
+// HEIGHT]
 #include <QApplication>
 #include <QGridLayout>
 #include <QTest>
 #include <cstdio>
 
-#include "core/io/mesh_io.h"
+#include "core/evolution/active_contour.h"
 #include "core/io/volume_io.h"
 #include "tests/ui/view/document_double.h"
 #include "ui/view/slice_view.h"
@@ -15,28 +16,33 @@ using namespace handlebody::ui;
 
 namespace {
 
-//! Not a real event: what lies near one vertex, in rings.
-EventTrace exampleTrace(const TriangleSoup& mesh) {
-  EventTrace trace;
-  const Vec3 place = mesh.points[0];
-  double longest = 0;
-  for (const Triangle& t : mesh.triangles)
-    longest = std::max(
-        longest,
-        (mesh.points[static_cast<std::size_t>(t[0])] - mesh.points[static_cast<std::size_t>(t[1])]).norm());
-  for (const Triangle& t : mesh.triangles) {
-    std::array<Vec3, 3> face;
-    for (std::size_t c = 0; c < 3; ++c) face[c] = mesh.points[static_cast<std::size_t>(t[c])];
-    const double distance = (face[0] - place).norm();
-    if (distance > 6 * longest) continue;
-    (distance < 2 * longest ? trace.collidingFaces : trace.openedFaces).push_back(face);
-    if (distance < 2 * longest) trace.handleFaces.push_back(face);
-    trace.closedFaces.push_back(face);
-  }
-  for (const auto& face : trace.collidingFaces) trace.boundaryLoops.push_back({face.begin(), face.end()});
-  trace.boundaryLoops.resize(1);
-  trace.lambda = {{place}};
-  return trace;
+struct Grown {
+  TriangleSoup mesh;
+  std::vector<FaceState> states;
+  EventTrace trace;  // of the first handle, else of the first event
+};
+
+Grown grow(const Volume& volume, const Seed& seed, int iterations) {
+  ActiveContour contour(volume, {seed}, {});
+  contour.recordTraces(true);
+  Grown grown;
+  bool handle = false;
+  while (contour.stopReason() == StopReason::running && contour.iteration() < iterations)
+    for (const Event& event : contour.step().events) {
+      const bool first =
+          grown.trace.closedFaces.empty() || (!handle && event.kind == EventKind::handleInserted);
+      if (first && !event.trace.closedFaces.empty()) grown.trace = event.trace;
+      handle |= event.kind == EventKind::handleInserted;
+    }
+  std::vector<int> vertices;
+  grown.mesh = contour.mesh().compact(&vertices);
+  std::vector<bool> settled(grown.mesh.points.size(), false);
+  for (int v = 0; v < contour.mesh().vertexSlots(); ++v)
+    if (contour.mesh().isVertex(v))
+      settled[static_cast<std::size_t>(vertices[static_cast<std::size_t>(v)])] = contour.isSettled(v);
+  for (const Triangle& t : grown.mesh.triangles)
+    grown.states.push_back(settled[static_cast<std::size_t>(t[0])] ? FaceState::settled : FaceState::moving);
+  return grown;
 }
 
 }  // namespace
@@ -72,18 +78,15 @@ int main(int argc, char** argv) {
   handlebody::ui::testing::setVolume(document, volume);
   state.startWith(volume);
   int i = 0, j = 0, k = 0;
-  if (std::sscanf(argv[3], "%d,%d,%d", &i, &j, &k) != 3) return 1;
+  if (std::sscanf(argv[2], "%d,%d,%d", &i, &j, &k) != 3) return 1;
   state.setCrosshair(volume.grid.toWorld(Vec3(i, j, k)));
   document.addSeed({state.crosshair(), {}});
   document.addSeed({volume.grid.toWorld(Vec3(i + 12, j, k)), 4});
   document.selectSeed(0);
   axial.setFocus();
   shoot("1_seeds");
-  const TriangleSoup mesh = readMesh(argv[2]);
-  std::vector<FaceState> states;
-  for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
-    states.push_back(static_cast<FaceState>(f * 8 / mesh.triangles.size() % 4));
-  handlebody::ui::testing::setSnapshot(document, mesh, states);
+  const Grown grown = grow(volume, {state.crosshair(), {}}, atoi(argv[3]));
+  handlebody::ui::testing::setSnapshot(document, grown.mesh, grown.states);
   shoot("2_mesh");
   state.setSlicesIn3d(false);
   state.setMeshColouring(MeshColouring::edges);
@@ -93,11 +96,15 @@ int main(int argc, char** argv) {
   state.setColourMap(ColourMap::contrast);
   state.setTint({});
   shoot("4_state_contrast");
-  surface.showStage(exampleTrace(mesh), EventStage::colliding);
+  surface.showStage(grown.trace, EventStage::colliding);
   state.setColourMap(ColourMap::hot);
   shoot("5_colliding_hot");
-  surface.showStage(exampleTrace(mesh), EventStage::handle);
+  surface.showStage(grown.trace, EventStage::opened);
+  shoot("6_opened");
+  surface.showStage(grown.trace, EventStage::handle);
   shoot("6_handle");
+  surface.showStage(grown.trace, EventStage::closed);
+  shoot("6_closed");
   surface.clearStage();
   surface.lookFrom(Plane::axial);
   state.setColourMap(ColourMap::inverted);

@@ -1,6 +1,7 @@
 #pragma once
 // What tests of the window share: a window on the display, the sample in it, and waiting.
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QLabel>
 #include <QSettings>

@@ -228,8 +228,9 @@ void WindowTest::everyControlHasAName() {
                          widget->inherits("QAbstractItemView") || widget->inherits("QAbstractSlider");
     const auto* button = qobject_cast<const QAbstractButton*>(widget);
     const bool named = !widget->accessibleName().isEmpty() || (button && !button->text().isEmpty());
-    const bool scrollBar = widget->inherits("QScrollBar") || widget->inherits("QScrollArea");
-    if (!control || named || scrollBar || qobject_cast<const ui::MainWindow*>(widget)) continue;
+    const bool partOfAnother = widget->inherits("QScrollBar") || widget->inherits("QScrollArea") ||
+                               widget->inherits("QComboBoxListView");
+    if (!control || named || partOfAnother || qobject_cast<const ui::MainWindow*>(widget)) continue;
     if (widget->focusProxy() || widget->inherits("handlebody::ui::ValueField")) continue;
     QFAIL(qPrintable(
         QString("%1 in %2 has no name")

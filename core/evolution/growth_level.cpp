@@ -1,0 +1,51 @@
+#include "core/evolution/growth_level.h"
+
+namespace handlebody {
+
+namespace {
+
+// A jump of the region's size by this factor from one level to the next is a leak into another region.
+constexpr double kLeakFactor = 4;
+// A boundary found after a leak must be this much stronger than the best one before it.
+constexpr double kLeakAdvantage = 2.5;
+// Fewer voxels than this are no region yet.
+constexpr double kLeastRegion = 30;
+
+//! Weighted mean of the levels around the strongest bin whose edge is nearly as strong: on an ideal ramp the
+//! half-way level, whatever the noise does to the top of the curve.
+double centreOfPeak(const RegionGrowth& g, std::size_t best, std::size_t first, std::size_t last) {
+  double sum = 0, weight = 0;
+  const double least = 0.85 * g.edge[best];
+  for (std::size_t b = best; b + 1 > first && g.edge[b] >= least; --b) {
+    sum += g.level(b) * (g.edge[b] - least);
+    weight += g.edge[b] - least;
+    if (b == 0) break;
+  }
+  for (std::size_t b = best + 1; b < last && g.edge[b] >= least; ++b) {
+    sum += g.level(b) * (g.edge[b] - least);
+    weight += g.edge[b] - least;
+  }
+  return weight > 0 ? sum / weight : g.level(best);
+}
+
+}  // namespace
+
+std::optional<GrowthLevel> strongestLevel(const RegionGrowth& g) {
+  std::optional<GrowthLevel> out;
+  std::size_t first = 0;
+  for (std::size_t b = 1; b <= g.edge.size(); ++b) {
+    const bool leak =
+        b < g.edge.size() && g.voxels[b - 1] >= kLeastRegion && g.voxels[b] > kLeakFactor * g.voxels[b - 1];
+    if (!leak && b < g.edge.size()) continue;
+    std::size_t best = first;
+    for (std::size_t c = first; c < b; ++c)
+      if (g.voxels[c] >= kLeastRegion && g.edge[c] > g.edge[best]) best = c;
+    const double least = out ? kLeakAdvantage * out->strength : 0;
+    if (g.voxels[best] >= kLeastRegion && g.edge[best] > least)
+      out = {centreOfPeak(g, best, first, b), g.edge[best], g.border[best], g.voxels[best]};
+    first = b;
+  }
+  return out;
+}
+
+}  // namespace handlebody

@@ -1,0 +1,20 @@
+#pragma once
+// What the image says against a surface.
+
+#include <string>
+#include <vector>
+
+#include "core/evolution/object_image.h"
+#include "core/mesh/mesh.h"
+
+namespace handlebody {
+
+//! Part of the surface (by area) across which the intensity hardly changes: over two voxels along the normal
+//! by less than a quarter of the step from the object to its boundary. 0 for a surface on the object's edges,
+//! 1 for one that ends in the open. Where the surface ends at the border of the volume does not count.
+double partWithoutEdge(const Mesh& mesh, const ObjectImage& image);
+
+//! Sentences without a full stop: the object was cut off at a neck; much of the surface shows no edge.
+std::vector<std::string> imageDoubts(const Mesh& mesh, const ObjectImage& image);
+
+}  // namespace handlebody

@@ -1,0 +1,187 @@
+#include "core/evolution/object_boundary.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/evolution/object_region.h"
+
+namespace handlebody {
+
+namespace {
+
+// Voxels on either side of a face that say how high the edge is: the ramp of an edge that the smoothing has
+// left sharp.
+constexpr int kReach = 1;
+// Edges of this part of the typical step around them count most.
+constexpr double kLowerEdges = 0.5;
+
+constexpr int kMostPasses = 6;
+// Levels that change by less than this part of the contrast in a pass stay: a fiftieth of the half-step is a
+// hundredth of a voxel on an edge of one voxel.
+constexpr double kStays = 0.02;
+// From the third pass on a change must be less than this part of the one before.
+constexpr double kContracts = 0.6;
+// A region of so many times the size of the one before looks like a leak; of so many it is one.
+constexpr double kLooksLikeLeak = 1.5;
+constexpr double kIsLeak = 2;
+// Smaller parts of the way to new levels are not tried.
+constexpr double kLeastPart = 0.1;
+
+// A flood ends when it is this many times what was expected, but within these numbers of voxels.
+constexpr double kEnough = 25;
+constexpr double kLeastVoxels = 500'000, kMostVoxels = 3'000'000;
+
+// Parts of the way from the object's level to that of the boundary at which a neck is looked for.
+constexpr double kNeckLevels[] = {1, 0.7, 0.5, 0.35, 0.25, 0.18, 0.12};
+
+//! Signed intensities along the line of voxels through a face of the region, from kReach voxels before its
+//! inner voxel to kReach beyond its outer one.
+using Profile = std::array<double, 2 * kReach + 2>;
+
+Profile profileAt(const SmoothedVolume& volume, const ObjectRegion::Voxel& inner,
+                  const ObjectRegion::Face& face, double sign) {
+  const auto axis = static_cast<std::size_t>(face.axis);
+  const int last = volume.grid().size[axis] - 1;
+  ObjectRegion::Voxel v = inner;
+  Profile profile;
+  for (int t = 0; t < static_cast<int>(profile.size()); ++t) {
+    v[axis] = std::clamp(inner[axis] + face.step * (t - kReach), 0, last);
+    profile[static_cast<std::size_t>(t)] = sign * static_cast<double>(volume.at(v[0], v[1], v[2]));
+  }
+  return profile;
+}
+
+//! What a profile says: the level of the edge, and the largest step in it; none if it never rises.
+struct Edge {
+  Vec3 place;
+  double level;  // signed
+  double step;
+};
+
+std::optional<Edge> edgeIn(const Profile& p, const ObjectRegion::Voxel& v) {
+  double weight = 0, sum = 0, largest = 0;
+  for (std::size_t t = 1; t < p.size(); ++t) {
+    const double step = std::max(0.0, p[t] - p[t - 1]);
+    weight += step * step;
+    sum += step * step * 0.5 * (p[t] + p[t - 1]);
+    largest = std::max(largest, step);
+  }
+  if (!(weight > 0)) return {};
+  return Edge{Vec3(v[0], v[1], v[2]), sum / weight, largest};
+}
+
+//! 1 for edges of a typical height: noise counts less by the square of its steps, and so does, more quickly,
+//! what is much higher.
+double weightOf(double step, double typical) {
+  const double x = step / (kLowerEdges * typical), square = x * x;
+  return square / (1 + square * square * square);
+}
+
+class BoundarySearch {
+ public:
+  explicit BoundarySearch(const ObjectSearch& s) : s_(s), expected_(s.expectedVoxels) {}
+
+  ObjectBoundary run() {
+    LevelField trial(s_.volume.grid(), s_.level);
+    std::optional<ObjectBoundary> best, first;
+    double part = 1, lastChange = 0;
+    for (int pass = 0; pass < kMostPasses; ++pass) {
+      Candidate c = grow(trial);
+      if (best && c.voxels > kIsLeak * expected_) {
+        part *= 0.5;
+        if (part < kLeastPart) break;
+        trial = LevelField::between(best->levels, trial, 0.5);
+        continue;
+      }
+      expected_ = c.voxels;
+      LevelField next = levelsAt(c, trial);
+      const double change = meanChange(c.region, next, trial);
+      const bool rests = change <= kStays * std::abs(s_.level - s_.object);
+      if (pass >= 2 && change > kContracts * lastChange) return *std::move(first);
+      lastChange = change;
+      // A neck belongs to the levels at which it was found.
+      const bool hasNeck = c.neck.has_value();
+      best = ObjectBoundary{rests && !hasNeck ? next : trial, withoutMarks(std::move(c.neck))};
+      if (!first) first = best;
+      if (rests) break;
+      trial = LevelField::between(trial, next, part);
+    }
+    return *std::move(best);
+  }
+
+ private:
+  struct Candidate {
+    ObjectRegion region;
+    std::optional<NeckCut> neck;
+    double voxels = 0;  // of the region, up to the neck
+  };
+
+  Candidate grow(const LevelField& levels) const {
+    const double most = std::clamp(kEnough * expected_, kLeastVoxels, std::max(2 * expected_, kMostVoxels));
+    Candidate c;
+    c.region = floodObject(s_.volume, s_.seeds, s_.sign, levels, static_cast<std::size_t>(most));
+    c.voxels = static_cast<double>(c.region.voxels.size());
+    if (c.voxels <= kLooksLikeLeak * expected_) return c;
+    c.neck = findNeck(s_.volume.grid(), c.region, s_.seeds);
+    if (c.neck) c.voxels = c.neck->keptVolume / s_.volume.grid().voxelVolume();
+    return c;
+  }
+
+  LevelField levelsAt(const Candidate& c, const LevelField& fallback) const {
+    std::vector<Edge> edges;
+    LevelField::Samples steps(s_.volume.grid()), levels(s_.volume.grid());
+    for (const ObjectRegion::Face& face : c.region.faces) {
+      const auto voxel = static_cast<std::size_t>(face.voxel);
+      if (c.neck && !c.neck->kept[voxel]) continue;
+      const ObjectRegion::Voxel& v = c.region.voxels[voxel];
+      const auto edge = edgeIn(profileAt(s_.volume, v, face, s_.sign), v);
+      if (!edge) continue;
+      edges.push_back(*edge);
+      steps.add(edge->place, edge->step, edge->step * edge->step);
+    }
+    if (edges.empty()) return fallback;
+    const LevelField typical = steps.spread();
+    for (const Edge& e : edges) levels.add(e.place, s_.sign * e.level, weightOf(e.step, typical.at(e.place)));
+    return levels.empty() ? fallback : levels.spread();
+  }
+
+  //! Mean of |a - b| over the region's faces.
+  static double meanChange(const ObjectRegion& region, const LevelField& a, const LevelField& b) {
+    constexpr std::size_t kEvery = 16;
+    double sum = 0, n = 0;
+    for (std::size_t i = 0; i < region.faces.size(); i += kEvery, n += 1) {
+      const ObjectRegion::Voxel& v = region.voxels[static_cast<std::size_t>(region.faces[i].voxel)];
+      const Vec3 at(v[0], v[1], v[2]);
+      sum += std::abs(a.at(at) - b.at(at));
+    }
+    return n > 0 ? sum / n : 0;
+  }
+
+  static std::optional<NeckCut> withoutMarks(std::optional<NeckCut> neck) {
+    if (neck) neck->kept = {};
+    return neck;
+  }
+
+  const ObjectSearch& s_;
+  double expected_;  // voxels
+};
+
+}  // namespace
+
+ObjectBoundary findBoundary(const ObjectSearch& search) { return BoundarySearch(search).run(); }
+
+std::optional<ObjectBoundary> findBoundaryAtNeck(const ObjectSearch& s) {
+  for (double part : kNeckLevels) {
+    const LevelField level(s.volume.grid(), s.object + part * (s.level - s.object));
+    const ObjectRegion region =
+        floodObject(s.volume, s.seeds, s.sign, level, static_cast<std::size_t>(kLeastVoxels));
+    std::optional<NeckCut> neck = findNeck(s.volume.grid(), region, s.seeds);
+    if (!neck) continue;
+    neck->kept = {};
+    return ObjectBoundary{level, std::move(neck)};
+  }
+  return {};
+}
+
+}  // namespace handlebody

@@ -1,0 +1,45 @@
+#include "core/handles/cross_edges.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace handlebody {
+
+CrossEdges::CrossEdges(std::span<const std::vector<Vec3>> loops, std::span<const VertexPair> forbiddenEdges) {
+  std::vector<Vec3> points;
+  first_.push_back(0);
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    points.insert(points.end(), loops[i].begin(), loops[i].end());
+    loop_.resize(points.size(), static_cast<int>(i));
+    first_.push_back(static_cast<int>(points.size()));
+  }
+  length_.assign(points.size() * points.size(), kNone);
+  for (std::size_t u = 0; u < points.size(); ++u) {
+    for (std::size_t v = 0; v < u; ++v) {
+      const double length = (points[u] - points[v]).norm();
+      if (loop_[u] == loop_[v] || !(length < kNone)) continue;
+      length_[u * points.size() + v] = length_[v * points.size() + u] = length;
+    }
+  }
+  for (const auto& [u, v] : forbiddenEdges) {
+    assert(u >= 0 && u < vertexCount() && v >= 0 && v < vertexCount());
+    length_[idx(u) * points.size() + idx(v)] = length_[idx(v) * points.size() + idx(u)] = kNone;
+  }
+}
+
+void CrossEdges::forbid(std::span<const Triangle> faces) {
+  for (Triangle face : faces) {
+    std::sort(face.begin(), face.end());
+    forbiddenFaces_.push_back(face);
+  }
+  std::sort(forbiddenFaces_.begin(), forbiddenFaces_.end());
+}
+
+bool CrossEdges::allows(const Triangle& face) const {
+  if (!anyFaceForbidden()) return true;
+  Triangle corners = face;
+  std::sort(corners.begin(), corners.end());
+  return !std::binary_search(forbiddenFaces_.begin(), forbiddenFaces_.end(), corners);
+}
+
+}  // namespace handlebody

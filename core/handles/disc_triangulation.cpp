@@ -1,0 +1,174 @@
+#include "core/handles/disc_triangulation.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace handlebody {
+
+namespace {
+constexpr double kNone = CrossEdges::kNone;
+}
+
+DiscTriangulation::DiscTriangulation(const CrossEdges& edges, std::vector<int> places, std::vector<int> ends,
+                                     std::span<const Triangle> taken)
+    : edges_(&edges), places_(std::move(places)), ends_(std::move(ends)), n_(places_.size()) {
+  chord_.assign(n_ * n_, kNone);
+  const auto repeats = [&](int u, int v) {
+    return std::any_of(taken.begin(), taken.end(), [&](const Triangle& t) {
+      return std::count(t.begin(), t.end(), u) + std::count(t.begin(), t.end(), v) == 2;
+    });
+  };
+  std::vector<unsigned char> isTaken(idx(edges.vertexCount()), 0);
+  for (const Triangle& t : taken)
+    for (const int v : t) isTaken[idx(v)] = 1;
+  int first = 0;
+  for (const int end : ends_) {
+    for (int i = first; i < end; ++i) {
+      for (int j = i + 2; j < end; ++j) {
+        const int u = places_[idx(i)];
+        const int v = places_[idx(j)];
+        if (isTaken[idx(u)] != 0 && isTaken[idx(v)] != 0 && repeats(u, v)) continue;
+        chord_[idx(i) * n_ + idx(j)] = edges.length(u, v);
+      }
+      if (i + 1 < end) chord_[idx(i) * n_ + idx(i + 1)] = 0;
+    }
+    chord_[idx(first) * n_ + idx(end - 1)] = 0;
+    first = end;
+  }
+}
+
+void DiscTriangulation::exclude(const Chord& chord) { chord_[idx(chord.from) * n_ + idx(chord.to)] = kNone; }
+
+void DiscTriangulation::require(const Chord& chord) {
+  for (int i = chord.from + 1; i < chord.to; ++i) {
+    for (int j = 0; j < chord.from; ++j) exclude({j, i});
+    for (int j = chord.to + 1; j < static_cast<int>(n_); ++j) exclude({i, j});
+  }
+}
+
+double DiscTriangulation::solve() {
+  below_.assign(n_ * n_, kNone);
+  double total = 0;
+  int first = 0;
+  for (const int end : ends_) {
+    for (int i = end - 2; i >= first; --i) {
+      below_[idx(i) * n_ + idx(i + 1)] = below_[idx(i + 1) * n_ + idx(i)] = 0;
+      for (int j = i + 2; j < end; ++j) {
+        const double chord = chord_[idx(i) * n_ + idx(j)];
+        if (chord == kNone) continue;
+        const double length = chord + bestThrough({i, j});
+        below_[idx(i) * n_ + idx(j)] = below_[idx(j) * n_ + idx(i)] = length;
+      }
+    }
+    total += below_[idx(first) * n_ + idx(end - 1)];
+    first = end;
+  }
+  return total;
+}
+
+//! Of all below the chord, by the face with this apex.
+double DiscTriangulation::through(const Chord& base, int apex) const {
+  const double length = below_[idx(base.from) * n_ + idx(apex)] + below_[idx(base.to) * n_ + idx(apex)];
+  if (length == kNone || !edges_->anyFaceForbidden()) return length;
+  const Triangle face{places_[idx(base.from)], places_[idx(apex)], places_[idx(base.to)]};
+  return edges_->allows(face) ? length : kNone;
+}
+
+double DiscTriangulation::bestThrough(const Chord& base) const {
+  double best = kNone;
+  if (edges_->anyFaceForbidden()) {
+    for (int m = base.from + 1; m < base.to; ++m) best = std::min(best, through(base, m));
+    return best;
+  }
+  // The hot loop of the choice of a handle: two rows, four minima at a time.
+  const double* a = below_.data() + idx(base.from) * n_;
+  const double* b = below_.data() + idx(base.to) * n_;
+  std::array<double, 4> least{kNone, kNone, kNone, kNone};
+  int m = base.from + 1;
+  for (; m + 4 <= base.to; m += 4) {
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      const double length = a[idx(m) + lane] + b[idx(m) + lane];
+      least[lane] = length < least[lane] ? length : least[lane];
+    }
+  }
+  for (; m < base.to; ++m) best = std::min(best, a[m] + b[m]);
+  return std::min({best, least[0], least[1], least[2], least[3]});
+}
+
+std::vector<DiscTriangulation::Option> DiscTriangulation::options(const Chord& base) const {
+  std::vector<Option> out;
+  for (int m = base.from + 1; m < base.to; ++m) {
+    const double length = through(base, m);
+    if (length < kNone) out.push_back({length, m});
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+DiscTriangulation::Derivation DiscTriangulation::derive(std::span<const int> prefix, int rank) const {
+  Derivation d;
+  std::vector<Chord> open;
+  for (std::size_t e = ends_.size(); e-- > 0;) open.push_back({e == 0 ? 0 : ends_[e - 1], ends_[e] - 1});
+  while (!open.empty()) {
+    const Chord base = open.back();
+    open.pop_back();
+    if (base.to - base.from < 2) continue;
+    const std::size_t step = d.bases.size();
+    int apex = 0;
+    if (step < prefix.size()) {
+      apex = prefix[step];
+    } else {
+      const std::vector<Option> all = options(base);
+      const std::size_t wanted = step == prefix.size() ? idx(rank) : 0;
+      if (wanted >= all.size()) return {};
+      apex = all[wanted].apex;
+    }
+    d.bases.push_back(base);
+    d.apexes.push_back(apex);
+    open.push_back({apex, base.to});
+    open.push_back({base.from, apex});
+  }
+  return d;
+}
+
+double DiscTriangulation::detour(const Derivation& d, std::size_t step, int rank) const {
+  const std::vector<Option> all = options(d.bases[step]);
+  return idx(rank) < all.size() ? all[idx(rank)].length - all[idx(rank) - 1].length : kNone;
+}
+
+std::vector<Triangle> DiscTriangulation::faces(const Derivation& d) const {
+  std::vector<Triangle> out;
+  for (std::size_t s = 0; s < d.bases.size(); ++s) {
+    out.push_back({places_[idx(d.bases[s].from)], places_[idx(d.apexes[s])], places_[idx(d.bases[s].to)]});
+  }
+  return out;
+}
+
+bool DiscTriangulation::isSide(const Chord& c) const {
+  if (c.to == c.from + 1) return true;
+  const auto end = std::find(ends_.begin(), ends_.end(), c.to + 1);
+  return end != ends_.end() && (end == ends_.begin() ? 0 : *(end - 1)) == c.from;
+}
+
+std::array<Chord, 2> DiscTriangulation::repeatedPair(const Derivation& d) const {
+  struct Joined {
+    int u, v;
+    Chord chord;
+  };
+  std::vector<Joined> joined;
+  for (const Chord& c : d.bases) {
+    if (isSide(c)) continue;
+    const auto [u, v] = std::minmax(places_[idx(c.from)], places_[idx(c.to)]);
+    joined.push_back({u, v, c});
+  }
+  std::sort(joined.begin(), joined.end(), [](const Joined& a, const Joined& b) {
+    return std::array{a.u, a.v, a.chord.from, a.chord.to} < std::array{b.u, b.v, b.chord.from, b.chord.to};
+  });
+  for (std::size_t i = 1; i < joined.size(); ++i) {
+    if (joined[i - 1].u == joined[i].u && joined[i - 1].v == joined[i].v)
+      return {joined[i - 1].chord, joined[i].chord};
+  }
+  return {};
+}
+
+}  // namespace handlebody

@@ -1,0 +1,200 @@
+#include "core/surgery/plan.h"
+
+#include <algorithm>
+
+#include "core/surgery/handle_fitting.h"
+
+namespace handlebody {
+
+namespace {
+
+constexpr std::size_t kLongestLoop = 120;  // vertices; closing takes time that grows with the cube of this
+
+using Loops = std::vector<std::vector<int>>;
+
+Vec3 centre(const Mesh& mesh, const std::vector<int>& loop) {
+  Vec3 sum(0, 0, 0);
+  for (const int v : loop) sum += mesh.position(v);
+  return sum / static_cast<double>(loop.size());
+}
+
+Vec3 meanNormal(const Mesh& mesh, const Opening& o) {
+  Vec3 sum(0, 0, 0);
+  for (const int f : o.faces) sum += mesh.areaVector(f);
+  return sum.normalized();
+}
+
+//! The next combination of one polygon of each opening; false after the last.
+bool nextChoice(std::span<const Opening> openings, std::vector<std::size_t>& chosen) {
+  for (std::size_t i = chosen.size(); i-- > 0;) {
+    if (++chosen[i] < openings[i].loops.size()) return true;
+    chosen[i] = 0;
+  }
+  return false;
+}
+
+//! A way to close one opening, and what it costs.
+struct ClosingChoice {
+  Patch patch;
+  EventKind kind = EventKind::smoothed;
+  double area = 0;  // mm²
+  bool shrinks = false;
+};
+
+class Planner {
+ public:
+  Planner(const Mesh& mesh, Plan& plan, const PlanSettings& settings, const char*& reason)
+      : mesh_(mesh),
+        plan_(plan),
+        settings_(settings),
+        reason_(reason),
+        surroundings_(mesh, plan.openings, settings.colliding) {}
+  bool joinFronts(std::span<const Opening> openings);
+  bool closeOne(const Opening& opening);
+
+ private:
+  bool meetOutside(std::span<const Opening> openings, const Loops& loops) const;
+  Patch capsBut(std::span<const Opening> openings, const std::vector<std::size_t>& chosen) const;
+  std::vector<ClosingChoice> capsFor(const Opening& opening) const;
+
+  const Mesh& mesh_;
+  Plan& plan_;
+  const PlanSettings& settings_;
+  const char*& reason_;
+  Surroundings surroundings_;
+};
+
+//! A handle between one polygon of each opening, caps on all others (parts enclosed by Λ).
+bool Planner::joinFronts(std::span<const Opening> openings) {
+  bool inward = false;
+  bool tried = false;
+  FittingHandle best;
+  std::vector<std::size_t> chosen(openings.size(), 0);
+  do {
+    Loops loops;
+    for (std::size_t i = 0; i < chosen.size(); ++i) loops.push_back(openings[i].loops[chosen[i]]);
+    if (settings_.outwardOnly && !meetOutside(openings, loops)) {
+      inward = true;
+      continue;
+    }
+    tried = true;
+    FittingHandle handle =
+        shortestFittingHandle(mesh_, plan_.openings, loops, capsBut(openings, chosen), surroundings_);
+    const bool better = !best.found || handle.patch.length < best.patch.length;
+    if (handle.found && better) best = std::move(handle);
+  } while (nextChoice(openings, chosen));
+  if (best.found) {
+    plan_.patch = std::move(best.patch);
+    plan_.kind = EventKind::handleInserted;
+    plan_.shortest = best.shortest;
+    plan_.fronts = static_cast<int>(openings.size());
+    return true;
+  }
+  reason_ = inward && !tried ? "the fronts meet through the inside of the object" : "no handle fits";
+  return false;
+}
+
+Patch Planner::capsBut(std::span<const Opening> openings, const std::vector<std::size_t>& chosen) const {
+  Patch caps;
+  caps.firstNew = mesh_.vertexSlots();
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+    for (std::size_t l = 0; l < openings[i].loops.size(); ++l)
+      if (l != chosen[i]) caps.append(fanCap(mesh_, openings[i].loops[l]));
+  return caps;
+}
+
+//! True if the fronts face each other across outside space: two if their normals together point at each
+//! other's polygon, several if the normal of each points to the middle of all.
+bool Planner::meetOutside(std::span<const Opening> openings, const Loops& loops) const {
+  Vec3 middle(0, 0, 0);
+  for (const auto& loop : loops) middle += centre(mesh_, loop) / static_cast<double>(loops.size());
+  double sum = 0;
+  double least = 1e300;
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const double ahead = meanNormal(mesh_, openings[i]).dot(middle - centre(mesh_, loops[i]));
+    sum += ahead;
+    least = std::min(least, ahead);
+  }
+  return loops.size() == 2 ? sum > 0 : least > 0;
+}
+
+//! One set: a patch if it is a disc; caps (a cut) or a band if it has several polygons, whichever is
+//! smaller. Where only outward motion is allowed, what takes volume away comes last: a narrow neck of outside
+//! space is cut by caps, the crease around a handle that has just been made is not.
+bool Planner::closeOne(const Opening& opening) {
+  const bool disc = opening.loops.size() == 1;
+  const std::span<const Opening> one(&opening, 1);
+  std::vector<ClosingChoice> choices = capsFor(opening);
+  if (opening.loops.size() == 2) {
+    Patch noCaps;
+    noCaps.firstNew = mesh_.vertexSlots();
+    FittingHandle band = shortestFittingHandle(mesh_, one, opening.loops, noCaps, surroundings_);
+    if (band.found) choices.push_back({std::move(band.patch), EventKind::smoothed});
+  }
+  for (ClosingChoice& c : choices) {
+    c.area = area(mesh_, c.patch);
+    c.shrinks = settings_.outwardOnly && volumeGain(mesh_, one, c.patch) < 0;
+  }
+  if (!disc)
+    std::stable_sort(choices.begin(), choices.end(), [](const ClosingChoice& a, const ClosingChoice& b) {
+      return a.shrinks != b.shrinks ? b.shrinks : a.area < b.area;
+    });
+  for (ClosingChoice& c : choices)
+    if (surroundings_.fits(c.patch)) {
+      plan_.patch = std::move(c.patch);
+      plan_.kind = c.kind;
+      return true;
+    }
+  reason_ = "no patch fits";
+  return false;
+}
+
+//! Caps on every polygon: with barycentres, and of least area. Whether caps on several polygons split the
+//! mesh or close a tunnel is known only when it is done.
+std::vector<ClosingChoice> Planner::capsFor(const Opening& opening) const {
+  const EventKind kind = opening.loops.size() == 1 ? EventKind::smoothed : EventKind::split;
+  Patch fans, flats;
+  fans.firstNew = flats.firstNew = mesh_.vertexSlots();
+  bool flat = true;
+  for (const auto& loop : opening.loops) {
+    fans.append(fanCap(mesh_, loop));
+    const auto cap = leastAreaCap(mesh_, opening, loop);
+    flat = flat && cap;
+    if (flat) flats.append(*cap);
+  }
+  std::vector<ClosingChoice> choices;
+  choices.push_back({std::move(fans), kind});
+  if (flat) choices.push_back({std::move(flats), kind});
+  return choices;
+}
+
+bool isTooLarge(const Opening& o) {
+  return std::any_of(o.loops.begin(), o.loops.end(),
+                     [](const std::vector<int>& loop) { return loop.size() > kLongestLoop; });
+}
+
+}  // namespace
+
+std::optional<Plan> planFor(Mesh& mesh, const std::vector<std::vector<int>>& sets,
+                            const PlanSettings& settings, const char*& reason) {
+  Plan plan;
+  for (const auto& lambda : sets) plan.openings.push_back(openWithRefinement(mesh, lambda));
+  if (std::any_of(plan.openings.begin(), plan.openings.end(), isTooLarge)) {
+    reason = "the opening is too large";
+    return std::nullopt;
+  }
+  // Whole components in Λ come first: they have no boundary.
+  const auto open = std::stable_partition(plan.openings.begin(), plan.openings.end(),
+                                          [](const Opening& o) { return o.loops.empty(); });
+  const std::span<const Opening> opened(open, plan.openings.end());
+  plan.patch.firstNew = mesh.vertexSlots();
+  if (opened.empty()) {
+    plan.kind = EventKind::componentDeleted;
+    return plan;
+  }
+  Planner planner(mesh, plan, settings, reason);
+  if (opened.size() == 1 ? planner.closeOne(opened[0]) : planner.joinFronts(opened)) return plan;
+  return std::nullopt;
+}
+
+}  // namespace handlebody

@@ -1,0 +1,40 @@
+#pragma once
+// How colliding parts of the mesh are to be opened and closed: nothing but refinement is done to the mesh
+// here.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/mesh/mesh.h"
+#include "core/surgery/closing.h"
+#include "core/surgery/event.h"
+#include "core/surgery/opening.h"
+
+namespace handlebody {
+
+//! A way to close the openings of a group.
+struct Plan {
+  std::vector<Opening> openings;
+  Patch patch;
+  EventKind kind = EventKind::smoothed;
+  int fronts = 0;
+  bool shortest = true;  //!< false: there may be a shorter handle, the search for it was cut short
+};
+
+struct PlanSettings {
+  bool outwardOnly = true;
+  //! Faces that collide (per face slot): they do not stand in the way of a patch.
+  std::span<const unsigned char> colliding;
+};
+
+//! The most fronts that one handle joins.
+inline constexpr std::size_t kMaxFronts = 4;
+
+//! Opens the mesh around the sets Λ (at most kMaxFronts) and looks for what closes it: a handle if several
+//! openings have a boundary, caps or a band if one has, nothing if none has. The mesh is refined where an
+//! opening needs it. None, with the reason, if nothing fits.
+std::optional<Plan> planFor(Mesh& mesh, const std::vector<std::vector<int>>& sets,
+                            const PlanSettings& settings, const char*& reason);
+
+}  // namespace handlebody

@@ -1,0 +1,68 @@
+// What a user is warned of.
+
+#include "core/io/result.h"
+
+#include "tests/support/catch.h"
+#include "tests/support/mesh_zoo.h"
+
+using namespace handlebody;
+
+namespace {
+
+const Vec3 kCentre(50, 50, 50);
+
+//! A run from a seed of 5 mm in the middle of 100³ voxels.
+RunReport reportOf(StopReason stopped) {
+  RunReport report;
+  report.stopped = stopped;
+  report.grid.size = {100, 100, 100};
+  ResolvedParameters resolved;
+  resolved.seeds = {{kCentre, 5.0}};
+  resolved.edgeLength = 2;
+  report.session.resolved = resolved;
+  return report;
+}
+
+TriangleSoup sphere(double radius) { return zoo::moved(zoo::scaled(zoo::sphere(4), radius), kCentre); }
+
+std::string all(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (const std::string& s : sentences) text += s + "\n";
+  return text;
+}
+
+bool mentions(const std::vector<std::string>& sentences, const char* word) {
+  return all(sentences).find(word) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("a surface that has grown and converged gives no doubts") {
+  CHECK(doubts(reportOf(StopReason::converged), sphere(20)).empty());
+}
+
+TEST_CASE("a surface that has contracted from an over-grown start gives no doubts") {
+  RunReport report = reportOf(StopReason::converged);
+  report.session.resolved->seeds[0].radius = 40;
+  CHECK(doubts(report, sphere(20)).empty());
+}
+
+TEST_CASE("a surface that rests because it was frozen or got stuck is doubted, and for the right reason") {
+  CHECK(doubts(reportOf(StopReason::frozen), sphere(20)).size() == 1);
+  CHECK(mentions(doubts(reportOf(StopReason::frozen), sphere(20)), "would still move"));
+  CHECK(mentions(doubts(reportOf(StopReason::stuck), sphere(20)), "stuck"));
+}
+
+TEST_CASE("a surface that is still at its seed is doubted, with the curvature named where it is the cause") {
+  RunReport report = reportOf(StopReason::converged);
+  CHECK(mentions(doubts(report, sphere(5.2)), "hardly grew"));
+  CHECK_FALSE(mentions(doubts(report, sphere(5.2)), "--curvature"));
+  report.session.resolved->curvature = 3;  // holds fronts of 3 · 2 mm
+  CHECK(mentions(doubts(report, sphere(5.2)), "--curvature holds every front of a radius below 6 mm"));
+}
+
+TEST_CASE("a surface on the border of the volume is doubted") {
+  RunReport report = reportOf(StopReason::converged);
+  report.grid.size = {100, 100, 60};
+  CHECK(mentions(doubts(report, sphere(20)), "lies on the border"));
+}

@@ -1,0 +1,275 @@
+#include "core/handles/shortest_handles.h"
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+
+#include "core/handles/handle_enumeration.h"
+#include "core/handles/homology.h"
+#include "tests/core/handles/handle_oracle.h"
+#include "tests/support/catch.h"
+
+namespace handlebody {
+namespace {
+
+using Sizes = std::vector<int>;
+using Loops = std::vector<std::vector<Vec3>>;
+
+constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
+
+Loops randomLoops(const Sizes& sizes, unsigned seed) {
+  std::mt19937 random(seed);
+  const auto coordinate = [&] { return static_cast<double>(random()) / 2147483648.0 - 1; };
+  Loops loops;
+  for (const int size : sizes) {
+    std::vector<Vec3>& loop = loops.emplace_back();
+    for (int i = 0; i < size; ++i) {
+      const double x = coordinate(), y = coordinate();
+      loop.emplace_back(x, y, coordinate());
+    }
+  }
+  return loops;
+}
+
+//! Rings that face a common middle from the sides of a regular polygon, as fronts that meet in a node.
+Loops facingRings(const Sizes& sizes, double noise, unsigned seed) {
+  std::mt19937 random(seed);
+  const auto coordinate = [&] { return noise * (static_cast<double>(random()) / 2147483648.0 - 1); };
+  Loops loops;
+  for (std::size_t k = 0; k < sizes.size(); ++k) {
+    const double turn = 2 * M_PI * static_cast<double>(k) / static_cast<double>(sizes.size());
+    const Vec3 out(std::cos(turn), std::sin(turn), 0), side(-std::sin(turn), std::cos(turn), 0);
+    std::vector<Vec3>& loop = loops.emplace_back();
+    const double radius = sizes[k] / (2 * M_PI);
+    for (int i = 0; i < sizes[k]; ++i) {
+      const double u = 2 * M_PI * i / sizes[k];
+      const Vec3 ring = std::cos(u) * side - std::sin(u) * Vec3::UnitZ();
+      const double x = coordinate(), y = coordinate();
+      loop.push_back(radius * (1.3 * out + ring) + Vec3(x, y, coordinate()));
+    }
+  }
+  return loops;
+}
+
+std::vector<int> loopOf(const Loops& loops) {
+  std::vector<int> out;
+  for (std::size_t k = 0; k < loops.size(); ++k)
+    out.resize(out.size() + loops[k].size(), static_cast<int>(k));
+  return out;
+}
+
+Sizes sizesOf(const Loops& loops) {
+  Sizes sizes;
+  for (const auto& loop : loops) sizes.push_back(static_cast<int>(loop.size()));
+  return sizes;
+}
+
+//! The edges between loops, each with its smaller vertex first, once per face that holds it that way.
+std::vector<VertexPair> crossEdges(const std::vector<int>& loop, const std::vector<Triangle>& faces) {
+  std::vector<VertexPair> out;
+  for (const Triangle& t : faces)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (t[i] < t[(i + 1) % 3] &&
+          loop[static_cast<std::size_t>(t[i])] != loop[static_cast<std::size_t>(t[(i + 1) % 3])])
+        out.push_back({t[i], t[(i + 1) % 3]});
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+double lengthOf(const Loops& loops, const std::vector<Triangle>& faces) {
+  std::vector<Vec3> points;
+  for (const auto& loop : loops) points.insert(points.end(), loop.begin(), loop.end());
+  double sum = 0;
+  for (const auto& [u, v] : crossEdges(loopOf(loops), faces))
+    sum += (points[static_cast<std::size_t>(u)] - points[static_cast<std::size_t>(v)]).norm();
+  return sum;
+}
+
+Handle sorted(Handle handle) {
+  for (Triangle& f : handle) std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
+  std::sort(handle.begin(), handle.end());
+  return handle;
+}
+
+std::vector<HandleCandidate> take(ShortestHandles search, std::size_t limit) {
+  std::vector<HandleCandidate> out;
+  while (out.size() < limit) {
+    auto handle = search.next();
+    if (!handle) break;
+    out.push_back(std::move(*handle));
+  }
+  return out;
+}
+
+double shortest(const Loops& loops, std::span<const VertexPair> forbidden = {}) {
+  return ShortestHandles(loops, forbidden).next().value().length;
+}
+
+//! Found in the order of length, each once, with the right length, and exactly those of the list.
+void expectEqualsList(const Loops& loops, std::vector<Handle> list) {
+  std::vector<Handle> found;
+  double last = 0;
+  for (const HandleCandidate& h : take(ShortestHandles(loops, {}, kNoLimit), kNoLimit)) {
+    REQUIRE(h.length == Approx(lengthOf(loops, h.faces)).epsilon(1e-12));
+    REQUIRE(h.length >= last - 1e-9);
+    last = h.length;
+    found.push_back(sorted(h.faces));
+  }
+  std::sort(found.begin(), found.end());
+  CHECK(found == list);
+}
+
+//! The first handles have the lengths of the first of all listed.
+void expectFirstOfList(const Loops& loops, const std::vector<Handle>& list, std::size_t count) {
+  std::vector<double> lengths;
+  for (const Handle& h : list) lengths.push_back(lengthOf(loops, h));
+  std::sort(lengths.begin(), lengths.end());
+  const auto found = take(ShortestHandles(loops), count);
+  REQUIRE(found.size() == std::min(count, list.size()));
+  for (std::size_t i = 0; i < found.size(); ++i) CHECK(found[i].length == Approx(lengths[i]).epsilon(1e-12));
+}
+
+void expectHandles(const Loops& loops, const std::vector<HandleCandidate>& handles) {
+  for (const HandleCandidate& h : handles) {
+    const auto whole = withCaps(sizesOf(loops), h.faces);
+    CHECK(isSphere(whole));
+    CHECK(test::isClosedAndOriented(whole));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("All handles of two and three loops come out, shortest first", "[handles][shortest]") {
+  for (const Sizes& sizes : {Sizes{3, 3}, Sizes{3, 4}, Sizes{4, 3}, Sizes{4, 4}, Sizes{4, 5}, Sizes{5, 5},
+                             Sizes{3, 7}, Sizes{3, 3, 3}, Sizes{3, 4, 3}}) {
+    const auto list = enumerateHandles(sizes, Family::all);
+    for (unsigned seed = 1; seed <= (sizes.size() == 2 ? 5 : 1); ++seed)
+      expectEqualsList(randomLoops(sizes, seed), list);
+    expectEqualsList(facingRings(sizes, 0.1, 7), list);
+  }
+}
+
+TEST_CASE("The first handles of three loops are the shortest of all that are listed", "[handles][shortest]") {
+  for (const Sizes& sizes : {Sizes{3, 3, 3}, Sizes{3, 3, 4}, Sizes{3, 4, 4}}) {
+    const auto list = enumerateHandles(sizes, Family::all);
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+      expectFirstOfList(randomLoops(sizes, seed), list, 100);
+      expectFirstOfList(facingRings(sizes, 0.2, seed), list, 100);
+    }
+  }
+}
+
+TEST_CASE("Every handle found of three and four loops is a sphere with its caps", "[handles][shortest]") {
+  for (const Sizes& sizes : {Sizes{5, 7, 6}, Sizes{12, 9, 14}, Sizes{4, 6, 5, 7}, Sizes{10, 9, 8, 11}}) {
+    const Loops loops = facingRings(sizes, 0.2, 3);
+    const auto handles = take(ShortestHandles(loops), 20);
+    REQUIRE(handles.size() == 20);
+    expectHandles(loops, handles);
+    const int m = std::accumulate(sizes.begin(), sizes.end(), 0);
+    for (const HandleCandidate& h : handles)
+      CHECK(h.faces.size() == static_cast<std::size_t>(m) + 2 * sizes.size() - 4);
+  }
+}
+
+TEST_CASE("Forbidden edges and faces are avoided, and the handle is the shortest of the rest",
+          "[handles][shortest]") {
+  for (const Sizes& sizes : {Sizes{4, 5}, Sizes{3, 3, 3}}) {
+    const auto list = enumerateHandles(sizes, Family::all);
+    const Loops loops = randomLoops(sizes, 11);
+    std::vector<Triangle> faces;
+    std::vector<VertexPair> edges;
+    for (int round = 0; round < 6; ++round) {
+      ShortestHandles search(loops, edges);
+      search.forbid(faces);
+      const auto best = search.next();
+      std::vector<double> lengths{std::numeric_limits<double>::infinity()};
+      for (const Handle& h : list) {
+        const auto cross = crossEdges(loopOf(loops), h);
+        const bool hasEdge = std::any_of(edges.begin(), edges.end(), [&](const VertexPair& e) {
+          return std::binary_search(cross.begin(), cross.end(), e);
+        });
+        const bool hasFace = std::any_of(faces.begin(), faces.end(), [&](const Triangle& t) {
+          return std::binary_search(h.begin(), h.end(), sorted({t})[0]);
+        });
+        if (!hasEdge && !hasFace) lengths.push_back(lengthOf(loops, h));
+      }
+      const double expected = *std::min_element(lengths.begin(), lengths.end());
+      REQUIRE(best.has_value() == (lengths.size() > 1));
+      if (!best) break;
+      CHECK(best->length == Approx(expected).epsilon(1e-12));
+      if (round % 2 == 0)
+        faces.push_back(best->faces.back());
+      else
+        edges.push_back(crossEdges(loopOf(loops), best->faces)[2]);
+    }
+  }
+}
+
+TEST_CASE("The shortest length does not depend on where the loops start or on their order",
+          "[handles][shortest]") {
+  for (const Sizes& sizes : {Sizes{8, 11}, Sizes{6, 9, 7}, Sizes{5, 6, 7, 8}}) {
+    Loops loops = facingRings(sizes, 0.2, 5);
+    const double length = shortest(loops);
+    std::rotate(loops[0].begin(), loops[0].begin() + 2, loops[0].end());
+    std::rotate(loops[1].begin(), loops[1].begin() + 5, loops[1].end());
+    CHECK(shortest(loops) == Approx(length).epsilon(1e-12));
+    std::swap(loops[0], loops.back());
+    CHECK(shortest(loops) == Approx(length).epsilon(1e-12));
+    for (auto& loop : loops) {
+      std::reverse(loop.begin(), loop.end());  // the mirror image
+      for (Vec3& p : loop) p.z() = -p.z();
+    }
+    CHECK(shortest(loops) == Approx(length).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("The same loops give the same handles in the same order", "[handles][shortest]") {
+  const Loops loops = facingRings({6, 6, 6, 6}, 0, 1);  // many equal lengths
+  const auto one = take(ShortestHandles(loops), 30);
+  const auto other = take(ShortestHandles(loops), 30);
+  REQUIRE(one.size() == other.size());
+  for (std::size_t i = 0; i < one.size(); ++i) CHECK(one[i].faces == other[i].faces);
+}
+
+TEST_CASE("Facing congruent rings are joined by the straight strip", "[handles][shortest]") {
+  // Two rings of 12 on a cylinder, 0.1 apart, the second seen from its own missing side (reversed). Every
+  // handle has 24 cross edges; 12 straight ones and 12 shortest diagonals is the least that is possible.
+  constexpr int kSize = 12;
+  Loops loops(2);
+  for (int i = 0; i < kSize; ++i) {
+    const double angle = 2 * M_PI * i / kSize;
+    loops[0].emplace_back(std::cos(angle), std::sin(angle), 0);
+    loops[1].emplace_back(std::cos(-angle), std::sin(-angle), 0.1);
+  }
+  const double diagonal = (loops[0][0] - loops[1][1]).norm();
+  CHECK(shortest(loops) == Approx(kSize * (0.1 + diagonal)));
+}
+
+TEST_CASE("Loops too short or not finite have no handle", "[handles][shortest]") {
+  Loops loops = randomLoops({5, 2}, 8);
+  CHECK(take(ShortestHandles(loops), 1).empty());
+  loops = randomLoops({5, 4, 3}, 9);
+  CHECK(take(ShortestHandles(loops), 1).size() == 1);
+  loops[1][2].x() = std::numeric_limits<double>::quiet_NaN();
+  CHECK(take(ShortestHandles(loops), 1).empty());
+  loops[1][2].x() = std::numeric_limits<double>::infinity();
+  CHECK(take(ShortestHandles(loops), 1).empty());
+}
+
+TEST_CASE("A search that is cut short says so, and still finds handles in order", "[handles][shortest]") {
+  const Loops loops = facingRings({9, 9, 9, 9}, 0.3, 3);
+  ShortestHandles search(loops, {}, 10);
+  std::vector<HandleCandidate> handles;
+  while (handles.size() < 20) handles.push_back(search.next().value());
+  CHECK(search.gaveUp());
+  expectHandles(loops, handles);
+  for (std::size_t i = 1; i < handles.size(); ++i) CHECK(handles[i].length >= handles[i - 1].length - 1e-9);
+  CHECK(handles[0].length >= shortest(loops) - 1e-9);
+  ShortestHandles all(randomLoops({3, 3}, 3));
+  while (all.next()) {
+  }
+  CHECK_FALSE(all.gaveUp());
+}
+
+}  // namespace handlebody
