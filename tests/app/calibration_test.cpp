@@ -35,7 +35,7 @@ TEST_CASE("a volume without spacing is said to be uncalibrated: info, standard e
   CHECK(report.at("input").at("calibrated") == false);
 }
 
-TEST_CASE("--spacing calibrates, stands in report and session, and replay uses it", "[cli]") {
+TEST_CASE("given spacing (--spacing) calibrates, stands in report and session, and replay uses it", "[cli]") {
   const TempFolder folder;
   const PhantomFile phantom = uncalibratedPhantom(folder);
   const Outcome run =
@@ -55,7 +55,7 @@ TEST_CASE("--spacing calibrates, stands in report and session, and replay uses i
   }
 }
 
-TEST_CASE("--spacing and --uneven are checked, and the decoder is no command for users", "[cli]") {
+TEST_CASE("the options --spacing and --uneven are checked, and the decoder is no command for users", "[cli]") {
   const TempFolder folder;
   const PhantomFile phantom = makePhantomFile(folder);
   CHECK(runCli({"info", phantom.path, "--spacing", "1,0,1"}).exitCode == 2);

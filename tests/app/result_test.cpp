@@ -15,7 +15,7 @@ const Vec3 kCentre(50, 50, 50);
 RunReport reportOf(StopReason stopped) {
   RunReport report;
   report.stopped = stopped;
-  report.grid.size = {100, 100, 100};
+  report.volume.grid.size = {100, 100, 100};
   ResolvedParameters resolved;
   resolved.seeds = {{kCentre, 5.0}};
   resolved.edgeLength = 2;
@@ -63,6 +63,6 @@ TEST_CASE("a surface that is still at its seed is doubted, with the curvature na
 
 TEST_CASE("a surface on the border of the volume is doubted") {
   RunReport report = reportOf(StopReason::converged);
-  report.grid.size = {100, 100, 60};
+  report.volume.grid.size = {100, 100, 60};
   CHECK(mentions(doubts(report, sphere(20)), "lies on the border"));
 }

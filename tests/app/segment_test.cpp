@@ -329,7 +329,8 @@ TEST_CASE("a surface that the curvature holds at its seed comes with a warning",
                                   "50", "-o", run.folder / "m.stl", "--report", run.folder / "r.json"});
   CHECK(outcome.exitCode == 0);
   CHECK_THAT(outcome.err, Contains("hardly grew"));
-  CHECK(run.json("r.json").at("warnings").size() == 1);
+  // Held in the middle of the object, it also lies where the image has no boundary.
+  CHECK_THAT(run.json("r.json").at("warnings").dump(), Contains("hardly grew"));
   run.requireSuccess({"-o", run.folder / "m.stl", "--report", run.folder / "r.json"});
   CHECK(run.json("r.json").at("warnings").empty());
 }

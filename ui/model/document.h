@@ -30,6 +30,8 @@ struct MeshSnapshot {
   TriangleSoup mesh;              //!< mm LPS
   std::vector<FaceState> states;  //!< one per triangle
   Certificate certificate;        //!< topology numbers, area, volume; selfIntersections as certified
+  //! What the image says against the surface, sentences without a full stop; only of a surface at rest.
+  std::vector<std::string> doubts;
 };
 
 //! One row of the timeline, cheap to copy; iteration 0 is the seed surface.

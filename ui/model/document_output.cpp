@@ -96,6 +96,7 @@ void Document::Private::exportReport(const QString& path) {
       const CertifiedMesh mesh = certifiedForExport(shown->mesh);
       made.mesh = mesh.certificate;
       made.doubts = doubts(made, mesh.mesh);
+      made.doubts.insert(made.doubts.end(), shown->doubts.begin(), shown->doubts.end());
       Timings& s = made.seconds;
       s.exported = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       s.total = s.load + s.prepare + s.evolve + s.exported;

@@ -96,6 +96,7 @@ std::shared_ptr<const MeshSnapshot> makeSnapshot(const History& history, Checkin
     if (face[0] >= 0) snapshot->states.push_back(stateOf(contour, face, marks));
   snapshot->certificate =
       checking == Checking::everything ? certify(snapshot->mesh) : examineStructure(contour.mesh());
+  if (checking == Checking::everything) snapshot->doubts = contour.doubts();
   return snapshot;
 }
 
