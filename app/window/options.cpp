@@ -23,7 +23,7 @@ QSize sizeFrom(const std::string& text) {
 }
 
 struct Texts {
-  std::string file, session, screenshot, view = "window", step, appearance, size;
+  std::string file, session, screenshot, view = "window", stage, step, appearance, size;
 };
 
 void addOptions(CLI::App& app, Texts& texts, Options& options) {
@@ -41,6 +41,9 @@ void addOptions(CLI::App& app, Texts& texts, Options& options) {
       ->type_name("N")
       ->check(CLI::Range(0, 1'000'000))
       ->needs(screenshot);
+  app.add_option("--stage", texts.stage, "Show this stage of the event at that iteration")
+      ->check(CLI::IsMember({"collide", "open", "handle", "close"}))
+      ->needs("--iteration");
   app.add_option("--size", texts.size, "Of the window in logical pixels")
       ->type_name("WxH")
       ->check(faultOfSize);
@@ -70,6 +73,7 @@ std::optional<int> readOptions(int argc, char** argv, Options& options) {
   options.file = QString::fromStdString(texts.file.empty() ? texts.session : texts.file);
   options.screenshot = QString::fromStdString(texts.screenshot);
   options.view = QString::fromStdString(texts.view);
+  options.stage = QString::fromStdString(texts.stage);
   options.step = QString::fromStdString(texts.step);
   options.appearance = QString::fromStdString(texts.appearance);
   if (!texts.size.empty()) options.size = sizeFrom(texts.size);

@@ -4,6 +4,8 @@
 #include <QTimer>
 #include <iostream>
 
+#include "ui/view/surface_view.h"
+#include "ui/window/event_inspector.h"
 #include "ui/window/main_window.h"
 #include "ui/window/view_grid.h"
 
@@ -12,12 +14,17 @@ namespace handlebody::app {
 namespace {
 
 enum Code { kDone = 0, kOutput = 2, kInput = 3, kSeed = 4 };
+constexpr ui::EventStage kStages[] = {ui::EventStage::colliding, ui::EventStage::opened,
+                                      ui::EventStage::handle, ui::EventStage::closed};
+const QStringList kStageWords{QStringLiteral("collide"), QStringLiteral("open"), QStringLiteral("handle"),
+                              QStringLiteral("close")};
 constexpr int kSettle = 400;  // ms for layouts and the last drawing
 
 }  // namespace
 
 Screenshot::Screenshot(const Options& options, ui::MainWindow& window) : options_(options), window_(window) {
   ui::Document& document = window_.document();
+  window_.views().surface().setFlightTime(0);
   connect(&document, &ui::Document::openFailed, this, [this](const QString& why) { end(kInput, why); });
   connect(&document, &ui::Document::seriesChoiceNeeded, this, [this] { take(); });
   connect(&document, &ui::Document::opened, this, &Screenshot::grow);
@@ -65,6 +72,17 @@ void Screenshot::take() {
     window_.showStep(
         static_cast<ui::Command>(int(ui::Command::stepOpen) + int(steps.indexOf(options_.step))));
   }
+  if (options_.stage.isEmpty() || window_.inspector().event() < 0) return settle();
+  showStage();
+}
+
+void Screenshot::showStage() {
+  window_.goToEvent(window_.inspector().event());
+  connect(&window_.document(), &ui::Document::eventTraced, this, &Screenshot::settle);
+  window_.inspector().showStage(kStages[kStageWords.indexOf(options_.stage)]);
+}
+
+void Screenshot::settle() {
   QTimer::singleShot(kSettle, this, [this] {
     const QString& view = options_.view;
     const QImage picture = view == QStringLiteral("window") ? window_.grab().toImage()

@@ -24,6 +24,8 @@ class Screenshot : public QObject {
  private:
   void grow();
   void continueGrowing();
+  void settle();
+  void showStage();
   void take();
   void end(int code, const QString& sentence = {});
 

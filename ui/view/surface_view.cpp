@@ -281,6 +281,8 @@ SurfaceView::SurfaceView(Document& document, ViewState& state, QWidget* parent)
   d->flight.setStartValue(0.0);
   d->flight.setEndValue(1.0);
   d->flight.setEasingCurve(QEasingCurve::InOutCubic);
+  // Meshes that came meanwhile were not followed.
+  connect(&d->flight, &QVariantAnimation::finished, this, [d] { d->followMesh(); });
   connect(&d->flight, &QVariantAnimation::valueChanged, this, [d](const QVariant& share) {
     d->scene->setPose(between(d->flightFrom, d->flightTo, share.toDouble()));
     d->draw(d->poseChanged);

@@ -14,7 +14,7 @@ QWidget* choiceRow(const QString& name, const QStringList& texts, const QStringL
   row->setAccessibleName(name);
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  layout->setSpacing(2);
   group = new QButtonGroup(row);
   for (int i = 0; i < texts.size(); ++i) {
     auto* button = new QToolButton(row);
@@ -22,6 +22,7 @@ QWidget* choiceRow(const QString& name, const QStringList& texts, const QStringL
     button->setCheckable(true);
     button->setFocusPolicy(Qt::TabFocus);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    styleAsToggle(button);
     describe(button, QStringLiteral("%1: %2").arg(name, texts[i]), tips[i]);
     group->addButton(button, i);
     layout->addWidget(button);

@@ -36,8 +36,7 @@ QString faultsOf(const Certificate& c) {
   if (!c.closed) faults << GrowPanel::tr("not closed");
   if (!c.manifold) faults << GrowPanel::tr("not manifold");
   if (!c.oriented) faults << GrowPanel::tr("not oriented");
-  if (c.selfIntersections > 0)
-    faults << GrowPanel::tr("self-intersections: %1").arg(c.selfIntersections);
+  if (c.selfIntersections > 0) faults << GrowPanel::tr("self-intersections: %1").arg(c.selfIntersections);
   if (c.selfIntersections < 0) faults << GrowPanel::tr("self-intersections not checked");
   return faults.join(QStringLiteral(", "));
 }

@@ -159,8 +159,10 @@ void HistogramView::paintEvent(QPaintEvent*) {
     for (End end : {End::low, End::high}) paintEnd(painter, end);
   painter.setPen(palette().color(QPalette::WindowText));
   const QRectF labels(area().left(), area().bottom() + 4, area().width(), kLabels - 4);
-  painter.drawText(labels, Qt::AlignLeft | Qt::AlignVCenter, number(histogram_.whole ? std::ceil(histogram_.low) : histogram_.low, 3));
-  painter.drawText(labels, Qt::AlignRight | Qt::AlignVCenter, number(histogram_.whole ? std::floor(histogram_.high) : histogram_.high, 3));
+  painter.drawText(labels, Qt::AlignLeft | Qt::AlignVCenter,
+                   number(histogram_.whole ? std::ceil(histogram_.low) : histogram_.low, 3));
+  painter.drawText(labels, Qt::AlignRight | Qt::AlignVCenter,
+                   number(histogram_.whole ? std::floor(histogram_.high) : histogram_.high, 3));
 }
 
 }  // namespace handlebody::ui

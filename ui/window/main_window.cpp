@@ -119,6 +119,8 @@ void MainWindow::buildStatusBar() {
   }
 }
 
+EventInspector& MainWindow::inspector() { return grow_->inspector(); }
+
 void MainWindow::showStep(Command step) { steps_->show(step); }
 
 void MainWindow::goToEvent(int index) {

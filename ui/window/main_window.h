@@ -15,6 +15,7 @@ class QStackedWidget;
 
 namespace handlebody::ui {
 
+class EventInspector;
 class ExportPanel;
 class FileWork;
 class GrowPanel;
@@ -38,6 +39,7 @@ class MainWindow : public QMainWindow {
   ViewGrid& views() { return *views_; }
   FileWork& files() { return *files_; }
   const Commands& commands() const { return commands_; }
+  EventInspector& inspector();
   MessageBar& messages() { return *messages_; }
 
   void showStep(Command step);

@@ -206,7 +206,8 @@ void MainWindow::updateCommands() {
          open);
   enable({Command::deleteSeed, Command::growSeed, Command::shrinkSeed},
          open && document_.selectedSeed() >= 0);
-  const bool atRest = document_.state() == GrowthState::finished && document_.iteration() == document_.lastIteration();
+  const bool atRest =
+      document_.state() == GrowthState::finished && document_.iteration() == document_.lastIteration();
   enable({Command::nextSeed}, seeded);
   enable({Command::run, Command::stepForward, Command::nextEvent}, seeded && !atRest);
   enable({Command::exportResult, Command::exportReport}, grown && !running);

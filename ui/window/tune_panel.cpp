@@ -109,6 +109,7 @@ QWidget* TunePanel::buildRange() {
   automaticRange_ = new QToolButton(part);
   automaticRange_->setText(tr("Auto"));
   automaticRange_->setCheckable(true);
+  styleAsToggle(automaticRange_);
   automaticRange_->setFocusPolicy(Qt::TabFocus);
   describe(automaticRange_, tr("Range: automatic"), tr("Chosen from the image around the seeds"));
   auto* row = new QHBoxLayout;

@@ -38,6 +38,7 @@ QToolButton* makeReset(const ValueSpec& spec, QWidget* parent) {
   } else {
     reset->setText(ValueField::tr("Auto"));
     reset->setCheckable(true);
+    styleAsToggle(reset);
     describe(reset, ValueField::tr("%1: automatic").arg(spec.name),
              ValueField::tr("The value is chosen from the image around the seeds"));
   }
