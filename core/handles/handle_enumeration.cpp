@@ -1,6 +1,7 @@
 #include "core/handles/handle_enumeration.h"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <string>
 
@@ -32,8 +33,9 @@ struct NeededEdge {
 // connected closed surface has at most 2: it is a sphere, and there are no pinched vertices.
 class HandleSearch {
  public:
-  HandleSearch(std::span<const int> sizes, Family family);
-  std::vector<Handle> run();
+  HandleSearch(std::span<const int> sizes, Family family, const std::function<void(const Handle&)>& visit);
+  void forbid(int u, int v) { used(u, v) = used(v, u) = 1; }
+  void run() { tryBoundary(0); }
 
  private:
   bool isBoundaryEdge(int u, int v) const { return next_[idx(u)] == v; }
@@ -62,11 +64,12 @@ class HandleSearch {
   std::vector<NeededEdge> needed_;  // what is used by now is skipped
   int lastNeeded_ = -1;
   Handle faces_;
-  std::vector<Handle> found_;
+  const std::function<void(const Handle&)>& visit_;
 };
 
-HandleSearch::HandleSearch(std::span<const int> sizes, Family family)
-    : family_(family), mostTypeTwo_(2 * static_cast<int>(sizes.size()) - 4) {
+HandleSearch::HandleSearch(std::span<const int> sizes, Family family,
+                           const std::function<void(const Handle&)>& visit)
+    : family_(family), mostTypeTwo_(2 * static_cast<int>(sizes.size()) - 4), visit_(visit) {
   const int smallest = *std::min_element(sizes.begin(), sizes.end());
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     const int first = static_cast<int>(cap_.size());
@@ -80,12 +83,6 @@ HandleSearch::HandleSearch(std::span<const int> sizes, Family family)
   used_.resize(cap_.size() * cap_.size(), 0);
   apexCount_.resize(cap_.size(), 0);
   typeTwoCount_.resize(cap_.size(), 0);
-}
-
-std::vector<Handle> HandleSearch::run() {
-  tryBoundary(0);
-  std::sort(found_.begin(), found_.end());
-  return std::move(found_);
 }
 
 //! The vertex of a Type 1 face opposite its boundary edge, -1 for Type 2.
@@ -173,22 +170,34 @@ void HandleSearch::complete() {
   for (std::size_t v = 0; v < cap_.size(); ++v) {
     if (surjected_[v] != 0 && apexCount_[v] == 0) return;
   }
-  if (found_.size() == kMaxListedHandles) {
-    throw UsageError("There are more than " + std::to_string(kMaxListedHandles) +
-                     " handles for caps of these sizes, too many to list; use smaller caps.");
-  }
-  found_.push_back(normalised(faces_));
+  visit_(faces_);
 }
 
 }  // namespace
 
-std::vector<Handle> enumerateHandles(std::span<const int> sizes, Family family) {
+void forEachHandle(std::span<const int> sizes, Family family, const std::function<void(const Handle&)>& visit,
+                   std::span<const std::array<int, 2>> forbidden) {
   checkSizes(sizes, family);
   if (std::accumulate(sizes.begin(), sizes.end(), 0.0) > kMaxListedVertices) {
     throw UsageError("Handles are listed for caps of at most " + std::to_string(kMaxListedVertices) +
                      " vertices together; use smaller caps.");
   }
-  return HandleSearch(sizes, family).run();
+  HandleSearch search(sizes, family, visit);
+  for (const auto& [u, v] : forbidden) search.forbid(u, v);
+  search.run();
+}
+
+std::vector<Handle> enumerateHandles(std::span<const int> sizes, Family family) {
+  std::vector<Handle> found;
+  forEachHandle(sizes, family, [&](const Handle& handle) {
+    if (found.size() == kMaxListedHandles) {
+      throw UsageError("There are more than " + std::to_string(kMaxListedHandles) +
+                       " handles for caps of these sizes, too many to list; use smaller caps.");
+    }
+    found.push_back(normalised(handle));
+  });
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 }  // namespace handlebody

@@ -6,7 +6,9 @@
 // of the order in the cap itself, so that its inclusion keeps orientation). Handle faces are those of the
 // paper: m of Type 1 (a boundary edge and a vertex of another cap) and 2k - 4 of Type 2 (three caps).
 
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -41,6 +43,12 @@ constexpr std::size_t kMaxListedHandles = 200'000;
 //! countHandles does, and if there are more than kMaxListedHandles or the search takes too long.
 std::vector<Handle> enumerateHandles(std::span<const int> sizes, Family family);
 
+//! Calls visit for every handle once, in no order, faces as they were found: for more handles than can be
+//! kept. None has an edge of `forbidden` (in either direction). Throws UsageError as countHandles does, and
+//! if the search takes too long.
+void forEachHandle(std::span<const int> sizes, Family family, const std::function<void(const Handle&)>& visit,
+                   std::span<const std::array<int, 2>> forbidden = {});
+
 //! How many orbits the handles form under rotations and exchanges. Precondition: `handles` is what
 //! enumerateHandles(sizes, …) returned.
 std::uint64_t countGenerators(std::span<const int> sizes, std::span<const Handle> handles);
@@ -52,8 +60,8 @@ std::vector<Handle> generatorsOf(std::span<const int> sizes, std::span<const Han
 std::vector<Handle> orbitOf(std::span<const int> sizes, const Handle& generator);
 
 //! The exact numbers. Closed formulas for k = 2 and for balanced handles of k = 3, any sizes; the rest is
-//! looked up in the database, or listed. Throws UsageError for k other than 2, 3, 4 (monotone: other than 2), a size below 3, numbers
-//! beyond 64 bits, and for handles that must be listed but are too many.
+//! looked up in the database, or listed. Throws UsageError for k other than 2, 3, 4 (monotone: other than 2),
+//! a size below 3, numbers beyond 64 bits, and for handles that must be listed but are too many.
 HandleCount countHandles(std::span<const int> sizes, Family family);
 
 //! The faces of a handle and of the caps it closes; the centre of cap i gets the number m + i.

@@ -104,22 +104,38 @@ TEST_CASE("places far from each other are not gathered, and two fronts stay two"
 }
 
 TEST_CASE("fronts are gathered only within reach, and their sets are connected") {
-  const Mesh mesh(meridians(4, meetingGap(4) + 0.032, 4));
-  const auto groups = groupCollisions(mesh, intersections(mesh));
-  REQUIRE(groups.size() == 8);  // each two neighbours at each pole
-  CHECK(gatherFronts(mesh, groups, 1).size() == 8);
-  for (const Gathering& g : gatherFronts(mesh, groups, 10)) {
-    REQUIRE(g.parts.size() == 4);
-    for (const auto& lambda : g.whole.lambda) {
-      CHECK(std::is_sorted(lambda.begin(), lambda.end()));
-      std::vector<int> reached{lambda[0]};
-      for (std::size_t i = 0; i < reached.size(); ++i)
-        mesh.forEachNeighbour(reached[i], [&](int w) {
-          if (std::binary_search(lambda.begin(), lambda.end(), w) &&
-              std::find(reached.begin(), reached.end(), w) == reached.end())
-            reached.push_back(w);
-        });
-      CHECK(reached.size() == lambda.size());
-    }
+  // Three spheres, each of which collides with each other one, at places five edges from each other.
+  const Mesh sphere(zoo::sphere(12));
+  const std::vector<int> d = graphDistances(sphere, {sphere.face(0).begin(), sphere.face(0).end()});
+  int far = 0;
+  const auto nearest = [&](int f) {
+    int least = 1000;
+    for (int v : sphere.face(f)) least = std::min(least, d[static_cast<std::size_t>(v)]);
+    return least;
+  };
+  while (nearest(far) != 5) ++far;
+  const TriangleSoup one = zoo::sphere(12);
+  const Mesh mesh(zoo::both(zoo::both(one, zoo::moved(one, Vec3(3, 0, 0))), zoo::moved(one, Vec3(6, 0, 0))));
+  const int n = sphere.faceSlots();
+  const auto groups =
+      groupCollisions(mesh, std::vector<FacePair>{{0, n + far}, {n, 2 * n + far}, {far, 2 * n}});
+  REQUIRE(groups.size() == 3);
+  CHECK(gatherFronts(mesh, groups, 4).size() == 3);
+  const auto gathered = gatherFronts(mesh, groups, 5);
+  REQUIRE(gathered.size() == 1);
+  CHECK(gathered[0].parts.size() == 3);
+  CHECK(gathered[0].whole.pairs.size() == 3);
+  REQUIRE(gathered[0].whole.lambda.size() == 3);
+  for (const auto& lambda : gathered[0].whole.lambda) {
+    CHECK(std::is_sorted(lambda.begin(), lambda.end()));
+    CHECK(lambda.size() == 3 + 3 + 4);  // the corners of both faces, and what lies between them
+    std::vector<int> reached{lambda[0]};
+    for (std::size_t i = 0; i < reached.size(); ++i)
+      mesh.forEachNeighbour(reached[i], [&](int w) {
+        if (std::binary_search(lambda.begin(), lambda.end(), w) &&
+            std::find(reached.begin(), reached.end(), w) == reached.end())
+          reached.push_back(w);
+      });
+    CHECK(reached.size() == lambda.size());
   }
 }
