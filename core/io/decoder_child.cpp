@@ -1,4 +1,4 @@
-// The child process's side of DICOM decoding: one request, a header, the voxels into shared memory.
+// The child process's side of decoding: one request, a header, the voxels (or a mesh) into shared memory.
 
 #include <sys/mman.h>
 #include <sys/prctl.h>
@@ -7,10 +7,13 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstring>
+#include <filesystem>
 
 #include "core/errors.h"
 #include "core/io/decoder_channel.h"
 #include "core/io/dicom_source.h"
+#include "core/io/mesh_files.h"
 
 namespace handlebody {
 namespace {
@@ -55,6 +58,26 @@ void answer(const OpenRequest& request) {
   sendMessage(kDecoderSocket, {{"done", true}});
 }
 
+//! Points and triangles of a VTP file, one after the other.
+void answerMesh(const std::string& path) {
+  std::error_code ignored;
+  sendMessage(kDecoderSocket,
+              {{"part", 0}, {"file", path}, {"bytes", std::filesystem::file_size(path, ignored)}});
+  const MeshFile file = readVtpHere(path);
+  const std::size_t points = file.mesh.points.size() * sizeof(Vec3);
+  const std::size_t triangles = file.mesh.triangles.size() * sizeof(Triangle);
+  if (::ftruncate(kDecoderMemory, static_cast<off_t>(points + triangles + 1)) != 0)
+    refuseInput(path, "there is not enough memory to read it");
+  void* memory =
+      ::mmap(nullptr, points + triangles + 1, PROT_READ | PROT_WRITE, MAP_SHARED, kDecoderMemory, 0);
+  if (memory == MAP_FAILED) refuseInput(path, "there is not enough memory to read it");
+  std::memcpy(memory, file.mesh.points.data(), points);
+  std::memcpy(static_cast<char*>(memory) + points, file.mesh.triangles.data(), triangles);
+  sendMessage(kDecoderSocket, {{"points", file.mesh.points.size()},
+                               {"triangles", file.mesh.triangles.size()},
+                               {"ras", file.space == CoordinateSpace::ras}});
+}
+
 }  // namespace
 
 int runDicomDecoder() {
@@ -67,6 +90,11 @@ int runDicomDecoder() {
   if (!message) return 1;
   OpenRequest request;
   try {
+    if (message->contains("mesh")) {
+      request.path = message->at("mesh").get<std::string>();
+      answerMesh(request.path);
+      return 0;
+    }
     request = requestFromMessage(*message);
     answer(request);
   } catch (const UsageError& error) {
@@ -78,7 +106,7 @@ int runDicomDecoder() {
                 {{"input", request.path + ": decoding it takes more memory than its size allows."}});
   } catch (const std::exception& error) {
     sendMessage(kDecoderSocket,
-                {{"input", request.path + ": its DICOM data cannot be decoded (" + error.what() + ")."}});
+                {{"input", request.path + ": its data cannot be decoded (" + error.what() + ")."}});
   }
   return 0;
 }

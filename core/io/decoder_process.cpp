@@ -35,7 +35,11 @@ DicomDecoder& settings() {
 std::string decoderProgram() {
   if (!settings().program.empty()) return settings().program;
   std::error_code failed;
-  return (fs::read_symlink("/proc/self/exe", failed).parent_path() / "handlebody-cli").string();
+  const fs::path folder = fs::read_symlink("/proc/self/exe", failed).parent_path();
+  // In a build tree the tests lie two folders beside the programs.
+  const fs::path built = folder / "../../app/handlebody-cli";
+  const bool beside = fs::exists(folder / "handlebody-cli", failed);
+  return !beside && fs::exists(built, failed) ? built.string() : (folder / "handlebody-cli").string();
 }
 
 //! Above the numbers that the child is to find, so that nothing is overwritten on the way.
@@ -85,7 +89,7 @@ void setDicomDecoder(const DicomDecoder& decoder) { settings() = decoder; }
 DecoderProcess::DecoderProcess(std::string path) : path_(std::move(path)) {
   const std::string program = decoderProgram();
   if (::access(program.c_str(), X_OK) != 0)
-    refuseInput(path_, "DICOM cannot be read because its decoder " + program + " is not there");
+    refuseInput(path_, "it cannot be read because the decoder " + program + " is not there");
   start(program);
   receive({}, 0, 0);  // it is ready
   base_ = addressSpace(child_);
@@ -96,7 +100,7 @@ DecoderProcess::DecoderProcess(std::string path) : path_(std::move(path)) {
 void DecoderProcess::start(const std::string& program) {
   int ends[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-    refuseInput(path_, std::string("its decoder cannot be started (") + std::strerror(errno) + ")");
+    refuseInput(path_, std::string("the decoder cannot be started (") + std::strerror(errno) + ")");
   socket_ = ends[0];
   const timeval longest{10, 0};  // between the bytes of one message
   ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &longest, sizeof longest);
@@ -110,7 +114,7 @@ void DecoderProcess::start(const std::string& program) {
   ::close(theirs);
   if (failed == 0) return;
   child_ = -1;
-  refuseInput(path_, "its decoder " + program + " cannot be started (" + std::strerror(failed) + ")");
+  refuseInput(path_, "the decoder " + program + " cannot be started (" + std::strerror(failed) + ")");
 }
 
 DecoderProcess::~DecoderProcess() {
@@ -141,13 +145,13 @@ void DecoderProcess::explainDeath() {
   kill();
   const std::string how = signalled ? std::string("signal: ") + strsignal(WTERMSIG(status))
                                     : "exit code " + std::to_string(WEXITSTATUS(status));
-  refuseInput(path_, "the DICOM decoder broke down on " + where() + " (" + how +
+  refuseInput(path_, "the decoder broke down on " + where() + " (" + how +
                          "); the file is damaged or too large for it");
 }
 
 void DecoderProcess::refuseHang() {
   kill();
-  refuseInput(path_, "the DICOM decoder got stuck on " + where() + " and was stopped; the file is damaged");
+  refuseInput(path_, "the decoder got stuck on " + where() + " and was stopped; the file is damaged");
 }
 
 void DecoderProcess::waitForMessage(const ReadControl& control) {
@@ -179,7 +183,7 @@ Message DecoderProcess::receive(const ReadControl& control, double from, double 
     noteProgress(*message, control, from, to);
   }
 } catch (const Message::exception&) {
-  refuseInput(path_, "the DICOM decoder gave an answer without meaning on " + where());
+  refuseInput(path_, "the decoder gave an answer without meaning on " + where());
 }
 
 void DecoderProcess::allowMemory(std::uint64_t bytes) {
@@ -194,7 +198,7 @@ std::shared_ptr<void> DecoderProcess::takeMemory(std::uint64_t bytes) {
   kill();  // nobody may shrink the memory any more
   struct stat status {};
   if (::fstat(memory_, &status) != 0 || static_cast<std::uint64_t>(status.st_size) < bytes)
-    refuseInput(path_, "the DICOM decoder gave fewer voxels than it announced");
+    refuseInput(path_, "the decoder gave less than it announced");
   void* memory = ::mmap(nullptr, bytes, PROT_READ, MAP_SHARED | MAP_POPULATE, memory_, 0);
   if (memory == MAP_FAILED) refuseInput(path_, "there is not enough memory to read it");
   return {memory, [bytes](void* p) { ::munmap(p, bytes); }};

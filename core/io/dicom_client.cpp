@@ -19,7 +19,7 @@ class DicomClient : public VolumeSource {
       header_ = headerFromMessage(answer.at("header"));
       *several = answer.at("header").at("several").get<bool>();
     } catch (const Message::exception&) {
-      refuseInput(request.path, "the DICOM decoder gave an answer without meaning");
+      refuseInput(request.path, "the decoder gave an answer without meaning");
     }
     if (!*several) checkHeader(header_, request.path);
   }

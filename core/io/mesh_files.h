@@ -38,4 +38,9 @@ class VtkSilence {
   bool before_;
 };
 
+//! VTP through VTK, in a child process: its reader crashes on some damaged files.
+MeshFile readVtp(const std::string& path);
+//! The same in this process.
+MeshFile readVtpHere(const std::string& path);
+
 }  // namespace handlebody

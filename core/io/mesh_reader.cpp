@@ -157,7 +157,10 @@ MeshFile readStl(const std::string& path) {
 
 // --- VTP ---
 
-MeshFile readVtp(const std::string& path) {
+}  // namespace
+
+MeshFile readVtpHere(const std::string& path) {
+  const VtkSilence silence;
   const std::string start = bytesOfFile(path, 0, 1024);
   if (start.find("<VTKFile") == std::string::npos || start.find("PolyData") == std::string::npos)
     refuse(path, "it is not a VTP file");
@@ -174,6 +177,8 @@ MeshFile readVtp(const std::string& path) {
     file.space = CoordinateSpace::ras;
   return file;
 }
+
+namespace {
 
 MeshFile readAny(const std::string& path) {
   const std::string ending = fs::path(path).extension().string();

@@ -93,9 +93,10 @@ std::optional<LoadedVolume> loadVolume(const std::string& path, const VolumeSele
 //! cancelled.
 std::optional<std::vector<SeriesInfo>> listSeries(const std::string& path, const ReadControl& control = {});
 
-//! The program that decodes DICOM, and how long it may go without a sign of life.
+//! The program that decodes DICOM volumes and VTP meshes, and how long it may go without a sign of life.
 struct DicomDecoder {
-  //! Started as `program decode-dicom`. Empty: handlebody-cli in the folder of the running program.
+  //! Started as `program decode-dicom`. Empty: handlebody-cli in the folder of the running program (in a
+  //! build tree, ../../app from it).
   std::string program{};
   double patience = 8;  //!< seconds for one image, and for every 100 MB of its file 5 more
 };

@@ -1,8 +1,8 @@
-// fuzz_readers COUNT [--seed N] [--dicom CLI] [--files FOLDER --cli CLI]
+// fuzz_readers COUNT [--seed N] [--decoder CLI] [--files FOLDER --cli CLI]
 //
 // Damaged files through the readers: they read or throw InputError or UsageError, within ten seconds each.
-// Without --files: the project's own samples, in this process; with --dicom the DICOM ones, each in a child.
-// With --files: the real files of a folder, whole `info` and `segment` runs of CLI. A file that breaks
+// Without --files: the project's own samples, in this process; with --decoder those that a child process
+// reads. With --files: the real files of a folder, whole `info` and `segment` runs of CLI. A file that breaks
 // something stays behind, and its path is printed.
 
 #include <CLI/CLI.hpp>
@@ -27,9 +27,9 @@ namespace fs = std::filesystem;
 constexpr double kLongest = 10;  // seconds
 
 struct Options {
-  std::size_t count = 1000;
+  std::size_t count = 1000, first = 0;
   std::uint64_t seed = 1;
-  std::string dicom, files, cli;
+  std::string decoder, files, cli;
 };
 
 struct Tally {
@@ -119,10 +119,12 @@ int fuzz(const Options& o) {
   if (!mkdtemp(folder.data())) return 2;
   std::vector<Sample> samples = o.files.empty() ? fuzzCorpus(folder) : realFiles(o.files);
   if (o.files.empty())
-    std::erase_if(samples, [&](const Sample& s) { return s.name.ends_with(".dcm") == o.dicom.empty(); });
-  if (!o.dicom.empty()) setDicomDecoder({o.dicom});
+    std::erase_if(samples, [&](const Sample& s) {
+      return (s.name.ends_with(".dcm") || s.name.ends_with(".vtp")) == o.decoder.empty();
+    });
+  if (!o.decoder.empty()) setDicomDecoder({o.decoder});
   Tally tally;
-  for (std::size_t i = 0; i < o.count; ++i) {
+  for (std::size_t i = o.first; i < o.first + o.count; ++i) {
     one(o, samples, i, folder, tally);
     if (o.count >= 10000 && i % 1000 == 999)
       std::cerr << i + 1 << " done, " << tally.broken << " broken" << std::endl;
@@ -141,8 +143,9 @@ int main(int argc, char** argv) {
   handlebody::test::Options o;
   CLI::App app("Damaged files through the readers", "fuzz_readers");
   app.add_option("COUNT", o.count, "How many");
+  app.add_option("--first", o.first, "Number of the first, to repeat one");
   app.add_option("--seed", o.seed, "Of the random numbers");
-  app.add_option("--dicom", o.dicom, "handlebody-cli, to decode DICOM");
+  app.add_option("--decoder", o.decoder, "handlebody-cli, whose child processes decode DICOM and VTP");
   app.add_option("--files", o.files, "Folder of real files, for whole runs of --cli");
   app.add_option("--cli", o.cli, "handlebody-cli");
   CLI11_PARSE(app, argc, argv);

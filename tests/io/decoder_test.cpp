@@ -6,7 +6,9 @@
 #include <chrono>
 #include <thread>
 
+#include "core/io/mesh_io.h"
 #include "tests/io/dicom_test_support.h"
+#include "tests/io/mesh_test_support.h"
 
 using namespace handlebody;
 using namespace handlebody::test;
@@ -85,7 +87,7 @@ TEST_CASE("answers without meaning are refused") {
 TEST_CASE("without its decoder DICOM is refused, and the message names the program") {
   const TemporaryFolder folder;
   const WithDecoder decoder({folder / "nothing-here"});
-  expectInputError(folderCalled(folder, "series"), "its decoder " + (folder / "nothing-here"));
+  expectInputError(folderCalled(folder, "series"), "the decoder " + (folder / "nothing-here"));
 }
 
 TEST_CASE("a reading that is cancelled ends at once and leaves no process") {
@@ -141,4 +143,23 @@ TEST_CASE("paths with quotes, spaces, semicolons and bytes that are not UTF-8 ar
   const std::string name = "it's; rm -rf $HOME \"x\" \xff\xfe\n`id`";
   writeSeries(folder / name, evenStack(3));
   CHECK(readVolume(folder / name).grid.size[2] == 3);
+}
+
+TEST_CASE("VTP meshes are read by the child process, whose death and hang are sentences") {
+  const TemporaryFolder folder;
+  const std::string path = folder / "mesh.vtp";
+  writeMesh(sphere(Vec3(1, 2, 3), 4, 1), path);
+  CHECK(readMesh(path).triangles.size() == 32);
+  {
+    const WithDecoder decoder({folder / "nothing-here"});
+    CHECK_THROWS_AS(readMesh(path), InputError);
+  }
+  // Blocks of compressed data that claim to be larger than any memory.
+  std::string bytes = readBytes(path);
+  const auto data = bytes.find("_", bytes.find("<AppendedData"));
+  REQUIRE(data != std::string::npos);
+  for (std::size_t i = 1; i < 200; ++i) bytes[data + i] = '\xff';
+  writeBytes(path, bytes);
+  CHECK_THROWS_AS(readMesh(path), InputError);
+  expectNoChildren();
 }
