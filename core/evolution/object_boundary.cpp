@@ -13,6 +13,8 @@ namespace {
 // Voxels on either side of a face that say how high the edge is: the ramp of an edge that the smoothing has
 // left sharp.
 constexpr int kReach = 1;
+// Edges of this part of the typical step around them count most.
+constexpr double kLowerEdges = 0.5;
 
 constexpr int kMostPasses = 6;
 // Levels that change by less than this part of the contrast in a pass stay: a fiftieth of the half-step is a
@@ -69,6 +71,13 @@ std::optional<Edge> edgeIn(const Profile& p, const ObjectRegion::Voxel& v) {
   return Edge{Vec3(v[0], v[1], v[2]), sum / weight, largest};
 }
 
+//! 1 for edges of a typical height: noise counts less by the square of its steps, and so does, more quickly,
+//! what is much higher.
+double weightOf(double step, double typical) {
+  const double x = step / (kLowerEdges * typical), square = x * x;
+  return square / (1 + square * square * square);
+}
+
 class BoundarySearch {
  public:
   explicit BoundarySearch(const ObjectSearch& s) : s_(s), expected_(s.expectedVoxels) {}
@@ -120,14 +129,20 @@ class BoundarySearch {
   }
 
   LevelField levelsAt(const Candidate& c, const LevelField& fallback) const {
-    LevelField::Samples levels(s_.volume.grid());
+    std::vector<Edge> edges;
+    LevelField::Samples steps(s_.volume.grid()), levels(s_.volume.grid());
     for (const ObjectRegion::Face& face : c.region.faces) {
       const auto voxel = static_cast<std::size_t>(face.voxel);
       if (c.neck && !c.neck->kept[voxel]) continue;
       const ObjectRegion::Voxel& v = c.region.voxels[voxel];
       const auto edge = edgeIn(profileAt(s_.volume, v, face, s_.sign), v);
-      if (edge) levels.add(edge->place, s_.sign * edge->level, edge->step * edge->step);
+      if (!edge) continue;
+      edges.push_back(*edge);
+      steps.add(edge->place, edge->step, edge->step * edge->step);
     }
+    if (edges.empty()) return fallback;
+    const LevelField typical = steps.spread();
+    for (const Edge& e : edges) levels.add(e.place, s_.sign * e.level, weightOf(e.step, typical.at(e.place)));
     return levels.empty() ? fallback : levels.spread();
   }
 

@@ -30,7 +30,8 @@ struct ObjectSearch {
 //! the boundary, weighted with the square of the steps between neighbouring voxels: between two plateaus the
 //! half-way level, wherever the region's boundary lay in the ramp between them. So the surface ends half-way
 //! up its own edge everywhere, whatever the gain does along it. Where the region ends without an edge the
-//! steps are small, and the levels of the nearest edges go on.
+//! steps are small, and the levels of the nearest edges go on. Where edges of different height meet the lower
+//! ones decide: a level that is too high for them would leak there.
 //! The weighted mean is that of Kittler, Illingworth and Föglein (1985), "Threshold selection based on a
 //! simple image statistic", taken locally and at the boundary of a region only.
 //! If a region is far larger than the one before it, it has leaked: it is cut at its neck (neck.h), or, where
