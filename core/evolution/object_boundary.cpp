@@ -78,11 +78,20 @@ double weightOf(double step, double typical) {
   return square / (1 + square * square * square);
 }
 
+//! Which edges say where the levels lie, where edges of different height meet.
+enum class Edges { lowerDecide, higherDecide };
+
+//! What a search came to.
+struct Found {
+  ObjectBoundary boundary;
+  bool settled;  // else the boundary is that of the one level it began with
+};
+
 class BoundarySearch {
  public:
-  explicit BoundarySearch(const ObjectSearch& s) : s_(s), expected_(s.expectedVoxels) {}
+  BoundarySearch(const ObjectSearch& s, Edges edges) : s_(s), edges_(edges), expected_(s.expectedVoxels) {}
 
-  ObjectBoundary run() {
+  Found run() {
     LevelField trial(s_.volume.grid(), s_.level);
     std::optional<ObjectBoundary> best, first;
     double part = 1, lastChange = 0;
@@ -98,7 +107,7 @@ class BoundarySearch {
       LevelField next = levelsAt(c, trial);
       const double change = meanChange(c.region, next, trial);
       const bool rests = change <= kStays * std::abs(s_.level - s_.object);
-      if (pass >= 2 && change > kContracts * lastChange) return *std::move(first);
+      if (pass >= 2 && change > kContracts * lastChange) return {*std::move(first), false};
       lastChange = change;
       // A neck belongs to the levels at which it was found.
       const bool hasNeck = c.neck.has_value();
@@ -107,7 +116,7 @@ class BoundarySearch {
       if (rests) break;
       trial = LevelField::between(trial, next, part);
     }
-    return *std::move(best);
+    return {*std::move(best), true};
   }
 
  private:
@@ -142,7 +151,9 @@ class BoundarySearch {
     }
     if (edges.empty()) return fallback;
     const LevelField typical = steps.spread();
-    for (const Edge& e : edges) levels.add(e.place, s_.sign * e.level, weightOf(e.step, typical.at(e.place)));
+    for (const Edge& e : edges)
+      levels.add(e.place, s_.sign * e.level,
+                 edges_ == Edges::lowerDecide ? weightOf(e.step, typical.at(e.place)) : e.step * e.step);
     return levels.empty() ? fallback : levels.spread();
   }
 
@@ -164,12 +175,17 @@ class BoundarySearch {
   }
 
   const ObjectSearch& s_;
+  Edges edges_;
   double expected_;  // voxels
 };
 
 }  // namespace
 
-ObjectBoundary findBoundary(const ObjectSearch& search) { return BoundarySearch(search).run(); }
+ObjectBoundary findBoundary(const ObjectSearch& search) {
+  Found found = BoundarySearch(search, Edges::lowerDecide).run();
+  if (!found.settled) found = BoundarySearch(search, Edges::higherDecide).run();
+  return std::move(found.boundary);
+}
 
 std::optional<ObjectBoundary> findBoundaryAtNeck(const ObjectSearch& s) {
   for (double part : kNeckLevels) {

@@ -31,11 +31,12 @@ struct ObjectSearch {
 //! half-way level, wherever the region's boundary lay in the ramp between them. So the surface ends half-way
 //! up its own edge everywhere, whatever the gain does along it. Where the region ends without an edge the
 //! steps are small, and the levels of the nearest edges go on. Where edges of different height meet the lower
-//! ones decide: a level that is too high for them would leak there.
+//! ones decide, since a level that is too high for them would leak there; if the levels come to no rest that
+//! way (a gain that changes fast), the higher ones do.
 //! The weighted mean is that of Kittler, Illingworth and Föglein (1985), "Threshold selection based on a
 //! simple image statistic", taken locally and at the boundary of a region only.
 //! If a region is far larger than the one before it, it has leaked: it is cut at its neck (neck.h), or, where
-//! there is none, the levels go only half the way, again and again. If the levels come to no rest
+//! there is none, the levels go only half the way, again and again. If they come to no rest either way
 //! (surroundings that change along the boundary, not a gain), the first level stays for all places.
 ObjectBoundary findBoundary(const ObjectSearch& search);
 
