@@ -1,5 +1,5 @@
 #pragma once
-// What the peers are told: found once with `bench_peers --tune`, for each image.
+// What the peers are told unless `bench_peers --tune` looks for better settings first (not done yet for these).
 
 #include <string>
 
@@ -7,8 +7,8 @@
 
 namespace handlebody::bench {
 
-//! The smoothing and weights with the best overlap on the named phantom (its own noise, no bias); the general
-//! ones for phantoms that are not listed. Iterations and threshold are left open: bench_peers finds them
+//! Smoothing and weights chosen by hand for the named phantom (its own noise, no bias); the general ones for
+//! phantoms that are not listed. Iterations and threshold are left open: bench_peers finds them with the truth
 //! before every timed run.
 PeerSettings tunedSettings(Peer peer, const std::string& phantom);
 
