@@ -48,6 +48,25 @@ void expectHalfWay(const ObjectBoundary& boundary, double lowest, double sign, d
   }
 }
 
+//! A ball of 8 mm and one of 20 mm, both of value 40, joined by a bar of 3 mm radius and value `bar`, in a
+//! background of 120.
+constexpr double kSmallRadius = 8;
+const Vec3 kSmall(14, 24, 24), kLarge(56, 24, 24);
+
+Volume joinedBalls(double bar) {
+  Grid g = cubicGrid(48);
+  g.size = {80, 48, 48};
+  return volumeByIndex(g, [=](int i, int j, int k) {
+    const Vec3 p(i, j, k);
+    if ((p - kSmall).norm() < kSmallRadius || (p - kLarge).norm() < 20) return kObject;
+    return i > kSmall[0] && i < kLarge[0] && std::hypot(j - 24, k - 24) < 3 ? bar : kBackground;
+  });
+}
+
+ObjectSearch searchFromSmall(const SmoothedVolume& volume) {
+  return {volume, {kSmall}, 1, kObject, 80, 4.18879 * std::pow(kSmallRadius, 3)};
+}
+
 }  // namespace
 
 TEST_CASE("without a gain the boundary's levels are half-way everywhere") {
@@ -76,4 +95,30 @@ TEST_CASE("the boundary's levels are the same bit for bit each time") {
   const SmoothedVolume first(rod(0.6, 1), 0.7), second(rod(0.6, 1), 0.7);
   const ObjectBoundary a = boundaryOf(first, 1), b = boundaryOf(second, 1);
   for (int x = 0; x < kLength; ++x) CHECK(a.levels.at(Vec3(x, 7, 16)) == b.levels.at(Vec3(x, 7, 16)));
+}
+
+TEST_CASE("a search whose region leaks through a bar ends at the neck, with the small ball in front of it") {
+  const SmoothedVolume volume(joinedBalls(kObject), 0);
+  const ObjectBoundary boundary = findBoundary(searchFromSmall(volume));
+  REQUIRE(boundary.neck);
+  CHECK(boundary.neck->kept.empty());
+  CHECK(boundary.neck->neckRadius == Approx(3).margin(0.8));
+  CHECK(boundary.neck->barrier->openness(kSmall) == 1);
+  CHECK(boundary.neck->barrier->openness(kLarge) == -1);
+  CHECK(boundary.levels.at(kSmall + Vec3(0, kSmallRadius, 0)) == Approx(80).margin(4));
+}
+
+TEST_CASE("where the bar is background, there is no neck") {
+  const SmoothedVolume volume(joinedBalls(kBackground), 0);
+  CHECK_FALSE(findBoundary(searchFromSmall(volume)).neck);
+  CHECK_FALSE(findBoundaryAtNeck(searchFromSmall(volume)));
+}
+
+TEST_CASE("a region that leaked is cut at its neck with one level for all places") {
+  const SmoothedVolume volume(joinedBalls(kObject), 0);
+  const auto boundary = findBoundaryAtNeck(searchFromSmall(volume));
+  REQUIRE(boundary);
+  REQUIRE(boundary->neck);
+  CHECK(boundary->neck->barrier->openness(kLarge) == -1);
+  CHECK(boundary->levels.lowest() == boundary->levels.highest());
 }
