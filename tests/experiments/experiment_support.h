@@ -24,16 +24,21 @@ struct Outcome {
   StopReason stop = StopReason::running;
 };
 
-//! Runs to the end from the phantom's seed; everything but the threads and the direction is automatic.
-inline Outcome grow(const Phantom& phantom, int threads = 1, Direction direction = Direction::outward) {
-  Parameters parameters;
-  parameters.threads = threads;
-  parameters.direction = direction;
+//! Runs to the end from the phantom's seed.
+inline Outcome growWith(const Phantom& phantom, const Parameters& parameters) {
   ActiveContour contour(phantom.volume, {{phantom.seed, phantom.seedRadius}}, parameters);
   while (contour.stopReason() == StopReason::running) contour.step();
   Outcome out{contour.mesh().compact(), {}, contour.iteration(), contour.stopReason()};
   out.certificate = certify(out.mesh);
   return out;
+}
+
+//! The same; everything but the threads and the direction is automatic.
+inline Outcome grow(const Phantom& phantom, int threads = 1, Direction direction = Direction::outward) {
+  Parameters parameters;
+  parameters.threads = threads;
+  parameters.direction = direction;
+  return growWith(phantom, parameters);
 }
 
 //! |distance| to the ideal surface in voxels (mean spacing) at the vertices and the middles of the faces,

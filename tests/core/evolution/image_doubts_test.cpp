@@ -1,0 +1,95 @@
+#include "core/evolution/image_doubts.h"
+
+#include "core/mesh/shapes.h"
+#include "tests/support/catch.h"
+#include "tests/support/test_volume.h"
+
+using namespace handlebody;
+using testing::cubicGrid;
+using testing::volumeByDistance;
+using testing::volumeByIndex;
+
+namespace {
+
+const Vec3 kCentre(20, 20, 20);
+constexpr double kRadius = 12;
+
+Mesh sphere(const Vec3& centre = kCentre) { return Mesh(icosphere(centre, kRadius, 1)); }
+
+//! As a force sees a dark object of 0 in a background of 100: half-way at 50.
+ObjectImage imageOf(Volume volume, std::shared_ptr<const NeckCut> neck = nullptr) {
+  return ObjectImage(std::make_shared<SmoothedVolume>(std::move(volume), 0),
+                     {-std::numeric_limits<double>::infinity(), 50}, 50, nullptr, std::move(neck));
+}
+
+Volume ballVolume() {
+  return volumeByDistance(cubicGrid(41), 0, 100,
+                          [](const Vec3& p) { return (p - kCentre).norm() - kRadius; });
+}
+
+Volume constantVolume() {
+  return volumeByIndex(cubicGrid(41), [](int, int, int) { return 10; });
+}
+
+//! A ball in the left half whose right half goes on for ever.
+Volume halfOpenVolume() {
+  return volumeByDistance(cubicGrid(41), 0, 100, [](const Vec3& p) {
+    const double aside = std::hypot(p[1] - kCentre[1], p[2] - kCentre[2]);
+    return p[0] < kCentre[0] ? (p - kCentre).norm() - kRadius : aside - 3 * kRadius;
+  });
+}
+
+std::shared_ptr<const NeckCut> neckCut() {
+  auto neck = std::make_shared<NeckCut>();
+  neck->neckRadius = 2.5;
+  neck->keptVolume = 1500;
+  neck->cutVolume = 12000;
+  neck->barrier = std::make_shared<Barrier>(std::array<int, 3>{0, 0, 0}, std::array<int, 3>{1, 1, 1},
+                                            std::vector<unsigned char>{0});
+  return neck;
+}
+
+}  // namespace
+
+TEST_CASE("no part of a surface on the object's edge is without an edge") {
+  CHECK(partWithoutEdge(sphere(), imageOf(ballVolume())) == 0);
+}
+
+TEST_CASE("all of a surface in an image of one value is without an edge") {
+  CHECK(partWithoutEdge(sphere(), imageOf(constantVolume())) == 1);
+}
+
+TEST_CASE("half of a surface whose object goes on behind one half is without an edge") {
+  CHECK(partWithoutEdge(sphere(), imageOf(halfOpenVolume())) == Approx(0.5).margin(0.05));
+}
+
+TEST_CASE("where the surface ends at the border of the volume no edge is missed") {
+  // The lower part of the ball lies outside of the volume; the rest of it in one value.
+  const Mesh mesh = sphere(Vec3(20, 20, 5));
+  const Volume volume = volumeByDistance(
+      cubicGrid(41), 0, 100, [](const Vec3& p) { return (p - Vec3(20, 20, 5)).norm() - kRadius; });
+  CHECK(partWithoutEdge(mesh, imageOf(volume)) == 0);
+}
+
+TEST_CASE("nothing speaks against a surface on the object's edge") {
+  CHECK(imageDoubts(sphere(), imageOf(ballVolume())).empty());
+}
+
+TEST_CASE("a surface in the open is doubted with the part that has no edge") {
+  const auto doubts = imageDoubts(sphere(), imageOf(constantVolume()));
+  REQUIRE(doubts.size() == 1);
+  CHECK_THAT(doubts[0], Contains("100 % of the surface") && Contains("no edge"));
+}
+
+TEST_CASE("a neck is reported with its radius and the volumes before and behind it") {
+  const auto doubts = imageDoubts(sphere(), imageOf(ballVolume(), neckCut()));
+  REQUIRE(doubts.size() == 1);
+  CHECK_THAT(doubts[0], Contains("neck of radius 2.5 mm") && Contains("at least 12 ml") &&
+                            Contains("fill 1.5 ml") && Contains("--range"));
+}
+
+TEST_CASE("a neck and a missing edge give a sentence each, without a full stop") {
+  const auto doubts = imageDoubts(sphere(), imageOf(constantVolume(), neckCut()));
+  REQUIRE(doubts.size() == 2);
+  for (const std::string& doubt : doubts) CHECK(doubt.back() != '.');
+}
