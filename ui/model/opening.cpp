@@ -4,6 +4,7 @@
 #include <QFile>
 #include <chrono>
 #include <filesystem>
+#include <utility>
 
 #include "core/errors.h"
 #include "ui/model/error_sentence.h"
@@ -18,6 +19,14 @@ void verifyHash(const VolumeReference& reference) {
                    " is not the volume that the session was made from: its SHA-256 differs.");
 }
 
+// Only a folder can hold several series; it is looked through first where none is chosen.
+std::optional<SeriesChoice> choiceIn(const VolumeReference& reference) {
+  if (reference.selection.series || !std::filesystem::is_directory(reference.path)) return std::nullopt;
+  const VolumeInfo info = inspectVolume(reference.path, reference.selection);
+  if (info.frames > 0) return std::nullopt;
+  return SeriesChoice{info.series};
+}
+
 // The voxels come last: everything that can be wrong cheaply is found before them.
 OpeningResult read(const QString& path, const VolumeSelection& selection,
                    const std::function<void(double)>& progress, const std::atomic<bool>& cancelled) {
@@ -30,13 +39,14 @@ OpeningResult read(const QString& path, const VolumeSelection& selection,
     // Relative to the session's folder it may be full of "..", which nobody wants to read.
     work.reference.path = std::filesystem::weakly_canonical(work.reference.path).string();
   }
-  work.info = inspectVolume(work.reference.path, work.reference.selection);
-  if (work.info.frames == 0) return SeriesChoice{work.info.series};
-  if (cancelled) return OpeningFailed{};
   progress(-1);
   if (work.session) verifyHash(work.reference);
+  if (auto choice = choiceIn(work.reference)) return *choice;
   if (cancelled) return OpeningFailed{};
-  work.volume = readVolume(work.reference.path, work.reference.selection);
+  auto loaded = loadVolume(work.reference.path, work.reference.selection, {progress, &cancelled});
+  if (!loaded) return OpeningFailed{};
+  work.volume = std::move(loaded->volume);
+  work.info = std::move(loaded->info);
   work.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return work;
 }

@@ -54,6 +54,25 @@ QString finishedText(StopReason reason) {
   }
 }
 
+// Doubts are written for the command line; here the option is a field of a panel.
+QString doubtText(const std::string& doubt) {
+  QString text = QString::fromStdString(doubt);
+  text.replace(QLatin1String("give --range"), GrowPanel::tr("set the range in step 3, Tune"));
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  return QStringLiteral("<p>%1.</p>").arg(text.toHtmlEscaped());
+}
+
+// Only what came to its end is judged: on the way much of a surface lies where there is no edge.
+QString doubtsOf(const Document& document) {
+  const auto snapshot = document.snapshot();
+  const bool ended =
+      document.state() == GrowthState::finished && document.iteration() == document.lastIteration();
+  if (!ended || !snapshot || snapshot->doubts.empty()) return {};
+  QString text = QStringLiteral("<p><b>%1</b></p>").arg(GrowPanel::tr("⚠ Worth a look"));
+  for (const std::string& doubt : snapshot->doubts) text += doubtText(doubt);
+  return text;
+}
+
 }  // namespace
 
 QString stateText(const Document& document) {
@@ -88,6 +107,8 @@ GrowPanel::GrowPanel(Document& document, SurfaceView& surface, const Commands& c
   layout->addWidget(state_);
   error_ = value(tr("Why it did not grow"), this);
   layout->addWidget(error_);
+  doubts_ = value(tr("Doubts about the surface"), this);
+  layout->addWidget(doubts_);
   layout->addWidget(buildNumbers());
   inspector_ = new EventInspector(document_, surface, this);
   layout->addWidget(inspector_);
@@ -167,6 +188,9 @@ void GrowPanel::showState() {
   error_->setText(document_.growthError());
   error_->setVisible(!document_.growthError().isEmpty());
   hint_->setVisible(document_.iteration() < 0);
+  const QString doubts = doubtsOf(document_);
+  doubts_->setText(doubts);
+  doubts_->setVisible(!doubts.isEmpty());
 }
 
 void GrowPanel::showNumbers() {
