@@ -214,11 +214,12 @@ void setBoundary(ObjectChoice& choice, const std::vector<Seed>& seeds, const Gro
   if (found.border > kOnBorder && found.voxels > kOutOfProportion * seedBallVoxels(choice, seeds))
     boundary = findBoundaryAtNeck(search);
   if (boundary) {
-    end = boundary->levels.at(search.seeds[0]);
-    choice.contrast = std::abs(end - choice.level);
+    choice.contrast = std::abs(boundary->levels.at(search.seeds[0]) - choice.level);
   } else {
     boundary = findBoundary(search);
   }
+  // The range says what is used: without a gain, given as --range, it leads to the same surface.
+  end = boundary->levels.at(search.seeds[0]);
   choice.levels = std::make_shared<LevelField>(std::move(boundary->levels));
   if (boundary->neck) choice.neck = std::make_shared<NeckCut>(*std::move(boundary->neck));
 }

@@ -60,6 +60,13 @@ TEST_CASE("where there are no samples, a level field has the level of the neares
   CHECK(field.at(Vec3(128, 128, 128)) <= 30);
 }
 
+TEST_CASE("what is near decides about a level, however much weight there is far away") {
+  LevelField::Samples samples(cubicGrid(129));
+  samples.add(Vec3(0, 64, 64), 10, 1);
+  samples.add(Vec3(96, 64, 64), 30, 100);
+  CHECK(samples.spread().at(Vec3(0, 64, 64)) == Approx(10).margin(1));
+}
+
 TEST_CASE("samples at one place count with their weights") {
   LevelField::Samples samples(cubicGrid(17));
   samples.add(Vec3(8, 8, 8), 10, 1);
