@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <cstdlib>
 #include <iostream>
+#include <optional>
 
 #include "app/window/options.h"
 #include "app/window/screenshot.h"
@@ -42,10 +43,12 @@ int showWindow(const Options& options) {
   if (!options.appearance.isEmpty()) window.setAppearance(appearanceFrom(options.appearance));
   const bool picture = !options.screenshot.isEmpty();
   if (picture) window.resize(options.size);
-  Screenshot screenshot(options, window);
+  // It ends the program once its picture is taken, so there is none unless a picture is asked for.
+  std::optional<Screenshot> screenshot;
+  if (picture) screenshot.emplace(options, window);
   window.show();
-  if (picture) {
-    screenshot.start();
+  if (screenshot) {
+    screenshot->start();
   } else {
     if (!options.file.isEmpty()) window.files().open(options.file);
     window.greet();

@@ -41,6 +41,10 @@ for view in all axial coronal sagittal 3d; do
     fail "--view $view"
 done
 
+# Without --screenshot it stays open with its volume until it is ended (124: by timeout).
+sh "$display" timeout 8 "$program" "$samples/cyst.nii.gz" 2> "$folder/error"
+test $? -eq 124 || fail "the window stays open with its volume"
+
 echo "not a volume" > "$folder/bad.nii"
 sh "$display" "$program" "$folder/bad.nii" --screenshot "$folder/bad.png" 2> "$folder/error"
 test $? -eq 3 || fail "a bad file ends with 3"
