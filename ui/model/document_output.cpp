@@ -71,6 +71,10 @@ void Document::exportResult(const QString& path, CoordinateSpace space) {
     Q_EMIT exportFailed(tr("There is no surface to export yet: grow one first."));
     return;
   }
+  if (shown->mesh.triangles.empty()) {
+    Q_EMIT exportFailed(tr("Nothing is left of the surface at this iteration: step back to one that has some."));
+    return;
+  }
   d_->files.post([this, path, space, shown, grid = d_->work->volume.grid] {
     const QString failed = sentenceOf(
         [&] { writeResults(certifiedForExport(shown->mesh).mesh, grid, {fileName(path)}, space); });

@@ -209,11 +209,15 @@ void GrowPanel::showNumbers() {
 
 void GrowPanel::showCertificate() {
   const Certificate& c = document_.snapshot()->certificate;
+  const bool empty = c.faces == 0;  // a surface that shrank away: nothing to certify, and nothing wrong
   const bool passes = c.passes();
-  badge_->setText(passes ? tr("✓ Closed, manifold, free of self-intersections")
-                         : tr("✗ %1").arg(faultsOf(c)));
+  badge_->setText(empty    ? tr("Nothing is left of the surface")
+                  : passes ? tr("✓ Closed, manifold, free of self-intersections")
+                           : tr("✗ %1").arg(faultsOf(c)));
   QPalette palette = badge_->palette();
-  palette.setColor(QPalette::Window, passes ? QColor(0x2E, 0x7D, 0x4F) : QColor(0xB0, 0x3A, 0x2E));
+  palette.setColor(QPalette::Window, empty    ? QColor(0x6B, 0x6B, 0x6B)
+                                     : passes ? QColor(0x2E, 0x7D, 0x4F)
+                                              : QColor(0xB0, 0x3A, 0x2E));
   palette.setColor(QPalette::WindowText, Qt::white);
   badge_->setPalette(palette);
 }

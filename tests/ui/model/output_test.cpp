@@ -66,6 +66,26 @@ QByteArray replayed(const TorusFile& torus, const QString& session) {
 
 }  // namespace
 
+TEST_CASE("a surface that shrank away is not exported, and that is said", "[document]") {
+  Work work;
+  Parameters p = work.document.parameters();
+  p.direction = Direction::both;
+  p.balloon = 0.01;
+  p.curvature = 1;  // hardly anything but curvature: the seed ball shrinks to a point
+  work.document.setParameters(p, QStringLiteral("Shrink"));
+  REQUIRE(runToEnd(work.document));
+  CHECK(work.document.stopReason() == StopReason::empty);
+  REQUIRE(work.document.snapshot());
+  CHECK(work.document.snapshot()->mesh.triangles.empty());
+  CHECK_FALSE(work.exportTo(work.torus.file("nothing.stl")));
+  CHECK(work.failed.contains(QLatin1String("Nothing is left")));
+  CHECK_FALSE(QFile::exists(work.torus.file("nothing.stl")));
+  work.document.goTo(0);
+  CHECK(waitFor([&] { return work.document.iteration() == 0; }));
+  work.failed.clear();
+  CHECK(work.exportTo(work.torus.file("seed.stl")));
+}
+
 TEST_CASE("a mesh is exported as the command line writes it", "[document]") {
   Work work;
   REQUIRE(runToEnd(work.document));

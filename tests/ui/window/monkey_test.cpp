@@ -6,6 +6,8 @@
 #include <QMessageBox>
 #include <QTimer>
 #include <random>
+#include <sstream>
+#include <string>
 
 #include "tests/ui/window/window_support.h"
 
@@ -126,6 +128,16 @@ class Monkey {
   std::vector<QAction*> commands_;
 };
 
+//! What is wrong with a snapshot, for the log: a failure must be understood from it alone.
+std::string described(const ui::MeshSnapshot& snapshot, int actions) {
+  const Certificate& c = snapshot.certificate;
+  std::ostringstream out;
+  out << "iteration " << snapshot.iteration << " after " << actions << " actions: closed " << c.closed << ", manifold "
+      << c.manifold << ", oriented " << c.oriented << ", self-intersections " << c.selfIntersections << ", faces "
+      << c.faces << ", components " << c.components << ", volume " << c.volume << " mm3";
+  return out.str();
+}
+
 void closePopups() {
   while (QWidget* popup = QApplication::activePopupWidget()) popup->close();
   if (QWidget* modal = QApplication::activeModalWidget()) modal->close();
@@ -160,7 +172,9 @@ void MonkeyTest::randomEventsDoNoHarm() {
     QApplication::processEvents();
     slowest = std::max(slowest, answer.elapsed());
     const auto snapshot = window->document().snapshot();
-    if (snapshot) QVERIFY(snapshot->certificate.passes());
+    // A surface may shrink away (an own range, both directions); then there is nothing to certify.
+    const bool certain = !snapshot || snapshot->mesh.triangles.empty() || snapshot->certificate.passes();
+    if (!certain) QFAIL(described(*snapshot, actions).c_str());
     QVERIFY(window->document().iteration() <= window->document().lastIteration());
   }
   qInfo("%d actions, the slowest took %lld ms", actions, static_cast<long long>(slowest));
