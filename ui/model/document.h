@@ -39,7 +39,7 @@ struct IterationSummary {
   int iteration = 0;
   double volume = 0;       //!< mm³
   double movingShare = 0;  //!< 0 … 1 of the vertices
-  int events = 0;          //!< topology events (roll-backs not counted)
+  int events = 0;          //!< changes of topology; repairs of the mesh are not counted
 };
 
 enum class GrowthState {

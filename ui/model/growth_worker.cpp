@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "ui/model/error_sentence.h"
+#include "ui/model/event_kinds.h"
 #include "ui/model/snapshot.h"
 
 namespace handlebody::ui {
@@ -215,9 +216,8 @@ bool GrowthWorker::hasReached() const {
 
 bool GrowthWorker::isEventIteration(int iteration) const {
   const std::vector<Event>& events = history_->events();
-  return std::any_of(events.begin(), events.end(), [&](const Event& e) {
-    return e.iteration == iteration && e.kind != EventKind::rolledBack;
-  });
+  return std::any_of(events.begin(), events.end(),
+                     [&](const Event& e) { return e.iteration == iteration && changesTopology(e.kind); });
 }
 
 void GrowthWorker::show(int iteration) {

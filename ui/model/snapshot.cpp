@@ -6,6 +6,7 @@
 
 #include "core/collision/certify.h"
 #include "core/mesh/topology.h"
+#include "ui/model/event_kinds.h"
 
 namespace handlebody::ui {
 
@@ -110,7 +111,7 @@ std::vector<IterationSummary> summariesFrom(const History& history, std::size_t 
   if (out.empty()) return out;
   for (auto e = history.events().rbegin(); e != history.events().rend(); ++e) {
     if (e->iteration < out.front().iteration) break;
-    if (e->kind != EventKind::rolledBack)
+    if (changesTopology(e->kind))
       ++out[static_cast<std::size_t>(e->iteration - out.front().iteration)].events;
   }
   return out;

@@ -2,9 +2,9 @@
 
 #include <QApplication>
 #include <QPalette>
-#include <QStyle>
-#include <QStyleFactory>
 #include <QToolTip>
+
+#include "ui/window/window_style.h"
 
 namespace handlebody::ui {
 
@@ -62,7 +62,7 @@ void applyAppearance(Appearance appearance) {
   const bool dark = appearance == Appearance::dark || (appearance == Appearance::system && systemDark);
   QPalette palette = dark ? darkPalette() : lightPalette();
   finish(palette, dark ? QColor(0x7C, 0x83, 0x8A) : QColor(0x9A, 0xA1, 0xA8));
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QApplication::setStyle(new WindowStyle);
   QApplication::setPalette(palette);
   QToolTip::setPalette(palette);
 }

@@ -2,9 +2,9 @@
 
 #include <QButtonGroup>
 #include <QHBoxLayout>
-#include <QToolButton>
 
 #include "ui/window/panel_tools.h"
+#include "ui/window/toggle_button.h"
 
 namespace handlebody::ui {
 
@@ -17,12 +17,8 @@ QWidget* choiceRow(const QString& name, const QStringList& texts, const QStringL
   layout->setSpacing(2);
   group = new QButtonGroup(row);
   for (int i = 0; i < texts.size(); ++i) {
-    auto* button = new QToolButton(row);
-    button->setText(texts[i]);
-    button->setCheckable(true);
-    button->setFocusPolicy(Qt::TabFocus);
+    auto* button = new ToggleButton(texts[i], row);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    styleAsToggle(button);
     describe(button, QStringLiteral("%1: %2").arg(name, texts[i]), tips[i]);
     group->addButton(button, i);
     layout->addWidget(button);

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "ui/model/document.h"
+#include "ui/model/event_kinds.h"
 #include "ui/window/choice_row.h"
 #include "ui/window/numbers.h"
 #include "ui/window/panel_tools.h"
@@ -20,13 +21,14 @@ constexpr EventStage kStages[] = {EventStage::none, EventStage::colliding, Event
 QString explanation(EventStage stage) {
   switch (stage) {
     case EventStage::colliding:
-      return EventInspector::tr("The triangles that run into each other.");
+      return EventInspector::tr("Stage 1 of 4: the triangles that run into each other.");
     case EventStage::opened:
-      return EventInspector::tr("The mesh without them, with the polygons that bound the openings.");
+      return EventInspector::tr(
+          "Stage 2 of 4: the mesh without them, and the polygons that bound the openings.");
     case EventStage::handle:
-      return EventInspector::tr("The handle, or the caps, that close the openings.");
+      return EventInspector::tr("Stage 3 of 4: the handle, or the caps, that close the openings.");
     case EventStage::closed:
-      return EventInspector::tr("The mesh with the handle in place.");
+      return EventInspector::tr("Stage 4 of 4: the mesh with the handle in place.");
     default:
       return {};
   }
@@ -73,7 +75,7 @@ EventInspector::EventInspector(Document& document, SurfaceView& surface, QWidget
   text_ = value(tr("Event"), this);
   layout->addWidget(text_);
   stages_ = choiceRow(
-      tr("Stage"), {tr("Off"), tr("1 Collide"), tr("2 Open"), tr("3 Handle"), tr("4 Close")},
+      tr("Stage"), {tr("Off"), tr("Collide"), tr("Open"), tr("Handle"), tr("Close")},
       {tr("Show the whole surface"), explanation(EventStage::colliding), explanation(EventStage::opened),
        explanation(EventStage::handle), explanation(EventStage::closed)},
       stage_, this);
@@ -105,6 +107,8 @@ void EventInspector::leaveStage() {
 
 // The event of the shown iteration; the first, unless another one of it was chosen.
 void EventInspector::followIteration() {
+  // Not while it grows: every event on the way would let the panel flicker.
+  if (document_.state() == GrowthState::running) return setEvent(-1);
   const std::vector<Event>& events = document_.events();
   const auto isHere = [&](int i) {
     return i >= 0 && i < static_cast<int>(events.size()) &&
@@ -113,7 +117,7 @@ void EventInspector::followIteration() {
   if (isHere(index_)) return;
   int first = -1;
   for (int i = 0; i < static_cast<int>(events.size()) && first < 0; ++i)
-    if (isHere(i) && events[static_cast<std::size_t>(i)].kind != EventKind::rolledBack) first = i;
+    if (isHere(i) && changesTopology(events[static_cast<std::size_t>(i)].kind)) first = i;
   setEvent(first);
 }
 

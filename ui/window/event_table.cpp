@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/model/document.h"
+#include "ui/model/event_kinds.h"
 #include "ui/window/event_inspector.h"
 #include "ui/window/numbers.h"
 
@@ -25,7 +26,7 @@ void EventTable::refresh() {
   std::vector<int> rows;
   const std::vector<Event>& events = document_.events();
   for (int i = 0; i < static_cast<int>(events.size()); ++i)
-    if (rollBacks_ || events[static_cast<std::size_t>(i)].kind != EventKind::rolledBack) rows.push_back(i);
+    if (repairs_ || changesTopology(events[static_cast<std::size_t>(i)].kind)) rows.push_back(i);
   const bool grew = rows.size() > rows_.size() && std::equal(rows_.begin(), rows_.end(), rows.begin());
   if (grew) {
     beginInsertRows({}, static_cast<int>(rows_.size()), static_cast<int>(rows.size()) - 1);
@@ -38,8 +39,8 @@ void EventTable::refresh() {
   }
 }
 
-void EventTable::showRollBacks(bool on) {
-  rollBacks_ = on;
+void EventTable::showRepairs(bool on) {
+  repairs_ = on;
   refresh();
 }
 

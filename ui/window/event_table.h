@@ -19,10 +19,11 @@ class EventTable : public QAbstractTableModel {
   QVariant data(const QModelIndex& index, int role) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
-  //! Row ↔ index into Document::events(); -1 where there is none. Roll-backs are shown on request.
+  //! Row ↔ index into Document::events(); -1 where there is none. Repairs of the mesh (folds smoothed, parts
+  //! rolled back) are shown on request.
   int eventOf(int row) const;
   int rowOf(int event) const;
-  void showRollBacks(bool on);
+  void showRepairs(bool on);
 
  private:
   void refresh();
@@ -30,7 +31,7 @@ class EventTable : public QAbstractTableModel {
 
   Document& document_;
   std::vector<int> rows_;
-  bool rollBacks_ = false;
+  bool repairs_ = false;
 };
 
 }  // namespace handlebody::ui

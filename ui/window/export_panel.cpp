@@ -92,6 +92,8 @@ void ExportPanel::showWhatIsWritten() {
   numbers_->setVisible(snapshot != nullptr);
   spaceRow_->setEnabled(isMeshPath("x" + extension().toStdString()));
   if (!snapshot) return;
+  if (snapshot->mesh.triangles.empty())
+    return numbers_->setText(tr("Nothing is left of the surface at this iteration."));
   numbers_->setText(tr("Iteration %1: %2, %3")
                         .arg(QString::number(snapshot->iteration), millilitres(snapshot->certificate.volume),
                              squareCentimetres(snapshot->certificate.area)));

@@ -19,8 +19,10 @@ namespace handlebody::ui {
 
 namespace {
 
+const QString kNone = QStringLiteral("–");
+
 QString genusText(const Certificate& certificate) {
-  if (certificate.genus.empty()) return QStringLiteral("–");
+  if (certificate.genus.empty()) return kNone;
   int total = 0;
   QStringList each;
   for (int genus : certificate.genus) {
@@ -112,7 +114,9 @@ GrowPanel::GrowPanel(Document& document, SurfaceView& surface, const Commands& c
   layout->addWidget(buildNumbers());
   inspector_ = new EventInspector(document_, surface, this);
   layout->addWidget(inspector_);
-  layout->addStretch();
+  // As wide as with an event, so that the panel does not widen when one is chosen.
+  layout->addItem(new QSpacerItem(inspector_->minimumSizeHint().width(), 0, QSizePolicy::Minimum,
+                                  QSizePolicy::Expanding));
   for (auto changed : {&Document::stateChanged, &Document::snapshotChanged, &Document::summariesChanged,
                        &Document::seedsChanged})
     connect(&document_, changed, this, &GrowPanel::showState);
@@ -198,13 +202,17 @@ void GrowPanel::showNumbers() {
   numbers_->setVisible(snapshot != nullptr);
   if (!snapshot) return;
   const Certificate& c = snapshot->certificate;
+  showCertificate();
+  if (c.faces == 0) {  // the surface shrank away
+    for (QLabel* field : {components_, genus_, euler_, vertices_, area_, volume_}) field->setText(kNone);
+    return;
+  }
   components_->setText(QString::number(c.components));
   genus_->setText(genusText(c));
   euler_->setText(QString::number(c.euler));
   vertices_->setText(QLocale().toString(c.vertices));
   area_->setText(squareCentimetres(c.area));
   volume_->setText(millilitres(c.volume));
-  showCertificate();
 }
 
 void GrowPanel::showCertificate() {

@@ -210,7 +210,10 @@ void MainWindow::updateCommands() {
       document_.state() == GrowthState::finished && document_.iteration() == document_.lastIteration();
   enable({Command::nextSeed}, seeded);
   enable({Command::run, Command::stepForward, Command::nextEvent}, seeded && !atRest);
-  enable({Command::exportResult, Command::exportReport}, grown && !running);
+  const auto snapshot = document_.snapshot();
+  const bool something = snapshot && !snapshot->mesh.triangles.empty();
+  enable({Command::exportResult}, something && !running);
+  enable({Command::exportReport}, grown && !running);
   enable({Command::stepBack, Command::previousEvent, Command::toStart}, document_.iteration() > 0);
   enable({Command::toEnd}, grown && document_.iteration() < document_.lastIteration());
   QAction* run = commands_[Command::run];

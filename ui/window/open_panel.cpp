@@ -13,6 +13,7 @@
 #include "ui/model/document.h"
 #include "ui/window/action_button.h"
 #include "ui/window/commands.h"
+#include "ui/window/eliding_label.h"
 #include "ui/window/numbers.h"
 #include "ui/window/panel_tools.h"
 
@@ -80,7 +81,9 @@ void OpenPanel::buildFacts() {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(heading(tr("Open now"), facts_));
   QFormLayout* form = panelForm();
-  addFact(form, tr("Name"), name_);
+  name_ = new ElidingLabel(facts_);
+  name_->setAccessibleName(tr("Name"));
+  form->addRow(tr("Name"), name_);
   addFact(form, tr("Format"), format_);
   addFact(form, tr("Voxels"), size_);
   addFact(form, tr("Spacing"), spacing_);

@@ -73,17 +73,6 @@ QToolButton* smallButton(QAction* action, QWidget* parent) {
   return button;
 }
 
-void styleAsToggle(QToolButton* button) {
-  button->setStyleSheet(QStringLiteral(
-      "QToolButton { border: 1px solid rgba(128, 136, 144, 140); border-radius: 3px; padding: 4px 7px;"
-      "  background: palette(button); color: palette(button-text); }"
-      "QToolButton:hover { border-color: palette(highlight); }"
-      "QToolButton:checked { background: palette(highlight); color: palette(highlighted-text); }"
-      "QToolButton:focus { border: 2px solid palette(link); padding: 3px 6px; }"
-      "QToolButton:disabled { color: rgba(128, 136, 144, 200); background: transparent; }"
-      "QToolButton:checked:disabled { background: rgba(128, 136, 144, 90); }"));
-}
-
 void ignoreWheelWithoutFocus(QWidget* field) {
   field->setFocusPolicy(Qt::StrongFocus);  // a wheel does not give the focus
   field->installEventFilter(new WheelGuard(field));

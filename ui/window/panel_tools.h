@@ -23,8 +23,6 @@ QFormLayout* panelForm();
 QLabel* value(const QString& name, QWidget* parent);
 //! Icon only; the tooltip and the accessible name are the action's.
 QToolButton* smallButton(QAction* action, QWidget* parent);
-//! For buttons that stay pressed: the pressed one is told apart on light and dark alike.
-void styleAsToggle(QToolButton* button);
 //! Fields do not change under a wheel that was meant to scroll the panel.
 void ignoreWheelWithoutFocus(QWidget* field);
 //! Lets a field be found and read aloud: accessible name, tooltip, and the same text as "what is this".

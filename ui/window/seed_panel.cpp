@@ -124,6 +124,7 @@ void SeedPanel::showSelected() {
   details_->setEnabled(valid);
   if (!valid) {
     table_->clearSelection();
+    radius_->show(std::nullopt);
     return;
   }
   table_->selectRow(index);

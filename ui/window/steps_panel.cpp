@@ -1,10 +1,13 @@
 #include "ui/window/steps_panel.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QScrollArea>
 #include <QStackedWidget>
+#include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace handlebody::ui {
 
@@ -12,6 +15,24 @@ namespace {
 
 constexpr Command kSteps[] = {Command::stepOpen, Command::stepSeed, Command::stepTune, Command::stepGrow,
                               Command::stepExport};
+
+// As wide as its panel at least, and room for the scroll bar: nothing is cut off at the right.
+class Page : public QScrollArea {
+ public:
+  using QScrollArea::QScrollArea;
+
+  QSize minimumSizeHint() const override {
+    constexpr int kWidest = 420, kHeight = 120;  // pixels; no text of a file may push the views away
+    const int width = widget()->minimumSizeHint().width() + style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+    return {std::min(width, kWidest), kHeight};
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::LayoutRequest) updateGeometry();
+    return QScrollArea::eventFilter(watched, event);
+  }
+};
 
 QToolButton* stepButton(QAction* action, QWidget* parent) {
   auto* button = new QToolButton(parent);
@@ -40,11 +61,10 @@ StepsPanel::StepsPanel(const Commands& commands, QWidget* parent)
   }
   layout->addLayout(bar);
   layout->addWidget(pages_, 1);
-  setMinimumWidth(290);
 }
 
 void StepsPanel::add(Command step, QWidget* panel) {
-  auto* scroll = new QScrollArea(pages_);
+  auto* scroll = new Page(pages_);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -65,18 +65,22 @@ QWidget* TimelinePanel::buildTable() {
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Stretch);
   table_->setAccessibleName(tr("Events"));
-  table_->setMinimumWidth(430);
+  part->setMinimumWidth(430);  // the same with and without events: nothing jumps when the first comes
   empty_ = hint(tr("Changes of topology are listed here."), part);
   empty_->setAlignment(Qt::AlignCenter);
   layout->addWidget(table_, 1);
   layout->addWidget(empty_, 1);
-  auto* rollBacks = new QCheckBox(tr("Show parts that were rolled back"), part);
-  rollBacks->setFocusPolicy(Qt::TabFocus);
-  rollBacks->setToolTip(
-      tr("<p>Parts of the surface whose step would have left an invalid mesh, and that returned to "
-         "where they were</p>"));
-  layout->addWidget(rollBacks);
-  connect(rollBacks, &QCheckBox::toggled, events_, &EventTable::showRollBacks);
+  repairs_ = new QCheckBox(tr("Show repairs of the mesh, too"), part);
+  repairs_->setFocusPolicy(Qt::TabFocus);
+  repairs_->setToolTip(
+      tr("<p>Folds that were smoothed away, and parts of the surface whose step would have left an invalid "
+         "mesh and that returned to where they were. The topology is the same before and after.</p>"));
+  QSizePolicy kept = repairs_->sizePolicy();
+  kept.setRetainSizeWhenHidden(true);
+  repairs_->setSizePolicy(kept);
+  layout->addWidget(repairs_);
+  connect(repairs_, &QCheckBox::toggled, events_, &EventTable::showRepairs);
+  connect(repairs_, &QCheckBox::toggled, this, &TimelinePanel::showIterations);
   const auto choose = [this](const QModelIndex& row) { Q_EMIT eventChosen(events_->eventOf(row.row())); };
   connect(table_, &QTableView::clicked, this, choose);
   connect(table_, &QTableView::activated, this, choose);
@@ -103,6 +107,7 @@ void TimelinePanel::showIterations() {
   const bool any = events_->rowCount() > 0;
   table_->setVisible(any);
   empty_->setVisible(!any);
+  repairs_->setVisible(!document_.events().empty());
 }
 
 }  // namespace handlebody::ui

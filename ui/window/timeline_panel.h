@@ -3,6 +3,7 @@
 
 #include <QWidget>
 
+class QCheckBox;
 class QLabel;
 class QTableView;
 
@@ -35,6 +36,7 @@ class TimelinePanel : public QWidget {
   EventTable* events_;
   QTableView* table_;
   QLabel* empty_;
+  QCheckBox* repairs_;
 };
 
 }  // namespace handlebody::ui

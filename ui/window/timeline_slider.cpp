@@ -40,13 +40,12 @@ void TimelineSlider::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const TimelineAxis a = axis();
+  if (a.last <= 0) return;  // nothing to choose from yet
   const double y = height() / 2.0;
-  const QPalette::ColorGroup group = isEnabled() ? QPalette::Active : QPalette::Disabled;
-  QColor line = palette().color(group, QPalette::WindowText);
+  QColor line = palette().color(QPalette::WindowText);
   line.setAlphaF(0.35F);
   painter.setPen(QPen(line, 2));
   painter.drawLine(QPointF(a.toX(0), y), QPointF(a.toX(a.last), y));
-  if (!isEnabled()) return;  // nothing to choose yet: the bare line
   painter.setPen(QPen(kAccent, 2));
   painter.drawLine(QPointF(a.toX(0), y), QPointF(a.toX(value()), y));
 

@@ -7,7 +7,6 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QTimer>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -18,6 +17,7 @@
 #include "ui/window/in_background.h"
 #include "ui/window/intensity_field.h"
 #include "ui/window/panel_tools.h"
+#include "ui/window/toggle_button.h"
 #include "ui/window/tune_specs.h"
 #include "ui/window/value_field.h"
 
@@ -106,11 +106,7 @@ QWidget* TunePanel::buildRange() {
   layout->addWidget(histogram_);
   low_ = rangeEnd(tr("Lowest intensity of the object"), true);
   high_ = rangeEnd(tr("Highest intensity of the object"), false);
-  automaticRange_ = new QToolButton(part);
-  automaticRange_->setText(tr("Auto"));
-  automaticRange_->setCheckable(true);
-  styleAsToggle(automaticRange_);
-  automaticRange_->setFocusPolicy(Qt::TabFocus);
+  automaticRange_ = new ToggleButton(tr("Auto"), part);
   describe(automaticRange_, tr("Range: automatic"), tr("Chosen from the image around the seeds"));
   auto* row = new QHBoxLayout;
   row->addWidget(low_, 1);

@@ -1,6 +1,5 @@
 #include "ui/window/value_field.h"
 
-#include <QDoubleSpinBox>
 #include <QElapsedTimer>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
@@ -9,40 +8,39 @@
 #include "ui/view/view_state.h"
 #include "ui/window/icons.h"
 #include "ui/window/panel_tools.h"
+#include "ui/window/toggle_button.h"
 
 namespace handlebody::ui {
 
 namespace {
 
 constexpr qint64 kSameGesture = 1000;  // ms
+const QString kUnknown = QStringLiteral("–");
 
-QDoubleSpinBox* makeNumber(const ValueSpec& spec, QWidget* parent) {
-  auto* number = new QDoubleSpinBox(parent);
+NumberField* makeNumber(const ValueSpec& spec, QWidget* parent) {
+  auto* number = new NumberField(parent);
   number->setDecimals(spec.decimals);
   number->setRange(spec.low, spec.high);
   number->setSingleStep(spec.step);
   number->setKeyboardTracking(false);
-  if (!spec.unit.isEmpty()) number->setSuffix(QLatin1Char(' ') + spec.unit);
   describe(number, spec.name, spec.tip);
   ignoreWheelWithoutFocus(number);
   return number;
 }
 
 QToolButton* makeReset(const ValueSpec& spec, QWidget* parent) {
-  auto* reset = new QToolButton(parent);
-  reset->setFocusPolicy(Qt::TabFocus);
   if (spec.fallback) {
+    auto* reset = new QToolButton(parent);
+    reset->setFocusPolicy(Qt::TabFocus);
     reset->setIcon(icon(QStringLiteral("reset")));
     describe(reset, ValueField::tr("Reset %1").arg(spec.name),
              ValueField::tr("Back to the usual value, %1").arg(QLocale().toString(*spec.fallback)));
-  } else {
-    reset->setText(ValueField::tr("Auto"));
-    reset->setCheckable(true);
-    styleAsToggle(reset);
-    describe(reset, ValueField::tr("%1: automatic").arg(spec.name),
-             ValueField::tr("The value is chosen from the image around the seeds"));
+    return reset;
   }
-  return reset;
+  auto* automatic = new ToggleButton(ValueField::tr("Auto"), parent);
+  describe(automatic, ValueField::tr("%1: automatic").arg(spec.name),
+           ValueField::tr("The value is chosen from the image around the seeds"));
+  return automatic;
 }
 
 }  // namespace
@@ -57,6 +55,23 @@ int gestureOf(const QObject* owner) {
   return gesture;
 }
 
+void NumberField::setKnown(bool known, const QString& unit) {
+  known_ = known;
+  setSuffix(known && !unit.isEmpty() ? QLatin1Char(' ') + unit : QString());  // writes the text anew
+}
+
+QString NumberField::textFromValue(double value) const {
+  return known_ ? QDoubleSpinBox::textFromValue(value) : kUnknown;
+}
+
+double NumberField::valueFromText(const QString& text) const {
+  return text == kUnknown ? value() : QDoubleSpinBox::valueFromText(text);
+}
+
+QValidator::State NumberField::validate(QString& text, int& position) const {
+  return text == kUnknown ? QValidator::Acceptable : QDoubleSpinBox::validate(text, position);
+}
+
 ValueField::ValueField(const ValueSpec& spec, QWidget* parent)
     : QWidget(parent), spec_(spec), number_(makeNumber(spec, this)), reset_(makeReset(spec, this)) {
   auto* layout = new QHBoxLayout(this);
@@ -64,6 +79,7 @@ ValueField::ValueField(const ValueSpec& spec, QWidget* parent)
   layout->addWidget(number_, 1);
   layout->addWidget(reset_);
   setFocusProxy(number_);
+  number_->setKnown(false, spec_.unit);
   connect(number_, &QDoubleSpinBox::valueChanged, this, [this](double value) { edit(value); });
   connect(reset_, &QToolButton::clicked, this, [this] {
     const bool automatic = !spec_.fallback && reset_->isChecked();
@@ -75,7 +91,9 @@ void ValueField::edit(std::optional<double> value) { Q_EMIT edited(value, gestur
 
 void ValueField::show(std::optional<double> value, std::optional<double> automatic) {
   const QSignalBlocker quiet(number_);
-  if (value || automatic) number_->setValue(value ? *value : *automatic);
+  const bool known = value || automatic;
+  if (known) number_->setValue(value ? *value : *automatic);
+  number_->setKnown(known, spec_.unit);
   if (spec_.fallback)
     reset_->setEnabled(value && *value != *spec_.fallback);
   else

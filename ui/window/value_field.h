@@ -1,11 +1,11 @@
 #pragma once
 // One number of the panels: with its unit, the automatic value if there is one, and a way back to it.
 
+#include <QDoubleSpinBox>
 #include <QString>
 #include <QWidget>
 #include <optional>
 
-class QDoubleSpinBox;
 class QToolButton;
 
 namespace handlebody::ui {
@@ -20,13 +20,31 @@ struct ValueSpec {
   std::optional<double> fallback{};  //!< what reset goes back to; none: the value may be automatic
 };
 
+//! A number that shows a dash while it is not known.
+class NumberField : public QDoubleSpinBox {
+  Q_OBJECT
+
+ public:
+  using QDoubleSpinBox::QDoubleSpinBox;
+
+  //! `unit` is written behind the number, not behind the dash.
+  void setKnown(bool known, const QString& unit);
+  QString textFromValue(double value) const override;
+  double valueFromText(const QString& text) const override;
+  QValidator::State validate(QString& text, int& position) const override;
+
+ private:
+  bool known_ = false;
+};
+
 class ValueField : public QWidget {
   Q_OBJECT
 
  public:
   explicit ValueField(const ValueSpec& spec, QWidget* parent = nullptr);
 
-  //! Shows the value asked for, or where it is left open the one that was worked out (if it is known).
+  //! Shows the value asked for, or where it is left open the one that was worked out; a dash where neither is
+  //! known.
   void show(std::optional<double> value, std::optional<double> automatic = std::nullopt);
 
  Q_SIGNALS:
@@ -38,7 +56,7 @@ class ValueField : public QWidget {
   void edit(std::optional<double> value);
 
   ValueSpec spec_;
-  QDoubleSpinBox* number_;
+  NumberField* number_;
   QToolButton* reset_;
 };
 

@@ -1,0 +1,112 @@
+#pragma once
+// What is cut off, squeezed or overlapped in a window, found by walking its visible widgets.
+
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLayout>
+#include <QLineEdit>
+#include <QScrollArea>
+#include <QTableView>
+#include <QWidget>
+
+namespace handlebody::test {
+
+inline QString nameOf(const QWidget& widget) {
+  QString name = widget.accessibleName();
+  if (const auto* button = qobject_cast<const QAbstractButton*>(&widget); button && name.isEmpty())
+    name = button->text();
+  if (const auto* label = qobject_cast<const QLabel*>(&widget); label && name.isEmpty()) name = label->text();
+  return QStringLiteral("%1 \"%2\"").arg(QString::fromLatin1(widget.metaObject()->className()), name);
+}
+
+//! Parts of Qt's own composed widgets are not looked at.
+inline bool isInner(const QWidget& widget) {
+  for (const QWidget* w = &widget; w; w = w->parentWidget())
+    if (w->objectName().startsWith(QLatin1String("qt_")) &&
+        w->objectName() != QLatin1String("qt_toolbar_ext_button") &&
+        w->objectName() != QLatin1String("qt_scrollarea_viewport"))
+      return true;
+  return widget.inherits("QHeaderView") || widget.inherits("QTableCornerButton");
+}
+
+//! A widget reaches out of its parent, or of the part of the scroll area that is seen (sideways only: one may
+//! scroll down).
+inline QString faultOfPlace(const QWidget& widget) {
+  const QWidget* parent = widget.parentWidget();
+  const bool scrolls = parent->objectName() == QLatin1String("qt_scrollarea_viewport");
+  const QRect room = scrolls ? QRect(0, -100'000, parent->width(), 200'000) : parent->rect();
+  if (room.contains(widget.geometry())) return {};
+  return QStringLiteral("%1 reaches out of its parent").arg(nameOf(widget));
+}
+
+inline QString faultOfLabel(const QLabel& label) {
+  if (label.text().isEmpty()) return {};
+  if (label.minimumSizeHint().width() > label.width() + 1)
+    return QStringLiteral("%1 is narrower than its longest word").arg(nameOf(label));
+  const int needed = label.wordWrap() ? label.heightForWidth(label.width()) : label.sizeHint().height();
+  if (needed > label.height() + 1) return QStringLiteral("%1 is cut off below").arg(nameOf(label));
+  return {};
+}
+
+inline QString faultOfTable(const QTableView& table) {
+  int width = 0;
+  for (int c = 0; c < table.model()->columnCount(); ++c) {
+    width += table.columnWidth(c);
+    const int cells = static_cast<const QAbstractItemView&>(table).sizeHintForColumn(c);
+    const int wanted = std::max(cells, table.horizontalHeader()->sectionSizeHint(c));
+    if (wanted > table.columnWidth(c))
+      return QStringLiteral("column %1 of %2 is cut off").arg(c).arg(nameOf(table));
+  }
+  return width > table.viewport()->width() + 1
+             ? QStringLiteral("%1 is wider than its place").arg(nameOf(table))
+             : QString();
+}
+
+//! The text of a button, a choice or a number does not fit into it.
+inline QString faultOfText(const QWidget& widget) {
+  if (const auto* label = qobject_cast<const QLabel*>(&widget)) return faultOfLabel(*label);
+  if (const auto* table = qobject_cast<const QTableView*>(&widget)) return faultOfTable(*table);
+  if (const auto* box = qobject_cast<const QAbstractSpinBox*>(&widget)) {
+    const auto* edit = box->findChild<QLineEdit*>();
+    const bool fits = edit->fontMetrics().horizontalAdvance(edit->text()) + 4 <= edit->width();
+    return fits ? QString() : QStringLiteral("%1 is too narrow for %2").arg(nameOf(widget), edit->text());
+  }
+  const auto* button = qobject_cast<const QAbstractButton*>(&widget);
+  if (!button && !qobject_cast<const QComboBox*>(&widget)) return {};
+  const QSize hint = widget.sizeHint();
+  const bool fixed = widget.minimumSize() == widget.maximumSize();
+  const bool fits = fixed || (hint.width() <= widget.width() && hint.height() <= widget.height());
+  return fits ? QString() : QStringLiteral("%1 is smaller than its text").arg(nameOf(widget));
+}
+
+inline QStringList overlaps(const QWidget& parent) {
+  QStringList faults;
+  QList<const QWidget*> placed;
+  for (int i = 0; parent.layout() && i < parent.layout()->count(); ++i)
+    if (const QWidget* widget = parent.layout()->itemAt(i)->widget(); widget && widget->isVisible())
+      placed << widget;
+  for (qsizetype i = 0; i < placed.size(); ++i)
+    for (qsizetype j = i + 1; j < placed.size(); ++j)
+      if (placed[i]->geometry().intersects(placed[j]->geometry()))
+        faults << QStringLiteral("%1 lies over %2").arg(nameOf(*placed[i]), nameOf(*placed[j]));
+  return faults;
+}
+
+//! One sentence per fault; empty if everything that is shown can be seen whole.
+inline QStringList layoutFaults(const QWidget& window) {
+  QStringList faults;
+  const auto widgets = window.findChildren<QWidget*>();
+  for (const QWidget* widget : widgets) {
+    if (!widget->isVisible() || widget->window() != &window || isInner(*widget)) continue;
+    if (widget->objectName() == QLatin1String("qt_toolbar_ext_button")) faults << "the toolbar does not fit";
+    faults << faultOfPlace(*widget) << faultOfText(*widget);
+    if (!qobject_cast<const QComboBox*>(widget)) faults << overlaps(*widget);
+  }
+  faults.removeAll(QString());
+  return faults;
+}
+
+}  // namespace handlebody::test

@@ -1,0 +1,230 @@
+// Nothing in the window is cut off, squeezed, overlapped or invisible: at the usual sizes, in light and dark,
+// in every step of the work.
+
+#include <QCheckBox>
+#include <QScrollBar>
+#include <QTextBrowser>
+#include <cmath>
+
+#include "tests/ui/window/layout_support.h"
+#include "tests/ui/window/window_support.h"
+#include "ui/window/event_inspector.h"
+#include "ui/window/help_window.h"
+#include "ui/window/toggle_button.h"
+
+using namespace handlebody;
+using namespace handlebody::test;
+using ui::Command;
+using ui::GrowthState;
+
+namespace {
+
+constexpr Command kSteps[] = {Command::stepOpen, Command::stepSeed, Command::stepTune, Command::stepGrow,
+                              Command::stepExport};
+
+//! Faults in every step of the work, with the step's name.
+QStringList faultsInEveryStep(ui::MainWindow& window) {
+  QStringList faults;
+  for (Command step : kSteps) {
+    window.showStep(step);
+    QTest::qWait(50);  // layouts settle
+    const QStringList here = layoutFaults(window);
+    for (const QString& fault : here)
+      faults << window.commands()[step]->text() + QStringLiteral(": ") + fault;
+  }
+  return faults;
+}
+
+QString resized(ui::MainWindow& window, const QSize& size) {
+  window.resize(size);
+  QTest::qWait(50);
+  return faultsInEveryStep(window).join(QLatin1Char('\n'));
+}
+
+//! Relative luminance and contrast as the Web Content Accessibility Guidelines define them.
+double luminance(const QColor& colour) {
+  const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+  return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
+}
+double contrast(const QColor& a, const QColor& b) {
+  const double la = luminance(a), lb = luminance(b);
+  return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
+}
+
+//! The largest contrast of a pixel of the picture to a colour.
+double largestContrast(const QImage& picture, const QColor& ground) {
+  double largest = 1;
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x)
+      largest = std::max(largest, contrast(picture.pixelColor(x, y), ground));
+  return largest;
+}
+
+void switchAppearances(ui::Appearance last) {
+  const bool dark = last == ui::Appearance::dark;
+  ui::applyAppearance(dark ? ui::Appearance::light : ui::Appearance::dark);  // as when the user switches
+  ui::applyAppearance(last);
+}
+
+}  // namespace
+
+class LayoutTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void nothingIsCutOffBeforeAVolumeIsOpen();
+  void nothingIsCutOffBeforeAndAfterASeed();
+  void nothingIsCutOffWhenAnEventIsInspected();
+  void nothingIsCutOffWhenSeriesAreOffered();
+  void nothingIsCutOffWithALongFileName();
+  void theDockKeepsItsWidthWhenAnEventIsChosen();
+  void theHelpPagesDoNotScrollSideways();
+  void togglesAndTheirTextAreToldApartInBothAppearances();
+  void checkBoxesAreSeenInBothAppearances();
+  void textIsReadableInBothAppearances();
+};
+
+constexpr QSize kSmall(1280, 800), kLarge(1600, 1000);
+
+#define NO_FAULTS(found)                        \
+  do {                                          \
+    const QString text = found;                 \
+    QVERIFY2(text.isEmpty(), qPrintable(text)); \
+  } while (false)
+
+void LayoutTest::nothingIsCutOffBeforeAVolumeIsOpen() {
+  auto window = shownWindow();
+  QVERIFY(window);
+  NO_FAULTS(resized(*window, kSmall));
+  NO_FAULTS(resized(*window, kLarge));
+}
+
+void LayoutTest::nothingIsCutOffBeforeAndAfterASeed() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst.nii.gz")));
+  NO_FAULTS(resized(*window, kSmall));
+  window->document().addSeed({Vec3(77, 49, 85), {}});
+  QVERIFY(QTest::qWaitFor([&] { return window->document().resolved().has_value(); }, kPatience));
+  NO_FAULTS(resized(*window, kSmall));
+  NO_FAULTS(resized(*window, kLarge));
+}
+
+void LayoutTest::nothingIsCutOffWhenAnEventIsInspected() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst_session.json")));
+  window->document().run();
+  QVERIFY(waitFor(*window, GrowthState::finished));
+  window->goToEvent(firstHandle(window->document()));
+  QVERIFY(
+      QTest::qWaitFor([&] { return window->inspector().isVisible() || window->inspector().event() >= 0; }));
+  window->inspector().showStage(ui::EventStage::closed);
+  for (auto appearance : {ui::Appearance::light, ui::Appearance::dark}) {
+    window->setAppearance(appearance);
+    NO_FAULTS(resized(*window, kSmall));
+    NO_FAULTS(resized(*window, kLarge));
+  }
+}
+
+void LayoutTest::nothingIsCutOffWhenSeriesAreOffered() {
+  auto window = shownWindow();
+  QVERIFY(window);
+  std::vector<SeriesInfo> series(3);
+  for (SeriesInfo& s : series) {
+    s.uid = "1.2.840.113619.2.55.3.2831868886.118.1243515843.634.3";
+    s.description = "CT THORAX ABDOMEN WITH CONTRAST 1.5 B30f";
+    s.modality = "CT";
+    s.size = {512, 512, 300};
+    s.slices = s.files = 300;
+    s.spacing = Vec3(0.703125, 0.703125, 1.5);
+  }
+  series[1].note = "a single image is no volume";
+  Q_EMIT window->document().seriesChoiceNeeded(QStringLiteral("/somewhere/scans"), series);
+  NO_FAULTS(resized(*window, kSmall));
+}
+
+void LayoutTest::nothingIsCutOffWithALongFileName() {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(
+      "sub-0123456789_ses-20240229_acq-highresolution_rec-motioncorrected_run-01_T2w_denoised_biascorrected."
+      "nii.gz");
+  QVERIFY(QFile::copy(sample("cyst.nii.gz"), path));
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, path));
+  NO_FAULTS(resized(*window, kSmall));
+  QVERIFY(window->views().width() > window->width() / 2);  // and the name pushed nothing away
+}
+
+void LayoutTest::theDockKeepsItsWidthWhenAnEventIsChosen() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst_session.json")));
+  const int before = window->views().width();
+  window->document().run();
+  QVERIFY(waitFor(*window, GrowthState::finished));
+  window->goToEvent(firstHandle(window->document()));
+  QTRY_VERIFY(window->inspector().isVisible());
+  QCOMPARE(window->views().width(), before);
+}
+
+void LayoutTest::theHelpPagesDoNotScrollSideways() {
+  ui::HelpWindow help;
+  for (auto page :
+       {ui::HelpWindow::Page::guide, ui::HelpWindow::Page::shortcuts, ui::HelpWindow::Page::about}) {
+    help.show(page);
+    QVERIFY(QTest::qWaitForWindowExposed(&help));
+    QTest::qWait(50);
+    const auto browsers = help.findChildren<QTextBrowser*>();
+    for (const QTextBrowser* browser : browsers)
+      if (browser->isVisible()) QCOMPARE(browser->horizontalScrollBar()->maximum(), 0);
+  }
+}
+
+void LayoutTest::togglesAndTheirTextAreToldApartInBothAppearances() {
+  for (auto appearance : {ui::Appearance::light, ui::Appearance::dark}) {
+    ui::ToggleButton off(QStringLiteral("Auto")), on(QStringLiteral("Auto"));
+    on.setChecked(true);
+    switchAppearances(appearance);
+    const QPoint corner(4, 4);  // beside the text
+    const QColor offGround = off.grab().toImage().pixelColor(corner),
+                 onGround = on.grab().toImage().pixelColor(corner);
+    QVERIFY(contrast(offGround, off.palette().color(QPalette::Window)) < 1.6);  // no lamp in a dark room
+    QVERIFY(contrast(offGround, onGround) > 2);
+    QVERIFY(largestContrast(off.grab().toImage(), offGround) > 4.5);
+    QVERIFY(largestContrast(on.grab().toImage(), onGround) > 4.5);
+  }
+}
+
+void LayoutTest::checkBoxesAreSeenInBothAppearances() {
+  for (auto appearance : {ui::Appearance::light, ui::Appearance::dark}) {
+    QCheckBox off, on;
+    on.setChecked(true);
+    switchAppearances(appearance);
+    const QColor ground = off.palette().color(QPalette::Window);
+    const QImage empty = off.grab().toImage(), ticked = on.grab().toImage();
+    QVERIFY(largestContrast(empty, ground) > 3);
+    QVERIFY(largestContrast(ticked, ground) > 3);
+    QVERIFY(empty != ticked);
+  }
+}
+
+void LayoutTest::textIsReadableInBothAppearances() {
+  for (auto appearance : {ui::Appearance::light, ui::Appearance::dark}) {
+    switchAppearances(appearance);
+    const QPalette p = QApplication::palette();
+    QVERIFY(contrast(p.color(QPalette::WindowText), p.color(QPalette::Window)) > 7);
+    QVERIFY(contrast(p.color(QPalette::Text), p.color(QPalette::Base)) > 7);
+    QVERIFY(contrast(p.color(QPalette::ButtonText), p.color(QPalette::Button)) > 4.5);
+    QVERIFY(contrast(p.color(QPalette::PlaceholderText), p.color(QPalette::Window)) > 4.5);
+    QVERIFY(contrast(p.color(QPalette::HighlightedText), p.color(QPalette::Highlight)) > 4.5);
+    QVERIFY(contrast(p.color(QPalette::ToolTipText), p.color(QPalette::ToolTipBase)) > 7);
+  }
+}
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName("Handlebody");
+  QApplication::setApplicationName("handlebody-test");
+  LayoutTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "layout_test.moc"

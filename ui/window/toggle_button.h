@@ -1,0 +1,27 @@
+#pragma once
+// A button that stays pressed. Drawn here and not by a style sheet: those keep the colours of the appearance
+// in which they were set, and Fusion's pressed buttons are hardly told apart from the others.
+
+#include <QToolButton>
+
+namespace handlebody::ui {
+
+class ToggleButton : public QToolButton {
+  Q_OBJECT
+
+ public:
+  //! Checkable; takes the focus by Tab only.
+  explicit ToggleButton(const QString& text, QWidget* parent = nullptr);
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return sizeHint(); }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QColor ground() const;
+  QColor rim() const;
+};
+
+}  // namespace handlebody::ui

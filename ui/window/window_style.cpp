@@ -1,0 +1,51 @@
+#include "ui/window/window_style.h"
+
+#include <QPainter>
+#include <QStyleFactory>
+#include <QStyleOption>
+
+namespace handlebody::ui {
+
+namespace {
+
+void drawTick(QPainter& painter, const QRectF& box) {
+  const auto at = [&](double x, double y) {
+    return QPointF(box.left() + x * box.width(), box.top() + y * box.height());
+  };
+  const QPointF tick[] = {at(0.24, 0.53), at(0.43, 0.71), at(0.77, 0.30)};
+  painter.drawPolyline(tick, 3);
+}
+
+void drawCheckBox(const QStyleOption& option, QPainter& painter) {
+  const QPalette& p = option.palette;
+  const bool enabled = option.state & QStyle::State_Enabled, on = option.state & QStyle::State_On;
+  const bool lit = enabled && on;
+  QColor rim = p.color(QPalette::WindowText);
+  rim.setAlphaF(enabled ? 0.6F : 0.3F);
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRectF box = QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5);
+  painter.setPen(
+      QPen(lit || (enabled && option.state & QStyle::State_MouseOver) ? p.color(QPalette::Highlight) : rim));
+  painter.setBrush(p.color(lit ? QPalette::Highlight : QPalette::Base));
+  painter.drawRoundedRect(box, 2, 2);
+  if (on) {
+    painter.setPen(QPen(p.color(lit ? QPalette::HighlightedText : QPalette::WindowText), box.width() / 8));
+    drawTick(painter, box);
+  }
+  painter.restore();
+}
+
+}  // namespace
+
+WindowStyle::WindowStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
+
+void WindowStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                                const QWidget* widget) const {
+  if (element == PE_IndicatorCheckBox)
+    drawCheckBox(*option, *painter);
+  else
+    QProxyStyle::drawPrimitive(element, option, painter, widget);
+}
+
+}  // namespace handlebody::ui
