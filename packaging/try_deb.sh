@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs a package in a fresh Debian (debootstrap, as root) and starts both programs there:
 #   packaging/try_deb.sh PACKAGE.deb [RELEASE]     default: the release of this machine
+# Leaves a picture of the window beside the package.
 set -euo pipefail
 package=$(readlink -f "$1")
 # shellcheck source=/dev/null
@@ -36,4 +37,5 @@ unshare --mount bash -euc '
   run sh /with_display.sh handlebody "$sample/cyst_session.json" --screenshot /tmp/window.png --iteration 20
   run test -s /tmp/window.png
 '
+cp "$folder/debian/tmp/window.png" "${package%.deb}.png"  # to be looked at
 echo "The package installs and both programs work in a fresh $release."

@@ -15,9 +15,15 @@ struct Rule {
   double wider;   // radius of the widest ball behind / radius of the seeded structure, at least
   double larger;  // volume behind / volume before, at least
 };
-// A neck far narrower than the seeded structure that leads to something thicker and several times larger; or
-// an opening that hardly narrows but leads to something of quite another size.
-constexpr Rule kRules[] = {{0.6, 2, 4}, {0.6, 1, 20}, {0.95, 4, 500}};
+// A neck far narrower than the seeded structure that leads to something thicker and several times larger.
+constexpr Rule kNecks[] = {{0.6, 2, 4}, {0.6, 1, 20}};
+// An opening that hardly narrows but leads to something of quite another size.
+constexpr Rule kOpening = {0.95, 4, 500};
+// At such an opening the structure ends where it grows this many times wider than it is at the seeds; it goes
+// on where it is at least this part as wide.
+constexpr double kWidens = 1.3, kNarrows = 0.6;
+// What is cut off at an opening is this many times what is kept, at least.
+constexpr double kMuchLarger = 20;
 
 constexpr int kBinsPerVoxel = 4;
 
@@ -55,6 +61,19 @@ class ThicknessMap {
     for (std::size_t i = 0; i < d.size(); ++i) d[i] = marked[i] ? 0.0f : kFar;
     sweep(d);
     return d;
+  }
+
+  //! 1 for the voxels within the largest balls around the centres that `isCentre` picks (by place in the
+  //! box).
+  template <typename F>
+  std::vector<unsigned char> coveredByBalls(F&& isCentre) const {
+    std::vector<float> d(distance_.size(), kFar);  // to the surface of the nearest ball
+    for (std::size_t i = 0; i < d.size(); ++i)
+      if (distance_[i] > 0 && isCentre(i)) d[i] = -distance_[i];
+    sweep(d);
+    std::vector<unsigned char> covered(d.size());
+    for (std::size_t i = 0; i < d.size(); ++i) covered[i] = distance_[i] > 0 && d[i] < 0;
+    return covered;
   }
 
   std::size_t at(const Voxel& v) const {
@@ -200,6 +219,12 @@ WidestPathFlood floodThickFirst(const ThicknessMap& map, const std::vector<std::
   return flood;
 }
 
+bool shows(const Rule& rule, const Stage& stage, double structure) {
+  const auto before = static_cast<double>(stage.first), more = static_cast<double>(stage.last - stage.first);
+  return stage.first > 0 && stage.neck <= rule.narrow * structure && more >= rule.larger * before &&
+         stage.widest >= rule.wider * structure;
+}
+
 //! The side of the seeds: what a ball of the neck's radius covers without passing the neck, and all crumbs
 //! that hang on it alone. Marks: 1 = kept, 2 = cut off, 0 = no part of the region.
 std::vector<unsigned char> splitAt(const ThicknessMap& map, const WidestPathFlood& flood,
@@ -228,6 +253,47 @@ std::vector<unsigned char> splitAt(const ThicknessMap& map, const WidestPathFloo
   }
   for (unsigned char& s : side)
     if (s == 3) s = 1;
+  return side;
+}
+
+//! Everything that `from` reaches by faces over voxels that `open` says are open; marks it 1.
+template <typename F>
+std::vector<unsigned char> reachedFrom(const ThicknessMap& map, std::vector<std::size_t> from, F&& open) {
+  std::vector<unsigned char> reached(map.count(), 0);
+  const auto enter = [&](std::size_t i) {
+    if (reached[i] || !open(i)) return false;
+    reached[i] = 1;
+    return true;
+  };
+  std::erase_if(from, [&](std::size_t i) { return !enter(i); });
+  while (!from.empty()) {
+    const std::size_t i = from.back();
+    from.pop_back();
+    map.forEachFaceNeighbour(i, [&](std::size_t w) {
+      if (enter(w)) from.push_back(w);
+    });
+  }
+  return reached;
+}
+
+//! The side of the seeds where no neck shows: what balls about as wide as the seeded structure reach without
+//! entering the wide part, and all crumbs that do not touch the wide part. Marks as splitAt().
+std::vector<unsigned char> splitByWidth(const ThicknessMap& map, const std::vector<std::size_t>& starts,
+                                        double structure) {
+  const double widest = kWidens * structure, narrowest = kNarrows * structure;
+  const auto wide = map.coveredByBalls([&](std::size_t i) { return map.distance(i) > widest; });
+  const auto core =
+      reachedFrom(map, starts, [&](std::size_t i) { return !wide[i] && map.distance(i) >= narrowest; });
+  const auto near = map.coveredByBalls([&](std::size_t i) { return core[i] != 0; });
+  // What is in neither is cut off together with the wide part that it touches.
+  std::vector<std::size_t> rim;
+  for (std::size_t i = 0; i < wide.size(); ++i)
+    if (wide[i]) map.forEachFaceNeighbour(i, [&](std::size_t w) { rim.push_back(w); });
+  const auto beside = reachedFrom(map, std::move(rim),
+                                  [&](std::size_t i) { return map.distance(i) > 0 && !wide[i] && !near[i]; });
+  std::vector<unsigned char> side(map.count(), 0);
+  for (std::size_t i = 0; i < side.size(); ++i)
+    if (map.distance(i) > 0) side[i] = wide[i] || beside[i] ? 2 : 1;
   return side;
 }
 
@@ -293,30 +359,33 @@ std::optional<NeckCut> findNeck(const Grid& grid, const ObjectRegion& region,
   }
   if (starts.empty() || structure <= 0) return {};
   const WidestPathFlood flood = floodThickFirst(map, starts, grid.meanSpacing() / kBinsPerVoxel);
-  for (const Rule& rule : kRules)
-    for (const Stage& stage : flood.stages) {
-      const double before = static_cast<double>(stage.first),
-                   more = static_cast<double>(stage.last - stage.first);
-      if (stage.neck > rule.narrow * structure || stage.first == 0 || more < rule.larger * before ||
-          stage.widest < rule.wider * structure)
-        continue;
-      const std::vector<unsigned char> side = splitAt(map, flood, stage);
-      const auto kept = static_cast<double>(std::count(side.begin(), side.end(), 1));
-      const auto cut = static_cast<double>(std::count(side.begin(), side.end(), 2));
-      const bool seedsKept =
-          std::none_of(seedVoxels.begin(), seedVoxels.end(), [&](std::size_t i) { return side[i] == 2; });
-      if (!seedsKept || cut < rule.larger * kept) continue;
-      NeckCut out;
-      out.neckRadius = stage.neck;
-      out.structureRadius = structure;
-      out.widestBehind = stage.widest;
-      out.keptVolume = kept * grid.voxelVolume();
-      out.cutVolume = cut * grid.voxelVolume();
-      for (const Voxel& v : region.voxels) out.kept.push_back(side[map.at(v)] == 1);
-      out.barrier = barrierOf(map, side);
-      return out;
-    }
-  return {};
+  const auto cutAt = [&](const Stage& stage, const std::vector<unsigned char>& side,
+                         double larger) -> std::optional<NeckCut> {
+    const auto kept = static_cast<double>(std::count(side.begin(), side.end(), 1));
+    const auto cut = static_cast<double>(std::count(side.begin(), side.end(), 2));
+    const bool seedsKept =
+        std::none_of(seedVoxels.begin(), seedVoxels.end(), [&](std::size_t i) { return side[i] == 2; });
+    if (!seedsKept || cut < larger * kept) return {};
+    NeckCut out;
+    out.neckRadius = stage.neck;
+    out.structureRadius = structure;
+    out.widestBehind = stage.widest;
+    out.keptVolume = kept * grid.voxelVolume();
+    out.cutVolume = cut * grid.voxelVolume();
+    for (const Voxel& v : region.voxels) out.kept.push_back(side[map.at(v)] == 1);
+    out.barrier = barrierOf(map, side);
+    return out;
+  };
+  for (const Rule& rule : kNecks)
+    for (const Stage& stage : flood.stages)
+      if (shows(rule, stage, structure))
+        if (auto cut = cutAt(stage, splitAt(map, flood, stage), rule.larger)) return cut;
+  const auto opening = std::find_if(flood.stages.begin(), flood.stages.end(),
+                                    [&](const Stage& s) { return shows(kOpening, s, structure); });
+  if (opening == flood.stages.end()) return {};
+  auto cut = cutAt(*opening, splitByWidth(map, starts, structure), kMuchLarger);
+  if (cut) cut->neckRadius = kWidens * structure, cut->widens = true;
+  return cut;
 }
 
 }  // namespace handlebody

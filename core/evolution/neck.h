@@ -26,6 +26,7 @@ class Barrier {
 //! A region cut at its neck.
 struct NeckCut {
   double neckRadius = 0;            //!< mm: of the widest ball that passes to what was cut off
+  bool widens = false;              //!< no neck: cut where the structure grows wider than neckRadius
   double structureRadius = 0;       //!< mm: of the ball that fits into the seeded structure
   double widestBehind = 0;          //!< mm: of the widest ball behind the neck
   double keptVolume = 0;            //!< mm³
@@ -35,8 +36,10 @@ struct NeckCut {
 };
 
 //! Looks for the neck through which the region leaks: the widest path (largest ball all along it) from the
-//! seeds to each voxel tells how wide a neck lies before it. None if nothing behind a neck is so much larger
-//! than what lies before it that the seeds can hardly have meant it. `seeds`: continuous indices.
+//! seeds to each voxel tells how wide a neck lies before it. A structure that opens with hardly a neck into
+//! something hundreds of times larger is cut where it grows wider than it is at the seeds. None if nothing is
+//! so much larger than what lies before it that the seeds can hardly have meant it. `seeds`: continuous
+//! indices.
 std::optional<NeckCut> findNeck(const Grid& grid, const ObjectRegion& region, const std::vector<Vec3>& seeds);
 
 }  // namespace handlebody

@@ -105,6 +105,7 @@ bool warnsOf(const RealOutcome& o, const char* what) {
 }
 
 const char* const kNeck = "held at a neck";
+const char* const kWidens = "grows wider than";
 const char* const kNoEdge = "shows no edge";
 
 bool volumesMissing() {
@@ -142,10 +143,12 @@ TEST_CASE("the ventricle in an MR volume has 20 to 30 ml", "[real]") {
   CHECK(millilitres <= 30);
 }
 
-TEST_CASE("the vessel in an ultrasound volume does not leak silently", "[real]") {
+TEST_CASE("the vessel in an ultrasound volume is held between its walls, with a warning", "[real]") {
+  // It opens into acoustic shadow as dark as itself. From seeds all over the lumen: 2.8 to 3.0 ml.
   if (volumesMissing()) return;
   const RealOutcome o = expectCertified("us_vessel");
-  CHECK(o.millilitres < 5);
-  CHECK(warnsOf(o, kNeck));
+  CHECK(o.millilitres > 2.5);
+  CHECK(o.millilitres < 3.5);
+  CHECK(warnsOf(o, kWidens));
   CHECK(warnsOf(o, kNoEdge));
 }

@@ -72,7 +72,8 @@ void Document::exportResult(const QString& path, CoordinateSpace space) {
     return;
   }
   if (shown->mesh.triangles.empty()) {
-    Q_EMIT exportFailed(tr("Nothing is left of the surface at this iteration: step back to one that has some."));
+    Q_EMIT exportFailed(
+        tr("Nothing is left of the surface at this iteration: step back to one that has some."));
     return;
   }
   d_->files.post([this, path, space, shown, grid = d_->work->volume.grid] {

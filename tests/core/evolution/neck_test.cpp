@@ -87,4 +87,39 @@ TEST_CASE("a single ball has no neck, wherever the seed lies in it") {
   }
 }
 
+TEST_CASE(
+    "a tube that opens with hardly a neck into something of quite another size is cut where it widens") {
+  // Blind at x = 8, a little narrower where it is open at x = 40 into half of the volume.
+  Grid wide = cubicGrid(80);
+  wide.size = {120, 80, 80};
+  const double radius = 5, blind = 8, open = 40;
+  const auto distance = [&](const Vec3& p) {
+    const double here = p[0] < 30 ? radius : radius - 1;
+    const double tube = std::max({std::hypot(p[1] - 40, p[2] - 40) - here, blind - p[0], p[0] - open - 1});
+    return std::min(tube, open - p[0]);
+  };
+  const SmoothedVolume volume(volumeByDistance(wide, 0, 100, distance), 0);
+  const Vec3 seed(20, 41, 40);
+  const ObjectRegion region = floodObject(volume, {seed}, 1, LevelField(wide, 50), 1'000'000);
+  const auto cut = findNeck(wide, region, {seed});
+  REQUIRE(cut);
+  CHECK(cut->widens);
+  CHECK(cut->neckRadius == Approx(1.3 * radius).epsilon(0.15));
+  const auto tubeUpTo = [&](double x) {
+    return 3.14159 * (radius * radius * (30 - blind) + (radius - 1) * (radius - 1) * (x - 30));
+  };
+  CHECK(cut->keptVolume < tubeUpTo(open));
+  for (std::size_t i = 0; i < region.voxels.size(); ++i) {
+    const int x = region.voxels[i][0];
+    if (x < open - 5) REQUIRE(cut->kept[i] == 1);  // its blind end and the rim beside its wall too
+    if (x > open + 6) REQUIRE(cut->kept[i] == 0);
+  }
+}
+
+TEST_CASE("at a neck the cut is not called a widening") {
+  const auto cut = findNeck(grid(), joined(kBarRadius, kSmall), {kSmall});
+  REQUIRE(cut);
+  CHECK_FALSE(cut->widens);
+}
+
 TEST_CASE("an empty region has no neck") { CHECK_FALSE(findNeck(grid(), ObjectRegion{}, {kSmall})); }

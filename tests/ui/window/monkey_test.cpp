@@ -132,9 +132,10 @@ class Monkey {
 std::string described(const ui::MeshSnapshot& snapshot, int actions) {
   const Certificate& c = snapshot.certificate;
   std::ostringstream out;
-  out << "iteration " << snapshot.iteration << " after " << actions << " actions: closed " << c.closed << ", manifold "
-      << c.manifold << ", oriented " << c.oriented << ", self-intersections " << c.selfIntersections << ", faces "
-      << c.faces << ", components " << c.components << ", volume " << c.volume << " mm3";
+  out << "iteration " << snapshot.iteration << " after " << actions << " actions: closed " << c.closed
+      << ", manifold " << c.manifold << ", oriented " << c.oriented << ", self-intersections "
+      << c.selfIntersections << ", faces " << c.faces << ", components " << c.components << ", volume "
+      << c.volume << " mm3";
   return out.str();
 }
 
