@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace handlebody {
 
@@ -64,13 +65,23 @@ class Regulator {
   //! An edge that is still too long after a pass lies in a face with one of its new vertices: it is one of
   //! theirs, or the split of another edge of its face has renamed it.
   void splitLongEdges() {
-    std::vector<int> faces = faces_;
-    for (int pass = 0; pass < kMaxSplitPasses && !faces.empty(); ++pass) {
+    std::vector<int> faces = splitLongEdges(faces_), added;
+    for (int pass = 1; pass < kMaxSplitPasses && !faces.empty(); ++pass) {
+      added.insert(added.end(), faces.begin(), faces.end());
       faces = splitLongEdges(faces);
-      faces_.insert(faces_.end(), faces.begin(), faces.end());
     }
-    std::sort(faces_.begin(), faces_.end());
-    faces_.erase(std::unique(faces_.begin(), faces_.end()), faces_.end());
+    added.insert(added.end(), faces.begin(), faces.end());
+    addFaces(added);
+  }
+
+  //! Adds some to the listed faces, which stay in ascending order. Most of them are there already.
+  void addFaces(std::vector<int>& added) {
+    std::sort(added.begin(), added.end());
+    std::vector<int> all;
+    all.reserve(faces_.size() + added.size());
+    std::merge(faces_.begin(), faces_.end(), added.begin(), added.end(), std::back_inserter(all));
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    faces_ = std::move(all);
   }
 
   //! One pass; returns the faces at the new vertices, and beside them.
