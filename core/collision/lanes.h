@@ -10,21 +10,27 @@ namespace handlebody {
 
 inline constexpr std::uint32_t kLanes = 4;
 
-//! Bit k: point k of kLanes, given by its coordinates, is not farther than the root of `limit` from `centre`,
-//! in single precision.
-inline unsigned lanesWithin(const float* x, const float* y, const float* z,
-                            const std::array<float, 3>& centre, float limit) {
-  using Floats = float __attribute__((vector_size(16)));
-  using Bits = std::int32_t __attribute__((vector_size(16)));
-  Floats dx, dy, dz;
-  std::memcpy(&dx, x, sizeof dx);
-  std::memcpy(&dy, y, sizeof dy);
-  std::memcpy(&dz, z, sizeof dz);
-  dx -= centre[0];
-  dy -= centre[1];
-  dz -= centre[2];
-  const Bits near = (dx * dx + dy * dy + dz * dz <= limit) & Bits{1, 2, 4, 8};
-  return static_cast<unsigned>(near[0] | near[1] | near[2] | near[3]);
+using LaneFloats = float __attribute__((vector_size(16)));
+using LaneBits = std::int32_t __attribute__((vector_size(16)));
+
+inline LaneFloats loadLanes(const float* from) {
+  LaneFloats lanes;
+  std::memcpy(&lanes, from, sizeof lanes);
+  return lanes;
+}
+
+//! All bits of lane k: k < count, and point k, given by its coordinates, is not farther than the root of
+//! `limit` from `centre`, in single precision.
+inline LaneBits lanesWithin(const float* x, const float* y, const float* z,
+                            const std::array<float, 3>& centre, float limit, std::int32_t count) {
+  const LaneFloats dx = loadLanes(x) - centre[0], dy = loadLanes(y) - centre[1],
+                   dz = loadLanes(z) - centre[2];
+  return (dx * dx + dy * dy + dz * dz <= limit) & (LaneBits{0, 1, 2, 3} < count);
+}
+
+//! Bit k: bit k of lane k is set. (Lanes that are all or nothing, shifted and combined, give many such bits.)
+inline unsigned anyLane(const LaneBits& lanes) {
+  return static_cast<unsigned>(lanes[0] | lanes[1] | lanes[2] | lanes[3]);
 }
 
 }  // namespace handlebody

@@ -179,6 +179,7 @@ void CollisionDetector::Tables::testStarPairs(int v) {
 //! sqrt(2/3)·s. It says more, too: P is within |PP'|/2 of T, which hardly any neighbour is. So what is looked
 //! for are pairs of a vertex P and a triangle T.
 void CollisionDetector::Tables::testSeparate() {
+  if (vertices.empty()) return;  // nothing moved
   if (!hash.build(points, vertices, reach())) {
     testSeparateByTree();
     return;

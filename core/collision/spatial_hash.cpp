@@ -1,7 +1,7 @@
 #include "core/collision/spatial_hash.h"
 
-#include <bit>
 #include <cmath>
+#include <limits>
 
 namespace handlebody {
 namespace {
@@ -11,6 +11,10 @@ namespace {
 constexpr double kMargin = 1 + 0x1p-18;
 constexpr double kMaxIndex = 0x1p30;
 static_assert(kMaxIndex * 0x1p-51 * 4 < kMargin - 1);
+
+// Bits of one pass of the sort: its counters stay in the nearest cache.
+constexpr int kDigit = 11;
+constexpr std::uint32_t kDigitMask = (1u << kDigit) - 1;
 
 }  // namespace
 
@@ -32,45 +36,62 @@ bool SpatialHash::build(std::span<const Vec3> points, std::span<const int> verti
   // few 2^-24.
   const double off = std::sqrt(3.0) * 0x1p-22 * (high - low).maxCoeff() * scale;
   rejectBeyond_ = static_cast<float>((1 + off) * (1 + off) * (1 + 0x1p-20));
-  const auto size =
-      std::bit_ceil(std::max<std::uint32_t>(8, 2 * static_cast<std::uint32_t>(vertices.size())));
-  mask_ = size - 1;
-  start_.assign(size + 1, 0);
-  unsorted_.resize(vertices.size());
-  for (auto& c : unsortedAt_) c.resize(vertices.size());
+  entries_.resize(vertices.size());
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Vec3 a = (points[static_cast<std::size_t>(vertices[i])] - low) * scale;
     // Not negative, so truncation is the floor.
-    const Entry e{vertices[i], static_cast<int>(a.x()), static_cast<int>(a.y()), static_cast<int>(a.z())};
-    unsorted_[i] = e;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      unsortedAt_[axis][i] = static_cast<float>(a[static_cast<int>(axis)]);
-    ++start_[bucket(e.x, e.y, e.z)];
+    entries_[i] = {vertices[i], {static_cast<int>(a.x()), static_cast<int>(a.y()), static_cast<int>(a.z())}};
   }
-  double crowd = 0;
-  std::uint32_t sum = 0;
-  for (std::uint32_t& entry : start_) {
-    crowd += static_cast<double>(entry) * static_cast<double>(entry);
-    sum += entry;
-    entry = sum;
-  }
-  if (crowd > kCrowd * static_cast<double>(vertices.size())) return false;
-  sortByBucket(vertices.size());
+  const Vec3 most = (high - low) * scale;
+  for (const int axis : {0, 1, 2}) sortAlong(static_cast<std::size_t>(axis), static_cast<int>(most[axis]));
+  if (listRows() > kCrowd * static_cast<double>(vertices.size())) return false;
+  placePoints(low, scale);
   return true;
 }
 
-void SpatialHash::sortByBucket(std::size_t count) {
-  constexpr float kFarAway = -4;
-  entries_.resize(count);
-  for (auto& c : at_) {
-    c.resize(count);
-    c.resize(count + kLanes, kFarAway);
+//! Counting sort, digit by digit; keeps the order of what is equal.
+void SpatialHash::sortAlong(std::size_t axis, int most) {
+  scratch_.resize(entries_.size());
+  for (int shift = 0; shift == 0 || most >> shift > 0; shift += kDigit) {
+    const auto digit = [&](const Entry& e) {
+      return static_cast<std::uint32_t>(e.box[axis] >> shift) & kDigitMask;
+    };
+    start_.assign(std::min(static_cast<std::uint32_t>(most >> shift), kDigitMask) + 1, 0);
+    for (const Entry& e : entries_) ++start_[digit(e)];
+    std::uint32_t sum = 0;
+    for (std::uint32_t& s : start_) s = (sum += s) - s;
+    for (const Entry& e : entries_) scratch_[start_[digit(e)]++] = e;
+    std::swap(entries_, scratch_);
   }
-  for (std::size_t i = count; i-- > 0;) {
-    const Entry& e = unsorted_[i];
-    const std::uint32_t slot = --start_[bucket(e.x, e.y, e.z)];
-    entries_[slot] = e;
-    for (std::size_t axis = 0; axis < 3; ++axis) at_[axis][slot] = unsortedAt_[axis][i];
+}
+
+//! Returns the sum of squares of the numbers of vertices in the half boxes.
+double SpatialHash::listRows() {
+  rows_.clear();
+  double crowd = 0, same = 0;
+  std::array<int, 3> before{-1, -1, -1};
+  for (std::uint32_t i = 0; i < entries_.size(); ++i) {
+    const std::array<int, 3>& box = entries_[i].box;
+    if (box[1] != before[1] || box[2] != before[2]) rows_.push_back({box[1], box[2], i});
+    same = box == before ? same + 1 : 1;
+    crowd += 2 * same - 1;
+    before = box;
+  }
+  constexpr int kBeyond = std::numeric_limits<int>::max();
+  rows_.insert(rows_.end(), 3, {kBeyond, kBeyond, static_cast<std::uint32_t>(entries_.size())});
+  return crowd;
+}
+
+void SpatialHash::placePoints(const Vec3& low, double scale) {
+  const std::size_t count = entries_.size();
+  vertex_.resize(count);
+  x_.resize(count);
+  for (auto& c : at_) c.resize(count + kLanes);
+  for (std::size_t i = 0; i < count; ++i) {
+    vertex_[i] = entries_[i].vertex;
+    x_[i] = entries_[i].box[0];
+    const Vec3 a = (points_[static_cast<std::size_t>(vertex_[i])] - low) * scale;
+    for (std::size_t axis = 0; axis < 3; ++axis) at_[axis][i] = static_cast<float>(a[static_cast<int>(axis)]);
   }
 }
 

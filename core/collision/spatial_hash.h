@@ -3,14 +3,15 @@
 //
 // The paper hashes every vertex eight times, for i = (i1,i2,i3) in {0,1}³, by its box of size l in a grid
 // that is shifted by i/2 boxes: Eq. (1), read as the integer r(a,i) = floor(a/l + i/2), and Eq. (2), r1·p1 +
-// r2·p2
-// + r3·p3 modulo the table size. Here the vertices are sorted once, by the half boxes floor(2a/l) of size
-// l/2: every box of the eight functions is a block of 2×2×2 half boxes (boxIndex below), so two vertices
+// r2·p2 + r3·p3 modulo the table size. Here the vertices are sorted once, by the half boxes floor(2a/l) of
+// size l/2: every box of the eight functions is a block of 2×2×2 half boxes (boxIndex below), so two vertices
 // share a box of at least one function exactly if their half boxes are equal or neighbours along each axis.
 // Visiting the neighbours finds each such pair once, where the eight tables find it up to eight times.
 //
-// p1 is 1, not a prime: half boxes that follow each other along x are then neighbours in the table, and the
-// three of one row are one piece of memory.
+// The place of a half box is not its hash modulo a table size but its rank among those that hold anything: by
+// a counting sort along x, y and z. Rows of half boxes along x are then met in the order of memory, and the
+// rows beside them as well, so that a large mesh costs as much per vertex as a small one; and no two half
+// boxes are ever taken for one another.
 
 #include <algorithm>
 #include <array>
@@ -40,87 +41,108 @@ class SpatialHash {
   void forEachPair(F&& f) const;
 
  private:
-  // The sum of squares of the bucket sizes may be this many times the number of vertices. By Cauchy-Schwarz,
-  // visiting all neighbours then looks at no more than 27/2 times as many pairs. A mesh with edges between
-  // s/3 and s stays below 8.
+  // The sum of squares of the numbers of vertices in the half boxes may be this many times the number of
+  // vertices. By Cauchy-Schwarz, visiting all neighbours then looks at no more than 27/2 times as many pairs.
+  // A mesh with edges between s/3 and s stays below 8.
   static constexpr double kCrowd = 24;
 
   struct Entry {
     int vertex;
-    int x, y, z;  // half box
+    std::array<int, 3> box;  // half box
   };
-  //! Coordinates in half boxes from the lower corner of all, rounded: for rejection only.
-  using Coordinates = std::array<std::vector<float>, 3>;
+  //! Half boxes (x, y, z) that hold a vertex, all x.
+  struct Row {
+    int y, z;
+    std::uint32_t first;  // up to the next row's
+    bool operator<(const Row& o) const { return z != o.z ? z < o.z : y < o.y; }
+    bool operator==(const Row& o) const { return z == o.z && y == o.y; }
+  };
+  //! Vertices of a row that are still ahead.
+  struct Window {
+    std::uint32_t next, end;
+  };
+  //! Of the own row what comes after, and the rows (y+1, z), (y-1, z+1), (y, z+1), (y+1, z+1): one of two
+  //! neighbours has the other there.
+  using Windows = std::array<Window, 5>;
 
-  std::uint32_t bucket(int x, int y, int z) const {
-    return (static_cast<std::uint32_t>(x) + static_cast<std::uint32_t>(y) * 73856093u +
-            static_cast<std::uint32_t>(z) * 83492791u) &
-           mask_;
+  void sortAlong(std::size_t axis, int most);
+  double listRows();
+  void placePoints(const Vec3& low, double scale);
+  Window windowOf(std::size_t row, const Row& wanted) const {
+    return rows_[row] == wanted ? Window{rows_[row].first, rows_[row + 1].first} : Window{0, 0};
   }
-  void sortByBucket(std::size_t count);
-  //! Calls f for the entries of half boxes (x-1..x+1, y, z) within the radius of entry e.
   template <typename F>
-  void visitRow(std::uint32_t e, int y, int z, F&& f) const;
-  //! Calls f for the entries from `first` to before `last` that belong to that row.
+  void visit(std::uint32_t own, Windows& windows, F&& f) const;
   template <typename F>
-  void visitEntries(std::uint32_t first, std::uint32_t last, std::uint32_t e, int y, int z, F&& f) const;
+  void visitRest(std::uint32_t own, std::uint32_t first, std::uint32_t last, F&& f) const;
+  template <typename F>
+  void report(std::uint32_t own, std::uint32_t other, F&& f) const {
+    const auto u = static_cast<std::size_t>(vertex_[own]), v = static_cast<std::size_t>(vertex_[other]);
+    const double d = (points_[v] - points_[u]).squaredNorm();
+    if (d <= radiusSquared_) f(vertex_[own], vertex_[other], d);
+  }
+  std::array<float, 3> placeOf(std::uint32_t i) const { return {at_[0][i], at_[1][i], at_[2][i]}; }
+  LaneBits near(const std::array<float, 3>& centre, const Window& w) const {
+    return lanesWithin(&at_[0][w.next], &at_[1][w.next], &at_[2][w.next], centre, rejectBeyond_,
+                       static_cast<std::int32_t>(w.end - w.next));
+  }
 
-  std::uint32_t mask_ = 0;
   double radiusSquared_ = 0;
   float rejectBeyond_ = 0;  // squared, in half boxes
   std::span<const Vec3> points_;
-  std::vector<std::uint32_t> start_;  // per bucket, into entries_; one more at the end
-  std::vector<Entry> entries_, unsorted_;
-  Coordinates at_, unsortedAt_;  // of the entries; kLanes more at the end, far away
+  std::vector<Entry> entries_, scratch_;  // while they are sorted
+  std::vector<std::uint32_t> start_;
+  std::vector<Row> rows_;  // in order; three more at the end, beyond all
+  std::vector<int> vertex_, x_;
+  //! Coordinates in half boxes from the lower corner of all, rounded: for rejection only. kLanes more at the
+  //! end.
+  std::array<std::vector<float>, 3> at_;
 };
 
 template <typename F>
-void SpatialHash::visitEntries(std::uint32_t first, std::uint32_t last, std::uint32_t e, int y, int z,
-                               F&& f) const {
-  const std::array<float, 3> centre{at_[0][e], at_[1][e], at_[2][e]};
-  const Entry& own = entries_[e];
-  for (std::uint32_t i = first; i < last; i += kLanes) {
-    unsigned near = lanesWithin(&at_[0][i], &at_[1][i], &at_[2][i], centre, rejectBeyond_);
-    near &= (2u << std::min(last - i - 1, kLanes - 1)) - 1;
-    for (; near != 0; near &= near - 1) {
-      const Entry& other = entries_[i + static_cast<std::uint32_t>(std::countr_zero(near))];
-      // Different rows may share buckets: only the one that is being visited counts.
-      if (other.y != y || other.z != z || other.x - own.x > 1 || own.x - other.x > 1) continue;
-      const double d =
-          (points_[static_cast<std::size_t>(other.vertex)] - points_[static_cast<std::size_t>(own.vertex)])
-              .squaredNorm();
-      if (d <= radiusSquared_) f(own.vertex, other.vertex, d);
-    }
-  }
+void SpatialHash::visitRest(std::uint32_t own, std::uint32_t first, std::uint32_t last, F&& f) const {
+  const std::array<float, 3> centre = placeOf(own);
+  for (std::uint32_t i = first; i < last && x_[i] <= x_[own] + 1; i += kLanes)
+    for (unsigned bits = anyLane(near(centre, {i, last}) & LaneBits{1, 2, 4, 8}); bits != 0; bits &= bits - 1)
+      report(own, i + static_cast<std::uint32_t>(std::countr_zero(bits)), f);
 }
 
+//! The windows move on with the vertices of the own row. What lies beyond the neighbouring half boxes, but in
+//! the same row, is farther than the radius.
 template <typename F>
-void SpatialHash::visitRow(std::uint32_t e, int y, int z, F&& f) const {
-  const std::uint32_t first = bucket(entries_[e].x - 1, y, z);
-  if (first + 2 <= mask_) {
-    visitEntries(start_[first], start_[first + 3], e, y, z, f);
-    return;
+void SpatialHash::visit(std::uint32_t own, Windows& windows, F&& f) const {
+  const int behind = x_[own] - 1;
+  windows[0].next = own + 1;
+  for (std::size_t k = 1; k < windows.size(); ++k)
+    while (windows[k].next < windows[k].end && x_[windows[k].next] < behind) ++windows[k].next;
+  const std::array<float, 3> centre = placeOf(own);
+  LaneBits all = near(centre, windows[0]) & LaneBits{1, 2, 4, 8};
+  all |= near(centre, windows[1]) & (LaneBits{1, 2, 4, 8} << 4);
+  all |= near(centre, windows[2]) & (LaneBits{1, 2, 4, 8} << 8);
+  all |= near(centre, windows[3]) & (LaneBits{1, 2, 4, 8} << 12);
+  all |= near(centre, windows[4]) & (LaneBits{1, 2, 4, 8} << 16);
+  static_assert(kLanes == 4);
+  for (unsigned bits = anyLane(all); bits != 0; bits &= bits - 1) {
+    const auto bit = static_cast<std::uint32_t>(std::countr_zero(bits));
+    report(own, windows[bit / kLanes].next + bit % kLanes, f);
   }
-  for (std::uint32_t i = 0; i < 3; ++i) {  // the row goes on at the beginning of the table
-    const std::uint32_t b = (first + i) & mask_;
-    visitEntries(start_[b], start_[b + 1], e, y, z, f);
-  }
+  for (const Window& w : windows)
+    if (w.end > w.next + kLanes) visitRest(own, w.next + kLanes, w.end, f);
 }
 
 template <typename F>
 void SpatialHash::forEachPair(F&& f) const {
-  for (std::uint32_t i = 0; i < entries_.size(); ++i) {
-    const Entry& e = entries_[i];
-    // In its own row an entry looks forward only: at the rest of its bucket and at the next half box.
-    const std::uint32_t own = bucket(e.x, e.y, e.z);
-    if (own < mask_) {
-      visitEntries(i + 1, start_[own + 2], i, e.y, e.z, f);
-    } else {
-      visitEntries(i + 1, start_[own + 1], i, e.y, e.z, f);
-      visitEntries(start_[0], start_[1], i, e.y, e.z, f);
+  std::size_t above = 0;  // the first row that does not come before (y-1, z+1)
+  for (std::size_t r = 0; rows_[r].first < vertex_.size(); ++r) {
+    const Row& row = rows_[r];
+    while (rows_[above] < Row{row.y - 1, row.z + 1, 0}) ++above;
+    Windows windows{Window{row.first, rows_[r + 1].first}, windowOf(r + 1, {row.y + 1, row.z, 0})};
+    std::size_t next = above;
+    for (std::size_t k = 2; k < windows.size(); ++k) {
+      windows[k] = windowOf(next, {row.y + static_cast<int>(k) - 3, row.z + 1, 0});
+      next += windows[k].end != 0;
     }
-    visitRow(i, e.y + 1, e.z, f);
-    for (int dy = -1; dy <= 1; ++dy) visitRow(i, e.y + dy, e.z + 1, f);
+    for (std::uint32_t i = row.first; i < rows_[r + 1].first; ++i) visit(i, windows, f);
   }
 }
 

@@ -308,9 +308,14 @@ void ActiveContour::State::updateQuiet(const Attempt& a) {
     q = a.distances[i] < quietMove ? static_cast<unsigned char>(std::min(q + 1, kQuietToSleep))
                                    : static_cast<unsigned char>(0);
   }
+  // Those that stir wake their neighbours. Face by face, in the order of memory: far quicker than a walk from
+  // neighbour to neighbour.
+  std::fill(wasMoved.begin(), wasMoved.end(), static_cast<unsigned char>(0));
   for (std::size_t i = 0; i < a.moving.size(); ++i)
-    if (a.distances[i] > stirringMove && mesh.isVertex(a.moving[i]))
-      mesh.forEachNeighbour(a.moving[i], [&](int w) { quiet[idx(w)] = 0; });
+    wasMoved[idx(a.moving[i])] = a.distances[i] > stirringMove;
+  for (const Triangle& t : mesh.faces())
+    if (t[0] >= 0 && (wasMoved[idx(t[0])] | wasMoved[idx(t[1])] | wasMoved[idx(t[2])]) != 0)
+      for (const int v : t) quiet[idx(v)] = 0;
 }
 
 void ActiveContour::State::accept(Attempt& a, StepReport& report) {

@@ -2,7 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 
 namespace handlebody {
 
@@ -34,6 +36,12 @@ class Regulator {
   double squaredLength(int h) const {
     return (mesh_.position(mesh_.target(h)) - mesh_.position(mesh_.origin(h))).squaredNorm();
   }
+  using SquaredLengths = std::array<double, 3>;
+  SquaredLengths squaredLengths(int face) const {
+    const Triangle& t = mesh_.face(face);
+    const Vec3 &a = mesh_.position(t[0]), &b = mesh_.position(t[1]), &c = mesh_.position(t[2]);
+    return {(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()};
+  }
   //! Collapses and flips bring no active vertex into a face that had none: only splits add faces.
   void listActiveFaces() {
     for (int face = 0; face < mesh_.faceSlots(); ++face) {
@@ -41,33 +49,47 @@ class Regulator {
       if (t[0] >= 0 && (isActive(t[0]) || isActive(t[1]) || isActive(t[2]))) faces_.push_back(face);
     }
   }
-  //! Calls f(h) for one of the two half-edges of each edge beside an active vertex, in the listed faces.
-  template <typename F>
-  void forEachActiveEdge(const std::vector<int>& faces, F&& f) {
-    for (const int face : faces)
+  //! Calls f(h) for one of the two half-edges of each edge beside an active vertex, in those of the listed
+  //! faces that are candidates when their turn comes.
+  template <typename IsCandidate, typename F>
+  void forEachActiveEdge(const std::vector<int>& faces, IsCandidate&& isCandidate, F&& f) {
+    for (const int face : faces) {
+      if (!mesh_.isFace(face) || !isCandidate(face)) continue;
       for (int h = 3 * face; h < 3 * face + 3; ++h)
         if (mesh_.isFace(face) && h < mesh_.opposite(h) &&
             (isActive(mesh_.origin(h)) || isActive(mesh_.target(h))))
           f(h);
+    }
   }
 
   //! An edge that is still too long after a pass lies in a face with one of its new vertices: it is one of
   //! theirs, or the split of another edge of its face has renamed it.
   void splitLongEdges() {
-    std::vector<int> faces = faces_;
-    for (int pass = 0; pass < kMaxSplitPasses && !faces.empty(); ++pass) {
+    std::vector<int> faces = splitLongEdges(faces_), added;
+    for (int pass = 1; pass < kMaxSplitPasses && !faces.empty(); ++pass) {
+      added.insert(added.end(), faces.begin(), faces.end());
       faces = splitLongEdges(faces);
-      faces_.insert(faces_.end(), faces.begin(), faces.end());
     }
-    std::sort(faces_.begin(), faces_.end());
-    faces_.erase(std::unique(faces_.begin(), faces_.end()), faces_.end());
+    added.insert(added.end(), faces.begin(), faces.end());
+    addFaces(added);
+  }
+
+  //! Adds some to the listed faces, which stay in ascending order. Most of them are there already.
+  void addFaces(std::vector<int>& added) {
+    std::sort(added.begin(), added.end());
+    std::vector<int> all;
+    all.reserve(faces_.size() + added.size());
+    std::merge(faces_.begin(), faces_.end(), added.begin(), added.end(), std::back_inserter(all));
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    faces_ = std::move(all);
   }
 
   //! One pass; returns the faces at the new vertices, and beside them.
   std::vector<int> splitLongEdges(const std::vector<int>& faces) {
     const double limit = limits_.longest * limits_.longest;
     std::vector<std::pair<double, int>> edges;
-    forEachActiveEdge(faces, [&](int h) {
+    const auto isCandidate = [&](int face) { return anyLonger(face, limit); };
+    forEachActiveEdge(faces, isCandidate, [&](int h) {
       if (squaredLength(h) > limit) edges.emplace_back(-squaredLength(h), h);
     });
     // Longest first: that is what keeps the triangles well shaped.
@@ -99,9 +121,21 @@ class Regulator {
     return faces;
   }
 
+  //! Whether an edge of the face is shorter than the root of `limit`, or longer: few faces hold one, and the
+  //! others are done with quickly.
+  bool anyShorter(int face, double limit) const {
+    const SquaredLengths l = squaredLengths(face);
+    return !(l[0] >= limit && l[1] >= limit && l[2] >= limit);
+  }
+  bool anyLonger(int face, double limit) const {
+    const SquaredLengths l = squaredLengths(face);
+    return l[0] > limit || l[1] > limit || l[2] > limit;
+  }
+
   void collapseShortEdges() {
     const double limit = limits_.shortest * limits_.shortest;
-    forEachActiveEdge(faces_, [&](int h) {
+    const auto isCandidate = [&](int face) { return anyShorter(face, limit); };
+    forEachActiveEdge(faces_, isCandidate, [&](int h) {
       if (squaredLength(h) >= limit) return;
       const int a = mesh_.origin(h), b = mesh_.target(h);
       if (isActive(a) && isActive(b)) {
@@ -139,11 +173,31 @@ class Regulator {
     return ok;
   }
 
+  //! Notes for each half-edge of the face whether the angle that faces it is obtuse.
+  void findObtuse(int face) {
+    const Triangle& t = mesh_.face(face);
+    const Vec3 &a = mesh_.position(t[0]), &b = mesh_.position(t[1]), &c = mesh_.position(t[2]);
+    unsigned char* obtuse = &obtuse_[3 * idx(face)];
+    obtuse[0] = !((a - c).dot(b - c) >= 0);
+    obtuse[1] = !((b - a).dot(c - a) >= 0);
+    obtuse[2] = !((c - b).dot(a - b) >= 0);
+  }
+
+  //! Only an edge that an obtuse angle faces is ever turned (see flipImproves), and few do.
   void flipForValence() {
-    forEachActiveEdge(faces_, [&](int h) {
-      if (isActive(mesh_.origin(h)) && isActive(mesh_.target(h)) && flipImproves(h) && mesh_.canFlip(h))
+    obtuse_.resize(3 * idx(mesh_.faceSlots()));
+    for (const int face : faces_)
+      if (mesh_.isFace(face)) findObtuse(face);
+    for (const int face : faces_)
+      for (int h = 3 * face; mesh_.isFace(face) && h < 3 * face + 3; ++h) {
+        const int g = mesh_.opposite(h);
+        if (h >= g || (obtuse_[idx(h)] | obtuse_[idx(g)]) == 0) continue;
+        if (!isActive(mesh_.origin(h)) || !isActive(mesh_.target(h)) || !flipImproves(h) || !mesh_.canFlip(h))
+          continue;
         mesh_.flipEdge(h);
-    });
+        findObtuse(face);
+        findObtuse(Mesh::faceOf(g));
+      }
   }
 
   bool flipImproves(int h) const {
@@ -152,7 +206,6 @@ class Regulator {
                &pd = mesh_.position(d);
     // Delaunay: turn the edge when the angles that face it add up to more than a straight one (with a margin,
     // so that no edge is turned to and fro). Two acute angles, the rule, do not.
-    if ((pa - pc).dot(pb - pc) >= 0 && (pa - pd).dot(pb - pd) >= 0) return false;
     const auto cosine = [](const Vec3& apex, const Vec3& p, const Vec3& q) {
       return (p - apex).dot(q - apex) / std::sqrt((p - apex).squaredNorm() * (q - apex).squaredNorm());
     };
@@ -167,7 +220,8 @@ class Regulator {
   Mesh& mesh_;
   const RemeshLimits& limits_;
   std::vector<unsigned char>& active_;
-  std::vector<int> faces_;  // that hold an active vertex, ascending
+  std::vector<int> faces_;             // that hold an active vertex, ascending
+  std::vector<unsigned char> obtuse_;  // per half-edge: the angle that faces it
 };
 
 }  // namespace

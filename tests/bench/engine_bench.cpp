@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <ctime>
 
+#include "core/collision/self_intersection.h"
 #include "core/evolution/active_contour.h"
+#include "core/evolution/motion.h"
+#include "core/evolution/object_image.h"
 #include "core/evolution/object_range.h"
+#include "core/mesh/remesh.h"
 #include "sample_volumes/phantom.h"
 
 using namespace handlebody;
@@ -82,6 +86,76 @@ void stepAt10k(benchmark::State& state) {
   state.counters["steps"] = steps;
 }
 
+//! A contour in the open field when it has 10,000 vertices, as the steps above meet it.
+struct GrownField {
+  Parameters parameters;
+  Mesh mesh;
+  std::vector<int> vertices;
+  std::shared_ptr<const SmoothedVolume> volume;
+};
+
+const GrownField& grownField() {
+  static const GrownField made = [] {
+    const Field field = makeField(1);
+    GrownField g;
+    g.parameters.range = IntensityRange{0, 0.5};
+    g.parameters.smoothing = 0;
+    g.parameters.edgeLength = 2;
+    ActiveContour contour(field.volume, field.seeds, g.parameters);
+    while (contour.mesh().vertexCount() < 10'000) contour.step();
+    g.mesh = contour.mesh();
+    for (int v = 0; v < g.mesh.vertexSlots(); ++v)
+      if (g.mesh.isVertex(v)) g.vertices.push_back(v);
+    g.volume = std::make_shared<SmoothedVolume>(field.volume, 0);
+    return g;
+  }();
+  return made;
+}
+
+// The parts of such a step, all vertices moving.
+
+void partMotion(benchmark::State& state) {
+  const GrownField& g = grownField();
+  const ObjectImage image(g.volume, *g.parameters.range, 0.25);
+  MotionSettings settings;
+  settings.edgeLength = *g.parameters.edgeLength;
+  settings.largestStep = 0.28 * settings.edgeLength;
+  settings.outwardOnly = true;
+  settings.threads = static_cast<int>(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(computeMotion(g.mesh, image, settings, g.vertices));
+}
+
+void partDetection(benchmark::State& state) {
+  const GrownField& g = grownField();
+  CollisionDetector detector;
+  const std::vector<unsigned char> moved(static_cast<std::size_t>(g.mesh.vertexSlots()), 1);
+  for (auto _ : state) benchmark::DoNotOptimize(detector.detectMoved(g.mesh, moved).size());
+}
+
+//! Of a mesh that has been regulated, but blown up by two per cent since.
+void partRegulation(benchmark::State& state) {
+  const GrownField& g = grownField();
+  Mesh grown = g.mesh;
+  for (const int v : g.vertices) grown.setPosition(v, 1.02 * (g.mesh.position(v) - Vec3::Constant(70)));
+  const double edge = *g.parameters.edgeLength;
+  for (auto _ : state) {
+    Mesh mesh = grown;
+    std::vector<unsigned char> active(static_cast<std::size_t>(mesh.vertexSlots()), 1);
+    const double start = processorSeconds();
+    regulate(mesh, {1.4 * edge, 0.55 * edge}, active);
+    state.SetIterationTime(processorSeconds() - start);
+  }
+}
+
+void partCopy(benchmark::State& state) {
+  const GrownField& g = grownField();
+  Mesh copy;
+  for (auto _ : state) {
+    copy = g.mesh;
+    benchmark::DoNotOptimize(&copy);
+  }
+}
+
 //! Everything between reading the file and the first step.
 void prepare(benchmark::State& state, const char* name) {
   const Phantom phantom = makePhantom(name);
@@ -105,6 +179,10 @@ void smoothing(benchmark::State& state) {
 }  // namespace
 
 BENCHMARK(stepAt10k)->ArgName("seeds")->Arg(1)->Arg(8)->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(partMotion)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(partDetection)->Unit(benchmark::kMillisecond);
+BENCHMARK(partRegulation)->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(partCopy)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(prepare, cyst, "cyst")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(prepare, cube, "cube")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(prepare, genus3, "genus3")->Unit(benchmark::kMillisecond);
