@@ -19,7 +19,9 @@ void addSelection(CLI::App& command, VolumeSelection& selection) {
   const auto set = [&selection](const std::string& text) {
     selection.frame = parseInteger("--frame", text, 0, std::numeric_limits<int>::max());
   };
-  command.add_option("--series", selection.series, "SeriesInstanceUID, if a folder holds several")
+  command
+      .add_option("--series", selection.series,
+                  "SeriesInstanceUID if a folder holds several, with #N for one of its stacks")
       ->type_name("UID");
   command.add_option_function<std::string>("--frame", set, "Time point of a 4D volume, from 0")
       ->type_name("N");

@@ -22,11 +22,8 @@ struct InfoOptions {
 constexpr std::array kPercents{0.1, 1.0, 5.0, 25.0, 50.0, 75.0, 95.0, 99.0, 99.9};
 
 // A folder with several series holds no one volume, and no frame, until one is chosen.
-std::optional<IntensityStatistics> intensities(VolumeInfo& info, const InfoOptions& o) {
-  if (info.frames == 0) {
-    info.series = listSeries(o.path).value();  // with sizes and spacings; nobody cancels it
-    return std::nullopt;
-  }
+std::optional<IntensityStatistics> intensities(const VolumeInfo& info, const InfoOptions& o) {
+  if (info.frames == 0) return std::nullopt;
   return intensityStatistics(readVolume(o.path, o.selection), kPercents);
 }
 
@@ -136,7 +133,7 @@ void printText(const VolumeInfo& info, const std::optional<IntensityStatistics>&
 }
 
 int info(const InfoOptions& o) {
-  VolumeInfo found = inspectVolume(o.path, o.selection);
+  const VolumeInfo found = inspectVolume(o.path, o.selection);
   const auto statistics = intensities(found, o);
   if (o.json)
     std::fputs(jsonText(toJson(found, statistics)).c_str(), stdout);

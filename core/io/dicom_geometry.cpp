@@ -9,11 +9,6 @@
 namespace handlebody {
 namespace {
 
-//! Directions are written with 6 digits or so.
-constexpr double kSameDirection = 1e-4;
-//! mm; positions are written with more digits than that.
-constexpr double kSamePlace = 1e-3;
-
 void checkEachSlice(const std::vector<DicomSlice>& slices, const std::string& path) {
   const DicomPlace& first = slices.front().place();
   for (const DicomSlice& s : slices) {
@@ -30,7 +25,7 @@ void checkEachSlice(const std::vector<DicomSlice>& slices, const std::string& pa
     if ((*p.rowDirection - *first.rowDirection).norm() > kSameDirection ||
         (*p.columnDirection - *first.columnDirection).norm() > kSameDirection)
       refuseInput(path, "its slices have different orientations");
-    if ((*p.pixelSpacing - *first.pixelSpacing).norm() > 1e-4 * first.pixelSpacing->norm())
+    if ((*p.pixelSpacing - *first.pixelSpacing).norm() > kSamePixelSpacing * first.pixelSpacing->norm())
       refuseInput(path, "its slices have different pixel spacings");
   }
 }

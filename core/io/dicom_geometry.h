@@ -36,6 +36,12 @@ struct DicomStack {
   std::size_t slicesPerFrame() const { return places.size(); }
 };
 
+//! Directions are written with 6 digits or so.
+inline constexpr double kSameDirection = 1e-4;
+//! mm; positions are written with more digits than that.
+inline constexpr double kSamePlace = 1e-3;
+//! Relative; pixel spacings are written with 5 digits or more.
+inline constexpr double kSamePixelSpacing = 1e-4;
 //! Largest distance of a slice from its place in the even stack: a tenth of the slice distance, at most this
 //! (mm). Scanners round positions to 0.01 … 0.1 mm; a missing slice is off by a whole distance.
 inline constexpr double kLargestSliceOffset = 0.1;

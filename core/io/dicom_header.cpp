@@ -147,6 +147,7 @@ void readPlane(const Groups& groups, DicomPlace& place, DicomFile& f) {
   });
   groups.visit({0x0020, 0x9111}, [&](const DataSet& data) {
     place.time = dicom::binary<std::uint32_t>(data, {0x0020, 0x9128}).value_or(0);
+    place.stack = dicom::text(data, {0x0020, 0x9056});
   });
 }
 
@@ -236,6 +237,7 @@ DicomFile fileOf(const gdcm::File& read, const std::string& file) {
   readDoseOffsets(data, plain, f);
   if (!f.places.front().pixelSpacing) readUltrasoundRegions(data, f);
   f.cine = isCine(data, f);
+  f.placed = std::all_of(f.places.begin(), f.places.end(), [](const DicomPlace& p) { return p.complete(); });
   return f;
 }
 

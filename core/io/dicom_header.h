@@ -18,7 +18,10 @@ struct DicomPlace {
   std::optional<Vec3> columnDirection{};
   std::optional<Vec3> pixelSpacing{};  //!< mm: x between columns, y between rows
   double slope = 1, intercept = 0;
-  double time = 0;  //!< temporal position, or what orders images of one place
+  double time = 0;      //!< temporal position, or what orders images of one place
+  std::string stack{};  //!< StackID, of a frame
+
+  bool complete() const { return position && rowDirection && columnDirection && pixelSpacing; }
 };
 
 struct DicomFile {
@@ -31,6 +34,7 @@ struct DicomFile {
   bool cine = false;                      //!< frames follow one another in time, not in space
   bool ownFrameOfReference = false;       //!< positions are in the frame of the ultrasound volume
   std::vector<DicomPlace> places{};       //!< one per frame
+  bool placed = false;                    //!< the header says where every frame lies
   std::string spacingSource{}, positionSource{}, orientationSource{}, distanceSource{};
   DicomStructure structure{};
 

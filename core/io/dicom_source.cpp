@@ -1,15 +1,13 @@
 #include "core/io/dicom_source.h"
 
 #include <algorithm>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <map>
 
 #include "core/errors.h"
 #include "core/io/dicom_geometry.h"
 #include "core/io/dicom_pixels.h"
 #include "core/io/dicom_resample.h"
+#include "core/io/dicom_series.h"
 #include "core/io/itk_guard.h"
 
 namespace handlebody {
@@ -17,56 +15,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-//! The images of one series.
-struct Series {
-  std::string uid;
-  std::vector<DicomFile*> files;
-
-  int images() const {
-    int n = 0;
-    for (const DicomFile* f : files) n += f->frames;
-    return n;
-  }
-};
-
-std::vector<Series> seriesOf(DicomScan& scan) {
-  std::map<std::string, Series> found;
-  for (DicomFile& f : scan.images) {
-    Series& series = found[f.seriesUid];
-    series.uid = f.seriesUid;
-    series.files.push_back(&f);
-  }
-  std::vector<Series> list;
-  for (auto& [uid, series] : found) list.push_back(std::move(series));
-  return list;
-}
-
-bool samePixels(const DicomSlice& a, const DicomSlice& b) {
-  const DicomStructure &sa = a.file->structure, &sb = b.file->structure;
-  const std::uint64_t bytes = sa.pixelEnd - sa.pixelOffset;
-  if (sa.pixelOffset == 0 || sb.pixelOffset == 0 || bytes != sb.pixelEnd - sb.pixelOffset) return false;
-  std::ifstream first(a.file->file, std::ios::binary), second(b.file->file, std::ios::binary);
-  first.seekg(static_cast<std::streamoff>(sa.pixelOffset));
-  second.seekg(static_cast<std::streamoff>(sb.pixelOffset));
-  std::vector<char> one(1 << 16), two(1 << 16);
-  for (std::uint64_t done = 0; done < bytes;) {
-    const auto part = static_cast<std::size_t>(std::min<std::uint64_t>(one.size(), bytes - done));
-    if (!first.read(one.data(), static_cast<std::streamsize>(part)) ||
-        !second.read(two.data(), static_cast<std::streamsize>(part)) ||
-        std::memcmp(one.data(), two.data(), part) != 0)
-      return false;
-    done += part;
-  }
-  return true;
-}
-
 //! What was assumed because the files do not say it.
 struct Assumed {
   bool places = false, pixels = false, distance = false;
 };
 
 //! Gives slices without a position places one behind the other, in the order of their numbers.
-Assumed assumeGeometry(Series& series, const VolumeSelection& selection, const std::string& path) {
+Assumed assumeGeometry(DicomSeries& series, const VolumeSelection& selection, const std::string& path) {
   Assumed assumed;
   std::vector<DicomFile*>& files = series.files;
   const auto any = [&](auto&& missing) {
@@ -80,7 +35,7 @@ Assumed assumeGeometry(Series& series, const VolumeSelection& selection, const s
   if (!any(noPosition) && !any(noSpacing)) return assumed;
   const bool cine = std::any_of(files.begin(), files.end(), [](const DicomFile* f) { return f->cine; });
   if (cine && !selection.spacing)
-    refuseInput(path, "this is a cine (2D images over time: " + std::to_string(series.images()) +
+    refuseInput(path, "this is a cine (2D images over time: " + std::to_string(series.slices.size()) +
                           " frames), not a volume; if its frames are slices in space, give --spacing X,Y,Z");
   assumed.pixels = all(noSpacing);
   assumed.places = all(noPosition);
@@ -108,7 +63,7 @@ Assumed assumeGeometry(Series& series, const VolumeSelection& selection, const s
 
 class StackSource : public DicomSource {
  public:
-  StackSource(std::string path, Series series, std::shared_ptr<const DicomScan> scan,
+  StackSource(std::string path, DicomSeries series, std::shared_ptr<const DicomScan> scan,
               const VolumeSelection& selection);
   void decode(int frame, void* to, const DicomProgress& progress) override;
 
@@ -122,13 +77,13 @@ class StackSource : public DicomSource {
   void readSlice(const DicomSlice& slice, char* to);
   std::string path_;
   std::shared_ptr<const DicomScan> scan_;  // holds the files of the series
-  Series series_;
+  DicomSeries series_;
   DicomStack stack_;
   const DicomFile* open_ = nullptr;  // whose pixels these are
   std::unique_ptr<DicomPixels> pixels_;
 };
 
-StackSource::StackSource(std::string path, Series series, std::shared_ptr<const DicomScan> scan,
+StackSource::StackSource(std::string path, DicomSeries series, std::shared_ptr<const DicomScan> scan,
                          const VolumeSelection& selection)
     : path_(std::move(path)), scan_(std::move(scan)), series_(std::move(series)) {
   for (const DicomFile* f : series_.files) checkDicomPixels(*f, path_);
@@ -138,10 +93,7 @@ StackSource::StackSource(std::string path, Series series, std::shared_ptr<const 
   });
   if (mixed) refuseInput(path_, "its slices are partly in colour");
   const Assumed assumed = assumeGeometry(series_, selection, path_);
-  std::vector<DicomSlice> slices;
-  for (const DicomFile* f : series_.files)
-    for (int i = 0; i < f->frames; ++i) slices.push_back({f, i});
-  stack_ = stackSlices(std::move(slices), path_, selection.uneven, samePixels);
+  stack_ = stackSlices(series_.slices, path_, selection.uneven, samePixels);
   header_.format = "DICOM";
   header_.grid = stack_.grid;
   header_.frames = stack_.frames;
@@ -248,20 +200,37 @@ void addLeftOut(const DicomScan& scan, VolumeHeader& header) {
                               ".");
 }
 
-SourcePointer openSeries(const Series& series, std::shared_ptr<const DicomScan> scan,
-                         const OpenRequest& request) {
-  refuseDamaged(*scan, series.uid, request.path);
-  return std::make_unique<StackSource>(request.path, series, std::move(scan), request.selection);
-}
+//! The series that the folder was looked through for, and what opens them.
+class Chooser {
+ public:
+  Chooser(const OpenRequest& request, const DicomProgress& progress)
+      : request_(request),
+        scan_(std::make_shared<DicomScan>(scanDicom(request.path, progress))),
+        series_(seriesOf(*scan_)) {}
 
-SeriesInfo infoOf(const Series& series) {
+  SourcePointer open(bool* several) const;
+
+ private:
+  using Choices = std::vector<const DicomSeries*>;
+  Choices choices() const;
+  SourcePointer openOne(const DicomSeries& series) const;
+  SourcePointer list(const Choices& among) const;
+  SeriesInfo measured(const DicomSeries& series) const;
+  void addStacks(const DicomSeries& chosen, VolumeHeader& header) const;
+
+  const OpenRequest& request_;
+  std::shared_ptr<DicomScan> scan_;
+  std::vector<DicomSeries> series_;
+};
+
+SeriesInfo infoOf(const DicomSeries& series) {
   const DicomFile& f = *series.files.front();
   SeriesInfo info;
-  info.uid = series.uid;
+  info.uid = series.name;
   info.modality = f.modality;
   info.description = f.modality + (f.modality.empty() || f.description.empty() ? "" : " ") + f.description;
   info.files = static_cast<int>(series.files.size());
-  info.slices = series.images();
+  info.slices = static_cast<int>(series.slices.size());
   return info;
 }
 
@@ -271,38 +240,78 @@ void addGeometry(const VolumeHeader& h, SeriesInfo& info) {
   info.frames = h.frames;
 }
 
+SourcePointer Chooser::openOne(const DicomSeries& series) const {
+  refuseDamaged(*scan_, series.uid, request_.path);
+  return std::make_unique<StackSource>(request_.path, series, scan_, request_.selection);
+}
+
 //! With its size and spacing, or why it has none.
-SeriesInfo measuredInfo(const Series& series, std::shared_ptr<const DicomScan> scan,
-                        const OpenRequest& request) {
+SeriesInfo Chooser::measured(const DicomSeries& series) const {
   SeriesInfo info = infoOf(series);
   try {
-    addGeometry(openSeries(series, std::move(scan), request)->header(), info);
+    addGeometry(openOne(series)->header(), info);
   } catch (const InputError& error) {
-    info.note = std::string(error.what()).substr(request.path.size() + 2);
+    info.note = std::string(error.what()).substr(request_.path.size() + 2);
   }
   return info;
+}
+
+//! Those that the request leaves open: one, or several to choose from. A UID whose stacks are no one volume
+//! stands for all of them.
+Chooser::Choices Chooser::choices() const {
+  const auto& wanted = request_.selection.series;
+  Choices byName, byUid;
+  for (const DicomSeries& s : series_) {
+    if (wanted && s.name == *wanted) byName.push_back(&s);
+    if (!wanted || s.uid == *wanted) byUid.push_back(&s);
+  }
+  if (!byName.empty()) return {byName.front()};
+  if (byUid.empty()) throw UsageError(request_.path + ": it holds no series " + *wanted + ".");
+  Choices whole = byUid;
+  std::erase_if(whole, [](const DicomSeries* s) { return s->part; });
+  return whole.size() == 1 ? whole : byUid;
+}
+
+SourcePointer Chooser::list(const Choices& among) const {
+  std::vector<SeriesInfo> infos;
+  for (const DicomSeries* s : among) infos.push_back(measured(*s));
+  return std::make_unique<SeriesList>(std::move(infos));
+}
+
+//! Says which even stacks a resampled series is made of.
+void Chooser::addStacks(const DicomSeries& chosen, VolumeHeader& header) const {
+  std::string names;
+  if (!chosen.part)
+    for (const DicomSeries& s : series_)
+      if (s.part && s.uid == chosen.uid)
+        names += (names.empty() ? "" : ", ") + s.name + " (" + std::to_string(s.slices.size()) + " slices)";
+  if (!names.empty())
+    header.warnings.push_back("Its stacks of one pitch each are to be had alone: " + names + ".");
+}
+
+SourcePointer Chooser::open(bool* several) const {
+  Choices all;
+  for (const DicomSeries& s : series_) all.push_back(&s);
+  const Choices open = request_.listOnly ? all : choices();
+  *several = request_.listOnly || open.size() > 1;
+  if (*several) return list(open);
+  const DicomSeries& chosen = *open.front();
+  SourcePointer source = openOne(chosen);
+  VolumeHeader& header = source->header();
+  for (const DicomSeries& s : series_) {
+    const bool isChosen = &s == &chosen;  // opening gives its slices places that its header does not
+    header.series.push_back(isChosen ? infoOf(s) : measured(s));
+    if (isChosen) addGeometry(header, header.series.back());
+  }
+  addStacks(chosen, header);
+  addLeftOut(*scan_, header);
+  return source;
 }
 
 }  // namespace
 
 SourcePointer openDicomHere(const OpenRequest& request, const DicomProgress& progress, bool* several) {
-  const auto scan = std::make_shared<DicomScan>(scanDicom(request.path, progress));
-  const std::vector<Series> series = seriesOf(*scan);
-  const auto& wanted = request.selection.series;
-  if (request.listOnly || (!wanted && series.size() > 1)) {
-    std::vector<SeriesInfo> list;
-    for (const Series& s : series) list.push_back(measuredInfo(s, scan, request));
-    *several = true;
-    return std::make_unique<SeriesList>(std::move(list));
-  }
-  const auto chosen = std::find_if(series.begin(), series.end(),
-                                   [&](const Series& s) { return !wanted || s.uid == *wanted; });
-  if (chosen == series.end()) throw UsageError(request.path + ": it holds no series " + *wanted + ".");
-  SourcePointer source = openSeries(*chosen, scan, request);
-  for (const Series& s : series) source->header().series.push_back(infoOf(s));
-  addGeometry(source->header(), source->header().series[static_cast<std::size_t>(chosen - series.begin())]);
-  addLeftOut(*scan, source->header());
-  return source;
+  return Chooser(request, progress).open(several);
 }
 
 }  // namespace handlebody

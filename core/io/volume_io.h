@@ -20,15 +20,16 @@ enum class UnevenSlices {
 
 //! Which volume of a file or folder to read, and how.
 struct VolumeSelection {
-  std::optional<std::string> series{};  //!< SeriesInstanceUID, for a folder with several series
+  std::optional<std::string> series{};  //!< SeriesInfo::uid, for a folder with several series
   std::optional<int> frame{};           //!< time point of a 4D file, zero-based
   std::optional<Vec3> spacing{};        //!< mm, instead of the file's; for files that have none
   UnevenSlices uneven = UnevenSlices::resample;
 };
 
-//! One image series or file, as found.
+//! One image series or file, as found. The stacks of a series that are no one volume together (other size,
+//! orientation, pixel spacing, pitch or acquisition) are listed each for itself.
 struct SeriesInfo {
-  std::string uid;          //!< SeriesInstanceUID; empty for other formats
+  std::string uid;          //!< SeriesInstanceUID, with #1, #2 … for its stacks; empty for other formats
   std::string description;  //!< modality and description where known
   int files = 1;
   std::string modality{};       //!< "CT", "MR", "US" …
@@ -79,7 +80,8 @@ struct LoadedVolume {
 //! DICOM is decoded in a child process (setDicomDecoder), whose crash, hang or hunger is an InputError.
 //!
 //! inspectVolume reads no voxels. A folder with several series of which none is chosen is listed: frames is 0
-//! and the grid empty, where readVolume throws.
+//! and the grid empty, where readVolume throws. A series of two pitches one behind the other is one volume,
+//! resampled, where its UID is chosen or it is the only one; its stacks can be chosen, too.
 VolumeInfo inspectVolume(const std::string& path, const VolumeSelection& selection = {});
 //! Besides, refuses float volumes with voxels that are NaN or infinite (their number and the first index).
 //! Without a selection the first time point. Not for several threads at once: output of the libraries below

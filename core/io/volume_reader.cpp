@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 
 #include "core/errors.h"
@@ -74,13 +75,22 @@ void checkFrame(const VolumeSelection& selection, int frames, const std::string&
                    (frames == 1 ? "one frame, 0." : "the frames 0 to " + std::to_string(frames - 1) + "."));
 }
 
+//! "MR head, 20 files, 256 x 256 x 20 voxels of 0.9, 0.9, 5 mm"
+std::string seriesFacts(const SeriesInfo& s) {
+  std::string text = (s.description.empty() ? "" : s.description + ", ") + std::to_string(s.files) +
+                     (s.files == 1 ? " file" : " files");
+  if (!s.note.empty()) return text + ", no volume";
+  char grid[120];
+  std::snprintf(grid, sizeof grid, ", %d x %d x %d voxels of %.4g, %.4g, %.4g mm", s.size[0], s.size[1],
+                s.size[2], s.spacing.x(), s.spacing.y(), s.spacing.z());
+  return text + grid;
+}
+
 std::string seriesChoice(const std::vector<SeriesInfo>& series) {
-  std::string text = "it holds " + std::to_string(series.size()) + " series, choose one with --series: ";
-  for (std::size_t i = 0; i < series.size(); ++i) {
-    const SeriesInfo& s = series[i];
-    text += (i ? ", " : "") + s.uid + " (" + (s.description.empty() ? "" : s.description + ", ") +
-            std::to_string(s.files) + (s.files == 1 ? " file)" : " files)");
-  }
+  std::string text =
+      "it holds " + std::to_string(series.size()) + " series or stacks, choose one with --series: ";
+  for (std::size_t i = 0; i < series.size(); ++i)
+    text += (i ? "; " : "") + series[i].uid + " (" + seriesFacts(series[i]) + ")";
   return text;
 }
 

@@ -48,7 +48,9 @@ TEST_CASE("several series in a folder need a choice, and the refusal lists them"
   }
   slices.insert(slices.end(), others.begin(), others.end());
   writeSeries(folder.path(), slices);
-  expectInputError(folder.path(), "1.2.3.4 (MR made by hand, 3 files), 9.8.7 (MR made by hand, 4 files)",
+  expectInputError(folder.path(),
+                   "1.2.3.4 (MR made by hand, 3 files, 4 x 3 x 3 voxels of 0.75, 1.5, 2.5 mm); 9.8.7 (MR "
+                   "made by hand, 4 files",
                    true);
   const VolumeInfo info = inspectVolume(folder.path());
   CHECK(info.series.size() == 2);
@@ -67,25 +69,15 @@ TEST_CASE("stacks that are no plain grid are refused") {
     writeSeries(path, slices);
     expectInputError(path, cause);
   };
-  SECTION("different orientations") {
-    slices[2].direction = Eigen::Matrix3d::Identity();
-    refusedFor("orientations");
-  }
-  SECTION("different sizes") {
-    slices[2].rows = 5;
-    refusedFor("different sizes");
-  }
-  SECTION("different pixel spacings") {
-    slices[2].spacing = "1.5\\0.8";
-    refusedFor("pixel spacings");
-  }
   SECTION("no pixel spacing") {
     slices[2].spacing = "";
     refusedFor("does not say where it lies");
   }
-  SECTION("several frames in a file") {
-    slices[0].frames = 3;
-    refusedFor("does not say where it lies");
+  SECTION("every slice in another direction") {
+    for (int i = 0; i < 6; ++i)
+      slices[static_cast<std::size_t>(i)].direction =
+          Eigen::AngleAxisd(0.3 * i, Vec3(0, 0, 1)).toRotationMatrix();
+    refusedFor("orientations");
   }
   SECTION("a single slice") {
     slices.resize(1);

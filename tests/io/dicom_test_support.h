@@ -21,11 +21,13 @@ struct Slice {
   std::string instance{};                // SOPInstanceUID; else made up
   std::string modality = "MR";
   int number = 0;                      // InstanceNumber
+  int acquisition = 0;                 // AcquisitionNumber, if above 0
   bool placed = true;                  // position and orientation
   double frameTime = 0;                // ms
   double sliceDistance = 0;            // mm, SpacingBetweenSlices
   double regionDelta = 0;              // cm, of an ultrasound region
   std::vector<Vec3> framePositions{};  // functional groups
+  std::vector<std::string> frameStacks{};
 };
 
 //! Explicit little-endian data elements.
@@ -109,10 +111,14 @@ inline void addFunctionalGroups(const Slice& s, const std::string& orientation, 
   measures.add(0x28, 0x30, "DS", s.spacing);
   shared.bytes = macro(0x20, 0x9116, plane).bytes + macro(0x28, 0x9110, measures).bytes;
   std::vector<DicomText> frames;
-  for (const Vec3& p : s.framePositions) {
-    DicomText position;
+  for (std::size_t i = 0; i < s.framePositions.size(); ++i) {
+    const Vec3& p = s.framePositions[i];
+    DicomText position, content;
     position.add(0x20, 0x32, "DS", list({p[0], p[1], p[2]}));
-    frames.push_back(macro(0x20, 0x9113, position));
+    if (!s.frameStacks.empty()) content.add(0x20, 0x9056, "SH", s.frameStacks[i]);
+    DicomText frame = macro(0x20, 0x9111, content);
+    frame.bytes += macro(0x20, 0x9113, position).bytes;
+    frames.push_back(frame);
   }
   data.addSequence(0x5200, 0x9229, {shared});
   data.addSequence(0x5200, 0x9230, frames);
@@ -133,6 +139,7 @@ inline std::string dicomBytes(const Slice& s, const std::string& instance) {
   if (s.regionDelta > 0) addRegion(s, data);
   data.add(0x20, 0x0d, "UI", "1.2.3");
   data.add(0x20, 0x0e, "UI", s.series);
+  if (s.acquisition > 0) data.add(0x20, 0x12, "IS", std::to_string(s.acquisition));
   data.add(0x20, 0x13, "IS", std::to_string(s.number));
   const Eigen::Matrix3d& d = s.direction;
   const std::string orientation = list({d(0, 0), d(1, 0), d(2, 0), d(0, 1), d(1, 1), d(2, 1)});

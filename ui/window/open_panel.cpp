@@ -1,5 +1,6 @@
 #include "ui/window/open_panel.h"
 
+#include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -33,6 +34,19 @@ QString axesText(const Grid& grid) {
 
 Vec3 sizeOf(const Grid& grid) { return {double(grid.size[0]), double(grid.size[1]), double(grid.size[2])}; }
 
+// Which stack of several it is stands behind its UID.
+QString seriesText(const SeriesInfo& s) {
+  const QString uid = QString::fromStdString(s.uid);
+  const qsizetype stack = uid.indexOf(u'#');
+  QString name = s.description.empty() ? uid : QString::fromStdString(s.description);
+  if (stack >= 0 && !s.description.empty()) name += OpenPanel::tr(", stack %1").arg(uid.mid(stack + 1));
+  if (!s.note.empty()) return OpenPanel::tr("%1\nNo volume: %2").arg(name, QString::fromStdString(s.note));
+  const Vec3 size(s.size[0], s.size[1], s.size[2]);
+  return OpenPanel::tr("%1\n%2 voxels of %3 mm, slices: %4")
+      .arg(name, times(size, 0), times(s.spacing, 2))
+      .arg(s.slices);
+}
+
 }  // namespace
 
 OpenPanel::OpenPanel(Document& document, const Commands& commands, QWidget* parent)
@@ -57,7 +71,7 @@ void OpenPanel::buildChoice() {
   choice_ = new QWidget(this);
   auto* layout = new QVBoxLayout(choice_);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(heading(tr("Several series: choose one"), choice_));
+  layout->addWidget(heading(tr("Series and stacks in the folder: choose one"), choice_));
   series_ = new QListWidget(choice_);
   series_->setAccessibleName(tr("Series in the folder"));
   series_->setWordWrap(true);
@@ -92,6 +106,14 @@ void OpenPanel::buildFacts() {
   addFact(form, tr("Axes"), axes_);
   layout->addLayout(form);
 
+  buildTime(layout);
+  buildCalibration(layout);
+  warnings_ = value(tr("Warnings"), facts_);
+  layout->addWidget(warnings_);
+  facts_->hide();
+}
+
+void OpenPanel::buildTime(QVBoxLayout* layout) {
   time_ = new QWidget(facts_);
   auto* row = new QHBoxLayout(time_);
   row->setContentsMargins(0, 0, 0, 0);
@@ -103,26 +125,57 @@ void OpenPanel::buildFacts() {
   row->addWidget(load);
   layout->addWidget(time_);
   connect(load, &QPushButton::clicked, this, [this] {
-    VolumeSelection selection;
+    VolumeSelection selection = document_.selection();
     selection.frame = frame_->value();
     document_.open(document_.path(), selection);
   });
-
-  warnings_ = value(tr("Warnings"), facts_);
-  layout->addWidget(warnings_);
-  facts_->hide();
 }
 
-void OpenPanel::offerSeries(const QString& path, const std::vector<SeriesInfo>& series) {
+void OpenPanel::buildCalibration(QVBoxLayout* layout) {
+  calibration_ = new QWidget(facts_);
+  auto* row = new QHBoxLayout(calibration_);
+  row->setContentsMargins(0, 0, 0, 0);
+  const QString names[] = {tr("Spacing along x"), tr("Spacing along y"), tr("Spacing along z")};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    auto* field = mm_[axis] = new QDoubleSpinBox(calibration_);
+    field->setRange(0.001, 1000);
+    field->setDecimals(4);
+    describe(field, names[axis], tr("Distance of two voxels in mm; the file does not give it"));
+    ignoreWheelWithoutFocus(field);
+    row->addWidget(field, 1);
+  }
+  auto* use = new QPushButton(tr("Set mm"), calibration_);
+  describe(use, tr("Set spacing"), tr("Opens the volume again with this spacing"));
+  row->addWidget(use);
+  layout->addWidget(calibration_);
+  connect(use, &QPushButton::clicked, this, [this] {
+    VolumeSelection selection = document_.selection();
+    selection.spacing = Vec3(mm_[0]->value(), mm_[1]->value(), mm_[2]->value());
+    document_.open(document_.path(), selection);
+  });
+}
+
+// Only where the file leaves it open, and where it was given before.
+void OpenPanel::showCalibration() {
+  calibration_->setVisible(!document_.info().calibrated || document_.selection().spacing);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    mm_[axis]->setValue(document_.volume().grid.spacing[static_cast<Eigen::Index>(axis)]);
+}
+
+void OpenPanel::listSeries(const QString& path, const std::vector<SeriesInfo>& series) {
   choicePath_ = path;
   series_->clear();
   for (const SeriesInfo& s : series) {
-    const QString description = QString::fromStdString(s.description.empty() ? s.uid : s.description);
-    auto* item = new QListWidgetItem(tr("%1\nFiles: %2").arg(description).arg(s.files), series_);
+    auto* item = new QListWidgetItem(seriesText(s), series_);
     item->setData(Qt::UserRole, QString::fromStdString(s.uid));
     item->setToolTip(QString::fromStdString(s.uid));
   }
   series_->setCurrentRow(0);
+  choice_->setVisible(series.size() > 1);
+}
+
+void OpenPanel::offerSeries(const QString& path, const std::vector<SeriesInfo>& series) {
+  listSeries(path, series);
   choice_->show();
   series_->setFocus();
 }
@@ -135,8 +188,8 @@ void OpenPanel::openSeries() {
 }
 
 void OpenPanel::showOpened() {
-  choice_->hide();
   const VolumeInfo& info = document_.info();
+  listSeries(document_.path(), info.series);  // another one may be opened from here
   const Grid& grid = document_.volume().grid;
   name_->setText(QFileInfo(document_.path()).fileName());
   name_->setToolTip(document_.path());
@@ -151,6 +204,7 @@ void OpenPanel::showOpened() {
   time_->setVisible(info.frames > 1);
   frame_->setRange(0, info.frames - 1);
   frame_->setSuffix(tr(" of 0 to %1").arg(info.frames - 1));
+  showCalibration();
   showWarnings(info.warnings);
   hint_->hide();
   facts_->show();

@@ -1,14 +1,17 @@
 // The window as a person uses it: real mouse and key events on a real display.
 
+#include <QDoubleSpinBox>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFile>
+#include <QListWidget>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QProcess>
 #include <QUndoStack>
 
 #include "core/io/mesh_io.h"
+#include "tests/io/dicom_test_support.h"
 #include "tests/ui/window/window_support.h"
 #include "ui/window/commands.h"
 #include "ui/window/steps_panel.h"
@@ -47,11 +50,14 @@ class WindowTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void initTestCase() { setDicomDecoder({HANDLEBODY_CLI}); }
   void aClickAndReturnPlaceASeedAndSpaceGrowsItIntoARing();
   void steppingBackIsExactAndANewParameterGoesOnFromThere();
   void anEventIsInspectedInItsStages();
   void whatIsExportedIsWhatReplayMakes();
   void badFilesLeaveTheOpenWorkAlone();
+  void twoStacksUnderOneUidAreAChoice();
+  void anUncalibratedVolumeTakesTheSpacingThatIsGiven();
   void aSeedIsUndoneByName();
   void everyCommandIsInAMenuWithItsKeys();
   void everyControlHasAName();
@@ -179,6 +185,56 @@ void WindowTest::badFilesLeaveTheOpenWorkAlone() {
     QCOMPARE(window->document().path(), path);
     QCOMPARE(window->document().seeds().size(), std::size_t{1});
   }
+}
+
+void WindowTest::twoStacksUnderOneUidAreAChoice() {
+  const QTemporaryDir folder;
+  std::vector<Slice> slices = evenStack(3), larger = evenStack(4);
+  for (Slice& s : larger) s.rows = 6, s.number = 10;
+  slices.insert(slices.end(), larger.begin(), larger.end());
+  writeSeries(folder.path().toStdString(), slices);
+  auto window = shownWindow();
+  QVERIFY(window);
+  QSignalSpy asked(&window->document(), &ui::Document::seriesChoiceNeeded);
+  window->files().open(folder.path());
+  QVERIFY(!asked.isEmpty() || asked.wait(kPatience));
+  QListWidget* list = nullptr;
+  for (QListWidget* l : window->findChildren<QListWidget*>())
+    if (l->accessibleName() == "Series in the folder") list = l;
+  QVERIFY(list && list->isVisible());
+  QCOMPARE(list->count(), 2);
+  QVERIFY(list->item(1)->text().contains("stack 2\n4 × 6 × 4 voxels"));
+  list->setCurrentRow(1);
+  QSignalSpy opened(&window->document(), &ui::Document::opened);
+  QTest::keyClick(list, Qt::Key_Return);
+  QVERIFY(!opened.isEmpty() || opened.wait(kPatience));
+  QCOMPARE(window->document().volume().grid.size[1], 6);
+  QCOMPARE(*window->document().selection().series, std::string("1.2.3.4#2"));
+  QVERIFY(!list->parentWidget()->isHidden());  // on its page: the other one can be opened from there
+}
+
+void WindowTest::anUncalibratedVolumeTakesTheSpacingThatIsGiven() {
+  const QTemporaryDir folder;
+  Slice clip;
+  clip.frames = 5;
+  clip.placed = false;
+  clip.spacing = "";
+  const QString path = folder.filePath("clip.dcm");
+  writeBytes(path.toStdString(), dicomBytes(clip, "1.2"));
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, path));
+  QVERIFY(!window->document().info().calibrated);
+  for (QDoubleSpinBox* field : window->findChildren<QDoubleSpinBox*>())
+    if (field->accessibleName() == "Spacing along z") {
+      QVERIFY(!field->parentWidget()->isHidden());
+      field->setValue(2.5);
+    }
+  QSignalSpy opened(&window->document(), &ui::Document::opened);
+  for (QAbstractButton* button : window->findChildren<QAbstractButton*>())
+    if (button->accessibleName() == "Set spacing") button->click();
+  QVERIFY(!opened.isEmpty() || opened.wait(kPatience));
+  QVERIFY(window->document().info().calibrated);
+  QCOMPARE(window->document().volume().grid.spacing.z(), 2.5);
 }
 
 void WindowTest::aSeedIsUndoneByName() {
