@@ -29,7 +29,7 @@ struct MeshSnapshot {
   int iteration = 0;
   TriangleSoup mesh;              //!< mm LPS
   std::vector<FaceState> states;  //!< one per triangle
-  Certificate certificate;        //!< topology numbers, area, volume; selfIntersections as certified
+  Certificate certificate;        //!< of this mesh: every frame that is shown has been looked at
   //! What the image says against the surface, sentences without a full stop; only of a surface at rest.
   std::vector<std::string> doubts;
 };

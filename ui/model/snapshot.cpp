@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/collision/certify.h"
+#include "core/collision/self_intersection.h"
 #include "core/mesh/topology.h"
 #include "ui/model/event_kinds.h"
 
@@ -63,7 +64,8 @@ bool isClosedManifold(const Mesh& mesh) {
   return true;
 }
 
-//! The same as examine(), an order of magnitude faster, from the mesh's own structure.
+//! The same as examine(), an order of magnitude faster, from the mesh's own structure; without
+//! self-intersections.
 Certificate examineStructure(const Mesh& mesh) {
   Certificate c;
   const Components parts = findComponents(mesh);
@@ -80,7 +82,6 @@ Certificate examineStructure(const Mesh& mesh) {
   for (int f = 0; f < mesh.faceSlots(); ++f)
     if (mesh.isFace(f)) c.area += mesh.areaVector(f).norm() / 2;
   c.oriented = c.oriented && c.volume > 0;
-  c.selfIntersections = 0;  // by the contract of ActiveContour::step
   return c;
 }
 
@@ -95,8 +96,14 @@ std::shared_ptr<const MeshSnapshot> makeSnapshot(const History& history, Checkin
   snapshot->states.reserve(snapshot->mesh.triangles.size());
   for (const Triangle& face : contour.mesh().faces())  // in the order of compact()
     if (face[0] >= 0) snapshot->states.push_back(stateOf(contour, face, marks));
-  snapshot->certificate =
-      checking == Checking::everything ? certify(snapshot->mesh) : examineStructure(contour.mesh());
+  if (checking == Checking::everything) {
+    snapshot->certificate = certify(snapshot->mesh);
+  } else {
+    // A step leaves no self-intersections, but what says so on the screen has looked.
+    snapshot->certificate = examineStructure(contour.mesh());
+    snapshot->certificate.selfIntersections =
+        static_cast<int>(findSelfIntersections(snapshot->mesh.points, snapshot->mesh.triangles).size());
+  }
   if (checking == Checking::everything) snapshot->doubts = contour.doubts();
   return snapshot;
 }

@@ -8,9 +8,9 @@
 
 namespace handlebody::ui {
 
-//! How much of a snapshot's certificate is worked out anew.
+//! How a snapshot's certificate is worked out: self-intersections are looked for either way.
 enum class Checking {
-  //! All but self-intersections, of which a step leaves none: for frames on the way.
+  //! Its numbers from the mesh's structure: for frames on the way.
   structure,
   everything,
 };
