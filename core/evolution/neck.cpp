@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/evolution/thickness_map.h"
+
 namespace handlebody {
 
 namespace {
@@ -28,138 +30,6 @@ constexpr double kMuchLarger = 20;
 constexpr int kBinsPerVoxel = 4;
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
-
-//! The box of a region, one voxel wider on all sides, with the distance of every voxel (mm, chamfer:
-//! Borgefors 1986) to the outside. The border of the volume is no wall.
-class ThicknessMap {
- public:
-  ThicknessMap(const Grid& grid, const ObjectRegion& region) : grid_(grid) {
-    low_ = region.voxels[0];
-    Voxel high = low_;
-    for (const Voxel& v : region.voxels)
-      for (std::size_t a = 0; a < 3; ++a) {
-        low_[a] = std::min(low_[a], v[a]);
-        high[a] = std::max(high[a], v[a]);
-      }
-    for (std::size_t a = 0; a < 3; ++a) {
-      low_[a] -= 1;
-      size_[a] = high[a] + 2 - low_[a];
-    }
-    steps_ = {1, size_[0], static_cast<std::ptrdiff_t>(size_[0]) * size_[1]};
-    makeNeighbours();
-    distance_.assign(idx(size_[0]) * idx(size_[1]) * idx(size_[2]), 0.0f);
-    for (const Voxel& v : region.voxels) distance_[at(v)] = kFar;
-    const std::vector<std::size_t> beyond = outsideOfVolume();
-    for (std::size_t i : beyond) distance_[i] = kFar;
-    sweep(distance_);
-    for (std::size_t i : beyond) distance_[i] = 0;
-  }
-
-  //! Distance of every voxel of the region to the marked ones.
-  std::vector<float> distanceTo(const std::vector<unsigned char>& marked) const {
-    std::vector<float> d(distance_.size());
-    for (std::size_t i = 0; i < d.size(); ++i) d[i] = marked[i] ? 0.0f : kFar;
-    sweep(d);
-    return d;
-  }
-
-  //! 1 for the voxels within the largest balls around the centres that `isCentre` picks (by place in the
-  //! box).
-  template <typename F>
-  std::vector<unsigned char> coveredByBalls(F&& isCentre) const {
-    std::vector<float> d(distance_.size(), kFar);  // to the surface of the nearest ball
-    for (std::size_t i = 0; i < d.size(); ++i)
-      if (distance_[i] > 0 && isCentre(i)) d[i] = -distance_[i];
-    sweep(d);
-    std::vector<unsigned char> covered(d.size());
-    for (std::size_t i = 0; i < d.size(); ++i) covered[i] = distance_[i] > 0 && d[i] < 0;
-    return covered;
-  }
-
-  std::size_t at(const Voxel& v) const {
-    return (idx(v[2] - low_[2]) * idx(size_[1]) + idx(v[1] - low_[1])) * idx(size_[0]) + idx(v[0] - low_[0]);
-  }
-  Voxel voxel(std::size_t i) const {
-    const auto x = static_cast<int>(i % idx(size_[0])),
-               y = static_cast<int>(i / idx(size_[0]) % idx(size_[1])),
-               z = static_cast<int>(i / (idx(size_[0]) * idx(size_[1])));
-    return {x + low_[0], y + low_[1], z + low_[2]};
-  }
-  bool contains(const Voxel& v) const {
-    for (std::size_t a = 0; a < 3; ++a)
-      if (v[a] < low_[a] || v[a] >= low_[a] + size_[a]) return false;
-    return true;
-  }
-  //! 0 outside of the region.
-  float distance(std::size_t i) const { return distance_[i]; }
-  std::size_t count() const { return distance_.size(); }
-  const std::array<int, 3>& low() const { return low_; }
-  const std::array<int, 3>& size() const { return size_; }
-
-  //! Of a voxel of the region; they may lie outside of it, but not outside of the box.
-  template <typename F>
-  void forEachFaceNeighbour(std::size_t i, F&& f) const {
-    for (std::ptrdiff_t step : steps_) {
-      f(i - static_cast<std::size_t>(step));
-      f(i + static_cast<std::size_t>(step));
-    }
-  }
-
- private:
-  static constexpr float kFar = 1e30f;
-  struct Neighbour {
-    std::ptrdiff_t offset;
-    float length;
-  };
-
-  //! The 13 neighbours that come before a voxel in memory.
-  void makeNeighbours() {
-    for (int dz = -1; dz <= 0; ++dz)
-      for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx) {
-          if (dz == 0 && (dy > 0 || (dy == 0 && dx >= 0))) continue;
-          const Vec3 d = Vec3(dx, dy, dz).cwiseProduct(grid_.spacing);
-          before_.push_back({dx + dy * steps_[1] + dz * steps_[2], static_cast<float>(d.norm())});
-        }
-  }
-
-  std::vector<std::size_t> outsideOfVolume() const {
-    std::vector<std::size_t> out;
-    for (std::size_t i = 0; i < distance_.size(); ++i) {
-      const Voxel v = voxel(i);
-      for (std::size_t a = 0; a < 3; ++a)
-        if (v[a] < 0 || v[a] >= grid_.size[a]) {
-          out.push_back(i);
-          break;
-        }
-    }
-    return out;
-  }
-
-  //! Two passes over all but the outermost layer.
-  void sweep(std::vector<float>& d) const {
-    const auto relax = [&](int x, int y, int z, int sign) {
-      const std::ptrdiff_t i = x + y * steps_[1] + z * steps_[2];
-      float best = d[static_cast<std::size_t>(i)];
-      if (best == 0) return;
-      for (const Neighbour& n : before_)
-        best = std::min(best, d[static_cast<std::size_t>(i + sign * n.offset)] + n.length);
-      d[static_cast<std::size_t>(i)] = best;
-    };
-    for (int z = 1; z < size_[2] - 1; ++z)
-      for (int y = 1; y < size_[1] - 1; ++y)
-        for (int x = 1; x < size_[0] - 1; ++x) relax(x, y, z, 1);
-    for (int z = size_[2] - 2; z > 0; --z)
-      for (int y = size_[1] - 2; y > 0; --y)
-        for (int x = size_[0] - 2; x > 0; --x) relax(x, y, z, -1);
-  }
-
-  Grid grid_;
-  Voxel low_, size_;
-  std::array<std::ptrdiff_t, 3> steps_;
-  std::vector<float> distance_;
-  std::vector<Neighbour> before_;
-};
 
 //! The thickest place within the largest ball around the seed.
 std::size_t thickestNear(const Grid& grid, const ThicknessMap& map, std::size_t seed) {
@@ -256,6 +126,14 @@ std::vector<unsigned char> splitAt(const ThicknessMap& map, const WidestPathFloo
   return side;
 }
 
+//! 1 for the voxels that `chosen` picks.
+template <typename F>
+std::vector<unsigned char> marksOf(const ThicknessMap& map, F&& chosen) {
+  std::vector<unsigned char> marks(map.count());
+  for (std::size_t i = 0; i < marks.size(); ++i) marks[i] = chosen(i);
+  return marks;
+}
+
 //! Everything that `from` reaches by faces over voxels that `open` says are open; marks it 1.
 template <typename F>
 std::vector<unsigned char> reachedFrom(const ThicknessMap& map, std::vector<std::size_t> from, F&& open) {
@@ -281,10 +159,9 @@ std::vector<unsigned char> reachedFrom(const ThicknessMap& map, std::vector<std:
 std::vector<unsigned char> splitByWidth(const ThicknessMap& map, const std::vector<std::size_t>& starts,
                                         double structure) {
   const double widest = kWidens * structure, narrowest = kNarrows * structure;
-  const auto wide = map.coveredByBalls([&](std::size_t i) { return map.distance(i) > widest; });
-  const auto core =
-      reachedFrom(map, starts, [&](std::size_t i) { return !wide[i] && map.distance(i) >= narrowest; });
-  const auto near = map.coveredByBalls([&](std::size_t i) { return core[i] != 0; });
+  const auto wide = map.coveredByBalls(marksOf(map, [&](std::size_t i) { return map.distance(i) > widest; }));
+  const auto near = map.coveredByBalls(
+      reachedFrom(map, starts, [&](std::size_t i) { return !wide[i] && map.distance(i) >= narrowest; }));
   // What is in neither is cut off together with the wide part that it touches.
   std::vector<std::size_t> rim;
   for (std::size_t i = 0; i < wide.size(); ++i)
@@ -302,6 +179,65 @@ std::shared_ptr<const Barrier> barrierOf(const ThicknessMap& map, const std::vec
   for (std::size_t i = 0; i < side.size(); ++i) closed[i] = side[i] == 2;
   return std::make_shared<Barrier>(map.low(), map.size(), closed);
 }
+
+class NeckSearch {
+ public:
+  NeckSearch(const Grid& grid, const ObjectRegion& region, const std::vector<Vec3>& seeds)
+      : grid_(grid), region_(region), map_(grid, region) {
+    for (const Vec3& s : seeds) {
+      const Voxel v{static_cast<int>(std::lround(s[0])), static_cast<int>(std::lround(s[1])),
+                    static_cast<int>(std::lround(s[2]))};
+      if (!map_.contains(v)) continue;
+      seeds_.push_back(map_.at(v));
+      starts_.push_back(thickestNear(grid, map_, seeds_.back()));
+      structure_ = std::min(structure_, static_cast<double>(map_.distance(starts_.back())));
+    }
+  }
+
+  std::optional<NeckCut> run() const {
+    if (starts_.empty() || structure_ <= 0) return {};
+    const WidestPathFlood flood = floodThickFirst(map_, starts_, grid_.meanSpacing() / kBinsPerVoxel);
+    for (const Rule& rule : kNecks)
+      for (const Stage& stage : flood.stages)
+        if (shows(rule, stage, structure_))
+          if (auto cut = cutAt(stage, splitAt(map_, flood, stage), rule.larger)) return cut;
+    const auto opening = std::find_if(flood.stages.begin(), flood.stages.end(),
+                                      [&](const Stage& s) { return shows(kOpening, s, structure_); });
+    if (opening == flood.stages.end()) return {};
+    auto cut = cutAt(*opening, splitByWidth(map_, starts_, structure_), kMuchLarger);
+    if (cut) {
+      cut->widens = true;
+      cut->neckRadius = kWidens * structure_;
+    }
+    return cut;
+  }
+
+ private:
+  //! None if a seed is cut off, or too little is.
+  std::optional<NeckCut> cutAt(const Stage& stage, const std::vector<unsigned char>& side,
+                               double larger) const {
+    const auto kept = static_cast<double>(std::count(side.begin(), side.end(), 1));
+    const auto cut = static_cast<double>(std::count(side.begin(), side.end(), 2));
+    const bool seedCut =
+        std::any_of(seeds_.begin(), seeds_.end(), [&](std::size_t i) { return side[i] == 2; });
+    if (seedCut || cut < larger * kept) return {};
+    NeckCut out;
+    out.neckRadius = stage.neck;
+    out.structureRadius = structure_;
+    out.widestBehind = stage.widest;
+    out.keptVolume = kept * grid_.voxelVolume();
+    out.cutVolume = cut * grid_.voxelVolume();
+    for (const Voxel& v : region_.voxels) out.kept.push_back(side[map_.at(v)] == 1);
+    out.barrier = barrierOf(map_, side);
+    return out;
+  }
+
+  const Grid& grid_;
+  const ObjectRegion& region_;
+  ThicknessMap map_;
+  std::vector<std::size_t> seeds_, starts_;                // voxels; the thickest places near them
+  double structure_ = std::numeric_limits<double>::max();  // mm: of the thinnest start
+};
 
 }  // namespace
 
@@ -346,46 +282,7 @@ double Barrier::openness(const Vec3& index) const {
 std::optional<NeckCut> findNeck(const Grid& grid, const ObjectRegion& region,
                                 const std::vector<Vec3>& seeds) {
   if (region.voxels.empty()) return {};
-  const ThicknessMap map(grid, region);
-  std::vector<std::size_t> starts, seedVoxels;
-  double structure = std::numeric_limits<double>::max();
-  for (const Vec3& s : seeds) {
-    const Voxel v{static_cast<int>(std::lround(s[0])), static_cast<int>(std::lround(s[1])),
-                  static_cast<int>(std::lround(s[2]))};
-    if (!map.contains(v)) continue;
-    seedVoxels.push_back(map.at(v));
-    starts.push_back(thickestNear(grid, map, seedVoxels.back()));
-    structure = std::min(structure, static_cast<double>(map.distance(starts.back())));
-  }
-  if (starts.empty() || structure <= 0) return {};
-  const WidestPathFlood flood = floodThickFirst(map, starts, grid.meanSpacing() / kBinsPerVoxel);
-  const auto cutAt = [&](const Stage& stage, const std::vector<unsigned char>& side,
-                         double larger) -> std::optional<NeckCut> {
-    const auto kept = static_cast<double>(std::count(side.begin(), side.end(), 1));
-    const auto cut = static_cast<double>(std::count(side.begin(), side.end(), 2));
-    const bool seedsKept =
-        std::none_of(seedVoxels.begin(), seedVoxels.end(), [&](std::size_t i) { return side[i] == 2; });
-    if (!seedsKept || cut < larger * kept) return {};
-    NeckCut out;
-    out.neckRadius = stage.neck;
-    out.structureRadius = structure;
-    out.widestBehind = stage.widest;
-    out.keptVolume = kept * grid.voxelVolume();
-    out.cutVolume = cut * grid.voxelVolume();
-    for (const Voxel& v : region.voxels) out.kept.push_back(side[map.at(v)] == 1);
-    out.barrier = barrierOf(map, side);
-    return out;
-  };
-  for (const Rule& rule : kNecks)
-    for (const Stage& stage : flood.stages)
-      if (shows(rule, stage, structure))
-        if (auto cut = cutAt(stage, splitAt(map, flood, stage), rule.larger)) return cut;
-  const auto opening = std::find_if(flood.stages.begin(), flood.stages.end(),
-                                    [&](const Stage& s) { return shows(kOpening, s, structure); });
-  if (opening == flood.stages.end()) return {};
-  auto cut = cutAt(*opening, splitByWidth(map, starts, structure), kMuchLarger);
-  if (cut) cut->neckRadius = kWidens * structure, cut->widens = true;
-  return cut;
+  return NeckSearch(grid, region, seeds).run();
 }
 
 }  // namespace handlebody

@@ -13,4 +13,5 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/region_growth.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/resting_places.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/seed_statistics.cpp
-  ${CMAKE_SOURCE_DIR}/core/evolution/seeds.cpp)
+  ${CMAKE_SOURCE_DIR}/core/evolution/seeds.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/thickness_map.cpp)

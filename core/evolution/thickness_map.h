@@ -1,0 +1,63 @@
+#pragma once
+// How thick a region is at each of its voxels.
+
+#include <vector>
+
+#include "core/evolution/object_region.h"
+#include "core/volume/volume.h"
+
+namespace handlebody {
+
+//! The box of a region, one voxel wider on all sides, with the distance of every voxel (mm, chamfer:
+//! Borgefors 1986) to the outside. The border of the volume is no wall. Voxels go by their place in the box.
+class ThicknessMap {
+ public:
+  using Voxel = ObjectRegion::Voxel;
+
+  //! Precondition: the region is not empty.
+  ThicknessMap(const Grid& grid, const ObjectRegion& region);
+
+  //! Distance of every voxel of the box to the marked ones, mm.
+  std::vector<float> distanceTo(const std::vector<unsigned char>& marked) const;
+  //! 1 for the voxels of the region within the largest balls around the marked ones.
+  std::vector<unsigned char> coveredByBalls(const std::vector<unsigned char>& centres) const;
+
+  std::size_t at(const Voxel& v) const {
+    return (idx(v[2] - low_[2]) * idx(size_[1]) + idx(v[1] - low_[1])) * idx(size_[0]) + idx(v[0] - low_[0]);
+  }
+  Voxel voxel(std::size_t i) const;
+  bool contains(const Voxel& v) const;
+  //! 0 outside of the region.
+  float distance(std::size_t i) const { return distance_[i]; }
+  std::size_t count() const { return distance_.size(); }
+  const std::array<int, 3>& low() const { return low_; }
+  const std::array<int, 3>& size() const { return size_; }
+
+  //! Of a voxel of the region; they may lie outside of it, but not outside of the box.
+  template <typename F>
+  void forEachFaceNeighbour(std::size_t i, F&& f) const {
+    for (std::ptrdiff_t step : steps_) {
+      f(i - static_cast<std::size_t>(step));
+      f(i + static_cast<std::size_t>(step));
+    }
+  }
+
+ private:
+  struct Neighbour {
+    std::ptrdiff_t offset;
+    float length;  // mm
+  };
+
+  static std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+  void makeNeighbours();
+  std::vector<std::size_t> outsideOfVolume() const;
+  void sweep(std::vector<float>& d) const;
+
+  Grid grid_;
+  Voxel low_, size_;
+  std::array<std::ptrdiff_t, 3> steps_;
+  std::vector<float> distance_;
+  std::vector<Neighbour> before_;
+};
+
+}  // namespace handlebody
