@@ -99,8 +99,10 @@ std::optional<Message> receiveMessage(int socket) {
 }
 
 Message requestToMessage(const OpenRequest& r) {
-  Message m = {
-      {"path", r.path}, {"list", r.listOnly}, {"refuse", r.selection.uneven == UnevenSlices::refuse}};
+  Message m = {{"path", r.path},
+               {"format", r.format},
+               {"list", r.listOnly},
+               {"refuse", r.selection.uneven == UnevenSlices::refuse}};
   if (r.selection.series) m["series"] = *r.selection.series;
   if (r.selection.spacing) m["spacing"] = vectorMessage(*r.selection.spacing);
   return m;
@@ -109,6 +111,7 @@ Message requestToMessage(const OpenRequest& r) {
 OpenRequest requestFromMessage(const Message& m) {
   OpenRequest r;
   r.path = m.at("path").get<std::string>();
+  r.format = m.at("format").get<std::string>();
   r.listOnly = m.at("list").get<bool>();
   r.selection.uneven = m.at("refuse").get<bool>() ? UnevenSlices::refuse : UnevenSlices::resample;
   if (m.contains("series")) r.selection.series = m.at("series").get<std::string>();
@@ -120,9 +123,11 @@ Message headerToMessage(const VolumeHeader& h) {
   Message series = Message::array();
   for (const SeriesInfo& s : h.series) series.push_back(seriesMessage(s));
   const GeometrySources& s = h.sources;
-  return {{"series", series},
+  return {{"format", h.format},
+          {"series", series},
           {"grid", gridMessage(h.grid)},
           {"component", static_cast<int>(h.component)},
+          {"components", h.components},
           {"frames", h.frames},
           {"calibrated", h.calibrated},
           {"sources", {s.size, s.spacing[0], s.spacing[1], s.spacing[2], s.origin, s.direction}},
@@ -131,12 +136,15 @@ Message headerToMessage(const VolumeHeader& h) {
 
 VolumeHeader headerFromMessage(const Message& m) {
   VolumeHeader h;
-  h.format = "DICOM";
+  h.format = m.at("format").get<std::string>();
   for (const Message& s : m.at("series")) h.series.push_back(seriesFrom(s));
   h.grid = gridFrom(m.at("grid"));
   const int component = m.at("component").get<int>();
   if (component < 0 || component > static_cast<int>(Component::float64)) m.at("no such component");
   h.component = static_cast<Component>(component);
+  h.components = m.at("components").get<int>();
+  const bool colour = h.component == Component::uint8 || h.component == Component::uint16;
+  if (h.components != 1 && !(colour && (h.components == 3 || h.components == 4))) m.at("no such voxels");
   h.frames = m.at("frames").get<int>();
   h.calibrated = m.at("calibrated").get<bool>();
   const auto s = m.at("sources").get<std::array<std::string, 6>>();

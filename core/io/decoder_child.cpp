@@ -11,8 +11,8 @@
 #include <filesystem>
 
 #include "core/errors.h"
+#include "core/io/decoded_source.h"
 #include "core/io/decoder_channel.h"
-#include "core/io/dicom_source.h"
 #include "core/io/mesh_files.h"
 
 namespace handlebody {
@@ -35,7 +35,7 @@ class Teller {
 };
 
 //! Fills the parent's memory file; throws InputError if the machine has not so much.
-void fillMemory(DicomSource& source, int frame, const std::string& path, const DicomProgress& tell) {
+void fillMemory(DecodedSource& source, int frame, const std::string& path, const DicomProgress& tell) {
   const std::uint64_t bytes = source.header().bytesPerFrame();
   if (::ftruncate(kDecoderMemory, static_cast<off_t>(bytes)) != 0)
     refuseInput(path, "there is not enough memory to read it");
@@ -48,13 +48,14 @@ void answer(const OpenRequest& request) {
   Teller teller;
   const DicomProgress tell = std::ref(teller);
   bool several = false;
-  const SourcePointer source = openDicomHere(request, tell, &several);
+  const SourcePointer source =
+      request.format == "TIFF" ? openTiffHere(request, tell) : openDicomHere(request, tell, &several);
   Message header = headerToMessage(source->header());
   header["several"] = several;
   if (!sendMessage(kDecoderSocket, {{"header", header}})) return;
   const std::optional<Message> go = receiveMessage(kDecoderSocket);
   if (!go || several) return;  // only the header was wanted
-  fillMemory(dynamic_cast<DicomSource&>(*source), go->at("frame").get<int>(), request.path, tell);
+  fillMemory(dynamic_cast<DecodedSource&>(*source), go->at("frame").get<int>(), request.path, tell);
   sendMessage(kDecoderSocket, {{"done", true}});
 }
 

@@ -1,9 +1,10 @@
-#include "core/io/dicom_source.h"
+// DICOM as a volume, decoded in this process.
 
 #include <algorithm>
 #include <filesystem>
 
 #include "core/errors.h"
+#include "core/io/decoded_source.h"
 #include "core/io/dicom_geometry.h"
 #include "core/io/dicom_pixels.h"
 #include "core/io/dicom_resample.h"
@@ -61,7 +62,7 @@ Assumed assumeGeometry(DicomSeries& series, const VolumeSelection& selection, co
   return assumed;
 }
 
-class StackSource : public DicomSource {
+class StackSource : public DecodedSource {
  public:
   StackSource(std::string path, DicomSeries series, std::shared_ptr<const DicomScan> scan,
               const VolumeSelection& selection);
@@ -157,7 +158,7 @@ void StackSource::decode(int frame, void* to, const DicomProgress& progress) {
 }
 
 //! Only the header: which series there are.
-class SeriesList : public DicomSource {
+class SeriesList : public DecodedSource {
  public:
   explicit SeriesList(std::vector<SeriesInfo> series) {
     header_.format = "DICOM";

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "core/errors.h"
+#include "core/io/decoded_source.h"
 
 namespace handlebody {
 namespace {
@@ -56,20 +57,25 @@ void readComponents(const itk::ImageIOBase& io, const std::string& path, VolumeH
 }
 
 //! TIFF: ITK reads it straight into our buffer.
-class ItkSource : public VolumeSource {
+class ItkSource : public DecodedSource {
  public:
   ItkSource(itk::ImageIOBase::Pointer io, std::string path, const std::string& format)
       : io_(std::move(io)), path_(std::move(path)) {
     header_ = readItkHeader(*io_, path_, format);
   }
-  void readFrame(int frame, void* to, const ReadControl& control) override {
-    report(control, 0);
+  void decode(int frame, void* to, const DicomProgress& progress) override {
     const Quiet quiet;
+    progress(0, path_, header_.bytesPerFrame() * static_cast<std::uint64_t>(header_.frames));
     const std::size_t bytes = static_cast<std::size_t>(header_.bytesPerFrame());
     std::unique_ptr<char[]> all;
     if (header_.frames > 1) all.reset(new char[bytes * static_cast<std::size_t>(header_.frames)]);
     withItk(path_, "it is truncated or damaged", [&] { io_->Read(all ? all.get() : to); });
     if (all) std::memcpy(to, all.get() + bytes * static_cast<std::size_t>(frame), bytes);
+  }
+
+ protected:
+  void readFrame(int frame, void* to, const ReadControl&) override {
+    decode(frame, to, [](double, const std::string&, std::uint64_t) {});
   }
 
  private:
@@ -173,7 +179,10 @@ VolumeHeader readItkHeader(itk::ImageIOBase& io, const std::string& path, const 
   return header;
 }
 
-SourcePointer openTiff(const std::string& path) {
+SourcePointer openTiffHere(const OpenRequest& request, const DicomProgress& progress) {
+  const std::string& path = request.path;
+  std::error_code ignored;
+  progress(0, path, std::filesystem::file_size(path, ignored));
   auto source = std::make_unique<ItkSource>(itk::TIFFImageIO::New().GetPointer(), path, "TIFF");
   VolumeHeader& header = source->header();
   checkHeader(header, path);

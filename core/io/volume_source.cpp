@@ -69,7 +69,7 @@ SourcePointer openFile(const OpenRequest& request, const ReadControl& control, b
     refuseInput(path, "this is a Git LFS pointer, not the file it stands for");
   if (looksLikeDicom(start) && !looksLikeNifti(start)) return openDicom(request, control, several);
   if (beginsWith(start, "NRRD0")) return openNrrd(path);
-  if (looksLikeTiff(start)) return openTiff(path);
+  if (looksLikeTiff(start)) return openTiff(request, control);
   if (looksLikeNifti(start) || path.ends_with(".img") || path.ends_with(".img.gz")) return openNifti(path);
   if (isGzip(path)) {
     const Start inside = startOf(path, true);

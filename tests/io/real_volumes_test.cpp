@@ -5,7 +5,8 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "tests/io/io_test_support.h"
+#include "tests/io/dicom_test_support.h"
+#include "tests/io/peak_memory.h"
 
 using namespace handlebody;
 using namespace handlebody::test;
@@ -176,9 +177,10 @@ TEST_CASE("the same CT as slices, as a multi-frame file and as NRRD lies in the 
   CHECK(difference(frames, slices).second == 0);
 }
 
-TEST_CASE(
-    "every volume of the machine opens with its geometry or is refused with file and cause: the table") {
-  if (skipped()) return;
+namespace {
+
+//! All files and folders that somebody may want to open.
+std::vector<std::string> everyPath() {
   std::vector<std::string> paths;
   for (const auto& entry : fs::recursive_directory_iterator(volumes())) {
     const std::string path = entry.path().string();
@@ -188,6 +190,25 @@ TEST_CASE(
       paths.push_back(path);
   }
   std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+long memoryOfInfo(const std::string& path) { return memoryOf({HANDLEBODY_CLI, "info", path}).peak; }
+
+//! kB of the voxels of one time point; 0 if it is refused.
+double honestSize(const std::string& path) try {
+  const VolumeInfo info = inspectVolume(path);
+  return static_cast<double>(info.grid.voxelCount() * bytesPerVoxel(info.type)) / 1024;
+} catch (const InputError&) {
+  return 0;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "every volume of the machine opens with its geometry or is refused with file and cause: the table") {
+  if (skipped()) return;
+  const std::vector<std::string> paths = everyPath();
   int opened = 0, refused = 0;
   for (const std::string& path : paths) {
     const auto start = std::chrono::steady_clock::now();
@@ -214,4 +235,26 @@ TEST_CASE(
   }
   std::cout << opened << " opened, " << refused << " refused\n";
   CHECK(opened >= 50);
+}
+
+TEST_CASE("no file of the machine takes more than three times its honest size of memory", "[.][slow]") {
+  if (skipped()) return;
+  // What the program and its decoder take for a volume of nothing.
+  const TemporaryFolder folder;
+  writeSeries(folder / "series", evenStack(3));
+  const long rest = memoryOfInfo(folder / "series");
+  REQUIRE(rest > 0);
+  double worst = 0;
+  for (const std::string& path : everyPath()) {
+    const double honest = honestSize(path);
+    const double taken = static_cast<double>(memoryOfInfo(path) - rest);
+    INFO(path << ": " << taken << " kB for " << honest << " kB of voxels");
+    // A header's and a heap's own unevenness; a refused file has no size to its credit.
+    constexpr double kUneven = 16 * 1024;
+    CHECK(taken <= 3 * honest + kUneven);
+    if (honest > kUneven) worst = std::max(worst, taken / honest);
+    std::cout << path.substr(volumes().size() + 1) << "\t" << std::lround(honest) << "\t"
+              << std::lround(taken) << "\n";
+  }
+  std::cout << "program and decoder at rest: " << rest << " kB; at most " << worst << " times the size\n";
 }

@@ -1,4 +1,4 @@
-// DICOM as the rest of the program sees it: decoded by a child process.
+// DICOM and TIFF as the rest of the program sees them: decoded by a child process.
 
 #include "core/errors.h"
 #include "core/io/decoder_process.h"
@@ -9,9 +9,9 @@ namespace {
 //! Part of the progress that finding and sorting the slices takes.
 constexpr double kScanPart = 0.2;
 
-class DicomClient : public VolumeSource {
+class DecodedClient : public VolumeSource {
  public:
-  DicomClient(const OpenRequest& request, const ReadControl& control, bool* several)
+  DecodedClient(const OpenRequest& request, const ReadControl& control, bool* several)
       : decoder_(request.path) {
     decoder_.send(requestToMessage(request));
     const Message answer = decoder_.receive(control, 0, kScanPart);
@@ -43,8 +43,15 @@ class DicomClient : public VolumeSource {
 
 }  // namespace
 
+SourcePointer openTiff(const OpenRequest& request, const ReadControl& control) {
+  OpenRequest tiff = request;
+  tiff.format = "TIFF";
+  bool several = false;
+  return std::make_unique<DecodedClient>(tiff, control, &several);
+}
+
 SourcePointer openDicom(const OpenRequest& request, const ReadControl& control, bool* several) {
-  return std::make_unique<DicomClient>(request, control, several);
+  return std::make_unique<DecodedClient>(request, control, several);
 }
 
 }  // namespace handlebody
