@@ -1,6 +1,7 @@
 #include "core/collision/self_intersection.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "core/collision/box_tree.h"
@@ -24,6 +25,37 @@ Box boxOf(std::span<const Vec3> points, const Triangle& t) {
   const Vec3& b = points[idx(t[1])];
   const Vec3& c = points[idx(t[2])];
   return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+}
+
+//! What rejects a face T at its corner: both other vertices are behind, or one is P.
+struct SkipBits {
+  bool behind, same;
+};
+constexpr std::size_t kSkipBits = 31;
+
+//! Bit i: corner i is not skipped. Without branches, for nobody could foretell them. In a cycle prev of a
+//! corner is next of the following one.
+template <typename Skip>
+unsigned notSkipped(std::span<const Corner> corners, bool inOrder, Skip&& skip) {
+  unsigned behind = 0, same = 0;
+  const auto add = [&](int r, std::size_t bit) {
+    const SkipBits s = skip(r);
+    behind |= static_cast<unsigned>(s.behind) << bit;
+    same |= static_cast<unsigned>(s.same) << bit;
+  };
+  const std::size_t n = corners.size();
+  for (std::size_t i = 0; i < n; ++i) add(corners[i].next, i);
+  if (inOrder) {
+    add(corners[n - 1].prev, n);
+    behind &= behind >> 1;
+    same |= same >> 1;
+  } else {
+    unsigned prevBehind = 0;
+    std::swap(behind, prevBehind);
+    for (std::size_t i = 0; i < n; ++i) add(corners[i].prev, i);
+    behind &= prevBehind;
+  }
+  return ~(behind | same) & ((1u << n) - 1);
 }
 
 }  // namespace
@@ -56,6 +88,8 @@ struct CollisionDetector::Tables {
   void runAll();
   void runMoved(std::span<const unsigned char> moved);
   void listActive(std::span<const unsigned char> moved);
+  void listMovedFaces(std::span<const unsigned char> moved);
+  void listFacesOfMoved(std::span<const unsigned char> moved);
   void addNear();
   double reach() const { return std::sqrt(longestSquared * (7.0 / 12.0)) * kRounding; }
   void sortPairs();
@@ -112,6 +146,34 @@ void CollisionDetector::Tables::listActive(std::span<const unsigned char> moved)
   active.resize(points.size(), 0);
   movedFaces.clear();
   vertices.clear();
+  const auto some = std::count_if(moved.begin(), moved.end(), [](unsigned char m) { return m != 0; });
+  // Where many have moved, a look at all faces is quicker than one at each vertex's.
+  const bool many = idx(static_cast<int>(some)) > points.size() / 8;
+  if (many)
+    listMovedFaces(moved);
+  else if (some > 0)
+    listFacesOfMoved(moved);
+  for (const int f : movedFaces)
+    for (const int v : faces[idx(f)]) {
+      if (active[idx(v)] != 0) continue;
+      active[idx(v)] = 1;
+      if (!many) vertices.push_back(v);
+    }
+  for (int v = 0; many && v < static_cast<int>(active.size()); ++v)
+    if (active[idx(v)] != 0) vertices.push_back(v);
+  for (const int v : vertices) stars.need(v);
+}
+
+void CollisionDetector::Tables::listMovedFaces(std::span<const unsigned char> moved) {
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const Triangle& t = faces[f];
+    if (t[0] < 0 || (moved[idx(t[0])] | moved[idx(t[1])] | moved[idx(t[2])]) == 0) continue;
+    movedFace[f] = 1;
+    movedFaces.push_back(static_cast<int>(f));
+  }
+}
+
+void CollisionDetector::Tables::listFacesOfMoved(std::span<const unsigned char> moved) {
   for (int v = 0; v < static_cast<int>(moved.size()); ++v) {
     if (moved[idx(v)] == 0) continue;
     stars.need(v);
@@ -121,13 +183,6 @@ void CollisionDetector::Tables::listActive(std::span<const unsigned char> moved)
       movedFaces.push_back(c.face);
     }
   }
-  for (const int f : movedFaces)
-    for (const int v : faces[idx(f)]) {
-      if (active[idx(v)] != 0) continue;
-      active[idx(v)] = 1;
-      vertices.push_back(v);
-    }
-  for (const int v : vertices) stars.need(v);
 }
 
 //! Adds the vertices at rest that an active one can reach.
@@ -140,9 +195,11 @@ void CollisionDetector::Tables::addNear() {
     longestSquared =
         std::max({longestSquared, (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
   }
-  near.build(points, vertices, reach());
+  // Where nearly all are active, looking which of the others are near costs more than it saves.
+  const bool nearlyAll = vertices.size() > points.size() / 4 * 3;
+  if (!nearlyAll) near.build(points, vertices, reach());
   for (int v = 0; v < static_cast<int>(points.size()); ++v) {
-    if (active[idx(v)] != 0 || !near.mayBeNear(points[idx(v)])) continue;
+    if (active[idx(v)] != 0 || !(nearlyAll || near.mayBeNear(points[idx(v)]))) continue;
     stars.need(v);
     if (stars.corners(v).empty()) continue;  // free, or without a face
     sizes[idx(v)] = measureStar(points, v, stars.corners(v));
@@ -197,22 +254,18 @@ void CollisionDetector::Tables::testNear(int u, int v, double distanceSquared) {
   const Vec3& pu = points[idx(u)];
   const Vec3 w = points[idx(v)] - pu;
   // First a cheap rejection: a face whose corners stay behind `end` along w is too far from v.
-  const double end = distanceSquared - std::sqrt(distanceSquared * nearSquared) -
-                     (kRounding - 1) * (distanceSquared + sizes[idx(u)].edge);
-  const auto along = [&](int r) { return w.dot(points[idx(r)] - pu); };
+  const double end = std::max(0.0, distanceSquared - std::sqrt(distanceSquared * nearSquared) -
+                                       (kRounding - 1) * (distanceSquared + sizes[idx(u)].edge));
+  const auto skip = [&](int r) { return SkipBits{end > 0 && w.dot(points[idx(r)] - pu) < end, r == v}; };
   const std::span<const Corner> corners = stars.corners(u);
-  const bool inOrder = stars.isCycle(u);
-  double here = along(corners[0].next);
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Corner& c = corners[i];
-    if (!inOrder) here = along(c.next);
-    const double next = along(c.prev);
-    const bool behind = 0 < end && here < end && next < end;
-    here = next;
-    if (behind || c.next == v || c.prev == v) continue;
-    if (!all && (active[idx(v)] | movedFace[idx(c.face)]) == 0) continue;
-    if (isFarFrom(points[idx(v)], pu, points[idx(c.next)], points[idx(c.prev)], nearSquared)) continue;
-    if (isFirstNear(u, faces[idx(c.face)], v)) testFan(c.face, v);
+  for (std::size_t first = 0; first < corners.size(); first += kSkipBits) {
+    const auto some = corners.subspan(first, std::min(kSkipBits, corners.size() - first));
+    for (unsigned left = notSkipped(some, stars.isCycle(u), skip); left != 0; left &= left - 1) {
+      const Corner& c = some[static_cast<std::size_t>(std::countr_zero(left))];
+      if (!all && (active[idx(v)] | movedFace[idx(c.face)]) == 0) continue;
+      if (isFarFrom(points[idx(v)], pu, points[idx(c.next)], points[idx(c.prev)], nearSquared)) continue;
+      if (isFirstNear(u, faces[idx(c.face)], v)) testFan(c.face, v);
+    }
   }
 }
 

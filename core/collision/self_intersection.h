@@ -37,8 +37,8 @@ class CollisionDetector {
 
   //! As findSelfIntersections, over all faces.
   const std::vector<FacePair>& detectAll(std::span<const Vec3> points, std::span<const Triangle> faces);
-  //! Only the pairs with at least one face that has a vertex v with moved[v] != 0. Equal to detectAll when
-  //! the faces without such a vertex do not intersect each other.
+  //! Only the pairs with at least one face that has a vertex v with moved[v] != 0 (one flag per point). Equal
+  //! to detectAll when the faces without such a vertex do not intersect each other.
   const std::vector<FacePair>& detectMoved(std::span<const Vec3> points, std::span<const Triangle> faces,
                                            std::span<const unsigned char> moved);
   //! The same for a mesh, whose faces need not be sorted by vertex: costs what the moved vertices cost, and

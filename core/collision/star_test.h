@@ -19,15 +19,20 @@ StarSize measureStar(std::span<const Vec3> points, int v, std::span<const Corner
 class StarTest {
  public:
   //! Looks at the closed star of v (precondition: stars.isCycle(v)). True: no two of its faces have a point
-  //! in common outside the vertex or edge they share; proven, rounding included. False: not decided. Sets
-  //! longestSquared to the square of the longest edge at v (mm², to rounding).
+  //! in common outside the vertex or edge they share; proven, rounding included. False: not decided. `size`
+  //! gets the star's lengths; none is too small by more than rounding in double precision, or too large by
+  //! more than 2^-18 of itself.
   //!
   //! If all faces look up along one direction d (cone of normals), their projections along d are proper
   //! sectors around v that follow each other in one sense. They tile the plane once, and the star is the
   //! graph of a function, if they wind around v once; without the count, a star folded like a rose passes.
+  //! Tried in single precision first, where that is safe: several faces at a time.
   bool isEmbedded(std::span<const Vec3> points, int v, std::span<const Corner> corners, StarSize& size);
 
  private:
+  bool isEmbeddedInDouble(std::span<const Vec3> points, int v, std::span<const Corner> corners,
+                          StarSize& size);
+
   std::vector<Vec3> edges_;
   std::vector<Vec3> normals_;
 };

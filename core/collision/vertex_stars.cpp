@@ -86,7 +86,7 @@ void VertexStars::build(std::size_t pointCount, std::span<const Triangle> faces)
 
 //! Counting sort of all corners by their vertex.
 void VertexStars::fill(std::size_t pointCount) {
-  stars_.assign(pointCount, {0, 0, false});
+  stars_.assign(pointCount, {0, 0, false, 0});
   for (const Triangle& t : faces_) {
     if (t[0] < 0) continue;
     for (const int v : t) ++stars_[idx(v)].count;
@@ -108,20 +108,52 @@ void VertexStars::fill(std::size_t pointCount) {
 }
 
 void VertexStars::readFrom(const Mesh& mesh) {
+  // What was read before is kept while it takes little more room than what is valid.
+  constexpr std::size_t kRoom = 3;
+  const auto slots = static_cast<std::size_t>(mesh.vertexSlots());
+  const bool keep = mesh_ && slots >= stars_.size() && corners_.size() <= kRoom * mesh.faces().size() * 3;
   mesh_ = &mesh;
-  corners_.clear();
-  stars_.assign(idx(mesh.vertexSlots()), {-1, 0, false});
+  ++reading_;
+  if (!keep) {
+    corners_.clear();
+    stars_.clear();
+  }
+  stars_.resize(slots, {0, 0, false, 0});
+}
+
+void VertexStars::check(int v) {
+  if (!isStill(v)) read(v);
+  stars_[idx(v)].reading = reading_;
+}
+
+//! True if all faces of the cycle are still there: then they are all faces of v. Without branches for each.
+bool VertexStars::isStill(int v) const {
+  const Star& star = stars_[idx(v)];
+  if (!star.isCycle) return false;
+  bool still = true;
+  for (const Corner& c : corners(v)) {
+    if (c.face >= mesh_->faceSlots()) return false;
+    const Triangle& t = mesh_->face(c.face);
+    const auto is = [&](std::size_t i, std::size_t j, std::size_t k) {
+      return ((t[i] ^ v) | (t[j] ^ c.next) | (t[k] ^ c.prev)) == 0;
+    };
+    still &= is(0, 1, 2) | is(1, 2, 0) | is(2, 0, 1);
+  }
+  return still;
 }
 
 void VertexStars::read(int v) {
   Star& star = stars_[idx(v)];
-  star.first = static_cast<int>(corners_.size());
+  star = {static_cast<int>(corners_.size()), 0, false, 0};
   const int start = mesh_->outgoing(v);
   if (start < 0) return;
   int h = start;
   do {
-    corners_.push_back({Mesh::faceOf(h), mesh_->target(h), mesh_->apex(h)});
-    h = mesh_->turn(h);
+    const int face = Mesh::faceOf(h);
+    const Triangle& t = mesh_->face(face);
+    const int i = h - 3 * face, j = i == 2 ? 0 : i + 1, k = i == 0 ? 2 : i - 1;
+    corners_.push_back({face, t[idx(j)], t[idx(k)]});
+    h = mesh_->opposite(3 * face + k);
   } while (h >= 0 && h != start);
   star.count = static_cast<int>(corners_.size()) - star.first;
   star.isCycle = h == start && star.count >= 3;

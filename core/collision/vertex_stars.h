@@ -21,11 +21,12 @@ class VertexStars {
   //! The stars of all vertices. Faces (-1,-1,-1) are skipped. Costs next to nothing when the faces are those
   //! of the last call.
   void build(std::size_t pointCount, std::span<const Triangle> faces);
-  //! No star yet: those that are asked for by need() are read from the mesh, which must not change meanwhile.
+  //! Those stars that are asked for by need() are read from the mesh, which must not change meanwhile; or
+  //! taken from an earlier reading, if the mesh still holds all their faces.
   void readFrom(const Mesh& mesh);
   //! After readFrom: makes corners(v) valid, those of other vertices stay so; spans do not.
   void need(int v) {
-    if (mesh_ && stars_[static_cast<std::size_t>(v)].first < 0) read(v);
+    if (mesh_ && stars_[static_cast<std::size_t>(v)].reading != reading_) check(v);
   }
 
   std::span<const Corner> corners(int v) const {
@@ -39,14 +40,18 @@ class VertexStars {
 
  private:
   struct Star {
-    int first;  // into corners_; -1: not read
+    int first;  // into corners_
     int count;
     bool isCycle;
+    int reading;  // for which it was checked last
   };
   void fill(std::size_t pointCount);
+  void check(int v);
+  bool isStill(int v) const;
   void read(int v);
 
   const Mesh* mesh_ = nullptr;   // of readFrom
+  int reading_ = 0;              // calls of readFrom
   std::vector<Triangle> faces_;  // of the last build
   std::vector<Star> stars_;
   std::vector<Corner> corners_;
