@@ -190,15 +190,16 @@ std::string someOf(const std::vector<std::string>& names) {
 
 void addLeftOut(const DicomScan& scan, VolumeHeader& header) {
   const auto files = [](std::size_t n) { return std::to_string(n) + (n == 1 ? " file" : " files"); };
+  const auto are = [](std::size_t n) { return n == 1 ? " is" : " are"; };
   if (!scan.others.empty())
     header.warnings.push_back(files(scan.others.size()) +
-                              " of DICOM in the folder hold no image and were left out.");
+                              " of DICOM in the folder without an image left out.");
   if (!scan.damaged.empty())
-    header.warnings.push_back(files(scan.damaged.size()) + " of other series are truncated or damaged.");
+    header.warnings.push_back(files(scan.damaged.size()) + " of other series" + are(scan.damaged.size()) +
+                              " truncated or damaged.");
   if (!scan.foreign.empty())
-    header.warnings.push_back(files(scan.foreign.size()) +
-                              " in the folder that are not DICOM were left out: " + someOf(scan.foreign) +
-                              ".");
+    header.warnings.push_back(files(scan.foreign.size()) + " in the folder" + are(scan.foreign.size()) +
+                              " not DICOM and left out: " + someOf(scan.foreign) + ".");
 }
 
 //! The series that the folder was looked through for, and what opens them.
