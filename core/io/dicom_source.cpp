@@ -192,8 +192,8 @@ void addLeftOut(const DicomScan& scan, VolumeHeader& header) {
   const auto files = [](std::size_t n) { return std::to_string(n) + (n == 1 ? " file" : " files"); };
   const auto are = [](std::size_t n) { return n == 1 ? " is" : " are"; };
   if (!scan.others.empty())
-    header.warnings.push_back(files(scan.others.size()) +
-                              " of DICOM in the folder without an image left out.");
+    header.warnings.push_back(files(scan.others.size()) + " of DICOM in the folder" +
+                              are(scan.others.size()) + " without an image and left out.");
   if (!scan.damaged.empty())
     header.warnings.push_back(files(scan.damaged.size()) + " of other series" + are(scan.damaged.size()) +
                               " truncated or damaged.");
