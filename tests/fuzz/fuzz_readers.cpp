@@ -1,9 +1,11 @@
 // fuzz_readers COUNT [--seed N] [--decoder CLI] [--files FOLDER --cli CLI]
+// fuzz_readers --corpus FOLDER
 //
 // Damaged files through the readers: they read or throw InputError or UsageError, within ten seconds each.
 // Without --files: the project's own samples, in this process; with --decoder those that a child process
-// reads. With --files: the real files of a folder, whole `info` and `segment` runs of CLI. A file that breaks
-// something stays behind, and its path is printed.
+// reads. With --corpus the samples are written for the libFuzzer targets. With --files: the real files of a
+// folder, whole `info` and `segment` runs of CLI. A file that breaks something stays behind, and its path is
+// printed.
 
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -29,7 +31,7 @@ constexpr double kLongest = 10;  // seconds
 struct Options {
   std::size_t count = 1000, first = 0;
   std::uint64_t seed = 1;
-  std::string decoder, files, cli;
+  std::string decoder, files, cli, corpus;
 };
 
 struct Tally {
@@ -114,6 +116,28 @@ void one(const Options& o, const std::vector<Sample>& samples, std::size_t i, co
   std::cerr << "broken after " << seconds << " s: " << kept << std::endl;
 }
 
+//! Which libFuzzer target reads it; none for what only a child process does.
+std::string targetOf(const std::string& name) {
+  if (name.ends_with(".dcm")) return "dicom";
+  if (name.ends_with(".json")) return "sessions";
+  if (name.ends_with(".vtp")) return {};
+  return isMeshPath(name) ? "meshes" : "volumes";
+}
+
+int writeCorpus(const std::string& folder) {
+  const std::string work = folder + "/work";
+  fs::create_directories(work);
+  const std::vector<Sample> samples = fuzzCorpus(work);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const std::string target = targetOf(samples[i].name);
+    if (target.empty()) continue;
+    fs::create_directories(folder + "/" + target);
+    writeFile(folder + "/" + target + "/" + std::to_string(i) + "-" + samples[i].name, samples[i].bytes);
+  }
+  fs::remove_all(work);
+  return 0;
+}
+
 int fuzz(const Options& o) {
   std::string folder = (fs::temp_directory_path() / "handlebody-fuzz-XXXXXX").string();
   if (!mkdtemp(folder.data())) return 2;
@@ -148,6 +172,8 @@ int main(int argc, char** argv) {
   app.add_option("--decoder", o.decoder, "handlebody-cli, whose child processes decode DICOM and VTP");
   app.add_option("--files", o.files, "Folder of real files, for whole runs of --cli");
   app.add_option("--cli", o.cli, "handlebody-cli");
+  app.add_option("--corpus", o.corpus, "Folder to write the samples into");
   CLI11_PARSE(app, argc, argv);
+  if (!o.corpus.empty()) return handlebody::test::writeCorpus(o.corpus);
   return handlebody::test::fuzz(o);
 }

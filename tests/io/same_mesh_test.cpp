@@ -99,6 +99,22 @@ void writeDicom(const Volume& volume, const std::string& folder) {
   writeSeries(folder, slices);
 }
 
+//! The NIfTI-1 file with these codes of its two forms; the sform says the same as the grid.
+std::string withForms(std::string bytes, const Grid& g, int qform, int sform) {
+  patch(bytes, 252, static_cast<std::int16_t>(qform));
+  patch(bytes, 254, static_cast<std::int16_t>(sform));
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t axis = 0; axis < 4; ++axis) {
+      const auto r = static_cast<Eigen::Index>(row), a = static_cast<Eigen::Index>(axis);
+      const double lps = axis == 3 ? g.origin[r] : g.direction(r, a) * g.spacing[a];
+      patch(bytes, 280 + 16 * row + 4 * axis, static_cast<float>(row < 2 ? -lps : lps));
+    }
+  // What a form that does not count says must not matter.
+  for (std::size_t at = 256; qform == 0 && at < 280; at += 4) patch(bytes, at, 0.5f);
+  for (std::size_t at = 280; sform == 0 && at < 328; at += 4) patch(bytes, at, 7.0f);
+  return bytes;
+}
+
 void replaceText(std::string& bytes, const std::string& from, const std::string& to) {
   const auto at = bytes.find(from);
   REQUIRE(at != std::string::npos);
@@ -155,4 +171,37 @@ TEST_CASE("a volume stored backwards along any axis gives the same surface in mi
     writeDicom(volume, folder / "dicom");
     expectSameShape(folder / "dicom");
   }
+}
+
+TEST_CASE("a NIfTI whose geometry stands in its qform, its sform or both gives the same surface") {
+  const TemporaryFolder folder;
+  // As it is, and stored backwards along one axis: a left-handed frame.
+  for (const Volume& volume : {phantom().volume, reversed(phantom().volume, 0)}) {
+    writeVolume(volume, folder / "v.nii");
+    const std::string bytes = readBytes(folder / "v.nii");
+    for (const auto& [qform, sform] : {std::pair(1, 0), std::pair(0, 1), std::pair(1, 1)}) {
+      INFO("qform " << qform << ", sform " << sform);
+      writeBytes(folder / "forms.nii", withForms(bytes, volume.grid, qform, sform));
+      expectSameShape(folder / "forms.nii");
+    }
+  }
+}
+
+TEST_CASE("a DICOM whose rows and columns run backwards gives the same surface") {
+  const TemporaryFolder folder;
+  // Two axes at a time: DICOM's third is always the product of its first two.
+  for (const auto& [a, b] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
+    INFO("axes " << a << ", " << b);
+    const std::string path = folder / std::to_string(10 * a + b);
+    writeDicom(reversed(reversed(phantom().volume, a), b), path);
+    expectSameShape(path);
+  }
+}
+
+TEST_CASE("an NRRD with its directions in RAS and an axis backwards gives the same surface") {
+  const TemporaryFolder folder;
+  const Volume volume = reversed(phantom().volume, 1);
+  writeVolume(volume, folder / "v.nrrd");
+  writeBytes(folder / "ras.nrrd", asRas(readBytes(folder / "v.nrrd"), volume.grid));
+  expectSameShape(folder / "ras.nrrd");
 }
