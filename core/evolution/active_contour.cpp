@@ -396,8 +396,7 @@ StepReport ActiveContour::State::step() {
   }
   // Of the mesh that is left, also when all of the step was rolled back.
   report.settledVertices = std::max(0, mesh.vertexCount() - report.movedVertices);
-  for (int f = 0; f < mesh.faceSlots(); ++f)
-    if (mesh.isFace(f)) report.volume += mesh.position(mesh.face(f)[0]).dot(mesh.areaVector(f)) / 6;
+  report.volume = signedVolume(mesh);
   decideStop(report);
   return report;
 }

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <chrono>
 
+#include "core/mesh/topology.h"
+
 namespace handlebody {
 
 namespace {
@@ -12,9 +14,7 @@ StepReport beginning(const ActiveContour& contour) {
   StepReport report;
   report.iteration = contour.iteration();
   report.movedVertices = contour.mesh().vertexCount();
-  const Mesh& mesh = contour.mesh();
-  for (int f = 0; f < mesh.faceSlots(); ++f)
-    if (mesh.isFace(f)) report.volume += mesh.position(mesh.face(f)[0]).dot(mesh.areaVector(f)) / 6;
+  report.volume = signedVolume(contour.mesh());
   return report;
 }
 

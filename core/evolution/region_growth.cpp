@@ -154,14 +154,15 @@ class Flood {
 
   //! Queues the voxel if it has not been seen before.
   void push(const Neighbour& n) {
-    if (!n.patch->visit(n.place)) return;
-    const float signedValue = value(n);
+    if (n.patch->visit(n.place)) queue(*n.patch, n.place, value(n));
+  }
+  void queue(Patch& patch, Place place, float signedValue) {
     const double bin = signedValue < levelStart_ ? level_ : (signedValue - lowest_) / step_;
     if (!(bin < kBins)) return;
     const std::size_t target = idx(std::max(static_cast<int>(bin), level_));
-    std::vector<Entry>& waiting = n.patch->waiting[target];
-    if (waiting.empty()) queue_[target].push_back(n.patch);
-    waiting.push_back({n.place, signedValue});
+    std::vector<Entry>& waiting = patch.waiting[target];
+    if (waiting.empty()) queue_[target].push_back(&patch);
+    waiting.push_back({place, signedValue});
   }
 
   // The first level lets in half of the object at once, and of the opposite kind of object all around it: a
@@ -260,19 +261,58 @@ class Flood {
   void take(Patch& patch, const Entry& entry) {
     const Voxel at = inBrick(entry.place);
     if (patch.onBorder && isOnBorder(patch.inGrid(at))) ++border_;
-    for (int axis = 0; axis < 3; ++axis)
-      for (int side : {0, 1}) {
-        const Neighbour n = neighbour(patch, at, entry.place, axis, side);
-        if (n.patch) push(n);
-      }
+    if (isWithin(patch, at)) {
+      pushWithin(patch, at, entry.place);
+    } else {
+      for (int axis = 0; axis < 3; ++axis)
+        for (int side : {0, 1}) {
+          const Neighbour n = neighbour(patch, at, entry.place, axis, side);
+          if (n.patch) push(n);
+        }
+    }
     // Only voxels at the level itself lie on the boundary; lower ones are the inside of what has just been
     // joined.
     if (entry.value >= levelStart_) addEdge(patch, entry, at);
   }
 
+  //! True if all neighbours of the voxel lie in its brick.
+  static bool isWithin(const Patch& patch, const Voxel& at) {
+    return at.i > 0 && at.j > 0 && at.k > 0 && at.i < patch.last.i && at.j < patch.last.j &&
+           at.k < patch.last.k;
+  }
+
+  //! The neighbours of such a voxel, in the same order as of any other.
+  void pushWithin(Patch& patch, const Voxel& at, Place place) {
+    const float* here = patch.values + valueIndex(at);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (const int side : {-1, 1}) {
+        const auto beside = static_cast<Place>(place + side * kPlaceStride[axis]);
+        if (patch.visit(beside)) queue(patch, beside, sign_ * here[side * kValueStride[axis]]);
+      }
+  }
+
+  //! Square of the gradient at such a voxel.
+  double squaredGradientWithin(const Patch& patch, const Voxel& at) const {
+    const float* here = patch.values + valueIndex(at);
+    double squared = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double low = sign_ * here[-kValueStride[axis]], high = sign_ * here[kValueStride[axis]];
+      const double span = volume_.grid().spacing[static_cast<int>(axis)] * 2;
+      squared += (high - low) * (high - low) / (span * span);
+    }
+    return squared;
+  }
+
   //! Counts the gradient at a voxel of the boundary. Beside padding an edge says nothing about the object.
   void addEdge(Patch& patch, const Entry& entry, const Voxel& at) {
     if (volume_.hasPadding() && isBesidePadding(patch.inGrid(at))) return;
+    const double squared =
+        isWithin(patch, at) ? squaredGradientWithin(patch, at) : squaredGradient(patch, entry, at);
+    sumGradient_[idx(level_)] += std::sqrt(squared);
+    sumSquared_[idx(level_)] += squared;
+  }
+
+  double squaredGradient(Patch& patch, const Entry& entry, const Voxel& at) {
     double squared = 0;
     for (int axis = 0; axis < 3; ++axis) {
       const Neighbour before = neighbour(patch, at, entry.place, axis, 0);
@@ -282,8 +322,7 @@ class Flood {
       const double span = volume_.grid().spacing[axis] * ((before.patch ? 1 : 0) + (after.patch ? 1 : 0));
       if (span > 0) squared += (high - low) * (high - low) / (span * span);
     }
-    sumGradient_[idx(level_)] += std::sqrt(squared);
-    sumSquared_[idx(level_)] += squared;
+    return squared;
   }
 
   bool isBesidePadding(const Voxel& v) const {

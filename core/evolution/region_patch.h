@@ -28,6 +28,7 @@ using Place = std::uint16_t;
 using Row = std::uint32_t;
 inline constexpr int kRows = kBrick * kBrick;
 inline constexpr std::array<int, 3> kPlaceStride{1, kBrick, kBrick* kBrick};
+inline constexpr std::array<int, 3> kValueStride{1, kStored, kStored* kStored};
 
 inline Place placeOf(const Voxel& v) {
   return static_cast<Place>((v.k & kBrickMask) << 2 * kShift | (v.j & kBrickMask) << kShift |

@@ -60,6 +60,16 @@ Components findComponents(const Mesh& mesh) {
   return c;
 }
 
+double signedVolume(const Mesh& mesh) {
+  double volume = 0;
+  for (const Triangle& t : mesh.faces()) {
+    if (t[0] < 0) continue;
+    const Vec3 &a = mesh.position(t[0]), &b = mesh.position(t[1]), &c = mesh.position(t[2]);
+    volume += a.dot((b - a).cross(c - a)) / 6;
+  }
+  return volume;
+}
+
 void deleteComponent(Mesh& mesh, int v) {
   std::vector<int> label(static_cast<std::size_t>(mesh.vertexSlots()), 0);
   const std::vector<int> part = flood(mesh, v, label, 1);

@@ -21,6 +21,9 @@ struct Components {
 //! Labels components in the order of their lowest vertex slot.
 Components findComponents(const Mesh& mesh);
 
+//! Signed volume of all components together, mm³: cavities count negative.
+double signedVolume(const Mesh& mesh);
+
 //! Removes every vertex and face of the component that v belongs to.
 void deleteComponent(Mesh& mesh, int v);
 
