@@ -134,6 +134,7 @@ const VolumeInfo& Document::info() const { return d_->work->info; }
 QString Document::path() const {
   return d_->work ? QString::fromStdString(d_->work->reference.path) : QString();
 }
+const VolumeSelection& Document::selection() const { return d_->work->reference.selection; }
 QByteArray Document::view() const { return d_->view; }
 void Document::setView(const QByteArray& json) { d_->view = json; }
 

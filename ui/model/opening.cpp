@@ -20,11 +20,12 @@ void verifyHash(const VolumeReference& reference) {
 }
 
 // Only a folder can hold several series; it is looked through first where none is chosen.
-std::optional<SeriesChoice> choiceIn(const VolumeReference& reference) {
+std::optional<SeriesChoice> choiceIn(const VolumeReference& reference, const ReadControl& control) {
   if (reference.selection.series || !std::filesystem::is_directory(reference.path)) return std::nullopt;
   const VolumeInfo info = inspectVolume(reference.path, reference.selection);
   if (info.frames > 0) return std::nullopt;
-  return SeriesChoice{info.series};
+  auto series = listSeries(reference.path, control);  // with sizes and spacings
+  return SeriesChoice{series ? std::move(*series) : info.series};
 }
 
 // The voxels come last: everything that can be wrong cheaply is found before them.
@@ -41,7 +42,7 @@ OpeningResult read(const QString& path, const VolumeSelection& selection,
   }
   progress(-1);
   if (work.session) verifyHash(work.reference);
-  if (auto choice = choiceIn(work.reference)) return *choice;
+  if (auto choice = choiceIn(work.reference, {progress, &cancelled})) return *choice;
   if (cancelled) return OpeningFailed{};
   auto loaded = loadVolume(work.reference.path, work.reference.selection, {progress, &cancelled});
   if (!loaded) return OpeningFailed{};

@@ -10,7 +10,7 @@
 namespace handlebody::ui {
 namespace {
 
-const QColor kRim(0, 0, 0, 150), kTextRim(0, 0, 0, 190);
+const QColor kRim(0, 0, 0, 150), kTextRim(0, 0, 0, 190), kPlate(0, 0, 0, 90);
 
 QRectF textRect(const QPointF& place, Qt::Alignment flags, const QSizeF& size) {
   QPointF corner = place;
@@ -46,6 +46,7 @@ void paintText(QPainter& painter, const QPointF& place, Qt::Alignment flags, con
                const QFont& font, const QColor& colour) {
   const QFontMetricsF metrics(font, painter.device());
   const QRectF rect = textRect(place, flags, {metrics.horizontalAdvance(text) + 1, metrics.height()});
+  if (!font.bold()) painter.fillRect(rect.adjusted(-3, 0, 3, 0), kPlate);  // bold letters are read without
   const QPointF baseline(rect.x(), rect.y() + metrics.ascent());
   QPainterPath outline;
   outline.addText(baseline, font, text);

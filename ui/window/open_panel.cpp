@@ -4,7 +4,6 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QListWidget>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QToolButton>
@@ -16,6 +15,9 @@
 #include "ui/window/eliding_label.h"
 #include "ui/window/numbers.h"
 #include "ui/window/panel_tools.h"
+#include "ui/window/sentences.h"
+#include "ui/window/series_list.h"
+#include "ui/window/spacing_entry.h"
 
 namespace handlebody::ui {
 
@@ -48,6 +50,10 @@ OpenPanel::OpenPanel(Document& document, const Commands& commands, QWidget* pare
   layout->addWidget(choice_);
   buildFacts();
   layout->addWidget(facts_);
+  spacingEntry_ = new SpacingEntry(this);
+  spacingEntry_->hide();
+  layout->addWidget(spacingEntry_);
+  connect(spacingEntry_, &SpacingEntry::entered, this, &OpenPanel::openWithSpacing);
   layout->addStretch();
   connect(&document_, &Document::opened, this, &OpenPanel::showOpened);
   connect(&document_, &Document::seriesChoiceNeeded, this, &OpenPanel::offerSeries);
@@ -58,12 +64,10 @@ void OpenPanel::buildChoice() {
   auto* layout = new QVBoxLayout(choice_);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(heading(tr("Several series: choose one"), choice_));
-  series_ = new QListWidget(choice_);
-  series_->setAccessibleName(tr("Series in the folder"));
-  series_->setWordWrap(true);
-  series_->setMinimumHeight(140);
+  series_ = new SeriesList(choice_);
   layout->addWidget(series_);
   auto* open = new QPushButton(tr("Open this series"), choice_);
+  open->setMinimumHeight(30);
   layout->addWidget(open);
   connect(open, &QPushButton::clicked, this, &OpenPanel::openSeries);
   connect(series_, &QListWidget::itemActivated, this, &OpenPanel::openSeries);
@@ -81,6 +85,7 @@ void OpenPanel::buildFacts() {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(heading(tr("Open now"), facts_));
   QFormLayout* form = panelForm();
+  form->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
   name_ = new ElidingLabel(facts_);
   name_->setAccessibleName(tr("Name"));
   form->addRow(tr("Name"), name_);
@@ -92,6 +97,13 @@ void OpenPanel::buildFacts() {
   addFact(form, tr("Axes"), axes_);
   layout->addLayout(form);
 
+  buildTime(layout);
+  warnings_ = value(tr("Warnings"), facts_);
+  layout->addWidget(warnings_);
+  facts_->hide();
+}
+
+void OpenPanel::buildTime(QVBoxLayout* layout) {
   time_ = new QWidget(facts_);
   auto* row = new QHBoxLayout(time_);
   row->setContentsMargins(0, 0, 0, 0);
@@ -103,35 +115,48 @@ void OpenPanel::buildFacts() {
   row->addWidget(load);
   layout->addWidget(time_);
   connect(load, &QPushButton::clicked, this, [this] {
-    VolumeSelection selection;
+    VolumeSelection selection = document_.selection();
     selection.frame = frame_->value();
-    document_.open(document_.path(), selection);
+    Q_EMIT openRequested(document_.path(), selection);
   });
-
-  warnings_ = value(tr("Warnings"), facts_);
-  layout->addWidget(warnings_);
-  facts_->hide();
 }
 
 void OpenPanel::offerSeries(const QString& path, const std::vector<SeriesInfo>& series) {
   choicePath_ = path;
-  series_->clear();
-  for (const SeriesInfo& s : series) {
-    const QString description = QString::fromStdString(s.description.empty() ? s.uid : s.description);
-    auto* item = new QListWidgetItem(tr("%1\nFiles: %2").arg(description).arg(s.files), series_);
-    item->setData(Qt::UserRole, QString::fromStdString(s.uid));
-    item->setToolTip(QString::fromStdString(s.uid));
-  }
-  series_->setCurrentRow(0);
+  series_->offer(series);
   choice_->show();
   series_->setFocus();
 }
 
 void OpenPanel::openSeries() {
-  if (!series_->currentItem()) return;
+  const QString series = series_->chosen();
+  if (series.isEmpty()) return;
   VolumeSelection selection;
-  selection.series = series_->currentItem()->data(Qt::UserRole).toString().toStdString();
-  document_.open(choicePath_, selection);
+  selection.series = series.toStdString();
+  Q_EMIT openRequested(choicePath_, selection);
+}
+
+void OpenPanel::askSpacing(const QString& path, const VolumeSelection& selection) {
+  spacingPath_ = path;
+  spacingSelection_ = selection;
+  facts_->hide();  // of another volume
+  spacingEntry_->show(Vec3(1, 1, 1));
+}
+
+void OpenPanel::openWithSpacing(const Vec3& spacing) {
+  VolumeSelection selection = spacingSelection_;
+  selection.spacing = spacing;
+  Q_EMIT openRequested(spacingPath_, selection);
+}
+
+void OpenPanel::offerSpacing() {
+  spacingPath_ = document_.path();
+  spacingSelection_ = document_.selection();
+  const bool open = !document_.info().calibrated || spacingSelection_.spacing;
+  if (open)
+    spacingEntry_->show(document_.volume().grid.spacing);
+  else
+    spacingEntry_->hide();
 }
 
 void OpenPanel::showOpened() {
@@ -150,8 +175,10 @@ void OpenPanel::showOpened() {
   axes_->setText(axesText(grid));
   time_->setVisible(info.frames > 1);
   frame_->setRange(0, info.frames - 1);
-  frame_->setSuffix(tr(" of 0 to %1").arg(info.frames - 1));
+  frame_->setValue(document_.selection().frame.value_or(0));
+  frame_->setSuffix(tr("  (0 to %1)").arg(info.frames - 1));
   showWarnings(info.warnings);
+  offerSpacing();
   hint_->hide();
   facts_->show();
 }
@@ -159,7 +186,8 @@ void OpenPanel::showOpened() {
 void OpenPanel::showWarnings(const std::vector<std::string>& warnings) {
   QStringList lines;
   for (const std::string& warning : warnings)
-    lines << QStringLiteral("<p>⚠ %1</p>").arg(QString::fromStdString(warning).toHtmlEscaped());
+    lines << QStringLiteral("<p style='margin: 4px 0 0 0'>⚠ %1</p>")
+                 .arg(inWordsOfWindow(QString::fromStdString(warning)).toHtmlEscaped());
   warnings_->setText(lines.join(QString()));
   warnings_->setVisible(!lines.isEmpty());
 }
