@@ -10,7 +10,7 @@
 namespace handlebody::ui {
 namespace {
 
-const QColor kRim(0, 0, 0, 150), kTextRim(0, 0, 0, 190), kPlate(0, 0, 0, 90);
+const QColor kRim(0, 0, 0, 150), kTextRim(0, 0, 0, 235);
 
 QRectF textRect(const QPointF& place, Qt::Alignment flags, const QSizeF& size) {
   QPointF corner = place;
@@ -46,11 +46,10 @@ void paintText(QPainter& painter, const QPointF& place, Qt::Alignment flags, con
                const QFont& font, const QColor& colour) {
   const QFontMetricsF metrics(font, painter.device());
   const QRectF rect = textRect(place, flags, {metrics.horizontalAdvance(text) + 1, metrics.height()});
-  if (!font.bold()) painter.fillRect(rect.adjusted(-3, 0, 3, 0), kPlate);  // bold letters are read without
   const QPointF baseline(rect.x(), rect.y() + metrics.ascent());
   QPainterPath outline;
   outline.addText(baseline, font, text);
-  painter.strokePath(outline, QPen(kTextRim, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.strokePath(outline, QPen(kTextRim, 4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.setFont(font);
   painter.setPen(colour);
   painter.drawText(baseline, text);

@@ -223,10 +223,11 @@ void PanelTest::aCalibratedVolumeAsksForNoSpacing() {
 }
 
 void PanelTest::aSeriesSaysWhatItHoldsAndOnlyVolumesCanBeChosen() {
+  const std::string ct("CT");
   SeriesInfo scout, thorax;
   scout.uid = "1.2.3";
-  scout.modality = "CT";
-  thorax.modality = "CT";
+  scout.modality = ct;
+  thorax.modality = ct;
   scout.description = "Scout";
   scout.note = "a single image is no volume";
   scout.slices = 1;
