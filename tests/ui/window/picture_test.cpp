@@ -1,10 +1,10 @@
 // Compares pictures of the program with those in tests/ui/pictures:
 //   sh tests/ui/with_display.sh picture_tests PROGRAM SAMPLES BASELINES [OUT]
-// Each picture is made by `handlebody --screenshot`, reduced to a quarter by averaging 4 × 4 pixels, which levels out
-// the rims of letters, and compared pixel by pixel. Tolerance: at most 2 of 1000 pixels may differ by more than 40 of 255
-// levels in a channel. An outline moved by three pixels, a surface or a panel that is gone change several times as many.
-// What differs is written to OUT. `--renew` in the place of OUT writes the baselines anew: look at them before they are
-// committed.
+// Each picture is made by `handlebody --screenshot`, reduced to a quarter by averaging 4 × 4 pixels, which
+// levels out the rims of letters, and compared pixel by pixel. Tolerance: at most 2 of 1000 pixels may differ
+// by more than 40 of 255 levels in a channel. An outline moved by three pixels, a surface or a panel that is
+// gone change several times as many. What differs is written to OUT. `--renew` in the place of OUT writes the
+// baselines anew: look at them before they are committed.
 
 #include <QCoreApplication>
 #include <QDir>
@@ -57,7 +57,8 @@ QImage reduced(const QImage& picture) {
 }
 
 int difference(QRgb a, QRgb b) {
-  return std::max({std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)), std::abs(qBlue(a) - qBlue(b))});
+  return std::max(
+      {std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)), std::abs(qBlue(a) - qBlue(b))});
 }
 
 //! Share of the pixels that differ; 1 where the sizes do.
@@ -72,7 +73,9 @@ double shareOfDifferent(const QImage& a, const QImage& b) {
 QImage shoot(const QString& program, const QString& samples, const Case& c, const QString& path) {
   QStringList arguments = QString::fromLatin1(c.options).split(QLatin1Char(' '), Qt::SkipEmptyParts);
   if (*c.file) arguments << QDir(samples).filePath(QString::fromLatin1(c.file));
-  arguments << "--size" << "1280x800" << "--screenshot" << path;
+  arguments << "--size"
+            << "1280x800"
+            << "--screenshot" << path;
   if (QProcess::execute(program, arguments) != 0) return {};
   return QImage(path);
 }
