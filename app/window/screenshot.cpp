@@ -44,23 +44,24 @@ void Screenshot::grow() {
   if (!options_.iteration) return take();
   if (document.seeds().empty()) return end(kSeed, tr("There is no seed to grow from: open a session."));
   growing_ = true;
-  if (*options_.iteration == 0)
-    document.goToStart();
-  else
-    document.run();
+  document.stepForward();  // the first one prepares the growth
 }
 
-// Runs until the iteration is recorded or the growth ends, then goes exactly there.
+// Step by step: a growth that runs is stopped some iterations too late, and the picture would tell how many.
 void Screenshot::continueGrowing() {
   if (!growing_) return;
   ui::Document& document = window_.document();
   if (!document.growthError().isEmpty()) return end(kSeed, document.growthError());
-  const int wanted = std::min(*options_.iteration, std::max(0, document.lastIteration()));
-  const bool recorded = document.lastIteration() >= *options_.iteration;
   const bool finished = document.state() == ui::GrowthState::finished;
-  if (!recorded && !finished) return;
-  if (document.state() == ui::GrowthState::running) return document.pause();
-  if (document.iteration() != wanted) return document.goTo(wanted);
+  if (!finished && document.state() != ui::GrowthState::paused) return;  // on the way
+  const int wanted = *options_.iteration, now = document.iteration();
+  if (now < wanted && !finished) {
+    if (now != stepped_) document.stepForward();
+    stepped_ = now;
+    return;
+  }
+  if (now > wanted) return document.goTo(wanted);
+  window_.views().surface().resetCamera();  // it followed the growth, as fast as it could
   take();
 }
 

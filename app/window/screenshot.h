@@ -32,6 +32,7 @@ class Screenshot : public QObject {
   Options options_;
   ui::MainWindow& window_;
   bool growing_ = false;
+  int stepped_ = -1;  //!< the iteration from which a step was asked for
   bool ended_ = false;
 };
 

@@ -101,7 +101,6 @@ std::optional<Message> receiveMessage(int socket) {
 Message requestToMessage(const OpenRequest& r) {
   Message m = {{"path", r.path},
                {"format", r.format},
-               {"list", r.listOnly},
                {"refuse", r.selection.uneven == UnevenSlices::refuse}};
   if (r.selection.series) m["series"] = *r.selection.series;
   if (r.selection.spacing) m["spacing"] = vectorMessage(*r.selection.spacing);
@@ -112,7 +111,6 @@ OpenRequest requestFromMessage(const Message& m) {
   OpenRequest r;
   r.path = m.at("path").get<std::string>();
   r.format = m.at("format").get<std::string>();
-  r.listOnly = m.at("list").get<bool>();
   r.selection.uneven = m.at("refuse").get<bool>() ? UnevenSlices::refuse : UnevenSlices::resample;
   if (m.contains("series")) r.selection.series = m.at("series").get<std::string>();
   if (m.contains("spacing")) r.selection.spacing = vectorFrom(m.at("spacing"));

@@ -58,6 +58,15 @@ std::vector<std::string> candidates(const std::string& path, DicomScan& scan) {
   return files;
 }
 
+bool hasFolders(const std::string& path) {
+  std::error_code failed;
+  for (fs::directory_iterator entry(path, failed), end; !failed && entry != end; entry.increment(failed)) {
+    std::error_code ignored;
+    if (entry->is_directory(ignored)) return true;
+  }
+  return false;
+}
+
 bool hasPreamble(const std::string& file) {
   char start[kPreamble] = {};
   std::ifstream stream(file, std::ios::binary);
@@ -107,7 +116,8 @@ DicomScan scanDicom(const std::string& path, const DicomProgress& progress) {
   if (!scan.damaged.empty())
     refuseInput(path, "the file " + scan.damaged.front() + " is truncated or damaged");
   if (!fs::is_directory(path)) refuseInput(path, "it is not a DICOM image (no rows and columns)");
-  refuseInput(path, "the folder holds no DICOM images");
+  refuseInput(path, hasFolders(path) ? "the folder holds no DICOM images itself; open one of its subfolders"
+                                     : "the folder holds no DICOM images");
 }
 
 }  // namespace handlebody

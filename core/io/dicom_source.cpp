@@ -292,10 +292,8 @@ void Chooser::addStacks(const DicomSeries& chosen, VolumeHeader& header) const {
 }
 
 SourcePointer Chooser::open(bool* several) const {
-  Choices all;
-  for (const DicomSeries& s : series_) all.push_back(&s);
-  const Choices open = request_.listOnly ? all : choices();
-  *several = request_.listOnly || open.size() > 1;
+  const Choices open = choices();
+  *several = open.size() > 1;
   if (*several) return list(open);
   const DicomSeries& chosen = *open.front();
   SourcePointer source = openOne(chosen);

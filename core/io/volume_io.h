@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/errors.h"
 #include "core/volume/volume.h"
 
 namespace handlebody {
@@ -61,6 +62,14 @@ struct VolumeInfo {
   std::vector<std::string> warnings;
 };
 
+//! Thrown where one volume is asked for and a folder (or series) holds several.
+class SeriesChoiceNeeded : public InputError {
+ public:
+  SeriesChoiceNeeded(const std::string& sentence, std::vector<SeriesInfo> found)
+      : InputError(sentence), series(std::move(found)) {}
+  std::vector<SeriesInfo> series;  //!< to choose from
+};
+
 //! Progress and cancellation of a long reading.
 struct ReadControl {
   std::function<void(double)> progress{};        //!< 0 … 1, never falling, from the thread that reads
@@ -80,8 +89,9 @@ struct LoadedVolume {
 //! DICOM is decoded in a child process (setDicomDecoder), whose crash, hang or hunger is an InputError.
 //!
 //! inspectVolume reads no voxels. A folder with several series of which none is chosen is listed: frames is 0
-//! and the grid empty, where readVolume throws. A series of two pitches one behind the other is one volume,
-//! resampled, where its UID is chosen or it is the only one; its stacks can be chosen, too.
+//! and the grid empty, where readVolume and loadVolume throw SeriesChoiceNeeded. A series of two pitches one
+//! behind the other is one volume, resampled, where its UID is chosen or it is the only one; its stacks can
+//! be chosen, too.
 VolumeInfo inspectVolume(const std::string& path, const VolumeSelection& selection = {});
 //! Besides, refuses float volumes with voxels that are NaN or infinite (their number and the first index).
 //! Without a selection the first time point. Not for several threads at once: output of the libraries below
@@ -90,11 +100,6 @@ Volume readVolume(const std::string& path, const VolumeSelection& selection = {}
 //! Both in one reading. Nothing if it was cancelled.
 std::optional<LoadedVolume> loadVolume(const std::string& path, const VolumeSelection& selection = {},
                                        const ReadControl& control = {});
-//! The series of a folder with modality, description, size, slices and spacing, in the order of their UIDs;
-//! the one entry of a file. Series that are no volumes are in the list, with a note. Nothing if it was
-//! cancelled.
-std::optional<std::vector<SeriesInfo>> listSeries(const std::string& path, const ReadControl& control = {});
-
 //! The program that decodes DICOM volumes and VTP meshes, and how long it may go without a sign of life.
 struct DicomDecoder {
   //! Started as `program decode-dicom`. Empty: handlebody-cli in the folder of the running program (in a

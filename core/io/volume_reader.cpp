@@ -144,7 +144,7 @@ LoadedVolume load(const OpenRequest& request, const ReadControl& control) {
   bool several = false;
   const SourcePointer source = openVolume(request, control, &several);
   VolumeHeader& h = source->header();
-  if (several) refuseInput(path, seriesChoice(h.series));
+  if (several) throw SeriesChoiceNeeded(path + ": " + seriesChoice(h.series) + ".", h.series);
   setSpacing(request.selection, h, path);
   LoadedVolume loaded{{}, infoOf(h, request.selection, path)};
   Volume& volume = loaded.volume;
@@ -189,22 +189,6 @@ Volume readVolume(const std::string& path, const VolumeSelection& selection) {
 std::optional<LoadedVolume> loadVolume(const std::string& path, const VolumeSelection& selection,
                                        const ReadControl& control) try {
   return load({path, selection}, control);
-} catch (const Cancelled&) {
-  return std::nullopt;
-}
-
-std::optional<std::vector<SeriesInfo>> listSeries(const std::string& path, const ReadControl& control) try {
-  bool several = false;
-  const SourcePointer source = openVolume({path, {}, true}, control, &several);
-  const VolumeHeader& h = source->header();
-  if (!h.series.empty()) return h.series;
-  SeriesInfo info;
-  info.description = h.format;
-  info.size = h.grid.size;
-  info.slices = h.grid.size[2] * h.frames;
-  info.spacing = h.grid.spacing;
-  info.frames = h.frames;
-  return std::vector{info};
 } catch (const Cancelled&) {
   return std::nullopt;
 }

@@ -97,7 +97,6 @@ using SourcePointer = std::unique_ptr<VolumeSource>;
 struct OpenRequest {
   std::string path;
   VolumeSelection selection{};
-  bool listOnly = false;         //!< DICOM: all series with their geometry, none opened
   std::string format = "DICOM";  //!< of what the child process decodes
 };
 
@@ -107,8 +106,8 @@ SourcePointer openMetaImage(const std::string& path);
 SourcePointer openNrrd(const std::string& path);
 //! In a child process: its reader cannot be cancelled otherwise.
 SourcePointer openTiff(const OpenRequest& request, const ReadControl& control);
-//! A folder or a file, in a child process. With several series and none chosen (or listOnly), `several` is
-//! set and the header holds only them.
+//! A folder or a file, in a child process. With several series and none chosen, `several` is set and
+//! the header holds only them.
 SourcePointer openDicom(const OpenRequest& request, const ReadControl& control, bool* several);
 
 //! Finds the format by content and opens; `several` as for openDicom.

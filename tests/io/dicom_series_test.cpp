@@ -191,6 +191,25 @@ TEST_CASE("clips that do not say where they lie are no stack together") {
   CHECK_FALSE(info.calibrated);
 }
 
+TEST_CASE("a reading that needs a choice hands out what there is to choose from") {
+  const TemporaryFolder folder;
+  writeSeries(folder.path(), together(axial({0, 2, 4, 6, 8}), axial({1, 6, 11, 16}, 10, 2)));
+  std::vector<SeriesInfo> series;
+  try {
+    loadVolume(folder.path());
+  } catch (const SeriesChoiceNeeded& choice) {
+    series = choice.series;
+  }
+  REQUIRE(series.size() == 2);
+  CHECK(series[1].size == std::array<int, 3>{4, 3, 4});
+}
+
+TEST_CASE("a folder of folders is refused with what to open instead") {
+  const TemporaryFolder folder;
+  writeSeries(folder / "series", axial({0, 2, 4}));
+  expectInputError(folder.path(), "open one of its subfolders");
+}
+
 TEST_CASE("which stack has which number does not depend on the names of the files") {
   const TemporaryFolder folder;
   std::vector<Slice> slices = together(axial({0, 2, 4, 6, 8}), axial({1, 6, 11, 16}, 10, 2));

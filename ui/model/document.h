@@ -68,7 +68,7 @@ class Document : public QObject {
   const Volume& volume() const;    //!< precondition: hasVolume()
   const VolumeInfo& info() const;  //!< precondition: hasVolume()
   QString path() const;            //!< of the volume
-  //! What was chosen of the path: series, time point, spacing. Precondition: hasVolume()
+  //! How the volume was read: series, time point, spacing. Precondition: hasVolume()
   const VolumeSelection& selection() const;
   //! What the window keeps in the session for itself (JSON); empty: none. Read it after opened().
   QByteArray view() const;

@@ -19,14 +19,6 @@ void verifyHash(const VolumeReference& reference) {
                    " is not the volume that the session was made from: its SHA-256 differs.");
 }
 
-// Only a folder can hold several series; it is looked through first where none is chosen.
-std::optional<SeriesChoice> choiceIn(const VolumeReference& reference) {
-  if (reference.selection.series || !std::filesystem::is_directory(reference.path)) return std::nullopt;
-  const VolumeInfo info = inspectVolume(reference.path, reference.selection);
-  if (info.frames > 0) return std::nullopt;
-  return SeriesChoice{info.series};
-}
-
 // The voxels come last: everything that can be wrong cheaply is found before them.
 OpeningResult read(const QString& path, const VolumeSelection& selection,
                    const std::function<void(double)>& progress, const std::atomic<bool>& cancelled) {
@@ -41,7 +33,6 @@ OpeningResult read(const QString& path, const VolumeSelection& selection,
   }
   progress(-1);
   if (work.session) verifyHash(work.reference);
-  if (auto choice = choiceIn(work.reference)) return *choice;
   if (cancelled) return OpeningFailed{};
   auto loaded = loadVolume(work.reference.path, work.reference.selection, {progress, &cancelled});
   if (!loaded) return OpeningFailed{};
@@ -58,6 +49,8 @@ bool isSessionPath(const QString& path) { return path.endsWith(QLatin1String(".j
 OpeningResult openWork(const QString& path, const VolumeSelection& selection,
                        const std::function<void(double)>& progress, const std::atomic<bool>& cancelled) try {
   return read(path, selection, progress, cancelled);
+} catch (const SeriesChoiceNeeded& choice) {
+  return SeriesChoice{choice.series};
 } catch (...) {
   return OpeningFailed{errorSentence()};
 }

@@ -4,13 +4,15 @@
 #include <QFontMetricsF>
 #include <QGuiApplication>
 #include <QPainterPath>
+#include <QPixmapCache>
+#include <cmath>
 
 #include "core/volume/anatomy.h"
 
 namespace handlebody::ui {
 namespace {
 
-const QColor kRim(0, 0, 0, 150), kTextRim(0, 0, 0, 190);
+const QColor kRim(0, 0, 0, 150), kTextRim(0, 0, 0, 235);
 
 QRectF textRect(const QPointF& place, Qt::Alignment flags, const QSizeF& size) {
   QPointF corner = place;
@@ -42,17 +44,45 @@ QFont overlayFont(double factor, bool bold) {
   return font;
 }
 
+namespace {
+
+constexpr double kRimWidth = 4, kAround = 3;  // pixels; the room around a text that its rim takes
+
+QPixmap drawText(const QString& text, const QFont& font, const QColor& colour, const QSizeF& size,
+                 double ratio) {
+  const QSizeF whole(size.width() + 2 * kAround, size.height() + 2 * kAround);
+  QPixmap picture((whole * ratio).toSize() + QSize(1, 1));
+  picture.setDevicePixelRatio(ratio);
+  picture.fill(Qt::transparent);
+  QPainter painter(&picture);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QPointF baseline(kAround, kAround + QFontMetricsF(font, &picture).ascent());
+  QPainterPath outline;
+  outline.addText(baseline, font, text);
+  painter.strokePath(outline, QPen(kTextRim, kRimWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setFont(font);
+  painter.setPen(colour);
+  painter.drawText(baseline, text);
+  return picture;
+}
+
+}  // namespace
+
+// Most texts are the same from frame to frame, and their rims cost more than all else in a slice: they are
+// kept.
 void paintText(QPainter& painter, const QPointF& place, Qt::Alignment flags, const QString& text,
                const QFont& font, const QColor& colour) {
   const QFontMetricsF metrics(font, painter.device());
   const QRectF rect = textRect(place, flags, {metrics.horizontalAdvance(text) + 1, metrics.height()});
-  const QPointF baseline(rect.x(), rect.y() + metrics.ascent());
-  QPainterPath outline;
-  outline.addText(baseline, font, text);
-  painter.strokePath(outline, QPen(kTextRim, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.setFont(font);
-  painter.setPen(colour);
-  painter.drawText(baseline, text);
+  const double ratio = painter.device()->devicePixelRatioF();
+  const QString key = QStringLiteral("overlay/") + font.key() + colour.name() + QString::number(ratio) + text;
+  QPixmap picture;
+  if (!QPixmapCache::find(key, &picture)) {
+    picture = drawText(text, font, colour, rect.size(), ratio);
+    QPixmapCache::insert(key, picture);
+  }
+  const QPointF corner = (rect.topLeft() - QPointF(kAround, kAround)) * ratio;
+  painter.drawPixmap(QPointF(std::round(corner.x()), std::round(corner.y())) / ratio, picture);
 }
 
 void paintScaleBar(QPainter& painter, const QSizeF& size, double mmPerPixel) {

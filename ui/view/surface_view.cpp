@@ -259,6 +259,10 @@ void SurfaceView::Private::paint(QPainter& painter, double pixelRatio, bool focu
       paintTriad(painter, size, pose);
       paintScaleBar(painter, size, pose.height / std::max(1.0, size.height()));
     }
+    const std::shared_ptr<const MeshSnapshot> mesh = document.snapshot();
+    if (mesh && mesh->mesh.triangles.empty())
+      paintText(painter, {size.width() / 2, kOverlayMargin}, Qt::AlignHCenter | Qt::AlignTop,
+                tr("Nothing is left of the surface"), overlayFont());
     if (stage != EventStage::none)
       paintStageCaption(painter, stage);
     else if (document.snapshot() && state.meshColouring() == MeshColouring::state)

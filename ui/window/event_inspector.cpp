@@ -34,6 +34,10 @@ QString explanation(EventStage stage) {
   }
 }
 
+bool isEmpty(const EventTrace& trace) {
+  return trace.collidingFaces.empty() && trace.openedFaces.empty() && trace.closedFaces.empty();
+}
+
 QString loopsText(const Event& event) {
   QStringList sizes;
   for (int size : event.loopSizes) sizes << QString::number(size);
@@ -144,6 +148,8 @@ void EventInspector::showStage(EventStage stage) {
   explain();
   if (stage == EventStage::none)
     surface_.clearStage();
+  else if (trace_ && isEmpty(*trace_))
+    surface_.clearStage();
   else if (trace_)
     surface_.showStage(*trace_, stage);
   else
@@ -152,7 +158,10 @@ void EventInspector::showStage(EventStage stage) {
 
 void EventInspector::explain() {
   const bool waiting = wanted_ != EventStage::none && !trace_;
-  stageText_->setText(waiting ? tr("The step is worked out again…") : explanation(wanted_));
+  const bool none = trace_ && isEmpty(*trace_) && wanted_ != EventStage::none;
+  stageText_->setText(waiting ? tr("The step is worked out again…")
+                      : none  ? tr("The mesh was not opened here: there are no stages to show.")
+                              : explanation(wanted_));
   stageText_->setVisible(!stageText_->text().isEmpty());
 }
 

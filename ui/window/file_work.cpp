@@ -14,6 +14,7 @@
 #include "ui/model/document.h"
 #include "ui/window/export_panel.h"
 #include "ui/window/message_bar.h"
+#include "ui/window/sentences.h"
 #include "ui/window/view_grid.h"
 
 namespace handlebody::ui {
@@ -63,7 +64,7 @@ FileWork::FileWork(Document& document, ViewGrid& views, ExportPanel& exports, Me
 void FileWork::connectMessages() {
   const auto said = [this](const QString& text) { messages_.show(MessageBar::Kind::information, text); };
   const auto failed = [this](const QString& text) { messages_.show(MessageBar::Kind::error, text); };
-  connect(&document_, &Document::openFailed, this, failed);
+  connect(&document_, &Document::openFailed, this, &FileWork::sayOpenFailed);
   connect(&document_, &Document::exportFailed, this, failed);
   connect(&document_, &Document::saveFailed, this, [this, failed](const QString& text) {
     next_ = nullptr;
@@ -114,11 +115,20 @@ void FileWork::chooseFolder() {
   if (!path.isEmpty()) open(path);
 }
 
-void FileWork::open(const QString& path) {
-  whenSaved([this, path] {
+void FileWork::open(const QString& path, const VolumeSelection& selection) {
+  whenSaved([this, path, selection] {
     remember(path);
-    document_.open(path);
+    asked_ = path;
+    askedSelection_ = selection;
+    document_.open(path, selection);
   });
+}
+
+void FileWork::sayOpenFailed(const QString& sentence) {
+  std::vector<MessageBar::Answer> answers;
+  if (asksForSpacing(sentence))
+    answers.push_back({tr("Enter the spacing"), [this] { Q_EMIT spacingNeeded(asked_, askedSelection_); }});
+  messages_.show(MessageBar::Kind::error, inWordsOfWindow(sentence), answers);
 }
 
 void FileWork::openSample() {

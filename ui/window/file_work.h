@@ -5,6 +5,8 @@
 #include <QStringList>
 #include <functional>
 
+#include "core/io/volume_io.h"
+
 class QWidget;
 
 namespace handlebody::ui {
@@ -23,7 +25,7 @@ class FileWork : public QObject {
   void chooseFile();
   void chooseFolder();
   //! Asks about unsaved work first.
-  void open(const QString& path);
+  void open(const QString& path, const VolumeSelection& selection = {});
   //! The ultrasound sample with its seed.
   void openSample();
   void save();
@@ -41,6 +43,8 @@ class FileWork : public QObject {
 
  Q_SIGNALS:
   void recentChanged();
+  //! A file can only be opened if the user says how large its voxels are.
+  void spacingNeeded(const QString& path, const handlebody::VolumeSelection& selection);
   //! Before a session is written: whoever has something to keep in it says so now.
   void aboutToSave();
 
@@ -53,13 +57,16 @@ class FileWork : public QObject {
                      const QString& extension);
   QString suggestedBase() const;
   void connectMessages();
+  void sayOpenFailed(const QString& sentence);
 
   Document& document_;
   ViewGrid& views_;
   ExportPanel& exports_;
   MessageBar& messages_;
   QWidget* window_;
-  std::function<void()> next_;  //!< what waits for the session to be saved
+  std::function<void()> next_;      //!< what waits for the session to be saved
+  QString asked_;                   //!< what was to be opened last
+  VolumeSelection askedSelection_;  //!< and how
   bool closing_ = false;
 };
 

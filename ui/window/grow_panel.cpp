@@ -14,6 +14,7 @@
 #include "ui/window/event_inspector.h"
 #include "ui/window/numbers.h"
 #include "ui/window/panel_tools.h"
+#include "ui/window/sentences.h"
 
 namespace handlebody::ui {
 
@@ -51,17 +52,19 @@ QString finishedText(StopReason reason) {
       return GrowPanel::tr("Stopped at the iteration limit");
     case StopReason::empty:
       return GrowPanel::tr("Finished: nothing is left of the surface");
+    case StopReason::frozen:
+      return GrowPanel::tr("At rest, but parts that could not be mended would still move");
+    case StopReason::stuck:
+      return GrowPanel::tr("Stuck: no part of a step could be kept");
     default:
       return GrowPanel::tr("Finished");
   }
 }
 
-// Doubts are written for the command line; here the option is a field of a panel.
 QString doubtText(const std::string& doubt) {
-  QString text = QString::fromStdString(doubt);
-  text.replace(QLatin1String("give --range"), GrowPanel::tr("set the range in step 3, Tune"));
+  QString text = inWordsOfWindow(QString::fromStdString(doubt));
   if (!text.isEmpty()) text[0] = text[0].toUpper();
-  return QStringLiteral("<p>%1.</p>").arg(text.toHtmlEscaped());
+  return QStringLiteral("<p style='margin: 4px 0 0 0'>%1.</p>").arg(text.toHtmlEscaped());
 }
 
 // Only what came to its end is judged: on the way much of a surface lies where there is no edge.
@@ -70,18 +73,19 @@ QString doubtsOf(const Document& document) {
   const bool ended =
       document.state() == GrowthState::finished && document.iteration() == document.lastIteration();
   if (!ended || !snapshot || snapshot->doubts.empty()) return {};
-  QString text = QStringLiteral("<p><b>%1</b></p>").arg(GrowPanel::tr("⚠ Worth a look"));
+  QString text = QStringLiteral("<p style='margin: 0'><b>%1</b></p>").arg(GrowPanel::tr("⚠ Worth a look"));
   for (const std::string& doubt : snapshot->doubts) text += doubtText(doubt);
   return text;
 }
 
 }  // namespace
 
-QString stateText(const Document& document) {
+QString stateText(const Document& document, const QString& between) {
   const QString at =
       document.iteration() < 0
           ? QString()
-          : GrowPanel::tr(" · iteration %1 of %2").arg(document.iteration()).arg(document.lastIteration());
+          : between +
+                GrowPanel::tr("iteration %1 of %2").arg(document.iteration()).arg(document.lastIteration());
   switch (document.state()) {
     case GrowthState::preparing:
       return GrowPanel::tr("Preparing the image…");
@@ -110,6 +114,10 @@ GrowPanel::GrowPanel(Document& document, SurfaceView& surface, const Commands& c
   error_ = value(tr("Why it did not grow"), this);
   layout->addWidget(error_);
   doubts_ = value(tr("Doubts about the surface"), this);
+  doubts_->setMargin(6);
+  doubts_->setAutoFillBackground(true);
+  doubts_->setBackgroundRole(QPalette::ToolTipBase);
+  doubts_->setForegroundRole(QPalette::ToolTipText);
   layout->addWidget(doubts_);
   layout->addWidget(buildNumbers());
   inspector_ = new EventInspector(document_, surface, this);
@@ -188,7 +196,7 @@ QWidget* GrowPanel::buildNumbers() {
 }
 
 void GrowPanel::showState() {
-  state_->setText(stateText(document_));
+  state_->setText(stateText(document_, QStringLiteral("\n")));
   error_->setText(document_.growthError());
   error_->setVisible(!document_.growthError().isEmpty());
   hint_->setVisible(document_.iteration() < 0);

@@ -37,6 +37,6 @@ class GrowPanel : public QWidget {
 };
 
 //! "Running", "Finished: converged" … with the iteration.
-QString stateText(const Document& document);
+QString stateText(const Document& document, const QString& between = QStringLiteral(" · "));
 
 }  // namespace handlebody::ui

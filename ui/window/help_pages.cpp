@@ -97,7 +97,7 @@ QString aboutPage() {
             "</td></tr>")
             .arg(QString::fromLatin1(library.name), QString::fromLatin1(library.licence), tr(library.use));
   return QStringLiteral(
-             "<p><img src=':/handlebody/icons/handlebody.svg' width='72' height='72'></p>"
+             "<p><img src=':/handlebody/icons/handlebody.svg'></p>"
              "<h2>Handlebody %1</h2><p>%2</p><p><b>%3</b></p><p>%4</p><h3>%5</h3><table "
              "cellpadding='3'>%6</table><p>%7</p>")
       .arg(QStringLiteral(HANDLEBODY_VERSION),

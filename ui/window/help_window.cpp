@@ -1,5 +1,6 @@
 #include "ui/window/help_window.h"
 
+#include <QImage>
 #include <QShortcut>
 #include <QTabWidget>
 #include <QTextBrowser>
@@ -12,7 +13,29 @@ namespace handlebody::ui {
 
 namespace {
 const QSize kSize(820, 640);
-}
+constexpr int kPicture = 720, kIcon = 72;  // widths; pictures fit into the window as it opens
+}  // namespace
+
+namespace {
+
+// Pictures are scaled here: those that the text scales itself are jagged.
+class HelpBrowser : public QTextBrowser {
+ public:
+  using QTextBrowser::QTextBrowser;
+
+  QVariant loadResource(int type, const QUrl& name) override {
+    if (type != QTextDocument::ImageResource) return QTextBrowser::loadResource(type, name);
+    const double ratio = devicePixelRatioF();
+    if (name.path().endsWith(QLatin1String(".svg"))) return programIcon().pixmap(QSize(kIcon, kIcon), ratio);
+    const QString file = QLatin1Char(':') + (name.isRelative() ? source().resolved(name) : name).path();
+    QImage picture(file);
+    picture = picture.scaledToWidth(static_cast<int>(kPicture * ratio), Qt::SmoothTransformation);
+    picture.setDevicePixelRatio(ratio);
+    return picture;
+  }
+};
+
+}  // namespace
 
 HelpWindow::HelpWindow(QWidget* parent) : QWidget(parent, Qt::Window), tabs_(new QTabWidget(this)) {
   setWindowTitle(tr("Handlebody: help"));
@@ -32,7 +55,7 @@ HelpWindow::HelpWindow(QWidget* parent) : QWidget(parent, Qt::Window), tabs_(new
 }
 
 QTextBrowser* HelpWindow::addPage(const QString& title) {
-  auto* browser = new QTextBrowser(tabs_);
+  auto* browser = new HelpBrowser(tabs_);
   browser->setFrameShape(QFrame::NoFrame);
   browser->setOpenExternalLinks(true);
   browser->document()->setDocumentMargin(16);

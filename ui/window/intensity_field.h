@@ -14,11 +14,16 @@ class IntensityField : public QDoubleSpinBox {
   //! The end, infinite if it is open.
   double end() const;
   void setEnd(double end);
+  //! While it is not known, a dash is shown.
+  void setKnown(bool known);
 
  protected:
   QString textFromValue(double value) const override;
   double valueFromText(const QString& text) const override;
   QValidator::State validate(QString& text, int& position) const override;
+
+ private:
+  bool known_ = false;
 };
 
 }  // namespace handlebody::ui

@@ -90,7 +90,8 @@ void MainWindow::buildCentre() {
 
 void MainWindow::buildDocks() {
   steps_ = new StepsPanel(commands_);
-  steps_->add(Command::stepOpen, new OpenPanel(document_, commands_));
+  open_ = new OpenPanel(document_, commands_);
+  steps_->add(Command::stepOpen, open_);
   steps_->add(Command::stepSeed, new SeedPanel(document_, state_, commands_));
   steps_->add(Command::stepTune, new TunePanel(document_, state_));
   grow_ = new GrowPanel(document_, views_->surface(), commands_);

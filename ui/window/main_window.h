@@ -21,6 +21,7 @@ class FileWork;
 class GrowPanel;
 class HelpWindow;
 class MessageBar;
+class OpenPanel;
 class StartPage;
 class StatusFields;
 class StepsPanel;
@@ -90,6 +91,7 @@ class MainWindow : public QMainWindow {
   QStackedWidget* centre_ = nullptr;
   MessageBar* messages_ = nullptr;
   StepsPanel* steps_ = nullptr;
+  OpenPanel* open_ = nullptr;
   ExportPanel* export_ = nullptr;
   GrowPanel* grow_ = nullptr;
   TimelinePanel* timeline_ = nullptr;

@@ -11,6 +11,7 @@
 #include "ui/window/icons.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
+#include "ui/window/open_panel.h"
 #include "ui/window/start_page.h"
 #include "ui/window/timeline_panel.h"
 #include "ui/window/value_field.h"
@@ -64,8 +65,15 @@ void MainWindow::connectFileCommands() {
   on(Command::exportReport, [this] { files_->exportReport(); });
   on(Command::exportPicture, [this] { files_->exportPicture(); });
   on(Command::quit, [this] { close(); });
-  connect(start_, &StartPage::openRequested, files_, &FileWork::open);
+  connect(start_, &StartPage::openRequested, files_, [this](const QString& path) { files_->open(path); });
   connect(start_, &StartPage::sampleRequested, files_, &FileWork::openSample);
+  connect(open_, &OpenPanel::openRequested, files_, &FileWork::open);
+  connect(files_, &FileWork::spacingNeeded, this,
+          [this](const QString& path, const VolumeSelection& selection) {
+            open_->askSpacing(path, selection);
+            showStep(Command::stepOpen);
+          });
+  connect(&document_, &Document::seriesChoiceNeeded, this, [this] { showStep(Command::stepOpen); });
 }
 
 void MainWindow::connectViewCommands() {

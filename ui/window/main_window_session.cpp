@@ -15,6 +15,7 @@
 #include "ui/window/help_window.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
+#include "ui/window/sentences.h"
 #include "ui/window/view_grid.h"
 
 namespace handlebody::ui {
@@ -80,7 +81,7 @@ void MainWindow::showOpened() {
   messages_->dismiss();
   if (!warnings.empty())
     messages_->show(MessageBar::Kind::warning,
-                    QString::fromStdString(warnings.front()) +
+                    inWordsOfWindow(QString::fromStdString(warnings.front())) +
                         (warnings.size() > 1 ? tr(" More in the step Open.") : QString()));
 }
 

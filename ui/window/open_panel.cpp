@@ -1,11 +1,9 @@
 #include "ui/window/open_panel.h"
 
-#include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QListWidget>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QToolButton>
@@ -17,6 +15,9 @@
 #include "ui/window/eliding_label.h"
 #include "ui/window/numbers.h"
 #include "ui/window/panel_tools.h"
+#include "ui/window/sentences.h"
+#include "ui/window/series_list.h"
+#include "ui/window/spacing_entry.h"
 
 namespace handlebody::ui {
 
@@ -34,19 +35,6 @@ QString axesText(const Grid& grid) {
 
 Vec3 sizeOf(const Grid& grid) { return {double(grid.size[0]), double(grid.size[1]), double(grid.size[2])}; }
 
-// Which stack of several it is stands behind its UID.
-QString seriesText(const SeriesInfo& s) {
-  const QString uid = QString::fromStdString(s.uid);
-  const qsizetype stack = uid.indexOf(u'#');
-  QString name = s.description.empty() ? uid : QString::fromStdString(s.description);
-  if (stack >= 0 && !s.description.empty()) name += OpenPanel::tr(", stack %1").arg(uid.mid(stack + 1));
-  if (!s.note.empty()) return OpenPanel::tr("%1\nNo volume: %2").arg(name, QString::fromStdString(s.note));
-  const Vec3 size(s.size[0], s.size[1], s.size[2]);
-  return OpenPanel::tr("%1\n%2 voxels of %3 mm, slices: %4")
-      .arg(name, times(size, 0), times(s.spacing, 2))
-      .arg(s.slices);
-}
-
 }  // namespace
 
 OpenPanel::OpenPanel(Document& document, const Commands& commands, QWidget* parent)
@@ -62,6 +50,10 @@ OpenPanel::OpenPanel(Document& document, const Commands& commands, QWidget* pare
   layout->addWidget(choice_);
   buildFacts();
   layout->addWidget(facts_);
+  spacingEntry_ = new SpacingEntry(this);
+  spacingEntry_->hide();
+  layout->addWidget(spacingEntry_);
+  connect(spacingEntry_, &SpacingEntry::entered, this, &OpenPanel::openWithSpacing);
   layout->addStretch();
   connect(&document_, &Document::opened, this, &OpenPanel::showOpened);
   connect(&document_, &Document::seriesChoiceNeeded, this, &OpenPanel::offerSeries);
@@ -72,12 +64,10 @@ void OpenPanel::buildChoice() {
   auto* layout = new QVBoxLayout(choice_);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(heading(tr("Series and stacks in the folder: choose one"), choice_));
-  series_ = new QListWidget(choice_);
-  series_->setAccessibleName(tr("Series in the folder"));
-  series_->setWordWrap(true);
-  series_->setMinimumHeight(140);
+  series_ = new SeriesList(choice_);
   layout->addWidget(series_);
   auto* open = new QPushButton(tr("Open this series"), choice_);
+  open->setMinimumHeight(30);
   layout->addWidget(open);
   connect(open, &QPushButton::clicked, this, &OpenPanel::openSeries);
   connect(series_, &QListWidget::itemActivated, this, &OpenPanel::openSeries);
@@ -95,6 +85,7 @@ void OpenPanel::buildFacts() {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(heading(tr("Open now"), facts_));
   QFormLayout* form = panelForm();
+  form->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
   name_ = new ElidingLabel(facts_);
   name_->setAccessibleName(tr("Name"));
   form->addRow(tr("Name"), name_);
@@ -107,7 +98,6 @@ void OpenPanel::buildFacts() {
   layout->addLayout(form);
 
   buildTime(layout);
-  buildCalibration(layout);
   warnings_ = value(tr("Warnings"), facts_);
   layout->addWidget(warnings_);
   facts_->hide();
@@ -127,50 +117,13 @@ void OpenPanel::buildTime(QVBoxLayout* layout) {
   connect(load, &QPushButton::clicked, this, [this] {
     VolumeSelection selection = document_.selection();
     selection.frame = frame_->value();
-    document_.open(document_.path(), selection);
+    Q_EMIT openRequested(document_.path(), selection);
   });
-}
-
-void OpenPanel::buildCalibration(QVBoxLayout* layout) {
-  calibration_ = new QWidget(facts_);
-  auto* row = new QHBoxLayout(calibration_);
-  row->setContentsMargins(0, 0, 0, 0);
-  const QString names[] = {tr("Spacing along x"), tr("Spacing along y"), tr("Spacing along z")};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    auto* field = mm_[axis] = new QDoubleSpinBox(calibration_);
-    field->setRange(0.001, 1000);
-    field->setDecimals(4);
-    describe(field, names[axis], tr("Distance of two voxels in mm; the file does not give it"));
-    ignoreWheelWithoutFocus(field);
-    row->addWidget(field, 1);
-  }
-  auto* use = new QPushButton(tr("Set mm"), calibration_);
-  describe(use, tr("Set spacing"), tr("Opens the volume again with this spacing"));
-  row->addWidget(use);
-  layout->addWidget(calibration_);
-  connect(use, &QPushButton::clicked, this, [this] {
-    VolumeSelection selection = document_.selection();
-    selection.spacing = Vec3(mm_[0]->value(), mm_[1]->value(), mm_[2]->value());
-    document_.open(document_.path(), selection);
-  });
-}
-
-// Only where the file leaves it open, and where it was given before.
-void OpenPanel::showCalibration() {
-  calibration_->setVisible(!document_.info().calibrated || document_.selection().spacing);
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    mm_[axis]->setValue(document_.volume().grid.spacing[static_cast<Eigen::Index>(axis)]);
 }
 
 void OpenPanel::listSeries(const QString& path, const std::vector<SeriesInfo>& series) {
   choicePath_ = path;
-  series_->clear();
-  for (const SeriesInfo& s : series) {
-    auto* item = new QListWidgetItem(seriesText(s), series_);
-    item->setData(Qt::UserRole, QString::fromStdString(s.uid));
-    item->setToolTip(QString::fromStdString(s.uid));
-  }
-  series_->setCurrentRow(0);
+  series_->offer(series);
   choice_->setVisible(series.size() > 1);
 }
 
@@ -181,10 +134,34 @@ void OpenPanel::offerSeries(const QString& path, const std::vector<SeriesInfo>& 
 }
 
 void OpenPanel::openSeries() {
-  if (!series_->currentItem()) return;
+  const QString series = series_->chosen();
+  if (series.isEmpty()) return;
   VolumeSelection selection;
-  selection.series = series_->currentItem()->data(Qt::UserRole).toString().toStdString();
-  document_.open(choicePath_, selection);
+  selection.series = series.toStdString();
+  Q_EMIT openRequested(choicePath_, selection);
+}
+
+void OpenPanel::askSpacing(const QString& path, const VolumeSelection& selection) {
+  spacingPath_ = path;
+  spacingSelection_ = selection;
+  facts_->hide();  // of another volume
+  spacingEntry_->show(Vec3(1, 1, 1));
+}
+
+void OpenPanel::openWithSpacing(const Vec3& spacing) {
+  VolumeSelection selection = spacingSelection_;
+  selection.spacing = spacing;
+  Q_EMIT openRequested(spacingPath_, selection);
+}
+
+void OpenPanel::offerSpacing() {
+  spacingPath_ = document_.path();
+  spacingSelection_ = document_.selection();
+  const bool open = !document_.info().calibrated || spacingSelection_.spacing;
+  if (open)
+    spacingEntry_->show(document_.volume().grid.spacing);
+  else
+    spacingEntry_->hide();
 }
 
 void OpenPanel::showOpened() {
@@ -203,9 +180,10 @@ void OpenPanel::showOpened() {
   axes_->setText(axesText(grid));
   time_->setVisible(info.frames > 1);
   frame_->setRange(0, info.frames - 1);
-  frame_->setSuffix(tr(" of 0 to %1").arg(info.frames - 1));
-  showCalibration();
+  frame_->setValue(document_.selection().frame.value_or(0));
+  frame_->setSuffix(tr("  (0 to %1)").arg(info.frames - 1));
   showWarnings(info.warnings);
+  offerSpacing();
   hint_->hide();
   facts_->show();
 }
@@ -213,7 +191,8 @@ void OpenPanel::showOpened() {
 void OpenPanel::showWarnings(const std::vector<std::string>& warnings) {
   QStringList lines;
   for (const std::string& warning : warnings)
-    lines << QStringLiteral("<p>⚠ %1</p>").arg(QString::fromStdString(warning).toHtmlEscaped());
+    lines << QStringLiteral("<p style='margin: 4px 0 0 0'>⚠ %1</p>")
+                 .arg(inWordsOfWindow(QString::fromStdString(warning)).toHtmlEscaped());
   warnings_->setText(lines.join(QString()));
   warnings_->setVisible(!lines.isEmpty());
 }

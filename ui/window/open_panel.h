@@ -2,15 +2,12 @@
 // Step 1: what is open, what is doubtful about it, and the choice where a source holds several volumes.
 
 #include <QWidget>
-#include <array>
 #include <vector>
 
 #include "core/io/volume_io.h"
 
-class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
-class QListWidget;
 class QSpinBox;
 class QVBoxLayout;
 
@@ -18,6 +15,8 @@ namespace handlebody::ui {
 
 class Commands;
 class Document;
+class SeriesList;
+class SpacingEntry;
 
 class OpenPanel : public QWidget {
   Q_OBJECT
@@ -25,30 +24,37 @@ class OpenPanel : public QWidget {
  public:
   OpenPanel(Document& document, const Commands& commands, QWidget* parent = nullptr);
 
+  //! Asks for the spacing of a file that cannot be opened without it.
+  void askSpacing(const QString& path, const VolumeSelection& selection);
+
+ Q_SIGNALS:
+  void openRequested(const QString& path, const handlebody::VolumeSelection& selection);
+
  private:
   void buildChoice();
   void buildFacts();
   void buildTime(QVBoxLayout* layout);
-  void buildCalibration(QVBoxLayout* layout);
-  void showCalibration();
   void addFact(QFormLayout* form, const QString& name, QLabel*& field);
   void listSeries(const QString& path, const std::vector<SeriesInfo>& series);
   void offerSeries(const QString& path, const std::vector<SeriesInfo>& series);
   void openSeries();
+  void offerSpacing();
+  void openWithSpacing(const Vec3& spacing);
   void showOpened();
   void showWarnings(const std::vector<std::string>& warnings);
 
   Document& document_;
   QLabel* hint_;
   QWidget* choice_;
-  QListWidget* series_;
+  SeriesList* series_;
   QString choicePath_;
+  SpacingEntry* spacingEntry_;
+  QString spacingPath_;  //!< what the spacing is for
+  VolumeSelection spacingSelection_;
   QWidget* facts_;
   QLabel *name_, *format_, *size_, *spacing_, *extent_, *type_, *axes_, *warnings_;
   QWidget* time_;
   QSpinBox* frame_;
-  QWidget* calibration_;
-  std::array<QDoubleSpinBox*, 3> mm_;
 };
 
 }  // namespace handlebody::ui

@@ -36,10 +36,7 @@ TunePanel::TunePanel(Document& document, ViewState& state, QWidget* parent)
       body_(new QWidget(this)),
       tintEnds_(new QTimer(this)) {
   auto* layout = panelLayout(this);
-  hint_ = hint(
-      tr("Open a volume and place a seed: everything here is then chosen from the image. Change it only if "
-         "the surface leaks or stops early."),
-      this);
+  hint_ = hint(QString(), this);
   layout->addWidget(hint_);
   error_ = value(tr("What is wrong with the parameters"), this);
   layout->addWidget(error_);
@@ -214,6 +211,10 @@ void TunePanel::show() {
   const bool usable = document_.hasVolume();
   body_->setEnabled(usable);
   hint_->setVisible(!usable || document_.seeds().empty());
+  hint_->setText(
+      tr("%1 everything here is then chosen from the image. Change it only if the surface leaks or "
+         "stops early.")
+          .arg(usable ? tr("Place a seed:") : tr("Open a volume and place a seed:")));
   error_->setText(document_.resolveError());
   error_->setVisible(!document_.resolveError().isEmpty());
   const Parameters& p = document_.parameters();
@@ -238,7 +239,10 @@ void TunePanel::showRange() {
   const bool automatic = !document_.parameters().range;
   histogram_->setRange(range, automatic);
   automaticRange_->setChecked(automatic);
-  for (IntensityField* field : {low_, high_}) field->setEnabled(range.has_value());
+  for (IntensityField* field : {low_, high_}) {
+    field->setEnabled(range.has_value());
+    field->setKnown(range.has_value());
+  }
   if (!range) return;
   low_->setEnd(range->low);
   high_->setEnd(range->high);

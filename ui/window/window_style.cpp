@@ -4,6 +4,8 @@
 #include <QStyleFactory>
 #include <QStyleOption>
 
+#include "ui/window/icons.h"
+
 namespace handlebody::ui {
 
 namespace {
@@ -39,6 +41,28 @@ void drawCheckBox(const QStyleOption& option, QPainter& painter) {
 }  // namespace
 
 WindowStyle::WindowStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
+
+int WindowStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                           QStyleHintReturn* answer) const {
+  if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
+  return QProxyStyle::styleHint(hint, option, widget, answer);
+}
+
+QIcon WindowStyle::standardIcon(StandardPixmap which, const QStyleOption* option,
+                                const QWidget* widget) const {
+  switch (which) {
+    case SP_MessageBoxInformation:
+      return icon(QStringLiteral("info"));
+    case SP_MessageBoxWarning:
+      return icon(QStringLiteral("warning"));
+    case SP_MessageBoxCritical:
+      return icon(QStringLiteral("error"));
+    case SP_MessageBoxQuestion:
+      return icon(QStringLiteral("help"));
+    default:
+      return QProxyStyle::standardIcon(which, option, widget);
+  }
+}
 
 void WindowStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                                 const QWidget* widget) const {

@@ -1,6 +1,6 @@
 #pragma once
-// Fusion, but for the check boxes: Fusion takes the outline from the window's colour, which on a dark ground
-// cannot be seen.
+// Fusion, but for the check boxes, whose outline Fusion takes from the window's colour, so that on a dark
+// ground it cannot be seen; and for the pictures in dialogs, which are of another age.
 
 #include <QProxyStyle>
 
@@ -12,6 +12,9 @@ class WindowStyle : public QProxyStyle {
  public:
   WindowStyle();
 
+  int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                QStyleHintReturn* answer) const override;
+  QIcon standardIcon(StandardPixmap which, const QStyleOption* option, const QWidget* widget) const override;
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override;
 };

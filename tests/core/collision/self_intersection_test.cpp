@@ -117,6 +117,33 @@ TEST_CASE("detection of what moved finds all when the rest is clean") {
   CHECK(all > 100);
 }
 
+TEST_CASE("a detector follows a mesh whose faces change from call to call") {
+  Mesh mesh(zoo::sphere(8));
+  CollisionDetector detector;
+  std::mt19937 random(3);
+  std::size_t all = 0;
+  for (int round = 0; round < 50; ++round) {
+    for (int change = 0; change < 6; ++change) {
+      const int h = static_cast<int>(random() % static_cast<unsigned>(3 * mesh.faceSlots()));
+      if (!mesh.isFace(Mesh::faceOf(h))) continue;
+      const Vec3 middle = (mesh.position(mesh.origin(h)) + mesh.position(mesh.target(h))) / 2;
+      if (change % 3 == 0)
+        mesh.splitEdge(h, middle);
+      else if (change % 3 == 1 && mesh.canCollapse(h))
+        mesh.collapseEdge(h, middle);
+      else if (mesh.canFlip(h))
+        mesh.flipEdge(h);
+    }
+    const int pushed = static_cast<int>(random() % static_cast<unsigned>(mesh.vertexSlots()));
+    mesh.setPosition(pushed, (round % 2 == 0 ? 0.7 : 1.1) * mesh.position(pushed));
+    const std::vector<unsigned char> moved(static_cast<std::size_t>(mesh.vertexSlots()), 1);
+    const auto expected = findSelfIntersections(mesh.positions(), mesh.faces());
+    all += expected.size();
+    REQUIRE(detector.detectMoved(mesh, moved) == expected);
+  }
+  CHECK(all > 100);
+}
+
 TEST_CASE("detection of what moved leaves out pairs of resting faces only") {
   const TriangleSoup s = zoo::overlappingSpheres(8);
   std::vector<unsigned char> moved(s.points.size(), 0);

@@ -66,7 +66,7 @@ TEST_CASE("a copy of a contour goes on as the original does", "[history]") {
 
 TEST_CASE("any iteration comes back bit for bit, in any order", "[history]") {
   const std::vector<Mesh> expected = straightRun(torusContour());
-  History history(torusContour(), every(5));
+  History history(torusContour(), every(1));
   runToEnd(history);
   REQUIRE(history.lastIteration() + 1 == static_cast<int>(expected.size()));
   REQUIRE(history.keyframes() > 3);
@@ -107,7 +107,7 @@ TEST_CASE("other parameters from an iteration on drop what came after, and are d
   straight.changeParameters(other);
   const std::vector<Mesh> expected = straightRun(straight);
 
-  History history(torusContour(), every(5));
+  History history(torusContour(), every(1));
   for (int i = 0; i < 40; ++i) history.advance();
   history.goTo(20);
   history.changeParameters(other);

@@ -208,7 +208,7 @@ TEST_CASE("Each stage of an event shows its own parts, and the mesh comes back a
   const auto neutral = [](const QColor& c) { return c.lightness() > 90 && c.saturation() < 60; };
   CHECK(count(EventStage::closed, neutral) > count(EventStage::opened, neutral) + 100);
   surface.view.clearStage();
-  CHECK(surface.picture() == before);
+  CHECK(largestDifference(surface.picture(), before) <= 1);
 }
 
 TEST_CASE("The camera flies to an event once, not at each of its stages", "[surface_view]") {

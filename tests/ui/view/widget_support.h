@@ -67,6 +67,20 @@ inline void drag(QWidget& view, Qt::MouseButton button, const QPoint& from, cons
   QTest::mouseRelease(&view, button, modifiers, to);
 }
 
+//! Of a channel of a pixel, 0 … 255. The rims of texts may differ by 1 from picture to picture: Qt blends
+//! with vector instructions, whose rounding depends on where the buffer lies.
+inline int largestDifference(const QImage& a, const QImage& b) {
+  if (a.size() != b.size()) return 255;
+  int largest = 0;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x) {
+      const QRgb p = a.pixel(x, y), q = b.pixel(x, y);
+      for (int d : {qRed(p) - qRed(q), qGreen(p) - qGreen(q), qBlue(p) - qBlue(q)})
+        largest = std::max(largest, std::abs(d));
+    }
+  return largest;
+}
+
 template <typename F>
 int countPixels(const QImage& image, const QRect& area, F&& is) {
   int count = 0;

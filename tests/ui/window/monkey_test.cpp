@@ -1,10 +1,15 @@
 // Random events on the window: nothing may crash, hang or leave an invalid surface. A minute, or as many
-// seconds as HANDLEBODY_MONKEY_SECONDS says; HANDLEBODY_MONKEY_SEED repeats a run.
+// seconds as HANDLEBODY_MONKEY_SECONDS says; HANDLEBODY_MONKEY_SEED repeats a run. It fails when an action
+// takes over 5 seconds, and tells those over one second and the memory at the start and the end.
+
+#include <unistd.h>
 
 #include <QElapsedTimer>
+#include <QFile>
 #include <QMenu>
 #include <QMessageBox>
 #include <QTimer>
+#include <ctime>
 #include <random>
 #include <sstream>
 #include <string>
@@ -139,6 +144,21 @@ std::string described(const ui::MeshSnapshot& snapshot, int actions) {
   return out.str();
 }
 
+constexpr qint64 kHang = 5000;  // ms
+
+double residentMegabytes() {
+  QFile statm(QStringLiteral("/proc/self/statm"));
+  if (!statm.open(QIODevice::ReadOnly)) return 0;
+  return statm.readAll().split(' ').at(1).toDouble() * double(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+//! Of this thread: a machine that is busy with other things makes an action slow as well.
+double busySeconds() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
+}
+
 void closePopups() {
   while (QWidget* popup = QApplication::activePopupWidget()) popup->close();
   if (QWidget* modal = QApplication::activeModalWidget()) modal->close();
@@ -167,18 +187,25 @@ void MonkeyTest::randomEventsDoNoHarm() {
   clock.start();
   qint64 slowest = 0;
   int actions = 0;
+  const double before = residentMegabytes();
   for (; clock.elapsed() < seconds * 1000LL; ++actions) {
     answer.start();
+    const double busy = busySeconds();
     monkey.act();
     QApplication::processEvents();
     slowest = std::max(slowest, answer.elapsed());
+    if (answer.elapsed() > 1000)
+      qInfo("action %d took %lld ms, of which this thread worked %.0f", actions,
+            static_cast<long long>(answer.elapsed()), 1000 * (busySeconds() - busy));
+    QVERIFY2(answer.elapsed() < kHang, "the window did not answer");
     const auto snapshot = window->document().snapshot();
     // A surface may shrink away (an own range, both directions); then there is nothing to certify.
     const bool certain = !snapshot || snapshot->mesh.triangles.empty() || snapshot->certificate.passes();
     if (!certain) QFAIL(described(*snapshot, actions).c_str());
     QVERIFY(window->document().iteration() <= window->document().lastIteration());
   }
-  qInfo("%d actions, the slowest took %lld ms", actions, static_cast<long long>(slowest));
+  qInfo("%d actions, the slowest took %lld ms; resident memory %.0f MB before, %.0f MB after", actions,
+        static_cast<long long>(slowest), before, residentMegabytes());
 }
 
 int main(int argc, char** argv) {

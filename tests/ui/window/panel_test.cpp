@@ -7,6 +7,8 @@
 #include "tests/support/test_volume.h"
 #include "tests/ui/window/window_support.h"
 #include "ui/window/event_inspector.h"
+#include "ui/window/sentences.h"
+#include "ui/window/series_list.h"
 #include "ui/window/steps_panel.h"
 
 using namespace handlebody;
@@ -50,6 +52,13 @@ const QDoubleSpinBox* numberField(ui::MainWindow& window, const QString& name) {
   return nullptr;
 }
 
+QAbstractButton* buttonNamed(ui::MainWindow& window, const char* text) {
+  const auto buttons = window.findChildren<QAbstractButton*>();
+  for (QAbstractButton* button : buttons)
+    if (button->text().contains(QLatin1String(text))) return button;
+  return nullptr;
+}
+
 }  // namespace
 
 class PanelTest : public QObject {
@@ -62,6 +71,10 @@ class PanelTest : public QObject {
   void aNumberThatIsNotKnownIsADash();
   void anEventIsNotInspectedWhileTheSurfaceGrows();
   void onlyChangesOfTopologyAreListedUntilMoreIsAsked();
+  void anUncalibratedVolumeIsOpenedAgainWithTheSpacingThatIsEntered();
+  void aCalibratedVolumeAsksForNoSpacing();
+  void aSeriesSaysWhatItHoldsAndOnlyVolumesCanBeChosen();
+  void sentencesNameFieldsInTheirPlaceOfOptions();
 };
 
 void PanelTest::doubtsAreShownOfASurfaceAtRestAndOnlyThen() {
@@ -159,10 +172,7 @@ void PanelTest::onlyChangesOfTopologyAreListedUntilMoreIsAsked() {
   for (const QTableView* t : tables)
     if (t->accessibleName() == "Events") table = t;
   QVERIFY(table && table->isVisible());
-  QAbstractButton* repairs = nullptr;
-  const auto buttons = window->findChildren<QAbstractButton*>();
-  for (QAbstractButton* button : buttons)
-    if (button->text().contains("repairs")) repairs = button;
+  QAbstractButton* repairs = buttonNamed(*window, "repairs");
   QVERIFY(repairs && repairs->isVisible());
   int marks = 0, changes = 0;
   for (const auto& summary : window->document().summaries()) marks += summary.events;
@@ -172,6 +182,81 @@ void PanelTest::onlyChangesOfTopologyAreListedUntilMoreIsAsked() {
   QCOMPARE(marks, changes);
   QTest::mouseClick(repairs, Qt::LeftButton, {}, QPoint(8, repairs->height() / 2));
   QCOMPARE(table->model()->rowCount(), static_cast<int>(window->document().events().size()));
+}
+
+void PanelTest::anUncalibratedVolumeIsOpenedAgainWithTheSpacingThatIsEntered() {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("nowhere.nrrd");
+  QFile file(path);
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  file.write("NRRD0004\ntype: uint8\ndimension: 3\nsizes: 8 8 8\nencoding: raw\n\n");
+  for (int i = 0; i < 512; ++i) file.putChar(static_cast<char>(i % 100));
+  file.close();
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, path));
+  QVERIFY(!window->document().info().calibrated);
+  window->showStep(Command::stepOpen);
+  const QString warnings = shownText(*window, "Warnings");
+  QVERIFY(warnings.contains("step 1, Open") && !warnings.contains("--spacing"));
+  const char* const names[] = {"Spacing of columns", "Spacing of rows", "Spacing of slices"};
+  const char* const values[] = {"0.5", "0.25", "2.125"};
+  for (int axis = 0; axis < 3; ++axis) {
+    auto* field = const_cast<QDoubleSpinBox*>(numberField(*window, names[axis]));
+    QVERIFY2(field && field->isVisible() && field->suffix() == " mm", names[axis]);
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, values[axis]);
+  }
+  QSignalSpy opened(&window->document(), &ui::Document::opened);
+  QTest::mouseClick(buttonNamed(*window, "Open with this spacing"), Qt::LeftButton);
+  QVERIFY(!opened.isEmpty() || opened.wait(kPatience));
+  QVERIFY(window->document().volume().grid.spacing == Vec3(0.5, 0.25, 2.125));
+  QVERIFY(window->document().info().calibrated);
+}
+
+void PanelTest::aCalibratedVolumeAsksForNoSpacing() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst.nii.gz")));
+  window->showStep(Command::stepOpen);
+  const QDoubleSpinBox* field = numberField(*window, "Spacing of rows");
+  QVERIFY(field && !field->isVisible());
+}
+
+void PanelTest::aSeriesSaysWhatItHoldsAndOnlyVolumesCanBeChosen() {
+  const std::string ct("CT");
+  SeriesInfo scout, thorax;
+  scout.uid = "1.2.3";
+  scout.modality = ct;
+  thorax.modality = ct;
+  scout.description = "Scout";
+  scout.note = "a single image is no volume";
+  scout.slices = 1;
+  thorax.uid = "1.2.4";
+  thorax.description = "CT Thorax";
+  thorax.size = {512, 512, 300};
+  thorax.slices = 600;
+  thorax.frames = 2;
+  thorax.spacing = Vec3(0.7, 0.7, 1.5);
+  QCOMPARE(ui::linesOf(scout),
+           QStringList({"CT Scout", "No volume: a single image is no volume", "Slices: 1"}));
+  QCOMPARE(ui::linesOf(thorax), QStringList({"CT Thorax", "512 × 512 × 300, 0.70 × 0.70 × 1.50 mm",
+                                             "Slices: 600 · time points: 2"}));
+  ui::SeriesList list;
+  list.offer({scout, thorax});
+  QCOMPARE(list.chosen(), QString("1.2.4"));
+  list.setCurrentRow(0);
+  QVERIFY(list.chosen().isEmpty());
+}
+
+void PanelTest::sentencesNameFieldsInTheirPlaceOfOptions() {
+  const QString cine("this is a cine; if its frames are slices in space, give --spacing X,Y,Z");
+  QVERIFY(ui::asksForSpacing(cine));
+  for (const QString& text : {cine, QString("lengths mean nothing until --spacing gives it."),
+                              QString("or give --range, which holds nothing back")}) {
+    QVERIFY2(!ui::inWordsOfWindow(text).contains("--"), qPrintable(text));
+    QVERIFY(ui::inWordsOfWindow(text).contains("step"));
+  }
+  QVERIFY(!ui::asksForSpacing("scan.dcm: it is truncated"));
 }
 
 int main(int argc, char** argv) {

@@ -203,7 +203,7 @@ void WindowTest::twoStacksUnderOneUidAreAChoice() {
     if (l->accessibleName() == "Series in the folder") list = l;
   QVERIFY(list && list->isVisible());
   QCOMPARE(list->count(), 2);
-  QVERIFY(list->item(1)->text().contains("stack 2\n4 × 6 × 4 voxels"));
+  QVERIFY(list->item(1)->text().contains("stack 2\n4 × 6 × 4, "));
   list->setCurrentRow(1);
   QSignalSpy opened(&window->document(), &ui::Document::opened);
   QTest::keyClick(list, Qt::Key_Return);
@@ -225,13 +225,13 @@ void WindowTest::anUncalibratedVolumeTakesTheSpacingThatIsGiven() {
   QVERIFY(window && open(*window, path));
   QVERIFY(!window->document().info().calibrated);
   for (QDoubleSpinBox* field : window->findChildren<QDoubleSpinBox*>())
-    if (field->accessibleName() == "Spacing along z") {
+    if (field->accessibleName() == "Spacing of slices") {
       QVERIFY(!field->parentWidget()->isHidden());
       field->setValue(2.5);
     }
   QSignalSpy opened(&window->document(), &ui::Document::opened);
   for (QAbstractButton* button : window->findChildren<QAbstractButton*>())
-    if (button->accessibleName() == "Set spacing") button->click();
+    if (button->text() == "Open with this spacing") button->click();
   QVERIFY(!opened.isEmpty() || opened.wait(kPatience));
   QVERIFY(window->document().info().calibrated);
   QCOMPARE(window->document().volume().grid.spacing.z(), 2.5);

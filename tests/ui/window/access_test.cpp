@@ -1,0 +1,204 @@
+// The window without a mouse and without sight: Tab reaches every control, each has a name that is read
+// aloud, and every key is written where one looks for it.
+
+#include <QAbstractItemView>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QAccessible>
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolButton>
+
+#include "tests/ui/window/window_support.h"
+#include "ui/window/commands.h"
+#include "ui/window/event_inspector.h"
+#include "ui/window/help_pages.h"
+
+using namespace handlebody;
+using namespace handlebody::test;
+using ui::Command;
+using ui::GrowthState;
+
+namespace {
+
+constexpr Command kSteps[] = {Command::stepOpen, Command::stepSeed, Command::stepTune, Command::stepGrow,
+                              Command::stepExport};
+
+bool isControl(const QWidget& widget) {
+  return qobject_cast<const QAbstractButton*>(&widget) || qobject_cast<const QAbstractSpinBox*>(&widget) ||
+         qobject_cast<const QComboBox*>(&widget) || qobject_cast<const QAbstractItemView*>(&widget) ||
+         qobject_cast<const QAbstractSlider*>(&widget) || qobject_cast<const ui::SliceView*>(&widget) ||
+         qobject_cast<const ui::SurfaceView*>(&widget);
+}
+
+//! Parts of another control, and the buttons of Qt's docks and tables, whose work a menu does as well.
+bool isPartOfAnother(const QWidget& widget) {
+  return widget.objectName().startsWith(QLatin1String("qt_")) || widget.inherits("QHeaderView") ||
+         widget.inherits("QTableCornerButton") || widget.inherits("QScrollBar") ||
+         widget.inherits("QDockWidgetTitleButton");
+}
+
+QList<QWidget*> shownControls(ui::MainWindow& window) {
+  QList<QWidget*> controls;
+  const auto widgets = window.findChildren<QWidget*>();
+  for (QWidget* widget : widgets)
+    if (widget->isVisible() && widget->window() == &window && isControl(*widget) && !isPartOfAnother(*widget))
+      controls << widget;
+  return controls;
+}
+
+bool hasShortcut(const QWidget& widget) {
+  const auto* button = qobject_cast<const QToolButton*>(&widget);
+  return button && button->defaultAction() && !button->defaultAction()->shortcut().isEmpty();
+}
+
+QString described(const QWidget& widget) {
+  const auto* button = qobject_cast<const QAbstractButton*>(&widget);
+  return QStringLiteral("%1 \"%2\" %3")
+      .arg(QString::fromLatin1(widget.metaObject()->className()), widget.accessibleName(),
+           button ? button->text() : QString());
+}
+
+//! All that the Tab key comes to, once round.
+QSet<QWidget*> reachedByTab(ui::MainWindow& window) {
+  QSet<QWidget*> reached;
+  window.activateWindow();
+  window.views().slice(ui::Plane::axial).setFocus();
+  for (int i = 0; i < 300; ++i) {
+    QWidget* focus = QApplication::focusWidget();
+    if (!focus) break;
+    reached << focus;
+    QTest::keyClick(focus, Qt::Key_Tab);
+    if (QApplication::focusWidget() == &window.views().slice(ui::Plane::axial)) break;
+  }
+  return reached;
+}
+
+//! Of choices that exclude each other Tab comes to the one that holds, and the arrows to the others.
+bool arrowsReach(const QWidget& widget, const QSet<QWidget*>& reached) {
+  const auto* button = qobject_cast<const QAbstractButton*>(&widget);
+  const QButtonGroup* group = button ? button->group() : nullptr;
+  return group && group->exclusive() && reached.contains(group->checkedButton());
+}
+
+QStringList notReached(ui::MainWindow& window) {
+  const QSet<QWidget*> reached = reachedByTab(window);
+  QStringList faults;
+  const auto controls = shownControls(window);
+  for (const QWidget* control : controls)
+    if (control->isEnabled() && !hasShortcut(*control) && !reached.contains(const_cast<QWidget*>(control)) &&
+        !arrowsReach(*control, reached))
+      faults << described(*control);
+  return faults;
+}
+
+QStringList withoutName(ui::MainWindow& window) {
+  QStringList faults;
+  const auto controls = shownControls(window);
+  for (QWidget* control : controls) {
+    const QAccessibleInterface* face = QAccessible::queryAccessibleInterface(control);
+    if (!face || face->text(QAccessible::Name).trimmed().isEmpty()) faults << described(*control);
+  }
+  return faults;
+}
+
+//! With a volume, grown, with an event inspected: everything there is, is shown in one of the steps.
+std::unique_ptr<ui::MainWindow> busyWindow() {
+  auto window = shownWindow();
+  if (!window || !open(*window, sample("cyst_session.json"))) return nullptr;
+  window->document().run();
+  if (!waitFor(*window, GrowthState::finished)) return nullptr;
+  window->goToEvent(firstHandle(window->document()));
+  const bool there = QTest::qWaitFor([&] { return window->inspector().event() >= 0; }, kPatience);
+  window->messages().show(ui::MessageBar::Kind::warning, QStringLiteral("Look."),
+                          {{QStringLiteral("Answer"), [] {}}});
+  return there ? std::move(window) : nullptr;
+}
+
+}  // namespace
+
+class AccessTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void tabReachesEveryControl();
+  void arrowsChooseAmongChoicesThatExcludeEachOther();
+  void everyControlIsReadAloudByAName();
+  void everyKeyIsOnThePageOfKeysAndInTheTip();
+  void everyMenuEntryIsACommandOfTheTable();
+};
+
+void AccessTest::tabReachesEveryControl() {
+  auto window = busyWindow();
+  QVERIFY(window);
+  for (Command step : kSteps) {
+    window->showStep(step);
+    QTest::qWait(50);
+    const QString missed = notReached(*window).join(QLatin1Char('\n'));
+    QVERIFY2(missed.isEmpty(), qPrintable(window->commands()[step]->text() + QLatin1Char('\n') + missed));
+  }
+}
+
+void AccessTest::arrowsChooseAmongChoicesThatExcludeEachOther() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst_session.json")));
+  window->showStep(Command::stepTune);
+  QAbstractButton* outward = nullptr;
+  const auto buttons = window->findChildren<QAbstractButton*>();
+  for (QAbstractButton* button : buttons)
+    if (button->accessibleName() == "Direction: Outward") outward = button;
+  QVERIFY(outward && outward->isChecked());
+  outward->setFocus();
+  QTest::keyClick(outward, Qt::Key_Right);
+  QVERIFY(window->document().parameters().direction == Direction::both);
+}
+
+void AccessTest::everyControlIsReadAloudByAName() {
+  auto window = busyWindow();
+  QVERIFY(window);
+  for (Command step : kSteps) {
+    window->showStep(step);
+    QTest::qWait(50);
+    const QString nameless = withoutName(*window).join(QLatin1Char('\n'));
+    QVERIFY2(nameless.isEmpty(), qPrintable(window->commands()[step]->text() + QLatin1Char('\n') + nameless));
+  }
+}
+
+void AccessTest::everyKeyIsOnThePageOfKeysAndInTheTip() {
+  auto window = shownWindow();
+  QVERIFY(window);
+  const QString page = ui::shortcutsPage();
+  for (const ui::CommandSpec& spec : ui::Commands::table()) {
+    const QAction* action = window->commands()[spec.id];
+    for (const QKeySequence& key : action->shortcuts())
+      QVERIFY2(page.contains(key.toString(QKeySequence::NativeText).toHtmlEscaped()), spec.text);
+    if (!action->shortcut().isEmpty())
+      QVERIFY2(action->toolTip().contains(ui::Commands::keysText(*action).toHtmlEscaped()), spec.text);
+  }
+}
+
+void AccessTest::everyMenuEntryIsACommandOfTheTable() {
+  auto window = shownWindow();
+  QVERIFY(window);
+  QSet<const QAction*> known;
+  for (const ui::CommandSpec& spec : ui::Commands::table()) known << window->commands()[spec.id];
+  const auto menus = window->menuBar()->findChildren<QMenu*>();
+  for (const QMenu* menu : menus) {
+    const bool own = menu->title().contains("recent") || menu->title().contains("Panels");
+    for (const QAction* action : menu->actions())
+      QVERIFY2(own || action->isSeparator() || action->menu() || known.contains(action),
+               qPrintable(action->text()));
+  }
+}
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName("Handlebody");
+  QApplication::setApplicationName("handlebody-test");
+  AccessTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "access_test.moc"

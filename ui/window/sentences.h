@@ -1,0 +1,14 @@
+#pragma once
+// Sentences of the engine and the readers, which name options of the command line, in the words of the
+// window.
+
+#include <QString>
+
+namespace handlebody::ui {
+
+//! The sentence with the panels' fields in the place of options.
+QString inWordsOfWindow(QString sentence);
+//! True if the sentence asks for the spacing of a file's voxels.
+bool asksForSpacing(const QString& sentence);
+
+}  // namespace handlebody::ui

@@ -1,0 +1,27 @@
+#pragma once
+// The series of a folder, to choose one.
+
+#include <QListWidget>
+#include <vector>
+
+#include "core/io/volume_io.h"
+
+namespace handlebody::ui {
+
+//! What is known of a series, one line each: what it shows; size and spacing, or why it is no volume; slices
+//! and time points.
+QStringList linesOf(const SeriesInfo& series);
+
+class SeriesList : public QListWidget {
+  Q_OBJECT
+
+ public:
+  explicit SeriesList(QWidget* parent = nullptr);
+
+  //! The first that can be opened is current. What cannot is shown, but cannot be chosen.
+  void offer(const std::vector<SeriesInfo>& series);
+  //! SeriesInstanceUID of the current series; empty: none.
+  QString chosen() const;
+};
+
+}  // namespace handlebody::ui
