@@ -1,7 +1,8 @@
 // Random events on the window: nothing may crash, hang or leave an invalid surface. A minute, or as many
 // seconds as HANDLEBODY_MONKEY_SECONDS says; HANDLEBODY_MONKEY_SEED repeats a run. It fails when an action
-// takes over 5 seconds, and tells those over one second and the memory at the start and the end.
+// takes over 5 seconds, and tells those over one second, and the memory at the start and after every minute.
 
+#include <malloc.h>
 #include <unistd.h>
 
 #include <QElapsedTimer>
@@ -152,6 +153,17 @@ double residentMegabytes() {
   return statm.readAll().split(' ').at(1).toDouble() * double(sysconf(_SC_PAGESIZE)) / 1e6;
 }
 
+//! What is in use by malloc and new, without what they keep for later.
+double usedMegabytes() {
+  const struct mallinfo2 info = mallinfo2();
+  return double(info.uordblks + info.hblkhd) / 1e6;
+}
+
+void tellMemory(qint64 milliseconds, int actions) {
+  qInfo("%4lld s, %d actions: %.0f MB resident, %.1f MB in use", static_cast<long long>(milliseconds / 1000),
+        actions, residentMegabytes(), usedMegabytes());
+}
+
 //! Of this thread: a machine that is busy with other things makes an action slow as well.
 double busySeconds() {
   timespec t{};
@@ -187,8 +199,13 @@ void MonkeyTest::randomEventsDoNoHarm() {
   clock.start();
   qint64 slowest = 0;
   int actions = 0;
-  const double before = residentMegabytes();
+  tellMemory(0, 0);
+  qint64 nextTold = 60000;
   for (; clock.elapsed() < seconds * 1000LL; ++actions) {
+    if (clock.elapsed() > nextTold) {
+      tellMemory(clock.elapsed(), actions);
+      nextTold += 60000;
+    }
     answer.start();
     const double busy = busySeconds();
     monkey.act();
@@ -204,11 +221,15 @@ void MonkeyTest::randomEventsDoNoHarm() {
     if (!certain) QFAIL(described(*snapshot, actions).c_str());
     QVERIFY(window->document().iteration() <= window->document().lastIteration());
   }
-  qInfo("%d actions, the slowest took %lld ms; resident memory %.0f MB before, %.0f MB after", actions,
-        static_cast<long long>(slowest), before, residentMegabytes());
+  tellMemory(clock.elapsed(), actions);
+  qInfo("%d actions, the slowest took %lld ms", actions, static_cast<long long>(slowest));
 }
 
 int main(int argc, char** argv) {
+  // QtTest ends a function after five minutes; a long run is asked for by its seconds.
+  if (!qEnvironmentVariableIsSet("QTEST_FUNCTION_TIMEOUT"))
+    qputenv("QTEST_FUNCTION_TIMEOUT",
+            QByteArray::number(1000 * (fromEnvironment("HANDLEBODY_MONKEY_SECONDS", 60) + 300)));
   QApplication application(argc, argv);
   QApplication::setOrganizationName("Handlebody");
   QApplication::setApplicationName("handlebody-monkey");
