@@ -10,6 +10,9 @@ constexpr double kLeakFactor = 4;
 constexpr double kLeakAdvantage = 2.5;
 // Fewer voxels than this are no region yet.
 constexpr double kLeastRegion = 30;
+// Where the growth was given up with a region hardly larger than that of its strongest edge, a stronger edge
+// may lie ahead.
+constexpr double kRising = 0.9;
 
 //! Weighted mean of the levels around the strongest bin whose edge is nearly as strong: on an ideal ramp the
 //! half-way level, whatever the noise does to the top of the curve.
@@ -45,6 +48,7 @@ std::optional<GrowthLevel> strongestLevel(const RegionGrowth& g) {
       out = {centreOfPeak(g, best, first, b), g.edge[best], g.border[best], g.voxels[best]};
     first = b;
   }
+  if (out && !g.whole && out->voxels > kRising * g.voxels.back()) return {};
   return out;
 }
 

@@ -15,7 +15,8 @@ struct GrowthLevel {
 };
 
 //! The level of the strongest mean edge. A level after the region has leaked into another one counts only if
-//! its edge is much stronger. None if no region was large enough.
+//! its edge is much stronger. None if no region was large enough, or
+//! if the growth was given up while its edge was still rising.
 std::optional<GrowthLevel> strongestLevel(const RegionGrowth& growth);
 
 }  // namespace handlebody

@@ -20,10 +20,12 @@ using namespace region;
 // then it has leaked, and nothing but time and memory is spent.
 constexpr double kEnoughVoxels = 120'000;
 constexpr double kEnoughTimes = 2;
-// The growth ends when it has touched a quarter of a large volume.
+// A region that has reached the faces of the volume with more than this part of them, and has touched a
+// quarter of a large volume, is given up as a leak. What lies within the volume may fill any part of it.
+constexpr double kReachesBorder = 1e-3;
 constexpr std::size_t kFewBricks = 300;
 constexpr std::size_t kPartOfVolume = 4;
-// One level that lets in more than this, and a quarter of the volume, is a leak, whatever it leads to.
+// And so is one of which one level lets in more than this, and a quarter of the volume.
 constexpr std::size_t kMostVoxels = 2'000'000;
 // If it has let in more than this part of the volume's border with it, it is the background: no level after
 // it is that of an object.
@@ -36,6 +38,12 @@ constexpr std::size_t kBetweenLooks = 16384;  // voxels: a millisecond
 bool isInside(const Grid& grid, const Voxel& v) {
   const auto& n = grid.size;
   return v.i >= 0 && v.j >= 0 && v.k >= 0 && v.i < n[0] && v.j < n[1] && v.k < n[2];
+}
+
+double voxelsOnFaces(const Grid& grid) {
+  const auto& n = grid.size;
+  return static_cast<double>(grid.voxelCount()) -
+         std::max(0.0, n[0] - 2.0) * std::max(0.0, n[1] - 2.0) * std::max(0.0, n[2] - 2.0);
 }
 
 class Flood {
@@ -53,6 +61,7 @@ class Flood {
         sumGradient_(kBins, 0),
         sumSquared_(kBins, 0),
         mostVoxels_(std::max(kMostVoxels, volume.grid().voxelCount() / kPartOfVolume)),
+        borderVoxels_(voxelsOnFaces(volume.grid())),
         patches_(volume.brickCount()) {}
 
   void start(const Voxel& v) {
@@ -62,32 +71,29 @@ class Flood {
 
   RegionGrowth run() {
     RegionGrowth growth{lowest_, step_, {}, {}, {}};
-    const auto& n = volume_.grid().size;
-    const double borderVoxels =
-        static_cast<double>(volume_.grid().voxelCount()) -
-        std::max(0.0, n[0] - 2.0) * std::max(0.0, n[1] - 2.0) * std::max(0.0, n[2] - 2.0);
     double count = 0, strongest = 0, enough = kEnoughVoxels;
-    for (int bin = 0;
-         bin < kBins && count < std::min(enough, 2.0 * static_cast<double>(mostVoxels_)) && !isFarSpread();
-         ++bin) {
+    for (int bin = 0; bin < kBins && count < enough && !isLeak(count / 2); ++bin) {
       const std::size_t taken = bin == first_ ? drainFirst() : drain(bin);
       count += static_cast<double>(taken);
       growth.voxels.push_back(count);
-      growth.border.push_back(border_ / borderVoxels);
+      growth.border.push_back(border_ / borderVoxels_);
       if (taken >= mostVoxels_ && growth.border.back() > kBackground) break;
       const double edge = sumGradient_[idx(bin)] > 0 ? sumSquared_[idx(bin)] / sumGradient_[idx(bin)] : 0;
       if (edge <= strongest) continue;
       strongest = edge;
       enough = std::max(kEnoughVoxels, kEnoughTimes * count);
     }
+    growth.whole = count >= enough || growth.voxels.size() == kBins;
     growth.edge = edgeStrength(growth.voxels.size());
     return growth;
   }
 
  private:
   //! A leak into noise spreads thinly through the whole volume, and would have all of it smoothed and kept.
-  bool isFarSpread() const {
-    return volume_.bricksMade() > std::max(kFewBricks, volume_.brickCount() / kPartOfVolume);
+  bool isLeak(double taken) const {
+    const bool isLarge = taken >= static_cast<double>(mostVoxels_) ||
+                         volume_.bricksMade() > std::max(kFewBricks, volume_.brickCount() / kPartOfVolume);
+    return isLarge && border_ > kReachesBorder * borderVoxels_;
   }
   std::size_t indexOf(const Voxel& v) const {
     const auto& size = volume_.grid().size;
@@ -188,7 +194,7 @@ class Flood {
     std::size_t taken = 0;
     level_ = first_ + 1;  // what it does not let in waits for the next one at least
     std::vector<Patch*>& queue = queue_[idx(first_)];
-    for (std::size_t q = 0; q < queue.size() && taken < mostVoxels_ && !isFarSpread(); ++q) {
+    for (std::size_t q = 0; q < queue.size() && !isLeak(static_cast<double>(taken)); ++q) {
       std::vector<int>& rows = queue[q]->rows;
       for (std::size_t r = 0; r < rows.size(); ++r) taken += takeRow(*queue[q], rows[r]);
       rows.clear();  // from here on the brick may come again
@@ -253,7 +259,7 @@ class Flood {
       std::vector<Entry>& waiting = patch.waiting[idx(bin)];
       for (std::size_t i = 0; i < waiting.size(); ++i, ++taken) {
         if (taken % kBetweenLooks == 0) giveUpIfCancelled();
-        if (taken >= mostVoxels_ || isFarSpread()) return taken;
+        if (isLeak(static_cast<double>(taken))) return taken;
         take(patch, Entry(waiting[i]));
       }
       waiting = {};  // from here on the brick may come again
@@ -363,6 +369,7 @@ class Flood {
   std::vector<std::vector<Patch*>> queue_;                        // per bin: bricks with voxels that wait
   std::vector<double> sumGradient_, sumSquared_;
   std::size_t mostVoxels_;                       // of one level
+  double borderVoxels_;                          // on the faces of the grid
   std::vector<std::unique_ptr<Patch>> patches_;  // per brick; null: not reached
 };
 

@@ -19,6 +19,8 @@ struct RegionGrowth {
   std::vector<double> border;
   //! Mean gradient (signed intensity per mm) over the region's boundary at that level, smoothed.
   std::vector<double> edge;
+  //! False: it was given up as a leak before its edge was clearly past its strongest.
+  bool whole = true;
   double level(std::size_t bin) const { return lowest + step * (static_cast<double>(bin) + 0.5); }
 };
 

@@ -1,5 +1,8 @@
 #include "core/evolution/region_growth.h"
 
+#include <cmath>
+
+#include "core/evolution/growth_level.h"
 #include "tests/support/catch.h"
 #include "tests/support/test_volume.h"
 
@@ -84,4 +87,28 @@ TEST_CASE("padding is no part of a region and no edge of it") {
   const RegionGrowth g = growRegion(smoothed, {Vec3(10, 12, 4)}, 1, 0, 90);
   CHECK(g.voxels.back() == 20 * 24 * 12);
   for (double edge : g.edge) CHECK(edge <= 101);
+}
+
+namespace {
+
+//! A region that grows by a tenth from level to level; its edge is strongest in the bin `peak` of ten.
+RegionGrowth growthWithPeak(std::size_t peak) {
+  RegionGrowth g;
+  for (std::size_t b = 0; b < 10; ++b) {
+    g.voxels.push_back(1000 * std::pow(1.1, static_cast<double>(b)));
+    g.border.push_back(0);
+    g.edge.push_back(b == peak ? 5 : 1);
+  }
+  return g;
+}
+
+}  // namespace
+
+TEST_CASE("a growth that was given up while its edge still rose has no level") {
+  RegionGrowth rising = growthWithPeak(9), past = growthWithPeak(4);
+  CHECK(strongestLevel(rising).has_value());
+  rising.whole = past.whole = false;
+  CHECK_FALSE(strongestLevel(rising).has_value());
+  REQUIRE(strongestLevel(past).has_value());
+  CHECK(strongestLevel(past)->level == Approx(past.level(4)));
 }
