@@ -68,6 +68,9 @@ void FileWork::connectMessages() {
   const auto said = [this](const QString& text) { messages_.show(MessageBar::Kind::information, text); };
   const auto failed = [this](const QString& text) { messages_.show(MessageBar::Kind::error, text); };
   connect(&document_, &Document::openFailed, this, &FileWork::sayOpenFailed);
+  connect(&document_, &Document::opened, this, [this] {
+    if (!remembered_.isEmpty()) remember(remembered_);
+  });
   connect(&document_, &Document::exportFailed, this, failed);
   connect(&document_, &Document::saveFailed, this, [this, failed](const QString& text) {
     next_ = nullptr;
@@ -120,14 +123,15 @@ void FileWork::chooseFolder() {
 
 void FileWork::open(const QString& path, const VolumeSelection& selection) {
   whenSaved([this, path, selection] {
-    remember(path);
     begin(path, selection);
+    remembered_ = path;
   });
 }
 
 void FileWork::begin(const QString& path, const VolumeSelection& selection) {
   asked_ = path;
   askedSelection_ = selection;
+  remembered_.clear();
   document_.open(path, selection);
 }
 
@@ -249,7 +253,7 @@ void FileWork::recover(const QString& journal) {
     once->deleteLater();
   });
   connect(&document_, &Document::openFailed, once, &QObject::deleteLater);  // the journal is offered again
-  document_.open(journal);
+  begin(journal, {});
 }
 
 }  // namespace handlebody::ui

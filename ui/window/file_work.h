@@ -68,6 +68,7 @@ class FileWork : public QObject {
   std::function<void()> next_;      //!< what waits for the session to be saved
   QString asked_;                   //!< what was to be opened last
   VolumeSelection askedSelection_;  //!< and how
+  QString remembered_;              //!< stands among the recent ones once it is open; empty: does not
   bool closing_ = false;
 };
 

@@ -25,6 +25,22 @@ QString inWordsOfWindow(QString sentence) {
   return sentence;
 }
 
+QString breakable(const QString& text) {
+  constexpr int kLongWord = 28;  // characters that fit into the narrowest panel
+  constexpr QChar kMayBreak(0x200b);
+  QString result;
+  int word = 0;
+  for (const QChar c : text) {
+    word = c.isSpace() ? 0 : word + 1;
+    if (word > kLongWord) {
+      result += kMayBreak;
+      word = 1;
+    }
+    result += c;
+  }
+  return result;
+}
+
 bool asksForSpacing(const QString& sentence) { return sentence.contains(QLatin1String("give --spacing")); }
 
 }  // namespace handlebody::ui

@@ -10,6 +10,7 @@
 #include "tests/ui/window/window_support.h"
 #include "ui/window/event_inspector.h"
 #include "ui/window/help_window.h"
+#include "ui/window/open_panel.h"
 #include "ui/window/toggle_button.h"
 
 using namespace handlebody;
@@ -77,6 +78,7 @@ class LayoutTest : public QObject {
   void nothingIsCutOffWhenAnEventIsInspected();
   void nothingIsCutOffWhenSeriesAreOffered();
   void nothingIsCutOffWithALongFileName();
+  void nothingIsCutOffWhenMessagesHoldLongWords();
   void theDockKeepsItsWidthWhenAnEventIsChosen();
   void theHelpPagesDoNotScrollSideways();
   void togglesAndTheirTextAreToldApartInBothAppearances();
@@ -152,6 +154,26 @@ void LayoutTest::nothingIsCutOffWithALongFileName() {
   QVERIFY(window && open(*window, path));
   NO_FAULTS(resized(*window, kSmall));
   QVERIFY(window->views().width() > window->width() / 2);  // and the name pushed nothing away
+}
+
+// Two DICOM stacks at different places: the warnings name them by UIDs of 64 characters.
+void LayoutTest::nothingIsCutOffWhenMessagesHoldLongWords() {
+  const QString uid = "1.2.826.0.1.3680043.9.4245.3115138630835728997848661150714813892#1";
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst.nii.gz")));
+  window->resize(kSmall);
+  QTest::qWait(50);
+  const int before = window->views().width();
+  auto* panel = window->findChild<ui::OpenPanel*>();
+  QVERIFY(panel);
+  window->showStep(ui::Command::stepOpen);
+  panel->showWarnings({"Its stacks are to be had alone: " + uid.toStdString() + " (14 slices)."});
+  const QString path = '/' + QString(200, 'x') + ".nii.gz";
+  auto* messages = window->findChild<ui::MessageBar*>();
+  messages->show(ui::MessageBar::Kind::error, path + ": it is not a volume.");
+  NO_FAULTS(resized(*window, kSmall));
+  QCOMPARE(window->views().width(), before);
+  QVERIFY(messages->text().startsWith(path));
 }
 
 void LayoutTest::theDockKeepsItsWidthWhenAnEventIsChosen() {

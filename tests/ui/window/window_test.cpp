@@ -57,6 +57,7 @@ class WindowTest : public QObject {
   void steppingBackIsExactAndANewParameterGoesOnFromThere();
   void anEventIsInspectedInItsStages();
   void whatIsExportedIsWhatReplayMakes();
+  void onlyWhatCouldBeOpenedStandsAmongTheRecent();
   void badFilesLeaveTheOpenWorkAlone();
   void twoStacksUnderOneUidAreAChoice();
   void anUncalibratedVolumeTakesTheSpacingThatIsGiven();
@@ -161,6 +162,21 @@ void WindowTest::whatIsExportedIsWhatReplayMakes() {
   QCOMPARE(QProcess::execute(HANDLEBODY_CLI, {"replay", session, "-o", again, "--quiet"}), 0);
   QVERIFY(!contentOf(mesh).isEmpty());
   QCOMPARE(contentOf(again), contentOf(mesh));
+}
+
+void WindowTest::onlyWhatCouldBeOpenedStandsAmongTheRecent() {
+  const QTemporaryDir folder;
+  const QString bad = folder.filePath("bad.nii.gz"), good = sample("cyst.nii.gz");
+  QFile file(bad);
+  QVERIFY(file.open(QIODevice::WriteOnly) && file.write("no volume") > 0);
+  file.close();
+  auto window = shownWindow();
+  QSignalSpy failed(&window->document(), &ui::Document::openFailed);
+  window->files().open(bad);
+  QVERIFY(failed.wait(kPatience));
+  QVERIFY(window->files().recent().isEmpty());
+  QVERIFY(open(*window, good));
+  QCOMPARE(window->files().recent(), QStringList{good});
 }
 
 void WindowTest::badFilesLeaveTheOpenWorkAlone() {
