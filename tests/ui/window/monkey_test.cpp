@@ -224,6 +224,8 @@ void MonkeyTest::randomEventsDoNoHarm() {
     QVERIFY(window->document().iteration() <= window->document().lastIteration());
   }
   tellMemory(clock.elapsed(), actions, window->document());
+  malloc_trim(0);
+  qInfo("%.0f MB resident without what malloc keeps for later", residentMegabytes());
   qInfo("%d actions, the slowest took %lld ms", actions, static_cast<long long>(slowest));
 }
 
