@@ -22,6 +22,8 @@ namespace {
 // Standard deviations of the Gaussian that are tried, in voxels (mean spacing).
 constexpr std::array<double, 7> kSigmas{0.5, 0.7, 1.0, 1.3, 1.6, 2.0, 2.5};
 constexpr double kFirstSigma = 1.0;
+// Where the noise hides the boundary at that one, these are tried.
+constexpr std::array<double, 2> kSigmasInNoise{1.6, 2.5};
 // Noise may be this part of the distance between the object's level and the boundary level. Speckle that the
 // smoothing has made a few voxels wide still looks like background here and there at a fifth.
 constexpr double kNoiseAllowed = 0.15;
@@ -293,10 +295,16 @@ ObjectChoice chooseObject(const Volume& volume, const std::vector<Seed>& seeds, 
   const double first = kFirstSigma * volume.grid.meanSpacing();
   double sigma = p.smoothing.value_or(first);
   auto found = chooseLevel(choice, volume, sigma, view, seeds, whole, p.object);
+  for (std::size_t i = 0; !found && !p.smoothing && i < kSigmasInNoise.size(); ++i) {
+    sigma = kSigmasInNoise[i] * volume.grid.meanSpacing();
+    found = chooseLevel(choice, volume, sigma, view, seeds, whole, p.object);
+  }
   if (found && !p.smoothing) {
-    // Less smoothing moves no level, and the growth need not be repeated; more does.
-    sigma = chooseSmoothing(volume, seeds, choice);
-    if (sigma > first) found = chooseLevel(choice, volume, sigma, view, seeds, whole, p.object);
+    // Less smoothing than the first moves no level, and the growth need not be repeated; more does.
+    const double used = sigma;
+    sigma = std::max(used > first ? used : 0, chooseSmoothing(volume, seeds, choice));
+    if (sigma > std::max(used, first))
+      found = chooseLevel(choice, volume, sigma, view, seeds, whole, p.object);
   }
   if (!found) throw SeedError(notInObject(p.object));
   setImage(choice, volume, sigma, view);

@@ -22,8 +22,8 @@ constexpr double kEnoughVoxels = 120'000;
 constexpr double kEnoughTimes = 2;
 // The growth ends when it has touched a quarter of a large volume.
 constexpr std::size_t kFewBricks = 300;
-constexpr std::size_t kPartOfBricks = 4;
-// One level that lets in more than this is a leak, whatever it leads to.
+constexpr std::size_t kPartOfVolume = 4;
+// One level that lets in more than this, and a quarter of the volume, is a leak, whatever it leads to.
 constexpr std::size_t kMostVoxels = 2'000'000;
 // If it has let in more than this part of the volume's border with it, it is the background: no level after
 // it is that of an object.
@@ -52,6 +52,7 @@ class Flood {
         queue_(kBins),
         sumGradient_(kBins, 0),
         sumSquared_(kBins, 0),
+        mostVoxels_(std::max(kMostVoxels, volume.grid().voxelCount() / kPartOfVolume)),
         patches_(volume.brickCount()) {}
 
   void start(const Voxel& v) {
@@ -66,12 +67,14 @@ class Flood {
         static_cast<double>(volume_.grid().voxelCount()) -
         std::max(0.0, n[0] - 2.0) * std::max(0.0, n[1] - 2.0) * std::max(0.0, n[2] - 2.0);
     double count = 0, strongest = 0, enough = kEnoughVoxels;
-    for (int bin = 0; bin < kBins && count < std::min(enough, 2.0 * kMostVoxels) && !isFarSpread(); ++bin) {
+    for (int bin = 0;
+         bin < kBins && count < std::min(enough, 2.0 * static_cast<double>(mostVoxels_)) && !isFarSpread();
+         ++bin) {
       const std::size_t taken = bin == first_ ? drainFirst() : drain(bin);
       count += static_cast<double>(taken);
       growth.voxels.push_back(count);
       growth.border.push_back(border_ / borderVoxels);
-      if (taken >= kMostVoxels && growth.border.back() > kBackground) break;
+      if (taken >= mostVoxels_ && growth.border.back() > kBackground) break;
       const double edge = sumGradient_[idx(bin)] > 0 ? sumSquared_[idx(bin)] / sumGradient_[idx(bin)] : 0;
       if (edge <= strongest) continue;
       strongest = edge;
@@ -84,7 +87,7 @@ class Flood {
  private:
   //! A leak into noise spreads thinly through the whole volume, and would have all of it smoothed and kept.
   bool isFarSpread() const {
-    return volume_.bricksMade() > std::max(kFewBricks, volume_.brickCount() / kPartOfBricks);
+    return volume_.bricksMade() > std::max(kFewBricks, volume_.brickCount() / kPartOfVolume);
   }
   std::size_t indexOf(const Voxel& v) const {
     const auto& size = volume_.grid().size;
@@ -185,7 +188,7 @@ class Flood {
     std::size_t taken = 0;
     level_ = first_ + 1;  // what it does not let in waits for the next one at least
     std::vector<Patch*>& queue = queue_[idx(first_)];
-    for (std::size_t q = 0; q < queue.size() && taken < kMostVoxels && !isFarSpread(); ++q) {
+    for (std::size_t q = 0; q < queue.size() && taken < mostVoxels_ && !isFarSpread(); ++q) {
       std::vector<int>& rows = queue[q]->rows;
       for (std::size_t r = 0; r < rows.size(); ++r) taken += takeRow(*queue[q], rows[r]);
       rows.clear();  // from here on the brick may come again
@@ -250,7 +253,7 @@ class Flood {
       std::vector<Entry>& waiting = patch.waiting[idx(bin)];
       for (std::size_t i = 0; i < waiting.size(); ++i, ++taken) {
         if (taken % kBetweenLooks == 0) giveUpIfCancelled();
-        if (taken >= kMostVoxels || isFarSpread()) return taken;
+        if (taken >= mostVoxels_ || isFarSpread()) return taken;
         take(patch, Entry(waiting[i]));
       }
       waiting = {};  // from here on the brick may come again
@@ -359,6 +362,7 @@ class Flood {
   double levelStart_ = -std::numeric_limits<double>::infinity();  // its signed level
   std::vector<std::vector<Patch*>> queue_;                        // per bin: bricks with voxels that wait
   std::vector<double> sumGradient_, sumSquared_;
+  std::size_t mostVoxels_;                       // of one level
   std::vector<std::unique_ptr<Patch>> patches_;  // per brick; null: not reached
 };
 

@@ -81,6 +81,32 @@ TEST_CASE("the level survives noise, and noise is smoothed away") {
   CHECK(noisy.volume->sigma() > chooseObject(ballVolume(0, 100), seedAt(kCentre), {}).volume->sigma());
 }
 
+TEST_CASE("noise that hides the boundary at the first smoothing is smoothed more") {
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0, 160);
+  const auto middle = Vec3::Constant(32);
+  const Volume volume = volumeByIndex(cubicGrid(65), [&](int i, int j, int k) {
+    return 100 * std::clamp((Vec3(i, j, k) - middle).norm() - 23.5, 0.0, 1.0) + noise(random);
+  });
+  Parameters first;
+  first.smoothing = 1;
+  CHECK_THROWS_AS(chooseObject(volume, seedAt(middle), first), SeedError);
+  const ObjectChoice c = chooseObject(volume, seedAt(middle), {});
+  CHECK(c.object == ObjectKind::dark);
+  CHECK(c.volume->sigma() > 1);
+  CHECK(boundaryOf(c) == Approx(50).margin(15));
+}
+
+TEST_CASE("an object of four million voxels is no leak as long as it is a small part of the volume") {
+  std::minstd_rand random(5);
+  std::uniform_real_distribution<double> noise(-40, 40);
+  const auto middle = Vec3::Constant(150);
+  const Volume volume = volumeByIndex(cubicGrid(300), [&](int i, int j, int k) {
+    return 100 * std::clamp((Vec3(i, j, k) - middle).norm() - 102, 0.0, 1.0) + noise(random);
+  });
+  CHECK(boundaryOf(chooseObject(volume, seedAt(middle), {})) == Approx(50).margin(15));
+}
+
 TEST_CASE("smoothing that was asked for is used") {
   for (double sigma : {0.0, 0.8, 2.0}) {
     Parameters p;
