@@ -82,6 +82,7 @@ class LayoutTest : public QObject {
   void theDockKeepsItsWidthWhenAnEventIsChosen();
   void theHelpPagesDoNotScrollSideways();
   void togglesAndTheirTextAreToldApartInBothAppearances();
+  void theStepThatIsShownIsToldFromTheOneUnderTheMouse();
   void checkBoxesAreSeenInBothAppearances();
   void textIsReadableInBothAppearances();
 };
@@ -212,6 +213,27 @@ void LayoutTest::togglesAndTheirTextAreToldApartInBothAppearances() {
     QVERIFY(contrast(offGround, onGround) > 2);
     QVERIFY(largestContrast(off.grab().toImage(), offGround) > 4.5);
     QVERIFY(largestContrast(on.grab().toImage(), onGround) > 4.5);
+  }
+}
+
+void LayoutTest::theStepThatIsShownIsToldFromTheOneUnderTheMouse() {
+  auto window = shownWindow();
+  QVERIFY(window);
+  QAbstractButton *shown = nullptr, *other = nullptr;
+  const auto buttons = window->findChildren<QAbstractButton*>();
+  for (QAbstractButton* button : buttons) {
+    if (button->accessibleName().startsWith("Step 1")) shown = button;
+    if (button->accessibleName().startsWith("Step 3")) other = button;
+  }
+  QVERIFY(shown && other && shown->isChecked() && !other->isChecked());
+  for (auto appearance : {ui::Appearance::light, ui::Appearance::dark}) {
+    window->setAppearance(appearance);
+    other->setAttribute(Qt::WA_UnderMouse);
+    const QPoint below(shown->width() / 2, shown->height() - 2);
+    const QColor marked = shown->grab().toImage().pixelColor(below),
+                 hovered = other->grab().toImage().pixelColor(below);
+    QVERIFY(contrast(marked, hovered) > 1.8);
+    QVERIFY(marked.saturation() > hovered.saturation() + 60);
   }
 }
 
