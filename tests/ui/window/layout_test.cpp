@@ -2,6 +2,7 @@
 // in every step of the work.
 
 #include <QCheckBox>
+#include <QMenu>
 #include <QScrollBar>
 #include <QTextBrowser>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include "tests/ui/window/window_support.h"
 #include "ui/window/event_inspector.h"
 #include "ui/window/help_window.h"
+#include "ui/window/icons.h"
 #include "ui/window/open_panel.h"
 #include "ui/window/toggle_button.h"
 
@@ -83,6 +85,7 @@ class LayoutTest : public QObject {
   void theHelpPagesDoNotScrollSideways();
   void togglesAndTheirTextAreToldApartInBothAppearances();
   void theStepThatIsShownIsToldFromTheOneUnderTheMouse();
+  void theIconOfTheChosenRowOfAMenuIsSeen();
   void checkBoxesAreSeenInBothAppearances();
   void textIsReadableInBothAppearances();
 };
@@ -234,6 +237,21 @@ void LayoutTest::theStepThatIsShownIsToldFromTheOneUnderTheMouse() {
                  hovered = other->grab().toImage().pixelColor(below);
     QVERIFY(contrast(marked, hovered) > 1.8);
     QVERIFY(marked.saturation() > hovered.saturation() + 60);
+  }
+}
+
+void LayoutTest::theIconOfTheChosenRowOfAMenuIsSeen() {
+  for (auto appearance : {ui::Appearance::light, ui::Appearance::dark}) {
+    switchAppearances(appearance);
+    QMenu menu;
+    QAction* start = menu.addAction(ui::icon(QStringLiteral("run")), QString());
+    menu.popup({0, 0});
+    menu.setActiveAction(start);
+    QVERIFY(QTest::qWaitForWindowExposed(&menu));
+    const QRect row = menu.actionGeometry(start);
+    const QImage picture = menu.grab(row.adjusted(3, 3, -3, -3)).toImage();
+    QVERIFY(largestContrast(picture, menu.palette().color(QPalette::Highlight)) > 3);
+    menu.close();
   }
 }
 
