@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
+#include "core/errors.h"
 #include "core/mesh/shapes.h"
 
 namespace handlebody {
@@ -23,6 +25,23 @@ std::vector<Vec3> directions(int n) {
     d.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
   }
   return d;
+}
+
+//! More than a growth can handle in any patience; without a limit a mistyped edge length fills the memory.
+constexpr double kMostTriangles = 2e6;
+
+void requireManageable(const std::vector<Seed>& seeds, double edgeLength) {
+  double triangles = 0;  // of that edge length on the spheres
+  for (const Seed& s : seeds) {
+    const double ratio = *s.radius / edgeLength;
+    triangles += 16 * kPi / std::sqrt(3.0) * ratio * ratio;
+  }
+  if (triangles <= kMostTriangles) return;
+  std::ostringstream text;
+  text << "The edge length of " << edgeLength
+       << " mm is too short for the seeds: their surface alone would have over "
+       << "two million triangles.";
+  throw UsageError(text.str());
 }
 
 }  // namespace
@@ -57,6 +76,7 @@ std::vector<Seed> fitSeeds(const ObjectImage& image, const std::vector<Seed>& se
 }
 
 Mesh seedMesh(const std::vector<Seed>& seeds, double edgeLength) {
+  requireManageable(seeds, edgeLength);
   TriangleSoup all;
   for (const Seed& s : seeds) {
     const TriangleSoup sphere = icosphere(s.centre, *s.radius, 1.2 * edgeLength);

@@ -17,7 +17,8 @@ double fittingRadius(const ObjectImage& image, const Vec3& centre, double limit)
 std::vector<Seed> fitSeeds(const ObjectImage& image, const std::vector<Seed>& seeds, double edgeLength,
                            bool beyond);
 
-//! The spheres of the seeds as one mesh.
+//! The spheres of the seeds as one mesh. Throws UsageError if it would have over two million triangles.
+//! Precondition: every seed has a radius.
 Mesh seedMesh(const std::vector<Seed>& seeds, double edgeLength);
 
 }  // namespace handlebody

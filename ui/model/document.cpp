@@ -10,6 +10,7 @@ namespace handlebody::ui {
 namespace {
 
 constexpr int kSettleMilliseconds = 150;
+constexpr int kMostUndone = 1000;  // entries, about a kilobyte each
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
@@ -21,6 +22,7 @@ Document::Private::Private(Document& document)
              {[this] { growthStateChanged(); }, [this] { Q_EMIT q.snapshotChanged(); },
               [this] { Q_EMIT q.summariesChanged(); },
               [this](int index, const EventTrace& trace) { Q_EMIT q.eventTraced(index, trace); }}) {
+  undo.setUndoLimit(kMostUndone);
   settle.setSingleShot(true);
   settle.setInterval(kSettleMilliseconds);
   QObject::connect(&settle, &QTimer::timeout, &q, [this] { preparationDue(); });

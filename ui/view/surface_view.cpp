@@ -192,17 +192,19 @@ void SurfaceView::Private::syncSlices() {
 //! Only when the mesh leaves the view or is lost in it: a camera that moves all the time hides the growth.
 void SurfaceView::Private::followMesh() {
   constexpr double kMargin = 2.2, kTooSmall = 5, kTooLarge = 1.05;  // heights of view per mesh
+  constexpr double kAtRest = 1.25, kFarAtRest = 1.6;                // and where nothing grows any more
   const std::shared_ptr<const MeshSnapshot> mesh = document.snapshot();
   if (!mesh || !follows || stage != EventStage::none || flight.state() == QAbstractAnimation::Running) return;
   const std::optional<Sight> sight = ui::sightOf(mesh->mesh.points);
   if (!sight) return;
   CameraPose pose = scene->pose();
   const double offset = (sight->centre - pose.focus).norm();
-  if (pose.height < heightFor(*sight, kTooSmall) &&
+  const bool atRest = document.state() == GrowthState::finished;
+  if (pose.height < heightFor(*sight, atRest ? kFarAtRest : kTooSmall) &&
       pose.height > heightFor({sight->centre, sight->radius + offset}, kTooLarge))
     return;
   pose.focus = sight->centre;
-  pose.height = heightFor(*sight, kMargin);
+  pose.height = heightFor(*sight, atRest ? kAtRest : kMargin);
   flyTo(pose);
 }
 
@@ -301,6 +303,9 @@ SurfaceView::SurfaceView(Document& document, ViewState& state, QWidget* parent)
   connect(&document, &Document::seedsChanged, this, seeds);
   connect(&document, &Document::resolvedChanged, this, seeds);
   connect(&document, &Document::snapshotChanged, this, [d] { d->draw(d->meshChanged); });
+  connect(&document, &Document::stateChanged, this, [d] {
+    if (d->document.state() == GrowthState::finished) d->draw(d->meshChanged);  // it may be seen from nearer
+  });
   const auto laterSlices = [d] {
     if (!d->sliceDelay.isActive()) d->sliceDelay.start(static_cast<int>(2 * d->renderTime));
   };

@@ -41,6 +41,9 @@ QString samplePath() {
   return {};
 }
 
+// It belongs to the program: to save must not overwrite it.
+bool isSample(const QString& path) { return QFileInfo(path).canonicalFilePath() == samplePath(); }
+
 // A file name without ".nii.gz" and its like.
 QString baseName(const QString& path) {
   const QString name = QFileInfo(path).fileName();
@@ -65,6 +68,9 @@ void FileWork::connectMessages() {
   const auto said = [this](const QString& text) { messages_.show(MessageBar::Kind::information, text); };
   const auto failed = [this](const QString& text) { messages_.show(MessageBar::Kind::error, text); };
   connect(&document_, &Document::openFailed, this, &FileWork::sayOpenFailed);
+  connect(&document_, &Document::opened, this, [this] {
+    if (!remembered_.isEmpty()) remember(remembered_);
+  });
   connect(&document_, &Document::exportFailed, this, failed);
   connect(&document_, &Document::saveFailed, this, [this, failed](const QString& text) {
     next_ = nullptr;
@@ -117,11 +123,16 @@ void FileWork::chooseFolder() {
 
 void FileWork::open(const QString& path, const VolumeSelection& selection) {
   whenSaved([this, path, selection] {
-    remember(path);
-    asked_ = path;
-    askedSelection_ = selection;
-    document_.open(path, selection);
+    begin(path, selection);
+    remembered_ = path;
   });
+}
+
+void FileWork::begin(const QString& path, const VolumeSelection& selection) {
+  asked_ = path;
+  askedSelection_ = selection;
+  remembered_.clear();
+  document_.open(path, selection);
 }
 
 void FileWork::sayOpenFailed(const QString& sentence) {
@@ -136,7 +147,7 @@ void FileWork::openSample() {
   if (path.isEmpty())
     messages_.show(MessageBar::Kind::error, tr("The sample is not installed with this program."));
   else
-    open(path);
+    whenSaved([this, path] { begin(path, {}); });  // its folder is not where the user keeps work
 }
 
 // Runs `next` at once, after saving, or not at all, as the user answers.
@@ -169,9 +180,10 @@ bool FileWork::mayClose() {
 }
 
 void FileWork::save() {
-  if (document_.sessionPath().isEmpty()) return saveAs();
+  const QString path = document_.sessionPath();
+  if (path.isEmpty() || isSample(path)) return saveAs();
   Q_EMIT aboutToSave();
-  document_.saveSession(document_.sessionPath());
+  document_.saveSession(path);
 }
 
 void FileWork::saveAs() {
@@ -241,7 +253,7 @@ void FileWork::recover(const QString& journal) {
     once->deleteLater();
   });
   connect(&document_, &Document::openFailed, once, &QObject::deleteLater);  // the journal is offered again
-  document_.open(journal);
+  begin(journal, {});
 }
 
 }  // namespace handlebody::ui

@@ -26,7 +26,7 @@ class FileWork : public QObject {
   void chooseFolder();
   //! Asks about unsaved work first.
   void open(const QString& path, const VolumeSelection& selection = {});
-  //! The ultrasound sample with its seed.
+  //! The ultrasound sample with its seed. To save it asks for a name: the sample itself stays as it is.
   void openSample();
   void save();
   void saveAs();
@@ -50,6 +50,7 @@ class FileWork : public QObject {
 
  private:
   void remember(const QString& path);
+  void begin(const QString& path, const VolumeSelection& selection);
   void whenSaved(std::function<void()> next);
   void afterSaved();
   void recover(const QString& journal);
@@ -67,6 +68,7 @@ class FileWork : public QObject {
   std::function<void()> next_;      //!< what waits for the session to be saved
   QString asked_;                   //!< what was to be opened last
   VolumeSelection askedSelection_;  //!< and how
+  QString remembered_;              //!< stands among the recent ones once it is open; empty: does not
   bool closing_ = false;
 };
 

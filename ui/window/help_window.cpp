@@ -69,6 +69,7 @@ void HelpWindow::show(Page page) {
   QWidget::show();
   raise();
   activateWindow();
+  tabs_->currentWidget()->setFocus();  // keys scroll the text at once
 }
 
 }  // namespace handlebody::ui

@@ -17,7 +17,14 @@ namespace {
 
 QColor lineColour(QIcon::Mode mode) {
   const QPalette palette = QGuiApplication::palette();
+  if (mode == QIcon::Selected) return palette.color(QPalette::Active, QPalette::HighlightedText);
   return palette.color(mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active, QPalette::WindowText);
+}
+
+// A coloured part looks as if it could be pressed, however faint it is; and is not seen on a chosen row.
+QByteArray withoutAccents(QByteArray drawing) {
+  for (const char* accent : {"#3b82c4", "#c2483d", "#c98a1b"}) drawing.replace(accent, "currentColor");
+  return drawing;
 }
 
 class LineIcon : public QIconEngine {
@@ -26,9 +33,10 @@ class LineIcon : public QIconEngine {
 
   void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
     QByteArray coloured = drawing_;
+    if (mode == QIcon::Disabled || mode == QIcon::Selected) coloured = withoutAccents(coloured);
     coloured.replace("currentColor", lineColour(mode).name().toLatin1());
     QSvgRenderer renderer(coloured);
-    if (mode == QIcon::Disabled) painter->setOpacity(0.55);  // the accent colour is to fade as well
+    if (mode == QIcon::Disabled) painter->setOpacity(0.55);
     renderer.render(painter, rect);
     painter->setOpacity(1);
   }

@@ -77,12 +77,9 @@ void MainWindow::showOpened() {
   if (!document_.seeds().empty() && document_.view().isEmpty())
     state_.setCrosshair(document_.seeds().front().centre);
   updateTitle();
-  const std::vector<std::string>& warnings = document_.info().warnings;
   messages_->dismiss();
-  if (!warnings.empty())
-    messages_->show(MessageBar::Kind::warning,
-                    inWordsOfWindow(QString::fromStdString(warnings.front())) +
-                        (warnings.size() > 1 ? tr(" More in the step Open.") : QString()));
+  if (!document_.info().warnings.empty())
+    messages_->show(MessageBar::Kind::warning, mainWarning(document_.info()));
 }
 
 void MainWindow::keepView() {

@@ -7,6 +7,7 @@
 #include <QToolButton>
 
 #include "ui/window/icons.h"
+#include "ui/window/sentences.h"
 
 namespace handlebody::ui {
 
@@ -55,7 +56,8 @@ MessageBar::MessageBar(QWidget* parent)
 
 void MessageBar::show(Kind kind, const QString& sentence, const std::vector<Answer>& answers) {
   symbol_->setPixmap(icon(symbolName(kind)).pixmap(QSize(20, 20), devicePixelRatioF()));
-  text_->setText(sentence);
+  sentence_ = sentence;
+  text_->setText(breakable(sentence));
   setAnswers(answers);
   if (kind == Kind::information && answers.empty())
     timer_->start(kInformationStays);
@@ -81,7 +83,7 @@ void MessageBar::setAnswers(const std::vector<Answer>& answers) {
   layout_->insertWidget(2, answers_);
 }
 
-QString MessageBar::text() const { return text_->text(); }
+QString MessageBar::text() const { return sentence_; }
 
 void MessageBar::dismiss() { hide(); }
 

@@ -34,6 +34,7 @@ class MessageBar : public QFrame {
 
   QLabel* symbol_;
   QLabel* text_;
+  QString sentence_;
   QWidget* answers_ = nullptr;
   QHBoxLayout* layout_;
   QTimer* timer_;

@@ -192,7 +192,7 @@ void OpenPanel::showWarnings(const std::vector<std::string>& warnings) {
   QStringList lines;
   for (const std::string& warning : warnings)
     lines << QStringLiteral("<p style='margin: 4px 0 0 0'>⚠ %1</p>")
-                 .arg(inWordsOfWindow(QString::fromStdString(warning)).toHtmlEscaped());
+                 .arg(breakable(inWordsOfWindow(QString::fromStdString(warning))).toHtmlEscaped());
   warnings_->setText(lines.join(QString()));
   warnings_->setVisible(!lines.isEmpty());
 }

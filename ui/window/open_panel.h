@@ -26,6 +26,8 @@ class OpenPanel : public QWidget {
 
   //! Asks for the spacing of a file that cannot be opened without it.
   void askSpacing(const QString& path, const VolumeSelection& selection);
+  //! What is doubtful about what is open, a sentence each.
+  void showWarnings(const std::vector<std::string>& warnings);
 
  Q_SIGNALS:
   void openRequested(const QString& path, const handlebody::VolumeSelection& selection);
@@ -41,7 +43,6 @@ class OpenPanel : public QWidget {
   void offerSpacing();
   void openWithSpacing(const Vec3& spacing);
   void showOpened();
-  void showWarnings(const std::vector<std::string>& warnings);
 
   Document& document_;
   QLabel* hint_;

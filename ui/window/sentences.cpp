@@ -1,6 +1,7 @@
 #include "ui/window/sentences.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 
 namespace handlebody::ui {
 
@@ -23,6 +24,32 @@ QString inWordsOfWindow(QString sentence) {
   for (const Wording& w : kWordings)
     sentence.replace(QLatin1String(w.option), QCoreApplication::translate("Sentences", w.field));
   return sentence;
+}
+
+QString mainWarning(const VolumeInfo& info) {
+  const auto namesScale = [&](const std::string& warning) {
+    return !info.calibrated && warning.find("uncalibrated") != std::string::npos;
+  };
+  const auto first = std::find_if(info.warnings.begin(), info.warnings.end(), namesScale);
+  const std::string& warning = first == info.warnings.end() ? info.warnings.front() : *first;
+  const QString more = QCoreApplication::translate("Sentences", " More in the step Open.");
+  return inWordsOfWindow(QString::fromStdString(warning)) + (info.warnings.size() > 1 ? more : QString());
+}
+
+QString breakable(const QString& text) {
+  constexpr int kLongWord = 28;  // characters that fit into the narrowest panel
+  constexpr QChar kMayBreak(0x200b);
+  QString result;
+  int word = 0;
+  for (const QChar c : text) {
+    word = c.isSpace() ? 0 : word + 1;
+    if (word > kLongWord) {
+      result += kMayBreak;
+      word = 1;
+    }
+    result += c;
+  }
+  return result;
 }
 
 bool asksForSpacing(const QString& sentence) { return sentence.contains(QLatin1String("give --spacing")); }

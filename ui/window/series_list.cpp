@@ -1,5 +1,7 @@
 #include "ui/window/series_list.h"
 
+#include <algorithm>
+
 #include "ui/window/numbers.h"
 
 namespace handlebody::ui {
@@ -44,7 +46,14 @@ SeriesList::SeriesList(QWidget* parent) : QListWidget(parent) {
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // lines are shortened; the tooltip has them whole
   setAlternatingRowColors(true);
   setSpacing(2);
-  setMinimumHeight(230);
+}
+
+// As high as what it lists, so that what is open stands below without scrolling; many are scrolled.
+void SeriesList::fitHeight() {
+  constexpr int kHighest = 230;
+  int height = 2 * frameWidth();
+  for (int row = 0; row < count(); ++row) height += sizeHintForRow(row) + 2 * spacing();
+  setFixedHeight(std::min(height, kHighest));
 }
 
 void SeriesList::offer(const std::vector<SeriesInfo>& series) {
@@ -63,6 +72,7 @@ void SeriesList::offer(const std::vector<SeriesInfo>& series) {
     if (!usable) item->setFlags(Qt::NoItemFlags);
     if (usable && !currentItem()) setCurrentItem(item);
   }
+  fitHeight();
 }
 
 QString SeriesList::chosen() const {

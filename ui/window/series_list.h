@@ -22,6 +22,9 @@ class SeriesList : public QListWidget {
   void offer(const std::vector<SeriesInfo>& series);
   //! SeriesInstanceUID of the current series; empty: none.
   QString chosen() const;
+
+ private:
+  void fitHeight();
 };
 
 }  // namespace handlebody::ui

@@ -35,6 +35,7 @@ StatusFields::StatusFields(QStatusBar* bar, Document& document)
       position_(field(bar, tr("Position of the mouse, mm LPS"), QStringLiteral("-000.0, -000.0, -000.0 mm"))),
       voxel_(field(bar, tr("Voxel under the mouse"), tr("Voxel %1").arg(QStringLiteral("000, 000, 000")))),
       intensity_(field(bar, tr("Intensity of the voxel"), tr("Intensity %1").arg(QStringLiteral("-0000.0")))),
+      uncalibrated_(new QLabel(tr("Uncalibrated"), bar)),
       state_(field(bar, tr("State of the growth"), {})),
       progress_(new QProgressBar(bar)),
       cancel_(new QToolButton(bar)) {
@@ -46,6 +47,11 @@ StatusFields::StatusFields(QStatusBar* bar, Document& document)
   cancel_->setIcon(icon(QStringLiteral("close")));
   cancel_->setAutoRaise(true);
   describe(cancel_, tr("Cancel"), tr("Stop reading the volume; what is open stays open"));
+  describe(
+      uncalibrated_, tr("Uncalibrated"),
+      tr("The file does not give the size of a voxel: lengths, areas and volumes mean nothing until it is "
+         "entered in step 1, Open"));
+  bar->addPermanentWidget(uncalibrated_);
   bar->addPermanentWidget(state_);
   bar->addPermanentWidget(progress_);
   bar->addPermanentWidget(cancel_);
@@ -73,6 +79,7 @@ void StatusFields::clearCursor() {
 }
 
 void StatusFields::showState() {
+  uncalibrated_->setVisible(document_.hasVolume() && !document_.info().calibrated);
   if (!document_.isOpening())
     state_->setText(document_.hasVolume() ? stateText(document_) : tr("Nothing is open"));
 }

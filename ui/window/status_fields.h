@@ -29,7 +29,7 @@ class StatusFields : public QObject {
   void endProgress();
 
   Document& document_;
-  QLabel *position_, *voxel_, *intensity_, *state_;
+  QLabel *position_, *voxel_, *intensity_, *uncalibrated_, *state_;
   QProgressBar* progress_;
   QToolButton* cancel_;
 };

@@ -2,6 +2,7 @@
 
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QPainter>
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QStyle>
@@ -34,8 +35,23 @@ class Page : public QScrollArea {
   }
 };
 
+// With a line under the step that is shown: its ground alone looks like that of a button under the mouse.
+class StepButton : public QToolButton {
+ public:
+  using QToolButton::QToolButton;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override {
+    QToolButton::paintEvent(event);
+    constexpr int kLine = 3, kInset = 6;  // pixels
+    if (isChecked())
+      QPainter(this).fillRect(kInset, height() - kLine, width() - 2 * kInset, kLine,
+                              palette().color(QPalette::Highlight));
+  }
+};
+
 QToolButton* stepButton(QAction* action, QWidget* parent) {
-  auto* button = new QToolButton(parent);
+  auto* button = new StepButton(parent);
   button->setDefaultAction(action);
   button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
   button->setAutoRaise(true);

@@ -58,8 +58,12 @@ void TimelineSlider::paintEvent(QPaintEvent*) {
     painter.drawPolygon(diamond, 4);
   }
   painter.setBrush(kAccent);
-  painter.setPen(QPen(palette().color(QPalette::Base), hasFocus() ? 2.5 : 1.5));
+  painter.setPen(QPen(palette().color(QPalette::Base), 1.5));
   painter.drawEllipse(QPointF(a.toX(value()), y), kHandle, kHandle);
+  if (!hasFocus()) return;
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(palette().color(QPalette::WindowText), 1.5));
+  painter.drawEllipse(QPointF(a.toX(value()), y), kHandle + 2, kHandle + 2);
 }
 
 }  // namespace handlebody::ui

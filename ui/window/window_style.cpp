@@ -72,4 +72,18 @@ void WindowStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
     QProxyStyle::drawPrimitive(element, option, painter, widget);
 }
 
+// The row under the mouse has the colour of the icons' accents.
+void WindowStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                              const QWidget* widget) const {
+  const auto* item = qstyleoption_cast<const QStyleOptionMenuItem*>(option);
+  constexpr State kChosen = State_Selected | State_Enabled;
+  if (element != CE_MenuItem || !item || item->icon.isNull() || (item->state & kChosen) != kChosen)
+    return QProxyStyle::drawControl(element, option, painter, widget);
+  const int size = pixelMetric(PM_SmallIconSize, option, widget);
+  const double ratio = painter->device()->devicePixelRatioF();
+  QStyleOptionMenuItem chosen = *item;
+  chosen.icon = QIcon(item->icon.pixmap(QSize(size, size), ratio, QIcon::Selected));
+  QProxyStyle::drawControl(element, &chosen, painter, widget);
+}
+
 }  // namespace handlebody::ui

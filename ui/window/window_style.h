@@ -1,6 +1,7 @@
 #pragma once
 // Fusion, but for the check boxes, whose outline Fusion takes from the window's colour, so that on a dark
-// ground it cannot be seen; and for the pictures in dialogs, which are of another age.
+// ground it cannot be seen; for the icons in the chosen row of a menu; and for the pictures in dialogs, which
+// are of another age.
 
 #include <QProxyStyle>
 
@@ -17,6 +18,8 @@ class WindowStyle : public QProxyStyle {
   QIcon standardIcon(StandardPixmap which, const QStyleOption* option, const QWidget* widget) const override;
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override;
+  void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                   const QWidget* widget) const override;
 };
 
 }  // namespace handlebody::ui

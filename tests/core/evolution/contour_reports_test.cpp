@@ -173,6 +173,15 @@ TEST_CASE("a seed outside the volume is refused") {
   CHECK_THROWS_AS(ActiveContour(ballVolume(), {}, {}), UsageError);
 }
 
+TEST_CASE("an edge length that would fill the memory is refused before anything is made",
+          "[active_contour]") {
+  Parameters p;
+  for (double edge : {1e-3, 1e-12, 1e-300}) {
+    p.edgeLength = edge;
+    CHECK_THROWS_AS(ActiveContour(ballVolume(), {Seed{kMiddle, 4.0}}, p), UsageError);
+  }
+}
+
 TEST_CASE("two seeds at the same place are one") {
   const ActiveContour contour(ballVolume(), {Seed{kMiddle, 4.0}, Seed{kMiddle, 4.0}}, {});
   CHECK(contour.parameters().seeds.size() == 1);

@@ -108,6 +108,18 @@ TEST_CASE("one drag is one entry, the next drag another", "[document]") {
   CHECK(document.seeds()[0] == torus.seed);
 }
 
+TEST_CASE("the list of what can be undone has an end, so that a long session does not grow", "[document]") {
+  Document document;
+  QUndoStack& undo = *document.undoStack();
+  REQUIRE(undo.undoLimit() > 0);
+  for (int i = 0; i < undo.undoLimit() + 50; ++i) {
+    Parameters parameters = document.parameters();
+    parameters.balloon = 0.1 + 1e-3 * i;
+    document.setParameters(parameters, QStringLiteral("Change balloon"));
+  }
+  CHECK(undo.count() == undo.undoLimit());
+}
+
 TEST_CASE("parameters are undone under the name they were changed by", "[document]") {
   const TorusFile torus;
   Document document;

@@ -11,6 +11,7 @@ struct State {
   std::vector<Seed> seeds;
   int selected = -1;
   std::shared_ptr<const MeshSnapshot> snapshot;
+  GrowthState growth = GrowthState::none;
   std::vector<int> gestures;
 };
 
@@ -33,6 +34,7 @@ bool Document::hasVolume() const { return d_->open; }
 const Volume& Document::volume() const { return d_->volume; }
 const std::vector<Seed>& Document::seeds() const { return d_->seeds; }
 int Document::selectedSeed() const { return d_->selected; }
+GrowthState Document::state() const { return d_->growth; }
 std::shared_ptr<const MeshSnapshot> Document::snapshot() const { return d_->snapshot; }
 
 void Document::addSeed(const Seed& seed) {
@@ -85,6 +87,11 @@ void setSnapshot(Document& document, const TriangleSoup& mesh, const std::vector
   snapshot->states.resize(mesh.triangles.size(), FaceState::moving);
   states().at(&document)->snapshot = snapshot;
   Q_EMIT document.snapshotChanged();
+}
+
+void setGrowthState(Document& document, GrowthState growth) {
+  states().at(&document)->growth = growth;
+  Q_EMIT document.stateChanged();
 }
 
 const std::vector<int>& gestures(const Document& document) { return states().at(&document)->gestures; }

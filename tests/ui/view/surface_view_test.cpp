@@ -255,6 +255,31 @@ TEST_CASE("A mesh that outgrows the view stays in view until the camera is moved
   CHECK(countPixels(surface.picture(), rim, isWarm) == 0);
 }
 
+TEST_CASE("A surface at rest fills the view, unless the camera was moved by hand", "[surface_view]") {
+  Surface surface;
+  if (!surface.ready()) return;
+  const auto share = [&] {
+    return double(countPixels(surface.picture(), isWarm)) / double(kWidth * kHeight);
+  };
+  const auto grow = [&] {
+    setGrowthState(surface.document, GrowthState::running);
+    surface.setSphere(50);
+    surface.setSphere(160);
+  };
+  grow();
+  const double growing = share();
+  setGrowthState(surface.document, GrowthState::finished);
+  const double atRest = share();
+  CHECK(growing < 0.15);  // room to grow
+  CHECK(atRest > 2 * growing);
+
+  grow();
+  turnWheel(surface.view, {200, 150}, -1);
+  const QImage byHand = surface.picture();
+  setGrowthState(surface.document, GrowthState::finished);
+  CHECK(surface.picture() == byHand);
+}
+
 TEST_CASE("A picture has the size of the view in device pixels, and two are the same", "[surface_view]") {
   Surface surface;
   if (!surface.ready()) return;

@@ -9,12 +9,16 @@
 #include <QComboBox>
 #include <QMenu>
 #include <QMenuBar>
+#include <QScrollBar>
+#include <QTableView>
 #include <QToolButton>
 
 #include "tests/ui/window/window_support.h"
 #include "ui/window/commands.h"
 #include "ui/window/event_inspector.h"
 #include "ui/window/help_pages.h"
+#include "ui/window/help_window.h"
+#include "ui/window/timeline_slider.h"
 
 using namespace handlebody;
 using namespace handlebody::test;
@@ -65,13 +69,19 @@ QString described(const QWidget& widget) {
 QSet<QWidget*> reachedByTab(ui::MainWindow& window) {
   QSet<QWidget*> reached;
   window.activateWindow();
-  window.views().slice(ui::Plane::axial).setFocus();
+  ui::SliceView& view = window.views().slice(ui::Plane::axial);
+  QWidget* first = &view;
+  const auto controls = shownControls(window);
+  if (!view.isVisible())
+    first = *std::find_if(controls.begin(), controls.end(),
+                          [](const QWidget* w) { return w->isEnabled() && w->focusPolicy() & Qt::TabFocus; });
+  first->setFocus(Qt::TabFocusReason);
   for (int i = 0; i < 300; ++i) {
     QWidget* focus = QApplication::focusWidget();
     if (!focus) break;
     reached << focus;
     QTest::keyClick(focus, Qt::Key_Tab);
-    if (QApplication::focusWidget() == &window.views().slice(ui::Plane::axial)) break;
+    if (QApplication::focusWidget() == first) break;
   }
   return reached;
 }
@@ -117,6 +127,22 @@ std::unique_ptr<ui::MainWindow> busyWindow() {
   return there ? std::move(window) : nullptr;
 }
 
+//! Of the events of a growth.
+QTableView* eventTable(ui::MainWindow& window) {
+  const auto tables = window.findChildren<QTableView*>();
+  for (QTableView* table : tables)
+    if (table->accessibleName() == "Events") return table;
+  return nullptr;
+}
+
+std::vector<SeriesInfo> twoSeries() {
+  std::vector<SeriesInfo> series(2);
+  series[0].uid = "1.2.3";
+  series[1].uid = "1.2.4";
+  for (SeriesInfo& s : series) s.slices = s.files = 20;
+  return series;
+}
+
 }  // namespace
 
 class AccessTest : public QObject {
@@ -126,6 +152,10 @@ class AccessTest : public QObject {
   void tabReachesEveryControl();
   void arrowsChooseAmongChoicesThatExcludeEachOther();
   void everyControlIsReadAloudByAName();
+  void whatIsAskedWhileNothingIsOpenIsReachedAndNamed();
+  void anEventAndAnIterationAreChosenByKeys();
+  void itIsSeenThatTheTimelineHasTheFocus();
+  void keysScrollTheGuideAtOnceAndEscapeClosesIt();
   void everyKeyIsOnThePageOfKeysAndInTheTip();
   void everyMenuEntryIsACommandOfTheTable();
 };
@@ -164,6 +194,84 @@ void AccessTest::everyControlIsReadAloudByAName() {
     const QString nameless = withoutName(*window).join(QLatin1Char('\n'));
     QVERIFY2(nameless.isEmpty(), qPrintable(window->commands()[step]->text() + QLatin1Char('\n') + nameless));
   }
+}
+
+// The start page with a file opened before, the list of series, the spacing of a voxel, a message.
+void AccessTest::whatIsAskedWhileNothingIsOpenIsReachedAndNamed() {
+  QSettings().clear();
+  QSettings().setValue("recent", QStringList{sample("cyst.nii.gz")});
+  ui::MainWindow window;
+  window.resize(1280, 800);
+  window.show();
+  window.activateWindow();
+  QVERIFY(QTest::qWaitForWindowActive(&window));
+  Q_EMIT window.document().seriesChoiceNeeded(QStringLiteral("/somewhere/scans"), twoSeries());
+  Q_EMIT window.files().spacingNeeded(QStringLiteral("/somewhere/cine.dcm"), {});
+  window.messages().show(ui::MessageBar::Kind::error, QStringLiteral("No."));
+  QTest::qWait(50);
+  const QString missed = notReached(window).join(QLatin1Char('\n'));
+  QVERIFY2(missed.isEmpty(), qPrintable(missed));
+  const QString nameless = withoutName(window).join(QLatin1Char('\n'));
+  QVERIFY2(nameless.isEmpty(), qPrintable(nameless));
+}
+
+void AccessTest::anEventAndAnIterationAreChosenByKeys() {
+  auto window = busyWindow();
+  QVERIFY(window);
+  ui::Document& document = window->document();
+  const int event = document.events()[static_cast<std::size_t>(firstHandle(document))].iteration;
+  QVERIFY(QTest::qWaitFor([&] { return document.iteration() == event; }, kPatience));
+  QSlider* slider = nullptr;
+  const auto sliders = window->findChildren<QSlider*>();
+  for (QSlider* s : sliders)
+    if (s->accessibleName() == "Iteration") slider = s;
+  QVERIFY(slider);
+  slider->setFocus();
+  QTest::keyClick(slider, Qt::Key_Right);
+  QVERIFY(QTest::qWaitFor([&] { return document.iteration() == event + 1; }, kPatience));
+  QTest::keyClick(slider, Qt::Key_End);
+  QVERIFY(QTest::qWaitFor([&] { return document.iteration() == document.lastIteration(); }, kPatience));
+
+  QTableView* table = eventTable(*window);
+  QVERIFY(table && table->model()->rowCount() > 0);
+  table->setFocus();
+  table->setCurrentIndex(table->model()->index(0, 0));
+  QTest::keyClick(table, Qt::Key_Return);
+  QVERIFY(QTest::qWaitFor([&] { return document.iteration() == event; }, kPatience));
+}
+
+void AccessTest::itIsSeenThatTheTimelineHasTheFocus() {
+  ui::TimelineSlider slider;
+  slider.setRange(0, 10);
+  slider.setValue(5);
+  slider.resize(300, 24);
+  slider.show();
+  slider.activateWindow();
+  QVERIFY(QTest::qWaitForWindowActive(&slider));
+  slider.clearFocus();
+  const QImage without = slider.grab().toImage();
+  slider.setFocus();
+  const QImage with = slider.grab().toImage();
+  int different = 0;
+  for (int y = 0; y < with.height(); ++y)
+    for (int x = 0; x < with.width(); ++x)
+      different += std::abs(qGray(with.pixel(x, y)) - qGray(without.pixel(x, y))) > 60;
+  QVERIFY2(different > 20, qPrintable(QString::number(different)));
+}
+
+void AccessTest::keysScrollTheGuideAtOnceAndEscapeClosesIt() {
+  auto window = shownWindow();
+  QVERIFY(window);
+  QTest::keyClick(window.get(), Qt::Key_F1);
+  auto* help = window->findChild<ui::HelpWindow*>();
+  QVERIFY(help && QTest::qWaitForWindowActive(help));
+  QTRY_VERIFY(help->isAncestorOf(QApplication::focusWidget()));
+  QWidget* focus = QApplication::focusWidget();
+  QTest::keyClick(focus, Qt::Key_PageDown);
+  auto* page = qobject_cast<QAbstractScrollArea*>(focus);
+  QVERIFY(page && page->verticalScrollBar()->value() > 0);
+  QTest::keyClick(focus, Qt::Key_Escape);
+  QVERIFY(!help->isVisible());
 }
 
 void AccessTest::everyKeyIsOnThePageOfKeysAndInTheTip() {

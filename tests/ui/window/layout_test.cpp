@@ -2,6 +2,7 @@
 // in every step of the work.
 
 #include <QCheckBox>
+#include <QMenu>
 #include <QScrollBar>
 #include <QTextBrowser>
 #include <cmath>
@@ -10,6 +11,8 @@
 #include "tests/ui/window/window_support.h"
 #include "ui/window/event_inspector.h"
 #include "ui/window/help_window.h"
+#include "ui/window/icons.h"
+#include "ui/window/open_panel.h"
 #include "ui/window/toggle_button.h"
 
 using namespace handlebody;
@@ -77,9 +80,12 @@ class LayoutTest : public QObject {
   void nothingIsCutOffWhenAnEventIsInspected();
   void nothingIsCutOffWhenSeriesAreOffered();
   void nothingIsCutOffWithALongFileName();
+  void nothingIsCutOffWhenMessagesHoldLongWords();
   void theDockKeepsItsWidthWhenAnEventIsChosen();
   void theHelpPagesDoNotScrollSideways();
   void togglesAndTheirTextAreToldApartInBothAppearances();
+  void theStepThatIsShownIsToldFromTheOneUnderTheMouse();
+  void theIconOfTheChosenRowOfAMenuIsSeen();
   void checkBoxesAreSeenInBothAppearances();
   void textIsReadableInBothAppearances();
 };
@@ -154,6 +160,26 @@ void LayoutTest::nothingIsCutOffWithALongFileName() {
   QVERIFY(window->views().width() > window->width() / 2);  // and the name pushed nothing away
 }
 
+// Two DICOM stacks at different places: the warnings name them by UIDs of 64 characters.
+void LayoutTest::nothingIsCutOffWhenMessagesHoldLongWords() {
+  const QString uid = "1.2.826.0.1.3680043.9.4245.3115138630835728997848661150714813892#1";
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst.nii.gz")));
+  window->resize(kSmall);
+  QTest::qWait(50);
+  const int before = window->views().width();
+  auto* panel = window->findChild<ui::OpenPanel*>();
+  QVERIFY(panel);
+  window->showStep(ui::Command::stepOpen);
+  panel->showWarnings({"Its stacks are to be had alone: " + uid.toStdString() + " (14 slices)."});
+  const QString path = '/' + QString(200, 'x') + ".nii.gz";
+  auto* messages = window->findChild<ui::MessageBar*>();
+  messages->show(ui::MessageBar::Kind::error, path + ": it is not a volume.");
+  NO_FAULTS(resized(*window, kSmall));
+  QCOMPARE(window->views().width(), before);
+  QVERIFY(messages->text().startsWith(path));
+}
+
 void LayoutTest::theDockKeepsItsWidthWhenAnEventIsChosen() {
   auto window = shownWindow();
   QVERIFY(window && open(*window, sample("cyst_session.json")));
@@ -190,6 +216,42 @@ void LayoutTest::togglesAndTheirTextAreToldApartInBothAppearances() {
     QVERIFY(contrast(offGround, onGround) > 2);
     QVERIFY(largestContrast(off.grab().toImage(), offGround) > 4.5);
     QVERIFY(largestContrast(on.grab().toImage(), onGround) > 4.5);
+  }
+}
+
+void LayoutTest::theStepThatIsShownIsToldFromTheOneUnderTheMouse() {
+  auto window = shownWindow();
+  QVERIFY(window);
+  QAbstractButton *shown = nullptr, *other = nullptr;
+  const auto buttons = window->findChildren<QAbstractButton*>();
+  for (QAbstractButton* button : buttons) {
+    if (button->accessibleName().startsWith("Step 1")) shown = button;
+    if (button->accessibleName().startsWith("Step 3")) other = button;
+  }
+  QVERIFY(shown && other && shown->isChecked() && !other->isChecked());
+  for (auto appearance : {ui::Appearance::light, ui::Appearance::dark}) {
+    window->setAppearance(appearance);
+    other->setAttribute(Qt::WA_UnderMouse);
+    const QPoint below(shown->width() / 2, shown->height() - 2);
+    const QColor marked = shown->grab().toImage().pixelColor(below),
+                 hovered = other->grab().toImage().pixelColor(below);
+    QVERIFY(contrast(marked, hovered) > 1.8);
+    QVERIFY(marked.saturation() > hovered.saturation() + 60);
+  }
+}
+
+void LayoutTest::theIconOfTheChosenRowOfAMenuIsSeen() {
+  for (auto appearance : {ui::Appearance::light, ui::Appearance::dark}) {
+    switchAppearances(appearance);
+    QMenu menu;
+    QAction* start = menu.addAction(ui::icon(QStringLiteral("run")), QString());
+    menu.popup({0, 0});
+    menu.setActiveAction(start);
+    QVERIFY(QTest::qWaitForWindowExposed(&menu));
+    const QRect row = menu.actionGeometry(start);
+    const QImage picture = menu.grab(row.adjusted(3, 3, -3, -3)).toImage();
+    QVERIFY(largestContrast(picture, menu.palette().color(QPalette::Highlight)) > 3);
+    menu.close();
   }
 }
 

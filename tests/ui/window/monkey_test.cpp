@@ -10,6 +10,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QTimer>
+#include <QUndoStack>
 #include <ctime>
 #include <random>
 #include <sstream>
@@ -159,9 +160,10 @@ double usedMegabytes() {
   return double(info.uordblks + info.hblkhd) / 1e6;
 }
 
-void tellMemory(qint64 milliseconds, int actions) {
-  qInfo("%4lld s, %d actions: %.0f MB resident, %.1f MB in use", static_cast<long long>(milliseconds / 1000),
-        actions, residentMegabytes(), usedMegabytes());
+void tellMemory(qint64 milliseconds, int actions, const ui::Document& document) {
+  qInfo("%4lld s, %d actions: %.0f MB resident, %.1f MB in use; %d iterations, %d entries to undo",
+        static_cast<long long>(milliseconds / 1000), actions, residentMegabytes(), usedMegabytes(),
+        document.lastIteration(), document.undoStack()->count());
 }
 
 //! Of this thread: a machine that is busy with other things makes an action slow as well.
@@ -199,11 +201,11 @@ void MonkeyTest::randomEventsDoNoHarm() {
   clock.start();
   qint64 slowest = 0;
   int actions = 0;
-  tellMemory(0, 0);
+  tellMemory(0, 0, window->document());
   qint64 nextTold = 60000;
   for (; clock.elapsed() < seconds * 1000LL; ++actions) {
     if (clock.elapsed() > nextTold) {
-      tellMemory(clock.elapsed(), actions);
+      tellMemory(clock.elapsed(), actions, window->document());
       nextTold += 60000;
     }
     answer.start();
@@ -221,7 +223,9 @@ void MonkeyTest::randomEventsDoNoHarm() {
     if (!certain) QFAIL(described(*snapshot, actions).c_str());
     QVERIFY(window->document().iteration() <= window->document().lastIteration());
   }
-  tellMemory(clock.elapsed(), actions);
+  tellMemory(clock.elapsed(), actions, window->document());
+  malloc_trim(0);
+  qInfo("%.0f MB resident without what malloc keeps for later", residentMegabytes());
   qInfo("%d actions, the slowest took %lld ms", actions, static_cast<long long>(slowest));
 }
 

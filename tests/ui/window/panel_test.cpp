@@ -75,6 +75,7 @@ class PanelTest : public QObject {
   void aCalibratedVolumeAsksForNoSpacing();
   void aSeriesSaysWhatItHoldsAndOnlyVolumesCanBeChosen();
   void sentencesNameFieldsInTheirPlaceOfOptions();
+  void thatLengthsMeanNothingIsSaidFirst();
 };
 
 void PanelTest::doubtsAreShownOfASurfaceAtRestAndOnlyThen() {
@@ -198,6 +199,7 @@ void PanelTest::anUncalibratedVolumeIsOpenedAgainWithTheSpacingThatIsEntered() {
   window->showStep(Command::stepOpen);
   const QString warnings = shownText(*window, "Warnings");
   QVERIFY(warnings.contains("step 1, Open") && !warnings.contains("--spacing"));
+  QVERIFY(shownLabel(*window, "Uncalibrated"));
   const char* const names[] = {"Spacing of columns", "Spacing of rows", "Spacing of slices"};
   const char* const values[] = {"0.5", "0.25", "2.125"};
   for (int axis = 0; axis < 3; ++axis) {
@@ -212,6 +214,7 @@ void PanelTest::anUncalibratedVolumeIsOpenedAgainWithTheSpacingThatIsEntered() {
   QVERIFY(!opened.isEmpty() || opened.wait(kPatience));
   QVERIFY(window->document().volume().grid.spacing == Vec3(0.5, 0.25, 2.125));
   QVERIFY(window->document().info().calibrated);
+  QVERIFY(!shownLabel(*window, "Uncalibrated"));
 }
 
 void PanelTest::aCalibratedVolumeAsksForNoSpacing() {
@@ -257,6 +260,17 @@ void PanelTest::sentencesNameFieldsInTheirPlaceOfOptions() {
     QVERIFY(ui::inWordsOfWindow(text).contains("step"));
   }
   QVERIFY(!ui::asksForSpacing("scan.dcm: it is truncated"));
+}
+
+void PanelTest::thatLengthsMeanNothingIsSaidFirst() {
+  VolumeInfo info;
+  info.warnings = {"One file is left out.", "The volume is uncalibrated: 1 mm is assumed."};
+  QVERIFY(ui::mainWarning(info).startsWith("One file"));
+  info.calibrated = false;
+  QVERIFY(ui::mainWarning(info).startsWith("The volume is uncalibrated"));
+  QVERIFY(ui::mainWarning(info).contains("More"));
+  info.warnings = {"The volume is uncalibrated."};
+  QCOMPARE(ui::mainWarning(info), QString("The volume is uncalibrated."));
 }
 
 int main(int argc, char** argv) {

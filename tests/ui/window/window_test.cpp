@@ -1,5 +1,6 @@
 // The window as a person uses it: real mouse and key events on a real display.
 
+#include <QDir>
 #include <QDoubleSpinBox>
 #include <QDragEnterEvent>
 #include <QDropEvent>
@@ -8,6 +9,7 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QProcess>
+#include <QTimer>
 #include <QUndoStack>
 
 #include "core/io/mesh_io.h"
@@ -55,9 +57,11 @@ class WindowTest : public QObject {
   void steppingBackIsExactAndANewParameterGoesOnFromThere();
   void anEventIsInspectedInItsStages();
   void whatIsExportedIsWhatReplayMakes();
+  void onlyWhatCouldBeOpenedStandsAmongTheRecent();
   void badFilesLeaveTheOpenWorkAlone();
   void twoStacksUnderOneUidAreAChoice();
   void anUncalibratedVolumeTakesTheSpacingThatIsGiven();
+  void savingTheSampleAsksForANameAndLeavesItAsItIs();
   void aSeedIsUndoneByName();
   void everyCommandIsInAMenuWithItsKeys();
   void everyControlHasAName();
@@ -160,6 +164,21 @@ void WindowTest::whatIsExportedIsWhatReplayMakes() {
   QCOMPARE(contentOf(again), contentOf(mesh));
 }
 
+void WindowTest::onlyWhatCouldBeOpenedStandsAmongTheRecent() {
+  const QTemporaryDir folder;
+  const QString bad = folder.filePath("bad.nii.gz"), good = sample("cyst.nii.gz");
+  QFile file(bad);
+  QVERIFY(file.open(QIODevice::WriteOnly) && file.write("no volume") > 0);
+  file.close();
+  auto window = shownWindow();
+  QSignalSpy failed(&window->document(), &ui::Document::openFailed);
+  window->files().open(bad);
+  QVERIFY(failed.wait(kPatience));
+  QVERIFY(window->files().recent().isEmpty());
+  QVERIFY(open(*window, good));
+  QCOMPARE(window->files().recent(), QStringList{good});
+}
+
 void WindowTest::badFilesLeaveTheOpenWorkAlone() {
   auto window = shownWindow();
   QVERIFY(window && open(*window, sample("cyst_session.json")));
@@ -235,6 +254,37 @@ void WindowTest::anUncalibratedVolumeTakesTheSpacingThatIsGiven() {
   QVERIFY(!opened.isEmpty() || opened.wait(kPatience));
   QVERIFY(window->document().info().calibrated);
   QCOMPARE(window->document().volume().grid.spacing.z(), 2.5);
+}
+
+void WindowTest::savingTheSampleAsksForANameAndLeavesItAsItIs() {
+  // Where an installed program has it.
+  const QDir program(QApplication::applicationDirPath());
+  const QString folder = program.filePath("../share/handlebody/sample_volumes");
+  QVERIFY(QDir().mkpath(folder));
+  for (const char* name : {"cyst_session.json", "cyst.nii.gz"})
+    QVERIFY(QFile::exists(folder + '/' + name) || QFile::copy(sample(name), folder + '/' + name));
+  const QString session = folder + "/cyst_session.json";
+  const QByteArray before = contentOf(session);
+
+  auto window = shownWindow();
+  QSignalSpy opened(&window->document(), &ui::Document::opened);
+  window->files().openSample();
+  QVERIFY(opened.wait(kPatience));
+  QVERIFY(window->files().recent().isEmpty());
+  window->document().setSeedRadius(0, 9.0);
+  QSignalSpy saved(&window->document(), &ui::Document::sessionSaved);
+  QString asked;
+  QTimer::singleShot(500, window.get(), [&] {
+    QWidget* dialog = QApplication::activeModalWidget();
+    if (!dialog) return;
+    asked = dialog->windowTitle();
+    dialog->close();
+  });
+  window->commands()[ui::Command::saveSession]->trigger();
+  QCOMPARE(asked, QString("Save the session"));
+  QVERIFY(!saved.wait(500));
+  QCOMPARE(contentOf(session), before);
+  window->document().undoStack()->undo();  // nothing is unsaved when it closes
 }
 
 void WindowTest::aSeedIsUndoneByName() {
