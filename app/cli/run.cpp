@@ -133,20 +133,22 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
   report.seconds.load = loaded.loadSeconds;
   std::optional<Volume> shown;  // the voxels are not kept in memory for nothing
   if (!outputs.picture.empty()) shown = loaded.volume;
-  ActiveContour contour(std::move(loaded.volume), report.session.seeds, report.session.requested);
-  report.session.resolved = contour.parameters();
+  auto contour = std::make_optional<ActiveContour>(std::move(loaded.volume), report.session.seeds,
+                                                   report.session.requested);
+  report.session.resolved = contour->parameters();
   report.seconds.prepare = watch.lap();
 
-  evolve(contour, report, outputs);
+  evolve(*contour, report, outputs);
   report.seconds.evolve = watch.lap();
   if (report.stopped == StopReason::empty)
     throw SeedError("The surface vanished after " + std::to_string(report.iterations) +
                     " iterations: the seeds are not in an object of that kind and range.");
 
-  const auto [mesh, certificate] = certifiedForExport(contour.mesh().compact());
+  const auto [mesh, certificate] = certifiedForExport(contour->mesh().compact());
   report.mesh = certificate;
   report.doubts = doubts(report, mesh);
-  for (std::string& d : contour.doubts()) report.doubts.push_back(std::move(d));
+  for (std::string& d : contour->doubts()) report.doubts.push_back(std::move(d));
+  contour.reset();  // with the voxels: a label map needs the memory
   for (const std::string& d : report.doubts) std::fprintf(stderr, "handlebody-cli: warning: %s\n", d.c_str());
   {
     DeferSignals whole;

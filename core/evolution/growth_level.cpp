@@ -10,15 +10,14 @@ constexpr double kLeakFactor = 4;
 constexpr double kLeakAdvantage = 2.5;
 // Fewer voxels than this are no region yet.
 constexpr double kLeastRegion = 30;
-// Where the growth was given up with a region hardly larger than that of its strongest edge, a stronger edge
-// may lie ahead.
-constexpr double kRising = 0.9;
+// What is nearly as strong as the strongest edge belongs to the same boundary.
+constexpr double kSamePeak = 0.85;
 
 //! Weighted mean of the levels around the strongest bin whose edge is nearly as strong: on an ideal ramp the
 //! half-way level, whatever the noise does to the top of the curve.
 double centreOfPeak(const RegionGrowth& g, std::size_t best, std::size_t first, std::size_t last) {
   double sum = 0, weight = 0;
-  const double least = 0.85 * g.edge[best];
+  const double least = kSamePeak * g.edge[best];
   for (std::size_t b = best; b + 1 > first && g.edge[b] >= least; --b) {
     sum += g.level(b) * (g.edge[b] - least);
     weight += g.edge[b] - least;
@@ -48,7 +47,8 @@ std::optional<GrowthLevel> strongestLevel(const RegionGrowth& g) {
       out = {centreOfPeak(g, best, first, b), g.edge[best], g.border[best], g.voxels[best]};
     first = b;
   }
-  if (out && !g.whole && out->voxels > kRising * g.voxels.back()) return {};
+  // Where the growth was given up at a peak, a stronger edge may lie ahead.
+  if (out && !g.whole && g.edge.back() >= kSamePeak * out->strength) return {};
   return out;
 }
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <new>
 
 namespace handlebody {
 
@@ -12,7 +15,7 @@ using Voxel = ObjectRegion::Voxel;
 class ObjectFlood {
  public:
   ObjectFlood(const SmoothedVolume& volume, double sign, const LevelField& levels)
-      : volume_(volume), levels_(levels), sign_(sign), state_(volume.grid().voxelCount(), kUnknown) {}
+      : volume_(volume), levels_(levels), sign_(sign), state_(allUnknown(volume.grid().voxelCount())) {}
 
   //! The nearest voxel may be noise: its neighbours are tried too.
   void start(const Vec3& seed) {
@@ -41,7 +44,18 @@ class ObjectFlood {
   }
 
  private:
-  enum State : unsigned char { kUnknown, kInside, kOutside, kNoImage };
+  enum State : unsigned char { kUnknown = 0, kInside, kOutside, kNoImage };
+  struct Free {
+    void operator()(State* states) const { std::free(states); }
+  };
+  using States = std::unique_ptr<State[], Free>;
+
+  //! By calloc, so that of a large volume only the pages that the region touches become memory.
+  static States allUnknown(std::size_t voxels) {
+    auto* states = static_cast<State*>(std::calloc(voxels, sizeof(State)));
+    if (!states) throw std::bad_alloc();
+    return States(states);
+  }
 
   static std::int32_t round(double x) { return static_cast<std::int32_t>(std::lround(x)); }
 
@@ -64,7 +78,7 @@ class ObjectFlood {
   const SmoothedVolume& volume_;
   const LevelField& levels_;
   double sign_;
-  std::vector<State> state_;
+  States state_;  // per voxel
   ObjectRegion region_;
 };
 

@@ -21,11 +21,11 @@ using namespace region;
 constexpr double kEnoughVoxels = 120'000;
 constexpr double kEnoughTimes = 2;
 // A region that has reached the faces of the volume with more than this part of them, and has touched a
-// quarter of a large volume, is given up as a leak. What lies within the volume may fill any part of it.
-constexpr double kReachesBorder = 1e-3;
+// fifth of a large volume, is given up as a leak. What lies within the volume may fill any part of it.
+constexpr double kReachesBorder = 3e-3;
 constexpr std::size_t kFewBricks = 300;
-constexpr std::size_t kPartOfVolume = 4;
-// And so is one of which one level lets in more than this, and a quarter of the volume.
+constexpr std::size_t kPartOfVolume = 5;
+// And so is one of which one level lets in more than this, and a fifth of the volume.
 constexpr std::size_t kMostVoxels = 2'000'000;
 // If it has let in more than this part of the volume's border with it, it is the background: no level after
 // it is that of an object.
