@@ -71,6 +71,7 @@ TEST_CASE("a DICOM decoder has no more memory than the image needs") {
     message = error.what();
   }
   const auto at = message.find("ate ");
+  INFO(message);
   REQUIRE(at != std::string::npos);
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
   CHECK(std::stoi(message.substr(at + 4)) <= 512);

@@ -1,6 +1,7 @@
 // Real files, where the machine has them: the folder in HANDLEBODY_VOLUMES or shared/volumes beside the
 // sources.
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
@@ -239,10 +240,12 @@ TEST_CASE(
 
 TEST_CASE("no file of the machine takes more than three times its honest size of memory", "[.][slow]") {
   if (skipped()) return;
-  // What the program and its decoder take for a volume of nothing.
+  // What the program and its decoder take for a volume of nothing. Memory is looked at now and then: on a
+  // busy machine one look may miss the moment when both have most.
   const TemporaryFolder folder;
   writeSeries(folder / "series", evenStack(3));
-  const long rest = memoryOfInfo(folder / "series");
+  long rest = 0;
+  for (int look = 0; look < 20; ++look) rest = std::max(rest, memoryOfInfo(folder / "series"));
   REQUIRE(rest > 0);
   double worst = 0;
   for (const std::string& path : everyPath()) {

@@ -27,9 +27,6 @@ using ui::GrowthState;
 
 namespace {
 
-constexpr Command kSteps[] = {Command::stepOpen, Command::stepSeed, Command::stepTune, Command::stepGrow,
-                              Command::stepExport};
-
 bool isControl(const QWidget& widget) {
   return qobject_cast<const QAbstractButton*>(&widget) || qobject_cast<const QAbstractSpinBox*>(&widget) ||
          qobject_cast<const QComboBox*>(&widget) || qobject_cast<const QAbstractItemView*>(&widget) ||

@@ -22,9 +22,6 @@ using ui::GrowthState;
 
 namespace {
 
-constexpr Command kSteps[] = {Command::stepOpen, Command::stepSeed, Command::stepTune, Command::stepGrow,
-                              Command::stepExport};
-
 //! Faults in every step of the work, with the step's name.
 QStringList faultsInEveryStep(ui::MainWindow& window) {
   QStringList faults;

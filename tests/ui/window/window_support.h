@@ -12,12 +12,17 @@
 
 #include "ui/view/slice_view.h"
 #include "ui/view/surface_view.h"
+#include "ui/window/commands.h"
 #include "ui/window/file_work.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/view_grid.h"
 
 namespace handlebody::test {
+
+//! The five pages of the panel at the left.
+constexpr ui::Command kSteps[] = {ui::Command::stepOpen, ui::Command::stepSeed, ui::Command::stepTune,
+                                  ui::Command::stepGrow, ui::Command::stepExport};
 
 constexpr int kPatience = 120'000;  // ms; the machine may be busy
 
