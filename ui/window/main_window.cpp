@@ -77,14 +77,13 @@ void MainWindow::buildCentre() {
   auto* layout = new QVBoxLayout(centre);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  messages_ = new MessageBar(centre);
   centre_ = new QStackedWidget(centre);
   start_ = new StartPage(commands_, centre_);
   views_ = new ViewGrid(document_, state_, centre_);
   centre_->addWidget(start_);
   centre_->addWidget(views_);
-  layout->addWidget(messages_);
-  layout->addWidget(centre_, 1);
+  layout->addWidget(centre_);
+  messages_ = new MessageBar(centre);
   setCentralWidget(centre);
 }
 

@@ -66,6 +66,36 @@ void switchAppearances(ui::Appearance last) {
   ui::applyAppearance(last);
 }
 
+QRect placeOf(const QWidget& widget, const ui::MainWindow& window) {
+  return {widget.mapTo(&window, QPoint()), widget.size()};
+}
+
+QList<QRect> placesOfViews(const ui::MainWindow& window) {
+  const ui::ViewGrid& views = const_cast<ui::MainWindow&>(window).views();
+  QList<QRect> places{placeOf(views.surface(), window)};
+  for (auto plane : {ui::Plane::axial, ui::Plane::coronal, ui::Plane::sagittal})
+    places << placeOf(views.slice(plane), window);
+  return places;
+}
+
+struct Message {
+  ui::MessageBar::Kind kind;
+  QString sentence;
+  std::vector<ui::MessageBar::Answer> answers;
+};
+
+//! A short one, one with answers, and one of several lines.
+std::vector<Message> messages() {
+  using Kind = ui::MessageBar::Kind;
+  return {{Kind::information, QStringLiteral("It is written."), {}},
+          {Kind::warning,
+           QStringLiteral("The program ended unexpectedly last time. Its seeds and parameters were kept."),
+           {{QStringLiteral("Restore"), [] {}}, {QStringLiteral("Discard"), [] {}}}},
+          {Kind::error,
+           QStringLiteral("/a/folder/somewhere/") + QString(150, u'x') + ": it is not a volume.",
+           {}}};
+}
+
 }  // namespace
 
 class LayoutTest : public QObject {
@@ -78,6 +108,8 @@ class LayoutTest : public QObject {
   void nothingIsCutOffWhenSeriesAreOffered();
   void nothingIsCutOffWithALongFileName();
   void nothingIsCutOffWhenMessagesHoldLongWords();
+  void theViewsKeepTheirPlaceWhenAMessageComesAndGoes();
+  void aMessageLiesWholeOverTheViewsAndHidesNoneOfTheirNamesAndButtons();
   void theDockKeepsItsWidthWhenAnEventIsChosen();
   void theHelpPagesDoNotScrollSideways();
   void togglesAndTheirTextAreToldApartInBothAppearances();
@@ -175,6 +207,43 @@ void LayoutTest::nothingIsCutOffWhenMessagesHoldLongWords() {
   NO_FAULTS(resized(*window, kSmall));
   QCOMPARE(window->views().width(), before);
   QVERIFY(messages->text().startsWith(path));
+}
+
+void LayoutTest::theViewsKeepTheirPlaceWhenAMessageComesAndGoes() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst.nii.gz")));
+  QTest::qWait(50);
+  const QList<QRect> before = placesOfViews(*window);
+  for (const Message& message : messages()) {
+    window->messages().show(message.kind, message.sentence, message.answers);
+    QTest::qWait(50);
+    QVERIFY(window->messages().isVisible());
+    QCOMPARE(placesOfViews(*window), before);
+    QTest::keyClick(&window->views().slice(ui::Plane::axial), Qt::Key_Escape);
+    QTest::qWait(50);
+    QVERIFY(!window->messages().isVisible());
+    QCOMPARE(placesOfViews(*window), before);
+  }
+}
+
+void LayoutTest::aMessageLiesWholeOverTheViewsAndHidesNoneOfTheirNamesAndButtons() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst.nii.gz")));
+  ui::MessageBar& bar = window->messages();
+  for (const QSize& size : {kLarge, kSmall})  // it follows the window
+    for (const Message& message : messages()) {
+      bar.show(message.kind, message.sentence, message.answers);
+      NO_FAULTS(resized(*window, size));
+      const QRect here(bar.mapTo(window.get(), QPoint()), bar.size());
+      QVERIFY(placeOf(window->views(), *window).contains(here));
+      QVERIFY(bar.isAncestorOf(window->childAt(here.center())) || window->childAt(here.center()) == &bar);
+      const QColor ground = window->grab().toImage().pixelColor(here.topLeft() + QPoint(6, 6));
+      QCOMPARE(ground, bar.palette().color(QPalette::ToolTipBase));  // and nothing shines through
+      for (QRect view : placesOfViews(*window)) {
+        view.setHeight(48);  // name, number of the slice, button
+        QVERIFY2(!view.intersects(here), qPrintable(message.sentence));
+      }
+    }
 }
 
 void LayoutTest::theDockKeepsItsWidthWhenAnEventIsChosen() {
