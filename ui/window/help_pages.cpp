@@ -52,6 +52,13 @@ QString mouseIn3d() {
                                                  row(tr("Double click"), tr("This view alone, or all four")));
 }
 
+QString escape() {
+  return section(
+      tr("Messages"),
+      row(QStringLiteral("<b>%1</b>").arg(QKeySequence(Qt::Key_Escape).toString(QKeySequence::NativeText)),
+          tr("Close the message over the views; else leave window and level")));
+}
+
 struct Library {
   const char* name;
   const char* licence;
@@ -85,7 +92,8 @@ QString shortcutsPage() {
           row(QStringLiteral("<b>%1</b>").arg(keysOf(spec)), Commands::translated(spec.tip).toHtmlEscaped());
   }
   page += section(plain(menu), rows);
-  return QStringLiteral("<h2>%1</h2>").arg(tr("Keyboard and mouse")) + mouseInSlices() + mouseIn3d() + page;
+  return QStringLiteral("<h2>%1</h2>").arg(tr("Keyboard and mouse")) + mouseInSlices() + mouseIn3d() + page +
+         escape();
 }
 
 QString aboutPage() {

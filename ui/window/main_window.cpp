@@ -20,6 +20,7 @@
 #include "ui/window/help_window.h"
 #include "ui/window/icons.h"
 #include "ui/window/key_guard.h"
+#include "ui/window/label_face.h"
 #include "ui/window/menus.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/open_panel.h"
@@ -34,6 +35,7 @@
 namespace handlebody::ui {
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), commands_(document_.undoStack(), nullptr) {
+  readLabelsWithTheirValues();
   setWindowIcon(programIcon());
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);

@@ -225,7 +225,7 @@ void MainWindow::updateCommands() {
   enable({Command::stepBack, Command::previousEvent, Command::toStart}, document_.iteration() > 0);
   enable({Command::toEnd}, grown && document_.iteration() < document_.lastIteration());
   QAction* run = commands_[Command::run];
-  run->setText(running ? tr("&Pause") : (grown ? tr("&Go on") : tr("&Start")));
+  run->setText(running ? tr("P&ause") : (grown ? tr("&Go on") : tr("&Start")));
   run->setIcon(icon(running ? QStringLiteral("pause") : QStringLiteral("run")));
 }
 

@@ -59,6 +59,11 @@ QIcon WindowStyle::standardIcon(StandardPixmap which, const QStyleOption* option
       return icon(QStringLiteral("error"));
     case SP_MessageBoxQuestion:
       return icon(QStringLiteral("help"));
+    case SP_TitleBarCloseButton:  // of the panels; those of Fusion are small pixmaps, blurred on a fine
+                                  // screen
+      return icon(QStringLiteral("close"));
+    case SP_TitleBarNormalButton:
+      return icon(QStringLiteral("float"));
     default:
       return QProxyStyle::standardIcon(which, option, widget);
   }

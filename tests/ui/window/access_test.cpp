@@ -149,6 +149,9 @@ class AccessTest : public QObject {
   void tabReachesEveryControl();
   void arrowsChooseAmongChoicesThatExcludeEachOther();
   void everyControlIsReadAloudByAName();
+  void labelsAreReadAloudWithTheirValues();
+  void aMessageIsReadAloud();
+  void everyLetterOpensOneEntryOfItsMenu();
   void whatIsAskedWhileNothingIsOpenIsReachedAndNamed();
   void anEventAndAnIterationAreChosenByKeys();
   void itIsSeenThatTheTimelineHasTheFocus();
@@ -190,6 +193,51 @@ void AccessTest::everyControlIsReadAloudByAName() {
     QTest::qWait(50);
     const QString nameless = withoutName(*window).join(QLatin1Char('\n'));
     QVERIFY2(nameless.isEmpty(), qPrintable(window->commands()[step]->text() + QLatin1Char('\n') + nameless));
+  }
+}
+
+void AccessTest::labelsAreReadAloudWithTheirValues() {
+  auto window = busyWindow();
+  QVERIFY(window);
+  window->showStep(Command::stepGrow);
+  int read = 0;
+  const auto labels = window->findChildren<QLabel*>();
+  for (QLabel* label : labels) {
+    if (!label->isVisible() || label->accessibleName().isEmpty()) continue;
+    const QString said = QAccessible::queryAccessibleInterface(label)->text(QAccessible::Name);
+    QVERIFY2(said.startsWith(label->accessibleName()), qPrintable(said));
+    if (label->accessibleName() == "Genus") QCOMPARE(said, "Genus: " + label->text());
+    if (label->accessibleName() == "Certificate") QVERIFY2(said.contains("manifold"), qPrintable(said));
+    read += label->accessibleName() == "Genus" || label->accessibleName() == "Certificate";
+  }
+  QCOMPARE(read, 2);
+}
+
+void AccessTest::aMessageIsReadAloud() {
+  auto window = shownWindow();
+  QVERIFY(window);
+  window->messages().show(ui::MessageBar::Kind::error, QStringLiteral("scan.nii: it is <truncated>."));
+  const auto* face = QAccessible::queryAccessibleInterface(&window->messages());
+  QVERIFY(face);
+  QCOMPARE(face->text(QAccessible::Name), QString("Error"));
+  QCOMPARE(face->text(QAccessible::Description), QString("scan.nii: it is <truncated>."));
+}
+
+void AccessTest::everyLetterOpensOneEntryOfItsMenu() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst_session.json")));
+  for (bool running : {false, true}) {
+    if (running) window->document().run();
+    QList<QWidget*> menus{window->menuBar()};
+    for (QMenu* menu : window->findChildren<QMenu*>()) menus << menu;
+    for (const QWidget* menu : menus) {
+      QStringList letters;
+      for (const QAction* action : menu->actions()) {
+        const QString letter = QKeySequence::mnemonic(action->text()).toString();
+        QVERIFY2(letter.isEmpty() || !letters.contains(letter), qPrintable(action->text()));
+        letters << letter;
+      }
+    }
   }
 }
 
@@ -275,6 +323,7 @@ void AccessTest::everyKeyIsOnThePageOfKeysAndInTheTip() {
   auto window = shownWindow();
   QVERIFY(window);
   const QString page = ui::shortcutsPage();
+  QVERIFY(page.contains("<b>Esc</b>"));
   for (const ui::CommandSpec& spec : ui::Commands::table()) {
     const QAction* action = window->commands()[spec.id];
     for (const QKeySequence& key : action->shortcuts())

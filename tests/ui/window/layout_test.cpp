@@ -111,12 +111,15 @@ class LayoutTest : public QObject {
   void theViewsKeepTheirPlaceWhenAMessageComesAndGoes();
   void aMessageLiesWholeOverTheViewsAndHidesNoneOfTheirNamesAndButtons();
   void theDockKeepsItsWidthWhenAnEventIsChosen();
+  void theDockKeepsItsWidthWhenSeriesAreOffered();
+  void theWindowIsNoWiderForALongState();
   void theHelpPagesDoNotScrollSideways();
   void togglesAndTheirTextAreToldApartInBothAppearances();
   void theStepThatIsShownIsToldFromTheOneUnderTheMouse();
   void theIconOfTheChosenRowOfAMenuIsSeen();
   void checkBoxesAreSeenInBothAppearances();
   void textIsReadableInBothAppearances();
+  void theButtonsOfThePanelsAreSharpOnAFineScreen();
 };
 
 constexpr QSize kSmall(1280, 800), kLarge(1600, 1000);
@@ -189,9 +192,9 @@ void LayoutTest::nothingIsCutOffWithALongFileName() {
   QVERIFY(window->views().width() > window->width() / 2);  // and the name pushed nothing away
 }
 
-// Two DICOM stacks at different places: the warnings name them by UIDs of 64 characters.
+// Paths have words that are wider than a panel, and so have UIDs.
 void LayoutTest::nothingIsCutOffWhenMessagesHoldLongWords() {
-  const QString uid = "1.2.826.0.1.3680043.9.4245.3115138630835728997848661150714813892#1";
+  const QString uid = "1.2.826.0.1.3680043.9.4245.3115138630835728997848661150714813892";
   auto window = shownWindow();
   QVERIFY(window && open(*window, sample("cyst.nii.gz")));
   window->resize(kSmall);
@@ -255,6 +258,30 @@ void LayoutTest::theDockKeepsItsWidthWhenAnEventIsChosen() {
   window->goToEvent(firstHandle(window->document()));
   QTRY_VERIFY(window->inspector().isVisible());
   QCOMPARE(window->views().width(), before);
+}
+
+void LayoutTest::theDockKeepsItsWidthWhenSeriesAreOffered() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst.nii.gz")));
+  window->showStep(Command::stepOpen);
+  QTest::qWait(50);
+  const int before = window->views().width();
+  std::vector<SeriesInfo> series(12);
+  for (SeriesInfo& s : series) s.description = "CT THORAX ABDOMEN WITH CONTRAST 1.5 B30f";
+  Q_EMIT window->document().seriesChoiceNeeded(QStringLiteral("/somewhere/scans"), series);
+  QTest::qWait(50);
+  QCOMPARE(window->views().width(), before);
+}
+
+void LayoutTest::theWindowIsNoWiderForALongState() {
+  auto window = shownWindow();
+  QVERIFY(window);
+  const int before = window->minimumSizeHint().width();
+  const QString name = QString(300, u'x') + ".nii.gz";
+  Q_EMIT window->document().opening("/a/" + name, 0.5);
+  QTest::qWait(50);
+  QCOMPARE(window->minimumSizeHint().width(), before);
+  QVERIFY(shownLabel(*window, "State of the growth")->toolTip().contains(name));
 }
 
 void LayoutTest::theHelpPagesDoNotScrollSideways() {
@@ -345,6 +372,19 @@ void LayoutTest::textIsReadableInBothAppearances() {
     QVERIFY(contrast(p.color(QPalette::HighlightedText), p.color(QPalette::Highlight)) > 4.5);
     QVERIFY(contrast(p.color(QPalette::ToolTipText), p.color(QPalette::ToolTipBase)) > 7);
   }
+}
+
+void LayoutTest::theButtonsOfThePanelsAreSharpOnAFineScreen() {
+  auto window = shownWindow();
+  QVERIFY(window);
+  int found = 0;
+  const auto buttons = window->findChildren<QAbstractButton*>();
+  for (const QAbstractButton* button : buttons) {
+    if (!button->inherits("QDockWidgetTitleButton")) continue;
+    QCOMPARE(button->icon().pixmap(QSize(16, 16), 3.0).size(), QSize(48, 48));  // drawn, not enlarged
+    ++found;
+  }
+  QCOMPARE(found, 4);
 }
 
 int main(int argc, char** argv) {

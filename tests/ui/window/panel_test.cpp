@@ -74,7 +74,9 @@ class PanelTest : public QObject {
   void anUncalibratedVolumeIsOpenedAgainWithTheSpacingThatIsEntered();
   void aCalibratedVolumeAsksForNoSpacing();
   void aSeriesSaysWhatItHoldsAndOnlyVolumesCanBeChosen();
+  void aSeriesWithoutAUidCanBeChosen();
   void sentencesNameFieldsInTheirPlaceOfOptions();
+  void sentencesNameStacksAsTheListDoes();
   void thatLengthsMeanNothingIsSaidFirst();
 };
 
@@ -246,9 +248,21 @@ void PanelTest::aSeriesSaysWhatItHoldsAndOnlyVolumesCanBeChosen() {
                                              "Slices: 600 · time points: 2"}));
   ui::SeriesList list;
   list.offer({scout, thorax});
-  QCOMPARE(list.chosen(), QString("1.2.4"));
+  QCOMPARE(list.chosen().value_or("none"), QString("1.2.4"));
+  QVERIFY(list.sizeHintForRow(0) >= 3 * list.fontMetrics().lineSpacing() + 8);  // and room above and below
   list.setCurrentRow(0);
-  QVERIFY(list.chosen().isEmpty());
+  QVERIFY(!list.chosen());
+}
+
+void PanelTest::aSeriesWithoutAUidCanBeChosen() {
+  SeriesInfo nameless, other;
+  other.uid = "1.2.3";
+  nameless.slices = other.slices = 20;
+  ui::SeriesList list;
+  list.offer({nameless, other});
+  QCOMPARE(list.chosen().value_or("none"), QString());
+  list.offer({});
+  QVERIFY(!list.chosen());
 }
 
 void PanelTest::sentencesNameFieldsInTheirPlaceOfOptions() {
@@ -260,6 +274,13 @@ void PanelTest::sentencesNameFieldsInTheirPlaceOfOptions() {
     QVERIFY(ui::inWordsOfWindow(text).contains("step"));
   }
   QVERIFY(!ui::asksForSpacing("scan.dcm: it is truncated"));
+}
+
+void PanelTest::sentencesNameStacksAsTheListDoes() {
+  QCOMPARE(ui::inWordsOfWindow("to be had alone: 1.2.840.99#1 (14 slices), 1.2.840.99#12 (3 slices)."),
+           QString("to be had alone: stack 1 (14 slices), stack 12 (3 slices)."));
+  QCOMPARE(ui::inWordsOfWindow("/a/scan#2.nii: no volume, 1.5 mm"),
+           QString("/a/scan#2.nii: no volume, 1.5 mm"));
 }
 
 void PanelTest::thatLengthsMeanNothingIsSaidFirst() {

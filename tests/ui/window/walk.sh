@@ -50,8 +50,9 @@ start() {
   settle 2
 }
 
+# finish SIGNAL
 finish() {
-  kill "$1" "$running"
+  kill -s "$1" "$running"
   wait "$running" 2> /dev/null
   running=
 }
@@ -133,10 +134,10 @@ key Return
 settle 2
 picture seed
 menu f file
-menu f recent r Right
+menu f recent r
 menu e edit
 menu v view
-for letter in l s c p a r u; do menu v "view-$letter" $letter; done
+for letter in l s p c e o f a; do menu v "view-$letter" $letter; done
 menu s seed
 menu g grow
 key alt+3
@@ -144,13 +145,61 @@ settle 1
 picture tune
 key alt+1
 picture open-facts
-key alt+2
-key space
-settle 0.4
-picture running
-key space
+# It is at its end within seconds.
+key alt+4
+xdotool key space
+sleep 0.3
+import -window root "$out/$station-running.png"
+xdotool key space
+station=$((station + 1))
 picture paused
+key ctrl+Home
 key n
-settle 6
+settle 4
 picture event
+across=100
+for stage in collide open handle close; do  # the buttons in the panel
+  click $across 558
+  settle 2
+  picture "stage-$stage"
+  across=$((across + 60))
+done
+key space
+settle 8
+picture end
+key alt+5
+picture export
+key ctrl+e
+settle 1
+picture export-dialog
+key Escape
+key w
+key ctrl+4
+picture only-3d
+key ctrl+1
+picture only-axial
+key ctrl+0
+key w
 
+# 3 What goes wrong.
+echo "no volume" > "$out/a file that is no volume.nii.gz"
+choose "$out/a file that is no volume.nii.gz"
+picture unsaved
+key Tab Return
+settle 1
+picture error
+rm "$out/a file that is no volume.nii.gz"
+finish KILL
+
+start
+picture recovery
+menu f recent-start r
+finish TERM
+for path in "$@"; do
+  start "$path"
+  settle 4
+  picture "opened-$(basename "$path")"
+  key alt+1
+  picture "facts-$(basename "$path")"
+  finish KILL
+done
