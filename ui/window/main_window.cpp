@@ -24,6 +24,7 @@
 #include "ui/window/menus.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/open_panel.h"
+#include "ui/window/panel_tools.h"
 #include "ui/window/seed_panel.h"
 #include "ui/window/start_page.h"
 #include "ui/window/status_fields.h"
@@ -137,9 +138,13 @@ void MainWindow::goToEvent(int index) {
 void MainWindow::fillRecent() {
   recent_->clear();
   const QStringList paths = files_->recent();
-  for (const QString& path : paths)
-    recent_->addAction(QFileInfo(path).fileName() + QStringLiteral("  —  ") + QFileInfo(path).absolutePath(),
-                       this, [this, path] { files_->open(path); });
+  constexpr int kWidest = 300;  // pixels, of the name and of the folder
+  const auto shown = [this](const QString& part) { return pathText(part, recent_->fontMetrics(), kWidest); };
+  for (const QString& path : paths) {
+    const QFileInfo file(path);
+    recent_->addAction(shown(file.fileName()) + QStringLiteral("  —  ") + shown(file.absolutePath()), this,
+                       [this, path] { files_->open(path); });
+  }
   recent_->setEnabled(!paths.isEmpty());
   start_->setRecent(paths);
 }

@@ -70,8 +70,8 @@ void MainWindow::connectFileCommands() {
   connect(open_, &OpenPanel::openRequested, files_, &FileWork::open);
   connect(files_, &FileWork::spacingNeeded, this,
           [this](const QString& path, const VolumeSelection& selection) {
-            open_->askSpacing(path, selection);
             showStep(Command::stepOpen);
+            open_->askSpacing(path, selection);
           });
   connect(&document_, &Document::seriesChoiceNeeded, this, [this] { showStep(Command::stepOpen); });
 }

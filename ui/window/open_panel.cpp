@@ -147,6 +147,7 @@ void OpenPanel::askSpacing(const QString& path, const VolumeSelection& selection
   spacingSelection_ = selection;
   facts_->hide();  // of another volume
   spacingEntry_->show(Vec3(1, 1, 1));
+  spacingEntry_->setFocus(Qt::TabFocusReason);  // the number is selected: it can be typed at once
 }
 
 void OpenPanel::openWithSpacing(const Vec3& spacing) {

@@ -84,4 +84,8 @@ void describe(QWidget* field, const QString& name, const QString& tip) {
   field->setToolTip(QStringLiteral("<p>%1</p>").arg(tip.toHtmlEscaped()));  // rich text, so that it wraps
 }
 
+QString pathText(const QString& path, const QFontMetrics& metrics, int width) {
+  return metrics.elidedText(path, Qt::ElideMiddle, width).replace(QLatin1Char('&'), QLatin1String("&&"));
+}
+
 }  // namespace handlebody::ui

@@ -1,6 +1,7 @@
 #pragma once
 // What all panels are built of, so that they look and behave alike.
 
+#include <QFontMetrics>
 #include <QLabel>
 #include <QString>
 
@@ -27,5 +28,9 @@ QToolButton* smallButton(QAction* action, QWidget* parent);
 void ignoreWheelWithoutFocus(QWidget* field);
 //! Lets a field be found and read aloud: accessible name, tooltip, and the same text as "what is this".
 void describe(QWidget* field, const QString& name, const QString& tip);
+
+//! A path as a menu or a button shows it: shortened in its middle to `width` pixels, and an "&" in it is no
+//! letter to press.
+QString pathText(const QString& path, const QFontMetrics& metrics, int width);
 
 }  // namespace handlebody::ui

@@ -251,7 +251,9 @@ void AccessTest::whatIsAskedWhileNothingIsOpenIsReachedAndNamed() {
   window.activateWindow();
   QVERIFY(QTest::qWaitForWindowActive(&window));
   Q_EMIT window.document().seriesChoiceNeeded(QStringLiteral("/somewhere/scans"), twoSeries());
+  window.showStep(Command::stepGrow);
   Q_EMIT window.files().spacingNeeded(QStringLiteral("/somewhere/cine.dcm"), {});
+  QCOMPARE(QApplication::focusWidget()->accessibleName(), QString("Spacing of columns"));
   window.messages().show(ui::MessageBar::Kind::error, QStringLiteral("No."));
   QTest::qWait(50);
   const QString missed = notReached(window).join(QLatin1Char('\n'));

@@ -2,6 +2,7 @@
 // in every step of the work.
 
 #include <QCheckBox>
+#include <QDir>
 #include <QMenu>
 #include <QScrollBar>
 #include <QTextBrowser>
@@ -107,6 +108,7 @@ class LayoutTest : public QObject {
   void nothingIsCutOffWhenAnEventIsInspected();
   void nothingIsCutOffWhenSeriesAreOffered();
   void nothingIsCutOffWithALongFileName();
+  void filesOpenedBeforeAreNamedInTheRoomThereIs();
   void nothingIsCutOffWhenMessagesHoldLongWords();
   void theViewsKeepTheirPlaceWhenAMessageComesAndGoes();
   void aMessageLiesWholeOverTheViewsAndHidesNoneOfTheirNamesAndButtons();
@@ -190,6 +192,28 @@ void LayoutTest::nothingIsCutOffWithALongFileName() {
   QVERIFY(window && open(*window, path));
   NO_FAULTS(resized(*window, kSmall));
   QVERIFY(window->views().width() > window->width() / 2);  // and the name pushed nothing away
+}
+
+void LayoutTest::filesOpenedBeforeAreNamedInTheRoomThereIs() {
+  const QTemporaryDir folder;
+  const QString deep = folder.filePath(QString(120, u'd')), odd = folder.filePath("one & two.nii.gz");
+  const QString path = deep + '/' + QString(150, u'x') + ".nii.gz";
+  QVERIFY(QDir().mkpath(deep));
+  for (const QString& there : {path, odd}) QVERIFY(QFile::copy(sample("cyst.nii.gz"), there));
+  QSettings().clear();
+  QSettings().setValue("recent", QStringList{path, odd});
+  ui::MainWindow window;
+  window.show();
+  QVERIFY(QTest::qWaitForWindowExposed(&window));
+  NO_FAULTS(resized(window, kSmall));
+  bool found = false;
+  const auto menus = window.findChildren<QMenu*>();
+  for (const QMenu* menu : menus) {
+    if (!menu->title().contains("recent")) continue;
+    QVERIFY(menu->sizeHint().width() < 800);
+    found = menu->actions()[1]->text().startsWith("one && two.nii.gz");
+  }
+  QVERIFY(found);
 }
 
 // Paths have words that are wider than a panel, and so have UIDs.

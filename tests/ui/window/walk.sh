@@ -3,7 +3,7 @@
 # every station, to be looked at by a person:
 #   HANDLEBODY_SCREEN=1280x800x24 sh tests/ui/with_display.sh sh tests/ui/window/walk.sh PROGRAM SAMPLES OUT [light|dark [FOLDER …]]
 # The screen is as large as the window. With QT_SCALE_FACTOR=2 it must be twice as large. Each FOLDER (or file)
-# is opened as well, and a picture taken of what the window says. Needs openbox, xdotool and ImageMagick.
+# is opened as well, and pictures taken of what the window says and of a growth in its middle. Needs openbox, xdotool and ImageMagick.
 program=$1
 samples=$2
 out=$3
@@ -201,5 +201,12 @@ for path in "$@"; do
   picture "opened-$(basename "$path")"
   key alt+1
   picture "facts-$(basename "$path")"
+  key Escape
+  click $((300 + (width - 300) / 4 - 20)) $((72 + (height - 300) / 4))
+  key Return
+  settle 1
+  xdotool key space
+  settle 2
+  picture "running-$(basename "$path")"
   finish KILL
 done
