@@ -12,8 +12,9 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("HelpPages", text); }
 
+// The first column is as wide in every section, so that the second stands in one line down the page.
 QString row(const QString& left, const QString& right) {
-  return QStringLiteral("<tr><td style='padding-right: 24px'>%1</td><td>%2</td></tr>").arg(left, right);
+  return QStringLiteral("<tr><td width='210'>%1</td><td>%2</td></tr>").arg(left, right);
 }
 
 QString keysOf(const CommandSpec& spec) {
