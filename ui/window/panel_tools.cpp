@@ -64,6 +64,15 @@ QLabel* value(const QString& name, QWidget* parent) {
   return label;
 }
 
+QLabel* notice(const QString& name, QWidget* parent) {
+  QLabel* label = value(name, parent);
+  label->setMargin(6);
+  label->setAutoFillBackground(true);
+  label->setBackgroundRole(QPalette::ToolTipBase);
+  label->setForegroundRole(QPalette::ToolTipText);
+  return label;
+}
+
 QToolButton* smallButton(QAction* action, QWidget* parent) {
   auto* button = new QToolButton(parent);
   button->setDefaultAction(action);

@@ -22,6 +22,8 @@ QLabel* hint(const QString& text, QWidget* parent);
 QFormLayout* panelForm();
 //! A text beside a name in a form, that can be selected and wraps.
 QLabel* value(const QString& name, QWidget* parent);
+//! The same with a ground of its own: what the user should not miss.
+QLabel* notice(const QString& name, QWidget* parent);
 //! Icon only; the tooltip and the accessible name are the action's.
 QToolButton* smallButton(QAction* action, QWidget* parent);
 //! Fields do not change under a wheel that was meant to scroll the panel.

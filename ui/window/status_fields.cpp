@@ -19,7 +19,7 @@ namespace handlebody::ui {
 
 namespace {
 
-constexpr int kAtTheRim = 6;  // pixels, where a window that fills the screen has no grip
+constexpr int kAtTheRim = 6;  // pixels; a window that fills the screen has no frame and no grip
 
 // As wide as its longest text, so that the numbers do not jump about.
 QLabel* field(QStatusBar* bar, const QString& name, const QString& longest) {
@@ -44,7 +44,7 @@ StatusFields::StatusFields(QStatusBar* bar, Document& document)
       cancel_(new QToolButton(bar)) {
   for (QLabel* label : {position_, voxel_, intensity_}) bar->addWidget(label);
   state_->setAccessibleName(tr("State of the growth"));
-  bar->setContentsMargins(0, 0, kAtTheRim, 0);
+  bar->setContentsMargins(kAtTheRim, 0, kAtTheRim, 0);
   progress_->setFixedWidth(160);
   progress_->setTextVisible(false);
   progress_->setMaximumHeight(14);

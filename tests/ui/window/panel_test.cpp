@@ -2,6 +2,7 @@
 
 #include <QSpinBox>
 #include <QTableView>
+#include <QUndoStack>
 
 #include "core/io/volume_io.h"
 #include "tests/support/test_volume.h"
@@ -68,6 +69,7 @@ class PanelTest : public QObject {
   void doubtsAreShownOfASurfaceAtRestAndOnlyThen();
   void nothingIsDoubtedOfTheSample();
   void aSurfaceThatIsGoneIsSaidToBeGone();
+  void whatCannotGrowIsNotSaidToBeReady();
   void aNumberThatIsNotKnownIsADash();
   void anEventIsNotInspectedWhileTheSurfaceGrows();
   void onlyChangesOfTopologyAreListedUntilMoreIsAsked();
@@ -133,6 +135,21 @@ void PanelTest::aSurfaceThatIsGoneIsSaidToBeGone() {
   window->showStep(Command::stepGrow);
   QVERIFY(shownText(*window, "Certificate").startsWith(QString("✓")));
   QVERIFY(window->commands()[Command::exportResult]->isEnabled());
+}
+
+void PanelTest::whatCannotGrowIsNotSaidToBeReady() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst_session.json")));
+  window->showStep(Command::stepGrow);
+  QCOMPARE(shownText(*window, "State of the growth"), QString("Ready to grow"));
+  QCOMPARE(shownText(*window, "Why it did not grow"), QString());
+  window->document().moveSeed(0, Vec3(1000, 0, 0));
+  window->document().run();
+  QVERIFY(waitFor(*window, GrowthState::none));
+  QCOMPARE(shownText(*window, "State of the growth"), QString("Nothing grew"));
+  QVERIFY(shownText(*window, "Why it did not grow").contains("outside the volume"));
+  window->document().undoStack()->undo();
+  QTRY_COMPARE(shownText(*window, "State of the growth"), QString("Ready to grow"));
 }
 
 void PanelTest::aNumberThatIsNotKnownIsADash() {
