@@ -55,6 +55,7 @@ MessageBar::MessageBar(QWidget* parent)
       timer_(new QTimer(this)) {
   setBackgroundRole(QPalette::ToolTipBase);
   text_->setForegroundRole(QPalette::ToolTipText);
+  text_->setTextFormat(Qt::PlainText);  // whatever a file is called
   text_->setWordWrap(true);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   text_->setAccessibleName(tr("Message"));

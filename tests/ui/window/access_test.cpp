@@ -221,6 +221,9 @@ void AccessTest::aMessageIsReadAloud() {
   QVERIFY(face);
   QCOMPARE(face->text(QAccessible::Name), QString("Error"));
   QCOMPARE(face->text(QAccessible::Description), QString("scan.nii: it is <truncated>."));
+  window->messages().show(ui::MessageBar::Kind::error, QStringLiteral("<b>scan</b>.nii: it is truncated."));
+  const QLabel* text = shownLabel(*window, "Message");
+  QVERIFY(text && text->textFormat() == Qt::PlainText);  // nothing of a name is left out
 }
 
 void AccessTest::everyLetterOpensOneEntryOfItsMenu() {
