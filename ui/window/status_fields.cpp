@@ -56,10 +56,8 @@ StatusFields::StatusFields(QStatusBar* bar, Document& document)
       uncalibrated_, tr("Uncalibrated"),
       tr("The file does not give the size of a voxel: lengths, areas and volumes mean nothing until it is "
          "entered in step 1, Open"));
-  bar->addPermanentWidget(uncalibrated_);
-  bar->addPermanentWidget(state_);
-  bar->addPermanentWidget(progress_);
-  bar->addPermanentWidget(cancel_);
+  for (QWidget* widget : std::initializer_list<QWidget*>{uncalibrated_, progress_, cancel_, state_})
+    bar->addPermanentWidget(widget);  // the state at the rim, where it stays
   connect(cancel_, &QToolButton::clicked, &document_, &Document::cancelOpening);
   connect(&document_, &Document::opening, this, &StatusFields::showProgress);
   connect(&document_, &Document::opened, this, &StatusFields::endProgress);
@@ -85,7 +83,11 @@ void StatusFields::clearCursor() {
 
 void StatusFields::showState() {
   uncalibrated_->setVisible(document_.hasVolume() && !document_.info().calibrated);
-  if (!document_.isOpening()) say(document_.hasVolume() ? stateText(document_) : tr("Nothing is open"));
+  if (document_.isOpening()) return;
+  say(document_.hasVolume() ? stateText(document_) : tr("Nothing is open"));
+  const bool preparing = document_.state() == GrowthState::preparing;
+  if (preparing) progress_->setRange(0, 0);  // how far it is, is not known
+  progress_->setVisible(preparing);
 }
 
 void StatusFields::say(const QString& state) {

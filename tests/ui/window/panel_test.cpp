@@ -1,5 +1,6 @@
 // What the panels say in the states that are seldom seen: doubts, a surface that is gone, nothing known yet.
 
+#include <QProgressBar>
 #include <QSpinBox>
 #include <QTableView>
 #include <QUndoStack>
@@ -70,6 +71,7 @@ class PanelTest : public QObject {
   void nothingIsDoubtedOfTheSample();
   void aSurfaceThatIsGoneIsSaidToBeGone();
   void whatCannotGrowIsNotSaidToBeReady();
+  void itIsSeenThatTheImageIsPrepared();
   void aNumberThatIsNotKnownIsADash();
   void anEventIsNotInspectedWhileTheSurfaceGrows();
   void onlyChangesOfTopologyAreListedUntilMoreIsAsked();
@@ -150,6 +152,18 @@ void PanelTest::whatCannotGrowIsNotSaidToBeReady() {
   QVERIFY(shownText(*window, "Why it did not grow").contains("outside the volume"));
   window->document().undoStack()->undo();
   QTRY_COMPARE(shownText(*window, "State of the growth"), QString("Ready to grow"));
+}
+
+void PanelTest::itIsSeenThatTheImageIsPrepared() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst_session.json")));
+  const auto* progress = window->findChild<QProgressBar*>();
+  QVERIFY(progress && !progress->isVisible());
+  window->document().run();
+  QVERIFY(window->document().state() == GrowthState::preparing);
+  QVERIFY(progress->isVisible() && progress->maximum() == 0);
+  QVERIFY(waitFor(*window, GrowthState::finished));
+  QVERIFY(!progress->isVisible());
 }
 
 void PanelTest::aNumberThatIsNotKnownIsADash() {
