@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QDir>
 #include <QMenu>
+#include <QPainter>
 #include <QScrollBar>
 #include <QTextBrowser>
 #include <cmath>
@@ -121,6 +122,7 @@ class LayoutTest : public QObject {
   void theIconOfTheChosenRowOfAMenuIsSeen();
   void checkBoxesAreSeenInBothAppearances();
   void textIsReadableInBothAppearances();
+  void theSymbolsOfMessagesAreSeenInBothAppearances();
   void theButtonsOfThePanelsAreSharpOnAFineScreen();
 };
 
@@ -395,6 +397,19 @@ void LayoutTest::textIsReadableInBothAppearances() {
     QVERIFY(contrast(p.color(QPalette::PlaceholderText), p.color(QPalette::Window)) > 4.5);
     QVERIFY(contrast(p.color(QPalette::HighlightedText), p.color(QPalette::Highlight)) > 4.5);
     QVERIFY(contrast(p.color(QPalette::ToolTipText), p.color(QPalette::ToolTipBase)) > 7);
+  }
+}
+
+void LayoutTest::theSymbolsOfMessagesAreSeenInBothAppearances() {
+  for (auto appearance : {ui::Appearance::light, ui::Appearance::dark}) {
+    switchAppearances(appearance);
+    const QColor ground = QApplication::palette().color(QPalette::ToolTipBase);
+    for (const char* name : {"info", "warning", "error"}) {
+      QPixmap picture(40, 40);
+      picture.fill(ground);
+      QPainter(&picture).drawPixmap(0, 0, ui::icon(QLatin1String(name)).pixmap(40, 40));
+      QVERIFY2(largestContrast(picture.toImage(), ground) > 3, name);
+    }
   }
 }
 
