@@ -45,6 +45,7 @@ WindowStyle::WindowStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("F
 int WindowStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                            QStyleHintReturn* answer) const {
   if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
+  if (hint == SH_EtchDisabledText) return 0;  // a shadow that blurs it on dark ground
   return QProxyStyle::styleHint(hint, option, widget, answer);
 }
 

@@ -123,6 +123,7 @@ class LayoutTest : public QObject {
   void checkBoxesAreSeenInBothAppearances();
   void textIsReadableInBothAppearances();
   void theSymbolsOfMessagesAreSeenInBothAppearances();
+  void disabledEntriesOfAMenuHaveNoShadow();
   void theButtonsOfThePanelsAreSharpOnAFineScreen();
 };
 
@@ -411,6 +412,25 @@ void LayoutTest::theSymbolsOfMessagesAreSeenInBothAppearances() {
       QVERIFY2(largestContrast(picture.toImage(), ground) > 3, name);
     }
   }
+}
+
+void LayoutTest::disabledEntriesOfAMenuHaveNoShadow() {
+  switchAppearances(ui::Appearance::dark);
+  QMenu menu;
+  for (bool enabled : {true, false}) menu.addAction(QStringLiteral("MMMM"))->setEnabled(enabled);
+  menu.popup({200, 200});
+  QVERIFY(QTest::qWaitForWindowExposed(&menu));
+  const auto inked = [&](int row) {  // the pixels that are not the ground's
+    const QRect place = menu.actionGeometry(menu.actions()[row]).adjusted(3, 3, -3, -3);
+    const QImage picture = menu.grab(place).toImage();
+    QRect ink;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x)
+        if (picture.pixel(x, y) != picture.pixel(0, 0)) ink |= QRect(x, y, 1, 1);
+    return ink;
+  };
+  QVERIFY(!inked(0).isEmpty());
+  QCOMPARE(inked(1), inked(0));  // a shadow reaches further
 }
 
 void LayoutTest::theButtonsOfThePanelsAreSharpOnAFineScreen() {
