@@ -48,6 +48,8 @@ SeriesList::SeriesList(QWidget* parent) : QListWidget(parent) {
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // lines are shortened; the tooltip has them whole
   setAlternatingRowColors(true);
   setSpacing(2);
+  // As high as it is: or the room below would stand around its heading.
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
 // As high as what it lists, so that what is open stands below without scrolling; many are scrolled.

@@ -3,6 +3,7 @@
 
 #include <QCheckBox>
 #include <QDir>
+#include <QListWidget>
 #include <QMenu>
 #include <QPainter>
 #include <QScrollBar>
@@ -298,6 +299,13 @@ void LayoutTest::theDockKeepsItsWidthWhenSeriesAreOffered() {
   Q_EMIT window->document().seriesChoiceNeeded(QStringLiteral("/somewhere/scans"), series);
   QTest::qWait(50);
   QCOMPARE(window->views().width(), before);
+  window->resize(kLarge);
+  Q_EMIT window->document().seriesChoiceNeeded(QStringLiteral("/somewhere/scans"), {series[0], series[1]});
+  QTest::qWait(50);
+  const auto lists = window->findChildren<QListWidget*>();
+  QCOMPARE(lists.size(), 1);
+  const QWidget* choice = lists[0]->parentWidget();
+  QCOMPARE(choice->height(), choice->sizeHint().height());  // with no gaps between its parts
 }
 
 void LayoutTest::theWindowIsNoWiderForALongState() {
