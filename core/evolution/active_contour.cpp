@@ -29,6 +29,7 @@ constexpr double kStepVoxels = 0.9;  // and never further than this many voxels 
 constexpr double kQuiet = 0.015;     // a vertex that moves less than this is quiet
 constexpr double kStirring = 0.1;    // a neighbour that moves more than this wakes a sleeper
 constexpr double kCollapsed = 1.0;   // a component of less extent than this is gone
+constexpr double kShrinks = 4;       // more than a component loses of its extent in one step
 
 constexpr int kQuietToSleep = 3;  // iterations
 constexpr int kQuietToStop = 3;   // iterations without motion or event
@@ -120,7 +121,7 @@ struct ActiveContour::State {
   int quietIterations = 0;
   int nearlyStillIterations = 0;
   int orderedVertices = kFitsIntoCache;  // vertices when they were last put into order
-  double smallestExtent = 0;             // mm, of the components when last looked at
+  int lookAtComponents = 0;              // iteration before which none can collapse
   bool traces = false;
 
   //! What one attempt at a step leaves behind besides the mesh.
@@ -214,7 +215,7 @@ void ActiveContour::State::change(const Parameters& p, const State* prepared) {
     quiet.assign(idx(mesh.vertexSlots()), 0);
     resting = {};
     quietIterations = nearlyStillIterations = 0;
-    smallestExtent = 0;
+    lookAtComponents = 0;
   }
   if (stop == StopReason::maxIterations || (wake && stop != StopReason::empty)) stop = StopReason::running;
   if (stop == StopReason::running && iteration >= p.maxIterations) stop = StopReason::maxIterations;
@@ -290,10 +291,11 @@ void ActiveContour::State::adapt(Attempt& a) {
 }
 
 void ActiveContour::State::deleteCollapsed(Attempt& a) {
-  // A component of more than four edge lengths cannot collapse within one step.
-  if (a.events.empty() && smallestExtent > 4 * parameters.edgeLength && iteration % 8 != 0) return;
+  if (a.events.empty() && iteration < lookAtComponents) return;
   const Components parts = findComponents(mesh);
-  smallestExtent = parts.count() == 0 ? 0 : *std::min_element(parts.extent.begin(), parts.extent.end());
+  const double smallest =
+      parts.count() == 0 ? 0 : *std::min_element(parts.extent.begin(), parts.extent.end());
+  lookAtComponents = iteration + static_cast<int>(smallest / (kShrinks * parameters.edgeLength));
   std::vector<int> first(parts.vertices.size(), -1);
   for (int v = mesh.vertexSlots() - 1; v >= 0; --v)
     if (mesh.isVertex(v)) first[idx(parts.ofVertex[idx(v)])] = v;
