@@ -3,7 +3,8 @@
 # every station, to be looked at by a person:
 #   HANDLEBODY_SCREEN=1280x800x24 sh tests/ui/with_display.sh sh tests/ui/window/walk.sh PROGRAM SAMPLES OUT [light|dark [FOLDER …]]
 # The screen is as large as the window. With QT_SCALE_FACTOR=2 it must be twice as large. Each FOLDER (or file)
-# is opened as well, and pictures taken of what the window says and of a growth in its middle. Needs openbox, xdotool and ImageMagick.
+# is opened as well, and pictures taken of what the window says and of a growth in its middle. Needs openbox,
+# xdotool and ImageMagick.
 program=$1
 samples=$2
 out=$3
