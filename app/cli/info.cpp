@@ -92,8 +92,9 @@ void printSources(const VolumeInfo& info) {
 }
 
 void printSeries(const SeriesInfo& s) {
-  if (s.uid.empty()) return;
-  std::printf("series %s: %s, files %d, slices %d", s.uid.c_str(), s.description.c_str(), s.files, s.slices);
+  // A series without a UID is chosen by --series "".
+  std::printf("series %s: %s, files %d, slices %d", s.uid.empty() ? "\"\"" : s.uid.c_str(),
+              s.description.c_str(), s.files, s.slices);
   if (s.size[0] > 0)
     std::printf(", %d x %d x %d voxels of %g, %g, %g mm", s.size[0], s.size[1], s.size[2], s.spacing.x(),
                 s.spacing.y(), s.spacing.z());

@@ -90,7 +90,8 @@ std::string seriesChoice(const std::vector<SeriesInfo>& series) {
   std::string text =
       "it holds " + std::to_string(series.size()) + " series or stacks, choose one with --series: ";
   for (std::size_t i = 0; i < series.size(); ++i)
-    text += (i ? "; " : "") + series[i].uid + " (" + seriesFacts(series[i]) + ")";
+    text += (i ? "; " : "") + (series[i].uid.empty() ? "\"\"" : series[i].uid) + " (" +
+            seriesFacts(series[i]) + ")";
   return text;
 }
 

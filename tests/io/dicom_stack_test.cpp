@@ -230,6 +230,18 @@ TEST_CASE("a description that begins with the modality does not say it twice") {
   CHECK(series[1].description == "MA made by hand");
 }
 
+TEST_CASE("a series without a UID is chosen by an empty one") {
+  const TemporaryFolder folder;
+  std::vector<Slice> slices = evenStack(3), other = evenStack(4);
+  for (Slice& s : other) s.series = "";
+  slices.insert(slices.end(), other.begin(), other.end());
+  writeSeries(folder.path(), slices);
+  CHECK_THAT(inspectVolume(folder.path()).warnings.back(), Contains("\"\" (MR"));
+  VolumeSelection chosen;
+  chosen.series = "";
+  CHECK(readVolume(folder.path(), chosen).grid.size[2] == 4);
+}
+
 TEST_CASE("a slice cut within its first 132 bytes is not dropped silently") {
   const TemporaryFolder folder;
   writeSeries(folder.path(), evenStack(4));
