@@ -13,9 +13,9 @@ namespace handlebody::bench {
 namespace {
 
 constexpr int kMostIterations = 1500;
-constexpr int kPatience = 200;           // iterations without a better overlap
-constexpr double kAsGood = 0.0005;       // of overlap
-constexpr double kThresholdRange = 0.3;  // of the contrast, around the half-way level
+constexpr int kPatience = 200;            // iterations without a better overlap
+constexpr double kAsGood = 0.0005;        // of overlap
+constexpr double kThresholdRange = 0.45;  // of the contrast, around the half-way level
 constexpr double kThresholdStep = 0.025;
 
 //! The intensities of the voxel types' own scale (phantom.h).
@@ -109,10 +109,11 @@ Outcome best(int repeat, const std::function<void(Outcome&)>& run) {
 
 }  // namespace
 
-Outcome runOurs(const Phantom& phantom, const PhantomOptions& options, int repeat) {
+Outcome runOurs(const Phantom& phantom, const PhantomOptions& options, const Parameters& parameters,
+                int repeat) {
   return best(repeat, [&](Outcome& out) {
     const Measure measure;
-    ActiveContour contour(phantom.volume, {{phantom.seed, phantom.seedRadius}}, {});
+    ActiveContour contour(phantom.volume, {{phantom.seed, phantom.seedRadius}}, parameters);
     while (contour.stopReason() == StopReason::running) contour.step();
     const TriangleSoup mesh = contour.mesh().compact();
     certify(mesh);
@@ -144,7 +145,7 @@ PeerSettings tune(Peer peer, const Phantom& phantom) {
   PeerSettings bestSettings;
   double bestDice = -1;
   for (double sigma : {0.7, 1.0, 1.5, 2.0, 2.5})
-    for (double curvature : {0.05, 0.2, 0.5, 1.0}) {
+    for (double curvature : {0.05, 0.2, 0.5, 1.0, 2.0}) {
       if (peer == Peer::regionGrowing && curvature > 0.05) continue;
       PeerSettings s;
       s.sigma = sigma;
