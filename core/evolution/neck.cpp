@@ -27,6 +27,12 @@ constexpr double kWidens = 1.3, kNarrows = 0.6;
 // What is cut off at an opening is this many times what is kept, at least.
 constexpr double kMuchLarger = 20;
 
+// Both sides of a hole in a wall are this many times as wide as the hole, and so is what would be there
+// without the wall.
+constexpr double kHoleWidens = 3;
+// What is cut off at a hole is this part of what is kept, at least: less may be a pocket in the object.
+constexpr double kBehindHole = 0.2;
+
 constexpr int kBinsPerVoxel = 4;
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
@@ -174,6 +180,42 @@ std::vector<unsigned char> splitByWidth(const ThicknessMap& map, const std::vect
   return side;
 }
 
+//! Distance (mm) to the wide part of a side: what balls of `wide` mm around its voxels cover.
+std::vector<float> distanceToWide(const ThicknessMap& map, const std::vector<unsigned char>& side,
+                                  unsigned char which, double wide) {
+  return map.distanceTo(map.coveredByBalls(marksOf(
+      map, [&](std::size_t i) { return side[i] == which && static_cast<double>(map.distance(i)) >= wide; })));
+}
+
+//! The largest balls (radius in mm) that fit into the region and the thin walls between its two sides: walls
+//! no thicker than `neck` is wide, and than the voxel that the smoothing adds or takes away.
+std::vector<float> ballsWithoutWall(const ThicknessMap& map, const std::vector<unsigned char>& side,
+                                    double neck, double voxel) {
+  const auto toKept = distanceToWide(map, side, 1, kHoleWidens * neck);
+  const auto toCut = distanceToWide(map, side, 2, kHoleWidens * neck);
+  // Both distances are measured to centres of voxels: across a wall of one voxel they add up to two.
+  const double thickest = 2 * neck + 2 * voxel;
+  return map.distanceTo(marksOf(map, [&](std::size_t i) {
+    const bool isWall = static_cast<double>(toKept[i] + toCut[i]) <= thickest;
+    return side[i] == 0 && !isWall && map.isInVolume(i);
+  }));
+}
+
+//! True if the two sides meet in holes of a wall and nowhere else.
+bool meetInHoles(const ThicknessMap& map, const std::vector<unsigned char>& side, double neck, double voxel) {
+  std::vector<float> balls = ballsWithoutWall(map, side, neck, voxel);
+  for (float& radius : balls)
+    if (static_cast<double>(radius) < kHoleWidens * neck) radius = 0;
+  const std::vector<unsigned char> wide = map.coveredByBalls(balls);
+  for (std::size_t i = 0; i < side.size(); ++i) {
+    if (side[i] != 1 || wide[i]) continue;
+    bool meets = false;
+    map.forEachFaceNeighbour(i, [&](std::size_t w) { meets = meets || side[w] == 2; });
+    if (meets) return false;
+  }
+  return true;
+}
+
 std::shared_ptr<const Barrier> barrierOf(const ThicknessMap& map, const std::vector<unsigned char>& side) {
   std::vector<unsigned char> closed(side.size());
   for (std::size_t i = 0; i < side.size(); ++i) closed[i] = side[i] == 2;
@@ -194,9 +236,17 @@ class NeckSearch {
     }
   }
 
-  std::optional<NeckCut> run() const {
+  std::optional<NeckCut> run(Passages which) const {
     if (starts_.empty() || structure_ <= 0) return {};
     const WidestPathFlood flood = floodThickFirst(map_, starts_, grid_.meanSpacing() / kBinsPerVoxel);
+    std::optional<NeckCut> cut;
+    if (which != Passages::holes) cut = cutAtNeck(flood);
+    if (!cut && which != Passages::necks) cut = cutAtHole(flood);
+    return cut;
+  }
+
+ private:
+  std::optional<NeckCut> cutAtNeck(const WidestPathFlood& flood) const {
     for (const Rule& rule : kNecks)
       for (const Stage& stage : flood.stages)
         if (shows(rule, stage, structure_))
@@ -212,7 +262,26 @@ class NeckSearch {
     return cut;
   }
 
- private:
+  std::optional<NeckCut> cutAtHole(const WidestPathFlood& flood) const {
+    const double voxel = grid_.meanSpacing();
+    for (const Stage& stage : flood.stages) {
+      if (!mayBeHole(stage)) continue;
+      const std::vector<unsigned char> side = splitAt(map_, flood, stage);
+      if (!meetInHoles(map_, side, stage.neck, voxel)) continue;
+      auto cut = cutAt(stage, side, kBehindHole);
+      if (!cut) continue;
+      cut->hole = true;
+      return cut;
+    }
+    return {};
+  }
+
+  bool mayBeHole(const Stage& stage) const {
+    const double wide = kHoleWidens * stage.neck;
+    const auto before = static_cast<double>(stage.first),
+               more = static_cast<double>(stage.last - stage.first);
+    return stage.first > 0 && structure_ >= wide && stage.widest >= wide && more >= kBehindHole * before;
+  }
   //! None if a seed is cut off, or too little is.
   std::optional<NeckCut> cutAt(const Stage& stage, const std::vector<unsigned char>& side,
                                double larger) const {
@@ -279,10 +348,10 @@ double Barrier::openness(const Vec3& index) const {
                t[2]);
 }
 
-std::optional<NeckCut> findNeck(const Grid& grid, const ObjectRegion& region,
-                                const std::vector<Vec3>& seeds) {
+std::optional<NeckCut> findNeck(const Grid& grid, const ObjectRegion& region, const std::vector<Vec3>& seeds,
+                                Passages which) {
   if (region.voxels.empty()) return {};
-  return NeckSearch(grid, region, seeds).run();
+  return NeckSearch(grid, region, seeds).run(which);
 }
 
 }  // namespace handlebody

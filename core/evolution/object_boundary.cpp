@@ -96,8 +96,8 @@ class BoundarySearch {
     std::optional<ObjectBoundary> best, first;
     double part = 1, lastChange = 0;
     for (int pass = 0; pass < kMostPasses; ++pass) {
-      Candidate c = grow(trial);
-      if (best && c.voxels > kIsLeak * expected_) {
+      Candidate c = grow(trial, !best || best->neck);
+      if (best && isLeak(c, *best)) {
         part *= 0.5;
         if (part < kLeastPart) break;
         trial = LevelField::between(best->levels, trial, 0.5);
@@ -126,15 +126,23 @@ class BoundarySearch {
     double voxels = 0;  // of the region, up to the neck
   };
 
-  Candidate grow(const LevelField& levels) const {
+  //! `mayHaveHole`: a hole in a wall is looked for whatever the region's size.
+  Candidate grow(const LevelField& levels, bool mayHaveHole) const {
     const double most = std::clamp(kEnough * expected_, kLeastVoxels, std::max(2 * expected_, kMostVoxels));
     Candidate c;
     c.region = floodObject(s_.volume, s_.seeds, s_.sign, levels, static_cast<std::size_t>(most));
     c.voxels = static_cast<double>(c.region.voxels.size());
-    if (c.voxels <= kLooksLikeLeak * expected_) return c;
-    c.neck = findNeck(s_.volume.grid(), c.region, s_.seeds);
+    const bool looksLikeLeak = c.voxels > kLooksLikeLeak * expected_;
+    if (!looksLikeLeak && !mayHaveHole) return c;
+    c.neck = findNeck(s_.volume.grid(), c.region, s_.seeds, looksLikeLeak ? Passages::both : Passages::holes);
     if (c.neck) c.voxels = c.neck->keptVolume / s_.volume.grid().voxelVolume();
     return c;
+  }
+
+  //! Far larger than before, or somewhat larger and the neck that held it is lost.
+  bool isLeak(const Candidate& c, const ObjectBoundary& before) const {
+    const bool lost = before.neck && !c.neck;
+    return c.voxels > (lost ? kLooksLikeLeak : kIsLeak) * expected_;
   }
 
   LevelField levelsAt(const Candidate& c, const LevelField& fallback) const {

@@ -36,8 +36,10 @@ struct ObjectSearch {
 //! The weighted mean is that of Kittler, Illingworth and Föglein (1985), "Threshold selection based on a
 //! simple image statistic", taken locally and at the boundary of a region only.
 //! If a region is far larger than the one before it, it has leaked: it is cut at its neck (neck.h), or, where
-//! there is none, the levels go only half the way, again and again. If they come to no rest either way
-//! (surroundings that change along the boundary, not a gain), the first level stays for all places.
+//! there is none, the levels go only half the way, again and again. A hole in a thin wall (neck.h) is looked
+//! for whatever the size of what lies behind it: two chambers of one size may share a wall with a hole. If
+//! they come to no rest either way (surroundings that change along the boundary, not a gain), the first level
+//! stays for all places.
 ObjectBoundary findBoundary(const ObjectSearch& search);
 
 //! For a region that is out of all proportion to the place of the seeds: it has leaked, though no level shows
