@@ -24,6 +24,7 @@ struct Options {
   std::vector<std::string> phantoms;
   PhantomOptions phantom;
   std::vector<double> gaps{0}, curvatures;
+  Trials trials;
   int repeat = 3;
   bool json = false, tune = false, detection = false, alone = false;
 };
@@ -69,7 +70,7 @@ std::vector<Row> oursOn(const Phantom& phantom, const PhantomOptions& options, c
 std::vector<Row> peersOn(const Phantom& phantom, const PhantomOptions& options, const Options& o) {
   std::vector<Row> rows;
   for (const auto& [label, peer] : kPeers) {
-    const PeerSettings settings = o.tune ? tune(peer, phantom) : tunedSettings(peer, phantom.name);
+    const PeerSettings settings = o.tune ? tune(peer, phantom, o.trials) : tunedSettings(peer, phantom.name);
     if (o.tune)
       std::fprintf(stderr, "%s, %s: sigma %g, curvature %g\n", phantom.name.c_str(), label, settings.sigma,
                    settings.curvature);
@@ -164,6 +165,8 @@ void addOptions(CLI::App& app, Options& o) {
   app.add_flag("--alone", o.alone, "Our engine without the peers");
   app.add_flag("--json", o.json, "Results as JSON on standard output");
   app.add_flag("--tune", o.tune, "Look for the peers' best settings first (takes long)");
+  app.add_option("--try-smoothings", o.trials.smoothings, "With --tune: voxels")->delimiter(',');
+  app.add_option("--try-curvatures", o.trials.curvatures, "With --tune: weights")->delimiter(',');
   app.add_flag("--detection", o.detection, "Compare detection with CGAL's, too");
 }
 

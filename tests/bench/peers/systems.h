@@ -17,7 +17,13 @@ Outcome runOurs(const Phantom& phantom, const PhantomOptions& options, const Par
 Outcome runPeer(Peer peer, PeerSettings settings, const Phantom& phantom, const PhantomOptions& options,
                 int repeat);
 
-//! Tries smoothings and curvature weights and returns those of the best overlap.
-PeerSettings tune(Peer peer, const Phantom& phantom);
+//! What tune() tries: every smoothing (voxels) with every curvature weight.
+struct Trials {
+  std::vector<double> smoothings{0.7, 1.0, 1.5, 2.0, 2.5};
+  std::vector<double> curvatures{0.05, 0.2, 0.5, 1.0, 2.0};
+};
+
+//! Returns the settings of the best overlap.
+PeerSettings tune(Peer peer, const Phantom& phantom, const Trials& trials);
 
 }  // namespace handlebody::bench
