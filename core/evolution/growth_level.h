@@ -16,7 +16,7 @@ struct GrowthLevel {
 
 //! The level of the strongest mean edge. A level after the region has leaked into another one counts only if
 //! its edge is much stronger. None if no region was large enough, or
-//! if the growth was given up while its edge was still rising.
+//! if the growth was given up at the peak of its edge, so that a stronger one may lie ahead.
 std::optional<GrowthLevel> strongestLevel(const RegionGrowth& growth);
 
 }  // namespace handlebody

@@ -302,9 +302,9 @@ ObjectChoice chooseObject(const Volume& volume, const std::vector<Seed>& seeds, 
   if (found && !p.smoothing) {
     // Less smoothing than the first moves no level, and the growth need not be repeated; more does.
     const double used = sigma;
-    sigma = std::max(used > first ? used : 0, chooseSmoothing(volume, seeds, choice));
-    if (sigma > std::max(used, first))
-      found = chooseLevel(choice, volume, sigma, view, seeds, whole, p.object);
+    sigma = chooseSmoothing(volume, seeds, choice);
+    if (used > first) sigma = std::max(sigma, used);  // it was found with that much only
+    if (sigma > used) found = chooseLevel(choice, volume, sigma, view, seeds, whole, p.object);
   }
   if (!found) throw SeedError(notInObject(p.object));
   setImage(choice, volume, sigma, view);

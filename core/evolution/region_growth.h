@@ -19,7 +19,7 @@ struct RegionGrowth {
   std::vector<double> border;
   //! Mean gradient (signed intensity per mm) over the region's boundary at that level, smoothed.
   std::vector<double> edge;
-  //! False: it was given up as a leak before its edge was clearly past its strongest.
+  //! False: it was given up as a leak before it was twice as large as at its strongest edge.
   bool whole = true;
   double level(std::size_t bin) const { return lowest + step * (static_cast<double>(bin) + 0.5); }
 };
