@@ -22,6 +22,8 @@ constexpr double kContracts = 0.6;
 // A region of so many times the size of the one before looks like a leak; of so many it is one.
 constexpr double kLooksLikeLeak = 1.5;
 constexpr double kIsLeak = 2;
+// A region of so many times the size of the last one in which a hole was looked for may have another.
+constexpr double kIsNew = 1.03;
 // Smaller parts of the way to new levels are not tried.
 constexpr double kLeastPart = 0.1;
 
@@ -61,7 +63,7 @@ class BoundarySearch {
     std::optional<ObjectBoundary> best, first;
     double part = 1, lastChange = 0;
     for (int pass = 0; pass < kMostPasses; ++pass) {
-      Candidate c = grow(trial, !best || best->neck);
+      Candidate c = grow(trial, best && best->neck);
       if (best && isLeak(c, *best)) {
         part *= 0.5;
         if (part < kLeastPart) break;
@@ -92,14 +94,16 @@ class BoundarySearch {
     double voxels = 0;  // of the region, up to the neck
   };
 
-  //! `mayHaveHole`: a hole in a wall is looked for whatever the region's size.
-  Candidate grow(const LevelField& levels, bool mayHaveHole) const {
+  //! `wasHeld`: at a neck or hole before, which is looked for again whatever the region's size.
+  Candidate grow(const LevelField& levels, bool wasHeld) {
     const double most = std::clamp(kEnough * expected_, kLeastVoxels, std::max(2 * expected_, kMostVoxels));
     Candidate c;
     c.region = floodObject(s_.volume, s_.seeds, s_.sign, levels, static_cast<std::size_t>(most));
     c.voxels = static_cast<double>(c.region.voxels.size());
     const bool looksLikeLeak = c.voxels > kLooksLikeLeak * expected_;
-    if (!looksLikeLeak && !mayHaveHole) return c;
+    const bool isNew = c.voxels > kIsNew * looked_;
+    if (!looksLikeLeak && !wasHeld && !isNew) return c;
+    looked_ = std::max(looked_, c.voxels);
     c.neck = findNeck(s_.volume.grid(), c.region, s_.seeds, looksLikeLeak ? Passages::both : Passages::holes);
     if (c.neck) c.voxels = c.neck->keptVolume / s_.volume.grid().voxelVolume();
     return c;
@@ -134,7 +138,7 @@ class BoundarySearch {
 
   //! The levels of the boundary itself, where half-way levels have come to rest; those if the region would
   //! leak within the others.
-  LevelField levelsOfShape(const Candidate& c, const LevelField& halfWay) const {
+  LevelField levelsOfShape(const Candidate& c, const LevelField& halfWay) {
     LevelField levels = levelsAt(c, halfWay, &EdgeReader::ofShape);
     const Candidate within = grow(levels, false);
     return within.neck || within.voxels > kLooksLikeLeak * expected_ ? halfWay : levels;
@@ -160,7 +164,8 @@ class BoundarySearch {
   const ObjectSearch& s_;
   Edges edges_;
   Read read_;
-  double expected_;  // voxels
+  double expected_;    // voxels
+  double looked_ = 0;  // voxels of the largest region in which a hole was looked for
 };
 
 }  // namespace

@@ -124,6 +124,28 @@ TEST_CASE("a search whose region leaks through a bar ends at the neck, with the 
   CHECK(boundary.levels.at(kSmall + Vec3(0, kSmallRadius, 0)) == Approx(80).margin(4));
 }
 
+TEST_CASE("a hole in a wall holds the region, though the first level shows too little of it") {
+  // Two chambers apart by a wall of 2 mm, in which a hole is 4 mm wide. Near the object's own level the wall
+  // looks thick and the hole narrow.
+  Grid g = cubicGrid(48);
+  g.size = {80, 48, 48};
+  const auto chambers = [](const Vec3& p) {
+    const double across = std::max(std::abs(p[1] - 23.5), std::abs(p[2] - 23.5));
+    const double both = std::max({across - 18, 8 - p[0], p[0] - 71, 1 - std::abs(p[0] - 39.5)});
+    return std::min(both, std::max(across - 2, std::abs(p[0] - 39.5) - 3));
+  };
+  const SmoothedVolume volume(testing::volumeByDistance(g, kObject, kBackground, chambers), 0.5);
+  for (const double level : {kObject + 2, 80.0}) {
+    CAPTURE(level);
+    const ObjectBoundary boundary = findBoundary({volume, {Vec3(20, 23, 23)}, 1, kObject, level, 60'000});
+    REQUIRE(boundary.neck);
+    CHECK(boundary.neck->hole);
+    CHECK(boundary.neck->barrier->openness(Vec3(20, 23, 23)) == 1);
+    CHECK(boundary.neck->barrier->openness(Vec3(56, 23, 23)) == -1);
+    CHECK(boundary.levels.at(Vec3(20, 23, 23)) == Approx(80).margin(4));
+  }
+}
+
 TEST_CASE("where the bar is background, there is no neck") {
   const SmoothedVolume volume(joinedBalls(kBackground), 0);
   CHECK_FALSE(findBoundary(searchFromSmall(volume)).neck);
