@@ -25,6 +25,7 @@ struct Options {
   PhantomOptions phantom;
   std::vector<double> gaps{0}, curvatures;
   Trials trials;
+  std::string peers;  // what their names hold
   int repeat = 3;
   bool json = false, tune = false, detection = false, alone = false;
 };
@@ -50,9 +51,9 @@ void print(const std::string& phantom, const std::vector<Row>& rows) {
   std::fflush(stdout);
 }
 
-constexpr std::pair<const char*, Peer> kPeers[] = {{"level set, threshold", Peer::thresholdLevelSet},
-                                                   {"level set, geodesic", Peer::geodesicLevelSet},
-                                                   {"region growing", Peer::regionGrowing}};
+const std::pair<std::string, Peer> kPeers[] = {{"level set, threshold", Peer::thresholdLevelSet},
+                                               {"level set, geodesic", Peer::geodesicLevelSet},
+                                               {"region growing", Peer::regionGrowing}};
 
 //! Our engine with nothing told, and with each weight of the curvature that was asked for.
 std::vector<Row> oursOn(const Phantom& phantom, const PhantomOptions& options, const Options& o) {
@@ -70,10 +71,11 @@ std::vector<Row> oursOn(const Phantom& phantom, const PhantomOptions& options, c
 std::vector<Row> peersOn(const Phantom& phantom, const PhantomOptions& options, const Options& o) {
   std::vector<Row> rows;
   for (const auto& [label, peer] : kPeers) {
+    if (label.find(o.peers) == std::string::npos) continue;
     const PeerSettings settings = o.tune ? tune(peer, phantom, o.trials) : tunedSettings(peer, phantom.name);
     if (o.tune)
-      std::fprintf(stderr, "%s, %s: sigma %g, curvature %g\n", phantom.name.c_str(), label, settings.sigma,
-                   settings.curvature);
+      std::fprintf(stderr, "%s, %s: sigma %g, curvature %g\n", phantom.name.c_str(), label.c_str(),
+                   settings.sigma, settings.curvature);
     rows.push_back({label, runPeer(peer, settings, phantom, options, o.repeat)});
   }
   return rows;
@@ -163,6 +165,7 @@ void addOptions(CLI::App& app, Options& o) {
       "--spacing", [&o](double s) { o.phantom.spacing = Vec3::Constant(s); }, "mm");
   app.add_option("--repeat", o.repeat, "Runs of each system; the quickest counts")->check(CLI::Range(1, 100));
   app.add_flag("--alone", o.alone, "Our engine without the peers");
+  app.add_option("--peers", o.peers, "Only peers with this in their name, such as threshold");
   app.add_flag("--json", o.json, "Results as JSON on standard output");
   app.add_flag("--tune", o.tune, "Look for the peers' best settings first (takes long)");
   app.add_option("--try-smoothings", o.trials.smoothings, "With --tune: voxels")->delimiter(',');
