@@ -98,7 +98,7 @@ struct CollisionDetector::Tables {
   void testSeparate();
   //! How near (mm², squared) the vertex u of a face T must be to the vertex v = P; see testSeparate.
   double reachSquared(int u, int v) const {
-    return (sizes[idx(u)].edge * (1.0 / 3) + sizes[idx(v)].spoke * 0.25) * kRounding;
+    return (sizes[idx(u)].circle + sizes[idx(v)].spoke * 0.25) * kRounding;
   }
   void testNear(int u, int v, double distanceSquared);
   bool isFirstNear(int u, const Triangle& t, int v) const;
@@ -229,12 +229,12 @@ void CollisionDetector::Tables::testStarPairs(int v) {
 
 //! Faces without a common vertex. If two such triangles intersect, an edge of one of them, PP', meets the
 //! other, T, in a point Q, and P may be chosen such that |PQ| ≤ |PP'|/2. Let Q = Σ λi Ti with the vertices Ti
-//! of T. Then
-//!   Σ λi |P-Ti|² = |P-Q|² + Σ λi |Q-Ti|² = |P-Q|² + Σi<j λi λj |Ti-Tj|² ≤ |PP'|²/4 + t²/3
-//! where t is the longest edge of T, because Σi<j λi λj ≤ 1/3. So some Ti is that near to P. With the longest
-//! edge s of the mesh for PP' and t, this proves Theorem 4 for sqrt(7/12)·s, which is sharp, instead of
-//! sqrt(2/3)·s. It says more, too: P is within |PP'|/2 of T, which hardly any neighbour is. So what is looked
-//! for are pairs of a vertex P and a triangle T.
+//! of T, and let C be the centre of the smallest circle that holds T, r its radius. Then
+//!   Σ λi |P-Ti|² = |P-Q|² + Σ λi |Q-Ti|² ≤ |P-Q|² + Σ λi |C-Ti|² ≤ |PP'|²/4 + r²
+//! and r² ≤ t²/3 with the longest edge t of T (Jung). So some Ti is that near to P. With the longest edge s
+//! of the mesh for PP' and t, this proves Theorem 4 for sqrt(7/12)·s, which is sharp, instead of sqrt(2/3)·s.
+//! It says more, too: P is within |PP'|/2 of T, which hardly any neighbour is. So what is looked for are
+//! pairs of a vertex P and a triangle T.
 void CollisionDetector::Tables::testSeparate() {
   if (vertices.empty()) return;  // nothing moved
   if (!hash.build(points, vertices, reach())) {
@@ -255,7 +255,7 @@ void CollisionDetector::Tables::testNear(int u, int v, double distanceSquared) {
   const Vec3 w = points[idx(v)] - pu;
   // First a cheap rejection: a face whose corners stay behind `end` along w is too far from v.
   const double end = std::max(0.0, distanceSquared - std::sqrt(distanceSquared * nearSquared) -
-                                       (kRounding - 1) * (distanceSquared + sizes[idx(u)].edge));
+                                       (kRounding - 1) * (distanceSquared + sizes[idx(u)].spoke));
   const auto skip = [&](int r) { return SkipBits{end > 0 && w.dot(points[idx(r)] - pu) < end, r == v}; };
   const std::span<const Corner> corners = stars.corners(u);
   for (std::size_t first = 0; first < corners.size(); first += kSkipBits) {

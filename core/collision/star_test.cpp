@@ -34,6 +34,23 @@ constexpr float kSmallest = 1e-12f, kLargest = 1e12f, kThin = 1e-6f;
 // Lengths from single precision are off by less than 13u.
 constexpr double kLonger = 1 + 0x1p-19;
 
+// The radius of a circle is computed where the face is not so thin that rounding spoils it; elsewhere a third
+// of the squared longest edge will do for its square (Jung). Where the squared area vector is above
+// kThinCircle of the squared longest edge's square, all that comes from single precision is off by less than
+// 2^-11.
+constexpr float kThinCircle = 0x1p-12f;
+constexpr float kWider = 1 + 0x1p-10f;
+
+//! Squared radius of the smallest circle around a triangle, not too small, by its squared edges and the
+//! square of the cross product of two of them.
+double circleSquared(double a, double b, double c, double areaSquared) {
+  const double longest = std::max({a, b, c});
+  const bool isThin = !(areaSquared > static_cast<double>(kThinCircle) * longest * longest);
+  if (isThin || longest < kTiny) return longest / 3;
+  if (a + b + c <= 2 * longest) return longest / 4;  // obtuse: the longest edge is a diameter
+  return std::min(longest / 3, a * b / (4 * areaSquared) * c);
+}
+
 double norm1(const Vec3& v) { return std::abs(v.x()) + std::abs(v.y()) + std::abs(v.z()); }
 
 //! Up to seven edges at a vertex, the first once more after the last, noughts from there on.
@@ -60,7 +77,7 @@ class FewEdges {
   }
 
   bool isEmbedded(StarSize& size) const {
-    LaneFloats spoke{}, edge{};
+    LaneFloats spoke{}, circle{};
     Lanes sum{};
     std::array<Lanes, 2> normals;
     for (const std::size_t half : {0, 1}) {
@@ -68,14 +85,16 @@ class FewEdges {
       const Lanes b{following(a.x, beyond.x), following(a.y, beyond.y), following(a.z, beyond.z)};
       const Lanes n = normals[half] = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
       sum = {sum.x + n.x, sum.y + n.y, sum.z + n.z};
-      spoke = larger(spoke, a.dot(a));
       const Lanes along{b.x - a.x, b.y - a.y, b.z - a.z};
-      edge = larger(edge, along.dot(along));
+      const LaneFloats aa = a.dot(a);
+      const LaneBits isFace = (LaneBits{0, 1, 2, 3} + static_cast<int>(4 * half)) < static_cast<int>(count_);
+      spoke = larger(spoke, aa);
+      circle = larger(circle, isFace ? circleSquared(aa, b.dot(b), along.dot(along), n.dot(n)) : circle);
     }
     const float longest = greatest(spoke);
     if (!(longest > kSmallest && longest < kLargest)) return false;
     size.spoke = kLonger * static_cast<double>(longest);
-    size.edge = std::max(size.spoke, kLonger * static_cast<double>(greatest(edge)));
+    size.circle = static_cast<double>(kWider * greatest(circle));
 
     const std::array<float, 3> up{total(sum.x), total(sum.y), total(sum.z)}, odd{0.4217f, -0.7353f, 0.5306f};
     const float up1 = std::abs(up[0]) + std::abs(up[1]) + std::abs(up[2]);
@@ -106,6 +125,14 @@ class FewEdges {
     LaneFloats dot(const Lanes& o) const { return x * o.x + y * o.y + z * o.z; }
     LaneFloats dot(const std::array<float, 3>& o) const { return x * o[0] + y * o[1] + z * o[2]; }
   };
+  //! As above, in single precision.
+  static LaneFloats circleSquared(const LaneFloats& a, const LaneFloats& b, const LaneFloats& c,
+                                  const LaneFloats& areaSquared) {
+    const LaneFloats longest = larger(larger(a, b), c), third = longest * (1.0f / 3);
+    const LaneFloats around = a * b / (4 * areaSquared) * c;  // only where that is no division by nought
+    const LaneFloats wide = a + b + c <= 2 * longest ? longest * 0.25f : around < third ? around : third;
+    return areaSquared > kThinCircle * longest * longest ? wide : third;
+  }
   //! Lanes 1, 2, 3 and then the first of `next`.
   static LaneFloats following(const LaneFloats& lanes, const LaneFloats& next) {
     return __builtin_shufflevector(lanes, next, 1, 2, 3, 4);
@@ -132,10 +159,12 @@ StarSize measureStar(std::span<const Vec3> points, int v, std::span<const Corner
   for (const Corner& c : corners) {
     const Vec3& a = points[static_cast<std::size_t>(c.next)];
     const Vec3& b = points[static_cast<std::size_t>(c.prev)];
-    size.spoke = std::max({size.spoke, (a - centre).squaredNorm(), (b - centre).squaredNorm()});
-    size.edge = std::max(size.edge, (b - a).squaredNorm());
+    const Vec3 ea = a - centre, eb = b - centre;
+    size.spoke = std::max({size.spoke, ea.squaredNorm(), eb.squaredNorm()});
+    size.circle = std::max(size.circle, circleSquared(ea.squaredNorm(), eb.squaredNorm(),
+                                                      (b - a).squaredNorm(), ea.cross(eb).squaredNorm()));
   }
-  size.edge = std::max(size.edge, size.spoke);
+  size.circle *= static_cast<double>(kWider);
   return size;
 }
 
@@ -147,17 +176,10 @@ bool StarTest::isEmbeddedInDouble(std::span<const Vec3> points, int v, std::span
     normals_.resize(k + 1);
   }
   const Vec3& centre = points[static_cast<std::size_t>(v)];
-  double longest = 0;
-  for (std::size_t i = 0; i < k; ++i) {
-    edges_[i] = points[static_cast<std::size_t>(corners[i].next)] - centre;
-    longest = std::max(longest, edges_[i].squaredNorm());
-  }
+  for (std::size_t i = 0; i < k; ++i) edges_[i] = points[static_cast<std::size_t>(corners[i].next)] - centre;
   edges_[k] = edges_[0];
-  size.spoke = longest;
-  size.edge = longest;
-  for (std::size_t i = 0; i < k; ++i) {
-    size.edge = std::max(size.edge, (edges_[i + 1] - edges_[i]).squaredNorm());
-  }
+  size = measureStar(points, v, corners);
+  const double longest = size.spoke;
   if (longest < kTiny) return false;
 
   Vec3 up = Vec3::Zero();

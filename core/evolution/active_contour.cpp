@@ -11,6 +11,7 @@
 #include "core/evolution/object_range.h"
 #include "core/evolution/resting_places.h"
 #include "core/evolution/seeds.h"
+#include "core/mesh/morton_order.h"
 #include "core/mesh/remesh.h"
 #include "core/mesh/topology.h"
 #include "core/surgery/topology_adaptation.h"
@@ -25,17 +26,23 @@ constexpr double kShortest = 0.55;
 constexpr double kStep =
     0.28;  // largest move along the normal: two fronts come closer by little more than s / 3
 constexpr double kStepVoxels = 0.9;  // and never further than this many voxels of the finest axis
-constexpr double kQuiet = 0.015;     // a vertex that moves less than this is quiet
-constexpr double kStirring = 0.1;    // a neighbour that moves more than this wakes a sleeper
-constexpr double kCollapsed = 1.0;   // a component of less extent than this is gone
+// A curvature step this many times the balloon's overshoots: vertices tremble for ever. Steps get shorter
+// then.
+constexpr double kSteadyCurvature = 1.8;
+constexpr double kQuiet = 0.015;    // a vertex that moves less than this is quiet
+constexpr double kStirring = 0.1;   // a neighbour that moves more than this wakes a sleeper
+constexpr double kCollapsed = 1.0;  // a component of less extent than this is gone
+constexpr double kShrinks = 4;      // more than a component loses of its extent in one step
 
 constexpr int kQuietToSleep = 3;  // iterations
 constexpr int kQuietToStop = 3;   // iterations without motion or event
 constexpr int kStillToStop = 40;  // iterations in which next to nothing moves and nothing happens
 constexpr double kNextToNothing =
     0.001;  // part of the vertices: single ones may tremble between two faces of a noisy voxel
-constexpr int kRounds = 5;    // of detection and surgery in one step
-constexpr int kAttempts = 8;  // at one step before all of it is rolled back
+constexpr int kRounds = 5;                // of detection and surgery in one step
+constexpr int kAttempts = 8;              // at one step before all of it is rolled back
+constexpr double kGrowthToReorder = 1.5;  // of the mesh, until its vertices are put into order again
+constexpr int kFitsIntoCache = 3000;      // vertices: any order will do
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
@@ -116,7 +123,8 @@ struct ActiveContour::State {
   int iteration = 0;
   int quietIterations = 0;
   int nearlyStillIterations = 0;
-  double smallestExtent = 0;  // mm, of the components when last looked at
+  int orderedVertices = kFitsIntoCache;  // vertices when they were last put into order
+  int lookAtComponents = 0;              // iteration before which none can collapse
   bool traces = false;
 
   //! What one attempt at a step leaves behind besides the mesh.
@@ -128,6 +136,12 @@ struct ActiveContour::State {
     std::vector<unsigned char> touched;
   };
 
+  //! Part of the step that keeps strong curvature steady.
+  double steadiness() const {
+    return std::min(1.0, kSteadyCurvature * parameters.balloon / std::max(1e-300, parameters.curvature));
+  }
+  //! What moves are compared with, mm.
+  double moveUnit() const { return steadiness() * parameters.edgeLength; }
   bool sleeps(int v) const { return quiet[idx(v)] >= kQuietToSleep; }
 
   void chooseImage(const Parameters& p);
@@ -135,6 +149,7 @@ struct ActiveContour::State {
   void begin();
   void change(const Parameters& p, const State* prepared);
   void takeImage(const State& other);
+  void keepOrder();
   Attempt attempt();
   std::vector<int> verticesToMove() const;
   void adapt(Attempt& a);
@@ -176,7 +191,7 @@ void ActiveContour::State::resolve(const Parameters& p) {
   motion.balloon = p.balloon;
   motion.curvature = p.curvature;
   motion.edgeLength = edge;
-  motion.largestStep = std::min(kStep * edge, kStepVoxels * volume.grid.spacing.minCoeff());
+  motion.largestStep = steadiness() * std::min(kStep * edge, kStepVoxels * volume.grid.spacing.minCoeff());
   motion.outwardOnly = p.direction == Direction::outward;
   motion.threads = p.threads;
   limits = {kLongest * edge, kShortest * edge};
@@ -209,10 +224,22 @@ void ActiveContour::State::change(const Parameters& p, const State* prepared) {
     quiet.assign(idx(mesh.vertexSlots()), 0);
     resting = {};
     quietIterations = nearlyStillIterations = 0;
-    smallestExtent = 0;
+    lookAtComponents = 0;
   }
   if (stop == StopReason::maxIterations || (wake && stop != StopReason::empty)) stop = StopReason::running;
   if (stop == StopReason::running && iteration >= p.maxIterations) stop = StopReason::maxIterations;
+}
+
+//! A ring of a mesh that has grown lies anywhere in memory. At 150,000 vertices it costs five times as much
+//! to look at as one in order.
+void ActiveContour::State::keepOrder() {
+  if (mesh.vertexSlots() < kGrowthToReorder * orderedVertices) return;
+  const std::vector<int> order = mortonOrder(mesh, parameters.edgeLength);
+  mesh.reorder(order);
+  std::vector<unsigned char> quietInOrder;
+  for (const int v : order) quietInOrder.push_back(quiet[idx(v)]);
+  quiet = std::move(quietInOrder);
+  orderedVertices = mesh.vertexSlots();
 }
 
 std::vector<int> ActiveContour::State::verticesToMove() const {
@@ -273,10 +300,11 @@ void ActiveContour::State::adapt(Attempt& a) {
 }
 
 void ActiveContour::State::deleteCollapsed(Attempt& a) {
-  // A component of more than four edge lengths cannot collapse within one step.
-  if (a.events.empty() && smallestExtent > 4 * parameters.edgeLength && iteration % 8 != 0) return;
+  if (a.events.empty() && iteration < lookAtComponents) return;
   const Components parts = findComponents(mesh);
-  smallestExtent = parts.count() == 0 ? 0 : *std::min_element(parts.extent.begin(), parts.extent.end());
+  const double smallest =
+      parts.count() == 0 ? 0 : *std::min_element(parts.extent.begin(), parts.extent.end());
+  lookAtComponents = iteration + static_cast<int>(smallest / (kShrinks * parameters.edgeLength));
   std::vector<int> first(parts.vertices.size(), -1);
   for (int v = mesh.vertexSlots() - 1; v >= 0; --v)
     if (mesh.isVertex(v)) first[idx(parts.ofVertex[idx(v)])] = v;
@@ -301,7 +329,8 @@ void ActiveContour::State::updateQuiet(const Attempt& a) {
   for (int v : a.moving) wasMoved[idx(v)] = 1;
   for (std::size_t v = 0; v < quiet.size(); ++v)
     if (v >= known || (a.touched[v] != 0 && wasMoved[v] == 0)) quiet[v] = 0;
-  const double quietMove = kQuiet * parameters.edgeLength, stirringMove = kStirring * parameters.edgeLength;
+  const double unit = moveUnit();
+  const double quietMove = kQuiet * unit, stirringMove = kStirring * unit;
   for (std::size_t i = 0; i < a.moving.size(); ++i) {
     unsigned char& q = quiet[idx(a.moving[i])];
     if (idx(a.moving[i]) >= known || !mesh.isVertex(a.moving[i])) continue;
@@ -321,7 +350,7 @@ void ActiveContour::State::updateQuiet(const Attempt& a) {
 void ActiveContour::State::accept(Attempt& a, StepReport& report) {
   updateQuiet(a);
   for (double d : a.distances) {
-    report.movedVertices += d >= kQuiet * parameters.edgeLength;
+    report.movedVertices += d >= kQuiet * moveUnit();
     report.largestMove = std::max(report.largestMove, d);
   }
   report.events.insert(report.events.end(), std::make_move_iterator(a.events.begin()),
@@ -368,8 +397,8 @@ StopReason ActiveContour::State::restReason() const {
   for (int v = 0; v < mesh.vertexSlots(); ++v)
     if (mesh.isVertex(v) && resting.rests(mesh.position(v), iteration)) resters.push_back(v);
   const std::vector<Vec3> moves = computeMotion(mesh, *image, motion, resters);
-  const bool held = std::any_of(moves.begin(), moves.end(),
-                                [&](const Vec3& m) { return m.norm() >= kQuiet * parameters.edgeLength; });
+  const bool held =
+      std::any_of(moves.begin(), moves.end(), [&](const Vec3& m) { return m.norm() >= kQuiet * moveUnit(); });
   if (!held) return StopReason::converged;
   return static_cast<int>(resters.size()) == mesh.vertexCount() ? StopReason::stuck : StopReason::frozen;
 }
@@ -377,6 +406,7 @@ StopReason ActiveContour::State::restReason() const {
 StepReport ActiveContour::State::step() {
   StepReport report;
   report.iteration = ++iteration;
+  keepOrder();
   before = mesh;
   const auto rollBack = [&](const Trouble& t) {
     report.events.push_back(rolledBack(t.centre, t.reason));

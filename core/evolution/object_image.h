@@ -27,6 +27,8 @@ class ObjectImage {
   //! World mm. Outside the volume, and from half a voxel beyond the centres of the border voxels on, it is
   //! negative.
   double inside(const Vec3& world) const;
+  //! Has what inside(world) reads fetched from memory meanwhile.
+  void prefetch(const Vec3& world) const { volume_->prefetch(volume_->grid().toIndex(world)); }
   //! The same without the neck: what the intensities alone say.
   double insideByIntensity(const Vec3& world) const;
   const SmoothedVolume& volume() const { return *volume_; }

@@ -15,14 +15,26 @@ using Voxel = ObjectRegion::Voxel;
 class ObjectFlood {
  public:
   ObjectFlood(const SmoothedVolume& volume, double sign, const LevelField& levels)
-      : volume_(volume), levels_(levels), sign_(sign), state_(allUnknown(volume.grid().voxelCount())) {}
+      : volume_(volume),
+        levels_(levels),
+        sign_(sign),
+        innermost_(sign > 0 ? levels.lowest() : -levels.highest()),
+        outermost_(sign > 0 ? levels.highest() : -levels.lowest()),
+        state_(allUnknown(volume.grid().voxelCount())) {
+    const auto& n = volume.grid().size;
+    stride_ = {1, static_cast<std::size_t>(n[0]),
+               static_cast<std::size_t>(n[0]) * static_cast<std::size_t>(n[1])};
+  }
 
   //! The nearest voxel may be noise: its neighbours are tried too.
   void start(const Vec3& seed) {
     const Voxel middle{round(seed[0]), round(seed[1]), round(seed[2])};
     for (int k = -1; k <= 1; ++k)
       for (int j = -1; j <= 1; ++j)
-        for (int i = -1; i <= 1; ++i) visit({middle[0] + i, middle[1] + j, middle[2] + k});
+        for (int i = -1; i <= 1; ++i) {
+          const Voxel v{middle[0] + i, middle[1] + j, middle[2] + k};
+          if (volume_.grid().contains(Vec3(v[0], v[1], v[2]))) visit(v, indexOf(v));
+        }
   }
 
   ObjectRegion run(std::size_t mostVoxels) {
@@ -32,13 +44,11 @@ class ObjectFlood {
         break;
       }
       const Voxel v = region_.voxels[next];
-      for (std::int8_t axis = 0; axis < 3; ++axis)
-        for (int step : {-1, 1}) {
-          Voxel w = v;
-          w[static_cast<std::size_t>(axis)] += step;
-          if (visit(w) == kOutside)
-            region_.faces.push_back({static_cast<std::int32_t>(next), axis, static_cast<std::int8_t>(step)});
-        }
+      const std::size_t at = indexOf(v);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (v[axis] > 0) visitBeside(next, axis, -1, at - stride_[axis]);
+        if (v[axis] + 1 < volume_.grid().size[axis]) visitBeside(next, axis, 1, at + stride_[axis]);
+      }
     }
     return std::move(region_);
   }
@@ -59,25 +69,45 @@ class ObjectFlood {
 
   static std::int32_t round(double x) { return static_cast<std::int32_t>(std::lround(x)); }
 
-  State visit(const Voxel& v) {
-    const auto& n = volume_.grid().size;
-    if (v[0] < 0 || v[1] < 0 || v[2] < 0 || v[0] >= n[0] || v[1] >= n[1] || v[2] >= n[2]) return kNoImage;
-    const std::size_t at =
-        (static_cast<std::size_t>(v[2]) * static_cast<std::size_t>(n[1]) + static_cast<std::size_t>(v[1])) *
-            static_cast<std::size_t>(n[0]) +
-        static_cast<std::size_t>(v[0]);
+  std::size_t indexOf(const Voxel& v) const {
+    return static_cast<std::size_t>(v[0]) + static_cast<std::size_t>(v[1]) * stride_[1] +
+           static_cast<std::size_t>(v[2]) * stride_[2];
+  }
+
+  //! The neighbour, with index `at`, of the given voxel of the region.
+  void visitBeside(std::size_t voxel, std::size_t axis, int step, std::size_t at) {
+    State state = state_[at];
+    if (state == kUnknown) {
+      Voxel v = region_.voxels[voxel];
+      v[axis] += step;
+      state = visit(v, at);
+    }
+    if (state == kOutside)
+      region_.faces.push_back(
+          {static_cast<std::int32_t>(voxel), static_cast<std::int8_t>(axis), static_cast<std::int8_t>(step)});
+  }
+
+  State visit(const Voxel& v, std::size_t at) {
     State& state = state_[at];
     if (state != kUnknown) return state;
     if (volume_.isPadding(at)) return state = kNoImage;
-    const double value = static_cast<double>(volume_.at(v[0], v[1], v[2]));
-    state = sign_ * (value - levels_.at(Vec3(v[0], v[1], v[2]))) < 0 ? kInside : kOutside;
+    state = isInside(v) ? kInside : kOutside;
     if (state == kInside) region_.voxels.push_back(v);
     return state;
+  }
+
+  //! Most voxels are beyond all levels.
+  bool isInside(const Voxel& v) const {
+    const double value = sign_ * static_cast<double>(volume_.at(v[0], v[1], v[2]));
+    if (value < innermost_) return true;
+    return value < outermost_ && value < sign_ * levels_.at(Vec3(v[0], v[1], v[2]));
   }
 
   const SmoothedVolume& volume_;
   const LevelField& levels_;
   double sign_;
+  double innermost_, outermost_;  // of all levels, times the sign
+  std::array<std::size_t, 3> stride_{};
   States state_;  // per voxel
   ObjectRegion region_;
 };

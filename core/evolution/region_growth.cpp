@@ -54,6 +54,7 @@ class Flood {
         sign_(static_cast<float>(sign)),
         lowest_(lowest),
         step_((highest - lowest) / kBins),
+        perStep_(1 / step_),
         first_(first),
         firstEnd_(static_cast<float>(lowest + step_ * (first + 1))),
         level_(first + 1),
@@ -166,7 +167,7 @@ class Flood {
     if (n.patch->visit(n.place)) queue(*n.patch, n.place, value(n));
   }
   void queue(Patch& patch, Place place, float signedValue) {
-    const double bin = signedValue < levelStart_ ? level_ : (signedValue - lowest_) / step_;
+    const double bin = signedValue < levelStart_ ? level_ : (signedValue - lowest_) * perStep_;
     if (!(bin < kBins)) return;
     const std::size_t target = idx(std::max(static_cast<int>(bin), level_));
     std::vector<Entry>& waiting = patch.waiting[target];
@@ -360,7 +361,7 @@ class Flood {
 
   const SmoothedVolume& volume_;
   float sign_;  // exact: +1 or -1
-  double lowest_, step_;
+  double lowest_, step_, perStep_;
   int first_;                                                     // the first level that takes in anything
   float firstEnd_;                                                // and where it ends
   double border_ = 0;                                             // voxels taken on the faces of the grid

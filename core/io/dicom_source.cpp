@@ -225,12 +225,19 @@ class Chooser {
   std::vector<DicomSeries> series_;
 };
 
+// The modality before the description, unless that begins with it ("CT Thorax").
+std::string described(const DicomFile& f) {
+  if (f.description.empty()) return f.modality;
+  const bool said = f.modality.empty() || (f.description + ' ').starts_with(f.modality + ' ');
+  return said ? f.description : f.modality + ' ' + f.description;
+}
+
 SeriesInfo infoOf(const DicomSeries& series) {
   const DicomFile& f = *series.files.front();
   SeriesInfo info;
   info.uid = series.name;
   info.modality = f.modality;
-  info.description = f.modality + (f.modality.empty() || f.description.empty() ? "" : " ") + f.description;
+  info.description = described(f);
   info.files = static_cast<int>(series.files.size());
   info.slices = static_cast<int>(series.slices.size());
   return info;

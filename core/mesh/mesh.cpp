@@ -220,6 +220,36 @@ void Mesh::collapseEdge(int h, const Vec3& p) {
   positions_[idx(a)] = p;
 }
 
+void Mesh::reorder(std::span<const int> vertices) {
+  std::vector<int> newVertex(positions_.size(), -1), newFace(faces_.size(), -1);
+  std::vector<Vec3> positions;
+  positions.reserve(vertices.size());
+  for (const int v : vertices) {
+    newVertex[idx(v)] = static_cast<int>(positions.size());
+    positions.push_back(position(v));
+  }
+  std::vector<Triangle> faces;
+  faces.reserve(idx(faceCount()));
+  for (const int v : vertices)
+    forEachOutgoing(v, [&](int h) {
+      if (newFace[idx(faceOf(h))] >= 0) return;
+      newFace[idx(faceOf(h))] = static_cast<int>(faces.size());
+      const Triangle& t = face(faceOf(h));
+      faces.push_back({newVertex[idx(t[0])], newVertex[idx(t[1])], newVertex[idx(t[2])]});
+    });
+  const auto newHalfedge = [&](int h) { return h < 0 ? h : 3 * newFace[idx(faceOf(h))] + h % 3; };
+  std::vector<int> opposite(3 * faces.size()), outgoing;
+  for (int h = 0; h < 3 * faceSlots(); ++h)
+    if (isFace(faceOf(h))) opposite[idx(newHalfedge(h))] = newHalfedge(this->opposite(h));
+  for (const int v : vertices) outgoing.push_back(newHalfedge(this->outgoing(v)));
+  positions_ = std::move(positions);
+  faces_ = std::move(faces);
+  opposite_ = std::move(opposite);
+  outgoing_ = std::move(outgoing);
+  freeVertices_.clear();
+  freeFaces_.clear();
+}
+
 std::size_t Mesh::memory() const {
   return positions_.size() * sizeof(Vec3) + faces_.size() * sizeof(Triangle) +
          (opposite_.size() + outgoing_.size() + freeVertices_.size() + freeFaces_.size()) * sizeof(int);

@@ -109,6 +109,10 @@ class Mesh {
   //! Link condition on a closed mesh: the collapse keeps it a manifold of the same topology.
   bool canCollapse(int h) const;
 
+  //! Numbers the vertices anew, in this order (all of them, each once), and the faces by the first of their
+  //! vertices in it. No free slots are left.
+  void reorder(std::span<const int> vertices);
+
   //! Copy without free slots, in slot order; if wanted, `vertexMap` gets the new index of each old slot or
   //! -1.
   TriangleSoup compact(std::vector<int>* vertexMap = nullptr) const;

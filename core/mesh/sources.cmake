@@ -1,6 +1,7 @@
 target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/mesh/certificate.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/mesh.cpp
+  ${CMAKE_SOURCE_DIR}/core/mesh/morton_order.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/plane_section.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/remesh.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/shapes.cpp

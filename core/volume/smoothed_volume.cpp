@@ -74,13 +74,13 @@ SmoothedVolume::~SmoothedVolume() {
   for (auto& b : table_) delete[] b.load();
 }
 
-const float* SmoothedVolume::brick(int bi, int bj, int bk) const {
-  auto& slot = table_[(idx(bk) * idx(bricks_[1]) + idx(bj)) * idx(bricks_[0]) + idx(bi)];
-  if (const float* ready = slot.load(std::memory_order_acquire)) return ready;
+const float* SmoothedVolume::make(std::size_t slot) const {
   const std::lock_guard<std::mutex> lock(making_);
-  if (const float* ready = slot.load(std::memory_order_acquire)) return ready;
-  float* made = makeBrick(bi, bj, bk).release();
-  slot.store(made, std::memory_order_release);
+  std::atomic<float*>& place = table_[slot];
+  if (const float* ready = place.load(std::memory_order_acquire)) return ready;
+  const int at = static_cast<int>(slot), nx = bricks_[0], ny = bricks_[1];
+  float* made = makeBrick(at % nx, at / nx % ny, at / (nx * ny)).release();
+  place.store(made, std::memory_order_release);
   made_.fetch_add(1, std::memory_order_relaxed);
   return made;
 }
@@ -124,18 +124,33 @@ float SmoothedVolume::at(int i, int j, int k) const {
   return b[((k & mask) * kStored + (j & mask)) * kStored + (i & mask)];
 }
 
-double SmoothedVolume::sample(const Vec3& index) const {
+SmoothedVolume::Cell SmoothedVolume::cellOf(const Vec3& index) const {
   std::array<int, 3> cell;
-  std::array<double, 3> t;
+  Cell out;
   for (std::size_t a = 0; a < 3; ++a) {
     // In this order a coordinate that is not a number becomes 0.
     const double x = std::min(std::max(0.0, index[static_cast<int>(a)]), grid().size[a] - 1.0);
     cell[a] = std::min(static_cast<int>(x), std::max(0, grid().size[a] - 2));
-    t[a] = x - cell[a];
+    out.fraction[a] = x - cell[a];
   }
-  const float* b = brick(cell[0] >> kBrickShift, cell[1] >> kBrickShift, cell[2] >> kBrickShift);
   const int mask = kBrick - 1;
-  const float* p = b + ((cell[2] & mask) * kStored + (cell[1] & mask)) * kStored + (cell[0] & mask);
+  out.brick = slotOf(cell[0] >> kBrickShift, cell[1] >> kBrickShift, cell[2] >> kBrickShift);
+  out.first = idx(((cell[2] & mask) * kStored + (cell[1] & mask)) * kStored + (cell[0] & mask));
+  return out;
+}
+
+void SmoothedVolume::prefetch(const Vec3& index) const {
+  const Cell cell = cellOf(index);
+  const float* brick = table_[cell.brick].load(std::memory_order_acquire);
+  if (!brick) return;
+  for (const int row : {0, kStored, kStored * kStored, kStored * (kStored + 1)})
+    __builtin_prefetch(brick + cell.first + row);
+}
+
+double SmoothedVolume::sample(const Vec3& index) const {
+  const Cell cell = cellOf(index);
+  const std::array<double, 3>& t = cell.fraction;
+  const float* p = brick(cell.brick) + cell.first;
   const auto along = [](double a, double c, double s) { return a + s * (c - a); };
   const double c00 = along(p[0], p[1], t[0]), c10 = along(p[kStored], p[kStored + 1], t[0]);
   const float* q = p + kStored * kStored;

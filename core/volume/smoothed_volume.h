@@ -34,6 +34,8 @@ class SmoothedVolume {
   float at(int i, int j, int k) const;
   //! Trilinear value at a continuous index; indices outside are moved to the nearest voxel of the border.
   double sample(const Vec3& index) const;
+  //! Has the voxels that sample(index) reads fetched from memory meanwhile, if their brick has been made.
+  void prefetch(const Vec3& index) const;
 
   // --- for walks over many voxels: brick (bi,bj,bk) holds the voxels from kBrick·(bi,bj,bk) on ---
   static constexpr int kBrickShift = 5;
@@ -43,13 +45,31 @@ class SmoothedVolume {
   //! Bricks along each axis.
   const std::array<int, 3>& bricks() const { return bricks_; }
   //! kStored³ smoothed values, x fastest. Beyond the grid they are those of its border.
-  const float* brick(int bi, int bj, int bk) const;
+  const float* brick(int bi, int bj, int bk) const { return brick(slotOf(bi, bj, bk)); }
 
  private:
   struct Kernel {
     std::vector<float> weights;  // radius + 1 values, the centre first
     int radius() const { return static_cast<int>(weights.size()) - 1; }
   };
+  //! Place of a continuous index: its brick, the cell's first voxel in it, and the fraction in the cell.
+  struct Cell {
+    std::size_t brick;
+    std::size_t first;
+    std::array<double, 3> fraction;
+  };
+  Cell cellOf(const Vec3& index) const;
+  std::size_t slotOf(int bi, int bj, int bk) const {
+    return (static_cast<std::size_t>(bk) * static_cast<std::size_t>(bricks_[1]) +
+            static_cast<std::size_t>(bj)) *
+               static_cast<std::size_t>(bricks_[0]) +
+           static_cast<std::size_t>(bi);
+  }
+  const float* brick(std::size_t slot) const {
+    const float* ready = table_[slot].load(std::memory_order_acquire);
+    return ready ? ready : make(slot);
+  }
+  const float* make(std::size_t slot) const;
   std::unique_ptr<float[]> makeBrick(int bi, int bj, int bk) const;
 
   Volume volume_;

@@ -217,6 +217,19 @@ TEST_CASE("series are listed with modality, description, size, slices and spacin
   CHECK_THAT(series[1].note, Contains("single slice"));
 }
 
+TEST_CASE("a description that begins with the modality does not say it twice") {
+  const TemporaryFolder folder;  // the descriptions are "made by hand"
+  std::vector<Slice> said = evenStack(3), other = evenStack(3);
+  for (Slice& s : said) s.modality = "made";
+  for (Slice& s : other) s.modality = "MA", s.series = "9.8.7";
+  said.insert(said.end(), other.begin(), other.end());
+  writeSeries(folder.path(), said);
+  const auto series = inspectVolume(folder.path()).series;
+  REQUIRE(series.size() == 2);
+  CHECK(series[0].description == "made by hand");
+  CHECK(series[1].description == "MA made by hand");
+}
+
 TEST_CASE("a slice cut within its first 132 bytes is not dropped silently") {
   const TemporaryFolder folder;
   writeSeries(folder.path(), evenStack(4));

@@ -28,7 +28,12 @@ Document::Private::Private(Document& document)
   QObject::connect(&settle, &QTimer::timeout, &q, [this] { preparationDue(); });
   QObject::connect(&undo, &QUndoStack::cleanChanged, &q, [this] { updateModified(); });
 }
-Document::Private::~Private() { *cancelled = true; }
+
+// The undo list says that it is clear when it goes, and the growth, which would be asked, goes before it.
+Document::Private::~Private() {
+  QObject::disconnect(&undo, nullptr, &q, nullptr);
+  *cancelled = true;
+}
 
 Document::Document(QObject* parent) : QObject(parent), d_(std::make_unique<Private>(*this)) {}
 Document::~Document() = default;

@@ -25,7 +25,7 @@ void addFileCommands(std::vector<CommandSpec>& t) {
              T("Save the session under another name"), kPlain, false},
             {Command::exportResult, menu, "", T("&Export result…"), "Ctrl+E", "export",
              T("Write the surface or its label map to a file"), kPlain, true},
-            {Command::exportReport, menu, "", T("Export &report…"), "Ctrl+Shift+E", "report",
+            {Command::exportReport, menu, "", T("Export repor&t…"), "Ctrl+Shift+E", "report",
              T("Write parameters, numbers and events as JSON"), kPlain, false},
             {Command::exportPicture, menu, "", T("Export &picture…"), "Ctrl+Shift+P", "picture",
              T("Write what the views show as PNG"), kPlain, false},
@@ -73,13 +73,13 @@ void addViewCommands(std::vector<CommandSpec>& t) {
                       T("3D view: look from anterior; with the 3D view in focus"), kPlain, false},
                      {Command::lookFromLeft, menu, camera, T("From the &left"), "PgDown", "look",
                       T("3D view: look from the patient's left; with the 3D view in focus"), kPlain, false},
-                     {Command::slicesIn3d, menu, "", T("&Slices in 3D"), "Ctrl+D", "",
+                     {Command::slicesIn3d, menu, "", T("Slices &in 3D"), "Ctrl+D", "",
                       T("Show the three slices in the 3D view"), kToggle, false}});
 }
 
 void addDisplayCommands(std::vector<CommandSpec>& t) {
   const char* menu = T("&View");
-  const char* presets = T("CT &presets");
+  const char* presets = T("CT pr&esets");
   const char* maps = T("C&olour map");
   const char* mesh = T("Sur&face");
   const char* colours = T("&Appearance");
@@ -127,9 +127,9 @@ void addSeedCommands(std::vector<CommandSpec>& t) {
                      {Command::deleteSeed, menu, "", T("&Delete"), "Backspace; Delete", "seed-delete",
                       T("Delete the selected seed"), kPlain, false},
                      {Command::growSeed, menu, "", T("&Larger"), "+; =", "seed-bigger",
-                      T("Radius of the selected seed 10 % larger"), kPlain, true},
+                      T("Radius of the selected seed half a voxel larger"), kPlain, true},
                      {Command::shrinkSeed, menu, "", T("&Smaller"), "-", "seed-smaller",
-                      T("Radius of the selected seed 10 % smaller"), kPlain, false},
+                      T("Radius of the selected seed half a voxel smaller"), kPlain, false},
                      {Command::nextSeed, menu, "", T("Select the &next"), "S", "",
                       T("Select the next seed and move the crosshair there"), kPlain, true}});
 }

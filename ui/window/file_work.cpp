@@ -110,8 +110,10 @@ void FileWork::remember(const QString& path) {
 }
 
 void FileWork::chooseFile() {
-  const QString path = QFileDialog::getOpenFileName(window_, tr("Open a volume or a session"),
-                                                    QSettings().value(kFolder).toString(), volumeFilter());
+  const QString path =
+      QFileDialog::getOpenFileName(window_, tr("Open a volume or a session"),
+                                   QSettings().value(kFolder).toString(), volumeFilter(), nullptr,
+                                   QFileDialog::HideNameFilterDetails);  // the endings would not fit
   if (!path.isEmpty()) open(path);
 }
 

@@ -96,7 +96,9 @@ QString stateText(const Document& document, const QString& between) {
     case GrowthState::finished:
       return finishedText(document.stopReason()) + at;
     default:
-      return document.seeds().empty() ? GrowPanel::tr("No seed yet") : GrowPanel::tr("Ready to grow");
+      if (document.seeds().empty()) return GrowPanel::tr("No seed yet");
+      return document.growthError().isEmpty() ? GrowPanel::tr("Ready to grow")
+                                              : GrowPanel::tr("Nothing grew");
   }
 }
 
@@ -111,13 +113,9 @@ GrowPanel::GrowPanel(Document& document, SurfaceView& surface, const Commands& c
   layout->addWidget(hint_);
   state_ = value(tr("State of the growth"), this);
   layout->addWidget(state_);
-  error_ = value(tr("Why it did not grow"), this);
+  error_ = notice(tr("Why it did not grow"), this);
   layout->addWidget(error_);
-  doubts_ = value(tr("Doubts about the surface"), this);
-  doubts_->setMargin(6);
-  doubts_->setAutoFillBackground(true);
-  doubts_->setBackgroundRole(QPalette::ToolTipBase);
-  doubts_->setForegroundRole(QPalette::ToolTipText);
+  doubts_ = notice(tr("Doubts about the surface"), this);
   layout->addWidget(doubts_);
   layout->addWidget(buildNumbers());
   inspector_ = new EventInspector(document_, surface, this);

@@ -12,8 +12,9 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("HelpPages", text); }
 
+// The first column is as wide in every section, so that the second stands in one line down the page.
 QString row(const QString& left, const QString& right) {
-  return QStringLiteral("<tr><td style='padding-right: 24px'>%1</td><td>%2</td></tr>").arg(left, right);
+  return QStringLiteral("<tr><td width='210'>%1</td><td>%2</td></tr>").arg(left, right);
 }
 
 QString keysOf(const CommandSpec& spec) {
@@ -52,6 +53,13 @@ QString mouseIn3d() {
                                                  row(tr("Double click"), tr("This view alone, or all four")));
 }
 
+QString escape() {
+  return section(
+      tr("Messages"),
+      row(QStringLiteral("<b>%1</b>").arg(QKeySequence(Qt::Key_Escape).toString(QKeySequence::NativeText)),
+          tr("Close the message over the views; else leave window and level")));
+}
+
 struct Library {
   const char* name;
   const char* licence;
@@ -85,7 +93,8 @@ QString shortcutsPage() {
           row(QStringLiteral("<b>%1</b>").arg(keysOf(spec)), Commands::translated(spec.tip).toHtmlEscaped());
   }
   page += section(plain(menu), rows);
-  return QStringLiteral("<h2>%1</h2>").arg(tr("Keyboard and mouse")) + mouseInSlices() + mouseIn3d() + page;
+  return QStringLiteral("<h2>%1</h2>").arg(tr("Keyboard and mouse")) + mouseInSlices() + mouseIn3d() + page +
+         escape();
 }
 
 QString aboutPage() {

@@ -27,6 +27,12 @@ QByteArray withoutAccents(QByteArray drawing) {
   return drawing;
 }
 
+// Red is too dim on dark ground and amber on light ground: their contrast would be below 3.
+QByteArray withSeenAccents(QByteArray drawing, const QColor& line) {
+  const bool dark = line.lightnessF() > 0.5F;
+  return dark ? drawing.replace("#c2483d", "#e8776b") : drawing.replace("#c98a1b", "#b37412");
+}
+
 class LineIcon : public QIconEngine {
  public:
   explicit LineIcon(QByteArray drawing) : drawing_(std::move(drawing)) {}
@@ -34,6 +40,7 @@ class LineIcon : public QIconEngine {
   void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
     QByteArray coloured = drawing_;
     if (mode == QIcon::Disabled || mode == QIcon::Selected) coloured = withoutAccents(coloured);
+    coloured = withSeenAccents(coloured, lineColour(mode));
     coloured.replace("currentColor", lineColour(mode).name().toLatin1());
     QSvgRenderer renderer(coloured);
     if (mode == QIcon::Disabled) painter->setOpacity(0.55);

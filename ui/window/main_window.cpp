@@ -20,9 +20,11 @@
 #include "ui/window/help_window.h"
 #include "ui/window/icons.h"
 #include "ui/window/key_guard.h"
+#include "ui/window/label_face.h"
 #include "ui/window/menus.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/open_panel.h"
+#include "ui/window/panel_tools.h"
 #include "ui/window/seed_panel.h"
 #include "ui/window/start_page.h"
 #include "ui/window/status_fields.h"
@@ -34,6 +36,7 @@
 namespace handlebody::ui {
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), commands_(document_.undoStack(), nullptr) {
+  readLabelsWithTheirValues();
   setWindowIcon(programIcon());
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
@@ -77,14 +80,13 @@ void MainWindow::buildCentre() {
   auto* layout = new QVBoxLayout(centre);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  messages_ = new MessageBar(centre);
   centre_ = new QStackedWidget(centre);
   start_ = new StartPage(commands_, centre_);
   views_ = new ViewGrid(document_, state_, centre_);
   centre_->addWidget(start_);
   centre_->addWidget(views_);
-  layout->addWidget(messages_);
-  layout->addWidget(centre_, 1);
+  layout->addWidget(centre_);
+  messages_ = new MessageBar(centre);
   setCentralWidget(centre);
 }
 
@@ -136,9 +138,13 @@ void MainWindow::goToEvent(int index) {
 void MainWindow::fillRecent() {
   recent_->clear();
   const QStringList paths = files_->recent();
-  for (const QString& path : paths)
-    recent_->addAction(QFileInfo(path).fileName() + QStringLiteral("  —  ") + QFileInfo(path).absolutePath(),
-                       this, [this, path] { files_->open(path); });
+  constexpr int kWidest = 300;  // pixels, of the name and of the folder
+  const auto shown = [this](const QString& part) { return pathText(part, recent_->fontMetrics(), kWidest); };
+  for (const QString& path : paths) {
+    const QFileInfo file(path);
+    recent_->addAction(shown(file.fileName()) + QStringLiteral("  —  ") + shown(file.absolutePath()), this,
+                       [this, path] { files_->open(path); });
+  }
   recent_->setEnabled(!paths.isEmpty());
   start_->setRecent(paths);
 }

@@ -70,8 +70,8 @@ void MainWindow::connectFileCommands() {
   connect(open_, &OpenPanel::openRequested, files_, &FileWork::open);
   connect(files_, &FileWork::spacingNeeded, this,
           [this](const QString& path, const VolumeSelection& selection) {
-            open_->askSpacing(path, selection);
             showStep(Command::stepOpen);
+            open_->askSpacing(path, selection);
           });
   connect(&document_, &Document::seriesChoiceNeeded, this, [this] { showStep(Command::stepOpen); });
 }
@@ -225,7 +225,7 @@ void MainWindow::updateCommands() {
   enable({Command::stepBack, Command::previousEvent, Command::toStart}, document_.iteration() > 0);
   enable({Command::toEnd}, grown && document_.iteration() < document_.lastIteration());
   QAction* run = commands_[Command::run];
-  run->setText(running ? tr("&Pause") : (grown ? tr("&Go on") : tr("&Start")));
+  run->setText(running ? tr("P&ause") : (grown ? tr("&Go on") : tr("&Start")));
   run->setIcon(icon(running ? QStringLiteral("pause") : QStringLiteral("run")));
 }
 

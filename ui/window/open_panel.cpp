@@ -63,7 +63,7 @@ void OpenPanel::buildChoice() {
   choice_ = new QWidget(this);
   auto* layout = new QVBoxLayout(choice_);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(heading(tr("Series and stacks in the folder: choose one"), choice_));
+  layout->addWidget(heading(tr("Series and stacks: choose one"), choice_));
   series_ = new SeriesList(choice_);
   layout->addWidget(series_);
   auto* open = new QPushButton(tr("Open this series"), choice_);
@@ -76,7 +76,9 @@ void OpenPanel::buildChoice() {
 
 void OpenPanel::addFact(QFormLayout* form, const QString& name, QLabel*& field) {
   field = value(name, facts_);
-  form->addRow(name, field);
+  auto* label = new QLabel(name, facts_);
+  label->setAlignment(Qt::AlignLeft | Qt::AlignTop);  // beside the first of several lines
+  form->addRow(label, field);
 }
 
 void OpenPanel::buildFacts() {
@@ -85,7 +87,6 @@ void OpenPanel::buildFacts() {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(heading(tr("Open now"), facts_));
   QFormLayout* form = panelForm();
-  form->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
   name_ = new ElidingLabel(facts_);
   name_->setAccessibleName(tr("Name"));
   form->addRow(tr("Name"), name_);
@@ -134,10 +135,10 @@ void OpenPanel::offerSeries(const QString& path, const std::vector<SeriesInfo>& 
 }
 
 void OpenPanel::openSeries() {
-  const QString series = series_->chosen();
-  if (series.isEmpty()) return;
+  const std::optional<QString> series = series_->chosen();
+  if (!series) return;
   VolumeSelection selection;
-  selection.series = series.toStdString();
+  selection.series = series->toStdString();
   Q_EMIT openRequested(choicePath_, selection);
 }
 
@@ -146,6 +147,7 @@ void OpenPanel::askSpacing(const QString& path, const VolumeSelection& selection
   spacingSelection_ = selection;
   facts_->hide();  // of another volume
   spacingEntry_->show(Vec3(1, 1, 1));
+  spacingEntry_->setFocus(Qt::TabFocusReason);  // the number is selected: it can be typed at once
 }
 
 void OpenPanel::openWithSpacing(const Vec3& spacing) {

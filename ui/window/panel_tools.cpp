@@ -64,6 +64,15 @@ QLabel* value(const QString& name, QWidget* parent) {
   return label;
 }
 
+QLabel* notice(const QString& name, QWidget* parent) {
+  QLabel* label = value(name, parent);
+  label->setMargin(6);
+  label->setAutoFillBackground(true);
+  label->setBackgroundRole(QPalette::ToolTipBase);
+  label->setForegroundRole(QPalette::ToolTipText);
+  return label;
+}
+
 QToolButton* smallButton(QAction* action, QWidget* parent) {
   auto* button = new QToolButton(parent);
   button->setDefaultAction(action);
@@ -82,6 +91,10 @@ void describe(QWidget* field, const QString& name, const QString& tip) {
   field->setAccessibleName(name);
   field->setAccessibleDescription(tip);
   field->setToolTip(QStringLiteral("<p>%1</p>").arg(tip.toHtmlEscaped()));  // rich text, so that it wraps
+}
+
+QString pathText(const QString& path, const QFontMetrics& metrics, int width) {
+  return metrics.elidedText(path, Qt::ElideMiddle, width).replace(QLatin1Char('&'), QLatin1String("&&"));
 }
 
 }  // namespace handlebody::ui

@@ -1,6 +1,7 @@
 #pragma once
 // What all panels are built of, so that they look and behave alike.
 
+#include <QFontMetrics>
 #include <QLabel>
 #include <QString>
 
@@ -21,11 +22,17 @@ QLabel* hint(const QString& text, QWidget* parent);
 QFormLayout* panelForm();
 //! A text beside a name in a form, that can be selected and wraps.
 QLabel* value(const QString& name, QWidget* parent);
+//! The same with a ground of its own: what the user should not miss.
+QLabel* notice(const QString& name, QWidget* parent);
 //! Icon only; the tooltip and the accessible name are the action's.
 QToolButton* smallButton(QAction* action, QWidget* parent);
 //! Fields do not change under a wheel that was meant to scroll the panel.
 void ignoreWheelWithoutFocus(QWidget* field);
 //! Lets a field be found and read aloud: accessible name, tooltip, and the same text as "what is this".
 void describe(QWidget* field, const QString& name, const QString& tip);
+
+//! A path as a menu or a button shows it: shortened in its middle to `width` pixels, and an "&" in it is no
+//! letter to press.
+QString pathText(const QString& path, const QFontMetrics& metrics, int width);
 
 }  // namespace handlebody::ui

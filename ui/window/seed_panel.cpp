@@ -71,7 +71,7 @@ SeedPanel::SeedPanel(Document& document, ViewState& state, const Commands& comma
   radius_ = new ValueField(radiusSpec(), details_);
   form->addRow(tr("Radius"), radius_);
   layout->addWidget(details_);
-  error_ = value(tr("What is wrong with the seeds"), this);
+  error_ = notice(tr("What is wrong with the seeds"), this);
   layout->addWidget(error_);
   layout->addStretch();
   layout->addWidget(new ActionButton(commands[Command::run], this));

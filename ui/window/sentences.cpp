@@ -1,6 +1,7 @@
 #include "ui/window/sentences.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 #include <algorithm>
 
 namespace handlebody::ui {
@@ -23,7 +24,9 @@ constexpr Wording kWordings[] = {
 QString inWordsOfWindow(QString sentence) {
   for (const Wording& w : kWordings)
     sentence.replace(QLatin1String(w.option), QCoreApplication::translate("Sentences", w.field));
-  return sentence;
+  static const QRegularExpression stack(QStringLiteral("\\b[0-9.]+#([0-9]+)"));
+  return sentence.replace(stack,
+                          QCoreApplication::translate("Sentences", "stack %1").arg(QStringLiteral("\\1")));
 }
 
 QString mainWarning(const VolumeInfo& info) {

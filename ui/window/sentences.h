@@ -8,7 +8,8 @@
 
 namespace handlebody::ui {
 
-//! The sentence with the panels' fields in the place of options.
+//! The sentence with the panels' fields in the place of options, and the stacks of a series named as the list
+//! in the step Open names them, not by their UID.
 QString inWordsOfWindow(QString sentence);
 //! The warning that is said first: that lengths mean nothing, where it is so. Precondition: there is one.
 QString mainWarning(const VolumeInfo& info);

@@ -8,6 +8,8 @@ namespace handlebody::ui {
 
 namespace {
 
+constexpr int kPadding = 4;  // pixels above and below the lines of a series
+
 QString titleOf(const SeriesInfo& series) {
   const QString modality = QString::fromStdString(series.modality);
   QString description = QString::fromStdString(series.description.empty() ? series.uid : series.description);
@@ -46,6 +48,8 @@ SeriesList::SeriesList(QWidget* parent) : QListWidget(parent) {
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // lines are shortened; the tooltip has them whole
   setAlternatingRowColors(true);
   setSpacing(2);
+  // As high as it is: or the room below would stand around its heading.
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
 // As high as what it lists, so that what is open stands below without scrolling; many are scrolled.
@@ -61,6 +65,8 @@ void SeriesList::offer(const std::vector<SeriesInfo>& series) {
   for (const SeriesInfo& s : series) {
     const QStringList lines = linesOf(s);
     auto* item = new QListWidgetItem(lines.join(QLatin1Char('\n')), this);
+    const QFontMetrics metrics = fontMetrics();
+    item->setSizeHint(QSize(0, static_cast<int>(lines.size()) * metrics.lineSpacing() + 2 * kPadding));
     item->setData(Qt::UserRole, QString::fromStdString(s.uid));
     QStringList whole = lines;
     whole << QString::fromStdString(s.uid);
@@ -75,9 +81,10 @@ void SeriesList::offer(const std::vector<SeriesInfo>& series) {
   fitHeight();
 }
 
-QString SeriesList::chosen() const {
+std::optional<QString> SeriesList::chosen() const {
   const QListWidgetItem* item = currentItem();
-  return item && item->flags() & Qt::ItemIsEnabled ? item->data(Qt::UserRole).toString() : QString();
+  if (!item || !(item->flags() & Qt::ItemIsEnabled)) return std::nullopt;
+  return item->data(Qt::UserRole).toString();
 }
 
 }  // namespace handlebody::ui

@@ -2,6 +2,7 @@
 // The series of a folder, to choose one.
 
 #include <QListWidget>
+#include <optional>
 #include <vector>
 
 #include "core/io/volume_io.h"
@@ -20,8 +21,8 @@ class SeriesList : public QListWidget {
 
   //! The first that can be opened is current. What cannot is shown, but cannot be chosen.
   void offer(const std::vector<SeriesInfo>& series);
-  //! SeriesInstanceUID of the current series; empty: none.
-  QString chosen() const;
+  //! SeriesInstanceUID of the current series, which a file may lack (empty); none if none can be chosen.
+  std::optional<QString> chosen() const;
 
  private:
   void fitHeight();

@@ -42,6 +42,7 @@ SpacingEntry::SpacingEntry(QWidget* parent) : QWidget(parent) {
   const QString names[] = {tr("Spacing of columns"), tr("Spacing of rows"), tr("Spacing of slices")};
   for (std::size_t axis = 0; axis < 3; ++axis) row->addWidget(axes_[axis] = makeAxis(names[axis], this), 1);
   layout->addLayout(row);
+  setFocusProxy(axes_[0]);
   auto* use = new QPushButton(tr("Open with this spacing"), this);
   use->setMinimumHeight(30);
   layout->addWidget(use);

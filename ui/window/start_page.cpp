@@ -70,7 +70,7 @@ void StartPage::setRecent(const QStringList& paths) {
   if (!paths.isEmpty()) recentLayout_->addWidget(heading(tr("Opened before"), recent_));
   for (const QString& path : paths.mid(0, kMostRecent)) {
     auto* button = new QToolButton(recent_);
-    button->setText(QFileInfo(path).fileName());
+    button->setText(pathText(QFileInfo(path).fileName(), button->fontMetrics(), kWidth - 40));
     button->setToolTip(path);
     button->setAccessibleName(tr("Open %1").arg(path));
     button->setAutoRaise(true);

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "ui/model/document.h"
+#include "ui/window/eliding_label.h"
 #include "ui/window/grow_panel.h"
 #include "ui/window/icons.h"
 #include "ui/window/numbers.h"
@@ -17,6 +18,8 @@
 namespace handlebody::ui {
 
 namespace {
+
+constexpr int kAtTheRim = 6;  // pixels; a window that fills the screen has no frame and no grip
 
 // As wide as its longest text, so that the numbers do not jump about.
 QLabel* field(QStatusBar* bar, const QString& name, const QString& longest) {
@@ -36,10 +39,12 @@ StatusFields::StatusFields(QStatusBar* bar, Document& document)
       voxel_(field(bar, tr("Voxel under the mouse"), tr("Voxel %1").arg(QStringLiteral("000, 000, 000")))),
       intensity_(field(bar, tr("Intensity of the voxel"), tr("Intensity %1").arg(QStringLiteral("-0000.0")))),
       uncalibrated_(new QLabel(tr("Uncalibrated"), bar)),
-      state_(field(bar, tr("State of the growth"), {})),
+      state_(new ElidingLabel(bar)),
       progress_(new QProgressBar(bar)),
       cancel_(new QToolButton(bar)) {
   for (QLabel* label : {position_, voxel_, intensity_}) bar->addWidget(label);
+  state_->setAccessibleName(tr("State of the growth"));
+  bar->setContentsMargins(kAtTheRim, 0, kAtTheRim, 0);
   progress_->setFixedWidth(160);
   progress_->setTextVisible(false);
   progress_->setMaximumHeight(14);
@@ -51,10 +56,8 @@ StatusFields::StatusFields(QStatusBar* bar, Document& document)
       uncalibrated_, tr("Uncalibrated"),
       tr("The file does not give the size of a voxel: lengths, areas and volumes mean nothing until it is "
          "entered in step 1, Open"));
-  bar->addPermanentWidget(uncalibrated_);
-  bar->addPermanentWidget(state_);
-  bar->addPermanentWidget(progress_);
-  bar->addPermanentWidget(cancel_);
+  for (QWidget* widget : std::initializer_list<QWidget*>{uncalibrated_, progress_, cancel_, state_})
+    bar->addPermanentWidget(widget);  // the state at the rim, where it stays
   connect(cancel_, &QToolButton::clicked, &document_, &Document::cancelOpening);
   connect(&document_, &Document::opening, this, &StatusFields::showProgress);
   connect(&document_, &Document::opened, this, &StatusFields::endProgress);
@@ -80,12 +83,20 @@ void StatusFields::clearCursor() {
 
 void StatusFields::showState() {
   uncalibrated_->setVisible(document_.hasVolume() && !document_.info().calibrated);
-  if (!document_.isOpening())
-    state_->setText(document_.hasVolume() ? stateText(document_) : tr("Nothing is open"));
+  if (document_.isOpening()) return;
+  say(document_.hasVolume() ? stateText(document_) : tr("Nothing is open"));
+  const bool preparing = document_.state() == GrowthState::preparing;
+  if (preparing) progress_->setRange(0, 0);  // how far it is, is not known
+  progress_->setVisible(preparing);
+}
+
+void StatusFields::say(const QString& state) {
+  state_->setText(state);
+  state_->setToolTip(state);  // whole where the bar is too short for it
 }
 
 void StatusFields::showProgress(const QString& path, double progress) {
-  state_->setText(tr("Reading %1…").arg(QFileInfo(path).fileName()));
+  say(tr("Reading %1…").arg(QFileInfo(path).fileName()));
   progress_->setRange(0, progress < 0 ? 0 : 100);
   progress_->setValue(static_cast<int>(100 * progress));
   progress_->show();

@@ -25,6 +25,7 @@ class StatusFields : public QObject {
 
  private:
   void showState();
+  void say(const QString& state);
   void showProgress(const QString& path, double progress);
   void endProgress();
 

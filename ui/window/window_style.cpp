@@ -45,6 +45,7 @@ WindowStyle::WindowStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("F
 int WindowStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                            QStyleHintReturn* answer) const {
   if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
+  if (hint == SH_EtchDisabledText) return 0;  // a shadow that blurs it on dark ground
   return QProxyStyle::styleHint(hint, option, widget, answer);
 }
 
@@ -59,6 +60,11 @@ QIcon WindowStyle::standardIcon(StandardPixmap which, const QStyleOption* option
       return icon(QStringLiteral("error"));
     case SP_MessageBoxQuestion:
       return icon(QStringLiteral("help"));
+    case SP_TitleBarCloseButton:  // of the panels; those of Fusion are small pixmaps, blurred on a fine
+                                  // screen
+      return icon(QStringLiteral("close"));
+    case SP_TitleBarNormalButton:
+      return icon(QStringLiteral("float"));
     default:
       return QProxyStyle::standardIcon(which, option, widget);
   }

@@ -120,6 +120,18 @@ TEST_CASE("the list of what can be undone has an end, so that a long session doe
   CHECK(undo.count() == undo.undoLimit());
 }
 
+TEST_CASE("a document with unsaved edits goes without a word", "[document]") {
+  const TorusFile torus;
+  auto document = std::make_unique<Document>();
+  REQUIRE(openAndWait(*document, torus.path));
+  document->addSeed(torus.seed);
+  REQUIRE(document->isModified());
+  int said = 0;  // its undo list is cleared when half of it is gone already
+  QObject::connect(document.get(), &Document::modifiedChanged, [&] { ++said; });
+  document.reset();
+  CHECK(said == 0);
+}
+
 TEST_CASE("parameters are undone under the name they were changed by", "[document]") {
   const TorusFile torus;
   Document document;

@@ -149,6 +149,9 @@ class AccessTest : public QObject {
   void tabReachesEveryControl();
   void arrowsChooseAmongChoicesThatExcludeEachOther();
   void everyControlIsReadAloudByAName();
+  void labelsAreReadAloudWithTheirValues();
+  void aMessageIsReadAloud();
+  void everyLetterOpensOneEntryOfItsMenu();
   void whatIsAskedWhileNothingIsOpenIsReachedAndNamed();
   void anEventAndAnIterationAreChosenByKeys();
   void itIsSeenThatTheTimelineHasTheFocus();
@@ -193,6 +196,54 @@ void AccessTest::everyControlIsReadAloudByAName() {
   }
 }
 
+void AccessTest::labelsAreReadAloudWithTheirValues() {
+  auto window = busyWindow();
+  QVERIFY(window);
+  window->showStep(Command::stepGrow);
+  int read = 0;
+  const auto labels = window->findChildren<QLabel*>();
+  for (QLabel* label : labels) {
+    if (!label->isVisible() || label->accessibleName().isEmpty()) continue;
+    const QString said = QAccessible::queryAccessibleInterface(label)->text(QAccessible::Name);
+    QVERIFY2(said.startsWith(label->accessibleName()), qPrintable(said));
+    if (label->accessibleName() == "Genus") QCOMPARE(said, "Genus: " + label->text());
+    if (label->accessibleName() == "Certificate") QVERIFY2(said.contains("manifold"), qPrintable(said));
+    read += label->accessibleName() == "Genus" || label->accessibleName() == "Certificate";
+  }
+  QCOMPARE(read, 2);
+}
+
+void AccessTest::aMessageIsReadAloud() {
+  auto window = shownWindow();
+  QVERIFY(window);
+  window->messages().show(ui::MessageBar::Kind::error, QStringLiteral("scan.nii: it is <truncated>."));
+  const auto* face = QAccessible::queryAccessibleInterface(&window->messages());
+  QVERIFY(face);
+  QCOMPARE(face->text(QAccessible::Name), QString("Error"));
+  QCOMPARE(face->text(QAccessible::Description), QString("scan.nii: it is <truncated>."));
+  window->messages().show(ui::MessageBar::Kind::error, QStringLiteral("<b>scan</b>.nii: it is truncated."));
+  const QLabel* text = shownLabel(*window, "Message");
+  QVERIFY(text && text->textFormat() == Qt::PlainText);  // nothing of a name is left out
+}
+
+void AccessTest::everyLetterOpensOneEntryOfItsMenu() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst_session.json")));
+  for (bool running : {false, true}) {
+    if (running) window->document().run();
+    QList<QWidget*> menus{window->menuBar()};
+    for (QMenu* menu : window->findChildren<QMenu*>()) menus << menu;
+    for (const QWidget* menu : menus) {
+      QStringList letters;
+      for (const QAction* action : menu->actions()) {
+        const QString letter = QKeySequence::mnemonic(action->text()).toString();
+        QVERIFY2(letter.isEmpty() || !letters.contains(letter), qPrintable(action->text()));
+        letters << letter;
+      }
+    }
+  }
+}
+
 // The start page with a file opened before, the list of series, the spacing of a voxel, a message.
 void AccessTest::whatIsAskedWhileNothingIsOpenIsReachedAndNamed() {
   QSettings().clear();
@@ -203,7 +254,9 @@ void AccessTest::whatIsAskedWhileNothingIsOpenIsReachedAndNamed() {
   window.activateWindow();
   QVERIFY(QTest::qWaitForWindowActive(&window));
   Q_EMIT window.document().seriesChoiceNeeded(QStringLiteral("/somewhere/scans"), twoSeries());
+  window.showStep(Command::stepGrow);
   Q_EMIT window.files().spacingNeeded(QStringLiteral("/somewhere/cine.dcm"), {});
+  QCOMPARE(QApplication::focusWidget()->accessibleName(), QString("Spacing of columns"));
   window.messages().show(ui::MessageBar::Kind::error, QStringLiteral("No."));
   QTest::qWait(50);
   const QString missed = notReached(window).join(QLatin1Char('\n'));
@@ -275,6 +328,7 @@ void AccessTest::everyKeyIsOnThePageOfKeysAndInTheTip() {
   auto window = shownWindow();
   QVERIFY(window);
   const QString page = ui::shortcutsPage();
+  QVERIFY(page.contains("<b>Esc</b>"));
   for (const ui::CommandSpec& spec : ui::Commands::table()) {
     const QAction* action = window->commands()[spec.id];
     for (const QKeySequence& key : action->shortcuts())

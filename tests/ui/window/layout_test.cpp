@@ -2,7 +2,10 @@
 // in every step of the work.
 
 #include <QCheckBox>
+#include <QDir>
+#include <QListWidget>
 #include <QMenu>
+#include <QPainter>
 #include <QScrollBar>
 #include <QTextBrowser>
 #include <cmath>
@@ -66,6 +69,36 @@ void switchAppearances(ui::Appearance last) {
   ui::applyAppearance(last);
 }
 
+QRect placeOf(const QWidget& widget, const ui::MainWindow& window) {
+  return {widget.mapTo(&window, QPoint()), widget.size()};
+}
+
+QList<QRect> placesOfViews(const ui::MainWindow& window) {
+  const ui::ViewGrid& views = const_cast<ui::MainWindow&>(window).views();
+  QList<QRect> places{placeOf(views.surface(), window)};
+  for (auto plane : {ui::Plane::axial, ui::Plane::coronal, ui::Plane::sagittal})
+    places << placeOf(views.slice(plane), window);
+  return places;
+}
+
+struct Message {
+  ui::MessageBar::Kind kind;
+  QString sentence;
+  std::vector<ui::MessageBar::Answer> answers;
+};
+
+//! A short one, one with answers, and one of several lines.
+std::vector<Message> messages() {
+  using Kind = ui::MessageBar::Kind;
+  return {{Kind::information, QStringLiteral("It is written."), {}},
+          {Kind::warning,
+           QStringLiteral("The program ended unexpectedly last time. Its seeds and parameters were kept."),
+           {{QStringLiteral("Restore"), [] {}}, {QStringLiteral("Discard"), [] {}}}},
+          {Kind::error,
+           QStringLiteral("/a/folder/somewhere/") + QString(150, u'x') + ": it is not a volume.",
+           {}}};
+}
+
 }  // namespace
 
 class LayoutTest : public QObject {
@@ -77,14 +110,22 @@ class LayoutTest : public QObject {
   void nothingIsCutOffWhenAnEventIsInspected();
   void nothingIsCutOffWhenSeriesAreOffered();
   void nothingIsCutOffWithALongFileName();
+  void filesOpenedBeforeAreNamedInTheRoomThereIs();
   void nothingIsCutOffWhenMessagesHoldLongWords();
+  void theViewsKeepTheirPlaceWhenAMessageComesAndGoes();
+  void aMessageLiesWholeOverTheViewsAndHidesNoneOfTheirNamesAndButtons();
   void theDockKeepsItsWidthWhenAnEventIsChosen();
+  void theDockKeepsItsWidthWhenSeriesAreOffered();
+  void theWindowIsNoWiderForALongState();
   void theHelpPagesDoNotScrollSideways();
   void togglesAndTheirTextAreToldApartInBothAppearances();
   void theStepThatIsShownIsToldFromTheOneUnderTheMouse();
   void theIconOfTheChosenRowOfAMenuIsSeen();
   void checkBoxesAreSeenInBothAppearances();
   void textIsReadableInBothAppearances();
+  void theSymbolsOfMessagesAreSeenInBothAppearances();
+  void disabledEntriesOfAMenuHaveNoShadow();
+  void theButtonsOfThePanelsAreSharpOnAFineScreen();
 };
 
 constexpr QSize kSmall(1280, 800), kLarge(1600, 1000);
@@ -157,9 +198,31 @@ void LayoutTest::nothingIsCutOffWithALongFileName() {
   QVERIFY(window->views().width() > window->width() / 2);  // and the name pushed nothing away
 }
 
-// Two DICOM stacks at different places: the warnings name them by UIDs of 64 characters.
+void LayoutTest::filesOpenedBeforeAreNamedInTheRoomThereIs() {
+  const QTemporaryDir folder;
+  const QString deep = folder.filePath(QString(120, u'd')), odd = folder.filePath("one & two.nii.gz");
+  const QString path = deep + '/' + QString(150, u'x') + ".nii.gz";
+  QVERIFY(QDir().mkpath(deep));
+  for (const QString& there : {path, odd}) QVERIFY(QFile::copy(sample("cyst.nii.gz"), there));
+  QSettings().clear();
+  QSettings().setValue("recent", QStringList{path, odd});
+  ui::MainWindow window;
+  window.show();
+  QVERIFY(QTest::qWaitForWindowExposed(&window));
+  NO_FAULTS(resized(window, kSmall));
+  bool found = false;
+  const auto menus = window.findChildren<QMenu*>();
+  for (const QMenu* menu : menus) {
+    if (!menu->title().contains("recent")) continue;
+    QVERIFY(menu->sizeHint().width() < 800);
+    found = menu->actions()[1]->text().startsWith("one && two.nii.gz");
+  }
+  QVERIFY(found);
+}
+
+// Paths have words that are wider than a panel, and so have UIDs.
 void LayoutTest::nothingIsCutOffWhenMessagesHoldLongWords() {
-  const QString uid = "1.2.826.0.1.3680043.9.4245.3115138630835728997848661150714813892#1";
+  const QString uid = "1.2.826.0.1.3680043.9.4245.3115138630835728997848661150714813892";
   auto window = shownWindow();
   QVERIFY(window && open(*window, sample("cyst.nii.gz")));
   window->resize(kSmall);
@@ -177,6 +240,43 @@ void LayoutTest::nothingIsCutOffWhenMessagesHoldLongWords() {
   QVERIFY(messages->text().startsWith(path));
 }
 
+void LayoutTest::theViewsKeepTheirPlaceWhenAMessageComesAndGoes() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst.nii.gz")));
+  QTest::qWait(50);
+  const QList<QRect> before = placesOfViews(*window);
+  for (const Message& message : messages()) {
+    window->messages().show(message.kind, message.sentence, message.answers);
+    QTest::qWait(50);
+    QVERIFY(window->messages().isVisible());
+    QCOMPARE(placesOfViews(*window), before);
+    QTest::keyClick(&window->views().slice(ui::Plane::axial), Qt::Key_Escape);
+    QTest::qWait(50);
+    QVERIFY(!window->messages().isVisible());
+    QCOMPARE(placesOfViews(*window), before);
+  }
+}
+
+void LayoutTest::aMessageLiesWholeOverTheViewsAndHidesNoneOfTheirNamesAndButtons() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst.nii.gz")));
+  ui::MessageBar& bar = window->messages();
+  for (const QSize& size : {kLarge, kSmall})  // it follows the window
+    for (const Message& message : messages()) {
+      bar.show(message.kind, message.sentence, message.answers);
+      NO_FAULTS(resized(*window, size));
+      const QRect here(bar.mapTo(window.get(), QPoint()), bar.size());
+      QVERIFY(placeOf(window->views(), *window).contains(here));
+      QVERIFY(bar.isAncestorOf(window->childAt(here.center())) || window->childAt(here.center()) == &bar);
+      const QColor ground = window->grab().toImage().pixelColor(here.topLeft() + QPoint(6, 6));
+      QCOMPARE(ground, bar.palette().color(QPalette::ToolTipBase));  // and nothing shines through
+      for (QRect view : placesOfViews(*window)) {
+        view.setHeight(48);  // name, number of the slice, button
+        QVERIFY2(!view.intersects(here), qPrintable(message.sentence));
+      }
+    }
+}
+
 void LayoutTest::theDockKeepsItsWidthWhenAnEventIsChosen() {
   auto window = shownWindow();
   QVERIFY(window && open(*window, sample("cyst_session.json")));
@@ -186,6 +286,37 @@ void LayoutTest::theDockKeepsItsWidthWhenAnEventIsChosen() {
   window->goToEvent(firstHandle(window->document()));
   QTRY_VERIFY(window->inspector().isVisible());
   QCOMPARE(window->views().width(), before);
+}
+
+void LayoutTest::theDockKeepsItsWidthWhenSeriesAreOffered() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst.nii.gz")));
+  window->showStep(Command::stepOpen);
+  QTest::qWait(50);
+  const int before = window->views().width();
+  std::vector<SeriesInfo> series(12);
+  for (SeriesInfo& s : series) s.description = "CT THORAX ABDOMEN WITH CONTRAST 1.5 B30f";
+  Q_EMIT window->document().seriesChoiceNeeded(QStringLiteral("/somewhere/scans"), series);
+  QTest::qWait(50);
+  QCOMPARE(window->views().width(), before);
+  window->resize(kLarge);
+  Q_EMIT window->document().seriesChoiceNeeded(QStringLiteral("/somewhere/scans"), {series[0], series[1]});
+  QTest::qWait(50);
+  const auto lists = window->findChildren<QListWidget*>();
+  QCOMPARE(lists.size(), 1);
+  const QWidget* choice = lists[0]->parentWidget();
+  QCOMPARE(choice->height(), choice->sizeHint().height());  // with no gaps between its parts
+}
+
+void LayoutTest::theWindowIsNoWiderForALongState() {
+  auto window = shownWindow();
+  QVERIFY(window);
+  const int before = window->minimumSizeHint().width();
+  const QString name = QString(300, u'x') + ".nii.gz";
+  Q_EMIT window->document().opening("/a/" + name, 0.5);
+  QTest::qWait(50);
+  QCOMPARE(window->minimumSizeHint().width(), before);
+  QVERIFY(shownLabel(*window, "State of the growth")->toolTip().contains(name));
 }
 
 void LayoutTest::theHelpPagesDoNotScrollSideways() {
@@ -276,6 +407,51 @@ void LayoutTest::textIsReadableInBothAppearances() {
     QVERIFY(contrast(p.color(QPalette::HighlightedText), p.color(QPalette::Highlight)) > 4.5);
     QVERIFY(contrast(p.color(QPalette::ToolTipText), p.color(QPalette::ToolTipBase)) > 7);
   }
+}
+
+void LayoutTest::theSymbolsOfMessagesAreSeenInBothAppearances() {
+  for (auto appearance : {ui::Appearance::light, ui::Appearance::dark}) {
+    switchAppearances(appearance);
+    const QColor ground = QApplication::palette().color(QPalette::ToolTipBase);
+    for (const char* name : {"info", "warning", "error"}) {
+      QPixmap picture(40, 40);
+      picture.fill(ground);
+      QPainter(&picture).drawPixmap(0, 0, ui::icon(QLatin1String(name)).pixmap(40, 40));
+      QVERIFY2(largestContrast(picture.toImage(), ground) > 3, name);
+    }
+  }
+}
+
+void LayoutTest::disabledEntriesOfAMenuHaveNoShadow() {
+  switchAppearances(ui::Appearance::dark);
+  QMenu menu;
+  for (bool enabled : {true, false}) menu.addAction(QStringLiteral("MMMM"))->setEnabled(enabled);
+  menu.popup({200, 200});
+  QVERIFY(QTest::qWaitForWindowExposed(&menu));
+  const auto inked = [&](int row) {  // the pixels that are not the ground's
+    const QRect place = menu.actionGeometry(menu.actions()[row]).adjusted(3, 3, -3, -3);
+    const QImage picture = menu.grab(place).toImage();
+    QRect ink;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x)
+        if (picture.pixel(x, y) != picture.pixel(0, 0)) ink |= QRect(x, y, 1, 1);
+    return ink;
+  };
+  QVERIFY(!inked(0).isEmpty());
+  QCOMPARE(inked(1), inked(0));  // a shadow reaches further
+}
+
+void LayoutTest::theButtonsOfThePanelsAreSharpOnAFineScreen() {
+  auto window = shownWindow();
+  QVERIFY(window);
+  int found = 0;
+  const auto buttons = window->findChildren<QAbstractButton*>();
+  for (const QAbstractButton* button : buttons) {
+    if (!button->inherits("QDockWidgetTitleButton")) continue;
+    QCOMPARE(button->icon().pixmap(QSize(16, 16), 3.0).size(), QSize(48, 48));  // drawn, not enlarged
+    ++found;
+  }
+  QCOMPARE(found, 4);
 }
 
 int main(int argc, char** argv) {

@@ -1,7 +1,9 @@
 // What the panels say in the states that are seldom seen: doubts, a surface that is gone, nothing known yet.
 
+#include <QProgressBar>
 #include <QSpinBox>
 #include <QTableView>
+#include <QUndoStack>
 
 #include "core/io/volume_io.h"
 #include "tests/support/test_volume.h"
@@ -68,13 +70,17 @@ class PanelTest : public QObject {
   void doubtsAreShownOfASurfaceAtRestAndOnlyThen();
   void nothingIsDoubtedOfTheSample();
   void aSurfaceThatIsGoneIsSaidToBeGone();
+  void whatCannotGrowIsNotSaidToBeReady();
+  void itIsSeenThatTheImageIsPrepared();
   void aNumberThatIsNotKnownIsADash();
   void anEventIsNotInspectedWhileTheSurfaceGrows();
   void onlyChangesOfTopologyAreListedUntilMoreIsAsked();
   void anUncalibratedVolumeIsOpenedAgainWithTheSpacingThatIsEntered();
   void aCalibratedVolumeAsksForNoSpacing();
   void aSeriesSaysWhatItHoldsAndOnlyVolumesCanBeChosen();
+  void aSeriesWithoutAUidCanBeChosen();
   void sentencesNameFieldsInTheirPlaceOfOptions();
+  void sentencesNameStacksAsTheListDoes();
   void thatLengthsMeanNothingIsSaidFirst();
 };
 
@@ -131,6 +137,33 @@ void PanelTest::aSurfaceThatIsGoneIsSaidToBeGone() {
   window->showStep(Command::stepGrow);
   QVERIFY(shownText(*window, "Certificate").startsWith(QString("✓")));
   QVERIFY(window->commands()[Command::exportResult]->isEnabled());
+}
+
+void PanelTest::whatCannotGrowIsNotSaidToBeReady() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst_session.json")));
+  window->showStep(Command::stepGrow);
+  QCOMPARE(shownText(*window, "State of the growth"), QString("Ready to grow"));
+  QCOMPARE(shownText(*window, "Why it did not grow"), QString());
+  window->document().moveSeed(0, Vec3(1000, 0, 0));
+  window->document().run();
+  QVERIFY(waitFor(*window, GrowthState::none));
+  QCOMPARE(shownText(*window, "State of the growth"), QString("Nothing grew"));
+  QVERIFY(shownText(*window, "Why it did not grow").contains("outside the volume"));
+  window->document().undoStack()->undo();
+  QTRY_COMPARE(shownText(*window, "State of the growth"), QString("Ready to grow"));
+}
+
+void PanelTest::itIsSeenThatTheImageIsPrepared() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst_session.json")));
+  const auto* progress = window->findChild<QProgressBar*>();
+  QVERIFY(progress && !progress->isVisible());
+  window->document().run();
+  QVERIFY(window->document().state() == GrowthState::preparing);
+  QVERIFY(progress->isVisible() && progress->maximum() == 0);
+  QVERIFY(waitFor(*window, GrowthState::finished));
+  QVERIFY(!progress->isVisible());
 }
 
 void PanelTest::aNumberThatIsNotKnownIsADash() {
@@ -246,9 +279,21 @@ void PanelTest::aSeriesSaysWhatItHoldsAndOnlyVolumesCanBeChosen() {
                                              "Slices: 600 · time points: 2"}));
   ui::SeriesList list;
   list.offer({scout, thorax});
-  QCOMPARE(list.chosen(), QString("1.2.4"));
+  QCOMPARE(list.chosen().value_or("none"), QString("1.2.4"));
+  QVERIFY(list.sizeHintForRow(0) >= 3 * list.fontMetrics().lineSpacing() + 8);  // and room above and below
   list.setCurrentRow(0);
-  QVERIFY(list.chosen().isEmpty());
+  QVERIFY(!list.chosen());
+}
+
+void PanelTest::aSeriesWithoutAUidCanBeChosen() {
+  SeriesInfo nameless, other;
+  other.uid = "1.2.3";
+  nameless.slices = other.slices = 20;
+  ui::SeriesList list;
+  list.offer({nameless, other});
+  QCOMPARE(list.chosen().value_or("none"), QString());
+  list.offer({});
+  QVERIFY(!list.chosen());
 }
 
 void PanelTest::sentencesNameFieldsInTheirPlaceOfOptions() {
@@ -260,6 +305,13 @@ void PanelTest::sentencesNameFieldsInTheirPlaceOfOptions() {
     QVERIFY(ui::inWordsOfWindow(text).contains("step"));
   }
   QVERIFY(!ui::asksForSpacing("scan.dcm: it is truncated"));
+}
+
+void PanelTest::sentencesNameStacksAsTheListDoes() {
+  QCOMPARE(ui::inWordsOfWindow("to be had alone: 1.2.840.99#1 (14 slices), 1.2.840.99#12 (3 slices)."),
+           QString("to be had alone: stack 1 (14 slices), stack 12 (3 slices)."));
+  QCOMPARE(ui::inWordsOfWindow("/a/scan#2.nii: no volume, 1.5 mm"),
+           QString("/a/scan#2.nii: no volume, 1.5 mm"));
 }
 
 void PanelTest::thatLengthsMeanNothingIsSaidFirst() {
