@@ -42,11 +42,15 @@ std::vector<std::string> imageDoubts(const Mesh& mesh, const ObjectImage& image)
   std::vector<std::string> out;
   if (const NeckCut* neck = image.neck())
     out.push_back(sentence(
-        "the surface is held %s %.3g mm: behind it the same intensities go on for at least %.3g ml, in front "
+        "the surface is held %s %.3g mm%s: behind it the same intensities go on for at least %.3g ml, in "
+        "front "
         "of it they fill %.3g ml; where that belongs to the object, put a seed there too, or give --range, "
         "which holds nothing back",
-        neck->widens ? "where its structure grows wider than a radius of" : "at a neck of radius",
-        neck->neckRadius, neck->cutVolume / 1000, neck->keptVolume / 1000));
+        neck->widens ? "where its structure grows wider than a radius of"
+        : neck->hole ? "at a hole of radius"
+                     : "at a neck of radius",
+        neck->neckRadius, neck->hole ? " in a thin wall" : "", neck->cutVolume / 1000,
+        neck->keptVolume / 1000));
   const double part = partWithoutEdge(mesh, image);
   if (part > kMuch)
     out.push_back(

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "core/evolution/thickness_map.h"
@@ -26,6 +27,12 @@ constexpr Rule kOpening = {0.95, 4, 500};
 constexpr double kWidens = 1.3, kNarrows = 0.6;
 // What is cut off at an opening is this many times what is kept, at least.
 constexpr double kMuchLarger = 20;
+
+// Both sides of a hole in a wall are this many times as wide as the hole, and so is what would be there
+// without the wall.
+constexpr double kHoleWidens = 3;
+// What is cut off at a hole is this part of what is kept, at least: less may be a pocket in the object.
+constexpr double kBehindHole = 0.2;
 
 constexpr int kBinsPerVoxel = 4;
 
@@ -54,34 +61,57 @@ struct Stage {
   double neck;              // mm: all that was taken so far is reached through necks at least this wide
   std::size_t first, last;  // range in the order of taking
   float widest;             // mm, of the voxels taken in this stage
+  std::size_t widestAt;     // in the order of taking
 };
 
 struct WidestPathFlood {
   std::vector<std::size_t> order;  // voxels of the box as taken
-  std::vector<Stage> stages;       // narrower and narrower necks
+  std::vector<std::uint32_t>
+      from;  // for each of them: where in the order the one lies that it was reached from
+  std::vector<std::uint32_t> rank;  // of each voxel of the box in the order; kNone: not reached
+  std::vector<Stage> stages;        // narrower and narrower necks
+
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  //! The voxel through which a stage came to its widest place.
+  std::size_t passage(const Stage& stage) const {
+    std::size_t i = stage.widestAt;
+    while (from[i] != kNone && from[i] >= stage.first) i = from[i];
+    return order[i];
+  }
 };
 
 WidestPathFlood floodThickFirst(const ThicknessMap& map, const std::vector<std::size_t>& starts, double bin) {
   float highest = 0;
   for (std::size_t s : starts) highest = std::max(highest, map.distance(s));
   const int bins = static_cast<int>(highest / bin) + 1;
-  std::vector<std::vector<std::size_t>> queue(idx(bins));
+  struct Waiting {
+    std::size_t voxel;
+    std::uint32_t from;
+  };
+  std::vector<std::vector<Waiting>> queue(idx(bins));
+  WidestPathFlood flood;
+  flood.rank.assign(map.count(), WidestPathFlood::kNone);
   std::vector<unsigned char> seen(map.count(), 0);
   int now = bins - 1;
-  const auto push = [&](std::size_t i) {
+  const auto push = [&](std::size_t i, std::uint32_t from) {
     if (seen[i] || map.distance(i) == 0) return;
     seen[i] = 1;
-    queue[idx(std::min(now, static_cast<int>(map.distance(i) / bin)))].push_back(i);
+    queue[idx(std::min(now, static_cast<int>(map.distance(i) / bin)))].push_back({i, from});
   };
-  for (std::size_t s : starts) push(s);
-  WidestPathFlood flood;
+  for (std::size_t s : starts) push(s, WidestPathFlood::kNone);
   for (; now >= 0; --now) {
-    Stage stage{now * bin, flood.order.size(), 0, 0};
+    Stage stage{now * bin, flood.order.size(), 0, 0, flood.order.size()};
     for (std::size_t next = 0; next < queue[idx(now)].size(); ++next) {
-      const std::size_t i = queue[idx(now)][next];
-      flood.order.push_back(i);
-      stage.widest = std::max(stage.widest, map.distance(i));
-      map.forEachFaceNeighbour(i, push);
+      const Waiting taken = queue[idx(now)][next];
+      const auto rank = static_cast<std::uint32_t>(flood.order.size());
+      flood.order.push_back(taken.voxel);
+      flood.from.push_back(taken.from);
+      flood.rank[taken.voxel] = rank;
+      if (map.distance(taken.voxel) > stage.widest) {
+        stage.widest = map.distance(taken.voxel);
+        stage.widestAt = rank;
+      }
+      map.forEachFaceNeighbour(taken.voxel, [&](std::size_t i) { push(i, rank); });
     }
     stage.last = flood.order.size();
     flood.stages.push_back(stage);
@@ -174,6 +204,42 @@ std::vector<unsigned char> splitByWidth(const ThicknessMap& map, const std::vect
   return side;
 }
 
+//! Distance (mm) to the wide part of a side: what balls of `wide` mm around its voxels cover.
+std::vector<float> distanceToWide(const ThicknessMap& map, const std::vector<unsigned char>& side,
+                                  unsigned char which, double wide) {
+  return map.distanceTo(map.coveredByBalls(marksOf(
+      map, [&](std::size_t i) { return side[i] == which && static_cast<double>(map.distance(i)) >= wide; })));
+}
+
+//! The largest balls (radius in mm) that fit into the region and the thin walls between its two sides: walls
+//! no thicker than `neck` is wide, and than the voxel that the smoothing adds or takes away.
+std::vector<float> ballsWithoutWall(const ThicknessMap& map, const std::vector<unsigned char>& side,
+                                    double neck, double voxel) {
+  const auto toKept = distanceToWide(map, side, 1, kHoleWidens * neck);
+  const auto toCut = distanceToWide(map, side, 2, kHoleWidens * neck);
+  // Both distances are measured to centres of voxels: across a wall of one voxel they add up to two.
+  const double thickest = 2 * neck + 2 * voxel;
+  return map.distanceTo(marksOf(map, [&](std::size_t i) {
+    const bool isWall = static_cast<double>(toKept[i] + toCut[i]) <= thickest;
+    return side[i] == 0 && !isWall && map.isInVolume(i);
+  }));
+}
+
+//! True if the two sides meet in holes of a wall and nowhere else.
+bool meetInHoles(const ThicknessMap& map, const std::vector<unsigned char>& side, double neck, double voxel) {
+  std::vector<float> balls = ballsWithoutWall(map, side, neck, voxel);
+  for (float& radius : balls)
+    if (static_cast<double>(radius) < kHoleWidens * neck) radius = 0;
+  const std::vector<unsigned char> wide = map.coveredByBalls(balls);
+  for (std::size_t i = 0; i < side.size(); ++i) {
+    if (side[i] != 1 || wide[i]) continue;
+    bool meets = false;
+    map.forEachFaceNeighbour(i, [&](std::size_t w) { meets = meets || side[w] == 2; });
+    if (meets) return false;
+  }
+  return true;
+}
+
 std::shared_ptr<const Barrier> barrierOf(const ThicknessMap& map, const std::vector<unsigned char>& side) {
   std::vector<unsigned char> closed(side.size());
   for (std::size_t i = 0; i < side.size(); ++i) closed[i] = side[i] == 2;
@@ -194,9 +260,17 @@ class NeckSearch {
     }
   }
 
-  std::optional<NeckCut> run() const {
+  std::optional<NeckCut> run(Passages which) const {
     if (starts_.empty() || structure_ <= 0) return {};
     const WidestPathFlood flood = floodThickFirst(map_, starts_, grid_.meanSpacing() / kBinsPerVoxel);
+    std::optional<NeckCut> cut;
+    if (which != Passages::holes) cut = cutAtNeck(flood);
+    if (!cut && which != Passages::necks) cut = cutAtHole(flood);
+    return cut;
+  }
+
+ private:
+  std::optional<NeckCut> cutAtNeck(const WidestPathFlood& flood) const {
     for (const Rule& rule : kNecks)
       for (const Stage& stage : flood.stages)
         if (shows(rule, stage, structure_))
@@ -212,7 +286,44 @@ class NeckSearch {
     return cut;
   }
 
- private:
+  std::optional<NeckCut> cutAtHole(const WidestPathFlood& flood) const {
+    const double voxel = grid_.meanSpacing();
+    for (const Stage& stage : flood.stages) {
+      if (!mayBeHole(stage) || !isBetweenWideParts(flood, stage)) continue;
+      const std::vector<unsigned char> side = splitAt(map_, flood, stage);
+      if (!meetInHoles(map_, side, stage.neck, voxel)) continue;
+      auto cut = cutAt(stage, side, kBehindHole);
+      if (!cut) continue;
+      cut->hole = true;
+      return cut;
+    }
+    return {};
+  }
+
+  //! A cheap test that every hole passes: wide parts of both sides lie close to it.
+  bool isBetweenWideParts(const WidestPathFlood& flood, const Stage& stage) const {
+    const double wide = kHoleWidens * stage.neck, thickest = 2 * stage.neck + 2 * grid_.meanSpacing();
+    const Vec3 reach = Vec3::Constant(wide + thickest).cwiseQuotient(grid_.spacing);
+    const Voxel middle = map_.voxel(flood.passage(stage));
+    bool before = false, behind = false;
+    for (int z = -static_cast<int>(reach[2]); z <= reach[2]; ++z)
+      for (int y = -static_cast<int>(reach[1]); y <= reach[1]; ++y)
+        for (int x = -static_cast<int>(reach[0]); x <= reach[0]; ++x) {
+          const Voxel v{middle[0] + x, middle[1] + y, middle[2] + z};
+          if (!map_.contains(v) || static_cast<double>(map_.distance(map_.at(v))) < wide) continue;
+          const std::size_t rank = flood.rank[map_.at(v)];
+          before = before || rank < stage.first;
+          behind = behind || (rank >= stage.first && rank < stage.last);  // kNone lies beyond
+        }
+    return before && behind;
+  }
+
+  bool mayBeHole(const Stage& stage) const {
+    const double wide = kHoleWidens * stage.neck;
+    const auto before = static_cast<double>(stage.first),
+               more = static_cast<double>(stage.last - stage.first);
+    return stage.first > 0 && structure_ >= wide && stage.widest >= wide && more >= kBehindHole * before;
+  }
   //! None if a seed is cut off, or too little is.
   std::optional<NeckCut> cutAt(const Stage& stage, const std::vector<unsigned char>& side,
                                double larger) const {
@@ -279,10 +390,10 @@ double Barrier::openness(const Vec3& index) const {
                t[2]);
 }
 
-std::optional<NeckCut> findNeck(const Grid& grid, const ObjectRegion& region,
-                                const std::vector<Vec3>& seeds) {
+std::optional<NeckCut> findNeck(const Grid& grid, const ObjectRegion& region, const std::vector<Vec3>& seeds,
+                                Passages which) {
   if (region.voxels.empty()) return {};
-  return NeckSearch(grid, region, seeds).run();
+  return NeckSearch(grid, region, seeds).run(which);
 }
 
 }  // namespace handlebody

@@ -27,6 +27,7 @@ class Barrier {
 struct NeckCut {
   double neckRadius = 0;            //!< mm: of the widest ball that passes to what was cut off
   bool widens = false;              //!< no neck: cut where the structure grows wider than neckRadius
+  bool hole = false;                //!< the neck is a hole in a thin wall
   double structureRadius = 0;       //!< mm: of the ball that fits into the seeded structure
   double widestBehind = 0;          //!< mm: of the widest ball behind the neck
   double keptVolume = 0;            //!< mm³
@@ -35,11 +36,23 @@ struct NeckCut {
   std::shared_ptr<const Barrier> barrier;
 };
 
-//! Looks for the neck through which the region leaks: the widest path (largest ball all along it) from the
-//! seeds to each voxel tells how wide a neck lies before it. A structure that opens with hardly a neck into
-//! something hundreds of times larger is cut where it grows wider than it is at the seeds. None if nothing is
-//! so much larger than what lies before it that the seeds can hardly have meant it. `seeds`: continuous
+//! What may hold a region back.
+enum class Passages { necks, holes, both };
+
+//! Looks for the passage through which the region leaks: the widest path (largest ball all along it) from the
+//! seeds to each voxel tells how wide a passage lies before it. None if there is none. `seeds`: continuous
 //! indices.
-std::optional<NeckCut> findNeck(const Grid& grid, const ObjectRegion& region, const std::vector<Vec3>& seeds);
+//!
+//! A neck leads to something so much larger than what lies before it that the seeds can hardly have meant it.
+//! A structure that opens with hardly a neck into something hundreds of times larger is cut where it grows
+//! wider than it is at the seeds.
+//!
+//! A hole in a thin wall is a passage no longer than it is wide between two spaces at least three times as
+//! wide, which lie side by side around it, so that without the wall a ball three times as wide as the hole
+//! would fit there. What lies behind it may be smaller than what lies before it, but no less than a fifth of
+//! it. A bar between two balls is no hole, nor is a place where a tube is narrower than elsewhere. If there
+//! is a neck as well, it is the neck that is returned.
+std::optional<NeckCut> findNeck(const Grid& grid, const ObjectRegion& region, const std::vector<Vec3>& seeds,
+                                Passages which = Passages::necks);
 
 }  // namespace handlebody

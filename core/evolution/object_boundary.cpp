@@ -1,18 +1,15 @@
 #include "core/evolution/object_boundary.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "core/evolution/edge_profile.h"
 #include "core/evolution/object_region.h"
 
 namespace handlebody {
 
 namespace {
 
-// Voxels on either side of a face that say how high the edge is: the ramp of an edge that the smoothing has
-// left sharp.
-constexpr int kReach = 1;
 // Edges of this part of the typical step around them count most.
 constexpr double kLowerEdges = 0.5;
 
@@ -25,6 +22,8 @@ constexpr double kContracts = 0.6;
 // A region of so many times the size of the one before looks like a leak; of so many it is one.
 constexpr double kLooksLikeLeak = 1.5;
 constexpr double kIsLeak = 2;
+// A region of so many times the size of the last one in which a hole was looked for may have another.
+constexpr double kIsNew = 1.03;
 // Smaller parts of the way to new levels are not tried.
 constexpr double kLeastPart = 0.1;
 
@@ -34,42 +33,6 @@ constexpr double kLeastVoxels = 500'000, kMostVoxels = 3'000'000;
 
 // Parts of the way from the object's level to that of the boundary at which a neck is looked for.
 constexpr double kNeckLevels[] = {1, 0.7, 0.5, 0.35, 0.25, 0.18, 0.12};
-
-//! Signed intensities along the line of voxels through a face of the region, from kReach voxels before its
-//! inner voxel to kReach beyond its outer one.
-using Profile = std::array<double, 2 * kReach + 2>;
-
-Profile profileAt(const SmoothedVolume& volume, const ObjectRegion::Voxel& inner,
-                  const ObjectRegion::Face& face, double sign) {
-  const auto axis = static_cast<std::size_t>(face.axis);
-  const int last = volume.grid().size[axis] - 1;
-  ObjectRegion::Voxel v = inner;
-  Profile profile;
-  for (int t = 0; t < static_cast<int>(profile.size()); ++t) {
-    v[axis] = std::clamp(inner[axis] + face.step * (t - kReach), 0, last);
-    profile[static_cast<std::size_t>(t)] = sign * static_cast<double>(volume.at(v[0], v[1], v[2]));
-  }
-  return profile;
-}
-
-//! What a profile says: the level of the edge, and the largest step in it; none if it never rises.
-struct Edge {
-  Vec3 place;
-  double level;  // signed
-  double step;
-};
-
-std::optional<Edge> edgeIn(const Profile& p, const ObjectRegion::Voxel& v) {
-  double weight = 0, sum = 0, largest = 0;
-  for (std::size_t t = 1; t < p.size(); ++t) {
-    const double step = std::max(0.0, p[t] - p[t - 1]);
-    weight += step * step;
-    sum += step * step * 0.5 * (p[t] + p[t - 1]);
-    largest = std::max(largest, step);
-  }
-  if (!(weight > 0)) return {};
-  return Edge{Vec3(v[0], v[1], v[2]), sum / weight, largest};
-}
 
 //! 1 for edges of a typical height: noise counts less by the square of its steps, and so does, more quickly,
 //! what is much higher.
@@ -89,29 +52,34 @@ struct Found {
 
 class BoundarySearch {
  public:
-  BoundarySearch(const ObjectSearch& s, Edges edges) : s_(s), edges_(edges), expected_(s.expectedVoxels) {}
+  using Read = std::optional<Edge> (EdgeReader::*)(const ObjectRegion::Voxel&,
+                                                   const ObjectRegion::Face&) const;
+
+  BoundarySearch(const ObjectSearch& s, Edges edges, Read read = &EdgeReader::halfWay)
+      : s_(s), edges_(edges), read_(read), expected_(s.expectedVoxels) {}
 
   Found run() {
     LevelField trial(s_.volume.grid(), s_.level);
     std::optional<ObjectBoundary> best, first;
     double part = 1, lastChange = 0;
     for (int pass = 0; pass < kMostPasses; ++pass) {
-      Candidate c = grow(trial);
-      if (best && c.voxels > kIsLeak * expected_) {
+      Candidate c = grow(trial, best && best->neck);
+      if (best && isLeak(c, *best)) {
         part *= 0.5;
         if (part < kLeastPart) break;
         trial = LevelField::between(best->levels, trial, 0.5);
         continue;
       }
       expected_ = c.voxels;
-      LevelField next = levelsAt(c, trial);
+      LevelField next = levelsAt(c, trial, read_);
       const double change = meanChange(c.region, next, trial);
       const bool rests = change <= kStays * std::abs(s_.level - s_.object);
       if (pass >= 2 && change > kContracts * lastChange) return {*std::move(first), false};
       lastChange = change;
       // A neck belongs to the levels at which it was found.
       const bool hasNeck = c.neck.has_value();
-      best = ObjectBoundary{rests && !hasNeck ? next : trial, withoutMarks(std::move(c.neck))};
+      best =
+          ObjectBoundary{rests && !hasNeck ? levelsOfShape(c, next) : trial, withoutMarks(std::move(c.neck))};
       if (!first) first = best;
       if (rests) break;
       trial = LevelField::between(trial, next, part);
@@ -126,35 +94,54 @@ class BoundarySearch {
     double voxels = 0;  // of the region, up to the neck
   };
 
-  Candidate grow(const LevelField& levels) const {
+  //! `wasHeld`: at a neck or hole before, which is looked for again whatever the region's size.
+  Candidate grow(const LevelField& levels, bool wasHeld) {
     const double most = std::clamp(kEnough * expected_, kLeastVoxels, std::max(2 * expected_, kMostVoxels));
     Candidate c;
     c.region = floodObject(s_.volume, s_.seeds, s_.sign, levels, static_cast<std::size_t>(most));
     c.voxels = static_cast<double>(c.region.voxels.size());
-    if (c.voxels <= kLooksLikeLeak * expected_) return c;
-    c.neck = findNeck(s_.volume.grid(), c.region, s_.seeds);
+    const bool looksLikeLeak = c.voxels > kLooksLikeLeak * expected_;
+    const bool isNew = c.voxels > kIsNew * looked_;
+    if (!looksLikeLeak && !wasHeld && !isNew) return c;
+    looked_ = std::max(looked_, c.voxels);
+    c.neck = findNeck(s_.volume.grid(), c.region, s_.seeds, looksLikeLeak ? Passages::both : Passages::holes);
     if (c.neck) c.voxels = c.neck->keptVolume / s_.volume.grid().voxelVolume();
     return c;
   }
 
-  LevelField levelsAt(const Candidate& c, const LevelField& fallback) const {
+  //! Far larger than before, or somewhat larger and the neck that held it is lost.
+  bool isLeak(const Candidate& c, const ObjectBoundary& before) const {
+    const bool lost = before.neck && !c.neck;
+    return c.voxels > (lost ? kLooksLikeLeak : kIsLeak) * expected_;
+  }
+
+  LevelField levelsAt(const Candidate& c, const LevelField& fallback, Read read) const {
+    const EdgeReader reader(s_.volume, s_.sign);
     std::vector<Edge> edges;
     LevelField::Samples steps(s_.volume.grid()), levels(s_.volume.grid());
     for (const ObjectRegion::Face& face : c.region.faces) {
       const auto voxel = static_cast<std::size_t>(face.voxel);
       if (c.neck && !c.neck->kept[voxel]) continue;
-      const ObjectRegion::Voxel& v = c.region.voxels[voxel];
-      const auto edge = edgeIn(profileAt(s_.volume, v, face, s_.sign), v);
+      const auto edge = (reader.*read)(c.region.voxels[voxel], face);
       if (!edge) continue;
       edges.push_back(*edge);
-      steps.add(edge->place, edge->step, edge->step * edge->step);
+      steps.add(edge->place, edge->step, edge->weight * edge->step * edge->step);
     }
     if (edges.empty()) return fallback;
     const LevelField typical = steps.spread();
     for (const Edge& e : edges)
       levels.add(e.place, s_.sign * e.level,
-                 edges_ == Edges::lowerDecide ? weightOf(e.step, typical.at(e.place)) : e.step * e.step);
+                 e.weight * (edges_ == Edges::lowerDecide ? weightOf(e.step, typical.at(e.place))
+                                                          : e.step * e.step));
     return levels.empty() ? fallback : levels.spread();
+  }
+
+  //! The levels of the boundary itself, where half-way levels have come to rest; those if the region would
+  //! leak within the others.
+  LevelField levelsOfShape(const Candidate& c, const LevelField& halfWay) {
+    LevelField levels = levelsAt(c, halfWay, &EdgeReader::ofShape);
+    const Candidate within = grow(levels, false);
+    return within.neck || within.voxels > kLooksLikeLeak * expected_ ? halfWay : levels;
   }
 
   //! Mean of |a - b| over the region's faces.
@@ -176,7 +163,9 @@ class BoundarySearch {
 
   const ObjectSearch& s_;
   Edges edges_;
-  double expected_;  // voxels
+  Read read_;
+  double expected_;    // voxels
+  double looked_ = 0;  // voxels of the largest region in which a hole was looked for
 };
 
 }  // namespace
@@ -184,6 +173,11 @@ class BoundarySearch {
 ObjectBoundary findBoundary(const ObjectSearch& search) {
   Found found = BoundarySearch(search, Edges::lowerDecide).run();
   if (!found.settled) found = BoundarySearch(search, Edges::higherDecide).run();
+  if (!found.settled) {
+    // On a small object half-way levels creep up with the lines that cross it at a slant.
+    Found shaped = BoundarySearch(search, Edges::lowerDecide, &EdgeReader::halfWayAlong).run();
+    if (shaped.settled && !shaped.boundary.neck) found = std::move(shaped);
+  }
   return std::move(found.boundary);
 }
 

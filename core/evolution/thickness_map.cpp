@@ -38,13 +38,29 @@ std::vector<float> ThicknessMap::distanceTo(const std::vector<unsigned char>& ma
 }
 
 std::vector<unsigned char> ThicknessMap::coveredByBalls(const std::vector<unsigned char>& centres) const {
-  std::vector<float> d(distance_.size(), kFar);  // to the surface of the nearest ball
+  std::vector<float> radii(distance_.size(), 0.0f);
+  for (std::size_t i = 0; i < radii.size(); ++i)
+    if (centres[i]) radii[i] = distance_[i];
+  std::vector<unsigned char> covered = coveredByBalls(radii);
+  for (std::size_t i = 0; i < covered.size(); ++i) covered[i] = covered[i] && distance_[i] > 0;
+  return covered;
+}
+
+std::vector<unsigned char> ThicknessMap::coveredByBalls(const std::vector<float>& radii) const {
+  std::vector<float> d(radii.size(), kFar);  // to the surface of the nearest ball
   for (std::size_t i = 0; i < d.size(); ++i)
-    if (centres[i]) d[i] = -distance_[i];
+    if (radii[i] > 0) d[i] = -radii[i];
   sweep(d);
   std::vector<unsigned char> covered(d.size());
-  for (std::size_t i = 0; i < d.size(); ++i) covered[i] = distance_[i] > 0 && d[i] < 0;
+  for (std::size_t i = 0; i < d.size(); ++i) covered[i] = d[i] < 0;
   return covered;
+}
+
+bool ThicknessMap::isInVolume(std::size_t i) const {
+  const Voxel v = voxel(i);
+  for (std::size_t a = 0; a < 3; ++a)
+    if (v[a] < 0 || v[a] >= grid_.size[a]) return false;
+  return true;
 }
 
 ThicknessMap::Voxel ThicknessMap::voxel(std::size_t i) const {
@@ -72,14 +88,8 @@ void ThicknessMap::makeNeighbours() {
 
 std::vector<std::size_t> ThicknessMap::outsideOfVolume() const {
   std::vector<std::size_t> out;
-  for (std::size_t i = 0; i < distance_.size(); ++i) {
-    const Voxel v = voxel(i);
-    for (std::size_t a = 0; a < 3; ++a)
-      if (v[a] < 0 || v[a] >= grid_.size[a]) {
-        out.push_back(i);
-        break;
-      }
-  }
+  for (std::size_t i = 0; i < distance_.size(); ++i)
+    if (!isInVolume(i)) out.push_back(i);
   return out;
 }
 

@@ -21,6 +21,10 @@ class ThicknessMap {
   std::vector<float> distanceTo(const std::vector<unsigned char>& marked) const;
   //! 1 for the voxels of the region within the largest balls around the marked ones.
   std::vector<unsigned char> coveredByBalls(const std::vector<unsigned char>& centres) const;
+  //! 1 for the voxels of the box within balls of these radii (mm) around its voxels; 0 = no ball.
+  std::vector<unsigned char> coveredByBalls(const std::vector<float>& radii) const;
+  //! False for the outermost layer of the box where it lies beyond the border of the volume.
+  bool isInVolume(std::size_t i) const;
 
   std::size_t at(const Voxel& v) const {
     return (idx(v[2] - low_[2]) * idx(size_[1]) + idx(v[1] - low_[1])) * idx(size_[0]) + idx(v[0] - low_[0]);

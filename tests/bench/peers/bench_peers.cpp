@@ -23,12 +23,15 @@ namespace {
 struct Options {
   std::vector<std::string> phantoms;
   PhantomOptions phantom;
+  std::vector<double> gaps{0}, curvatures;
+  Trials trials;
+  std::string peers;  // what their names hold
   int repeat = 3;
-  bool json = false, tune = false, detection = false;
+  bool json = false, tune = false, detection = false, alone = false;
 };
 
 struct Row {
-  const char* system;
+  std::string system;
   Outcome outcome;
 };
 
@@ -42,29 +45,67 @@ void print(const std::string& phantom, const std::vector<Row>& rows) {
   std::printf("\n%s\n%-22s %9s %8s %9s %7s %9s %9s %6s %6s  %s\n", phantom.c_str(), "", "seconds", "x ours",
               "peak MB", "Dice", "distance", "vertices", "parts", "genus", "topology");
   for (const auto& [system, o] : rows)
-    std::printf("%-22s %9.3f %8.2f %9.1f %7.4f %9.3f %9d %6d %6d  %s\n", system, o.seconds,
+    std::printf("%-22s %9.3f %8.2f %9.1f %7.4f %9.3f %9d %6d %6d  %s\n", system.c_str(), o.seconds,
                 o.seconds / rows[0].outcome.seconds, o.peakMegabytes, o.dice, o.distance, o.vertices,
                 o.components, o.genus, o.rightTopology ? "right" : "WRONG");
   std::fflush(stdout);
 }
 
-constexpr std::pair<const char*, Peer> kPeers[] = {{"level set, threshold", Peer::thresholdLevelSet},
-                                                   {"level set, geodesic", Peer::geodesicLevelSet},
-                                                   {"region growing", Peer::regionGrowing}};
+const std::pair<std::string, Peer> kPeers[] = {{"level set, threshold", Peer::thresholdLevelSet},
+                                               {"level set, geodesic", Peer::geodesicLevelSet},
+                                               {"region growing", Peer::regionGrowing}};
 
-json compare(const std::string& name, const Options& o) {
-  const Phantom phantom = makePhantom(name, o.phantom);
-  std::vector<Row> rows{{"handlebody", runOurs(phantom, o.phantom, o.repeat)}};
-  for (const auto& [label, peer] : kPeers) {
-    const PeerSettings settings = o.tune ? tune(peer, phantom) : tunedSettings(peer, name);
-    if (o.tune)
-      std::fprintf(stderr, "%s, %s: sigma %g, curvature %g\n", name.c_str(), label, settings.sigma,
-                   settings.curvature);
-    rows.push_back({label, runPeer(peer, settings, phantom, o.phantom, o.repeat)});
+//! Our engine with nothing told, and with each weight of the curvature that was asked for.
+std::vector<Row> oursOn(const Phantom& phantom, const PhantomOptions& options, const Options& o) {
+  std::vector<Row> rows{{"handlebody", runOurs(phantom, options, {}, o.repeat)}};
+  for (double weight : o.curvatures) {
+    char label[40];
+    std::snprintf(label, sizeof label, "  with curvature %g", weight);
+    Parameters told;
+    told.curvature = weight;
+    rows.push_back({label, runOurs(phantom, options, told, o.repeat)});
   }
-  if (!o.json) print(name, rows);
+  return rows;
+}
+
+std::vector<Row> peersOn(const Phantom& phantom, const PhantomOptions& options, const Options& o) {
+  std::vector<Row> rows;
+  for (const auto& [label, peer] : kPeers) {
+    if (label.find(o.peers) == std::string::npos) continue;
+    const PeerSettings settings = o.tune ? tune(peer, phantom, o.trials) : tunedSettings(peer, phantom.name);
+    if (o.tune)
+      std::fprintf(stderr, "%s, %s: sigma %g, curvature %g\n", phantom.name.c_str(), label.c_str(),
+                   settings.sigma, settings.curvature);
+    rows.push_back({label, runPeer(peer, settings, phantom, options, o.repeat)});
+  }
+  return rows;
+}
+
+json compare(const std::string& title, const std::string& name, const PhantomOptions& options,
+             const Options& o) {
+  const Phantom phantom = makePhantom(name, options);
+  std::vector<Row> rows = oursOn(phantom, options, o);
+  if (!o.alone) {
+    const std::vector<Row> peers = peersOn(phantom, options, o);
+    rows.insert(rows.end(), peers.begin(), peers.end());
+  }
+  if (!o.json) print(title, rows);
   json out;
   for (const Row& row : rows) out[row.system] = asJson(row.outcome);
+  return out;
+}
+
+//! Every phantom with every gap.
+json compareAll(const Options& o) {
+  json out;
+  for (const std::string& name : o.phantoms)
+    for (double gap : o.gaps) {
+      PhantomOptions options = o.phantom;
+      options.gapVoxels = gap;
+      char title[80];
+      std::snprintf(title, sizeof title, gap > 0 ? "%s, gap %g" : "%s", name.c_str(), gap);
+      out[title] = compare(title, name, options, o);
+    }
   return out;
 }
 
@@ -115,19 +156,27 @@ json compareDetections(bool quiet) {
 void addOptions(CLI::App& app, Options& o) {
   app.add_option("--phantom", o.phantoms, "Names (default: all of the paper's experiments)")->delimiter(',');
   app.add_option("--bias", o.phantom.bias, "Largest over smallest gain");
+  app.add_option("--gap", o.gaps, "Widths of a hole in the wall, voxels (only for the phantom wall)")
+      ->delimiter(',');
+  app.add_option("--curvature", o.curvatures, "Weights that our engine is told, in rows of their own")
+      ->delimiter(',');
   app.add_option("--noise", o.phantom.noise, "Part of the contrast (default: the phantom's own)");
   app.add_option_function<double>(
       "--spacing", [&o](double s) { o.phantom.spacing = Vec3::Constant(s); }, "mm");
   app.add_option("--repeat", o.repeat, "Runs of each system; the quickest counts")->check(CLI::Range(1, 100));
+  app.add_flag("--alone", o.alone, "Our engine without the peers");
+  app.add_option("--peers", o.peers, "Only peers with this in their name, such as threshold");
   app.add_flag("--json", o.json, "Results as JSON on standard output");
   app.add_flag("--tune", o.tune, "Look for the peers' best settings first (takes long)");
+  app.add_option("--try-smoothings", o.trials.smoothings, "With --tune: voxels")->delimiter(',');
+  app.add_option("--try-curvatures", o.trials.curvatures, "With --tune: weights")->delimiter(',');
   app.add_flag("--detection", o.detection, "Compare detection with CGAL's, too");
 }
 
 int run(const Options& o) {
   json all;
   // Children first: this process must not have held much memory before they are made.
-  for (const std::string& name : o.phantoms) all["phantoms"][name] = compare(name, o);
+  all["phantoms"] = compareAll(o);
   if (o.detection) all["detection"] = compareDetections(o.json);
   if (o.json) std::cout << all.dump(2) << '\n';
   return 0;

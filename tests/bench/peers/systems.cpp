@@ -1,6 +1,8 @@
 #include "tests/bench/peers/systems.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 
 #include "core/collision/certify.h"
 #include "core/evolution/active_contour.h"
@@ -13,10 +15,11 @@ namespace handlebody::bench {
 namespace {
 
 constexpr int kMostIterations = 1500;
-constexpr int kPatience = 200;           // iterations without a better overlap
-constexpr double kAsGood = 0.0005;       // of overlap
-constexpr double kThresholdRange = 0.3;  // of the contrast, around the half-way level
+constexpr int kPatience = 200;            // iterations without a better overlap
+constexpr double kAsGood = 0.0005;        // of overlap
+constexpr double kThresholdRange = 0.45;  // of the contrast, around the half-way level
 constexpr double kThresholdStep = 0.025;
+constexpr double kFarOff = 0.1;
 
 //! The intensities of the voxel types' own scale (phantom.h).
 std::pair<double, double> levels(VoxelType type) {
@@ -86,12 +89,22 @@ Best findThreshold(PeerSettings& settings, const Phantom& phantom) {
   return best;
 }
 
-//! Fills in what is open.
+//! Fills in what is open. A level set may do better with the half-way level than with that of region growing,
+//! which must be far off to close a gap.
 Best complete(Peer peer, PeerSettings& settings, const Phantom& phantom) {
   Best best;
   if (peer != Peer::geodesicLevelSet) best = findThreshold(settings, phantom);
   if (peer == Peer::regionGrowing) return best;
   best = findIterations(peer, settings, phantom);
+  if (std::abs(settings.threshold) > kFarOff) {
+    PeerSettings halfWay = settings;
+    halfWay.threshold = 0;
+    const Best other = findIterations(peer, halfWay, phantom);
+    if (other.dice > best.dice) {
+      settings = halfWay;
+      best = other;
+    }
+  }
   settings.iterations = best.iterations;
   return best;
 }
@@ -109,10 +122,11 @@ Outcome best(int repeat, const std::function<void(Outcome&)>& run) {
 
 }  // namespace
 
-Outcome runOurs(const Phantom& phantom, const PhantomOptions& options, int repeat) {
+Outcome runOurs(const Phantom& phantom, const PhantomOptions& options, const Parameters& parameters,
+                int repeat) {
   return best(repeat, [&](Outcome& out) {
     const Measure measure;
-    ActiveContour contour(phantom.volume, {{phantom.seed, phantom.seedRadius}}, {});
+    ActiveContour contour(phantom.volume, {{phantom.seed, phantom.seedRadius}}, parameters);
     while (contour.stopReason() == StopReason::running) contour.step();
     const TriangleSoup mesh = contour.mesh().compact();
     certify(mesh);
@@ -140,17 +154,19 @@ Outcome runPeer(Peer peer, PeerSettings settings, const Phantom& phantom, const 
   });
 }
 
-PeerSettings tune(Peer peer, const Phantom& phantom) {
+PeerSettings tune(Peer peer, const Phantom& phantom, const Trials& trials) {
   PeerSettings bestSettings;
   double bestDice = -1;
-  for (double sigma : {0.7, 1.0, 1.5, 2.0, 2.5})
-    for (double curvature : {0.05, 0.2, 0.5, 1.0}) {
-      if (peer == Peer::regionGrowing && curvature > 0.05) continue;
+  for (double sigma : trials.smoothings)
+    for (double curvature : trials.curvatures) {
+      // Region growing has no curvature.
+      if (peer == Peer::regionGrowing && curvature != trials.curvatures.front()) continue;
       PeerSettings s;
       s.sigma = sigma;
       s.curvature = curvature;
       double overlap = 0;
       runInChild<double>(overlap, [&](double& d) { d = complete(peer, s, phantom).dice; });
+      std::fprintf(stderr, "  sigma %g, curvature %g: %.4f\n", sigma, curvature, overlap);
       if (overlap <= bestDice) continue;
       bestDice = overlap;
       bestSettings = s;

@@ -1,13 +1,15 @@
 #pragma once
 // Runs the systems on a phantom, each in a child process.
 
+#include "core/evolution/parameters.h"
 #include "tests/bench/peers/outcome.h"
 #include "tests/bench/peers/peer.h"
 
 namespace handlebody::bench {
 
-//! Our engine with default parameters: nothing is tuned.
-Outcome runOurs(const Phantom& phantom, const PhantomOptions& options, int repeat);
+//! Our engine. With default parameters nothing is tuned.
+Outcome runOurs(const Phantom& phantom, const PhantomOptions& options, const Parameters& parameters,
+                int repeat);
 
 //! A peer; `settings` complete but for the iterations and the threshold, which are found here with the truth
 //! in hand and not timed: the threshold with the best overlap of region growing, the fewest iterations whose
@@ -15,7 +17,13 @@ Outcome runOurs(const Phantom& phantom, const PhantomOptions& options, int repea
 Outcome runPeer(Peer peer, PeerSettings settings, const Phantom& phantom, const PhantomOptions& options,
                 int repeat);
 
-//! Tries smoothings and curvature weights and returns those of the best overlap.
-PeerSettings tune(Peer peer, const Phantom& phantom);
+//! What tune() tries: every smoothing (voxels) with every curvature weight.
+struct Trials {
+  std::vector<double> smoothings{0.7, 1.0, 1.5, 2.0, 2.5};
+  std::vector<double> curvatures{0.05, 0.2, 0.5, 1.0, 2.0};
+};
+
+//! Returns the settings of the best overlap.
+PeerSettings tune(Peer peer, const Phantom& phantom, const Trials& trials);
 
 }  // namespace handlebody::bench

@@ -94,6 +94,14 @@ TEST_CASE("a cut where the structure widens is reported as such") {
   CHECK_THAT(doubts[0], Contains("grows wider than a radius of 2.5 mm") && Contains("at least 12 ml"));
 }
 
+TEST_CASE("a cut at a hole in a wall is reported as such") {
+  NeckCut cut = *neckCut();
+  cut.hole = true;
+  const auto doubts = imageDoubts(sphere(), imageOf(ballVolume(), std::make_shared<NeckCut>(cut)));
+  REQUIRE(doubts.size() == 1);
+  CHECK_THAT(doubts[0], Contains("at a hole of radius 2.5 mm in a thin wall") && Contains("at least 12 ml"));
+}
+
 TEST_CASE("a neck and a missing edge give a sentence each, without a full stop") {
   const auto doubts = imageDoubts(sphere(), imageOf(constantVolume(), neckCut()));
   REQUIRE(doubts.size() == 2);

@@ -39,6 +39,29 @@ ObjectRegion joined(double barRadius, const Vec3& seed) {
   return regionOf([=](const Vec3& p) { return joinedBalls(p, barRadius); }, seed);
 }
 
+//! Two chambers apart by a wall of 2 mm from x = 39 to 41, with a square hole; the right one ends at x = 40 +
+//! `length`.
+const Vec3 kLeft(20, 24, 24), kRight(56, 24, 24);
+
+double chambers(const Vec3& p, double holeWidth, double length = 32) {
+  const double across = std::max(std::abs(p[1] - 24), std::abs(p[2] - 24));
+  const double left = std::max({across - 18, 8 - p[0], p[0] - 39});
+  const double right = std::max({across - 18, 41 - p[0], p[0] - 40 - length});
+  const double hole = std::max(across - holeWidth / 2, std::abs(p[0] - 40) - 3);
+  return std::min({left, right, hole});
+}
+
+//! Two equal balls, as far apart as `middles` says, joined by a bar along x.
+double equalBalls(const Vec3& p, double middles, double barRadius) {
+  const Vec3 a(40 - middles / 2, 24, 24), b(40 + middles / 2, 24, 24);
+  const double aside = std::hypot(p[1] - 24, p[2] - 24) - barRadius;
+  return std::min({ball(p, a, 16), ball(p, b, 16), std::max(aside, std::abs(p[0] - 40) - middles / 2)});
+}
+
+std::optional<NeckCut> holeIn(const ObjectRegion& region, const std::vector<Vec3>& seeds) {
+  return findNeck(grid(), region, seeds, Passages::holes);
+}
+
 }  // namespace
 
 TEST_CASE("a small ball that leaks through a bar into a larger one is cut at the bar") {
@@ -120,6 +143,67 @@ TEST_CASE("at a neck the cut is not called a widening") {
   const auto cut = findNeck(grid(), joined(kBarRadius, kSmall), {kSmall});
   REQUIRE(cut);
   CHECK_FALSE(cut->widens);
+}
+
+TEST_CASE("a region that leaks through a hole in a wall is cut at the wall, whichever side the seed is on") {
+  for (const double width : {1.0, 2.0, 3.0, 4.0, 6.0})
+    for (const Vec3& seed : {kLeft, kRight}) {
+      CAPTURE(width, seed.transpose());
+      const ObjectRegion region = regionOf([=](const Vec3& p) { return chambers(p, width); }, seed);
+      const auto cut = holeIn(region, {seed});
+      REQUIRE(cut);
+      CHECK(cut->hole);
+      CHECK(cut->neckRadius == Approx(width / 2).margin(0.6));
+      for (std::size_t i = 0; i < region.voxels.size(); ++i) {
+        const double beyondWall = (region.voxels[i][0] - 40) * (seed[0] < 40 ? 1 : -1);
+        if (beyondWall < -1) REQUIRE(cut->kept[i] == 1);
+        if (beyondWall > 1 + width / 2) REQUIRE(cut->kept[i] == 0);
+      }
+    }
+}
+
+TEST_CASE("two holes in a wall are closed at once") {
+  const auto twoHoles = [](const Vec3& p) {
+    return std::min(chambers(p + Vec3(0, 7, 0), 3), std::max(chambers(p, 3), std::abs(p[1] - 24) - 18));
+  };
+  const ObjectRegion region = regionOf(twoHoles, kLeft);
+  const auto cut = holeIn(region, {kLeft});
+  REQUIRE(cut);
+  for (std::size_t i = 0; i < region.voxels.size(); ++i)
+    if (region.voxels[i][0] > 43) REQUIRE(cut->kept[i] == 0);
+}
+
+TEST_CASE("a seed on either side of a hole keeps the whole region") {
+  const auto region = regionOf([](const Vec3& p) { return chambers(p, 3); }, kLeft);
+  CHECK_FALSE(holeIn(region, {kLeft, kRight}));
+}
+
+TEST_CASE("a small pocket behind a hole is no leak") {
+  const auto region = regionOf([](const Vec3& p) { return chambers(p, 2, 6); }, kLeft);
+  CHECK_FALSE(holeIn(region, {kLeft}));
+}
+
+TEST_CASE("an opening that takes up most of the wall is no hole") {
+  const auto region = regionOf([](const Vec3& p) { return chambers(p, 16); }, kLeft);
+  CHECK_FALSE(holeIn(region, {kLeft}));
+}
+
+TEST_CASE("a bar between two balls is no hole") {
+  for (const double bar : {1.5, 2.5, 4.0}) {
+    CAPTURE(bar);
+    const auto region = regionOf([=](const Vec3& p) { return equalBalls(p, 46, bar); }, Vec3(17, 24, 24));
+    CHECK_FALSE(holeIn(region, {Vec3(17, 24, 24)}));
+  }
+}
+
+TEST_CASE("a tube that is narrower in one place has no hole there") {
+  const auto narrowed = [](const Vec3& p) {
+    const double radius = 8 - 6 * std::exp(-0.5 * std::pow((p[0] - 40) / 6, 2));
+    return std::max(std::hypot(p[1] - 24, p[2] - 24) - radius, std::abs(p[0] - 40) - 36);
+  };
+  const ObjectRegion region = regionOf(narrowed, kLeft);
+  REQUIRE(region.voxels.size() > 10'000);  // it passes the narrow place
+  CHECK_FALSE(holeIn(region, {kLeft}));
 }
 
 TEST_CASE("an empty region has no neck") { CHECK_FALSE(findNeck(grid(), ObjectRegion{}, {kSmall})); }
