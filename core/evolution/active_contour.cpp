@@ -26,13 +26,10 @@ constexpr double kShortest = 0.55;
 constexpr double kStep =
     0.28;  // largest move along the normal: two fronts come closer by little more than s / 3
 constexpr double kStepVoxels = 0.9;  // and never further than this many voxels of the finest axis
-// A curvature step this many times the balloon's overshoots: vertices tremble for ever. Steps get shorter
-// then.
-constexpr double kSteadyCurvature = 1.8;
-constexpr double kQuiet = 0.015;    // a vertex that moves less than this is quiet
-constexpr double kStirring = 0.1;   // a neighbour that moves more than this wakes a sleeper
-constexpr double kCollapsed = 1.0;  // a component of less extent than this is gone
-constexpr double kShrinks = 4;      // more than a component loses of its extent in one step
+constexpr double kQuiet = 0.015;     // a vertex that moves less than this is quiet
+constexpr double kStirring = 0.1;    // a neighbour that moves more than this wakes a sleeper
+constexpr double kCollapsed = 1.0;   // a component of less extent than this is gone
+constexpr double kShrinks = 4;       // more than a component loses of its extent in one step
 
 constexpr int kQuietToSleep = 3;  // iterations
 constexpr int kQuietToStop = 3;   // iterations without motion or event
@@ -136,12 +133,6 @@ struct ActiveContour::State {
     std::vector<unsigned char> touched;
   };
 
-  //! Part of the step that keeps strong curvature steady.
-  double steadiness() const {
-    return std::min(1.0, kSteadyCurvature * parameters.balloon / std::max(1e-300, parameters.curvature));
-  }
-  //! What moves are compared with, mm.
-  double moveUnit() const { return steadiness() * parameters.edgeLength; }
   bool sleeps(int v) const { return quiet[idx(v)] >= kQuietToSleep; }
 
   void chooseImage(const Parameters& p);
@@ -191,7 +182,7 @@ void ActiveContour::State::resolve(const Parameters& p) {
   motion.balloon = p.balloon;
   motion.curvature = p.curvature;
   motion.edgeLength = edge;
-  motion.largestStep = steadiness() * std::min(kStep * edge, kStepVoxels * volume.grid.spacing.minCoeff());
+  motion.largestStep = std::min(kStep * edge, kStepVoxels * volume.grid.spacing.minCoeff());
   motion.outwardOnly = p.direction == Direction::outward;
   motion.threads = p.threads;
   limits = {kLongest * edge, kShortest * edge};
@@ -329,8 +320,7 @@ void ActiveContour::State::updateQuiet(const Attempt& a) {
   for (int v : a.moving) wasMoved[idx(v)] = 1;
   for (std::size_t v = 0; v < quiet.size(); ++v)
     if (v >= known || (a.touched[v] != 0 && wasMoved[v] == 0)) quiet[v] = 0;
-  const double unit = moveUnit();
-  const double quietMove = kQuiet * unit, stirringMove = kStirring * unit;
+  const double quietMove = kQuiet * parameters.edgeLength, stirringMove = kStirring * parameters.edgeLength;
   for (std::size_t i = 0; i < a.moving.size(); ++i) {
     unsigned char& q = quiet[idx(a.moving[i])];
     if (idx(a.moving[i]) >= known || !mesh.isVertex(a.moving[i])) continue;
@@ -350,7 +340,7 @@ void ActiveContour::State::updateQuiet(const Attempt& a) {
 void ActiveContour::State::accept(Attempt& a, StepReport& report) {
   updateQuiet(a);
   for (double d : a.distances) {
-    report.movedVertices += d >= kQuiet * moveUnit();
+    report.movedVertices += d >= kQuiet * parameters.edgeLength;
     report.largestMove = std::max(report.largestMove, d);
   }
   report.events.insert(report.events.end(), std::make_move_iterator(a.events.begin()),
@@ -397,8 +387,8 @@ StopReason ActiveContour::State::restReason() const {
   for (int v = 0; v < mesh.vertexSlots(); ++v)
     if (mesh.isVertex(v) && resting.rests(mesh.position(v), iteration)) resters.push_back(v);
   const std::vector<Vec3> moves = computeMotion(mesh, *image, motion, resters);
-  const bool held =
-      std::any_of(moves.begin(), moves.end(), [&](const Vec3& m) { return m.norm() >= kQuiet * moveUnit(); });
+  const bool held = std::any_of(moves.begin(), moves.end(),
+                                [&](const Vec3& m) { return m.norm() >= kQuiet * parameters.edgeLength; });
   if (!held) return StopReason::converged;
   return static_cast<int>(resters.size()) == mesh.vertexCount() ? StopReason::stuck : StopReason::frozen;
 }

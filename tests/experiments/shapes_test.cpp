@@ -81,17 +81,3 @@ TEST_CASE("an over-grown start contracts onto linked rings, through both of thei
   o.certificate = certify(o.mesh);
   expectTrue(phantom, {}, o, {}, "from a ball around it");
 }
-
-TEST_CASE("strong curvature that may shrink comes to rest and does not tremble", "[shapes]") {
-  const Phantom phantom = makePhantom("neck");
-  for (const double weight : {2.2, 2.5, 3.0}) {
-    Parameters parameters;
-    parameters.direction = Direction::both;
-    parameters.curvature = weight;
-    parameters.maxIterations = 300;
-    ActiveContour contour(phantom.volume, {{phantom.seed, 14.0}}, parameters);
-    while (contour.stopReason() == StopReason::running) contour.step();
-    INFO("weight " << weight);
-    CHECK(contour.stopReason() == StopReason::converged);
-  }
-}
