@@ -156,8 +156,8 @@ struct ActiveContour::State {
 
 void ActiveContour::State::chooseImage(const Parameters& p) {
   const ObjectChoice choice = chooseObject(volume, seeds, p);
-  image =
-      std::make_shared<ObjectImage>(choice.volume, choice.range, choice.contrast, choice.levels, choice.neck);
+  image = std::make_shared<ObjectImage>(choice.volume, choice.range, choice.contrast, choice.levels,
+                                        choice.neck, choice.view);
   parameters.object = choice.object;
   parameters.range = choice.range;
   parameters.smoothing = choice.volume->sigma();

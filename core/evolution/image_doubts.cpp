@@ -1,5 +1,7 @@
 #include "core/evolution/image_doubts.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace handlebody {
@@ -8,6 +10,7 @@ namespace {
 
 constexpr double kNoEdge = 0.25;  // of the step from the object to its boundary
 constexpr double kMuch = 0.1;     // of the surface
+constexpr double kMuchPadding = 0.15;
 
 template <typename... Numbers>
 std::string sentence(const char* format, Numbers... numbers) {
@@ -18,24 +21,60 @@ std::string sentence(const char* format, Numbers... numbers) {
 
 }  // namespace
 
+namespace {
+
+//! Calls f(middle, outward normal, size) for every face that has an area; size is twice the area (mm²).
+template <typename F>
+void forEachFacet(const Mesh& mesh, F&& f) {
+  for (int face = 0; face < mesh.faceSlots(); ++face) {
+    if (!mesh.isFace(face)) continue;
+    const Triangle& t = mesh.face(face);
+    const Vec3 area = mesh.areaVector(face);
+    const double size = area.norm();
+    if (size > 0) f((mesh.position(t[0]) + mesh.position(t[1]) + mesh.position(t[2])) / 3, area / size, size);
+  }
+}
+
+bool isPadding(const FieldOfView& view, const Grid& grid, const Vec3& world) {
+  const Vec3 index = grid.toIndex(world);
+  if (!grid.contains(index)) return false;
+  std::size_t at = 0;
+  for (int a = 2; a >= 0; --a) {
+    const int n = grid.size[static_cast<std::size_t>(a)];
+    at = at * static_cast<std::size_t>(n) +
+         static_cast<std::size_t>(std::clamp(static_cast<int>(std::lround(index[a])), 0, n - 1));
+  }
+  return view.isPadding(at);
+}
+
+}  // namespace
+
 double partWithoutEdge(const Mesh& mesh, const ObjectImage& image) {
   const Grid& grid = image.volume().grid();
   const double reach = grid.meanSpacing();
   double without = 0, all = 0;
-  for (int f = 0; f < mesh.faceSlots(); ++f) {
-    if (!mesh.isFace(f)) continue;
-    const Triangle& t = mesh.face(f);
-    const Vec3 area = mesh.areaVector(f);
-    const double size = area.norm();
-    if (!(size > 0)) continue;
-    const Vec3 middle = (mesh.position(t[0]) + mesh.position(t[1]) + mesh.position(t[2])) / 3;
-    const Vec3 beyond = middle + reach * area / size;
-    if (!grid.contains(grid.toIndex(beyond))) continue;
+  forEachFacet(mesh, [&](const Vec3& middle, const Vec3& normal, double size) {
+    const Vec3 beyond = middle + reach * normal;
+    if (!grid.contains(grid.toIndex(beyond))) return;
     all += size;
-    const double within = image.insideByIntensity(middle - reach * area / size);
+    const double within = image.insideByIntensity(middle - reach * normal);
     if (within - image.insideByIntensity(beyond) < kNoEdge) without += size;
-  }
+  });
   return all > 0 ? without / all : 0;
+}
+
+double partAtPadding(const Mesh& mesh, const ObjectImage& image) {
+  if (!image.view()) return 0;
+  const Grid& grid = image.volume().grid();
+  const double voxel = grid.meanSpacing();
+  double at = 0, all = 0;
+  forEachFacet(mesh, [&](const Vec3& middle, const Vec3& normal, double size) {
+    all += size;
+    if (isPadding(*image.view(), grid, middle + voxel * normal) ||
+        isPadding(*image.view(), grid, middle + 2 * voxel * normal))
+      at += size;
+  });
+  return all > 0 ? at / all : 0;
 }
 
 std::vector<std::string> imageDoubts(const Mesh& mesh, const ObjectImage& image) {
@@ -57,6 +96,12 @@ std::vector<std::string> imageDoubts(const Mesh& mesh, const ObjectImage& image)
         sentence("%.0f %% of the surface lies where the image shows no edge: the object may go on "
                  "there, or the surface leaked",
                  100 * part));
+  const double atPadding = partAtPadding(mesh, image);
+  if (atPadding > kMuchPadding)
+    out.push_back(
+        sentence("%.0f %% of the surface lies on the border of the field of view: the object is cut off "
+                 "there, or the surface leaked",
+                 100 * atPadding));
   return out;
 }
 

@@ -14,7 +14,12 @@ namespace handlebody {
 //! 1 for one that ends in the open. Where the surface ends at the border of the volume does not count.
 double partWithoutEdge(const Mesh& mesh, const ObjectImage& image);
 
-//! Sentences without a full stop: the object was cut off at a neck; much of the surface shows no edge.
+//! Part of the surface (by area) that lies on the border of the field of view: not more than two voxels
+//! before the padding around the image.
+double partAtPadding(const Mesh& mesh, const ObjectImage& image);
+
+//! Sentences without a full stop: the object was cut off at a neck; much of the surface shows no edge; much
+//! of it lies on the border of the field of view.
 std::vector<std::string> imageDoubts(const Mesh& mesh, const ObjectImage& image);
 
 }  // namespace handlebody

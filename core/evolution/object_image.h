@@ -11,17 +11,20 @@
 namespace handlebody {
 
 //! Smoothed volume and intensity range of the object. With `levels` the range's finite end is theirs, place
-//! by place (the upper end if both are finite); with `neck` the object ends there.
+//! by place (the upper end if both are finite); with `neck` the object ends there. `view` says where there is
+//! no image.
 class ObjectImage {
  public:
   ObjectImage(std::shared_ptr<const SmoothedVolume> volume, const IntensityRange& range, double scale,
               std::shared_ptr<const LevelField> levels = nullptr,
-              std::shared_ptr<const NeckCut> neck = nullptr)
+              std::shared_ptr<const NeckCut> neck = nullptr,
+              std::shared_ptr<const FieldOfView> view = nullptr)
       : volume_(std::move(volume)),
         range_(range),
         scale_(scale),
         levels_(std::move(levels)),
-        neck_(std::move(neck)) {}
+        neck_(std::move(neck)),
+        view_(std::move(view)) {}
 
   //! > 0 inside the object, 0 at its boundary, < 0 outside; 1 is `scale` intensity units from the boundary.
   //! World mm. Outside the volume, and from half a voxel beyond the centres of the border voxels on, it is
@@ -34,6 +37,8 @@ class ObjectImage {
   const SmoothedVolume& volume() const { return *volume_; }
   //! Null if the object is not cut off.
   const NeckCut* neck() const { return neck_.get(); }
+  //! Null if the volume holds an image everywhere.
+  const FieldOfView* view() const { return view_.get(); }
 
  private:
   std::shared_ptr<const SmoothedVolume> volume_;
@@ -41,6 +46,7 @@ class ObjectImage {
   double scale_;  // intensity units
   std::shared_ptr<const LevelField> levels_;
   std::shared_ptr<const NeckCut> neck_;
+  std::shared_ptr<const FieldOfView> view_;
 };
 
 }  // namespace handlebody

@@ -187,6 +187,7 @@ std::shared_ptr<const FieldOfView> paddingBeside(const Volume& volume, const std
 //! outside the range as the object lies inside it. Elsewhere it is a background like any other.
 void setImage(ObjectChoice& choice, const Volume& volume, double sigma,
               std::shared_ptr<const FieldOfView> view) {
+  choice.view = view;
   const bool needed = view && view->value() >= choice.range.low && view->value() <= choice.range.high;
   const double wall = std::isfinite(choice.range.high) ? choice.range.high + choice.contrast
                                                        : choice.range.low - choice.contrast;

@@ -22,6 +22,8 @@ struct ObjectChoice {
   std::shared_ptr<const LevelField> levels;
   //! Where the object is cut off at a neck; null if it is not.
   std::shared_ptr<const NeckCut> neck;
+  //! Where the volume holds no image; null if there is no such place, or a seed lies in it.
+  std::shared_ptr<const FieldOfView> view;
 };
 
 //! Chooses what `parameters` leaves open. The boundary level is the one at which the connected region that

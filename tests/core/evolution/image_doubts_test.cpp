@@ -1,5 +1,6 @@
 #include "core/evolution/image_doubts.h"
 
+#include "core/evolution/active_contour.h"
 #include "core/mesh/shapes.h"
 #include "tests/support/catch.h"
 #include "tests/support/test_volume.h"
@@ -106,4 +107,18 @@ TEST_CASE("a neck and a missing edge give a sentence each, without a full stop")
   const auto doubts = imageDoubts(sphere(), imageOf(constantVolume(), neckCut()));
   REQUIRE(doubts.size() == 2);
   for (const std::string& doubt : doubts) CHECK(doubt.back() != '.');
+}
+
+TEST_CASE("a surface that ends at the border of the field of view is doubted") {
+  // The ball's upper half was not seen: padding of one value.
+  const Volume cut = volumeByIndex(cubicGrid(41), [&](int i, int j, int k) {
+    const double d = (Vec3(i, j, k) - kCentre).norm() - kRadius;
+    return k > 20 ? 0.0
+                  : 20 + 80 * std::clamp(d + 0.5, 0.0, 1.0) + 0.01 * std::sin(i + 37.1 * j + 1234.5 * k);
+  });
+  ActiveContour contour(cut, {Seed{Vec3(20, 20, 14), 4.0}}, {});
+  while (contour.stopReason() == StopReason::running) contour.step();
+  const std::vector<std::string> doubts = contour.doubts();
+  REQUIRE(doubts.size() == 1);
+  CHECK_THAT(doubts[0], Contains("border of the field of view"));
 }
