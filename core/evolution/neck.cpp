@@ -64,14 +64,17 @@ struct Stage {
   std::size_t widestAt;     // in the order of taking
 };
 
+//! In few bytes a voxel, for there may be many millions.
 struct WidestPathFlood {
-  std::vector<std::size_t> order;  // voxels of the box as taken
-  std::vector<std::uint32_t>
-      from;  // for each of them: where in the order the one lies that it was reached from
-  std::vector<std::uint32_t> rank;  // of each voxel of the box in the order; kNone: not reached
-  std::vector<Stage> stages;        // narrower and narrower necks
+  using Index = std::uint32_t;
+  using StageNumber = std::uint16_t;
+  std::vector<Index> order;   // voxels of the box as taken
+  std::vector<Index> from;    // for each of them: where in the order the one lies that it was reached from
+  std::vector<Stage> stages;  // narrower and narrower necks
+  std::vector<StageNumber> stageOf;  // of each voxel of the box; kUnreached, kWaits
 
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  static constexpr Index kNone = std::numeric_limits<Index>::max();
+  static constexpr StageNumber kUnreached = std::numeric_limits<StageNumber>::max(), kWaits = kUnreached - 1;
   //! The voxel through which a stage came to its widest place.
   std::size_t passage(const Stage& stage) const {
     std::size_t i = stage.widestAt;
@@ -83,36 +86,37 @@ struct WidestPathFlood {
 WidestPathFlood floodThickFirst(const ThicknessMap& map, const std::vector<std::size_t>& starts, double bin) {
   float highest = 0;
   for (std::size_t s : starts) highest = std::max(highest, map.distance(s));
-  const int bins = static_cast<int>(highest / bin) + 1;
+  const int bins = std::min(static_cast<int>(highest / bin) + 1, int{WidestPathFlood::kWaits});
+  using Index = WidestPathFlood::Index;
   struct Waiting {
-    std::size_t voxel;
-    std::uint32_t from;
+    Index voxel, from;
   };
   std::vector<std::vector<Waiting>> queue(idx(bins));
   WidestPathFlood flood;
-  flood.rank.assign(map.count(), WidestPathFlood::kNone);
-  std::vector<unsigned char> seen(map.count(), 0);
+  flood.stageOf.assign(map.count(), WidestPathFlood::kUnreached);
   int now = bins - 1;
-  const auto push = [&](std::size_t i, std::uint32_t from) {
-    if (seen[i] || map.distance(i) == 0) return;
-    seen[i] = 1;
-    queue[idx(std::min(now, static_cast<int>(map.distance(i) / bin)))].push_back({i, from});
+  const auto push = [&](std::size_t i, Index from) {
+    if (flood.stageOf[i] != WidestPathFlood::kUnreached || map.distance(i) == 0) return;
+    flood.stageOf[i] = WidestPathFlood::kWaits;
+    queue[idx(std::min(now, static_cast<int>(map.distance(i) / bin)))].push_back(
+        {static_cast<Index>(i), from});
   };
   for (std::size_t s : starts) push(s, WidestPathFlood::kNone);
   for (; now >= 0; --now) {
     Stage stage{now * bin, flood.order.size(), 0, 0, flood.order.size()};
     for (std::size_t next = 0; next < queue[idx(now)].size(); ++next) {
       const Waiting taken = queue[idx(now)][next];
-      const auto rank = static_cast<std::uint32_t>(flood.order.size());
+      const auto rank = static_cast<Index>(flood.order.size());
       flood.order.push_back(taken.voxel);
       flood.from.push_back(taken.from);
-      flood.rank[taken.voxel] = rank;
+      flood.stageOf[taken.voxel] = static_cast<WidestPathFlood::StageNumber>(flood.stages.size());
       if (map.distance(taken.voxel) > stage.widest) {
         stage.widest = map.distance(taken.voxel);
         stage.widestAt = rank;
       }
       map.forEachFaceNeighbour(taken.voxel, [&](std::size_t i) { push(i, rank); });
     }
+    queue[idx(now)] = {};
     stage.last = flood.order.size();
     flood.stages.push_back(stage);
   }
@@ -261,7 +265,7 @@ class NeckSearch {
   }
 
   std::optional<NeckCut> run(Passages which) const {
-    if (starts_.empty() || structure_ <= 0) return {};
+    if (starts_.empty() || structure_ <= 0 || map_.count() >= WidestPathFlood::kNone) return {};
     const WidestPathFlood flood = floodThickFirst(map_, starts_, grid_.meanSpacing() / kBinsPerVoxel);
     std::optional<NeckCut> cut;
     if (which != Passages::holes) cut = cutAtNeck(flood);
@@ -288,8 +292,9 @@ class NeckSearch {
 
   std::optional<NeckCut> cutAtHole(const WidestPathFlood& flood) const {
     const double voxel = grid_.meanSpacing();
-    for (const Stage& stage : flood.stages) {
-      if (!mayBeHole(stage) || !isBetweenWideParts(flood, stage)) continue;
+    for (std::size_t number = 0; number < flood.stages.size(); ++number) {
+      const Stage& stage = flood.stages[number];
+      if (!mayBeHole(stage) || !isBetweenWideParts(flood, number)) continue;
       const std::vector<unsigned char> side = splitAt(map_, flood, stage);
       if (!meetInHoles(map_, side, stage.neck, voxel)) continue;
       auto cut = cutAt(stage, side, kBehindHole);
@@ -301,7 +306,8 @@ class NeckSearch {
   }
 
   //! A cheap test that every hole passes: wide parts of both sides lie close to it.
-  bool isBetweenWideParts(const WidestPathFlood& flood, const Stage& stage) const {
+  bool isBetweenWideParts(const WidestPathFlood& flood, std::size_t number) const {
+    const Stage& stage = flood.stages[number];
     const double wide = kHoleWidens * stage.neck, thickest = 2 * stage.neck + 2 * grid_.meanSpacing();
     const Vec3 reach = Vec3::Constant(wide + thickest).cwiseQuotient(grid_.spacing);
     const Voxel middle = map_.voxel(flood.passage(stage));
@@ -311,9 +317,9 @@ class NeckSearch {
         for (int x = -static_cast<int>(reach[0]); x <= reach[0]; ++x) {
           const Voxel v{middle[0] + x, middle[1] + y, middle[2] + z};
           if (!map_.contains(v) || static_cast<double>(map_.distance(map_.at(v))) < wide) continue;
-          const std::size_t rank = flood.rank[map_.at(v)];
-          before = before || rank < stage.first;
-          behind = behind || (rank >= stage.first && rank < stage.last);  // kNone lies beyond
+          const std::size_t taken = flood.stageOf[map_.at(v)];
+          before = before || taken < number;
+          behind = behind || taken == number;
         }
     return before && behind;
   }
