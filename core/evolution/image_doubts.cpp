@@ -1,7 +1,5 @@
 #include "core/evolution/image_doubts.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 namespace handlebody {
@@ -37,14 +35,7 @@ void forEachFacet(const Mesh& mesh, F&& f) {
 
 bool isPadding(const FieldOfView& view, const Grid& grid, const Vec3& world) {
   const Vec3 index = grid.toIndex(world);
-  if (!grid.contains(index)) return false;
-  std::size_t at = 0;
-  for (int a = 2; a >= 0; --a) {
-    const int n = grid.size[static_cast<std::size_t>(a)];
-    at = at * static_cast<std::size_t>(n) +
-         static_cast<std::size_t>(std::clamp(static_cast<int>(std::lround(index[a])), 0, n - 1));
-  }
-  return view.isPadding(at);
+  return grid.contains(index) && view.isPaddingNear(index);
 }
 
 }  // namespace

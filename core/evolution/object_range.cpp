@@ -164,23 +164,13 @@ double chooseSmoothing(const Volume& volume, const std::vector<Seed>& seeds, con
   return best * voxel;
 }
 
-bool anyInPadding(const Grid& grid, const FieldOfView& view, const std::vector<Seed>& seeds) {
-  return std::any_of(seeds.begin(), seeds.end(), [&](const Seed& s) {
-    const Vec3 i = grid.toIndex(s.centre);
-    std::size_t at = 0;
-    for (int a = 2; a >= 0; --a) {
-      const int n = grid.size[static_cast<std::size_t>(a)];
-      at = at * static_cast<std::size_t>(n) +
-           static_cast<std::size_t>(std::clamp(static_cast<int>(std::lround(i[a])), 0, n - 1));
-    }
-    return view.isPadding(at);
-  });
-}
-
 //! Padding, unless a seed lies in it.
 std::shared_ptr<const FieldOfView> paddingBeside(const Volume& volume, const std::vector<Seed>& seeds) {
   std::shared_ptr<const FieldOfView> view = FieldOfView::find(volume);
-  return view && anyInPadding(volume.grid, *view, seeds) ? nullptr : view;
+  const bool anyInside = view && std::any_of(seeds.begin(), seeds.end(), [&](const Seed& s) {
+                           return view->isPaddingNear(volume.grid.toIndex(s.centre));
+                         });
+  return anyInside ? nullptr : view;
 }
 
 //! The final image. Padding matters where its value would count as object: there it is given a value as far

@@ -1,5 +1,7 @@
 #include "core/volume/field_of_view.h"
 
+#include <algorithm>
+#include <cmath>
 #include <deque>
 #include <unordered_map>
 
@@ -69,9 +71,20 @@ std::shared_ptr<const FieldOfView> FieldOfView::find(const Volume& volume) {
   const Size n{static_cast<std::size_t>(volume.grid.size[0]), static_cast<std::size_t>(volume.grid.size[1]),
                static_cast<std::size_t>(volume.grid.size[2])};
   auto found = std::make_shared<FieldOfView>();
+  found->size_ = volume.grid.size;
   found->padding_ =
       visitVoxels(volume, [&](const auto* voxels) { return findPadding(voxels, n, found->value_); });
   return found->padding_.empty() ? nullptr : found;
+}
+
+bool FieldOfView::isPaddingNear(const Vec3& index) const {
+  std::size_t at = 0;
+  for (int a = 2; a >= 0; --a) {
+    const int n = size_[static_cast<std::size_t>(a)];
+    at = at * static_cast<std::size_t>(n) +
+         static_cast<std::size_t>(std::clamp(static_cast<int>(std::lround(index[a])), 0, n - 1));
+  }
+  return padding_[at];
 }
 
 }  // namespace handlebody

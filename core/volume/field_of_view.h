@@ -1,6 +1,7 @@
 #pragma once
 // Where a volume holds no image: scanners and reconstructions fill what they did not see with one value.
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -16,10 +17,13 @@ class FieldOfView {
   static std::shared_ptr<const FieldOfView> find(const Volume& volume);
 
   bool isPadding(std::size_t voxel) const { return padding_[voxel]; }
+  //! Of the voxel nearest to a continuous index.
+  bool isPaddingNear(const Vec3& index) const;
   //! The padding's value.
   double value() const { return value_; }
 
  private:
+  std::array<int, 3> size_{};
   std::vector<bool> padding_;
   double value_ = 0;
 };
