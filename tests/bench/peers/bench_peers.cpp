@@ -23,7 +23,7 @@ namespace {
 struct Options {
   std::vector<std::string> phantoms;
   PhantomOptions phantom;
-  std::vector<double> gaps{0}, curvatures;
+  std::vector<double> gaps{0}, curvatures, edges, smoothings;
   Trials trials;
   std::string peers;  // what their names hold
   int repeat = 3;
@@ -55,15 +55,19 @@ const std::pair<std::string, Peer> kPeers[] = {{"level set, threshold", Peer::th
                                                {"level set, geodesic", Peer::geodesicLevelSet},
                                                {"region growing", Peer::regionGrowing}};
 
-//! Our engine with nothing told, and with each weight of the curvature that was asked for.
+//! Our engine with nothing told, and with each value that was asked for, one at a time.
 std::vector<Row> oursOn(const Phantom& phantom, const PhantomOptions& options, const Options& o) {
   std::vector<Row> rows{{"handlebody", runOurs(phantom, options, {}, o.repeat)}};
-  for (double weight : o.curvatures) {
+  const auto add = [&](const char* what, double value, const Parameters& told) {
     char label[40];
-    std::snprintf(label, sizeof label, "  with curvature %g", weight);
-    Parameters told;
-    told.curvature = weight;
+    std::snprintf(label, sizeof label, "  with %s %g", what, value);
     rows.push_back({label, runOurs(phantom, options, told, o.repeat)});
+  };
+  for (double weight : o.curvatures) add("curvature", weight, {.curvature = weight});
+  for (double sigma : o.smoothings) add("smoothing", sigma, {.smoothing = sigma});
+  for (double edge : o.edges) {
+    add("edge length", edge, {.edgeLength = edge});
+    for (double sigma : o.smoothings) add("both, the last", sigma, {.smoothing = sigma, .edgeLength = edge});
   }
   return rows;
 }
@@ -160,6 +164,8 @@ void addOptions(CLI::App& app, Options& o) {
       ->delimiter(',');
   app.add_option("--curvature", o.curvatures, "Weights that our engine is told, in rows of their own")
       ->delimiter(',');
+  app.add_option("--smoothing", o.smoothings, "Likewise, mm")->delimiter(',');
+  app.add_option("--edge-length", o.edges, "Likewise, mm; with each smoothing, too")->delimiter(',');
   app.add_option("--noise", o.phantom.noise, "Part of the contrast (default: the phantom's own)");
   app.add_option_function<double>(
       "--spacing", [&o](double s) { o.phantom.spacing = Vec3::Constant(s); }, "mm");

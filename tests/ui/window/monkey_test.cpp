@@ -1,6 +1,8 @@
 // Random events on the window: nothing may crash, hang or leave an invalid surface. A minute, or as many
 // seconds as HANDLEBODY_MONKEY_SECONDS says; HANDLEBODY_MONKEY_SEED repeats a run. It fails when an action
-// takes over 5 seconds, and tells those over one second, and the memory at the start and after every minute.
+// takes over 5 seconds, and tells those over one second. Left alone the events soon lead to seeds from which
+// nothing grows; so the sample is opened anew every half minute, and the memory told then: the window is each
+// time in the same state, and whatever grows from one time to the next is kept for nothing.
 
 #include <malloc.h>
 #include <unistd.h>
@@ -146,7 +148,8 @@ std::string described(const ui::MeshSnapshot& snapshot, int actions) {
   return out.str();
 }
 
-constexpr qint64 kHang = 5000;  // ms
+constexpr qint64 kHang = 5000;    // ms
+constexpr qint64 kAnew = 30'000;  // ms
 
 double residentMegabytes() {
   QFile statm(QStringLiteral("/proc/self/statm"));
@@ -160,10 +163,33 @@ double usedMegabytes() {
   return double(info.uordblks + info.hblkhd) / 1e6;
 }
 
-void tellMemory(qint64 milliseconds, int actions, const ui::Document& document) {
-  qInfo("%4lld s, %d actions: %.0f MB resident, %.1f MB in use; %d iterations, %d entries to undo",
-        static_cast<long long>(milliseconds / 1000), actions, residentMegabytes(), usedMegabytes(),
-        document.lastIteration(), document.undoStack()->count());
+//! What was done since the sample was opened, to see that the engine had its share.
+struct Done {
+  int iterations = 0, changes = 0, undo = 0;
+
+  void look(const ui::Document& document) {
+    iterations = std::max(iterations, document.lastIteration());
+    changes = std::max(changes, static_cast<int>(document.events().size()));
+    undo = std::max(undo, document.undoStack()->count());
+  }
+};
+
+void tell(qint64 milliseconds, int actions, const Done& done) {
+  qInfo(
+      "%4lld s, %d actions: up to %d iterations, %d events, %d entries to undo; sample anew: %.0f MB "
+      "resident, %.1f MB in use",
+      static_cast<long long>(milliseconds / 1000), actions, done.iterations, done.changes, done.undo,
+      residentMegabytes(), usedMegabytes());
+}
+
+//! As a user who answers "discard".
+bool openAnew(ui::MainWindow& window, const QString& path) {
+  QSignalSpy opened(&window.document(), &ui::Document::opened);
+  window.document().open(path);
+  const bool done = (!opened.isEmpty() || opened.wait(kPatience)) &&
+                    QTest::qWaitFor([&] { return window.document().resolved().has_value(); }, kPatience);
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  return done;
 }
 
 //! Of this thread: a machine that is busy with other things makes an action slow as well.
@@ -201,12 +227,15 @@ void MonkeyTest::randomEventsDoNoHarm() {
   clock.start();
   qint64 slowest = 0;
   int actions = 0;
-  tellMemory(0, 0, window->document());
-  qint64 nextTold = 60000;
+  Done done;
+  tell(0, 0, done);
+  qint64 nextOpened = kAnew;
   for (; clock.elapsed() < seconds * 1000LL; ++actions) {
-    if (clock.elapsed() > nextTold) {
-      tellMemory(clock.elapsed(), actions, window->document());
-      nextTold += 60000;
+    if (clock.elapsed() > nextOpened) {
+      QVERIFY(openAnew(*window, sample("cyst_session.json")));
+      tell(clock.elapsed(), actions, done);
+      done = {};
+      nextOpened += kAnew;
     }
     answer.start();
     const double busy = busySeconds();
@@ -224,8 +253,10 @@ void MonkeyTest::randomEventsDoNoHarm() {
     const bool certain = !snapshot || snapshot->mesh.triangles.empty() || snapshot->certificate.passes();
     if (!certain) QFAIL(described(*snapshot, actions).c_str());
     QVERIFY(window->document().iteration() <= window->document().lastIteration());
+    done.look(window->document());
   }
-  tellMemory(clock.elapsed(), actions, window->document());
+  QVERIFY(openAnew(*window, sample("cyst_session.json")));
+  tell(clock.elapsed(), actions, done);
   malloc_trim(0);
   qInfo("%.0f MB resident without what malloc keeps for later", residentMegabytes());
   qInfo("%d actions, the slowest took %lld ms", actions, static_cast<long long>(slowest));
