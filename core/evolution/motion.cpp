@@ -6,6 +6,8 @@
 #include <cmath>
 #include <thread>
 
+#include "core/evolution/normal_profile.h"
+
 namespace handlebody {
 
 namespace {
@@ -20,43 +22,6 @@ constexpr std::size_t kTogether = 16;  // vertices
 // Bound of the correction for flat faces on a curved boundary, in edge lengths.
 constexpr double kLargestSagitta = 0.1;
 
-struct Ring {
-  Vec3 normal{0, 0, 0};
-  Vec3 umbrella{0, 0, 0};  // mean of the neighbours less the vertex
-  double meanSquare = 0;   // of the distances to the neighbours
-};
-
-Ring examineRing(const Mesh& mesh, int v) {
-  Ring r;
-  const Vec3 p = mesh.position(v);
-  double n = 0;
-  // On a closed mesh the ring goes on where a face ends.
-  Vec3 a = mesh.position(mesh.target(mesh.outgoing(v))) - p;
-  mesh.forEachOutgoing(v, [&](int h) {
-    const Vec3 b = mesh.position(mesh.apex(h)) - p;
-    r.normal += a.cross(b);
-    r.umbrella += a;
-    r.meanSquare += a.squaredNorm();
-    n += 1;
-    a = b;
-  });
-  const double length = r.normal.norm();
-  if (length > 0) r.normal /= length;
-  r.umbrella /= n;
-  r.meanSquare /= n;
-  return r;
-}
-
-//! Distance along `direction` from p to the zero of image.inside, where it is `here` at p and `there` at
-//! `reach`, of opposite signs: one step of regula falsi, improved once.
-double crossing(const ObjectImage& image, const Vec3& p, const Vec3& direction, double reach, double here,
-                double there) {
-  const double t = reach * here / (here - there);
-  const double value = image.inside(p + t * direction);
-  if (value * here > 0) return t + (reach - t) * value / (value - there);
-  return here == value ? t : t * here / (here - value);
-}
-
 //! What is known of a vertex's motion before the image is asked.
 struct Attempt {
   Vec3 normal;
@@ -65,9 +30,10 @@ struct Attempt {
   double force;  // along the normal, in parts of the largest step
 };
 
-Attempt attemptOf(const Mesh& mesh, const MotionSettings& s, int v) {
+Attempt attemptOf(const Mesh& mesh, const MotionSettings& s, RingHeights& heights, int v) {
   const Ring ring = examineRing(mesh, v);
-  const double height = ring.normal.dot(ring.umbrella);
+  const double height = ring.height();
+  heights.set(v, height);
   // Mean curvature from the umbrella: a ring at distance h on a sphere of radius r lies h²/(2r) below its
   // middle.
   const double curvature = ring.meanSquare > 0 ? -2 * height / ring.meanSquare : 0.0;
@@ -82,35 +48,37 @@ Attempt attemptOf(const Mesh& mesh, const MotionSettings& s, int v) {
 }
 
 //! Signed distance along the normal.
-double normalStep(const ObjectImage& image, const Attempt& a, const MotionSettings& s) {
-  const double reach = s.largestStep;
-  const double here = image.inside(a.from);
+double normalStep(NormalProfile& profile, double force, double reach) {
+  const double here = profile.at(0);
   if (here < 0) {
-    const double there = image.inside(a.from - reach * a.normal);
-    return there <= 0 ? -reach : -crossing(image, a.from, -a.normal, reach, here, there);
+    const double there = profile.at(-reach);
+    return there <= 0 ? -reach : profile.crossing(-reach, here, there);
   }
-  if (a.force <= 0) return a.force * reach;
-  const double there = image.inside(a.from + reach * a.normal);
-  const double room = there >= 0 ? reach : crossing(image, a.from, a.normal, reach, here, there);
-  return std::min(a.force * reach, room);
+  if (force <= 0) return force * reach;
+  const double there = profile.at(reach);
+  const double room = there >= 0 ? reach : profile.crossing(reach, here, there);
+  return std::min(force * reach, room);
 }
 
-Vec3 displacement(const ObjectImage& image, const Attempt& a, const MotionSettings& s) {
-  const double along = normalStep(image, a, s);
+Vec3 displacement(NormalProfile profile, const Attempt& a, const MotionSettings& s) {
+  const double along = normalStep(profile, a.force, s.largestStep);
   const double moving = std::min(1.0, 4 * std::abs(along) / s.largestStep);
   return along * a.normal + kTangential * moving * a.tangential;
 }
 
 //! Some vertices at a time: while the rings of the others are looked at, the image arrives from memory.
-void computeSome(const Mesh& mesh, const ObjectImage& image, const MotionSettings& s,
+void computeSome(const Mesh& mesh, const ObjectImage& image, const MotionSettings& s, RingHeights& heights,
                  std::span<const int> vertices, std::span<Vec3> moves) {
   std::array<Attempt, kTogether> attempts;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    attempts[i] = attemptOf(mesh, s, vertices[i]);
+    attempts[i] = attemptOf(mesh, s, heights, vertices[i]);
     image.prefetch(attempts[i].from);
     image.prefetch(attempts[i].from + s.largestStep * attempts[i].normal);
   }
-  for (std::size_t i = 0; i < vertices.size(); ++i) moves[i] = displacement(image, attempts[i], s);
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Attempt& a = attempts[i];
+    moves[i] = displacement({image, mesh, heights, vertices[i], a.from, a.normal, s.edgeLength}, a, s);
+  }
 }
 
 }  // namespace
@@ -118,10 +86,12 @@ void computeSome(const Mesh& mesh, const ObjectImage& image, const MotionSetting
 std::vector<Vec3> computeMotion(const Mesh& mesh, const ObjectImage& image, const MotionSettings& settings,
                                 std::span<const int> vertices) {
   std::vector<Vec3> moves(vertices.size());
+  RingHeights heights(mesh);
   const auto work = [&](std::size_t from, std::size_t to) {
     for (std::size_t i = from; i < to; i += kTogether) {
       const std::size_t some = std::min(kTogether, to - i);
-      computeSome(mesh, image, settings, vertices.subspan(i, some), std::span(moves).subspan(i, some));
+      computeSome(mesh, image, settings, heights, vertices.subspan(i, some),
+                  std::span(moves).subspan(i, some));
     }
   };
   const std::size_t threads = std::clamp<std::size_t>(

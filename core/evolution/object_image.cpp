@@ -10,23 +10,22 @@ namespace {
 constexpr double kBorder = 0.49;  // voxels
 }  // namespace
 
-double ObjectImage::inside(const Vec3& world) const {
-  const double value = insideByIntensity(world);
-  return neck_ ? std::min(value, neck_->barrier->openness(volume_->grid().toIndex(world))) : value;
+ObjectImage::Limits ObjectImage::limitsAt(const Vec3& world) const {
+  const Vec3 index = volume_->grid().toIndex(world);
+  Limits limits = limitsWithin(index);
+  if (neck_) limits.most = std::min(limits.most, neck_->barrier->openness(index));
+  return limits;
 }
 
-double ObjectImage::insideByIntensity(const Vec3& world) const {
+ObjectImage::Limits ObjectImage::limitsWithin(const Vec3& index) const {
   const Grid& grid = volume_->grid();
-  const Vec3 index = grid.toIndex(world);
-  double border = 1;
+  Limits limits{range_.low, range_.high, scale_, 1};
   for (int a = 0; a < 3; ++a) {
     const double last = grid.size[static_cast<std::size_t>(a)] - 1.0;
-    border = std::min({border, index[a] + kBorder, last + kBorder - index[a]});
+    limits.most = std::min({limits.most, index[a] + kBorder, last + kBorder - index[a]});
   }
-  const double value = volume_->sample(index);
-  double low = range_.low, high = range_.high;
-  if (levels_) (std::isfinite(high) ? high : low) = levels_->at(index);
-  return std::min({(value - low) / scale_, (high - value) / scale_, border});
+  if (levels_) (std::isfinite(limits.high) ? limits.high : limits.low) = levels_->at(index);
+  return limits;
 }
 
 }  // namespace handlebody

@@ -1,6 +1,7 @@
 #pragma once
 // The image as a force sees it: how far inside the object's intensities a point lies.
 
+#include <algorithm>
 #include <memory>
 
 #include "core/evolution/level_field.h"
@@ -29,11 +30,25 @@ class ObjectImage {
   //! > 0 inside the object, 0 at its boundary, < 0 outside; 1 is `scale` intensity units from the boundary.
   //! World mm. Outside the volume, and from half a voxel beyond the centres of the border voxels on, it is
   //! negative.
-  double inside(const Vec3& world) const;
+  double inside(const Vec3& world) const { return limitsAt(world).inside(intensity(world)); }
+  //! Smoothed; outside the volume that of its border. World mm.
+  double intensity(const Vec3& world) const { return volume_->sample(volume_->grid().toIndex(world)); }
+  //! What makes an intensity one of the object at a place.
+  struct Limits {
+    double low, high;  //!< intensity
+    double scale;      //!< intensity units
+    double most;       //!< of inside(), whatever the intensity
+    double inside(double intensity) const {
+      return std::min({(intensity - low) / scale, (high - intensity) / scale, most});
+    }
+  };
+  Limits limitsAt(const Vec3& world) const;
   //! Has what inside(world) reads fetched from memory meanwhile.
   void prefetch(const Vec3& world) const { volume_->prefetch(volume_->grid().toIndex(world)); }
   //! The same without the neck: what the intensities alone say.
-  double insideByIntensity(const Vec3& world) const;
+  double insideByIntensity(const Vec3& world) const {
+    return limitsWithin(volume_->grid().toIndex(world)).inside(intensity(world));
+  }
   const SmoothedVolume& volume() const { return *volume_; }
   //! Null if the object is not cut off.
   const NeckCut* neck() const { return neck_.get(); }
@@ -41,6 +56,8 @@ class ObjectImage {
   const FieldOfView* view() const { return view_.get(); }
 
  private:
+  Limits limitsWithin(const Vec3& index) const;  // without the neck
+
   std::shared_ptr<const SmoothedVolume> volume_;
   IntensityRange range_;
   double scale_;  // intensity units

@@ -33,6 +33,7 @@ constexpr double kBackground = 0.5;
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
+constexpr std::size_t kAhead = 6;  // entries whose values are fetched from memory before their turn
 constexpr std::size_t kBetweenLooks = 16384;  // voxels: a millisecond
 
 bool isInside(const Grid& grid, const Voxel& v) {
@@ -261,11 +262,20 @@ class Flood {
       for (std::size_t i = 0; i < waiting.size(); ++i, ++taken) {
         if (taken % kBetweenLooks == 0) giveUpIfCancelled();
         if (isLeak(static_cast<double>(taken))) return taken;
+        if (i + kAhead < waiting.size()) prefetchAround(patch, waiting[i + kAhead].place);
         take(patch, Entry(waiting[i]));
       }
       waiting = {};  // from here on the brick may come again
     }
     return taken;
+  }
+
+  //! The values that take() will ask for: a level has few voxels in each brick, which lie anywhere in it.
+  static void prefetchAround(const Patch& patch, Place place) {
+    const float* here = patch.values + valueIndex(inBrick(place));
+    __builtin_prefetch(here);
+    for (const int stride : {kValueStride[1], kValueStride[2]})
+      for (const int side : {-stride, stride}) __builtin_prefetch(here + side);
   }
 
   void take(Patch& patch, const Entry& entry) {

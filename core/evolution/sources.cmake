@@ -8,6 +8,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/object_boundary.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/motion.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/neck.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/normal_profile.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/object_image.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/object_range.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/object_region.cpp

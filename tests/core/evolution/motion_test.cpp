@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <limits>
 #include <numeric>
+#include <random>
 
 #include "core/mesh/shapes.h"
 #include "tests/support/expect_valid.h"
@@ -27,6 +28,35 @@ ObjectImage ballImage(double level) {
   const Volume volume = volumeByIndex(
       grid, [&](int i, int j, int k) { return (grid.toWorld(Vec3(i, j, k)) - kCentre).norm(); });
   return {std::make_shared<SmoothedVolume>(volume, 0), {-kInfinity, level}, 1};
+}
+
+//! As ballImage(10), with white noise.
+ObjectImage noisyBallImage(double noise) {
+  Grid grid = cubicGrid(65);
+  grid.spacing = Vec3(0.5, 0.5, 0.5);
+  grid.origin = kCentre - Vec3(16, 16, 16);
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal(0, noise);
+  const Volume volume = volumeByIndex(grid, [&](int i, int j, int k) {
+    return (grid.toWorld(Vec3(i, j, k)) - kCentre).norm() + normal(random);
+  });
+  return {std::make_shared<SmoothedVolume>(volume, 0), {-kInfinity, 10}, 1};
+}
+
+//! Distance from the centre at which the image itself ends along a ray: halved between 9 and 11.
+double endAlong(const ObjectImage& image, const Vec3& direction) {
+  double in = 9, out = 11;
+  for (int i = 0; i < 30; ++i) {
+    const double r = (in + out) / 2;
+    (image.inside(kCentre + r * direction) > 0 ? in : out) = r;
+  }
+  return in;
+}
+
+double rootMeanSquare(const std::vector<double>& x) {
+  double sum = 0;
+  for (double v : x) sum += v * v;
+  return std::sqrt(sum / static_cast<double>(x.size()));
 }
 
 //! Everything is object.
@@ -178,4 +208,49 @@ TEST_CASE("motion does not depend on how the voxels lie in space") {
   Mesh mesh(icosphere(kCentre, 9, 1));
   for (int i = 0; i < 30; ++i) move(mesh, image, settingsFor(1));
   CHECK(meanRadius(mesh) == Approx(10).margin(0.1));  // the ramp is one voxel wide, sampled at 0.8 … 1.25
+}
+
+TEST_CASE("noise moves the resting surface by less than half of what it moves the image's own end") {
+  const ObjectImage image = noisyBallImage(0.25);
+  Mesh mesh(icosphere(kCentre, 9, 1));
+  for (int i = 0; i < 60; ++i) move(mesh, image, settingsFor(1));
+  std::vector<double> surface, own;
+  for (const Triangle& t : mesh.faces()) {
+    const Vec3 middle = (mesh.position(t[0]) + mesh.position(t[1]) + mesh.position(t[2])) / 3 - kCentre;
+    surface.push_back(middle.norm() - 10);
+    own.push_back(endAlong(image, middle.normalized()) - 10);
+  }
+  CHECK(rootMeanSquare(surface) < 0.5 * rootMeanSquare(own));
+  CHECK(rootMeanSquare(own) > 0.05);  // there is something to compare
+}
+
+TEST_CASE("a surface in noise comes to rest") {
+  const ObjectImage image = noisyBallImage(0.25);
+  Mesh mesh(icosphere(kCentre, 9, 1));
+  MotionSettings s = settingsFor(1);
+  for (int i = 0; i < 150; ++i) move(mesh, image, s);
+  const std::vector<Vec3> d = computeMotion(mesh, image, s, allVertices(mesh));
+  double farthest = 0;
+  for (const Vec3& m : d) farthest = std::max(farthest, m.norm());
+  CHECK(farthest < 0.01);
+}
+
+TEST_CASE("a vertex in a thin branch goes on, though all of the surface around it stands at the boundary") {
+  const Mesh mesh(icosphere(kCentre, 10, 1));
+  const Vec3 along = outward(mesh, 0);
+  Grid grid = cubicGrid(129);
+  grid.spacing = Vec3(0.25, 0.25, 0.25);
+  grid.origin = kCentre - Vec3(16, 16, 16);
+  const Volume volume = volumeByDistance(grid, 0, 100, [&](const Vec3& p) {
+    const Vec3 x = p - kCentre;
+    const double beside = (x - x.dot(along) * along).norm() - 0.6;
+    return std::min(x.norm() - 10, x.dot(along) > 0 ? beside : kInfinity);
+  });
+  const ObjectImage image(std::make_shared<SmoothedVolume>(volume, 0), {-kInfinity, 50}, 50);
+  const MotionSettings s = settingsFor(1);
+  const std::vector<Vec3> d = computeMotion(mesh, image, s, allVertices(mesh));
+  CHECK(d[0].dot(along) == Approx(s.largestStep).epsilon(0.05));
+  for (int v = 0; v < mesh.vertexSlots(); ++v)
+    if ((mesh.position(v) - mesh.position(0)).norm() > 1.5)
+      CHECK(d[static_cast<std::size_t>(v)].norm() < 0.02);
 }

@@ -1,0 +1,104 @@
+#include "core/evolution/normal_profile.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace handlebody {
+
+namespace {
+
+// What the image says around a vertex sways what it says at the vertex by up to this much; less the clearer
+// that is, nothing from kClear on. Units of the contrast.
+constexpr double kSway = 0.3, kClear = 0.5;
+// Noise lets a vertex stand out by up to so many edge lengths; what is more is a crease.
+constexpr double kMostProud = 0.05;
+
+}  // namespace
+
+Ring examineRing(const Mesh& mesh, int v) {
+  Ring r;
+  const Vec3 p = mesh.position(v);
+  double n = 0;
+  // On a closed mesh the ring goes on where a face ends.
+  Vec3 a = mesh.position(mesh.target(mesh.outgoing(v))) - p;
+  mesh.forEachOutgoing(v, [&](int h) {
+    const Vec3 b = mesh.position(mesh.apex(h)) - p;
+    r.normal += a.cross(b);
+    r.umbrella += a;
+    r.meanSquare += a.squaredNorm();
+    n += 1;
+    a = b;
+  });
+  const double length = r.normal.norm();
+  if (length > 0) r.normal /= length;
+  r.umbrella /= n;
+  r.meanSquare /= n;
+  return r;
+}
+
+double RingHeights::of(int v) {
+  const double known = at(v).load(std::memory_order_relaxed);
+  if (!std::isnan(known)) return known;
+  const double height = examineRing(mesh_, v).height();
+  set(v, height);
+  return height;
+}
+
+NormalProfile::NormalProfile(const ObjectImage& image, const Mesh& mesh, RingHeights& heights, int v,
+                             const Vec3& from, const Vec3& normal, double edgeLength)
+    : image_(image),
+      mesh_(mesh),
+      heights_(heights),
+      v_(v),
+      from_(from),
+      normal_(normal),
+      edgeLength_(edgeLength) {}
+
+double NormalProfile::at(double along) {
+  const Vec3 place = from_ + along * normal_;
+  const ObjectImage::Limits limits = image_.limitsAt(place);
+  const double intensity = image_.intensity(place), own = limits.inside(intensity);
+  const double most = kSway * (1 - std::abs(own) / kClear);
+  if (most <= 0) return own;
+  return own + std::clamp(limits.inside(meanAround(along, intensity)) - own, -most, most);
+}
+
+double NormalProfile::crossing(double reach, double here, double there) {
+  const double t = reach * here / (here - there);
+  const double value = at(t);
+  if (value * here > 0) return t + (reach - t) * value / (value - there);
+  return here == value ? t : t * here / (here - value);
+}
+
+double NormalProfile::meanAround(double along, double own) {
+  if (neighbours_ == 0) lookAround();
+  double sum = own;
+  for (std::size_t i = 0; i < neighbours_; ++i) sum += image_.intensity(places_[i] + along * normal_);
+  return sum / static_cast<double>(neighbours_ + 1);
+}
+
+//! Half-way to each neighbour, on the paraboloid through vertex and neighbour.
+void NormalProfile::lookAround() {
+  const Vec3 p = mesh_.position(v_), from = from_ + 0.5 * proud() * normal_;
+  mesh_.forEachOutgoing(v_, [&](int h) {
+    if (neighbours_ == kMostNeighbours) return;
+    const Vec3 to = mesh_.position(mesh_.target(h)) - p;
+    places_[neighbours_++] = from + 0.5 * to - 0.25 * to.dot(normal_) * normal_;
+  });
+}
+
+//! How far the vertex stands out of the surface around it: its ring lies lower than those of its neighbours
+//! do. By its own ring alone such a vertex would seem to stand where it should. At a crease the rings differ
+//! by more than noise makes them: there it is bounded.
+double NormalProfile::proud() {
+  const double own = heights_.of(v_);
+  double sum = own, n = 1;
+  mesh_.forEachOutgoing(v_, [&](int h) {
+    sum += heights_.of(mesh_.target(h));
+    n += 1;
+  });
+  return std::clamp(sum / n - own, -kMostProud * edgeLength_, kMostProud * edgeLength_);
+}
+
+}  // namespace handlebody
