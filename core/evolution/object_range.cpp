@@ -11,6 +11,7 @@
 #include "core/evolution/growth_level.h"
 #include "core/evolution/object_boundary.h"
 #include "core/evolution/object_image.h"
+#include "core/evolution/object_region.h"
 #include "core/evolution/seed_statistics.h"
 #include "core/evolution/seeds.h"
 #include "core/volume/intensity_statistics.h"
@@ -45,6 +46,10 @@ constexpr double kWrongKind = 4;
 constexpr double kClearEdge = 1.4;
 // An automatic object that holds more than this part of the volume's border is the background.
 constexpr double kBackground = 0.5;
+
+// And one of whose surface more than this part lies against the padding around the image.
+constexpr double kFillsView = 2.0 / 3;
+constexpr std::size_t kViewVoxels = 3'000'000;  // enough of it to tell
 
 using FieldOfViewPointer = std::shared_ptr<const FieldOfView>;
 
@@ -273,6 +278,22 @@ std::optional<GrowthLevel> chooseLevel(ObjectChoice& choice, const Volume& volum
   return choice.contrast > 0 ? best : std::nullopt;
 }
 
+//! Padding is no border of the volume: an object that fills the field of view shows only here.
+void requireNotAllOfView(const ObjectChoice& choice, const std::vector<Seed>& seeds) {
+  if (!choice.view || choice.neck) return;
+  const Grid& grid = choice.volume->grid();
+  const double sign = choice.object == ObjectKind::dark ? 1 : -1;
+  const ObjectRegion r =
+      floodObject(*choice.volume, indicesOf(grid, seeds), sign, *choice.levels, kViewVoxels);
+  const auto padding = static_cast<double>(r.againstPadding);
+  if (padding <= kFillsView * static_cast<double>(r.faces.size() + r.againstPadding + r.atBorder)) return;
+  throw SeedError(
+      "The seed is not in an object with a boundary of its own: what grows from it fills the field of view, "
+      "up "
+      "to the padding around the image. Where that is meant, say whether it is dark or bright, or give "
+      "--range.");
+}
+
 }  // namespace
 
 ObjectChoice chooseObject(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& p) {
@@ -301,6 +322,7 @@ ObjectChoice chooseObject(const Volume& volume, const std::vector<Seed>& seeds, 
   setImage(choice, volume, sigma, view);
   requireSeedsInRange(choice, seeds);
   setBoundary(choice, seeds, *found);
+  if (p.object == ObjectKind::automatic) requireNotAllOfView(choice, seeds);
   return choice;
 }
 

@@ -46,8 +46,10 @@ class ObjectFlood {
       const Voxel v = region_.voxels[next];
       const std::size_t at = indexOf(v);
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (v[axis] > 0) visitBeside(next, axis, -1, at - stride_[axis]);
-        if (v[axis] + 1 < volume_.grid().size[axis]) visitBeside(next, axis, 1, at + stride_[axis]);
+        const bool before = v[axis] > 0, after = v[axis] + 1 < volume_.grid().size[axis];
+        if (before) visitBeside(next, axis, -1, at - stride_[axis]);
+        if (after) visitBeside(next, axis, 1, at + stride_[axis]);
+        region_.atBorder += static_cast<std::size_t>(!before) + static_cast<std::size_t>(!after);
       }
     }
     return std::move(region_);
@@ -85,6 +87,7 @@ class ObjectFlood {
     if (state == kOutside)
       region_.faces.push_back(
           {static_cast<std::int32_t>(voxel), static_cast<std::int8_t>(axis), static_cast<std::int8_t>(step)});
+    region_.againstPadding += state == kNoImage;
   }
 
   State visit(const Voxel& v, std::size_t at) {

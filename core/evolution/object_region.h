@@ -21,7 +21,9 @@ struct ObjectRegion {
   };
   std::vector<Voxel> voxels;  //!< in the order in which the flood took them: a ball grows round each seed
   std::vector<Face> faces;    //!< without those towards padding and the border of the volume
-  bool whole = true;          //!< false: ended at `mostVoxels`
+  std::size_t againstPadding = 0;  //!< faces towards padding
+  std::size_t atBorder = 0;        //!< faces on the border of the volume
+  bool whole = true;               //!< false: ended at `mostVoxels`
 };
 
 //! Floods from the voxels around `seeds` (continuous indices) over voxels whose intensity times `sign` is

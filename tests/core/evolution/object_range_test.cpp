@@ -198,3 +198,23 @@ TEST_CASE("a leak into a far larger dark space does not decide the level") {
   CHECK(c.range.high > 30);
   CHECK(c.range.high < 75);
 }
+
+TEST_CASE("what fills the field of view up to its padding is refused, unless its kind is given") {
+  const Vec3 blob(8, 16, 16);
+  const auto inView = [&](double inside, double outside) {
+    return volumeByIndex(cubicGrid(33), [&](int i, int j, int k) {
+      const Vec3 p(i, j, k);
+      if ((p - kCentre).norm() > 14) return 0.0;
+      const double t = std::clamp((p - blob).norm() - 3.5, 0.0, 1.0);
+      return inside + t * (outside - inside) + texture(i, j, k);
+    });
+  };
+  const Volume darkView = inView(120, 20);
+  const std::vector<Seed> seeds = seedAt(kCentre + Vec3(4, 0, 0));
+  CHECK_THROWS_AS(chooseObject(darkView, seeds, {}), SeedError);
+  Parameters dark;
+  dark.object = ObjectKind::dark;
+  CHECK(chooseObject(darkView, seeds, dark).object == ObjectKind::dark);
+  // The blob has a boundary of its own.
+  CHECK(chooseObject(darkView, seedAt(blob), {}).object == ObjectKind::bright);
+}

@@ -19,4 +19,4 @@ shot window --step grow --iteration 1000
 shot seed --step seed
 shot tune --step tune
 shot grow --step grow --iteration 28
-shot event --step grow --iteration 37 --stage handle
+shot event --step grow --iteration 36 --stage handle

@@ -182,12 +182,16 @@ void tell(qint64 milliseconds, int actions, const Done& done) {
       residentMegabytes(), usedMegabytes());
 }
 
-//! As a user who answers "discard".
+//! As a user who answers "discard", with the views as they were at first: a view that fills the window keeps
+//! larger buffers.
 bool openAnew(ui::MainWindow& window, const QString& path) {
   QSignalSpy opened(&window.document(), &ui::Document::opened);
   window.document().open(path);
   const bool done = (!opened.isEmpty() || opened.wait(kPatience)) &&
                     QTest::qWaitFor([&] { return window.document().resolved().has_value(); }, kPatience);
+  for (Command id : {Command::fourViews, Command::resetViews, Command::stepSeed})
+    window.commands()[id]->trigger();
+  QTest::qWait(100);
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   return done;
 }

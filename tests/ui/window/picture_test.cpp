@@ -31,7 +31,7 @@ constexpr Case kCases[] = {
     {"start_light", "", "--appearance light"},
     {"seed_dark", "cyst.nii.gz", "--appearance dark --step seed"},
     {"tune_light", "cyst_session.json", "--appearance light --iteration 20 --step tune"},
-    {"handle_dark", "cyst_session.json", "--appearance dark --iteration 37 --stage handle --step grow"},
+    {"handle_dark", "cyst_session.json", "--appearance dark --iteration 36 --stage handle --step grow"},
     {"export_light", "cyst_session.json", "--appearance light --iteration 500 --step export"},
     {"axial", "cyst_session.json", "--iteration 36 --view axial"},
     {"ring_3d", "cyst_session.json", "--iteration 500 --view 3d"},
