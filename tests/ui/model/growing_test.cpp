@@ -163,11 +163,12 @@ TEST_CASE("a pause answers within a tenth of a second", "[document]") {
   document.pause();
   CHECK(document.state() == GrowthState::paused);
   CHECK(clock.elapsed() < 100);
-  const bool settled = waitFor([&] { return document.iteration() == document.lastIteration(); });
-  CHECK(settled);
+  waitMilliseconds(500);  // what the worker had done by then has arrived
   const int stopped = document.lastIteration();
+  CHECK(stopped < 60);  // of more than 80
   waitMilliseconds(300);
   CHECK(document.lastIteration() == stopped);
+  CHECK(document.iteration() == stopped);
 }
 
 TEST_CASE("another range on the way is prepared first, and the growth goes on with it", "[document]") {

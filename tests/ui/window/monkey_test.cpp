@@ -11,6 +11,7 @@
 #include <QFile>
 #include <QMenu>
 #include <QMessageBox>
+#include <QPixmapCache>
 #include <QTimer>
 #include <QUndoStack>
 #include <ctime>
@@ -183,7 +184,8 @@ void tell(qint64 milliseconds, int actions, const Done& done) {
 }
 
 //! As a user who answers "discard", with the views as they were at first: a view that fills the window keeps
-//! larger buffers.
+//! larger buffers. Qt keeps up to 10 MB of pixels of what styles and views painted, in any number of small
+//! pixmaps: random events fill that for most of an hour, so it is emptied.
 bool openAnew(ui::MainWindow& window, const QString& path) {
   QSignalSpy opened(&window.document(), &ui::Document::opened);
   window.document().open(path);
@@ -192,6 +194,7 @@ bool openAnew(ui::MainWindow& window, const QString& path) {
   for (Command id : {Command::fourViews, Command::resetViews, Command::stepSeed})
     window.commands()[id]->trigger();
   QTest::qWait(100);
+  QPixmapCache::clear();
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   return done;
 }
