@@ -1,10 +1,10 @@
 #include "ui/view/overlay.h"
 
+#include <QCache>
 #include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QGuiApplication>
 #include <QPainterPath>
-#include <QPixmapCache>
 #include <cmath>
 
 #include "core/volume/anatomy.h"
@@ -46,12 +46,13 @@ QFont overlayFont(double factor, bool bold) {
 
 namespace {
 
+constexpr qsizetype kKeptTexts = 4'000'000;   // bytes
 constexpr double kRimWidth = 4, kAround = 3;  // pixels; the room around a text that its rim takes
 
-QPixmap drawText(const QString& text, const QFont& font, const QColor& colour, const QSizeF& size,
-                 double ratio) {
+QImage drawText(const QString& text, const QFont& font, const QColor& colour, const QSizeF& size,
+                double ratio) {
   const QSizeF whole(size.width() + 2 * kAround, size.height() + 2 * kAround);
-  QPixmap picture((whole * ratio).toSize() + QSize(1, 1));
+  QImage picture((whole * ratio).toSize() + QSize(1, 1), QImage::Format_ARGB32_Premultiplied);
   picture.setDevicePixelRatio(ratio);
   picture.fill(Qt::transparent);
   QPainter painter(&picture);
@@ -69,20 +70,23 @@ QPixmap drawText(const QString& text, const QFont& font, const QColor& colour, c
 }  // namespace
 
 // Most texts are the same from frame to frame, and their rims cost more than all else in a slice: they are
-// kept.
+// kept. Not in QPixmapCache, which never forgets the names of what it threw away.
 void paintText(QPainter& painter, const QPointF& place, Qt::Alignment flags, const QString& text,
                const QFont& font, const QColor& colour) {
   const QFontMetricsF metrics(font, painter.device());
   const QRectF rect = textRect(place, flags, {metrics.horizontalAdvance(text) + 1, metrics.height()});
   const double ratio = painter.device()->devicePixelRatioF();
   const QString key = QStringLiteral("overlay/") + font.key() + colour.name() + QString::number(ratio) + text;
-  QPixmap picture;
-  if (!QPixmapCache::find(key, &picture)) {
+  static QCache<QString, QImage> kept(kKeptTexts);
+  QImage picture;
+  if (const QImage* known = kept.object(key)) {
+    picture = *known;
+  } else {
     picture = drawText(text, font, colour, rect.size(), ratio);
-    QPixmapCache::insert(key, picture);
+    kept.insert(key, new QImage(picture), picture.sizeInBytes());
   }
   const QPointF corner = (rect.topLeft() - QPointF(kAround, kAround)) * ratio;
-  painter.drawPixmap(QPointF(std::round(corner.x()), std::round(corner.y())) / ratio, picture);
+  painter.drawImage(QPointF(std::round(corner.x()), std::round(corner.y())) / ratio, picture);
 }
 
 void paintScaleBar(QPainter& painter, const QSizeF& size, double mmPerPixel) {

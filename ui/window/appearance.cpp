@@ -43,11 +43,20 @@ QPalette darkPalette() {
   return p;
 }
 
-void finish(QPalette& p, const QColor& disabledText) {
+QPalette finished(QPalette p, const QColor& disabledText) {
   p.setColor(QPalette::Highlight, kAccent);
   p.setColor(QPalette::HighlightedText, Qt::white);
   for (auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::PlaceholderText})
     p.setColor(QPalette::Disabled, role, disabledText);
+  return p;
+}
+
+//! Always the same two: Qt keeps what it has painted by palette, and never forgets the names of what it threw
+//! away.
+const QPalette& paletteOf(bool dark) {
+  static const QPalette lightOne = finished(lightPalette(), QColor(0x9A, 0xA1, 0xA8));
+  static const QPalette darkOne = finished(darkPalette(), QColor(0x7C, 0x83, 0x8A));
+  return dark ? darkOne : lightOne;
 }
 
 bool desktopIsDark() {
@@ -60,11 +69,9 @@ bool desktopIsDark() {
 void applyAppearance(Appearance appearance) {
   const bool systemDark = desktopIsDark();  // before the palette is ours
   const bool dark = appearance == Appearance::dark || (appearance == Appearance::system && systemDark);
-  QPalette palette = dark ? darkPalette() : lightPalette();
-  finish(palette, dark ? QColor(0x7C, 0x83, 0x8A) : QColor(0x9A, 0xA1, 0xA8));
-  QApplication::setStyle(new WindowStyle);
-  QApplication::setPalette(palette);
-  QToolTip::setPalette(palette);
+  if (!qobject_cast<WindowStyle*>(QApplication::style())) QApplication::setStyle(new WindowStyle);
+  QApplication::setPalette(paletteOf(dark));
+  QToolTip::setPalette(paletteOf(dark));
 }
 
 }  // namespace handlebody::ui
