@@ -64,7 +64,8 @@ QImage drawText(const QString& text, const QFont& font, const QColor& colour, co
   painter.setFont(font);
   painter.setPen(colour);
   painter.drawText(baseline, text);
-  return picture;
+  painter.end();
+  return picture.copy();  // a picture that was painted on keeps its painter's buffers, far larger than itself
 }
 
 }  // namespace
