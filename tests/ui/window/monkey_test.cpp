@@ -51,18 +51,25 @@ bool isSafe(Command id) {
   }
 }
 
+//! At every change of them Qt keeps some 4 kB for good (the names of what it painted in the colours before).
+//! A user changes them now and then; several times a second would hide what else may grow.
+bool changesColours(Command id) {
+  return id == Command::coloursOfSystem || id == Command::coloursLight || id == Command::coloursDark;
+}
+
 class Monkey {
  public:
   Monkey(ui::MainWindow& window, unsigned seed) : window_(window), random_(seed) {
     for (const ui::CommandSpec& spec : ui::Commands::table())
-      if (isSafe(spec.id)) commands_.push_back(window.commands()[spec.id]);
+      if (isSafe(spec.id))
+        (changesColours(spec.id) ? colours_ : commands_).push_back(window.commands()[spec.id]);
   }
 
   void act() {
     switch (below(6)) {
       case 0:
       case 1:
-        return commands_[static_cast<std::size_t>(below(static_cast<int>(commands_.size())))]->trigger();
+        return oneOf(below(1000) == 0 ? colours_ : commands_)->trigger();
       case 2:
         return click();
       case 3:
@@ -75,6 +82,10 @@ class Monkey {
   }
 
  private:
+  QAction* oneOf(const std::vector<QAction*>& actions) {
+    return actions[static_cast<std::size_t>(below(static_cast<int>(actions.size())))];
+  }
+
   int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(random_); }
 
   QWidget* target(QPoint& at) {
@@ -135,7 +146,7 @@ class Monkey {
 
   ui::MainWindow& window_;
   std::mt19937 random_;
-  std::vector<QAction*> commands_;
+  std::vector<QAction*> commands_, colours_;
 };
 
 //! What is wrong with a snapshot, for the log: a failure must be understood from it alone.
