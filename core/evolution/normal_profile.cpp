@@ -1,6 +1,5 @@
 #include "core/evolution/normal_profile.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -15,27 +14,6 @@ constexpr double kSway = 0.3, kClear = 0.5;
 constexpr double kMostProud = 0.05;
 
 }  // namespace
-
-Ring examineRing(const Mesh& mesh, int v) {
-  Ring r;
-  const Vec3 p = mesh.position(v);
-  double n = 0;
-  // On a closed mesh the ring goes on where a face ends.
-  Vec3 a = mesh.position(mesh.target(mesh.outgoing(v))) - p;
-  mesh.forEachOutgoing(v, [&](int h) {
-    const Vec3 b = mesh.position(mesh.apex(h)) - p;
-    r.normal += a.cross(b);
-    r.umbrella += a;
-    r.meanSquare += a.squaredNorm();
-    n += 1;
-    a = b;
-  });
-  const double length = r.normal.norm();
-  if (length > 0) r.normal /= length;
-  r.umbrella /= n;
-  r.meanSquare /= n;
-  return r;
-}
 
 double RingHeights::of(int v) {
   const double known = at(v).load(std::memory_order_relaxed);
@@ -56,9 +34,8 @@ NormalProfile::NormalProfile(const ObjectImage& image, const Mesh& mesh, RingHei
       edgeLength_(edgeLength) {}
 
 double NormalProfile::at(double along) {
-  const Vec3 place = from_ + along * normal_;
-  const ObjectImage::Limits limits = image_.limitsAt(place);
-  const double intensity = image_.intensity(place), own = limits.inside(intensity);
+  const auto [intensity, limits] = image_.read(from_ + along * normal_);
+  const double own = limits.inside(intensity);
   const double most = kSway * (1 - std::abs(own) / kClear);
   if (most <= 0) return own;
   return own + std::clamp(limits.inside(meanAround(along, intensity)) - own, -most, most);

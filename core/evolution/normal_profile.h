@@ -1,6 +1,7 @@
 #pragma once
 // What the image says along the normal of a vertex, at the vertex and on the surface around it.
 
+#include <Eigen/Geometry>
 #include <array>
 #include <atomic>
 #include <limits>
@@ -21,7 +22,26 @@ struct Ring {
   double height() const { return normal.dot(umbrella); }
 };
 
-Ring examineRing(const Mesh& mesh, int v);
+inline Ring examineRing(const Mesh& mesh, int v) {
+  Ring r;
+  const Vec3 p = mesh.position(v);
+  double n = 0;
+  // On a closed mesh the ring goes on where a face ends.
+  Vec3 a = mesh.position(mesh.target(mesh.outgoing(v))) - p;
+  mesh.forEachOutgoing(v, [&](int h) {
+    const Vec3 b = mesh.position(mesh.apex(h)) - p;
+    r.normal += a.cross(b);
+    r.umbrella += a;
+    r.meanSquare += a.squaredNorm();
+    n += 1;
+    a = b;
+  });
+  const double length = r.normal.norm();
+  if (length > 0) r.normal /= length;
+  r.umbrella /= n;
+  r.meanSquare /= n;
+  return r;
+}
 
 //! The heights of rings of one mesh, each looked at once. Any number of threads may ask.
 class RingHeights {

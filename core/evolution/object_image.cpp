@@ -10,11 +10,11 @@ namespace {
 constexpr double kBorder = 0.49;  // voxels
 }  // namespace
 
-ObjectImage::Limits ObjectImage::limitsAt(const Vec3& world) const {
+ObjectImage::Reading ObjectImage::read(const Vec3& world) const {
   const Vec3 index = volume_->grid().toIndex(world);
-  Limits limits = limitsWithin(index);
-  if (neck_) limits.most = std::min(limits.most, neck_->barrier->openness(index));
-  return limits;
+  Reading reading{volume_->sample(index), limitsWithin(index)};
+  if (neck_) reading.limits.most = std::min(reading.limits.most, neck_->barrier->openness(index));
+  return reading;
 }
 
 ObjectImage::Limits ObjectImage::limitsWithin(const Vec3& index) const {

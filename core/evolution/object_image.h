@@ -30,7 +30,10 @@ class ObjectImage {
   //! > 0 inside the object, 0 at its boundary, < 0 outside; 1 is `scale` intensity units from the boundary.
   //! World mm. Outside the volume, and from half a voxel beyond the centres of the border voxels on, it is
   //! negative.
-  double inside(const Vec3& world) const { return limitsAt(world).inside(intensity(world)); }
+  double inside(const Vec3& world) const {
+    const Reading r = read(world);
+    return r.limits.inside(r.intensity);
+  }
   //! Smoothed; outside the volume that of its border. World mm.
   double intensity(const Vec3& world) const { return volume_->sample(volume_->grid().toIndex(world)); }
   //! What makes an intensity one of the object at a place.
@@ -42,12 +45,18 @@ class ObjectImage {
       return std::min({(intensity - low) / scale, (high - intensity) / scale, most});
     }
   };
-  Limits limitsAt(const Vec3& world) const;
+  //! The image at a place.
+  struct Reading {
+    double intensity;
+    Limits limits;
+  };
+  Reading read(const Vec3& world) const;
   //! Has what inside(world) reads fetched from memory meanwhile.
   void prefetch(const Vec3& world) const { volume_->prefetch(volume_->grid().toIndex(world)); }
   //! The same without the neck: what the intensities alone say.
   double insideByIntensity(const Vec3& world) const {
-    return limitsWithin(volume_->grid().toIndex(world)).inside(intensity(world));
+    const Vec3 index = volume_->grid().toIndex(world);
+    return limitsWithin(index).inside(volume_->sample(index));
   }
   const SmoothedVolume& volume() const { return *volume_; }
   //! Null if the object is not cut off.
