@@ -1,6 +1,5 @@
 #include "core/evolution/motion.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>

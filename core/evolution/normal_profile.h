@@ -5,7 +5,6 @@
 #include <array>
 #include <atomic>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include "core/evolution/object_image.h"

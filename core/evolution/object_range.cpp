@@ -289,8 +289,7 @@ void requireNotAllOfView(const ObjectChoice& choice, const std::vector<Seed>& se
   if (padding <= kFillsView * static_cast<double>(r.faces.size() + r.againstPadding + r.atBorder)) return;
   throw SeedError(
       "The seed is not in an object with a boundary of its own: what grows from it fills the field of view, "
-      "up "
-      "to the padding around the image. Where that is meant, say whether it is dark or bright, or give "
+      "up to the padding around the image. Where that is meant, say whether it is dark or bright, or give "
       "--range.");
 }
 

@@ -77,7 +77,7 @@ void paintText(QPainter& painter, const QPointF& place, Qt::Alignment flags, con
   const QFontMetricsF metrics(font, painter.device());
   const QRectF rect = textRect(place, flags, {metrics.horizontalAdvance(text) + 1, metrics.height()});
   const double ratio = painter.device()->devicePixelRatioF();
-  const QString key = QStringLiteral("overlay/") + font.key() + colour.name() + QString::number(ratio) + text;
+  const QString key = font.key() + colour.name() + QString::number(ratio) + text;
   static QCache<QString, QImage> kept(kKeptTexts);
   QImage picture;
   if (const QImage* known = kept.object(key)) {

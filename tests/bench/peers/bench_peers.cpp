@@ -67,7 +67,8 @@ std::vector<Row> oursOn(const Phantom& phantom, const PhantomOptions& options, c
   for (double sigma : o.smoothings) add("smoothing", sigma, {.smoothing = sigma});
   for (double edge : o.edges) {
     add("edge length", edge, {.edgeLength = edge});
-    for (double sigma : o.smoothings) add("both, the last", sigma, {.smoothing = sigma, .edgeLength = edge});
+    for (double sigma : o.smoothings)
+      add("that and smoothing", sigma, {.smoothing = sigma, .edgeLength = edge});
   }
   return rows;
 }
