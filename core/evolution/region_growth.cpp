@@ -33,6 +33,8 @@ constexpr double kBackground = 0.5;
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
+// A level that lets in more than this is taken in by rows: looking at all rows of the bricks costs as much.
+constexpr std::size_t kManyVoxels = 60'000;
 constexpr std::size_t kAhead = 6;  // entries whose values are fetched from memory before their turn
 constexpr std::size_t kBetweenLooks = 16384;  // voxels: a millisecond
 
@@ -57,14 +59,14 @@ class Flood {
         step_((highest - lowest) / kBins),
         perStep_(1 / step_),
         first_(first),
-        firstEnd_(static_cast<float>(lowest + step_ * (first + 1))),
-        level_(first + 1),
         queue_(kBins),
         sumGradient_(kBins, 0),
         sumSquared_(kBins, 0),
         mostVoxels_(std::max(kMostVoxels, volume.grid().voxelCount() / kPartOfVolume)),
         borderVoxels_(voxelsOnFaces(volume.grid())),
-        patches_(volume.brickCount()) {}
+        patches_(volume.brickCount()) {
+    startRows(first);
+  }
 
   void start(const Voxel& v) {
     Patch& patch = patchOf({v.i >> kShift, v.j >> kShift, v.k >> kShift});
@@ -75,7 +77,7 @@ class Flood {
     RegionGrowth growth{lowest_, step_, {}, {}, {}};
     double count = 0, strongest = 0, enough = kEnoughVoxels;
     for (int bin = 0; bin < kBins && count < enough && !isLeak(count / 2); ++bin) {
-      const std::size_t taken = bin == first_ ? drainFirst() : drain(bin);
+      const std::size_t taken = bin < first_ ? 0 : bin == first_ ? drainByRows() : drain(bin);
       count += static_cast<double>(taken);
       growth.voxels.push_back(count);
       growth.border.push_back(border_ / borderVoxels_);
@@ -127,7 +129,6 @@ class Flood {
     for (int row = 0; row < kRows; ++row) {
       const bool inGrid = (row & kBrickMask) <= patch->last.j && row >> kShift <= patch->last.k;
       patch->seen[idx(row)] = inGrid ? ~(~Row{0} >> (kBrickMask - patch->last.i)) : ~Row{0};
-      patch->low[idx(row)] = rowBelow(patch->values + rowIndex(row), sign_, firstEnd_);
     }
     if (volume_.hasPadding()) markPadding(*patch);
     return patch;
@@ -176,36 +177,65 @@ class Flood {
     waiting.push_back({place, signedValue});
   }
 
-  // The first level lets in half of the object at once, and of the opposite kind of object all around it: a
-  // row of a brick at a time.
+  // The first level lets in half of the object at once, and of the opposite kind of object all around it; and
+  // in noise there is one that joins most of the rest. Such levels are taken in a row of a brick at a time.
 
-  //! Voxels of a row beside voxels that were taken. Those above the first level wait for theirs.
+  void startRows(int bin) {
+    rowLevel_ = bin;
+    rowEnd_ = static_cast<float>(lowest_ + step_ * (bin + 1));
+    level_ = bin + 1;  // what this level does not let in waits for the next one at least
+  }
+
+  //! Has the rows of a brick looked at for the level that is taken in by rows.
+  void lookAtRows(Patch& patch) const {
+    if (patch.rowLevel == rowLevel_) return;
+    patch.rowLevel = rowLevel_;
+    patch.taken = patch.todo = {};
+    patch.rows.clear();
+    for (int row = 0; row < kRows; ++row)
+      patch.low[idx(row)] = rowBelow(patch.values + rowIndex(row), sign_, rowEnd_);
+  }
+
+  //! Voxels of a row beside voxels that were taken. Those above the level wait for theirs.
   void reach(Patch& patch, int row, Row bits) {
+    lookAtRows(patch);
     bits &= ~patch.seen[idx(row)];
     const Row high = bits & ~patch.low[idx(row)];
     for (Row left = high; left != 0; left &= left - 1)
       push({&patch, static_cast<Place>(row << kShift | std::countr_zero(left))});
     if ((bits & patch.low[idx(row)]) == 0) return;
-    if (patch.rows.empty()) queue_[idx(first_)].push_back(&patch);
+    if (patch.rows.empty()) queue_[idx(rowLevel_)].push_back(&patch);
     if (patch.todo[idx(row)] == 0) patch.rows.push_back(row);
     patch.todo[idx(row)] |= bits & patch.low[idx(row)];
   }
 
-  //! Takes in what the first level lets in, brick by brick.
-  std::size_t drainFirst() {
-    std::size_t taken = 0;
-    level_ = first_ + 1;  // what it does not let in waits for the next one at least
-    std::vector<Patch*>& queue = queue_[idx(first_)];
+  //! Takes in what the level lets in, brick by brick. `taken`: what it has let in already.
+  std::size_t drainByRows(std::size_t taken = 0) {
+    std::vector<Patch*>& queue = queue_[idx(rowLevel_)];
     for (std::size_t q = 0; q < queue.size() && !isLeak(static_cast<double>(taken)); ++q) {
       std::vector<int>& rows = queue[q]->rows;
       for (std::size_t r = 0; r < rows.size(); ++r) taken += takeRow(*queue[q], rows[r]);
       rows.clear();  // from here on the brick may come again
     }
-    level_ = first_;
-    levelStart_ = lowest_ + step_ * first_;
+    level_ = rowLevel_;
+    levelStart_ = lowest_ + step_ * level_;
     for (const auto& patch : patches_)
-      if (patch) addFirstEdges(*patch);
+      if (patch && patch->rowLevel == rowLevel_) addRowEdges(*patch);
     return taken;
+  }
+
+  //! Goes on by rows with a level that was begun voxel by voxel, from place q in its queue on.
+  std::size_t drainRestByRows(std::size_t q, std::size_t taken) {
+    startRows(level_);
+    const std::vector<Patch*> begun = std::exchange(queue_[idx(rowLevel_)], {});
+    for (; q < begun.size(); ++q) {
+      Patch& patch = *begun[q];
+      const std::vector<Entry> waiting = std::exchange(patch.waiting[idx(rowLevel_)], {});
+      for (const Entry& entry : waiting) patch.forget(entry.place);
+      for (const Entry& entry : waiting)
+        reach(patch, entry.place >> kShift, Row{1} << (entry.place & kBrickMask));
+    }
+    return drainByRows(taken);
   }
 
   std::size_t takeRow(Patch& patch, int row) {
@@ -234,7 +264,7 @@ class Flood {
       if (isOnBorder(patch.inGrid({std::countr_zero(taken), row & kBrickMask, row >> kShift}))) ++border_;
   }
 
-  void addFirstEdges(Patch& patch) {
+  void addRowEdges(Patch& patch) {
     for (int row = 0; row < kRows; ++row) {
       if (patch.taken[idx(row)] == 0) continue;
       const float* values = patch.values + rowIndex(row);
@@ -247,7 +277,7 @@ class Flood {
     }
   }
 
-  // The other levels: a voxel at a time.
+  // Most levels: a voxel at a time.
 
   //! Takes in all voxels that the level of this bin lets in, also those behind them that are lower. Brick by
   //! brick, so that what it touches stays in the cache; the bricks first in, first out, so that the region
@@ -262,6 +292,10 @@ class Flood {
       for (std::size_t i = 0; i < waiting.size(); ++i, ++taken) {
         if (taken % kBetweenLooks == 0) giveUpIfCancelled();
         if (isLeak(static_cast<double>(taken))) return taken;
+        if (taken == kManyVoxels) {
+          waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(i));
+          return drainRestByRows(q, taken);
+        }
         if (i + kAhead < waiting.size()) prefetchAround(patch, waiting[i + kAhead].place);
         take(patch, Entry(waiting[i]));
       }
@@ -373,9 +407,10 @@ class Flood {
   float sign_;  // exact: +1 or -1
   double lowest_, step_, perStep_;
   int first_;                                                     // the first level that takes in anything
-  float firstEnd_;                                                // and where it ends
+  int rowLevel_;                                                  // the one that is taken in by rows
+  float rowEnd_;                                                  // and where it ends
   double border_ = 0;                                             // voxels taken on the faces of the grid
-  int level_ = 0;                                                 // the bin that is being drained
+  int level_;                                                     // the bin that is being drained
   double levelStart_ = -std::numeric_limits<double>::infinity();  // its signed level
   std::vector<std::vector<Patch*>> queue_;                        // per bin: bricks with voxels that wait
   std::vector<double> sumGradient_, sumSquared_;

@@ -79,10 +79,12 @@ struct Patch {
   bool onBorder = false;
   std::array<Patch*, 6> neighbours{};             // two per axis; null: not asked for yet, or outside
   std::array<Row, kRows> seen{};                  // or outside of the grid, or padding
-  std::array<Row, kRows> low{};                   // what the first level lets in
-  std::array<Row, kRows> todo{};                  // of those: what a neighbour has reached
-  std::array<Row, kRows> taken{};                 // by the first level
-  std::vector<int> rows;                          // with something to do
+  // For the level that is taken in by rows:
+  int rowLevel = -1;               // which one the next three belong to
+  std::array<Row, kRows> low{};    // what it lets in
+  std::array<Row, kRows> todo{};   // of those: what a neighbour has reached
+  std::array<Row, kRows> taken{};  // what was taken
+  std::vector<int> rows;           // with something to do
   std::array<std::vector<Entry>, kBins> waiting;  // per level
 
   //! True the first time.
@@ -93,6 +95,8 @@ struct Patch {
     row |= bit;
     return fresh;
   }
+  //! It may be seen again.
+  void forget(Place place) { seen[place >> kShift] &= ~(Row{1} << (place & kBrickMask)); }
   Voxel inGrid(const Voxel& local) const { return {first.i + local.i, first.j + local.j, first.k + local.k}; }
 };
 

@@ -1,6 +1,10 @@
 #include "core/evolution/region_growth.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <random>
+#include <vector>
 
 #include "core/evolution/growth_level.h"
 #include "tests/support/catch.h"
@@ -87,6 +91,107 @@ TEST_CASE("padding is no part of a region and no edge of it") {
   const RegionGrowth g = growRegion(smoothed, {Vec3(10, 12, 4)}, 1, 0, 90);
   CHECK(g.voxels.back() == 20 * 24 * 12);
   for (double edge : g.edge) CHECK(edge <= 101);
+}
+
+namespace {
+
+// Levels and values that are no multiples of them: nothing depends on rounding.
+constexpr int kNoisySide = 90, kLevels = 200;
+constexpr double kLevelStep = 1.0 / 64, kHighest = kLevels * kLevelStep;
+
+//! White noise between 0 and 1. Where a good 0.31 of the voxels are let in, by face neighbours those of most
+//! of the volume join at once (site percolation).
+const Volume& noisyVolume() {
+  static const Volume volume = [] {
+    std::mt19937 random(1);
+    return volumeByIndex(cubicGrid(kNoisySide),
+                         [&](int, int, int) { return (static_cast<double>(random() >> 22) + 0.5) / 1024; });
+  }();
+  return volume;
+}
+
+//! The same growth without bricks and rows.
+struct PlainGrowth {
+  std::vector<double> voxels, border, edge;
+
+  PlainGrowth(const SmoothedVolume& volume, int start) : volume_(volume), queue_(kLevels) {
+    seen_.resize(volume.grid().voxelCount());
+    push(start, 0);
+    double taken = 0, onBorder = 0;
+    for (int level = 0; level < kLevels; ++level) {
+      double sum = 0, squares = 0;
+      for (std::size_t q = 0; q < queue_[at(level)].size(); ++q, ++taken) {
+        const int voxel = queue_[at(level)][q];
+        bool isOnBorder = false;
+        double squared = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+          const int i = along(voxel, axis), stride = kStride[at(axis)];
+          const int low = i > 0 ? voxel - stride : voxel, high = i + 1 < kNoisySide ? voxel + stride : voxel;
+          push(low, level);
+          push(high, level);
+          isOnBorder = isOnBorder || low == voxel || high == voxel;
+          const double slope = (value(high) - value(low)) / ((high - low) / stride);
+          squared += slope * slope;
+        }
+        onBorder += isOnBorder;
+        if (value(voxel) < level * kLevelStep) continue;
+        sum += std::sqrt(squared);
+        squares += squared;
+      }
+      voxels.push_back(taken);
+      border.push_back(onBorder);
+      sums_.push_back(sum);
+      squares_.push_back(squares);
+    }
+  }
+
+  double edgeAt(std::size_t bin, std::size_t bins) const {
+    double sum = 0, squares = 0;
+    for (std::size_t b = bin < 4 ? 0 : bin - 4; b < std::min(bins, bin + 5); ++b) {
+      sum += sums_[b];
+      squares += squares_[b];
+    }
+    return sum > 0 ? squares / sum : 0;
+  }
+
+ private:
+  static constexpr std::array<int, 3> kStride{1, kNoisySide, kNoisySide* kNoisySide};
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  static int along(int voxel, int axis) { return voxel / kStride[at(axis)] % kNoisySide; }
+  double value(int v) const {
+    return static_cast<double>(volume_.at(along(v, 0), along(v, 1), along(v, 2)));
+  }
+  void push(int voxel, int level) {
+    if (seen_[at(voxel)]) return;
+    seen_[at(voxel)] = true;
+    queue_[at(std::max(level, static_cast<int>(value(voxel) / kLevelStep)))].push_back(voxel);
+  }
+
+  const SmoothedVolume& volume_;
+  std::vector<std::vector<int>> queue_;
+  std::vector<bool> seen_;
+  std::vector<double> sums_, squares_;
+};
+
+}  // namespace
+
+TEST_CASE("a level that joins most of a volume is taken in as any other") {
+  const SmoothedVolume volume(noisyVolume(), 0);
+  constexpr int kMiddle = kNoisySide / 2;
+  int x = kMiddle;
+  while (volume.at(x, kMiddle, kMiddle) > 0.1f) ++x;  // so low that the first level lets in little
+  const RegionGrowth g = growRegion(volume, {Vec3(x, kMiddle, kMiddle)}, 1, 0, kHighest);
+  const PlainGrowth plain(volume, (kMiddle * kNoisySide + kMiddle) * kNoisySide + x);
+  const double faces = 6.0 * kNoisySide * kNoisySide - 12.0 * kNoisySide + 8;
+  double most = 0;
+  for (std::size_t b = 0; b < g.voxels.size(); ++b) {
+    INFO("level " << b);
+    CHECK(g.voxels[b] == plain.voxels[b]);
+    CHECK(g.border[b] == Approx(plain.border[b] / faces).epsilon(1e-12));
+    CHECK(g.edge[b] == Approx(plain.edgeAt(b, g.voxels.size())).epsilon(1e-12));
+    if (b > 0 && g.voxels[b - 1] > 0) most = std::max(most, g.voxels[b] - g.voxels[b - 1]);
+  }
+  CHECK(most > 100'000);  // else nothing was joined
 }
 
 namespace {
