@@ -31,8 +31,16 @@ class Regulator {
  private:
   // Each pass halves the longest edges: enough for any that are less than 2^16 times too long.
   static constexpr int kMaxSplitPasses = 16;
+  // Beside an edge of length L that is not split, the other two of a thin face are split in turn: what was d
+  // long becomes L - d/2, which tends to 2L/3. Above the limit that never ends, and every pass halves the
+  // altitude.
+  static constexpr double kFarTooLong = 1.5;
 
   bool isActive(int v) const { return active_[idx(v)] == kActive; }
+  bool isActiveFace(int face) const {
+    const Triangle& t = mesh_.face(face);
+    return t[0] >= 0 && (isActive(t[0]) || isActive(t[1]) || isActive(t[2]));
+  }
   double squaredLength(int h) const {
     return (mesh_.position(mesh_.target(h)) - mesh_.position(mesh_.origin(h))).squaredNorm();
   }
@@ -45,8 +53,7 @@ class Regulator {
   //! Collapses and flips bring no active vertex into a face that had none: only splits add faces.
   void listActiveFaces() {
     for (int face = 0; face < mesh_.faceSlots(); ++face) {
-      const Triangle& t = mesh_.face(face);
-      if (t[0] >= 0 && (isActive(t[0]) || isActive(t[1]) || isActive(t[2]))) faces_.push_back(face);
+      if (isActiveFace(face)) faces_.push_back(face);
     }
   }
   //! Calls f(h) for one of the two half-edges of each edge beside an active vertex, in those of the listed
@@ -59,6 +66,21 @@ class Regulator {
         if (mesh_.isFace(face) && h < mesh_.opposite(h) &&
             (isActive(mesh_.origin(h)) || isActive(mesh_.target(h))))
           f(h);
+    }
+  }
+
+  //! Calls f(h) once for each edge between two vertices at rest whose squared length is above the limit, in
+  //! those of the listed faces that hold an active vertex.
+  template <typename F>
+  void forEachRestingEdge(const std::vector<int>& faces, double limit, F&& f) {
+    for (const int face : faces) {
+      if (!mesh_.isFace(face) || !anyLonger(face, limit) || !isActiveFace(face)) continue;
+      for (int h = 3 * face; h < 3 * face + 3; ++h) {
+        const int g = mesh_.opposite(h);
+        if (squaredLength(h) > limit && !isActive(mesh_.origin(h)) && !isActive(mesh_.target(h)) &&
+            (h < g || !isActiveFace(Mesh::faceOf(g))))
+          f(h);
+      }
     }
   }
 
@@ -84,7 +106,8 @@ class Regulator {
     faces_ = std::move(all);
   }
 
-  //! One pass; returns the faces at the new vertices, and beside them.
+  //! One pass; returns the faces at the new vertices, and beside them. Edges between vertices at rest that are
+  //! far too long are split with the others: see kFarTooLong.
   std::vector<int> splitLongEdges(const std::vector<int>& faces) {
     const double limit = limits_.longest * limits_.longest;
     std::vector<std::pair<double, int>> edges;
@@ -92,6 +115,7 @@ class Regulator {
     forEachActiveEdge(faces, isCandidate, [&](int h) {
       if (squaredLength(h) > limit) edges.emplace_back(-squaredLength(h), h);
     });
+    forEachRestingEdge(faces, kFarTooLong * kFarTooLong * limit, [&](int h) { edges.emplace_back(-squaredLength(h), h); });
     // Longest first: that is what keeps the triangles well shaped.
     std::sort(edges.begin(), edges.end());
     std::vector<int> fresh;

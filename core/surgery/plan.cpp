@@ -173,15 +173,11 @@ bool isTooLarge(const Opening& o) {
                      [](const std::vector<int>& loop) { return loop.size() > kLongestLoop; });
 }
 
-}  // namespace
-
-std::optional<Plan> planFor(Mesh& mesh, const std::vector<std::vector<int>>& sets,
-                            const PlanSettings& settings, const char*& reason) {
-  Plan plan;
-  for (const auto& lambda : sets) plan.openings.push_back(openWithRefinement(mesh, lambda));
+//! Looks for what closes the openings of the plan.
+bool closeAll(const Mesh& mesh, Plan& plan, const PlanSettings& settings, const char*& reason) {
   if (std::any_of(plan.openings.begin(), plan.openings.end(), isTooLarge)) {
     reason = "the opening is too large";
-    return std::nullopt;
+    return false;
   }
   // Whole components in Λ come first: they have no boundary.
   const auto open = std::stable_partition(plan.openings.begin(), plan.openings.end(),
@@ -190,10 +186,27 @@ std::optional<Plan> planFor(Mesh& mesh, const std::vector<std::vector<int>>& set
   plan.patch.firstNew = mesh.vertexSlots();
   if (opened.empty()) {
     plan.kind = EventKind::componentDeleted;
-    return plan;
+    return true;
   }
   Planner planner(mesh, plan, settings, reason);
-  if (opened.size() == 1 ? planner.closeOne(opened[0]) : planner.joinFronts(opened)) return plan;
+  return opened.size() == 1 ? planner.closeOne(opened[0]) : planner.joinFronts(opened);
+}
+
+}  // namespace
+
+std::optional<Plan> planFor(Mesh& mesh, const std::vector<std::vector<int>>& sets,
+                            const PlanSettings& settings, const char*& reason) {
+  Plan plan;
+  // Refinement that led to nothing would make the next try refine what has been refined: after a few rings
+  // faces a millionth of a millimetre thin.
+  std::optional<Mesh> unrefined;
+  for (const auto& lambda : sets) {
+    std::optional<Opening> opening = planOpening(mesh, lambda);
+    if (!opening && !unrefined) unrefined = mesh;
+    plan.openings.push_back(opening ? *std::move(opening) : openWithRefinement(mesh, lambda));
+  }
+  if (closeAll(mesh, plan, settings, reason)) return plan;
+  if (unrefined) mesh = *std::move(unrefined);
   return std::nullopt;
 }
 

@@ -33,7 +33,7 @@ inline constexpr std::size_t kMaxFronts = 4;
 
 //! Opens the mesh around the sets Λ (at most kMaxFronts) and looks for what closes it: a handle if several
 //! openings have a boundary, caps or a band if one has, nothing if none has. The mesh is refined where an
-//! opening needs it. None, with the reason, if nothing fits.
+//! opening needs it. None, with the reason and the mesh as it was, if nothing fits.
 std::optional<Plan> planFor(Mesh& mesh, const std::vector<std::vector<int>>& sets,
                             const PlanSettings& settings, const char*& reason);
 

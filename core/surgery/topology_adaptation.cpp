@@ -18,6 +18,7 @@ namespace handlebody {
 namespace {
 
 constexpr int kEnlargements = 4;      // rings added to Λ before a place is given up
+constexpr int kDeletes = 1;           // rings within which a component goes with Λ: its neighbourhood N
 constexpr int kReach = 10;            // edges between sets that are one front
 constexpr int kManyEnlargements = 1;  // before several fronts are joined two by two
 
@@ -92,10 +93,13 @@ class Adaptation {
     std::string why = before;
     for (int ring = 0; ring <= enlargements; ++ring) {
       colliding_.resize(idx(mesh_.faceSlots()), 0);
-      if (const auto plan = planFor(mesh_, sets, {settings_.outwardOnly, colliding_}, reason)) {
+      const auto plan = planFor(mesh_, sets, {settings_.outwardOnly, colliding_}, reason);
+      const bool deletes = plan && plan->kind == EventKind::componentDeleted && ring > kDeletes;
+      if (plan && !deletes) {
         apply(group, *plan, why);
         return true;
       }
+      if (deletes) reason = "nothing of the component would be left";
       why = before + (before.empty() ? "" : "; ") + std::to_string(ring + 1) +
             (ring == 0 ? " ring" : " rings") + " added: " + reason;
       for (auto& lambda : sets) lambda = enlarge(mesh_, lambda);

@@ -72,4 +72,15 @@ inline std::vector<int> verticesNear(const Mesh& mesh, const Vec3& p, double rad
   return near;
 }
 
+//! Two vertices with exactly one common neighbour: the stars touch in one point.
+inline std::vector<int> pinchingPair(const Mesh& mesh) {
+  const std::vector<int> d = graphDistances(mesh, {0});
+  for (int v = 0; v < mesh.vertexSlots(); ++v) {
+    int common = 0;
+    mesh.forEachNeighbour(v, [&](int w) { common += d[static_cast<std::size_t>(w)] == 1; });
+    if (d[static_cast<std::size_t>(v)] == 2 && common == 1) return {0, v};
+  }
+  return {};
+}
+
 }  // namespace handlebody::testing

@@ -120,6 +120,27 @@ TEST_CASE("inactive vertices are neither moved nor removed") {
   }
 }
 
+TEST_CASE("long edges between inactive vertices do not make the faces beside them thin") {
+  // A roof of two long faces on a box, as surgery may leave one; only its middle is active.
+  const double length = 10;
+  TriangleSoup roof;
+  roof.points = {{0, 0, 0}, {length, 0, 0}, {length / 2, 0.5, 0.1}, {length / 2, -0.5, 0.1}, {length / 2, 0, -1}};
+  roof.triangles = {{0, 1, 2}, {1, 0, 3}, {0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}};
+  Mesh mesh(roof);
+  Flags active{0, 0, 1, 0, 0};
+  regulate(mesh, {1.0, 0.1}, active);
+  expectValid(mesh);
+  expectTopology(mesh, 1, 0);
+  for (int f = 0; f < mesh.faceSlots(); ++f) {
+    if (!mesh.isFace(f)) continue;
+    const Triangle& t = mesh.face(f);
+    double longest = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      longest = std::max(longest, (mesh.position(t[i]) - mesh.position(t[(i + 1) % 3])).norm());
+    CHECK(mesh.areaVector(f).norm() / longest > 0.01);
+  }
+}
+
 TEST_CASE("where nothing is active nothing is done") {
   Mesh mesh(zoo::sphere(3));
   const Mesh before = mesh;

@@ -129,6 +129,23 @@ TEST_CASE("a cap on a flat hole has the area of the hole") {
   CHECK(area(mesh, *leastAreaCap(mesh, o, o.loops[0])) == Approx(hole));
 }
 
+TEST_CASE("a cap on a hole with straight sides has no face without area") {
+  const Mesh mesh(zoo::cube(8));
+  std::vector<int> square;
+  for (int v = 0; v < mesh.vertexSlots(); ++v) {
+    const Vec3 d = (mesh.position(v) - Vec3(0.5, 0.5, 1)).cwiseAbs();
+    if (d.maxCoeff() < 0.26) square.push_back(v);
+  }
+  const Opening o = *planOpening(mesh, square);
+  REQUIRE(o.loops.size() == 1);
+  const auto cap = leastAreaCap(mesh, o, o.loops[0]);
+  REQUIRE(cap);
+  for (const Triangle& t : cap->faces) {
+    const Vec3 &a = mesh.position(t[0]), &b = mesh.position(t[1]), &c = mesh.position(t[2]);
+    CHECK((b - a).cross(c - a).norm() > 1e-3);
+  }
+}
+
 TEST_CASE("a cap of least area does not repeat an edge that the mesh has outside the hole") {
   Mesh mesh = pyramid();
   const Opening o = *planOpening(mesh, {4});

@@ -9,6 +9,7 @@
 using namespace handlebody;
 using testing::areaOf;
 using testing::graphDistances;
+using testing::pinchingPair;
 using testing::vertexNear;
 using testing::volumeOf;
 
@@ -45,17 +46,6 @@ void expectStars(const Mesh& mesh, const Opening& o) {
         t.begin(), t.end(), [&](int v) { return std::binary_search(o.lambda.begin(), o.lambda.end(), v); });
     REQUIRE(inStar == std::binary_search(o.faces.begin(), o.faces.end(), f));
   }
-}
-
-//! Two vertices with exactly one common neighbour: the stars touch in one point.
-std::vector<int> pinchingPair(const Mesh& mesh) {
-  const std::vector<int> d = graphDistances(mesh, {0});
-  for (int v = 0; v < mesh.vertexSlots(); ++v) {
-    int common = 0;
-    mesh.forEachNeighbour(v, [&](int w) { common += d[static_cast<std::size_t>(w)] == 1; });
-    if (d[static_cast<std::size_t>(v)] == 2 && common == 1) return {0, v};
-  }
-  return {};
 }
 
 std::vector<int> randomSet(const Mesh& mesh, std::mt19937& random, unsigned oneIn) {
