@@ -77,14 +77,14 @@ struct Patch {
   Voxel first{};  // voxel of the grid
   Voxel last{};   // in the brick: beyond it a neighbour lies in another brick or outside the grid
   bool onBorder = false;
-  std::array<Patch*, 6> neighbours{};             // two per axis; null: not asked for yet, or outside
-  std::array<Row, kRows> seen{};                  // or outside of the grid, or padding
+  std::array<Patch*, 6> neighbours{};  // two per axis; null: not asked for yet, or outside
+  std::array<Row, kRows> seen{};       // or outside of the grid, or padding
   // For the level that is taken in by rows:
-  int rowLevel = -1;               // which one the next three belong to
-  std::array<Row, kRows> low{};    // what it lets in
-  std::array<Row, kRows> todo{};   // of those: what a neighbour has reached
-  std::array<Row, kRows> taken{};  // what was taken
-  std::vector<int> rows;           // with something to do
+  int rowLevel = -1;                              // which one the next three belong to
+  std::array<Row, kRows> low{};                   // what it lets in
+  std::array<Row, kRows> todo{};                  // of those: what a neighbour has reached
+  std::array<Row, kRows> taken{};                 // what was taken
+  std::vector<int> rows;                          // with something to do
   std::array<std::vector<Entry>, kBins> waiting;  // per level
 
   //! True the first time.

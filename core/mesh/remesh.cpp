@@ -106,8 +106,8 @@ class Regulator {
     faces_ = std::move(all);
   }
 
-  //! One pass; returns the faces at the new vertices, and beside them. Edges between vertices at rest that are
-  //! far too long are split with the others: see kFarTooLong.
+  //! One pass; returns the faces at the new vertices, and beside them. Edges between vertices at rest that
+  //! are far too long are split with the others: see kFarTooLong.
   std::vector<int> splitLongEdges(const std::vector<int>& faces) {
     const double limit = limits_.longest * limits_.longest;
     std::vector<std::pair<double, int>> edges;
@@ -115,7 +115,8 @@ class Regulator {
     forEachActiveEdge(faces, isCandidate, [&](int h) {
       if (squaredLength(h) > limit) edges.emplace_back(-squaredLength(h), h);
     });
-    forEachRestingEdge(faces, kFarTooLong * kFarTooLong * limit, [&](int h) { edges.emplace_back(-squaredLength(h), h); });
+    forEachRestingEdge(faces, kFarTooLong * kFarTooLong * limit,
+                       [&](int h) { edges.emplace_back(-squaredLength(h), h); });
     // Longest first: that is what keeps the triangles well shaped.
     std::sort(edges.begin(), edges.end());
     std::vector<int> fresh;

@@ -23,9 +23,9 @@ inline constexpr unsigned char kAtRest = 0, kActive = 1, kTouched = 2;
 //! Regulates the mesh around the active vertices. Topology never changes. New vertices become active;
 //! `active` grows with the mesh. Vertices at rest are neither moved nor removed. No edge beside an active
 //! vertex is longer than limits.longest afterwards, unless its other faces hold longer edges between vertices
-//! at rest; of those, what is half as long again is split too. Collapses and flips are done only where the surface is nearly flat (kFlatEnough), so that it
-//! moves by little; they may still make it intersect another sheet close by, which the caller's detection
-//! sees.
+//! at rest; of those, what is half as long again is split too. Collapses and flips are done only where the
+//! surface is nearly flat (kFlatEnough), so that it moves by little; they may still make it intersect another
+//! sheet close by, which the caller's detection sees.
 void regulate(Mesh& mesh, const RemeshLimits& limits, std::vector<unsigned char>& active);
 
 }  // namespace handlebody

@@ -50,8 +50,8 @@ class PolygonTriangulation {
 
  private:
   static constexpr double kNone = 1e300;
-  // Altitude of a face as a part of its longest edge. On a polygon with three corners on a line a face without
-  // area would be the cheapest of all.
+  // Altitude of a face as a part of its longest edge. On a polygon with three corners on a line a face
+  // without area would be the cheapest of all.
   static constexpr double kThinnest = 1e-4;
   bool allowed(int i, int j) const {
     const bool side = j - i == 1 || (i == 0 && j == n_ - 1);
@@ -64,7 +64,8 @@ class PolygonTriangulation {
         const Vec3 &a = mesh_.position(loop_[idx(i)]), &b = mesh_.position(loop_[idx(m)]),
                    &c = mesh_.position(loop_[idx(j)]);
         const double face = (b - a).cross(c - a).norm();
-        const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+        const double longest =
+            std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
         if (!(face > kThinnest * longest)) continue;
         const double area = cost_[idx(i * n_ + m)] + cost_[idx(m * n_ + j)] + face;
         if (area < best) {

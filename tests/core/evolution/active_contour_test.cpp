@@ -218,3 +218,47 @@ TEST_CASE("random seeds, weights and edge lengths never break the mesh") {
     CHECK(certify(contour.mesh().compact()).passes());
   }
 }
+
+namespace {
+
+//! White noise with a hollow of 7 voxels in the middle.
+Volume noiseAroundHollow(int side, unsigned seed) {
+  std::mt19937 random(seed);
+  return volumeByIndex(cubicGrid(side), [&](int i, int j, int k) {
+    const int away = std::max({std::abs(i - side / 2), std::abs(j - side / 2), std::abs(k - side / 2)});
+    const double noise = static_cast<double>(random() % 1000) / 1000;
+    return away <= 3 ? 0 : noise;
+  });
+}
+
+double leastAltitude(const Mesh& mesh) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int f = 0; f < mesh.faceSlots(); ++f) {
+    if (!mesh.isFace(f)) continue;
+    double longest = 0;
+    for (int h = 3 * f; h < 3 * f + 3; ++h)
+      longest = std::max(longest, (mesh.position(mesh.target(h)) - mesh.position(mesh.origin(h))).norm());
+    least = std::min(least, mesh.areaVector(f).norm() / longest);
+  }
+  return least;
+}
+
+}  // namespace
+
+TEST_CASE("a run that leaks through noise leaves no needles") {
+  for (const unsigned seed : {1u, 3u, 8u}) {
+    CAPTURE(seed);
+    Parameters p;
+    p.range = IntensityRange{-10, 0.5};
+    p.smoothing = 1.2;
+    p.maxIterations = 400;
+    ActiveContour contour(noiseAroundHollow(28, seed), {Seed{Vec3::Constant(14), 2.0}}, p);
+    int events = 0;
+    while (contour.stopReason() == StopReason::running) {
+      events += static_cast<int>(contour.step().events.size());
+      REQUIRE(leastAltitude(contour.mesh()) > 0.002 * contour.parameters().edgeLength);
+    }
+    CHECK(events > 100);
+    CHECK(certify(contour.mesh().compact()).passes());
+  }
+}

@@ -158,9 +158,7 @@ struct PlainGrowth {
   static constexpr std::array<int, 3> kStride{1, kNoisySide, kNoisySide* kNoisySide};
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   static int along(int voxel, int axis) { return voxel / kStride[at(axis)] % kNoisySide; }
-  double value(int v) const {
-    return static_cast<double>(volume_.at(along(v, 0), along(v, 1), along(v, 2)));
-  }
+  double value(int v) const { return static_cast<double>(volume_.at(along(v, 0), along(v, 1), along(v, 2))); }
   void push(int voxel, int level) {
     if (seen_[at(voxel)]) return;
     seen_[at(voxel)] = true;

@@ -124,7 +124,8 @@ TEST_CASE("long edges between inactive vertices do not make the faces beside the
   // A roof of two long faces on a box, as surgery may leave one; only its middle is active.
   const double length = 10;
   TriangleSoup roof;
-  roof.points = {{0, 0, 0}, {length, 0, 0}, {length / 2, 0.5, 0.1}, {length / 2, -0.5, 0.1}, {length / 2, 0, -1}};
+  roof.points = {
+      {0, 0, 0}, {length, 0, 0}, {length / 2, 0.5, 0.1}, {length / 2, -0.5, 0.1}, {length / 2, 0, -1}};
   roof.triangles = {{0, 1, 2}, {1, 0, 3}, {0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}};
   Mesh mesh(roof);
   Flags active{0, 0, 1, 0, 0};
