@@ -170,7 +170,7 @@ class Flood {
   }
   void queue(Patch& patch, Place place, float signedValue) {
     const double bin = signedValue < levelStart_ ? level_ : (signedValue - lowest_) * perStep_;
-    if (!(bin < kBins)) return;
+    if (!(bin < kBins) || level_ >= kBins) return;
     const std::size_t target = idx(std::max(static_cast<int>(bin), level_));
     std::vector<Entry>& waiting = patch.waiting[target];
     if (waiting.empty()) queue_[target].push_back(&patch);

@@ -78,6 +78,13 @@ TEST_CASE("a region does not reach what is separated by a wall above the level")
   CHECK(g.voxels.back() == 10 * 20 * 20);
 }
 
+TEST_CASE("what rounding puts beyond the last level is no part of the region") {
+  // 0.7f is less than 0.7, but not less than the last level's end in single precision.
+  const auto image = [](int i, int j, int k) { return i == 4 && j == 4 && k == 4 ? 0.699 : 0.7; };
+  const SmoothedVolume volume(volumeByIndex(cubicGrid(9), image), 0);
+  CHECK(growRegion(volume, {Vec3(4, 4, 4)}, 1, 0, 0.7).voxels.back() == 1);
+}
+
 TEST_CASE("padding is no part of a region and no edge of it") {
   // The object touches the padding, a step of 1000; its true edge is a step of 100.
   const auto image = [](int i, int j, int k) {
