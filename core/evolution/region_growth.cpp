@@ -213,6 +213,7 @@ class Flood {
   std::size_t drainByRows(std::size_t taken = 0) {
     std::vector<Patch*>& queue = queue_[idx(rowLevel_)];
     for (std::size_t q = 0; q < queue.size() && !isLeak(static_cast<double>(taken)); ++q) {
+      giveUpIfCancelled();
       std::vector<int>& rows = queue[q]->rows;
       for (std::size_t r = 0; r < rows.size(); ++r) taken += takeRow(*queue[q], rows[r]);
       rows.clear();  // from here on the brick may come again
