@@ -28,7 +28,8 @@ struct Patch {
 Patch fanCap(const Mesh& mesh, const std::vector<int>& loop);
 
 //! The triangulation of the polygon of least area, without a new vertex (Barequet and Sharir's dynamic
-//! programme). None if every one would repeat an edge that the mesh has outside the opening.
+//! programme), of those without a face that is next to a line. None if every one has such a face or would
+//! repeat an edge that the mesh has outside the opening.
 std::optional<Patch> leastAreaCap(const Mesh& mesh, const Opening& opening, const std::vector<int>& loop);
 
 //! True if the opened mesh has the edge uv.

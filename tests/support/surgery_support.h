@@ -83,4 +83,17 @@ inline std::vector<int> pinchingPair(const Mesh& mesh) {
   return {};
 }
 
+//! Of all faces: twice the area over the longest edge, mm.
+inline double leastAltitude(const Mesh& mesh) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int f = 0; f < mesh.faceSlots(); ++f) {
+    if (!mesh.isFace(f)) continue;
+    double longest = 0;
+    for (int h = 3 * f; h < 3 * f + 3; ++h)
+      longest = std::max(longest, (mesh.position(mesh.target(h)) - mesh.position(mesh.origin(h))).norm());
+    least = std::min(least, mesh.areaVector(f).norm() / longest);
+  }
+  return least;
+}
+
 }  // namespace handlebody::testing

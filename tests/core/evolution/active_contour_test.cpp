@@ -231,18 +231,6 @@ Volume noiseAroundHollow(int side, unsigned seed) {
   });
 }
 
-double leastAltitude(const Mesh& mesh) {
-  double least = std::numeric_limits<double>::infinity();
-  for (int f = 0; f < mesh.faceSlots(); ++f) {
-    if (!mesh.isFace(f)) continue;
-    double longest = 0;
-    for (int h = 3 * f; h < 3 * f + 3; ++h)
-      longest = std::max(longest, (mesh.position(mesh.target(h)) - mesh.position(mesh.origin(h))).norm());
-    least = std::min(least, mesh.areaVector(f).norm() / longest);
-  }
-  return least;
-}
-
 }  // namespace
 
 TEST_CASE("a run that leaks through noise leaves no needles") {

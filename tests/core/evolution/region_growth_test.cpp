@@ -119,7 +119,7 @@ const Volume& noisyVolume() {
 
 //! The same growth without bricks and rows.
 struct PlainGrowth {
-  std::vector<double> voxels, border, edge;
+  std::vector<double> voxels, border;
 
   PlainGrowth(const SmoothedVolume& volume, int start) : volume_(volume), queue_(kLevels) {
     seen_.resize(volume.grid().voxelCount());
