@@ -115,6 +115,8 @@ struct ActiveContour::State {
   RemeshLimits limits;
   Scratch<CollisionDetector> detector;
   RestingPlaces resting;
+  std::vector<ObjectCandidate> candidates;
+  bool isCloseChoice = false;
   TopologyNumbers topology;
   StopReason stop = StopReason::running;
   int iteration = 0;
@@ -200,6 +202,9 @@ void ActiveContour::State::takeImage(const State& other) {
   image = other.image;
   parameters.object = other.parameters.object;
   parameters.range = other.parameters.range;
+  parameters.candidate = other.parameters.candidate;
+  candidates = other.candidates;
+  isCloseChoice = other.isCloseChoice;
   parameters.smoothing = other.parameters.smoothing;
 }
 
@@ -465,6 +470,8 @@ const Mesh& ActiveContour::mesh() const { return state_->mesh; }
 const ResolvedParameters& ActiveContour::parameters() const { return state_->parameters; }
 const Parameters& ActiveContour::requested() const { return state_->requested; }
 const std::vector<Seed>& ActiveContour::requestedSeeds() const { return state_->seeds; }
+const std::vector<ObjectCandidate>& ActiveContour::candidates() const { return state_->candidates; }
+bool ActiveContour::isCloseChoice() const { return state_->isCloseChoice; }
 bool ActiveContour::isSettled(int vertex) const { return state_->sleeps(vertex); }
 std::size_t ActiveContour::memory() const {
   return sizeof(State) + state_->mesh.memory() + state_->quiet.size();

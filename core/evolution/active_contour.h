@@ -8,6 +8,7 @@
 #include "core/evolution/parameters.h"
 #include "core/evolution/step_report.h"
 #include "core/mesh/mesh.h"
+#include "core/object/candidate.h"
 #include "core/volume/volume.h"
 
 namespace handlebody {
@@ -51,6 +52,11 @@ class ActiveContour {
   //! As asked for: with what was left to the image still open.
   const Parameters& requested() const;
   const std::vector<Seed>& requestedSeeds() const;
+  //! The objects that the clicks may mean, the likeliest first; at most five. `parameters().candidate` is the
+  //! one that grows. Empty with a given range.
+  const std::vector<ObjectCandidate>& candidates() const;
+  //! True if the first candidate is hardly likelier than another one.
+  bool isCloseChoice() const;
   //! True if the vertex has not moved for a while and sleeps. Precondition: mesh().isVertex(vertex).
   bool isSettled(int vertex) const;
   //! Bytes of a copy that are its own: not the image.

@@ -7,10 +7,11 @@
 
 namespace handlebody {
 
-//! Where the surface starts: a ball inside the object.
+//! A click: a ball inside the object, where the surface starts, or one in the background, where it may not go.
 struct Seed {
   Vec3 centre{0, 0, 0};            //!< mm, LPS
   std::optional<double> radius{};  //!< mm; none: what fits
+  bool background = false;         //!< outside of the object
   bool operator==(const Seed&) const = default;
 };
 
@@ -29,6 +30,7 @@ struct IntensityRange {
 struct Parameters {
   ObjectKind object = ObjectKind::automatic;
   std::optional<IntensityRange> range{};
+  int candidate = 1;                   //!< of the objects that the clicks may mean, 1 = the likeliest
   std::optional<double> smoothing{};   //!< standard deviation of the Gaussian, mm; 0 = none
   std::optional<double> edgeLength{};  //!< target edge length, mm
   Direction direction = Direction::outward;
@@ -53,6 +55,7 @@ struct ParameterChange {
 struct ResolvedParameters {
   ObjectKind object = ObjectKind::dark;
   IntensityRange range{};
+  int candidate = 1;      //!< of `ActiveContour::candidates()`, as used
   double smoothing = 0;   //!< mm
   double edgeLength = 0;  //!< mm
   Direction direction = Direction::outward;
