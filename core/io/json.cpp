@@ -50,7 +50,9 @@ Json trianglesToJson(const std::vector<std::array<Vec3, 3>>& triangles) {
 }  // namespace
 
 Json seedToJson(const Seed& seed) {
-  return {{"centre", vectorToJson(seed.centre)}, {"radius", optionalToJson(seed.radius)}};
+  Json json = {{"centre", vectorToJson(seed.centre)}, {"radius", optionalToJson(seed.radius)}};
+  if (seed.background) json["background"] = true;
+  return json;
 }
 
 Json seedsToJson(const std::vector<Seed>& seeds) {
@@ -100,16 +102,23 @@ void addSources(Json& object, const VolumeInfo& info) {
 
 namespace {
 
+// Sessions without it are those of earlier versions, to the letter.
+void addCandidate(Json& json, int candidate) {
+  if (candidate != 1) json["candidate"] = candidate;
+}
+
 Json requestedToJson(const Parameters& parameters) {
-  return {{"object", objectKindName(parameters.object)},
-          {"range", parameters.range ? rangeToJson(*parameters.range) : Json(nullptr)},
-          {"smoothing", optionalToJson(parameters.smoothing)},
-          {"edge_length", optionalToJson(parameters.edgeLength)},
-          {"direction", directionName(parameters.direction)},
-          {"balloon", parameters.balloon},
-          {"curvature", parameters.curvature},
-          {"max_iterations", parameters.maxIterations},
-          {"threads", parameters.threads}};
+  Json json = {{"object", objectKindName(parameters.object)},
+               {"range", parameters.range ? rangeToJson(*parameters.range) : Json(nullptr)},
+               {"smoothing", optionalToJson(parameters.smoothing)},
+               {"edge_length", optionalToJson(parameters.edgeLength)},
+               {"direction", directionName(parameters.direction)},
+               {"balloon", parameters.balloon},
+               {"curvature", parameters.curvature},
+               {"max_iterations", parameters.maxIterations},
+               {"threads", parameters.threads}};
+  addCandidate(json, parameters.candidate);
+  return json;
 }
 
 Json changesToJson(const std::vector<ParameterChange>& changes) {
@@ -134,15 +143,17 @@ Json requestToJson(const Session& session) {
 }
 
 Json resolvedToJson(const ResolvedParameters& parameters) {
-  return {{"object", objectKindName(parameters.object)},
-          {"range", rangeToJson(parameters.range)},
-          {"smoothing", parameters.smoothing},
-          {"edge_length", parameters.edgeLength},
-          {"direction", directionName(parameters.direction)},
-          {"balloon", parameters.balloon},
-          {"curvature", parameters.curvature},
-          {"max_iterations", parameters.maxIterations},
-          {"threads", parameters.threads}};
+  Json json = {{"object", objectKindName(parameters.object)},
+               {"range", rangeToJson(parameters.range)},
+               {"smoothing", parameters.smoothing},
+               {"edge_length", parameters.edgeLength},
+               {"direction", directionName(parameters.direction)},
+               {"balloon", parameters.balloon},
+               {"curvature", parameters.curvature},
+               {"max_iterations", parameters.maxIterations},
+               {"threads", parameters.threads}};
+  addCandidate(json, parameters.candidate);
+  return json;
 }
 
 Json eventToJson(const Event& event) {
@@ -262,10 +273,23 @@ std::string jsonText(const Json& json) {
 
 namespace {
 
+int candidateFromJson(const Json& json) {
+  const int candidate = integerFromJson(json);
+  if (candidate < 1) throw UsageError("the candidate is below 1.");
+  return candidate;
+}
+
+Seed seedFromJson(const Json& json) {
+  Seed seed{vectorFromJson(json.at("centre")), optionalFromJson(json, "radius")};
+  if (json.contains("background")) seed.background = json.at("background").get<bool>();
+  return seed;
+}
+
 Parameters parametersFromJson(const Json& json) {
   Parameters p;
   if (json.contains("object")) p.object = wordFromJson(json.at("object"), objectKindFromName);
   if (json.contains("range") && !json.at("range").is_null()) p.range = rangeFromJson(json.at("range"));
+  if (json.contains("candidate")) p.candidate = candidateFromJson(json.at("candidate"));
   p.smoothing = optionalFromJson(json, "smoothing");
   p.edgeLength = optionalFromJson(json, "edge_length");
   if (json.contains("direction")) p.direction = wordFromJson(json.at("direction"), directionFromName);
@@ -302,9 +326,8 @@ void readRequest(const Json& json, Session& session) {
   if (json.contains("changes")) session.changes = changesFromJson(json.at("changes"));
   if (json.contains("stop_at") && !json.at("stop_at").is_null())
     session.stopAt = iterationFromJson(json.at("stop_at"));
-  for (const Json& entry : json.at("seeds"))
-    session.seeds.push_back(Seed{vectorFromJson(entry.at("centre")), optionalFromJson(entry, "radius")});
-  if (session.seeds.empty()) throw UsageError("it has no seeds.");
+  for (const Json& entry : json.at("seeds")) session.seeds.push_back(seedFromJson(entry));
+  if (seedsOfSide(session.seeds, false).empty()) throw UsageError("it has no seeds.");
 }
 
 }  // namespace handlebody

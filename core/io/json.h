@@ -27,7 +27,7 @@ Json numberToJson(double value);
 Json vectorToJson(const Vec3& v);
 //! [low, high]
 Json rangeToJson(const IntensityRange& range);
-//! {"centre": [x, y, z] in mm LPS, "radius": mm or null}
+//! {"centre": [x, y, z] in mm LPS, "radius": mm or null}, with "background": true for one of that side.
 Json seedToJson(const Seed& seed);
 Json seedsToJson(const std::vector<Seed>& seeds);
 //! Adds size, spacing, origin and direction (its three rows) to an object.
@@ -41,9 +41,10 @@ void readSelection(const Json& json, VolumeSelection& selection);
 //! Adds "calibrated" and "sources" (of size, spacing, origin, direction).
 void addSources(Json& object, const VolumeInfo& info);
 //! "requested": every parameter as asked for, the seeds and the space of the mesh files; where there are any,
-//! the changes of parameters on the way and the iteration to stop at.
+//! the changes of parameters on the way and the iteration to stop at. The candidate stands there if it is not
+//! the first.
 Json requestToJson(const Session& session);
-//! Every parameter as used; seeds apart.
+//! Every parameter as used; seeds apart. The candidate stands there if it is not the first.
 Json resolvedToJson(const ResolvedParameters& parameters);
 //! An event without its trace.
 Json eventToJson(const Event& event);

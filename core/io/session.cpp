@@ -1,5 +1,6 @@
 #include "core/io/session.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -63,6 +64,13 @@ std::string withoutTag(const std::string& message) {
 
 }  // namespace
 
+std::vector<Seed> seedsOfSide(const std::vector<Seed>& seeds, bool background) {
+  std::vector<Seed> side;
+  std::copy_if(seeds.begin(), seeds.end(), std::back_inserter(side),
+               [background](const Seed& seed) { return seed.background == background; });
+  return side;
+}
+
 void writeSession(const Session& session, const std::string& path) {
   Json json = {{"version", session.version}, {"notice", kNotice}};
   Json input = referenceToJson(session.volume);
@@ -72,7 +80,7 @@ void writeSession(const Session& session, const std::string& path) {
   json["requested"] = requestToJson(session);
   if (session.resolved) {
     json["parameters"] = resolvedToJson(*session.resolved);
-    json["seeds"] = seedsToJson(session.resolved->seeds);
+    json["seeds"] = seedsToJson(seedsOfSide(session.resolved->seeds, false));
   }
   if (!session.view.empty()) json["view"] = Json::parse(session.view);
   writeTextAtomically(path, jsonText(json));

@@ -20,9 +20,10 @@ Session unusualSession(const std::string& volume) {
   Session s;
   s.version = "1.2.3";
   s.volume = {volume, "00ff", {"1.2.840.1", 3, Vec3(0.1, 1.0 / 3.0, 7), UnevenSlices::refuse}};
-  s.seeds = {{{0.1, -1.0 / 3.0, 1e-300}, 2.0 / 7.0}, {{1e300, 0, -0.0}, {}}};
+  s.seeds = {{{0.1, -1.0 / 3.0, 1e-300}, 2.0 / 7.0}, {{1e300, 0, -0.0}, {}}, {{-7, 1e-3, 0.1}, 0.6, true}};
   s.requested.object = ObjectKind::bright;
   s.requested.range = IntensityRange{-kInfinity, 100.0 / 3.0};
+  s.requested.candidate = 3;
   s.requested.smoothing = 0.7;
   s.requested.edgeLength = 1.0 / 9.0;
   s.requested.direction = Direction::both;
@@ -33,6 +34,7 @@ Session unusualSession(const std::string& volume) {
   s.space = CoordinateSpace::ras;
   Parameters later = s.requested;
   later.range = IntensityRange{-3, kInfinity};
+  later.candidate = 2;
   later.smoothing.reset();
   later.balloon = 1.0 / 7.0;
   s.changes = {{0, later}, {9, s.requested}};
@@ -61,14 +63,11 @@ TEST_CASE("a session comes back exactly as it was written", "[session]") {
   CHECK(back.volume.selection.frame == s.volume.selection.frame);
   CHECK(back.volume.selection.spacing == s.volume.selection.spacing);
   CHECK(back.volume.selection.uneven == s.volume.selection.uneven);
-  REQUIRE(back.seeds.size() == 2);
-  CHECK(back.seeds[0].centre == s.seeds[0].centre);
-  CHECK(back.seeds[0].radius == s.seeds[0].radius);
-  CHECK(back.seeds[1].centre == s.seeds[1].centre);
-  CHECK_FALSE(back.seeds[1].radius.has_value());
+  CHECK(back.seeds == s.seeds);
   CHECK(back.requested.object == s.requested.object);
   CHECK(back.requested.range->low == s.requested.range->low);
   CHECK(back.requested.range->high == s.requested.range->high);
+  CHECK(back.requested.candidate == s.requested.candidate);
   CHECK(back.requested.smoothing == s.requested.smoothing);
   CHECK(back.requested.edgeLength == s.requested.edgeLength);
   CHECK(back.requested.direction == s.requested.direction);
@@ -97,6 +96,88 @@ TEST_CASE("a session without changes, last iteration and view is that of earlier
   CHECK(back.changes.empty());
   CHECK_FALSE(back.stopAt.has_value());
   CHECK(back.view.empty());
+}
+
+TEST_CASE("a session without candidate and side of its seeds is that of earlier versions", "[session]") {
+  nlohmann::json json = validJson();
+  json["requested"].erase("candidate");
+  json["requested"]["changes"][0].erase("candidate");
+  for (auto& seed : json["requested"]["seeds"]) seed.erase("background");
+  const TempFolder folder;
+  test::writeBytes(folder / "s.json", json.dump());
+  const Session back = readSession(folder / "s.json");
+  CHECK(back.requested.candidate == 1);
+  CHECK(back.changes[0].parameters.candidate == 1);
+  REQUIRE(back.seeds.size() == 3);
+  CHECK(seedsOfSide(back.seeds, false).size() == 3);
+}
+
+TEST_CASE("a session of the first candidate without background clicks is written as by earlier versions",
+          "[session]") {
+  const TempFolder folder;
+  Session s;
+  s.version = "1.2.3";
+  s.volume = {folder / "v.mha", "00ff", {}};
+  s.seeds = {{{1, 2, 3}, 4.0}, {{5, 6, 7}, {}}};
+  s.resolved = ResolvedParameters{};
+  s.resolved->range = {-kInfinity, 8};
+  s.resolved->seeds = {{{1, 2, 3}, 3.5}};
+  writeSession(s, folder / "s.json");
+  CHECK(test::readBytes(folder / "s.json") == R"({
+  "version": "1.2.3",
+  "notice": "For research use only; not a medical device.",
+  "input": {
+    "path": "v.mha",
+    "sha256": "00ff"
+  },
+  "requested": {
+    "object": "auto",
+    "range": null,
+    "smoothing": null,
+    "edge_length": null,
+    "direction": "outward",
+    "balloon": 1.0,
+    "curvature": 0.2,
+    "max_iterations": 3000,
+    "threads": 1,
+    "seeds": [
+      {
+        "centre": [1.0,2.0,3.0],
+        "radius": 4.0
+      },
+      {
+        "centre": [5.0,6.0,7.0],
+        "radius": null
+      }
+    ],
+    "space": "LPS"
+  },
+  "parameters": {
+    "object": "dark",
+    "range": ["-inf",8.0],
+    "smoothing": 0.0,
+    "edge_length": 0.0,
+    "direction": "outward",
+    "balloon": 1.0,
+    "curvature": 0.2,
+    "max_iterations": 3000,
+    "threads": 1
+  },
+  "seeds": [
+    {
+      "centre": [1.0,2.0,3.0],
+      "radius": 3.5
+    }
+  ]
+}
+)");
+}
+
+TEST_CASE("where the surface starts is not where the background was clicked", "[session]") {
+  const std::vector<Seed> seeds{
+      {{1, 0, 0}, {}}, {{2, 0, 0}, {}, true}, {{3, 0, 0}, 1.0}, {{4, 0, 0}, 1.0, true}};
+  CHECK(seedsOfSide(seeds, false) == std::vector<Seed>{seeds[0], seeds[2]});
+  CHECK(seedsOfSide(seeds, true) == std::vector<Seed>{seeds[1], seeds[3]});
 }
 
 TEST_CASE("a session may be kept before the hash of its volume is known", "[session]") {
@@ -169,6 +250,19 @@ TEST_CASE("what is not a session is an input error that names the file", "[sessi
       },
       [](nlohmann::json& j) { j["requested"]["balloon"] = "strong"; },
       [](nlohmann::json& j) { j["requested"]["balloon"] = true; },
+      [](nlohmann::json& j) { j["requested"]["seeds"][2]["background"] = "yes"; },
+      [](nlohmann::json& j) { j["requested"]["seeds"][2]["background"] = 1; },
+      [](nlohmann::json& j) { j["requested"]["seeds"][2]["background"] = nullptr; },
+      [](nlohmann::json& j) {
+        for (auto& seed : j["requested"]["seeds"]) seed["background"] = true;
+      },
+      [](nlohmann::json& j) { j["requested"]["candidate"] = 0; },
+      [](nlohmann::json& j) { j["requested"]["candidate"] = -1; },
+      [](nlohmann::json& j) { j["requested"]["candidate"] = 1.5; },
+      [](nlohmann::json& j) { j["requested"]["candidate"] = true; },
+      [](nlohmann::json& j) { j["requested"]["candidate"] = "first"; },
+      [](nlohmann::json& j) { j["requested"]["candidate"] = nullptr; },
+      [](nlohmann::json& j) { j["requested"]["changes"][1]["candidate"] = 0; },
       [](nlohmann::json& j) { j["requested"]["max_iterations"] = 1.5; },
       [](nlohmann::json& j) { j["requested"]["threads"] = 1e12; },
       [](nlohmann::json& j) { j["requested"]["threads"] = 4294967297; },

@@ -70,7 +70,8 @@ void addSession(const std::string& folder, std::vector<Sample>& corpus) {
   session.version = "1.0.0";
   session.volume = {folder + "/v.nii", std::string(64, 'a'), {}};
   session.volume.selection.spacing = Vec3(1, 2, 3);
-  session.seeds = {{{1, 2, 3}, 4.0}, {{5, 6, 7}, {}}};
+  session.seeds = {{{1, 2, 3}, 4.0}, {{5, 6, 7}, {}}, {{8, 9, 1}, {}, true}};
+  session.requested.candidate = 2;
   writeSession(session, folder + "/s.json");
   corpus.push_back({"s.json", readBytes(folder + "/s.json")});
 }
