@@ -136,6 +136,8 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
   auto contour = std::make_optional<ActiveContour>(std::move(loaded.volume), report.session.seeds,
                                                    report.session.requested);
   report.session.resolved = contour->parameters();
+  report.candidates = contour->candidates();
+  report.isCloseChoice = contour->isCloseChoice();
   report.seconds.prepare = watch.lap();
 
   evolve(*contour, report, outputs);

@@ -1,5 +1,7 @@
 #include "core/io/report.h"
 
+#include <cmath>
+
 #include "core/io/json.h"
 
 namespace handlebody {
@@ -24,6 +26,33 @@ Json headToJson(const RunReport& report) {
   return json;
 }
 
+Json finiteOrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+// Where the background was clicked stays as asked for: no surface starts there that would have to fit.
+Json backgroundToJson(const std::vector<Seed>& seeds) {
+  Json list = Json::array();
+  for (const Seed& seed : seedsOfSide(seeds, true)) {
+    Json& click = list.emplace_back(Json::object());
+    click["centre"] = vectorToJson(seed.centre);
+    if (seed.radius) click["radius"] = *seed.radius;
+  }
+  return list;
+}
+
+Json candidatesToJson(const std::vector<ObjectCandidate>& candidates, int chosen) {
+  Json list = Json::array();
+  for (const ObjectCandidate& candidate : candidates) {
+    const int index = static_cast<int>(list.size()) + 1;
+    list.push_back({{"index", index},
+                    {"volume_ml", candidate.volume / 1000},
+                    {"neck_radius_mm", candidate.neckRadius},
+                    {"range", Json::array({finiteOrNull(candidate.low), finiteOrNull(candidate.high)})},
+                    {"score", candidate.score},
+                    {"chosen", index == chosen}});
+  }
+  return list;
+}
+
 }  // namespace
 
 const char* endName(StopReason stopped) {
@@ -34,8 +63,13 @@ std::string reportText(const RunReport& report) {
   const ResolvedParameters& resolved = report.session.resolved.value();
   Json json = headToJson(report);
   json["parameters"] = resolvedToJson(resolved);
+  json["parameters"]["candidate"] = resolved.candidate;
   json["requested"] = requestToJson(report.session);
-  json["seeds"] = seedsToJson(resolved.seeds);
+  json["seeds"] = seedsToJson(seedsOfSide(resolved.seeds, false));
+  if (Json background = backgroundToJson(report.session.seeds); !background.empty())
+    json["background"] = std::move(background);
+  json["candidates"] = candidatesToJson(report.candidates, resolved.candidate);
+  json["close_choice"] = report.isCloseChoice;
   json["iterations"] = report.iterations;
   json["stopped"] = endName(report.stopped);
   json["warnings"] = report.doubts;

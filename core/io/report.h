@@ -7,6 +7,7 @@
 #include "core/evolution/step_report.h"
 #include "core/io/session.h"
 #include "core/mesh/certificate.h"
+#include "core/object/candidate.h"
 
 namespace handlebody {
 
@@ -20,9 +21,12 @@ struct Timings {
 };
 
 struct RunReport {
-  Session session;                  //!< with `resolved` set
-  VolumeInfo volume;                //!< its grid and where that comes from, warnings
-  std::vector<std::string> doubts;  //!< about the result: hardly grown, much of it on the volume's border
+  Session session;                          //!< with `resolved` set
+  std::vector<ObjectCandidate> candidates;  //!< of the contour as it began, as `resolved`
+  bool isCloseChoice = false;               //!< the same
+  VolumeInfo volume;                        //!< its grid and where that comes from, warnings
+  //! About the result: hardly grown, a close choice, much of it on the volume's border.
+  std::vector<std::string> doubts;
   int iterations = 0;
   StopReason stopped = StopReason::running;
   Timings seconds;

@@ -42,8 +42,8 @@ std::string unfinished(const RunReport& report) {
 //! edge length over balloon stands still.
 std::string hardlyGrown(const ResolvedParameters& p) {
   const double held = p.curvature * p.edgeLength / p.balloon;
-  const bool small =
-      std::any_of(p.seeds.begin(), p.seeds.end(), [&](const Seed& s) { return *s.radius < held; });
+  const std::vector<Seed> seeds = seedsOfSide(p.seeds, false);
+  const bool small = std::any_of(seeds.begin(), seeds.end(), [&](const Seed& s) { return *s.radius < held; });
   const std::string text = "the surface hardly grew beyond its seed: ";
   if (!small) return text + "look at --object and --range";
   std::ostringstream radius;
@@ -54,12 +54,33 @@ std::string hardlyGrown(const ResolvedParameters& p) {
 
 //! The surface is still where the seeds were: no vertex has gone further than kHardlyMoved of a radius.
 bool atItsSeeds(const RunReport& report, const TriangleSoup& mesh) {
-  const std::vector<Seed>& seeds = report.session.resolved->seeds;
+  const std::vector<Seed> seeds = seedsOfSide(report.session.resolved->seeds, false);
   return std::all_of(mesh.points.begin(), mesh.points.end(), [&](const Vec3& p) {
     return std::any_of(seeds.begin(), seeds.end(), [&](const Seed& s) {
       return std::abs((p - s.centre).norm() - *s.radius) < kHardlyMoved * *s.radius;
     });
   });
+}
+
+//! Three digits, none of them lost before the point.
+std::string millilitres(double volume) {
+  const double ml = volume / 1000;
+  std::ostringstream text;
+  if (ml >= 100)
+    text << std::fixed << std::setprecision(0) << ml;
+  else
+    text << std::setprecision(3) << ml;
+  return text.str() + " ml";
+}
+
+//! The sentence for an object that another one nearly outranks; empty where the choice is clear, or has been
+//! made by asking for a later candidate.
+std::string closeChoice(const RunReport& report) {
+  const std::vector<ObjectCandidate>& all = report.candidates;
+  if (!report.isCloseChoice || all.size() < 2 || report.session.resolved->candidate != 1) return {};
+  return "the choice among " + std::to_string(all.size()) + " objects is close: the next candidate holds " +
+         millilitres(all[1].volume) + " where this one holds " + millilitres(all[0].volume) +
+         "; see --candidate";
 }
 
 }  // namespace
@@ -75,6 +96,7 @@ std::vector<std::string> doubts(const RunReport& report, const TriangleSoup& mes
   std::vector<std::string> out;
   if (std::string why = unfinished(report); !why.empty()) out.push_back(std::move(why));
   if (atItsSeeds(report, mesh)) out.push_back(hardlyGrown(*report.session.resolved));
+  if (std::string choice = closeChoice(report); !choice.empty()) out.push_back(std::move(choice));
   double onBorder = 0;
   for (const Vec3& p : mesh.points) {
     const Vec3 index = report.volume.grid.toIndex(p);

@@ -20,7 +20,7 @@ struct CertifiedMesh {
 CertifiedMesh certifiedForExport(const TriangleSoup& mesh);
 
 //! What a user should look at before trusting the result; sentences without a full stop. Uses the session's
-//! resolved seeds, the grid and the certificate of `report`.
+//! resolved seeds, the candidates, the grid and the certificate of `report`.
 std::vector<std::string> doubts(const RunReport& report, const TriangleSoup& mesh);
 
 //! Writes the mesh, or its label map on `grid`, to each path by its extension. Throws OutputError; UsageError

@@ -35,8 +35,8 @@ RunReport smallReport() {
 
 TEST_CASE("a report holds every field of the contract", "[report]") {
   const auto json = nlohmann::json::parse(reportText(smallReport()));
-  for (const char* key : {"version", "notice", "input", "parameters", "requested", "seeds", "iterations",
-                          "stopped", "seconds", "mesh", "events"}) {
+  for (const char* key : {"version", "notice", "input", "parameters", "requested", "seeds", "candidates",
+                          "close_choice", "iterations", "stopped", "seconds", "mesh", "events"}) {
     INFO(key);
     CHECK(json.contains(key));
   }
@@ -66,6 +66,47 @@ TEST_CASE("a report says what was used and what was asked for", "[report]") {
   CHECK(json["seeds"][0]["radius"] == 4.5);
   CHECK(json["requested"]["seeds"][0]["radius"].is_null());
   CHECK(json["stopped"] == "converged");
+}
+
+TEST_CASE("a report names the candidate that grew", "[report]") {
+  RunReport report = smallReport();
+  CHECK(nlohmann::json::parse(reportText(report))["parameters"]["candidate"] == 1);
+  report.session.resolved->candidate = 2;
+  report.session.requested.candidate = 2;
+  const auto json = nlohmann::json::parse(reportText(report));
+  CHECK(json["parameters"]["candidate"] == 2);
+  CHECK(json["requested"]["candidate"] == 2);
+}
+
+TEST_CASE("a report keeps clicks in the background apart from where the surface started", "[report]") {
+  RunReport report = smallReport();
+  CHECK_FALSE(nlohmann::json::parse(reportText(report)).contains("background"));
+  const std::vector<Seed> background{{{7, 8, 9}, 2.5, true}, {{0, 0, 1}, {}, true}};
+  for (std::vector<Seed>* seeds : {&report.session.seeds, &report.session.resolved->seeds})
+    seeds->insert(seeds->end(), background.begin(), background.end());
+  const auto json = nlohmann::json::parse(reportText(report));
+  CHECK(json["seeds"] == nlohmann::json::parse(R"([{"centre": [1, 2, 3], "radius": 4.5}])"));
+  CHECK(json["background"] ==
+        nlohmann::json::parse(R"([{"centre": [7, 8, 9], "radius": 2.5}, {"centre": [0, 0, 1]}])"));
+  CHECK(json["requested"]["seeds"].size() == 3);
+  CHECK(json["requested"]["seeds"][1]["background"] == true);
+}
+
+TEST_CASE("a report lists the objects that the clicks may mean", "[report]") {
+  RunReport report = smallReport();
+  CHECK(nlohmann::json::parse(reportText(report))["candidates"] == nlohmann::json::array());
+  CHECK(nlohmann::json::parse(reportText(report))["close_choice"] == false);
+  report.candidates = {{4500, 0, -std::numeric_limits<double>::infinity(), 80, 1.5},
+                       {12250, 2.5, 10, 90, 1.25}};
+  report.candidates[1].high = std::numeric_limits<double>::infinity();
+  report.isCloseChoice = true;
+  report.session.resolved->candidate = 2;
+  const auto json = nlohmann::json::parse(reportText(report));
+  CHECK(json["close_choice"] == true);
+  CHECK(json["candidates"] == nlohmann::json::parse(R"([
+    {"index": 1, "volume_ml": 4.5, "neck_radius_mm": 0, "range": [null, 80], "score": 1.5, "chosen": false},
+    {"index": 2, "volume_ml": 12.25, "neck_radius_mm": 2.5, "range": [10, null], "score": 1.25, "chosen": true}
+  ])"));
 }
 
 TEST_CASE("the direction matrix is written row by row", "[report]") {

@@ -61,6 +61,39 @@ TEST_CASE("a surface that is still at its seed is doubted, with the curvature na
   CHECK(mentions(doubts(report, sphere(5.2)), "--curvature holds every front of a radius below 6 mm"));
 }
 
+TEST_CASE("a click in the background is not where the surface started") {
+  RunReport report = reportOf(StopReason::converged);
+  report.session.resolved->seeds.push_back({kCentre + Vec3(30, 0, 0), {}, true});
+  CHECK(mentions(doubts(report, sphere(5.2)), "hardly grew"));
+  CHECK(doubts(report, sphere(20)).empty());
+  report.session.resolved->seeds.back() = {kCentre, 20.0, true};
+  CHECK(doubts(report, sphere(20)).empty());
+}
+
+TEST_CASE("a close choice is doubted, with what the next candidate holds") {
+  RunReport report = reportOf(StopReason::converged);
+  report.candidates.resize(3);
+  report.candidates[0].volume = 4510;
+  report.candidates[1].volume = 1234567;
+  CHECK(doubts(report, sphere(20)).empty());
+  report.isCloseChoice = true;
+  CHECK(
+      doubts(report, sphere(20)) ==
+      std::vector<std::string>{"the choice among 3 objects is close: the next candidate holds 1235 ml where "
+                               "this one holds 4.51 ml; see --candidate"});
+}
+
+TEST_CASE("a choice that is the only one, or was made by hand, is not doubted") {
+  RunReport report = reportOf(StopReason::converged);
+  report.isCloseChoice = true;
+  CHECK(doubts(report, sphere(20)).empty());
+  report.candidates.resize(1);
+  CHECK(doubts(report, sphere(20)).empty());
+  report.candidates.resize(2);
+  report.session.resolved->candidate = 2;
+  CHECK(doubts(report, sphere(20)).empty());
+}
+
 TEST_CASE("a surface on the border of the volume is doubted") {
   RunReport report = reportOf(StopReason::converged);
   report.volume.grid.size = {100, 100, 60};
