@@ -2,6 +2,7 @@
 #include <limits>
 #include <memory>
 
+#include "app/cli/clicks.h"
 #include "app/cli/command.h"
 #include "app/cli/parse.h"
 #include "app/cli/run.h"
@@ -13,12 +14,13 @@ namespace handlebody::cli {
 namespace {
 
 constexpr int kAnyCount = std::numeric_limits<int>::max();
+constexpr int kMostCandidates = 5;  // ActiveContour::candidates()
 constexpr int kMostThreads =
     256;  // far above what helps; keeps a slip of the hand from exhausting the system
 
 struct SegmentOptions {
   Session session;
-  std::vector<std::string> seeds, voxelSeeds;
+  ClickTexts clicks;
   std::optional<CoordinateSpace> space;
   RunOutputs outputs;
 };
@@ -58,21 +60,23 @@ void setSmoothing(Parameters& p, Text text) {
     p.smoothing = notNegative("--smoothing", text);
 }
 
-void addInput(CLI::App& command, SegmentOptions& o) {
-  VolumeReference& volume = o.session.volume;
+void addInput(CLI::App& command, VolumeReference& volume) {
   command.add_option("VOLUME", volume.path, "A file, or a folder with a DICOM series")->required();
   addSelection(command, volume.selection);
-  command
-      .add_option("--seed", o.seeds, "A ball inside the object, LPS millimetres; may be given several times")
-      ->type_name("X,Y,Z[,R]")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false);
-  command.add_option("--seed-ijk", o.voxelSeeds, "The same in voxels; the radius in voxels of mean size")
-      ->type_name("I,J,K[,R]")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false);
+}
+
+void addClicks(CLI::App& command, ClickTexts& clicks) {
+  const auto add = [&command](Text name, std::vector<std::string>& texts, Text type, Text help) {
+    command.add_option(name, texts, help)->type_name(type)->expected(1)->take_all()->allow_extra_args(false);
+  };
+  add("--seed", clicks.seeds, "X,Y,Z[,R]",
+      "A ball inside the object, LPS millimetres; may be given several times");
+  add("--seed-ijk", clicks.voxelSeeds, "I,J,K[,R]", "The same in voxels; the radius in voxels of mean size");
+  add("--background", clicks.background, "X,Y,Z[,R]",
+      "A ball outside of the object, LPS millimetres: the surface may not go there; may be given several "
+      "times");
+  add("--background-ijk", clicks.voxelBackground, "I,J,K[,R]",
+      "The same in voxels; the radius in voxels of mean size");
 }
 
 void addParameters(CLI::App& command, Parameters& p) {
@@ -85,6 +89,9 @@ void addParameters(CLI::App& command, Parameters& p) {
   add("--object", "auto|dark|bright", "Against its surroundings", setObject);
   add("--range", "LO,HI", "Intensities of the object; inf and -inf are allowed",
       [](Parameters& q, Text t) { q.range = parseRange("--range", t); });
+  add("--candidate", "N",
+      "Which of the objects that the clicks may mean, 1 = the likeliest (default); the report lists them",
+      [](Parameters& q, Text t) { q.candidate = parseInteger("--candidate", t, 1, kMostCandidates); });
   add("--smoothing", "auto|SIGMA", "Gaussian smoothing of the image, mm", setSmoothing);
   add("--edge-length", "MM", "Target edge length of the mesh",
       [](Parameters& q, Text t) { q.edgeLength = positive("--edge-length", t); });
@@ -99,25 +106,15 @@ void addParameters(CLI::App& command, Parameters& p) {
       [](Parameters& q, Text t) { q.threads = parseInteger("--threads", t, 1, kMostThreads); });
 }
 
-// Voxel seeds come as continuous indices with a radius in voxels.
-Seed toWorld(const Seed& seed, const Grid& grid) {
-  Seed world{grid.toWorld(seed.centre), seed.radius};
-  if (world.radius) *world.radius *= grid.meanSpacing();
-  return world;
-}
-
 int segment(SegmentOptions o) {
   Session& session = o.session;
   session.version = HANDLEBODY_VERSION;
   session.space = o.space.value_or(CoordinateSpace::lps);
-  if (o.seeds.empty() && o.voxelSeeds.empty()) throw UsageError("segment needs a --seed or --seed-ijk.");
-  std::vector<Seed> voxelSeeds;
-  for (Text text : o.seeds) session.seeds.push_back(parseSeed("--seed", text));
-  for (Text text : o.voxelSeeds) voxelSeeds.push_back(parseSeed("--seed-ijk", text));
+  const Clicks clicks = parseClicks(o.clicks);
   checkOutputs(o.outputs, {session.volume.path});
 
   LoadedSession loaded = load(std::move(session));
-  for (const Seed& seed : voxelSeeds) loaded.session.seeds.push_back(toWorld(seed, loaded.volume.grid));
+  loaded.session.seeds = seedsInWorld(clicks, loaded.volume.grid);
   return run(std::move(loaded), o.outputs);
 }
 
@@ -126,7 +123,8 @@ int segment(SegmentOptions o) {
 void addSegment(CLI::App& app, Action& action) {
   CLI::App* command = addCommand(app, "segment", "Grow a surface from seeds in a volume");
   auto options = std::make_shared<SegmentOptions>();
-  addInput(*command, *options);
+  addInput(*command, options->session.volume);
+  addClicks(*command, options->clicks);
   addParameters(*command, options->session.requested);
   addRunOutputs(*command, options->outputs);
   addSpace(*command, options->space);

@@ -200,6 +200,20 @@ TEST_CASE("mistakes on the command line are named", "[cli][bad]") {
   }
 }
 
+TEST_CASE("mistakes about the background and the candidate are named", "[cli][bad]") {
+  const TempFolder folder;
+  const auto refused = [&folder](const std::string& option, const std::string& value) {
+    INFO(option << " " << value);
+    requireRefusal(folder, {"segment", "v.mha", "--seed", "1,1,1", "-o", folder / "o.stl", option, value}, 2,
+                   option + ": ");
+  };
+  for (const char* value : {"1,2", "1,1,1,0", "a,b,c", "nan,1,1"}) {
+    refused("--background", value);
+    refused("--background-ijk", value);
+  }
+  for (const char* value : {"0", "-1", "6", "1.5", "first"}) refused("--candidate", value);
+}
+
 TEST_CASE("a command line that asks for nothing is a mistake", "[cli][bad]") {
   const TempFolder folder;
   requireRefusal(folder, {}, 2, "subcommand");
@@ -207,6 +221,7 @@ TEST_CASE("a command line that asks for nothing is a mistake", "[cli][bad]") {
   requireRefusal(folder, {"segment"}, 2, "VOLUME");
   requireRefusal(folder, {"segment", "v.mha", "--seed", "1,1,1"}, 2, "--output");
   requireRefusal(folder, {"segment", "v.mha", "-o", folder / "o.stl"}, 2, "--seed");
+  requireRefusal(folder, {"segment", "v.mha", "--background", "1,1,1", "-o", folder / "o.stl"}, 2, "--seed");
   requireRefusal(folder, {"segment", "v.mha", "w.mha", "--seed", "1,1,1", "-o", folder / "o.stl"}, 2,
                  "w.mha");
   requireRefusal(folder, {"segment", "v.mha", "--seed", "1,1,1", "-o", folder / "o.stl", folder / "p.stl"}, 2,
