@@ -1,0 +1,264 @@
+#include "core/object/candidates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace handlebody {
+
+namespace {
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+// Gradients are kept in half octaves of the noise per cell.
+constexpr int kGradients = 24;
+constexpr int kNoiseGradient = 8;
+// A part of the surface on a cut side that is an accident of a cell or two.
+constexpr double kHardlyCut = 0.005;
+
+std::uint8_t gradientBin(double perNoise) {
+  const double bin = 2 * std::log2(std::max(perNoise, 1e-9)) + kNoiseGradient;
+  return static_cast<std::uint8_t>(std::clamp(static_cast<int>(std::floor(bin)), 0, kGradients - 1));
+}
+
+//! Gradient of the values over a cell's mean spacing.
+std::vector<std::uint8_t> gradientBins(const ClickSearch& s) {
+  const Grid& g = s.image.cells.grid;
+  std::vector<std::uint8_t> out(s.values.size());
+  const double mean = g.meanSpacing() / s.intensities.noise;
+  std::size_t i = 0;
+  for (int z = 0; z < g.size[2]; ++z)
+    for (int y = 0; y < g.size[1]; ++y)
+      for (int x = 0; x < g.size[0]; ++x, ++i) {
+        const std::array<int, 3> c{x, y, z};
+        double sum = 0;
+        std::size_t step = 1;
+        for (std::size_t a = 0; a < 3; ++a) {
+          const std::size_t before = c[a] > 0 ? step : 0, after = c[a] + 1 < g.size[a] ? step : 0;
+          if (before + after > 0) {
+            const double wide = (before > 0 ? 1 : 0) + (after > 0 ? 1 : 0);
+            const double d = (static_cast<double>(s.values[i + after]) - s.values[i - before]) / wide;
+            sum += std::pow(d * mean / g.spacing[static_cast<Eigen::Index>(a)], 2);
+          }
+          step *= idx(g.size[a]);
+        }
+        out[i] = gradientBin(std::sqrt(sum));
+      }
+  return out;
+}
+
+//! Sums over regions, kept as what each rung adds.
+struct Sums {
+  double voxels = 0, inside = 0, inside2 = 0;            // of cells
+  double faces = 0, outside = 0, outside2 = 0;           // of the surface within the box
+  double border = 0, cut = 0;                            // of the surface on its sides
+  std::array<double, kGradients> gradients{};
+
+  void add(const Sums& o) {
+    voxels += o.voxels, inside += o.inside, inside2 += o.inside2;
+    faces += o.faces, outside += o.outside, outside2 += o.outside2;
+    border += o.border, cut += o.cut;
+    for (std::size_t g = 0; g < gradients.size(); ++g) gradients[g] += o.gradients[g];
+  }
+};
+using SumsPerRung = std::array<Sums, kNever + 1>;
+
+void addFace(SumsPerRung& sums, int inner, int outer, double outside, std::size_t gradient) {
+  for (const auto& [rung, sign] : {std::pair{inner, 1.0}, std::pair{outer, -1.0}}) {
+    Sums& s = sums[idx(rung)];
+    s.faces += sign;
+    s.outside += sign * outside;
+    s.outside2 += sign * outside * outside;
+    s.gradients[gradient] += sign;
+  }
+}
+
+//! One pass over the cells: a face between cells that join at l < m lies on the surface of the regions of the
+//! rungs l to m - 1.
+SumsPerRung gather(const ClickSearch& s, const ArrivalMap& map, const std::vector<std::uint8_t>& gradients) {
+  SumsPerRung sums;
+  const CellGrid& cells = s.image.cells;
+  const auto& n = cells.grid.size;
+  const std::array<std::size_t, 3> steps{1, idx(n[0]), idx(n[0]) * idx(n[1])};
+  std::size_t i = 0;
+  for (int z = 0; z < n[2]; ++z)
+    for (int y = 0; y < n[1]; ++y)
+      for (int x = 0; x < n[0]; ++x, ++i) {
+        const int level = map.level[i];
+        const std::array<int, 3> c{x, y, z};
+        if (level < kNever) {
+          Sums& own = sums[idx(level)];
+          const double d = s.values[i] - s.intensities.level;
+          own.voxels += 1, own.inside += d, own.inside2 += d * d;
+          for (std::size_t a = 0; a < 3; ++a) {
+            if (n[a] < 2) continue;
+            if (c[a] == 0) ++(cells.goesOn[a][0] ? own.cut : own.border);
+            if (c[a] == n[a] - 1) ++(cells.goesOn[a][1] ? own.cut : own.border);
+          }
+        }
+        for (std::size_t a = 0; a < 3; ++a) {
+          if (c[a] + 1 >= n[a]) continue;
+          const std::size_t j = i + steps[a];
+          const int other = map.level[j];
+          if (other == level) continue;
+          const std::size_t outer = level < other ? j : i;
+          addFace(sums, std::min(level, other), std::max(level, other), s.values[outer] - s.intensities.level,
+                  (gradients[i] + std::size_t{gradients[j]}) / 2);
+        }
+      }
+  return sums;
+}
+
+double median(const std::array<double, kGradients>& histogram, double total) {
+  double before = 0;
+  for (int g = 0; g < kGradients; ++g) {
+    const double here = histogram[idx(g)];
+    if (here > 0 && before + here >= 0.5 * total) return g + (0.5 * total - before) / here;
+    before += here;
+  }
+  return kGradients;
+}
+
+RankedRegion describe(const ClickSearch& s, const ArrivalMap& map, int rung, const Sums& sum) {
+  RankedRegion r;
+  r.search = &s;
+  r.map = &map;
+  r.rung = rung;
+  r.volume = sum.voxels * s.image.cells.grid.voxelVolume();
+  const double faces = std::max(sum.faces, 1.0), surface = sum.faces + sum.border + sum.cut;
+  r.border = surface > 0 ? sum.border / surface : 0;
+  r.cut = surface > 0 ? sum.cut / surface : 0;
+  r.edge = median(sum.gradients, faces);
+  const double in = sum.inside / sum.voxels, out = sum.outside / faces;
+  const double spread = std::sqrt(std::max(0.0, sum.inside2 / sum.voxels - in * in)) +
+                        std::sqrt(std::max(0.0, sum.outside2 / faces - out * out));
+  r.contrast = std::abs(out - in) / (spread + 0.3 * s.intensities.noise + std::numeric_limits<double>::min());
+  return r;
+}
+
+//! Regions that contain another one for sure (wider bounds, narrower opening) or are contained, and differ
+//! little in size.
+void countVotes(std::vector<RankedRegion>& regions, const ObjectPolicy& policy) {
+  std::vector<double> size;
+  for (const RankedRegion& r : regions) size.push_back(std::log(r.volume));
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    const RankedRegion& a = regions[i];
+    for (std::size_t j = 0; j < regions.size(); ++j) {
+      if (std::abs(size[i] - size[j]) >= policy.sameSize) continue;
+      const RankedRegion& b = regions[j];
+      const bool wider = b.map->band >= a.map->band && b.rung >= a.rung && b.map->passes <= a.map->passes;
+      const bool narrower = b.map->band <= a.map->band && b.rung <= a.rung && b.map->passes >= a.map->passes;
+      regions[i].votes += wider || narrower;
+    }
+  }
+}
+
+//! Rank from 0 to 1 among all regions; equal values have equal ranks.
+std::vector<double> ranks(const std::vector<RankedRegion>& regions, double RankedRegion::* of) {
+  std::vector<double> sorted;
+  for (const RankedRegion& r : regions) sorted.push_back(r.*of);
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<double> out;
+  const double last = std::max(1.0, static_cast<double>(sorted.size()) - 1);
+  for (const RankedRegion& r : regions) {
+    const auto [first, end] = std::equal_range(sorted.begin(), sorted.end(), r.*of);
+    out.push_back((static_cast<double>(first - sorted.begin()) + static_cast<double>(end - sorted.begin()) - 1) /
+                  (2 * last));
+  }
+  return out;
+}
+
+void setScores(std::vector<RankedRegion>& regions, double searched, const ObjectPolicy& p) {
+  const auto votes = ranks(regions, &RankedRegion::votes), edges = ranks(regions, &RankedRegion::edge),
+             contrasts = ranks(regions, &RankedRegion::contrast);
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    RankedRegion& r = regions[i];
+    const double large = std::max(0.0, std::log(r.volume / (p.largePart * searched)));
+    r.score = p.stability * votes[i] + p.edge * edges[i] + p.contrast * contrasts[i] -
+              p.border * (r.border + r.cut) - p.size * large;
+  }
+}
+
+//! Intersection over union; of regions of different searches, or of sizes too different, only by their volumes.
+double likeness(const RankedRegion& a, const RankedRegion& b, const ObjectPolicy& policy) {
+  const double sizes = std::min(a.volume, b.volume) / std::max(a.volume, b.volume);
+  if (a.search != b.search || sizes < policy.sameRegion) return sizes;
+  std::size_t both = 0, any = 0;
+  const std::uint8_t ra = static_cast<std::uint8_t>(a.rung), rb = static_cast<std::uint8_t>(b.rung);
+  for (std::size_t i = 0; i < a.map->level.size(); ++i) {
+    const bool inA = a.map->level[i] <= ra, inB = b.map->level[i] <= rb;
+    both += inA && inB;
+    any += inA || inB;
+  }
+  return static_cast<double>(both) / static_cast<double>(std::max<std::size_t>(1, any));
+}
+
+}  // namespace
+
+ClickSearch searchAround(const Volume& volume, const CellGrid& cells, const Vec3& click, const FieldOfView* view,
+                         const ObjectPolicy& policy, int threads) {
+  ClickSearch s{makeCells(volume, cells, view), {}, cells.nearest(click), {}, {}};
+  s.values = smoothed(cells, s.image.values, policy.smoothing * cells.grid.meanSpacing());
+  s.intensities = readClick(cells, s.image.values, s.values, s.click, policy);
+  if (!(s.intensities.range > 0)) return s;  // constant: nothing to find
+  s.maps = arrivalMaps(cells, rungsOf(s.image, s.values, s.click, s.intensities), s.click, policy, threads);
+  return s;
+}
+
+bool RankedRegion::holds(const Vec3& world) const {
+  const CellGrid& cells = search->image.cells;
+  return cells.contains(world) && holds(cells.at(cells.nearest(world)));
+}
+
+std::array<double, 2> RankedRegion::bounds() const {
+  const auto& in = search->intensities;
+  const auto distance = [&](int r) {
+    return r < kRungs ? static_cast<double>(in.ladder[idx(r)]) : std::numeric_limits<double>::infinity();
+  };
+  return {in.level - distance(rung), in.level + distance(map->band)};
+}
+
+std::vector<RankedRegion> rankRegions(const std::vector<std::unique_ptr<ClickSearch>>& searches,
+                                      const ObjectPolicy& policy) {
+  std::vector<RankedRegion> all;
+  double searched = 0;  // mm³
+  for (const auto& s : searches) {
+    const CellGrid& cells = s->image.cells;
+    const bool last = s == searches.back();
+    searched = std::max(searched, static_cast<double>(cells.count()) * cells.grid.voxelVolume());
+    const std::vector<std::uint8_t> gradients = s->maps.empty() ? std::vector<std::uint8_t>{} : gradientBins(*s);
+    std::vector<RankedRegion> own;
+    for (const ArrivalMap& map : s->maps) {
+      const SumsPerRung sums = gather(*s, map, gradients);
+      Sums upTo;
+      for (int rung = 0; rung < map.end; ++rung) {
+        upTo.add(sums[idx(rung)]);
+        if (upTo.voxels < static_cast<double>(policy.fewest)) continue;
+        if (upTo.voxels > policy.largestPart * static_cast<double>(cells.count())) break;
+        own.push_back(describe(*s, map, rung, upTo));
+      }
+    }
+    countVotes(own, policy);
+    std::erase_if(own, [&](const RankedRegion& r) { return !last && r.cut > kHardlyCut; });
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  setScores(all, searched, policy);
+  return all;
+}
+
+std::vector<RankedRegion> distinctRegions(std::vector<RankedRegion>& regions, std::size_t most,
+                                          const ObjectPolicy& policy) {
+  std::stable_sort(regions.begin(), regions.end(),
+                   [](const RankedRegion& a, const RankedRegion& b) { return a.score > b.score; });
+  std::vector<RankedRegion> out;
+  for (const RankedRegion& r : regions) {
+    if (out.size() == most) break;
+    if (std::none_of(out.begin(), out.end(),
+                     [&](const RankedRegion& o) { return likeness(r, o, policy) > policy.sameRegion; }))
+      out.push_back(r);
+  }
+  return out;
+}
+
+}  // namespace handlebody

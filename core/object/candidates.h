@@ -1,0 +1,53 @@
+#pragma once
+// The regions around a click that may be meant, ranked: by how little they change when bounds or opening do,
+// by their edges and by their contrast.
+
+#include <memory>
+#include <vector>
+
+#include "core/object/arrival.h"
+
+namespace handlebody {
+
+//! A search around one click in one grid of cells.
+struct ClickSearch {
+  CellImage image;
+  std::vector<float> values;  //!< smoothed
+  std::array<int, 3> click;
+  ClickIntensities intensities;
+  std::vector<ArrivalMap> maps;
+};
+//! Precondition: the cells hold the click.
+ClickSearch searchAround(const Volume& volume, const CellGrid& cells, const Vec3& click, const FieldOfView* view,
+                         const ObjectPolicy& policy, int threads);
+
+//! A region {level <= rung} of one map, and what speaks for it.
+struct RankedRegion {
+  const ClickSearch* search = nullptr;
+  const ArrivalMap* map = nullptr;
+  int rung = 0;
+  double volume = 0;    //!< mm³
+  double border = 0;    //!< part of its surface on the border of the volume
+  double cut = 0;       //!< and on sides of the box beyond which the volume goes on
+  double votes = 0;     //!< regions that can hardly be told from it
+  double edge = 0;      //!< median gradient on its surface, log2 of noise per cell
+  double contrast = 0;  //!< distance of the means inside and just outside over the sum of their deviations
+  double score = 0;
+
+  bool holds(std::size_t cell) const { return map->level[cell] <= rung; }
+  //! False for points beyond the search.
+  bool holds(const Vec3& world) const;
+  //! Lower and upper bound.
+  std::array<double, 2> bounds() const;
+};
+
+//! All regions of the searches with their scores. A region that the box of its search cuts is left out if
+//! another search is `wider`.
+std::vector<RankedRegion> rankRegions(const std::vector<std::unique_ptr<ClickSearch>>& searches,
+                                      const ObjectPolicy& policy);
+
+//! The best `most` that differ, best first. Orders `regions` by score.
+std::vector<RankedRegion> distinctRegions(std::vector<RankedRegion>& regions, std::size_t most,
+                                          const ObjectPolicy& policy);
+
+}  // namespace handlebody

@@ -1,0 +1,135 @@
+#include "core/object/cells.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handlebody {
+
+namespace {
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+struct Span {
+  int low, count;  // voxels
+};
+
+Span spanAround(const Grid& volume, int axis, double centre, double reach) {
+  const int n = volume.size[idx(axis)];
+  const double half = reach / volume.spacing[axis];
+  const int low = std::clamp(static_cast<int>(std::floor(centre - half)), 0, n - 1);
+  const int high = std::clamp(static_cast<int>(std::ceil(centre + half)), 0, n - 1);
+  return {low, high - low + 1};
+}
+
+//! Weights of a Gaussian, the centre first; they sum to 1 over both sides.
+std::vector<float> gaussian(double sigma) {
+  std::vector<float> w(idx(static_cast<int>(std::ceil(3 * sigma))) + 1);
+  double sum = 0;
+  for (std::size_t i = 0; i < w.size(); ++i) {
+    const double x = static_cast<double>(i) / sigma;
+    w[i] = static_cast<float>(std::exp(-0.5 * x * x));
+    sum += (i == 0 ? 1 : 2) * static_cast<double>(w[i]);
+  }
+  for (float& x : w) x /= static_cast<float>(sum);
+  return w;
+}
+
+//! Along rows of memory; `block` values lie between neighbours along the axis.
+void smoothAlong(const std::vector<float>& in, std::vector<float>& out, int n, std::size_t block,
+                 const std::vector<float>& w) {
+  for (std::size_t slab = 0; slab < in.size(); slab += block * idx(n))
+    for (int i = 0; i < n; ++i) {
+      const float* centre = &in[slab + idx(i) * block];
+      float* to = &out[slab + idx(i) * block];
+      for (std::size_t j = 0; j < block; ++j) to[j] = w[0] * centre[j];
+      for (std::size_t k = 1; k < w.size(); ++k) {
+        const float* a = &in[slab + idx(std::max(i - static_cast<int>(k), 0)) * block];
+        const float* b = &in[slab + idx(std::min(i + static_cast<int>(k), n - 1)) * block];
+        for (std::size_t j = 0; j < block; ++j) to[j] += w[k] * (a[j] + b[j]);
+      }
+    }
+}
+
+}  // namespace
+
+std::array<int, 3> CellGrid::nearest(const Vec3& world) const {
+  const Vec3 index = grid.toIndex(world);
+  std::array<int, 3> cell;
+  for (int a = 0; a < 3; ++a)
+    cell[idx(a)] = std::clamp(static_cast<int>(std::lround(index[a])), 0, grid.size[idx(a)] - 1);
+  return cell;
+}
+
+CellGrid cellsAround(const Grid& volume, const Vec3& centre, double reach, std::size_t most) {
+  const Vec3 index = volume.toIndex(centre);
+  std::array<Span, 3> spans;
+  for (int a = 0; a < 3; ++a) spans[idx(a)] = spanAround(volume, a, index[a], reach);
+  CellGrid out;
+  const auto count = [&] {
+    std::size_t n = 1;
+    for (int a = 0; a < 3; ++a) n *= idx((spans[idx(a)].count + out.factor[idx(a)] - 1) / out.factor[idx(a)]);
+    return n;
+  };
+  while (count() > most) {
+    int finest = 0;
+    for (int a = 1; a < 3; ++a)
+      if (volume.spacing[a] * out.factor[idx(a)] < 0.99 * volume.spacing[finest] * out.factor[idx(finest)])
+        finest = a;
+    ++out.factor[idx(finest)];
+  }
+  out.grid = volume;
+  Vec3 first;
+  for (int a = 0; a < 3; ++a) {
+    const auto [low, n] = spans[idx(a)];
+    const int f = out.factor[idx(a)];
+    out.low[idx(a)] = low;
+    out.grid.size[idx(a)] = (n + f - 1) / f;
+    out.grid.spacing[a] *= f;
+    first[a] = low + 0.5 * (f - 1);
+    out.goesOn[idx(a)] = {low > 0, low + n < volume.size[idx(a)]};
+  }
+  out.grid.origin = volume.toWorld(first);
+  return out;
+}
+
+CellImage makeCells(const Volume& volume, const CellGrid& cells, const FieldOfView* view) {
+  const std::size_t n = cells.count();
+  std::vector<float> count(n, 0);
+  CellImage out{cells, std::vector<float>(n, 0), std::vector<std::uint8_t>(n, 0)};
+  const auto& size = volume.grid.size;
+  std::array<int, 3> last;
+  for (std::size_t a = 0; a < 3; ++a)
+    last[a] = std::min(size[a], cells.low[a] + cells.grid.size[a] * cells.factor[a]);
+  visitVoxels(volume, [&](const auto* v) {
+    for (int z = cells.low[2]; z < last[2]; ++z)
+      for (int y = cells.low[1]; y < last[1]; ++y) {
+        const std::size_t row = (idx(z) * idx(size[1]) + idx(y)) * idx(size[0]);
+        const std::size_t to = cells.at(0, (y - cells.low[1]) / cells.factor[1], (z - cells.low[2]) / cells.factor[2]);
+        for (int x = cells.low[0]; x < last[0]; ++x) {
+          const std::size_t c = to + idx((x - cells.low[0]) / cells.factor[0]);
+          out.values[c] += static_cast<float>(v[row + idx(x)]);
+          count[c] += 1;
+          if (view && view->isPadding(row + idx(x))) out.padding[c] = 1;
+        }
+      }
+  });
+  for (std::size_t c = 0; c < n; ++c) out.values[c] /= count[c];
+  return out;
+}
+
+std::vector<float> smoothed(const CellGrid& cells, std::vector<float> values, double sigma) {
+  std::vector<float> other(values.size());
+  std::size_t block = 1;
+  for (int a = 0; a < 3; ++a) {
+    const double s = sigma / cells.grid.spacing[a];
+    const int n = cells.grid.size[idx(a)];
+    if (s > 0.15) {  // less is nothing but the centre
+      smoothAlong(values, other, n, block, gaussian(s));
+      values.swap(other);
+    }
+    block *= idx(n);
+  }
+  return values;
+}
+
+}  // namespace handlebody

@@ -1,0 +1,230 @@
+#include "core/object/corrections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+#include "core/object/distance.h"
+
+namespace handlebody {
+
+namespace {
+
+using Cell = std::array<int, 3>;
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+// Reach of a correction around its click, in depths of the click, and cells more.
+constexpr double kCutReach = 2, kAddReach = 3, kMore = 1;
+// An edge of this many times the noise doubles the length of a step across it.
+constexpr double kEdge = 1.5;
+// A place as deep as this many cells makes a step three times as long as in the open.
+constexpr double kThin = 2;
+// Of the log of how much larger what is added is than a third of the region.
+constexpr double kGrowsMuch = 0.15, kThird = 0.3;
+
+Cell cellOf(const CellGrid& cells, std::size_t i) {
+  const std::size_t nx = idx(cells.grid.size[0]), ny = idx(cells.grid.size[1]);
+  return {static_cast<int>(i % nx), static_cast<int>(i / nx % ny), static_cast<int>(i / (nx * ny))};
+}
+
+Vec3 placeOf(const CellGrid& cells, const Cell& c) {
+  return Vec3(c[0], c[1], c[2]).cwiseProduct(cells.grid.spacing);
+}
+
+template <typename F>
+void forBox(const CellBox& box, F&& f) {
+  for (int z = box.low[2]; z <= box.high[2]; ++z)
+    for (int y = box.low[1]; y <= box.high[1]; ++y)
+      for (int x = box.low[0]; x <= box.high[0]; ++x) f(Cell{x, y, z});
+}
+
+//! The cells within `reach` mm of one.
+CellBox boxAround(const CellGrid& cells, const Cell& c, double reach) {
+  CellBox box{c, c};
+  for (int a = 0; a < 3; ++a) {
+    const int r = static_cast<int>(std::ceil(reach / cells.grid.spacing[a]));
+    box.low[idx(a)] = std::max(0, c[idx(a)] - r);
+    box.high[idx(a)] = std::min(cells.grid.size[idx(a)] - 1, c[idx(a)] + r);
+  }
+  return box;
+}
+
+//! Largest distance (mm) of a marked cell to the others; the border of the box counts as unmarked.
+double deepest(const std::array<int, 3>& size, const Vec3& spacing, const std::vector<std::uint8_t>& mask) {
+  std::vector<std::uint8_t> other(mask.size());
+  for (std::size_t i = 0; i < mask.size(); ++i) other[i] = !mask[i];
+  double most = 0;
+  for (const float d : distanceTo(size, spacing, other))
+    if (std::isfinite(d)) most = std::max(most, static_cast<double>(d));
+  return most;
+}
+
+//! Shortest paths from two sets within a region.
+class Competition {
+ public:
+  Competition(const WorkImage& work, const Region& region, const CellBox& box, double noise)
+      : work_(work), box_(box), size_(box.size()), inside_(cutOut(work.cells(), region.inside, box)), noise_(noise) {
+    std::vector<std::uint8_t> outside(inside_.size());
+    for (std::size_t i = 0; i < outside.size(); ++i) outside[i] = !inside_[i];
+    depth_ = distanceTo(size_, work.cells().grid.spacing, outside);
+  }
+
+  std::size_t local(const Cell& c) const {
+    return (idx(c[2] - box_.low[2]) * idx(size_[1]) + idx(c[1] - box_.low[1])) * idx(size_[0]) +
+           idx(c[0] - box_.low[0]);
+  }
+  bool isInside(const Cell& c) const { return inside_[local(c)] != 0; }
+
+  std::vector<float> lengthsFrom(const std::vector<Cell>& starts) const {
+    std::vector<float> length(inside_.size(), std::numeric_limits<float>::infinity());
+    using Entry = std::pair<float, std::size_t>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    for (const Cell& c : starts) {
+      length[local(c)] = 0;
+      queue.push({0, local(c)});
+    }
+    while (!queue.empty()) {
+      const auto [l, i] = queue.top();
+      queue.pop();
+      if (l > length[i]) continue;
+      forNeighbours(i, [&](std::size_t j, double step) {
+        const float there = static_cast<float>(l + step * weight(i, j));
+        if (there >= length[j]) return;
+        length[j] = there;
+        queue.push({there, j});
+      });
+    }
+    return length;
+  }
+
+ private:
+  double value(std::size_t i) const {
+    const std::size_t nx = idx(size_[0]), ny = idx(size_[1]);
+    return work_.values[work_.cells().at(box_.low[0] + static_cast<int>(i % nx), box_.low[1] + static_cast<int>(i / nx % ny),
+                                         box_.low[2] + static_cast<int>(i / (nx * ny)))];
+  }
+  double weight(std::size_t i, std::size_t j) const {
+    const double jump = (value(i) - value(j)) / (kEdge * noise_);
+    const double deep = std::min(depth_[i], depth_[j]) / work_.cells().grid.meanSpacing();
+    return (1 + jump * jump) * (1 + kThin / std::max(0.5, deep));
+  }
+  template <typename F>
+  void forNeighbours(std::size_t i, F&& f) const {
+    const std::size_t nx = idx(size_[0]), ny = idx(size_[1]);
+    const std::array<std::size_t, 3> c{i % nx, i / nx % ny, i / (nx * ny)}, steps{1, nx, nx * ny};
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double h = work_.cells().grid.spacing[static_cast<Eigen::Index>(a)];
+      if (c[a] > 0 && inside_[i - steps[a]]) f(i - steps[a], h);
+      if (c[a] + 1 < idx(size_[a]) && inside_[i + steps[a]]) f(i + steps[a], h);
+    }
+  }
+
+  const WorkImage& work_;
+  CellBox box_;
+  std::array<int, 3> size_;
+  std::vector<std::uint8_t> inside_;
+  std::vector<float> depth_;
+  double noise_;
+};
+
+void setBall(const WorkImage& work, Region& region, const CellClick& click, std::uint8_t to) {
+  const CellGrid& cells = work.cells();
+  const Cell centre = cellOf(cells, click.cell);
+  region.inside[click.cell] = to;
+  const Vec3 at = placeOf(cells, centre);
+  forBox(boxAround(cells, centre, click.radius), [&](const Cell& c) {
+    if ((placeOf(cells, c) - at).norm() <= click.radius) region.inside[cells.at(c)] = to;
+  });
+}
+
+}  // namespace
+
+double depthBehindSurface(const WorkImage& work, const Region& region, std::size_t cell) {
+  const CellGrid& cells = work.cells();
+  const std::uint8_t here = region.inside[cell];
+  const Cell centre = cellOf(cells, cell);
+  const Vec3 at = placeOf(cells, centre);
+  const double least = cells.grid.meanSpacing();
+  // Boxes twice as large each time: most clicks lie near the surface.
+  for (double reach = 4 * least;; reach *= 2) {
+    const CellBox box = boxAround(cells, centre, reach);
+    double nearest = std::numeric_limits<double>::infinity();
+    forBox(box, [&](const Cell& c) {
+      if (region.inside[cells.at(c)] != here) nearest = std::min(nearest, (placeOf(cells, c) - at).norm());
+    });
+    if (nearest <= reach) return std::max(least, nearest);
+    if (box.count() == cells.count()) return std::isfinite(nearest) ? nearest : reach;
+  }
+}
+
+double depthOfChange(const WorkImage& work, const Region& a, const Region& b) {
+  Region change{std::vector<std::uint8_t>(a.inside.size())};
+  for (std::size_t i = 0; i < a.inside.size(); ++i) change.inside[i] = a.inside[i] != b.inside[i];
+  const CellGrid& cells = work.cells();
+  CellBox box = boxOf(cells, change);
+  if (box.empty()) return 0;
+  box = box.grown(1, cells.grid.size);
+  return deepest(box.size(), cells.grid.spacing, cutOut(cells, change.inside, box));
+}
+
+Region cutAway(const WorkImage& work, const Region& region, const CellClick& click,
+               const std::vector<CellClick>& inside, double noise, double depth) {
+  const CellGrid& cells = work.cells();
+  const Cell centre = cellOf(cells, click.cell);
+  const Vec3 at = placeOf(cells, centre);
+  const double reach = kCutReach * depth + kMore * cells.grid.meanSpacing();
+  const CellBox box = boxAround(cells, centre, reach + 2 * cells.grid.spacing.maxCoeff());
+  const Competition competition(work, region, box, noise);
+  std::vector<Cell> stay;
+  forBox(box, [&](const Cell& c) {
+    if (competition.isInside(c) && (placeOf(cells, c) - at).norm() > reach) stay.push_back(c);
+  });
+  for (const CellClick& p : inside) {
+    const Cell c = cellOf(cells, p.cell);
+    bool in = true;
+    for (std::size_t a = 0; a < 3; ++a) in = in && c[a] >= box.low[a] && c[a] <= box.high[a];
+    if (in && competition.isInside(c)) stay.push_back(c);
+  }
+  const std::vector<float> toStay = competition.lengthsFrom(stay), toClick = competition.lengthsFrom({centre});
+  Region out = region;
+  forBox(box, [&](const Cell& c) {
+    const std::size_t l = competition.local(c);
+    if (competition.isInside(c) && toClick[l] < toStay[l]) out.inside[cells.at(c)] = 0;
+  });
+  return out;
+}
+
+Region addNear(const WorkImage& work, const Region& region, const CellClick& click,
+               const std::vector<RankedRegion>& ranked, const std::vector<CellClick>& outside, double depth) {
+  const CellGrid& cells = work.cells();
+  const double third = kThird * static_cast<double>(region.count()) * cells.grid.voxelVolume();
+  const RankedRegion* best = nullptr;
+  double bestScore = -std::numeric_limits<double>::infinity();
+  for (const RankedRegion& r : ranked) {
+    if (std::any_of(outside.begin(), outside.end(), [&](const CellClick& o) { return r.holds(o.place); })) continue;
+    const double score = r.score - kGrowsMuch * std::max(0.0, std::log(r.volume / third));
+    if (score <= bestScore) continue;
+    best = &r;
+    bestScore = score;
+  }
+  Region out = region;
+  if (!best) return out;
+  const Region found = regionOn(work, *best);
+  const Cell centre = cellOf(cells, click.cell);
+  const Vec3 at = placeOf(cells, centre);
+  const double reach = kAddReach * depth + kMore * cells.grid.meanSpacing();
+  forBox(boxAround(cells, centre, reach), [&](const Cell& c) {
+    const std::size_t i = cells.at(c);
+    if (found.inside[i] && (placeOf(cells, c) - at).norm() <= reach) out.inside[i] = 1;
+  });
+  return out;
+}
+
+void stamp(const WorkImage& work, Region& region, const std::vector<CellClick>& inside,
+           const std::vector<CellClick>& outside) {
+  for (const CellClick& c : outside) setBall(work, region, c, 0);
+  for (const CellClick& c : inside) setBall(work, region, c, 1);
+}
+
+}  // namespace handlebody

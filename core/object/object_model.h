@@ -1,0 +1,44 @@
+#pragma once
+// From clicks to the object that is meant.
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/object/candidate.h"
+#include "core/object/corrections.h"
+
+namespace handlebody {
+
+//! A click as the search takes it.
+struct ObjectClick {
+  Vec3 place{0, 0, 0};             //!< mm, LPS
+  std::optional<double> radius{};  //!< mm
+};
+
+//! What is looked for.
+struct ObjectQuery {
+  std::vector<ObjectClick> inside, outside;  //!< the first inside one decides, the others correct
+  int candidate = 1;                         //!< 1 = the likeliest
+  int threads = 1;
+};
+
+//! The object around clicks, and what else they may mean.
+class ObjectModel {
+ public:
+  //! The first is the likeliest; each with the further clicks taken in only if it was chosen.
+  std::vector<ObjectCandidate> candidates;
+  int chosen = 1;              //!< of them
+  bool isCloseChoice = false;  //!< another one is about as likely
+  WorkImage work;
+  Region region;         //!< what was chosen, corrected by the clicks
+  double level = 0;      //!< intensity at the first click
+  double noise = 0;      //!< standard deviation there
+};
+
+//! None if the image is constant around the first click, or holds no image there. Precondition: at least one
+//! click inside; all lie in the volume.
+std::optional<ObjectModel> findObject(const Volume& volume, const ObjectQuery& query, const FieldOfView* view,
+                                      const ObjectPolicy& policy = {});
+
+}  // namespace handlebody

@@ -1,0 +1,172 @@
+#include "core/object/region.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace handlebody {
+
+namespace {
+
+using Cell = std::array<int, 3>;
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+//! Which cell of `to` each cell of `from` has its centre in, along one axis; -1 = none.
+std::vector<int> cellMap(const CellGrid& from, const CellGrid& to, std::size_t axis) {
+  std::vector<int> out(idx(from.grid.size[axis]), -1);
+  for (int i = 0; i < from.grid.size[axis]; ++i) {
+    // Twice the voxel index of the centre, so that it is whole.
+    const int twice = 2 * (from.low[axis] + from.factor[axis] * i) + from.factor[axis] - 1;
+    const int voxel = (twice >= 0 ? twice / 2 : -1) - to.low[axis];
+    const int cell = voxel >= 0 ? voxel / to.factor[axis] : -1;
+    if (cell >= 0 && cell < to.grid.size[axis]) out[idx(i)] = cell;
+  }
+  return out;
+}
+
+enum class Place : std::uint8_t { outside, inside, surface };
+
+//! Of each cell of a search: well inside, well outside, or with a neighbour of the other kind.
+std::vector<Place> placesOf(const RankedRegion& r) {
+  const CellGrid& cells = r.search->image.cells;
+  const auto& n = cells.grid.size;
+  std::vector<Place> out(cells.count());
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = r.holds(i) ? Place::inside : Place::outside;
+  const std::array<std::size_t, 3> steps{1, idx(n[0]), idx(n[0]) * idx(n[1])};
+  std::size_t i = 0;
+  for (int z = 0; z < n[2]; ++z)
+    for (int y = 0; y < n[1]; ++y)
+      for (int x = 0; x < n[0]; ++x, ++i) {
+        const Cell c{x, y, z};
+        for (std::size_t a = 0; a < 3; ++a)
+          if (c[a] + 1 < n[a] && r.holds(i) != r.holds(i + steps[a])) out[i] = out[i + steps[a]] = Place::surface;
+      }
+  return out;
+}
+
+//! Connected cells of one kind of a box, by face neighbours: calls f(cells) for each.
+template <typename F>
+void forParts(const std::array<int, 3>& n, const std::vector<std::uint8_t>& mask, std::uint8_t kind, F&& f) {
+  const std::array<std::size_t, 3> steps{1, idx(n[0]), idx(n[0]) * idx(n[1])};
+  std::vector<std::uint8_t> seen(mask.size(), 0);
+  std::vector<std::size_t> part;
+  for (std::size_t start = 0; start < mask.size(); ++start) {
+    if (seen[start] || mask[start] != kind) continue;
+    part.assign(1, start);
+    seen[start] = 1;
+    for (std::size_t k = 0; k < part.size(); ++k) {
+      const std::size_t v = part[k];
+      const std::array<std::size_t, 3> c{v % steps[1], v / steps[1] % idx(n[1]), v / steps[2]};
+      for (std::size_t a = 0; a < 3; ++a)
+        for (const bool up : {false, true}) {
+          if (up ? c[a] + 1 >= idx(n[a]) : c[a] == 0) continue;
+          const std::size_t w = up ? v + steps[a] : v - steps[a];
+          if (seen[w] || mask[w] != kind) continue;
+          seen[w] = 1;
+          part.push_back(w);
+        }
+    }
+    f(part);
+  }
+}
+
+}  // namespace
+
+std::size_t Region::count() const {
+  return static_cast<std::size_t>(std::count(inside.begin(), inside.end(), std::uint8_t{1}));
+}
+
+Region regionOn(const WorkImage& work, const RankedRegion& r) {
+  const CellGrid& to = work.cells();
+  const CellGrid& from = r.search->image.cells;
+  Region out{std::vector<std::uint8_t>(to.count(), 0)};
+  const std::vector<Place> places = placesOf(r);
+  const auto [low, high] = r.bounds();
+  const bool same = from.factor == to.factor;
+  std::array<std::vector<int>, 3> map;
+  for (std::size_t a = 0; a < 3; ++a) map[a] = cellMap(to, from, a);
+  std::size_t i = 0;
+  for (int z = 0; z < to.grid.size[2]; ++z)
+    for (int y = 0; y < to.grid.size[1]; ++y)
+      for (int x = 0; x < to.grid.size[0]; ++x, ++i) {
+        const Cell c{map[0][idx(x)], map[1][idx(y)], map[2][idx(z)]};
+        if (c[0] < 0 || c[1] < 0 || c[2] < 0) continue;
+        const std::size_t there = from.at(c);
+        if (same)
+          out.inside[i] = r.holds(there);
+        else if (places[there] == Place::surface)
+          out.inside[i] = work.values[i] >= low && work.values[i] <= high && !work.image.padding[i];
+        else
+          out.inside[i] = places[there] == Place::inside;
+      }
+  return out;
+}
+
+void keepParts(const WorkImage& work, Region& region, const std::vector<std::size_t>& holding, std::size_t cavity) {
+  const CellGrid& cells = work.cells();
+  CellBox box = boxOf(cells, region);
+  if (box.empty()) return;
+  box = box.grown(1, cells.grid.size);  // so that what is outside hangs together
+  std::vector<std::uint8_t> all(cells.count(), 0);
+  for (const std::size_t i : holding) all[i] = 1;
+  const std::vector<std::uint8_t> wanted = cutOut(cells, all, box), inside = cutOut(cells, region.inside, box);
+  std::vector<std::uint8_t> kept(inside.size(), 0);
+  forParts(box.size(), inside, 1, [&](const std::vector<std::size_t>& part) {
+    if (std::any_of(part.begin(), part.end(), [&](std::size_t i) { return wanted[i]; }))
+      for (const std::size_t i : part) kept[i] = 1;
+  });
+  const std::vector<std::uint8_t> withHoles = kept;
+  forParts(box.size(), withHoles, 0, [&](const std::vector<std::size_t>& part) {
+    if (part.size() < cavity)
+      for (const std::size_t i : part) kept[i] = 1;
+  });
+  std::size_t from = 0;
+  for (int z = box.low[2]; z <= box.high[2]; ++z)
+    for (int y = box.low[1]; y <= box.high[1]; ++y)
+      for (int x = box.low[0]; x <= box.high[0]; ++x) region.inside[cells.at(x, y, z)] = kept[from++];
+}
+
+void CellBox::widen(const Cell& cell) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    low[a] = std::min(low[a], cell[a]);
+    high[a] = std::max(high[a], cell[a]);
+  }
+}
+
+CellBox CellBox::grown(int by, const std::array<int, 3>& size) const {
+  CellBox out = *this;
+  for (std::size_t a = 0; a < 3; ++a) {
+    out.low[a] = std::max(0, low[a] - by);
+    out.high[a] = std::min(size[a] - 1, high[a] + by);
+  }
+  return out;
+}
+
+std::size_t CellBox::count() const {
+  if (empty()) return 0;
+  const auto n = size();
+  return idx(n[0]) * idx(n[1]) * idx(n[2]);
+}
+
+CellBox boxOf(const CellGrid& cells, const Region& region) {
+  const auto& n = cells.grid.size;
+  CellBox box{{n[0], n[1], n[2]}, {-1, -1, -1}};
+  std::size_t i = 0;
+  for (int z = 0; z < n[2]; ++z)
+    for (int y = 0; y < n[1]; ++y)
+      for (int x = 0; x < n[0]; ++x, ++i)
+        if (region.inside[i]) box.widen({x, y, z});
+  return box;
+}
+
+std::vector<std::uint8_t> cutOut(const CellGrid& cells, const std::vector<std::uint8_t>& values, const CellBox& box) {
+  std::vector<std::uint8_t> out;
+  out.reserve(box.count());
+  for (int z = box.low[2]; z <= box.high[2]; ++z)
+    for (int y = box.low[1]; y <= box.high[1]; ++y) {
+      const auto row = values.begin() + static_cast<std::ptrdiff_t>(cells.at(box.low[0], y, z));
+      out.insert(out.end(), row, row + (box.high[0] - box.low[0] + 1));
+    }
+  return out;
+}
+
+}  // namespace handlebody
