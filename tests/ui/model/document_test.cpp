@@ -94,6 +94,86 @@ TEST_CASE("every change of the seeds is undone and done again by its name", "[do
   CHECK(document.isModified());
 }
 
+TEST_CASE("a click outside is undone by its own name", "[document]") {
+  const TorusFile torus;
+  Document document;
+  REQUIRE(openAndWait(document, torus.path));
+  QUndoStack& undo = *document.undoStack();
+  const Seed outside{torus.seed.centre, std::nullopt, true};
+  document.addSeed(outside);
+  CHECK(undo.undoText() == QStringLiteral("Add click outside"));
+  document.moveSeed(0, torus.seed.centre + Vec3(1, 0, 0));
+  CHECK(undo.undoText() == QStringLiteral("Move click outside"));
+  document.setSeedRadius(0, 2.5);
+  CHECK(undo.undoText() == QStringLiteral("Change radius of click outside"));
+  CHECK(document.shownRadius(0) == 2.5);
+  CHECK(document.seeds()[0].background);
+  document.removeSeed(0);
+  CHECK(undo.undoText() == QStringLiteral("Delete click outside"));
+  CHECK(document.seeds().empty());
+  for (int i = 0; i < 3; ++i) undo.undo();
+  REQUIRE(document.seeds().size() == 1);
+  CHECK(document.seeds()[0] == outside);
+}
+
+TEST_CASE("clicks outside alone are nothing to grow from or to save", "[document]") {
+  const TorusFile torus;
+  Document document;
+  REQUIRE(openAndWait(document, torus.path));
+  CHECK_FALSE(document.isSeeded());
+  document.addSeed({torus.seed.centre, 3.0, true});
+  CHECK_FALSE(document.isSeeded());
+  document.run();
+  waitMilliseconds(400);  // longer than changes settle
+  CHECK(document.state() == GrowthState::none);
+  CHECK(document.growthError().contains(QStringLiteral("no seed yet")));
+  CHECK_FALSE(document.resolved());
+  CHECK(document.resolveError().isEmpty());
+  QString sentence;
+  QObject::connect(&document, &Document::saveFailed, [&](const QString& text) { sentence = text; });
+  document.saveSession(torus.file("outside.json"));
+  CHECK(sentence.contains(QStringLiteral("needs a seed")));
+  document.addSeed(torus.seed);
+  CHECK(document.isSeeded());
+}
+
+TEST_CASE("other clicks and another kind of object begin with the likeliest object again", "[document]") {
+  const TorusFile torus;
+  Document document;
+  REQUIRE(openAndWait(document, torus.path));
+  document.addSeed(torus.seed);
+  const auto chooseSecond = [&] {
+    Parameters parameters = document.parameters();
+    parameters.candidate = 2;
+    document.setParameters(parameters, QStringLiteral("Larger object"));
+    CHECK(document.parameters().candidate == 2);
+  };
+  const auto expectFirstUntilUndone = [&] {
+    CHECK(document.parameters().candidate == 1);
+    document.undoStack()->undo();
+    CHECK(document.parameters().candidate == 2);
+  };
+  chooseSecond();
+  document.addSeed({torus.seed.centre + Vec3(9, 0, 0), std::nullopt, true});
+  expectFirstUntilUndone();
+  document.moveSeed(0, torus.seed.centre + Vec3(1, 0, 0));
+  expectFirstUntilUndone();
+  Parameters bright = document.parameters();
+  bright.object = ObjectKind::bright;
+  document.setParameters(bright, QStringLiteral("Change object"));
+  expectFirstUntilUndone();
+  document.setSeedRadius(0, 2.0);  // the click lies where it lay
+  CHECK(document.parameters().candidate == 2);
+}
+
+TEST_CASE("without candidates no step changes anything", "[document]") {
+  Document document;
+  CHECK(document.candidateChoice().candidates.empty());
+  CHECK(document.candidateChoice().chosen == 0);
+  for (SizeStep step : {SizeStep::smaller, SizeStep::larger}) document.chooseCandidate(step);
+  CHECK(document.undoStack()->count() == 0);
+}
+
 TEST_CASE("one drag is one entry, the next drag another", "[document]") {
   const TorusFile torus;
   Document document;
