@@ -1,9 +1,35 @@
 // Opening, seeds, parameters, undo.
 
+#include "tests/ui/dumbbell.h"
 #include "tests/ui/model/document_support.h"
 
 using namespace handlebody;
 using namespace handlebody::ui;
+
+namespace {
+
+struct DumbbellFile {
+  QTemporaryDir folder;
+  QString path = folder.filePath(QStringLiteral("dumbbell.mha"));
+
+  DumbbellFile() { writeVolume(testing::dumbbellVolume(), path.toStdString()); }
+};
+
+//! Opens the dumbbell with a seed in its left ball and waits until the objects are known.
+bool openToChoose(Document& document, const DumbbellFile& file) {
+  if (!openAndWait(document, file.path)) return false;
+  document.addSeed({testing::kLeftBall, std::nullopt});
+  return waitFor([&] { return document.resolved().has_value(); });
+}
+
+//! A way that there is from the object that is taken.
+SizeStep anyStep(const Document& document) {
+  return neighbour(document.candidateChoice(), SizeStep::larger) ? SizeStep::larger : SizeStep::smaller;
+}
+
+bool isResolved(const Document& document) { return document.resolved().has_value(); }
+
+}  // namespace
 
 TEST_CASE("a volume is opened on another thread", "[document]") {
   const TorusFile torus;
@@ -172,6 +198,60 @@ TEST_CASE("without candidates no step changes anything", "[document]") {
   CHECK(document.candidateChoice().chosen == 0);
   for (SizeStep step : {SizeStep::smaller, SizeStep::larger}) document.chooseCandidate(step);
   CHECK(document.undoStack()->count() == 0);
+}
+
+// Hidden until the engine offers candidates: take away the dots then.
+
+TEST_CASE("a smaller or larger object is known at once, and undone by its name", "[document][.candidates]") {
+  const DumbbellFile file;
+  Document document;
+  REQUIRE(openToChoose(document, file));
+  const CandidateChoice before = document.candidateChoice();
+  REQUIRE(before.candidates.size() >= 2);
+  CHECK(before.chosen == 1);
+  const SizeStep step = anyStep(document);
+  const int next = neighbour(before, step).value();
+  document.chooseCandidate(step);
+  CHECK(document.undoStack()->undoText() ==
+        (step == SizeStep::larger ? QStringLiteral("Larger object") : QStringLiteral("Smaller object")));
+  CHECK(document.parameters().candidate == next);
+  CHECK_FALSE(isResolved(document));  // one can step on without waiting
+  CHECK(document.candidateChoice().candidates.size() == before.candidates.size());
+  CHECK(document.candidateChoice().chosen == next);
+  REQUIRE(waitFor([&] { return isResolved(document); }));
+  CHECK(document.resolved()->candidate == next);
+  CHECK(document.candidateChoice().candidates.size() == before.candidates.size());
+  document.undoStack()->undo();
+  CHECK(document.candidateChoice().chosen == 1);
+}
+
+TEST_CASE("other clicks and a given range leave no objects of before", "[document][.candidates]") {
+  const DumbbellFile file;
+  Document document;
+  REQUIRE(openToChoose(document, file));
+  REQUIRE(document.candidateChoice().candidates.size() >= 2);
+  document.addSeed({testing::kRightBall, std::nullopt, true});
+  CHECK(document.candidateChoice().candidates.empty());
+  REQUIRE(waitFor([&] { return isResolved(document); }));
+  CHECK_FALSE(document.candidateChoice().candidates.empty());
+  Parameters parameters = document.parameters();
+  parameters.range = IntensityRange{-std::numeric_limits<double>::infinity(), 100};
+  document.setParameters(parameters, QStringLiteral("Change range"));
+  CHECK(document.candidateChoice().candidates.empty());
+}
+
+TEST_CASE("another object that is taken after the growth is grown with from there on",
+          "[document][.candidates]") {
+  const DumbbellFile file;
+  Document document;
+  REQUIRE(openToChoose(document, file));
+  REQUIRE(document.candidateChoice().candidates.size() >= 2);
+  REQUIRE(runToEnd(document));
+  document.chooseCandidate(anyStep(document));
+  CHECK(document.state() == GrowthState::paused);  // as after any other change of a parameter
+  REQUIRE(runToEnd(document));
+  CHECK(document.growthError().isEmpty());
+  CHECK(document.snapshot()->certificate.passes());
 }
 
 TEST_CASE("one drag is one entry, the next drag another", "[document]") {

@@ -7,7 +7,7 @@
 #include <QUndoStack>
 
 #include "core/io/volume_io.h"
-#include "tests/support/test_volume.h"
+#include "tests/ui/dumbbell.h"
 #include "tests/ui/window/window_support.h"
 #include "ui/window/event_inspector.h"
 #include "ui/window/object_choice.h"
@@ -87,6 +87,7 @@ class PanelTest : public QObject {
   void aClickOutsideIsListedAsOneAndIsNoSeedToGrowFrom();
   void theObjectThatIsTakenAndTheWaysFromItAreSaidWithTheirVolumes();
   void withoutAChoiceNothingJumps();
+  void bracketsStepThroughTheObjectsBySize();
 };
 
 void PanelTest::doubtsAreShownOfASurfaceAtRestAndOnlyThen() {
@@ -413,6 +414,43 @@ void PanelTest::withoutAChoiceNothingJumps() {
   QVERIFY(window);
   for (Command id : {Command::smallerObject, Command::largerObject, Command::addOutside})
     QVERIFY(!window->commands()[id]->isEnabled());
+}
+
+void PanelTest::bracketsStepThroughTheObjectsBySize() {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("dumbbell.nii.gz");
+  writeVolume(testing::dumbbellVolume(), path.toStdString());
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, path));
+  ui::Document& document = window->document();
+  document.addSeed({testing::kLeftBall, {}});
+  QVERIFY(QTest::qWaitFor([&] { return document.resolved().has_value(); }, kPatience));
+  const int count = static_cast<int>(document.candidateChoice().candidates.size());
+  if (count < 2) QSKIP("The engine offers no other object yet.");  // take away when it does
+  QAction *smaller = window->commands()[Command::smallerObject],
+          *larger = window->commands()[Command::largerObject];
+  const auto place = [&] { return ui::placeBySize(document.candidateChoice()); };
+  for (int at = place(); at < count; ++at) {
+    QVERIFY(larger->isEnabled());
+    QTest::keyClick(window.get(), Qt::Key_BracketRight);
+    QCOMPARE(place(), at + 1);
+  }
+  QVERIFY(!larger->isEnabled());
+  QTest::keyClick(window.get(), Qt::Key_BracketRight);
+  QCOMPARE(place(), count);
+  for (int at = count; at > 1; --at) {
+    QVERIFY(smaller->isEnabled());
+    QTest::keyClick(window.get(), Qt::Key_BracketLeft);
+    QCOMPARE(place(), at - 1);
+  }
+  QVERIFY(!smaller->isEnabled() && larger->isEnabled());
+  QVERIFY(window->commands()[Command::undo]->text().contains("Smaller object"));
+  window->showStep(Command::stepSeed);
+  const QString shown = shownText(*window, "Which object is taken");
+  QVERIFY2(shown.startsWith(QString("1 of %1 by size").arg(count)), qPrintable(shown));
+  QVERIFY(QTest::qWaitFor([&] { return document.resolved().has_value(); }, kPatience));
+  QCOMPARE(place(), 1);
+  QVERIFY(!smaller->isEnabled() && larger->isEnabled());
 }
 
 int main(int argc, char** argv) {
