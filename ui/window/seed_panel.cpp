@@ -65,8 +65,8 @@ SeedPanel::SeedPanel(Document& document, ViewState& state, const Commands& comma
   auto* layout = panelLayout(this);
   hint_ = hint(
       tr("Click into the structure in any slice, then press Return: a ball is placed there, from which the "
-         "surface grows. One seed is often enough. Shift+Return marks a place outside of the object. Drag a "
-         "seed to move it, its rim to resize it."),
+         "surface grows. One seed is often enough. Shift+Return marks a place outside. Drag a seed to "
+         "move it, its rim to resize it."),
       this);
   layout->addWidget(hint_);
   auto* row = new QHBoxLayout;
