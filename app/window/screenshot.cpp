@@ -42,7 +42,7 @@ void Screenshot::start() {
 void Screenshot::grow() {
   ui::Document& document = window_.document();
   if (!options_.iteration) return take();
-  if (document.seeds().empty()) return end(kSeed, tr("There is no seed to grow from: open a session."));
+  if (!document.isSeeded()) return end(kSeed, tr("There is no seed to grow from: open a session."));
   growing_ = true;
   document.stepForward();  // the first one prepares the growth
 }

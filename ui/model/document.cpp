@@ -14,6 +14,21 @@ constexpr int kMostUndone = 1000;  // entries, about a kilobyte each
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
+bool lieAlike(const Seed& a, const Seed& b) { return a.centre == b.centre && a.background == b.background; }
+
+//! Other clicks or another kind of object: a place in the list of what could be meant means nothing any more.
+bool meanOthers(const Edits& a, const Edits& b) {
+  return a.parameters.object != b.parameters.object ||
+         !std::equal(a.seeds.begin(), a.seeds.end(), b.seeds.begin(), b.seeds.end(), lieAlike);
+}
+
+//! Nothing differs but which of the objects is taken, and what has no say in them.
+bool offerSameObjects(const Edits& a, const Edits& b) {
+  Parameters parameters = b.parameters;
+  parameters.candidate = a.parameters.candidate;
+  return a.seeds == b.seeds && chooseSameImage(a.parameters, parameters);
+}
+
 }  // namespace
 
 Document::Private::Private(Document& document)
@@ -88,6 +103,7 @@ void Document::Private::adopt(const QString& path, OpenedWork opened) {
   journal.clear();
   work = std::move(opened);
   forgetPreparation();
+  forgetCandidates();
   error.clear();
   sessionPath.clear();
   view.clear();
@@ -148,12 +164,14 @@ void Document::setView(const QByteArray& json) { d_->view = json; }
 // --- seeds and parameters ---
 
 void Document::Private::push(const QString& text, Edits after, int gesture) {
+  if (meanOthers(edits, after)) after.parameters.candidate = 1;
   undo.push(new EditCommand(text, edits, std::move(after), gesture, [this](const Edits& e) { apply(e); }));
 }
 
 void Document::Private::apply(const Edits& after) {
   const bool seeds = after.seeds != edits.seeds, parameters = !(after.parameters == edits.parameters);
   const bool selection = after.selectedSeed != edits.selectedSeed;
+  if (!offerSameObjects(edits, after)) forgetCandidates();
   edits = after;
   if (seeds || parameters) editsChanged(seeds);
   if (seeds) Q_EMIT q.seedsChanged();
@@ -173,19 +191,24 @@ void Document::Private::editsChanged(bool seeds) {
 
 const std::vector<Seed>& Document::seeds() const { return d_->edits.seeds; }
 
+bool Document::isSeeded() const {
+  return std::any_of(seeds().begin(), seeds().end(), [](const Seed& seed) { return !seed.background; });
+}
+
 void Document::addSeed(const Seed& seed) {
   Edits after = d_->edits;
   after.seeds.push_back(seed);
   after.selectedSeed = static_cast<int>(after.seeds.size()) - 1;
-  d_->push(tr("Add seed"), std::move(after), -1);
+  d_->push(seed.background ? tr("Add click outside") : tr("Add seed"), std::move(after), -1);
 }
 
 void Document::removeSeed(int index) {
   Edits after = d_->edits;
   if (index < 0 || idx(index) >= after.seeds.size()) return;
+  const bool outside = after.seeds[idx(index)].background;
   after.seeds.erase(after.seeds.begin() + index);
   after.selectedSeed = std::min(index, static_cast<int>(after.seeds.size()) - 1);
-  d_->push(tr("Delete seed"), std::move(after), -1);
+  d_->push(outside ? tr("Delete click outside") : tr("Delete seed"), std::move(after), -1);
 }
 
 void Document::moveSeed(int index, const Vec3& centre, int gesture) {
@@ -193,7 +216,8 @@ void Document::moveSeed(int index, const Vec3& centre, int gesture) {
   if (index < 0 || idx(index) >= after.seeds.size() || after.seeds[idx(index)].centre == centre) return;
   after.seeds[idx(index)].centre = centre;
   after.selectedSeed = index;
-  d_->push(tr("Move seed"), std::move(after), gesture);
+  const bool outside = after.seeds[idx(index)].background;
+  d_->push(outside ? tr("Move click outside") : tr("Move seed"), std::move(after), gesture);
 }
 
 void Document::setSeedRadius(int index, std::optional<double> radius, int gesture) {
@@ -201,7 +225,9 @@ void Document::setSeedRadius(int index, std::optional<double> radius, int gestur
   if (index < 0 || idx(index) >= after.seeds.size() || after.seeds[idx(index)].radius == radius) return;
   after.seeds[idx(index)].radius = radius;
   after.selectedSeed = index;
-  d_->push(tr("Change seed radius"), std::move(after), gesture);
+  const bool outside = after.seeds[idx(index)].background;
+  d_->push(outside ? tr("Change radius of click outside") : tr("Change seed radius"), std::move(after),
+           gesture);
 }
 
 int Document::selectedSeed() const { return d_->edits.selectedSeed; }
@@ -219,7 +245,7 @@ double Document::shownRadius(int index) const {
   if (seed.radius) return *seed.radius;
   if (d_->resolved)
     for (const Seed& known : d_->resolved->seeds)
-      if (known.centre == seed.centre) return *known.radius;
+      if (lieAlike(known, seed) && known.radius) return *known.radius;
   return d_->work ? 2 * d_->work->volume.grid.meanSpacing() : 1;
 }
 
@@ -234,6 +260,21 @@ void Document::setParameters(const Parameters& parameters, const QString& undoTe
 
 const std::optional<ResolvedParameters>& Document::resolved() const { return d_->resolved; }
 QString Document::resolveError() const { return d_->resolveError; }
+
+CandidateChoice Document::candidateChoice() const {
+  const int count = static_cast<int>(d_->candidates.size());
+  const int wanted = d_->resolved ? d_->resolved->candidate : d_->edits.parameters.candidate;
+  return {d_->candidates, count == 0 ? 0 : std::clamp(wanted, 1, count), d_->isCloseChoice};
+}
+
+void Document::chooseCandidate(SizeStep step) {
+  const std::optional<int> next = neighbour(candidateChoice(), step);
+  if (!next) return;
+  Parameters parameters = d_->edits.parameters;
+  parameters.candidate = *next;
+  setParameters(parameters, step == SizeStep::smaller ? tr("Smaller object") : tr("Larger object"));
+}
+
 QUndoStack* Document::undoStack() const { return &d_->undo; }
 
 bool Document::isModified() const { return d_->wasModified; }

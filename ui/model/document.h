@@ -16,6 +16,7 @@
 #include "core/io/volume_io.h"
 #include "core/mesh/certificate.h"
 #include "core/volume/volume.h"
+#include "ui/model/candidate_choice.h"
 
 class QUndoStack;
 
@@ -75,7 +76,10 @@ class Document : public QObject {
   void setView(const QByteArray& json);
 
   // --- seeds and parameters; each change is one undo entry with a name ("Move seed") ---
+  //! All clicks: those inside of the object, from which the surface grows, and those outside of it.
   const std::vector<Seed>& seeds() const;
+  //! True if one of them is inside of the object: with clicks outside alone nothing can grow.
+  bool isSeeded() const;
   void addSeed(const Seed& seed);
   void removeSeed(int index);
   //! Calls with the same `gesture` (one mouse drag) merge into one undo entry; -1 never merges.
@@ -87,11 +91,17 @@ class Document : public QObject {
   double shownRadius(int index) const;
   const Parameters& parameters() const;
   //! Applies to the growth from its shown iteration on: what was grown after it is dropped when it goes on.
+  //! The likeliest object is taken again where another kind of object is asked for, as with other clicks.
   void setParameters(const Parameters& parameters, const QString& undoText, int gesture = -1);
   //! What the automatic parameters come to with the present seeds; worked out in the background after every
   //! change, told by resolvedChanged(). Empty while unknown or where it failed (resolveError()).
   const std::optional<ResolvedParameters>& resolved() const;
   QString resolveError() const;
+  //! The objects that the clicks may mean, and the one that is or will be used. Known and told as resolved()
+  //! is, but kept while another one of them is prepared.
+  CandidateChoice candidateChoice() const;
+  //! Takes the next smaller or larger of them; nothing if there is none.
+  void chooseCandidate(SizeStep step);
   QUndoStack* undoStack() const;
 
   // --- growth ---

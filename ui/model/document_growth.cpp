@@ -15,9 +15,14 @@ void Document::Private::forgetPreparation() {
   resolveError.clear();
 }
 
+void Document::Private::forgetCandidates() {
+  candidates.clear();
+  isCloseChoice = false;
+}
+
 //! Seeds or parameters have been at rest for a moment.
 void Document::Private::preparationDue() {
-  if (work && !edits.seeds.empty() && !prepared && !isPreparing) requestPreparation(edits.parameters);
+  if (work && q.isSeeded() && !prepared && !isPreparing) requestPreparation(edits.parameters);
 }
 
 void Document::Private::requestPreparation(const Parameters& parameters) {
@@ -43,7 +48,11 @@ void Document::Private::preparationDone(int number, const Prepared& result) {
     return;
   }
   resolveError = result.error;
-  if (prepared) resolved = prepared->parameters();
+  if (prepared) {
+    resolved = prepared->parameters();
+    candidates = prepared->candidates();
+    isCloseChoice = prepared->isCloseChoice();
+  }
   Q_EMIT q.resolvedChanged();
   // Also if it came to its end meanwhile: it would have gone on with these.
   if (std::exchange(changedOnTheWay, false) && prepared && growth.exists())
@@ -94,7 +103,7 @@ void Document::Private::await(Wanted what) {
 
 void Document::Private::beginGrowth(Wanted what) {
   growth.clear();
-  if (edits.seeds.empty()) {
+  if (!q.isSeeded()) {
     error = tr("There is no seed yet: place one inside the object first.");
     updateState();
   } else if (prepared && what != Wanted::replay) {

@@ -117,7 +117,7 @@ void Document::Private::exportReport(const QString& path) {
 void Document::saveSession(const QString& path) {
   if (!hasVolume())
     Q_EMIT saveFailed(tr("There is nothing to save yet: open a volume first."));
-  else if (seeds().empty())
+  else if (!isSeeded())
     Q_EMIT saveFailed(tr("A session needs a seed: place one inside the object first."));
   else
     d_->saveSession(path);
@@ -152,7 +152,7 @@ void Document::Private::saveSession(const QString& path) {
 QString Document::sessionPath() const { return d_->sessionPath; }
 
 void Document::Private::journalNow() {
-  if (work && !edits.seeds.empty())
+  if (work && q.isSeeded())
     journal.write(session());
   else
     journal.clear();

@@ -40,6 +40,7 @@ class Document::Private {
   void preparationDone(int number, const Prepared& result);
   void preparationDue();
   void forgetPreparation();
+  void forgetCandidates();
 
   // --- growth ---
   void goOn(Wanted what);
@@ -80,6 +81,8 @@ class Document::Private {
   std::shared_ptr<const ActiveContour> prepared;  // of the present seeds
   double prepareSeconds = 0;
   std::optional<ResolvedParameters> resolved;
+  std::vector<ObjectCandidate> candidates;
+  bool isCloseChoice = false;
   QString resolveError;
   QTimer settle;  // from the last change to the preparation
 

@@ -8,7 +8,8 @@ namespace {
 
 constexpr double kReach = 6;         // pixels within which the mouse has hold of something
 constexpr double kSmallCircle = 18;  // pixels: below, there is no room for a crosshair inside
-const QColor kSeed(0x4f, 0xc3, 0xf7), kSelected(0xff, 0xff, 0xff), kShadow(0, 0, 0, 140);
+const QColor kSeed(0x4f, 0xc3, 0xf7), kOutside(0xff, 0x7a, 0x1a), kSelected(0xff, 0xff, 0xff),
+    kShadow(0, 0, 0, 140);
 
 SeedGrab::Part partAt(const SeedCircle& circle, const QPointF& pixel) {
   const double distance = QLineF(circle.centre, pixel).length();
@@ -18,20 +19,42 @@ SeedGrab::Part partAt(const SeedCircle& circle, const QPointF& pixel) {
   return inSmall || distance <= kReach ? SeedGrab::Part::centre : SeedGrab::Part::none;
 }
 
-void paintCircle(QPainter& painter, const SeedCircle& circle, bool selected) {
-  const QColor colour = selected ? kSelected : kSeed;
-  const double width = selected ? 2.4 : 1.6, dot = selected ? 4 : 3;
+void paintRing(QPainter& painter, const SeedCircle& circle, const QPen& pen) {
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(kShadow, width + 2));
+  painter.setPen(pen);
   painter.drawEllipse(circle.centre, circle.radius, circle.radius);
-  painter.setPen(QPen(colour, width));
-  painter.drawEllipse(circle.centre, circle.radius, circle.radius);
+}
+
+void paintDot(QPainter& painter, const SeedCircle& circle, const QColor& colour, double radius) {
   painter.setPen(QPen(kShadow, 1));
   painter.setBrush(colour);
-  painter.drawEllipse(circle.centre, dot, dot);
+  painter.drawEllipse(circle.centre, radius, radius);
+}
+
+//! From rim to rim.
+void paintCross(QPainter& painter, const SeedCircle& circle, const QPen& pen) {
+  const double half = circle.radius * std::sqrt(0.5);
+  painter.setPen(pen);
+  painter.drawLine(circle.centre - QPointF(half, half), circle.centre + QPointF(half, half));
+  painter.drawLine(circle.centre - QPointF(half, -half), circle.centre + QPointF(half, -half));
+}
+
+// The cross keeps its colour when it is selected: white alone would be a seed at first sight.
+void paintCircle(QPainter& painter, const SeedCircle& circle, bool selected) {
+  const QColor own = circle.outside ? kOutside : kSeed, colour = selected ? kSelected : own;
+  const double width = selected ? 2.4 : 1.6;
+  paintRing(painter, circle, QPen(kShadow, width + 2));
+  if (circle.outside) {
+    paintCross(painter, circle, QPen(kShadow, width + 2));
+    paintCross(painter, circle, QPen(own, width));
+  }
+  paintRing(painter, circle, QPen(colour, width));
+  if (!circle.outside) paintDot(painter, circle, colour, selected ? 4 : 3);
 }
 
 }  // namespace
+
+QColor outsideColour() { return kOutside; }
 
 std::vector<SeedCircle> seedCircles(const SliceGeometry& geometry, const std::vector<Vec3>& centres,
                                     const std::vector<double>& radii) {

@@ -1,5 +1,6 @@
 #pragma once
-// Seeds as circles on a slice: where they are and what the mouse has hold of.
+// Seeds as circles on a slice, crossed where they lie outside of the object: where they are and what the
+// mouse has hold of.
 
 #include <QPainter>
 #include <vector>
@@ -11,11 +12,15 @@ namespace handlebody::ui {
 
 //! A seed's ball cut by a slice.
 struct SeedCircle {
-  int seed = 0;         //!< index of the seed
-  QPointF centre;       //!< pixels
-  double radius = 0;    //!< pixels
-  double distance = 0;  //!< mm of the ball's centre from the slice
+  int seed = 0;          //!< index of the seed
+  QPointF centre;        //!< pixels
+  double radius = 0;     //!< pixels
+  double distance = 0;   //!< mm of the ball's centre from the slice
+  bool outside = false;  //!< a click outside of the object
 };
+
+//! Of clicks outside of the object, here and in 3D: not to be taken for that of seeds with any kind of sight.
+QColor outsideColour();
 
 //! The balls (centre and radius in mm, one each per seed) that the slice cuts.
 std::vector<SeedCircle> seedCircles(const SliceGeometry& geometry, const std::vector<Vec3>& centres,

@@ -48,7 +48,10 @@ std::vector<SeedCircle> SliceInteraction::circles() const {
     radii.push_back(std::max(least, document_.shownRadius(static_cast<int>(centres.size()))));
     centres.push_back(seed.centre);
   }
-  return seedCircles(geometry_, centres, radii);
+  std::vector<SeedCircle> circles = seedCircles(geometry_, centres, radii);
+  for (SeedCircle& circle : circles)
+    circle.outside = document_.seeds()[static_cast<std::size_t>(circle.seed)].background;
+  return circles;
 }
 
 // --- mouse ---
@@ -240,7 +243,7 @@ bool SliceInteraction::seedKey(const QKeyEvent& event) {
   switch (event.key()) {
     case Qt::Key_Return:
     case Qt::Key_Enter:
-      if (!event.isAutoRepeat()) addSeed();
+      if (!event.isAutoRepeat()) addSeed(event.modifiers() & Qt::ShiftModifier);
       return true;
     case Qt::Key_Backspace:
     case Qt::Key_Delete:
@@ -258,8 +261,8 @@ bool SliceInteraction::seedKey(const QKeyEvent& event) {
   }
 }
 
-void SliceInteraction::addSeed() {
-  document_.addSeed({state_.crosshair(), {}});
+void SliceInteraction::addSeed(bool outside) {
+  document_.addSeed({state_.crosshair(), {}, outside});
   document_.selectSeed(static_cast<int>(document_.seeds().size()) - 1);
 }
 

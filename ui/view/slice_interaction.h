@@ -48,7 +48,7 @@ class SliceInteraction {
   void stepSlice(int slices) { stepCrosshair(geometry_.axes().normal, slices * geometry_.forward()); }
   bool arrowKey(int key, int voxels);
   bool seedKey(const QKeyEvent& event);
-  void addSeed();
+  void addSeed(bool outside);
   void changeRadius(double step, bool repeated);
   void windowLevelKey(bool pressed);
   Qt::CursorShape rimCursor(const SeedGrab& grab, const QPointF& pixel) const;

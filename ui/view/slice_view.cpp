@@ -174,8 +174,9 @@ SliceView::SliceView(Plane plane, Document& document, ViewState& state, QWidget*
   setMouseTracking(true);
   setAttribute(Qt::WA_OpaquePaintEvent);
   setAccessibleName(tr("%1 slice").arg(planeName(plane)));
-  setAccessibleDescription(
-      tr("Arrows and Page Up or Down move the crosshair, Return adds a seed, W changes window and level."));
+  setAccessibleDescription(tr(
+      "Arrows and Page Up or Down move the crosshair, Return adds a seed, Shift and Return a click outside "
+      "of the object, W changes window and level."));
   const auto repaint = [this] { update(); };
   connect(&document, &Document::opened, this, &SliceView::startVolume);
   connect(&document, &Document::seedsChanged, this, repaint);

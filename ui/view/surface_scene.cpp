@@ -15,6 +15,7 @@
 
 #include "core/mesh/shapes.h"
 #include "ui/model/document.h"
+#include "ui/view/seed_circles.h"
 #include "ui/view/triangle_actor.h"
 
 namespace handlebody::ui {
@@ -112,6 +113,14 @@ struct SliceActor {
   vtkNew<vtkActor> actor;
 };
 
+//! The diagonals of a cube in the ball, so that no direction of sight shows fewer than two lines.
+void addCross(std::vector<std::vector<Vec3>>& lines, const Vec3& centre, double radius) {
+  for (const Vec3& towards : {Vec3(1, 1, 1), Vec3(-1, 1, 1), Vec3(1, -1, 1), Vec3(1, 1, -1)}) {
+    const Vec3 arm = radius * towards.normalized();
+    lines.push_back({centre - arm, centre + arm});
+  }
+}
+
 void addLight(vtkRenderer* renderer, const Vec3& from, double intensity) {
   vtkNew<vtkLight> light;
   light->SetLightTypeToCameraLight();
@@ -133,9 +142,9 @@ struct SurfaceScene::Private {
 
   vtkRenderer* renderer = nullptr;
   TriangleActor mesh, seeds, around, red, handle;
-  LineActor loops, lambda, box;
+  LineActor outside, loops, lambda, box;
   std::array<SliceActor, 3> slices;
-  bool hasMesh = false, hasSeeds = false, hasVolume = false, slicesOn = false;
+  bool hasMesh = false, hasSeeds = false, hasOutside = false, hasVolume = false, slicesOn = false;
   EventStage stage = EventStage::none;
 };
 
@@ -151,11 +160,14 @@ SurfaceScene::SurfaceScene(vtkRenderer* renderer) : d_(std::make_unique<Private>
   renderer->GetActiveCamera()->ParallelProjectionOn();
   for (TriangleActor* part : {&d_->mesh, &d_->seeds, &d_->around, &d_->red, &d_->handle})
     renderer->AddActor(part->actor());
-  for (LineActor* part : {&d_->loops, &d_->lambda, &d_->box}) renderer->AddActor(part->actor);
+  for (LineActor* part : {&d_->outside, &d_->loops, &d_->lambda, &d_->box}) renderer->AddActor(part->actor);
   for (SliceActor& slice : d_->slices) renderer->AddActor(slice.actor);
   for (TriangleActor* part : {&d_->around, &d_->red, &d_->handle}) part->setEdges(true);
   for (TriangleActor* part : {&d_->red, &d_->handle}) part->setInFront();
   d_->seeds.setColour(kSeedBall);
+  const QColor outside = outsideColour();
+  d_->outside.setColour(outside.redF(), outside.greenF(), outside.blueF());
+  d_->outside.actor->GetProperty()->RenderLinesAsTubesOn();
   d_->around.setColour(kAround);
   d_->red.setColour(kColliding);
   d_->handle.setColour(kHandle);
@@ -173,6 +185,7 @@ void SurfaceScene::Private::updateVisibility() {
   const bool open = stage == EventStage::opened || stage == EventStage::handle;
   mesh.actor()->SetVisibility(hasMesh && !staged);
   seeds.actor()->SetVisibility(hasSeeds && !hasMesh && !staged);
+  outside.actor->SetVisibility(hasOutside && !hasMesh && !staged);
   around.actor()->SetVisibility(staged);
   red.actor()->SetVisibility(stage == EventStage::colliding);
   lambda.actor->SetVisibility(stage == EventStage::colliding);
@@ -200,16 +213,23 @@ void SurfaceScene::setMesh(const MeshSnapshot* mesh, MeshColouring colouring) {
 
 void SurfaceScene::setSeeds(const std::vector<Seed>& seeds) {
   TriangleSoup all;
+  std::vector<std::vector<Vec3>> crosses;
   for (const Seed& seed : seeds) {
     const double radius = std::max(1e-3, seed.radius.value_or(1));
+    if (seed.background) {
+      addCross(crosses, seed.centre, radius);
+      continue;
+    }
     const TriangleSoup ball = icosphere(seed.centre, radius, radius / 5);
     const int first = static_cast<int>(all.points.size());
     all.points.insert(all.points.end(), ball.points.begin(), ball.points.end());
     for (const Triangle& t : ball.triangles)
       all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
   }
-  d_->hasSeeds = !seeds.empty();
+  d_->hasSeeds = !all.triangles.empty();
   if (d_->hasSeeds) d_->seeds.setMesh(all, true);
+  d_->hasOutside = !crosses.empty();
+  if (d_->hasOutside) d_->outside.set(crosses, true);
   d_->updateVisibility();
 }
 
@@ -254,6 +274,7 @@ void SurfaceScene::showStage(const EventTrace& trace, EventStage stage) {
 }
 
 void SurfaceScene::setPixelRatio(double ratio) {
+  d_->outside.actor->GetProperty()->SetLineWidth(static_cast<float>(3 * ratio));
   d_->loops.actor->GetProperty()->SetLineWidth(static_cast<float>(4 * ratio));
   d_->lambda.actor->GetProperty()->SetPointSize(static_cast<float>(5 * ratio));
 }

@@ -47,7 +47,8 @@ class SurfaceScene {
 
   //! Null: no mesh.
   void setMesh(const MeshSnapshot* mesh, MeshColouring colouring);
-  void setSeeds(const std::vector<Seed>& seeds);  //!< all with radii; empty: none are shown
+  //! Balls, and crosses in place of those outside of the object; all with radii; empty: none are shown.
+  void setSeeds(const std::vector<Seed>& seeds);
   //! The volume's edges; null: none.
   void setVolume(const Grid* grid);
   //! A picture whose corners (upper left, upper right, lower left) lie at world points.

@@ -16,8 +16,13 @@ ActionButton::ActionButton(QAction* action, QWidget* parent) : QPushButton(paren
   follow();
 }
 
+void ActionButton::setOwnText(const QString& text) {
+  ownText_ = text;
+  follow();
+}
+
 void ActionButton::follow() {
-  const QString text = action_->text().remove(QLatin1Char('&'));
+  const QString text = ownText_.isEmpty() ? action_->text().remove(QLatin1Char('&')) : ownText_;
   setText(text);
   setAccessibleName(text);
   setIcon(action_->icon());

@@ -14,11 +14,14 @@ class ActionButton : public QPushButton {
   //! The focus is reached by Tab only: a click leaves the keyboard with the views, where Space runs and
   //! pauses.
   explicit ActionButton(QAction* action, QWidget* parent = nullptr);
+  //! In place of the action's.
+  void setOwnText(const QString& text);
 
  private:
   void follow();
 
   QAction* action_;
+  QString ownText_;
 };
 
 }  // namespace handlebody::ui

@@ -122,16 +122,23 @@ void addDisplayCommands(std::vector<CommandSpec>& t) {
 
 void addSeedCommands(std::vector<CommandSpec>& t) {
   const char* menu = T("&Seed");
-  t.insert(t.end(), {{Command::addSeed, menu, "", T("&Add at the crosshair"), "Return; Enter", "seed-add",
-                      T("Place a seed where the crosshair is"), kPlain, false},
-                     {Command::deleteSeed, menu, "", T("&Delete"), "Backspace; Delete", "seed-delete",
-                      T("Delete the selected seed"), kPlain, false},
-                     {Command::growSeed, menu, "", T("&Larger"), "+; =", "seed-bigger",
-                      T("Radius of the selected seed half a voxel larger"), kPlain, true},
-                     {Command::shrinkSeed, menu, "", T("&Smaller"), "-", "seed-smaller",
-                      T("Radius of the selected seed half a voxel smaller"), kPlain, false},
-                     {Command::nextSeed, menu, "", T("Select the &next"), "S", "",
-                      T("Select the next seed and move the crosshair there"), kPlain, true}});
+  t.insert(t.end(),
+           {{Command::addSeed, menu, "", T("&Add at the crosshair"), "Return; Enter", "seed-add",
+             T("Place a seed where the crosshair is"), kPlain, false},
+            {Command::addOutside, menu, "", T("Add &outside of the object"), "Shift+Return; Shift+Enter",
+             "seed-outside", T("Place a click outside of the object where the crosshair is"), kPlain, false},
+            {Command::deleteSeed, menu, "", T("&Delete"), "Backspace; Delete", "seed-delete",
+             T("Delete the selected seed or click outside"), kPlain, false},
+            {Command::growSeed, menu, "", T("&Larger radius"), "+; =", "seed-bigger",
+             T("Radius of the selected seed half a voxel larger"), kPlain, true},
+            {Command::shrinkSeed, menu, "", T("&Smaller radius"), "-", "seed-smaller",
+             T("Radius of the selected seed half a voxel smaller"), kPlain, false},
+            {Command::nextSeed, menu, "", T("Select the &next"), "S", "",
+             T("Select the next seed and move the crosshair there"), kPlain, true},
+            {Command::smallerObject, menu, "", T("S&maller object"), "[", "object-smaller",
+             T("Take the next smaller of the objects that the clicks may mean"), kPlain, true},
+            {Command::largerObject, menu, "", T("La&rger object"), "]", "object-larger",
+             T("Take the next larger of the objects that the clicks may mean"), kPlain, false}});
 }
 
 void addGrowCommands(std::vector<CommandSpec>& t) {

@@ -96,7 +96,7 @@ QString stateText(const Document& document, const QString& between) {
     case GrowthState::finished:
       return finishedText(document.stopReason()) + at;
     default:
-      if (document.seeds().empty()) return GrowPanel::tr("No seed yet");
+      if (!document.isSeeded()) return GrowPanel::tr("No seed yet");
       return document.growthError().isEmpty() ? GrowPanel::tr("Ready to grow")
                                               : GrowPanel::tr("Nothing grew");
   }

@@ -36,6 +36,7 @@ QString section(const QString& title, const QString& rows) {
 QString mouseInSlices() {
   return section(tr("Mouse and keys in a slice"),
                  row(tr("Left click"), tr("Crosshair")) +
+                     row(tr("Return; with Shift"), tr("Seed at the crosshair; click outside of the object")) +
                      row(tr("Left drag on a seed, on its rim"), tr("Move it, change its radius")) +
                      row(tr("Wheel; with Shift"), tr("Next slice; five slices")) +
                      row(tr("Right drag, Ctrl+wheel"), tr("Zoom")) +

@@ -69,6 +69,7 @@ class MainWindow : public QMainWindow {
   void connectGrowCommands();
   void connectHelpCommands();
   void on(Command id, std::function<void()> action);
+  void addSeedAtCrosshair(bool outside);
   void resizeSelectedSeed(double direction);
   void selectNextSeed();
   void seekEvent(bool next);

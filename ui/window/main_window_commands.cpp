@@ -129,18 +129,25 @@ void MainWindow::setAppearance(Appearance appearance) {
 }
 
 void MainWindow::connectSeedCommands() {
-  on(Command::addSeed, [this] {
-    if (document_.volume().grid.contains(document_.volume().grid.toIndex(state_.crosshair())))
-      document_.addSeed({state_.crosshair(), std::nullopt});
-  });
+  on(Command::addSeed, [this] { addSeedAtCrosshair(false); });
+  on(Command::addOutside, [this] { addSeedAtCrosshair(true); });
   on(Command::deleteSeed, [this] { document_.removeSeed(document_.selectedSeed()); });
   on(Command::growSeed, [this] { resizeSelectedSeed(1); });
   on(Command::shrinkSeed, [this] { resizeSelectedSeed(-1); });
   on(Command::nextSeed, [this] { selectNextSeed(); });
-  for (auto changed : {&Document::seedsChanged, &Document::opened, &Document::stateChanged,
-                       &Document::snapshotChanged, &Document::summariesChanged})
+  on(Command::smallerObject, [this] { document_.chooseCandidate(SizeStep::smaller); });
+  on(Command::largerObject, [this] { document_.chooseCandidate(SizeStep::larger); });
+  for (auto changed :
+       {&Document::seedsChanged, &Document::parametersChanged, &Document::resolvedChanged, &Document::opened,
+        &Document::stateChanged, &Document::snapshotChanged, &Document::summariesChanged})
     connect(&document_, changed, this, &MainWindow::updateCommands);
   connect(&document_, &Document::selectedSeedChanged, this, &MainWindow::updateCommands);
+}
+
+void MainWindow::addSeedAtCrosshair(bool outside) {
+  const Grid& grid = document_.volume().grid;
+  if (grid.contains(grid.toIndex(state_.crosshair())))
+    document_.addSeed({state_.crosshair(), std::nullopt, outside});
 }
 
 void MainWindow::resizeSelectedSeed(double direction) {
@@ -207,16 +214,19 @@ void MainWindow::updateCommands() {
   const bool grown = document_.iteration() >= 0;
   const bool running =
       document_.state() == GrowthState::running || document_.state() == GrowthState::preparing;
-  const bool seeded = open && !document_.seeds().empty();
+  const bool seeded = open && document_.isSeeded();
   enable({Command::saveSession, Command::saveSessionAs, Command::exportPicture, Command::addSeed,
-          Command::autoWindow, Command::windowSoftTissue, Command::windowLung, Command::windowBone,
-          Command::windowBrain, Command::windowVessels, Command::resetViews},
+          Command::addOutside, Command::autoWindow, Command::windowSoftTissue, Command::windowLung,
+          Command::windowBone, Command::windowBrain, Command::windowVessels, Command::resetViews},
          open);
   enable({Command::deleteSeed, Command::growSeed, Command::shrinkSeed},
          open && document_.selectedSeed() >= 0);
   const bool atRest =
       document_.state() == GrowthState::finished && document_.iteration() == document_.lastIteration();
-  enable({Command::nextSeed}, seeded);
+  enable({Command::nextSeed}, open && !document_.seeds().empty());
+  const CandidateChoice choice = document_.candidateChoice();
+  enable({Command::smallerObject}, neighbour(choice, SizeStep::smaller).has_value());
+  enable({Command::largerObject}, neighbour(choice, SizeStep::larger).has_value());
   enable({Command::run, Command::stepForward, Command::nextEvent}, seeded && !atRest);
   const auto snapshot = document_.snapshot();
   const bool something = snapshot && !snapshot->mesh.triangles.empty();

@@ -10,6 +10,7 @@
 #include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
+#include <algorithm>
 
 #include "ui/window/file_work.h"
 #include "ui/window/help_window.h"
@@ -29,6 +30,12 @@ const QString kNoticeShown = QStringLiteral("noticeShown"), kGeometry = QStringL
               kAppearance = QStringLiteral("appearance");
 
 QJsonArray toJson(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+//! Precondition: there is one.
+int firstInside(const std::vector<Seed>& seeds) {
+  return static_cast<int>(
+      std::find_if(seeds.begin(), seeds.end(), [](const Seed& s) { return !s.background; }) - seeds.begin());
+}
 
 bool isPoint(const QJsonArray& array) {
   return array.size() == 3 && array[0].isDouble() && array[1].isDouble() && array[2].isDouble();
@@ -72,10 +79,13 @@ void MainWindow::showOpened() {
   centre_->setCurrentWidget(views_);
   state_.startWith(document_.volume());
   restoreView();
-  showStep(document_.seeds().empty() ? Command::stepSeed : Command::stepGrow);
-  if (!document_.seeds().empty() && document_.selectedSeed() < 0) document_.selectSeed(0);
-  if (!document_.seeds().empty() && document_.view().isEmpty())
-    state_.setCrosshair(document_.seeds().front().centre);
+  showStep(document_.isSeeded() ? Command::stepGrow : Command::stepSeed);
+  if (document_.isSeeded()) {
+    const int first = firstInside(document_.seeds());
+    if (document_.selectedSeed() < 0) document_.selectSeed(first);
+    if (document_.view().isEmpty())
+      state_.setCrosshair(document_.seeds()[static_cast<std::size_t>(first)].centre);
+  }
   updateTitle();
   messages_->dismiss();
   if (!document_.info().warnings.empty())

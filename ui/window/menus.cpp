@@ -55,7 +55,7 @@ void buildToolbar(QMainWindow& window, const Commands& commands) {
   const std::vector<std::vector<Command>> groups{
       {Command::openFile, Command::openFolder, Command::saveSession},
       {Command::undo, Command::redo},
-      {Command::addSeed, Command::deleteSeed, Command::shrinkSeed, Command::growSeed},
+      {Command::addSeed, Command::addOutside, Command::deleteSeed, Command::shrinkSeed, Command::growSeed},
       {Command::toStart, Command::previousEvent, Command::stepBack, Command::run, Command::stepForward,
        Command::nextEvent},
       {Command::windowLevelTool, Command::autoWindow},

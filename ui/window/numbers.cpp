@@ -12,8 +12,8 @@ QString number(double value, int digits) {
   return QLocale().toString(value, 'f', std::clamp(digits - 1 - magnitude, 0, digits));
 }
 
-QString millilitres(double cubicMillimetres) {
-  return number(cubicMillimetres / 1000) + QStringLiteral(" ml");
+QString millilitres(double cubicMillimetres, int digits) {
+  return number(cubicMillimetres / 1000, digits) + QStringLiteral(" ml");
 }
 
 QString squareCentimetres(double squareMillimetres) {

@@ -10,7 +10,7 @@ namespace handlebody::ui {
 //! `value` with as many decimals as make `digits` significant digits, at most `digits` of them.
 QString number(double value, int digits = 4);
 //! mm³ in, "12.34 ml" out.
-QString millilitres(double cubicMillimetres);
+QString millilitres(double cubicMillimetres, int digits = 4);
 //! mm² in, "45.6 cm²" out.
 QString squareCentimetres(double squareMillimetres);
 QString millimetres(double value);

@@ -14,6 +14,7 @@
 #include "ui/window/action_button.h"
 #include "ui/window/commands.h"
 #include "ui/window/numbers.h"
+#include "ui/window/object_choice.h"
 #include "ui/window/panel_tools.h"
 #include "ui/window/value_field.h"
 
@@ -21,14 +22,15 @@ namespace handlebody::ui {
 
 namespace {
 
-constexpr int kTableHeight = 190;
+constexpr int kTableHeight = 150;
 
 ValueSpec radiusSpec() {
   ValueSpec spec;
   spec.name = SeedPanel::tr("Radius");
   spec.unit = SeedPanel::tr("mm");
-  spec.tip =
-      SeedPanel::tr("Radius of the selected seed. Automatic: the largest ball that fits into the object");
+  spec.tip = SeedPanel::tr(
+      "Radius of the selected seed. Automatic: the largest ball that fits into the object; outside "
+      "of it, as the image allows");
   spec.low = 0.01;
   spec.high = 10'000;
   spec.step = 0.5;
@@ -44,7 +46,16 @@ QTableWidgetItem* cell(const QString& text) {
 QString radiusText(const Document& document, int index) {
   const double radius = document.shownRadius(index);
   const bool automatic = !document.seeds()[static_cast<std::size_t>(index)].radius;
-  return automatic ? SeedPanel::tr("%1 (auto)").arg(millimetres(radius)) : millimetres(radius);
+  const QString text = number(radius, 3);
+  return automatic ? SeedPanel::tr("%1 (auto)").arg(text) : text;
+}
+
+//! Why there is no object to choose.
+QString unknownObject(const Document& document) {
+  if (!document.isSeeded()) return SeedPanel::tr("None yet: it takes a seed inside.");
+  if (document.parameters().range) return SeedPanel::tr("Given by the range in step 3, Tune.");
+  const bool searching = !document.resolved() && document.resolveError().isEmpty();
+  return searching ? SeedPanel::tr("Looking for it…") : QStringLiteral("–");
 }
 
 }  // namespace
@@ -54,13 +65,15 @@ SeedPanel::SeedPanel(Document& document, ViewState& state, const Commands& comma
   auto* layout = panelLayout(this);
   hint_ = hint(
       tr("Click into the structure in any slice, then press Return: a ball is placed there, from which the "
-         "surface grows. One seed is often enough. Drag a seed to move it, its rim to resize it."),
+         "surface grows. One seed is often enough. Shift+Return marks a place outside. Drag a seed to "
+         "move it, its rim to resize it."),
       this);
   layout->addWidget(hint_);
   auto* row = new QHBoxLayout;
   row->addWidget(new ActionButton(commands[Command::addSeed], this), 1);
   row->addWidget(smallButton(commands[Command::deleteSeed], this));
   layout->addLayout(row);
+  layout->addWidget(new ActionButton(commands[Command::addOutside], this));
   buildTable();
   layout->addWidget(table_);
 
@@ -71,6 +84,8 @@ SeedPanel::SeedPanel(Document& document, ViewState& state, const Commands& comma
   radius_ = new ValueField(radiusSpec(), details_);
   form->addRow(tr("Radius"), radius_);
   layout->addWidget(details_);
+  object_ = new ObjectChoice(commands, this);
+  layout->addWidget(object_);
   error_ = notice(tr("What is wrong with the seeds"), this);
   layout->addWidget(error_);
   layout->addStretch();
@@ -81,14 +96,19 @@ SeedPanel::SeedPanel(Document& document, ViewState& state, const Commands& comma
   for (auto changed : {&Document::seedsChanged, &Document::resolvedChanged, &Document::opened})
     connect(&document_, changed, this, &SeedPanel::showSeeds);
   connect(&document_, &Document::selectedSeedChanged, this, &SeedPanel::showSelected);
+  for (auto changed :
+       {&Document::seedsChanged, &Document::parametersChanged, &Document::resolvedChanged, &Document::opened})
+    connect(&document_, changed, this, &SeedPanel::showChoice);
   showSeeds();
+  showChoice();
 }
 
 void SeedPanel::buildTable() {
-  table_ = new QTableWidget(0, 2, this);
-  table_->setHorizontalHeaderLabels({tr("Centre (mm LPS)"), tr("Radius")});
+  table_ = new QTableWidget(0, 3, this);
+  table_->setHorizontalHeaderLabels({tr("Centre (mm LPS)"), tr("Radius (mm)"), tr("Object")});
   table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-  table_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  for (int column : {1, 2})
+    table_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setHighlightSections(false);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -109,13 +129,17 @@ void SeedPanel::showSeeds() {
   const int count = static_cast<int>(document_.seeds().size());
   table_->setRowCount(count);
   for (int i = 0; i < count; ++i) {
-    table_->setItem(i, 0, cell(place(document_.seeds()[static_cast<std::size_t>(i)].centre).chopped(3)));
+    const Seed& seed = document_.seeds()[static_cast<std::size_t>(i)];
+    table_->setItem(i, 0, cell(place(seed.centre).chopped(3)));
     table_->setItem(i, 1, cell(radiusText(document_, i)));
+    table_->setItem(i, 2, cell(seed.background ? tr("outside") : tr("inside")));
   }
   error_->setText(document_.resolveError());
   error_->setVisible(!document_.resolveError().isEmpty());
   showSelected();
 }
+
+void SeedPanel::showChoice() { object_->showChoice(document_.candidateChoice(), unknownObject(document_)); }
 
 void SeedPanel::showSelected() {
   const QSignalBlocker quiet(table_);

@@ -1,5 +1,6 @@
 #pragma once
-// Step 2: the seeds, where they lie and how large they are.
+// Step 2: the clicks inside and outside of the object, where they lie and how large they are, and which
+// object they mean.
 
 #include <QWidget>
 
@@ -10,6 +11,7 @@ namespace handlebody::ui {
 
 class Commands;
 class Document;
+class ObjectChoice;
 class ValueField;
 class ViewState;
 
@@ -23,6 +25,7 @@ class SeedPanel : public QWidget {
   void buildTable();
   void showSeeds();
   void showSelected();
+  void showChoice();
   void select(int row);
 
   Document& document_;
@@ -31,6 +34,7 @@ class SeedPanel : public QWidget {
   QTableWidget* table_;
   QWidget* details_;
   ValueField* radius_;
+  ObjectChoice* object_;
 };
 
 }  // namespace handlebody::ui

@@ -210,7 +210,7 @@ void TunePanel::countIntensities() {
 void TunePanel::show() {
   const bool usable = document_.hasVolume();
   body_->setEnabled(usable);
-  hint_->setVisible(!usable || document_.seeds().empty());
+  hint_->setVisible(!usable || !document_.isSeeded());
   hint_->setText(
       tr("%1 everything here is then chosen from the image. Change it only if the surface leaks or "
          "stops early.")

@@ -1,9 +1,35 @@
 // Opening, seeds, parameters, undo.
 
+#include "tests/ui/dumbbell.h"
 #include "tests/ui/model/document_support.h"
 
 using namespace handlebody;
 using namespace handlebody::ui;
+
+namespace {
+
+struct DumbbellFile {
+  QTemporaryDir folder;
+  QString path = folder.filePath(QStringLiteral("dumbbell.mha"));
+
+  DumbbellFile() { writeVolume(testing::dumbbellVolume(), path.toStdString()); }
+};
+
+//! Opens the dumbbell with a seed in its left ball and waits until the objects are known.
+bool openToChoose(Document& document, const DumbbellFile& file) {
+  if (!openAndWait(document, file.path)) return false;
+  document.addSeed({testing::kLeftBall, std::nullopt});
+  return waitFor([&] { return document.resolved().has_value(); });
+}
+
+//! A way that there is from the object that is taken.
+SizeStep anyStep(const Document& document) {
+  return neighbour(document.candidateChoice(), SizeStep::larger) ? SizeStep::larger : SizeStep::smaller;
+}
+
+bool isResolved(const Document& document) { return document.resolved().has_value(); }
+
+}  // namespace
 
 TEST_CASE("a volume is opened on another thread", "[document]") {
   const TorusFile torus;
@@ -92,6 +118,140 @@ TEST_CASE("every change of the seeds is undone and done again by its name", "[do
   while (undo.canRedo()) undo.redo();
   CHECK(document.seeds().empty());
   CHECK(document.isModified());
+}
+
+TEST_CASE("a click outside is undone by its own name", "[document]") {
+  const TorusFile torus;
+  Document document;
+  REQUIRE(openAndWait(document, torus.path));
+  QUndoStack& undo = *document.undoStack();
+  const Seed outside{torus.seed.centre, std::nullopt, true};
+  document.addSeed(outside);
+  CHECK(undo.undoText() == QStringLiteral("Add click outside"));
+  document.moveSeed(0, torus.seed.centre + Vec3(1, 0, 0));
+  CHECK(undo.undoText() == QStringLiteral("Move click outside"));
+  document.setSeedRadius(0, 2.5);
+  CHECK(undo.undoText() == QStringLiteral("Change radius of click outside"));
+  CHECK(document.shownRadius(0) == 2.5);
+  CHECK(document.seeds()[0].background);
+  document.removeSeed(0);
+  CHECK(undo.undoText() == QStringLiteral("Delete click outside"));
+  CHECK(document.seeds().empty());
+  for (int i = 0; i < 3; ++i) undo.undo();
+  REQUIRE(document.seeds().size() == 1);
+  CHECK(document.seeds()[0] == outside);
+}
+
+TEST_CASE("clicks outside alone are nothing to grow from or to save", "[document]") {
+  const TorusFile torus;
+  Document document;
+  REQUIRE(openAndWait(document, torus.path));
+  CHECK_FALSE(document.isSeeded());
+  document.addSeed({torus.seed.centre, 3.0, true});
+  CHECK_FALSE(document.isSeeded());
+  document.run();
+  waitMilliseconds(400);  // longer than changes settle
+  CHECK(document.state() == GrowthState::none);
+  CHECK(document.growthError().contains(QStringLiteral("no seed yet")));
+  CHECK_FALSE(document.resolved());
+  CHECK(document.resolveError().isEmpty());
+  QString sentence;
+  QObject::connect(&document, &Document::saveFailed, [&](const QString& text) { sentence = text; });
+  document.saveSession(torus.file("outside.json"));
+  CHECK(sentence.contains(QStringLiteral("needs a seed")));
+  document.addSeed(torus.seed);
+  CHECK(document.isSeeded());
+}
+
+TEST_CASE("other clicks and another kind of object begin with the likeliest object again", "[document]") {
+  const TorusFile torus;
+  Document document;
+  REQUIRE(openAndWait(document, torus.path));
+  document.addSeed(torus.seed);
+  const auto chooseSecond = [&] {
+    Parameters parameters = document.parameters();
+    parameters.candidate = 2;
+    document.setParameters(parameters, QStringLiteral("Larger object"));
+    CHECK(document.parameters().candidate == 2);
+  };
+  const auto expectFirstUntilUndone = [&] {
+    CHECK(document.parameters().candidate == 1);
+    document.undoStack()->undo();
+    CHECK(document.parameters().candidate == 2);
+  };
+  chooseSecond();
+  document.addSeed({torus.seed.centre + Vec3(9, 0, 0), std::nullopt, true});
+  expectFirstUntilUndone();
+  document.moveSeed(0, torus.seed.centre + Vec3(1, 0, 0));
+  expectFirstUntilUndone();
+  Parameters bright = document.parameters();
+  bright.object = ObjectKind::bright;
+  document.setParameters(bright, QStringLiteral("Change object"));
+  expectFirstUntilUndone();
+  document.setSeedRadius(0, 2.0);  // the click lies where it lay
+  CHECK(document.parameters().candidate == 2);
+}
+
+TEST_CASE("without candidates no step changes anything", "[document]") {
+  Document document;
+  CHECK(document.candidateChoice().candidates.empty());
+  CHECK(document.candidateChoice().chosen == 0);
+  for (SizeStep step : {SizeStep::smaller, SizeStep::larger}) document.chooseCandidate(step);
+  CHECK(document.undoStack()->count() == 0);
+}
+
+// Hidden until the engine offers candidates: take away the dots then.
+
+TEST_CASE("a smaller or larger object is known at once, and undone by its name", "[document][.candidates]") {
+  const DumbbellFile file;
+  Document document;
+  REQUIRE(openToChoose(document, file));
+  const CandidateChoice before = document.candidateChoice();
+  REQUIRE(before.candidates.size() >= 2);
+  CHECK(before.chosen == 1);
+  const SizeStep step = anyStep(document);
+  const int next = neighbour(before, step).value();
+  document.chooseCandidate(step);
+  CHECK(document.undoStack()->undoText() ==
+        (step == SizeStep::larger ? QStringLiteral("Larger object") : QStringLiteral("Smaller object")));
+  CHECK(document.parameters().candidate == next);
+  CHECK_FALSE(isResolved(document));  // one can step on without waiting
+  CHECK(document.candidateChoice().candidates.size() == before.candidates.size());
+  CHECK(document.candidateChoice().chosen == next);
+  REQUIRE(waitFor([&] { return isResolved(document); }));
+  CHECK(document.resolved()->candidate == next);
+  CHECK(document.candidateChoice().candidates.size() == before.candidates.size());
+  document.undoStack()->undo();
+  CHECK(document.candidateChoice().chosen == 1);
+}
+
+TEST_CASE("other clicks and a given range leave no objects of before", "[document][.candidates]") {
+  const DumbbellFile file;
+  Document document;
+  REQUIRE(openToChoose(document, file));
+  REQUIRE(document.candidateChoice().candidates.size() >= 2);
+  document.addSeed({testing::kRightBall, std::nullopt, true});
+  CHECK(document.candidateChoice().candidates.empty());
+  REQUIRE(waitFor([&] { return isResolved(document); }));
+  CHECK_FALSE(document.candidateChoice().candidates.empty());
+  Parameters parameters = document.parameters();
+  parameters.range = IntensityRange{-std::numeric_limits<double>::infinity(), 100};
+  document.setParameters(parameters, QStringLiteral("Change range"));
+  CHECK(document.candidateChoice().candidates.empty());
+}
+
+TEST_CASE("another object that is taken after the growth is grown with from there on",
+          "[document][.candidates]") {
+  const DumbbellFile file;
+  Document document;
+  REQUIRE(openToChoose(document, file));
+  REQUIRE(document.candidateChoice().candidates.size() >= 2);
+  REQUIRE(runToEnd(document));
+  document.chooseCandidate(anyStep(document));
+  CHECK(document.state() == GrowthState::paused);  // as after any other change of a parameter
+  REQUIRE(runToEnd(document));
+  CHECK(document.growthError().isEmpty());
+  CHECK(document.snapshot()->certificate.passes());
 }
 
 TEST_CASE("one drag is one entry, the next drag another", "[document]") {

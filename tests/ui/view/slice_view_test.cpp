@@ -179,6 +179,51 @@ TEST_CASE("Return adds a seed at the crosshair, Backspace removes it", "[slice_v
   CHECK(slice.document.seeds().empty());
 }
 
+TEST_CASE("Shift and Return add a click outside, which is dragged, sized and deleted like a seed",
+          "[slice_view]") {
+  OneSlice slice;
+  QTest::keyClick(&slice.view, Qt::Key_Return, Qt::ShiftModifier);
+  REQUIRE(slice.document.seeds().size() == 1);
+  CHECK(slice.document.seeds()[0] == Seed{slice.state.crosshair(), std::nullopt, true});
+  CHECK(slice.document.selectedSeed() == 0);
+  const double before = slice.document.shownRadius(0);
+  QTest::keyClick(&slice.view, Qt::Key_Plus);
+  CHECK(slice.document.shownRadius(0) == Approx(before + 0.5));
+  const QPoint centre = slice.geometry.worldToScreen(slice.state.crosshair()).toPoint();
+  drag(slice.view, Qt::LeftButton, centre, centre + QPoint(60, 30));
+  CHECK((slice.document.seeds()[0].centre - slice.state.crosshair()).norm() > 10);
+  CHECK(slice.document.seeds()[0].background);
+  QTest::keyClick(&slice.view, Qt::Key_Backspace);
+  CHECK(slice.document.seeds().empty());
+}
+
+TEST_CASE("A click outside is crossed out from rim to rim, and no seed is", "[slice_view]") {
+  OneSlice slice;
+  slice.document.addSeed({slice.world(20, 32, 32), 9.0, true});
+  slice.document.addSeed({slice.world(44, 32, 32), 9.0});
+  const auto isOutside = [](const QColor& c) { return c.red() > 200 && c.blue() < 90 && c.green() < 160; };
+  const auto isSeed = [](const QColor& c) { return c.blue() > 200 && c.red() < 130; };
+  const double radius = 9 / slice.geometry.mmPerPixel();
+  for (int selected : {-1, 0}) {
+    slice.document.selectSeed(selected);
+    const QImage image = slice.view.picture();
+    //! Around the places on both diagonals, half way to the rim.
+    const auto crossed = [&](double voxel, auto&& is) {
+      int count = 0;
+      const QPointF centre = slice.geometry.toScreen(Vec3(voxel, 32, 32));
+      for (const QPointF& way : {QPointF(1, 1), QPointF(-1, 1), QPointF(1, -1), QPointF(-1, -1)}) {
+        const QPoint at = (centre + way * radius / 2 * std::sqrt(0.5)).toPoint();
+        count += countPixels(image, QRect(at - QPoint(2, 2), at + QPoint(2, 2)), is) > 1;
+      }
+      return count;
+    };
+    CHECK(crossed(20, isOutside) == 4);
+    CHECK(crossed(20, isSeed) == 0);
+    CHECK(crossed(44, isOutside) == 0);
+    CHECK(crossed(44, isSeed) == 0);
+  }
+}
+
 TEST_CASE("Plus and minus change the radius of the selected seed, not below a voxel", "[slice_view]") {
   OneSlice slice;
   QTest::keyClick(&slice.view, Qt::Key_Return);

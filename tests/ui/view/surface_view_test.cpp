@@ -189,6 +189,22 @@ TEST_CASE("Without a growth the seeds are shown, with one they are not", "[surfa
   CHECK(countPixels(surface.picture(), middle, isSeed) == 0);
 }
 
+TEST_CASE("A click outside is a cross in 3D and no ball", "[surface_view]") {
+  Surface surface;
+  if (!surface.ready()) return;
+  const auto isSeed = [](const QColor& c) { return c.blue() > c.red() + 60 && c.green() > c.red() + 20; };
+  const auto isOutside = [](const QColor& c) { return c.red() > c.blue() + 100 && c.red() > c.green() + 80; };
+  const QRect middle(100, 70, 200, 160);
+  surface.document.addSeed({surface.world(32, 32, 32), 12.0, true});
+  CHECK(countPixels(surface.picture(), middle, isSeed) == 0);
+  const int cross = countPixels(surface.picture(), middle, isOutside);
+  CHECK(cross > 30);
+  surface.document.addSeed({surface.world(32, 32, 32), 12.0});
+  CHECK(countPixels(surface.picture(), middle, isSeed) > cross);  // a ball covers more than lines
+  surface.setSphere();
+  CHECK(countPixels(surface.picture(), middle, isOutside) == 0);
+}
+
 TEST_CASE("Each stage of an event shows its own parts, and the mesh comes back as it was", "[surface_view]") {
   Surface surface;
   if (!surface.ready()) return;

@@ -3,12 +3,14 @@
 #include <QProgressBar>
 #include <QSpinBox>
 #include <QTableView>
+#include <QTableWidget>
 #include <QUndoStack>
 
 #include "core/io/volume_io.h"
-#include "tests/support/test_volume.h"
+#include "tests/ui/dumbbell.h"
 #include "tests/ui/window/window_support.h"
 #include "ui/window/event_inspector.h"
+#include "ui/window/object_choice.h"
 #include "ui/window/sentences.h"
 #include "ui/window/series_list.h"
 #include "ui/window/steps_panel.h"
@@ -82,6 +84,10 @@ class PanelTest : public QObject {
   void sentencesNameFieldsInTheirPlaceOfOptions();
   void sentencesNameStacksAsTheListDoes();
   void thatLengthsMeanNothingIsSaidFirst();
+  void aClickOutsideIsListedAsOneAndIsNoSeedToGrowFrom();
+  void theObjectThatIsTakenAndTheWaysFromItAreSaidWithTheirVolumes();
+  void withoutAChoiceNothingJumps();
+  void bracketsStepThroughTheObjectsBySize();
 };
 
 void PanelTest::doubtsAreShownOfASurfaceAtRestAndOnlyThen() {
@@ -323,6 +329,128 @@ void PanelTest::thatLengthsMeanNothingIsSaidFirst() {
   QVERIFY(ui::mainWarning(info).contains("More"));
   info.warnings = {"The volume is uncalibrated."};
   QCOMPARE(ui::mainWarning(info), QString("The volume is uncalibrated."));
+}
+
+void PanelTest::aClickOutsideIsListedAsOneAndIsNoSeedToGrowFrom() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst.nii.gz")));
+  const auto& commands = window->commands();
+  QVERIFY(commands[Command::addOutside]->isEnabled());
+  QTest::keyClick(window.get(), Qt::Key_Return, Qt::ShiftModifier);
+  QCOMPARE(window->document().seeds().size(), std::size_t{1});
+  QVERIFY(window->document().seeds()[0].background);
+  for (Command id : {Command::run, Command::stepForward, Command::nextEvent})
+    QVERIFY(!commands[id]->isEnabled());
+  for (Command id : {Command::deleteSeed, Command::growSeed, Command::nextSeed})
+    QVERIFY(commands[id]->isEnabled());
+  window->showStep(Command::stepGrow);
+  QCOMPARE(shownText(*window, "State of the growth"), QString("No seed yet"));
+
+  window->showStep(Command::stepSeed);
+  QCOMPARE(shownText(*window, "Which object is taken"), QString("None yet: it takes a seed inside."));
+  QTest::keyClick(window.get(), Qt::Key_Return);
+  const auto* table = window->findChild<QTableWidget*>();
+  QVERIFY(table && table->isVisible() && table->rowCount() == 2);
+  QCOMPARE(table->item(0, 2)->text(), QString("outside"));
+  QCOMPARE(table->item(1, 2)->text(), QString("inside"));
+  QVERIFY(commands[Command::run]->isEnabled());
+  QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(!commands[Command::run]->isEnabled());
+  QVERIFY2(commands[Command::undo]->text().contains("Add click outside"),
+           qPrintable(commands[Command::undo]->text()));
+}
+
+void PanelTest::theObjectThatIsTakenAndTheWaysFromItAreSaidWithTheirVolumes() {
+  QUndoStack undo;
+  ui::Commands commands(&undo, nullptr);
+  ui::ObjectChoice panel(commands);
+  panel.show();
+  ui::CandidateChoice choice;
+  choice.candidates.resize(3);
+  const double volumes[] = {12'340, 41'000, 3'100};  // mm³
+  for (std::size_t i = 0; i < 3; ++i) choice.candidates[i].volume = volumes[i];
+  choice.chosen = 1;
+  panel.showChoice(choice, QString());
+  const auto texts = [&] {
+    QStringList all;
+    const auto labels = panel.findChildren<QLabel*>();
+    for (const QLabel* label : labels)
+      if (!label->accessibleName().isEmpty() && label->isVisible()) all << label->text();
+    const auto buttons = panel.findChildren<QAbstractButton*>();
+    for (const QAbstractButton* button : buttons) all << button->text();
+    return all;
+  };
+  QCOMPARE(texts(),
+           QStringList({"2 of 3 by size: 12.3 ml (likeliest)", "Smaller: 3.10 ml", "Larger: 41.0 ml"}));
+  choice.isClose = true;
+  choice.chosen = 2;
+  panel.showChoice(choice, QString());
+  QCOMPARE(texts(), QStringList({"3 of 3 by size: 41.0 ml", "A close choice: look at the others, too.",
+                                 "Smaller: 12.3 ml", "Larger"}));
+  choice.candidates.resize(1);
+  choice.chosen = 1;
+  panel.showChoice(choice, QString());  // of one there is none close to it
+  QCOMPARE(texts(), QStringList({"The only one: 12.3 ml", "Smaller", "Larger"}));
+  panel.showChoice({}, QString("Looking."));
+  QCOMPARE(texts(), QStringList({"Looking.", "Smaller", "Larger"}));
+}
+
+void PanelTest::withoutAChoiceNothingJumps() {
+  constexpr int kPanelWidth = 290;  // pixels, without the panel's margins
+  QUndoStack undo;
+  ui::Commands commands(&undo, nullptr);
+  ui::ObjectChoice panel(commands);
+  panel.showChoice({}, QString("Looking."));
+  const int height = panel.heightForWidth(kPanelWidth);
+  ui::CandidateChoice choice;
+  choice.candidates.resize(2);
+  choice.chosen = 1;
+  choice.isClose = true;
+  for (ObjectCandidate& candidate : choice.candidates) candidate.volume = 1'234'000;
+  panel.showChoice(choice, QString());
+  QCOMPARE(panel.heightForWidth(kPanelWidth), height);
+
+  auto window = shownWindow();  // nothing is open: the commands are there, and cannot be given
+  QVERIFY(window);
+  for (Command id : {Command::smallerObject, Command::largerObject, Command::addOutside})
+    QVERIFY(!window->commands()[id]->isEnabled());
+}
+
+void PanelTest::bracketsStepThroughTheObjectsBySize() {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("dumbbell.nii.gz");
+  writeVolume(testing::dumbbellVolume(), path.toStdString());
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, path));
+  ui::Document& document = window->document();
+  document.addSeed({testing::kLeftBall, {}});
+  QVERIFY(QTest::qWaitFor([&] { return document.resolved().has_value(); }, kPatience));
+  const int count = static_cast<int>(document.candidateChoice().candidates.size());
+  if (count < 2) QSKIP("The engine offers no other object yet.");  // take away when it does
+  QAction *smaller = window->commands()[Command::smallerObject],
+          *larger = window->commands()[Command::largerObject];
+  const auto place = [&] { return ui::placeBySize(document.candidateChoice()); };
+  for (int at = place(); at < count; ++at) {
+    QVERIFY(larger->isEnabled());
+    QTest::keyClick(window.get(), Qt::Key_BracketRight);
+    QCOMPARE(place(), at + 1);
+  }
+  QVERIFY(!larger->isEnabled());
+  QTest::keyClick(window.get(), Qt::Key_BracketRight);
+  QCOMPARE(place(), count);
+  for (int at = count; at > 1; --at) {
+    QVERIFY(smaller->isEnabled());
+    QTest::keyClick(window.get(), Qt::Key_BracketLeft);
+    QCOMPARE(place(), at - 1);
+  }
+  QVERIFY(!smaller->isEnabled() && larger->isEnabled());
+  QVERIFY(window->commands()[Command::undo]->text().contains("Smaller object"));
+  window->showStep(Command::stepSeed);
+  const QString shown = shownText(*window, "Which object is taken");
+  QVERIFY2(shown.startsWith(QString("1 of %1 by size").arg(count)), qPrintable(shown));
+  QVERIFY(QTest::qWaitFor([&] { return document.resolved().has_value(); }, kPatience));
+  QCOMPARE(place(), 1);
+  QVERIFY(!smaller->isEnabled() && larger->isEnabled());
 }
 
 int main(int argc, char** argv) {
