@@ -8,7 +8,7 @@
 #include "core/evolution/image_doubts.h"
 #include "core/evolution/motion.h"
 #include "core/evolution/object_image.h"
-#include "core/evolution/object_range.h"
+#include "core/evolution/clicked_object.h"
 #include "core/evolution/resting_places.h"
 #include "core/evolution/seeds.h"
 #include "core/mesh/morton_order.h"
@@ -117,6 +117,7 @@ struct ActiveContour::State {
   RestingPlaces resting;
   std::vector<ObjectCandidate> candidates;
   bool isCloseChoice = false;
+  double neckRadius = 0;  // mm, of the passages that are cut; 0 = none
   TopologyNumbers topology;
   StopReason stop = StopReason::running;
   int iteration = 0;
@@ -157,19 +158,22 @@ struct ActiveContour::State {
 };
 
 void ActiveContour::State::chooseImage(const Parameters& p) {
-  const ObjectChoice choice = chooseObject(volume, seeds, p);
-  image = std::make_shared<ObjectImage>(choice.volume, choice.range, choice.contrast, choice.levels,
-                                        choice.neck, choice.view);
-  parameters.object = choice.object;
-  parameters.range = choice.range;
-  parameters.smoothing = choice.volume->sigma();
+  ClickedObject found = findClickedObject(volume, seeds, p);
+  image = std::move(found.image);
+  parameters.object = found.kind;
+  parameters.range = found.range;
+  parameters.smoothing = found.smoothing;
+  parameters.candidate = found.candidate;
+  candidates = std::move(found.candidates);
+  isCloseChoice = found.isCloseChoice;
+  neckRadius = found.neckRadius;
 }
 
 //! Everything but the seeds' radii. Precondition: the image is that of `p`.
 void ActiveContour::State::resolve(const Parameters& p) {
   const double voxel = volume.grid.meanSpacing();
   double fit = 0;
-  for (const Seed& s : seeds) fit = std::max(fit, fittingRadius(*image, s.centre, 8 * voxel));
+  for (const Seed& s : clicksOfSide(seeds, false)) fit = std::max(fit, fittingRadius(*image, s.centre, 8 * voxel));
   // Two voxels, but finer in thin structures.
   const double edge = p.edgeLength.value_or(std::clamp(0.6 * fit / voxel, 1.0, 2.0) * voxel);
 
@@ -191,8 +195,13 @@ void ActiveContour::State::resolve(const Parameters& p) {
 }
 
 void ActiveContour::State::begin() {
-  parameters.seeds = fitSeeds(*image, seeds, parameters.edgeLength, parameters.direction == Direction::both);
+  parameters.seeds = fitSeeds(*image, clicksOfSide(seeds, false), parameters.edgeLength,
+                              parameters.direction == Direction::both);
   mesh = seedMesh(parameters.seeds, parameters.edgeLength);
+  for (Seed s : clicksOfSide(seeds, true)) {
+    s.radius = s.radius.value_or(volume.grid.meanSpacing());
+    parameters.seeds.push_back(s);
+  }
   quiet.assign(idx(mesh.vertexSlots()), 0);
   topology = topologyNumbers(mesh);
   if (parameters.maxIterations == 0) stop = StopReason::maxIterations;
@@ -205,6 +214,7 @@ void ActiveContour::State::takeImage(const State& other) {
   parameters.candidate = other.parameters.candidate;
   candidates = other.candidates;
   isCloseChoice = other.isCloseChoice;
+  neckRadius = other.neckRadius;
   parameters.smoothing = other.parameters.smoothing;
 }
 
@@ -476,7 +486,11 @@ bool ActiveContour::isSettled(int vertex) const { return state_->sleeps(vertex);
 std::size_t ActiveContour::memory() const {
   return sizeof(State) + state_->mesh.memory() + state_->quiet.size();
 }
-std::vector<std::string> ActiveContour::doubts() const { return imageDoubts(state_->mesh, *state_->image); }
+std::vector<std::string> ActiveContour::doubts() const {
+  std::vector<std::string> doubts = imageDoubts(state_->mesh, *state_->image);
+  if (state_->neckRadius > 0) doubts.push_back(heldAtPassages(state_->neckRadius));
+  return doubts;
+}
 void ActiveContour::recordTraces(bool on) { state_->traces = on; }
 
 }  // namespace handlebody

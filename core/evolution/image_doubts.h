@@ -22,4 +22,7 @@ double partAtPadding(const Mesh& mesh, const ObjectImage& image);
 //! of it lies on the border of the field of view.
 std::vector<std::string> imageDoubts(const Mesh& mesh, const ObjectImage& image);
 
+//! Of an object that is cut where its passages have radii below `neckRadius` (mm).
+std::string heldAtPassages(double neckRadius);
+
 }  // namespace handlebody

@@ -12,17 +12,27 @@ constexpr double kBorder = 0.49;  // voxels
 
 ObjectImage::Reading ObjectImage::read(const Vec3& world) const {
   const Vec3 index = volume_->grid().toIndex(world);
-  Reading reading{volume_->sample(index), limitsWithin(index)};
+  Reading reading{volume_->sample(index), limitsWithin(index, world, true)};
   if (neck_) reading.limits.most = std::min(reading.limits.most, neck_->barrier->openness(index));
   return reading;
 }
 
-ObjectImage::Limits ObjectImage::limitsWithin(const Vec3& index) const {
+ObjectImage::Limits ObjectImage::limitsWithin(const Vec3& index, const Vec3& world, bool held) const {
   const Grid& grid = volume_->grid();
   Limits limits{range_.low, range_.high, scale_, 1};
   for (int a = 0; a < 3; ++a) {
     const double last = grid.size[static_cast<std::size_t>(a)] - 1.0;
     limits.most = std::min({limits.most, index[a] + kBorder, last + kBorder - index[a]});
+  }
+  if (region_.field) {
+    const Vec3 place = region_.levelGrid.toIndex(world);
+    if (region_.low) limits.low = region_.low->at(place);
+    if (region_.high) limits.high = region_.high->at(place);
+    if (held) {
+      const double deep = region_.field->at(world);
+      limits.least = (deep - region_.slack) / region_.slack;
+      limits.most = std::min(limits.most, (deep + region_.slack) / region_.slack);
+    }
   }
   if (levels_) (std::isfinite(limits.high) ? limits.high : limits.low) = levels_->at(index);
   return limits;

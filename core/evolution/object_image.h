@@ -2,20 +2,36 @@
 // The image as a force sees it: how far inside the object's intensities a point lies.
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 
 #include "core/evolution/level_field.h"
 #include "core/evolution/neck.h"
 #include "core/evolution/parameters.h"
+#include "core/object/region_field.h"
 #include "core/volume/smoothed_volume.h"
 
 namespace handlebody {
 
+//! A region as limits: its surface lies where the levels have it, no more than `slack` mm from the region's own.
+struct RegionLimits {
+  std::shared_ptr<const RegionField> field;
+  Grid levelGrid;                                     //!< of the levels' indices
+  std::shared_ptr<const LevelField> low{}, high{};    //!< bounds place by place; null = none
+  double slack = 0;                                   //!< mm
+};
+
 //! Smoothed volume and intensity range of the object. With `levels` the range's finite end is theirs, place
 //! by place (the upper end if both are finite); with `neck` the object ends there. `view` says where there is
 //! no image.
+//! Or a region (RegionLimits).
 class ObjectImage {
  public:
+  //! An object that is a region. `scale`: intensity units; `view` may be null.
+  ObjectImage(std::shared_ptr<const SmoothedVolume> volume, RegionLimits region, double scale,
+              std::shared_ptr<const FieldOfView> view)
+      : volume_(std::move(volume)), scale_(scale), view_(std::move(view)), region_(std::move(region)) {}
+
   ObjectImage(std::shared_ptr<const SmoothedVolume> volume, const IntensityRange& range, double scale,
               std::shared_ptr<const LevelField> levels = nullptr,
               std::shared_ptr<const NeckCut> neck = nullptr,
@@ -41,8 +57,9 @@ class ObjectImage {
     double low, high;  //!< intensity
     double scale;      //!< intensity units
     double most;       //!< of inside(), whatever the intensity
+    double least = -std::numeric_limits<double>::infinity();
     double inside(double intensity) const {
-      return std::min({(intensity - low) / scale, (high - intensity) / scale, most});
+      return std::min(std::max(std::min((intensity - low) / scale, (high - intensity) / scale), least), most);
     }
   };
   //! The image at a place.
@@ -53,10 +70,10 @@ class ObjectImage {
   Reading read(const Vec3& world) const;
   //! Has what inside(world) reads fetched from memory meanwhile.
   void prefetch(const Vec3& world) const { volume_->prefetch(volume_->grid().toIndex(world)); }
-  //! The same without the neck: what the intensities alone say.
+  //! The same without the neck or the region: what the intensities alone say.
   double insideByIntensity(const Vec3& world) const {
     const Vec3 index = volume_->grid().toIndex(world);
-    return limitsWithin(index).inside(volume_->sample(index));
+    return limitsWithin(index, world, false).inside(volume_->sample(index));
   }
   const SmoothedVolume& volume() const { return *volume_; }
   //! Null if the object is not cut off.
@@ -65,14 +82,15 @@ class ObjectImage {
   const FieldOfView* view() const { return view_.get(); }
 
  private:
-  Limits limitsWithin(const Vec3& index) const;  // without the neck
+  Limits limitsWithin(const Vec3& index, const Vec3& world, bool held) const;  // without the neck
 
   std::shared_ptr<const SmoothedVolume> volume_;
-  IntensityRange range_;
+  IntensityRange range_{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   double scale_;  // intensity units
   std::shared_ptr<const LevelField> levels_;
   std::shared_ptr<const NeckCut> neck_;
   std::shared_ptr<const FieldOfView> view_;
+  RegionLimits region_{};
 };
 
 }  // namespace handlebody

@@ -84,20 +84,6 @@ std::optional<GrowthLevel> searchLevel(const SmoothedVolume& volume, const std::
   return strongestLevel(growRegion(volume, indicesOf(volume.grid(), seeds), sign, from, to));
 }
 
-void requireSeedsInside(const Grid& grid, const std::vector<Seed>& seeds) {
-  if (seeds.empty()) throw UsageError("No seed was given: at least one is needed.");
-  for (const Seed& s : seeds) {
-    if (s.radius && !(*s.radius > 0 && std::isfinite(*s.radius)))
-      throw UsageError("The radius of a seed must be a number of mm above 0.");
-    const Vec3 i = grid.toIndex(s.centre);
-    if (!grid.contains(i))
-      throw SeedError("The seed at (" + std::to_string(s.centre[0]) + ", " + std::to_string(s.centre[1]) +
-                      ", " + std::to_string(s.centre[2]) + ") mm lies outside the volume (voxel " +
-                      std::to_string(i[0]) + ", " + std::to_string(i[1]) + ", " + std::to_string(i[2]) +
-                      ").");
-  }
-}
-
 std::string notInObject(ObjectKind asked) {
   const std::string kind = asked == ObjectKind::bright ? "bright"
                            : asked == ObjectKind::dark ? "dark"
@@ -294,6 +280,20 @@ void requireNotAllOfView(const ObjectChoice& choice, const std::vector<Seed>& se
 }
 
 }  // namespace
+
+void requireSeedsInside(const Grid& grid, const std::vector<Seed>& seeds) {
+  if (seeds.empty()) throw UsageError("No seed was given: at least one is needed.");
+  for (const Seed& s : seeds) {
+    if (s.radius && !(*s.radius > 0 && std::isfinite(*s.radius)))
+      throw UsageError("The radius of a seed must be a number of mm above 0.");
+    const Vec3 i = grid.toIndex(s.centre);
+    if (!grid.contains(i))
+      throw SeedError("The seed at (" + std::to_string(s.centre[0]) + ", " + std::to_string(s.centre[1]) +
+                      ", " + std::to_string(s.centre[2]) + ") mm lies outside the volume (voxel " +
+                      std::to_string(i[0]) + ", " + std::to_string(i[1]) + ", " + std::to_string(i[2]) +
+                      ").");
+  }
+}
 
 ObjectChoice chooseObject(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& p) {
   requireSeedsInside(volume.grid, seeds);

@@ -26,6 +26,9 @@ struct ObjectChoice {
   std::shared_ptr<const FieldOfView> view;
 };
 
+//! Throws UsageError if there is none or a radius makes no sense, SeedError if one lies outside of the grid.
+void requireSeedsInside(const Grid& grid, const std::vector<Seed>& seeds);
+
 //! Chooses what `parameters` leaves open. The boundary level is the one at which the connected region that
 //! grows from the seeds has the strongest mean edge; a level after the region has leaked into another one
 //! counts only if its edge is much stronger. From there on the level is refined place by place

@@ -1,5 +1,6 @@
 target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/active_contour.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/clicked_object.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/edge_profile.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/growth_level.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/history.cpp

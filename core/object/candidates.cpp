@@ -133,6 +133,7 @@ RankedRegion describe(const ClickSearch& s, const ArrivalMap& map, int rung, con
   const double in = sum.inside / sum.voxels, out = sum.outside / faces;
   const double spread = std::sqrt(std::max(0.0, sum.inside2 / sum.voxels - in * in)) +
                         std::sqrt(std::max(0.0, sum.outside2 / faces - out * out));
+  r.rise = out - in;
   r.contrast = std::abs(out - in) / (spread + 0.3 * s.intensities.noise + std::numeric_limits<double>::min());
   return r;
 }

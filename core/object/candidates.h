@@ -32,6 +32,7 @@ struct RankedRegion {
   double votes = 0;     //!< regions that can hardly be told from it
   double edge = 0;      //!< median gradient on its surface, log2 of noise per cell
   double contrast = 0;  //!< distance of the means inside and just outside over the sum of their deviations
+  double rise = 0;      //!< intensities: mean just outside less mean inside
   double score = 0;
 
   bool holds(std::size_t cell) const { return map->level[cell] <= rung; }

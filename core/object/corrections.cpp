@@ -15,39 +15,20 @@ using Cell = std::array<int, 3>;
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 // Reach of a correction around its click, in depths of the click, and cells more.
-constexpr double kCutReach = 2, kAddReach = 3, kMore = 1;
+constexpr double kCutReach = 2, kMore = 1;
 // An edge of this many times the noise doubles the length of a step across it.
 constexpr double kEdge = 1.5;
 // A place as deep as this many cells makes a step three times as long as in the open.
 constexpr double kThin = 2;
-// Of the log of how much larger what is added is than a third of the region.
-constexpr double kGrowsMuch = 0.15, kThird = 0.3;
-
 Cell cellOf(const CellGrid& cells, std::size_t i) {
   const std::size_t nx = idx(cells.grid.size[0]), ny = idx(cells.grid.size[1]);
   return {static_cast<int>(i % nx), static_cast<int>(i / nx % ny), static_cast<int>(i / (nx * ny))};
 }
 
+Vec3 indexOf(const Cell& c) { return Vec3(c[0], c[1], c[2]); }
+
 Vec3 placeOf(const CellGrid& cells, const Cell& c) {
   return Vec3(c[0], c[1], c[2]).cwiseProduct(cells.grid.spacing);
-}
-
-template <typename F>
-void forBox(const CellBox& box, F&& f) {
-  for (int z = box.low[2]; z <= box.high[2]; ++z)
-    for (int y = box.low[1]; y <= box.high[1]; ++y)
-      for (int x = box.low[0]; x <= box.high[0]; ++x) f(Cell{x, y, z});
-}
-
-//! The cells within `reach` mm of one.
-CellBox boxAround(const CellGrid& cells, const Cell& c, double reach) {
-  CellBox box{c, c};
-  for (int a = 0; a < 3; ++a) {
-    const int r = static_cast<int>(std::ceil(reach / cells.grid.spacing[a]));
-    box.low[idx(a)] = std::max(0, c[idx(a)] - r);
-    box.high[idx(a)] = std::min(cells.grid.size[idx(a)] - 1, c[idx(a)] + r);
-  }
-  return box;
 }
 
 //! Largest distance (mm) of a marked cell to the others; the border of the box counts as unmarked.
@@ -130,12 +111,9 @@ class Competition {
 
 void setBall(const WorkImage& work, Region& region, const CellClick& click, std::uint8_t to) {
   const CellGrid& cells = work.cells();
-  const Cell centre = cellOf(cells, click.cell);
   region.inside[click.cell] = to;
-  const Vec3 at = placeOf(cells, centre);
-  forBox(boxAround(cells, centre, click.radius), [&](const Cell& c) {
-    if ((placeOf(cells, c) - at).norm() <= click.radius) region.inside[cells.at(c)] = to;
-  });
+  const Vec3 centre = cells.grid.toWorld(indexOf(cellOf(cells, click.cell)));
+  forCellsWithin(cells, centre, click.radius, [&](std::size_t i) { region.inside[i] = to; });
 }
 
 }  // namespace
@@ -158,14 +136,23 @@ double depthBehindSurface(const WorkImage& work, const Region& region, std::size
   }
 }
 
-double depthOfChange(const WorkImage& work, const Region& a, const Region& b) {
+namespace {
+
+//! Largest depth (mm) of the cells in `a` that are not in `b`.
+double deepestBeyond(const WorkImage& work, const Region& a, const Region& b) {
   Region change{std::vector<std::uint8_t>(a.inside.size())};
-  for (std::size_t i = 0; i < a.inside.size(); ++i) change.inside[i] = a.inside[i] != b.inside[i];
+  for (std::size_t i = 0; i < a.inside.size(); ++i) change.inside[i] = a.inside[i] && !b.inside[i];
   const CellGrid& cells = work.cells();
   CellBox box = boxOf(cells, change);
   if (box.empty()) return 0;
   box = box.grown(1, cells.grid.size);
   return deepest(box.size(), cells.grid.spacing, cutOut(cells, change.inside, box));
+}
+
+}  // namespace
+
+ChangeDepth depthOfChange(const WorkImage& work, const Region& from, const Region& to) {
+  return {deepestBeyond(work, to, from), deepestBeyond(work, from, to)};
 }
 
 Region cutAway(const WorkImage& work, const Region& region, const CellClick& click,
@@ -191,32 +178,6 @@ Region cutAway(const WorkImage& work, const Region& region, const CellClick& cli
   forBox(box, [&](const Cell& c) {
     const std::size_t l = competition.local(c);
     if (competition.isInside(c) && toClick[l] < toStay[l]) out.inside[cells.at(c)] = 0;
-  });
-  return out;
-}
-
-Region addNear(const WorkImage& work, const Region& region, const CellClick& click,
-               const std::vector<RankedRegion>& ranked, const std::vector<CellClick>& outside, double depth) {
-  const CellGrid& cells = work.cells();
-  const double third = kThird * static_cast<double>(region.count()) * cells.grid.voxelVolume();
-  const RankedRegion* best = nullptr;
-  double bestScore = -std::numeric_limits<double>::infinity();
-  for (const RankedRegion& r : ranked) {
-    if (std::any_of(outside.begin(), outside.end(), [&](const CellClick& o) { return r.holds(o.place); })) continue;
-    const double score = r.score - kGrowsMuch * std::max(0.0, std::log(r.volume / third));
-    if (score <= bestScore) continue;
-    best = &r;
-    bestScore = score;
-  }
-  Region out = region;
-  if (!best) return out;
-  const Region found = regionOn(work, *best);
-  const Cell centre = cellOf(cells, click.cell);
-  const Vec3 at = placeOf(cells, centre);
-  const double reach = kAddReach * depth + kMore * cells.grid.meanSpacing();
-  forBox(boxAround(cells, centre, reach), [&](const Cell& c) {
-    const std::size_t i = cells.at(c);
-    if (found.inside[i] && (placeOf(cells, c) - at).norm() <= reach) out.inside[i] = 1;
   });
   return out;
 }

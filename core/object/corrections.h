@@ -16,18 +16,16 @@ struct CellClick {
 //! How deep (mm) a click lies on the wrong side of the region's surface; at least one cell.
 double depthBehindSurface(const WorkImage& work, const Region& region, std::size_t cell);
 
-//! How deep (mm) the cells are in which two regions differ.
-double depthOfChange(const WorkImage& work, const Region& a, const Region& b);
+//! How deep (mm) the cells are that one region has and the other has not.
+struct ChangeDepth {
+  double added = 0, removed = 0;
+};
+ChangeDepth depthOfChange(const WorkImage& work, const Region& from, const Region& to);
 
 //! The region without what hangs closer to the click than to the rest: paths are long across edges and
 //! through thin places. Only cells within twice the click's depth can go.
 Region cutAway(const WorkImage& work, const Region& region, const CellClick& click,
                const std::vector<CellClick>& inside, double noise, double depth);
-
-//! The region with what the click's own search finds there, of the ranked regions the best that holds no click
-//! outside; no further from the click than three times its depth.
-Region addNear(const WorkImage& work, const Region& region, const CellClick& click,
-               const std::vector<RankedRegion>& ranked, const std::vector<CellClick>& outside, double depth);
 
 //! Makes the balls of the clicks what they are said to be.
 void stamp(const WorkImage& work, Region& region, const std::vector<CellClick>& inside,

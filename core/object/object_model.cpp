@@ -2,18 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-static double env(const char* n, double d) { const char* e = std::getenv(n); return e ? atof(e) : d; }
+#include <limits>
 
 namespace handlebody {
 
 namespace {
-
-// What a click costs that a candidate does not agree with, in scores: it takes a correction; and the log of how
-// much deeper than the clicks say the likeliest candidate is changed.
-static const double kCorrected = env("KC", 0.2), kTooDeep = env("KD", 0.3), kLocal = env("KL", 0.6), kOwn = env("KO", 0.3), kBall = env("KB", 3);
-constexpr std::size_t kTried = 8;    // candidates
-constexpr std::size_t kCavity = 14;  // cells: a ball of one and a half cells' radius is noise
 
 class Finder {
  public:
@@ -23,6 +16,8 @@ class Finder {
   std::optional<ObjectModel> run() {
     searches_ = searchesAround(query_.inside[0].place);
     ranked_ = rankRegions(searches_, policy_);
+    const double sign = query_.contrast == Contrast::dark ? 1 : -1;
+    if (query_.contrast != Contrast::any) std::erase_if(ranked_, [&](const RankedRegion& r) { return sign * r.rise <= 0; });
     std::vector<RankedRegion> distinct = distinctRegions(ranked_, policy_.offered, policy_);
     if (distinct.empty()) return {};
     ObjectModel model;
@@ -37,10 +32,16 @@ class Finder {
     work_ = makeWork();
     for (const ObjectClick& c : query_.inside) inside_.push_back(cellClick(c));
     for (const ObjectClick& c : query_.outside) outside_.push_back(cellClick(c));
-    region_ = tidied(regionOn(work_, distinct[static_cast<std::size_t>(model.chosen - 1)]));
-    if (query_.candidate == 1 && inside_.size() + outside_.size() > 1) choose();
-    for (const CellClick& c : inside_) take(c, true);
-    for (const CellClick& c : outside_) take(c, false);
+    const RankedRegion& chosen = distinct[static_cast<std::size_t>(model.chosen - 1)];
+    model.neckRadius = chosen.map->radius;
+    model.low = chosen.bounds()[0];
+    model.high = chosen.bounds()[1];
+    model.rise = chosen.rise;
+    region_ = regionOn(work_, chosen);
+    reachClick(inside_[0]);
+    region_ = tidied(std::move(region_));
+    correctAll();
+    stamp(work_, region_, inside_, outside_);
     model.region = std::move(region_);
     model.work = std::move(work_);
     return model;
@@ -77,86 +78,144 @@ class Finder {
             click.radius.value_or(cells.grid.meanSpacing())};
   }
 
-  //! Makes a click true that is not.
-  void take(const CellClick& click, bool isInside) {
-    if ((region_.inside[click.cell] != 0) == isInside) return;
-    const double depth = depthBehindSurface(work_, region_, click.cell);
-    region_ = tidied(corrected(click, isInside, depth));
+  struct Pending {
+    CellClick click;
+    bool isInside;
+  };
+  bool isTrue(const Region& r, const Pending& p) const { return (r.inside[p.click.cell] != 0) == p.isInside; }
+
+  //! The click that lies deepest on the wrong side first, as a user would give them: a further click changes
+  //! nothing of what the earlier ones did.
+  void correctAll() {
+    std::vector<Pending> left;
+    for (const CellClick& c : inside_) left.push_back({c, true});
+    for (const CellClick& c : outside_) left.push_back({c, false});
+    done_.push_back(left.front());
+    left.erase(left.begin());
+    while (true) {
+      double deepest = 0;
+      auto next = left.end();
+      for (auto p = left.begin(); p != left.end(); ++p) {
+        if (isTrue(region_, *p)) continue;
+        const double d = depthBehindSurface(work_, region_, p->click.cell);
+        if (d > deepest) deepest = d, next = p;
+      }
+      if (next == left.end()) return;
+      const Pending p = *next;
+      left.erase(next);
+      done_.push_back(p);
+      correct(p, deepest);
+    }
+  }
+
+  bool agrees(const RankedRegion& r) const {
+    return std::all_of(done_.begin(), done_.end(), [&](const Pending& p) { return r.holds(p.click.place) == p.isInside; });
   }
 
   //! Only what hangs together with the clicks inside, without the holes that noise makes.
   Region tidied(Region region) const {
     std::vector<std::size_t> holding;
     for (const CellClick& c : inside_) holding.push_back(c.cell);
-    keepParts(work_, region, holding, kCavity);
+    keepParts(work_, region, holding, policy_.cavity);
     return region;
   }
 
-  std::size_t contradictions(const RankedRegion& r) const {
-    const auto missed = std::count_if(inside_.begin(), inside_.end(), [&](const CellClick& c) { return !r.holds(c.place); });
-    const auto taken = std::count_if(outside_.begin(), outside_.end(), [&](const CellClick& c) { return r.holds(c.place); });
-    return static_cast<std::size_t>(missed + taken);
-  }
-
-  //! Another candidate for all the clicks, if it agrees with more of them, is about as likely as the likeliest,
-  //! and differs from that no deeper than the clicks say.
-  void choose() {
-    double depth = 0;
-    const auto look = [&](const CellClick& c, bool isInside) {
-      if ((region_.inside[c.cell] != 0) != isInside)
-        depth = std::max(depth, depthBehindSurface(work_, region_, c.cell));
-    };
-    for (const CellClick& c : inside_) look(c, true);
-    for (const CellClick& c : outside_) look(c, false);
-    if (depth == 0) return;
-    std::vector<RankedRegion> worth = ranked_;
-    for (RankedRegion& r : worth) r.score -= kCorrected * static_cast<double>(contradictions(r));
-    double bestWorth = -1e9;
-    Region best;
-    for (const RankedRegion& r : distinctRegions(worth, kTried, policy_)) {
-      if (r.score <= bestWorth) break;
-      Region other = tidied(regionOn(work_, r));
-      const double here = r.score - tooDeep(other, depth);
-      if (here <= bestWorth) continue;
-      bestWorth = here;
-      best = std::move(other);
-    }
-    region_ = std::move(best);
-  }
-
-  double tooDeep(const Region& other, double depth) const {
+  //! A change in the sense of the click may be about as deep as the click; one against it hardly deep at all.
+  double tooDeep(const Region& other, bool isInside, double depth) const {
     const double cell = work_.cells().grid.meanSpacing();
-    const double change = std::max(0.5 * cell, depthOfChange(work_, region_, other));
-    return kTooDeep * std::max(0.0, std::log(change / (1.5 * depth + 0.5 * cell)));
+    const auto [added, removed] = depthOfChange(work_, region_, other);
+    const auto excess = [&](double change, double allowed) {
+      return std::max(0.0, std::log(std::max(change, 0.5 * cell) / (allowed + 0.5 * cell)));
+    };
+    return policy_.tooDeep * (excess(isInside ? added : removed, policy_.sameDeep * depth) + excess(isInside ? removed : added, policy_.againstDeep * depth));
   }
 
-  Region corrected(const CellClick& click, bool isInside, double depth) const {
-    const RankedRegion* other = nullptr;
-    for (const RankedRegion& r : ranked_)
-      if (contradictions(r) == 0 && (!other || r.score > other->score)) other = &r;
-    const double worth = other ? other->score : -1e9;
-    const double top = ranked_[0].score;
-    if (!isInside) {
-      if (worth > top - kLocal) return mixed(*other, click, depth);
-      return cutAway(work_, region_, click, inside_, noise_, depth);
-    }
-    const Searches own = searchesAround(click.place);
-    const std::vector<RankedRegion> ranked = rankRegions(own, policy_);
-    double ownBest = -1e9;
-    for (const auto& r : ranked) if (std::none_of(outside_.begin(), outside_.end(), [&](const CellClick& o) { return r.holds(o.place); })) ownBest = std::max(ownBest, r.score);
-    if (worth > top - kLocal && worth > ownBest - kOwn) return mixed(*other, click, depth);
-    return addNear(work_, region_, click, ranked, outside_, depth);
+  //! The opening may have taken the place of the click itself: it hangs on by a ball.
+  void reachClick(const CellClick& click) {
+    if (region_.inside[click.cell] || region_.count() == 0) return;
+    CellClick ball = click;
+    ball.radius = depthBehindSurface(work_, region_, click.cell);
+    stamp(work_, region_, {ball}, {});
   }
-  Region mixed(const RankedRegion& r, const CellClick& click, double depth) const {
+
+  //! The best of what may have made the user click: what is tried, and what it is worth.
+  class Offers {
+   public:
+    Offers(const Finder& finder, const Pending& pending, double depth)
+        : finder_(finder), pending_(pending), depth_(depth) {}
+    void add(Region region, double score, bool isLocal) {
+      if (score <= worth_) return;
+      region = finder_.tidied(std::move(region));
+      if (!finder_.isTrue(region, pending_)) return;
+      const double worth = score - finder_.tooDeep(region, pending_.isInside, depth_);
+      if (worth <= worth_) return;
+      worth_ = worth;
+      best_ = std::move(region);
+      isLocal_ = isLocal;
+    }
+    bool any() const { return !best_.inside.empty(); }
+    bool isLocal() const { return isLocal_; }
+    Region take() { return std::move(best_); }
+
+   private:
+    const Finder& finder_;
+    const Pending& pending_;
+    double depth_;
+    double worth_ = -std::numeric_limits<double>::infinity();
+    Region best_;
+    bool isLocal_ = true;
+  };
+
+  void correct(const Pending& p, double depth) {
+    Offers offers(*this, p, depth);
+    const double local = policy_.corrected * (corrections_ + 1), top = ranked_[0].score;
+    offerCandidates(offers, p, depth, local);
+    if (p.isInside)
+      offerOwnRegions(offers, p, depth, local);
+    else
+      offers.add(cutAway(work_, region_, p.click, inside_, noise_, depth), top - local, true);
+    offers.add(within(p.click, policy_.makeshiftReach * depth, [&](std::size_t) { return p.isInside; }),
+               top - local - policy_.makeshift, true);
+    if (!offers.any()) return;
+    corrections_ = offers.isLocal() ? corrections_ + 1 : 0;
+    region_ = offers.take();
+  }
+
+  //! Other candidates that agree with all clicks so far, whole or only near this one.
+  void offerCandidates(Offers& offers, const Pending& p, double depth, double local) const {
+    std::vector<RankedRegion> agreeing;
+    std::copy_if(ranked_.begin(), ranked_.end(), std::back_inserter(agreeing),
+                 [&](const RankedRegion& r) { return agrees(r); });
+    for (const RankedRegion& r : distinctRegions(agreeing, policy_.tried, policy_)) {
+      const Region whole = regionOn(work_, r);
+      offers.add(whole, r.score, false);
+      offers.add(within(p.click, policy_.correctionReach * depth, [&](std::size_t i) { return whole.inside[i]; }),
+                 r.score - local - policy_.mixed, true);
+    }
+  }
+
+  //! What a search from the click finds: other intensities belong to the object, too.
+  void offerOwnRegions(Offers& offers, const Pending& p, double depth, double local) const {
+    const Searches own = searchesAround(p.click.place);
+    std::vector<RankedRegion> ranked = rankRegions(own, policy_);
+    std::erase_if(ranked, [&](const RankedRegion& r) {
+      return std::any_of(done_.begin(), done_.end(),
+                         [&](const Pending& o) { return !o.isInside && r.holds(o.click.place); });
+    });
+    for (const RankedRegion& r : distinctRegions(ranked, policy_.tried, policy_)) {
+      const Region whole = regionOn(work_, r);
+      offers.add(within(p.click, policy_.correctionReach * depth,
+                        [&](std::size_t i) { return region_.inside[i] || whole.inside[i]; }),
+                 r.score - local, true);
+    }
+  }
+
+  //! The region with f(cell) instead within `reach` (mm) of a click.
+  template <typename F>
+  Region within(const CellClick& click, double reach, F&& f) const {
     Region out = region_;
-    const Region o = regionOn(work_, r);
-    const CellGrid& cells = work_.cells();
-    const double reach = kBall * depth + cells.grid.meanSpacing();
-    std::size_t i = 0;
-    for (int z = 0; z < cells.grid.size[2]; ++z)
-      for (int y = 0; y < cells.grid.size[1]; ++y)
-        for (int x = 0; x < cells.grid.size[0]; ++x, ++i)
-          if ((cells.grid.toWorld(Vec3(x, y, z)) - click.place).norm() <= reach) out.inside[i] = o.inside[i];
+    forCellsWithin(work_.cells(), click.place, reach + work_.cells().grid.meanSpacing(),
+                   [&](std::size_t i) { out.inside[i] = f(i); });
     return out;
   }
 
@@ -169,6 +228,8 @@ class Finder {
   WorkImage work_;
   Region region_;
   double noise_ = 0;
+  std::vector<Pending> done_;  // clicks that have been taken in
+  int corrections_ = 0;        // near clicks, in a row
   std::vector<CellClick> inside_, outside_;
 };
 

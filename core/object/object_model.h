@@ -16,10 +16,13 @@ struct ObjectClick {
   std::optional<double> radius{};  //!< mm
 };
 
+enum class Contrast { any, dark, bright };  //!< of the object against what is around it
+
 //! What is looked for.
 struct ObjectQuery {
   std::vector<ObjectClick> inside, outside;  //!< the first inside one decides, the others correct
   int candidate = 1;                         //!< 1 = the likeliest
+  Contrast contrast = Contrast::any;
   int threads = 1;
 };
 
@@ -32,6 +35,9 @@ class ObjectModel {
   bool isCloseChoice = false;  //!< another one is about as likely
   WorkImage work;
   Region region;         //!< what was chosen, corrected by the clicks
+  double neckRadius = 0; //!< mm: narrower passages are cut
+  double low = 0, high = 0;  //!< intensities: bounds of what was chosen
+  double rise = 0;       //!< intensities: mean just outside less mean inside
   double level = 0;      //!< intensity at the first click
   double noise = 0;      //!< standard deviation there
 };

@@ -39,6 +39,18 @@ struct ObjectPolicy {
   double size = 0.3;           //!< times the log of how far the volume exceeds largePart
   double largePart = 0.05;     //!< of the cells searched
   double close = 0.25;         //!< scores that differ by less are a close choice
+
+  // --- corrections: lengths in depths of the click behind the surface, costs in scores ---
+  std::size_t tried = 6;        //!< candidates of each kind that are tried
+  double corrected = 0.3;       //!< cost of the first correction near a click; n times that of the nth in a row
+  double mixed = 0.2;           //!< cost besides, of the part of another candidate
+  double makeshift = 0.5;       //!< cost besides, of a ball where nothing else serves
+  double correctionReach = 2.5;  //!< what is further from the click stays
+  double makeshiftReach = 0.8;
+  double tooDeep = 1;           //!< cost of the log of how much deeper a change is than
+  double sameDeep = 1;          //!< this in the sense of the click, or
+  double againstDeep = 0.3;     //!< this against it
+  std::size_t cavity = 14;      //!< cells: smaller cavities are noise; a ball of one and a half cells' radius
 };
 
 }  // namespace handlebody

@@ -1,6 +1,7 @@
 #include "core/object/region.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace handlebody {
@@ -145,6 +146,16 @@ std::size_t CellBox::count() const {
   if (empty()) return 0;
   const auto n = size();
   return idx(n[0]) * idx(n[1]) * idx(n[2]);
+}
+
+CellBox boxAround(const CellGrid& cells, const Cell& centre, double reach) {
+  CellBox box{centre, centre};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const int r = static_cast<int>(std::ceil(reach / cells.grid.spacing[static_cast<Eigen::Index>(a)]));
+    box.low[a] = std::max(0, centre[a] - r);
+    box.high[a] = std::min(cells.grid.size[a] - 1, centre[a] + r);
+  }
+  return box;
 }
 
 CellBox boxOf(const CellGrid& cells, const Region& region) {

@@ -33,6 +33,22 @@ struct CellBox {
   std::array<int, 3> size() const { return {high[0] - low[0] + 1, high[1] - low[1] + 1, high[2] - low[2] + 1}; }
   std::size_t count() const;
 };
+//! Calls f(cell) for the cells of a box, x fastest.
+template <typename F>
+void forBox(const CellBox& box, F&& f) {
+  for (int z = box.low[2]; z <= box.high[2]; ++z)
+    for (int y = box.low[1]; y <= box.high[1]; ++y)
+      for (int x = box.low[0]; x <= box.high[0]; ++x) f(std::array<int, 3>{x, y, z});
+}
+//! The cells within `reach` mm of one along each axis.
+CellBox boxAround(const CellGrid& cells, const std::array<int, 3>& centre, double reach);
+//! Calls f(cell's number) for the cells whose centres lie within `reach` mm of a point.
+template <typename F>
+void forCellsWithin(const CellGrid& cells, const Vec3& world, double reach, F&& f) {
+  forBox(boxAround(cells, cells.nearest(world), reach + cells.grid.spacing.maxCoeff()), [&](const std::array<int, 3>& c) {
+    if ((cells.grid.toWorld(Vec3(c[0], c[1], c[2])) - world).norm() <= reach) f(cells.at(c));
+  });
+}
 CellBox boxOf(const CellGrid& cells, const Region& region);
 //! Part of the cells' values in a box, x fastest.
 std::vector<std::uint8_t> cutOut(const CellGrid& cells, const std::vector<std::uint8_t>& values, const CellBox& box);

@@ -1,0 +1,214 @@
+#include "core/evolution/clicked_object.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/errors.h"
+#include "core/evolution/edge_profile.h"
+#include "core/evolution/object_range.h"
+#include "core/object/region_field.h"
+#include "core/volume/intensity_statistics.h"
+
+namespace handlebody {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// A boundary and a region are of one object if they share this part of what either holds.
+constexpr double kSameObject = 0.75;
+constexpr std::size_t kMostVoxels = 20'000'000;  // of a boundary that is compared
+// Where less than this part of the edges rises (falls), the object is darker (brighter) than all around it.
+constexpr double kOneSided = 0.1;
+// Standard deviations that are tried, in voxels, and the part of the half-step that noise may be.
+constexpr std::array<double, 6> kSigmas{0.5, 0.7, 1.0, 1.3, 1.6, 2.0};
+constexpr double kNoiseAllowed = 0.15;
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+ObjectQuery queryOf(const std::vector<Seed>& clicks, const Parameters& p) {
+  ObjectQuery query;
+  for (const Seed& s : clicks) (s.background ? query.outside : query.inside).push_back({s.centre, s.radius});
+  query.candidate = p.candidate;
+  query.threads = p.threads;
+  if (p.object != ObjectKind::automatic)
+    query.contrast = p.object == ObjectKind::dark ? Contrast::dark : Contrast::bright;
+  return query;
+}
+
+//! The object's cells as voxels of a volume of cells, with the faces between them and the rest.
+ObjectRegion facesOf(const ObjectModel& model) {
+  ObjectRegion out;
+  const CellGrid& cells = model.work.cells();
+  const auto& n = cells.grid.size;
+  std::size_t i = 0;
+  for (int z = 0; z < n[2]; ++z)
+    for (int y = 0; y < n[1]; ++y)
+      for (int x = 0; x < n[0]; ++x, ++i) {
+        if (!model.region.inside[i]) continue;
+        const ObjectRegion::Voxel v{x, y, z};
+        bool isListed = false;
+        for (std::int8_t a = 0; a < 3; ++a)
+          for (const std::int8_t step : {std::int8_t{-1}, std::int8_t{1}}) {
+            ObjectRegion::Voxel w = v;
+            w[idx(a)] += step;
+            if (w[idx(a)] < 0 || w[idx(a)] >= n[idx(a)]) continue;
+            const std::size_t j = cells.at(w);
+            if (model.region.inside[j] || model.work.image.padding[j]) continue;
+            if (!isListed) out.voxels.push_back(v);
+            isListed = true;
+            out.faces.push_back({static_cast<std::int32_t>(out.voxels.size()) - 1, a, step});
+          }
+      }
+  return out;
+}
+
+//! The least smoothing that is enough for white noise.
+double smoothingFor(double noise, double halfStep) {
+  for (const double sigma : kSigmas) {
+    const double left = noise / std::sqrt(8 * std::pow(std::numbers::pi, 1.5) * sigma * sigma * sigma);
+    if (std::min(noise, left) <= kNoiseAllowed * halfStep) return sigma;
+  }
+  return kSigmas.back();
+}
+
+//! Half-way levels on the region's surface, for edges that rise outwards and those that fall.
+struct Levels {
+  std::shared_ptr<const LevelField> high, low;  // null: no such edges
+  double halfStep = 0;                          // typical, intensities
+};
+
+Levels levelsOf(const ObjectModel& model) {
+  const CellGrid& cells = model.work.cells();
+  void* buffer = nullptr;
+  Volume pooled = makeVolume(cells.grid, VoxelType::float32, &buffer);
+  std::copy(model.work.values.begin(), model.work.values.end(), static_cast<float*>(buffer));
+  const SmoothedVolume volume(std::move(pooled), 0);
+  const EdgeReader rising(volume, 1), falling(volume, -1);
+  LevelField::Samples high(cells.grid), low(cells.grid);
+  const ObjectRegion region = facesOf(model);
+  std::vector<double> steps;
+  double up = 0, down = 0;
+  for (const ObjectRegion::Face& face : region.faces) {
+    const ObjectRegion::Voxel& v = region.voxels[idx(face.voxel)];
+    const auto rise = rising.halfWay(v, face), fall = falling.halfWay(v, face);
+    if (!rise && !fall) continue;
+    const bool rises = !fall || (rise && rise->step >= fall->step);
+    const Edge& e = rises ? *rise : *fall;
+    const double weight = e.step * e.step;
+    if (rises)
+      high.add(e.place, e.level, weight), up += 1;
+    else
+      low.add(e.place, -e.level, weight), down += 1;
+    steps.push_back(e.step);
+  }
+  Levels out;
+  if (up > kOneSided * (up + down)) out.high = std::make_shared<LevelField>(high.spread());
+  if (down > kOneSided * (up + down)) out.low = std::make_shared<LevelField>(low.spread());
+  out.halfStep = steps.empty() ? model.noise : quantile(std::move(steps), 0.5);
+  return out;
+}
+
+std::shared_ptr<const ObjectImage> imageOf(const Volume& volume, const ObjectModel& model, const Parameters& p,
+                                           std::shared_ptr<const FieldOfView> view) {
+  const Levels levels = levelsOf(model);
+  const double voxel = volume.grid.meanSpacing();
+  const double sigma = p.smoothing.value_or(smoothingFor(model.noise, levels.halfStep) * voxel);
+  RegionLimits region{std::make_shared<RegionField>(model.work, model.region), model.work.cells().grid, levels.low,
+                      levels.high, model.work.cells().grid.meanSpacing()};
+  return std::make_shared<ObjectImage>(std::make_shared<SmoothedVolume>(volume, sigma), std::move(region),
+                                       std::max(levels.halfStep, 1e-6 * std::abs(model.level)), std::move(view));
+}
+
+//! The strongest boundary around the seeds, if there is one.
+std::optional<ObjectChoice> strongestBoundary(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& p) {
+  try {
+    return chooseObject(volume, seeds, p);
+  } catch (const SeedError&) {
+    return {};
+  }
+}
+
+//! True if the boundary encloses what the region holds.
+bool isSameObject(const Volume& volume, const ObjectChoice& choice, const std::vector<Seed>& seeds,
+                  const ObjectModel& model) {
+  std::vector<Vec3> indices;
+  for (const Seed& s : seeds) indices.push_back(volume.grid.toIndex(s.centre));
+  const double sign = choice.object == ObjectKind::dark ? 1 : -1;
+  const ObjectRegion flooded = floodObject(*choice.volume, indices, sign, *choice.levels, kMostVoxels);
+  const CellGrid& cells = model.work.cells();
+  double both = 0, in = 0;
+  for (const ObjectRegion::Voxel& v : flooded.voxels) {
+    const Vec3 index(v[0], v[1], v[2]);
+    if (choice.neck && choice.neck->barrier->openness(index) <= 0) continue;
+    in += 1;
+    const Vec3 world = volume.grid.toWorld(index);
+    both += cells.contains(world) && model.region.inside[cells.at(cells.nearest(world))] != 0;
+  }
+  const double perCell = static_cast<double>(cells.factor[0]) * cells.factor[1] * cells.factor[2];
+  const double any = in + static_cast<double>(model.region.count()) * perCell - both;
+  return both >= kSameObject * any;
+}
+
+void takeBoundary(ClickedObject& out, const ObjectChoice& choice) {
+  out.image = std::make_shared<ObjectImage>(choice.volume, choice.range, choice.contrast, choice.levels, choice.neck,
+                                            choice.view);
+  out.kind = choice.object;
+  out.range = choice.range;
+}
+
+void requireClicksInside(const Grid& grid, const std::vector<Seed>& clicks) {
+  for (const Seed& s : clicks)
+    if (s.background && !grid.contains(grid.toIndex(s.centre)))
+      throw SeedError("The click outside of the object at (" + std::to_string(s.centre[0]) + ", " +
+                      std::to_string(s.centre[1]) + ", " + std::to_string(s.centre[2]) +
+                      ") mm lies outside the volume.");
+}
+
+}  // namespace
+
+std::vector<Seed> clicksOfSide(const std::vector<Seed>& clicks, bool background) {
+  std::vector<Seed> out;
+  std::copy_if(clicks.begin(), clicks.end(), std::back_inserter(out),
+               [&](const Seed& s) { return s.background == background; });
+  return out;
+}
+
+ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& clicks, const Parameters& p) {
+  const std::vector<Seed> seeds = clicksOfSide(clicks, false);
+  requireClicksInside(volume.grid, clicks);
+  ClickedObject out;
+  if (p.range) {
+    if (seeds.size() != clicks.size())
+      throw UsageError("Clicks outside of the object and a given range do not go together: the range alone says "
+                       "where the object ends.");
+    takeBoundary(out, chooseObject(volume, seeds, p));
+    out.smoothing = out.image->volume().sigma();
+    return out;
+  }
+  requireSeedsInside(volume.grid, seeds);
+  std::shared_ptr<const FieldOfView> view = FieldOfView::find(volume);
+  if (view && view->isPaddingNear(volume.grid.toIndex(seeds[0].centre))) view = nullptr;
+  const std::optional<ObjectModel> model = findObject(volume, queryOf(clicks, p), view.get());
+  if (!model)
+    throw SeedError("There is no object at the seed: the image has one intensity there as far as " +
+                    std::to_string(static_cast<int>(ObjectPolicy{}.reach)) + " mm around it, or ends in noise.");
+  out.candidates = model->candidates;
+  out.candidate = model->chosen;
+  out.isCloseChoice = model->isCloseChoice;
+  const std::optional<ObjectChoice> boundary = strongestBoundary(volume, seeds, p);
+  if (boundary && isSameObject(volume, *boundary, seeds, *model)) {
+    takeBoundary(out, *boundary);
+  } else {
+    out.image = imageOf(volume, *model, p, std::move(view));
+    out.kind = model->rise > 0 ? ObjectKind::dark : ObjectKind::bright;
+    out.range = {model->low, model->high};
+    out.neckRadius = model->neckRadius;
+  }
+  out.smoothing = out.image->volume().sigma();
+  return out;
+}
+
+}  // namespace handlebody

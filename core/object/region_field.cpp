@@ -1,0 +1,74 @@
+#include "core/object/region_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/object/distance.h"
+
+namespace handlebody {
+
+namespace {
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+constexpr int kMargin = 4;        // cells around the region
+constexpr double kSmooth = 0.7;   // cells: takes the steps of the cells' faces away
+constexpr double kKeeps = 0.1;    // of a cell: what smoothing would take to the other side stays so far on its own
+
+//! Half the way from a centre to the next one across the surface belongs to the other side.
+float toSurface(float toCentre, double cell) {
+  return toCentre - static_cast<float>(0.5 * std::min<double>(toCentre, cell));
+}
+
+}  // namespace
+
+RegionField::RegionField(const WorkImage& work, const Region& region) {
+  const CellGrid& cells = work.cells();
+  const CellBox box = boxOf(cells, region).grown(kMargin, cells.grid.size);
+  CellGrid part = cells;
+  part.grid.size = box.size();
+  part.grid.origin = cells.grid.toWorld(Vec3(box.low[0], box.low[1], box.low[2]));
+  grid_ = part.grid;
+  const std::vector<std::uint8_t> inside = cutOut(cells, region.inside, box);
+  std::vector<std::uint8_t> outside(inside.size());
+  for (std::size_t i = 0; i < inside.size(); ++i) outside[i] = !inside[i];
+  const double cell = grid_.meanSpacing();
+  const std::vector<float> in = distanceTo(grid_.size, grid_.spacing, outside), out = distanceTo(grid_.size, grid_.spacing, inside);
+  const float most = static_cast<float>(grid_.spacing.maxCoeff() * (grid_.size[0] + grid_.size[1] + grid_.size[2]));
+  std::vector<float> signedDistance(inside.size());
+  for (std::size_t i = 0; i < inside.size(); ++i)
+    signedDistance[i] = inside[i] ? toSurface(std::min(in[i], most), cell) : -toSurface(out[i], cell);
+  distance_ = smoothed(part, signedDistance, kSmooth * cell);
+  const float keeps = static_cast<float>(kKeeps * cell);
+  for (std::size_t i = 0; i < inside.size(); ++i)
+    distance_[i] = inside[i] ? std::max(distance_[i], keeps) : std::min(distance_[i], -keeps);
+}
+
+double RegionField::at(const Vec3& world) const {
+  Vec3 p = grid_.toIndex(world);
+  std::array<std::size_t, 3> low, step{1, idx(grid_.size[0]), idx(grid_.size[0]) * idx(grid_.size[1])};
+  Vec3 f;
+  for (int a = 0; a < 3; ++a) {
+    const double last = grid_.size[idx(a)] - 1.0;
+    // Where the box ends at the volume's border, what is beyond is as the border is.
+    p[a] = std::clamp(p[a], 0.0, last);
+    const double floor = std::min(std::floor(p[a]), std::max(0.0, last - 1));
+    low[idx(a)] = static_cast<std::size_t>(floor);
+    f[a] = p[a] - floor;
+    if (grid_.size[idx(a)] < 2) step[idx(a)] = 0;
+  }
+  const std::size_t i = low[0] + low[1] * idx(grid_.size[0]) + low[2] * idx(grid_.size[0]) * idx(grid_.size[1]);
+  double sum = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    double w = 1;
+    std::size_t at = i;
+    for (int a = 0; a < 3; ++a) {
+      const bool up = (corner >> a & 1) != 0;
+      w *= up ? f[a] : 1 - f[a];
+      if (up) at += step[idx(a)];
+    }
+    sum += w * static_cast<double>(distance_[at]);
+  }
+  return sum;
+}
+
+}  // namespace handlebody
