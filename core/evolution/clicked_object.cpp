@@ -20,8 +20,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // A boundary and a region are of one object if they share this part of what either holds.
 constexpr double kSameObject = 0.75;
 constexpr std::size_t kMostVoxels = 20'000'000;  // of a boundary that is compared
-// Where less than this part of the edges rises (falls), the object is darker (brighter) than all around it.
-constexpr double kOneSided = 0.1;
+// An edge of half a step of so many standard deviations of the noise is trusted for a whole cell.
+constexpr double kTrusted = 2;
 // Standard deviations that are tried, in voxels, and the part of the half-step that noise may be.
 constexpr std::array<double, 6> kSigmas{0.5, 0.7, 1.0, 1.3, 1.6, 2.0};
 constexpr double kNoiseAllowed = 0.15;
@@ -74,10 +74,11 @@ double smoothingFor(double noise, double halfStep) {
   return kSigmas.back();
 }
 
-//! Half-way levels on the region's surface, for edges that rise outwards and those that fall.
+//! Half-way levels on the region's surface, for edges that rise outwards and those that fall, and which do
+//! where.
 struct Levels {
-  std::shared_ptr<const LevelField> high, low;  // null: no such edges
-  double halfStep = 0;                          // typical, intensities
+  std::shared_ptr<const LevelField> high, low, side;
+  double halfStep = 0;  // typical, intensities
 };
 
 Levels levelsOf(const ObjectModel& model) {
@@ -87,10 +88,9 @@ Levels levelsOf(const ObjectModel& model) {
   std::copy(model.work.values.begin(), model.work.values.end(), static_cast<float*>(buffer));
   const SmoothedVolume volume(std::move(pooled), 0);
   const EdgeReader rising(volume, 1), falling(volume, -1);
-  LevelField::Samples high(cells.grid), low(cells.grid);
+  LevelField::Samples high(cells.grid), low(cells.grid), side(cells.grid);
   const ObjectRegion region = facesOf(model);
   std::vector<double> steps;
-  double up = 0, down = 0;
   for (const ObjectRegion::Face& face : region.faces) {
     const ObjectRegion::Voxel& v = region.voxels[idx(face.voxel)];
     const auto rise = rising.halfWay(v, face), fall = falling.halfWay(v, face);
@@ -99,31 +99,44 @@ Levels levelsOf(const ObjectModel& model) {
     const Edge& e = rises ? *rise : *fall;
     const double weight = e.step * e.step;
     if (rises)
-      high.add(e.place, e.level, weight), up += 1;
+      high.add(e.place, e.level, weight);
     else
-      low.add(e.place, -e.level, weight), down += 1;
+      low.add(e.place, -e.level, weight);
+    side.add(e.place, rises ? 1 : -1, weight);
     steps.push_back(e.step);
   }
   Levels out;
-  if (up > kOneSided * (up + down)) out.high = std::make_shared<LevelField>(high.spread());
-  if (down > kOneSided * (up + down)) out.low = std::make_shared<LevelField>(low.spread());
+  const LevelField none(cells.grid, 0);
+  out.high = std::make_shared<LevelField>(high.empty() ? none : high.spread());
+  out.low = std::make_shared<LevelField>(low.empty() ? none : low.spread());
+  out.side = std::make_shared<LevelField>(side.empty() ? none : side.spread());
   out.halfStep = steps.empty() ? model.noise : quantile(std::move(steps), 0.5);
   return out;
 }
 
-std::shared_ptr<const ObjectImage> imageOf(const Volume& volume, const ObjectModel& model, const Parameters& p,
-                                           std::shared_ptr<const FieldOfView> view) {
+std::shared_ptr<const ObjectImage> imageOf(const Volume& volume, const ObjectModel& model,
+                                           const Parameters& p, std::shared_ptr<const FieldOfView> view) {
   const Levels levels = levelsOf(model);
   const double voxel = volume.grid.meanSpacing();
   const double sigma = p.smoothing.value_or(smoothingFor(model.noise, levels.halfStep) * voxel);
-  RegionLimits region{std::make_shared<RegionField>(model.work, model.region), model.work.cells().grid, levels.low,
-                      levels.high, model.work.cells().grid.meanSpacing()};
+  const CellGrid& cells = model.work.cells();
+  const double cell = cells.grid.meanSpacing();
+  const double trust = std::min(1.0, levels.halfStep / (kTrusted * model.noise));
+  RegionLimits region{std::make_shared<RegionField>(model.work, model.region),
+                      cells.grid,
+                      levels.low,
+                      levels.high,
+                      levels.side,
+                      trust * cell,
+                      cell};
   return std::make_shared<ObjectImage>(std::make_shared<SmoothedVolume>(volume, sigma), std::move(region),
-                                       std::max(levels.halfStep, 1e-6 * std::abs(model.level)), std::move(view));
+                                       std::max(levels.halfStep, 1e-6 * std::abs(model.level)),
+                                       std::move(view));
 }
 
 //! The strongest boundary around the seeds, if there is one.
-std::optional<ObjectChoice> strongestBoundary(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& p) {
+std::optional<ObjectChoice> strongestBoundary(const Volume& volume, const std::vector<Seed>& seeds,
+                                              const Parameters& p) {
   try {
     return chooseObject(volume, seeds, p);
   } catch (const SeedError&) {
@@ -153,8 +166,8 @@ bool isSameObject(const Volume& volume, const ObjectChoice& choice, const std::v
 }
 
 void takeBoundary(ClickedObject& out, const ObjectChoice& choice) {
-  out.image = std::make_shared<ObjectImage>(choice.volume, choice.range, choice.contrast, choice.levels, choice.neck,
-                                            choice.view);
+  out.image = std::make_shared<ObjectImage>(choice.volume, choice.range, choice.contrast, choice.levels,
+                                            choice.neck, choice.view);
   out.kind = choice.object;
   out.range = choice.range;
 }
@@ -182,8 +195,9 @@ ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& c
   ClickedObject out;
   if (p.range) {
     if (seeds.size() != clicks.size())
-      throw UsageError("Clicks outside of the object and a given range do not go together: the range alone says "
-                       "where the object ends.");
+      throw UsageError(
+          "Clicks outside of the object and a given range do not go together: the range alone says "
+          "where the object ends.");
     takeBoundary(out, chooseObject(volume, seeds, p));
     out.smoothing = out.image->volume().sigma();
     return out;
@@ -194,7 +208,8 @@ ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& c
   const std::optional<ObjectModel> model = findObject(volume, queryOf(clicks, p), view.get());
   if (!model)
     throw SeedError("There is no object at the seed: the image has one intensity there as far as " +
-                    std::to_string(static_cast<int>(ObjectPolicy{}.reach)) + " mm around it, or ends in noise.");
+                    std::to_string(static_cast<int>(ObjectPolicy{}.reach)) +
+                    " mm around it, or ends in noise.");
   out.candidates = model->candidates;
   out.candidate = model->chosen;
   out.isCloseChoice = model->isCloseChoice;

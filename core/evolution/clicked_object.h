@@ -15,17 +15,18 @@ struct ClickedObject {
   std::shared_ptr<const ObjectImage> image;
   ObjectKind kind = ObjectKind::dark;
   IntensityRange range{};
-  double smoothing = 0;    //!< mm
-  double neckRadius = 0;   //!< mm: passages narrower than this are cut; 0 = none
+  double smoothing = 0;   //!< mm
+  double neckRadius = 0;  //!< mm: passages narrower than this are cut; 0 = none
   std::vector<ObjectCandidate> candidates;
   int candidate = 1;
   bool isCloseChoice = false;
 };
 
-//! From clicks to the object: the strongest boundary around the seeds (object_range.h) where it is that of the
-//! likeliest region, else the region itself, whose surface follows the image within a cell. Throws as
+//! From clicks to the object: the strongest boundary around the seeds (object_range.h) where it is that of
+//! the likeliest region, else the region itself, whose surface follows the image within a cell. Throws as
 //! chooseObject; SeedError also if there is nothing but one intensity, or no image, at the first click.
-ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& clicks, const Parameters& parameters);
+ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& clicks,
+                                const Parameters& parameters);
 
 //! The inside clicks, or those in the background.
 std::vector<Seed> clicksOfSide(const std::vector<Seed>& clicks, bool background);

@@ -26,12 +26,12 @@ ObjectImage::Limits ObjectImage::limitsWithin(const Vec3& index, const Vec3& wor
   }
   if (region_.field) {
     const Vec3 place = region_.levelGrid.toIndex(world);
-    if (region_.low) limits.low = region_.low->at(place);
-    if (region_.high) limits.high = region_.high->at(place);
+    const double side = region_.side->at(place);
+    (side > 0 ? limits.high : limits.low) = (side > 0 ? region_.high : region_.low)->at(place);
     if (held) {
-      const double deep = region_.field->at(world);
-      limits.least = (deep - region_.slack) / region_.slack;
-      limits.most = std::min(limits.most, (deep + region_.slack) / region_.slack);
+      const double deep = region_.field->at(world), slack = std::abs(side) * region_.slack;
+      limits.least = (deep - slack) / region_.cell;
+      limits.most = std::min(limits.most, (deep + slack) / region_.cell);
     }
   }
   if (levels_) (std::isfinite(limits.high) ? limits.high : limits.low) = levels_->at(index);

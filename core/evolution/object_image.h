@@ -13,12 +13,15 @@
 
 namespace handlebody {
 
-//! A region as limits: its surface lies where the levels have it, no more than `slack` mm from the region's own.
+//! A region as limits: the surface lies where the levels have it, no more than `slack` mm from the region's
+//! own; the less, the less the edges around a place agree on whether the image rises or falls outwards.
 struct RegionLimits {
   std::shared_ptr<const RegionField> field;
-  Grid levelGrid;                                     //!< of the levels' indices
-  std::shared_ptr<const LevelField> low{}, high{};    //!< bounds place by place; null = none
-  double slack = 0;                                   //!< mm
+  Grid levelGrid;                                   //!< of the levels' indices
+  std::shared_ptr<const LevelField> low{}, high{};  //!< half-way levels of edges that fall and that rise
+  std::shared_ptr<const LevelField> side{};  //!< +1 where the edges rise, -1 where they fall, mixed between
+  double slack = 0;                          //!< mm
+  double cell = 1;                           //!< mm
 };
 
 //! Smoothed volume and intensity range of the object. With `levels` the range's finite end is theirs, place
@@ -75,6 +78,7 @@ class ObjectImage {
     const Vec3 index = volume_->grid().toIndex(world);
     return limitsWithin(index, world, false).inside(volume_->sample(index));
   }
+  bool isRegion() const { return region_.field != nullptr; }
   const SmoothedVolume& volume() const { return *volume_; }
   //! Null if the object is not cut off.
   const NeckCut* neck() const { return neck_.get(); }

@@ -15,7 +15,8 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kFit = 0.85;  // part of the fitting radius that a seed takes
 constexpr double kLargestSeed =
     4.0;  // edge lengths; a larger seed saves little time and may reach over a thin wall
-constexpr double kSmallestSeed = 0.7;  // edge lengths: a smaller sphere would be collapsed at once
+constexpr int kLookAround = 4, kPlaces = 26;  // voxels from a click, and places at each distance
+constexpr double kSmallestSeed = 0.7;         // edge lengths: a smaller sphere would be collapsed at once
 
 //! Evenly spread directions (Fibonacci lattice).
 std::vector<Vec3> directions(int n) {
@@ -55,10 +56,27 @@ double fittingRadius(const ObjectImage& image, const Vec3& centre, double limit)
   return limit;
 }
 
+Vec3 roomiestNear(const ObjectImage& image, const Vec3& centre, double wanted) {
+  const double fit = fittingRadius(image, centre, wanted);
+  if (fit >= wanted || !image.isRegion()) return centre;
+  const double step = image.volume().grid().meanSpacing();
+  Vec3 best = centre;
+  double deepest = image.inside(centre) > 0 ? fit : -1;
+  for (int ring = 1; ring <= kLookAround; ++ring)
+    for (const Vec3& d : directions(kPlaces)) {
+      const Vec3 at = centre + ring * step * d;
+      if (image.inside(at) <= 0) continue;
+      const double here = fittingRadius(image, at, wanted);
+      if (here > deepest + 0.1 * step) deepest = here, best = at;
+    }
+  return best;
+}
+
 std::vector<Seed> fitSeeds(const ObjectImage& image, const std::vector<Seed>& seeds, double edgeLength,
                            bool beyond) {
   std::vector<Seed> fitted;
-  for (const Seed& seed : seeds) {
+  for (const Seed& asked : seeds) {
+    const Seed seed{roomiestNear(image, asked.centre, edgeLength), asked.radius};
     double radius = 0;
     if (seed.radius && beyond) {
       radius = *seed.radius;

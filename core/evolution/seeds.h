@@ -10,6 +10,10 @@ namespace handlebody {
 //! Radius (mm) of the largest ball around `centre` that lies in the object, at most `limit`.
 double fittingRadius(const ObjectImage& image, const Vec3& centre, double limit);
 
+//! Where within four voxels of a click in a region a ball of radius `wanted` (mm) fits, or the largest does:
+//! a click between the grains of the noise, or on the object's rim. In other images the click itself.
+Vec3 roomiestNear(const ObjectImage& image, const Vec3& centre, double wanted);
+
 //! Gives every seed a radius: the one asked for, or what fits, and never so large that two balls come closer
 //! than one edge length to each other. A radius that was asked for may reach beyond the object only where the
 //! surface may shrink (`beyond`); elsewhere it is cut to what fits. A seed that lies in or too close to an

@@ -75,8 +75,7 @@ std::size_t startNear(const CellGrid& cells, const Levels& key, const Cell& clic
   double bestDistance = 0;
   forBox(cells, click, passes + 1, [&](const Cell& c) {
     double d = 0;
-    for (int a = 0; a < 3; ++a)
-      d += std::pow((c[idx(a)] - click[idx(a)]) * cells.grid.spacing[a], 2);
+    for (int a = 0; a < 3; ++a) d += std::pow((c[idx(a)] - click[idx(a)]) * cells.grid.spacing[a], 2);
     if (d > reach * reach) return;
     const std::size_t i = cells.at(c);
     if (key[i] > key[best] || (key[i] == key[best] && d >= bestDistance)) return;
@@ -108,8 +107,8 @@ class Flood {
     const auto n0 = idx(cells_.grid.size[0]), n1 = idx(cells_.grid.size[1]);
     const std::size_t s = padded(start % n0, start / n0 % n1, start / (n0 * n1));
     for (auto& q : queues_) q.clear();
-    const std::array<std::ptrdiff_t, 6> steps{-1, 1, -nx_, nx_, -std::ptrdiff_t{nx_} * ny_,
-                                              std::ptrdiff_t{nx_} * ny_};
+    const std::array<std::ptrdiff_t, 6> steps{
+        -1, 1, -nx_, nx_, -std::ptrdiff_t{nx_} * ny_, std::ptrdiff_t{nx_} * ny_};
     queues_[key_[s]].push_back(static_cast<std::uint32_t>(s));
     int level = key_[s];
     key_[s] = kTaken;
@@ -148,13 +147,15 @@ class Flood {
     std::fill(key_.begin(), key_.end(), kBorder);
     std::fill(level_.begin(), level_.end(), kNever);
     forRows([&](std::size_t from, std::size_t to, std::size_t n) {
-      std::copy_n(key.begin() + static_cast<std::ptrdiff_t>(from), n, key_.begin() + static_cast<std::ptrdiff_t>(to));
+      std::copy_n(key.begin() + static_cast<std::ptrdiff_t>(from), n,
+                  key_.begin() + static_cast<std::ptrdiff_t>(to));
     });
   }
   Levels unload() const {
     Levels out(cells_.count());
     forRows([&](std::size_t to, std::size_t from, std::size_t n) {
-      std::copy_n(level_.begin() + static_cast<std::ptrdiff_t>(from), n, out.begin() + static_cast<std::ptrdiff_t>(to));
+      std::copy_n(level_.begin() + static_cast<std::ptrdiff_t>(from), n,
+                  out.begin() + static_cast<std::ptrdiff_t>(to));
     });
     return out;
   }
@@ -189,8 +190,9 @@ std::vector<ArrivalMap> mapsOfBand(const CellGrid& cells, const RungImage& rungs
     ArrivalMap map{band, n, n * policy.passLength * cells.grid.meanSpacing(), 0, flood.run(eroded, start)};
     map.end = flood.end();
     for (int p = n; p-- > 0;) morphology.lowest(map.level, passes[idx(p)]);
-    if (n > 0) std::transform(map.level.begin(), map.level.end(), key.begin(), map.level.begin(),
-                              [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
+    if (n > 0)
+      std::transform(map.level.begin(), map.level.end(), key.begin(), map.level.begin(),
+                     [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
     maps.push_back(std::move(map));
   }
   return maps;
@@ -198,8 +200,8 @@ std::vector<ArrivalMap> mapsOfBand(const CellGrid& cells, const RungImage& rungs
 
 }  // namespace
 
-ClickIntensities readClick(const CellGrid& cells, const std::vector<float>& raw, const std::vector<float>& values,
-                           const Cell& click, const ObjectPolicy& policy) {
+ClickIntensities readClick(const CellGrid& cells, const std::vector<float>& raw,
+                           const std::vector<float>& values, const Cell& click, const ObjectPolicy& policy) {
   std::vector<double> near, around;
   forBox(cells, click, 1, [&](const Cell& c) { near.push_back(values[cells.at(c)]); });
   forBox(cells, click, policy.rangeCells, [&](const Cell& c) { around.push_back(values[cells.at(c)]); });
@@ -221,7 +223,8 @@ RungImage rungsOf(const CellImage& image, const std::vector<float>& values, cons
                   const ClickIntensities& in) {
   const auto rung = [&](double distance) {
     return static_cast<std::uint8_t>(
-        std::lower_bound(in.ladder.begin(), in.ladder.end(), static_cast<float>(distance)) - in.ladder.begin());
+        std::lower_bound(in.ladder.begin(), in.ladder.end(), static_cast<float>(distance)) -
+        in.ladder.begin());
   };
   RungImage out{Levels(values.size()), Levels(values.size())};
   for (std::size_t i = 0; i < values.size(); ++i) {

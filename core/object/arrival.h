@@ -23,8 +23,9 @@ struct ClickIntensities {
   std::array<float, kRungs> ladder{};  //!< ascending distances from `level`
 };
 //! `raw`: before smoothing.
-ClickIntensities readClick(const CellGrid& cells, const std::vector<float>& raw, const std::vector<float>& values,
-                           const std::array<int, 3>& click, const ObjectPolicy& policy);
+ClickIntensities readClick(const CellGrid& cells, const std::vector<float>& raw,
+                           const std::vector<float>& values, const std::array<int, 3>& click,
+                           const ObjectPolicy& policy);
 
 //! Which rungs the intensities below and above the click's level lie on, cell by cell.
 struct RungImage {
@@ -45,7 +46,7 @@ struct ArrivalMap {
 
 //! One map per band and opening of the policy, in this order; those in which the click is cut off are left
 //! out. Bands go on threads of their own.
-std::vector<ArrivalMap> arrivalMaps(const CellGrid& cells, const RungImage& rungs, const std::array<int, 3>& click,
-                                    const ObjectPolicy& policy, int threads);
+std::vector<ArrivalMap> arrivalMaps(const CellGrid& cells, const RungImage& rungs,
+                                    const std::array<int, 3>& click, const ObjectPolicy& policy, int threads);
 
 }  // namespace handlebody

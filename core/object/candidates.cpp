@@ -50,9 +50,9 @@ std::vector<std::uint8_t> gradientBins(const ClickSearch& s) {
 
 //! Sums over regions, kept as what each rung adds.
 struct Sums {
-  double voxels = 0, inside = 0, inside2 = 0;            // of cells
-  double faces = 0, outside = 0, outside2 = 0;           // of the surface within the box
-  double border = 0, cut = 0;                            // of the surface on its sides
+  double voxels = 0, inside = 0, inside2 = 0;   // of cells
+  double faces = 0, outside = 0, outside2 = 0;  // of the surface within the box
+  double border = 0, cut = 0;                   // of the surface on its sides
   std::array<double, kGradients> gradients{};
 
   void add(const Sums& o) {
@@ -156,7 +156,7 @@ void countVotes(std::vector<RankedRegion>& regions, const ObjectPolicy& policy) 
 }
 
 //! Rank from 0 to 1 among all regions; equal values have equal ranks.
-std::vector<double> ranks(const std::vector<RankedRegion>& regions, double RankedRegion::* of) {
+std::vector<double> ranks(const std::vector<RankedRegion>& regions, double RankedRegion::*of) {
   std::vector<double> sorted;
   for (const RankedRegion& r : regions) sorted.push_back(r.*of);
   std::sort(sorted.begin(), sorted.end());
@@ -164,8 +164,9 @@ std::vector<double> ranks(const std::vector<RankedRegion>& regions, double Ranke
   const double last = std::max(1.0, static_cast<double>(sorted.size()) - 1);
   for (const RankedRegion& r : regions) {
     const auto [first, end] = std::equal_range(sorted.begin(), sorted.end(), r.*of);
-    out.push_back((static_cast<double>(first - sorted.begin()) + static_cast<double>(end - sorted.begin()) - 1) /
-                  (2 * last));
+    out.push_back(
+        (static_cast<double>(first - sorted.begin()) + static_cast<double>(end - sorted.begin()) - 1) /
+        (2 * last));
   }
   return out;
 }
@@ -181,7 +182,8 @@ void setScores(std::vector<RankedRegion>& regions, double searched, const Object
   }
 }
 
-//! Intersection over union; of regions of different searches, or of sizes too different, only by their volumes.
+//! Intersection over union; of regions of different searches, or of sizes too different, only by their
+//! volumes.
 double likeness(const RankedRegion& a, const RankedRegion& b, const ObjectPolicy& policy) {
   const double sizes = std::min(a.volume, b.volume) / std::max(a.volume, b.volume);
   if (a.search != b.search || sizes < policy.sameRegion) return sizes;
@@ -197,8 +199,8 @@ double likeness(const RankedRegion& a, const RankedRegion& b, const ObjectPolicy
 
 }  // namespace
 
-ClickSearch searchAround(const Volume& volume, const CellGrid& cells, const Vec3& click, const FieldOfView* view,
-                         const ObjectPolicy& policy, int threads) {
+ClickSearch searchAround(const Volume& volume, const CellGrid& cells, const Vec3& click,
+                         const FieldOfView* view, const ObjectPolicy& policy, int threads) {
   ClickSearch s{makeCells(volume, cells, view), {}, cells.nearest(click), {}, {}};
   s.values = smoothed(cells, s.image.values, policy.smoothing * cells.grid.meanSpacing());
   s.intensities = readClick(cells, s.image.values, s.values, s.click, policy);
@@ -228,7 +230,8 @@ std::vector<RankedRegion> rankRegions(const std::vector<std::unique_ptr<ClickSea
     const CellGrid& cells = s->image.cells;
     const bool last = s == searches.back();
     searched = std::max(searched, static_cast<double>(cells.count()) * cells.grid.voxelVolume());
-    const std::vector<std::uint8_t> gradients = s->maps.empty() ? std::vector<std::uint8_t>{} : gradientBins(*s);
+    const std::vector<std::uint8_t> gradients =
+        s->maps.empty() ? std::vector<std::uint8_t>{} : gradientBins(*s);
     std::vector<RankedRegion> own;
     for (const ArrivalMap& map : s->maps) {
       const SumsPerRung sums = gather(*s, map, gradients);

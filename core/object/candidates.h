@@ -18,8 +18,8 @@ struct ClickSearch {
   std::vector<ArrivalMap> maps;
 };
 //! Precondition: the cells hold the click.
-ClickSearch searchAround(const Volume& volume, const CellGrid& cells, const Vec3& click, const FieldOfView* view,
-                         const ObjectPolicy& policy, int threads);
+ClickSearch searchAround(const Volume& volume, const CellGrid& cells, const Vec3& click,
+                         const FieldOfView* view, const ObjectPolicy& policy, int threads);
 
 //! A region {level <= rung} of one map, and what speaks for it.
 struct RankedRegion {

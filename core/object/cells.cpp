@@ -104,7 +104,8 @@ CellImage makeCells(const Volume& volume, const CellGrid& cells, const FieldOfVi
     for (int z = cells.low[2]; z < last[2]; ++z)
       for (int y = cells.low[1]; y < last[1]; ++y) {
         const std::size_t row = (idx(z) * idx(size[1]) + idx(y)) * idx(size[0]);
-        const std::size_t to = cells.at(0, (y - cells.low[1]) / cells.factor[1], (z - cells.low[2]) / cells.factor[2]);
+        const std::size_t to =
+            cells.at(0, (y - cells.low[1]) / cells.factor[1], (z - cells.low[2]) / cells.factor[2]);
         for (int x = cells.low[0]; x < last[0]; ++x) {
           const std::size_t c = to + idx((x - cells.low[0]) / cells.factor[0]);
           out.values[c] += static_cast<float>(v[row + idx(x)]);

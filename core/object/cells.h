@@ -13,8 +13,8 @@ namespace handlebody {
 
 //! Which voxels of a volume a grid of cells covers.
 struct CellGrid {
-  Grid grid;                        //!< of the cells: an index is that of a cell
-  std::array<int, 3> low{0, 0, 0};  //!< first voxel
+  Grid grid;                           //!< of the cells: an index is that of a cell
+  std::array<int, 3> low{0, 0, 0};     //!< first voxel
   std::array<int, 3> factor{1, 1, 1};  //!< voxels per cell along each axis
   //! Sides of the box beyond which the volume goes on, per axis: below, above.
   std::array<std::array<bool, 2>, 3> goesOn{};
@@ -39,8 +39,8 @@ CellGrid cellsAround(const Grid& volume, const Vec3& centre, double reach, std::
 //! The means of the voxels of each cell, and where there is no image.
 struct CellImage {
   CellGrid cells;
-  std::vector<float> values;           //!< intensities
-  std::vector<std::uint8_t> padding;   //!< 1 = no image
+  std::vector<float> values;          //!< intensities
+  std::vector<std::uint8_t> padding;  //!< 1 = no image
 };
 //! `view` may be null.
 CellImage makeCells(const Volume& volume, const CellGrid& cells, const FieldOfView* view);

@@ -45,7 +45,11 @@ double deepest(const std::array<int, 3>& size, const Vec3& spacing, const std::v
 class Competition {
  public:
   Competition(const WorkImage& work, const Region& region, const CellBox& box, double noise)
-      : work_(work), box_(box), size_(box.size()), inside_(cutOut(work.cells(), region.inside, box)), noise_(noise) {
+      : work_(work),
+        box_(box),
+        size_(box.size()),
+        inside_(cutOut(work.cells(), region.inside, box)),
+        noise_(noise) {
     std::vector<std::uint8_t> outside(inside_.size());
     for (std::size_t i = 0; i < outside.size(); ++i) outside[i] = !inside_[i];
     depth_ = distanceTo(size_, work.cells().grid.spacing, outside);
@@ -82,7 +86,8 @@ class Competition {
  private:
   double value(std::size_t i) const {
     const std::size_t nx = idx(size_[0]), ny = idx(size_[1]);
-    return work_.values[work_.cells().at(box_.low[0] + static_cast<int>(i % nx), box_.low[1] + static_cast<int>(i / nx % ny),
+    return work_.values[work_.cells().at(box_.low[0] + static_cast<int>(i % nx),
+                                         box_.low[1] + static_cast<int>(i / nx % ny),
                                          box_.low[2] + static_cast<int>(i / (nx * ny)))];
   }
   double weight(std::size_t i, std::size_t j) const {
@@ -173,7 +178,8 @@ Region cutAway(const WorkImage& work, const Region& region, const CellClick& cli
     for (std::size_t a = 0; a < 3; ++a) in = in && c[a] >= box.low[a] && c[a] <= box.high[a];
     if (in && competition.isInside(c)) stay.push_back(c);
   }
-  const std::vector<float> toStay = competition.lengthsFrom(stay), toClick = competition.lengthsFrom({centre});
+  const std::vector<float> toStay = competition.lengthsFrom(stay),
+                           toClick = competition.lengthsFrom({centre});
   Region out = region;
   forBox(box, [&](const Cell& c) {
     const std::size_t l = competition.local(c);

@@ -10,7 +10,7 @@ namespace handlebody {
 struct CellClick {
   Vec3 place{0, 0, 0};  //!< mm
   std::size_t cell = 0;
-  double radius = 0;    //!< mm: of a ball that is all inside or all outside; 0 = the cell
+  double radius = 0;  //!< mm: of a ball that is all inside or all outside; 0 = the cell
 };
 
 //! How deep (mm) a click lies on the wrong side of the region's surface; at least one cell.

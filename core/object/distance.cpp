@@ -53,7 +53,8 @@ class Envelope {
 
 }  // namespace
 
-std::vector<float> distanceTo(const std::array<int, 3>& size, const Vec3& spacing, const std::vector<std::uint8_t>& mask) {
+std::vector<float> distanceTo(const std::array<int, 3>& size, const Vec3& spacing,
+                              const std::vector<std::uint8_t>& mask) {
   std::vector<float> d(mask.size());
   for (std::size_t i = 0; i < d.size(); ++i) d[i] = mask[i] ? 0 : kInfinity;
   std::size_t step = 1;

@@ -17,7 +17,8 @@ class Finder {
     searches_ = searchesAround(query_.inside[0].place);
     ranked_ = rankRegions(searches_, policy_);
     const double sign = query_.contrast == Contrast::dark ? 1 : -1;
-    if (query_.contrast != Contrast::any) std::erase_if(ranked_, [&](const RankedRegion& r) { return sign * r.rise <= 0; });
+    if (query_.contrast != Contrast::any)
+      std::erase_if(ranked_, [&](const RankedRegion& r) { return sign * r.rise <= 0; });
     std::vector<RankedRegion> distinct = distinctRegions(ranked_, policy_.offered, policy_);
     if (distinct.empty()) return {};
     ObjectModel model;
@@ -66,7 +67,8 @@ class Finder {
   }
 
   WorkImage makeWork() const {
-    const CellGrid cells = cellsAround(volume_.grid, query_.inside[0].place, policy_.reach, policy_.workCells);
+    const CellGrid cells =
+        cellsAround(volume_.grid, query_.inside[0].place, policy_.reach, policy_.workCells);
     WorkImage work{makeCells(volume_, cells, view_), {}};
     work.values = smoothed(cells, work.image.values, policy_.smoothing * cells.grid.meanSpacing());
     return work;
@@ -109,7 +111,8 @@ class Finder {
   }
 
   bool agrees(const RankedRegion& r) const {
-    return std::all_of(done_.begin(), done_.end(), [&](const Pending& p) { return r.holds(p.click.place) == p.isInside; });
+    return std::all_of(done_.begin(), done_.end(),
+                       [&](const Pending& p) { return r.holds(p.click.place) == p.isInside; });
   }
 
   //! Only what hangs together with the clicks inside, without the holes that noise makes.
@@ -127,7 +130,8 @@ class Finder {
     const auto excess = [&](double change, double allowed) {
       return std::max(0.0, std::log(std::max(change, 0.5 * cell) / (allowed + 0.5 * cell)));
     };
-    return policy_.tooDeep * (excess(isInside ? added : removed, policy_.sameDeep * depth) + excess(isInside ? removed : added, policy_.againstDeep * depth));
+    return policy_.tooDeep * (excess(isInside ? added : removed, policy_.sameDeep * depth) +
+                              excess(isInside ? removed : added, policy_.againstDeep * depth));
   }
 
   //! The opening may have taken the place of the click itself: it hangs on by a ball.
@@ -189,8 +193,9 @@ class Finder {
     for (const RankedRegion& r : distinctRegions(agreeing, policy_.tried, policy_)) {
       const Region whole = regionOn(work_, r);
       offers.add(whole, r.score, false);
-      offers.add(within(p.click, policy_.correctionReach * depth, [&](std::size_t i) { return whole.inside[i]; }),
-                 r.score - local - policy_.mixed, true);
+      offers.add(
+          within(p.click, policy_.correctionReach * depth, [&](std::size_t i) { return whole.inside[i]; }),
+          r.score - local - policy_.mixed, true);
     }
   }
 

@@ -34,12 +34,12 @@ class ObjectModel {
   int chosen = 1;              //!< of them
   bool isCloseChoice = false;  //!< another one is about as likely
   WorkImage work;
-  Region region;         //!< what was chosen, corrected by the clicks
-  double neckRadius = 0; //!< mm: narrower passages are cut
+  Region region;             //!< what was chosen, corrected by the clicks
+  double neckRadius = 0;     //!< mm: narrower passages are cut
   double low = 0, high = 0;  //!< intensities: bounds of what was chosen
-  double rise = 0;       //!< intensities: mean just outside less mean inside
-  double level = 0;      //!< intensity at the first click
-  double noise = 0;      //!< standard deviation there
+  double rise = 0;           //!< intensities: mean just outside less mean inside
+  double level = 0;          //!< intensity at the first click
+  double noise = 0;          //!< standard deviation there
 };
 
 //! None if the image is constant around the first click, or holds no image there. Precondition: at least one

@@ -39,7 +39,8 @@ std::vector<Place> placesOf(const RankedRegion& r) {
       for (int x = 0; x < n[0]; ++x, ++i) {
         const Cell c{x, y, z};
         for (std::size_t a = 0; a < 3; ++a)
-          if (c[a] + 1 < n[a] && r.holds(i) != r.holds(i + steps[a])) out[i] = out[i + steps[a]] = Place::surface;
+          if (c[a] + 1 < n[a] && r.holds(i) != r.holds(i + steps[a]))
+            out[i] = out[i + steps[a]] = Place::surface;
       }
   return out;
 }
@@ -102,14 +103,16 @@ Region regionOn(const WorkImage& work, const RankedRegion& r) {
   return out;
 }
 
-void keepParts(const WorkImage& work, Region& region, const std::vector<std::size_t>& holding, std::size_t cavity) {
+void keepParts(const WorkImage& work, Region& region, const std::vector<std::size_t>& holding,
+               std::size_t cavity) {
   const CellGrid& cells = work.cells();
   CellBox box = boxOf(cells, region);
   if (box.empty()) return;
   box = box.grown(1, cells.grid.size);  // so that what is outside hangs together
   std::vector<std::uint8_t> all(cells.count(), 0);
   for (const std::size_t i : holding) all[i] = 1;
-  const std::vector<std::uint8_t> wanted = cutOut(cells, all, box), inside = cutOut(cells, region.inside, box);
+  const std::vector<std::uint8_t> wanted = cutOut(cells, all, box),
+                                  inside = cutOut(cells, region.inside, box);
   std::vector<std::uint8_t> kept(inside.size(), 0);
   forParts(box.size(), inside, 1, [&](const std::vector<std::size_t>& part) {
     if (std::any_of(part.begin(), part.end(), [&](std::size_t i) { return wanted[i]; }))
@@ -169,7 +172,8 @@ CellBox boxOf(const CellGrid& cells, const Region& region) {
   return box;
 }
 
-std::vector<std::uint8_t> cutOut(const CellGrid& cells, const std::vector<std::uint8_t>& values, const CellBox& box) {
+std::vector<std::uint8_t> cutOut(const CellGrid& cells, const std::vector<std::uint8_t>& values,
+                                 const CellBox& box) {
   std::vector<std::uint8_t> out;
   out.reserve(box.count());
   for (int z = box.low[2]; z <= box.high[2]; ++z)

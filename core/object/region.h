@@ -22,7 +22,8 @@ struct WorkImage {
 Region regionOn(const WorkImage& work, const RankedRegion& region);
 
 //! Keeps the parts that hold one of the cells, and fills cavities of fewer than `cavity` cells.
-void keepParts(const WorkImage& work, Region& region, const std::vector<std::size_t>& holding, std::size_t cavity);
+void keepParts(const WorkImage& work, Region& region, const std::vector<std::size_t>& holding,
+               std::size_t cavity);
 
 //! A box of cells, both ends included.
 struct CellBox {
@@ -30,7 +31,9 @@ struct CellBox {
   bool empty() const { return low[0] > high[0]; }
   void widen(const std::array<int, 3>& cell);
   CellBox grown(int by, const std::array<int, 3>& size) const;
-  std::array<int, 3> size() const { return {high[0] - low[0] + 1, high[1] - low[1] + 1, high[2] - low[2] + 1}; }
+  std::array<int, 3> size() const {
+    return {high[0] - low[0] + 1, high[1] - low[1] + 1, high[2] - low[2] + 1};
+  }
   std::size_t count() const;
 };
 //! Calls f(cell) for the cells of a box, x fastest.
@@ -45,12 +48,14 @@ CellBox boxAround(const CellGrid& cells, const std::array<int, 3>& centre, doubl
 //! Calls f(cell's number) for the cells whose centres lie within `reach` mm of a point.
 template <typename F>
 void forCellsWithin(const CellGrid& cells, const Vec3& world, double reach, F&& f) {
-  forBox(boxAround(cells, cells.nearest(world), reach + cells.grid.spacing.maxCoeff()), [&](const std::array<int, 3>& c) {
-    if ((cells.grid.toWorld(Vec3(c[0], c[1], c[2])) - world).norm() <= reach) f(cells.at(c));
-  });
+  forBox(boxAround(cells, cells.nearest(world), reach + cells.grid.spacing.maxCoeff()),
+         [&](const std::array<int, 3>& c) {
+           if ((cells.grid.toWorld(Vec3(c[0], c[1], c[2])) - world).norm() <= reach) f(cells.at(c));
+         });
 }
 CellBox boxOf(const CellGrid& cells, const Region& region);
 //! Part of the cells' values in a box, x fastest.
-std::vector<std::uint8_t> cutOut(const CellGrid& cells, const std::vector<std::uint8_t>& values, const CellBox& box);
+std::vector<std::uint8_t> cutOut(const CellGrid& cells, const std::vector<std::uint8_t>& values,
+                                 const CellBox& box);
 
 }  // namespace handlebody

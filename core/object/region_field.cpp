@@ -10,9 +10,8 @@ namespace handlebody {
 namespace {
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
-constexpr int kMargin = 4;        // cells around the region
-constexpr double kSmooth = 0.7;   // cells: takes the steps of the cells' faces away
-constexpr double kKeeps = 0.1;    // of a cell: what smoothing would take to the other side stays so far on its own
+constexpr int kMargin = 4;       // cells around the region
+constexpr double kSmooth = 0.7;  // cells: takes the steps of the cells' faces away
 
 //! Half the way from a centre to the next one across the surface belongs to the other side.
 float toSurface(float toCentre, double cell) {
@@ -32,15 +31,14 @@ RegionField::RegionField(const WorkImage& work, const Region& region) {
   std::vector<std::uint8_t> outside(inside.size());
   for (std::size_t i = 0; i < inside.size(); ++i) outside[i] = !inside[i];
   const double cell = grid_.meanSpacing();
-  const std::vector<float> in = distanceTo(grid_.size, grid_.spacing, outside), out = distanceTo(grid_.size, grid_.spacing, inside);
-  const float most = static_cast<float>(grid_.spacing.maxCoeff() * (grid_.size[0] + grid_.size[1] + grid_.size[2]));
+  const std::vector<float> in = distanceTo(grid_.size, grid_.spacing, outside),
+                           out = distanceTo(grid_.size, grid_.spacing, inside);
+  const float most =
+      static_cast<float>(grid_.spacing.maxCoeff() * (grid_.size[0] + grid_.size[1] + grid_.size[2]));
   std::vector<float> signedDistance(inside.size());
   for (std::size_t i = 0; i < inside.size(); ++i)
     signedDistance[i] = inside[i] ? toSurface(std::min(in[i], most), cell) : -toSurface(out[i], cell);
   distance_ = smoothed(part, signedDistance, kSmooth * cell);
-  const float keeps = static_cast<float>(kKeeps * cell);
-  for (std::size_t i = 0; i < inside.size(); ++i)
-    distance_[i] = inside[i] ? std::max(distance_[i], keeps) : std::min(distance_[i], -keeps);
 }
 
 double RegionField::at(const Vec3& world) const {
@@ -56,7 +54,8 @@ double RegionField::at(const Vec3& world) const {
     f[a] = p[a] - floor;
     if (grid_.size[idx(a)] < 2) step[idx(a)] = 0;
   }
-  const std::size_t i = low[0] + low[1] * idx(grid_.size[0]) + low[2] * idx(grid_.size[0]) * idx(grid_.size[1]);
+  const std::size_t i =
+      low[0] + low[1] * idx(grid_.size[0]) + low[2] * idx(grid_.size[0]) * idx(grid_.size[1]);
   double sum = 0;
   for (int corner = 0; corner < 8; ++corner) {
     double w = 1;

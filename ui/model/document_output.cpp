@@ -62,6 +62,10 @@ RunReport Document::Private::report() const {
   r.seconds.evolve = growth.seconds();
   for (const Event& event : growth.events())
     if (event.iteration <= r.iterations) r.events.push_back(event);
+  if (growth.exists()) {
+    r.candidates = growth.beginning().candidates();
+    r.isCloseChoice = growth.beginning().isCloseChoice();
+  }
   return r;
 }
 

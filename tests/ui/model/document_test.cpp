@@ -200,9 +200,7 @@ TEST_CASE("without candidates no step changes anything", "[document]") {
   CHECK(document.undoStack()->count() == 0);
 }
 
-// Hidden until the engine offers candidates: take away the dots then.
-
-TEST_CASE("a smaller or larger object is known at once, and undone by its name", "[document][.candidates]") {
+TEST_CASE("a smaller or larger object is known at once, and undone by its name", "[document][candidates]") {
   const DumbbellFile file;
   Document document;
   REQUIRE(openToChoose(document, file));
@@ -225,7 +223,7 @@ TEST_CASE("a smaller or larger object is known at once, and undone by its name",
   CHECK(document.candidateChoice().chosen == 1);
 }
 
-TEST_CASE("other clicks and a given range leave no objects of before", "[document][.candidates]") {
+TEST_CASE("other clicks and a given range leave no objects of before", "[document][candidates]") {
   const DumbbellFile file;
   Document document;
   REQUIRE(openToChoose(document, file));
@@ -241,7 +239,7 @@ TEST_CASE("other clicks and a given range leave no objects of before", "[documen
 }
 
 TEST_CASE("another object that is taken after the growth is grown with from there on",
-          "[document][.candidates]") {
+          "[document][candidates]") {
   const DumbbellFile file;
   Document document;
   REQUIRE(openToChoose(document, file));
