@@ -165,6 +165,22 @@ bool isSameObject(const Volume& volume, const ObjectChoice& choice, const std::v
   return both >= kSameObject * any;
 }
 
+//! True if a ball of a radius that was asked for lies mostly outside of the region: the surface is to start
+//! around the object, or around several, and what is meant is what the intensities say, not what hangs
+//! together.
+bool startsAround(const std::vector<Seed>& seeds, const ObjectModel& model) {
+  const CellGrid& cells = model.work.cells();
+  return std::any_of(seeds.begin(), seeds.end(), [&](const Seed& s) {
+    if (!s.radius) return false;
+    double in = 0, all = 0;
+    forCellsWithin(cells, s.centre, *s.radius, [&](std::size_t i) {
+      all += 1;
+      in += model.region.inside[i];
+    });
+    return in < 0.5 * all;
+  });
+}
+
 void takeBoundary(ClickedObject& out, const ObjectChoice& choice) {
   out.image = std::make_shared<ObjectImage>(choice.volume, choice.range, choice.contrast, choice.levels,
                                             choice.neck, choice.view);
@@ -214,7 +230,7 @@ ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& c
   out.candidate = model->chosen;
   out.isCloseChoice = model->isCloseChoice;
   const std::optional<ObjectChoice> boundary = strongestBoundary(volume, seeds, p);
-  if (boundary && isSameObject(volume, *boundary, seeds, *model)) {
+  if (boundary && (startsAround(seeds, *model) || isSameObject(volume, *boundary, seeds, *model))) {
     takeBoundary(out, *boundary);
   } else {
     out.image = imageOf(volume, *model, p, std::move(view));

@@ -14,42 +14,44 @@ std::uint8_t pick(std::uint8_t a, std::uint8_t b) {
   return (highest ? a > b : a < b) ? a : b;
 }
 
+//! The row itself.
 template <bool highest>
-void combine(Bytes& to, const Bytes& with) {
-  for (std::size_t i = 0; i < to.size(); ++i) to[i] = pick<highest>(to[i], with[i]);
+void takeRow(const std::uint8_t* row, std::uint8_t* to, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) to[i] = pick<highest>(to[i], row[i]);
+}
+
+//! The row with each cell's neighbours along it.
+template <bool highest>
+void takeNeighbours(const std::uint8_t* row, std::uint8_t* to, std::size_t n) {
+  takeRow<highest>(row, to, n);
+  for (std::size_t i = 1; i < n; ++i) to[i] = pick<highest>(to[i], row[i - 1]);
+  for (std::size_t i = 0; i + 1 < n; ++i) to[i] = pick<highest>(to[i], row[i + 1]);
 }
 
 }  // namespace
 
-template <bool highest>
-void Morphology::alongAxis(const Bytes& in, Bytes& out, std::size_t axis) const {
-  std::size_t block = 1;
-  for (std::size_t a = 0; a < axis; ++a) block *= idx(size_[a]);
-  const int n = size_[axis];
-  out.resize(in.size());
-  for (std::size_t slab = 0; slab < in.size(); slab += block * idx(n))
-    for (int i = 0; i < n; ++i) {
-      const std::uint8_t* a = &in[slab + idx(std::max(i - 1, 0)) * block];
-      const std::uint8_t* b = &in[slab + idx(std::min(i + 1, n - 1)) * block];
-      const std::uint8_t* centre = &in[slab + idx(i) * block];
-      std::uint8_t* to = &out[slab + idx(i) * block];
-      for (std::size_t j = 0; j < block; ++j) to[j] = pick<highest>(pick<highest>(a[j], b[j]), centre[j]);
-    }
-}
-
+//! Row by row: those beside a row are in the cache still.
 template <bool highest>
 void Morphology::run(Bytes& cells, const OpeningPass& pass) {
-  for (std::size_t a = 0; a < 3; ++a)
-    if (pass.along[a]) alongAxis<highest>(cells, line_[a], a);
-  for (std::size_t a = 0; a < 3; ++a)
-    if (pass.along[a]) combine<highest>(cells, line_[a]);
-  if (!pass.diagonal) return;
-  for (std::size_t a = 0; a < 3; ++a)
-    for (std::size_t b = a + 1; b < 3; ++b)
-      if (pass.along[a] && pass.along[b]) {
-        alongAxis<highest>(line_[a], pair_, b);
-        combine<highest>(cells, pair_);
-      }
+  const std::size_t n = idx(size_[0]);
+  result_ = cells;
+  const auto row = [&](int y, int z) { return (idx(z) * idx(size_[1]) + idx(y)) * n; };
+  for (int z = 0; z < size_[2]; ++z)
+    for (int y = 0; y < size_[1]; ++y) {
+      std::uint8_t* to = &result_[row(y, z)];
+      for (int dz = pass.along[2] ? -1 : 0; dz <= (pass.along[2] ? 1 : 0); ++dz)
+        for (int dy = pass.along[1] ? -1 : 0; dy <= (pass.along[1] ? 1 : 0); ++dy) {
+          const int aside = (dz != 0 ? 1 : 0) + (dy != 0 ? 1 : 0);
+          if (y + dy < 0 || y + dy >= size_[1] || z + dz < 0 || z + dz >= size_[2]) continue;
+          if (aside == 2 && !pass.diagonal) continue;
+          const std::uint8_t* from = &cells[row(y + dy, z + dz)];
+          if (pass.along[0] && (aside == 0 || (aside == 1 && pass.diagonal)))
+            takeNeighbours<highest>(from, to, n);
+          else
+            takeRow<highest>(from, to, n);
+        }
+    }
+  cells.swap(result_);
 }
 
 template void Morphology::run<true>(Bytes&, const OpeningPass&);

@@ -25,12 +25,9 @@ class Morphology {
  private:
   template <bool highest>
   void run(std::vector<std::uint8_t>& cells, const OpeningPass& pass);
-  template <bool highest>
-  void alongAxis(const std::vector<std::uint8_t>& in, std::vector<std::uint8_t>& out, std::size_t axis) const;
 
   std::array<int, 3> size_;
-  std::array<std::vector<std::uint8_t>, 3> line_;
-  std::vector<std::uint8_t> pair_;
+  std::vector<std::uint8_t> result_;
 };
 
 }  // namespace handlebody

@@ -31,8 +31,8 @@ class Finder {
     model.level = searches_[0]->intensities.level;
     model.noise = noise_ = searches_[0]->intensities.noise;
     work_ = makeWork();
-    for (const ObjectClick& c : query_.inside) inside_.push_back(cellClick(c));
-    for (const ObjectClick& c : query_.outside) outside_.push_back(cellClick(c));
+    for (const ObjectClick& c : query_.inside) inside_.push_back(cellClick(c, true));
+    for (const ObjectClick& c : query_.outside) outside_.push_back(cellClick(c, false));
     const RankedRegion& chosen = distinct[static_cast<std::size_t>(model.chosen - 1)];
     model.neckRadius = chosen.map->radius;
     model.low = chosen.bounds()[0];
@@ -74,10 +74,11 @@ class Finder {
     return work;
   }
 
-  CellClick cellClick(const ObjectClick& click) const {
+  //! The radius of a click inside is that of the surface's start, which may lie around the object.
+  CellClick cellClick(const ObjectClick& click, bool isInside) const {
     const CellGrid& cells = work_.cells();
-    return {click.place, cells.at(cells.nearest(click.place)),
-            click.radius.value_or(cells.grid.meanSpacing())};
+    const double cell = cells.grid.meanSpacing();
+    return {click.place, cells.at(cells.nearest(click.place)), isInside ? cell : click.radius.value_or(cell)};
   }
 
   struct Pending {

@@ -56,11 +56,11 @@ TEST_CASE("a box around a point says beyond which sides the volume goes on") {
 
 TEST_CASE("smoothing keeps a constant image and the sum of a point") {
   const CellGrid cells = cellsAround(cubicGrid(15), Vec3(7, 7, 7), 100, 10'000);
-  for (const float x : smoothed(cells, std::vector<float>(cells.count(), 3), 1.2)) CHECK(x == Catch::Approx(3));
+  for (const float x : smoothed(cells, std::vector<float>(cells.count(), 3), 1.2)) CHECK(x == Approx(3));
   std::vector<float> point(cells.count(), 0);
   point[cells.at(7, 7, 7)] = 1;
   const std::vector<float> wide = smoothed(cells, point, 1.2);
-  CHECK(std::accumulate(wide.begin(), wide.end(), 0.0) == Catch::Approx(1));
+  CHECK(std::accumulate(wide.begin(), wide.end(), 0.0) == Approx(1));
 }
 
 TEST_CASE("distances are those of a search over all pairs, in spacings that differ") {
@@ -69,7 +69,7 @@ TEST_CASE("distances are those of a search over all pairs, in spacings that diff
   std::vector<std::uint8_t> mask = randomBytes(210, 12, 3);
   for (auto& m : mask) m = m == 0;
   const std::vector<float> d = distanceTo(size, spacing, mask);
-  const auto place = [&](std::size_t i) {
+  const auto place = [&](std::size_t i) -> Vec3 {
     return Vec3(static_cast<double>(i % 7), static_cast<double>(i / 7 % 6), static_cast<double>(i / 42))
         .cwiseProduct(spacing);
   };
@@ -77,19 +77,21 @@ TEST_CASE("distances are those of a search over all pairs, in spacings that diff
     double nearest = 1e9;
     for (std::size_t j = 0; j < mask.size(); ++j)
       if (mask[j]) nearest = std::min(nearest, (place(i) - place(j)).norm());
-    CHECK(d[i] == Catch::Approx(nearest).margin(1e-5));
+    CHECK(d[i] == Approx(nearest).margin(1e-5));
   }
 }
 
 TEST_CASE("without a marked cell all distances are infinite") {
-  for (const float d : distanceTo({3, 3, 3}, Vec3(1, 1, 1), std::vector<std::uint8_t>(27, 0))) CHECK(std::isinf(d));
+  for (const float d : distanceTo({3, 3, 3}, Vec3(1, 1, 1), std::vector<std::uint8_t>(27, 0)))
+    CHECK(std::isinf(d));
 }
 
 TEST_CASE("a pass takes the highest or lowest of the neighbours named, and nothing else") {
   const std::array<int, 3> size{5, 4, 6};
   const std::vector<std::uint8_t> cells = randomBytes(120, 200, 5);
-  for (const OpeningPass pass : {OpeningPass{{true, true, true}, false}, OpeningPass{{true, true, true}, true},
-                                 OpeningPass{{true, false, true}, true}, OpeningPass{{false, false, true}, false}}) {
+  for (const OpeningPass pass :
+       {OpeningPass{{true, true, true}, false}, OpeningPass{{true, true, true}, true},
+        OpeningPass{{true, false, true}, true}, OpeningPass{{false, false, true}, false}}) {
     std::vector<std::uint8_t> high = cells, low = cells;
     Morphology morphology(size);
     morphology.highest(high, pass);
@@ -124,8 +126,12 @@ TEST_CASE("the depth in a ball of cells is its radius less the distance from the
   forCellsWithin(work.cells(), centre, 9.5, [&](std::size_t i) { ball.inside[i] = 1; });
   const RegionField field(work, ball);
   for (const double r : {3.0, 6.0, 8.0, 10.0, 12.0})
-    for (const Vec3& d : {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(0.6, 0, 0.8), Vec3(1, 1, 1).normalized()})
-      CHECK(field.at(centre + r * d) == Catch::Approx(9.5 - r).margin(0.5));
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double sign : {-1.0, 1.0}) {
+        Vec3 at = centre;
+        at[axis] += sign * r;
+        CHECK(field.at(at) == Approx(9.5 - r).margin(0.5));
+      }
 }
 
 TEST_CASE("only parts with a wanted cell are kept, and small cavities are filled") {

