@@ -134,14 +134,27 @@ std::shared_ptr<const ObjectImage> imageOf(const Volume& volume, const ObjectMod
                                        std::move(view));
 }
 
-//! The strongest boundary around the seeds, if there is one.
-std::optional<ObjectChoice> strongestBoundary(const Volume& volume, const std::vector<Seed>& seeds,
-                                              const Parameters& p) {
+//! The strongest boundary around the seeds, or why there is none.
+struct Boundary {
+  std::optional<ObjectChoice> choice;
+  std::string why;
+};
+
+Boundary strongestBoundary(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& p) {
   try {
-    return chooseObject(volume, seeds, p);
-  } catch (const SeedError&) {
-    return {};
+    return {chooseObject(volume, seeds, p), {}};
+  } catch (const SeedError& error) {
+    return {{}, error.what()};
   }
+}
+
+//! A seed with a radius, or the kind of object, says more than a click: what is meant is the strongest
+//! boundary of that kind around the seed, as far as it is there. Further clicks correct the likeliest region
+//! instead.
+bool isMeantByBoundary(const std::vector<Seed>& clicks, const Parameters& p) {
+  const auto any = [&](auto&& f) { return std::any_of(clicks.begin(), clicks.end(), f); };
+  if (p.candidate != 1 || any([](const Seed& s) { return s.background; })) return false;
+  return p.object != ObjectKind::automatic || any([](const Seed& s) { return s.radius.has_value(); });
 }
 
 //! True if the boundary encloses what the region holds.
@@ -163,22 +176,6 @@ bool isSameObject(const Volume& volume, const ObjectChoice& choice, const std::v
   const double perCell = static_cast<double>(cells.factor[0]) * cells.factor[1] * cells.factor[2];
   const double any = in + static_cast<double>(model.region.count()) * perCell - both;
   return both >= kSameObject * any;
-}
-
-//! True if a ball of a radius that was asked for lies mostly outside of the region: the surface is to start
-//! around the object, or around several, and what is meant is what the intensities say, not what hangs
-//! together.
-bool startsAround(const std::vector<Seed>& seeds, const ObjectModel& model) {
-  const CellGrid& cells = model.work.cells();
-  return std::any_of(seeds.begin(), seeds.end(), [&](const Seed& s) {
-    if (!s.radius) return false;
-    double in = 0, all = 0;
-    forCellsWithin(cells, s.centre, *s.radius, [&](std::size_t i) {
-      all += 1;
-      in += model.region.inside[i];
-    });
-    return in < 0.5 * all;
-  });
 }
 
 void takeBoundary(ClickedObject& out, const ObjectChoice& choice) {
@@ -221,17 +218,17 @@ ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& c
   requireSeedsInside(volume.grid, seeds);
   std::shared_ptr<const FieldOfView> view = FieldOfView::find(volume);
   if (view && view->isPaddingNear(volume.grid.toIndex(seeds[0].centre))) view = nullptr;
+  const Boundary boundary = strongestBoundary(volume, seeds, p);
   const std::optional<ObjectModel> model = findObject(volume, queryOf(clicks, p), view.get());
-  if (!model)
-    throw SeedError("There is no object at the seed: the image has one intensity there as far as " +
-                    std::to_string(static_cast<int>(ObjectPolicy{}.reach)) +
-                    " mm around it, or ends in noise.");
-  out.candidates = model->candidates;
-  out.candidate = model->chosen;
-  out.isCloseChoice = model->isCloseChoice;
-  const std::optional<ObjectChoice> boundary = strongestBoundary(volume, seeds, p);
-  if (boundary && (startsAround(seeds, *model) || isSameObject(volume, *boundary, seeds, *model))) {
-    takeBoundary(out, *boundary);
+  if (!model && !boundary.choice) throw SeedError(boundary.why);
+  if (model) {
+    out.candidates = model->candidates;
+    out.candidate = model->chosen;
+    out.isCloseChoice = model->isCloseChoice;
+  }
+  if (boundary.choice &&
+      (!model || isMeantByBoundary(clicks, p) || isSameObject(volume, *boundary.choice, seeds, *model))) {
+    takeBoundary(out, *boundary.choice);
   } else {
     out.image = imageOf(volume, *model, p, std::move(view));
     out.kind = model->rise > 0 ? ObjectKind::dark : ObjectKind::bright;

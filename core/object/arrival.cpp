@@ -4,6 +4,7 @@
 #include <cmath>
 #include <thread>
 
+#include "core/cancellation.h"
 #include "core/object/morphology.h"
 #include "core/volume/intensity_statistics.h"
 
@@ -112,14 +113,15 @@ class Flood {
     queues_[key_[s]].push_back(static_cast<std::uint32_t>(s));
     int level = key_[s];
     key_[s] = kTaken;
-    double taken = 0, border = 0;
-    for (; level < kNever && taken <= most_ && border <= mostBorder_; ++level) {
+    std::size_t taken = 0;
+    double border = 0;
+    for (; level < kNever && static_cast<double>(taken) <= most_ && border <= mostBorder_; ++level) {
       auto& queue = queues_[idx(level)];
       while (!queue.empty()) {
         const std::uint32_t v = queue.back();
         queue.pop_back();
         level_[v] = static_cast<std::uint8_t>(level);
-        ++taken;
+        if ((++taken & 0xffff) == 0) giveUpIfCancelled();
         for (const std::ptrdiff_t step : steps) {
           const std::size_t w = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(v) + step);
           const std::uint8_t k = key_[w];
@@ -132,7 +134,7 @@ class Flood {
         }
       }
     }
-    end_ = level - (taken > most_ || border > mostBorder_ ? 1 : 0);
+    end_ = level - (static_cast<double>(taken) > most_ || border > mostBorder_ ? 1 : 0);
     return unload();
   }
   //! Of the last run: rungs from here on are not known.
@@ -184,6 +186,7 @@ std::vector<ArrivalMap> mapsOfBand(const CellGrid& cells, const RungImage& rungs
   Levels eroded = key;
   int done = 0;
   for (const int n : policy.openings) {
+    giveUpIfCancelled();
     for (; done < n; ++done) morphology.highest(eroded, passes[idx(done)]);
     const std::size_t start = startNear(cells, eroded, click, n, policy);
     if (eroded[start] >= kNever) continue;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "core/cancellation.h"
+
 namespace handlebody {
 
 namespace {
@@ -82,7 +84,8 @@ SumsPerRung gather(const ClickSearch& s, const ArrivalMap& map, const std::vecto
   const auto& n = cells.grid.size;
   const std::array<std::size_t, 3> steps{1, idx(n[0]), idx(n[0]) * idx(n[1])};
   std::size_t i = 0;
-  for (int z = 0; z < n[2]; ++z)
+  for (int z = 0; z < n[2]; ++z) {
+    giveUpIfCancelled();
     for (int y = 0; y < n[1]; ++y)
       for (int x = 0; x < n[0]; ++x, ++i) {
         const int level = map.level[i];
@@ -107,6 +110,7 @@ SumsPerRung gather(const ClickSearch& s, const ArrivalMap& map, const std::vecto
                   (gradients[i] + std::size_t{gradients[j]}) / 2);
         }
       }
+  }
   return sums;
 }
 
@@ -258,6 +262,7 @@ std::vector<RankedRegion> distinctRegions(std::vector<RankedRegion>& regions, st
   std::vector<RankedRegion> out;
   for (const RankedRegion& r : regions) {
     if (out.size() == most) break;
+    giveUpIfCancelled();
     if (std::none_of(out.begin(), out.end(),
                      [&](const RankedRegion& o) { return likeness(r, o, policy) > policy.sameRegion; }))
       out.push_back(r);

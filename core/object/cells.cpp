@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/cancellation.h"
+
 namespace handlebody {
 
 namespace {
@@ -101,7 +103,8 @@ CellImage makeCells(const Volume& volume, const CellGrid& cells, const FieldOfVi
   for (std::size_t a = 0; a < 3; ++a)
     last[a] = std::min(size[a], cells.low[a] + cells.grid.size[a] * cells.factor[a]);
   visitVoxels(volume, [&](const auto* v) {
-    for (int z = cells.low[2]; z < last[2]; ++z)
+    for (int z = cells.low[2]; z < last[2]; ++z) {
+      giveUpIfCancelled();
       for (int y = cells.low[1]; y < last[1]; ++y) {
         const std::size_t row = (idx(z) * idx(size[1]) + idx(y)) * idx(size[0]);
         const std::size_t to =
@@ -113,6 +116,7 @@ CellImage makeCells(const Volume& volume, const CellGrid& cells, const FieldOfVi
           if (view && view->isPadding(row + idx(x))) out.padding[c] = 1;
         }
       }
+    }
   });
   for (std::size_t c = 0; c < n; ++c) out.values[c] /= count[c];
   return out;

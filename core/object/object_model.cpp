@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/cancellation.h"
+
 namespace handlebody {
 
 namespace {
@@ -18,7 +20,8 @@ class Finder {
     ranked_ = rankRegions(searches_, policy_);
     const double sign = query_.contrast == Contrast::dark ? 1 : -1;
     if (query_.contrast != Contrast::any)
-      std::erase_if(ranked_, [&](const RankedRegion& r) { return sign * r.rise <= 0; });
+      std::erase_if(ranked_,
+                    [&](const RankedRegion& r) { return sign * r.rise <= searches_[0]->intensities.noise; });
     std::vector<RankedRegion> distinct = distinctRegions(ranked_, policy_.offered, policy_);
     if (distinct.empty()) return {};
     ObjectModel model;
@@ -149,6 +152,7 @@ class Finder {
     Offers(const Finder& finder, const Pending& pending, double depth)
         : finder_(finder), pending_(pending), depth_(depth) {}
     void add(Region region, double score, bool isLocal) {
+      giveUpIfCancelled();
       if (score <= worth_) return;
       region = finder_.tidied(std::move(region));
       if (!finder_.isTrue(region, pending_)) return;

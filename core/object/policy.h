@@ -28,7 +28,7 @@ struct ObjectPolicy {
   double passLength = 1.2;                     //!< cells: cross and 18-neighbourhood in turn
   double largestPart = 0.5;                    //!< of the cells: what is larger is the background
   double mostBorder = 0.15;  //!< of the border's cells that a region may hold before it is the background
-  std::size_t fewest = 20;   //!< cells of a candidate
+  std::size_t fewest = 40;  //!< cells of a candidate: more than the 27 around the click, which belong to it by definition
   double sameSize = 0.22;    //!< |log of volumes| of regions that vote for each other
   double sameRegion = 0.75;  //!< intersection over union above which two candidates are one
   std::size_t offered = 5;
