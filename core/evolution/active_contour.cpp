@@ -5,10 +5,10 @@
 
 #include "core/collision/self_intersection.h"
 #include "core/errors.h"
+#include "core/evolution/clicked_object.h"
 #include "core/evolution/image_doubts.h"
 #include "core/evolution/motion.h"
 #include "core/evolution/object_image.h"
-#include "core/evolution/clicked_object.h"
 #include "core/evolution/resting_places.h"
 #include "core/evolution/seeds.h"
 #include "core/mesh/morton_order.h"
@@ -173,7 +173,8 @@ void ActiveContour::State::chooseImage(const Parameters& p) {
 void ActiveContour::State::resolve(const Parameters& p) {
   const double voxel = volume.grid.meanSpacing();
   double fit = 0;
-  for (const Seed& s : clicksOfSide(seeds, false)) fit = std::max(fit, fittingRadius(*image, s.centre, 8 * voxel));
+  for (const Seed& s : clicksOfSide(seeds, false))
+    fit = std::max(fit, fittingRadius(*image, s.centre, 8 * voxel));
   // Two voxels, but finer in thin structures.
   const double edge = p.edgeLength.value_or(std::clamp(0.6 * fit / voxel, 1.0, 2.0) * voxel);
 

@@ -97,8 +97,10 @@ std::vector<std::string> imageDoubts(const Mesh& mesh, const ObjectImage& image)
 }
 
 std::string heldAtPassages(double neckRadius) {
-  return sentence("the surface is held at passages narrower than a radius of %.3g mm; where what lies behind them "
-                  "belongs to the object, put a seed there too, or take a larger candidate", neckRadius);
+  return sentence(
+      "the surface is held at passages narrower than a radius of %.3g mm; where what lies behind them "
+      "belongs to the object, put a seed there too, or take a larger candidate",
+      neckRadius);
 }
 
 }  // namespace handlebody

@@ -90,8 +90,8 @@ class Finder {
   };
   bool isTrue(const Region& r, const Pending& p) const { return (r.inside[p.click.cell] != 0) == p.isInside; }
 
-  //! The click that lies deepest on the wrong side first, as a user would give them: a further click changes
-  //! nothing of what the earlier ones did.
+  //! The click that lies deepest on the wrong side first, as a user would give them: a shallower further
+  //! click comes after the earlier ones, and most often changes nothing of what they did.
   void correctAll() {
     std::vector<Pending> left;
     for (const CellClick& c : inside_) left.push_back({c, true});

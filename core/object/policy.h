@@ -1,6 +1,7 @@
 #pragma once
 // Every threshold of the search for the object that a click means, with what it rests on. Lengths in cells
-// are mean spacings of the grid that is searched; docs/object.md has the sensitivity of each.
+// are mean spacings of the grid that is searched. Chosen on real volumes; how sensitive each is was not
+// measured yet.
 
 #include <array>
 #include <cstddef>
@@ -28,7 +29,8 @@ struct ObjectPolicy {
   double passLength = 1.2;                     //!< cells: cross and 18-neighbourhood in turn
   double largestPart = 0.5;                    //!< of the cells: what is larger is the background
   double mostBorder = 0.15;  //!< of the border's cells that a region may hold before it is the background
-  std::size_t fewest = 40;  //!< cells of a candidate: more than the 27 around the click, which belong to it by definition
+  std::size_t fewest =
+      40;  //!< cells of a candidate: more than the 27 around the click, which belong to it by definition
   double sameSize = 0.22;    //!< |log of volumes| of regions that vote for each other
   double sameRegion = 0.75;  //!< intersection over union above which two candidates are one
   std::size_t offered = 5;
