@@ -226,8 +226,9 @@ ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& c
     out.candidate = model->chosen;
     out.isCloseChoice = model->isCloseChoice;
   }
-  if (boundary.choice &&
-      (!model || isMeantByBoundary(clicks, p) || isSameObject(volume, *boundary.choice, seeds, *model))) {
+  const bool isSame = boundary.choice && model && isSameObject(volume, *boundary.choice, seeds, *model);
+  if (boundary.choice && (!model || isSame || isMeantByBoundary(clicks, p))) {
+    out.isCloseChoice = out.isCloseChoice && isSame;  // else it was not the candidates that were chosen from
     takeBoundary(out, *boundary.choice);
   } else {
     out.image = imageOf(volume, *model, p, std::move(view));
