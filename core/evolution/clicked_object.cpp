@@ -121,7 +121,8 @@ std::shared_ptr<const ObjectImage> imageOf(const Volume& volume, const ObjectMod
   const double sigma = p.smoothing.value_or(smoothingFor(model.noise, levels.halfStep) * voxel);
   const CellGrid& cells = model.work.cells();
   const double cell = cells.grid.meanSpacing();
-  const double trust = std::min(1.0, levels.halfStep / (kTrusted * model.noise));
+  // A star-shaped region was chosen because the image around it leads astray: its own surface counts.
+  const double trust = model.isStar ? 0 : std::min(1.0, levels.halfStep / (kTrusted * model.noise));
   RegionLimits region{std::make_shared<RegionField>(model.work, model.region),
                       cells.grid,
                       levels.low,

@@ -190,7 +190,7 @@ std::vector<ArrivalMap> mapsOfBand(const CellGrid& cells, const RungImage& rungs
     for (; done < n; ++done) morphology.highest(eroded, passes[idx(done)]);
     const std::size_t start = startNear(cells, eroded, click, n, policy);
     if (eroded[start] >= kNever) continue;
-    ArrivalMap map{band, n, n * policy.passLength * cells.grid.meanSpacing(), 0, flood.run(eroded, start)};
+    ArrivalMap map{band, n, n * policy.passLength * cells.grid.meanSpacing(), 0, 0, flood.run(eroded, start)};
     map.end = flood.end();
     for (int p = n; p-- > 0;) morphology.lowest(map.level, passes[idx(p)]);
     if (n > 0)

@@ -41,6 +41,8 @@ struct ArrivalMap {
   int passes = 0;     //!< of the opening
   double radius = 0;  //!< of the opening, mm
   int end = kNever;   //!< rungs from here on are not known: the region became the background
+  //! > 0: a star-shaped region, at level 0, in which this part of the starts ended; it has no bounds.
+  double agreement = 0;
   std::vector<std::uint8_t> level;
 };
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 #include "core/cancellation.h"
+#include "core/object/star_surface.h"
 
 namespace handlebody {
 
@@ -55,24 +57,26 @@ struct Sums {
   double voxels = 0, inside = 0, inside2 = 0;   // of cells
   double faces = 0, outside = 0, outside2 = 0;  // of the surface within the box
   double border = 0, cut = 0;                   // of the surface on its sides
+  double area = 0;                              // mm², of the faces
   std::array<double, kGradients> gradients{};
 
   void add(const Sums& o) {
     voxels += o.voxels, inside += o.inside, inside2 += o.inside2;
     faces += o.faces, outside += o.outside, outside2 += o.outside2;
-    border += o.border, cut += o.cut;
+    border += o.border, cut += o.cut, area += o.area;
     for (std::size_t g = 0; g < gradients.size(); ++g) gradients[g] += o.gradients[g];
   }
 };
 using SumsPerRung = std::array<Sums, kNever + 1>;
 
-void addFace(SumsPerRung& sums, int inner, int outer, double outside, std::size_t gradient) {
+void addFace(SumsPerRung& sums, int inner, int outer, double outside, std::size_t gradient, double area) {
   for (const auto& [rung, sign] : {std::pair{inner, 1.0}, std::pair{outer, -1.0}}) {
     Sums& s = sums[idx(rung)];
     s.faces += sign;
     s.outside += sign * outside;
     s.outside2 += sign * outside * outside;
     s.gradients[gradient] += sign;
+    s.area += sign * area;
   }
 }
 
@@ -83,6 +87,9 @@ SumsPerRung gather(const ClickSearch& s, const ArrivalMap& map, const std::vecto
   const CellGrid& cells = s.image.cells;
   const auto& n = cells.grid.size;
   const std::array<std::size_t, 3> steps{1, idx(n[0]), idx(n[0]) * idx(n[1])};
+  const double voxel = cells.grid.voxelVolume();
+  const std::array<double, 3> areas{voxel / cells.grid.spacing[0], voxel / cells.grid.spacing[1],
+                                    voxel / cells.grid.spacing[2]};
   std::size_t i = 0;
   for (int z = 0; z < n[2]; ++z) {
     giveUpIfCancelled();
@@ -107,7 +114,7 @@ SumsPerRung gather(const ClickSearch& s, const ArrivalMap& map, const std::vecto
           if (other == level) continue;
           const std::size_t outer = level < other ? j : i;
           addFace(sums, std::min(level, other), std::max(level, other), s.values[outer] - s.intensities.level,
-                  (gradients[i] + std::size_t{gradients[j]}) / 2);
+                  (gradients[i] + std::size_t{gradients[j]}) / 2, areas[a]);
         }
       }
   }
@@ -137,6 +144,7 @@ RankedRegion describe(const ClickSearch& s, const ArrivalMap& map, int rung, con
   const double in = sum.inside / sum.voxels, out = sum.outside / faces;
   const double spread = std::sqrt(std::max(0.0, sum.inside2 / sum.voxels - in * in)) +
                         std::sqrt(std::max(0.0, sum.outside2 / faces - out * out));
+  r.shape = std::log(std::max(std::pow(sum.area, 3) / (36 * std::numbers::pi * r.volume * r.volume), 1.0));
   r.rise = out - in;
   r.contrast = std::abs(out - in) / (spread + 0.3 * s.intensities.noise + std::numeric_limits<double>::min());
   return r;
@@ -151,6 +159,7 @@ void countVotes(std::vector<RankedRegion>& regions, const ObjectPolicy& policy) 
     const RankedRegion& a = regions[i];
     for (std::size_t j = 0; j < regions.size(); ++j) {
       if (std::abs(size[i] - size[j]) >= policy.sameSize) continue;
+      if (regions[j].isStar()) continue;
       const RankedRegion& b = regions[j];
       const bool wider = b.map->band >= a.map->band && b.rung >= a.rung && b.map->passes <= a.map->passes;
       const bool narrower = b.map->band <= a.map->band && b.rung <= a.rung && b.map->passes >= a.map->passes;
@@ -181,9 +190,22 @@ void setScores(std::vector<RankedRegion>& regions, double searched, const Object
   for (std::size_t i = 0; i < regions.size(); ++i) {
     RankedRegion& r = regions[i];
     const double large = std::max(0.0, std::log(r.volume / (p.largePart * searched)));
-    r.score = p.stability * votes[i] + p.edge * edges[i] + p.contrast * contrasts[i] -
-              p.border * (r.border + r.cut) - p.size * large;
+    const double stable = r.isStar() ? p.agreement * r.map->agreement : p.stability * votes[i];
+    r.score = stable + p.edge * edges[i] + p.contrast * contrasts[i] - p.border * (r.border + r.cut) -
+              p.size * large - p.shape * std::clamp(r.shape - p.compact, 0.0, p.ragged - p.compact);
   }
+}
+
+//! Where intensities alone tell inside from outside, or the edges stand out of the noise, shape is second.
+void preferClearRegions(std::vector<RankedRegion>& regions, const ObjectPolicy& p) {
+  const RankedRegion* best = nullptr;
+  for (const RankedRegion& r : regions)
+    if (!r.isStar() && (!best || r.score > best->score)) best = &r;
+  const double clearEdge = kNoiseGradient + 2 * std::log2(p.clearEdge);
+  if (!best || (best->contrast < p.clearContrast && best->edge < clearEdge)) return;
+  const double most = best->score - p.close;
+  for (RankedRegion& r : regions)
+    if (r.isStar()) r.score = std::min(r.score, most);
 }
 
 //! Intersection over union; of regions of different searches, or of sizes too different, only by their
@@ -213,12 +235,27 @@ ClickSearch searchAround(const Volume& volume, const CellGrid& cells, const Vec3
   return s;
 }
 
+void addStars(ClickSearch& s, const std::vector<CellClick>& inside, const std::vector<CellClick>& outside,
+              const ObjectPolicy& policy, int threads) {
+  if (!(s.intensities.range > 0)) return;
+  std::erase_if(s.maps, [](const ArrivalMap& m) { return m.agreement > 0; });
+  for (const StarRegion& star : starRegions(s.image, s.values, inside, outside, policy, threads)) {
+    ArrivalMap map{kRungs, 0, 0, 1, star.agreement, {}};
+    map.level.resize(star.inside.size());
+    std::transform(star.inside.begin(), star.inside.end(), map.level.begin(),
+                   [](std::uint8_t in) { return in ? std::uint8_t{0} : kNever; });
+    s.maps.push_back(std::move(map));
+  }
+}
+
 bool RankedRegion::holds(const Vec3& world) const {
   const CellGrid& cells = search->image.cells;
   return cells.contains(world) && holds(cells.at(cells.nearest(world)));
 }
 
 std::array<double, 2> RankedRegion::bounds() const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (isStar()) return {-kInfinity, kInfinity};
   const auto& in = search->intensities;
   const auto distance = [&](int r) {
     return r < kRungs ? static_cast<double>(in.ladder[idx(r)]) : std::numeric_limits<double>::infinity();
@@ -252,6 +289,7 @@ std::vector<RankedRegion> rankRegions(const std::vector<std::unique_ptr<ClickSea
     all.insert(all.end(), own.begin(), own.end());
   }
   setScores(all, searched, policy);
+  preferClearRegions(all, policy);
   return all;
 }
 

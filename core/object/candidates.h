@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/object/arrival.h"
+#include "core/object/clicks.h"
 
 namespace handlebody {
 
@@ -17,6 +18,9 @@ struct ClickSearch {
   ClickIntensities intensities;
   std::vector<ArrivalMap> maps;
 };
+//! Puts the star-shaped regions around clicks behind the other maps, in place of those of other clicks.
+void addStars(ClickSearch& search, const std::vector<CellClick>& inside,
+              const std::vector<CellClick>& outside, const ObjectPolicy& policy, int threads);
 //! Precondition: the cells hold the click.
 ClickSearch searchAround(const Volume& volume, const CellGrid& cells, const Vec3& click,
                          const FieldOfView* view, const ObjectPolicy& policy, int threads);
@@ -31,11 +35,14 @@ struct RankedRegion {
   double cut = 0;       //!< and on sides of the box beyond which the volume goes on
   double votes = 0;     //!< regions that can hardly be told from it
   double edge = 0;      //!< median gradient on its surface, log2 of noise per cell
+  double shape = 0;     //!< log of (surface³ over that of a ball as large); 0 = a ball
   double contrast = 0;  //!< distance of the means inside and just outside over the sum of their deviations
   double rise = 0;      //!< intensities: mean just outside less mean inside
   double score = 0;
 
   bool holds(std::size_t cell) const { return map->level[cell] <= rung; }
+  //! Found by its shape; it has no bounds of intensity.
+  bool isStar() const { return map->agreement > 0; }
   //! False for points beyond the search.
   bool holds(const Vec3& world) const;
   //! Lower and upper bound.

@@ -5,14 +5,6 @@
 
 namespace handlebody {
 
-//! A click and its cell. A click in the middle of what is wrong says how large that is: about as deep as the
-//! click lies behind the surface.
-struct CellClick {
-  Vec3 place{0, 0, 0};  //!< mm
-  std::size_t cell = 0;
-  double radius = 0;  //!< mm: of a ball that is all inside or all outside; 0 = the cell
-};
-
 //! How deep (mm) a click lies on the wrong side of the region's surface; at least one cell.
 double depthBehindSurface(const WorkImage& work, const Region& region, std::size_t cell);
 
@@ -21,6 +13,13 @@ struct ChangeDepth {
   double added = 0, removed = 0;
 };
 ChangeDepth depthOfChange(const WorkImage& work, const Region& from, const Region& to);
+
+//! How strong the edges are (mean log2 of 1 + jump over noise) on the surface that a change gains and on that
+//! which it loses.
+struct EdgeChange {
+  double gained = 0, lost = 0;
+};
+EdgeChange edgesOfChange(const WorkImage& work, const Region& from, const Region& to, double noise);
 
 //! The region without what hangs closer to the click than to the rest: paths are long across edges and
 //! through thin places. Only cells within twice the click's depth can go.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/cancellation.h"
+#include "core/object/relabel.h"
 
 namespace handlebody {
 
@@ -17,11 +18,7 @@ class Finder {
 
   std::optional<ObjectModel> run() {
     searches_ = searchesAround(query_.inside[0].place);
-    ranked_ = rankRegions(searches_, policy_);
-    const double sign = query_.contrast == Contrast::dark ? 1 : -1;
-    if (query_.contrast != Contrast::any)
-      std::erase_if(ranked_,
-                    [&](const RankedRegion& r) { return sign * r.rise <= searches_[0]->intensities.noise; });
+    rank({{query_.inside[0].place}}, {});
     std::vector<RankedRegion> distinct = distinctRegions(ranked_, policy_.offered, policy_);
     if (distinct.empty()) return {};
     ObjectModel model;
@@ -38,12 +35,14 @@ class Finder {
     for (const ObjectClick& c : query_.outside) outside_.push_back(cellClick(c, false));
     const RankedRegion& chosen = distinct[static_cast<std::size_t>(model.chosen - 1)];
     model.neckRadius = chosen.map->radius;
+    model.isStar = chosen.isStar();
     model.low = chosen.bounds()[0];
     model.high = chosen.bounds()[1];
     model.rise = chosen.rise;
     region_ = regionOn(work_, chosen);
     reachClick(inside_[0]);
     region_ = tidied(std::move(region_));
+    if (inside_.size() + outside_.size() > 1) rank(inside_, outside_);
     correctAll();
     stamp(work_, region_, inside_, outside_);
     model.region = std::move(region_);
@@ -67,6 +66,16 @@ class Finder {
   }
   std::unique_ptr<ClickSearch> search(const CellGrid& cells, const Vec3& click) const {
     return std::make_unique<ClickSearch>(searchAround(volume_, cells, click, view_, policy_, query_.threads));
+  }
+
+  //! All regions that may be meant; star-shaped ones through these clicks.
+  void rank(const std::vector<CellClick>& inside, const std::vector<CellClick>& outside) {
+    for (auto& s : searches_) addStars(*s, inside, outside, policy_, query_.threads);
+    ranked_ = rankRegions(searches_, policy_);
+    const double sign = query_.contrast == Contrast::dark ? 1 : -1;
+    if (query_.contrast != Contrast::any)
+      std::erase_if(ranked_,
+                    [&](const RankedRegion& r) { return sign * r.rise <= searches_[0]->intensities.noise; });
   }
 
   WorkImage makeWork() const {
@@ -127,15 +136,18 @@ class Finder {
     return region;
   }
 
-  //! A change in the sense of the click may be about as deep as the click; one against it hardly deep at all.
-  double tooDeep(const Region& other, bool isInside, double depth) const {
+  //! What speaks for a change: it runs along edges, and is about as deep as the click in the click's sense
+  //! and hardly deep at all against it.
+  double worthOfChange(const Region& other, bool isInside, double depth) const {
     const double cell = work_.cells().grid.meanSpacing();
     const auto [added, removed] = depthOfChange(work_, region_, other);
     const auto excess = [&](double change, double allowed) {
       return std::max(0.0, std::log(std::max(change, 0.5 * cell) / (allowed + 0.5 * cell)));
     };
-    return policy_.tooDeep * (excess(isInside ? added : removed, policy_.sameDeep * depth) +
-                              excess(isInside ? removed : added, policy_.againstDeep * depth));
+    const EdgeChange edges = edgesOfChange(work_, region_, other, noise_);
+    return policy_.edgesGained * (edges.gained - edges.lost) -
+           policy_.tooDeep * excess(isInside ? added : removed, depth) -
+           policy_.against * excess(isInside ? removed : added, policy_.againstDeep * depth);
   }
 
   //! The opening may have taken the place of the click itself: it hangs on by a ball.
@@ -153,10 +165,9 @@ class Finder {
         : finder_(finder), pending_(pending), depth_(depth) {}
     void add(Region region, double score, bool isLocal) {
       giveUpIfCancelled();
-      if (score <= worth_) return;
       region = finder_.tidied(std::move(region));
       if (!finder_.isTrue(region, pending_)) return;
-      const double worth = score - finder_.tooDeep(region, pending_.isInside, depth_);
+      const double worth = score + finder_.worthOfChange(region, pending_.isInside, depth_);
       if (worth <= worth_) return;
       worth_ = worth;
       best_ = std::move(region);
@@ -178,23 +189,35 @@ class Finder {
   void correct(const Pending& p, double depth) {
     Offers offers(*this, p, depth);
     const double local = policy_.corrected * (corrections_ + 1), top = ranked_[0].score;
+    offerRelabelled(offers, p, depth, top - local);
     offerCandidates(offers, p, depth, local);
     if (p.isInside)
       offerOwnRegions(offers, p, depth, local);
     else
       offers.add(cutAway(work_, region_, p.click, inside_, noise_, depth), top - local, true);
-    offers.add(within(p.click, policy_.makeshiftReach * depth, [&](std::size_t) { return p.isInside; }),
-               top - local - policy_.makeshift, true);
+    if (!offers.any())
+      offers.add(within(p.click, policy_.makeshiftReach * depth, [&](std::size_t) { return p.isInside; }), 0,
+                 true);
     if (!offers.any()) return;
     corrections_ = offers.isLocal() ? corrections_ + 1 : 0;
     region_ = offers.take();
+  }
+
+  //! The surface moved, near the click and further along.
+  void offerRelabelled(Offers& offers, const Pending& p, double depth, double score) const {
+    Relabelling r{p.click, p.isInside, depth, 0, noise_, {}, {}};
+    for (const Pending& d : done_) (d.isInside ? r.inside : r.outside).push_back(d.click);
+    for (const double reach : policy_.relabelReaches) {
+      r.reach = reach * depth;
+      offers.add(relabelled(work_, region_, r, policy_), score, true);
+    }
   }
 
   //! Other candidates that agree with all clicks so far, whole or only near this one.
   void offerCandidates(Offers& offers, const Pending& p, double depth, double local) const {
     std::vector<RankedRegion> agreeing;
     std::copy_if(ranked_.begin(), ranked_.end(), std::back_inserter(agreeing),
-                 [&](const RankedRegion& r) { return agrees(r); });
+                 [&](const RankedRegion& r) { return agrees(r) && r.holds(p.click.place) == p.isInside; });
     for (const RankedRegion& r : distinctRegions(agreeing, policy_.tried, policy_)) {
       const Region whole = regionOn(work_, r);
       offers.add(whole, r.score, false);

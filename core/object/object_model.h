@@ -36,6 +36,7 @@ class ObjectModel {
   WorkImage work;
   Region region;             //!< what was chosen, corrected by the clicks
   double neckRadius = 0;     //!< mm: narrower passages are cut
+  bool isStar = false;       //!< chosen by its shape, where the image alone did not say where to end
   double low = 0, high = 0;  //!< intensities: bounds of what was chosen
   double rise = 0;           //!< intensities: mean just outside less mean inside
   double level = 0;          //!< intensity at the first click

@@ -35,24 +35,52 @@ struct ObjectPolicy {
   double sameRegion = 0.75;  //!< intersection over union above which two candidates are one
   std::size_t offered = 5;
 
+  // --- star-shaped regions: lengths on their rays in parts of the radius they are looked for at ---
+  double starSmoothing = 0.8;  //!< cells: Gaussian besides the search's
+  double starRays = 0.34;      //!< distance of neighbours on the unit sphere: 162 rays
+  double smallestStart = 3;    //!< cells: radius of the first sphere
+  double nextStart = 1.6;      //!< times as large is the next one
+  double largestStart = 0.3;   //!< of the widest side of what is searched; no more than a third of the reach
+  double starInner = 0.2, starOuter = 2.2;
+  std::size_t starBend = 2;  //!< steps of 6 % that the radius may change by from ray to ray
+  double starShell = 1.5;    //!< the inside is told from what lies up to here
+  double starEdge = 3;       //!< weight of a strong edge against a whole ray of certain intensities
+  double starBeyond = 2;     //!< log of the odds against places where there is no image
+  double starMargin = 1.5;   //!< cells from a click to the surface
+  int starMoves = 4;         //!< of the centre towards the middle,
+  double starMove = 0.8;     //!< by this part of the way
+  int starRounds = 4;        //!< of statistics and surface; half of them before the last move
+
   // --- score: ranks from 0 to 1, added ---
   double stability = 0.7, edge = 0.7, contrast = 0.7;
-  double border = 1.0;      //!< times the part of the surface on the border
-  double size = 0.3;        //!< times the log of how far the volume exceeds largePart
-  double largePart = 0.05;  //!< of the cells searched
-  double close = 0.25;      //!< scores that differ by less are a close choice
+  double shape = 0.1;  //!< times the log of how much more surface than a ball's, cubed, between the limits
+  double compact = 1.2, ragged = 6;  //!< a ball of voxels has 1.2
+  double agreement = 1.1;            //!< of the starts, in place of stability: of a star-shaped region
+  double clearContrast = 1.35;       //!< of the best region: from here on, or from
+  double clearEdge = 4;              //!< noises per cell on, star-shaped ones come behind it
+  double border = 1.0;               //!< times the part of the surface on the border
+  double size = 0.3;                 //!< times the log of how far the volume exceeds largePart
+  double largePart = 0.05;           //!< of the cells searched
+  double close = 0.25;               //!< scores that differ by less are a close choice
 
   // --- corrections: lengths in depths of the click behind the surface, costs in scores ---
   std::size_t tried = 6;   //!< candidates of each kind that are tried
   double corrected = 0.3;  //!< cost of the first correction near a click; n times that of the nth in a row
   double mixed = 0.2;      //!< cost besides, of the part of another candidate
-  double makeshift = 0.5;  //!< cost besides, of a ball where nothing else serves
   double correctionReach = 2.5;  //!< what is further from the click stays
-  double makeshiftReach = 0.8;
-  double tooDeep = 1;        //!< cost of the log of how much deeper a change is than
-  double sameDeep = 1;       //!< this in the sense of the click, or
-  double againstDeep = 0.3;  //!< this against it
-  std::size_t cavity = 14;   //!< cells: smaller cavities are noise; a ball of one and a half cells' radius
+  double makeshiftReach = 0.8;   //!< of a ball where nothing else serves
+  double edgesGained = 0.4;      //!< times how much stronger the edges are on the new surface, octaves
+  double tooDeep = 2;            //!< cost of the log of how much deeper a change is than the click
+  double against = 1;            //!< cost of the log of how much deeper one against the click's sense is than
+  double againstDeep = 0.3;      //!< this
+  std::array<double, 3> relabelReaches{2.5, 6, 1000};
+  double relabelZone = 2.5;   //!< cells so far from the surface are open
+  double relabelBall = 0.7;   //!< around the click cells are what it says
+  double relabelEdge = 1.5;   //!< noises: a jump that halves the pull between neighbours
+  double relabelPrior = 0.2;  //!< pull of the cell's intensities against that of a neighbour
+  double relabelClick = 0.5;  //!< share of the click's cells in the intensities inside
+  double relabelSure = 2.5;   //!< log of the odds that intensities may give at most
+  std::size_t cavity = 14;    //!< cells: smaller cavities are noise; a ball of one and a half cells' radius
 };
 
 }  // namespace handlebody

@@ -93,7 +93,7 @@ Region regionOn(const WorkImage& work, const RankedRegion& r) {
         const Cell c{map[0][idx(x)], map[1][idx(y)], map[2][idx(z)]};
         if (c[0] < 0 || c[1] < 0 || c[2] < 0) continue;
         const std::size_t there = from.at(c);
-        if (same)
+        if (same || r.isStar())
           out.inside[i] = r.holds(there);
         else if (places[there] == Place::surface)
           out.inside[i] = work.values[i] >= low && work.values[i] <= high && !work.image.padding[i];

@@ -42,7 +42,7 @@ const Layers& layers() {
     add("core/collision", {"core/mesh"});
     add("core/handles", {"core/mesh"});
     add("core/surgery", {"core/collision", "core/handles"});
-    add("core/object", {"core/volume"});
+    add("core/object", {"core/volume", "core/mesh"});
     add("core/evolution", {"core/surgery", "core/object"});
     add("core/io", {"core/evolution"});
     add("sample_volumes", {"core/io"});

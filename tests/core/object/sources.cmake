@@ -1,4 +1,6 @@
 target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/object/candidates_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/object/cells_test.cpp
-  ${CMAKE_SOURCE_DIR}/tests/core/object/object_model_test.cpp)
+  ${CMAKE_SOURCE_DIR}/tests/core/object/object_model_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/object/relabel_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/object/star_surface_test.cpp)

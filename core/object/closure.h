@@ -1,0 +1,39 @@
+#pragma once
+// The cheapest closed set of nodes: a minimum cut.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace handlebody {
+
+//! Nodes with costs, and which node another one brings along. The cheapest set that holds with each node all
+//! that it brings along: Picard (1976), "Maximal closure of a graph"; the maximum flow after Dinic (1970).
+class Closure {
+ public:
+  //! Of each pair, whoever takes the first node takes the second, too.
+  Closure(std::size_t nodes, const std::vector<std::array<std::size_t, 2>>& pairs);
+  //! 1 for the nodes of the set, the smallest of the cheapest. Costs may be negative; they are rounded to
+  //! 1/1024.
+  std::vector<std::uint8_t> cheapest(const std::vector<double>& costs);
+
+ private:
+  using Flow = std::int64_t;
+  struct Arc {
+    std::uint32_t to, opposite;
+    bool isFree;  // of a pair; its opposite takes back what went through
+    Flow left;    // of an opposite
+  };
+  bool setLevels();
+  Flow push(std::uint32_t node, Flow most);
+
+  std::vector<std::uint32_t> first_;  // arc of each node, and one more
+  std::vector<Arc> arcs_;
+  std::vector<Flow> source_, sink_;  // capacities left between each node and the ends
+  std::vector<std::int32_t> level_;
+  std::int32_t last_ = 0;  // level of the nodes before the sink
+  std::vector<std::uint32_t> next_, queue_;
+};
+
+}  // namespace handlebody

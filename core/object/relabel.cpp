@@ -1,0 +1,238 @@
+#include "core/object/relabel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/cancellation.h"
+#include "core/object/distance.h"
+#include "core/volume/intensity_statistics.h"
+
+namespace handlebody {
+
+namespace {
+
+using Cell = std::array<int, 3>;
+constexpr int kBins = 48;            // of the intensities, at either scale
+constexpr double kWideScale = 1.5;   // cells: Gaussian of the second scale
+constexpr double kEmpty = 1e-4;      // share of a bin in which nothing is
+constexpr float kLeastPull = 1e-3f;  // across the strongest edge
+constexpr int kSweeps = 60;          // of successive over-relaxation; a zone is some ten cells thick
+constexpr float kOverRelaxation = 1.6f;
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+std::size_t bin(int i, int j) { return idx(i) * idx(kBins) + idx(j); }
+
+//! How common pairs of intensities are: at the cell, and around it.
+class Density {
+ public:
+  void add(int i, int j) { h_[bin(i, j)] += 1; }
+  //! `part` of what is left is the other's.
+  void mix(const Density& other, double part) {
+    const double a = total(), b = other.total();
+    if (b <= 0) return;
+    for (std::size_t i = 0; i < h_.size(); ++i)
+      h_[i] = (1 - part) * h_[i] / std::max(a, 1e-9) + part * other.h_[i] / b;
+  }
+  //! Gaussian, standard deviation in bins; sums to 1 then.
+  void smooth(double sigma) {
+    const int reach = static_cast<int>(std::ceil(3 * sigma));
+    for (const bool along : {false, true}) {
+      std::vector<double> out(h_.size(), 0);
+      for (int i = 0; i < kBins; ++i)
+        for (int j = 0; j < kBins; ++j)
+          for (int k = -reach; k <= reach; ++k) {
+            const int a = std::clamp(along ? i : i + k, 0, kBins - 1),
+                      b = std::clamp(along ? j + k : j, 0, kBins - 1);
+            out[bin(i, j)] += std::exp(-0.5 * k * k / (sigma * sigma)) * h_[bin(a, b)];
+          }
+      h_.swap(out);
+    }
+    const double all = std::max(total(), 1e-9);
+    for (double& x : h_) x /= all;
+  }
+  double at(int i, int j) const { return h_[bin(i, j)]; }
+
+ private:
+  double total() const {
+    double sum = 0;
+    for (const double x : h_) sum += x;
+    return sum;
+  }
+  std::vector<double> h_ = std::vector<double>(idx(kBins) * idx(kBins), 0);
+};
+
+enum class Kind : std::uint8_t { outside, inside, open };
+
+class RandomWalk {
+ public:
+  RandomWalk(const WorkImage& work, const Region& region, const Relabelling& r, const ObjectPolicy& policy)
+      : cells_(work.cells()),
+        r_(r),
+        policy_(policy),
+        cell_(cells_.grid.meanSpacing()),
+        zone_(policy.relabelZone * r.depth + cell_),
+        box_(boxFor(region)),
+        size_(box_.size()),
+        inside_(cutOut(cells_, region.inside, box_)),
+        padding_(cutOut(cells_, work.image.padding, box_)) {
+    values_.reserve(inside_.size());
+    forBox(box_, [&](const Cell& c) { values_.push_back(work.values[cells_.at(c)]); });
+  }
+
+  Region run(Region region) {
+    measure();
+    setKinds();
+    setPrior();
+    walk();
+    std::size_t l = 0;
+    forBox(box_, [&](const Cell& c) {
+      if (fromClick_[l] <= r_.reach)
+        region.inside[cells_.at(c)] = kind_[l] == Kind::open ? u_[l] > 0.5f : kind_[l] == Kind::inside;
+      ++l;
+    });
+    return region;
+  }
+
+ private:
+  //! The region and what may join it, and as much again to tell it from.
+  CellBox boxFor(const Region& region) const {
+    const Cell click = cells_.nearest(r_.click.place);
+    CellBox box = boxOf(cells_, region);
+    box.widen(click);
+    const CellBox near = boxAround(cells_, click, r_.reach + 3 * cell_);
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double h = cells_.grid.spacing[static_cast<Eigen::Index>(a)];
+      const int more = static_cast<int>(std::ceil((2 * zone_ + 2 * cell_) / h));
+      box.low[a] = std::max({0, box.low[a] - more, near.low[a]});
+      box.high[a] = std::min({cells_.grid.size[a] - 1, box.high[a] + more, near.high[a]});
+    }
+    return box;
+  }
+  std::size_t local(const Cell& c) const {
+    return (idx(c[2] - box_.low[2]) * idx(size_[1]) + idx(c[1] - box_.low[1])) * idx(size_[0]) +
+           idx(c[0] - box_.low[0]);
+  }
+
+  void measure() {
+    std::vector<std::uint8_t> outside(inside_.size()), click(inside_.size(), 0);
+    std::transform(inside_.begin(), inside_.end(), outside.begin(), [](std::uint8_t in) { return !in; });
+    click[local(cells_.nearest(r_.click.place))] = 1;
+    out_ = distanceTo(size_, cells_.grid.spacing, inside_);
+    in_ = distanceTo(size_, cells_.grid.spacing, outside);
+    fromClick_ = distanceTo(size_, cells_.grid.spacing, click);
+  }
+
+  void setKinds() {
+    kind_.resize(inside_.size());
+    for (std::size_t i = 0; i < kind_.size(); ++i) {
+      kind_[i] = inside_[i] ? Kind::inside : Kind::outside;
+      if (fromClick_[i] > r_.reach || padding_[i]) continue;
+      // Just inside of the surface cells are open, too: the surface may have been ragged.
+      const bool isOpen =
+          r_.isInside ? (inside_[i] ? in_[i] <= cell_ : out_[i] <= zone_) : inside_[i] && in_[i] <= zone_;
+      if (isOpen) kind_[i] = Kind::open;
+    }
+    setBall(r_.click, policy_.relabelBall * r_.depth, r_.isInside ? Kind::inside : Kind::outside);
+    for (const CellClick& c : r_.outside) setBall(c, std::max(c.radius, 1.01 * cell_), Kind::outside);
+    for (const CellClick& c : r_.inside) setBall(c, std::max(c.radius, 1.01 * cell_), Kind::inside);
+  }
+  void setBall(const CellClick& click, double radius, Kind kind) {
+    const Cell at = cells_.nearest(click.place);
+    forBox(boxAround(cells_, at, radius), [&](const Cell& c) {
+      for (std::size_t a = 0; a < 3; ++a)
+        if (c[a] < box_.low[a] || c[a] > box_.high[a]) return;
+      const Vec3 from(c[0] - at[0], c[1] - at[1], c[2] - at[2]);
+      if (from.cwiseProduct(cells_.grid.spacing).norm() <= radius) kind_[local(c)] = kind;
+    });
+  }
+
+  //! What each cell's intensities say by themselves.
+  void setPrior() {
+    CellGrid part = cells_;
+    part.grid.size = size_;
+    const std::vector<float> wide = smoothed(part, values_, kWideScale * cell_);
+    const std::vector<double> all(values_.begin(), values_.end());
+    const double low = quantile(all, 0.01), step = std::max((quantile(all, 0.99) - low) / (kBins - 1), 1e-12);
+    const auto binOf = [&](float v) { return std::clamp(static_cast<int>((v - low) / step), 0, kBins - 1); };
+    Density in, near, out;
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      const int a = binOf(values_[i]), b = binOf(wide[i]);
+      if (inside_[i] && in_[i] > 0.5 * cell_) in.add(a, b);
+      if (fromClick_[i] <= policy_.relabelBall * r_.depth + 0.5 * cell_) near.add(a, b);
+      if (!inside_[i] && out_[i] > zone_ && out_[i] <= 2 * zone_ + 2 * cell_) out.add(a, b);
+    }
+    (r_.isInside ? in : out).mix(near, policy_.relabelClick);
+    const double sigma = std::max(1.0, 0.7 * r_.noise / step);  // the search's Gaussian leaves so much
+    in.smooth(sigma);
+    out.smooth(sigma);
+    prior_.resize(values_.size());
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      const int a = binOf(values_[i]), b = binOf(wide[i]);
+      const double odds = std::log((in.at(a, b) + kEmpty) / (out.at(a, b) + kEmpty));
+      const double sure = policy_.relabelSure;
+      prior_[i] = static_cast<float>(1 / (1 + std::exp(-std::clamp(odds, -sure, sure))));
+    }
+  }
+
+  float pull(std::size_t i, std::size_t j, std::size_t axis) const {
+    const double jump = (values_[i] - values_[j]) / (policy_.relabelEdge * r_.noise);
+    const double h = cell_ / cells_.grid.spacing[static_cast<Eigen::Index>(axis)];
+    return static_cast<float>(h * h) * (static_cast<float>(1 / (1 + jump * jump)) + kLeastPull);
+  }
+
+  //! An open cell and how strongly its neighbours pull: below and above along each axis.
+  struct Open {
+    std::size_t cell;
+    std::array<float, 6> pulls;
+    float all;
+  };
+
+  void walk() {
+    const std::size_t nx = idx(size_[0]), ny = idx(size_[1]);
+    const std::array<std::size_t, 3> steps{1, nx, nx * ny};
+    u_.resize(kind_.size());
+    std::vector<Open> open;
+    for (std::size_t i = 0; i < kind_.size(); ++i) {
+      u_[i] = kind_[i] == Kind::open ? prior_[i] : kind_[i] == Kind::inside ? 1.f : 0.f;
+      if (kind_[i] != Kind::open) continue;
+      Open o{i, {}, static_cast<float>(policy_.relabelPrior)};
+      const std::array<std::size_t, 3> c{i % nx, i / nx % ny, i / (nx * ny)};
+      for (std::size_t a = 0; a < 3; ++a) {
+        if (c[a] > 0) o.all += o.pulls[2 * a] = pull(i, i - steps[a], a);
+        if (c[a] + 1 < idx(size_[a])) o.all += o.pulls[2 * a + 1] = pull(i, i + steps[a], a);
+      }
+      open.push_back(o);
+    }
+    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+      giveUpIfCancelled();
+      for (const Open& o : open) {
+        float sum = static_cast<float>(policy_.relabelPrior) * prior_[o.cell];
+        for (std::size_t a = 0; a < 3; ++a) {
+          if (o.pulls[2 * a] > 0) sum += o.pulls[2 * a] * u_[o.cell - steps[a]];
+          if (o.pulls[2 * a + 1] > 0) sum += o.pulls[2 * a + 1] * u_[o.cell + steps[a]];
+        }
+        u_[o.cell] += kOverRelaxation * (sum / o.all - u_[o.cell]);
+      }
+    }
+  }
+
+  const CellGrid& cells_;
+  const Relabelling& r_;
+  const ObjectPolicy& policy_;
+  double cell_, zone_;  // mm
+  CellBox box_;
+  std::array<int, 3> size_;
+  std::vector<std::uint8_t> inside_, padding_;
+  std::vector<float> values_, out_, in_, fromClick_;  // distances in mm
+  std::vector<Kind> kind_;
+  std::vector<float> prior_, u_;  // chance to be inside
+};
+
+}  // namespace
+
+Region relabelled(const WorkImage& work, const Region& region, const Relabelling& r,
+                  const ObjectPolicy& policy) {
+  return RandomWalk(work, region, r, policy).run(region);
+}
+
+}  // namespace handlebody

@@ -1,0 +1,96 @@
+#include "core/object/relabel.h"
+
+#include <random>
+
+#include "core/object/distance.h"
+#include "tests/support/catch.h"
+#include "tests/support/test_volume.h"
+
+using namespace handlebody;
+using testing::cubicGrid;
+using testing::volumeByIndex;
+
+namespace {
+
+constexpr double kNoise = 6;
+const Vec3 kMiddle(20, 20, 20);
+double distance(const std::array<int, 3>& c) { return (Vec3(c[0], c[1], c[2]) - kMiddle).norm(); }
+
+//! A core of 100 to 8 mm, a rim of 80 to 12 mm, 20 around it.
+WorkImage rimmedBall() {
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal(0, kNoise);
+  const Volume volume = volumeByIndex(cubicGrid(41), [&](int i, int j, int k) {
+    const double d = distance({i, j, k});
+    return (d < 8 ? 100 : d < 12 ? 80 : 20) + normal(random);
+  });
+  const CellGrid cells = cellsAround(volume.grid, kMiddle, 100, 1'000'000);
+  WorkImage work{makeCells(volume, cells, nullptr), {}};
+  work.values = smoothed(cells, work.image.values, 0.6);
+  return work;
+}
+
+template <typename F>
+void forAll(const WorkImage& work, F&& f) {
+  const auto& n = work.cells().grid.size;
+  forBox({{0, 0, 0}, {n[0] - 1, n[1] - 1, n[2] - 1}}, f);
+}
+Region ballOf(const WorkImage& work, double radius) {
+  Region r{std::vector<std::uint8_t>(work.cells().count(), 0)};
+  forAll(work, [&](const std::array<int, 3>& c) { r.inside[work.cells().at(c)] = distance(c) < radius; });
+  return r;
+}
+double diceOf(const WorkImage& work, const Region& region, double radius) {
+  const Region truth = ballOf(work, radius);
+  double both = 0;
+  forAll(work, [&](const std::array<int, 3>& c) {
+    both += region.inside[work.cells().at(c)] && truth.inside[work.cells().at(c)];
+  });
+  return 2 * both / static_cast<double>(region.count() + truth.count());
+}
+Relabelling clickAt(const WorkImage& work, const Vec3& place, bool isInside, double depth, double reach) {
+  return {{place, work.cells().at(work.cells().nearest(place)), 1}, isInside, depth, reach, kNoise, {}, {}};
+}
+
+}  // namespace
+
+TEST_CASE("a click in a missed rim takes in the rim all around, as far as it reaches") {
+  const WorkImage work = rimmedBall();
+  const Region core = ballOf(work, 8);
+  REQUIRE(diceOf(work, core, 12) < 0.5);
+  const Region all = relabelled(work, core, clickAt(work, Vec3(30, 20, 20), true, 2, 1000), {});
+  CHECK(diceOf(work, all, 12) > 0.95);
+  const Region near = relabelled(work, core, clickAt(work, Vec3(30, 20, 20), true, 2, 6), {});
+  forAll(work, [&](const std::array<int, 3>& c) {
+    const std::size_t i = work.cells().at(c);
+    if ((Vec3(c[0], c[1], c[2]) - Vec3(30, 20, 20)).norm() > 6) CHECK(near.inside[i] == core.inside[i]);
+  });
+  CHECK(near.count() > core.count() + 200);
+}
+
+TEST_CASE("a click outside of the object in a rim gives the rim up") {
+  const WorkImage work = rimmedBall();
+  const Region tooLarge = ballOf(work, 16);
+  REQUIRE(diceOf(work, tooLarge, 12) < 0.7);
+  const Region all = relabelled(work, tooLarge, clickAt(work, Vec3(34, 20, 20), false, 2, 1000), {});
+  CHECK(diceOf(work, all, 12) > 0.9);
+}
+
+TEST_CASE("other clicks keep their side when a rim is relabelled") {
+  const WorkImage work = rimmedBall();
+  Relabelling r = clickAt(work, Vec3(30, 20, 20), true, 2, 1000);
+  const Vec3 other(10, 20, 20);
+  r.outside.push_back({other, work.cells().at(work.cells().nearest(other)), 1});
+  CHECK_FALSE(relabelled(work, ballOf(work, 8), r, {}).inside[r.outside[0].cell]);
+}
+
+TEST_CASE("a change onto an edge gains edges, one away from it loses them") {
+  const WorkImage work = rimmedBall();
+  const EdgeChange onto = edgesOfChange(work, ballOf(work, 10), ballOf(work, 12), kNoise);
+  CHECK(onto.gained > onto.lost + 1);
+  const EdgeChange away = edgesOfChange(work, ballOf(work, 12), ballOf(work, 15), kNoise);
+  CHECK(away.lost > away.gained + 1);
+  const EdgeChange none = edgesOfChange(work, ballOf(work, 12), ballOf(work, 12), kNoise);
+  CHECK(none.gained == 0);
+  CHECK(none.lost == 0);
+}
