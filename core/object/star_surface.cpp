@@ -18,6 +18,7 @@ using Mask = std::vector<std::uint8_t>;
 constexpr std::size_t kRadii = 40;  // per ray, from the innermost to the outermost
 constexpr int kBins = 32;           // of the intensities
 constexpr double kEmpty = 0.003;    // share of a bin in which nothing is
+constexpr double kSettled = 0.5;    // cells: a shorter move is the last
 constexpr double kForced = 1e3;     // cost: more than a surface can win
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
@@ -75,13 +76,15 @@ class StarSearch {
     centre_ = task_.inside[0].place;
     std::vector<double> before(rays_, radius);
     for (int move = 0;; ++move) {
-      const bool isLast = move == task_.policy.starMoves;
+      const bool isLast = move >= task_.policy.starMoves;
       sample(radius);
       std::transform(before.begin(), before.end(), last_.begin(), [&](double r) { return stepOf(r); });
       for (int round = isLast ? 0 : task_.policy.starRounds / 2; round < task_.policy.starRounds; ++round)
         if (!improve()) break;
       if (isLast) break;
+      const Vec3 from = centre_;
       before = recentre();
+      if ((centre_ - from).norm() < kSettled * cell_) move = task_.policy.starMoves;
       radius = std::max(quantile(before, 0.5), 2 * cell_);
     }
     const Mask out = cellsInside();
@@ -248,15 +251,15 @@ class StarSearch {
   Mask cellsInside() const {
     const CellGrid& cells = task_.image.cells;
     Mask out(cells.count(), 0);
-    double most = 0;
-    for (const std::size_t k : last_) most = std::max(most, radii_[k]);
+    const auto [low, high] = std::minmax_element(last_.begin(), last_.end());
+    const double least = radii_[*low], most = radii_[*high];
     forBox(boxAround(cells, cells.nearest(centre_), most + cells.grid.spacing.maxCoeff()),
            [&](const std::array<int, 3>& c) {
              const std::size_t i = cells.at(c);
              const Vec3 to = cells.grid.toWorld(Vec3(c[0], c[1], c[2])) - centre_;
              const double distance = to.norm();
              if (distance > most || task_.image.padding[i]) return;
-             out[i] = distance <= radii_[0] || distance <= radiusTowards(to / distance);
+             out[i] = distance <= least || distance <= radiusTowards(to / distance);
            });
     return out;
   }
