@@ -196,14 +196,17 @@ void setScores(std::vector<RankedRegion>& regions, double searched, const Object
   }
 }
 
-//! Where intensities alone tell inside from outside, or the edges stand out of the noise, shape is second.
-void preferClearRegions(std::vector<RankedRegion>& regions, const ObjectPolicy& p) {
+const RankedRegion* bestByIntensity(const std::vector<RankedRegion>& regions) {
   const RankedRegion* best = nullptr;
   for (const RankedRegion& r : regions)
     if (!r.isStar() && (!best || r.score > best->score)) best = &r;
-  const double clearEdge = kNoiseGradient + 2 * std::log2(p.clearEdge);
-  if (!best || (best->contrast < p.clearContrast && best->edge < clearEdge)) return;
-  const double most = best->score - p.close;
+  return best;
+}
+
+//! Where the image decides alone shape is second.
+void putStarsBehind(std::vector<RankedRegion>& regions, const ObjectPolicy& p) {
+  if (!decidesAlone(regions, p)) return;
+  const double most = bestByIntensity(regions)->score - p.close;
   for (RankedRegion& r : regions)
     if (r.isStar()) r.score = std::min(r.score, most);
 }
@@ -263,6 +266,12 @@ std::array<double, 2> RankedRegion::bounds() const {
   return {in.level - distance(rung), in.level + distance(map->band)};
 }
 
+bool decidesAlone(const std::vector<RankedRegion>& regions, const ObjectPolicy& p) {
+  const RankedRegion* best = bestByIntensity(regions);
+  const double clearEdge = kNoiseGradient + 2 * std::log2(p.clearEdge);
+  return best && (best->contrast >= p.clearContrast || best->edge >= clearEdge);
+}
+
 std::vector<RankedRegion> rankRegions(const std::vector<std::unique_ptr<ClickSearch>>& searches,
                                       const ObjectPolicy& policy) {
   std::vector<RankedRegion> all;
@@ -289,7 +298,7 @@ std::vector<RankedRegion> rankRegions(const std::vector<std::unique_ptr<ClickSea
     all.insert(all.end(), own.begin(), own.end());
   }
   setScores(all, searched, policy);
-  preferClearRegions(all, policy);
+  putStarsBehind(all, policy);
   return all;
 }
 

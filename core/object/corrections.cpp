@@ -143,30 +143,31 @@ double depthBehindSurface(const WorkImage& work, const Region& region, std::size
 
 namespace {
 
-//! Largest depth (mm) of the cells in `a` that are not in `b`.
-double deepestBeyond(const WorkImage& work, const Region& a, const Region& b) {
-  Region change{std::vector<std::uint8_t>(a.inside.size())};
-  for (std::size_t i = 0; i < a.inside.size(); ++i) change.inside[i] = a.inside[i] && !b.inside[i];
+//! Largest depth (mm) of the cells in `a` that are not in `b`; `box` holds all in which they differ.
+double deepestBeyond(const WorkImage& work, const Region& a, const Region& b, const CellBox& box) {
   const CellGrid& cells = work.cells();
-  CellBox box = boxOf(cells, change);
-  if (box.empty()) return 0;
-  box = box.grown(1, cells.grid.size);
-  return deepest(box.size(), cells.grid.spacing, cutOut(cells, change.inside, box));
+  std::vector<std::uint8_t> change = cutOut(cells, a.inside, box);
+  const std::vector<std::uint8_t> other = cutOut(cells, b.inside, box);
+  bool any = false;
+  for (std::size_t i = 0; i < change.size(); ++i) any = (change[i] = change[i] && !other[i]) || any;
+  return any ? deepest(box.size(), cells.grid.spacing, change) : 0;
 }
 
 }  // namespace
 
 ChangeDepth depthOfChange(const WorkImage& work, const Region& from, const Region& to) {
-  return {deepestBeyond(work, to, from), deepestBeyond(work, from, to)};
+  const CellBox box = boxOfChange(work.cells(), from, to);
+  if (box.empty()) return {};
+  const CellBox around = box.grown(1, work.cells().grid.size);
+  return {deepestBeyond(work, to, from, around), deepestBeyond(work, from, to, around)};
 }
 
 EdgeChange edgesOfChange(const WorkImage& work, const Region& from, const Region& to, double noise) {
   const CellGrid& cells = work.cells();
   const auto& n = cells.grid.size;
   const std::array<std::size_t, 3> steps{1, idx(n[0]), idx(n[0]) * idx(n[1])};
-  CellBox box = boxOf(cells, from);
-  const CellBox other = boxOf(cells, to);
-  if (!other.empty()) box.widen(other.low), box.widen(other.high);
+  const CellBox box = boxOfChange(cells, from, to);
+  if (box.empty()) return {};
   EdgeChange sum, area;
   forBox(box.grown(1, n), [&](const Cell& c) {
     const std::size_t i = cells.at(c);
@@ -200,9 +201,7 @@ Region cutAway(const WorkImage& work, const Region& region, const CellClick& cli
   });
   for (const CellClick& p : inside) {
     const Cell c = cellOf(cells, p.cell);
-    bool in = true;
-    for (std::size_t a = 0; a < 3; ++a) in = in && c[a] >= box.low[a] && c[a] <= box.high[a];
-    if (in && competition.isInside(c)) stay.push_back(c);
+    if (box.holds(c) && competition.isInside(c)) stay.push_back(c);
   }
   const std::vector<float> toStay = competition.lengthsFrom(stay),
                            toClick = competition.lengthsFrom({centre});

@@ -18,7 +18,8 @@ class Finder {
 
   std::optional<ObjectModel> run() {
     searches_ = searchesAround(query_.inside[0].place);
-    rank({{query_.inside[0].place}}, {});
+    rank();
+    if (!decidesAlone(ranked_, policy_)) rankWithStars({{query_.inside[0].place}}, {});
     std::vector<RankedRegion> distinct = distinctRegions(ranked_, policy_.offered, policy_);
     if (distinct.empty()) return {};
     ObjectModel model;
@@ -42,7 +43,6 @@ class Finder {
     region_ = regionOn(work_, chosen);
     reachClick(inside_[0]);
     region_ = tidied(std::move(region_));
-    if (inside_.size() + outside_.size() > 1) rank(inside_, outside_);
     correctAll();
     stamp(work_, region_, inside_, outside_);
     model.region = std::move(region_);
@@ -68,14 +68,19 @@ class Finder {
     return std::make_unique<ClickSearch>(searchAround(volume_, cells, click, view_, policy_, query_.threads));
   }
 
-  //! All regions that may be meant; star-shaped ones through these clicks.
-  void rank(const std::vector<CellClick>& inside, const std::vector<CellClick>& outside) {
-    for (auto& s : searches_) addStars(*s, inside, outside, policy_, query_.threads);
+  //! All regions that may be meant.
+  void rank() {
     ranked_ = rankRegions(searches_, policy_);
     const double sign = query_.contrast == Contrast::dark ? 1 : -1;
     if (query_.contrast != Contrast::any)
       std::erase_if(ranked_,
                     [&](const RankedRegion& r) { return sign * r.rise <= searches_[0]->intensities.noise; });
+  }
+
+  //! Star-shaped ones through these clicks among them.
+  void rankWithStars(const std::vector<CellClick>& inside, const std::vector<CellClick>& outside) {
+    for (auto& s : searches_) addStars(*s, inside, outside, policy_, query_.threads);
+    rank();
   }
 
   WorkImage makeWork() const {
@@ -187,6 +192,7 @@ class Finder {
   };
 
   void correct(const Pending& p, double depth) {
+    if (done_.size() == 2) rankWithStars(inside_, outside_);  // the first correction
     Offers offers(*this, p, depth);
     const double local = policy_.corrected * (corrections_ + 1), top = ranked_[0].score;
     offerRelabelled(offers, p, depth, top - local);

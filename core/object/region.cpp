@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numeric>
 
 namespace handlebody {
@@ -109,10 +110,16 @@ void keepParts(const WorkImage& work, Region& region, const std::vector<std::siz
   CellBox box = boxOf(cells, region);
   if (box.empty()) return;
   box = box.grown(1, cells.grid.size);  // so that what is outside hangs together
-  std::vector<std::uint8_t> all(cells.count(), 0);
-  for (const std::size_t i : holding) all[i] = 1;
-  const std::vector<std::uint8_t> wanted = cutOut(cells, all, box),
-                                  inside = cutOut(cells, region.inside, box);
+  const std::vector<std::uint8_t> inside = cutOut(cells, region.inside, box);
+  std::vector<std::uint8_t> wanted(inside.size(), 0);
+  const auto n = box.size();
+  for (const std::size_t i : holding) {
+    const std::size_t nx = idx(cells.grid.size[0]), ny = idx(cells.grid.size[1]);
+    const Cell c{static_cast<int>(i % nx), static_cast<int>(i / nx % ny), static_cast<int>(i / (nx * ny))};
+    if (!box.holds(c)) continue;
+    wanted[(idx(c[2] - box.low[2]) * idx(n[1]) + idx(c[1] - box.low[1])) * idx(n[0]) +
+           idx(c[0] - box.low[0])] = 1;
+  }
   std::vector<std::uint8_t> kept(inside.size(), 0);
   forParts(box.size(), inside, 1, [&](const std::vector<std::size_t>& part) {
     if (std::any_of(part.begin(), part.end(), [&](std::size_t i) { return wanted[i]; }))
@@ -164,11 +171,32 @@ CellBox boxAround(const CellGrid& cells, const Cell& centre, double reach) {
 CellBox boxOf(const CellGrid& cells, const Region& region) {
   const auto& n = cells.grid.size;
   CellBox box{{n[0], n[1], n[2]}, {-1, -1, -1}};
-  std::size_t i = 0;
   for (int z = 0; z < n[2]; ++z)
-    for (int y = 0; y < n[1]; ++y)
-      for (int x = 0; x < n[0]; ++x, ++i)
-        if (region.inside[i]) box.widen({x, y, z});
+    for (int y = 0; y < n[1]; ++y) {
+      const std::uint8_t* row = &region.inside[cells.at(0, y, z)];
+      const auto* first = static_cast<const std::uint8_t*>(std::memchr(row, 1, idx(n[0])));
+      if (!first) continue;
+      int last = n[0] - 1;
+      while (!row[last]) --last;
+      box.widen({static_cast<int>(first - row), y, z});
+      box.widen({last, y, z});
+    }
+  return box;
+}
+
+CellBox boxOfChange(const CellGrid& cells, const Region& a, const Region& b) {
+  const auto& n = cells.grid.size;
+  CellBox box{{n[0], n[1], n[2]}, {-1, -1, -1}};
+  for (int z = 0; z < n[2]; ++z)
+    for (int y = 0; y < n[1]; ++y) {
+      const std::uint8_t *rowA = &a.inside[cells.at(0, y, z)], *rowB = &b.inside[cells.at(0, y, z)];
+      if (std::memcmp(rowA, rowB, idx(n[0])) == 0) continue;
+      int first = 0, last = n[0] - 1;
+      while (rowA[first] == rowB[first]) ++first;
+      while (rowA[last] == rowB[last]) --last;
+      box.widen({first, y, z});
+      box.widen({last, y, z});
+    }
   return box;
 }
 

@@ -29,6 +29,11 @@ void keepParts(const WorkImage& work, Region& region, const std::vector<std::siz
 struct CellBox {
   std::array<int, 3> low, high;
   bool empty() const { return low[0] > high[0]; }
+  bool holds(const std::array<int, 3>& cell) const {
+    for (std::size_t a = 0; a < 3; ++a)
+      if (cell[a] < low[a] || cell[a] > high[a]) return false;
+    return true;
+  }
   void widen(const std::array<int, 3>& cell);
   CellBox grown(int by, const std::array<int, 3>& size) const;
   std::array<int, 3> size() const {
@@ -54,6 +59,8 @@ void forCellsWithin(const CellGrid& cells, const Vec3& world, double reach, F&& 
          });
 }
 CellBox boxOf(const CellGrid& cells, const Region& region);
+//! Where two regions differ.
+CellBox boxOfChange(const CellGrid& cells, const Region& a, const Region& b);
 //! Part of the cells' values in a box, x fastest.
 std::vector<std::uint8_t> cutOut(const CellGrid& cells, const std::vector<std::uint8_t>& values,
                                  const CellBox& box);

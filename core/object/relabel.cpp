@@ -139,8 +139,7 @@ class RandomWalk {
   void setBall(const CellClick& click, double radius, Kind kind) {
     const Cell at = cells_.nearest(click.place);
     forBox(boxAround(cells_, at, radius), [&](const Cell& c) {
-      for (std::size_t a = 0; a < 3; ++a)
-        if (c[a] < box_.low[a] || c[a] > box_.high[a]) return;
+      if (!box_.holds(c)) return;
       const Vec3 from(c[0] - at[0], c[1] - at[1], c[2] - at[2]);
       if (from.cwiseProduct(cells_.grid.spacing).norm() <= radius) kind_[local(c)] = kind;
     });

@@ -18,7 +18,7 @@ using Mask = std::vector<std::uint8_t>;
 constexpr std::size_t kRadii = 40;  // per ray, from the innermost to the outermost
 constexpr int kBins = 32;           // of the intensities
 constexpr double kEmpty = 0.003;    // share of a bin in which nothing is
-constexpr double kSettled = 0.5;    // cells: a shorter move is the last
+constexpr double kSettled = 0.1;    // cells: a shorter move is the last
 constexpr double kForced = 1e3;     // cost: more than a surface can win
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
