@@ -155,6 +155,14 @@ double deepestBeyond(const WorkImage& work, const Region& a, const Region& b, co
 
 }  // namespace
 
+double deepestInside(const WorkImage& work, const Region& region) {
+  const CellGrid& cells = work.cells();
+  const CellBox box = boxOf(cells, region);
+  if (box.empty()) return 0;
+  const CellBox around = box.grown(1, cells.grid.size);
+  return deepest(around.size(), cells.grid.spacing, cutOut(cells, region.inside, around));
+}
+
 ChangeDepth depthOfChange(const WorkImage& work, const Region& from, const Region& to) {
   const CellBox box = boxOfChange(work.cells(), from, to);
   if (box.empty()) return {};

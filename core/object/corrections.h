@@ -8,6 +8,9 @@ namespace handlebody {
 //! How deep (mm) a click lies on the wrong side of the region's surface; at least one cell.
 double depthBehindSurface(const WorkImage& work, const Region& region, std::size_t cell);
 
+//! How deep (mm) the deepest cell of a region lies in it.
+double deepestInside(const WorkImage& work, const Region& region);
+
 //! How deep (mm) the cells are that one region has and the other has not.
 struct ChangeDepth {
   double added = 0, removed = 0;

@@ -43,6 +43,7 @@ class Finder {
     region_ = regionOn(work_, chosen);
     reachClick(inside_[0]);
     region_ = tidied(std::move(region_));
+    model.isCloseChoice = model.isCloseChoice || (distinct.size() > 1 && isInThinPart(inside_[0]));
     correctAll();
     stamp(work_, region_, inside_, outside_);
     model.region = std::move(region_);
@@ -153,6 +154,11 @@ class Finder {
     return policy_.edgesGained * (edges.gained - edges.lost) -
            policy_.tooDeep * excess(isInside ? added : removed, depth) -
            policy_.against * excess(isInside ? removed : added, policy_.againstDeep * depth);
+  }
+
+  //! The click lies in a branch or at the surface of something much thicker: that branch may be meant.
+  bool isInThinPart(const CellClick& click) const {
+    return depthBehindSurface(work_, region_, click.cell) < policy_.thinPart * deepestInside(work_, region_);
   }
 
   //! The opening may have taken the place of the click itself: it hangs on by a ball.

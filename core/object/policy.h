@@ -61,6 +61,7 @@ struct ObjectPolicy {
   double border = 1.0;               //!< times the part of the surface on the border
   double size = 0.3;                 //!< times the log of how far the volume exceeds largePart
   double largePart = 0.05;           //!< of the cells searched
+  double thinPart = 0.35;            //!< of its deepest place: a click less deep is a close choice
   double close = 0.25;               //!< scores that differ by less are a close choice
 
   // --- corrections: lengths in depths of the click behind the surface, costs in scores ---

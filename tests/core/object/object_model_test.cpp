@@ -162,3 +162,15 @@ TEST_CASE("the same clicks give the same object with any number of threads") {
   REQUIRE((one && three));
   CHECK(one->region.inside == three->region.inside);
 }
+
+TEST_CASE("a click close to the surface of something thick is a close choice, one in its middle is not") {
+  const Volume volume = imageOf(cubicGrid(49), kBall, 40, 120, 4);
+  const auto middle = findObject(volume, clickAt(kMiddle), nullptr);
+  REQUIRE(middle);
+  CHECK_FALSE(middle->isCloseChoice);
+  CHECK(deepestInside(middle->work, middle->region) == Approx(11).margin(1));
+  const auto surface = findObject(volume, clickAt(kMiddle + Vec3(9, 0, 0)), nullptr);
+  REQUIRE(surface);
+  REQUIRE(surface->candidates.size() > 1);
+  CHECK(surface->isCloseChoice);
+}

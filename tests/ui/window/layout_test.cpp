@@ -305,7 +305,7 @@ void LayoutTest::theDockKeepsItsWidthWhenSeriesAreOffered() {
   const auto lists = window->findChildren<QListWidget*>();
   QCOMPARE(lists.size(), 1);
   const QWidget* choice = lists[0]->parentWidget();
-  QCOMPARE(choice->height(), choice->sizeHint().height());  // with no gaps between its parts
+  QTRY_COMPARE(choice->height(), choice->sizeHint().height());  // with no gaps between its parts
 }
 
 void LayoutTest::theWindowIsNoWiderForALongState() {
