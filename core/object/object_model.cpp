@@ -200,7 +200,7 @@ class Finder {
   void correct(const Pending& p, double depth) {
     if (done_.size() == 2) rankWithStars(inside_, outside_);  // the first correction
     Offers offers(*this, p, depth);
-    const double local = policy_.corrected * (corrections_ + 1), top = ranked_[0].score;
+    const double local = policy_.corrected * (corrections_ + 1), top = bestScore();
     offerRelabelled(offers, p, depth, top - local);
     offerCandidates(offers, p, depth, local);
     if (p.isInside)
@@ -213,6 +213,12 @@ class Finder {
     if (!offers.any()) return;
     corrections_ = offers.isLocal() ? corrections_ + 1 : 0;
     region_ = offers.take();
+  }
+
+  double bestScore() const {
+    return std::max_element(ranked_.begin(), ranked_.end(),
+                            [](const RankedRegion& a, const RankedRegion& b) { return a.score < b.score; })
+        ->score;
   }
 
   //! The surface moved, near the click and further along.
