@@ -201,7 +201,7 @@ class Finder {
     if (done_.size() == 2) rankWithStars(inside_, outside_);  // the first correction
     Offers offers(*this, p, depth);
     const double local = policy_.corrected * (corrections_ + 1), top = bestScore();
-    offerRelabelled(offers, p, depth, top - local);
+    if (p.isInside) offerRelabelled(offers, p, depth, top - local);
     offerCandidates(offers, p, depth, local);
     if (p.isInside)
       offerOwnRegions(offers, p, depth, local);
@@ -221,7 +221,7 @@ class Finder {
         ->score;
   }
 
-  //! The surface moved, near the click and further along.
+  //! The surface moved, near the click and further along; for a click outside the others served better.
   void offerRelabelled(Offers& offers, const Pending& p, double depth, double score) const {
     Relabelling r{p.click, p.isInside, depth, 0, noise_, {}, {}};
     for (const Pending& d : done_) (d.isInside ? r.inside : r.outside).push_back(d.click);
