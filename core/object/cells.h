@@ -27,6 +27,13 @@ struct CellGrid {
            static_cast<std::size_t>(x);
   }
   std::size_t at(const std::array<int, 3>& c) const { return at(c[0], c[1], c[2]); }
+  //! The cell of a number.
+  std::array<int, 3> cellOf(std::size_t number) const {
+    const std::size_t nx = static_cast<std::size_t>(grid.size[0]),
+                      ny = static_cast<std::size_t>(grid.size[1]);
+    return {static_cast<int>(number % nx), static_cast<int>(number / nx % ny),
+            static_cast<int>(number / (nx * ny))};
+  }
   //! The cell that holds a point (mm), moved to the nearest cell if it lies outside.
   std::array<int, 3> nearest(const Vec3& world) const;
   bool contains(const Vec3& world) const { return grid.contains(grid.toIndex(world)); }
@@ -44,6 +51,9 @@ struct CellImage {
 };
 //! `view` may be null.
 CellImage makeCells(const Volume& volume, const CellGrid& cells, const FieldOfView* view);
+
+//! Trilinear between the centres of a grid, at a continuous index; beyond the outermost as there.
+double interpolated(const Grid& grid, const std::vector<float>& values, Vec3 index);
 
 //! Gaussian, standard deviation in mm; cells beyond the border count as those of the border.
 std::vector<float> smoothed(const CellGrid& cells, std::vector<float> values, double sigma);

@@ -20,10 +20,6 @@ constexpr double kCutReach = 2, kMore = 1;
 constexpr double kEdge = 1.5;
 // A place as deep as this many cells makes a step three times as long as in the open.
 constexpr double kThin = 2;
-Cell cellOf(const CellGrid& cells, std::size_t i) {
-  const std::size_t nx = idx(cells.grid.size[0]), ny = idx(cells.grid.size[1]);
-  return {static_cast<int>(i % nx), static_cast<int>(i / nx % ny), static_cast<int>(i / (nx * ny))};
-}
 
 Vec3 indexOf(const Cell& c) { return Vec3(c[0], c[1], c[2]); }
 
@@ -55,10 +51,7 @@ class Competition {
     depth_ = distanceTo(size_, work.cells().grid.spacing, outside);
   }
 
-  std::size_t local(const Cell& c) const {
-    return (idx(c[2] - box_.low[2]) * idx(size_[1]) + idx(c[1] - box_.low[1])) * idx(size_[0]) +
-           idx(c[0] - box_.low[0]);
-  }
+  std::size_t local(const Cell& c) const { return box_.at(c); }
   bool isInside(const Cell& c) const { return inside_[local(c)] != 0; }
 
   std::vector<float> lengthsFrom(const std::vector<Cell>& starts) const {
@@ -117,7 +110,7 @@ class Competition {
 void setBall(const WorkImage& work, Region& region, const CellClick& click, std::uint8_t to) {
   const CellGrid& cells = work.cells();
   region.inside[click.cell] = to;
-  const Vec3 centre = cells.grid.toWorld(indexOf(cellOf(cells, click.cell)));
+  const Vec3 centre = cells.grid.toWorld(indexOf(cells.cellOf(click.cell)));
   forCellsWithin(cells, centre, click.radius, [&](std::size_t i) { region.inside[i] = to; });
 }
 
@@ -126,7 +119,7 @@ void setBall(const WorkImage& work, Region& region, const CellClick& click, std:
 double depthBehindSurface(const WorkImage& work, const Region& region, std::size_t cell) {
   const CellGrid& cells = work.cells();
   const std::uint8_t here = region.inside[cell];
-  const Cell centre = cellOf(cells, cell);
+  const Cell centre = cells.cellOf(cell);
   const Vec3 at = placeOf(cells, centre);
   const double least = cells.grid.meanSpacing();
   // Boxes twice as large each time: most clicks lie near the surface.
@@ -198,7 +191,7 @@ EdgeChange edgesOfChange(const WorkImage& work, const Region& from, const Region
 Region cutAway(const WorkImage& work, const Region& region, const CellClick& click,
                const std::vector<CellClick>& inside, double noise, double depth) {
   const CellGrid& cells = work.cells();
-  const Cell centre = cellOf(cells, click.cell);
+  const Cell centre = cells.cellOf(click.cell);
   const Vec3 at = placeOf(cells, centre);
   const double reach = kCutReach * depth + kMore * cells.grid.meanSpacing();
   const CellBox box = boxAround(cells, centre, reach + 2 * cells.grid.spacing.maxCoeff());
@@ -208,7 +201,7 @@ Region cutAway(const WorkImage& work, const Region& region, const CellClick& cli
     if (competition.isInside(c) && (placeOf(cells, c) - at).norm() > reach) stay.push_back(c);
   });
   for (const CellClick& p : inside) {
-    const Cell c = cellOf(cells, p.cell);
+    const Cell c = cells.cellOf(p.cell);
     if (box.holds(c) && competition.isInside(c)) stay.push_back(c);
   }
   const std::vector<float> toStay = competition.lengthsFrom(stay),

@@ -215,15 +215,17 @@ class Finder {
     region_ = offers.take();
   }
 
+  //! 0 where nothing is of the contrast that is asked for.
   double bestScore() const {
-    return std::max_element(ranked_.begin(), ranked_.end(),
-                            [](const RankedRegion& a, const RankedRegion& b) { return a.score < b.score; })
-        ->score;
+    const auto best =
+        std::max_element(ranked_.begin(), ranked_.end(),
+                         [](const RankedRegion& a, const RankedRegion& b) { return a.score < b.score; });
+    return best == ranked_.end() ? 0 : best->score;
   }
 
   //! The surface moved, near the click and further along; for a click outside the others served better.
   void offerRelabelled(Offers& offers, const Pending& p, double depth, double score) const {
-    Relabelling r{p.click, p.isInside, depth, 0, noise_, {}, {}};
+    Relabelling r{p.click, depth, 0, noise_, {}, {}};
     for (const Pending& d : done_) (d.isInside ? r.inside : r.outside).push_back(d.click);
     for (const double reach : policy_.relabelReaches) {
       r.reach = reach * depth;

@@ -112,14 +112,8 @@ void keepParts(const WorkImage& work, Region& region, const std::vector<std::siz
   box = box.grown(1, cells.grid.size);  // so that what is outside hangs together
   const std::vector<std::uint8_t> inside = cutOut(cells, region.inside, box);
   std::vector<std::uint8_t> wanted(inside.size(), 0);
-  const auto n = box.size();
-  for (const std::size_t i : holding) {
-    const std::size_t nx = idx(cells.grid.size[0]), ny = idx(cells.grid.size[1]);
-    const Cell c{static_cast<int>(i % nx), static_cast<int>(i / nx % ny), static_cast<int>(i / (nx * ny))};
-    if (!box.holds(c)) continue;
-    wanted[(idx(c[2] - box.low[2]) * idx(n[1]) + idx(c[1] - box.low[1])) * idx(n[0]) +
-           idx(c[0] - box.low[0])] = 1;
-  }
+  for (const std::size_t i : holding)
+    if (const Cell c = cells.cellOf(i); box.holds(c)) wanted[box.at(c)] = 1;
   std::vector<std::uint8_t> kept(inside.size(), 0);
   forParts(box.size(), inside, 1, [&](const std::vector<std::size_t>& part) {
     if (std::any_of(part.begin(), part.end(), [&](std::size_t i) { return wanted[i]; }))

@@ -34,6 +34,14 @@ struct CellBox {
       if (cell[a] < low[a] || cell[a] > high[a]) return false;
     return true;
   }
+  //! Number of a cell within the box, x fastest.
+  std::size_t at(const std::array<int, 3>& cell) const {
+    const auto n = size();
+    return (static_cast<std::size_t>(cell[2] - low[2]) * static_cast<std::size_t>(n[1]) +
+            static_cast<std::size_t>(cell[1] - low[1])) *
+               static_cast<std::size_t>(n[0]) +
+           static_cast<std::size_t>(cell[0] - low[0]);
+  }
   void widen(const std::array<int, 3>& cell);
   CellBox grown(int by, const std::array<int, 3>& size) const;
   std::array<int, 3> size() const {

@@ -9,7 +9,6 @@ namespace handlebody {
 
 namespace {
 
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 constexpr int kMargin = 4;       // cells around the region
 constexpr double kSmooth = 0.7;  // cells: takes the steps of the cells' faces away
 
@@ -42,32 +41,8 @@ RegionField::RegionField(const WorkImage& work, const Region& region) {
 }
 
 double RegionField::at(const Vec3& world) const {
-  Vec3 p = grid_.toIndex(world);
-  std::array<std::size_t, 3> low, step{1, idx(grid_.size[0]), idx(grid_.size[0]) * idx(grid_.size[1])};
-  Vec3 f;
-  for (int a = 0; a < 3; ++a) {
-    const double last = grid_.size[idx(a)] - 1.0;
-    // Where the box ends at the volume's border, what is beyond is as the border is.
-    p[a] = std::clamp(p[a], 0.0, last);
-    const double floor = std::min(std::floor(p[a]), std::max(0.0, last - 1));
-    low[idx(a)] = static_cast<std::size_t>(floor);
-    f[a] = p[a] - floor;
-    if (grid_.size[idx(a)] < 2) step[idx(a)] = 0;
-  }
-  const std::size_t i =
-      low[0] + low[1] * idx(grid_.size[0]) + low[2] * idx(grid_.size[0]) * idx(grid_.size[1]);
-  double sum = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    double w = 1;
-    std::size_t at = i;
-    for (int a = 0; a < 3; ++a) {
-      const bool up = (corner >> a & 1) != 0;
-      w *= up ? f[a] : 1 - f[a];
-      if (up) at += step[idx(a)];
-    }
-    sum += w * static_cast<double>(distance_[at]);
-  }
-  return sum;
+  // Where the box ends at the volume's border, what is beyond is as the border is.
+  return interpolated(grid_, distance_, grid_.toIndex(world));
 }
 
 }  // namespace handlebody

@@ -108,15 +108,10 @@ class RandomWalk {
     }
     return box;
   }
-  std::size_t local(const Cell& c) const {
-    return (idx(c[2] - box_.low[2]) * idx(size_[1]) + idx(c[1] - box_.low[1])) * idx(size_[0]) +
-           idx(c[0] - box_.low[0]);
-  }
-
   void measure() {
     std::vector<std::uint8_t> outside(inside_.size()), click(inside_.size(), 0);
     std::transform(inside_.begin(), inside_.end(), outside.begin(), [](std::uint8_t in) { return !in; });
-    click[local(cells_.nearest(r_.click.place))] = 1;
+    click[box_.at(cells_.nearest(r_.click.place))] = 1;
     out_ = distanceTo(size_, cells_.grid.spacing, inside_);
     in_ = distanceTo(size_, cells_.grid.spacing, outside);
     fromClick_ = distanceTo(size_, cells_.grid.spacing, click);
@@ -128,11 +123,9 @@ class RandomWalk {
       kind_[i] = inside_[i] ? Kind::inside : Kind::outside;
       if (fromClick_[i] > r_.reach || padding_[i]) continue;
       // Just inside of the surface cells are open, too: the surface may have been ragged.
-      const bool isOpen =
-          r_.isInside ? (inside_[i] ? in_[i] <= cell_ : out_[i] <= zone_) : inside_[i] && in_[i] <= zone_;
-      if (isOpen) kind_[i] = Kind::open;
+      if (inside_[i] ? in_[i] <= cell_ : out_[i] <= zone_) kind_[i] = Kind::open;
     }
-    setBall(r_.click, policy_.relabelBall * r_.depth, r_.isInside ? Kind::inside : Kind::outside);
+    setBall(r_.click, policy_.relabelBall * r_.depth, Kind::inside);
     for (const CellClick& c : r_.outside) setBall(c, std::max(c.radius, 1.01 * cell_), Kind::outside);
     for (const CellClick& c : r_.inside) setBall(c, std::max(c.radius, 1.01 * cell_), Kind::inside);
   }
@@ -141,7 +134,7 @@ class RandomWalk {
     forBox(boxAround(cells_, at, radius), [&](const Cell& c) {
       if (!box_.holds(c)) return;
       const Vec3 from(c[0] - at[0], c[1] - at[1], c[2] - at[2]);
-      if (from.cwiseProduct(cells_.grid.spacing).norm() <= radius) kind_[local(c)] = kind;
+      if (from.cwiseProduct(cells_.grid.spacing).norm() <= radius) kind_[box_.at(c)] = kind;
     });
   }
 
@@ -160,7 +153,7 @@ class RandomWalk {
       if (fromClick_[i] <= policy_.relabelBall * r_.depth + 0.5 * cell_) near.add(a, b);
       if (!inside_[i] && out_[i] > zone_ && out_[i] <= 2 * zone_ + 2 * cell_) out.add(a, b);
     }
-    (r_.isInside ? in : out).mix(near, policy_.relabelClick);
+    in.mix(near, policy_.relabelClick);
     const double sigma = std::max(1.0, 0.7 * r_.noise / step);  // the search's Gaussian leaves so much
     in.smooth(sigma);
     out.smooth(sigma);

@@ -1,5 +1,5 @@
 #pragma once
-// Which cells near a surface belong to the object, once a click has said that it is wrong there.
+// Which cells near a surface belong to the object, once a click inside has said that it is missed there.
 
 #include "core/object/corrections.h"
 
@@ -7,15 +7,14 @@ namespace handlebody {
 
 //! What a relabelling goes by.
 struct Relabelling {
-  CellClick click;                         //!< that the surface is wrong for
-  bool isInside = true;                    //!< what the click says
+  CellClick click;                         //!< inside, missed by the surface
   double depth = 0;                        //!< mm: of the click behind the surface
   double reach = 0;                        //!< mm: cells further from the click stay
   double noise = 0;                        //!< standard deviation, intensities
   std::vector<CellClick> inside, outside;  //!< all other clicks that have been taken in
 };
 
-//! Cells about as near to the surface as the click are open, on the side the click is on. They become inside
+//! Cells outside about as near to the surface as the click are open. They become inside
 //! or outside as their neighbours do, the less across edges, and as intensities inside (the click's among
 //! them) and further outside speak for: a random walker with priors, after Grady (2005), "Multilabel random
 //! walker image segmentation using prior models".

@@ -119,32 +119,11 @@ class StarSearch {
       bins_[i] = std::clamp(static_cast<int>((intensities_[i] - low) / step), 0, kBins - 1);
   }
 
-  //! Trilinear; false beyond the image.
+  //! False beyond the image.
   bool read(const Vec3& world, double& value) const {
     const CellGrid& cells = task_.image.cells;
-    const Grid& g = cells.grid;
-    Vec3 p = g.toIndex(world);
-    const bool in = g.contains(p);
-    std::array<int, 3> low{};
-    Vec3 f;
-    for (int a = 0; a < 3; ++a) {
-      const int last = g.size[idx(a)] - 1;
-      p[a] = std::clamp(p[a], 0.0, static_cast<double>(last));
-      low[idx(a)] = std::min(static_cast<int>(p[a]), std::max(0, last - 1));
-      f[a] = p[a] - low[idx(a)];
-    }
-    value = 0;
-    for (int corner = 0; corner < 8; ++corner) {
-      double w = 1;
-      std::array<int, 3> c = low;
-      for (int a = 0; a < 3; ++a) {
-        const bool up = (corner >> a & 1) != 0;
-        w *= up ? f[a] : 1 - f[a];
-        if (up && c[idx(a)] + 1 < g.size[idx(a)]) ++c[idx(a)];
-      }
-      value += w * static_cast<double>(task_.values[cells.at(c)]);
-    }
-    return in && !task_.image.padding[cells.at(cells.nearest(world))];
+    value = interpolated(cells.grid, task_.values, cells.grid.toIndex(world));
+    return cells.contains(world) && !task_.image.padding[cells.at(cells.nearest(world))];
   }
 
   //! One round: what both sides look like, then the cheapest surface. False if it is the same.

@@ -14,7 +14,7 @@ struct StarRegion {
 };
 
 //! Surfaces around clicks, from starts of several sizes; those that differ. `values` smoothed, `padding`: no
-//! image. Every click lies on its side.
+//! image. A surface that leaves a click on the wrong side is left out.
 std::vector<StarRegion> starRegions(const CellImage& image, const std::vector<float>& values,
                                     const std::vector<CellClick>& inside,
                                     const std::vector<CellClick>& outside, const ObjectPolicy& policy,
