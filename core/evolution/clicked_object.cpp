@@ -114,6 +114,18 @@ Levels levelsOf(const ObjectModel& model) {
   return out;
 }
 
+//! The volume as the model compares intensities; itself where it takes them as they are.
+Volume onScale(const Volume& volume, const IntensityScale& scale) {
+  if (!scale.isLogarithmic()) return volume;
+  void* buffer = nullptr;
+  Volume out = makeVolume(volume.grid, VoxelType::float32, &buffer);
+  visitVoxels(volume, [&](const auto* in) {
+    std::transform(in, in + volume.grid.voxelCount(), static_cast<float*>(buffer),
+                   [&](auto v) { return static_cast<float>(scale.to(static_cast<double>(v))); });
+  });
+  return out;
+}
+
 std::shared_ptr<const ObjectImage> imageOf(const Volume& volume, const ObjectModel& model,
                                            const Parameters& p, std::shared_ptr<const FieldOfView> view) {
   const Levels levels = levelsOf(model);
@@ -130,9 +142,9 @@ std::shared_ptr<const ObjectImage> imageOf(const Volume& volume, const ObjectMod
                       levels.side,
                       trust * cell,
                       cell};
-  return std::make_shared<ObjectImage>(std::make_shared<SmoothedVolume>(volume, sigma), std::move(region),
-                                       std::max(levels.halfStep, 1e-6 * std::abs(model.level)),
-                                       std::move(view));
+  return std::make_shared<ObjectImage>(
+      std::make_shared<SmoothedVolume>(onScale(volume, model.scale), sigma), std::move(region),
+      std::max(levels.halfStep, 1e-6 * std::abs(model.level)), std::move(view));
 }
 
 //! The strongest boundary around the seeds, or why there is none.
@@ -227,7 +239,8 @@ ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& c
     out.candidate = model->chosen;
     out.isCloseChoice = model->isCloseChoice;
   }
-  const bool isSame = boundary.choice && model && isSameObject(volume, *boundary.choice, seeds, *model);
+  const bool isSame = boundary.choice && model && !model->scale.isLogarithmic() &&
+                      isSameObject(volume, *boundary.choice, seeds, *model);
   if (boundary.choice && (!model || isSame || isMeantByBoundary(clicks, p))) {
     out.isCloseChoice = out.isCloseChoice && isSame;  // else it was not the candidates that were chosen from
     takeBoundary(out, *boundary.choice);

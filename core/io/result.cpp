@@ -78,9 +78,12 @@ std::string millilitres(double volume) {
 std::string closeChoice(const RunReport& report) {
   const std::vector<ObjectCandidate>& all = report.candidates;
   if (!report.isCloseChoice || all.size() < 2 || report.session.resolved->candidate != 1) return {};
-  return "the choice among " + std::to_string(all.size()) + " objects is close: the next candidate holds " +
-         millilitres(all[1].volume) + " where this one holds " + millilitres(all[0].volume) +
-         "; see --candidate";
+  std::ostringstream expected;
+  expected << std::setprecision(2) << all[0].score;
+  return "the choice among " + std::to_string(all.size()) +
+         " objects is close (expected overlap with the one " + "that is meant: Dice " + expected.str() +
+         "): the next candidate holds " + millilitres(all[1].volume) + " where this one holds " +
+         millilitres(all[0].volume) + "; see --candidate";
 }
 
 }  // namespace

@@ -11,8 +11,7 @@ struct ObjectCandidate {
   double neckRadius = 0;  //!< mm: passages narrower than this are cut; 0 = none is
   double low = -std::numeric_limits<double>::infinity();  //!< intensities at the clicks: both ends included
   double high = std::numeric_limits<double>::infinity();
-  double score =
-      0;  //!< the larger the likelier; comparable among the candidates of one volume and its clicks
+  double score = 0;  //!< expected Dice with the object that is meant, whichever it is; 0 to 1
 };
 
 }  // namespace handlebody

@@ -229,8 +229,10 @@ double likeness(const RankedRegion& a, const RankedRegion& b, const ObjectPolicy
 }  // namespace
 
 ClickSearch searchAround(const Volume& volume, const CellGrid& cells, const Vec3& click,
-                         const FieldOfView* view, const ObjectPolicy& policy, int threads) {
-  ClickSearch s{makeCells(volume, cells, view), {}, cells.nearest(click), {}, {}};
+                         const FieldOfView* view, const ObjectPolicy& policy, int threads,
+                         const IntensityScale& scale) {
+  ClickSearch s{scale, makeCells(volume, cells, view), {}, cells.nearest(click), {}, {}};
+  scale.apply(s.image.values);
   s.values = smoothed(cells, s.image.values, policy.smoothing * cells.grid.meanSpacing());
   s.intensities = readClick(cells, s.image.values, s.values, s.click, policy);
   if (!(s.intensities.range > 0)) return s;  // constant: nothing to find
@@ -263,7 +265,8 @@ std::array<double, 2> RankedRegion::bounds() const {
   const auto distance = [&](int r) {
     return r < kRungs ? static_cast<double>(in.ladder[idx(r)]) : std::numeric_limits<double>::infinity();
   };
-  return {in.level - distance(rung), in.level + distance(map->band)};
+  const double low = in.level - distance(rung), high = in.level + distance(map->band);
+  return {search->scale.from(low), search->scale.from(high)};
 }
 
 bool decidesAlone(const std::vector<RankedRegion>& regions, const ObjectPolicy& p) {

@@ -7,15 +7,17 @@
 
 #include "core/object/arrival.h"
 #include "core/object/clicks.h"
+#include "core/object/intensity_scale.h"
 
 namespace handlebody {
 
 //! A search around one click in one grid of cells.
 struct ClickSearch {
-  CellImage image;
+  IntensityScale scale;
+  CellImage image;            //!< on the scale
   std::vector<float> values;  //!< smoothed
   std::array<int, 3> click;
-  ClickIntensities intensities;
+  ClickIntensities intensities;  //!< on the scale
   std::vector<ArrivalMap> maps;
 };
 //! Puts the star-shaped regions around clicks behind the other maps, in place of those of other clicks.
@@ -23,7 +25,8 @@ void addStars(ClickSearch& search, const std::vector<CellClick>& inside,
               const std::vector<CellClick>& outside, const ObjectPolicy& policy, int threads);
 //! Precondition: the cells hold the click.
 ClickSearch searchAround(const Volume& volume, const CellGrid& cells, const Vec3& click,
-                         const FieldOfView* view, const ObjectPolicy& policy, int threads);
+                         const FieldOfView* view, const ObjectPolicy& policy, int threads,
+                         const IntensityScale& scale = {});
 
 //! A region {level <= rung} of one map, and what speaks for it.
 struct RankedRegion {
@@ -37,7 +40,7 @@ struct RankedRegion {
   double edge = 0;      //!< median gradient on its surface, log2 of noise per cell
   double shape = 0;     //!< log of (surface³ over that of a ball as large); 0 = a ball
   double contrast = 0;  //!< distance of the means inside and just outside over the sum of their deviations
-  double rise = 0;      //!< intensities: mean just outside less mean inside
+  double rise = 0;      //!< on the search's scale: mean just outside less mean inside
   double score = 0;
 
   bool holds(std::size_t cell) const { return map->level[cell] <= rung; }
@@ -45,7 +48,7 @@ struct RankedRegion {
   bool isStar() const { return map->agreement > 0; }
   //! False for points beyond the search.
   bool holds(const Vec3& world) const;
-  //! Lower and upper bound.
+  //! Lower and upper bound, intensities.
   std::array<double, 2> bounds() const;
 };
 

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numeric>
 
 #include "core/cancellation.h"
+#include "core/object/expected_overlap.h"
 #include "core/object/relabel.h"
 
 namespace handlebody {
@@ -17,24 +18,26 @@ class Finder {
       : volume_(volume), query_(query), view_(view), policy_(policy) {}
 
   std::optional<ObjectModel> run() {
+    scale_ = IntensityScale::of(makeCells(volume_, wideAround(query_.inside[0].place), view_), policy_);
     searches_ = searchesAround(query_.inside[0].place);
     rank();
     if (!decidesAlone(ranked_, policy_)) rankWithStars({{query_.inside[0].place}}, {});
-    std::vector<RankedRegion> distinct = distinctRegions(ranked_, policy_.offered, policy_);
-    if (distinct.empty()) return {};
+    const std::vector<OfferedRegion> offered = offeredRegions(likelyRegions(ranked_, policy_), policy_);
+    if (offered.empty()) return {};
     ObjectModel model;
-    for (const RankedRegion& r : distinct) {
+    for (const auto& [r, expected] : offered) {
       const auto [low, high] = r.bounds();
-      model.candidates.push_back({r.volume, r.map->radius, low, high, r.score});
+      model.candidates.push_back({r.volume, r.map->radius, low, high, expected});
     }
-    model.isCloseChoice = distinct.size() > 1 && distinct[0].score - distinct[1].score < policy_.close;
-    model.chosen = std::clamp(query_.candidate, 1, static_cast<int>(distinct.size()));
+    model.isCloseChoice = offered.size() > 1 && offered[0].expected < policy_.sure;
+    model.chosen = std::clamp(query_.candidate, 1, static_cast<int>(offered.size()));
+    model.scale = scale_;
     model.level = searches_[0]->intensities.level;
     model.noise = noise_ = searches_[0]->intensities.noise;
     work_ = makeWork();
     for (const ObjectClick& c : query_.inside) inside_.push_back(cellClick(c, true));
     for (const ObjectClick& c : query_.outside) outside_.push_back(cellClick(c, false));
-    const RankedRegion& chosen = distinct[static_cast<std::size_t>(model.chosen - 1)];
+    const RankedRegion& chosen = offered[static_cast<std::size_t>(model.chosen - 1)].region;
     model.neckRadius = chosen.map->radius;
     model.isStar = chosen.isStar();
     model.low = chosen.bounds()[0];
@@ -43,7 +46,7 @@ class Finder {
     region_ = regionOn(work_, chosen);
     reachClick(inside_[0]);
     region_ = tidied(std::move(region_));
-    model.isCloseChoice = model.isCloseChoice || (distinct.size() > 1 && isInThinPart(inside_[0]));
+    model.isCloseChoice = model.isCloseChoice || (offered.size() > 1 && isInThinPart(inside_[0]));
     correctAll();
     stamp(work_, region_, inside_, outside_);
     model.region = std::move(region_);
@@ -54,10 +57,14 @@ class Finder {
  private:
   using Searches = std::vector<std::unique_ptr<ClickSearch>>;
 
+  CellGrid wideAround(const Vec3& click) const {
+    return cellsAround(volume_.grid, click, policy_.reach, policy_.wideCells);
+  }
+
   //! Near the click in voxels, and wide in cells that may be coarser; one if that is fine enough.
   Searches searchesAround(const Vec3& click) const {
     Searches out;
-    const CellGrid wide = cellsAround(volume_.grid, click, policy_.reach, policy_.wideCells);
+    const CellGrid wide = wideAround(click);
     if (wide.factor != std::array{1, 1, 1}) {
       const double reach = policy_.nearCells * volume_.grid.meanSpacing();
       out.push_back(search(cellsAround(volume_.grid, click, reach, policy_.wideCells), click));
@@ -66,7 +73,8 @@ class Finder {
     return out;
   }
   std::unique_ptr<ClickSearch> search(const CellGrid& cells, const Vec3& click) const {
-    return std::make_unique<ClickSearch>(searchAround(volume_, cells, click, view_, policy_, query_.threads));
+    return std::make_unique<ClickSearch>(
+        searchAround(volume_, cells, click, view_, policy_, query_.threads, scale_));
   }
 
   //! All regions that may be meant.
@@ -88,6 +96,7 @@ class Finder {
     const CellGrid cells =
         cellsAround(volume_.grid, query_.inside[0].place, policy_.reach, policy_.workCells);
     WorkImage work{makeCells(volume_, cells, view_), {}};
+    scale_.apply(work.image.values);
     work.values = smoothed(cells, work.image.values, policy_.smoothing * cells.grid.meanSpacing());
     return work;
   }
@@ -169,7 +178,7 @@ class Finder {
     stamp(work_, region_, {ball}, {});
   }
 
-  //! The best of what may have made the user click: what is tried, and what it is worth.
+  //! What may have made the user click: what is tried, and what it is worth.
   class Offers {
    public:
     Offers(const Finder& finder, const Pending& pending, double depth)
@@ -179,40 +188,57 @@ class Finder {
       region = finder_.tidied(std::move(region));
       if (!finder_.isTrue(region, pending_)) return;
       const double worth = score + finder_.worthOfChange(region, pending_.isInside, depth_);
-      if (worth <= worth_) return;
-      worth_ = worth;
-      best_ = std::move(region);
-      isLocal_ = isLocal;
+      const auto place =
+          std::find_if(best_.begin(), best_.end(), [&](const Offer& o) { return worth > o.worth; });
+      best_.insert(place, {std::move(region), worth, isLocal});
+      if (best_.size() > finder_.policy_.weighed) best_.pop_back();
     }
-    bool any() const { return !best_.inside.empty(); }
-    bool isLocal() const { return isLocal_; }
-    Region take() { return std::move(best_); }
+    bool any() const { return !best_.empty(); }
+    struct Offer {
+      Region region;
+      double worth;
+      bool isLocal;
+    };
+    //! The one that is expected to share most with what is meant. Precondition: there are any.
+    Offer take() {
+      std::vector<double> worth;
+      std::vector<std::vector<double>> overlap(best_.size(), std::vector<double>(best_.size(), 1));
+      for (const Offer& o : best_) worth.push_back(o.worth);
+      for (std::size_t i = 0; i < best_.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+          overlap[i][j] = overlap[j][i] = overlapOf(best_[i].region, best_[j].region);
+      const auto likelihood = likelihoods(worth, finder_.policy_);
+      std::vector<double> expected;
+      for (const auto& row : overlap)
+        expected.push_back(std::inner_product(row.begin(), row.end(), likelihood.begin(), 0.0));
+      return std::move(best_[static_cast<std::size_t>(std::max_element(expected.begin(), expected.end()) -
+                                                      expected.begin())]);
+    }
 
    private:
     const Finder& finder_;
     const Pending& pending_;
     double depth_;
-    double worth_ = -std::numeric_limits<double>::infinity();
-    Region best_;
-    bool isLocal_ = true;
+    std::vector<Offer> best_;  // the best first
   };
 
   void correct(const Pending& p, double depth) {
     if (done_.size() == 2) rankWithStars(inside_, outside_);  // the first correction
     Offers offers(*this, p, depth);
-    const double local = policy_.corrected * (corrections_ + 1), top = bestScore();
-    if (p.isInside) offerRelabelled(offers, p, depth, top - local);
+    const double local = policy_.corrected * (corrections_ + 1), made = bestScore() - local;
+    if (p.isInside) offerRelabelled(offers, p, depth, made);
     offerCandidates(offers, p, depth, local);
     if (p.isInside)
       offerOwnRegions(offers, p, depth, local);
     else
-      offers.add(cutAway(work_, region_, p.click, inside_, noise_, depth), top - local, true);
+      offers.add(cutAway(work_, region_, p.click, inside_, noise_, depth), made, true);
     if (!offers.any())
       offers.add(within(p.click, policy_.makeshiftReach * depth, [&](std::size_t) { return p.isInside; }), 0,
                  true);
     if (!offers.any()) return;
-    corrections_ = offers.isLocal() ? corrections_ + 1 : 0;
-    region_ = offers.take();
+    Offers::Offer chosen = offers.take();
+    corrections_ = chosen.isLocal ? corrections_ + 1 : 0;
+    region_ = std::move(chosen.region);
   }
 
   //! 0 where nothing is of the contrast that is asked for.
@@ -276,6 +302,7 @@ class Finder {
   const ObjectQuery& query_;
   const FieldOfView* view_;
   const ObjectPolicy& policy_;
+  IntensityScale scale_;
   Searches searches_;
   std::vector<RankedRegion> ranked_;
   WorkImage work_;

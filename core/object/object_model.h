@@ -7,6 +7,7 @@
 
 #include "core/object/candidate.h"
 #include "core/object/corrections.h"
+#include "core/object/intensity_scale.h"
 
 namespace handlebody {
 
@@ -33,13 +34,14 @@ class ObjectModel {
   std::vector<ObjectCandidate> candidates;
   int chosen = 1;              //!< of them
   bool isCloseChoice = false;  //!< another one is about as likely
+  IntensityScale scale;        //!< of `work`, `level` and `noise`
   WorkImage work;
   Region region;             //!< what was chosen, corrected by the clicks
   double neckRadius = 0;     //!< mm: narrower passages are cut
   bool isStar = false;       //!< chosen by its shape, where the image alone did not say where to end
   double low = 0, high = 0;  //!< intensities: bounds of what was chosen
-  double rise = 0;           //!< intensities: mean just outside less mean inside
-  double level = 0;          //!< intensity at the first click
+  double rise = 0;           //!< > 0: darker than what lies just outside
+  double level = 0;          //!< at the first click
   double noise = 0;          //!< standard deviation there
 };
 

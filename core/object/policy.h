@@ -23,6 +23,12 @@ struct ObjectPolicy {
   double leastNoise = 1e-3, mostNoise = 0.1;     //!< of the range
   double firstRung = 1.0 / 150, lastRung = 0.7;  //!< of the range: distances from the level at the click
 
+  // --- logarithms of intensities: where, over three octaves below the highest, ---
+  double logTop = 0.001;     //!< (this part of the cells left out)
+  double logGrowth = 1.5;    //!< the noise grows so much at least from octave to octave
+  double logPlateau = 0.03;  //!< and no more than this part of the cells is in the highest one
+  double logFloor = 0.016;   //!< of the highest: what is lower is one
+
   // --- candidates ---
   std::array<int, 5> bands{5, 9, 13, 17, 20};  //!< rungs of the bound on the other side; the last is none
   std::array<int, 4> openings{0, 1, 3, 6};     //!< passes of the opening: 1.2 cells each
@@ -34,6 +40,10 @@ struct ObjectPolicy {
   double sameSize = 0.22;    //!< |log of volumes| of regions that vote for each other
   double sameRegion = 0.75;  //!< intersection over union above which two candidates are one
   std::size_t offered = 5;
+  std::size_t likely = 100;  //!< best regions that are weighed against each other
+  double likelySame = 0.9;   //!< intersection over union above which two of them are one
+  double likelyScore = 0.3;  //!< scores that differ by this differ e-fold in likelihood
+  double crisp = 0.72;       //!< Dice above which, of what is expected to fit, the best score is taken
 
   // --- star-shaped regions: lengths on their rays in parts of the radius they are looked for at ---
   double starSmoothing = 0.8;  //!< cells: Gaussian besides the search's
@@ -62,12 +72,14 @@ struct ObjectPolicy {
   double size = 0.3;                 //!< times the log of how far the volume exceeds largePart
   double largePart = 0.05;           //!< of the cells searched
   double thinPart = 0.35;            //!< of its deepest place: a click less deep is a close choice
-  double close = 0.25;               //!< scores that differ by less are a close choice
+  double close = 0.25;               //!< star-shaped ones come this much behind
+  double sure = 0.7;                 //!< expected Dice: what is chosen with less is a close choice
 
   // --- corrections: lengths in depths of the click behind the surface, costs in scores ---
-  std::size_t tried = 6;   //!< candidates of each kind that are tried
-  double corrected = 0.3;  //!< cost of the first correction near a click; n times that of the nth in a row
-  double mixed = 0.2;      //!< cost besides, of the part of another candidate
+  std::size_t tried = 6;    //!< candidates of each kind that are tried
+  std::size_t weighed = 8;  //!< best corrections that are weighed against each other
+  double corrected = 0.3;   //!< cost of the first correction near a click; n times that of the nth in a row
+  double mixed = 0.2;       //!< cost besides, of the part of another candidate
   double correctionReach = 2.5;  //!< what is further from the click stays
   double makeshiftReach = 0.8;   //!< of a ball where nothing else serves
   double edgesGained = 0.4;      //!< times how much stronger the edges are on the new surface, octaves

@@ -178,6 +178,15 @@ CellBox boxOf(const CellGrid& cells, const Region& region) {
   return box;
 }
 
+double overlapOf(const Region& a, const Region& b) {
+  std::size_t both = 0, sum = 0;
+  for (std::size_t i = 0; i < a.inside.size(); ++i) {
+    both += a.inside[i] & b.inside[i];
+    sum += static_cast<std::size_t>(a.inside[i]) + b.inside[i];
+  }
+  return sum > 0 ? 2 * static_cast<double>(both) / static_cast<double>(sum) : 1;
+}
+
 CellBox boxOfChange(const CellGrid& cells, const Region& a, const Region& b) {
   const auto& n = cells.grid.size;
   CellBox box{{n[0], n[1], n[2]}, {-1, -1, -1}};

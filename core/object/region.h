@@ -67,6 +67,8 @@ void forCellsWithin(const CellGrid& cells, const Vec3& world, double reach, F&& 
          });
 }
 CellBox boxOf(const CellGrid& cells, const Region& region);
+//! Dice of two regions in the same cells; 1 if both are empty.
+double overlapOf(const Region& a, const Region& b);
 //! Where two regions differ.
 CellBox boxOfChange(const CellGrid& cells, const Region& a, const Region& b);
 //! Part of the cells' values in a box, x fastest.

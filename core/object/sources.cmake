@@ -5,6 +5,8 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/object/closure.cpp
   ${CMAKE_SOURCE_DIR}/core/object/corrections.cpp
   ${CMAKE_SOURCE_DIR}/core/object/distance.cpp
+  ${CMAKE_SOURCE_DIR}/core/object/expected_overlap.cpp
+  ${CMAKE_SOURCE_DIR}/core/object/intensity_scale.cpp
   ${CMAKE_SOURCE_DIR}/core/object/morphology.cpp
   ${CMAKE_SOURCE_DIR}/core/object/object_model.cpp
   ${CMAKE_SOURCE_DIR}/core/object/rays.cpp

@@ -74,13 +74,15 @@ TEST_CASE("a close choice is doubted, with what the next candidate holds") {
   RunReport report = reportOf(StopReason::converged);
   report.candidates.resize(3);
   report.candidates[0].volume = 4510;
+  report.candidates[0].score = 0.618;
   report.candidates[1].volume = 1234567;
   CHECK(doubts(report, sphere(20)).empty());
   report.isCloseChoice = true;
-  CHECK(
-      doubts(report, sphere(20)) ==
-      std::vector<std::string>{"the choice among 3 objects is close: the next candidate holds 1235 ml where "
-                               "this one holds 4.51 ml; see --candidate"});
+  CHECK(doubts(report, sphere(20)) ==
+        std::vector<std::string>{
+            "the choice among 3 objects is close (expected overlap with the one that is meant: "
+            "Dice 0.62): the next candidate holds 1235 ml where this one holds 4.51 ml; "
+            "see --candidate"});
 }
 
 TEST_CASE("a choice that is the only one, or was made by hand, is not doubted") {

@@ -1,0 +1,73 @@
+#pragma once
+// The thresholds of ObjectPolicy by name, for measurements that change one.
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/object/policy.h"
+
+namespace handlebody::bench {
+
+using PolicyMember = std::variant<double ObjectPolicy::*, std::size_t ObjectPolicy::*, int ObjectPolicy::*>;
+
+inline const std::vector<std::pair<std::string, PolicyMember>>& policyMembers() {
+  using P = ObjectPolicy;
+  static const std::vector<std::pair<std::string, PolicyMember>> members{
+#define HANDLEBODY_MEMBER(name) {#name, &P::name}
+      HANDLEBODY_MEMBER(reach),          HANDLEBODY_MEMBER(wideCells),     HANDLEBODY_MEMBER(nearCells),
+      HANDLEBODY_MEMBER(smoothing),      HANDLEBODY_MEMBER(rangeCells),    HANDLEBODY_MEMBER(outliers),
+      HANDLEBODY_MEMBER(noiseCells),     HANDLEBODY_MEMBER(firstRung),     HANDLEBODY_MEMBER(lastRung),
+      HANDLEBODY_MEMBER(largestPart),    HANDLEBODY_MEMBER(mostBorder),    HANDLEBODY_MEMBER(fewest),
+      HANDLEBODY_MEMBER(sameSize),       HANDLEBODY_MEMBER(sameRegion),    HANDLEBODY_MEMBER(starSmoothing),
+      HANDLEBODY_MEMBER(starRays),       HANDLEBODY_MEMBER(smallestStart), HANDLEBODY_MEMBER(nextStart),
+      HANDLEBODY_MEMBER(largestStart),   HANDLEBODY_MEMBER(starInner),     HANDLEBODY_MEMBER(starOuter),
+      HANDLEBODY_MEMBER(starBend),       HANDLEBODY_MEMBER(starShell),     HANDLEBODY_MEMBER(starEdge),
+      HANDLEBODY_MEMBER(starBeyond),     HANDLEBODY_MEMBER(starMargin),    HANDLEBODY_MEMBER(starMoves),
+      HANDLEBODY_MEMBER(starMove),       HANDLEBODY_MEMBER(starRounds),    HANDLEBODY_MEMBER(stability),
+      HANDLEBODY_MEMBER(edge),           HANDLEBODY_MEMBER(contrast),      HANDLEBODY_MEMBER(shape),
+      HANDLEBODY_MEMBER(compact),        HANDLEBODY_MEMBER(ragged),        HANDLEBODY_MEMBER(agreement),
+      HANDLEBODY_MEMBER(clearContrast),  HANDLEBODY_MEMBER(clearEdge),     HANDLEBODY_MEMBER(border),
+      HANDLEBODY_MEMBER(size),           HANDLEBODY_MEMBER(largePart),     HANDLEBODY_MEMBER(tried),
+      HANDLEBODY_MEMBER(corrected),      HANDLEBODY_MEMBER(mixed),         HANDLEBODY_MEMBER(weighed),
+      HANDLEBODY_MEMBER(sure),           HANDLEBODY_MEMBER(logGrowth),     HANDLEBODY_MEMBER(logPlateau),
+      HANDLEBODY_MEMBER(logFloor),       HANDLEBODY_MEMBER(likely),        HANDLEBODY_MEMBER(crisp),
+      HANDLEBODY_MEMBER(likelySame),     HANDLEBODY_MEMBER(likelyScore),   HANDLEBODY_MEMBER(correctionReach),
+      HANDLEBODY_MEMBER(makeshiftReach), HANDLEBODY_MEMBER(edgesGained),   HANDLEBODY_MEMBER(tooDeep),
+      HANDLEBODY_MEMBER(against),        HANDLEBODY_MEMBER(againstDeep),   HANDLEBODY_MEMBER(relabelZone),
+      HANDLEBODY_MEMBER(relabelBall),    HANDLEBODY_MEMBER(relabelEdge),   HANDLEBODY_MEMBER(relabelPrior),
+      HANDLEBODY_MEMBER(relabelClick),   HANDLEBODY_MEMBER(relabelSure),   HANDLEBODY_MEMBER(cavity)};
+#undef HANDLEBODY_MEMBER
+  return members;
+}
+
+//! False if there is no such threshold.
+inline bool scalePolicy(ObjectPolicy& policy, const std::string& name, double factor) {
+  for (const auto& [known, member] : policyMembers())
+    if (known == name) {
+      std::visit(
+          [&](auto m) {
+            using T = std::remove_reference_t<decltype(policy.*m)>;
+            const double scaled = static_cast<double>(policy.*m) * factor;
+            policy.*m = std::is_integral_v<T> ? static_cast<T>(scaled + 0.5) : static_cast<T>(scaled);
+          },
+          member);
+      return true;
+    }
+  return false;
+}
+
+//! False if there is no such threshold.
+inline bool setPolicy(ObjectPolicy& policy, const std::string& name, double value) {
+  for (const auto& [known, member] : policyMembers())
+    if (known == name) {
+      std::visit(
+          [&](auto m) { policy.*m = static_cast<std::remove_reference_t<decltype(policy.*m)>>(value); },
+          member);
+      return true;
+    }
+  return false;
+}
+
+}  // namespace handlebody::bench
