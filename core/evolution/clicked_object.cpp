@@ -170,11 +170,17 @@ bool isMeantByBoundary(const std::vector<Seed>& clicks, const Parameters& p) {
   return p.object != ObjectKind::automatic || any([](const Seed& s) { return s.radius.has_value(); });
 }
 
-//! True if the boundary encloses what the region holds.
-bool isSameObject(const Volume& volume, const ObjectChoice& choice, const std::vector<Seed>& seeds,
+//! A region that clicks have corrected is what they made of it, and no boundary of the image; nor is one
+//! on another scale.
+bool isItselfABoundary(const ObjectModel& model) {
+  return !model.isCorrected && !model.scale.isLogarithmic();
+}
+
+//! True if the boundary encloses what the region holds, and every click lies on its side of it.
+bool isSameObject(const Volume& volume, const ObjectChoice& choice, const std::vector<Seed>& clicks,
                   const ObjectModel& model) {
-  std::vector<Vec3> indices;
-  for (const Seed& s : seeds) indices.push_back(volume.grid.toIndex(s.centre));
+  std::vector<Vec3> indices, outside;
+  for (const Seed& s : clicks) (s.background ? outside : indices).push_back(volume.grid.toIndex(s.centre));
   const double sign = choice.object == ObjectKind::dark ? 1 : -1;
   const ObjectRegion flooded = floodObject(*choice.volume, indices, sign, *choice.levels, kMostVoxels);
   const CellGrid& cells = model.work.cells();
@@ -182,6 +188,8 @@ bool isSameObject(const Volume& volume, const ObjectChoice& choice, const std::v
   for (const ObjectRegion::Voxel& v : flooded.voxels) {
     const Vec3 index(v[0], v[1], v[2]);
     if (choice.neck && choice.neck->barrier->openness(index) <= 0) continue;
+    for (const Vec3& click : outside)
+      if ((click - index).cwiseAbs().maxCoeff() <= 0.5) return false;
     in += 1;
     const Vec3 world = volume.grid.toWorld(index);
     both += cells.contains(world) && model.region.inside[cells.at(cells.nearest(world))] != 0;
@@ -231,17 +239,19 @@ ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& c
   requireSeedsInside(volume.grid, seeds);
   std::shared_ptr<const FieldOfView> view = FieldOfView::find(volume);
   if (view && view->isPaddingNear(volume.grid.toIndex(seeds[0].centre))) view = nullptr;
-  const Boundary boundary = strongestBoundary(volume, seeds, p);
   const std::optional<ObjectModel> model = findObject(volume, queryOf(clicks, p), view.get());
+  const bool isMeant = !model || isMeantByBoundary(clicks, p);
+  Boundary boundary;
+  if (isMeant || isItselfABoundary(*model)) boundary = strongestBoundary(volume, seeds, p);
   if (!model && !boundary.choice) throw SeedError(boundary.why);
   if (model) {
     out.candidates = model->candidates;
     out.candidate = model->chosen;
     out.isCloseChoice = model->isCloseChoice;
   }
-  const bool isSame = boundary.choice && model && !model->scale.isLogarithmic() &&
-                      isSameObject(volume, *boundary.choice, seeds, *model);
-  if (boundary.choice && (!model || isSame || isMeantByBoundary(clicks, p))) {
+  const bool isSame = boundary.choice && model && isItselfABoundary(*model) &&
+                      isSameObject(volume, *boundary.choice, clicks, *model);
+  if (boundary.choice && (isMeant || isSame)) {
     out.isCloseChoice = out.isCloseChoice && isSame;  // else it was not the candidates that were chosen from
     takeBoundary(out, *boundary.choice);
   } else {

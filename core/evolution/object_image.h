@@ -79,6 +79,11 @@ class ObjectImage {
     return limitsWithin(index, world, false).inside(volume_->sample(index));
   }
   bool isRegion() const { return region_.field != nullptr; }
+  //! True if a front that needs this much room (mm) comes from one place to the other; false if the object is
+  //! no region.
+  bool reaches(const Vec3& from, const Vec3& to, double room) const {
+    return isRegion() && region_.field->areJoined(from, to, room);
+  }
   const SmoothedVolume& volume() const { return *volume_; }
   //! Null if the object is not cut off.
   const NeckCut* neck() const { return neck_.get(); }

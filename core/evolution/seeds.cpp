@@ -16,6 +16,7 @@ constexpr double kFit = 0.85;  // part of the fitting radius that a seed takes
 constexpr double kLargestSeed =
     4.0;  // edge lengths; a larger seed saves little time and may reach over a thin wall
 constexpr int kLookAround = 4, kPlaces = 26;  // voxels from a click, and places at each distance
+constexpr double kPassage = 1.5;              // edge lengths: radius of a passage that a front surely passes
 constexpr double kSmallestSeed = 0.7;         // edge lengths: a smaller sphere would be collapsed at once
 
 //! Evenly spread directions (Fibonacci lattice).
@@ -72,11 +73,24 @@ Vec3 roomiestNear(const ObjectImage& image, const Vec3& centre, double wanted) {
   return best;
 }
 
+namespace {
+
+//! A click without a radius that corrects a region needs no start of its own where the front of an earlier
+//! one comes anyway: two fronts that meet widely cost much, and win nothing.
+bool comesAnyway(const ObjectImage& image, const std::vector<Seed>& fitted, const Seed& seed, double room) {
+  return !seed.radius && std::any_of(fitted.begin(), fitted.end(), [&](const Seed& other) {
+    return image.reaches(other.centre, seed.centre, room);
+  });
+}
+
+}  // namespace
+
 std::vector<Seed> fitSeeds(const ObjectImage& image, const std::vector<Seed>& seeds, double edgeLength,
                            bool beyond) {
   std::vector<Seed> fitted;
   for (const Seed& asked : seeds) {
     const Seed seed{roomiestNear(image, asked.centre, edgeLength), asked.radius};
+    if (comesAnyway(image, fitted, seed, kPassage * edgeLength)) continue;
     double radius = 0;
     if (seed.radius && beyond) {
       radius = *seed.radius;

@@ -17,7 +17,8 @@ Vec3 roomiestNear(const ObjectImage& image, const Vec3& centre, double wanted);
 //! Gives every seed a radius: the one asked for, or what fits, and never so large that two balls come closer
 //! than one edge length to each other. A radius that was asked for may reach beyond the object only where the
 //! surface may shrink (`beyond`); elsewhere it is cut to what fits. A seed that lies in or too close to an
-//! earlier ball is left out: that ball grows over it.
+//! earlier ball is left out: that ball grows over it; so is a click without a radius in a region in which the
+//! front of an earlier ball comes there.
 std::vector<Seed> fitSeeds(const ObjectImage& image, const std::vector<Seed>& seeds, double edgeLength,
                            bool beyond);
 

@@ -48,6 +48,7 @@ class Finder {
     region_ = tidied(std::move(region_));
     model.isCloseChoice = model.isCloseChoice || (offered.size() > 1 && isInThinPart(inside_[0]));
     correctAll();
+    model.isCorrected = done_.size() > 1;
     stamp(work_, region_, inside_, outside_);
     model.region = std::move(region_);
     model.work = std::move(work_);

@@ -37,6 +37,7 @@ class ObjectModel {
   IntensityScale scale;        //!< of `work`, `level` and `noise`
   WorkImage work;
   Region region;             //!< what was chosen, corrected by the clicks
+  bool isCorrected = false;  //!< further clicks have changed it
   double neckRadius = 0;     //!< mm: narrower passages are cut
   bool isStar = false;       //!< chosen by its shape, where the image alone did not say where to end
   double low = 0, high = 0;  //!< intensities: bounds of what was chosen

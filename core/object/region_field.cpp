@@ -45,4 +45,30 @@ double RegionField::at(const Vec3& world) const {
   return interpolated(grid_, distance_, grid_.toIndex(world));
 }
 
+bool RegionField::areJoined(const Vec3& from, const Vec3& to, double depth) const {
+  const CellGrid cells{grid_};
+  if (!cells.contains(from) || !cells.contains(to)) return false;
+  const std::size_t goal = cells.at(cells.nearest(to));
+  std::vector<std::uint8_t> seen(distance_.size());
+  std::vector<std::size_t> front;
+  const auto visit = [&](const std::array<int, 3>& c) {
+    const std::size_t i = cells.at(c);
+    if (seen[i] || distance_[i] < depth) return;
+    seen[i] = 1;
+    front.push_back(i);
+  };
+  visit(cells.nearest(from));
+  while (!front.empty() && !seen[goal]) {
+    const std::array<int, 3> c = cells.cellOf(front.back());
+    front.pop_back();
+    for (std::size_t a = 0; a < 3; ++a)
+      for (const int step : {-1, 1}) {
+        std::array<int, 3> n = c;
+        n[a] += step;
+        if (n[a] >= 0 && n[a] < grid_.size[a]) visit(n);
+      }
+  }
+  return seen[goal] != 0;
+}
+
 }  // namespace handlebody

@@ -14,6 +14,8 @@ class RegionField {
   RegionField(const WorkImage& work, const Region& region);
   //! At a world point (mm); between the cells' centres trilinear.
   double at(const Vec3& world) const;
+  //! True if a way leads from one point to another that is this deep (mm) in the region all along.
+  bool areJoined(const Vec3& from, const Vec3& to, double depth) const;
 
  private:
   Grid grid_;  // of the box

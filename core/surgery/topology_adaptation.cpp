@@ -147,7 +147,9 @@ class Adaptation {
 
     countTopology(event);
     if (plan.kind == EventKind::split || plan.kind == EventKind::smoothed) event.kind = kindOfCut(event);
-    const bool cut = event.after.components > event.before.components;
+    // Where fronts of two components meet and a part between them is cut off, their number stays.
+    const bool cut = event.after.components > event.before.components ||
+                     (plan.kind == EventKind::handleInserted && idx(event.fronts) < event.loopSizes.size());
     if (cut && event.kind == EventKind::split && hasCavity(patch)) event.kind = EventKind::enclosedPartCutOff;
     if (settings_.recordTraces) traceClosing(mesh_, patch, event.trace);
     result_.events.push_back(std::move(event));

@@ -76,6 +76,32 @@ TEST_CASE("where only outward motion is allowed, a cut leaves no scrap of the ob
   expectValid(mesh);
 }
 
+TEST_CASE("a part that is cut off where two bodies are joined is not left as a solid in them") {
+  Mesh mesh(zoo::both(zoo::sphere(10), zoo::moved(zoo::sphere(10), Vec3(0, 0, 2.02))));
+  // All round the top of the lower ball, which is enclosed, and the bottom of the upper one.
+  const std::vector<int> fromTop = graphDistances(mesh, {vertexNear(mesh, Vec3(0, 0, 1))}),
+                         fromBottom = graphDistances(mesh, {vertexNear(mesh, Vec3(0, 0, 1.02))});
+  const auto between = [&](const std::vector<int>& distance, int face, int low, int high) {
+    const Triangle& t = mesh.face(face);
+    return std::all_of(t.begin(), t.end(), [&](int v) {
+      const int d = distance[static_cast<std::size_t>(v)];
+      return d >= low && d <= high;
+    });
+  };
+  std::vector<FacePair> pairs;
+  for (int f = 0; f < mesh.faceSlots(); ++f)
+    for (int g = 0; g < mesh.faceSlots(); ++g)
+      if (between(fromTop, f, 3, 4) && between(fromBottom, g, 0, 4)) pairs.emplace_back(f, g);
+  AdaptationSettings settings;
+  std::vector<unsigned char> touched;
+  const AdaptationResult result = adaptOnce(mesh, pairs, settings, touched);
+  const Event* handle = findEvent(result, EventKind::handleInserted);
+  REQUIRE(handle);
+  REQUIRE(handle->loopSizes.size() == 3);
+  CHECK(findEvent(result, EventKind::componentDeleted));
+  expectAdapted(mesh, 1, 0);
+}
+
 TEST_CASE(
     "fronts that meet through the inside of the object are left alone if only outward motion is allowed") {
   const TriangleSoup plate = dentedPlate();

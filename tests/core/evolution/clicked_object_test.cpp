@@ -1,0 +1,85 @@
+#include "core/evolution/clicked_object.h"
+
+#include <random>
+
+#include "core/evolution/seeds.h"
+#include "core/object/region_field.h"
+#include "tests/support/catch.h"
+#include "tests/support/test_volume.h"
+
+using namespace handlebody;
+using testing::cubicGrid;
+using testing::volumeByIndex;
+
+namespace {
+
+const Vec3 kLarge(22, 24, 24), kSmall(37, 24, 24);
+
+//! A dark ball of radius 12 with one of radius 5 on it, in noise.
+Volume knob() {
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0, 4);
+  return volumeByIndex(cubicGrid(49), [&](int i, int j, int k) {
+    const Vec3 p(i, j, k);
+    return ((p - kLarge).norm() < 12 || (p - kSmall).norm() < 5 ? 40 : 120) + noise(random);
+  });
+}
+
+//! Two balls of radius 8 with a passage of radius 3.
+RegionField dumbbell() {
+  WorkImage work;
+  work.image.cells.grid = cubicGrid(49);
+  Region region{std::vector<std::uint8_t>(work.cells().count())};
+  for (std::size_t i = 0; i < region.inside.size(); ++i) {
+    const auto c = work.cells().cellOf(i);
+    const Vec3 p(c[0], c[1], c[2]);
+    const bool passage = p[0] > 12 && p[0] < 36 && std::hypot(p[1] - 24, p[2] - 24) < 3;
+    region.inside[i] = (p - Vec3(12, 24, 24)).norm() < 8 || (p - Vec3(36, 24, 24)).norm() < 8 || passage;
+  }
+  return RegionField(work, region);
+}
+
+Seed click(const Vec3& place, bool background = false) {
+  Seed s{place, {}};
+  s.background = background;
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("a click outside counts also where the image has a strong boundary all round it and the rest") {
+  const Volume volume = knob();
+  const ClickedObject both = findClickedObject(volume, {click(kLarge)}, {});
+  REQUIRE(both.image->inside(kSmall) > 0);
+  const ClickedObject one = findClickedObject(volume, {click(kLarge), click(kSmall, true)}, {});
+  CHECK(one.image->inside(kSmall) < 0);
+  CHECK(one.image->inside(kLarge) > 0);
+  CHECK(one.image->inside(kLarge - Vec3(10, 0, 0)) > 0);
+}
+
+TEST_CASE("places in a region are joined if a way between them is as deep as asked for") {
+  const RegionField field = dumbbell();
+  const Vec3 left(12, 24, 24), right(36, 24, 24);
+  CHECK(field.areJoined(left, right, 1));
+  CHECK(field.areJoined(left, right, 1.5));
+  CHECK_FALSE(field.areJoined(left, right, 4));
+  CHECK(field.areJoined(left, Vec3(14, 25, 23), 4));
+  CHECK_FALSE(field.areJoined(left, Vec3(24, 24, 40), 1));   // outside of the region
+  CHECK_FALSE(field.areJoined(left, Vec3(500, 24, 24), 1));  // and of its box
+}
+
+TEST_CASE("a further click in a region has no start of its own where the front of the first one comes") {
+  const Grid grid = cubicGrid(49);
+  const auto level = std::make_shared<const LevelField>(grid, 100);
+  RegionLimits limits{std::make_shared<RegionField>(dumbbell()), grid, level, level, level, 0, 1};
+  const ObjectImage image(std::make_shared<SmoothedVolume>(knob(), 0), std::move(limits), 40, nullptr);
+  const Seed first = click(Vec3(12, 24, 24)), near = click(Vec3(14, 29, 24)),
+             beyond = click(Vec3(36, 24, 24));
+  const double wide = 2, narrow = 0.8;  // edge lengths, mm: a front needs one and a half
+  CHECK(fitSeeds(image, {first, near}, narrow, false).size() == 1);
+  CHECK(fitSeeds(image, {first, beyond}, narrow, false).size() == 1);
+  CHECK(fitSeeds(image, {first, beyond}, wide, false).size() == 2);
+  Seed placed = beyond;
+  placed.radius = 2;
+  CHECK(fitSeeds(image, {first, placed}, narrow, false).size() == 2);
+}
