@@ -16,7 +16,7 @@ constexpr double kFit = 0.85;  // part of the fitting radius that a seed takes
 constexpr double kLargestSeed =
     4.0;  // edge lengths; a larger seed saves little time and may reach over a thin wall
 constexpr int kLookAround = 4, kPlaces = 26;  // voxels from a click, and places at each distance
-constexpr double kPassage = 1.5;              // edge lengths: radius of a passage that a front surely passes
+constexpr double kPassage = 0.75;             // edge lengths: radius of a passage that a front surely passes
 constexpr double kSmallestSeed = 0.7;         // edge lengths: a smaller sphere would be collapsed at once
 
 //! Evenly spread directions (Fibonacci lattice).

@@ -1,9 +1,12 @@
 #include "core/evolution/clicked_object.h"
 
 #include <random>
+#include <set>
 
+#include "core/evolution/active_contour.h"
 #include "core/evolution/seeds.h"
 #include "core/object/region_field.h"
+#include "core/surgery/nesting.h"
 #include "tests/support/catch.h"
 #include "tests/support/test_volume.h"
 
@@ -75,11 +78,37 @@ TEST_CASE("a further click in a region has no start of its own where the front o
   const ObjectImage image(std::make_shared<SmoothedVolume>(knob(), 0), std::move(limits), 40, nullptr);
   const Seed first = click(Vec3(12, 24, 24)), near = click(Vec3(14, 29, 24)),
              beyond = click(Vec3(36, 24, 24));
-  const double wide = 2, narrow = 0.8;  // edge lengths, mm: a front needs one and a half
+  const double wide = 4, narrow = 1.6;  // edge lengths, mm: a front needs three quarters
   CHECK(fitSeeds(image, {first, near}, narrow, false).size() == 1);
   CHECK(fitSeeds(image, {first, beyond}, narrow, false).size() == 1);
   CHECK(fitSeeds(image, {first, beyond}, wide, false).size() == 2);
   Seed placed = beyond;
   placed.radius = 2;
   CHECK(fitSeeds(image, {first, placed}, narrow, false).size() == 2);
+}
+
+TEST_CASE("both ends of a passage are reached, whatever its width, from one start or two") {
+  const Vec3 kLeft(12, 24, 24), kRight(36, 24, 24), kKnob(10, 34, 24);
+  std::set<std::size_t> starts;
+  for (const double radius : {1.0, 1.6, 2.0, 2.2, 2.4, 3.0}) {
+    std::mt19937 random(5);
+    std::normal_distribution<double> noise(0, 4);
+    const Volume volume = volumeByIndex(cubicGrid(49), [&](int i, int j, int k) {
+      const Vec3 p(i, j, k);
+      const bool passage = p[0] > 12 && p[0] < 36 && std::hypot(p[1] - 24, p[2] - 24) < radius;
+      return ((p - kLeft).norm() < 8 || (p - kRight).norm() < 8 || (p - kKnob).norm() < 5 || passage ? 40
+                                                                                                     : 120) +
+             noise(random);
+    });
+    const std::vector<Seed> clicks{click(kLeft), click(kRight), click(kKnob + Vec3(0, 1, 0), true)};
+    ActiveContour contour(volume, clicks, {});
+    while (contour.stopReason() == StopReason::running) contour.step();
+    const Components parts = findComponents(contour.mesh());
+    CAPTURE(radius);
+    constexpr int kNone = -1;  // no component is left out
+    CHECK(windingNumber(contour.mesh(), parts, kNone, kLeft) == 1);
+    CHECK(windingNumber(contour.mesh(), parts, kNone, kRight) == 1);
+    starts.insert(contour.parameters().seeds.size() - 1);  // but for the click outside
+  }
+  CHECK(starts == std::set<std::size_t>{1, 2});
 }
