@@ -25,7 +25,7 @@ constexpr double kGood = 0.8;  // Dice
 
 struct Options {
   std::string cases, only;
-  int users = 2, clicks = 3, jobs = 2;
+  int users = 2, clicks = 3, jobs = 2, bestOf = 1;
   unsigned seed = 1;
   bool each = false, peers = false;
   std::vector<std::string> policy, vary;
@@ -36,6 +36,7 @@ struct UserRow {
   std::vector<double> dice;
   std::vector<double> seconds;
   double expected = 0;  // after the first
+  double best = 0;      // of the first candidates after it, known only from the truth
 };
 
 //! Region of cells → voxels.
@@ -62,12 +63,14 @@ struct Answer {
   Mask voxels;
   double expected = 0;
 };
-//! What a system makes of clicks.
-using System = std::function<Answer(const Volume&, const FieldOfView*, const std::vector<UserClick>&)>;
+//! What a system makes of clicks; the last is the candidate, from 1 on, that is asked for.
+using System = std::function<Answer(const Volume&, const FieldOfView*, const std::vector<UserClick>&, int)>;
 
 System handlebodyWith(const ObjectPolicy& policy) {
-  return [policy](const Volume& volume, const FieldOfView* view, const std::vector<UserClick>& clicks) {
+  return [policy](const Volume& volume, const FieldOfView* view, const std::vector<UserClick>& clicks,
+                  int candidate) {
     ObjectQuery query;
+    query.candidate = candidate;
     for (const UserClick& c : clicks) (c.isInside ? query.inside : query.outside).push_back({c.place, {}});
     if (view && view->isPaddingNear(volume.grid.toIndex(clicks[0].place))) view = nullptr;
     const auto model = findObject(volume, query, view, policy);
@@ -76,21 +79,24 @@ System handlebodyWith(const ObjectPolicy& policy) {
   };
 }
 
-UserRow oneUser(const LabelledVolume& v, const FieldOfView* view, const Vec3& first, int clicks,
+UserRow oneUser(const LabelledVolume& v, const FieldOfView* view, const Vec3& first, const Options& o,
                 const System& system) {
   UserRow row;
   std::vector<UserClick> given{{first, true}};
-  for (int k = 0; k < clicks; ++k) {
+  for (int k = 0; k < o.clicks; ++k) {
     const auto start = std::chrono::steady_clock::now();
-    const Answer answer = system(v.volume, view, given);
+    const Answer answer = system(v.volume, view, given, 1);
     row.seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     row.dice.push_back(diceOf(answer.voxels, v.truth));
     if (k == 0) row.expected = answer.expected;
     UserClick next;
-    if (k + 1 == clicks || !nextClick(v, answer.voxels, next)) break;
+    if (k + 1 == o.clicks || !nextClick(v, answer.voxels, next)) break;
     given.push_back(next);
   }
-  row.dice.resize(static_cast<std::size_t>(clicks), row.dice.back());
+  row.dice.resize(static_cast<std::size_t>(o.clicks), row.dice.back());
+  row.best = row.dice[0];
+  for (int c = 2; c <= o.bestOf; ++c)
+    row.best = std::max(row.best, diceOf(system(v.volume, view, {{first, true}}, c).voxels, v.truth));
   return row;
 }
 
@@ -103,7 +109,7 @@ std::vector<UserRow> allUsers(const LabelledVolume& v, const FieldOfView* view, 
   for (int j = 0; j < o.jobs; ++j)
     pool.emplace_back([&] {
       for (std::size_t u = next++; u < firsts.size(); u = next++)
-        rows[u] = oneUser(v, view, firsts[u], o.clicks, system);
+        rows[u] = oneUser(v, view, firsts[u], o, system);
     });
   pool.clear();
   return rows;
@@ -130,7 +136,9 @@ struct Total {
       std::printf("  %d: median %.3f mean %.3f >=.8 %.2f", k + 1, median(dice),
                   std::accumulate(dice.begin(), dice.end(), 0.0) / n, good / n);
     }
-    std::printf("\n");
+    const auto good =
+        std::count_if(rows.begin(), rows.end(), [](const UserRow& r) { return r.best >= kGood; });
+    std::printf("  best candidate >=.8 %.2f\n", static_cast<double>(good) / static_cast<double>(rows.size()));
   }
 };
 
@@ -169,7 +177,7 @@ std::vector<NamedSystem> systemsOf(const Options& o) {
   }
   if (o.peers) {
     const auto peer = [](Mask (*segment)(const Volume&, const std::vector<UserClick>&)) {
-      return [segment](const Volume& volume, const FieldOfView*, const std::vector<UserClick>& clicks) {
+      return [segment](const Volume& volume, const FieldOfView*, const std::vector<UserClick>& clicks, int) {
         return Answer{segment(volume, clicks), 0};
       };
     };
@@ -213,6 +221,7 @@ int main(int argc, char** argv) {
   app.add_option("--only", o.only, "names of cases, with commas between");
   app.add_option("--users", o.users, "users per structure");
   app.add_option("--clicks", o.clicks, "clicks of each");
+  app.add_option("--best-of", o.bestOf, "candidates of which the best is told, too");
   app.add_option("--jobs", o.jobs, "users at once");
   app.add_option("--seed", o.seed, "of the first clicks");
   app.add_flag("--each", o.each, "a line for every user");
