@@ -265,7 +265,7 @@ class Finder {
     std::vector<RankedRegion> agreeing;
     std::copy_if(ranked_.begin(), ranked_.end(), std::back_inserter(agreeing),
                  [&](const RankedRegion& r) { return agrees(r) && r.holds(p.click.place) == p.isInside; });
-    for (const RankedRegion& r : distinctRegions(agreeing, policy_.tried, policy_)) {
+    for (const auto& [r, expected] : offeredRegions(likelyRegions(agreeing, policy_), policy_)) {
       const Region whole = regionOn(work_, r);
       offers.add(whole, r.score, false);
       offers.add(
