@@ -81,7 +81,7 @@ std::string closeChoice(const RunReport& report) {
   std::ostringstream expected;
   expected << std::setprecision(2) << all[0].score;
   return "the choice among " + std::to_string(all.size()) +
-         " objects is close (expected overlap with the one " + "that is meant: Dice " + expected.str() +
+         " objects is close (expected overlap with the one that is meant: Dice " + expected.str() +
          "): the next candidate holds " + millilitres(all[1].volume) + " where this one holds " +
          millilitres(all[0].volume) + "; see --candidate";
 }

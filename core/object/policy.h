@@ -76,7 +76,7 @@ struct ObjectPolicy {
   double sure = 0.7;                 //!< expected Dice: what is chosen with less is a close choice
 
   // --- corrections: lengths in depths of the click behind the surface, costs in scores ---
-  std::size_t tried = 6;    //!< candidates of each kind that are tried
+  std::size_t tried = 6;    //!< regions of the click's own search that are tried
   std::size_t weighed = 8;  //!< best corrections that are weighed against each other
   double corrected = 0.3;   //!< cost of the first correction near a click; n times that of the nth in a row
   double mixed = 0.2;       //!< cost besides, of the part of another candidate

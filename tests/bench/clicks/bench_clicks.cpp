@@ -3,9 +3,11 @@
 // any threshold of ObjectPolicy changed.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <functional>
 #include <iostream>
 #include <map>
 #include <numeric>
@@ -152,8 +154,9 @@ std::vector<NamedSystem> systemsOf(const Options& o) {
   ObjectPolicy base;
   for (const std::string& entry : o.policy) {
     const auto equals = entry.find('=');
-    if (equals == std::string::npos ||
-        !setPolicy(base, entry.substr(0, equals), std::stod(entry.substr(equals + 1))))
+    if (equals == std::string::npos || !changePolicy(base, entry.substr(0, equals), [&](double) {
+          return std::stod(entry.substr(equals + 1));
+        }))
       throw CLI::ValidationError("--policy", entry + " is not NAME=VALUE of a threshold");
   }
   std::vector<NamedSystem> out{{"handlebody", handlebodyWith(base)}};
@@ -163,12 +166,13 @@ std::vector<NamedSystem> systemsOf(const Options& o) {
       ObjectPolicy changed = base;
       if (equals != std::string::npos) {
         if (factor > 1) continue;
-        if (!setPolicy(changed, entry.substr(0, equals), std::stod(entry.substr(equals + 1))))
+        if (!changePolicy(changed, entry.substr(0, equals),
+                          [&](double) { return std::stod(entry.substr(equals + 1)); }))
           throw CLI::ValidationError("--vary", entry + " is not a threshold");
         out.push_back({entry, handlebodyWith(changed)});
         continue;
       }
-      if (!scalePolicy(changed, entry, factor))
+      if (!changePolicy(changed, entry, [&](double v) { return v * factor; }))
         throw CLI::ValidationError("--vary", entry + " is not a threshold");
       char label[60];
       std::snprintf(label, sizeof label, "%s x %.1f", entry.c_str(), factor);

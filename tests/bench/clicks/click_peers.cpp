@@ -3,7 +3,6 @@
 #include <itkConfidenceConnectedImageFilter.h>
 #include <itkCurvatureFlowImageFilter.h>
 #include <itkImage.h>
-#include <itkMultiThreaderBase.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 #pragma once
 // The thresholds of ObjectPolicy by name, for measurements that change one.
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <variant>
@@ -42,28 +43,17 @@ inline const std::vector<std::pair<std::string, PolicyMember>>& policyMembers() 
   return members;
 }
 
-//! False if there is no such threshold.
-inline bool scalePolicy(ObjectPolicy& policy, const std::string& name, double factor) {
+//! Sets a threshold to f(what it is), rounded where it is a whole number; false if there is no such one.
+template <typename F>
+bool changePolicy(ObjectPolicy& policy, const std::string& name, F&& f) {
   for (const auto& [known, member] : policyMembers())
     if (known == name) {
       std::visit(
           [&](auto m) {
             using T = std::remove_reference_t<decltype(policy.*m)>;
-            const double scaled = static_cast<double>(policy.*m) * factor;
-            policy.*m = std::is_integral_v<T> ? static_cast<T>(scaled + 0.5) : static_cast<T>(scaled);
+            const double value = f(static_cast<double>(policy.*m));
+            policy.*m = static_cast<T>(std::is_integral_v<T> ? std::round(value) : value);
           },
-          member);
-      return true;
-    }
-  return false;
-}
-
-//! False if there is no such threshold.
-inline bool setPolicy(ObjectPolicy& policy, const std::string& name, double value) {
-  for (const auto& [known, member] : policyMembers())
-    if (known == name) {
-      std::visit(
-          [&](auto m) { policy.*m = static_cast<std::remove_reference_t<decltype(policy.*m)>>(value); },
           member);
       return true;
     }
