@@ -203,6 +203,14 @@ const RankedRegion* bestByIntensity(const std::vector<RankedRegion>& regions) {
   return best;
 }
 
+//! True if intensities alone tell inside from outside, or the edges stand out of the noise: of the best
+//! region that is not star-shaped.
+bool decidesAlone(const std::vector<RankedRegion>& regions, const ObjectPolicy& p) {
+  const RankedRegion* best = bestByIntensity(regions);
+  const double clearEdge = kNoiseGradient + 2 * std::log2(p.clearEdge);
+  return best && (best->contrast >= p.clearContrast || best->edge >= clearEdge);
+}
+
 //! Where the image decides alone shape is second.
 void putStarsBehind(std::vector<RankedRegion>& regions, const ObjectPolicy& p) {
   if (!decidesAlone(regions, p)) return;
@@ -267,12 +275,6 @@ std::array<double, 2> RankedRegion::bounds() const {
   };
   const double low = in.level - distance(rung), high = in.level + distance(map->band);
   return {search->scale.from(low), search->scale.from(high)};
-}
-
-bool decidesAlone(const std::vector<RankedRegion>& regions, const ObjectPolicy& p) {
-  const RankedRegion* best = bestByIntensity(regions);
-  const double clearEdge = kNoiseGradient + 2 * std::log2(p.clearEdge);
-  return best && (best->contrast >= p.clearContrast || best->edge >= clearEdge);
 }
 
 std::vector<RankedRegion> rankRegions(const std::vector<std::unique_ptr<ClickSearch>>& searches,

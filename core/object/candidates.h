@@ -57,10 +57,6 @@ struct RankedRegion {
 std::vector<RankedRegion> rankRegions(const std::vector<std::unique_ptr<ClickSearch>>& searches,
                                       const ObjectPolicy& policy);
 
-//! True if intensities alone tell inside from outside, or the edges stand out of the noise: of the best
-//! region that is not star-shaped.
-bool decidesAlone(const std::vector<RankedRegion>& regions, const ObjectPolicy& policy);
-
 //! The best `most` that differ, best first. Orders `regions` by score.
 std::vector<RankedRegion> distinctRegions(std::vector<RankedRegion>& regions, std::size_t most,
                                           const ObjectPolicy& policy);

@@ -20,8 +20,7 @@ class Finder {
   std::optional<ObjectModel> run() {
     scale_ = IntensityScale::of(makeCells(volume_, wideAround(query_.inside[0].place), view_), policy_);
     searches_ = searchesAround(query_.inside[0].place);
-    rank();
-    if (!decidesAlone(ranked_, policy_)) rankWithStars({{query_.inside[0].place}}, {});
+    rank({{query_.inside[0].place}}, {});
     const std::vector<OfferedRegion> offered = offeredRegions(likelyRegions(ranked_, policy_), policy_);
     if (offered.empty()) return {};
     ObjectModel model;
@@ -43,7 +42,7 @@ class Finder {
     model.low = chosen.bounds()[0];
     model.high = chosen.bounds()[1];
     model.rise = chosen.rise;
-    region_ = regionOn(work_, chosen);
+    region_ = onImage(chosen);
     reachClick(inside_[0]);
     region_ = tidied(std::move(region_));
     model.isCloseChoice = model.isCloseChoice || (offered.size() > 1 && isInThinPart(inside_[0]));
@@ -78,19 +77,14 @@ class Finder {
         searchAround(volume_, cells, click, view_, policy_, query_.threads, scale_));
   }
 
-  //! All regions that may be meant.
-  void rank() {
+  //! All regions that may be meant, star-shaped ones through these clicks among them.
+  void rank(const std::vector<CellClick>& inside, const std::vector<CellClick>& outside) {
+    for (auto& s : searches_) addStars(*s, inside, outside, policy_, query_.threads);
     ranked_ = rankRegions(searches_, policy_);
     const double sign = query_.contrast == Contrast::dark ? 1 : -1;
     if (query_.contrast != Contrast::any)
       std::erase_if(ranked_,
                     [&](const RankedRegion& r) { return sign * r.rise <= searches_[0]->intensities.noise; });
-  }
-
-  //! Star-shaped ones through these clicks among them.
-  void rankWithStars(const std::vector<CellClick>& inside, const std::vector<CellClick>& outside) {
-    for (auto& s : searches_) addStars(*s, inside, outside, policy_, query_.threads);
-    rank();
   }
 
   WorkImage makeWork() const {
@@ -142,6 +136,13 @@ class Finder {
   bool agrees(const RankedRegion& r) const {
     return std::all_of(done_.begin(), done_.end(),
                        [&](const Pending& p) { return r.holds(p.click.place) == p.isInside; });
+  }
+
+  //! A region in the cells of the object, with its surface on the edges next to it. That of a star-shaped one
+  //! stays: it lies where edges and intensities together said.
+  Region onImage(const RankedRegion& r) const {
+    Region out = regionOn(work_, r);
+    return r.isStar() ? out : refined(work_, out, noise_, policy_);
   }
 
   //! Only what hangs together with the clicks inside, without the holes that noise makes.
@@ -224,7 +225,7 @@ class Finder {
   };
 
   void correct(const Pending& p, double depth) {
-    if (done_.size() == 2) rankWithStars(inside_, outside_);  // the first correction
+    rank(done(true), done(false));  // not through later clicks: these change nothing of before
     Offers offers(*this, p, depth);
     const double local = policy_.corrected * (corrections_ + 1), made = bestScore() - local;
     if (p.isInside) offerRelabelled(offers, p, depth, made);
@@ -240,6 +241,14 @@ class Finder {
     Offers::Offer chosen = offers.take();
     corrections_ = chosen.isLocal ? corrections_ + 1 : 0;
     region_ = std::move(chosen.region);
+  }
+
+  //! The clicks on a side that have been taken in, and the one that is.
+  std::vector<CellClick> done(bool isInside) const {
+    std::vector<CellClick> out;
+    for (const Pending& d : done_)
+      if (d.isInside == isInside) out.push_back(d.click);
+    return out;
   }
 
   //! 0 where nothing is of the contrast that is asked for.
@@ -266,7 +275,7 @@ class Finder {
     std::copy_if(ranked_.begin(), ranked_.end(), std::back_inserter(agreeing),
                  [&](const RankedRegion& r) { return agrees(r) && r.holds(p.click.place) == p.isInside; });
     for (const auto& [r, expected] : offeredRegions(likelyRegions(agreeing, policy_), policy_)) {
-      const Region whole = regionOn(work_, r);
+      const Region whole = onImage(r);
       offers.add(whole, r.score, false);
       offers.add(
           within(p.click, policy_.correctionReach * depth, [&](std::size_t i) { return whole.inside[i]; }),

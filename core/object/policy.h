@@ -87,13 +87,14 @@ struct ObjectPolicy {
   double against = 1;            //!< cost of the log of how much deeper one against the click's sense is than
   double againstDeep = 0.3;      //!< this
   std::array<double, 3> relabelReaches{2.5, 6, 1000};
-  double relabelZone = 2.5;   //!< cells so far from the surface are open
-  double relabelBall = 0.7;   //!< around the click cells are what it says
-  double relabelEdge = 1.5;   //!< noises: a jump that halves the pull between neighbours
-  double relabelPrior = 0.2;  //!< pull of the cell's intensities against that of a neighbour
-  double relabelClick = 0.5;  //!< share of the click's cells in the intensities inside
-  double relabelSure = 2.5;   //!< log of the odds that intensities may give at most
-  std::size_t cavity = 14;    //!< cells: smaller cavities are noise; a ball of one and a half cells' radius
+  double relabelZone = 2.5;                 //!< cells so far from the surface are open
+  double relabelBall = 0.7;                 //!< around the click cells are what it says
+  double relabelEdge = 1.5;                 //!< noises: a jump that halves the pull between neighbours
+  double relabelPrior = 0.2;                //!< pull of the cell's intensities against that of a neighbour
+  double relabelClick = 0.5;                //!< share of the click's cells in the intensities inside
+  double refineOuter = 2, refineInner = 1;  //!< cells: so near to a region's surface all are open
+  double relabelSure = 2.5;                 //!< log of the odds that intensities may give at most
+  std::size_t cavity = 14;  //!< cells: smaller cavities are noise; a ball of one and a half cells' radius
 };
 
 }  // namespace handlebody

@@ -11,6 +11,46 @@ namespace {
 // Distance on the unit sphere at which a ray's weight is halved, so that a direction on a ray is no
 // exception.
 constexpr double kOnRay = 0.02;
+// Squares along a side of the cube, and the widest angle (radians) from the middle of one to its corner.
+constexpr int kSquares = 16;
+constexpr double kWidest = 0.09;
+
+//! The square in which a direction meets the cube around the sphere.
+std::size_t squareOf(const Vec3& direction) {
+  Eigen::Index axis = 0;
+  const double most = direction.cwiseAbs().maxCoeff(&axis);
+  const auto square = [&](Eigen::Index a) {
+    const double at = 0.5 + 0.5 * direction[a] / most;
+    return std::clamp(static_cast<int>(at * kSquares), 0, kSquares - 1);
+  };
+  const int side = 2 * static_cast<int>(axis) + (direction[axis] < 0 ? 1 : 0);
+  return static_cast<std::size_t>((side * kSquares + square((axis + 1) % 3)) * kSquares +
+                                  square((axis + 2) % 3));
+}
+
+//! The middle of a square, as a direction.
+Vec3 middleOf(std::size_t square) {
+  const int n = static_cast<int>(square), axis = n / (2 * kSquares * kSquares);
+  const auto at = [](int i) { return (2 * i + 1.0) / kSquares - 1; };
+  Vec3 out;
+  out[axis] = n / (kSquares * kSquares) % 2 == 0 ? 1 : -1;
+  out[(axis + 1) % 3] = at(n / kSquares % kSquares);
+  out[(axis + 2) % 3] = at(n % kSquares);
+  return out.normalized();
+}
+
+//! The rays that may be among the nearest three of a direction within an angle of this one.
+std::vector<std::uint16_t> raysNear(const std::vector<Vec3>& rays, const Vec3& middle) {
+  std::vector<double> angles;
+  for (const Vec3& r : rays) angles.push_back(std::acos(std::clamp(r.dot(middle), -1.0, 1.0)));
+  std::vector<double> sorted = angles;
+  std::nth_element(sorted.begin(), sorted.begin() + 2, sorted.end());
+  std::vector<std::uint16_t> out;
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    if (angles[i] <= sorted[2] + 2 * kWidest) out.push_back(static_cast<std::uint16_t>(i));
+  return out;
+}
+
 }  // namespace
 
 Rays::Rays(double spacing) {
@@ -21,12 +61,18 @@ Rays::Rays(double spacing) {
       const auto a = static_cast<std::size_t>(t[k]), b = static_cast<std::size_t>(t[(k + 1) % 3]);
       if (a < b) pairs.push_back({a, b});
     }
+  for (std::size_t square = 0; square < 6 * kSquares * kSquares; ++square)
+    near_.push_back(raysNear(directions, middleOf(square)));
+}
+
+const std::vector<std::uint16_t>& Rays::near(const Vec3& direction) const {
+  return near_[squareOf(direction)];
 }
 
 NearestRays nearestRays(const Rays& rays, const Vec3& direction) {
   std::array<double, 3> best{-2, -2, -2};  // cosines
   NearestRays out;
-  for (std::size_t i = 0; i < rays.directions.size(); ++i) {
+  for (const std::uint16_t i : rays.near(direction)) {
     const double d = rays.directions[i].dot(direction);
     if (d <= best[2]) continue;
     std::size_t k = 2;

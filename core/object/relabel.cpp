@@ -63,14 +63,22 @@ class Density {
 
 enum class Kind : std::uint8_t { outside, inside, open };
 
+//! Which cells are open, and what they go by.
+struct Walk {
+  double outer = 0, inner = 0;              //!< mm: outside and inside so near to the surface
+  double prior = 0;                         //!< pull of the cell's intensities against that of a neighbour
+  double noise = 0;                         //!< standard deviation, intensities
+  const Relabelling* correction = nullptr;  //!< none: all around, by the image alone
+};
+
 class RandomWalk {
  public:
-  RandomWalk(const WorkImage& work, const Region& region, const Relabelling& r, const ObjectPolicy& policy)
+  RandomWalk(const WorkImage& work, const Region& region, const Walk& walk, const ObjectPolicy& policy)
       : cells_(work.cells()),
-        r_(r),
+        walk_(walk),
+        click_(walk.correction),
         policy_(policy),
         cell_(cells_.grid.meanSpacing()),
-        zone_(policy.relabelZone * r.depth + cell_),
         box_(boxFor(region)),
         size_(box_.size()),
         inside_(cutOut(cells_, region.inside, box_)),
@@ -86,7 +94,7 @@ class RandomWalk {
     walk();
     std::size_t l = 0;
     forBox(box_, [&](const Cell& c) {
-      if (fromClick_[l] <= r_.reach)
+      if (isReached(l))
         region.inside[cells_.at(c)] = kind_[l] == Kind::open ? u_[l] > 0.5f : kind_[l] == Kind::inside;
       ++l;
     });
@@ -96,24 +104,31 @@ class RandomWalk {
  private:
   //! The region and what may join it, and as much again to tell it from.
   CellBox boxFor(const Region& region) const {
-    const Cell click = cells_.nearest(r_.click.place);
     CellBox box = boxOf(cells_, region);
-    box.widen(click);
-    const CellBox near = boxAround(cells_, click, r_.reach + 3 * cell_);
+    if (click_) box.widen(cells_.cellOf(click_->click.cell));
     for (std::size_t a = 0; a < 3; ++a) {
       const double h = cells_.grid.spacing[static_cast<Eigen::Index>(a)];
-      const int more = static_cast<int>(std::ceil((2 * zone_ + 2 * cell_) / h));
-      box.low[a] = std::max({0, box.low[a] - more, near.low[a]});
-      box.high[a] = std::min({cells_.grid.size[a] - 1, box.high[a] + more, near.high[a]});
+      const int more = static_cast<int>(std::ceil((2 * walk_.outer + 2 * cell_) / h));
+      box.low[a] = std::max(0, box.low[a] - more);
+      box.high[a] = std::min(cells_.grid.size[a] - 1, box.high[a] + more);
+    }
+    if (!click_) return box;
+    const CellBox near = boxAround(cells_, cells_.cellOf(click_->click.cell), click_->reach + 3 * cell_);
+    for (std::size_t a = 0; a < 3; ++a) {
+      box.low[a] = std::max(box.low[a], near.low[a]);
+      box.high[a] = std::min(box.high[a], near.high[a]);
     }
     return box;
   }
+  bool isReached(std::size_t i) const { return !click_ || fromClick_[i] <= click_->reach; }
   void measure() {
-    std::vector<std::uint8_t> outside(inside_.size()), click(inside_.size(), 0);
+    std::vector<std::uint8_t> outside(inside_.size());
     std::transform(inside_.begin(), inside_.end(), outside.begin(), [](std::uint8_t in) { return !in; });
-    click[box_.at(cells_.nearest(r_.click.place))] = 1;
     out_ = distanceTo(size_, cells_.grid.spacing, inside_);
     in_ = distanceTo(size_, cells_.grid.spacing, outside);
+    if (!click_) return;
+    std::vector<std::uint8_t> click(inside_.size(), 0);
+    click[box_.at(cells_.cellOf(click_->click.cell))] = 1;
     fromClick_ = distanceTo(size_, cells_.grid.spacing, click);
   }
 
@@ -121,13 +136,14 @@ class RandomWalk {
     kind_.resize(inside_.size());
     for (std::size_t i = 0; i < kind_.size(); ++i) {
       kind_[i] = inside_[i] ? Kind::inside : Kind::outside;
-      if (fromClick_[i] > r_.reach || padding_[i]) continue;
+      if (!isReached(i) || padding_[i]) continue;
       // Just inside of the surface cells are open, too: the surface may have been ragged.
-      if (inside_[i] ? in_[i] <= cell_ : out_[i] <= zone_) kind_[i] = Kind::open;
+      if (inside_[i] ? in_[i] <= walk_.inner : out_[i] <= walk_.outer) kind_[i] = Kind::open;
     }
-    setBall(r_.click, policy_.relabelBall * r_.depth, Kind::inside);
-    for (const CellClick& c : r_.outside) setBall(c, std::max(c.radius, 1.01 * cell_), Kind::outside);
-    for (const CellClick& c : r_.inside) setBall(c, std::max(c.radius, 1.01 * cell_), Kind::inside);
+    if (!click_) return;
+    setBall(click_->click, policy_.relabelBall * click_->depth, Kind::inside);
+    for (const CellClick& c : click_->outside) setBall(c, std::max(c.radius, 1.01 * cell_), Kind::outside);
+    for (const CellClick& c : click_->inside) setBall(c, std::max(c.radius, 1.01 * cell_), Kind::inside);
   }
   void setBall(const CellClick& click, double radius, Kind kind) {
     const Cell at = cells_.nearest(click.place);
@@ -150,11 +166,11 @@ class RandomWalk {
     for (std::size_t i = 0; i < values_.size(); ++i) {
       const int a = binOf(values_[i]), b = binOf(wide[i]);
       if (inside_[i] && in_[i] > 0.5 * cell_) in.add(a, b);
-      if (fromClick_[i] <= policy_.relabelBall * r_.depth + 0.5 * cell_) near.add(a, b);
-      if (!inside_[i] && out_[i] > zone_ && out_[i] <= 2 * zone_ + 2 * cell_) out.add(a, b);
+      if (click_ && fromClick_[i] <= policy_.relabelBall * click_->depth + 0.5 * cell_) near.add(a, b);
+      if (!inside_[i] && out_[i] > walk_.outer && out_[i] <= 2 * walk_.outer + 2 * cell_) out.add(a, b);
     }
     in.mix(near, policy_.relabelClick);
-    const double sigma = std::max(1.0, 0.7 * r_.noise / step);  // the search's Gaussian leaves so much
+    const double sigma = std::max(1.0, 0.7 * walk_.noise / step);  // the search's Gaussian leaves so much
     in.smooth(sigma);
     out.smooth(sigma);
     prior_.resize(values_.size());
@@ -167,7 +183,7 @@ class RandomWalk {
   }
 
   float pull(std::size_t i, std::size_t j, std::size_t axis) const {
-    const double jump = (values_[i] - values_[j]) / (policy_.relabelEdge * r_.noise);
+    const double jump = (values_[i] - values_[j]) / (policy_.relabelEdge * walk_.noise);
     const double h = cell_ / cells_.grid.spacing[static_cast<Eigen::Index>(axis)];
     return static_cast<float>(h * h) * (static_cast<float>(1 / (1 + jump * jump)) + kLeastPull);
   }
@@ -187,7 +203,7 @@ class RandomWalk {
     for (std::size_t i = 0; i < kind_.size(); ++i) {
       u_[i] = kind_[i] == Kind::open ? prior_[i] : kind_[i] == Kind::inside ? 1.f : 0.f;
       if (kind_[i] != Kind::open) continue;
-      Open o{i, {}, static_cast<float>(policy_.relabelPrior)};
+      Open o{i, {}, static_cast<float>(walk_.prior)};
       const std::array<std::size_t, 3> c{i % nx, i / nx % ny, i / (nx * ny)};
       for (std::size_t a = 0; a < 3; ++a) {
         if (c[a] > 0) o.all += o.pulls[2 * a] = pull(i, i - steps[a], a);
@@ -198,7 +214,7 @@ class RandomWalk {
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
       giveUpIfCancelled();
       for (const Open& o : open) {
-        float sum = static_cast<float>(policy_.relabelPrior) * prior_[o.cell];
+        float sum = static_cast<float>(walk_.prior) * prior_[o.cell];
         for (std::size_t a = 0; a < 3; ++a) {
           if (o.pulls[2 * a] > 0) sum += o.pulls[2 * a] * u_[o.cell - steps[a]];
           if (o.pulls[2 * a + 1] > 0) sum += o.pulls[2 * a + 1] * u_[o.cell + steps[a]];
@@ -209,9 +225,10 @@ class RandomWalk {
   }
 
   const CellGrid& cells_;
-  const Relabelling& r_;
+  const Walk& walk_;
+  const Relabelling* click_;
   const ObjectPolicy& policy_;
-  double cell_, zone_;  // mm
+  double cell_;  // mm
   CellBox box_;
   std::array<int, 3> size_;
   std::vector<std::uint8_t> inside_, padding_;
@@ -224,7 +241,16 @@ class RandomWalk {
 
 Region relabelled(const WorkImage& work, const Region& region, const Relabelling& r,
                   const ObjectPolicy& policy) {
-  return RandomWalk(work, region, r, policy).run(region);
+  const double cell = work.cells().grid.meanSpacing();
+  const Walk walk{policy.relabelZone * r.depth + cell, cell, policy.relabelPrior, r.noise, &r};
+  return RandomWalk(work, region, walk, policy).run(region);
+}
+
+Region refined(const WorkImage& work, const Region& region, double noise, const ObjectPolicy& policy) {
+  if (region.count() == 0) return region;
+  const double cell = work.cells().grid.meanSpacing();
+  const Walk walk{policy.refineOuter * cell, policy.refineInner * cell, policy.relabelPrior, noise, nullptr};
+  return RandomWalk(work, region, walk, policy).run(region);
 }
 
 }  // namespace handlebody

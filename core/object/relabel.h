@@ -1,5 +1,6 @@
 #pragma once
-// Which cells near a surface belong to the object, once a click inside has said that it is missed there.
+// Which cells near a surface belong to the object: once a click inside has said that it is missed there, and
+// next to a surface that was found by bounds of intensity.
 
 #include "core/object/corrections.h"
 
@@ -20,5 +21,9 @@ struct Relabelling {
 //! walker image segmentation using prior models".
 Region relabelled(const WorkImage& work, const Region& region, const Relabelling& r,
                   const ObjectPolicy& policy);
+
+//! The region with its surface where the edges next to it are, by the same walk: only cells next to the
+//! surface are open. The opening and the bounds of intensity that found it put the surface a little off.
+Region refined(const WorkImage& work, const Region& region, double noise, const ObjectPolicy& policy);
 
 }  // namespace handlebody

@@ -67,6 +67,21 @@ TEST_CASE("a click in a missed rim takes in the rim all around, as far as it rea
   CHECK(near.count() > core.count() + 200);
 }
 
+TEST_CASE("a surface a cell or two off its edge is moved onto it, one on its edge stays") {
+  const WorkImage work = rimmedBall();
+  CHECK(diceOf(work, refined(work, ballOf(work, 12), kNoise, {}), 12) > 0.97);
+  for (const double radius : {10.0, 11.0, 13.0}) {
+    const double before = diceOf(work, ballOf(work, radius), 12);
+    CHECK(1 - diceOf(work, refined(work, ballOf(work, radius), kNoise, {}), 12) < 0.6 * (1 - before));
+  }
+}
+
+TEST_CASE("a surface far from any edge hardly moves, and an empty region stays empty") {
+  const WorkImage work = rimmedBall();
+  CHECK(diceOf(work, refined(work, ballOf(work, 5), kNoise, {}), 5) > 0.75);
+  CHECK(refined(work, ballOf(work, 0), kNoise, {}).count() == 0);
+}
+
 TEST_CASE("other clicks keep their side when a rim is relabelled") {
   const WorkImage work = rimmedBall();
   Relabelling r = clickAt(work, Vec3(30, 20, 20), 2, 1000);

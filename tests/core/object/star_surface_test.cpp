@@ -107,10 +107,17 @@ TEST_CASE("rays are evenly spread, and the weights of the nearest sum to one") {
   const Rays rays(ObjectPolicy{}.starRays);
   for (const auto& [a, b] : rays.pairs) CHECK((rays.directions[a] - rays.directions[b]).norm() < 0.34);
   CHECK(rays.pairs.size() == 3 * rays.directions.size() - 6);  // a closed surface of triangles
-  const NearestRays near = nearestRays(rays, Vec3(1, 2, 3).normalized());
-  CHECK(near.weight[0] + near.weight[1] + near.weight[2] == Approx(1));
-  for (const Vec3& d : rays.directions)
-    CHECK(d.dot(Vec3(1, 2, 3).normalized()) <= rays.directions[near.ray[0]].dot(Vec3(1, 2, 3).normalized()));
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  for (int k = 0; k < 2000; ++k) {
+    const Vec3 to = Vec3(normal(random), normal(random), normal(random)).normalized();
+    const NearestRays near = nearestRays(rays, to);
+    REQUIRE(near.weight[0] + near.weight[1] + near.weight[2] == Approx(1));
+    std::vector<double> cosines;
+    for (const Vec3& d : rays.directions) cosines.push_back(d.dot(to));
+    std::sort(cosines.rbegin(), cosines.rend());
+    for (std::size_t i = 0; i < 3; ++i) REQUIRE(rays.directions[near.ray[i]].dot(to) == cosines[i]);
+  }
 }
 
 TEST_CASE("a star-shaped region finds an ellipsoid in speckle, from beside its middle") {
