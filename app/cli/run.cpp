@@ -150,6 +150,7 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
   report.mesh = certificate;
   report.doubts = doubts(report, mesh);
   for (std::string& d : contour->doubts()) report.doubts.push_back(std::move(d));
+  report.unsupportedSurface = contour->unsupportedSurface();
   contour.reset();  // with the voxels: a label map needs the memory
   for (const std::string& d : report.doubts) std::fprintf(stderr, "handlebody-cli: warning: %s\n", d.c_str());
   {

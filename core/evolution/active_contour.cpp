@@ -492,6 +492,9 @@ std::vector<std::string> ActiveContour::doubts() const {
   if (state_->neckRadius > 0) doubts.push_back(heldAtPassages(state_->neckRadius));
   return doubts;
 }
+double ActiveContour::unsupportedSurface() const {
+  return partWithoutEdge(state_->mesh, *state_->image);
+}
 void ActiveContour::recordTraces(bool on) { state_->traces = on; }
 
 }  // namespace handlebody

@@ -64,6 +64,8 @@ class ActiveContour {
   //! What in the image speaks against the surface as it is now: sentences without a full stop
   //! (image_doubts.h).
   std::vector<std::string> doubts() const;
+  //! Part of the surface, from 0 to 1, where the image shows no edge.
+  double unsupportedSurface() const;
   //! Traces of events are recorded from the next step on. Off by default.
   void recordTraces(bool on);
 

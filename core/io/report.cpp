@@ -73,6 +73,7 @@ std::string reportText(const RunReport& report) {
   json["iterations"] = report.iterations;
   json["stopped"] = endName(report.stopped);
   json["warnings"] = report.doubts;
+  json["unsupported_surface"] = report.unsupportedSurface;
   json["seconds"] = secondsToJson(report.seconds);
   json["mesh"] = certificateToJson(report.mesh);
   Json& events = json["events"] = Json::array();

@@ -266,6 +266,7 @@ class Finder {
     for (const double reach : policy_.relabelReaches) {
       r.reach = reach * depth;
       offers.add(relabelled(work_, region_, r, policy_), score, true);
+      score -= policy_.relabelFar;
     }
   }
 

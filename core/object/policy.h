@@ -87,6 +87,7 @@ struct ObjectPolicy {
   double against = 1;            //!< cost of the log of how much deeper one against the click's sense is than
   double againstDeep = 0.3;      //!< this
   std::array<double, 3> relabelReaches{2.5, 6, 1000};
+  double relabelFar = 0.2;                  //!< cost of each further one
   double relabelZone = 2.5;                 //!< cells so far from the surface are open
   double relabelBall = 0.7;                 //!< around the click cells are what it says
   double relabelEdge = 1.5;                 //!< noises: a jump that halves the pull between neighbours

@@ -35,8 +35,9 @@ RunReport smallReport() {
 
 TEST_CASE("a report holds every field of the contract", "[report]") {
   const auto json = nlohmann::json::parse(reportText(smallReport()));
-  for (const char* key : {"version", "notice", "input", "parameters", "requested", "seeds", "candidates",
-                          "close_choice", "iterations", "stopped", "seconds", "mesh", "events"}) {
+  for (const char* key :
+       {"version", "notice", "input", "parameters", "requested", "seeds", "candidates", "close_choice",
+        "unsupported_surface", "iterations", "stopped", "seconds", "mesh", "events"}) {
     INFO(key);
     CHECK(json.contains(key));
   }
