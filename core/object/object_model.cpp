@@ -141,8 +141,10 @@ class Finder {
   //! A region in the cells of the object, with its surface on the edges next to it. That of a star-shaped one
   //! stays: it lies where edges and intensities together said.
   Region onImage(const RankedRegion& r) const {
-    Region out = regionOn(work_, r);
-    return r.isStar() ? out : refined(work_, out, noise_, policy_);
+    const Region found = regionOn(work_, r);
+    if (r.isStar()) return found;
+    Region moved = refined(work_, found, noise_, policy_);
+    return moved.count() > 0 ? moved : found;  // one of a few cells is nothing but surface
   }
 
   //! Only what hangs together with the clicks inside, without the holes that noise makes.
@@ -225,7 +227,7 @@ class Finder {
   };
 
   void correct(const Pending& p, double depth) {
-    rank(done(true), done(false));  // not through later clicks: these change nothing of before
+    rank(done(true), done(false));  // later clicks do not change what is offered for this one
     Offers offers(*this, p, depth);
     const double local = policy_.corrected * (corrections_ + 1), made = bestScore() - local;
     if (p.isInside) offerRelabelled(offers, p, depth, made);
