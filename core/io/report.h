@@ -27,7 +27,7 @@ struct RunReport {
   VolumeInfo volume;                        //!< its grid and where that comes from, warnings
   //! About the result: hardly grown, a close choice, much of it on the volume's border.
   std::vector<std::string> doubts;
-  double unsupportedSurface = 0;  //!< part of it where the image shows no edge
+  double unsupportedSurface = 0;  //!< part of the surface where the image shows no edge
   int iterations = 0;
   StopReason stopped = StopReason::running;
   Timings seconds;
