@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 
 #include "core/cancellation.h"
 #include "core/object/morphology.h"
+#include "core/threads.h"
 #include "core/volume/intensity_statistics.h"
 
 namespace handlebody {
@@ -177,7 +177,8 @@ class Flood {
 };
 
 std::vector<ArrivalMap> mapsOfBand(const CellGrid& cells, const RungImage& rungs, const Cell& click, int band,
-                                   const ObjectPolicy& policy, Flood& flood) {
+                                   const ObjectPolicy& policy) {
+  Flood flood(cells, policy);
   Levels key(cells.count());
   for (std::size_t i = 0; i < key.size(); ++i) key[i] = rungs.above[i] <= band ? rungs.below[i] : kNever;
   const std::vector<OpeningPass> passes = passesOf(cells, policy);
@@ -246,16 +247,9 @@ RungImage rungsOf(const CellImage& image, const std::vector<float>& values, cons
 std::vector<ArrivalMap> arrivalMaps(const CellGrid& cells, const RungImage& rungs, const Cell& click,
                                     const ObjectPolicy& policy, int threads) {
   std::array<std::vector<ArrivalMap>, std::tuple_size_v<decltype(policy.bands)>> parts;
-  const auto work = [&](std::size_t first, std::size_t step) {
-    Flood flood(cells, policy);
-    for (std::size_t b = first; b < parts.size(); b += step)
-      parts[b] = mapsOfBand(cells, rungs, click, policy.bands[b], policy, flood);
-  };
-  const std::size_t n = std::clamp<std::size_t>(idx(threads), 1, parts.size());
-  std::vector<std::jthread> others;
-  for (std::size_t t = 1; t < n; ++t) others.emplace_back(work, t, n);
-  work(0, n);
-  others.clear();
+  forEachOnThreads(parts.size(), threads, [&](std::size_t b) {
+    parts[b] = mapsOfBand(cells, rungs, click, policy.bands[b], policy);
+  });
   std::vector<ArrivalMap> out;
   for (auto& part : parts) std::move(part.begin(), part.end(), std::back_inserter(out));
   return out;

@@ -150,22 +150,46 @@ RankedRegion describe(const ClickSearch& s, const ArrivalMap& map, int rung, con
   return r;
 }
 
-//! Regions that contain another one for sure (wider bounds, narrower opening) or are contained, and differ
-//! little in size.
-void countVotes(std::vector<RankedRegion>& regions, const ObjectPolicy& policy) {
-  std::vector<double> size;
-  for (const RankedRegion& r : regions) size.push_back(std::log(r.volume));
-  for (std::size_t i = 0; i < regions.size(); ++i) {
-    const RankedRegion& a = regions[i];
-    for (std::size_t j = 0; j < regions.size(); ++j) {
-      if (std::abs(size[i] - size[j]) >= policy.sameSize) continue;
-      if (regions[j].isStar()) continue;
-      const RankedRegion& b = regions[j];
+//! Voters that contain a region for sure (wider bounds, narrower opening) or are contained, and differ little
+//! in size.
+void countVotes(std::vector<RankedRegion>& regions, const std::vector<RankedRegion>& voters,
+                const ObjectPolicy& policy) {
+  std::vector<double> sizes;
+  for (const RankedRegion& v : voters) sizes.push_back(std::log(v.volume));
+  for (RankedRegion& a : regions) {
+    const double size = std::log(a.volume);
+    for (std::size_t j = 0; j < voters.size(); ++j) {
+      if (std::abs(size - sizes[j]) >= policy.sameSize) continue;
+      const RankedRegion& b = voters[j];
       const bool wider = b.map->band >= a.map->band && b.rung >= a.rung && b.map->passes <= a.map->passes;
       const bool narrower = b.map->band <= a.map->band && b.rung <= a.rung && b.map->passes >= a.map->passes;
-      regions[i].votes += wider || narrower;
+      a.votes += wider || narrower;
     }
   }
+}
+
+std::vector<RankedRegion> regionsOf(const ClickSearch& s, const std::vector<ArrivalMap>& maps,
+                                    const ObjectPolicy& policy) {
+  std::vector<RankedRegion> out;
+  for (const ArrivalMap& map : maps) {
+    const SumsPerRung sums = gather(s, map, s.gradients);
+    Sums upTo;
+    for (int rung = 0; rung < map.end; ++rung) {
+      upTo.add(sums[idx(rung)]);
+      if (upTo.voxels < static_cast<double>(policy.fewest)) continue;
+      if (upTo.voxels > policy.largestPart * static_cast<double>(s.image.cells.count())) break;
+      out.push_back(describe(s, map, rung, upTo));
+    }
+  }
+  return out;
+}
+
+//! What the clicks do not change.
+void learn(ClickSearch& s, const ObjectPolicy& policy) {
+  if (!s.gradients.empty() || (s.maps.empty() && s.stars.empty())) return;
+  s.gradients = gradientBins(s);
+  s.known = regionsOf(s, s.maps, policy);
+  countVotes(s.known, s.known, policy);
 }
 
 //! Rank from 0 to 1 among all regions; equal values have equal ranks.
@@ -239,7 +263,7 @@ double likeness(const RankedRegion& a, const RankedRegion& b, const ObjectPolicy
 ClickSearch searchAround(const Volume& volume, const CellGrid& cells, const Vec3& click,
                          const FieldOfView* view, const ObjectPolicy& policy, int threads,
                          const IntensityScale& scale) {
-  ClickSearch s{scale, makeCells(volume, cells, view), {}, cells.nearest(click), {}, {}};
+  ClickSearch s{scale, makeCells(volume, cells, view), {}, cells.nearest(click), {}, {}, {}, {}, {}};
   scale.apply(s.image.values);
   s.values = smoothed(cells, s.image.values, policy.smoothing * cells.grid.meanSpacing());
   s.intensities = readClick(cells, s.image.values, s.values, s.click, policy);
@@ -251,13 +275,13 @@ ClickSearch searchAround(const Volume& volume, const CellGrid& cells, const Vec3
 void addStars(ClickSearch& s, const std::vector<CellClick>& inside, const std::vector<CellClick>& outside,
               const ObjectPolicy& policy, int threads) {
   if (!(s.intensities.range > 0)) return;
-  std::erase_if(s.maps, [](const ArrivalMap& m) { return m.agreement > 0; });
+  s.stars.clear();
   for (const StarRegion& star : starRegions(s.image, s.values, inside, outside, policy, threads)) {
     ArrivalMap map{kRungs, 0, 0, 1, star.agreement, {}};
     map.level.resize(star.inside.size());
     std::transform(star.inside.begin(), star.inside.end(), map.level.begin(),
                    [](std::uint8_t in) { return in ? std::uint8_t{0} : kNever; });
-    s.maps.push_back(std::move(map));
+    s.stars.push_back(std::move(map));
   }
 }
 
@@ -285,22 +309,12 @@ std::vector<RankedRegion> rankRegions(const std::vector<std::unique_ptr<ClickSea
     const CellGrid& cells = s->image.cells;
     const bool last = s == searches.back();
     searched = std::max(searched, static_cast<double>(cells.count()) * cells.grid.voxelVolume());
-    const std::vector<std::uint8_t> gradients =
-        s->maps.empty() ? std::vector<std::uint8_t>{} : gradientBins(*s);
-    std::vector<RankedRegion> own;
-    for (const ArrivalMap& map : s->maps) {
-      const SumsPerRung sums = gather(*s, map, gradients);
-      Sums upTo;
-      for (int rung = 0; rung < map.end; ++rung) {
-        upTo.add(sums[idx(rung)]);
-        if (upTo.voxels < static_cast<double>(policy.fewest)) continue;
-        if (upTo.voxels > policy.largestPart * static_cast<double>(cells.count())) break;
-        own.push_back(describe(*s, map, rung, upTo));
-      }
-    }
-    countVotes(own, policy);
-    std::erase_if(own, [&](const RankedRegion& r) { return !last && r.cut > kHardlyCut; });
-    all.insert(all.end(), own.begin(), own.end());
+    learn(*s, policy);
+    std::vector<RankedRegion> stars = regionsOf(*s, s->stars, policy);
+    countVotes(stars, s->known, policy);
+    for (const auto* own : {&s->known, &stars})
+      std::copy_if(own->begin(), own->end(), std::back_inserter(all),
+                   [&](const RankedRegion& r) { return last || r.cut <= kHardlyCut; });
   }
   setScores(all, searched, policy);
   putStarsBehind(all, policy);

@@ -11,23 +11,7 @@
 
 namespace handlebody {
 
-//! A search around one click in one grid of cells.
-struct ClickSearch {
-  IntensityScale scale;
-  CellImage image;            //!< on the scale
-  std::vector<float> values;  //!< smoothed
-  std::array<int, 3> click;
-  ClickIntensities intensities;  //!< on the scale
-  std::vector<ArrivalMap> maps;
-};
-//! Puts the star-shaped regions around clicks behind the other maps, in place of those of other clicks.
-void addStars(ClickSearch& search, const std::vector<CellClick>& inside,
-              const std::vector<CellClick>& outside, const ObjectPolicy& policy, int threads);
-//! Precondition: the cells hold the click.
-ClickSearch searchAround(const Volume& volume, const CellGrid& cells, const Vec3& click,
-                         const FieldOfView* view, const ObjectPolicy& policy, int threads,
-                         const IntensityScale& scale = {});
-
+struct ClickSearch;
 //! A region {level <= rung} of one map, and what speaks for it.
 struct RankedRegion {
   const ClickSearch* search = nullptr;
@@ -51,6 +35,27 @@ struct RankedRegion {
   //! Lower and upper bound, intensities.
   std::array<double, 2> bounds() const;
 };
+
+//! A search around one click in one grid of cells.
+struct ClickSearch {
+  IntensityScale scale;
+  CellImage image;            //!< on the scale
+  std::vector<float> values;  //!< smoothed
+  std::array<int, 3> click;
+  ClickIntensities intensities;     //!< on the scale
+  std::vector<ArrivalMap> maps;     //!< by intensity
+  std::vector<ArrivalMap> stars;    //!< star-shaped
+  std::vector<RankedRegion> known;  //!< those of `maps` without scores, once rankRegions has asked for them
+  std::vector<std::uint8_t> gradients;  //!< per cell, in bins; likewise
+};
+//! Precondition: the cells hold the click.
+ClickSearch searchAround(const Volume& volume, const CellGrid& cells, const Vec3& click,
+                         const FieldOfView* view, const ObjectPolicy& policy, int threads,
+                         const IntensityScale& scale = {});
+
+//! The star-shaped regions around clicks, in place of those of other clicks.
+void addStars(ClickSearch& search, const std::vector<CellClick>& inside,
+              const std::vector<CellClick>& outside, const ObjectPolicy& policy, int threads);
 
 //! All regions of the searches with their scores. A region that the box of its search cuts is left out if
 //! another search is `wider`.

@@ -1,6 +1,7 @@
 #include "core/object/distance.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -14,10 +15,11 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 //! Lower envelope of the parabolas f(q) + (h (x - q))².
 class Envelope {
  public:
-  explicit Envelope(int n) : f_(idx(n)), apex_(idx(n)), from_(idx(n) + 1) {}
+  explicit Envelope(int n = 0) : f_(idx(n)), apex_(idx(n)), from_(idx(n) + 1) {}
   std::vector<float>& values() { return f_; }
 
   void run(double h) {
+    if (std::none_of(f_.begin(), f_.end(), [](float x) { return x > 0; })) return;
     int k = -1;
     for (int q = 0; q < static_cast<int>(f_.size()); ++q) {
       if (f_[idx(q)] == kInfinity) continue;
@@ -51,27 +53,52 @@ class Envelope {
   std::vector<double> from_;
 };
 
+constexpr std::size_t kTogether = 16;  // lines: a cache line of each is read at once
+
+//! Along the first axis there are only steps to count.
+void alongRows(std::vector<float>& d, int n, double h) {
+  for (std::size_t row = 0; row < d.size(); row += idx(n)) {
+    float* f = &d[row];
+    int last = -1;
+    for (int i = 0; i < n; ++i) {
+      if (f[i] == 0)
+        last = i;
+      else if (last >= 0)
+        f[i] = static_cast<float>((i - last) * h * ((i - last) * h));
+    }
+    for (int i = last - 1; i >= 0; --i) {
+      if (f[i] == 0)
+        last = i;
+      else
+        f[i] = std::min(f[i], static_cast<float>((last - i) * h * ((last - i) * h)));
+    }
+  }
+}
+
+//! Along another axis; `step` values lie between neighbours.
+void alongLines(std::vector<float>& d, int n, std::size_t step, double h) {
+  std::array<Envelope, kTogether> lines;
+  for (Envelope& e : lines) e = Envelope(n);
+  for (std::size_t slab = 0; slab < d.size(); slab += step * idx(n))
+    for (std::size_t j = slab; j < slab + step; j += kTogether) {
+      const std::size_t some = std::min(kTogether, slab + step - j);
+      for (int i = 0; i < n; ++i)
+        for (std::size_t k = 0; k < some; ++k) lines[k].values()[idx(i)] = d[j + k + idx(i) * step];
+      for (std::size_t k = 0; k < some; ++k) lines[k].run(h);
+      for (int i = 0; i < n; ++i)
+        for (std::size_t k = 0; k < some; ++k) d[j + k + idx(i) * step] = lines[k].values()[idx(i)];
+    }
+}
+
 }  // namespace
 
 std::vector<float> distanceTo(const std::array<int, 3>& size, const Vec3& spacing,
                               const std::vector<std::uint8_t>& mask) {
   std::vector<float> d(mask.size());
   for (std::size_t i = 0; i < d.size(); ++i) d[i] = mask[i] ? 0 : kInfinity;
-  std::size_t step = 1;
-  for (int a = 0; a < 3; ++a) {
-    const int n = size[idx(a)];
-    Envelope line(n);
-    const std::size_t slab = step * idx(n);
-    for (std::size_t from = 0; from < d.size(); from += slab)
-      for (std::size_t j = from; j < from + step; ++j) {
-        auto& f = line.values();
-        f.resize(idx(n));
-        for (int i = 0; i < n; ++i) f[idx(i)] = d[j + idx(i) * step];
-        line.run(spacing[a]);
-        for (int i = 0; i < n; ++i) d[j + idx(i) * step] = line.values()[idx(i)];
-      }
-    step = slab;
-  }
+  alongRows(d, size[0], spacing[0]);
+  alongLines(d, size[1], idx(size[0]), spacing[1]);
+  alongLines(d, size[2], idx(size[0]) * idx(size[1]), spacing[2]);
   for (float& x : d) x = std::sqrt(x);
   return d;
 }

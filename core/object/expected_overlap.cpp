@@ -1,8 +1,12 @@
 #include "core/object/expected_overlap.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <numeric>
+#include <utility>
 
 #include "core/cancellation.h"
 
@@ -10,49 +14,105 @@ namespace handlebody {
 
 namespace {
 
-//! A region and its cells.
-struct Listed {
-  RankedRegion region;
-  std::vector<std::uint32_t> cells;
+constexpr int kNone = -1;
+
+//! In which cells of another grid of the same volume the middles of cells lie, along one axis.
+std::vector<int> cellsAlong(std::size_t axis, const CellGrid& to, const CellGrid& from) {
+  std::vector<int> out;
+  for (int i = 0; i < from.grid.size[axis]; ++i) {
+    const int voxel = from.low[axis] + i * from.factor[axis] + from.factor[axis] / 2 - to.low[axis];
+    const int cell = voxel < 0 ? kNone : voxel / to.factor[axis];
+    out.push_back(cell < to.grid.size[axis] ? cell : kNone);
+  }
+  return out;
+}
+
+//! A region's cells, 1 each, in the grid of another search.
+std::vector<std::uint8_t> maskOn(const CellGrid& grid, const RankedRegion& r) {
+  const CellGrid& own = r.search->image.cells;
+  std::array<std::vector<int>, 3> cell;
+  for (std::size_t a = 0; a < 3; ++a) cell[a] = cellsAlong(a, own, grid);
+  std::vector<std::uint8_t> out(grid.count(), 0);
+  std::size_t i = 0;
+  for (const int z : cell[2])
+    for (const int y : cell[1])
+      for (const int x : cell[0]) {
+        if (x != kNone && y != kNone && z != kNone) out[i] = r.holds(own.at(x, y, z));
+        ++i;
+      }
+  return out;
+}
+std::vector<std::uint8_t> maskOf(const RankedRegion& r) {
+  std::vector<std::uint8_t> out(r.map->level.size());
+  const auto rung = static_cast<std::uint8_t>(r.rung);
+  std::transform(r.map->level.begin(), r.map->level.end(), out.begin(),
+                 [rung](std::uint8_t l) { return static_cast<std::uint8_t>(l <= rung); });
+  return out;
+}
+
+//! Cells of a grid, a bit each; no words before the first and after the last that hold any.
+class CellSet {
+ public:
+  //! `mask`: 0 or 1 per cell.
+  explicit CellSet(std::vector<std::uint8_t> mask) {
+    mask.resize((mask.size() + kBits - 1) / kBits * kBits, 0);
+    for (std::size_t from = 0; from < mask.size(); from += kBits) {
+      const std::uint64_t word = wordOf(&mask[from]);
+      if (words_.empty() && word == 0) continue;
+      if (words_.empty()) first_ = from / kBits;
+      words_.push_back(word);
+    }
+    while (!words_.empty() && words_.back() == 0) words_.pop_back();
+  }
+  std::size_t shared(const CellSet& o) const {
+    const std::size_t from = std::max(first_, o.first_), end = std::min(last(), o.last());
+    std::size_t out = 0;
+    for (std::size_t w = from; w < end; ++w)
+      out += static_cast<std::size_t>(std::popcount(words_[w - first_] & o.words_[w - o.first_]));
+    return out;
+  }
+
+ private:
+  static constexpr std::size_t kBits = 64;
+  //! Of 64 bytes of 0 or 1; a product brings eight of them together.
+  static std::uint64_t wordOf(const std::uint8_t* bytes) {
+    std::uint64_t word = 0;
+    for (std::size_t b = 0; b < kBits; b += 8) {
+      std::uint64_t eight = 0;
+      std::memcpy(&eight, bytes + b, sizeof eight);
+      word |= ((eight * 0x0102040810204080U) >> 56) << b;
+    }
+    return word;
+  }
+  std::size_t last() const { return first_ + words_.size(); }
+  std::size_t first_ = 0;
+  std::vector<std::uint64_t> words_;
 };
 
-Listed listed(const RankedRegion& r) {
-  giveUpIfCancelled();
-  Listed out{r, {}};
-  for (std::size_t i = 0; i < r.map->level.size(); ++i)
-    if (r.holds(i)) out.cells.push_back(static_cast<std::uint32_t>(i));
-  return out;
-}
-
-//! The cell of another grid of the same volume in which a cell's middle lies; it may lie beyond the grid.
-std::array<int, 3> cellIn(const CellGrid& to, const CellGrid& from, const std::array<int, 3>& cell) {
-  std::array<int, 3> out{};
-  for (std::size_t a = 0; a < 3; ++a) {
-    const int voxel = from.low[a] + cell[a] * from.factor[a] + from.factor[a] / 2 - to.low[a];
-    out[a] = voxel < 0 ? -1 : voxel / to.factor[a];
+//! A region and its cells, in the grid of each search in which it was asked for.
+class Listed {
+ public:
+  explicit Listed(const RankedRegion& r) : region(r) {}
+  const CellSet& cellsOf(const ClickSearch* search) const {
+    const auto known =
+        std::find_if(sets_.begin(), sets_.end(), [&](const auto& s) { return s.first == search; });
+    if (known != sets_.end()) return known->second;
+    giveUpIfCancelled();
+    sets_.emplace_back(
+        search, CellSet(search == region.search ? maskOf(region) : maskOn(search->image.cells, region)));
+    return sets_.back().second;
   }
-  return out;
-}
+  RankedRegion region;
 
-bool isWithin(const CellGrid& cells, const std::array<int, 3>& c) {
-  for (std::size_t a = 0; a < 3; ++a)
-    if (c[a] < 0 || c[a] >= cells.grid.size[a]) return false;
-  return true;
-}
+ private:
+  mutable std::vector<std::pair<const ClickSearch*, CellSet>> sets_;
+};
 
 //! Volume (mm³) that two regions share, counted in the cells of the first.
-double shared(const Listed& a, const RankedRegion& b) {
-  const CellGrid &from = a.region.search->image.cells, &to = b.search->image.cells;
-  std::size_t both = 0;
-  if (a.region.search == b.search) {
-    for (const std::uint32_t i : a.cells) both += b.holds(i);
-  } else {
-    for (const std::uint32_t i : a.cells) {
-      const auto c = cellIn(to, from, from.cellOf(i));
-      both += isWithin(to, c) && b.holds(to.at(c));
-    }
-  }
-  return static_cast<double>(both) * from.grid.voxelVolume();
+double shared(const Listed& a, const Listed& b) {
+  const ClickSearch* search = a.region.search;
+  return static_cast<double>(a.cellsOf(search).shared(b.cellsOf(search))) *
+         search->image.cells.grid.voxelVolume();
 }
 
 //! Dice. In the finer cells, or those of the smaller region; regions of one map are nested.
@@ -61,7 +121,7 @@ double overlapOf(const Listed& a, const Listed& b) {
   if (a.region.map == b.region.map) return 2 * least / sum;
   const auto cell = [](const Listed& l) { return l.region.search->image.cells.grid.voxelVolume(); };
   const bool countInA = cell(a) != cell(b) ? cell(a) < cell(b) : a.region.volume <= b.region.volume;
-  return std::min(1.0, 2 * (countInA ? shared(a, b.region) : shared(b, a.region)) / sum);
+  return std::min(1.0, 2 * (countInA ? shared(a, b) : shared(b, a)) / sum);
 }
 
 double diceOfIntersectionOverUnion(double iou) { return 2 * iou / (1 + iou); }
@@ -85,12 +145,13 @@ LikelyRegions likelyRegions(std::vector<RankedRegion>& ranked, const ObjectPolic
   std::vector<Listed> kept;
   for (const RankedRegion& r : ranked) {
     if (kept.size() == policy.likely) break;
+    Listed next(r);
     const auto differs = [&](const Listed& k) {
       const double sizes = 2 * std::min(r.volume, k.region.volume) / (r.volume + k.region.volume);
       return sizes <= same ||
-             (r.map != k.region.map && 2 * shared(k, r) / (r.volume + k.region.volume) <= same);
+             (r.map != k.region.map && 2 * shared(k, next) / (r.volume + k.region.volume) <= same);
     };
-    if (std::all_of(kept.begin(), kept.end(), differs)) kept.push_back(listed(r));
+    if (std::all_of(kept.begin(), kept.end(), differs)) kept.push_back(std::move(next));
   }
   std::vector<double> scores;
   for (const Listed& k : kept) {

@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <numeric>
+#include <utility>
 
 #include "core/cancellation.h"
 #include "core/object/expected_overlap.h"
 #include "core/object/relabel.h"
+#include "core/threads.h"
 
 namespace handlebody {
 
@@ -147,6 +151,19 @@ class Finder {
     return moved.count() > 0 ? moved : found;  // one of a few cells is nothing but surface
   }
 
+  //! The same for several. Those found by intensity are likely to be offered again for the next click.
+  std::vector<std::shared_ptr<const Region>> onImageOnce(const std::vector<OfferedRegion>& offered) {
+    std::vector<std::shared_ptr<const Region>> out(offered.size());
+    forEachOnThreads(out.size(), query_.threads, [&](std::size_t i) {
+      const RankedRegion& r = offered[i].region;
+      const auto known = onImage_.find({r.map, r.rung});
+      out[i] = known != onImage_.end() ? known->second : std::make_shared<const Region>(onImage(r));
+    });
+    for (std::size_t i = 0; i < out.size(); ++i)
+      if (const RankedRegion& r = offered[i].region; !r.isStar()) onImage_[{r.map, r.rung}] = out[i];
+    return out;
+  }
+
   //! Only what hangs together with the clicks inside, without the holes that noise makes.
   Region tidied(Region region) const {
     std::vector<std::size_t> holding;
@@ -187,15 +204,17 @@ class Finder {
    public:
     Offers(const Finder& finder, const Pending& pending, double depth)
         : finder_(finder), pending_(pending), depth_(depth) {}
-    void add(Region region, double score, bool isLocal) {
-      giveUpIfCancelled();
-      region = finder_.tidied(std::move(region));
-      if (!finder_.isTrue(region, pending_)) return;
-      const double worth = score + finder_.worthOfChange(region, pending_.isInside, depth_);
-      const auto place =
-          std::find_if(best_.begin(), best_.end(), [&](const Offer& o) { return worth > o.worth; });
-      best_.insert(place, {std::move(region), worth, isLocal});
-      if (best_.size() > finder_.policy_.weighed) best_.pop_back();
+    //! `region` is called once, on any thread.
+    void add(std::function<Region()> region, double score, bool isLocal) {
+      tasks_.push_back({std::move(region), score, isLocal});
+    }
+    //! Makes what was added.
+    void weigh(int threads) {
+      std::vector<std::optional<Offer>> made(tasks_.size());
+      forEachOnThreads(tasks_.size(), threads, [&](std::size_t i) { made[i] = offerOf(tasks_[i]); });
+      tasks_.clear();
+      for (auto& o : made)
+        if (o) keep(std::move(*o));
     }
     bool any() const { return !best_.empty(); }
     struct Offer {
@@ -220,9 +239,30 @@ class Finder {
     }
 
    private:
+    struct Task {
+      std::function<Region()> region;
+      double score;
+      bool isLocal;
+    };
+    //! None if the click is still on the wrong side.
+    std::optional<Offer> offerOf(const Task& task) const {
+      giveUpIfCancelled();
+      Region region = finder_.tidied(task.region());
+      if (!finder_.isTrue(region, pending_)) return {};
+      const double worth = task.score + finder_.worthOfChange(region, pending_.isInside, depth_);
+      return Offer{std::move(region), worth, task.isLocal};
+    }
+    void keep(Offer offer) {
+      const auto place =
+          std::find_if(best_.begin(), best_.end(), [&](const Offer& o) { return offer.worth > o.worth; });
+      best_.insert(place, std::move(offer));
+      if (best_.size() > finder_.policy_.weighed) best_.pop_back();
+    }
+
     const Finder& finder_;
     const Pending& pending_;
     double depth_;
+    std::vector<Task> tasks_;
     std::vector<Offer> best_;  // the best first
   };
 
@@ -235,10 +275,13 @@ class Finder {
     if (p.isInside)
       offerOwnRegions(offers, p, depth, local);
     else
-      offers.add(cutAway(work_, region_, p.click, inside_, noise_, depth), made, true);
-    if (!offers.any())
-      offers.add(within(p.click, policy_.makeshiftReach * depth, [&](std::size_t) { return p.isInside; }), 0,
-                 true);
+      offers.add([&] { return cutAway(work_, region_, p.click, inside_, noise_, depth); }, made, true);
+    offers.weigh(query_.threads);
+    if (!offers.any()) {
+      const auto isInside = [&](std::size_t) { return p.isInside; };
+      offers.add([&] { return within(p.click, policy_.makeshiftReach * depth, isInside); }, 0, true);
+      offers.weigh(1);
+    }
     if (!offers.any()) return;
     Offers::Offer chosen = offers.take();
     corrections_ = chosen.isLocal ? corrections_ + 1 : 0;
@@ -267,22 +310,26 @@ class Finder {
     for (const Pending& d : done_) (d.isInside ? r.inside : r.outside).push_back(d.click);
     for (const double reach : policy_.relabelReaches) {
       r.reach = reach * depth;
-      offers.add(relabelled(work_, region_, r, policy_), score, true);
+      offers.add([this, r] { return relabelled(work_, region_, r, policy_); }, score, true);
       score -= policy_.relabelFar;
     }
   }
 
   //! Other candidates that agree with all clicks so far, whole or only near this one.
-  void offerCandidates(Offers& offers, const Pending& p, double depth, double local) const {
+  void offerCandidates(Offers& offers, const Pending& p, double depth, double local) {
     std::vector<RankedRegion> agreeing;
     std::copy_if(ranked_.begin(), ranked_.end(), std::back_inserter(agreeing),
                  [&](const RankedRegion& r) { return agrees(r) && r.holds(p.click.place) == p.isInside; });
-    for (const auto& [r, expected] : offeredRegions(likelyRegions(agreeing, policy_), policy_)) {
-      const Region whole = onImage(r);
-      offers.add(whole, r.score, false);
-      offers.add(
-          within(p.click, policy_.correctionReach * depth, [&](std::size_t i) { return whole.inside[i]; }),
-          r.score - local - policy_.mixed, true);
+    const std::vector<OfferedRegion> offered = offeredRegions(likelyRegions(agreeing, policy_), policy_);
+    const std::vector<std::shared_ptr<const Region>> regions = onImageOnce(offered);
+    for (std::size_t i = 0; i < offered.size(); ++i) {
+      const RankedRegion& r = offered[i].region;
+      const std::shared_ptr<const Region> whole = regions[i];
+      offers.add([whole] { return *whole; }, r.score, false);
+      const double reach = policy_.correctionReach * depth;
+      offers.add([this, whole, reach,
+                  &p] { return within(p.click, reach, [&](std::size_t c) { return whole->inside[c]; }); },
+                 r.score - local - policy_.mixed, true);
     }
   }
 
@@ -295,10 +342,13 @@ class Finder {
                          [&](const Pending& o) { return !o.isInside && r.holds(o.click.place); });
     });
     for (const RankedRegion& r : distinctRegions(ranked, policy_.tried, policy_)) {
-      const Region whole = regionOn(work_, r);
-      offers.add(within(p.click, policy_.correctionReach * depth,
-                        [&](std::size_t i) { return region_.inside[i] || whole.inside[i]; }),
-                 r.score - local, true);
+      const double reach = policy_.correctionReach * depth;
+      offers.add(
+          [this, whole = regionOn(work_, r), reach, &p] {
+            return within(p.click, reach,
+                          [&](std::size_t c) { return region_.inside[c] || whole.inside[c]; });
+          },
+          r.score - local, true);
     }
   }
 
@@ -323,6 +373,7 @@ class Finder {
   double noise_ = 0;
   std::vector<Pending> done_;  // clicks that have been taken in
   int corrections_ = 0;        // near clicks, in a row
+  std::map<std::pair<const ArrivalMap*, int>, std::shared_ptr<const Region>> onImage_;  // map and rung
   std::vector<CellClick> inside_, outside_;
 };
 

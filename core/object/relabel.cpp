@@ -127,9 +127,11 @@ class RandomWalk {
     out_ = distanceTo(size_, cells_.grid.spacing, inside_);
     in_ = distanceTo(size_, cells_.grid.spacing, outside);
     if (!click_) return;
-    std::vector<std::uint8_t> click(inside_.size(), 0);
-    click[box_.at(cells_.cellOf(click_->click.cell))] = 1;
-    fromClick_ = distanceTo(size_, cells_.grid.spacing, click);
+    const Cell click = cells_.cellOf(click_->click.cell);
+    forBox(box_, [&](const Cell& c) {
+      const Vec3 from(c[0] - click[0], c[1] - click[1], c[2] - click[2]);
+      fromClick_.push_back(static_cast<float>(from.cwiseProduct(cells_.grid.spacing).norm()));
+    });
   }
 
   void setKinds() {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <thread>
 
 #include "core/cancellation.h"
 #include "core/object/closure.h"
 #include "core/object/rays.h"
+#include "core/threads.h"
 #include "core/volume/intensity_statistics.h"
 
 namespace handlebody {
@@ -297,15 +297,8 @@ std::vector<StarRegion> starRegions(const CellImage& image, const std::vector<fl
   const Rays rays(policy.starRays);
   const StarTask task{image, smooth, inside, outside, policy, rays};
   std::vector<Mask> found(starts.size());
-  const auto work = [&](std::size_t first, std::size_t step) {
-    StarSearch search(task);
-    for (std::size_t s = first; s < starts.size(); s += step) found[s] = search.from(starts[s]);
-  };
-  const std::size_t n = std::clamp<std::size_t>(idx(threads), 1, std::max<std::size_t>(1, starts.size()));
-  std::vector<std::jthread> others;
-  for (std::size_t t = 1; t < n; ++t) others.emplace_back(work, t, n);
-  work(0, n);
-  others.clear();
+  forEachOnThreads(starts.size(), threads,
+                   [&](std::size_t s) { found[s] = StarSearch(task).from(starts[s]); });
   std::vector<StarRegion> out;
   const double share = 1.0 / static_cast<double>(std::max<std::size_t>(1, starts.size()));
   for (Mask& f : found) {

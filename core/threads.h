@@ -1,0 +1,47 @@
+#pragma once
+// Independent pieces of work on several threads.
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "core/cancellation.h"
+
+namespace handlebody {
+
+//! Calls f(i) once for each i below `n`, on up to `threads` threads, this one among them. What one of them
+//! throws is thrown here once all have ended; those not begun by then are left out. All notice a wish to
+//! cancel.
+template <typename F>
+void forEachOnThreads(std::size_t n, int threads, F&& f) {
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr thrown;
+  std::mutex guard;
+  const auto work = [&] {
+    try {
+      for (std::size_t i = next++; i < n; i = next++) f(i);
+    } catch (...) {
+      next = n;
+      const std::lock_guard lock(guard);
+      if (!thrown) thrown = std::current_exception();
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    const std::size_t most = std::min(n, static_cast<std::size_t>(std::max(1, threads)));
+    const std::atomic<bool>* wish = detail::wish;
+    for (std::size_t t = 1; t < most; ++t)
+      others.emplace_back([&work, wish] {
+        detail::wish = wish;
+        work();
+      });
+    work();
+  }
+  if (thrown) std::rethrow_exception(thrown);
+}
+
+}  // namespace handlebody

@@ -1,0 +1,41 @@
+#include "core/threads.h"
+
+#include <array>
+#include <atomic>
+#include <stdexcept>
+
+#include "tests/support/catch.h"
+
+using namespace handlebody;
+
+TEST_CASE("each piece of work is done once, with any number of threads") {
+  for (const int threads : {-1, 1, 3, 50}) {
+    std::array<std::atomic<int>, 40> calls{};
+    forEachOnThreads(calls.size(), threads, [&](std::size_t i) { ++calls[i]; });
+    for (const auto& c : calls) CHECK(c == 1);
+  }
+  forEachOnThreads(0, 4, [](std::size_t) { FAIL("there is nothing to do"); });
+}
+
+TEST_CASE("what a piece of work throws arrives, whichever thread it was on") {
+  for (const int threads : {1, 4})
+    for (const std::size_t bad : {0, 17, 39})
+      CHECK_THROWS_AS(forEachOnThreads(40, threads,
+                                       [&](std::size_t i) {
+                                         if (i == bad) throw std::runtime_error("bad");
+                                       }),
+                      std::runtime_error);
+}
+
+TEST_CASE("a wish to cancel reaches every thread") {
+  const std::atomic<bool> cancelled{true};
+  const CancelScope scope(cancelled);
+  std::atomic<int> done{0};
+  CHECK_THROWS_AS(forEachOnThreads(100, 4,
+                                   [&](std::size_t) {
+                                     giveUpIfCancelled();
+                                     ++done;
+                                   }),
+                  Cancelled);
+  CHECK(done == 0);
+}
