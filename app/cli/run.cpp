@@ -149,8 +149,9 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
   const auto [mesh, certificate] = certifiedForExport(contour->mesh().compact());
   report.mesh = certificate;
   report.doubts = doubts(report, mesh);
-  for (std::string& d : contour->doubts()) report.doubts.push_back(std::move(d));
-  report.unsupportedSurface = contour->unsupportedSurface();
+  const SurfaceSupport support = contour->support();
+  for (std::string& d : contour->doubts(support)) report.doubts.push_back(std::move(d));
+  report.unsupportedSurface = support.withoutEdge;
   contour.reset();  // with the voxels: a label map needs the memory
   for (const std::string& d : report.doubts) std::fprintf(stderr, "handlebody-cli: warning: %s\n", d.c_str());
   {

@@ -487,13 +487,11 @@ bool ActiveContour::isSettled(int vertex) const { return state_->sleeps(vertex);
 std::size_t ActiveContour::memory() const {
   return sizeof(State) + state_->mesh.memory() + state_->quiet.size();
 }
-std::vector<std::string> ActiveContour::doubts() const {
-  std::vector<std::string> doubts = imageDoubts(state_->mesh, *state_->image);
+SurfaceSupport ActiveContour::support() const { return surfaceSupport(state_->mesh, *state_->image); }
+std::vector<std::string> ActiveContour::doubts(const SurfaceSupport& support) const {
+  std::vector<std::string> doubts = imageDoubts(state_->mesh, *state_->image, support);
   if (state_->neckRadius > 0) doubts.push_back(heldAtPassages(state_->neckRadius));
   return doubts;
-}
-double ActiveContour::unsupportedSurface() const {
-  return partWithoutEdge(state_->mesh, *state_->image);
 }
 void ActiveContour::recordTraces(bool on) { state_->traces = on; }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/evolution/image_doubts.h"
 #include "core/evolution/parameters.h"
 #include "core/evolution/step_report.h"
 #include "core/mesh/mesh.h"
@@ -61,11 +62,11 @@ class ActiveContour {
   bool isSettled(int vertex) const;
   //! Bytes of a copy that are its own: not the image.
   std::size_t memory() const;
+  //! Where the image shows an edge at the surface as it is now, and where none.
+  SurfaceSupport support() const;
   //! What in the image speaks against the surface as it is now: sentences without a full stop
-  //! (image_doubts.h).
-  std::vector<std::string> doubts() const;
-  //! Part of the surface, from 0 to 1, where the image shows no edge.
-  double unsupportedSurface() const;
+  //! (image_doubts.h). `support`: of the surface as it is now.
+  std::vector<std::string> doubts(const SurfaceSupport& support) const;
   //! Traces of events are recorded from the next step on. Off by default.
   void recordTraces(bool on);
 

@@ -2,6 +2,8 @@
 
 #include <cstdio>
 
+#include "core/evolution/object_image.h"
+
 namespace handlebody {
 
 namespace {
@@ -21,16 +23,24 @@ std::string sentence(const char* format, Numbers... numbers) {
 
 namespace {
 
-//! Calls f(middle, outward normal, size) for every face that has an area; size is twice the area (mm²).
+//! Calls f(middle, outward normal, size) for every face, in order; size is twice the area (mm²), and without
+//! one the normal is zero.
 template <typename F>
 void forEachFacet(const Mesh& mesh, F&& f) {
   for (int face = 0; face < mesh.faceSlots(); ++face) {
     if (!mesh.isFace(face)) continue;
     const Triangle& t = mesh.face(face);
     const Vec3 area = mesh.areaVector(face);
-    const double size = area.norm();
-    if (size > 0) f((mesh.position(t[0]) + mesh.position(t[1]) + mesh.position(t[2])) / 3, area / size, size);
+    f((mesh.position(t[0]) + mesh.position(t[1]) + mesh.position(t[2])) / 3, area.normalized(), area.norm());
   }
+}
+
+FaceSupport supportAt(const ObjectImage& image, const Vec3& middle, const Vec3& normal) {
+  const Grid& grid = image.volume().grid();
+  const Vec3 reach = grid.meanSpacing() * normal, beyond = middle + reach;
+  if (!grid.contains(grid.toIndex(beyond))) return FaceSupport::border;
+  const double rise = image.insideByIntensity(middle - reach) - image.insideByIntensity(beyond);
+  return rise < kNoEdge ? FaceSupport::none : FaceSupport::edge;
 }
 
 bool isPadding(const FieldOfView& view, const Grid& grid, const Vec3& world) {
@@ -40,18 +50,18 @@ bool isPadding(const FieldOfView& view, const Grid& grid, const Vec3& world) {
 
 }  // namespace
 
-double partWithoutEdge(const Mesh& mesh, const ObjectImage& image) {
-  const Grid& grid = image.volume().grid();
-  const double reach = grid.meanSpacing();
+SurfaceSupport surfaceSupport(const Mesh& mesh, const ObjectImage& image) {
+  SurfaceSupport support;
+  support.faces.reserve(static_cast<std::size_t>(mesh.faceCount()));
   double without = 0, all = 0;
   forEachFacet(mesh, [&](const Vec3& middle, const Vec3& normal, double size) {
-    const Vec3 beyond = middle + reach * normal;
-    if (!grid.contains(grid.toIndex(beyond))) return;
-    all += size;
-    const double within = image.insideByIntensity(middle - reach * normal);
-    if (within - image.insideByIntensity(beyond) < kNoEdge) without += size;
+    const FaceSupport face = supportAt(image, middle, normal);
+    support.faces.push_back(face);
+    if (face != FaceSupport::border) all += size;
+    if (face == FaceSupport::none) without += size;
   });
-  return all > 0 ? without / all : 0;
+  support.withoutEdge = all > 0 ? without / all : 0;
+  return support;
 }
 
 double partAtPadding(const Mesh& mesh, const ObjectImage& image) {
@@ -68,7 +78,8 @@ double partAtPadding(const Mesh& mesh, const ObjectImage& image) {
   return all > 0 ? at / all : 0;
 }
 
-std::vector<std::string> imageDoubts(const Mesh& mesh, const ObjectImage& image) {
+std::vector<std::string> imageDoubts(const Mesh& mesh, const ObjectImage& image,
+                                     const SurfaceSupport& support) {
   std::vector<std::string> out;
   if (const NeckCut* neck = image.neck())
     out.push_back(sentence(
@@ -81,12 +92,11 @@ std::vector<std::string> imageDoubts(const Mesh& mesh, const ObjectImage& image)
                      : "at a neck of radius",
         neck->neckRadius, neck->hole ? " in a thin wall" : "", neck->cutVolume / 1000,
         neck->keptVolume / 1000));
-  const double part = partWithoutEdge(mesh, image);
-  if (part > kMuch)
+  if (support.withoutEdge > kMuch)
     out.push_back(
         sentence("%.0f %% of the surface lies where the image shows no edge: the object may go on "
                  "there, or the surface leaked",
-                 100 * part));
+                 100 * support.withoutEdge));
   const double atPadding = partAtPadding(mesh, image);
   if (atPadding > kMuchPadding)
     out.push_back(

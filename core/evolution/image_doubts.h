@@ -4,23 +4,36 @@
 #include <string>
 #include <vector>
 
-#include "core/evolution/object_image.h"
 #include "core/mesh/mesh.h"
 
 namespace handlebody {
 
-//! Part of the surface (by area) across which the intensity hardly changes: over two voxels along the normal
-//! by less than a quarter of the step from the object to its boundary. 0 for a surface on the object's edges,
-//! 1 for one that ends in the open. Where the surface ends at the border of the volume does not count.
-double partWithoutEdge(const Mesh& mesh, const ObjectImage& image);
+class ObjectImage;
+
+//! What the image shows where a face lies: an edge of the object; none, so that only curvature or a limit
+//! carries the surface there; nothing, at the border of the volume.
+enum class FaceSupport : unsigned char { edge, none, border };
+
+//! How the image supports a surface.
+struct SurfaceSupport {
+  std::vector<FaceSupport> faces;  //!< one per face, in the order of Mesh::compact()
+  //! Part of the surface (by area, 0 … 1) with FaceSupport::none; what lies at the border does not count.
+  double withoutEdge = 0;
+};
+
+//! A face is without an edge if across it the intensity hardly changes: over two voxels along the normal by
+//! less than a quarter of the step from the object to its boundary. All are with one for a surface on the
+//! object's edges, none for one that ends in the open.
+SurfaceSupport surfaceSupport(const Mesh& mesh, const ObjectImage& image);
 
 //! Part of the surface (by area) that lies on the border of the field of view: not more than two voxels
 //! before the padding around the image.
 double partAtPadding(const Mesh& mesh, const ObjectImage& image);
 
 //! Sentences without a full stop: the object was cut off at a neck; much of the surface shows no edge; much
-//! of it lies on the border of the field of view.
-std::vector<std::string> imageDoubts(const Mesh& mesh, const ObjectImage& image);
+//! of it lies on the border of the field of view. `support`: of the same mesh and image.
+std::vector<std::string> imageDoubts(const Mesh& mesh, const ObjectImage& image,
+                                     const SurfaceSupport& support);
 
 //! Of an object that is cut where its passages have radii below `neckRadius` (mm).
 std::string heldAtPassages(double neckRadius);

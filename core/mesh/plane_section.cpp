@@ -13,8 +13,9 @@ Vec3 crossing(const Vec3& below, const Vec3& above, double hBelow, double hAbove
 }  // namespace
 
 void planeSection(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles, const Vec3& normal,
-                  double offset, std::vector<std::array<Vec3, 2>>& section) {
+                  double offset, std::vector<std::array<Vec3, 2>>& section, std::vector<int>* crossed) {
   section.clear();
+  if (crossed) crossed->clear();
   std::vector<double> heights(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) heights[i] = normal.dot(points[i]) - offset;
   for (const Triangle& t : triangles) {
@@ -29,6 +30,7 @@ void planeSection(const std::vector<Vec3>& points, const std::vector<Triangle>& 
       ends[count++] = crossing(points[at(low)], points[at(high)], heights[at(low)], heights[at(high)]);
     }
     section.push_back(ends);
+    if (crossed) crossed->push_back(static_cast<int>(&t - triangles.data()));
   }
 }
 

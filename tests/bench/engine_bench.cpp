@@ -7,6 +7,7 @@
 
 #include "core/collision/self_intersection.h"
 #include "core/evolution/active_contour.h"
+#include "core/evolution/image_doubts.h"
 #include "core/evolution/motion.h"
 #include "core/evolution/object_image.h"
 #include "core/evolution/object_range.h"
@@ -147,6 +148,25 @@ void partRegulation(benchmark::State& state) {
   }
 }
 
+//! Where the image shows an edge: what a frame of the window costs more. By a range, and by a region that was
+//! chosen from a click.
+void partSupport(benchmark::State& state) {
+  const GrownField& g = grownField();
+  const ObjectImage image(g.volume, *g.parameters.range, 0.25);
+  for (auto _ : state) benchmark::DoNotOptimize(surfaceSupport(g.mesh, image).withoutEdge);
+  state.counters["triangles"] = g.mesh.faceCount();
+}
+
+void partSupportOfRegion(benchmark::State& state) {
+  const Phantom phantom = makePhantom("sphere");
+  Parameters parameters;
+  parameters.edgeLength = 0.014 * phantom.volume.grid.spacing[0] * phantom.volume.grid.size[0];
+  ActiveContour contour(phantom.volume, {{phantom.seed, phantom.seedRadius}}, parameters);
+  while (contour.stopReason() == StopReason::running) contour.step();
+  for (auto _ : state) benchmark::DoNotOptimize(contour.support().withoutEdge);
+  state.counters["triangles"] = contour.mesh().faceCount();
+}
+
 void partCopy(benchmark::State& state) {
   const GrownField& g = grownField();
   Mesh copy;
@@ -182,6 +202,8 @@ BENCHMARK(stepAt10k)->ArgName("seeds")->Arg(1)->Arg(8)->UseManualTime()->Unit(be
 BENCHMARK(partMotion)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(partDetection)->Unit(benchmark::kMillisecond);
 BENCHMARK(partRegulation)->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(partSupport)->Unit(benchmark::kMillisecond);
+BENCHMARK(partSupportOfRegion)->Unit(benchmark::kMillisecond);
 BENCHMARK(partCopy)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(prepare, cyst, "cyst")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(prepare, cube, "cube")->Unit(benchmark::kMillisecond);

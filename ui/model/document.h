@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/evolution/image_doubts.h"
 #include "core/evolution/parameters.h"
 #include "core/evolution/step_report.h"
 #include "core/io/mesh_io.h"
@@ -30,6 +31,7 @@ struct MeshSnapshot {
   int iteration = 0;
   TriangleSoup mesh;              //!< mm LPS
   std::vector<FaceState> states;  //!< one per triangle
+  SurfaceSupport support;         //!< its faces are the triangles
   Certificate certificate;        //!< of this mesh: every frame that is shown has been looked at
   //! What the image says against the surface, sentences without a full stop; only of a surface at rest.
   std::vector<std::string> doubts;

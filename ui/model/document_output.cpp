@@ -106,6 +106,7 @@ void Document::Private::exportReport(const QString& path) {
       made.mesh = mesh.certificate;
       made.doubts = doubts(made, mesh.mesh);
       made.doubts.insert(made.doubts.end(), shown->doubts.begin(), shown->doubts.end());
+      made.unsupportedSurface = shown->support.withoutEdge;
       Timings& s = made.seconds;
       s.exported = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       s.total = s.load + s.prepare + s.evolve + s.exported;

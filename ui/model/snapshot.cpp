@@ -104,7 +104,8 @@ std::shared_ptr<const MeshSnapshot> makeSnapshot(const History& history, Checkin
     snapshot->certificate.selfIntersections =
         static_cast<int>(findSelfIntersections(snapshot->mesh.points, snapshot->mesh.triangles).size());
   }
-  if (checking == Checking::everything) snapshot->doubts = contour.doubts();
+  snapshot->support = contour.support();
+  if (checking == Checking::everything) snapshot->doubts = contour.doubts(snapshot->support);
   return snapshot;
 }
 

@@ -90,6 +90,17 @@ void paintText(QPainter& painter, const QPointF& place, Qt::Alignment flags, con
   painter.drawImage(QPointF(std::round(corner.x()), std::round(corner.y())) / ratio, picture);
 }
 
+void paintKey(QPainter& painter, const QPointF& place, const QColor& colour, const QString& text) {
+  const QFont font = overlayFont(0.95);
+  const double side = QFontMetricsF(font).ascent() * 0.8;
+  const QRectF swatch(place.x(), place.y() - side / 2, side, side);
+  painter.fillRect(swatch.adjusted(-1, -1, 1, 1), kRim);
+  painter.fillRect(swatch, colour);
+  paintText(painter, {swatch.right() + 6, place.y()}, Qt::AlignLeft | Qt::AlignVCenter, text, font);
+}
+
+QColor unsupportedColour() { return {0x6a, 0x7b, 0xff}; }
+
 void paintScaleBar(QPainter& painter, const QSizeF& size, double mmPerPixel) {
   if (!(mmPerPixel > 0) || size.width() < 80) return;
   const double length = roundLength(0.25 * size.width() * mmPerPixel);

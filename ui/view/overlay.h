@@ -19,6 +19,11 @@ QFont overlayFont(double factor = 1, bool bold = false);
 //! Light text with a dark rim; `place` is the corner or middle of the text that `flags` (Qt::Alignment) say.
 void paintText(QPainter& painter, const QPointF& place, Qt::Alignment flags, const QString& text,
                const QFont& font, const QColor& colour = QColor(0xe8, 0xec, 0xf0));
+//! A square of a colour and what it means; `place` is the middle of the square's left side.
+void paintKey(QPainter& painter, const QPointF& place, const QColor& colour, const QString& text);
+//! Of the surface where the image shows no edge. The other colours of mesh and outline differ from it for
+//! every kind of colour vision.
+QColor unsupportedColour();
 //! A bar of a round length with its mm in the lower right corner.
 void paintScaleBar(QPainter& painter, const QSizeF& size, double mmPerPixel);
 //! A bar of the view's colour along its upper edge; around it when the view has the keyboard's focus.

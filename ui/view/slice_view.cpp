@@ -18,6 +18,7 @@ namespace handlebody::ui {
 namespace {
 
 const QColor kOutline(0xff, 0xb8, 0x1a), kOutlineShadow(0, 0, 0, 110);
+constexpr double kOutlineWidth = 1.6, kUnsupportedWidth = 2.4;  // pixels
 
 //! The views whose planes the vertical and the horizontal line of a crosshair are.
 std::pair<Plane, Plane> crossedPlanes(Plane plane) {
@@ -47,7 +48,8 @@ struct SliceView::Private {
   const QImage& image(double pixelRatio);
   const std::vector<std::array<Vec3, 2>>& outline();
   void paint(QPainter& painter, double pixelRatio, bool focused);
-  void paintOutline(QPainter& painter);
+  bool paintOutline(QPainter& painter);
+  void paintLegend(QPainter& painter) const;
   void paintCrosshair(QPainter& painter) const;
   void paintTexts(QPainter& painter) const;
 
@@ -63,6 +65,7 @@ struct SliceView::Private {
   std::shared_ptr<const MeshSnapshot> cutMesh;
   int cutSlice = -1;
   std::vector<std::array<Vec3, 2>> section;  // of cutMesh with cutSlice, mm
+  std::vector<int> sectionFaces;             // triangles of its segments
 };
 
 const QImage& SliceView::Private::image(double pixelRatio) {
@@ -93,20 +96,34 @@ const std::vector<std::array<Vec3, 2>>& SliceView::Private::outline() {
   Vec3 index = Vec3::Zero();
   index[geometry.axes().normal] = geometry.slice();
   const double offset = geometry.normal().dot(geometry.grid().toWorld(index));
-  if (mesh) planeSection(mesh->mesh.points, mesh->mesh.triangles, geometry.normal(), offset, section);
+  if (mesh)
+    planeSection(mesh->mesh.points, mesh->mesh.triangles, geometry.normal(), offset, section, &sectionFaces);
   cutMesh = mesh;
   cutSlice = geometry.slice();
   return section;
 }
 
-void SliceView::Private::paintOutline(QPainter& painter) {
-  QVector<QLineF> lines;
-  for (const auto& [from, to] : outline())
-    lines.append(QLineF(geometry.worldToScreen(from), geometry.worldToScreen(to)));
-  painter.setPen(QPen(kOutlineShadow, 3.2, Qt::SolidLine, Qt::FlatCap));
-  painter.drawLines(lines);
-  painter.setPen(QPen(kOutline, 1.6, Qt::SolidLine, Qt::RoundCap));
-  painter.drawLines(lines);
+//! True if some of it was marked as without an edge in the image.
+bool SliceView::Private::paintOutline(QPainter& painter) {
+  QVector<QLineF> lines, unsupported;
+  const auto& segments = outline();
+  const bool marks = state.meshColouring() == MeshColouring::support && cutMesh &&
+                     cutMesh->support.faces.size() == cutMesh->mesh.triangles.size();
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const auto& [from, to] = segments[i];
+    const bool marked =
+        marks && cutMesh->support.faces[static_cast<std::size_t>(sectionFaces[i])] == FaceSupport::none;
+    (marked ? unsupported : lines).append(QLineF(geometry.worldToScreen(from), geometry.worldToScreen(to)));
+  }
+  const auto draw = [&painter](const QVector<QLineF>& all, const QColor& colour, double width) {
+    painter.setPen(QPen(kOutlineShadow, 2 * width, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLines(all);
+    painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLines(all);
+  };
+  draw(lines, kOutline, kOutlineWidth);
+  draw(unsupported, unsupportedColour(), kUnsupportedWidth);
+  return !unsupported.isEmpty();
 }
 
 void SliceView::Private::paintCrosshair(QPainter& painter) const {
@@ -151,6 +168,14 @@ void SliceView::Private::paintTexts(QPainter& painter) const {
             small, state.windowLevelTool() ? QColor(0xff, 0xd5, 0x4f) : QColor(0xb8, 0xbf, 0xc7));
 }
 
+//! Below the place of the slice.
+void SliceView::Private::paintLegend(QPainter& painter) const {
+  const double line = QFontMetricsF(overlayFont(0.95)).height();
+  const auto lines = slicePlace(geometry, plane, state.crosshair()).size();
+  const double y = kOverlayMargin + (1.75 + 1.05 * static_cast<double>(lines)) * line;
+  paintKey(painter, {kOverlayMargin, y}, unsupportedColour(), tr("no edge in the image"));
+}
+
 void SliceView::Private::paint(QPainter& painter, double pixelRatio, bool focused) {
   const QSizeF size = geometry.size();
   if (!document.hasVolume()) {
@@ -160,10 +185,11 @@ void SliceView::Private::paint(QPainter& painter, double pixelRatio, bool focuse
     painter.drawImage(QPointF(0, 0), image(pixelRatio));
     painter.setRenderHint(QPainter::Antialiasing);
     paintCrosshair(painter);
-    paintOutline(painter);
+    const bool marked = paintOutline(painter);
     paintSeeds(painter, interaction.circles(), document.selectedSeed());
     paintScaleBar(painter, size, geometry.mmPerPixel());
     paintTexts(painter);
+    if (marked) paintLegend(painter);
   }
   paintFrame(painter, size, planeColour(plane), focused);
 }

@@ -4,6 +4,7 @@
 #include <QFontMetricsF>
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "ui/view/overlay.h"
 
@@ -14,17 +15,15 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("SurfaceView", text); }
 
-void paintKey(QPainter& painter, double y, const QColor& colour, const QString& text) {
-  const QFont font = overlayFont(0.95);
-  const double side = QFontMetricsF(font).ascent() * 0.8;
-  const QRectF swatch(kOverlayMargin, y - side / 2, side, side);
-  painter.fillRect(swatch.adjusted(-1, -1, 1, 1), QColor(0, 0, 0, 150));
-  painter.fillRect(swatch, colour);
-  paintText(painter, {swatch.right() + 6, y}, Qt::AlignLeft | Qt::AlignVCenter, text, font);
-}
-
 double firstLine() { return kOverlayMargin + 2.1 * QFontMetricsF(overlayFont()).height(); }
 double lineHeight() { return 1.2 * QFontMetricsF(overlayFont()).height(); }
+
+//! Never 0 where there is something, nor all where something is missing.
+QString percentOf(double part) {
+  if (part > 0 && part < 0.01) return tr("less than 1 %");
+  const int percent = static_cast<int>(std::lround(100 * part));
+  return tr("%1 %").arg(part < 1 ? std::min(percent, 99) : percent);
+}
 
 }  // namespace
 
@@ -58,14 +57,31 @@ void paintTriad(QPainter& painter, const QSizeF& size, const CameraPose& pose) {
 void paintStateLegend(QPainter& painter) {
   const QString names[] = {tr("moving"), tr("settled"), tr("new handle"), tr("colliding")};
   for (int state = 0; state < 4; ++state)
-    paintKey(painter, firstLine() + state * lineHeight(), faceStateColour(state), names[state]);
+    paintKey(painter, {kOverlayMargin, firstLine() + state * lineHeight()}, faceStateColour(state),
+             names[state]);
+}
+
+void paintSupportLegend(QPainter& painter, const QSizeF& size, const SurfaceSupport& support) {
+  const QString part = percentOf(support.withoutEdge);
+  const QString whole = tr("no edge in the image: %1 of the surface").arg(part);
+  constexpr double kRoom = 0.7;  // of the width: a long text would hide the surface in a small view
+  const bool fits = QFontMetricsF(overlayFont(0.95)).horizontalAdvance(whole) < kRoom * size.width();
+  const QString texts[] = {tr("edge in the image"), fits ? whole : tr("no edge: %1").arg(part),
+                           tr("border of the volume")};
+  double y = firstLine();
+  for (FaceSupport kind : {FaceSupport::edge, FaceSupport::none, FaceSupport::border}) {
+    const bool isThere = std::find(support.faces.begin(), support.faces.end(), kind) != support.faces.end();
+    if (kind == FaceSupport::border && !isThere) continue;
+    paintKey(painter, {kOverlayMargin, y}, faceSupportColour(kind), texts[static_cast<int>(kind)]);
+    y += lineHeight();
+  }
 }
 
 void paintStageCaption(QPainter& painter, EventStage stage) {
   const QColor loops(0xff, 0xbf, 0x26), handle = faceStateColour(2), colliding = faceStateColour(3);
   double y = firstLine();
   const auto key = [&](const QColor& colour, const QString& text) {
-    paintKey(painter, y, colour, text);
+    paintKey(painter, {kOverlayMargin, y}, colour, text);
     y += lineHeight();
   };
   if (stage == EventStage::colliding) {

@@ -3,6 +3,7 @@
 
 #include <QPainter>
 
+#include "core/evolution/image_doubts.h"
 #include "ui/view/surface_scene.h"
 
 namespace handlebody::ui {
@@ -11,6 +12,9 @@ namespace handlebody::ui {
 void paintTriad(QPainter& painter, const QSizeF& size, const CameraPose& pose);
 //! What the colours of the mesh mean, under the title.
 void paintStateLegend(QPainter& painter);
+//! What the colours of the support by the image mean, under the title, with the part without an edge; shorter
+//! in a narrow view.
+void paintSupportLegend(QPainter& painter, const QSizeF& size, const SurfaceSupport& support);
 //! What a stage of an event shows.
 void paintStageCaption(QPainter& painter, EventStage stage);
 

@@ -15,6 +15,7 @@
 
 #include "core/mesh/shapes.h"
 #include "ui/model/document.h"
+#include "ui/view/overlay.h"
 #include "ui/view/seed_circles.h"
 #include "ui/view/triangle_actor.h"
 
@@ -137,7 +138,14 @@ QColor faceStateColour(int state) {
   return colours[state];
 }
 
+QColor faceSupportColour(FaceSupport support) {
+  return support == FaceSupport::none   ? unsupportedColour()
+         : support == FaceSupport::edge ? kMaterial
+                                        : kAround;
+}
+
 struct SurfaceScene::Private {
+  void colour(const MeshSnapshot& snapshot, MeshColouring colouring);
   void updateVisibility();
 
   vtkRenderer* renderer = nullptr;
@@ -195,18 +203,25 @@ void SurfaceScene::Private::updateVisibility() {
   for (SliceActor& slice : slices) slice.actor->SetVisibility(slice.filled && slicesOn && !staged);
 }
 
+void SurfaceScene::Private::colour(const MeshSnapshot& snapshot, MeshColouring colouring) {
+  const std::size_t faces = snapshot.mesh.triangles.size();
+  if (colouring == MeshColouring::state && snapshot.states.size() == faces)
+    mesh.setColours({faceStateColour(0), faceStateColour(1), faceStateColour(2), faceStateColour(3)},
+                    reinterpret_cast<const unsigned char*>(snapshot.states.data()), faces);
+  else if (colouring == MeshColouring::support && snapshot.support.faces.size() == faces)
+    mesh.setColours({faceSupportColour(FaceSupport::edge), faceSupportColour(FaceSupport::none),
+                     faceSupportColour(FaceSupport::border)},
+                    reinterpret_cast<const unsigned char*>(snapshot.support.faces.data()), faces);
+  else
+    mesh.setColour(kMaterial);
+}
+
 void SurfaceScene::setMesh(const MeshSnapshot* mesh, MeshColouring colouring) {
   d_->hasMesh = mesh != nullptr && !mesh->mesh.triangles.empty();
   if (d_->hasMesh) {
-    const bool byState =
-        colouring == MeshColouring::state && mesh->states.size() == mesh->mesh.triangles.size();
     d_->mesh.setMesh(mesh->mesh, colouring != MeshColouring::edges);
     d_->mesh.setEdges(colouring == MeshColouring::edges);
-    if (byState)
-      d_->mesh.setColours({faceStateColour(0), faceStateColour(1), faceStateColour(2), faceStateColour(3)},
-                          reinterpret_cast<const unsigned char*>(mesh->states.data()), mesh->states.size());
-    else
-      d_->mesh.setColour(kMaterial);
+    d_->colour(*mesh, colouring);
   }
   d_->updateVisibility();
 }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/evolution/image_doubts.h"
 #include "core/evolution/parameters.h"
 #include "core/surgery/event.h"
 #include "core/volume/volume.h"
@@ -20,6 +21,7 @@ namespace handlebody::ui {
 struct MeshSnapshot;
 
 QColor faceStateColour(int state);  //!< of a FaceState
+QColor faceSupportColour(FaceSupport support);
 
 //! A ball about what is to be seen.
 struct Sight {

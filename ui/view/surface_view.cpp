@@ -267,8 +267,10 @@ void SurfaceView::Private::paint(QPainter& painter, double pixelRatio, bool focu
                 tr("Nothing is left of the surface"), overlayFont());
     if (stage != EventStage::none)
       paintStageCaption(painter, stage);
-    else if (document.snapshot() && state.meshColouring() == MeshColouring::state)
+    else if (mesh && state.meshColouring() == MeshColouring::state)
       paintStateLegend(painter);
+    else if (mesh && !mesh->mesh.triangles.empty() && state.meshColouring() == MeshColouring::support)
+      paintSupportLegend(painter, size, mesh->support);
   }
   paintText(painter, {kOverlayMargin, kOverlayMargin}, Qt::AlignLeft | Qt::AlignTop, tr("3D"),
             overlayFont(1.05, true), kFrame.lighter(130));

@@ -16,7 +16,7 @@ namespace handlebody::ui {
 enum class Plane { axial, coronal, sagittal };
 
 enum class ColourMap { grey, inverted, hot, contrast };
-enum class MeshColouring { plain, edges, state };
+enum class MeshColouring { plain, edges, state, support };
 
 class ViewState : public QObject {
   Q_OBJECT

@@ -110,6 +110,8 @@ void addDisplayCommands(std::vector<CommandSpec>& t) {
              kChoice, false},
             {Command::meshState, menu, mesh, T("By &state"), "", "",
              T("Moving, settled, new handle and colliding faces in their colours"), kChoice, false},
+            {Command::meshSupport, menu, mesh, T("Support by the &image"), "", "",
+             T("Blue where the image shows no edge, in 3D and on the slices"), kChoice, false},
             {Command::coloursOfSystem, menu, colours, T("As the &system"), "", "",
              T("Light or dark as the desktop"), kChoice, false},
             {Command::coloursLight, menu, colours, T("&Light"), "", "", T("Dark text on light ground"),

@@ -46,6 +46,7 @@ enum class Command {
   meshPlain,
   meshEdges,
   meshState,
+  meshSupport,
   slicesIn3d,
   stepOpen,
   stepSeed,

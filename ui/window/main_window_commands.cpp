@@ -33,7 +33,8 @@ constexpr Choice<ColourMap> kMaps[] = {{Command::mapGrey, ColourMap::grey},
                                        {Command::mapContrast, ColourMap::contrast}};
 constexpr Choice<MeshColouring> kColourings[] = {{Command::meshPlain, MeshColouring::plain},
                                                  {Command::meshEdges, MeshColouring::edges},
-                                                 {Command::meshState, MeshColouring::state}};
+                                                 {Command::meshState, MeshColouring::state},
+                                                 {Command::meshSupport, MeshColouring::support}};
 constexpr Choice<std::optional<Cell>> kLayouts[] = {{Command::fourViews, std::nullopt},
                                                     {Command::onlyAxial, Cell::axial},
                                                     {Command::onlyCoronal, Cell::coronal},

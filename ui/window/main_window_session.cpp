@@ -113,7 +113,7 @@ void MainWindow::restoreView() {
   if (map >= 0 && map <= static_cast<int>(ColourMap::contrast))
     state_.setColourMap(static_cast<ColourMap>(map));
   const int surface = view[QStringLiteral("surface")].toInt(-1);
-  if (surface >= 0 && surface <= static_cast<int>(MeshColouring::state))
+  if (surface >= 0 && surface <= static_cast<int>(MeshColouring::support))
     state_.setMeshColouring(static_cast<MeshColouring>(surface));
 }
 

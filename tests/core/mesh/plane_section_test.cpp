@@ -1,5 +1,6 @@
 #include "core/mesh/plane_section.h"
 
+#include <Eigen/QR>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -66,6 +67,30 @@ TEST_CASE("A plane that only touches a mesh from below, or misses it, cuts nothi
 
 TEST_CASE("The section of a mesh replaces what was there", "[plane_section]") {
   Segments section(7);
-  planeSection({}, {}, Vec3::UnitX(), 0, section);
+  std::vector<int> crossed(7);
+  planeSection({}, {}, Vec3::UnitX(), 0, section, &crossed);
   CHECK(section.empty());
+  CHECK(crossed.empty());
+}
+
+TEST_CASE("Each segment of a section lies in the triangle that is named for it", "[plane_section]") {
+  const TriangleSoup mesh = icosphere(Vec3(3, -2, 7), 10, 2);
+  Segments section;
+  std::vector<int> crossed;
+  planeSection(mesh.points, mesh.triangles, Vec3::UnitZ(), 8, section, &crossed);
+  REQUIRE(crossed.size() == section.size());
+  REQUIRE_FALSE(section.empty());
+  for (std::size_t i = 0; i < section.size(); ++i) {
+    const Triangle& t = mesh.triangles[static_cast<std::size_t>(crossed[i])];
+    const Vec3 corner = mesh.points[static_cast<std::size_t>(t[0])];
+    Eigen::Matrix<double, 3, 2> edges;
+    for (int c = 0; c < 2; ++c)
+      edges.col(c) = mesh.points[static_cast<std::size_t>(t[static_cast<std::size_t>(c) + 1])] - corner;
+    for (const Vec3& end : section[i]) {
+      const Eigen::Vector2d place = edges.colPivHouseholderQr().solve(end - corner);
+      CHECK((edges * place - (end - corner)).norm() < 1e-9);
+      CHECK(place.minCoeff() > -1e-9);
+      CHECK(place.sum() < 1 + 1e-9);
+    }
+  }
 }

@@ -1,5 +1,7 @@
 // What the Document writes: the same files as the command line's, sessions that come back, journals.
 
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QProcess>
 #include <QProcessEnvironment>
 
@@ -112,6 +114,27 @@ TEST_CASE("a label map and a report are written as well, and the report is a ses
   REQUIRE(work.exportTo(mesh));
   CHECK(bytesOf(report).contains("\"stopped\": \"converged\""));
   CHECK(replayed(work.torus, report) == bytesOf(mesh));
+}
+
+TEST_CASE("the report's part without an edge is that of the shown surface, here and in a replay",
+          "[document]") {
+  Work work;
+  for (int iterations : {4, 12}) {  // on the way: the front has not come to the edge everywhere
+    REQUIRE(work.stepTo(iterations));
+    const SurfaceSupport support = work.document.snapshot()->support;
+    CHECK(support.faces.size() == work.document.snapshot()->mesh.triangles.size());
+    CHECK(support.withoutEdge > 0);
+    const QString report = work.torus.file("report.json"), again = work.torus.file("again.json");
+    work.written.clear();
+    work.document.exportReport(report);
+    REQUIRE(waitFor([&] { return work.written.contains(report); }));
+    REQUIRE(runCli({QStringLiteral("replay"), report, QStringLiteral("-o"), work.torus.file("again.stl"),
+                    QStringLiteral("--report"), again, QStringLiteral("--quiet")}) == 0);
+    for (const QString& path : {report, again}) {
+      const auto json = QJsonDocument::fromJson(bytesOf(path)).object();
+      CHECK(json[QLatin1String("unsupported_surface")].toDouble() == Approx(support.withoutEdge));
+    }
+  }
 }
 
 TEST_CASE("an export that fails says so and leaves what was there", "[document]") {

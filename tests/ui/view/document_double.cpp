@@ -80,11 +80,14 @@ void setVolume(Document& document, const Volume& volume) {
   Q_EMIT document.opened();
 }
 
-void setSnapshot(Document& document, const TriangleSoup& mesh, const std::vector<FaceState>& faceStates) {
+void setSnapshot(Document& document, const TriangleSoup& mesh, const std::vector<FaceState>& faceStates,
+                 const SurfaceSupport& support) {
   auto snapshot = std::make_shared<MeshSnapshot>();
   snapshot->mesh = mesh;
   snapshot->states = faceStates;
   snapshot->states.resize(mesh.triangles.size(), FaceState::moving);
+  snapshot->support = support;
+  snapshot->support.faces.resize(mesh.triangles.size(), FaceSupport::edge);
   states().at(&document)->snapshot = snapshot;
   Q_EMIT document.snapshotChanged();
 }

@@ -12,7 +12,8 @@ namespace handlebody::ui::testing {
 
 //! As if the volume had just been opened.
 void setVolume(Document& document, const Volume& volume);
-void setSnapshot(Document& document, const TriangleSoup& mesh, const std::vector<FaceState>& states = {});
+void setSnapshot(Document& document, const TriangleSoup& mesh, const std::vector<FaceState>& states = {},
+                 const SurfaceSupport& support = {});
 void setGrowthState(Document& document, GrowthState growth);
 //! The gestures of all calls that moved or sized a seed.
 const std::vector<int>& gestures(const Document& document);

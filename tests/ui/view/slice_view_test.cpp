@@ -346,6 +346,33 @@ TEST_CASE("The mesh's outline lies on the circle in which the slice cuts a spher
   CHECK(onCircle > 0.7 * 2 * M_PI * radius);
 }
 
+TEST_CASE("Where the image shows no edge the outline says so, in the colouring by support alone",
+          "[slice_view]") {
+  OneSlice slice;
+  const Vec3 centre = slice.world(32, 32, 32);
+  const TriangleSoup mesh = icosphere(centre, 20, 0.7);
+  setSnapshot(slice.document, mesh, {}, withoutEdgeTowards(mesh, Vec3::UnitX(), centre));
+  const int middle = static_cast<int>(slice.geometry.worldToScreen(centre).x());
+  // Below the texts. Without what lies about the crosshair, where either half may be.
+  const QRect left(0, 90, middle - 12, kHeight - 110),
+      right(middle + 12, 90, kWidth - middle - 12, kHeight - 110);
+  const auto isOutline = [](const QColor& c) { return c.red() > 200 && c.blue() < 90 && c.green() > 130; };
+  const QRect legend(8, 8, 12, 80);
+  const QImage plain = slice.view.picture();
+  CHECK(countPixels(plain, isUnsupported) == 0);
+  CHECK(countPixels(plain, right, isOutline) > 50);
+  slice.state.setMeshColouring(MeshColouring::support);
+  const QImage marked = slice.view.picture();
+  CHECK(countPixels(marked, right, isUnsupported) > 50);
+  CHECK(countPixels(marked, right, isOutline) == 0);
+  CHECK(countPixels(marked, left, isUnsupported) == 0);
+  CHECK(countPixels(marked, left, isOutline) > 50);
+  CHECK(countPixels(marked, legend, isUnsupported) > 30);
+
+  slice.state.setCrosshair(slice.world(32, 32, 60));  // beside the mesh nothing is to be explained
+  CHECK(countPixels(slice.view.picture(), isUnsupported) == 0);
+}
+
 TEST_CASE("The bright block is where its letters say", "[slice_view]") {
   // It lies towards left, anterior and superior.
   for (Plane plane : {Plane::axial, Plane::coronal, Plane::sagittal}) {

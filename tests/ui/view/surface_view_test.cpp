@@ -125,6 +125,50 @@ TEST_CASE("Only the colouring by state shows states, with its legend", "[surface
   CHECK(countPixels(surface.picture(), middle, isRed) > 1000);
 }
 
+TEST_CASE("Only the colouring by support shows where the image has no edge", "[surface_view]") {
+  Surface surface;
+  if (!surface.ready()) return;
+  const Vec3 centre = surface.world(32, 32, 32);
+  const TriangleSoup sphere = icosphere(centre, 15, 2);
+  setSnapshot(surface.document, sphere, {}, withoutEdgeTowards(sphere, Vec3::UnitX(), centre));
+  QTest::keyClick(&surface.view, Qt::Key_End);  // from the front: +x, the patient's left, is on the right
+  const QRect left(165, 125, 30, 50), right(205, 125, 30, 50);
+  for (const QRect& half : {left, right}) CHECK(countPixels(surface.picture(), half, isUnsupported) == 0);
+  surface.state.setMeshColouring(MeshColouring::support);
+  const QImage marked = surface.picture();
+  CHECK(countPixels(marked, right, isUnsupported) > 1400);
+  CHECK(countPixels(marked, right, isWarm) == 0);
+  CHECK(countPixels(marked, left, isUnsupported) == 0);
+  CHECK(countPixels(marked, left, isWarm) > 1400);
+}
+
+TEST_CASE("The legend of the support tells the part without an edge, in a narrow view as well",
+          "[surface_view]") {
+  Surface surface;
+  if (!surface.ready()) return;
+  const TriangleSoup sphere = icosphere(surface.world(32, 32, 32), 1, 2);
+  const auto legend = [&](double part, FaceSupport face) {
+    SurfaceSupport support;
+    support.faces.assign(sphere.triangles.size(), face);
+    support.withoutEdge = part;
+    setSnapshot(surface.document, sphere, {}, support);
+    return surface.picture().copy(0, 20, surface.view.width(), 80);
+  };
+  surface.state.setMeshColouring(MeshColouring::support);
+  for (int width : {kWidth, 160}) {
+    surface.view.resize(width, kHeight);
+    QCoreApplication::processEvents();
+    const QImage some = legend(0.12, FaceSupport::edge);
+    CHECK(countPixels(some, QRect(8, 0, 12, 80), isUnsupported) > 30);
+    CHECK(largestDifference(some, legend(0.1249, FaceSupport::edge)) <= 1);  // the same in percent
+    CHECK(largestDifference(some, legend(0.87, FaceSupport::edge)) > 50);
+    CHECK(largestDifference(legend(0, FaceSupport::edge), legend(0.001, FaceSupport::edge)) > 50);
+    CHECK(largestDifference(legend(1, FaceSupport::edge), legend(0.999, FaceSupport::edge)) > 50);
+    const auto light = [](const QColor& c) { return c.lightness() > 150; };
+    CHECK(countPixels(some, QRect(width - 6, 0, 6, 80), light) == 0);  // no text is cut off
+  }
+}
+
 TEST_CASE("Edges are drawn on request", "[surface_view]") {
   Surface surface;
   if (!surface.ready()) return;

@@ -97,6 +97,8 @@ void measureSurface(Document& document, ViewState& state) {
     measure(("3D 1000 x 600, mesh with edges changes" + with).c_str(), 40, change);
     state.setMeshColouring(MeshColouring::state);
     measure(("3D 1000 x 600, mesh by state changes" + with).c_str(), 40, change);
+    state.setMeshColouring(MeshColouring::support);
+    measure(("3D 1000 x 600, mesh by support changes" + with).c_str(), 40, change);
     measure(("3D 1000 x 600, camera turns" + with).c_str(), 40, [&](int i) {
       QTest::mousePress(&view, Qt::LeftButton, {}, {500, 300});
       QTest::mouseMove(&view, {500 + 3 * (i % 2 ? 1 : -1), 300});

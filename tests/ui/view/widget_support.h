@@ -37,6 +37,22 @@ struct Work {
   Vec3 world(double i, double j, double k) const { return volume.grid.toWorld(Vec3(i, j, k)); }
 };
 
+//! The faces on that side of a place are without an edge.
+inline SurfaceSupport withoutEdgeTowards(const TriangleSoup& mesh, const Vec3& side, const Vec3& place) {
+  SurfaceSupport support;
+  for (const Triangle& t : mesh.triangles) {
+    Vec3 middle = Vec3::Zero();
+    for (int v : t) middle += mesh.points[static_cast<std::size_t>(v)] / 3;
+    support.faces.push_back((middle - place).dot(side) > 0 ? FaceSupport::none : FaceSupport::edge);
+  }
+  return support;
+}
+
+//! Lit or not; the seeds' blue has more green.
+inline bool isUnsupported(const QColor& c) {
+  return c.blue() > c.green() + 40 && c.blue() > c.red() + 40 && c.green() < c.red() + 40;
+}
+
 //! Shown and drawn.
 template <typename View>
 void show(View& view, const QSize& size) {

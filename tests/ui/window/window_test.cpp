@@ -57,6 +57,7 @@ class WindowTest : public QObject {
   void steppingBackIsExactAndANewParameterGoesOnFromThere();
   void anEventIsInspectedInItsStages();
   void whatIsExportedIsWhatReplayMakes();
+  void theColouringOfTheSurfaceComesBackWithTheSession();
   void onlyWhatCouldBeOpenedStandsAmongTheRecent();
   void badFilesLeaveTheOpenWorkAlone();
   void twoStacksUnderOneUidAreAChoice();
@@ -162,6 +163,28 @@ void WindowTest::whatIsExportedIsWhatReplayMakes() {
   QCOMPARE(QProcess::execute(HANDLEBODY_CLI, {"replay", session, "-o", again, "--quiet"}), 0);
   QVERIFY(!contentOf(mesh).isEmpty());
   QCOMPARE(contentOf(again), contentOf(mesh));
+}
+
+void WindowTest::theColouringOfTheSurfaceComesBackWithTheSession() {
+  const std::pair<Command, ui::MeshColouring> all[] = {{Command::meshEdges, ui::MeshColouring::edges},
+                                                       {Command::meshState, ui::MeshColouring::state},
+                                                       {Command::meshSupport, ui::MeshColouring::support}};
+  const QTemporaryDir folder;
+  const QString session = folder.filePath("session.json");
+  for (const auto& [command, colouring] : all) {
+    auto window = shownWindow();
+    QVERIFY(window && open(*window, sample("cyst_session.json")));
+    window->commands()[command]->trigger();
+    QVERIFY(window->viewState().meshColouring() == colouring);
+    Q_EMIT window->files().aboutToSave();
+    QSignalSpy saved(&window->document(), &ui::Document::sessionSaved);
+    window->document().saveSession(session);
+    QVERIFY(saved.wait(kPatience));
+    auto other = shownWindow();
+    QVERIFY(other && open(*other, session));
+    QVERIFY(other->viewState().meshColouring() == colouring);
+    QVERIFY(other->commands()[command]->isChecked());
+  }
 }
 
 void WindowTest::onlyWhatCouldBeOpenedStandsAmongTheRecent() {
