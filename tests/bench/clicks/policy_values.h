@@ -39,7 +39,9 @@ inline const std::vector<std::pair<std::string, PolicyMember>>& policyMembers() 
       HANDLEBODY_MEMBER(against),        HANDLEBODY_MEMBER(againstDeep),   HANDLEBODY_MEMBER(relabelZone),
       HANDLEBODY_MEMBER(relabelBall),    HANDLEBODY_MEMBER(relabelEdge),   HANDLEBODY_MEMBER(relabelPrior),
       HANDLEBODY_MEMBER(relabelClick),   HANDLEBODY_MEMBER(relabelSure),   HANDLEBODY_MEMBER(relabelFar),
-      HANDLEBODY_MEMBER(refineOuter),    HANDLEBODY_MEMBER(refineInner),   HANDLEBODY_MEMBER(cavity)};
+      HANDLEBODY_MEMBER(refineOuter),    HANDLEBODY_MEMBER(refineInner),   HANDLEBODY_MEMBER(cavity),
+      HANDLEBODY_MEMBER(passLength),     HANDLEBODY_MEMBER(close),         HANDLEBODY_MEMBER(logTop),
+      HANDLEBODY_MEMBER(thinPart)};
 #undef HANDLEBODY_MEMBER
   return members;
 }
