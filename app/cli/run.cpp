@@ -98,7 +98,7 @@ void evolve(ActiveContour& contour, RunReport& report, const RunOutputs& outputs
   const int last = report.session.stopAt.value_or(std::numeric_limits<int>::max());
   while (contour.iteration() < last) {
     if (change != report.session.changes.end() && change->iteration == contour.iteration())
-      contour.changeParameters(change++->parameters);
+      contour.change(changed({contour.requestedSeeds(), contour.requested()}, *change++));
     if (contour.stopReason() != StopReason::running) break;
     StepReport step = contour.step();
     progress.show(step);

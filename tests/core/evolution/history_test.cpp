@@ -200,7 +200,7 @@ TEST_CASE("a prepared image leads to the same mesh as one that is chosen anew", 
   for (ActiveContour* c : {&chosen, &taken})
     for (int i = 0; i < 10; ++i) c->step();
   chosen.changeParameters(other);
-  taken.changeParameters(prepared);
+  taken.change(prepared);
   CHECK(taken.parameters().range == chosen.parameters().range);
   CHECK(taken.parameters().smoothing == chosen.parameters().smoothing);
   CHECK(isSame(straightRun(taken).back(), straightRun(chosen).back()));
