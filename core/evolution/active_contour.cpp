@@ -14,6 +14,7 @@
 #include "core/mesh/morton_order.h"
 #include "core/mesh/remesh.h"
 #include "core/mesh/topology.h"
+#include "core/surgery/nesting.h"
 #include "core/surgery/topology_adaptation.h"
 
 namespace handlebody {
@@ -79,6 +80,7 @@ struct ActiveContour::State {
   int quietIterations = 0;
   int nearlyStillIterations = 0;
   int orderedVertices = kFitsIntoCache;  // vertices when they were last put into order
+  std::ptrdiff_t knownCavities = 0;      // components of negative volume, when last looked at
   int lookAtComponents = 0;              // iteration before which none can collapse
   bool traces = false;
 
@@ -91,6 +93,8 @@ struct ActiveContour::State {
     std::vector<unsigned char> touched;
   };
 
+  //! True if parts of the surface may give ground: where that was asked for, or after other clicks.
+  bool mayShrink() const { return !motion.outwardOnly || (correction && correction->givesGround); }
   bool sleeps(int v) const { return quiet[idx(v)] >= kQuietToSleep; }
 
   void chooseImage(const Parameters& p);
@@ -280,9 +284,7 @@ ActiveContour::State::Attempt ActiveContour::State::attempt() {
 
 //! Detection and surgery until nothing intersects, or until a place has to be rolled back.
 void ActiveContour::State::adapt(Attempt& a) {
-  // Where the surface gives ground, its parts shrink as those do that may.
-  const bool outwardOnly = motion.outwardOnly && !(correction && correction->givesGround);
-  AdaptationSettings settings{outwardOnly, traces, iteration, topology, {}};
+  AdaptationSettings settings{!mayShrink(), traces, iteration, topology, {}};
   settings.cameBack = [this](const Vec3& p) { return resting.cameBack(p, limits.longest); };
   std::vector<unsigned char> changed = a.touched;
   for (int round = 0; round < kRounds; ++round) {
@@ -311,17 +313,25 @@ void ActiveContour::State::adapt(Attempt& a) {
   }
 }
 
+//! Components that have collapsed, or that have turned inside out while they did: those would grow without
+//! end.
 void ActiveContour::State::deleteCollapsed(Attempt& a) {
-  if (a.events.empty() && iteration < lookAtComponents) return;
+  if (a.events.empty() && iteration < lookAtComponents && !mayShrink()) return;
   const Components parts = findComponents(mesh);
   const double smallest =
       parts.count() == 0 ? 0 : *std::min_element(parts.extent.begin(), parts.extent.end());
   lookAtComponents = iteration + static_cast<int>(smallest / (kShrinks * parameters.edgeLength));
+  const auto cavities =
+      std::count_if(parts.volume.begin(), parts.volume.end(), [](double v) { return v < 0; });
+  const bool mayHaveTurned = mayShrink() && (!a.events.empty() || knownCavities != cavities);
+  knownCavities = cavities;
   std::vector<int> first(parts.vertices.size(), -1);
   for (int v = mesh.vertexSlots() - 1; v >= 0; --v)
     if (mesh.isVertex(v)) first[idx(parts.ofVertex[idx(v)])] = v;
   for (std::size_t c = 0; c < first.size(); ++c) {
-    if (parts.extent[c] >= kCollapsed * parameters.edgeLength) continue;
+    const bool isTurned =
+        mayHaveTurned && parts.volume[c] < 0 && isMisplaced(mesh, parts, static_cast<int>(c));
+    if (parts.extent[c] >= kCollapsed * parameters.edgeLength && !isTurned) continue;
     Event event;
     event.kind = EventKind::componentDeleted;
     event.iteration = iteration;

@@ -21,6 +21,12 @@ struct Correction {
   int fronts = 0;   //!< spheres that were added, in components of their own
 };
 
+//! And at which iteration.
+struct RecordedCorrection {
+  int iteration = 0;
+  Correction what{};
+};
+
 //! Below this part in common a surface begins anew: what it would keep costs less to grow again than the rest
 //! costs to give up.
 inline constexpr double kHardlyInCommon = 0.1;

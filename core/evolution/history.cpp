@@ -134,11 +134,6 @@ void History::change(const Request& request, const ActiveContour* prepared) {
   countMemory();
 }
 
-std::optional<Correction> History::correction() const {
-  const Change* change = changeAt(iteration());
-  return change && change->what.seeds ? change->after.correction() : std::nullopt;
-}
-
 void History::dropAfter(int iteration) {
   keyframes_.erase(keyframes_.upper_bound(iteration), keyframes_.end());
   std::erase_if(changes_, [&](const Change& c) { return c.what.iteration >= iteration; });
@@ -150,6 +145,13 @@ void History::dropAfter(int iteration) {
 std::vector<ParameterChange> History::changes() const {
   std::vector<ParameterChange> out;
   for (const Change& change : changes_) out.push_back(change.what);
+  return out;
+}
+
+std::vector<RecordedCorrection> History::corrections() const {
+  std::vector<RecordedCorrection> out;
+  for (const Change& change : changes_)
+    if (change.what.seeds) out.push_back({change.what.iteration, change.after.correction().value()});
   return out;
 }
 

@@ -56,8 +56,8 @@ class History {
   const std::vector<Event>& events() const { return events_; }
   //! In order; at most one per iteration.
   std::vector<ParameterChange> changes() const;
-  //! What came of the change at the shown iteration, if there is one and the clicks are other ones since.
-  std::optional<Correction> correction() const;
+  //! What came of those changes that were of the clicks, in order.
+  std::vector<RecordedCorrection> corrections() const;
   //! The events of a recorded iteration with their traces: the step is done again. Precondition: it lies
   //! after the first.
   std::vector<Event> traced(int iteration) const;
