@@ -313,8 +313,8 @@ void ActiveContour::State::adapt(Attempt& a) {
   }
 }
 
-//! Components that have collapsed, or that have turned inside out while they did: those would grow without
-//! end.
+//! Components that have collapsed, and those that have turned inside out while they did: a cavity would grow
+//! on as a body in the body, a body as a cavity of all space, without end.
 void ActiveContour::State::deleteCollapsed(Attempt& a) {
   if (a.events.empty() && iteration < lookAtComponents && !mayShrink()) return;
   const Components parts = findComponents(mesh);
@@ -323,14 +323,13 @@ void ActiveContour::State::deleteCollapsed(Attempt& a) {
   lookAtComponents = iteration + static_cast<int>(smallest / (kShrinks * parameters.edgeLength));
   const auto cavities =
       std::count_if(parts.volume.begin(), parts.volume.end(), [](double v) { return v < 0; });
-  const bool mayHaveTurned = mayShrink() && (!a.events.empty() || knownCavities != cavities);
+  const bool mayHaveTurned = knownCavities != cavities || (mayShrink() && !a.events.empty());
   knownCavities = cavities;
   std::vector<int> first(parts.vertices.size(), -1);
   for (int v = mesh.vertexSlots() - 1; v >= 0; --v)
     if (mesh.isVertex(v)) first[idx(parts.ofVertex[idx(v)])] = v;
   for (std::size_t c = 0; c < first.size(); ++c) {
-    const bool isTurned =
-        mayHaveTurned && parts.volume[c] < 0 && isMisplaced(mesh, parts, static_cast<int>(c));
+    const bool isTurned = mayHaveTurned && isMisplaced(mesh, parts, static_cast<int>(c));
     if (parts.extent[c] >= kCollapsed * parameters.edgeLength && !isTurned) continue;
     Event event;
     event.kind = EventKind::componentDeleted;
