@@ -97,8 +97,12 @@ void evolve(ActiveContour& contour, RunReport& report, const RunOutputs& outputs
   auto change = report.session.changes.begin();
   const int last = report.session.stopAt.value_or(std::numeric_limits<int>::max());
   while (contour.iteration() < last) {
-    if (change != report.session.changes.end() && change->iteration == contour.iteration())
-      contour.changeParameters(change++->parameters);
+    if (change != report.session.changes.end() && change->iteration == contour.iteration()) {
+      contour.change(changed({contour.requestedSeeds(), contour.requested()}, *change));
+      if (change->seeds && contour.correction())
+        report.corrections.push_back({contour.iteration(), *contour.correction()});
+      ++change;
+    }
     if (contour.stopReason() != StopReason::running) break;
     StepReport step = contour.step();
     progress.show(step);

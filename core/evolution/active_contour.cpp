@@ -14,6 +14,7 @@
 #include "core/mesh/morton_order.h"
 #include "core/mesh/remesh.h"
 #include "core/mesh/topology.h"
+#include "core/surgery/nesting.h"
 #include "core/surgery/topology_adaptation.h"
 
 namespace handlebody {
@@ -29,6 +30,7 @@ constexpr double kStepVoxels = 0.9;  // and never further than this many voxels 
 constexpr double kQuiet = 0.015;     // a vertex that moves less than this is quiet
 constexpr double kStirring = 0.1;    // a neighbour that moves more than this wakes a sleeper
 constexpr double kCollapsed = 1.0;   // a component of less extent than this is gone
+constexpr double kAgrees = 0.5;      // voxels between a boundary and a surface that agree
 constexpr double kShrinks = 4;       // more than a component loses of its extent in one step
 
 constexpr int kQuietToSleep = 3;  // iterations
@@ -43,21 +45,6 @@ constexpr int kFitsIntoCache = 3000;      // vertices: any order will do
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
-void requireSensible(const Parameters& p) {
-  const auto require = [](bool ok, const char* message) {
-    if (!ok) throw UsageError(message);
-  };
-  require(p.balloon > 0 && std::isfinite(p.balloon), "The balloon weight must be a number above 0.");
-  require(p.curvature >= 0 && std::isfinite(p.curvature),
-          "The curvature weight must be a number of at least 0.");
-  require(p.maxIterations >= 0, "The number of iterations must not be negative.");
-  require(p.threads >= 1 && p.threads <= 1024, "The number of threads must be between 1 and 1024.");
-  require(!p.smoothing || (*p.smoothing >= 0 && std::isfinite(*p.smoothing)),
-          "The smoothing must be at least 0 mm.");
-  require(!p.edgeLength || (*p.edgeLength > 0 && std::isfinite(*p.edgeLength)),
-          "The edge length must be above 0 mm.");
-}
-
 //! What only saves work and decides nothing: a copy starts without it.
 template <typename T>
 struct Scratch : T {
@@ -67,40 +54,7 @@ struct Scratch : T {
   using T::operator=;
 };
 
-//! But for the number of iterations and threads.
-bool moveAlike(Parameters a, const Parameters& b) {
-  a.maxIterations = b.maxIterations;
-  a.threads = b.threads;
-  return a == b;
-}
-
 }  // namespace
-
-// What does not matter to the image is listed here, so that a parameter that nobody thought of does.
-bool chooseSameImage(Parameters a, const Parameters& b) {
-  a.edgeLength = b.edgeLength;
-  a.direction = b.direction;
-  a.balloon = b.balloon;
-  a.curvature = b.curvature;
-  return moveAlike(a, b);
-}
-
-const char* stopReasonName(StopReason reason) {
-  switch (reason) {
-    case StopReason::converged:
-      return "converged";
-    case StopReason::maxIterations:
-      return "max-iterations";
-    case StopReason::empty:
-      return "empty";
-    case StopReason::frozen:
-      return "frozen";
-    case StopReason::stuck:
-      return "stuck";
-    default:
-      return "running";
-  }
-}
 
 struct ActiveContour::State {
   Mesh mesh;
@@ -115,15 +69,18 @@ struct ActiveContour::State {
   RemeshLimits limits;
   Scratch<CollisionDetector> detector;
   RestingPlaces resting;
+  std::optional<Correction> correction;
   std::vector<ObjectCandidate> candidates;
   bool isCloseChoice = false;
-  double neckRadius = 0;  // mm, of the passages that are cut; 0 = none
+  double neckRadius = 0;     // mm, of the passages that are cut; 0 = none
+  double automaticEdge = 0;  // mm; what the edge length is if none is asked for
   TopologyNumbers topology;
   StopReason stop = StopReason::running;
   int iteration = 0;
   int quietIterations = 0;
   int nearlyStillIterations = 0;
   int orderedVertices = kFitsIntoCache;  // vertices when they were last put into order
+  std::ptrdiff_t knownCavities = 0;      // components of negative volume, when last looked at
   int lookAtComponents = 0;              // iteration before which none can collapse
   bool traces = false;
 
@@ -136,12 +93,19 @@ struct ActiveContour::State {
     std::vector<unsigned char> touched;
   };
 
+  //! True if parts of the surface may give ground: where that was asked for, or after other clicks.
+  bool mayShrink() const { return !motion.outwardOnly || (correction && correction->givesGround); }
   bool sleeps(int v) const { return quiet[idx(v)] >= kQuietToSleep; }
 
   void chooseImage(const Parameters& p);
+  void chooseEdge();
   void resolve(const Parameters& p);
   void begin();
-  void change(const Parameters& p, const State* prepared);
+  void change(const Request& to, const State* prepared);
+  void forgetRest();
+  void correct();
+  void beginAnew();
+  void resolveSeeds(const std::vector<Seed>& inside);
   void takeImage(const State& other);
   void keepOrder();
   Attempt attempt();
@@ -169,15 +133,18 @@ void ActiveContour::State::chooseImage(const Parameters& p) {
   neckRadius = found.neckRadius;
 }
 
-//! Everything but the seeds' radii. Precondition: the image is that of `p`.
-void ActiveContour::State::resolve(const Parameters& p) {
+//! Two voxels, but finer in thin structures.
+void ActiveContour::State::chooseEdge() {
   const double voxel = volume.grid.meanSpacing();
   double fit = 0;
   for (const Seed& s : clicksOfSide(seeds, false))
     fit = std::max(fit, fittingRadius(*image, s.centre, 8 * voxel));
-  // Two voxels, but finer in thin structures.
-  const double edge = p.edgeLength.value_or(std::clamp(0.6 * fit / voxel, 1.0, 2.0) * voxel);
+  automaticEdge = std::clamp(0.6 * fit / voxel, 1.0, 2.0) * voxel;
+}
 
+//! Everything but the seeds' radii. Precondition: image and automatic edge length are chosen.
+void ActiveContour::State::resolve(const Parameters& p) {
+  const double edge = p.edgeLength.value_or(automaticEdge);
   requested = p;
   parameters.edgeLength = edge;
   parameters.direction = p.direction;
@@ -196,13 +163,10 @@ void ActiveContour::State::resolve(const Parameters& p) {
 }
 
 void ActiveContour::State::begin() {
-  parameters.seeds = fitSeeds(*image, clicksOfSide(seeds, false), parameters.edgeLength,
-                              parameters.direction == Direction::both);
-  mesh = seedMesh(parameters.seeds, parameters.edgeLength);
-  for (Seed s : clicksOfSide(seeds, true)) {
-    s.radius = s.radius.value_or(volume.grid.meanSpacing());
-    parameters.seeds.push_back(s);
-  }
+  const std::vector<Seed> inside = fitSeeds(*image, clicksOfSide(seeds, false), parameters.edgeLength,
+                                            parameters.direction == Direction::both);
+  mesh = seedMesh(inside, parameters.edgeLength);
+  resolveSeeds(inside);
   quiet.assign(idx(mesh.vertexSlots()), 0);
   topology = topologyNumbers(mesh);
   if (parameters.maxIterations == 0) stop = StopReason::maxIterations;
@@ -219,22 +183,65 @@ void ActiveContour::State::takeImage(const State& other) {
   parameters.smoothing = other.parameters.smoothing;
 }
 
-void ActiveContour::State::change(const Parameters& p, const State* prepared) {
-  requireSensible(p);
+void ActiveContour::State::resolveSeeds(const std::vector<Seed>& inside) {
+  parameters.seeds = inside;
+  for (Seed s : clicksOfSide(seeds, true)) {
+    s.radius = s.radius.value_or(volume.grid.meanSpacing());
+    parameters.seeds.push_back(s);
+  }
+}
+
+void ActiveContour::State::change(const Request& to, const State* prepared) {
+  requireSensible(to.parameters);
+  const bool otherClicks = to.seeds != seeds;
+  const bool otherImage = prepared || otherClicks || !chooseSameImage(to.parameters, requested);
+  const bool wake = otherClicks || !moveAlike(to.parameters, requested);
+  const bool sleepsOn = otherClicks && haveSameForces(to.parameters, requested);
+  seeds = to.seeds;
   if (prepared)
     takeImage(*prepared);
-  else if (!chooseSameImage(p, requested))
-    chooseImage(p);
-  const bool wake = !moveAlike(p, requested);
-  resolve(p);
-  if (wake) {
-    quiet.assign(idx(mesh.vertexSlots()), 0);
-    resting = {};
-    quietIterations = nearlyStillIterations = 0;
-    lookAtComponents = 0;
+  else if (otherImage)
+    chooseImage(to.parameters);
+  if (otherImage && !otherClicks) chooseEdge();
+  resolve(to.parameters);
+  if (wake) forgetRest();
+  if (wake && !sleepsOn) quiet.assign(idx(mesh.vertexSlots()), 0);
+  if (otherClicks) correct();
+  if (stop == StopReason::maxIterations || (wake && mesh.faceCount() > 0)) stop = StopReason::running;
+  if (stop == StopReason::running && iteration >= to.parameters.maxIterations)
+    stop = StopReason::maxIterations;
+}
+
+void ActiveContour::State::forgetRest() {
+  resting = {};
+  quietIterations = nearlyStillIterations = 0;
+  lookAtComponents = 0;
+}
+
+//! After a change of the clicks. What had settled and agrees with the new image sleeps on.
+void ActiveContour::State::correct() {
+  std::vector<Seed> fronts;
+  correction = correctComponents(mesh, *image, seeds, parameters.edgeLength, limits.longest, fronts);
+  if (correction->beganAnew) {
+    beginAnew();
+    return;
   }
-  if (stop == StopReason::maxIterations || (wake && stop != StopReason::empty)) stop = StopReason::running;
-  if (stop == StopReason::running && iteration >= p.maxIterations) stop = StopReason::maxIterations;
+  std::vector<Seed> inside = clicksOfSide(parameters.seeds, false);
+  inside.insert(inside.end(), fronts.begin(), fronts.end());
+  resolveSeeds(inside);
+  const Disagreement differs = findDisagreement(mesh, *image, kAgrees * volume.grid.meanSpacing());
+  correction->givesGround = differs.isOutside;
+  quiet.resize(idx(mesh.vertexSlots()), 0);
+  for (std::size_t v = 0; v < quiet.size(); ++v)
+    if (differs.vertices[v]) quiet[v] = 0;
+  topology = topologyNumbers(mesh);
+}
+
+void ActiveContour::State::beginAnew() {
+  chooseEdge();
+  resolve(requested);
+  orderedVertices = kFitsIntoCache;
+  begin();
 }
 
 //! A ring of a mesh that has grown lies anywhere in memory. At 150,000 vertices it costs five times as much
@@ -277,7 +284,7 @@ ActiveContour::State::Attempt ActiveContour::State::attempt() {
 
 //! Detection and surgery until nothing intersects, or until a place has to be rolled back.
 void ActiveContour::State::adapt(Attempt& a) {
-  AdaptationSettings settings{motion.outwardOnly, traces, iteration, topology, {}};
+  AdaptationSettings settings{!mayShrink(), traces, iteration, topology, {}};
   settings.cameBack = [this](const Vec3& p) { return resting.cameBack(p, limits.longest); };
   std::vector<unsigned char> changed = a.touched;
   for (int round = 0; round < kRounds; ++round) {
@@ -306,17 +313,24 @@ void ActiveContour::State::adapt(Attempt& a) {
   }
 }
 
+//! Components that have collapsed, and those that have turned inside out while they did: a cavity would grow
+//! on as a body in the body, a body as a cavity of all space, without end.
 void ActiveContour::State::deleteCollapsed(Attempt& a) {
-  if (a.events.empty() && iteration < lookAtComponents) return;
+  if (a.events.empty() && iteration < lookAtComponents && !mayShrink()) return;
   const Components parts = findComponents(mesh);
   const double smallest =
       parts.count() == 0 ? 0 : *std::min_element(parts.extent.begin(), parts.extent.end());
   lookAtComponents = iteration + static_cast<int>(smallest / (kShrinks * parameters.edgeLength));
+  const auto cavities =
+      std::count_if(parts.volume.begin(), parts.volume.end(), [](double v) { return v < 0; });
+  const bool mayHaveTurned = knownCavities != cavities || (mayShrink() && !a.events.empty());
+  knownCavities = cavities;
   std::vector<int> first(parts.vertices.size(), -1);
   for (int v = mesh.vertexSlots() - 1; v >= 0; --v)
     if (mesh.isVertex(v)) first[idx(parts.ofVertex[idx(v)])] = v;
   for (std::size_t c = 0; c < first.size(); ++c) {
-    if (parts.extent[c] >= kCollapsed * parameters.edgeLength) continue;
+    const bool isTurned = mayHaveTurned && isMisplaced(mesh, parts, static_cast<int>(c));
+    if (parts.extent[c] >= kCollapsed * parameters.edgeLength && !isTurned) continue;
     Event event;
     event.kind = EventKind::componentDeleted;
     event.iteration = iteration;
@@ -443,6 +457,7 @@ ActiveContour::ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters 
   state_->volume = std::move(volume);
   state_->seeds = std::move(seeds);
   state_->chooseImage(parameters);
+  state_->chooseEdge();
   state_->resolve(parameters);
   state_->begin();
 }
@@ -454,16 +469,17 @@ ActiveContour::ActiveContour(const ActiveContour& other) : state_(std::make_uniq
 ActiveContour& ActiveContour::operator=(const ActiveContour& other) { return *this = ActiveContour(other); }
 
 StepReport ActiveContour::step() { return state_->step(); }
-void ActiveContour::changeParameters(const Parameters& parameters) {
+void ActiveContour::change(const Request& request) {
   auto changed = std::make_unique<State>(*state_);
-  changed->change(parameters, nullptr);
+  changed->change(request, nullptr);
   state_ = std::move(changed);
 }
-void ActiveContour::changeParameters(const ActiveContour& prepared) {
+void ActiveContour::change(const ActiveContour& prepared) {
   auto changed = std::make_unique<State>(*state_);
-  changed->change(prepared.requested(), prepared.state_.get());
+  changed->change({prepared.requestedSeeds(), prepared.requested()}, prepared.state_.get());
   state_ = std::move(changed);
 }
+const std::optional<Correction>& ActiveContour::correction() const { return state_->correction; }
 ActiveContour ActiveContour::restarted(const Parameters& parameters) const {
   if (!chooseSameImage(parameters, requested())) return {state_->volume, state_->seeds, parameters};
   requireSensible(parameters);
@@ -471,6 +487,7 @@ ActiveContour ActiveContour::restarted(const Parameters& parameters) const {
   fresh->volume = state_->volume;
   fresh->seeds = state_->seeds;
   fresh->takeImage(*state_);
+  fresh->chooseEdge();
   fresh->resolve(parameters);
   fresh->begin();
   return ActiveContour(std::move(fresh));

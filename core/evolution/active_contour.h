@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/evolution/correction.h"
 #include "core/evolution/image_doubts.h"
 #include "core/evolution/parameters.h"
 #include "core/evolution/step_report.h"
@@ -34,13 +35,21 @@ class ActiveContour {
   //! self-intersections.
   StepReport step();
 
-  //! Goes on with other parameters from here. What is automatic is chosen as for a new contour with the same
-  //! seeds; the mesh and the seeds' radii stay. Everything that has settled or rests wakes, unless only the
-  //! iterations or threads have changed. Throws as the constructor, and nothing has changed then.
-  void changeParameters(const Parameters& parameters);
-  //! The same with the parameters of `prepared`, whose image is taken over instead of being chosen again.
-  //! Precondition: it was made for the same volume and seeds.
-  void changeParameters(const ActiveContour& prepared);
+  //! Goes on with other clicks and parameters from here. What is automatic is chosen as for a new contour;
+  //! the mesh and the seeds' radii stay. With other parameters alone everything that has settled or rests
+  //! wakes, unless only the iterations or threads have changed. With other clicks the automatic edge length
+  //! stays too, and what has settled where the new image has the boundary sleeps on; elsewhere the surface
+  //! grows, or gives ground, and its components are corrected (correction.h). If it has next to nothing in
+  //! common with the new object it begins anew, at the same iteration: correction() tells. Throws as the
+  //! constructor, and nothing has changed then.
+  void change(const Request& request);
+  //! The same with what `prepared` was made from, whose image is taken over instead of being chosen again.
+  //! Precondition: it was made for the same volume.
+  void change(const ActiveContour& prepared);
+  //! The clicks stay.
+  void changeParameters(const Parameters& parameters) { change({requestedSeeds(), parameters}); }
+  //! What came of the last change of the clicks; none if they have not been changed.
+  const std::optional<Correction>& correction() const;
   //! A new contour at iteration 0 for the same volume and seeds. Quick if both choose the same image. Throws
   //! as the constructor.
   ActiveContour restarted(const Parameters& parameters) const;

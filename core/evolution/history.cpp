@@ -19,10 +19,12 @@ StepReport beginning(const ActiveContour& contour) {
 }
 
 //! The number of threads changes no mesh.
-bool sameResult(Parameters a, const Parameters& b) {
-  a.threads = b.threads;
+bool sameResult(Request a, const Request& b) {
+  a.parameters.threads = b.parameters.threads;
   return a == b;
 }
+
+Request requestOf(const ActiveContour& contour) { return {contour.requestedSeeds(), contour.requested()}; }
 
 }  // namespace
 
@@ -38,20 +40,12 @@ const History::Change* History::changeAt(int iteration) const {
   return at == changes_.end() ? nullptr : &*at;
 }
 
-StopReason History::stopReason() const {
+const ActiveContour& History::next() const {
   const Change* change = changeAt(iteration());
-  return change ? change->after.stopReason() : shown_.stopReason();
+  return change ? change->after : shown_;
 }
 
-const Parameters& History::parameters() const {
-  const Change* change = changeAt(iteration());
-  return change ? change->what.parameters : shown_.requested();
-}
-
-const ResolvedParameters& History::resolved() const {
-  const Change* change = changeAt(iteration());
-  return change ? change->after.parameters() : shown_.parameters();
-}
+StopReason History::stopReason() const { return next().stopReason(); }
 
 StepReport History::stepFrom(ActiveContour& contour) const {
   if (const Change* change = changeAt(contour.iteration())) contour = change->after;
@@ -123,16 +117,20 @@ void History::goTo(int iteration) {
   shown_ = restored(iteration);
 }
 
-void History::changeParameters(const Parameters& parameters, const ActiveContour* prepared) {
-  if (sameResult(parameters, this->parameters())) return;
-  const bool isOther = !sameResult(parameters, shown_.requested());
+void History::change(const Request& request, const ActiveContour* prepared) {
+  if (sameResult(request, requestOf(next()))) return;
+  const bool isOther = !sameResult(request, requestOf(shown_));
   ActiveContour after = shown_;
-  if (isOther && prepared && prepared->requested() == parameters)
-    after.changeParameters(*prepared);
+  if (isOther && prepared && requestOf(*prepared) == request)
+    after.change(*prepared);
   else if (isOther)
-    after.changeParameters(parameters);
+    after.change(request);
   dropAfter(iteration());
-  if (isOther) changes_.push_back({{iteration(), parameters}, std::move(after)});
+  if (isOther) {
+    ParameterChange what{iteration(), request.parameters, {}};
+    if (request.seeds != shown_.requestedSeeds()) what.seeds = request.seeds;
+    changes_.push_back({std::move(what), std::move(after)});
+  }
   countMemory();
 }
 
@@ -147,6 +145,13 @@ void History::dropAfter(int iteration) {
 std::vector<ParameterChange> History::changes() const {
   std::vector<ParameterChange> out;
   for (const Change& change : changes_) out.push_back(change.what);
+  return out;
+}
+
+std::vector<RecordedCorrection> History::corrections() const {
+  std::vector<RecordedCorrection> out;
+  for (const Change& change : changes_)
+    if (change.what.seeds) out.push_back({change.what.iteration, change.after.correction().value()});
   return out;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 // The growth of a contour as it was recorded: any iteration can be shown again exactly, and gone on from with
-// other parameters.
+// other clicks and parameters.
 
 #include <map>
 #include <vector>
@@ -33,19 +33,22 @@ class History {
   //! Why the growth cannot go on from the iteration that is shown; running if it can.
   StopReason stopReason() const;
   //! What the next step from here is done with.
-  const Parameters& parameters() const;
-  const ResolvedParameters& resolved() const;
+  const Parameters& parameters() const { return next().requested(); }
+  const std::vector<Seed>& seeds() const { return next().requestedSeeds(); }
+  const ResolvedParameters& resolved() const { return next().parameters(); }
 
   //! One iteration on: records it, or shows it again where it is recorded. Precondition: stopReason() is
   //! running. If the step throws (no memory), the shown iteration stays.
   void advance();
   //! Shows any iteration from firstIteration() to lastIteration().
   void goTo(int iteration);
-  //! Other parameters from the shown iteration on: what was recorded after it is dropped. Nothing happens if
-  //! they are those that hold already (the number of threads does not count). Throws as
-  //! ActiveContour::changeParameters; nothing has changed then. `prepared`, if given, is a contour of the
-  //! same volume, seeds and parameters, and spares choosing the image again.
-  void changeParameters(const Parameters& parameters, const ActiveContour* prepared = nullptr);
+  //! Other clicks and parameters from the shown iteration on: what was recorded after it is dropped. Nothing
+  //! happens if they are those that hold already (the number of threads does not count). Throws as
+  //! ActiveContour::change; nothing has changed then. `prepared`, if given, is a contour of the same volume,
+  //! and spares choosing the image again if it was made from `request`.
+  void change(const Request& request, const ActiveContour* prepared = nullptr);
+  //! The clicks stay those that hold at the shown iteration.
+  void changeParameters(const Parameters& parameters) { change({seeds(), parameters}); }
 
   //! One per iteration from the first on, without events; the first has the volume alone.
   const std::vector<StepReport>& steps() const { return steps_; }
@@ -53,6 +56,8 @@ class History {
   const std::vector<Event>& events() const { return events_; }
   //! In order; at most one per iteration.
   std::vector<ParameterChange> changes() const;
+  //! What came of those changes that were of the clicks, in order.
+  std::vector<RecordedCorrection> corrections() const;
   //! The events of a recorded iteration with their traces: the step is done again. Precondition: it lies
   //! after the first.
   std::vector<Event> traced(int iteration) const;
@@ -64,9 +69,11 @@ class History {
  private:
   struct Change {
     ParameterChange what;
-    ActiveContour after;  // with the new parameters, before the first step with them
+    ActiveContour after;  // as the change left it, before the next step
   };
   const Change* changeAt(int iteration) const;
+  //! What the next step is done with.
+  const ActiveContour& next() const;
   StepReport stepFrom(ActiveContour& contour) const;
   ActiveContour restored(int iteration) const;
   void record(StepReport report);

@@ -7,7 +7,8 @@
 
 namespace handlebody {
 
-//! A click: a ball inside the object, where the surface starts, or one in the background, where it may not go.
+//! A click: a ball inside the object, where the surface starts, or one in the background, where it may not
+//! go.
 struct Seed {
   Vec3 centre{0, 0, 0};            //!< mm, LPS
   std::optional<double> radius{};  //!< mm; none: what fits
@@ -45,11 +46,31 @@ struct Parameters {
 //! preparation.
 bool chooseSameImage(Parameters a, const Parameters& b);
 
-//! Parameters that hold from the step after `iteration` on.
+//! Throws UsageError if a parameter has no meaning.
+void requireSensible(const Parameters& parameters);
+
+//! True if both move a surface in the same way: all but the number of iterations and threads.
+bool moveAlike(Parameters a, const Parameters& b);
+
+//! True if they differ in nothing but what the image shows, iterations and threads.
+bool haveSameForces(const Parameters& a, const Parameters& b);
+
+//! What a growth is made of, besides the volume.
+struct Request {
+  std::vector<Seed> seeds;
+  Parameters parameters{};
+  bool operator==(const Request&) const = default;
+};
+
+//! What holds from the step after `iteration` on.
 struct ParameterChange {
   int iteration = 0;
   Parameters parameters{};
+  std::optional<std::vector<Seed>> seeds{};  //!< none: the same as before
 };
+
+//! What holds after a change of `before`.
+Request changed(const Request& before, const ParameterChange& change);
 
 //! Every parameter as used.
 struct ResolvedParameters {

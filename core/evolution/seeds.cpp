@@ -75,30 +75,55 @@ Vec3 roomiestNear(const ObjectImage& image, const Vec3& centre, double wanted) {
 
 namespace {
 
-//! A click without a radius that corrects a region needs no start of its own where the front of an earlier
-//! one comes anyway: two fronts that meet widely cost much, and win nothing.
-bool comesAnyway(const ObjectImage& image, const std::vector<Seed>& fitted, const Seed& seed, double room) {
-  return !seed.radius && std::any_of(fitted.begin(), fitted.end(), [&](const Seed& other) {
-    return image.reaches(other.centre, seed.centre, room);
-  });
+std::vector<Vec3> centresOf(const std::vector<Seed>& seeds) {
+  std::vector<Vec3> centres;
+  for (const Seed& s : seeds) centres.push_back(s.centre);
+  return centres;
+}
+
+//! Radius of a ball that lies in the object; no more than was asked for.
+double radiusWithin(const ObjectImage& image, const Seed& seed, double edgeLength) {
+  const double fit =
+      fittingRadius(image, seed.centre, std::max(seed.radius.value_or(0), kLargestSeed * edgeLength));
+  return seed.radius ? std::min(*seed.radius, fit) : kFit * fit;
 }
 
 }  // namespace
+
+// A click without a radius that corrects a region needs no start of its own there: two fronts that meet
+// widely cost much, and win nothing.
+bool comesAnyway(const ObjectImage& image, const std::vector<Vec3>& from, const Vec3& to, double edgeLength) {
+  return std::any_of(from.begin(), from.end(),
+                     [&](const Vec3& p) { return image.reaches(p, to, kPassage * edgeLength); });
+}
+
+std::optional<Seed> fitBall(const ObjectImage& image, const Seed& asked, double edgeLength,
+                            const std::function<double(const Vec3&)>& room) {
+  const double smallest = kSmallestSeed * edgeLength;
+  const auto ballAt = [&](const Vec3& place) {
+    const double fit = radiusWithin(image, {place, asked.radius}, edgeLength);
+    return Seed{place, std::min(std::max(fit, smallest), room(place))};
+  };
+  Seed best = ballAt(asked.centre);
+  const double step = image.volume().grid().meanSpacing();
+  for (int ring = 1; ring <= kLookAround && *best.radius < smallest; ++ring)
+    for (const Vec3& d : directions(kPlaces)) {
+      const Vec3 at = asked.centre + ring * step * d;
+      if (image.inside(at) <= 0) continue;
+      const Seed ball = ballAt(at);
+      if (*ball.radius > *best.radius) best = ball;
+    }
+  if (*best.radius < smallest) return std::nullopt;
+  return best;
+}
 
 std::vector<Seed> fitSeeds(const ObjectImage& image, const std::vector<Seed>& seeds, double edgeLength,
                            bool beyond) {
   std::vector<Seed> fitted;
   for (const Seed& asked : seeds) {
     const Seed seed{roomiestNear(image, asked.centre, edgeLength), asked.radius};
-    if (comesAnyway(image, fitted, seed, kPassage * edgeLength)) continue;
-    double radius = 0;
-    if (seed.radius && beyond) {
-      radius = *seed.radius;
-    } else {
-      const double fit =
-          fittingRadius(image, seed.centre, std::max(seed.radius.value_or(0), kLargestSeed * edgeLength));
-      radius = seed.radius ? std::min(*seed.radius, fit) : kFit * fit;
-    }
+    if (!seed.radius && comesAnyway(image, centresOf(fitted), seed.centre, edgeLength)) continue;
+    double radius = seed.radius && beyond ? *seed.radius : radiusWithin(image, seed, edgeLength);
     radius = std::max(radius, kSmallestSeed * edgeLength);
     for (const Seed& other : fitted)
       radius = std::min(radius, (seed.centre - other.centre).norm() - *other.radius - edgeLength);
@@ -107,11 +132,15 @@ std::vector<Seed> fitSeeds(const ObjectImage& image, const std::vector<Seed>& se
   return fitted;
 }
 
+TriangleSoup seedSphere(const Seed& seed, double edgeLength) {
+  return icosphere(seed.centre, *seed.radius, 1.2 * edgeLength);
+}
+
 Mesh seedMesh(const std::vector<Seed>& seeds, double edgeLength) {
   requireManageable(seeds, edgeLength);
   TriangleSoup all;
   for (const Seed& s : seeds) {
-    const TriangleSoup sphere = icosphere(s.centre, *s.radius, 1.2 * edgeLength);
+    const TriangleSoup sphere = seedSphere(s, edgeLength);
     const int shift = static_cast<int>(all.points.size());
     all.points.insert(all.points.end(), sphere.points.begin(), sphere.points.end());
     for (Triangle t : sphere.triangles) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/evolution/object_image.h"
@@ -21,6 +23,17 @@ Vec3 roomiestNear(const ObjectImage& image, const Vec3& centre, double wanted);
 //! front of an earlier ball comes there.
 std::vector<Seed> fitSeeds(const ObjectImage& image, const std::vector<Seed>& seeds, double edgeLength,
                            bool beyond);
+
+//! True if in a region a front from one of the places comes to `to`, with room to spare.
+bool comesAnyway(const ObjectImage& image, const std::vector<Vec3>& from, const Vec3& to, double edgeLength);
+
+//! The ball that fits in the object around `asked`, or within a few voxels of it if `room` (mm from a place
+//! to whatever is there already, less the distance to keep) leaves none there. None if there is no room.
+std::optional<Seed> fitBall(const ObjectImage& image, const Seed& asked, double edgeLength,
+                            const std::function<double(const Vec3&)>& room);
+
+//! The sphere of a seed. Precondition: it has a radius.
+TriangleSoup seedSphere(const Seed& seed, double edgeLength);
 
 //! The spheres of the seeds as one mesh. Throws UsageError if it would have over two million triangles.
 //! Precondition: every seed has a radius.

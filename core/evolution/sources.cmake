@@ -1,6 +1,7 @@
 target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/active_contour.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/clicked_object.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/correction.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/edge_profile.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/growth_level.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/history.cpp
@@ -13,8 +14,10 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/object_image.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/object_range.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/object_region.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/parameters.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/region_growth.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/resting_places.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/seed_statistics.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/seeds.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/shown_object.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/thickness_map.cpp)

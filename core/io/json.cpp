@@ -126,6 +126,7 @@ Json changesToJson(const std::vector<ParameterChange>& changes) {
   for (const ParameterChange& change : changes) {
     Json entry = {{"iteration", change.iteration}};
     entry.update(requestedToJson(change.parameters));
+    if (change.seeds) entry["seeds"] = seedsToJson(*change.seeds);
     list.push_back(std::move(entry));
   }
   return list;
@@ -285,6 +286,14 @@ Seed seedFromJson(const Json& json) {
   return seed;
 }
 
+//! Clicks of which at least one is inside of the object.
+std::vector<Seed> clicksFromJson(const Json& json) {
+  std::vector<Seed> clicks;
+  for (const Json& entry : json) clicks.push_back(seedFromJson(entry));
+  if (seedsOfSide(clicks, false).empty()) throw UsageError("it has no seeds.");
+  return clicks;
+}
+
 Parameters parametersFromJson(const Json& json) {
   Parameters p;
   if (json.contains("object")) p.object = wordFromJson(json.at("object"), objectKindFromName);
@@ -307,13 +316,14 @@ int iterationFromJson(const Json& json) {
 }
 
 std::vector<ParameterChange> changesFromJson(const Json& json) {
-  if (!json.is_array()) throw UsageError("the changes of parameters are not a list.");
+  if (!json.is_array()) throw UsageError("the changes on the way are not a list.");
   std::vector<ParameterChange> changes;
   for (const Json& entry : json) {
     const int iteration = iterationFromJson(entry.at("iteration"));
     if (!changes.empty() && iteration <= changes.back().iteration)
-      throw UsageError("the changes of parameters are not in ascending order.");
+      throw UsageError("the changes on the way are not in ascending order.");
     changes.push_back({iteration, parametersFromJson(entry)});
+    if (entry.contains("seeds")) changes.back().seeds = clicksFromJson(entry.at("seeds"));
   }
   return changes;
 }
@@ -326,8 +336,7 @@ void readRequest(const Json& json, Session& session) {
   if (json.contains("changes")) session.changes = changesFromJson(json.at("changes"));
   if (json.contains("stop_at") && !json.at("stop_at").is_null())
     session.stopAt = iterationFromJson(json.at("stop_at"));
-  for (const Json& entry : json.at("seeds")) session.seeds.push_back(seedFromJson(entry));
-  if (seedsOfSide(session.seeds, false).empty()) throw UsageError("it has no seeds.");
+  session.seeds = clicksFromJson(json.at("seeds"));
 }
 
 }  // namespace handlebody

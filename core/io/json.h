@@ -41,8 +41,8 @@ void readSelection(const Json& json, VolumeSelection& selection);
 //! Adds "calibrated" and "sources" (of size, spacing, origin, direction).
 void addSources(Json& object, const VolumeInfo& info);
 //! "requested": every parameter as asked for, the seeds and the space of the mesh files; where there are any,
-//! the changes of parameters on the way and the iteration to stop at. The candidate stands there if it is not
-//! the first.
+//! the changes on the way, with the seeds where those change, and the iteration to stop at. The candidate
+//! stands there if it is not the first.
 Json requestToJson(const Session& session);
 //! Every parameter as used; seeds apart. The candidate stands there if it is not the first.
 Json resolvedToJson(const ResolvedParameters& parameters);

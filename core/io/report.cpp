@@ -53,6 +53,18 @@ Json candidatesToJson(const std::vector<ObjectCandidate>& candidates, int chosen
   return list;
 }
 
+Json correctionsToJson(const std::vector<RecordedCorrection>& corrections) {
+  Json list = Json::array();
+  for (const auto& [iteration, what] : corrections)
+    list.push_back({{"iteration", iteration},
+                    {"common", what.common},
+                    {"began_anew", what.beganAnew},
+                    {"gives_ground", what.givesGround},
+                    {"components_deleted", what.deleted},
+                    {"fronts_added", what.fronts}});
+  return list;
+}
+
 }  // namespace
 
 const char* endName(StopReason stopped) {
@@ -76,6 +88,7 @@ std::string reportText(const RunReport& report) {
   json["unsupported_surface"] = report.unsupportedSurface;
   json["seconds"] = secondsToJson(report.seconds);
   json["mesh"] = certificateToJson(report.mesh);
+  if (!report.corrections.empty()) json["corrections"] = correctionsToJson(report.corrections);
   Json& events = json["events"] = Json::array();
   for (const Event& event : report.events) events.push_back(eventToJson(event));
   return jsonText(json);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/evolution/correction.h"
 #include "core/evolution/step_report.h"
 #include "core/io/session.h"
 #include "core/mesh/certificate.h"
@@ -33,6 +34,7 @@ struct RunReport {
   Timings seconds;
   Certificate mesh;  //!< of the exported mesh
   std::vector<Event> events;
+  std::vector<RecordedCorrection> corrections;  //!< what came of clicks that were changed on the way
 };
 
 //! Why a growth ended, as in the report: stopReasonName, and "stop-at" where it was asked to end there.

@@ -21,11 +21,11 @@ struct VolumeReference {
 struct Session {
   std::string version;                           //!< of the program that wrote it
   VolumeReference volume;                        //!< in memory, the path is as the caller would open it
-  std::vector<Seed> seeds;                       //!< as asked for, mm LPS
-  Parameters requested;                          //!< as asked for
+  std::vector<Seed> seeds;                       //!< as asked for at the beginning, mm LPS
+  Parameters requested;                          //!< the same
   std::optional<ResolvedParameters> resolved{};  //!< as used, for the record; not read back
   CoordinateSpace space = CoordinateSpace::lps;  //!< of the mesh files
-  //! Other parameters from some iteration on, in ascending order.
+  //! Other parameters, and other clicks, from some iteration on, in ascending order.
   std::vector<ParameterChange> changes{};
   //! The iteration whose mesh is meant; none: the one at which the growth ends by itself.
   std::optional<int> stopAt{};

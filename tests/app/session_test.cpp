@@ -37,7 +37,7 @@ Session unusualSession(const std::string& volume) {
   later.candidate = 2;
   later.smoothing.reset();
   later.balloon = 1.0 / 7.0;
-  s.changes = {{0, later}, {9, s.requested}};
+  s.changes = {{0, later}, {9, s.requested, {{{{1, 2.0 / 3.0, 3}, {}}, {{4, 5, 6}, 0.1, true}}}}};
   s.stopAt = 12;
   s.view = R"({"zoom":1.5})";
   return s;
@@ -80,6 +80,7 @@ TEST_CASE("a session comes back exactly as it was written", "[session]") {
   for (std::size_t i = 0; i < 2; ++i) {
     CHECK(back.changes[i].iteration == s.changes[i].iteration);
     CHECK(back.changes[i].parameters == s.changes[i].parameters);
+    CHECK(back.changes[i].seeds == s.changes[i].seeds);
   }
   CHECK(back.stopAt == s.stopAt);
   CHECK(back.view == s.view);
@@ -96,6 +97,17 @@ TEST_CASE("a session without changes, last iteration and view is that of earlier
   CHECK(back.changes.empty());
   CHECK_FALSE(back.stopAt.has_value());
   CHECK(back.view.empty());
+}
+
+TEST_CASE("a session whose changes have no seeds is that of earlier versions: the seeds stay", "[session]") {
+  nlohmann::json json = validJson();
+  json["requested"]["changes"][1].erase("seeds");
+  const TempFolder folder;
+  test::writeBytes(folder / "s.json", json.dump());
+  const Session back = readSession(folder / "s.json");
+  REQUIRE(back.changes.size() == 2);
+  CHECK_FALSE(back.changes[1].seeds.has_value());
+  CHECK(changed({back.seeds, back.requested}, back.changes[1]).seeds == back.seeds);
 }
 
 TEST_CASE("a session without candidate and side of its seeds is that of earlier versions", "[session]") {
@@ -274,6 +286,11 @@ TEST_CASE("what is not a session is an input error that names the file", "[sessi
       [](nlohmann::json& j) { j["requested"]["changes"][0]["iteration"] = -1; },
       [](nlohmann::json& j) { j["requested"]["changes"][0]["iteration"] = 9; },
       [](nlohmann::json& j) { j["requested"]["changes"][1]["object"] = "grey"; },
+      [](nlohmann::json& j) { j["requested"]["changes"][1]["seeds"] = nlohmann::json::array(); },
+      [](nlohmann::json& j) { j["requested"]["changes"][1]["seeds"] = 3; },
+      [](nlohmann::json& j) { j["requested"]["changes"][1]["seeds"] = nullptr; },
+      [](nlohmann::json& j) { j["requested"]["changes"][1]["seeds"][0].erase("centre"); },
+      [](nlohmann::json& j) { j["requested"]["changes"][1]["seeds"][0]["background"] = true; },
   };
   const TempFolder folder;
   int number = 0;

@@ -125,11 +125,13 @@ void Document::Private::adopt(const QString& path, OpenedWork opened) {
 }
 
 void Document::Private::adoptSession(const QString& path, const Session& session) {
-  edits.seeds = session.seeds;
-  edits.parameters = session.changes.empty() ? session.requested : session.changes.back().parameters;
+  replayed = {session.seeds, session.requested};
+  Request last = replayed;
+  for (const ParameterChange& change : session.changes) last = changed(last, change);
+  edits.seeds = std::move(last.seeds);
+  edits.parameters = last.parameters;
   view = QByteArray::fromStdString(session.view);
   replay = {session.changes, session.stopAt};
-  replayed = session.requested;
   savedIteration = session.stopAt.value_or(-1);
   if (Journal::isJournal(path)) {
     undo.resetClean();
@@ -165,23 +167,35 @@ void Document::setView(const QByteArray& json) { d_->view = json; }
 
 void Document::Private::push(const QString& text, Edits after, int gesture) {
   if (meanOthers(edits, after)) after.parameters.candidate = 1;
-  undo.push(new EditCommand(text, edits, std::move(after), gesture, [this](const Edits& e) { apply(e); }));
+  undo.push(new EditCommand(text, edits, std::move(after), gesture,
+                            [this](const Edits& e, EditCommand::Way way) { apply(e, way); }));
 }
 
-void Document::Private::apply(const Edits& after) {
+void Document::Private::apply(const Edits& after, EditCommand::Way way) {
   const bool seeds = after.seeds != edits.seeds, parameters = !(after.parameters == edits.parameters);
   const bool selection = after.selectedSeed != edits.selectedSeed;
   if (!offerSameObjects(edits, after)) forgetCandidates();
+  const Request before = edits.request();
   edits = after;
+  if (way == EditCommand::Way::undo) goBackBefore(before);
   if (seeds || parameters) editsChanged(seeds);
   if (seeds) Q_EMIT q.seedsChanged();
   if (selection) Q_EMIT q.selectedSeedChanged(edits.selectedSeed);
   if (parameters) Q_EMIT q.parametersChanged();
 }
 
+//! A correction that has been grown and is undone: shows the surface as it was when it was made.
+void Document::Private::goBackBefore(const Request& undone) {
+  const std::vector<ParameterChange>& changes = growth.changes();
+  const auto later = [&](const ParameterChange& c) { return c.iteration >= growth.iteration(); };
+  const auto last = std::find_if_not(changes.rbegin(), changes.rend(), later);
+  if (last == changes.rend() || !last->seeds || Request{*last->seeds, last->parameters} != undone) return;
+  growth.goTo(last->iteration);
+}
+
 void Document::Private::editsChanged(bool seeds) {
   forgetPreparation();
-  if (seeds) dropGrowth();
+  if (seeds && (!growth.exists() || !q.isSeeded())) dropGrowth();
   if (wanted == Wanted::replay) wanted = Wanted::nothing;
   changedOnTheWay = changedOnTheWay || growth.isRunning();
   settle.start();

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/evolution/correction.h"
 #include "core/evolution/image_doubts.h"
 #include "core/evolution/parameters.h"
 #include "core/evolution/step_report.h"
@@ -46,7 +47,7 @@ struct IterationSummary {
 };
 
 enum class GrowthState {
-  none,       //!< nothing was grown yet, or seeds or volume changed since
+  none,       //!< nothing was grown yet, or the volume changed since, or no seed is left
   preparing,  //!< automatic parameters are chosen, the image is smoothed
   paused,
   running,
@@ -78,6 +79,9 @@ class Document : public QObject {
   void setView(const QByteArray& json);
 
   // --- seeds and parameters; each change is one undo entry with a name ("Move seed") ---
+  // Changes apply to the growth from its shown iteration on: what was grown after it is dropped when it goes
+  // on. At iteration 0 it begins again instead. Undoing other clicks with which it has gone on shows the
+  // surface as it was when they were made.
   //! All clicks: those inside of the object, from which the surface grows, and those outside of it.
   const std::vector<Seed>& seeds() const;
   //! True if one of them is inside of the object: with clicks outside alone nothing can grow.
@@ -92,7 +96,6 @@ class Document : public QObject {
   //! The radius (mm) that a seed has or would be given where it has none; of the resolved seed, if known.
   double shownRadius(int index) const;
   const Parameters& parameters() const;
-  //! Applies to the growth from its shown iteration on: what was grown after it is dropped when it goes on.
   //! The likeliest object is taken again where another kind of object is asked for, as with other clicks.
   void setParameters(const Parameters& parameters, const QString& undoText, int gesture = -1);
   //! What the automatic parameters come to with the present seeds; worked out in the background after every
@@ -126,7 +129,9 @@ class Document : public QObject {
   //! The shown iteration; null without a growth.
   std::shared_ptr<const MeshSnapshot> snapshot() const;
   const std::vector<IterationSummary>& summaries() const;  //!< index = iteration
-  const std::vector<Event>& events() const;                //!< of all iterations, in order, without traces
+  //! How the surface went on with other clicks, where it did.
+  const std::vector<RecordedCorrection>& corrections() const;
+  const std::vector<Event>& events() const;  //!< of all iterations, in order, without traces
   //! Works out the stages of events()[index] in the background, told by eventTraced(index, trace).
   void requestTrace(int index);
 

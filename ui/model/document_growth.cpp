@@ -4,6 +4,10 @@
 
 namespace handlebody::ui {
 
+namespace {
+Request requestOf(const ActiveContour& contour) { return {contour.requestedSeeds(), contour.requested()}; }
+}  // namespace
+
 // --- automatic parameters ---
 
 void Document::Private::forgetPreparation() {
@@ -22,17 +26,18 @@ void Document::Private::forgetCandidates() {
 
 //! Seeds or parameters have been at rest for a moment.
 void Document::Private::preparationDue() {
-  if (work && q.isSeeded() && !prepared && !isPreparing) requestPreparation(edits.parameters);
+  if (work && q.isSeeded() && !prepared && !isPreparing) requestPreparation(edits.request());
 }
 
-void Document::Private::requestPreparation(const Parameters& parameters) {
+void Document::Private::requestPreparation(const Request& request) {
   settle.stop();
   isPreparing = true;
   const int number = ++preparations;
-  preparation.request(work->volume, edits.seeds, parameters, [this, number](const Prepared& result) {
-    QMetaObject::invokeMethod(
-        &q, [this, number, result] { preparationDone(number, result); }, Qt::QueuedConnection);
-  });
+  preparation.request(
+      work->volume, request.seeds, request.parameters, [this, number](const Prepared& result) {
+        QMetaObject::invokeMethod(
+            &q, [this, number, result] { preparationDone(number, result); }, Qt::QueuedConnection);
+      });
 }
 
 void Document::Private::preparationDone(int number, const Prepared& result) {
@@ -41,7 +46,7 @@ void Document::Private::preparationDone(int number, const Prepared& result) {
   prepareSeconds = result.seconds;
   if (wanted != Wanted::nothing) error = result.error;
   prepared = result.contour;
-  if (prepared && !(prepared->requested() == edits.parameters)) {  // for the beginning of a replay
+  if (prepared && requestOf(*prepared) != edits.request()) {  // for the beginning of a replay
     startPrepared();
     prepared.reset();
     preparationDue();
@@ -56,7 +61,7 @@ void Document::Private::preparationDone(int number, const Prepared& result) {
   Q_EMIT q.resolvedChanged();
   // Also if it came to its end meanwhile: it would have gone on with these.
   if (std::exchange(changedOnTheWay, false) && prepared && growth.exists())
-    growth.run(edits.parameters, prepared);
+    growth.run(edits.request(), prepared);
   startPrepared();
 }
 
@@ -66,24 +71,26 @@ void Document::Private::goOn(Wanted what) {
   if (!work) return;
   error.clear();
   const bool restart =
-      growth.iteration() == 0 && !growth.isRunning() && !(growth.beginning().requested() == edits.parameters);
+      growth.iteration() == 0 && !growth.isRunning() && requestOf(growth.beginning()) != edits.request();
   if (!growth.exists() || restart) {
     beginGrowth(what);
     return;
   }
-  if (!prepared && !chooseSameImage(edits.parameters, growth.parameters())) {
+  const Request& known = growth.request();
+  const bool sameImage = edits.seeds == known.seeds && chooseSameImage(edits.parameters, known.parameters);
+  if (!prepared && !sameImage) {
     await(what);
     return;
   }
   switch (what) {
     case Wanted::run:
-      growth.run(edits.parameters, prepared);
+      growth.run(edits.request(), prepared);
       break;
     case Wanted::step:
-      growth.step(edits.parameters, prepared);
+      growth.step(edits.request(), prepared);
       break;
     case Wanted::toEvent:
-      growth.runToEvent(edits.parameters, prepared);
+      growth.runToEvent(edits.request(), prepared);
       break;
     default:
       break;
@@ -97,7 +104,7 @@ void Document::Private::await(Wanted what) {
   if (what == Wanted::replay)
     requestPreparation(replayed);
   else if (!isPreparing)
-    requestPreparation(edits.parameters);
+    requestPreparation(edits.request());
   updateState();
 }
 
@@ -134,7 +141,7 @@ GrowthState Document::Private::state() const {
   if (wanted != Wanted::nothing) return GrowthState::preparing;
   if (!growth.exists()) return GrowthState::none;
   if (growth.isRunning()) return GrowthState::running;
-  const bool others = !(growth.parameters() == edits.parameters);
+  const bool others = growth.request() != edits.request();
   return growth.stopReason() == StopReason::running || others ? GrowthState::paused : GrowthState::finished;
 }
 
@@ -197,6 +204,7 @@ int Document::iteration() const { return d_->growth.iteration(); }
 int Document::lastIteration() const { return static_cast<int>(d_->growth.summaries().size()) - 1; }
 std::shared_ptr<const MeshSnapshot> Document::snapshot() const { return d_->growth.snapshot(); }
 const std::vector<IterationSummary>& Document::summaries() const { return d_->growth.summaries(); }
+const std::vector<RecordedCorrection>& Document::corrections() const { return d_->growth.corrections(); }
 const std::vector<Event>& Document::events() const { return d_->growth.events(); }
 void Document::requestTrace(int index) {
   if (d_->growth.exists()) d_->growth.trace(index);

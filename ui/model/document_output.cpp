@@ -40,13 +40,17 @@ Session Document::Private::session() const {
   s.view = view.toStdString();
   const int shown = growth.iteration();
   if (shown < 0) return s;
+  s.seeds = growth.beginning().requestedSeeds();
   s.requested = growth.beginning().requested();
   s.resolved = growth.beginning().parameters();
   s.stopAt = shown;
   for (const ParameterChange& change : growth.changes())
     if (change.iteration < shown) s.changes.push_back(change);
-  const Parameters& last = s.changes.empty() ? s.requested : s.changes.back().parameters;
-  if (!(last == edits.parameters)) s.changes.push_back({shown, edits.parameters});
+  Request last{s.seeds, s.requested};
+  for (const ParameterChange& change : s.changes) last = changed(last, change);
+  if (last == edits.request()) return s;
+  s.changes.push_back({shown, edits.parameters, {}});
+  if (last.seeds != edits.seeds) s.changes.back().seeds = edits.seeds;
   return s;
 }
 
@@ -62,6 +66,8 @@ RunReport Document::Private::report() const {
   r.seconds.evolve = growth.seconds();
   for (const Event& event : growth.events())
     if (event.iteration <= r.iterations) r.events.push_back(event);
+  for (const RecordedCorrection& correction : growth.corrections())
+    if (correction.iteration < r.iterations) r.corrections.push_back(correction);
   if (growth.exists()) {
     r.candidates = growth.beginning().candidates();
     r.isCloseChoice = growth.beginning().isCloseChoice();

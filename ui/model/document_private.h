@@ -32,11 +32,12 @@ class Document::Private {
 
   // --- seeds and parameters ---
   void push(const QString& text, Edits after, int gesture);
-  void apply(const Edits& after);
+  void apply(const Edits& after, EditCommand::Way way);
   void editsChanged(bool seeds);
+  void goBackBefore(const Request& undone);
 
   // --- automatic parameters ---
-  void requestPreparation(const Parameters& parameters);
+  void requestPreparation(const Request& request);
   void preparationDone(int number, const Prepared& result);
   void preparationDue();
   void forgetPreparation();
@@ -77,8 +78,8 @@ class Document::Private {
 
   int preparations = 0;  // number of the newest that was asked for
   bool isPreparing = false;
-  bool changedOnTheWay = false;                   // parameters, while the growth runs
-  std::shared_ptr<const ActiveContour> prepared;  // of the present seeds
+  bool changedOnTheWay = false;                   // clicks or parameters, while the growth runs
+  std::shared_ptr<const ActiveContour> prepared;  // of the present clicks and parameters
   double prepareSeconds = 0;
   std::optional<ResolvedParameters> resolved;
   std::vector<ObjectCandidate> candidates;
@@ -88,7 +89,7 @@ class Document::Private {
 
   Wanted wanted = Wanted::nothing;
   Replay replay;
-  Parameters replayed;  // at the beginning of the replay
+  Request replayed;  // at the beginning of the replay
   QString error;
   GrowthState shownState = GrowthState::none;
   StopReason shownStop = StopReason::running;

@@ -22,7 +22,7 @@ void Growth::expect(bool running) {
 void Growth::start(std::shared_ptr<const ActiveContour> contour, const std::optional<Replay>& replay) {
   clear();
   start_ = contour;
-  parameters_ = contour->requested();
+  request_ = {contour->requestedSeeds(), contour->requested()};
   worker_.start(std::move(contour));
   started_ = worker_.sent();
   if (replay) worker_.replay(*replay);
@@ -41,24 +41,25 @@ void Growth::clear() {
   summaries_.clear();
   events_.clear();
   changes_.clear();
+  corrections_.clear();
   seconds_ = 0;
   listener_.summariesChanged();
   listener_.snapshotChanged();
   listener_.stateChanged();
 }
 
-void Growth::run(const Parameters& parameters, PreparedContour prepared) {
-  worker_.run(parameters, std::move(prepared));
+void Growth::run(const Request& request, PreparedContour prepared) {
+  worker_.run(request, std::move(prepared));
   expect(true);
 }
 
-void Growth::runToEvent(const Parameters& parameters, PreparedContour prepared) {
-  worker_.runToEvent(parameters, std::move(prepared));
+void Growth::runToEvent(const Request& request, PreparedContour prepared) {
+  worker_.runToEvent(request, std::move(prepared));
   expect(true);
 }
 
-void Growth::step(const Parameters& parameters, PreparedContour prepared) {
-  worker_.step(parameters, std::move(prepared));
+void Growth::step(const Request& request, PreparedContour prepared) {
+  worker_.step(request, std::move(prepared));
   expect(false);
 }
 
@@ -97,8 +98,9 @@ void Growth::collect() {
   const bool listsChanged = takeLists(update);
   const bool shownChanged = update.snapshot != nullptr;
   if (shownChanged) snapshot_ = std::move(update.snapshot);
-  parameters_ = update.parameters;
+  request_ = std::move(update.request);
   changes_ = std::move(update.changes);
+  corrections_ = std::move(update.corrections);
   seconds_ = update.seconds;
   stopReason_ = update.stopReason;
   if (update.processed >= expected_) {

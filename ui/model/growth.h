@@ -26,9 +26,9 @@ class Growth {
   //! As it was before the first step. Precondition: exists().
   const ActiveContour& beginning() const { return *start_; }
 
-  void run(const Parameters& parameters, PreparedContour prepared = {});
-  void step(const Parameters& parameters, PreparedContour prepared = {});
-  void runToEvent(const Parameters& parameters, PreparedContour prepared = {});
+  void run(const Request& request, PreparedContour prepared = {});
+  void step(const Request& request, PreparedContour prepared = {});
+  void runToEvent(const Request& request, PreparedContour prepared = {});
   void pause();
   void goTo(int iteration);
   void stepBack();
@@ -44,9 +44,10 @@ class Growth {
   int iteration() const { return snapshot_ ? snapshot_->iteration : -1; }
   const std::vector<IterationSummary>& summaries() const { return summaries_; }
   const std::vector<Event>& events() const { return events_; }
-  //! That the next step from the shown iteration is done with, as recorded.
-  const Parameters& parameters() const { return parameters_; }
+  //! What the next step from the shown iteration is done with, as recorded.
+  const Request& request() const { return request_; }
   const std::vector<ParameterChange>& changes() const { return changes_; }
+  const std::vector<RecordedCorrection>& corrections() const { return corrections_; }
   double seconds() const { return seconds_; }
 
  private:
@@ -64,8 +65,9 @@ class Growth {
   std::shared_ptr<const MeshSnapshot> snapshot_;
   std::vector<IterationSummary> summaries_;
   std::vector<Event> events_;
-  Parameters parameters_;
+  Request request_;
   std::vector<ParameterChange> changes_;
+  std::vector<RecordedCorrection> corrections_;
   double seconds_ = 0;
   GrowthWorker worker_;  // last: its thread ends before the rest
 };

@@ -43,19 +43,17 @@ void GrowthWorker::clear() {
   });
 }
 
-void GrowthWorker::run(const Parameters& parameters, PreparedContour prepared) {
-  send([this, parameters, prepared = std::move(prepared)] { goOn(parameters, prepared.get(), Mode::run); });
+void GrowthWorker::run(const Request& request, PreparedContour prepared) {
+  send([this, request, prepared = std::move(prepared)] { goOn(request, prepared.get(), Mode::run); });
 }
 
-void GrowthWorker::runToEvent(const Parameters& parameters, PreparedContour prepared) {
-  send([this, parameters, prepared = std::move(prepared)] {
-    goOn(parameters, prepared.get(), Mode::toEvent);
-  });
+void GrowthWorker::runToEvent(const Request& request, PreparedContour prepared) {
+  send([this, request, prepared = std::move(prepared)] { goOn(request, prepared.get(), Mode::toEvent); });
 }
 
-void GrowthWorker::step(const Parameters& parameters, PreparedContour prepared) {
-  send([this, parameters, prepared = std::move(prepared)] {
-    goOn(parameters, prepared.get(), Mode::run);
+void GrowthWorker::step(const Request& request, PreparedContour prepared) {
+  send([this, request, prepared = std::move(prepared)] {
+    goOn(request, prepared.get(), Mode::run);
     if (mode_ == Mode::run) stepOnce();
     mode_ = Mode::idle;
   });
@@ -165,15 +163,15 @@ std::shared_ptr<const MeshSnapshot> GrowthWorker::nextFrame() {
   return frame;
 }
 
-void GrowthWorker::changeParameters(const Parameters& parameters, const ActiveContour* prepared) {
-  history_->changeParameters(parameters, prepared);
+void GrowthWorker::change(const Request& request, const ActiveContour* prepared) {
+  history_->change(request, prepared);
   kept_ = std::min(kept_, history_->lastIteration());
 }
 
-void GrowthWorker::goOn(const Parameters& parameters, const ActiveContour* prepared, Mode mode) {
+void GrowthWorker::goOn(const Request& request, const ActiveContour* prepared, Mode mode) {
   mode_ = Mode::idle;
   if (!history_) return;
-  changeParameters(parameters, prepared);
+  change(request, prepared);
   if (mode == Mode::toEvent && goToRecordedEvent()) return;
   if (history_->stopReason() == StopReason::running) mode_ = mode;
 }
@@ -200,9 +198,9 @@ void GrowthWorker::stepOnce() {
 //! The change that the session recorded here, if any. False if the replay ends here.
 bool GrowthWorker::replayChange() {
   const int now = history_->iteration();
-  for (const ParameterChange& change : replay_.changes)
-    if (change.iteration == now && now < replay_.stopAt.value_or(now + 1))
-      changeParameters(change.parameters);
+  for (const ParameterChange& recorded : replay_.changes)
+    if (recorded.iteration == now && now < replay_.stopAt.value_or(now + 1))
+      change(changed({history_->seeds(), history_->parameters()}, recorded));
   const bool goesOn = history_->stopReason() == StopReason::running && now < replay_.stopAt.value_or(now + 1);
   if (!goesOn) mode_ = Mode::idle;
   return goesOn;
@@ -249,9 +247,10 @@ void GrowthWorker::publish(std::shared_ptr<const MeshSnapshot> frame) {
     if (frame || !history_) update_.snapshot = std::move(frame);
     if (history_) {
       update_.stopReason = history_->stopReason();
-      update_.parameters = history_->parameters();
+      update_.request = {history_->seeds(), history_->parameters()};
       update_.resolved = history_->resolved();
       update_.changes = history_->changes();
+      update_.corrections = history_->corrections();
     }
   }
   notifyOnce();

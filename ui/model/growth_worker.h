@@ -29,14 +29,15 @@ struct GrowthUpdate {
   std::size_t eventsFrom = 0;
   std::vector<Event> events;
   std::vector<std::pair<int, EventTrace>> traces;
-  Parameters parameters;  //!< that the next step from the shown iteration is done with
+  Request request;  //!< what the next step from the shown iteration is done with
   std::optional<ResolvedParameters> resolved;
   std::vector<ParameterChange> changes;
+  std::vector<RecordedCorrection> corrections;
   double seconds = 0;  //!< computing time of all steps
 };
 
-//! Made elsewhere for the same volume, seeds and the parameters it comes with, so that changing to them takes
-//! no time; may be null.
+//! Made elsewhere for the same volume and the request it comes with, so that changing to it takes no time;
+//! may be null.
 using PreparedContour = std::shared_ptr<const ActiveContour>;
 
 //! A growth to be made again: these changes on the way, and the iteration to pause at.
@@ -60,11 +61,11 @@ class GrowthWorker {
   void start(std::shared_ptr<const ActiveContour> contour);
   //! Nothing is grown any more.
   void clear();
-  //! All three go on from the shown iteration with these parameters; if they are others than recorded, what
-  //! was recorded after it is dropped.
-  void run(const Parameters& parameters, PreparedContour prepared = {});
-  void step(const Parameters& parameters, PreparedContour prepared = {});
-  void runToEvent(const Parameters& parameters, PreparedContour prepared = {});
+  //! All three go on from the shown iteration with these clicks and parameters; if they are others than
+  //! recorded, what was recorded after it is dropped.
+  void run(const Request& request, PreparedContour prepared = {});
+  void step(const Request& request, PreparedContour prepared = {});
+  void runToEvent(const Request& request, PreparedContour prepared = {});
   //! Grows again as recorded in a session.
   void replay(const Replay& replay);
   void pause();
@@ -87,7 +88,7 @@ class GrowthWorker {
   void loop(const std::stop_token& stop);
   std::optional<Command> next(const std::stop_token& stop);
   void perform(const Command& command);
-  void goOn(const Parameters& parameters, const ActiveContour* prepared, Mode mode);
+  void goOn(const Request& request, const ActiveContour* prepared, Mode mode);
   bool goToRecordedEvent();
   void stepOnce();
   bool replayChange();
@@ -95,7 +96,7 @@ class GrowthWorker {
   bool isEventIteration(int iteration) const;
   void show(int iteration);
   void traceEvent(int index);
-  void changeParameters(const Parameters& parameters, const ActiveContour* prepared = nullptr);
+  void change(const Request& request, const ActiveContour* prepared = nullptr);
   std::shared_ptr<const MeshSnapshot> nextFrame();
   void publish(std::shared_ptr<const MeshSnapshot> frame);
   void publishLists();

@@ -13,20 +13,22 @@ namespace handlebody::ui {
 struct Edits {
   std::vector<Seed> seeds;
   Parameters parameters;
+  Request request() const { return {seeds, parameters}; }
   int selectedSeed = -1;
 };
 
 class EditCommand : public QUndoCommand {
  public:
-  using Apply = std::function<void(const Edits&)>;
+  enum class Way { undo, redo };
+  using Apply = std::function<void(const Edits&, Way)>;
 
   //! Calls of one gesture (>= 0) with the same text merge.
   EditCommand(const QString& text, Edits before, Edits after, int gesture, Apply apply);
 
   int id() const override;
   bool mergeWith(const QUndoCommand* other) override;
-  void undo() override { apply_(before_); }
-  void redo() override { apply_(after_); }
+  void undo() override { apply_(before_, Way::undo); }
+  void redo() override { apply_(after_, Way::redo); }
 
  private:
   Edits before_, after_;

@@ -7,6 +7,7 @@
 #include <QSpinBox>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/model/document.h"
 #include "ui/window/action_button.h"
@@ -102,13 +103,29 @@ QString stateText(const Document& document, const QString& between) {
   }
 }
 
+namespace {
+
+//! What the clicks that were changed last have made of the shown surface; empty if none were.
+QString correctionText(const Document& document) {
+  const auto& all = document.corrections();
+  const auto isShown = [&](const RecordedCorrection& c) { return c.iteration < document.iteration(); };
+  const auto last = std::find_if(all.rbegin(), all.rend(), isShown);
+  if (last == all.rend()) return {};
+  const QString text = last->what.beganAnew
+                           ? GrowPanel::tr("These clicks mean another object: begun anew at iteration %1")
+                           : GrowPanel::tr("Clicks changed at iteration %1: gone on from there");
+  return QLatin1Char('\n') + text.arg(last->iteration);
+}
+
+}  // namespace
+
 GrowPanel::GrowPanel(Document& document, SurfaceView& surface, const Commands& commands, QWidget* parent)
     : QWidget(parent), document_(document) {
   auto* layout = panelLayout(this);
-  hint_ = hint(
-      tr("Start grows the surface from the seeds. You may pause, go back exactly, change a parameter and go "
-         "on from there at any time."),
-      this);
+  hint_ = hint(tr("Start grows the surface from the seeds. You may pause, go back exactly, change a click or "
+                  "a parameter "
+                  "and go on from there at any time."),
+               this);
   layout->addWidget(buildButtons(commands));
   layout->addWidget(hint_);
   state_ = value(tr("State of the growth"), this);
@@ -194,7 +211,7 @@ QWidget* GrowPanel::buildNumbers() {
 }
 
 void GrowPanel::showState() {
-  state_->setText(stateText(document_, QStringLiteral("\n")));
+  state_->setText(stateText(document_, QStringLiteral("\n")) + correctionText(document_));
   error_->setText(document_.growthError());
   error_->setVisible(!document_.growthError().isEmpty());
   hint_->setVisible(document_.iteration() < 0);

@@ -59,6 +59,17 @@ inline double furthestFrom(const Mesh& mesh, double (*distance)(const Vec3&)) {
   return furthest;
 }
 
+//! Bit for bit: slots, free slots and their order too, since they decide how the mesh goes on.
+inline bool isSame(const Mesh& a, const Mesh& b) {
+  if (a.vertexSlots() != b.vertexSlots() || a.faceSlots() != b.faceSlots()) return false;
+  for (int v = 0; v < a.vertexSlots(); ++v)
+    if (a.isVertex(v) != b.isVertex(v) || a.outgoing(v) != b.outgoing(v) || a.position(v) != b.position(v))
+      return false;
+  for (int f = 0; f < a.faceSlots(); ++f)
+    if (a.face(f) != b.face(f)) return false;
+  return true;
+}
+
 //! Runs to the end. After every step the mesh must pass the certificate and agree with the report.
 inline std::vector<StepReport> runCertified(ActiveContour& contour) {
   std::vector<StepReport> reports;

@@ -18,17 +18,6 @@ ActiveContour torusContour(const Parameters& parameters = {}) {
   return ActiveContour(torusVolume(), {{Vec3(kSeedX, 20, 20), 3.0}}, parameters);
 }
 
-//! Bit for bit: slots, free slots and their order too, since they decide how the mesh goes on.
-bool isSame(const Mesh& a, const Mesh& b) {
-  if (a.vertexSlots() != b.vertexSlots() || a.faceSlots() != b.faceSlots()) return false;
-  for (int v = 0; v < a.vertexSlots(); ++v)
-    if (a.isVertex(v) != b.isVertex(v) || a.outgoing(v) != b.outgoing(v) || a.position(v) != b.position(v))
-      return false;
-  for (int f = 0; f < a.faceSlots(); ++f)
-    if (a.face(f) != b.face(f)) return false;
-  return true;
-}
-
 //! The meshes of every iteration of a run that never went back.
 std::vector<Mesh> straightRun(ActiveContour contour) {
   std::vector<Mesh> meshes{contour.mesh()};
@@ -200,7 +189,7 @@ TEST_CASE("a prepared image leads to the same mesh as one that is chosen anew", 
   for (ActiveContour* c : {&chosen, &taken})
     for (int i = 0; i < 10; ++i) c->step();
   chosen.changeParameters(other);
-  taken.changeParameters(prepared);
+  taken.change(prepared);
   CHECK(taken.parameters().range == chosen.parameters().range);
   CHECK(taken.parameters().smoothing == chosen.parameters().smoothing);
   CHECK(isSame(straightRun(taken).back(), straightRun(chosen).back()));
@@ -256,4 +245,47 @@ TEST_CASE("a history keeps to its memory and is as exact with fewer keyframes", 
     history.goTo(target);
     REQUIRE(isSame(history.shown().mesh(), expected[static_cast<std::size_t>(target)]));
   }
+}
+
+TEST_CASE("stepping back across a click is exact, and what was grown after it is dropped by another one",
+          "[history]") {
+  const std::vector<Seed> more{{Vec3(kSeedX, 20, 20), 3.0}, {Vec3(20 - kTorusR, 20, 20), {}}},
+      other{{Vec3(kSeedX, 20, 20), 3.0}, {Vec3(20, 20 + kTorusR, 20), {}, true}};
+  ActiveContour straight = torusContour();
+  std::vector<Mesh> expected;
+  for (int i = 0; i < 20; ++i, straight.step()) expected.push_back(straight.mesh());
+  straight.change({more, {}});
+  REQUIRE(straight.correction()->fronts == 1);
+  const std::vector<Mesh> after = straightRun(straight);
+  expected.push_back(torusContour().mesh());  // at 20: as it was before the click
+  expected.insert(expected.end(), after.begin() + 1, after.end());
+
+  History history(torusContour(), every(1));
+  for (int i = 0; i < 30; ++i) history.advance();
+  history.goTo(20);
+  expected[20] = history.shown().mesh();
+  history.change({more, {}});
+  CHECK(history.lastIteration() == 20);
+  CHECK(history.seeds() == more);
+  runToEnd(history);
+  REQUIRE(history.lastIteration() + 1 == static_cast<int>(expected.size()));
+  for (int target : {20, history.lastIteration(), 21, 30, 19, 25, 20, 5, 22}) {
+    history.goTo(target);
+    INFO("iteration " << target);
+    REQUIRE(isSame(history.shown().mesh(), expected[static_cast<std::size_t>(target)]));
+  }
+  REQUIRE(history.changes().size() == 1);
+  CHECK(history.changes()[0].iteration == 20);
+  CHECK(history.changes()[0].seeds == more);
+  REQUIRE(history.corrections().size() == 1);
+  CHECK(history.corrections()[0].what.fronts == 1);
+  history.goTo(19);
+  CHECK(history.seeds() == torusContour().requestedSeeds());
+
+  history.goTo(25);
+  history.change({other, {}});
+  CHECK(history.lastIteration() == 25);
+  CHECK(history.corrections().size() == 2);
+  history.change({more, {}});
+  CHECK(history.changes().size() == 1);
 }

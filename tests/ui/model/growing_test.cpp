@@ -137,12 +137,105 @@ TEST_CASE("next and previous event go where something happened", "[document]") {
   CHECK(document.summaries()[static_cast<std::size_t>(document.iteration())].events > 0);
 }
 
-TEST_CASE("other seeds drop the growth, and undo lets it be grown again the same", "[document]") {
+TEST_CASE("a click on the way: the growth goes on from the shown iteration with it", "[document]") {
+  Work work;
+  Document& document = work.document;
+  for (int i = 0; i < 8; ++i) REQUIRE(work.stepForward());
+  REQUIRE(showIteration(document, 6));
+  const Seed further{testing::kMiddle - Vec3(testing::kTorusR, 0, 0), {}};
+  document.addSeed(further);
+  CHECK(document.iteration() == 6);
+  CHECK(document.lastIteration() == 8);  // until it goes on
+  CHECK(document.snapshot() != nullptr);
+  REQUIRE(runToEnd(document));
+  CHECK(document.iteration() > 8);
+  REQUIRE(document.corrections().size() == 1);
+  CHECK(document.corrections()[0].iteration == 6);
+  CHECK(document.corrections()[0].what.fronts == 1);
+  CHECK_FALSE(document.corrections()[0].what.beganAnew);
+  ActiveContour straight(document.volume(), {work.torus.seed}, Parameters{});
+  for (int i = 0; i < 6; ++i) straight.step();
+  straight.change({document.seeds(), Parameters{}});
+  while (straight.stopReason() == StopReason::running) straight.step();
+  CHECK(isSame(document.snapshot()->mesh, straight.mesh().compact()));
+  CHECK(document.lastIteration() == straight.iteration());
+}
+
+TEST_CASE("a click while it runs is prepared in the background, and the growth goes on with it",
+          "[document]") {
+  Work work;
+  Document& document = work.document;
+  document.run();
+  REQUIRE(waitFor([&] { return document.iteration() >= 3; }));
+  QElapsedTimer clock;
+  clock.start();
+  document.addSeed({testing::kMiddle - Vec3(testing::kTorusR, 0, 0), {}});
+  CHECK(clock.elapsed() < 100);
+  CHECK(document.iteration() >= 3);
+  REQUIRE(waitFor([&] { return !document.corrections().empty(); }));
+  REQUIRE(waitFor([&] { return document.state() == GrowthState::finished; }));
+  CHECK(document.snapshot()->certificate.genus == std::vector<int>{1});
+}
+
+TEST_CASE("undo takes a grown correction back exactly, and redo grows it again the same", "[document]") {
+  Work work;
+  Document& document = work.document;
+  for (int i = 0; i < 10; ++i) REQUIRE(work.stepForward());
+  const TriangleSoup before = document.snapshot()->mesh;
+  document.addSeed({testing::kMiddle - Vec3(testing::kTorusR, 0, 0), {}});
+  REQUIRE(runToEnd(document));
+  const TriangleSoup after = document.snapshot()->mesh;
+  document.undoStack()->undo();
+  REQUIRE(waitFor([&] { return document.iteration() == 10; }));
+  CHECK(isSame(document.snapshot()->mesh, before));
+  CHECK(document.seeds().size() == 1);
+  CHECK(document.state() == GrowthState::paused);
+  document.undoStack()->redo();
+  REQUIRE(runToEnd(document));
+  CHECK(isSame(document.snapshot()->mesh, after));
+  document.undoStack()->undo();
+  REQUIRE(runToEnd(document));
+  CHECK(document.corrections().empty());
+  ActiveContour straight(document.volume(), document.seeds(), Parameters{});
+  while (straight.stopReason() == StopReason::running) straight.step();
+  CHECK(isSame(document.snapshot()->mesh, straight.mesh().compact()));
+}
+
+TEST_CASE("clicks moved before it goes on change nothing that is shown, and undo leaves it", "[document]") {
   Work work;
   Document& document = work.document;
   REQUIRE(runToEnd(document));
   const TriangleSoup mesh = document.snapshot()->mesh;
+  const int last = document.lastIteration();
+  document.addSeed({testing::kMiddle, {}, true});
+  document.moveSeed(1, testing::kMiddle + Vec3(0, 0, 12));
+  CHECK(document.state() == GrowthState::paused);
+  document.undoStack()->undo();
+  document.undoStack()->undo();
+  CHECK(document.state() == GrowthState::finished);
+  CHECK(document.lastIteration() == last);
+  CHECK(isSame(document.snapshot()->mesh, mesh));
+}
+
+TEST_CASE("at the beginning other clicks begin the growth again", "[document]") {
+  Work work;
+  Document& document = work.document;
+  for (int i = 0; i < 3; ++i) REQUIRE(work.stepForward());
+  REQUIRE(showIteration(document, 0));
   document.setSeedRadius(0, 2.0);
+  REQUIRE(runToEnd(document));
+  CHECK(document.corrections().empty());
+  ActiveContour straight(document.volume(), document.seeds(), Parameters{});
+  while (straight.stopReason() == StopReason::running) straight.step();
+  CHECK(isSame(document.snapshot()->mesh, straight.mesh().compact()));
+}
+
+TEST_CASE("without any seed left the growth goes, and undo lets it be grown again the same", "[document]") {
+  Work work;
+  Document& document = work.document;
+  REQUIRE(runToEnd(document));
+  const TriangleSoup mesh = document.snapshot()->mesh;
+  document.removeSeed(0);
   CHECK(document.state() == GrowthState::none);
   CHECK(document.snapshot() == nullptr);
   CHECK(document.summaries().empty());

@@ -13,10 +13,14 @@ using namespace handlebody::ui;
 
 namespace {
 
+const Seed kSeed{kMiddle + Vec3(kTorusR, 0, 0), 3.0};
+
 std::shared_ptr<const ActiveContour> torusContour() {
-  return std::make_shared<const ActiveContour>(
-      torusVolume(), std::vector<Seed>{{kMiddle + Vec3(kTorusR, 0, 0), 3.0}}, Parameters{});
+  return std::make_shared<const ActiveContour>(torusVolume(), std::vector<Seed>{kSeed}, Parameters{});
 }
+
+//! The torus with these parameters.
+Request with(const Parameters& parameters = {}) { return {{kSeed}, parameters}; }
 
 //! What a window knows, put together from the updates.
 struct Mirror {
@@ -63,7 +67,7 @@ TEST_CASE("updates put together are the whole growth, however often they are fet
   Rig rig;
   const auto start = torusContour();
   rig.worker.start(start);
-  rig.worker.run({});
+  rig.worker.run(with());
   REQUIRE(rig.waitForRest());
   ActiveContour straight = *start;
   std::size_t events = 0;
@@ -77,13 +81,13 @@ TEST_CASE("updates put together are the whole growth, however often they are fet
 TEST_CASE("a dropped tail is replaced even if nothing was fetched in between", "[worker]") {
   Rig rig;
   rig.worker.start(torusContour());
-  for (int i = 0; i < 30; ++i) rig.worker.step({});
+  for (int i = 0; i < 30; ++i) rig.worker.step(with());
   REQUIRE(rig.waitForRest());
   const double volume = rig.mirror.summaries[25].volume;
   Parameters slow;
   slow.balloon = 0.3;
   rig.worker.goTo(20);
-  for (int i = 0; i < 6; ++i) rig.worker.step(slow);
+  for (int i = 0; i < 6; ++i) rig.worker.step(with(slow));
   REQUIRE(rig.waitForRest());
   REQUIRE(rig.mirror.summaries.size() == 27);
   CHECK(rig.mirror.summaries[25].volume < volume);
@@ -97,8 +101,9 @@ TEST_CASE("random commands leave the shown iteration in step with the lists", "[
   std::mt19937 random(11);
   const auto any = [&](int n) { return std::uniform_int_distribution<int>(0, n - 1)(random); };
   for (int i = 0; i < 150; ++i) {
-    Parameters p;
-    p.curvature = 0.1 * any(3);
+    Request p = with();
+    p.parameters.curvature = 0.1 * any(3);
+    if (any(4) == 0) p.seeds.push_back({kMiddle - Vec3(kTorusR, 0, 0), {}});
     switch (any(8)) {
       case 0:
         rig.worker.run(p);
@@ -142,14 +147,14 @@ TEST_CASE("random commands leave the shown iteration in step with the lists", "[
 TEST_CASE("parameters that are refused end in a sentence, and the growth stays", "[worker]") {
   Rig rig;
   rig.worker.start(torusContour());
-  rig.worker.step({});
+  rig.worker.step(with());
   Parameters wrong;
   wrong.range = IntensityRange{5000, 6000};
-  rig.worker.run(wrong);
+  rig.worker.run(with(wrong));
   REQUIRE(rig.waitForRest());
   CHECK(rig.mirror.last.error.contains(QStringLiteral("holds no voxel")));
   CHECK(rig.mirror.summaries.size() == 2);
-  rig.worker.step({});
+  rig.worker.step(with());
   REQUIRE(rig.waitForRest());
   CHECK(rig.mirror.last.error.isEmpty());
   CHECK(rig.mirror.snapshot->iteration == 2);
@@ -159,7 +164,7 @@ TEST_CASE("a worker ends while it is at work", "[worker]") {
   for (int milliseconds : {0, 1, 10}) {
     Rig rig;
     rig.worker.start(torusContour());
-    rig.worker.run({});
+    rig.worker.run(with());
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
   }
   SUCCEED();

@@ -212,6 +212,61 @@ TEST_CASE("a growth with parameters changed on the way replays to the same bytes
   }
 }
 
+TEST_CASE("a growth with clicks changed on the way replays to the same bytes", "[document]") {
+  Work work;
+  Document& document = work.document;
+  REQUIRE(work.stepTo(9));
+  document.addSeed({testing::kMiddle - Vec3(testing::kTorusR, 0, 0), {}});
+  REQUIRE(work.stepTo(15));
+  document.addSeed({testing::kMiddle + Vec3(0, 0, 12), {}, true});
+  document.moveSeed(1, testing::kMiddle - Vec3(testing::kTorusR, 0, 1));
+  REQUIRE(work.stepTo(24));
+  const QString session = work.torus.file("session.json"), mesh = work.torus.file("mesh.stl");
+  REQUIRE(work.saveTo(session));
+  REQUIRE(work.exportTo(mesh));
+  const Session saved = readSession(session.toStdString());
+  CHECK(saved.seeds == std::vector<Seed>{work.torus.seed});
+  REQUIRE(saved.changes.size() == 2);
+  CHECK(saved.changes[0].iteration == 9);
+  CHECK(saved.changes[0].seeds->size() == 2);
+  CHECK(saved.changes[1].iteration == 15);
+  CHECK(saved.changes[1].seeds == document.seeds());
+  CHECK(replayed(work.torus, session) == bytesOf(mesh));
+
+  SECTION("and comes back in the window as it was") {
+    Document other;
+    other.open(session);
+    REQUIRE(waitFor([&] { return other.iteration() == 24 && isAtRest(other); }));
+    CHECK(isSame(other.snapshot()->mesh, document.snapshot()->mesh));
+    CHECK(other.seeds() == document.seeds());
+    CHECK(other.corrections().size() == 2);
+    CHECK_FALSE(other.isModified());
+    REQUIRE(waitFor([&] { return other.resolved().has_value(); }));
+    other.run();
+    document.run();
+    REQUIRE(waitFor([&] { return other.state() == GrowthState::finished; }));
+    REQUIRE(waitFor([&] { return document.state() == GrowthState::finished; }));
+    CHECK(isSame(other.snapshot()->mesh, document.snapshot()->mesh));
+  }
+  SECTION("and the report tells what came of them, and is a session") {
+    const QString report = work.torus.file("report.json");
+    document.exportReport(report);
+    REQUIRE(waitFor([&] { return work.written.contains(report) || !work.failed.isEmpty(); }));
+    CHECK(bytesOf(report).contains("\"fronts_added\": 1"));
+    CHECK(replayed(work.torus, report) == bytesOf(mesh));
+  }
+  SECTION("and a click that has not been gone on with is kept for what comes next") {
+    document.removeSeed(2);
+    CHECK(document.isModified());
+    REQUIRE(work.saveTo(work.torus.file("later.json")));
+    Document other;
+    other.open(work.torus.file("later.json"));
+    REQUIRE(waitFor([&] { return other.iteration() == 24 && isAtRest(other); }));
+    CHECK(other.seeds() == document.seeds());
+    CHECK(isSame(other.snapshot()->mesh, document.snapshot()->mesh));
+  }
+}
+
 TEST_CASE("a session keeps seeds, parameters and the window's view", "[document]") {
   Work work;
   Parameters p;

@@ -1,0 +1,66 @@
+#include "core/evolution/parameters.h"
+
+#include <cmath>
+
+#include "core/errors.h"
+#include "core/evolution/step_report.h"
+
+namespace handlebody {
+
+void requireSensible(const Parameters& p) {
+  const auto require = [](bool ok, const char* message) {
+    if (!ok) throw UsageError(message);
+  };
+  require(p.balloon > 0 && std::isfinite(p.balloon), "The balloon weight must be a number above 0.");
+  require(p.curvature >= 0 && std::isfinite(p.curvature),
+          "The curvature weight must be a number of at least 0.");
+  require(p.maxIterations >= 0, "The number of iterations must not be negative.");
+  require(p.threads >= 1 && p.threads <= 1024, "The number of threads must be between 1 and 1024.");
+  require(!p.smoothing || (*p.smoothing >= 0 && std::isfinite(*p.smoothing)),
+          "The smoothing must be at least 0 mm.");
+  require(!p.edgeLength || (*p.edgeLength > 0 && std::isfinite(*p.edgeLength)),
+          "The edge length must be above 0 mm.");
+}
+
+bool moveAlike(Parameters a, const Parameters& b) {
+  a.maxIterations = b.maxIterations;
+  a.threads = b.threads;
+  return a == b;
+}
+
+bool haveSameForces(const Parameters& a, const Parameters& b) {
+  return a.edgeLength == b.edgeLength && a.direction == b.direction && a.balloon == b.balloon &&
+         a.curvature == b.curvature;
+}
+
+// What does not matter to the image is listed here, so that a parameter that nobody thought of does.
+bool chooseSameImage(Parameters a, const Parameters& b) {
+  a.edgeLength = b.edgeLength;
+  a.direction = b.direction;
+  a.balloon = b.balloon;
+  a.curvature = b.curvature;
+  return moveAlike(a, b);
+}
+
+Request changed(const Request& before, const ParameterChange& change) {
+  return {change.seeds.value_or(before.seeds), change.parameters};
+}
+
+const char* stopReasonName(StopReason reason) {
+  switch (reason) {
+    case StopReason::converged:
+      return "converged";
+    case StopReason::maxIterations:
+      return "max-iterations";
+    case StopReason::empty:
+      return "empty";
+    case StopReason::frozen:
+      return "frozen";
+    case StopReason::stuck:
+      return "stuck";
+    default:
+      return "running";
+  }
+}
+
+}  // namespace handlebody
