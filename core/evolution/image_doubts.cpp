@@ -8,9 +8,9 @@ namespace handlebody {
 
 namespace {
 
-constexpr double kNoEdge = 0.25;  // of the step from the object to its boundary
-constexpr double kMuch = 0.1;     // of the surface
-constexpr double kMuchPadding = 0.15;
+constexpr double kNoEdge = 0.25;      // of the step from the object to its boundary
+constexpr double kMuch = 0.1;         // of the surface
+constexpr double kMuchBorder = 0.15;  // of the volume, or of the field of view
 
 template <typename... Numbers>
 std::string sentence(const char* format, Numbers... numbers) {
@@ -53,14 +53,15 @@ bool isPadding(const FieldOfView& view, const Grid& grid, const Vec3& world) {
 SurfaceSupport surfaceSupport(const Mesh& mesh, const ObjectImage& image) {
   SurfaceSupport support;
   support.faces.reserve(static_cast<std::size_t>(mesh.faceCount()));
-  double without = 0, all = 0;
+  double without = 0, border = 0, all = 0;
   forEachFacet(mesh, [&](const Vec3& middle, const Vec3& normal, double size) {
     const FaceSupport face = supportAt(image, middle, normal);
     support.faces.push_back(face);
-    if (face != FaceSupport::border) all += size;
+    (face == FaceSupport::border ? border : all) += size;
     if (face == FaceSupport::none) without += size;
   });
   support.withoutEdge = all > 0 ? without / all : 0;
+  support.atBorder = all + border > 0 ? border / (all + border) : 0;
   return support;
 }
 
@@ -97,12 +98,15 @@ std::vector<std::string> imageDoubts(const Mesh& mesh, const ObjectImage& image,
         sentence("%.0f %% of the surface lies where the image shows no edge: the object may go on "
                  "there, or the surface leaked",
                  100 * support.withoutEdge));
-  const double atPadding = partAtPadding(mesh, image);
-  if (atPadding > kMuchPadding)
-    out.push_back(
-        sentence("%.0f %% of the surface lies on the border of the field of view: the object is cut off "
-                 "there, or the surface leaked",
-                 100 * atPadding));
+  const auto doubtBorder = [&](double part, const char* of) {
+    if (part > kMuchBorder)
+      out.push_back(
+          sentence("%.0f %% of the surface lies on the border of the %s: the object is cut off there, or the "
+                   "surface leaked",
+                   100 * part, of));
+  };
+  doubtBorder(support.atBorder, "volume");
+  doubtBorder(partAtPadding(mesh, image), "field of view");
   return out;
 }
 

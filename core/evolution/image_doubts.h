@@ -19,6 +19,7 @@ struct SurfaceSupport {
   std::vector<FaceSupport> faces;  //!< one per face, in the order of Mesh::compact()
   //! Part of the surface (by area, 0 … 1) with FaceSupport::none; what lies at the border does not count.
   double withoutEdge = 0;
+  double atBorder = 0;  //!< part of the surface (by area, 0 … 1) with FaceSupport::border
 };
 
 //! A face is without an edge if across it the intensity hardly changes: over two voxels along the normal by
@@ -31,7 +32,7 @@ SurfaceSupport surfaceSupport(const Mesh& mesh, const ObjectImage& image);
 double partAtPadding(const Mesh& mesh, const ObjectImage& image);
 
 //! Sentences without a full stop: the object was cut off at a neck; much of the surface shows no edge; much
-//! of it lies on the border of the field of view. `support`: of the same mesh and image.
+//! of it lies on the border of the volume or of the field of view. `support`: of the same mesh and image.
 std::vector<std::string> imageDoubts(const Mesh& mesh, const ObjectImage& image,
                                      const SurfaceSupport& support);
 

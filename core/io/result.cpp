@@ -15,7 +15,6 @@ namespace handlebody {
 namespace {
 
 constexpr double kHardlyMoved = 0.15;  // part of the radius of a seed
-constexpr double kMuchBorder = 0.15;   // part of the vertices
 
 void requirePass(const Certificate& c) {
   if (c.passes()) return;
@@ -100,20 +99,6 @@ std::vector<std::string> doubts(const RunReport& report, const TriangleSoup& mes
   if (std::string why = unfinished(report); !why.empty()) out.push_back(std::move(why));
   if (atItsSeeds(report, mesh)) out.push_back(hardlyGrown(*report.session.resolved));
   if (std::string choice = closeChoice(report); !choice.empty()) out.push_back(std::move(choice));
-  double onBorder = 0;
-  for (const Vec3& p : mesh.points) {
-    const Vec3 index = report.volume.grid.toIndex(p);
-    for (int a = 0; a < 3; ++a)
-      if (std::min(index[a], report.volume.grid.size[static_cast<std::size_t>(a)] - 1 - index[a]) < 0) {
-        onBorder += 1;
-        break;
-      }
-  }
-  const double part = onBorder / static_cast<double>(mesh.points.size());
-  if (part > kMuchBorder)
-    out.push_back(std::to_string(static_cast<int>(100 * part)) +
-                  " % of the surface lies on the border of the volume: the object is cut off there, or the "
-                  "surface leaked");
   return out;
 }
 

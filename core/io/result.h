@@ -19,8 +19,9 @@ struct CertifiedMesh {
 //! theirs. Throws std::runtime_error if it fails its certificate: it must not be written then.
 CertifiedMesh certifiedForExport(const TriangleSoup& mesh);
 
-//! What a user should look at before trusting the result; sentences without a full stop. Uses the session's
-//! resolved seeds, the candidates, the grid and the certificate of `report`.
+//! What a user should look at before trusting the result, besides what the image says against it
+//! (ActiveContour::doubts); sentences without a full stop. Uses the session's resolved seeds, the candidates
+//! and why the growth stopped.
 std::vector<std::string> doubts(const RunReport& report, const TriangleSoup& mesh);
 
 //! Writes the mesh, or its label map on `grid`, to each path by its extension. Throws OutputError; UsageError

@@ -95,9 +95,3 @@ TEST_CASE("a choice that is the only one, or was made by hand, is not doubted") 
   report.session.resolved->candidate = 2;
   CHECK(doubts(report, sphere(20)).empty());
 }
-
-TEST_CASE("a surface on the border of the volume is doubted") {
-  RunReport report = reportOf(StopReason::converged);
-  report.volume.grid.size = {100, 100, 60};
-  CHECK(mentions(doubts(report, sphere(20)), "lies on the border"));
-}

@@ -108,6 +108,18 @@ TEST_CASE("where the surface ends beyond the border of the volume it does not co
   CHECK(partWithoutEdge(sphere(Vec3(20, 20, 5)), imageOf(constantVolume())) == Approx(1).margin(0.05));
 }
 
+TEST_CASE("a surface of which much lies on the border of the volume is doubted, in the middle of it none") {
+  const auto doubtsAt = [](const Vec3& centre) {
+    const ObjectImage image = imageOf(volumeByDistance(
+        cubicGrid(41), 0, 100, [centre](const Vec3& p) { return (p - centre).norm() - kRadius; }));
+    return doubtsOf(sphere(centre), image);
+  };
+  CHECK(doubtsAt(kCentre).empty());
+  const std::vector<std::string> doubts = doubtsAt(Vec3(20, 20, 5));
+  REQUIRE(doubts.size() == 1);
+  CHECK_THAT(doubts[0], Catch::Matchers::Contains("lies on the border of the volume"));
+}
+
 TEST_CASE("a wall with a gap leaves the surface without an edge at the gap and nowhere else") {
   const double angle = 0.6, rim = 1.5 / kRadius;  // the look across a face reaches a voxel to either side
   const Mesh mesh = sphere();
