@@ -137,7 +137,7 @@ void ActiveContour::State::chooseImage(const Parameters& p) {
 void ActiveContour::State::chooseEdge() {
   const double voxel = volume.grid.meanSpacing();
   double fit = 0;
-  for (const Seed& s : clicksOfSide(seeds, false))
+  for (const Seed& s : seedsOfSide(seeds, false))
     fit = std::max(fit, fittingRadius(*image, s.centre, 8 * voxel));
   automaticEdge = std::clamp(0.6 * fit / voxel, 1.0, 2.0) * voxel;
 }
@@ -163,7 +163,7 @@ void ActiveContour::State::resolve(const Parameters& p) {
 }
 
 void ActiveContour::State::begin() {
-  const std::vector<Seed> inside = fitSeeds(*image, clicksOfSide(seeds, false), parameters.edgeLength,
+  const std::vector<Seed> inside = fitSeeds(*image, seedsOfSide(seeds, false), parameters.edgeLength,
                                             parameters.direction == Direction::both);
   mesh = seedMesh(inside, parameters.edgeLength);
   resolveSeeds(inside);
@@ -185,7 +185,7 @@ void ActiveContour::State::takeImage(const State& other) {
 
 void ActiveContour::State::resolveSeeds(const std::vector<Seed>& inside) {
   parameters.seeds = inside;
-  for (Seed s : clicksOfSide(seeds, true)) {
+  for (Seed s : seedsOfSide(seeds, true)) {
     s.radius = s.radius.value_or(volume.grid.meanSpacing());
     parameters.seeds.push_back(s);
   }
@@ -226,7 +226,7 @@ void ActiveContour::State::correct() {
     beginAnew();
     return;
   }
-  std::vector<Seed> inside = clicksOfSide(parameters.seeds, false);
+  std::vector<Seed> inside = seedsOfSide(parameters.seeds, false);
   inside.insert(inside.end(), fronts.begin(), fronts.end());
   resolveSeeds(inside);
   const Disagreement differs = findDisagreement(mesh, *image, kAgrees * volume.grid.meanSpacing());

@@ -216,15 +216,8 @@ void requireClicksInside(const Grid& grid, const std::vector<Seed>& clicks) {
 
 }  // namespace
 
-std::vector<Seed> clicksOfSide(const std::vector<Seed>& clicks, bool background) {
-  std::vector<Seed> out;
-  std::copy_if(clicks.begin(), clicks.end(), std::back_inserter(out),
-               [&](const Seed& s) { return s.background == background; });
-  return out;
-}
-
 ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& clicks, const Parameters& p) {
-  const std::vector<Seed> seeds = clicksOfSide(clicks, false);
+  const std::vector<Seed> seeds = seedsOfSide(clicks, false);
   requireClicksInside(volume.grid, clicks);
   ClickedObject out;
   if (p.range) {

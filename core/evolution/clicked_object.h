@@ -28,7 +28,4 @@ struct ClickedObject {
 ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& clicks,
                                 const Parameters& parameters);
 
-//! The inside clicks, or those in the background.
-std::vector<Seed> clicksOfSide(const std::vector<Seed>& clicks, bool background);
-
 }  // namespace handlebody

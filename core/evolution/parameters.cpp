@@ -1,11 +1,20 @@
 #include "core/evolution/parameters.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/errors.h"
 #include "core/evolution/step_report.h"
 
 namespace handlebody {
+
+std::vector<Seed> seedsOfSide(const std::vector<Seed>& seeds, bool background) {
+  std::vector<Seed> out;
+  std::copy_if(seeds.begin(), seeds.end(), std::back_inserter(out),
+               [&](const Seed& s) { return s.background == background; });
+  return out;
+}
 
 void requireSensible(const Parameters& p) {
   const auto require = [](bool ok, const char* message) {

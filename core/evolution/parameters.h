@@ -16,6 +16,9 @@ struct Seed {
   bool operator==(const Seed&) const = default;
 };
 
+//! Those in the background, or those inside, in their order.
+std::vector<Seed> seedsOfSide(const std::vector<Seed>& seeds, bool background);
+
 enum class ObjectKind { automatic, dark, bright };
 enum class Direction { outward, both };
 

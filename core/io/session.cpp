@@ -64,13 +64,6 @@ std::string withoutTag(const std::string& message) {
 
 }  // namespace
 
-std::vector<Seed> seedsOfSide(const std::vector<Seed>& seeds, bool background) {
-  std::vector<Seed> side;
-  std::copy_if(seeds.begin(), seeds.end(), std::back_inserter(side),
-               [background](const Seed& seed) { return seed.background == background; });
-  return side;
-}
-
 void writeSession(const Session& session, const std::string& path) {
   Json json = {{"version", session.version}, {"notice", kNotice}};
   Json input = referenceToJson(session.volume);

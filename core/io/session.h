@@ -32,9 +32,6 @@ struct Session {
   std::string view{};  //!< JSON text that a window keeps here for itself; empty: none
 };
 
-//! The seeds of one side, in their order: inside the object, where the surface starts, or in the background.
-std::vector<Seed> seedsOfSide(const std::vector<Seed>& seeds, bool background);
-
 //! Writes the session, whole or not at all. The volume's path is stored relative to the session file when one
 //! leads to the other, so that a folder with both can be moved. A hash that is not known (empty) is written
 //! as null, and such a session is read back without one. Throws OutputError.

@@ -32,7 +32,7 @@ class Finder {
       const auto [low, high] = r.bounds();
       model.candidates.push_back({r.volume, r.map->radius, low, high, expected});
     }
-    model.isCloseChoice = offered.size() > 1 && offered[0].expected < policy_.sure;
+    model.isCloseChoice = isClose(offered);
     model.chosen = std::clamp(query_.candidate, 1, static_cast<int>(offered.size()));
     model.scale = scale_;
     model.level = searches_[0]->intensities.level;
@@ -60,6 +60,14 @@ class Finder {
 
  private:
   using Searches = std::vector<std::unique_ptr<ClickSearch>>;
+
+  //! Less sure than it should be, or another one is about as likely.
+  bool isClose(const std::vector<OfferedRegion>& offered) const {
+    const double first = offered[0].expected;
+    return std::any_of(offered.begin() + 1, offered.end(), [&](const OfferedRegion& o) {
+      return first < policy_.sure || o.expected > first - policy_.rival;
+    });
+  }
 
   CellGrid wideAround(const Vec3& click) const {
     return cellsAround(volume_.grid, click, policy_.reach, policy_.wideCells);

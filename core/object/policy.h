@@ -74,6 +74,7 @@ struct ObjectPolicy {
   double thinPart = 0.35;            //!< of its deepest place: a click less deep is a close choice
   double close = 0.25;               //!< star-shaped ones come this much behind
   double sure = 0.7;                 //!< expected Dice: what is chosen with less is a close choice
+  double rival = 0.05;               //!< and where another one's is not lower by this
 
   // --- corrections: lengths in depths of the click behind the surface, costs in scores ---
   std::size_t tried = 6;    //!< regions of the click's own search that are tried

@@ -41,7 +41,7 @@ inline const std::vector<std::pair<std::string, PolicyMember>>& policyMembers() 
       HANDLEBODY_MEMBER(relabelClick),   HANDLEBODY_MEMBER(relabelSure),   HANDLEBODY_MEMBER(relabelFar),
       HANDLEBODY_MEMBER(refineOuter),    HANDLEBODY_MEMBER(refineInner),   HANDLEBODY_MEMBER(cavity),
       HANDLEBODY_MEMBER(passLength),     HANDLEBODY_MEMBER(close),         HANDLEBODY_MEMBER(logTop),
-      HANDLEBODY_MEMBER(thinPart)};
+      HANDLEBODY_MEMBER(thinPart),       HANDLEBODY_MEMBER(rival)};
 #undef HANDLEBODY_MEMBER
   return members;
 }

@@ -167,7 +167,7 @@ TEST_CASE("a click inside of a part that the surface does not reach starts a fro
   CHECK(topologyNumbers(contour.mesh()).components == 2);
   CHECK(signedVolume(contour.mesh()) == Approx(2 * volumeOf(8)).epsilon(0.03));
   CHECK(meanMove(before, contour.mesh(), [](const Vec3&) { return true; }) == 0);
-  CHECK(clicksOfSide(contour.parameters().seeds, false).size() == 2);
+  CHECK(seedsOfSide(contour.parameters().seeds, false).size() == 2);
 }
 
 TEST_CASE("a click inside that the surface encloses changes nothing", "[correction]") {

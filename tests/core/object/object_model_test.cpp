@@ -174,3 +174,25 @@ TEST_CASE("a click close to the surface of something thick is a close choice, on
   REQUIRE(surface->candidates.size() > 1);
   CHECK(surface->isCloseChoice);
 }
+
+TEST_CASE("a choice is close where another candidate is expected to fit nearly as well") {
+  const auto twoBalls = [](const Vec3& p) {
+    const bool neck = std::hypot(p[1] - 24, p[2] - 24) < 3 && std::abs(p[0] - 24) < 12;
+    return (p - Vec3(12, 24, 24)).norm() < 9 || (p - Vec3(36, 24, 24)).norm() < 9 || neck;
+  };
+  const Volume volume = imageOf(cubicGrid(49), twoBalls, 40, 120, 4);
+  ObjectPolicy policy;
+  policy.sure = policy.thinPart = 0;  // no other reasons
+  const ObjectQuery query = clickAt(Vec3(12, 24, 24));
+  const auto model = findObject(volume, query, nullptr, policy);
+  REQUIRE(model);
+  REQUIRE(model->candidates.size() > 1);
+  double next = 0;
+  for (std::size_t i = 1; i < model->candidates.size(); ++i)
+    next = std::max(next, model->candidates[i].score);
+  const double behind = model->candidates[0].score - next;
+  policy.rival = behind + 0.01;
+  CHECK(findObject(volume, query, nullptr, policy)->isCloseChoice);
+  policy.rival = behind - 0.01;
+  CHECK_FALSE(findObject(volume, query, nullptr, policy)->isCloseChoice);
+}
