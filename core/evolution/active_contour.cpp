@@ -63,16 +63,13 @@ struct ActiveContour::State {
   Volume volume;
   std::vector<Seed> seeds;  // as asked for
   Parameters requested;
-  std::shared_ptr<const ObjectImage> image;
+  ClickedObject object;
   ResolvedParameters parameters;
   MotionSettings motion;
   RemeshLimits limits;
   Scratch<CollisionDetector> detector;
   RestingPlaces resting;
   std::optional<Correction> correction;
-  std::vector<ObjectCandidate> candidates;
-  bool isCloseChoice = false;
-  double neckRadius = 0;     // mm, of the passages that are cut; 0 = none
   double automaticEdge = 0;  // mm; what the edge length is if none is asked for
   TopologyNumbers topology;
   StopReason stop = StopReason::running;
@@ -97,7 +94,6 @@ struct ActiveContour::State {
   bool mayShrink() const { return !motion.outwardOnly || (correction && correction->givesGround); }
   bool sleeps(int v) const { return quiet[idx(v)] >= kQuietToSleep; }
 
-  void chooseImage(const Parameters& p);
   void chooseEdge();
   void resolve(const Parameters& p);
   void begin();
@@ -106,7 +102,6 @@ struct ActiveContour::State {
   void correct();
   void beginAnew();
   void resolveSeeds(const std::vector<Seed>& inside);
-  void takeImage(const State& other);
   void keepOrder();
   Attempt attempt();
   std::vector<int> verticesToMove() const;
@@ -121,31 +116,23 @@ struct ActiveContour::State {
   StepReport step();
 };
 
-void ActiveContour::State::chooseImage(const Parameters& p) {
-  ClickedObject found = findClickedObject(volume, seeds, p);
-  image = std::move(found.image);
-  parameters.object = found.kind;
-  parameters.range = found.range;
-  parameters.smoothing = found.smoothing;
-  parameters.candidate = found.candidate;
-  candidates = std::move(found.candidates);
-  isCloseChoice = found.isCloseChoice;
-  neckRadius = found.neckRadius;
-}
-
 //! Two voxels, but finer in thin structures.
 void ActiveContour::State::chooseEdge() {
   const double voxel = volume.grid.meanSpacing();
   double fit = 0;
   for (const Seed& s : seedsOfSide(seeds, false))
-    fit = std::max(fit, fittingRadius(*image, s.centre, 8 * voxel));
+    fit = std::max(fit, fittingRadius(*object.image, s.centre, 8 * voxel));
   automaticEdge = std::clamp(0.6 * fit / voxel, 1.0, 2.0) * voxel;
 }
 
-//! Everything but the seeds' radii. Precondition: image and automatic edge length are chosen.
+//! Everything but the seeds' radii. Precondition: object and automatic edge length are chosen.
 void ActiveContour::State::resolve(const Parameters& p) {
   const double edge = p.edgeLength.value_or(automaticEdge);
   requested = p;
+  parameters.object = object.kind;
+  parameters.range = object.range;
+  parameters.smoothing = object.smoothing;
+  parameters.candidate = object.candidate;
   parameters.edgeLength = edge;
   parameters.direction = p.direction;
   parameters.balloon = p.balloon;
@@ -163,24 +150,13 @@ void ActiveContour::State::resolve(const Parameters& p) {
 }
 
 void ActiveContour::State::begin() {
-  const std::vector<Seed> inside = fitSeeds(*image, seedsOfSide(seeds, false), parameters.edgeLength,
+  const std::vector<Seed> inside = fitSeeds(*object.image, seedsOfSide(seeds, false), parameters.edgeLength,
                                             parameters.direction == Direction::both);
   mesh = seedMesh(inside, parameters.edgeLength);
   resolveSeeds(inside);
   quiet.assign(idx(mesh.vertexSlots()), 0);
   topology = topologyNumbers(mesh);
   if (parameters.maxIterations == 0) stop = StopReason::maxIterations;
-}
-
-void ActiveContour::State::takeImage(const State& other) {
-  image = other.image;
-  parameters.object = other.parameters.object;
-  parameters.range = other.parameters.range;
-  parameters.candidate = other.parameters.candidate;
-  candidates = other.candidates;
-  isCloseChoice = other.isCloseChoice;
-  neckRadius = other.neckRadius;
-  parameters.smoothing = other.parameters.smoothing;
 }
 
 void ActiveContour::State::resolveSeeds(const std::vector<Seed>& inside) {
@@ -199,9 +175,9 @@ void ActiveContour::State::change(const Request& to, const State* prepared) {
   const bool sleepsOn = otherClicks && haveSameForces(to.parameters, requested);
   seeds = to.seeds;
   if (prepared)
-    takeImage(*prepared);
+    object = prepared->object;
   else if (otherImage)
-    chooseImage(to.parameters);
+    object = findClickedObject(volume, seeds, to.parameters);
   if (otherImage && !otherClicks) chooseEdge();
   resolve(to.parameters);
   if (wake) forgetRest();
@@ -221,7 +197,7 @@ void ActiveContour::State::forgetRest() {
 //! After a change of the clicks. What had settled and agrees with the new image sleeps on.
 void ActiveContour::State::correct() {
   std::vector<Seed> fronts;
-  correction = correctComponents(mesh, *image, seeds, parameters.edgeLength, limits.longest, fronts);
+  correction = correctComponents(mesh, *object.image, seeds, parameters.edgeLength, limits.longest, fronts);
   if (correction->beganAnew) {
     beginAnew();
     return;
@@ -229,7 +205,7 @@ void ActiveContour::State::correct() {
   std::vector<Seed> inside = seedsOfSide(parameters.seeds, false);
   inside.insert(inside.end(), fronts.begin(), fronts.end());
   resolveSeeds(inside);
-  const Disagreement differs = findDisagreement(mesh, *image, kAgrees * volume.grid.meanSpacing());
+  const Disagreement differs = findDisagreement(mesh, *object.image, kAgrees * volume.grid.meanSpacing());
   correction->givesGround = differs.isOutside;
   quiet.resize(idx(mesh.vertexSlots()), 0);
   for (std::size_t v = 0; v < quiet.size(); ++v)
@@ -268,7 +244,7 @@ std::vector<int> ActiveContour::State::verticesToMove() const {
 ActiveContour::State::Attempt ActiveContour::State::attempt() {
   Attempt a;
   a.moving = verticesToMove();
-  std::vector<Vec3> moves = computeMotion(mesh, *image, motion, a.moving);
+  std::vector<Vec3> moves = computeMotion(mesh, *object.image, motion, a.moving);
   for (std::size_t i = 0; i < moves.size(); ++i) moves[i] *= resting.pace(mesh.position(a.moving[i]));
   a.touched.assign(idx(mesh.vertexSlots()), 0);
   for (std::size_t i = 0; i < moves.size(); ++i) {
@@ -416,7 +392,7 @@ StopReason ActiveContour::State::restReason() const {
   std::vector<int> resters;
   for (int v = 0; v < mesh.vertexSlots(); ++v)
     if (mesh.isVertex(v) && resting.rests(mesh.position(v), iteration)) resters.push_back(v);
-  const std::vector<Vec3> moves = computeMotion(mesh, *image, motion, resters);
+  const std::vector<Vec3> moves = computeMotion(mesh, *object.image, motion, resters);
   const bool held = std::any_of(moves.begin(), moves.end(),
                                 [&](const Vec3& m) { return m.norm() >= kQuiet * parameters.edgeLength; });
   if (!held) return StopReason::converged;
@@ -456,7 +432,7 @@ ActiveContour::ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters 
   requireSensible(parameters);
   state_->volume = std::move(volume);
   state_->seeds = std::move(seeds);
-  state_->chooseImage(parameters);
+  state_->object = findClickedObject(state_->volume, state_->seeds, parameters);
   state_->chooseEdge();
   state_->resolve(parameters);
   state_->begin();
@@ -486,7 +462,7 @@ ActiveContour ActiveContour::restarted(const Parameters& parameters) const {
   auto fresh = std::make_unique<State>();
   fresh->volume = state_->volume;
   fresh->seeds = state_->seeds;
-  fresh->takeImage(*state_);
+  fresh->object = state_->object;
   fresh->chooseEdge();
   fresh->resolve(parameters);
   fresh->begin();
@@ -498,16 +474,16 @@ const Mesh& ActiveContour::mesh() const { return state_->mesh; }
 const ResolvedParameters& ActiveContour::parameters() const { return state_->parameters; }
 const Parameters& ActiveContour::requested() const { return state_->requested; }
 const std::vector<Seed>& ActiveContour::requestedSeeds() const { return state_->seeds; }
-const std::vector<ObjectCandidate>& ActiveContour::candidates() const { return state_->candidates; }
-bool ActiveContour::isCloseChoice() const { return state_->isCloseChoice; }
+const std::vector<ObjectCandidate>& ActiveContour::candidates() const { return state_->object.candidates; }
+bool ActiveContour::isCloseChoice() const { return state_->object.isCloseChoice; }
 bool ActiveContour::isSettled(int vertex) const { return state_->sleeps(vertex); }
 std::size_t ActiveContour::memory() const {
   return sizeof(State) + state_->mesh.memory() + state_->quiet.size();
 }
-SurfaceSupport ActiveContour::support() const { return surfaceSupport(state_->mesh, *state_->image); }
+SurfaceSupport ActiveContour::support() const { return surfaceSupport(state_->mesh, *state_->object.image); }
 std::vector<std::string> ActiveContour::doubts(const SurfaceSupport& support) const {
-  std::vector<std::string> doubts = imageDoubts(state_->mesh, *state_->image, support);
-  if (state_->neckRadius > 0) doubts.push_back(heldAtPassages(state_->neckRadius));
+  std::vector<std::string> doubts = imageDoubts(state_->mesh, *state_->object.image, support);
+  if (state_->object.neckRadius > 0) doubts.push_back(heldAtPassages(state_->object.neckRadius));
   return doubts;
 }
 void ActiveContour::recordTraces(bool on) { state_->traces = on; }
