@@ -11,6 +11,7 @@
 #include "core/errors.h"
 #include "core/evolution/active_contour.h"
 #include "core/io/atomic_file.h"
+#include "core/io/label_map.h"
 #include "core/io/picture.h"
 #include "core/io/result.h"
 
@@ -21,7 +22,8 @@ void addRunOutputs(CLI::App& command, RunOutputs& outputs) {
       .add_option(
           "-o,--output", outputs.results,
           "What to write, by extension: .stl .vtp .ply .obj = the mesh; .nii.gz .nii .nrrd .mha = its "
-          "label map on the input grid; may be given several times")
+          "label map on the input grid; .seg.nrrd = the same as 3D Slicer's segmentation; may be given "
+          "several times")
       ->type_name("OUT")
       ->expected(1)
       ->take_all()
@@ -33,6 +35,11 @@ void addRunOutputs(CLI::App& command, RunOutputs& outputs) {
       ->type_name("F.json");
   command.add_option("--picture", outputs.picture, "Three slices with the outline, and the surface (PNG)")
       ->type_name("F.png");
+  command
+      .add_option("--label-description", outputs.labelDescription,
+                  "Names and colours of the labels for ITK-SNAP (text)")
+      ->type_name("F.txt");
+  addObjectOptions(command, outputs.object);
   command.add_flag("--quiet", outputs.quiet, "No progress and no summary");
 }
 
@@ -55,6 +62,7 @@ void checkOutputs(const RunOutputs& outputs, const std::vector<std::string>& inp
   if (!outputs.report.empty()) files.push_back({"--report", outputs.report});
   if (!outputs.session.empty()) files.push_back({"--session", outputs.session});
   if (!outputs.trace.empty()) files.push_back({"--trace", outputs.trace});
+  if (!outputs.labelDescription.empty()) files.push_back({"--label-description", outputs.labelDescription});
   if (!outputs.picture.empty()) {
     files.push_back({"--picture", outputs.picture});
     checkPictureExtension(files.back());
@@ -127,12 +135,20 @@ void writeSideFiles(const RunReport& report, const RunOutputs& outputs) {
   if (!outputs.report.empty()) writeTextAtomically(outputs.report, reportText(report));
 }
 
+void writeObjects(const std::vector<ExportedObject>& objects, const RunReport& report,
+                  const RunOutputs& outputs) {
+  writeResults(objects, {report.volume.grid, report.session.space}, outputs.results);
+  if (!outputs.labelDescription.empty())
+    writeTextAtomically(outputs.labelDescription, labelDescription(objects));
+}
+
 }  // namespace
 
 int run(LoadedSession loaded, const RunOutputs& outputs) {
   Stopwatch watch;
   RunReport report;
   report.session = std::move(loaded.session);
+  report.session.label = chosenLabel(outputs.object, report.session.label);
   report.volume = std::move(loaded.info);
   report.seconds.load = loaded.loadSeconds;
   std::optional<Volume> shown;  // the voxels are not kept in memory for nothing
@@ -160,7 +176,7 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
   for (const std::string& d : report.doubts) std::fprintf(stderr, "handlebody-cli: warning: %s\n", d.c_str());
   {
     DeferSignals whole;
-    writeResults(mesh, report.volume.grid, outputs.results, report.session.space);
+    writeObjects({{report.session.label, mesh}}, report, outputs);
     if (shown) writePicture(*shown, mesh, outputs.picture);
     report.seconds.exported = watch.lap();
     const Timings& s = report.seconds;

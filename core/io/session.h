@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/evolution/parameters.h"
+#include "core/io/exported_object.h"
 #include "core/io/mesh_io.h"
 #include "core/io/volume_io.h"
 
@@ -25,6 +26,7 @@ struct Session {
   Parameters requested;                          //!< the same
   std::optional<ResolvedParameters> resolved{};  //!< as used, for the record; not read back
   CoordinateSpace space = CoordinateSpace::lps;  //!< of the mesh files
+  ObjectLabel label{};                           //!< of the object, where it is written
   //! Other parameters, and other clicks, from some iteration on, in ascending order.
   std::vector<ParameterChange> changes{};
   //! The iteration whose mesh is meant; none: the one at which the growth ends by itself.

@@ -42,6 +42,7 @@ void ExportPanel::buildResult(const Commands& commands) {
   format_->addItem(tr("NIfTI label map"), QStringLiteral(".nii.gz"));
   format_->addItem(tr("NRRD label map"), QStringLiteral(".nrrd"));
   format_->addItem(tr("MetaImage label map"), QStringLiteral(".mha"));
+  format_->addItem(tr("3D Slicer segmentation"), QStringLiteral(".seg.nrrd"));
   describe(format_, tr("Format"), tr("A surface keeps all detail; a label map has the voxels of the volume"));
   ignoreWheelWithoutFocus(format_);
   form->addRow(tr("Format"), format_);
