@@ -7,6 +7,7 @@
 
 #include "app/cli/object_options.h"
 #include "app/cli/outputs.h"
+#include "core/io/dicom_writer.h"
 #include "core/io/report.h"
 
 namespace CLI {
@@ -20,6 +21,7 @@ struct RunOutputs {
   std::vector<std::string> results;  //!< -o
   std::string report, session, trace, picture, labelDescription;
   ObjectOptions object;
+  DicomContent content;
   bool quiet = false;
 };
 

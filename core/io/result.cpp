@@ -8,8 +8,10 @@
 #include <stdexcept>
 
 #include "core/collision/certify.h"
+#include "core/errors.h"
 #include "core/io/label_map.h"
 #include "core/io/single_precision.h"
+#include "core/io/three_mf.h"
 
 namespace handlebody {
 
@@ -103,10 +105,25 @@ std::vector<std::string> doubts(const RunReport& report, const TriangleSoup& mes
   return out;
 }
 
-bool isResultPath(const std::string& path) { return isMeshPath(path) || isLabelMapPath(path); }
+namespace {
+
+bool isDicomResult(const std::string& path) { return isDicomSegmentationPath(path) || isDicomStlPath(path); }
+
+}  // namespace
+
+bool isResultPath(const std::string& path) {
+  return isMeshPath(path) || isLabelMapPath(path) || isThreeMfPath(path) || isDicomResult(path);
+}
+
+void checkResult(const std::string& path, const ExportContext& context) {
+  if (!isDicomResult(path)) return;
+  if (const std::string fault = dicomFault(context.dicom.get()); !fault.empty())
+    throw UsageError(path + ": no DICOM file can be made: " + fault + ".");
+}
 
 const char* resultEndings() {
-  return "a mesh is .stl, .vtp, .ply or .obj, a label map .seg.nrrd, .nii, .nii.gz, .nrrd or .mha";
+  return "a mesh is .stl, .vtp, .ply, .obj, .3mf or .stl.dcm, a label map .seg.nrrd, .seg.dcm, .nii, "
+         ".nii.gz, .nrrd or .mha";
 }
 
 namespace {
@@ -130,6 +147,11 @@ class Writer {
       : objects_(objects), context_(context) {}
 
   void write(const std::string& path) {
+    checkResult(path, context_);
+    if (isDicomSegmentationPath(path))
+      return writeDicomSegmentation(labels(), objects_, *context_.dicom, context_.content, path);
+    if (isDicomStlPath(path)) return writeDicomStl(objects_, *context_.dicom, context_.content, path);
+    if (isThreeMfPath(path)) return writeThreeMf(objects_, path, context_.space);
     if (isMeshPath(path)) return writeMesh(together(objects_), path, context_.space);
     if (isSlicerSegmentationPath(path)) return writeSlicerSegmentation(labels(), objects_, path);
     writeVolume(labels(), path);

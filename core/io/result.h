@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/io/dicom_writer.h"
 #include "core/io/report.h"
 
 namespace handlebody {
@@ -28,12 +29,18 @@ std::vector<std::string> doubts(const RunReport& report, const TriangleSoup& mes
 struct ExportContext {
   Grid grid;                                     //!< of label maps
   CoordinateSpace space = CoordinateSpace::lps;  //!< of meshes
+  std::shared_ptr<const DicomOrigin> dicom{};    //!< of the volume; what DICOM files are made for
+  DicomContent content{};                        //!< of DICOM files
 };
 
 //! True for every ending that writeResults knows.
 bool isResultPath(const std::string& path);
 //! The endings that writeResults knows, as the end of a sentence.
 const char* resultEndings();
+
+//! Throws UsageError that begins with the path if a file of that ending cannot be made in this context; to be
+//! asked before the work.
+void checkResult(const std::string& path, const ExportContext& context);
 
 //! Writes the objects to each path by its ending: their meshes as one, or their label map. Throws
 //! OutputError; UsageError for an unknown ending.

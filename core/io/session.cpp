@@ -41,11 +41,14 @@ std::string openablePath(const std::string& stored, const std::string& session) 
   return fs::exists(beside) || !fs::exists(stored) ? beside.string() : stored;
 }
 
-Session sessionFromJson(const Json& json, const std::string& path) {
+Session sessionFromJson(const Json& json, const std::string& path, const std::string& volume) {
   Session session;
   session.version = json.at("version").get<std::string>();
   const Json& input = json.at("input");
-  session.volume.path = openablePath(input.at("path").get<std::string>(), path);
+  session.volume.path = volume;
+  if (volume.empty() && input.at("path").is_null())
+    throw UsageError("it names no volume, as it is anonymous; say which with replay --volume.");
+  if (volume.empty()) session.volume.path = openablePath(input.at("path").get<std::string>(), path);
   if (!input.at("sha256").is_null()) {
     session.volume.sha256 = input.at("sha256").get<std::string>();
     if (session.volume.sha256.empty()) throw UsageError("the volume's SHA-256 is empty.");
@@ -67,7 +70,7 @@ std::string withoutTag(const std::string& message) {
 void writeSession(const Session& session, const std::string& path) {
   Json json = {{"version", session.version}, {"notice", kNotice}};
   Json input = referenceToJson(session.volume);
-  input["path"] = storedPath(session.volume.path, path);
+  if (!session.volume.path.empty()) input["path"] = storedPath(session.volume.path, path);
   if (session.volume.sha256.empty()) input["sha256"] = nullptr;
   json["input"] = std::move(input);
   json["requested"] = requestToJson(session);
@@ -79,10 +82,17 @@ void writeSession(const Session& session, const std::string& path) {
   writeTextAtomically(path, jsonText(json));
 }
 
-Session readSession(const std::string& path) {
+Session anonymous(Session session) {
+  session.volume.path.clear();
+  session.volume.selection.series.reset();
+  session.view.clear();
+  return session;
+}
+
+Session readSession(const std::string& path, const std::string& volume) {
   const std::string text = readText(path);
   try {
-    return sessionFromJson(Json::parse(text), path);
+    return sessionFromJson(Json::parse(text), path, volume);
   } catch (const Json::parse_error&) {
     throw InputError(path + " is not a JSON file.");
   } catch (const std::exception& error) {

@@ -39,8 +39,13 @@ struct Session {
 //! as null, and such a session is read back without one. Throws OutputError.
 void writeSession(const Session& session, const std::string& path);
 
-//! Reads a session or a report. A relative path of the volume is looked for beside the file first, then from
-//! the current folder. Throws InputError that names the file.
-Session readSession(const std::string& path);
+//! Without what may name the patient: the path of the volume, the series, and what a window keeps. Such a
+//! session says null for the path.
+Session anonymous(Session session);
+
+//! Reads a session or a report, with `volume` as the path of its volume unless that is empty. A relative path
+//! of the volume is looked for beside the file first, then from the current folder. Throws InputError that
+//! names the file, also for one that names no volume.
+Session readSession(const std::string& path, const std::string& volume = {});
 
 }  // namespace handlebody

@@ -103,6 +103,8 @@ void setSpacing(const VolumeSelection& selection, VolumeHeader& header, const st
     header.warnings.push_back(
         "The spacing was given by the user; the file says " + millimetres(header.grid.spacing.x()) + ", " +
         millimetres(header.grid.spacing.y()) + ", " + millimetres(header.grid.spacing.z()) + ".");
+  if (header.dicom && !(header.calibrated && given == header.grid.spacing))
+    header.dicom->displaced = "its spacing was given by the user, not by the series";
   header.grid.spacing = given;
   header.calibrated = true;
   for (std::string& source : header.sources.spacing) source = "given by the user";
@@ -120,6 +122,7 @@ VolumeInfo infoOf(const VolumeHeader& h, const VolumeSelection& selection, const
   info.frames = h.frames;
   info.calibrated = h.calibrated;
   info.sources = h.sources;
+  info.dicom = h.dicom;
   if (h.frames > 1 && !selection.frame)
     info.warnings.push_back("There are " + std::to_string(h.frames) + " time points; frame 0 is used.");
   if (!h.calibrated)
