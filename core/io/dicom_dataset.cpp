@@ -157,6 +157,8 @@ std::array<Uint16, 3> cieLab(const Colour& colour) {
 
 void checkExport(const DicomOrigin& origin, const DicomContent& content, const std::string& path) {
   OFLog::configure(OFLogger::OFF_LOG_LEVEL);  // errors reach us as conditions
+  if (!dcmDataDict.isDictionaryLoaded())
+    throw OutputError(path + ": cannot be written: the data dictionary of DCMTK is not there.");
   if (const std::string fault = dicomFault(&origin); !fault.empty())
     throw UsageError(path + ": no DICOM file can be made: " + fault + ".");
   for (const std::string& text : {content.creator, content.description})

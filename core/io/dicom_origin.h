@@ -24,8 +24,8 @@ struct DicomOrigin {
   std::vector<DicomValue> values{};  //!< of patient and study, and the character set; none that is empty
   std::string studyUid{}, seriesUid{};
   std::string frameOfReference{};    //!< UID; empty if the series has none
-  std::vector<DicomImage> images{};  //!< in the order of space, then of time
-  //! Image i of a time point is slice i of the volume; else the volume was resampled from the images.
+  std::vector<DicomImage> images{};  //!< of the time point that was read, in the order of space
+  //! Image i is slice i of the volume; else the volume was resampled from the images.
   bool straight = true;
   //! Empty if the volume's geometry is that of the patient, as the header gives it; else what it is, as the
   //! end of a sentence.

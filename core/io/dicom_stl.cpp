@@ -102,6 +102,7 @@ void writeDicomStl(const std::vector<ExportedObject>& objects, const DicomOrigin
   dicom::addPatientAndStudy(data, origin, content, texts, path);
   addSeries(data, origin, content);
   addSources(data, origin, content);
+  dicom::addReferencedSeries(data, origin, content);
   addDocument(data, objects, content);
   dicom::addContentDate(data, content);
   data.putAndInsertUint32(DCM_EncapsulatedDocumentLength, static_cast<Uint32>(stl.size()));

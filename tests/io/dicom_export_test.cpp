@@ -212,6 +212,28 @@ TEST_CASE("slices that were resampled are referred to as a series, not one by on
   CHECK(bytes.find(reference) == bytes.rfind(reference));
 }
 
+TEST_CASE("the images of another time point are not referred to") {
+  std::vector<Slice> both = evenStack(6);
+  for (int k = 0; k < 6; ++k) {
+    both.push_back(both[static_cast<std::size_t>(k)]);
+    both.back().value = static_cast<std::int16_t>(50 + k);
+    both.back().instance = "1.2.99." + std::to_string(k + 1);
+  }
+  for (std::size_t i = 0; i < both.size(); ++i) both[i].number = static_cast<int>(i);
+  const TemporaryFolder folder;
+  writeSeries(folder / "both", both);
+  const auto first = loadVolume(folder / "both", {.frame = 0}),
+             second = loadVolume(folder / "both", {.frame = 1});
+  REQUIRE(second->info.frames == 2);
+  REQUIRE(first->info.dicom->images.size() == 6);
+  REQUIRE(second->info.dicom->images.size() == 6);
+  for (int k = 0; k < 6; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    CHECK(second->info.dicom->images[i].instance == "1.2.99." + std::to_string(k + 1));
+    CHECK(first->info.dicom->images[i].instance.rfind("1.2.99.", 0) == std::string::npos);
+  }
+}
+
 TEST_CASE("an object without a voxel is refused, and nothing is left behind") {
   const Source source;
   void* buffer = nullptr;
@@ -266,6 +288,7 @@ TEST_CASE("an encapsulated STL holds the meshes as they are, for the patient of 
   const std::string bytes = readBytes(path);
   CHECK(holds(bytes, element(0x08, 0x16, "UI", "1.2.840.10008.5.1.4.1.1.104.3")));
   CHECK(holds(bytes, element(0x10, 0x10, "PN", "Doe^Jane")));
+  CHECK(holds(bytes, std::string("\x08\0\x15\x11SQ", 6)));  // the series it refers to
   CHECK(holds(bytes, element(0x42, 0x12, "LO", "model/stl")));
   CHECK(holds(bytes, element(0x42, 0x10, "ST", "Left kidney, Cyst")));
   const auto start = bytes.find("SPACE=LPS");
