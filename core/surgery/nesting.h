@@ -6,7 +6,7 @@
 namespace handlebody {
 
 //! How often the surface without `component` winds around p: 1 inside the body, 0 outside of it and in its
-//! cavities (solid angle of the faces over 4π, rounded). p must not lie on the surface.
+//! cavities (signed crossings of a ray with the faces, exact). p must not lie on the surface.
 int windingNumber(const Mesh& mesh, const Components& parts, int component, const Vec3& p);
 
 //! True if a component lies wholly where none of its orientation can: a solid part (positive volume) in the
