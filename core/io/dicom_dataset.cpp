@@ -83,6 +83,13 @@ void addSource(DcmItem& data, const DicomOrigin& origin, bool utf8, const std::s
   while (DcmElement* element = source.remove(0ul)) data.insert(element, true);
 }
 
+//! That the images were compressed with loss: it names nobody, and may not get lost.
+void addLossyCompression(DcmItem& data, const DicomOrigin& origin) {
+  constexpr std::uint16_t kGroup = 0x0028;  // of all that the origin holds of images
+  for (const DicomValue& v : origin.values)
+    if (v.group == kGroup) put(data, {v.group, v.element}, v.value);
+}
+
 std::string now(const char* format) {
   const std::time_t time = std::time(nullptr);
   std::tm local{};
@@ -174,6 +181,7 @@ void addPatientAndStudy(DcmItem& data, const DicomOrigin& origin, const DicomCon
     put(data, DCM_PatientIdentityRemoved, "YES");
     put(data, DCM_DeidentificationMethod, "Handlebody: no values of the source");
     if (utf8) put(data, DCM_SpecificCharacterSet, "ISO_IR 192");
+    addLossyCompression(data, origin);
   } else {
     addSource(data, origin, utf8, path);
   }

@@ -416,3 +416,33 @@ TEST_CASE("a name, term, colour or label value without meaning is refused with t
   }
   CHECK(run.folder.names() == std::vector<std::string>{"sphere.mha"});
 }
+
+TEST_CASE("a DICOM file of a volume that is not DICOM is refused before the work", "[cli][segment]") {
+  const SphereRun run;
+  for (const char* name : {"m.seg.dcm", "m.stl.dcm"}) {
+    const Outcome outcome = runCli(run.arguments({"-o", run.folder / name, "-o", run.folder / "m.stl"}));
+    CHECK(outcome.exitCode == 2);
+    CHECK_THAT(outcome.err,
+               Contains(std::string(name) + ": no DICOM file can be made: the volume was not read from"));
+  }
+  const Outcome creator = runCli(run.arguments({"-o", run.folder / "m.stl", "--creator", "A\\B"}));
+  CHECK(creator.exitCode == 2);
+  CHECK_THAT(creator.err, Contains("--creator"));
+  CHECK(run.folder.names() == std::vector<std::string>{"sphere.mha"});
+}
+
+TEST_CASE("an anonymous session replays with the volume named, and says so without it", "[cli][segment]") {
+  const SphereRun run;
+  run.requireSuccess({"-o", run.folder / "a.stl", "-o", run.folder / "a.3mf", "--anonymous", "--session",
+                      run.folder / "s.json", "--report", run.folder / "r.json"});
+  for (const char* name : {"s.json", "r.json"}) {
+    CHECK(run.json(name).at("input").at("path").is_null());
+    const Outcome lost = runCli({"replay", run.folder / name, "-o", run.folder / "b.stl"});
+    CHECK(lost.exitCode == 3);
+    CHECK_THAT(lost.err, Contains(std::string(name)) && Contains("--volume"));
+    const Outcome found =
+        runCli({"replay", run.folder / name, "--volume", run.phantom.path, "-o", run.folder / "b.stl"});
+    CHECK(found.exitCode == 0);
+    CHECK(readBytes(run.folder / "a.stl") == readBytes(run.folder / "b.stl"));
+  }
+}

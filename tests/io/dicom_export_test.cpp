@@ -167,6 +167,23 @@ TEST_CASE("a name beyond ASCII turns the patient's values to UTF-8 with it") {
   CHECK(holds(readBytes(source.folder / "latin.seg.dcm"), element(0x10, 0x10, "PN", "M\xfcller^J\xf6rg")));
 }
 
+TEST_CASE("a segmentation of images that were compressed with loss says so, an anonymous one too") {
+  MoreElements lossy = patient();
+  lossy[0x00282110] = {"CS", "01"};
+  lossy[0x00282112] = {"DS", "12.5"};
+  const Source source(9, lossy);
+  const std::string path = source.folder / "lossy.seg.dcm";
+  for (const bool anonymous : {false, true}) {
+    DicomContent content;
+    content.anonymous = anonymous;
+    writeDicomSegmentation(randomLabels(source.grid()), twoObjects(), source.origin(), content, path);
+    const std::string bytes = readBytes(path);
+    CHECK(holds(bytes, element(0x28, 0x2110, "CS", "01")));
+    CHECK(holds(bytes, element(0x28, 0x2112, "DS", "12.5")));
+    CHECK(holds(bytes, "PID0815") != anonymous);
+  }
+}
+
 TEST_CASE("a series whose UIDs were blanked gives a segmentation without references") {
   const Source source;
   DicomOrigin blank = source.origin();

@@ -173,6 +173,7 @@ inline std::string dicomBytes(const Slice& s, const std::string& instance) {
   data.addShort(0x28, 0x103, 1);
   data.add(0x28, 0x1052, "DS", s.intercept);
   data.add(0x28, 0x1053, "DS", s.slope);
+  addMore(0x52000000);
   if (!s.framePositions.empty()) addFunctionalGroups(s, orientation, data);
   std::string pixels;
   for (int f = 0; f < s.frames; ++f)
