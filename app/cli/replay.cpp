@@ -19,7 +19,9 @@ struct ReplayOptions {
 int replay(const ReplayOptions& o) {
   Session session = readSession(o.path);
   if (o.space) session.space = *o.space;
-  checkOutputs(o.outputs, {o.path, session.volume.path});
+  std::vector<std::string> inputs = inputsOf(session);
+  inputs.push_back(o.path);
+  checkOutputs(o.outputs, inputs);
   if (session.version != HANDLEBODY_VERSION)
     std::cerr << "handlebody-cli: warning: " << o.path << " was made by version " << session.version
               << "; this is " << HANDLEBODY_VERSION << ", and the mesh may differ." << std::endl;

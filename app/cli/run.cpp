@@ -13,6 +13,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
 #include "core/io/result.h"
+#include "core/io/wall_map.h"
 
 namespace handlebody::cli {
 
@@ -44,6 +45,15 @@ void addSpace(CLI::App& command, std::optional<CoordinateSpace>& space) {
   command
       .add_option_function<std::string>("--space", set, "Coordinates of the mesh files: LPS (default) or RAS")
       ->type_name("LPS|RAS");
+}
+
+std::vector<std::string> inputsOf(const Session& session) {
+  std::vector<std::string> inputs{session.volume.path};
+  if (session.constraints.walls.map) inputs.push_back(session.constraints.walls.map->path);
+  for (const ParameterChange& change : session.changes)
+    if (change.constraints && change.constraints->walls.map)
+      inputs.push_back(change.constraints->walls.map->path);
+  return inputs;
 }
 
 void checkOutputs(const RunOutputs& outputs, const std::vector<std::string>& inputs) {
@@ -83,6 +93,7 @@ LoadedSession load(Session session) {
   loaded.info = std::move(read.info);
   for (const std::string& warning : loaded.info.warnings)
     std::fprintf(stderr, "handlebody-cli: warning: %s\n", warning.c_str());
+  loadWalls(session, loaded.volume.grid);
   loaded.session = std::move(session);
   loaded.loadSeconds = watch.lap();
   return loaded;
@@ -98,7 +109,7 @@ void evolve(ActiveContour& contour, RunReport& report, const RunOutputs& outputs
   const int last = report.session.stopAt.value_or(std::numeric_limits<int>::max());
   while (contour.iteration() < last) {
     if (change != report.session.changes.end() && change->iteration == contour.iteration()) {
-      contour.change(changed({contour.requestedSeeds(), contour.requested()}, *change));
+      contour.change(changed(contour.request(), *change));
       if (change->seeds && contour.correction())
         report.corrections.push_back({contour.iteration(), *contour.correction()});
       ++change;
@@ -138,7 +149,7 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
   std::optional<Volume> shown;  // the voxels are not kept in memory for nothing
   if (!outputs.picture.empty()) shown = loaded.volume;
   auto contour = std::make_optional<ActiveContour>(std::move(loaded.volume), report.session.seeds,
-                                                   report.session.requested);
+                                                   report.session.requested, report.session.constraints);
   report.session.resolved = contour->parameters();
   report.candidates = contour->candidates();
   report.isCloseChoice = contour->isCloseChoice();

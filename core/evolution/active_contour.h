@@ -21,8 +21,8 @@ class ActiveContour {
  public:
   //! Resolves the automatic parameters from the image around the seeds and makes the seed spheres.
   //! Throws SeedError (seed outside the volume or not in an object), UsageError (a parameter without meaning,
-  //! a range without voxels), Cancelled (cancellation.h).
-  ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters parameters);
+  //! a range without voxels, a wall outside of the volume), Cancelled (cancellation.h).
+  ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters parameters, Constraints constraints = {});
   ~ActiveContour();
   ActiveContour(ActiveContour&&) noexcept;
   ActiveContour& operator=(ActiveContour&&) noexcept;
@@ -42,12 +42,16 @@ class ActiveContour {
   //! grows, or gives ground, and its components are corrected (correction.h). If it has next to nothing in
   //! common with the new object it begins anew, at the same iteration: correction() tells. Throws as the
   //! constructor, and nothing has changed then.
+  //! Walls may not be put where the surface is, unless it may move in both directions and crosses them
+  //! (UsageError otherwise).
   void change(const Request& request);
   //! The same with what `prepared` was made from, whose image is taken over instead of being chosen again.
   //! Precondition: it was made for the same volume.
   void change(const ActiveContour& prepared);
-  //! The clicks stay.
-  void changeParameters(const Parameters& parameters) { change({requestedSeeds(), parameters}); }
+  //! The clicks and the constraints stay.
+  void changeParameters(const Parameters& parameters) {
+    change({requestedSeeds(), parameters, constraints()});
+  }
   //! What came of the last change of the clicks; none if they have not been changed.
   const std::optional<Correction>& correction() const;
   //! A new contour at iteration 0 for the same volume and seeds. Quick if both choose the same image. Throws
@@ -58,10 +62,14 @@ class ActiveContour {
   StopReason stopReason() const;
   int iteration() const;
   const Mesh& mesh() const;
+  const Grid& grid() const;
   const ResolvedParameters& parameters() const;
   //! As asked for: with what was left to the image still open.
   const Parameters& requested() const;
   const std::vector<Seed>& requestedSeeds() const;
+  const Constraints& constraints() const;
+  //! What it goes on with.
+  Request request() const { return {requestedSeeds(), requested(), constraints()}; }
   //! The objects that the clicks may mean, the likeliest first; at most five. `parameters().candidate` is the
   //! one that grows. Empty with a given range.
   const std::vector<ObjectCandidate>& candidates() const;

@@ -41,6 +41,13 @@ std::string openablePath(const std::string& stored, const std::string& session) 
   return fs::exists(beside) || !fs::exists(stored) ? beside.string() : stored;
 }
 
+template <typename F>
+void forEachWallMap(Session& session, F&& f) {
+  if (session.constraints.walls.map) f(*session.constraints.walls.map);
+  for (ParameterChange& change : session.changes)
+    if (change.constraints && change.constraints->walls.map) f(*change.constraints->walls.map);
+}
+
 Session sessionFromJson(const Json& json, const std::string& path) {
   Session session;
   session.version = json.at("version").get<std::string>();
@@ -52,6 +59,7 @@ Session sessionFromJson(const Json& json, const std::string& path) {
   }
   readSelection(input, session.volume.selection);
   readRequest(json.at("requested"), session);
+  forEachWallMap(session, [&](WallMap& map) { map.path = openablePath(map.path, path); });
   if (json.contains("view")) session.view = json.at("view").dump();
   return session;
 }
@@ -70,7 +78,9 @@ void writeSession(const Session& session, const std::string& path) {
   input["path"] = storedPath(session.volume.path, path);
   if (session.volume.sha256.empty()) input["sha256"] = nullptr;
   json["input"] = std::move(input);
-  json["requested"] = requestToJson(session);
+  Session stored = session;
+  forEachWallMap(stored, [&](WallMap& map) { map.path = storedPath(map.path, path); });
+  json["requested"] = requestToJson(stored);
   if (session.resolved) {
     json["parameters"] = resolvedToJson(*session.resolved);
     json["seeds"] = seedsToJson(seedsOfSide(session.resolved->seeds, false));

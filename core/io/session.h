@@ -23,6 +23,7 @@ struct Session {
   VolumeReference volume;                        //!< in memory, the path is as the caller would open it
   std::vector<Seed> seeds;                       //!< as asked for at the beginning, mm LPS
   Parameters requested;                          //!< the same
+  Constraints constraints{};                     //!< the same; readSession reads no label map (loadWalls)
   std::optional<ResolvedParameters> resolved{};  //!< as used, for the record; not read back
   CoordinateSpace space = CoordinateSpace::lps;  //!< of the mesh files
   //! Other parameters, and other clicks, from some iteration on, in ascending order.

@@ -7,15 +7,10 @@
 
 namespace handlebody {
 
-namespace {
-
-//! Signed solid angle of the triangle abc seen from 0 (van Oosterom and Strackee).
 double solidAngle(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double la = a.norm(), lb = b.norm(), lc = c.norm();
   return 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
 }
-
-}  // namespace
 
 int windingNumber(const Mesh& mesh, const Components& parts, int component, const Vec3& p) {
   double angle = 0;

@@ -5,6 +5,9 @@
 
 namespace handlebody {
 
+//! Signed solid angle of the triangle abc seen from 0 (van Oosterom and Strackee).
+double solidAngle(const Vec3& a, const Vec3& b, const Vec3& c);
+
 //! How often the surface without `component` winds around p: 1 inside the body, 0 outside of it and in its
 //! cavities (solid angle of the faces over 4π, rounded). p must not lie on the surface.
 int windingNumber(const Mesh& mesh, const Components& parts, int component, const Vec3& p);
