@@ -1,6 +1,7 @@
 #include "app/cli/run.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <limits>
 #include <optional>
@@ -119,6 +120,10 @@ void evolve(ActiveContour& contour, RunReport& report, const RunOutputs& outputs
     progress.show(step);
     std::move(step.events.begin(), step.events.end(), std::back_inserter(report.events));
   }
+  if (const auto veto = contour.waitingVeto(); veto && contour.stopReason() != StopReason::running)
+    throw UsageError("The veto of iteration " + std::to_string(veto->iteration) +
+                     " has nothing to forbid: the growth ended at iteration " +
+                     std::to_string(contour.iteration()) + ".");
   report.iterations = contour.iteration();
   report.stopped = contour.stopReason();
 }
@@ -127,6 +132,9 @@ void printSummary(const RunReport& report) {
   const Certificate& mesh = report.mesh;
   std::string genus;
   for (int g : mesh.genus) genus += (genus.empty() ? "" : "+") + std::to_string(g);
+  const auto held = std::count_if(report.events.begin(), report.events.end(),
+                                  [](const Event& event) { return event.held.has_value(); });
+  if (held > 0) std::printf("%d changes of topology were held\n", static_cast<int>(held));
   std::printf("%s after %d iterations (%.2f s): components %d, genus %s, %d vertices, %.4g ml, %.4g cm2\n",
               endName(report.stopped), report.iterations, report.seconds.total, mesh.components,
               genus.c_str(), mesh.vertices, mesh.volume / 1000.0, mesh.area / 100.0);

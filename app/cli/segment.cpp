@@ -131,6 +131,18 @@ void addConstraints(CLI::App& command, Constraints& c) {
           },
           "A label map on the volume's grid: the surface may not enter voxels that are not 0")
       ->type_name("LABELMAP");
+  addConstraint(
+      command, "--veto", "ITERATION:X,Y,Z",
+      "The change of topology nearest to there in that step does not happen: the fronts rest; may be "
+      "given several times",
+      [&c](Text t) { c.vetoes.push_back(parseVeto("--veto", t)); });
+  const auto addLimit = [&command](Text name, int least, std::optional<int>& limit, Text help) {
+    const auto set = [&limit, name, least](Text t) { limit = parseInteger(name, t, least, kAnyCount); };
+    command.add_option_function<std::string>(name, set, help)->type_name("N");
+  };
+  addLimit("--components", 1, c.topology.components,
+           "Never more components than this: changes that would make more are held");
+  addLimit("--genus", 0, c.topology.genus, "Never more tunnels than this (of all components together)");
 }
 
 int segment(SegmentOptions o) {

@@ -6,11 +6,14 @@
 #include "core/collision/self_intersection.h"
 #include "core/errors.h"
 #include "core/evolution/clicked_object.h"
+#include "core/evolution/collapsed_components.h"
+#include "core/evolution/held_changes.h"
 #include "core/evolution/image_doubts.h"
 #include "core/evolution/motion.h"
 #include "core/evolution/object_image.h"
 #include "core/evolution/quiet_vertices.h"
 #include "core/evolution/resting_places.h"
+#include "core/evolution/scratch.h"
 #include "core/evolution/seeds.h"
 #include "core/evolution/wall_guard.h"
 #include "core/mesh/morton_order.h"
@@ -39,19 +42,11 @@ constexpr double kNextToNothing =
     0.001;  // part of the vertices: single ones may tremble between two faces of a noisy voxel
 constexpr int kRounds = 5;                // of detection and surgery in one step
 constexpr int kAttempts = 8;              // at one step before all of it is rolled back
+constexpr int kHeldAttempts = 60;         // the same where changes of topology are held one after the other
 constexpr double kGrowthToReorder = 1.5;  // of the mesh, until its vertices are put into order again
 constexpr int kFitsIntoCache = 3000;      // vertices: any order will do
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
-
-//! What only saves work and decides nothing: a copy starts without it.
-template <typename T>
-struct Scratch : T {
-  Scratch() = default;
-  Scratch(const Scratch&) : T() {}
-  Scratch& operator=(const Scratch&) = delete;
-  using T::operator=;
-};
 
 }  // namespace
 
@@ -70,6 +65,7 @@ struct ActiveContour::State {
   RemeshLimits limits;
   Scratch<CollisionDetector> detector;
   RestingPlaces resting;
+  HeldChanges held;  // what the constraints forbid
   std::optional<Correction> correction;
   double automaticEdge = 0;  // mm; what the edge length is if none is asked for
   TopologyNumbers topology;
@@ -86,6 +82,7 @@ struct ActiveContour::State {
   struct Attempt {
     std::vector<Event> events;
     std::vector<Trouble> troubles;
+    std::vector<HeldChange> held;
     std::vector<int> moving;        // vertices that were asked to move
     std::vector<double> distances;  // how far, mm
     std::vector<unsigned char> touched;
@@ -185,7 +182,8 @@ void ActiveContour::State::change(const Request& to, const State* prepared) {
   const bool otherWalls = to.constraints.walls != known;
   const bool otherClicks = to.seeds != seeds;
   const bool otherImage = prepared || otherClicks || !chooseSameImage(to.parameters, requested);
-  const bool wake = otherClicks || otherWalls || !moveAlike(to.parameters, requested);
+  const bool freed = held.choose(to.constraints, iteration);
+  const bool wake = otherClicks || otherWalls || freed || !moveAlike(to.parameters, requested);
   const bool sleepsOn = otherClicks && haveSameForces(to.parameters, requested);
   seeds = to.seeds;
   constraints = to.constraints;
@@ -253,7 +251,8 @@ std::vector<int> ActiveContour::State::verticesToMove() const {
   std::vector<int> out;
   const bool anyRest = resting.any(iteration);
   for (int v = 0; v < mesh.vertexSlots(); ++v)
-    if (mesh.isVertex(v) && !sleeps(v) && !(anyRest && resting.rests(mesh.position(v), iteration)))
+    if (mesh.isVertex(v) && !sleeps(v) && !(anyRest && resting.rests(mesh.position(v), iteration)) &&
+        !held.rests(mesh.position(v)))
       out.push_back(v);
   return out;
 }
@@ -276,6 +275,7 @@ ActiveContour::State::Attempt ActiveContour::State::attempt() {
   if (a.troubles.empty()) deleteCollapsed(a);
   if (const auto place = walls.broken(mesh, a.touched, a.events); a.troubles.empty() && place)
     a.troubles.push_back({*place, 2 * limits.longest, "the surface would have entered a wall"});
+  if (a.troubles.empty()) a.held = held.judge(a.events, iteration, limits.longest);
   return a;
 }
 
@@ -322,21 +322,10 @@ void ActiveContour::State::deleteCollapsed(Attempt& a) {
       std::count_if(parts.volume.begin(), parts.volume.end(), [](double v) { return v < 0; });
   const bool mayHaveTurned = knownCavities != cavities || (mayShrink() && !a.events.empty());
   knownCavities = cavities;
-  std::vector<int> first(parts.vertices.size(), -1);
-  for (int v = mesh.vertexSlots() - 1; v >= 0; --v)
-    if (mesh.isVertex(v)) first[idx(parts.ofVertex[idx(v)])] = v;
-  for (std::size_t c = 0; c < first.size(); ++c) {
-    const bool isTurned = mayHaveTurned && isMisplaced(mesh, parts, static_cast<int>(c));
-    if (parts.extent[c] >= kCollapsed * parameters.edgeLength && !isTurned) continue;
-    Event event;
-    event.kind = EventKind::componentDeleted;
-    event.iteration = iteration;
-    event.location = mesh.position(first[c]);
-    event.before = topologyNumbers(mesh);
-    deleteComponent(mesh, first[c]);
-    event.after = topologyNumbers(mesh);
-    a.events.push_back(std::move(event));
-  }
+  const auto isKept = [this](const Vec3& p) { return held.rests(p); };
+  for (Event& e : deleteCollapsedComponents(
+           mesh, parts, {kCollapsed * parameters.edgeLength, mayHaveTurned, iteration, isKept}))
+    a.events.push_back(std::move(e));
 }
 
 void ActiveContour::State::accept(Attempt& a, StepReport& report) {
@@ -389,9 +378,9 @@ StopReason ActiveContour::State::restReason() const {
   for (int v = 0; v < mesh.vertexSlots(); ++v)
     if (mesh.isVertex(v) && resting.rests(mesh.position(v), iteration)) resters.push_back(v);
   const std::vector<Vec3> moves = computeMotion(mesh, *object.image, motion, resters);
-  const bool held = std::any_of(moves.begin(), moves.end(),
-                                [&](const Vec3& m) { return m.norm() >= kQuiet * parameters.edgeLength; });
-  if (!held) return StopReason::converged;
+  const bool wouldMove = std::any_of(
+      moves.begin(), moves.end(), [&](const Vec3& m) { return m.norm() >= kQuiet * parameters.edgeLength; });
+  if (!wouldMove) return StopReason::converged;
   return static_cast<int>(resters.size()) == mesh.vertexCount() ? StopReason::stuck : StopReason::frozen;
 }
 
@@ -406,14 +395,19 @@ StepReport ActiveContour::State::step() {
   };
   for (int tries = 0;; ++tries) {
     Attempt a = attempt();
-    if (a.troubles.empty()) {
+    if (a.troubles.empty() && a.held.empty()) {
       accept(a, report);
       break;
     }
     mesh = before;
     for (const Trouble& t : a.troubles) rollBack(t);
-    if (tries + 1 < kAttempts) continue;
-    rollBack({a.troubles[0].centre, 1e3 * parameters.edgeLength, "no part of the step could be kept"});
+    for (const HeldChange& h : a.held) {
+      report.events.push_back(rolledBack(h.place, h.reason));
+      report.events.back().held = h.kind;
+    }
+    if (tries + 1 < (a.held.empty() ? kAttempts : kHeldAttempts)) continue;
+    rollBack({a.held.empty() ? a.troubles[0].centre : a.held[0].place, 1e3 * parameters.edgeLength,
+              "no part of the step could be kept"});
     break;
   }
   if (walls.isPushing()) {
@@ -432,6 +426,7 @@ ActiveContour::ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters 
     : state_(std::make_unique<State>()) {
   requireSensible(parameters);
   requireSensible(constraints, volume.grid);
+  state_->held.choose(constraints, 0);
   state_->constraints = std::move(constraints);
   state_->volume = std::move(volume);
   state_->seeds = std::move(seeds);
@@ -467,6 +462,7 @@ ActiveContour ActiveContour::restarted(const Parameters& parameters) const {
   fresh->volume = state_->volume;
   fresh->seeds = state_->seeds;
   fresh->constraints = state_->constraints;
+  fresh->held.choose(fresh->constraints, 0);
   fresh->object = state_->object;
   fresh->chooseEdge();
   fresh->resolve(parameters);
@@ -481,6 +477,7 @@ const ResolvedParameters& ActiveContour::parameters() const { return state_->par
 const Parameters& ActiveContour::requested() const { return state_->requested; }
 const std::vector<Seed>& ActiveContour::requestedSeeds() const { return state_->seeds; }
 const Constraints& ActiveContour::constraints() const { return state_->constraints; }
+std::optional<Veto> ActiveContour::waitingVeto() const { return state_->held.waiting(); }
 const std::vector<ObjectCandidate>& ActiveContour::candidates() const { return state_->object.candidates; }
 bool ActiveContour::isCloseChoice() const { return state_->object.isCloseChoice; }
 bool ActiveContour::isSettled(int vertex) const { return state_->sleeps(vertex); }

@@ -32,7 +32,8 @@ class ActiveContour {
   ActiveContour& operator=(const ActiveContour&);
 
   //! One iteration, all or nothing: the mesh it leaves is closed, manifold, oriented and free of
-  //! self-intersections.
+  //! self-intersections. Throws UsageError if a veto of that iteration finds no change of topology; no
+  //! further step may be taken then.
   StepReport step();
 
   //! Goes on with other clicks and parameters from here. What is automatic is chosen as for a new contour;
@@ -68,6 +69,8 @@ class ActiveContour {
   const Parameters& requested() const;
   const std::vector<Seed>& requestedSeeds() const;
   const Constraints& constraints() const;
+  //! The first veto whose iteration has not come yet.
+  std::optional<Veto> waitingVeto() const;
   //! What it goes on with.
   Request request() const { return {requestedSeeds(), requested(), constraints()}; }
   //! The objects that the clicks may mean, the likeliest first; at most five. `parameters().candidate` is the

@@ -10,8 +10,8 @@ namespace handlebody {
 
 namespace {
 
-constexpr double kSmallest = 2;  // longest edges: radius within which fronts rest
-constexpr double kMargin = 1;    // longest edges around the polygons of a change
+constexpr double kSmallest = 1;  // longest edges: radius within which fronts rest
+constexpr double kMargin = 0.5;  // longest edges around the polygons of a change
 // Fronts that rest in their middle would meet beside it: within so many longest edges of a place that rests
 // it is the same change.
 constexpr double kSameChange = 2;

@@ -1,10 +1,12 @@
 target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/active_contour.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/clicked_object.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/collapsed_components.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/constraints.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/correction.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/edge_profile.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/growth_level.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/held_changes.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/history.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/image_doubts.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/level_field.cpp

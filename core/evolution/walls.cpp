@@ -14,8 +14,8 @@ constexpr double kMostBricks = 256;  // along an axis
 // What is left free between a wall and the faces, voxels of the finest axis: far above the rounding of
 // coordinates, in single precision, too.
 constexpr double kClearance = 0.01;
-// A face of the longest edges that the mesh has, 1.4 / sqrt(3) (its circumradius), lies within its corners on a
-// sphere around a point by as much as this makes of the radius.
+// A face of the longest edges that the mesh has, 1.4 / sqrt(3) (its circumradius), lies within its corners on
+// a sphere around a point by as much as this makes of the radius.
 constexpr double kCircumradius = 0.81;
 // No flip or collapse moves the surface by more than twice this part of the edge length (kFlatEnough).
 constexpr double kHalfFlip = 0.2;

@@ -161,14 +161,16 @@ Json resolvedToJson(const ResolvedParameters& parameters) {
 }
 
 Json eventToJson(const Event& event) {
-  return {{"kind", eventKindName(event.kind)},
-          {"iteration", event.iteration},
-          {"location", vectorToJson(event.location)},
-          {"fronts", event.fronts},
-          {"loop_sizes", event.loopSizes},
-          {"before", topologyToJson(event.before)},
-          {"after", topologyToJson(event.after)},
-          {"reason", event.reason}};
+  Json json = {{"kind", eventKindName(event.kind)},
+               {"iteration", event.iteration},
+               {"location", vectorToJson(event.location)},
+               {"fronts", event.fronts},
+               {"loop_sizes", event.loopSizes},
+               {"before", topologyToJson(event.before)},
+               {"after", topologyToJson(event.after)},
+               {"reason", event.reason}};
+  if (event.held) json["held"] = eventKindName(*event.held);
+  return json;
 }
 
 Json traceToJson(const EventTrace& trace) {

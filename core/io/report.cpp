@@ -65,6 +65,18 @@ Json correctionsToJson(const std::vector<RecordedCorrection>& corrections) {
   return list;
 }
 
+//! The changes of topology that the constraints forbade, each at the iteration at which it would have come.
+Json heldToJson(const std::vector<Event>& events) {
+  Json list = Json::array();
+  for (const Event& event : events)
+    if (event.held)
+      list.push_back({{"kind", eventKindName(*event.held)},
+                      {"iteration", event.iteration},
+                      {"location", vectorToJson(event.location)},
+                      {"reason", event.reason}});
+  return list;
+}
+
 }  // namespace
 
 const char* endName(StopReason stopped) {
@@ -89,6 +101,7 @@ std::string reportText(const RunReport& report) {
   json["seconds"] = secondsToJson(report.seconds);
   json["mesh"] = certificateToJson(report.mesh);
   if (!report.corrections.empty()) json["corrections"] = correctionsToJson(report.corrections);
+  if (Json held = heldToJson(report.events); !held.empty()) json["held"] = std::move(held);
   Json& events = json["events"] = Json::array();
   for (const Event& event : report.events) events.push_back(eventToJson(event));
   return jsonText(json);

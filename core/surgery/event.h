@@ -2,6 +2,7 @@
 // A change of the mesh that somebody may question: what happened, where, and the topology before and after.
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,8 +46,9 @@ struct Event {
   int fronts = 0;              //!< k, for handles
   std::vector<int> loopSizes;  //!< vertices of each boundary polygon
   TopologyNumbers before, after;
-  std::string reason;  //!< why it was rolled back, or what did not fit before this
-  EventTrace trace;    //!< empty unless traces are recorded
+  std::string reason;               //!< why it was rolled back, or what did not fit before this
+  std::optional<EventKind> held{};  //!< rolled back: the change that may not happen, as the user asked
+  EventTrace trace;                 //!< empty unless traces are recorded
 };
 
 }  // namespace handlebody
