@@ -1,7 +1,6 @@
 #include "core/evolution/held_changes.h"
 
 #include <algorithm>
-#include <numbers>
 #include <string>
 
 #include "core/errors.h"
@@ -10,20 +9,16 @@ namespace handlebody {
 
 namespace {
 
-constexpr double kSmallest = 1;  // longest edges: radius within which fronts rest
-constexpr double kMargin = 0.5;  // longest edges around the polygons of a change
+// Longest edges: radius within which fronts rest, and by how much it grows where they meet all the same. Two
+// fronts that meet in a step were at most 0.4 of one apart (kStep of both).
+constexpr double kSmallest = 0.75;
+constexpr double kGrowth = 0.25;
 // Fronts that rest in their middle would meet beside it: within so many longest edges of a place that rests
 // it is the same change.
 constexpr double kSameChange = 2;
 
 bool contains(const std::vector<Veto>& list, const Veto& veto) {
   return std::find(list.begin(), list.end(), veto) != list.end();
-}
-
-//! Half the width of the largest of its polygons, mm.
-double extent(const Event& event, double longest) {
-  const auto loop = std::max_element(event.loopSizes.begin(), event.loopSizes.end());
-  return loop == event.loopSizes.end() ? 0 : *loop * longest / (2 * std::numbers::pi);
 }
 
 }  // namespace
@@ -59,9 +54,16 @@ bool HeldChanges::breaksLimit(const Event& e) const {
   return components || genus;
 }
 
+//! A new place, or, in the middle of one that did not suffice, that one made larger: so everything near
+//! rests in the end.
 HeldChange HeldChanges::hold(const Event& event, const std::optional<Veto>& veto, double longest) {
-  const double radius = std::max(kSmallest * longest, extent(event, longest) + kMargin * longest);
-  places_.push_back({event.location, radius, veto});
+  const auto known = std::find_if(places_.begin(), places_.end(), [&](const Place& p) {
+    return p.veto == veto && (p.centre - event.location).norm() < kSmallest / 2 * longest;
+  });
+  if (known != places_.end())
+    known->radius += kGrowth * longest;
+  else
+    places_.push_back({event.location, kSmallest * longest, veto});
   return {event.kind, event.location,
           veto ? "kept apart here, as asked" : "held: it would break the limit of the topology"};
 }
