@@ -2,9 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "core/collision/face_pair.h"
 #include "core/surgery/nesting.h"
@@ -182,10 +180,10 @@ bool Replaced::sweepsOver(const Mesh& mesh, const Patch& patch) const {
   for (const auto& face : added) box.extend(boxOf(face));
   // Old and new faces together are closed: they wind around a place between them.
   const auto isBetween = [&](const Vec3& p) {
-    double angle = 0;
-    for (const auto& [a, b, c] : added) angle += solidAngle(a - p, b - p, c - p);
-    for (const auto& [a, b, c] : faces_) angle -= solidAngle(a - p, b - p, c - p);
-    return std::lround(angle / (4 * std::numbers::pi)) != 0;
+    int winding = 0;
+    for (const auto& [a, b, c] : added) winding += crossing(a, b, c, p);
+    for (const auto& [a, b, c] : faces_) winding -= crossing(a, b, c, p);
+    return winding != 0;
   };
   const std::vector<Vec3> places = forbidden_.places(box.min(), box.max());
   return std::any_of(places.begin(), places.end(), isBetween);
