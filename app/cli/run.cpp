@@ -1,7 +1,6 @@
 #include "app/cli/run.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <limits>
 #include <optional>
@@ -126,18 +125,19 @@ void evolve(ActiveContour& contour, RunReport& report, const RunOutputs& outputs
                      std::to_string(contour.iteration()) + ".");
   report.iterations = contour.iteration();
   report.stopped = contour.stopReason();
+  report.held = contour.held();
 }
 
 void printSummary(const RunReport& report) {
   const Certificate& mesh = report.mesh;
   std::string genus;
   for (int g : mesh.genus) genus += (genus.empty() ? "" : "+") + std::to_string(g);
-  const auto held = std::count_if(report.events.begin(), report.events.end(),
-                                  [](const Event& event) { return event.held.has_value(); });
-  if (held > 0) std::printf("%d changes of topology were held\n", static_cast<int>(held));
   std::printf("%s after %d iterations (%.2f s): components %d, genus %s, %d vertices, %.4g ml, %.4g cm2\n",
               endName(report.stopped), report.iterations, report.seconds.total, mesh.components,
               genus.c_str(), mesh.vertices, mesh.volume / 1000.0, mesh.area / 100.0);
+  for (const HeldPlace& held : report.held)
+    std::printf("held by %s since iteration %d: %s at %.4g,%.4g,%.4g\n", held.isVetoed ? "a veto" : "a limit",
+                held.iteration, eventKindName(held.kind), held.place.x(), held.place.y(), held.place.z());
 }
 
 void writeSideFiles(const RunReport& report, const RunOutputs& outputs) {

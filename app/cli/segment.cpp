@@ -143,6 +143,11 @@ void addConstraints(CLI::App& command, Constraints& c) {
   addLimit("--components", 1, c.topology.components,
            "Never more components than this: changes that would make more are held");
   addLimit("--genus", 0, c.topology.genus, "Never more tunnels than this (of all components together)");
+  addConstraint(
+      command, "--allow", "X,Y,Z",
+      "A change of topology there may break these limits, LPS millimetres (the report lists what was "
+      "held, and where); may be given several times",
+      [&c](Text t) { c.topology.allowed.push_back(parseVector("--allow", t)); });
 }
 
 int segment(SegmentOptions o) {

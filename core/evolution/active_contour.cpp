@@ -7,7 +7,6 @@
 #include "core/errors.h"
 #include "core/evolution/clicked_object.h"
 #include "core/evolution/collapsed_components.h"
-#include "core/evolution/held_changes.h"
 #include "core/evolution/image_doubts.h"
 #include "core/evolution/motion.h"
 #include "core/evolution/object_image.h"
@@ -478,6 +477,7 @@ const Parameters& ActiveContour::requested() const { return state_->requested; }
 const std::vector<Seed>& ActiveContour::requestedSeeds() const { return state_->seeds; }
 const Constraints& ActiveContour::constraints() const { return state_->constraints; }
 std::optional<Veto> ActiveContour::waitingVeto() const { return state_->held.waiting(); }
+std::vector<HeldPlace> ActiveContour::held() const { return state_->held.list(); }
 const std::vector<ObjectCandidate>& ActiveContour::candidates() const { return state_->object.candidates; }
 bool ActiveContour::isCloseChoice() const { return state_->object.isCloseChoice; }
 bool ActiveContour::isSettled(int vertex) const { return state_->sleeps(vertex); }
@@ -488,6 +488,7 @@ SurfaceSupport ActiveContour::support() const { return surfaceSupport(state_->me
 std::vector<std::string> ActiveContour::doubts(const SurfaceSupport& support) const {
   std::vector<std::string> doubts = imageDoubts(state_->mesh, *state_->object.image, support);
   if (state_->walls.isPushing()) doubts.push_back("the surface still lies in a wall that was put over it");
+  for (std::string& d : state_->held.doubts()) doubts.push_back(std::move(d));
   if (state_->object.neckRadius > 0) doubts.push_back(heldAtPassages(state_->object.neckRadius));
   return doubts;
 }

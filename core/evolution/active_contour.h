@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/evolution/correction.h"
+#include "core/evolution/held_changes.h"
 #include "core/evolution/image_doubts.h"
 #include "core/evolution/parameters.h"
 #include "core/evolution/step_report.h"
@@ -71,6 +72,8 @@ class ActiveContour {
   const Constraints& constraints() const;
   //! The first veto whose iteration has not come yet.
   std::optional<Veto> waitingVeto() const;
+  //! What the constraints hold back now.
+  std::vector<HeldPlace> held() const;
   //! What it goes on with.
   Request request() const { return {requestedSeeds(), requested(), constraints()}; }
   //! The objects that the clicks may mean, the likeliest first; at most five. `parameters().candidate` is the

@@ -10,12 +10,6 @@ namespace handlebody {
 
 namespace {
 
-std::string written(const Vec3& p) {
-  std::ostringstream text;
-  text << p.x() << "," << p.y() << "," << p.z();
-  return text.str();
-}
-
 //! mm from the volume, whose border voxels count whole; 0 within.
 double outside(const Grid& grid, const Vec3& p) {
   Vec3 index = grid.toIndex(p);
@@ -39,6 +33,12 @@ void requireSensible(const WallList& walls, const Grid& grid) {
 
 }  // namespace
 
+std::string written(const Vec3& p) {
+  std::ostringstream text;
+  text << p.x() << "," << p.y() << "," << p.z();
+  return text.str();
+}
+
 bool WallMap::operator==(const WallMap& other) const {
   if (voxels == other.voxels && voxels) return true;
   if (voxels && other.voxels) return *voxels == *other.voxels;
@@ -54,6 +54,12 @@ void requireSensible(const Constraints& constraints, const Grid& grid) {
   if (constraints.topology.components.value_or(1) < 1)
     throw UsageError("The number of components must be at least 1.");
   if (constraints.topology.genus.value_or(0) < 0) throw UsageError("The genus must be at least 0.");
+  if (constraints.topology.allowed.empty()) return;
+  if (!constraints.topology.components && !constraints.topology.genus)
+    throw UsageError("An allowed place has nothing to allow: the components and the genus have no limit.");
+  for (const Vec3& p : constraints.topology.allowed)
+    if (!p.allFinite() || outside(grid, p) > 0)
+      throw UsageError("The allowed place " + written(p) + " lies outside of the volume.");
 }
 
 }  // namespace handlebody

@@ -47,7 +47,8 @@ struct Veto {
 struct TopologyLimits {
   std::optional<int> components{};
   std::optional<int> genus{};
-  bool empty() const { return !components && !genus; }
+  std::vector<Vec3> allowed{};  //!< mm, LPS: changes at these places may break the limits
+  bool empty() const { return !components && !genus && allowed.empty(); }
   bool operator==(const TopologyLimits&) const = default;
 };
 
@@ -58,6 +59,9 @@ struct Constraints {
   bool empty() const { return walls.empty() && vetoes.empty() && topology.empty(); }
   bool operator==(const Constraints&) const = default;
 };
+
+//! "X,Y,Z", as in the options.
+std::string written(const Vec3& place);
 
 //! Throws UsageError if one has no meaning: a wall without a radius or outside of the volume, a label map of
 //! another size, a veto before the first step, a limit that no surface keeps.

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/evolution/constraints.h"
@@ -16,6 +17,15 @@ struct HeldChange {
   EventKind kind = EventKind::handleInserted;
   Vec3 place{0, 0, 0};  //!< mm
   const char* reason = "";
+};
+
+//! Where fronts are kept from a change now: one for all places that hang together.
+struct HeldPlace {
+  EventKind kind = EventKind::handleInserted;  //!< of the first change that was held there
+  int iteration = 0;                           //!< the same
+  Vec3 place{0, 0, 0};                         //!< mm; the same
+  bool isVetoed = false;                       //!< false: for a limit
+  int times = 0;                               //!< how often a change was held there
 };
 
 class HeldChanges {
@@ -31,23 +41,36 @@ class HeldChanges {
 
   //! True where the surface rests for good.
   bool rests(const Vec3& p) const;
-  bool any() const { return !places_.empty(); }
+  //! In the order in which they came.
+  std::vector<HeldPlace> list() const;
+  //! Of allowed places at which nothing has come that a limit would have held: sentences without a full stop.
+  std::vector<std::string> doubts() const;
   //! The first veto whose iteration has not come yet.
   std::optional<Veto> waiting() const;
 
  private:
   struct Place {
     Vec3 centre;
-    double radius;             // mm
+    double radius;             // mm, within which the surface rests
+    double reach;              // mm, within which it is the same change
     std::optional<Veto> veto;  // none: for the limits
+    HeldPlace told;
+    bool holds(const Event& e) const { return (centre - e.location).norm() < reach; }
   };
-  const Place* vetoedNear(const Event& event, double longest) const;
+  std::vector<std::size_t> groups() const;
+  void free(const Vec3& allowed);
+  const Place* vetoedNear(const Event& event) const;
+  bool mayBreakLimits(const Event& event, double longest);
   bool breaksLimit(const Event& event) const;
+  void holdForLimits(std::span<const Event> events, double longest, std::vector<HeldChange>& held);
   HeldChange hold(const Event& event, const std::optional<Veto>& veto, double longest);
+  const Event* metByVeto(std::span<const Event> events, const Veto& veto) const;
 
   Constraints asked_;  // without walls
   std::vector<Veto> met_;
   std::vector<Place> places_;
+  std::vector<Place> freed_;  // where they were allowed to go on
+  std::vector<Vec3> used_;    // of the allowed places
 };
 
 //! True if a kind of event changes the topology.

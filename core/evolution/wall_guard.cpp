@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <sstream>
 #include <utility>
 
 #include "core/errors.h"
@@ -20,12 +19,6 @@ constexpr double kSwallows = 6;  // edge lengths from a change of topology to wh
 constexpr double kBeside = 6;    // voxels of mean size between a click and the ball that fits near it
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
-
-std::string written(const Vec3& p) {
-  std::ostringstream text;
-  text << p.x() << "," << p.y() << "," << p.z();
-  return text.str();
-}
 
 }  // namespace
 

@@ -38,6 +38,7 @@ Json constraintsToJson(const Constraints& c) {
     json["vetoes"].push_back({{"iteration", v.iteration}, {"place", vectorToJson(v.place)}});
   if (c.topology.components) json["components"] = *c.topology.components;
   if (c.topology.genus) json["genus"] = *c.topology.genus;
+  for (const Vec3& p : c.topology.allowed) json["allowed"].push_back(vectorToJson(p));
   return json;
 }
 
@@ -54,6 +55,8 @@ Constraints constraintsFromJson(const Json& json) {
     for (const Json& veto : json.at("vetoes")) c.vetoes.push_back(vetoFromJson(veto));
   if (json.contains("components")) c.topology.components = countFromJson(json.at("components"), 1);
   if (json.contains("genus")) c.topology.genus = countFromJson(json.at("genus"), 0);
+  if (json.contains("allowed"))
+    for (const Json& place : json.at("allowed")) c.topology.allowed.push_back(vectorFromJson(place));
   return c;
 }
 

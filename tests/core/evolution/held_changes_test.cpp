@@ -13,9 +13,28 @@ namespace {
 const Seed kTorusSeed{kMiddle + Vec3(kTorusR, 0, 0), 3.0};
 
 Constraints vetoing(std::vector<Veto> vetoes) { return {{}, std::move(vetoes), {}}; }
-Constraints limited(std::optional<int> components, std::optional<int> genus) {
-  return {{}, {}, {components, genus}};
+Constraints limited(std::optional<int> components, std::optional<int> genus, std::vector<Vec3> allowed = {}) {
+  return {{}, {}, {components, genus, std::move(allowed)}};
 }
+
+Parameters bothWays() {
+  Parameters p;
+  p.direction = Direction::both;
+  return p;
+}
+
+//! Two balls 8 mm apart, and a start around both of them: it splits between them.
+struct TwoBalls {
+  Volume volume;
+  std::vector<Seed> seeds{{Vec3(14, 20, 20), 42.0}};
+  TwoBalls() {
+    Grid grid = cubicGrid(41);
+    grid.size[0] = 62;
+    volume = darkObject(grid, [](const Vec3& p) {
+      return std::min((p - Vec3(14, 20, 20)).norm(), (p - Vec3(42, 20, 20)).norm()) - 10;
+    });
+  }
+};
 
 void run(ActiveContour& contour) {
   while (contour.stopReason() == StopReason::running) {
@@ -25,8 +44,8 @@ void run(ActiveContour& contour) {
 }
 
 //! The first event that changed the topology, of a run without constraints.
-Event firstChange(const Volume& volume, const std::vector<Seed>& seeds) {
-  ActiveContour contour(volume, seeds, {});
+Event firstChange(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& parameters = {}) {
+  ActiveContour contour(volume, seeds, parameters);
   while (contour.stopReason() == StopReason::running)
     for (const Event& e : contour.step().events)
       if (changesTopology(e.kind)) return e;
@@ -96,6 +115,39 @@ TEST_CASE("two bodies that may not join stay two", "[veto]") {
   CHECK(volumeOf(contour.mesh()) > 0.75 * kBallVolume);
 }
 
+TEST_CASE("a neck that may not split stays, thin, for good", "[veto]") {
+  const TwoBalls balls;
+  const Event cut = firstChange(balls.volume, balls.seeds, bothWays());
+  REQUIRE(cut.kind == EventKind::split);
+  const Constraints constraints =
+      GENERATE_COPY(vetoing({{cut.iteration, cut.location}}), limited(1, std::nullopt));
+  ActiveContour contour(balls.volume, balls.seeds, bothWays(), constraints);
+  runCertified(contour);
+  CHECK(certify(contour.mesh().compact()).components == 1);
+  CHECK(volumeOf(contour.mesh()) == Approx(2 * kBallVolume).epsilon(0.05));
+  REQUIRE(contour.held().size() == 1);
+  CHECK(contour.held()[0].kind == EventKind::split);
+  CHECK(contour.held()[0].iteration == cut.iteration);
+  CHECK(contour.held()[0].isVetoed == !constraints.vetoes.empty());
+}
+
+TEST_CASE("a component that may not be deleted is kept, as small as it is", "[veto]") {
+  Parameters p = bothWays();
+  p.range = IntensityRange{-1000, 110};
+  p.curvature = 50;  // holds fronts of 100 mm and more: everything here collapses
+  p.edgeLength = 2;
+  p.maxIterations = 300;
+  const Volume volume = ballVolume();
+  const std::vector<Seed> seeds{{kMiddle, 6.0}};
+  const Event last = firstChange(volume, seeds, p);
+  REQUIRE(last.kind == EventKind::componentDeleted);
+  ActiveContour contour(volume, seeds, p, vetoing({{last.iteration, last.location}}));
+  runCertified(contour);
+  CHECK(certify(contour.mesh().compact()).components == 1);
+  REQUIRE(contour.held().size() == 1);
+  CHECK(contour.held()[0].kind == EventKind::componentDeleted);
+}
+
 TEST_CASE("a veto without sense is refused with one sentence", "[veto]") {
   const auto message = [](const Constraints& constraints) {
     return messageOf([&] {
@@ -108,6 +160,8 @@ TEST_CASE("a veto without sense is refused with one sentence", "[veto]") {
   CHECK(message(vetoing({{0, kMiddle}})).find("at least 1") != std::string::npos);
   CHECK(message(limited(0, {})).find("at least 1") != std::string::npos);
   CHECK(message(limited({}, -1)).find("at least 0") != std::string::npos);
+  CHECK(message(limited({}, {}, {kMiddle})).find("no limit") != std::string::npos);
+  CHECK(message(limited({}, 0, {Vec3(-9, 0, 0)})).find("outside of the volume") != std::string::npos);
   ActiveContour contour(torusVolume(), {kTorusSeed}, {});
   contour.step();
   contour.step();
@@ -134,6 +188,33 @@ TEST_CASE("a limit of the genus holds what would break it, and lets all else hap
   held.change({{kTorusSeed}, {}, {}});
   run(held);
   CHECK(certify(held.mesh().compact()).genus == std::vector<int>{1});
+}
+
+TEST_CASE("what a limit holds may happen at an allowed place, known from the start or named on the way",
+          "[veto][history]") {
+  ActiveContour held(torusVolume(), {kTorusSeed}, {}, limited({}, 0));
+  run(held);
+  REQUIRE(held.held().size() == 1);
+  const Vec3 place = held.held()[0].place;
+  const Constraints allowing = limited({}, 0, {place});
+  ActiveContour straight(torusVolume(), {kTorusSeed}, {}, allowing), free(torusVolume(), {kTorusSeed}, {});
+  run(straight);
+  run(free);
+  CHECK(isSame(straight.mesh(), free.mesh()));
+  CHECK(straight.held().empty());
+
+  held.change({{kTorusSeed}, {}, allowing});
+  CHECK(held.held().empty());
+  run(held);
+  CHECK(certify(held.mesh().compact()).genus == std::vector<int>{1});
+  CHECK(held.doubts(held.support()).empty());
+
+  ActiveContour elsewhere(torusVolume(), {kTorusSeed}, {}, limited({}, 0, {kTorusSeed.centre}));
+  run(elsewhere);
+  CHECK(certify(elsewhere.mesh().compact()).genus == std::vector<int>{0});
+  const auto doubts = elsewhere.doubts(elsewhere.support());
+  CHECK(std::any_of(doubts.begin(), doubts.end(),
+                    [](const std::string& d) { return d.find("allowed place") != std::string::npos; }));
 }
 
 TEST_CASE("a limit of the components keeps a cavity open to the outside", "[veto]") {
