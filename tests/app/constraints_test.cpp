@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <numeric>
 
 #include "tests/app/run_cli.h"
 #include "tests/support/catch.h"
@@ -67,6 +68,63 @@ TEST_CASE("a label map is a wall, and its session refuses another one", "[cli][c
   const Outcome changed = runCli({"replay", folder / "s.json", "-o", folder / "c.stl"});
   CHECK(changed.exitCode == 3);
   CHECK_THAT(changed.err, Contains("w.mha") && Contains("SHA-256"));
+}
+
+TEST_CASE("vetoes and limits of the topology stand in session and report, and replay knows them again",
+          "[cli][constraints]") {
+  const TempFolder folder;
+  const PhantomFile torus = makePhantomFile(folder, "torus.mha", {}, "torus");
+  const auto segment = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"segment",  torus.path,       "--seed",    torus.seed,
+                                       "-o",       folder / "a.stl", "--session", folder / "s.json",
+                                       "--report", folder / "r.json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    REQUIRE(runCli(arguments).exitCode == 0);
+    REQUIRE(runCli({"replay", folder / "s.json", "-o", folder / "b.stl"}).exitCode == 0);
+    CHECK(readBytes(folder / "a.stl") == readBytes(folder / "b.stl"));
+    return nlohmann::json::parse(readBytes(folder / "r.json"));
+  };
+  const auto genus = [](const nlohmann::json& report) {
+    const auto each = report.at("mesh").at("genus").get<std::vector<int>>();
+    return std::accumulate(each.begin(), each.end(), 0);
+  };
+  const auto free = segment({});
+  CHECK(genus(free) == 1);
+  CHECK_FALSE(free.contains("held"));
+  const auto& events = free.at("events");
+  const auto handle = std::find_if(events.begin(), events.end(),
+                                   [](const auto& e) { return e.at("kind") == "handle inserted"; });
+  REQUIRE(handle != events.end());
+  const std::string iteration = handle->at("iteration").dump();
+  const std::string location = handle->at("location").dump();
+  const std::string place = location.substr(1, location.size() - 2);
+
+  const auto vetoed = segment({"--veto", iteration + ":" + place});
+  CHECK(genus(vetoed) == 0);
+  CHECK(vetoed.at("held").at(0).at("why") == "veto");
+  CHECK(vetoed.at("held").at(0).at("location") == handle->at("location"));
+  const auto limited = segment({"--genus", "0", "--components", "3"});
+  CHECK(genus(limited) == 0);
+  CHECK(limited.at("mesh").at("components") == 3);
+  CHECK(limited.at("held").size() == 3);  // the handle, and two of the four cavities
+  const auto allowed = segment({"--genus", "0", "--allow", place});
+  CHECK(genus(allowed) == 1);
+  CHECK(allowed.at("requested").at("constraints").at("allowed").size() == 1);
+  CHECK_FALSE(allowed.contains("held"));
+}
+
+TEST_CASE("vetoes and limits without sense are refused with one sentence", "[cli][constraints]") {
+  const TempFolder folder;
+  const PhantomFile phantom = makePhantomFile(folder);
+  const std::string there = besideSeed(phantom, 1);
+  requireRefusal(folder, phantom, {"--veto", "2:" + there}, 2, "no change of topology happens there");
+  requireRefusal(folder, phantom, {"--veto", "4000:" + there}, 2, "the growth ended at iteration");
+  requireRefusal(folder, phantom, {"--veto", "0:" + there}, 2, "--veto");
+  requireRefusal(folder, phantom, {"--veto", there}, 2, "--veto");
+  requireRefusal(folder, phantom, {"--genus", "-1"}, 2, "--genus");
+  requireRefusal(folder, phantom, {"--components", "0"}, 2, "--components");
+  requireRefusal(folder, phantom, {"--allow", there}, 2, "no limit");
+  requireRefusal(folder, phantom, {"--genus", "0", "--allow", "1e5,0,0"}, 2, "outside of the volume");
 }
 
 TEST_CASE("walls without sense are refused with one sentence", "[cli][constraints]") {

@@ -37,37 +37,38 @@ double distanceTo(const Mesh& mesh, const Vec3& p, double limit) {
 }  // namespace
 
 TEST_CASE("genus3 with one handle vetoed is of genus 2, elsewhere the same surface", "[veto]") {
-  const Phantom phantom = makePhantom("genus3");
+  Phantom phantom = makePhantom("genus3");
+  // On one of its four arcs, so that the fronts come around to three places: in the crossing at which the
+  // phantom's own seed lies they would meet in one, as one handle of four.
+  phantom.seed = Vec3(78.5, 49.5, 51);
+  phantom.seedRadius = 4;
   ActiveContour free = begun(phantom);
   const std::vector<Event> events = run(free);
   const auto raises = [](const Event& e) {
-    return changesTopology(e.kind) && e.after.genus > e.before.genus;
+    return changesTopology(e.kind) && e.after.genus == e.before.genus + 1;
   };
-  const auto last = std::find_if(events.rbegin(), events.rend(), raises);
-  REQUIRE(last != events.rend());
-  ActiveContour vetoed = begun(phantom, {{}, {{last->iteration, last->location}}, {}});
-  const std::vector<Event> held = run(vetoed);
+  REQUIRE(std::count_if(events.begin(), events.end(), raises) == 3);
+  const Event last = *std::find_if(events.rbegin(), events.rend(), raises);
+  ActiveContour vetoed = begun(phantom, {{}, {{last.iteration, last.location}}, {}});
+  run(vetoed);
   const Certificate c = certify(vetoed.mesh().compact());
   CHECK(c.passes());
   CHECK(c.components == 1);
-  CHECK(c.genus == std::vector<int>{last->before.genus});
+  CHECK(c.genus == std::vector<int>{2});
+  REQUIRE(vetoed.held().size() == 1);
 
-  Vec3 low = Vec3::Constant(1e300), high = -low;  // of what was held
-  for (const Event& e : held)
-    if (e.held) low = low.cwiseMin(e.location), high = high.cwiseMax(e.location);
-  const Vec3 middle = (low + high) / 2;
-  const double reach = (high - low).norm() / 2 + 8;
+  // The arcs are some 14 mm thick: from the middle of the gap its caps reach no further.
+  constexpr double kReach = 14;
   double largest = 0, elsewhere = 0;
   for (int v = 0; v < vetoed.mesh().vertexSlots(); ++v) {
     if (!vetoed.mesh().isVertex(v)) continue;
     const Vec3& p = vetoed.mesh().position(v);
     const double d = distanceTo(free.mesh(), p, 30);
     largest = std::max(largest, d);
-    if ((p - middle).norm() > reach) elsewhere = std::max(elsewhere, d);
+    if ((p - last.location).norm() > kReach) elsewhere = std::max(elsewhere, d);
   }
-  std::cout << "genus3 without the handle of iteration " << last->iteration << ": genus " << c.genus[0]
-            << ", largest distance " << elsewhere << " mm further than " << reach << " mm from there, "
-            << largest << " mm in all\n";
+  std::cout << "genus3 without the handle of iteration " << last.iteration << ": largest distance "
+            << elsewhere << " mm further than " << kReach << " mm from there, " << largest << " mm in all\n";
   CHECK(elsewhere < 1);  // a voxel
 }
 
