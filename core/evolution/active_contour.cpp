@@ -453,14 +453,15 @@ void ActiveContour::change(const ActiveContour& prepared) {
   state_ = std::move(changed);
 }
 const std::optional<Correction>& ActiveContour::correction() const { return state_->correction; }
-ActiveContour ActiveContour::restarted(const Parameters& parameters) const {
+ActiveContour ActiveContour::restarted(const Parameters& parameters, const Constraints& constraints) const {
   if (!chooseSameImage(parameters, requested()))
-    return {state_->volume, state_->seeds, parameters, state_->constraints};
+    return {state_->volume, state_->seeds, parameters, constraints};
   requireSensible(parameters);
+  requireSensible(constraints, grid());
   auto fresh = std::make_unique<State>();
   fresh->volume = state_->volume;
   fresh->seeds = state_->seeds;
-  fresh->constraints = state_->constraints;
+  fresh->constraints = constraints;
   fresh->held.choose(fresh->constraints, 0);
   fresh->object = state_->object;
   fresh->chooseEdge();

@@ -58,7 +58,7 @@ class ActiveContour {
   const std::optional<Correction>& correction() const;
   //! A new contour at iteration 0 for the same volume and seeds. Quick if both choose the same image. Throws
   //! as the constructor.
-  ActiveContour restarted(const Parameters& parameters) const;
+  ActiveContour restarted(const Parameters& parameters, const Constraints& constraints) const;
 
   //! StopReason::running while step() would go on.
   StopReason stopReason() const;

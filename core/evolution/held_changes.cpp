@@ -23,8 +23,6 @@ bool contains(const std::vector<Veto>& list, const Veto& veto) {
 
 }  // namespace
 
-bool changesTopology(EventKind kind) { return kind != EventKind::smoothed && kind != EventKind::rolledBack; }
-
 bool HeldChanges::choose(const Constraints& constraints, int iteration) {
   for (const Veto& v : constraints.vetoes)
     if (v.iteration <= iteration && !contains(met_, v))
@@ -49,7 +47,9 @@ std::vector<std::size_t> HeldChanges::groups() const {
   for (std::size_t i = 0; i < places_.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const Place &a = places_[i], &b = places_[j];
-      if (group[i] == group[j] || a.veto != b.veto || (a.centre - b.centre).norm() >= a.reach) continue;
+      if (group[i] == group[j] || a.veto != b.veto ||
+          (a.centre - b.centre).norm() >= std::max(a.reach, b.reach))
+        continue;
       const auto [low, high] = std::minmax(group[i], group[j]);
       std::replace(group.begin(), group.end(), std::size_t{high}, std::size_t{low});
     }

@@ -73,7 +73,4 @@ class HeldChanges {
   std::vector<Vec3> used_;    // of the allowed places
 };
 
-//! True if a kind of event changes the topology.
-bool changesTopology(EventKind kind);
-
 }  // namespace handlebody

@@ -28,6 +28,8 @@ enum class EventKind {
 };
 //! "handle inserted", "split" … as in the report.
 const char* eventKindName(EventKind kind);
+//! False for repairs: a fold that was smoothed away, a part that was rolled back.
+bool changesTopology(EventKind kind);
 
 //! The stages of a change of topology (the paper's Figures 1 and 7), in mm; recorded only on request.
 struct EventTrace {
