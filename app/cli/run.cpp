@@ -11,18 +11,44 @@
 #include "core/errors.h"
 #include "core/evolution/active_contour.h"
 #include "core/io/atomic_file.h"
+#include "core/io/label_map.h"
 #include "core/io/picture.h"
 #include "core/io/result.h"
 #include "core/io/wall_map.h"
 
 namespace handlebody::cli {
 
+namespace {
+
+void addContent(CLI::App& command, DicomContent& content) {
+  const auto add = [&command](const std::string& name, std::string& text, const std::string& type,
+                              const std::string& help) {
+    const auto set = [&text, name](const std::string& given) {
+      if (const std::string fault = dicomTextFault(given); !fault.empty())
+        throw UsageError(name + ": '" + given + "' " + fault + ".");
+      text = given;
+    };
+    command.add_option_function<std::string>(name, set, help)->type_name(type);
+  };
+  add("--creator", content.creator, "FAMILY^GIVEN",
+      "Who made it, for DICOM files (default: nobody is named)");
+  command.add_flag(
+      "--anonymous", content.anonymous,
+      "Leave names, dates and identifiers of the source out of every file: paths, series, and in DICOM "
+      "files patient, study and references");
+  add("--description", content.description, "TEXT", "What it is for, for DICOM files");
+}
+
+}  // namespace
+
 void addRunOutputs(CLI::App& command, RunOutputs& outputs) {
   command
       .add_option(
           "-o,--output", outputs.results,
-          "What to write, by extension: .stl .vtp .ply .obj = the mesh; .nii.gz .nii .nrrd .mha = its "
-          "label map on the input grid; may be given several times")
+          "What to write, by extension: .stl .vtp .ply .obj .3mf = the mesh; .nii.gz .nii .nrrd .mha = its "
+          "label map on the input grid; .seg.nrrd = the same as 3D Slicer's segmentation; for a volume read "
+          "from DICOM, too: .seg.dcm = a DICOM Segmentation, .stl.dcm = the mesh as DICOM Encapsulated STL; "
+          "may be given several times")
       ->type_name("OUT")
       ->expected(1)
       ->take_all()
@@ -34,6 +60,12 @@ void addRunOutputs(CLI::App& command, RunOutputs& outputs) {
       ->type_name("F.json");
   command.add_option("--picture", outputs.picture, "Three slices with the outline, and the surface (PNG)")
       ->type_name("F.png");
+  command
+      .add_option("--label-description", outputs.labelDescription,
+                  "Names and colours of the labels for ITK-SNAP (text)")
+      ->type_name("F.txt");
+  addObjectOptions(command, outputs.object);
+  addContent(command, outputs.content);
   command.add_flag("--quiet", outputs.quiet, "No progress and no summary");
 }
 
@@ -65,6 +97,7 @@ void checkOutputs(const RunOutputs& outputs, const std::vector<std::string>& inp
   if (!outputs.report.empty()) files.push_back({"--report", outputs.report});
   if (!outputs.session.empty()) files.push_back({"--session", outputs.session});
   if (!outputs.trace.empty()) files.push_back({"--trace", outputs.trace});
+  if (!outputs.labelDescription.empty()) files.push_back({"--label-description", outputs.labelDescription});
   if (!outputs.picture.empty()) {
     files.push_back({"--picture", outputs.picture});
     checkPictureExtension(files.back());
@@ -140,10 +173,22 @@ void printSummary(const RunReport& report) {
                 held.iteration, eventKindName(held.kind), held.place.x(), held.place.y(), held.place.z());
 }
 
-void writeSideFiles(const RunReport& report, const RunOutputs& outputs) {
+void writeSideFiles(RunReport report, const RunOutputs& outputs) {
+  if (outputs.content.anonymous) report = anonymous(std::move(report));
   if (!outputs.session.empty()) writeSession(report.session, outputs.session);
   if (!outputs.trace.empty()) writeTextAtomically(outputs.trace, traceText(report));
   if (!outputs.report.empty()) writeTextAtomically(outputs.report, reportText(report));
+}
+
+ExportContext contextOf(const RunReport& report, const RunOutputs& outputs) {
+  return {report.volume.grid, report.session.space, report.volume.dicom, outputs.content};
+}
+
+void writeObjects(const std::vector<ExportedObject>& objects, const RunReport& report,
+                  const RunOutputs& outputs) {
+  writeResults(objects, contextOf(report, outputs), outputs.results);
+  if (!outputs.labelDescription.empty())
+    writeTextAtomically(outputs.labelDescription, labelDescription(objects));
 }
 
 }  // namespace
@@ -152,8 +197,10 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
   Stopwatch watch;
   RunReport report;
   report.session = std::move(loaded.session);
+  report.session.label = chosenLabel(outputs.object, report.session.label);
   report.volume = std::move(loaded.info);
   report.seconds.load = loaded.loadSeconds;
+  for (const std::string& path : outputs.results) checkResult(path, contextOf(report, outputs));
   std::optional<Volume> shown;  // the voxels are not kept in memory for nothing
   if (!outputs.picture.empty()) shown = loaded.volume;
   auto contour = std::make_optional<ActiveContour>(std::move(loaded.volume), report.session.seeds,
@@ -179,7 +226,7 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
   for (const std::string& d : report.doubts) std::fprintf(stderr, "handlebody-cli: warning: %s\n", d.c_str());
   {
     DeferSignals whole;
-    writeResults(mesh, report.volume.grid, outputs.results, report.session.space);
+    writeObjects({{report.session.label, mesh}}, report, outputs);
     if (shown) writePicture(*shown, mesh, outputs.picture);
     report.seconds.exported = watch.lap();
     const Timings& s = report.seconds;

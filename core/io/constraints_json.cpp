@@ -31,7 +31,8 @@ Json constraintsToJson(const Constraints& c) {
   for (const WallBall& w : c.walls.balls)
     json["walls"].push_back({{"centre", vectorToJson(w.centre)}, {"radius", w.radius}});
   if (c.walls.map) {
-    json["wall_map"] = {{"path", c.walls.map->path}};
+    json["wall_map"] = {{"path", nullptr}};
+    if (!c.walls.map->path.empty()) json["wall_map"]["path"] = c.walls.map->path;
     if (!c.walls.map->sha256.empty()) json["wall_map"]["sha256"] = c.walls.map->sha256;
   }
   for (const Veto& v : c.vetoes)
@@ -49,7 +50,8 @@ Constraints constraintsFromJson(const Json& json) {
     for (const Json& wall : json.at("walls")) c.walls.balls.push_back(ballFromJson(wall));
   if (json.contains("wall_map")) {
     const Json& map = json.at("wall_map");
-    c.walls.map = WallMap{map.at("path").get<std::string>(), map.value("sha256", std::string()), nullptr};
+    c.walls.map = WallMap{{}, map.value("sha256", std::string()), nullptr};
+    if (!map.at("path").is_null()) c.walls.map->path = map.at("path").get<std::string>();
   }
   if (json.contains("vetoes"))
     for (const Json& veto : json.at("vetoes")) c.vetoes.push_back(vetoFromJson(veto));

@@ -8,7 +8,7 @@
 namespace handlebody {
 
 //! {"walls": [{"centre", "radius"}], "wall_map": {"path", "sha256"}, "vetoes": [{"iteration", "place"}],
-//! "components", "genus", "allowed": [place]}, each only where there are any.
+//! "components", "genus", "allowed": [place]}, each only where there are any; the path is null if anonymous.
 Json constraintsToJson(const Constraints& constraints);
 
 //! The inverse; the voxels of the label map are not read. Throws Json::exception and UsageError.

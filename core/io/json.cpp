@@ -86,7 +86,7 @@ Json certificateToJson(const Certificate& certificate) {
 }
 
 Json referenceToJson(const VolumeReference& volume) {
-  Json json = {{"path", volume.path}, {"sha256", volume.sha256}};
+  Json json = {{"path", volume.path.empty() ? Json(nullptr) : Json(volume.path)}, {"sha256", volume.sha256}};
   if (volume.selection.series) json["series"] = *volume.selection.series;
   if (volume.selection.frame) json["frame"] = *volume.selection.frame;
   if (volume.selection.spacing) json["given_spacing"] = vectorToJson(*volume.selection.spacing);
@@ -134,6 +134,10 @@ Json changesToJson(const std::vector<ParameterChange>& changes) {
   return list;
 }
 
+Json labelToJson(const ObjectLabel& label) {
+  return {{"name", label.name}, {"colour", label.colour}, {"value", label.value}, {"term", label.term}};
+}
+
 }  // namespace
 
 Json requestToJson(const Session& session) {
@@ -143,6 +147,7 @@ Json requestToJson(const Session& session) {
   if (!session.constraints.empty()) json["constraints"] = constraintsToJson(session.constraints);
   if (!session.changes.empty()) json["changes"] = changesToJson(session.changes);
   if (session.stopAt) json["stop_at"] = *session.stopAt;
+  if (!(session.label == ObjectLabel{})) json["label"] = labelToJson(session.label);
   return json;
 }
 
@@ -339,6 +344,27 @@ std::vector<ParameterChange> changesFromJson(const Json& json) {
   return changes;
 }
 
+ObjectLabel labelFromJson(const Json& json) {
+  ObjectLabel label;
+  label.name = json.at("name").get<std::string>();
+  if (const std::string fault = objectNameFault(label.name); !fault.empty())
+    throw UsageError("the name of the object " + fault + ".");
+  label.term = json.at("term").get<std::string>();
+  if (!termFromName(label.term)) throw UsageError("there is no term '" + label.term + "'.");
+  label.value = integerFromJson(json.at("value"));
+  if (label.value < 1 || label.value > kLargestLabel)
+    throw UsageError("the object's label value is not within 1 and 65535.");
+  const Json& colour = json.at("colour");
+  if (!colour.is_array() || colour.size() != label.colour.size())
+    throw UsageError("the object's colour is not a list of three numbers.");
+  for (std::size_t i = 0; i < label.colour.size(); ++i) {
+    const int part = integerFromJson(colour[i]);
+    if (part < 0 || part > 255) throw UsageError("the object's colour is not within 0 and 255.");
+    label.colour[i] = static_cast<std::uint8_t>(part);
+  }
+  return label;
+}
+
 }  // namespace
 
 void readRequest(const Json& json, Session& session) {
@@ -348,6 +374,7 @@ void readRequest(const Json& json, Session& session) {
   if (json.contains("changes")) session.changes = changesFromJson(json.at("changes"));
   if (json.contains("stop_at") && !json.at("stop_at").is_null())
     session.stopAt = iterationFromJson(json.at("stop_at"));
+  if (json.contains("label")) session.label = labelFromJson(json.at("label"));
   session.seeds = clicksFromJson(json.at("seeds"));
 }
 

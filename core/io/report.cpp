@@ -83,6 +83,15 @@ const char* endName(StopReason stopped) {
   return stopped == StopReason::running ? "stop-at" : stopReasonName(stopped);
 }
 
+RunReport anonymous(RunReport report) {
+  report.session = anonymous(std::move(report.session));
+  for (std::string& warning : report.volume.warnings) {
+    const auto list = warning.find(": ");
+    if (list != std::string::npos) warning = warning.substr(0, list) + ".";
+  }
+  return report;
+}
+
 std::string reportText(const RunReport& report) {
   const ResolvedParameters& resolved = report.session.resolved.value();
   Json json = headToJson(report);

@@ -42,6 +42,10 @@ struct RunReport {
 //! Why a growth ended, as in the report: stopReasonName, and "stop-at" where it was asked to end there.
 const char* endName(StopReason stopped);
 
+//! Without what may name the patient: as the session's, and without the names of files and series that
+//! warnings of the volume list behind a colon.
+RunReport anonymous(RunReport report);
+
 //! The report as JSON text, without the traces of the events.
 std::string reportText(const RunReport& report);
 

@@ -63,6 +63,24 @@ TEST_CASE("a label map is a wall, and its session refuses another one", "[cli][c
               .exitCode == 0);
   REQUIRE(runCli({"replay", folder / "s.json", "-o", folder / "b.stl"}).exitCode == 0);
   CHECK(readBytes(folder / "a.stl") == readBytes(folder / "b.stl"));
+
+  // Anonymous, neither session nor report names the files.
+  REQUIRE(
+      runCli({"segment", phantom.path, "--seed", phantom.seed, "--walls", folder / "w.mha", "-o",
+              folder / "a.stl", "--session", folder / "n.json", "--report", folder / "r.json", "--anonymous"})
+          .exitCode == 0);
+  for (const char* file : {"n.json", "r.json"}) {
+    CHECK(readBytes(folder / file).find("w.mha") == std::string::npos);
+    const Outcome unnamed =
+        runCli({"replay", folder / file, "--volume", phantom.path, "-o", folder / "d.stl"});
+    CHECK(unnamed.exitCode == 3);
+    CHECK_THAT(unnamed.err, Contains("--walls"));
+    REQUIRE(runCli({"replay", folder / file, "--volume", phantom.path, "--walls", folder / "w.mha", "-o",
+                    folder / "b.stl"})
+                .exitCode == 0);
+    CHECK(readBytes(folder / "a.stl") == readBytes(folder / "b.stl"));
+  }
+
   REQUIRE(runCli({"segment", phantom.path, "--seed", other, "--max-iterations", "3", "-o", folder / "w.mha"})
               .exitCode == 5);
   const Outcome changed = runCli({"replay", folder / "s.json", "-o", folder / "c.stl"});

@@ -90,14 +90,16 @@ void Document::exportResult(const QString& path, CoordinateSpace space) {
         tr("Nothing is left of the surface at this iteration: step back to one that has some."));
     return;
   }
-  d_->files.post([this, path, space, shown, grid = d_->work->volume.grid] {
-    const QString failed = sentenceOf(
-        [&] { writeResults(certifiedForExport(shown->mesh).mesh, grid, {fileName(path)}, space); });
-    QMetaObject::invokeMethod(
-        this,
-        [this, path, failed] { failed.isEmpty() ? Q_EMIT exported(path) : Q_EMIT exportFailed(failed); },
-        Qt::QueuedConnection);
-  });
+  d_->files.post(
+      [this, path, shown, context = ExportContext{d_->work->volume.grid, space, d_->work->info.dicom, {}}] {
+        const QString failed = sentenceOf([&] {
+          writeResults({{ObjectLabel{}, certifiedForExport(shown->mesh).mesh}}, context, {fileName(path)});
+        });
+        QMetaObject::invokeMethod(
+            this,
+            [this, path, failed] { failed.isEmpty() ? Q_EMIT exported(path) : Q_EMIT exportFailed(failed); },
+            Qt::QueuedConnection);
+      });
 }
 
 void Document::exportReport(const QString& path) {
