@@ -127,7 +127,7 @@ void EventInspector::followIteration() {
     return i >= 0 && i < static_cast<int>(events.size()) &&
            events[static_cast<std::size_t>(i)].iteration == document_.iteration();
   };
-  if (isHere(index_)) return;
+  if (isHere(index_)) return offerConstraint();  // what is held there may have changed
   int first = -1;
   for (int i = 0; i < static_cast<int>(events.size()) && first < 0; ++i)
     if (isHere(i) && changesTopology(events[static_cast<std::size_t>(i)].kind)) first = i;
