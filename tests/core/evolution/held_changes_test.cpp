@@ -146,6 +146,7 @@ TEST_CASE("a component that may not be deleted is kept, as small as it is", "[ve
   CHECK(certify(contour.mesh().compact()).components == 1);
   REQUIRE(contour.held().size() == 1);
   CHECK(contour.held()[0].kind == EventKind::componentDeleted);
+  CHECK(contour.held()[0].times == 1);  // and then it rests in peace
 }
 
 TEST_CASE("a veto without sense is refused with one sentence", "[veto]") {
