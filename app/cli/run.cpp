@@ -14,6 +14,7 @@
 #include "core/io/label_map.h"
 #include "core/io/picture.h"
 #include "core/io/result.h"
+#include "core/io/wall_map.h"
 
 namespace handlebody::cli {
 
@@ -78,6 +79,15 @@ void addSpace(CLI::App& command, std::optional<CoordinateSpace>& space) {
       ->type_name("LPS|RAS");
 }
 
+std::vector<std::string> inputsOf(const Session& session) {
+  std::vector<std::string> inputs{session.volume.path};
+  if (session.constraints.walls.map) inputs.push_back(session.constraints.walls.map->path);
+  for (const ParameterChange& change : session.changes)
+    if (change.constraints && change.constraints->walls.map)
+      inputs.push_back(change.constraints->walls.map->path);
+  return inputs;
+}
+
 void checkOutputs(const RunOutputs& outputs, const std::vector<std::string>& inputs) {
   std::vector<OutputFile> files;
   for (const std::string& path : outputs.results) {
@@ -116,6 +126,7 @@ LoadedSession load(Session session) {
   loaded.info = std::move(read.info);
   for (const std::string& warning : loaded.info.warnings)
     std::fprintf(stderr, "handlebody-cli: warning: %s\n", warning.c_str());
+  loadWalls(session, loaded.volume.grid);
   loaded.session = std::move(session);
   loaded.loadSeconds = watch.lap();
   return loaded;
@@ -131,7 +142,7 @@ void evolve(ActiveContour& contour, RunReport& report, const RunOutputs& outputs
   const int last = report.session.stopAt.value_or(std::numeric_limits<int>::max());
   while (contour.iteration() < last) {
     if (change != report.session.changes.end() && change->iteration == contour.iteration()) {
-      contour.change(changed({contour.requestedSeeds(), contour.requested()}, *change));
+      contour.change(changed(contour.request(), *change));
       if (change->seeds && contour.correction())
         report.corrections.push_back({contour.iteration(), *contour.correction()});
       ++change;
@@ -141,8 +152,13 @@ void evolve(ActiveContour& contour, RunReport& report, const RunOutputs& outputs
     progress.show(step);
     std::move(step.events.begin(), step.events.end(), std::back_inserter(report.events));
   }
+  if (const auto veto = contour.waitingVeto(); veto && contour.stopReason() != StopReason::running)
+    throw UsageError("The veto of iteration " + std::to_string(veto->iteration) +
+                     " has nothing to forbid: the growth ended at iteration " +
+                     std::to_string(contour.iteration()) + ".");
   report.iterations = contour.iteration();
   report.stopped = contour.stopReason();
+  report.held = contour.held();
 }
 
 void printSummary(const RunReport& report) {
@@ -152,6 +168,9 @@ void printSummary(const RunReport& report) {
   std::printf("%s after %d iterations (%.2f s): components %d, genus %s, %d vertices, %.4g ml, %.4g cm2\n",
               endName(report.stopped), report.iterations, report.seconds.total, mesh.components,
               genus.c_str(), mesh.vertices, mesh.volume / 1000.0, mesh.area / 100.0);
+  for (const HeldPlace& held : report.held)
+    std::printf("held by %s since iteration %d: %s at %.4g,%.4g,%.4g\n", held.isVetoed ? "a veto" : "a limit",
+                held.iteration, eventKindName(held.kind), held.place.x(), held.place.y(), held.place.z());
 }
 
 void writeSideFiles(RunReport report, const RunOutputs& outputs) {
@@ -185,7 +204,7 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
   std::optional<Volume> shown;  // the voxels are not kept in memory for nothing
   if (!outputs.picture.empty()) shown = loaded.volume;
   auto contour = std::make_optional<ActiveContour>(std::move(loaded.volume), report.session.seeds,
-                                                   report.session.requested);
+                                                   report.session.requested, report.session.constraints);
   report.session.resolved = contour->parameters();
   report.candidates = contour->candidates();
   report.isCloseChoice = contour->isCloseChoice();

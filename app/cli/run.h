@@ -30,6 +30,9 @@ void addRunOutputs(CLI::App& command, RunOutputs& outputs);
 //! Adds --space; LPS unless given.
 void addSpace(CLI::App& command, std::optional<CoordinateSpace>& space);
 
+//! The files that a session reads: no output may be one of them.
+std::vector<std::string> inputsOf(const Session& session);
+
 //! Before any work: throws UsageError if an output has no known extension or cannot be written.
 void checkOutputs(const RunOutputs& outputs, const std::vector<std::string>& inputs);
 

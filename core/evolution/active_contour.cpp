@@ -6,11 +6,15 @@
 #include "core/collision/self_intersection.h"
 #include "core/errors.h"
 #include "core/evolution/clicked_object.h"
+#include "core/evolution/collapsed_components.h"
 #include "core/evolution/image_doubts.h"
 #include "core/evolution/motion.h"
 #include "core/evolution/object_image.h"
+#include "core/evolution/quiet_vertices.h"
 #include "core/evolution/resting_places.h"
+#include "core/evolution/scratch.h"
 #include "core/evolution/seeds.h"
+#include "core/evolution/wall_guard.h"
 #include "core/mesh/morton_order.h"
 #include "core/mesh/remesh.h"
 #include "core/mesh/topology.h"
@@ -27,32 +31,21 @@ constexpr double kShortest = 0.55;
 constexpr double kStep =
     0.28;  // largest move along the normal: two fronts come closer by little more than s / 3
 constexpr double kStepVoxels = 0.9;  // and never further than this many voxels of the finest axis
-constexpr double kQuiet = 0.015;     // a vertex that moves less than this is quiet
-constexpr double kStirring = 0.1;    // a neighbour that moves more than this wakes a sleeper
 constexpr double kCollapsed = 1.0;   // a component of less extent than this is gone
 constexpr double kAgrees = 0.5;      // voxels between a boundary and a surface that agree
 constexpr double kShrinks = 4;       // more than a component loses of its extent in one step
 
-constexpr int kQuietToSleep = 3;  // iterations
 constexpr int kQuietToStop = 3;   // iterations without motion or event
 constexpr int kStillToStop = 40;  // iterations in which next to nothing moves and nothing happens
 constexpr double kNextToNothing =
     0.001;  // part of the vertices: single ones may tremble between two faces of a noisy voxel
 constexpr int kRounds = 5;                // of detection and surgery in one step
 constexpr int kAttempts = 8;              // at one step before all of it is rolled back
+constexpr int kHeldAttempts = 60;         // the same where changes of topology are held one after the other
 constexpr double kGrowthToReorder = 1.5;  // of the mesh, until its vertices are put into order again
 constexpr int kFitsIntoCache = 3000;      // vertices: any order will do
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
-
-//! What only saves work and decides nothing: a copy starts without it.
-template <typename T>
-struct Scratch : T {
-  Scratch() = default;
-  Scratch(const Scratch&) : T() {}
-  Scratch& operator=(const Scratch&) = delete;
-  using T::operator=;
-};
 
 }  // namespace
 
@@ -63,12 +56,15 @@ struct ActiveContour::State {
   Volume volume;
   std::vector<Seed> seeds;  // as asked for
   Parameters requested;
+  Constraints constraints;
+  WallGuard walls;
   ClickedObject object;
   ResolvedParameters parameters;
   MotionSettings motion;
   RemeshLimits limits;
   Scratch<CollisionDetector> detector;
   RestingPlaces resting;
+  HeldChanges held;  // what the constraints forbid
   std::optional<Correction> correction;
   double automaticEdge = 0;  // mm; what the edge length is if none is asked for
   TopologyNumbers topology;
@@ -85,6 +81,7 @@ struct ActiveContour::State {
   struct Attempt {
     std::vector<Event> events;
     std::vector<Trouble> troubles;
+    std::vector<HeldChange> held;
     std::vector<int> moving;        // vertices that were asked to move
     std::vector<double> distances;  // how far, mm
     std::vector<unsigned char> touched;
@@ -98,6 +95,7 @@ struct ActiveContour::State {
   void resolve(const Parameters& p);
   void begin();
   void change(const Request& to, const State* prepared);
+  void chooseWalls();
   void forgetRest();
   void correct();
   void beginAnew();
@@ -110,7 +108,6 @@ struct ActiveContour::State {
   void accept(Attempt& a, StepReport& report);
   void restRepeated(StepReport& report);
   Event rolledBack(const Vec3& place, const char* reason) const;
-  void updateQuiet(const Attempt& a);
   void decideStop(const StepReport& report);
   StopReason restReason() const;
   StepReport step();
@@ -119,9 +116,10 @@ struct ActiveContour::State {
 //! Two voxels, but finer in thin structures.
 void ActiveContour::State::chooseEdge() {
   const double voxel = volume.grid.meanSpacing();
+  const auto image = object.image->behind(nullptr);
   double fit = 0;
   for (const Seed& s : seedsOfSide(seeds, false))
-    fit = std::max(fit, fittingRadius(*object.image, s.centre, 8 * voxel));
+    fit = std::max(fit, fittingRadius(*image, s.centre, 8 * voxel));
   automaticEdge = std::clamp(0.6 * fit / voxel, 1.0, 2.0) * voxel;
 }
 
@@ -147,11 +145,20 @@ void ActiveContour::State::resolve(const Parameters& p) {
   motion.outwardOnly = p.direction == Direction::outward;
   motion.threads = p.threads;
   limits = {kLongest * edge, kShortest * edge};
+  chooseWalls();
+}
+
+void ActiveContour::State::chooseWalls() {
+  walls.choose(constraints.walls, volume.grid, parameters.edgeLength, motion.largestStep);
+  object.image = object.image->behind(walls.all());
+  limits.forbidden = walls.forbidden();
 }
 
 void ActiveContour::State::begin() {
-  const std::vector<Seed> inside = fitSeeds(*object.image, seedsOfSide(seeds, false), parameters.edgeLength,
-                                            parameters.direction == Direction::both);
+  const std::vector<Seed> asked = seedsOfSide(seeds, false);
+  std::vector<Seed> inside =
+      fitSeeds(*object.image, asked, parameters.edgeLength, parameters.direction == Direction::both);
+  if (walls.all()) inside = clearOfWalls(inside, asked, *walls.all(), limits.shortest);
   mesh = seedMesh(inside, parameters.edgeLength);
   resolveSeeds(inside);
   quiet.assign(idx(mesh.vertexSlots()), 0);
@@ -169,11 +176,16 @@ void ActiveContour::State::resolveSeeds(const std::vector<Seed>& inside) {
 
 void ActiveContour::State::change(const Request& to, const State* prepared) {
   requireSensible(to.parameters);
+  requireSensible(to.constraints, volume.grid);
+  const WallList known = constraints.walls;
+  const bool otherWalls = to.constraints.walls != known;
   const bool otherClicks = to.seeds != seeds;
   const bool otherImage = prepared || otherClicks || !chooseSameImage(to.parameters, requested);
-  const bool wake = otherClicks || !moveAlike(to.parameters, requested);
+  const bool freed = held.choose(to.constraints, iteration);
+  const bool wake = otherClicks || otherWalls || freed || !moveAlike(to.parameters, requested);
   const bool sleepsOn = otherClicks && haveSameForces(to.parameters, requested);
   seeds = to.seeds;
+  constraints = to.constraints;
   if (prepared)
     object = prepared->object;
   else if (otherImage)
@@ -183,6 +195,8 @@ void ActiveContour::State::change(const Request& to, const State* prepared) {
   if (wake) forgetRest();
   if (wake && !sleepsOn) quiet.assign(idx(mesh.vertexSlots()), 0);
   if (otherClicks) correct();
+  walls.putUp(mesh, known, mayShrink());
+  limits.forbidden = walls.forbidden();
   if (stop == StopReason::maxIterations || (wake && mesh.faceCount() > 0)) stop = StopReason::running;
   if (stop == StopReason::running && iteration >= to.parameters.maxIterations)
     stop = StopReason::maxIterations;
@@ -236,7 +250,8 @@ std::vector<int> ActiveContour::State::verticesToMove() const {
   std::vector<int> out;
   const bool anyRest = resting.any(iteration);
   for (int v = 0; v < mesh.vertexSlots(); ++v)
-    if (mesh.isVertex(v) && !sleeps(v) && !(anyRest && resting.rests(mesh.position(v), iteration)))
+    if (mesh.isVertex(v) && !sleeps(v) && !(anyRest && resting.rests(mesh.position(v), iteration)) &&
+        !held.rests(mesh.position(v)))
       out.push_back(v);
   return out;
 }
@@ -247,20 +262,25 @@ ActiveContour::State::Attempt ActiveContour::State::attempt() {
   std::vector<Vec3> moves = computeMotion(mesh, *object.image, motion, a.moving);
   for (std::size_t i = 0; i < moves.size(); ++i) moves[i] *= resting.pace(mesh.position(a.moving[i]));
   a.touched.assign(idx(mesh.vertexSlots()), 0);
+  walls.bound(mesh, a.moving, motion.largestStep, moves);
   for (std::size_t i = 0; i < moves.size(); ++i) {
     mesh.setPosition(a.moving[i], mesh.position(a.moving[i]) + moves[i]);
-    a.distances.push_back(moves[i].norm());
     a.touched[idx(a.moving[i])] = 1;
   }
+  walls.holdBack(mesh, before, a.moving, moves);
+  for (const Vec3& move : moves) a.distances.push_back(move.norm());
   regulate(mesh, limits, a.touched);
   adapt(a);
   if (a.troubles.empty()) deleteCollapsed(a);
+  if (const auto place = walls.broken(mesh, a.touched, a.events); a.troubles.empty() && place)
+    a.troubles.push_back({*place, 2 * limits.longest, "the surface would have entered a wall"});
+  if (a.troubles.empty()) a.held = held.judge(a.events, iteration, limits.longest);
   return a;
 }
 
 //! Detection and surgery until nothing intersects, or until a place has to be rolled back.
 void ActiveContour::State::adapt(Attempt& a) {
-  AdaptationSettings settings{!mayShrink(), traces, iteration, topology, {}};
+  AdaptationSettings settings{!mayShrink(), traces, iteration, topology, {}, limits.forbidden};
   settings.cameBack = [this](const Vec3& p) { return resting.cameBack(p, limits.longest); };
   std::vector<unsigned char> changed = a.touched;
   for (int round = 0; round < kRounds; ++round) {
@@ -301,50 +321,14 @@ void ActiveContour::State::deleteCollapsed(Attempt& a) {
       std::count_if(parts.volume.begin(), parts.volume.end(), [](double v) { return v < 0; });
   const bool mayHaveTurned = knownCavities != cavities || (mayShrink() && !a.events.empty());
   knownCavities = cavities;
-  std::vector<int> first(parts.vertices.size(), -1);
-  for (int v = mesh.vertexSlots() - 1; v >= 0; --v)
-    if (mesh.isVertex(v)) first[idx(parts.ofVertex[idx(v)])] = v;
-  for (std::size_t c = 0; c < first.size(); ++c) {
-    const bool isTurned = mayHaveTurned && isMisplaced(mesh, parts, static_cast<int>(c));
-    if (parts.extent[c] >= kCollapsed * parameters.edgeLength && !isTurned) continue;
-    Event event;
-    event.kind = EventKind::componentDeleted;
-    event.iteration = iteration;
-    event.location = mesh.position(first[c]);
-    event.before = topologyNumbers(mesh);
-    deleteComponent(mesh, first[c]);
-    event.after = topologyNumbers(mesh);
-    a.events.push_back(std::move(event));
-  }
-}
-
-void ActiveContour::State::updateQuiet(const Attempt& a) {
-  const std::size_t known = quiet.size();
-  quiet.resize(idx(mesh.vertexSlots()), 0);
-  // Vertices that surgery made, moved or gave new faces are awake.
-  std::vector<unsigned char> wasMoved(quiet.size(), 0);
-  for (int v : a.moving) wasMoved[idx(v)] = 1;
-  for (std::size_t v = 0; v < quiet.size(); ++v)
-    if (v >= known || (a.touched[v] != 0 && wasMoved[v] == 0)) quiet[v] = 0;
-  const double quietMove = kQuiet * parameters.edgeLength, stirringMove = kStirring * parameters.edgeLength;
-  for (std::size_t i = 0; i < a.moving.size(); ++i) {
-    unsigned char& q = quiet[idx(a.moving[i])];
-    if (idx(a.moving[i]) >= known || !mesh.isVertex(a.moving[i])) continue;
-    q = a.distances[i] < quietMove ? static_cast<unsigned char>(std::min(q + 1, kQuietToSleep))
-                                   : static_cast<unsigned char>(0);
-  }
-  // Those that stir wake their neighbours. Face by face, in the order of memory: far quicker than a walk from
-  // neighbour to neighbour.
-  std::fill(wasMoved.begin(), wasMoved.end(), static_cast<unsigned char>(0));
-  for (std::size_t i = 0; i < a.moving.size(); ++i)
-    wasMoved[idx(a.moving[i])] = a.distances[i] > stirringMove;
-  for (const Triangle& t : mesh.faces())
-    if (t[0] >= 0 && (wasMoved[idx(t[0])] | wasMoved[idx(t[1])] | wasMoved[idx(t[2])]) != 0)
-      for (const int v : t) quiet[idx(v)] = 0;
+  const auto isKept = [this](const Vec3& p) { return held.rests(p); };
+  for (Event& e : deleteCollapsedComponents(
+           mesh, parts, {kCollapsed * parameters.edgeLength, mayHaveTurned, iteration, isKept}))
+    a.events.push_back(std::move(e));
 }
 
 void ActiveContour::State::accept(Attempt& a, StepReport& report) {
-  updateQuiet(a);
+  countQuiet(mesh, {a.moving, a.distances, a.touched}, parameters.edgeLength, quiet);
   for (double d : a.distances) {
     report.movedVertices += d >= kQuiet * parameters.edgeLength;
     report.largestMove = std::max(report.largestMove, d);
@@ -393,9 +377,9 @@ StopReason ActiveContour::State::restReason() const {
   for (int v = 0; v < mesh.vertexSlots(); ++v)
     if (mesh.isVertex(v) && resting.rests(mesh.position(v), iteration)) resters.push_back(v);
   const std::vector<Vec3> moves = computeMotion(mesh, *object.image, motion, resters);
-  const bool held = std::any_of(moves.begin(), moves.end(),
-                                [&](const Vec3& m) { return m.norm() >= kQuiet * parameters.edgeLength; });
-  if (!held) return StopReason::converged;
+  const bool wouldMove = std::any_of(
+      moves.begin(), moves.end(), [&](const Vec3& m) { return m.norm() >= kQuiet * parameters.edgeLength; });
+  if (!wouldMove) return StopReason::converged;
   return static_cast<int>(resters.size()) == mesh.vertexCount() ? StopReason::stuck : StopReason::frozen;
 }
 
@@ -410,15 +394,24 @@ StepReport ActiveContour::State::step() {
   };
   for (int tries = 0;; ++tries) {
     Attempt a = attempt();
-    if (a.troubles.empty()) {
+    if (a.troubles.empty() && a.held.empty()) {
       accept(a, report);
       break;
     }
     mesh = before;
     for (const Trouble& t : a.troubles) rollBack(t);
-    if (tries + 1 < kAttempts) continue;
-    rollBack({a.troubles[0].centre, 1e3 * parameters.edgeLength, "no part of the step could be kept"});
+    for (const HeldChange& h : a.held) {
+      report.events.push_back(rolledBack(h.place, h.reason));
+      report.events.back().held = h.kind;
+    }
+    if (tries + 1 < (a.held.empty() ? kAttempts : kHeldAttempts)) continue;
+    rollBack({a.held.empty() ? a.troubles[0].centre : a.held[0].place, 1e3 * parameters.edgeLength,
+              "no part of the step could be kept"});
     break;
+  }
+  if (walls.isPushing()) {
+    walls.release(mesh);
+    limits.forbidden = walls.forbidden();
   }
   // Of the mesh that is left, also when all of the step was rolled back.
   report.settledVertices = std::max(0, mesh.vertexCount() - report.movedVertices);
@@ -427,9 +420,13 @@ StepReport ActiveContour::State::step() {
   return report;
 }
 
-ActiveContour::ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters parameters)
+ActiveContour::ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters parameters,
+                             Constraints constraints)
     : state_(std::make_unique<State>()) {
   requireSensible(parameters);
+  requireSensible(constraints, volume.grid);
+  state_->held.choose(constraints, 0);
+  state_->constraints = std::move(constraints);
   state_->volume = std::move(volume);
   state_->seeds = std::move(seeds);
   state_->object = findClickedObject(state_->volume, state_->seeds, parameters);
@@ -452,16 +449,20 @@ void ActiveContour::change(const Request& request) {
 }
 void ActiveContour::change(const ActiveContour& prepared) {
   auto changed = std::make_unique<State>(*state_);
-  changed->change({prepared.requestedSeeds(), prepared.requested()}, prepared.state_.get());
+  changed->change(prepared.request(), prepared.state_.get());
   state_ = std::move(changed);
 }
 const std::optional<Correction>& ActiveContour::correction() const { return state_->correction; }
-ActiveContour ActiveContour::restarted(const Parameters& parameters) const {
-  if (!chooseSameImage(parameters, requested())) return {state_->volume, state_->seeds, parameters};
+ActiveContour ActiveContour::restarted(const Parameters& parameters, const Constraints& constraints) const {
+  if (!chooseSameImage(parameters, requested()))
+    return {state_->volume, state_->seeds, parameters, constraints};
   requireSensible(parameters);
+  requireSensible(constraints, grid());
   auto fresh = std::make_unique<State>();
   fresh->volume = state_->volume;
   fresh->seeds = state_->seeds;
+  fresh->constraints = constraints;
+  fresh->held.choose(fresh->constraints, 0);
   fresh->object = state_->object;
   fresh->chooseEdge();
   fresh->resolve(parameters);
@@ -471,9 +472,13 @@ ActiveContour ActiveContour::restarted(const Parameters& parameters) const {
 StopReason ActiveContour::stopReason() const { return state_->stop; }
 int ActiveContour::iteration() const { return state_->iteration; }
 const Mesh& ActiveContour::mesh() const { return state_->mesh; }
+const Grid& ActiveContour::grid() const { return state_->volume.grid; }
 const ResolvedParameters& ActiveContour::parameters() const { return state_->parameters; }
 const Parameters& ActiveContour::requested() const { return state_->requested; }
 const std::vector<Seed>& ActiveContour::requestedSeeds() const { return state_->seeds; }
+const Constraints& ActiveContour::constraints() const { return state_->constraints; }
+std::optional<Veto> ActiveContour::waitingVeto() const { return state_->held.waiting(); }
+std::vector<HeldPlace> ActiveContour::held() const { return state_->held.list(); }
 const std::vector<ObjectCandidate>& ActiveContour::candidates() const { return state_->object.candidates; }
 bool ActiveContour::isCloseChoice() const { return state_->object.isCloseChoice; }
 bool ActiveContour::isSettled(int vertex) const { return state_->sleeps(vertex); }
@@ -483,6 +488,8 @@ std::size_t ActiveContour::memory() const {
 SurfaceSupport ActiveContour::support() const { return surfaceSupport(state_->mesh, *state_->object.image); }
 std::vector<std::string> ActiveContour::doubts(const SurfaceSupport& support) const {
   std::vector<std::string> doubts = imageDoubts(state_->mesh, *state_->object.image, support);
+  if (state_->walls.isPushing()) doubts.push_back("the surface still lies in a wall that was put over it");
+  for (std::string& d : state_->held.doubts()) doubts.push_back(std::move(d));
   if (state_->object.neckRadius > 0) doubts.push_back(heldAtPassages(state_->object.neckRadius));
   return doubts;
 }

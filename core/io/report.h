@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/evolution/correction.h"
+#include "core/evolution/held_changes.h"
 #include "core/evolution/step_report.h"
 #include "core/io/session.h"
 #include "core/mesh/certificate.h"
@@ -34,6 +35,7 @@ struct RunReport {
   Timings seconds;
   Certificate mesh;  //!< of the exported mesh
   std::vector<Event> events;
+  std::vector<HeldPlace> held;                  //!< in the end
   std::vector<RecordedCorrection> corrections;  //!< what came of clicks that were changed on the way
 };
 

@@ -41,7 +41,25 @@ std::string openablePath(const std::string& stored, const std::string& session) 
   return fs::exists(beside) || !fs::exists(stored) ? beside.string() : stored;
 }
 
-Session sessionFromJson(const Json& json, const std::string& path, const std::string& volume) {
+template <typename F>
+void forEachWallMap(Session& session, F&& f) {
+  if (session.constraints.walls.map) f(*session.constraints.walls.map);
+  for (ParameterChange& change : session.changes)
+    if (change.constraints && change.constraints->walls.map) f(*change.constraints->walls.map);
+}
+
+//! `walls`: where the label map of the walls is now; empty: where the session says.
+void locateWalls(Session& session, const std::string& path, const std::string& walls) {
+  forEachWallMap(session, [&](WallMap& map) {
+    if (map.path.empty() && walls.empty())
+      throw UsageError(
+          "it names no label map of its walls, as it is anonymous; say which with replay --walls.");
+    map.path = walls.empty() ? openablePath(map.path, path) : walls;
+  });
+}
+
+Session sessionFromJson(const Json& json, const std::string& path, const std::string& volume,
+                        const std::string& walls) {
   Session session;
   session.version = json.at("version").get<std::string>();
   const Json& input = json.at("input");
@@ -55,6 +73,7 @@ Session sessionFromJson(const Json& json, const std::string& path, const std::st
   }
   readSelection(input, session.volume.selection);
   readRequest(json.at("requested"), session);
+  locateWalls(session, path, walls);
   if (json.contains("view")) session.view = json.at("view").dump();
   return session;
 }
@@ -73,7 +92,11 @@ void writeSession(const Session& session, const std::string& path) {
   if (!session.volume.path.empty()) input["path"] = storedPath(session.volume.path, path);
   if (session.volume.sha256.empty()) input["sha256"] = nullptr;
   json["input"] = std::move(input);
-  json["requested"] = requestToJson(session);
+  Session stored = session;
+  forEachWallMap(stored, [&](WallMap& map) {
+    if (!map.path.empty()) map.path = storedPath(map.path, path);
+  });
+  json["requested"] = requestToJson(stored);
   if (session.resolved) {
     json["parameters"] = resolvedToJson(*session.resolved);
     json["seeds"] = seedsToJson(seedsOfSide(session.resolved->seeds, false));
@@ -86,13 +109,14 @@ Session anonymous(Session session) {
   session.volume.path.clear();
   session.volume.selection.series.reset();
   session.view.clear();
+  forEachWallMap(session, [](WallMap& map) { map.path.clear(); });
   return session;
 }
 
-Session readSession(const std::string& path, const std::string& volume) {
+Session readSession(const std::string& path, const std::string& volume, const std::string& walls) {
   const std::string text = readText(path);
   try {
-    return sessionFromJson(Json::parse(text), path, volume);
+    return sessionFromJson(Json::parse(text), path, volume, walls);
   } catch (const Json::parse_error&) {
     throw InputError(path + " is not a JSON file.");
   } catch (const std::exception& error) {

@@ -24,6 +24,7 @@ struct Session {
   VolumeReference volume;                        //!< in memory, the path is as the caller would open it
   std::vector<Seed> seeds;                       //!< as asked for at the beginning, mm LPS
   Parameters requested;                          //!< the same
+  Constraints constraints{};                     //!< the same; readSession reads no label map (loadWalls)
   std::optional<ResolvedParameters> resolved{};  //!< as used, for the record; not read back
   CoordinateSpace space = CoordinateSpace::lps;  //!< of the mesh files
   ObjectLabel label{};                           //!< of the object, where it is written
@@ -39,13 +40,14 @@ struct Session {
 //! as null, and such a session is read back without one. Throws OutputError.
 void writeSession(const Session& session, const std::string& path);
 
-//! Without what may name the patient: the path of the volume, the series, and what a window keeps. Such a
-//! session says null for the path.
+//! Without what may name the patient: the paths of the volume and of the label map of walls, the series, and
+//! what a window keeps. Such a session says null for the paths.
 Session anonymous(Session session);
 
-//! Reads a session or a report, with `volume` as the path of its volume unless that is empty. A relative path
-//! of the volume is looked for beside the file first, then from the current folder. Throws InputError that
-//! names the file, also for one that names no volume.
-Session readSession(const std::string& path, const std::string& volume = {});
+//! Reads a session or a report, with `volume` as the path of its volume unless that is empty, and `walls` as
+//! that of the label map of its walls. A relative path is looked for beside the file first, then from the
+//! current folder. Throws InputError that names the file, also for one that names no volume, or not the label
+//! map.
+Session readSession(const std::string& path, const std::string& volume = {}, const std::string& walls = {});
 
 }  // namespace handlebody

@@ -35,14 +35,18 @@ bool mayMeetRay(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
 
 }  // namespace
 
+int crossing(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
+  if (!mayMeetRay(a, b, c, p)) return 0;
+  const int covers = coverage(a, b, c, p);
+  return covers != 0 && orient3d(a, b, c, p) == -covers ? covers : 0;  // it lies ahead
+}
+
 int windingNumber(const Mesh& mesh, const Components& parts, int component, const Vec3& p) {
   int crossings = 0;
   for (const Triangle& t : mesh.faces()) {
     if (t[0] < 0) continue;
-    const Vec3 &a = mesh.position(t[0]), &b = mesh.position(t[1]), &c = mesh.position(t[2]);
-    if (!mayMeetRay(a, b, c, p) || parts.ofVertex[static_cast<std::size_t>(t[0])] == component) continue;
-    const int covers = coverage(a, b, c, p);
-    if (covers != 0 && orient3d(a, b, c, p) == -covers) crossings += covers;  // it lies ahead
+    const int crossed = crossing(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]), p);
+    if (crossed != 0 && parts.ofVertex[static_cast<std::size_t>(t[0])] != component) crossings += crossed;
   }
   return crossings;
 }

@@ -37,20 +37,23 @@ Session Document::Private::session() const {
   s.volume = work->reference;
   s.seeds = edits.seeds;
   s.requested = edits.parameters;
+  s.constraints = edits.constraints;
   s.view = view.toStdString();
   const int shown = growth.iteration();
   if (shown < 0) return s;
   s.seeds = growth.beginning().requestedSeeds();
   s.requested = growth.beginning().requested();
+  s.constraints = growth.beginning().constraints();
   s.resolved = growth.beginning().parameters();
   s.stopAt = shown;
   for (const ParameterChange& change : growth.changes())
     if (change.iteration < shown) s.changes.push_back(change);
-  Request last{s.seeds, s.requested};
+  Request last{s.seeds, s.requested, s.constraints};
   for (const ParameterChange& change : s.changes) last = changed(last, change);
   if (last == edits.request()) return s;
   s.changes.push_back({shown, edits.parameters, {}});
   if (last.seeds != edits.seeds) s.changes.back().seeds = edits.seeds;
+  if (last.constraints != edits.constraints) s.changes.back().constraints = edits.constraints;
   return s;
 }
 
@@ -68,6 +71,7 @@ RunReport Document::Private::report() const {
     if (event.iteration <= r.iterations) r.events.push_back(event);
   for (const RecordedCorrection& correction : growth.corrections())
     if (correction.iteration < r.iterations) r.corrections.push_back(correction);
+  if (const auto shown = growth.snapshot()) r.held = shown->held;
   if (growth.exists()) {
     r.candidates = growth.beginning().candidates();
     r.isCloseChoice = growth.beginning().isCloseChoice();

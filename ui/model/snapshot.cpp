@@ -7,7 +7,6 @@
 #include "core/collision/certify.h"
 #include "core/collision/self_intersection.h"
 #include "core/mesh/topology.h"
-#include "ui/model/event_kinds.h"
 
 namespace handlebody::ui {
 
@@ -105,6 +104,7 @@ std::shared_ptr<const MeshSnapshot> makeSnapshot(const History& history, Checkin
         static_cast<int>(findSelfIntersections(snapshot->mesh.points, snapshot->mesh.triangles).size());
   }
   snapshot->support = contour.support();
+  snapshot->held = contour.held();
   if (checking == Checking::everything) snapshot->doubts = contour.doubts(snapshot->support);
   return snapshot;
 }
