@@ -192,18 +192,20 @@ void learn(ClickSearch& s, const ObjectPolicy& policy) {
   countVotes(s.known, s.known, policy);
 }
 
-//! Rank from 0 to 1 among all regions; equal values have equal ranks.
+//! Rank from 0 to 1 among the regions but tubes, so that these change nothing in the order of the others;
+//! equal values have equal ranks.
 std::vector<double> ranks(const std::vector<RankedRegion>& regions, double RankedRegion::*of) {
   std::vector<double> sorted;
-  for (const RankedRegion& r : regions) sorted.push_back(r.*of);
+  for (const RankedRegion& r : regions)
+    if (!r.isTube()) sorted.push_back(r.*of);
   std::sort(sorted.begin(), sorted.end());
   std::vector<double> out;
   const double last = std::max(1.0, static_cast<double>(sorted.size()) - 1);
   for (const RankedRegion& r : regions) {
     const auto [first, end] = std::equal_range(sorted.begin(), sorted.end(), r.*of);
-    out.push_back(
-        (static_cast<double>(first - sorted.begin()) + static_cast<double>(end - sorted.begin()) - 1) /
-        (2 * last));
+    const double middle =
+        (static_cast<double>(first - sorted.begin()) + static_cast<double>(end - sorted.begin()) - 1) / 2;
+    out.push_back(std::clamp(middle / last, 0.0, 1.0));
   }
   return out;
 }
@@ -216,7 +218,8 @@ void setScores(std::vector<RankedRegion>& regions, double searched, const Object
     const double large = std::max(0.0, std::log(r.volume / (p.largePart * searched)));
     const double stable = r.isStar() ? p.agreement * r.map->agreement : p.stability * votes[i];
     r.score = stable + p.edge * edges[i] + p.contrast * contrasts[i] - p.border * (r.border + r.cut) -
-              p.size * large - p.shape * std::clamp(r.shape - p.compact, 0.0, p.ragged - p.compact);
+              p.size * large -
+              (r.isTube() ? 0.0 : p.shape) * std::clamp(r.shape - p.compact, 0.0, p.ragged - p.compact);
   }
 }
 
@@ -263,7 +266,8 @@ double likeness(const RankedRegion& a, const RankedRegion& b, const ObjectPolicy
 ClickSearch searchAround(const Volume& volume, const CellGrid& cells, const Vec3& click,
                          const FieldOfView* view, const ObjectPolicy& policy, int threads,
                          const IntensityScale& scale) {
-  ClickSearch s{scale, makeCells(volume, cells, view), {}, cells.nearest(click), {}, {}, {}, {}, {}};
+  ClickSearch s{scale, makeCells(volume, cells, view), {}, cells.nearest(click), {}, {}, {}, {}, {}, false,
+                {}};
   scale.apply(s.image.values);
   s.values = smoothed(cells, s.image.values, policy.smoothing * cells.grid.meanSpacing());
   s.intensities = readClick(cells, s.image.values, s.values, s.click, policy);
@@ -289,6 +293,8 @@ bool RankedRegion::holds(const Vec3& world) const {
   const CellGrid& cells = search->image.cells;
   return cells.contains(world) && holds(cells.at(cells.nearest(world)));
 }
+
+bool RankedRegion::isTube() const { return search->isTube; }
 
 std::array<double, 2> RankedRegion::bounds() const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

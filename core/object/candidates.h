@@ -30,6 +30,7 @@ struct RankedRegion {
   bool holds(std::size_t cell) const { return map->level[cell] <= rung; }
   //! Found by its shape; it has no bounds of intensity.
   bool isStar() const { return map->agreement > 0; }
+  bool isTube() const;
   //! False for points beyond the search.
   bool holds(const Vec3& world) const;
   //! Lower and upper bound, intensities.
@@ -47,6 +48,8 @@ struct ClickSearch {
   std::vector<ArrivalMap> stars;    //!< star-shaped
   std::vector<RankedRegion> known;  //!< those of `maps` without scores, once rankRegions has asked for them
   std::vector<std::uint8_t> gradients;  //!< per cell, in bins; likewise
+  bool isTube = false;                  //!< of one tube, in a box around it
+  std::vector<Vec3> goesOn;             //!< mm: where it leaves the cells in which it was followed
 };
 //! Precondition: the cells hold the click.
 ClickSearch searchAround(const Volume& volume, const CellGrid& cells, const Vec3& click,

@@ -15,11 +15,14 @@ struct Span {
   int low, count;  // voxels
 };
 
-Span spanAround(const Grid& volume, int axis, double centre, double reach) {
+Span spanAround(const Grid& volume, int axis, const std::vector<Reach>& boxes) {
   const int n = volume.size[idx(axis)];
-  const double half = reach / volume.spacing[axis];
-  const int low = std::clamp(static_cast<int>(std::floor(centre - half)), 0, n - 1);
-  const int high = std::clamp(static_cast<int>(std::ceil(centre + half)), 0, n - 1);
+  int low = n - 1, high = 0;
+  for (const Reach& b : boxes) {
+    const double centre = volume.toIndex(b.centre)[axis], half = b.reach / volume.spacing[axis];
+    low = std::min(low, std::clamp(static_cast<int>(std::floor(centre - half)), 0, n - 1));
+    high = std::max(high, std::clamp(static_cast<int>(std::ceil(centre + half)), 0, n - 1));
+  }
   return {low, high - low + 1};
 }
 
@@ -63,9 +66,12 @@ std::array<int, 3> CellGrid::nearest(const Vec3& world) const {
 }
 
 CellGrid cellsAround(const Grid& volume, const Vec3& centre, double reach, std::size_t most) {
-  const Vec3 index = volume.toIndex(centre);
+  return cellsAround(volume, {{centre, reach}}, most);
+}
+
+CellGrid cellsAround(const Grid& volume, const std::vector<Reach>& boxes, std::size_t most) {
   std::array<Span, 3> spans;
-  for (int a = 0; a < 3; ++a) spans[idx(a)] = spanAround(volume, a, index[a], reach);
+  for (int a = 0; a < 3; ++a) spans[idx(a)] = spanAround(volume, a, boxes);
   CellGrid out;
   const auto count = [&] {
     std::size_t n = 1;

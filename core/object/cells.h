@@ -42,6 +42,12 @@ struct CellGrid {
 //! The voxels within `reach` (mm) around a point, in the finest cells that are no more than `most`: the axis
 //! of the finest cells is made coarser first.
 CellGrid cellsAround(const Grid& volume, const Vec3& centre, double reach, std::size_t most);
+//! The box around several such boxes.
+struct Reach {
+  Vec3 centre;
+  double reach;  //!< mm
+};
+CellGrid cellsAround(const Grid& volume, const std::vector<Reach>& boxes, std::size_t most);
 
 //! The means of the voxels of each cell, and where there is no image.
 struct CellImage {

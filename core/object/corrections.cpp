@@ -220,4 +220,17 @@ void stamp(const WorkImage& work, Region& region, const std::vector<CellClick>& 
   for (const CellClick& c : inside) setBall(work, region, c, 1);
 }
 
+double worthOfChange(const WorkImage& work, const Region& from, const Region& to, const WantedChange& wanted,
+                     const ObjectPolicy& policy) {
+  const double cell = work.cells().grid.meanSpacing();
+  const auto [added, removed] = depthOfChange(work, from, to);
+  const auto excess = [&](double change, double allowed) {
+    return std::max(0.0, std::log(std::max(change, 0.5 * cell) / (allowed + 0.5 * cell)));
+  };
+  const EdgeChange edges = edgesOfChange(work, from, to, wanted.noise);
+  return policy.edgesGained * (edges.gained - edges.lost) -
+         policy.tooDeep * excess(wanted.isInside ? added : removed, wanted.depth) -
+         policy.against * excess(wanted.isInside ? removed : added, policy.againstDeep * wanted.depth);
+}
+
 }  // namespace handlebody

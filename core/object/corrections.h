@@ -33,4 +33,15 @@ Region cutAway(const WorkImage& work, const Region& region, const CellClick& cli
 void stamp(const WorkImage& work, Region& region, const std::vector<CellClick>& inside,
            const std::vector<CellClick>& outside);
 
+//! What a click on the wrong side asks for.
+struct WantedChange {
+  bool isInside;  //!< the click: the region grows
+  double depth;   //!< mm: of the click behind the surface
+  double noise;
+};
+//! What speaks for a change: it runs along edges, and is about as deep as the click in the click's sense and
+//! hardly deep at all against it.
+double worthOfChange(const WorkImage& work, const Region& from, const Region& to, const WantedChange& wanted,
+                     const ObjectPolicy& policy);
+
 }  // namespace handlebody

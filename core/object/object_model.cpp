@@ -10,6 +10,8 @@
 #include "core/cancellation.h"
 #include "core/object/expected_overlap.h"
 #include "core/object/relabel.h"
+#include "core/object/tube_surface.h"
+#include "core/object/work_cells.h"
 #include "core/threads.h"
 
 namespace handlebody {
@@ -19,13 +21,12 @@ namespace {
 class Finder {
  public:
   Finder(const Volume& volume, const ObjectQuery& query, const FieldOfView* view, const ObjectPolicy& policy)
-      : volume_(volume), query_(query), view_(view), policy_(policy) {}
+      : volume_(volume), query_(query), view_(view), policy_(policy), cells_(volume, view, policy) {}
 
   std::optional<ObjectModel> run() {
     scale_ = IntensityScale::of(makeCells(volume_, wideAround(query_.inside[0].place), view_), policy_);
     searches_ = searchesAround(query_.inside[0].place);
-    rank({{query_.inside[0].place}}, {});
-    const std::vector<OfferedRegion> offered = offeredRegions(likelyRegions(ranked_, policy_), policy_);
+    const std::vector<OfferedRegion> offered = offeredFor(query_.inside[0].place);
     if (offered.empty()) return {};
     ObjectModel model;
     for (const auto& [r, expected] : offered) {
@@ -37,9 +38,7 @@ class Finder {
     model.scale = scale_;
     model.level = searches_[0]->intensities.level;
     model.noise = noise_ = searches_[0]->intensities.noise;
-    work_ = makeWork();
-    for (const ObjectClick& c : query_.inside) inside_.push_back(cellClick(c, true));
-    for (const ObjectClick& c : query_.outside) outside_.push_back(cellClick(c, false));
+    takeClicks();
     const RankedRegion& chosen = offered[static_cast<std::size_t>(model.chosen - 1)].region;
     model.neckRadius = chosen.map->radius;
     model.isStar = chosen.isStar();
@@ -91,7 +90,10 @@ class Finder {
 
   //! All regions that may be meant, star-shaped ones through these clicks among them.
   void rank(const std::vector<CellClick>& inside, const std::vector<CellClick>& outside) {
+    std::erase_if(searches_, [](const auto& s) { return s->isTube; });
     for (auto& s : searches_) addStars(*s, inside, outside, policy_, query_.threads);
+    auto tubes = tubeSearches(work_, *searches_[0], inside, outside, policy_, query_.threads);
+    for (auto& t : tubes) searches_.insert(searches_.end() - 1, std::move(t));
     ranked_ = rankRegions(searches_, policy_);
     const double sign = query_.contrast == Contrast::dark ? 1 : -1;
     if (query_.contrast != Contrast::any)
@@ -99,13 +101,28 @@ class Finder {
                     [&](const RankedRegion& r) { return sign * r.rise <= searches_[0]->intensities.noise; });
   }
 
-  WorkImage makeWork() const {
-    const CellGrid cells =
-        cellsAround(volume_.grid, query_.inside[0].place, policy_.reach, policy_.workCells);
-    WorkImage work{makeCells(volume_, cells, view_), {}};
-    scale_.apply(work.image.values);
-    work.values = smoothed(cells, work.image.values, policy_.smoothing * cells.grid.meanSpacing());
-    return work;
+  //! What the first click may mean. If that is a tube that goes on, it is followed further.
+  std::vector<OfferedRegion> offeredFor(const Vec3& click) {
+    cells_.reach({click, policy_.reach});
+    while (true) {
+      work_ = cells_.image(scale_);
+      rank({{click}}, {});
+      std::vector<OfferedRegion> offered = offeredRegions(likelyRegions(ranked_, policy_), policy_);
+      bool isWider = false;
+      for (const OfferedRegion& o : offered)
+        for (const Vec3& end : o.region.search->goesOn) isWider |= cells_.reach({end, policy_.reach / 2});
+      if (!isWider) return offered;
+    }
+  }
+
+  //! A click outside that lies far from all others says nothing.
+  void takeClicks() {
+    bool isWider = false;
+    for (const ObjectClick& c : query_.inside) isWider |= cells_.reach({c.place, policy_.reach / 4});
+    if (isWider) work_ = cells_.image(scale_);
+    for (const ObjectClick& c : query_.inside) inside_.push_back(cellClick(c, true));
+    for (const ObjectClick& c : query_.outside)
+      if (work_.cells().contains(c.place)) outside_.push_back(cellClick(c, false));
   }
 
   //! The radius of a click inside is that of the surface's start, which may lie around the object.
@@ -180,20 +197,6 @@ class Finder {
     return region;
   }
 
-  //! What speaks for a change: it runs along edges, and is about as deep as the click in the click's sense
-  //! and hardly deep at all against it.
-  double worthOfChange(const Region& other, bool isInside, double depth) const {
-    const double cell = work_.cells().grid.meanSpacing();
-    const auto [added, removed] = depthOfChange(work_, region_, other);
-    const auto excess = [&](double change, double allowed) {
-      return std::max(0.0, std::log(std::max(change, 0.5 * cell) / (allowed + 0.5 * cell)));
-    };
-    const EdgeChange edges = edgesOfChange(work_, region_, other, noise_);
-    return policy_.edgesGained * (edges.gained - edges.lost) -
-           policy_.tooDeep * excess(isInside ? added : removed, depth) -
-           policy_.against * excess(isInside ? removed : added, policy_.againstDeep * depth);
-  }
-
   //! The click lies in a branch or at the surface of something much thicker: that branch may be meant.
   bool isInThinPart(const CellClick& click) const {
     return depthBehindSurface(work_, region_, click.cell) < policy_.thinPart * deepestInside(work_, region_);
@@ -257,7 +260,9 @@ class Finder {
       giveUpIfCancelled();
       Region region = finder_.tidied(task.region());
       if (!finder_.isTrue(region, pending_)) return {};
-      const double worth = task.score + finder_.worthOfChange(region, pending_.isInside, depth_);
+      const double worth =
+          task.score + worthOfChange(finder_.work_, finder_.region_, region,
+                                     {pending_.isInside, depth_, finder_.noise_}, finder_.policy_);
       return Offer{std::move(region), worth, task.isLocal};
     }
     void keep(Offer offer) {
@@ -376,6 +381,7 @@ class Finder {
   IntensityScale scale_;
   Searches searches_;
   std::vector<RankedRegion> ranked_;
+  WorkCells cells_;
   WorkImage work_;
   Region region_;
   double noise_ = 0;

@@ -61,6 +61,27 @@ struct ObjectPolicy {
   double starMove = 0.8;     //!< by this part of the way
   int starRounds = 4;        //!< of statistics and surface; half of them before the last move
 
+  // --- tubes: lengths in parts of the radius they are looked for at ---
+  double tubeSmallest = 1.5;     //!< cells: radius of the first start
+  double tubeNext = 1.5;         //!< times as large is the next one
+  double tubeLargest = 30;       //!< mm; an aorta that is widened
+  double tubeDirections = 0.55;  //!< distance of neighbours on the unit sphere: 21 lines through the click
+  double tubeShell = 1.5;        //!< the inside is told from what lies up to here
+  double tubeEdge = 2;           //!< weight of a strong edge against a whole ray of certain intensities
+  double tubeStart = 2;     //!< cost of the squared log of how far a radius is from the expected: at first,
+  double tubeKeep = 20;     //!< on the way,
+  double tubeSmooth = 20;   //!< and in the end
+  double tubeStep = 0.7;    //!< to the next plane
+  double tubeTurn = 0.4;    //!< part that a new plane has in the direction
+  double tubeGrowth = 1.5;  //!< from what is expected at most
+  double tubeWeak = 0.5;    //!< of the usual edge: less of it is no tube
+  int tubeMissed = 4;       //!< planes in a row that may be none
+  std::size_t tubeSections = 300;  //!< planes at most
+  std::size_t tubeAround = 4;      //!< planes on each side that say what is usual
+  int tubeRounds = 2;              //!< of all outlines in the end
+  double tubeLong = 2.5;           //!< diameters; what is shorter is star-shaped
+  double tubeBonus = 0.3;          //!< agreement for each time that it is 2.7 times as long
+
   // --- score: ranks from 0 to 1, added ---
   double stability = 0.7, edge = 0.7, contrast = 0.7;
   double shape = 0.1;  //!< times the log of how much more surface than a ball's, cubed, between the limits

@@ -6,6 +6,7 @@
 
 #include "core/cancellation.h"
 #include "core/object/closure.h"
+#include "core/object/intensity_shares.h"
 #include "core/object/rays.h"
 #include "core/threads.h"
 #include "core/volume/intensity_statistics.h"
@@ -17,24 +18,10 @@ namespace {
 using Mask = std::vector<std::uint8_t>;
 constexpr std::size_t kRadii = 40;  // per ray, from the innermost to the outermost
 constexpr int kBins = 32;           // of the intensities
-constexpr double kEmpty = 0.003;    // share of a bin in which nothing is
 constexpr double kSettled = 0.1;    // cells: a shorter move is the last
 constexpr double kForced = 1e3;     // cost: more than a surface can win
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
-
-//! Histogram of intensities, smoothed, as a share per bin.
-std::vector<double> shares(const std::vector<double>& h) {
-  constexpr std::array<double, 5> kGaussian{0.266, 0.213, 0.110, 0.036, 0.008};  // of 1.5 bins
-  std::vector<double> out(h.size(), 0);
-  const int n = static_cast<int>(h.size());
-  for (int i = 0; i < n; ++i)
-    for (int k = -4; k <= 4; ++k)
-      out[idx(i)] += kGaussian[idx(std::abs(k))] * h[idx(std::clamp(i + k, 0, n - 1))];
-  const double sum = std::accumulate(out.begin(), out.end(), 0.0);
-  for (double& x : out) x = x / std::max(sum, 1e-12) + kEmpty;
-  return out;
-}
 
 //! A surface holds all that lies further in on its rays, and bends little between them.
 std::vector<std::array<std::size_t, 2>> pairsOfSurface(const Rays& rays, std::size_t bend) {
@@ -139,7 +126,7 @@ class StarSearch {
         else if (radii_[k] <= task_.policy.starShell * radii_[last_[d]] && !beyond_[i])
           out[idx(bins_[i])] += w, meanOut += w * intensities_[i], allOut += w;
       }
-    std::vector<double> outward = shares(in), shareOut = shares(out);
+    std::vector<double> outward = intensityShares(in), shareOut = intensityShares(out);
     for (std::size_t b = 0; b < outward.size(); ++b) outward[b] = std::log(shareOut[b] / outward[b]);
     const bool isDark = allOut > 0 && meanIn / allIn < meanOut / allOut;
     return take(costs(outward, isDark ? -1 : 1));

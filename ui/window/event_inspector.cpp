@@ -91,7 +91,7 @@ EventInspector::EventInspector(Document& document, SurfaceView& surface, QWidget
   layout->addWidget(stages_);
   stageText_ = hint(QString(), this);
   layout->addWidget(stageText_);
-  constrain_ = new QPushButton(this);
+  constrain_ = new QPushButton(tr("Keep it"), this);
   constrain_->setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard with the views
   layout->addWidget(constrain_);
   connect(constrain_, &QPushButton::clicked, this, &EventInspector::constrain);

@@ -41,6 +41,12 @@ inline const std::vector<std::pair<std::string, PolicyMember>>& policyMembers() 
       HANDLEBODY_MEMBER(relabelClick),   HANDLEBODY_MEMBER(relabelSure),   HANDLEBODY_MEMBER(relabelFar),
       HANDLEBODY_MEMBER(refineOuter),    HANDLEBODY_MEMBER(refineInner),   HANDLEBODY_MEMBER(cavity),
       HANDLEBODY_MEMBER(passLength),     HANDLEBODY_MEMBER(close),         HANDLEBODY_MEMBER(logTop),
+      HANDLEBODY_MEMBER(tubeBonus),      HANDLEBODY_MEMBER(tubeSmooth),    HANDLEBODY_MEMBER(tubeAround),
+      HANDLEBODY_MEMBER(tubeRounds),     HANDLEBODY_MEMBER(tubeStart),     HANDLEBODY_MEMBER(tubeKeep),
+      HANDLEBODY_MEMBER(tubeShell),      HANDLEBODY_MEMBER(tubeEdge),      HANDLEBODY_MEMBER(tubeStep),
+      HANDLEBODY_MEMBER(tubeTurn),       HANDLEBODY_MEMBER(tubeGrowth),    HANDLEBODY_MEMBER(tubeWeak),
+      HANDLEBODY_MEMBER(tubeMissed),     HANDLEBODY_MEMBER(tubeLong),      HANDLEBODY_MEMBER(tubeSmallest),
+      HANDLEBODY_MEMBER(tubeNext),       HANDLEBODY_MEMBER(tubeLargest),   HANDLEBODY_MEMBER(tubeDirections),
       HANDLEBODY_MEMBER(thinPart),       HANDLEBODY_MEMBER(rival)};
 #undef HANDLEBODY_MEMBER
   return members;

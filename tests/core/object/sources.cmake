@@ -6,4 +6,5 @@ target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/object/intensity_scale_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/object/object_model_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/object/relabel_test.cpp
-  ${CMAKE_SOURCE_DIR}/tests/core/object/star_surface_test.cpp)
+  ${CMAKE_SOURCE_DIR}/tests/core/object/star_surface_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/object/tube_surface_test.cpp)
