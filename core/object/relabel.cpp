@@ -16,7 +16,8 @@ constexpr int kBins = 48;            // of the intensities, at either scale
 constexpr double kWideScale = 1.5;   // cells: Gaussian of the second scale
 constexpr double kEmpty = 1e-4;      // share of a bin in which nothing is
 constexpr float kLeastPull = 1e-3f;  // across the strongest edge
-constexpr int kSweeps = 60;          // of successive over-relaxation; a zone is some ten cells thick
+constexpr int kSweeps = 60;          // of successive over-relaxation at most; a zone is some ten cells thick
+constexpr std::size_t kSettled = 20'000;  // one open cell of so many still changes its side
 constexpr float kOverRelaxation = 1.6f;
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
@@ -215,14 +216,18 @@ class RandomWalk {
     }
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
       giveUpIfCancelled();
+      std::size_t flips = 0;
       for (const Open& o : open) {
         float sum = static_cast<float>(walk_.prior) * prior_[o.cell];
         for (std::size_t a = 0; a < 3; ++a) {
           if (o.pulls[2 * a] > 0) sum += o.pulls[2 * a] * u_[o.cell - steps[a]];
           if (o.pulls[2 * a + 1] > 0) sum += o.pulls[2 * a + 1] * u_[o.cell + steps[a]];
         }
+        const bool before = u_[o.cell] > 0.5f;
         u_[o.cell] += kOverRelaxation * (sum / o.all - u_[o.cell]);
+        flips += before != (u_[o.cell] > 0.5f);
       }
+      if (flips * kSettled <= open.size()) return;
     }
   }
 
