@@ -11,10 +11,12 @@
 #include "core/evolution/object_image.h"
 #include "core/evolution/resting_places.h"
 #include "core/evolution/seeds.h"
+#include "core/evolution/transaction.h"
 #include "core/mesh/morton_order.h"
+#include "core/mesh/nesting.h"
 #include "core/mesh/remesh.h"
 #include "core/mesh/topology.h"
-#include "core/surgery/nesting.h"
+#include "core/surgery/predicted_change.h"
 #include "core/surgery/topology_adaptation.h"
 
 namespace handlebody {
@@ -39,7 +41,6 @@ constexpr int kStillToStop = 40;  // iterations in which next to nothing moves a
 constexpr double kNextToNothing =
     0.001;  // part of the vertices: single ones may tremble between two faces of a noisy voxel
 constexpr int kRounds = 5;                // of detection and surgery in one step
-constexpr int kAttempts = 8;              // at one step before all of it is rolled back
 constexpr double kGrowthToReorder = 1.5;  // of the mesh, until its vertices are put into order again
 constexpr int kFitsIntoCache = 3000;      // vertices: any order will do
 
@@ -58,7 +59,7 @@ struct Scratch : T {
 
 struct ActiveContour::State {
   Mesh mesh;
-  Scratch<Mesh> before;              // of the step that is being made; kept for its memory
+  Scratch<Transaction> transaction;
   std::vector<unsigned char> quiet;  // iterations per vertex without motion, up to kQuietToSleep
   Volume volume;
   std::vector<Seed> seeds;  // as asked for
@@ -80,15 +81,6 @@ struct ActiveContour::State {
   std::ptrdiff_t knownCavities = 0;      // components of negative volume, when last looked at
   int lookAtComponents = 0;              // iteration before which none can collapse
   bool traces = false;
-
-  //! What one attempt at a step leaves behind besides the mesh.
-  struct Attempt {
-    std::vector<Event> events;
-    std::vector<Trouble> troubles;
-    std::vector<int> moving;        // vertices that were asked to move
-    std::vector<double> distances;  // how far, mm
-    std::vector<unsigned char> touched;
-  };
 
   //! True if parts of the surface may give ground: where that was asked for, or after other clicks.
   bool mayShrink() const { return !motion.outwardOnly || (correction && correction->givesGround); }
@@ -241,7 +233,7 @@ std::vector<int> ActiveContour::State::verticesToMove() const {
   return out;
 }
 
-ActiveContour::State::Attempt ActiveContour::State::attempt() {
+Attempt ActiveContour::State::attempt() {
   Attempt a;
   a.moving = verticesToMove();
   std::vector<Vec3> moves = computeMotion(mesh, *object.image, motion, a.moving);
@@ -311,9 +303,9 @@ void ActiveContour::State::deleteCollapsed(Attempt& a) {
     event.kind = EventKind::componentDeleted;
     event.iteration = iteration;
     event.location = mesh.position(first[c]);
-    event.before = topologyNumbers(mesh);
+    event.before = a.events.empty() ? topology : a.events.back().after;
+    event.after = predictDeletion(event.before, parts, static_cast<int>(c));
     deleteComponent(mesh, first[c]);
-    event.after = topologyNumbers(mesh);
     a.events.push_back(std::move(event));
   }
 }
@@ -403,26 +395,18 @@ StepReport ActiveContour::State::step() {
   StepReport report;
   report.iteration = ++iteration;
   keepOrder();
-  before = mesh;
   const auto rollBack = [&](const Trouble& t) {
     report.events.push_back(rolledBack(t.centre, t.reason));
     resting.add(t.centre, t.radius + 0.5 * limits.longest, iteration);
   };
-  for (int tries = 0;; ++tries) {
-    Attempt a = attempt();
-    if (a.troubles.empty()) {
-      accept(a, report);
-      break;
-    }
-    mesh = before;
-    for (const Trouble& t : a.troubles) rollBack(t);
-    if (tries + 1 < kAttempts) continue;
-    rollBack({a.troubles[0].centre, 1e3 * parameters.edgeLength, "no part of the step could be kept"});
-    break;
-  }
+  Attempt last = transaction.run({mesh, topology, limits.longest, [this] { return attempt(); }, rollBack});
+  if (last.troubles.empty())
+    accept(last, report);
+  else
+    rollBack({last.troubles[0].centre, 1e3 * parameters.edgeLength, "no part of the step could be kept"});
   // Of the mesh that is left, also when all of the step was rolled back.
   report.settledVertices = std::max(0, mesh.vertexCount() - report.movedVertices);
-  report.volume = signedVolume(mesh);
+  report.volume = transaction.volume();
   decideStop(report);
   return report;
 }

@@ -20,4 +20,6 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/seed_statistics.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/seeds.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/shown_object.cpp
-  ${CMAKE_SOURCE_DIR}/core/evolution/thickness_map.cpp)
+  ${CMAKE_SOURCE_DIR}/core/evolution/step_check.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/thickness_map.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/transaction.cpp)

@@ -10,7 +10,7 @@
 
 #include "core/evolution/step_report.h"
 #include "core/io/session.h"
-#include "core/mesh/certificate.h"
+#include "core/mesh/validity.h"
 #include "core/volume/volume.h"
 
 namespace handlebody {

@@ -1,4 +1,4 @@
-#include "core/surgery/nesting.h"
+#include "core/mesh/nesting.h"
 
 #include "tests/support/catch.h"
 #include "tests/support/mesh_zoo.h"
