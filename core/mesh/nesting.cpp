@@ -17,39 +17,49 @@ struct Query {
   int winding = 0;
 };
 
-int sign(double x) { return (x > 0) - (x < 0); }
-
-//! The side of the line ab on which p lies, seen along z. Points on it count to one side: p is taken to lie
-//! beside itself by an infinitely small step along x and a smaller one along y, so that a line through p
-//! meets no edge and no vertex.
-int side(const Vec3& a, const Vec3& b, const Vec3& p) {
-  const int exact = orient2d(a, b, p, 2);
-  if (exact != 0) return exact;
-  return a.y() != b.y() ? sign(a.y() - b.y()) : sign(b.x() - a.x());
+//! How often the triangle winds around p in the projection along x: 1 or -1 if it covers p, else 0. An edge
+//! holds its lower end and what lies beside it counts for one of its two triangles, so that a closed surface
+//! covers every p without gaps or doubles (the half-open rule of crossing numbers, exact by orient2d).
+int coverage(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
+  int covers = 0;
+  const auto cross = [&](const Vec3& from, const Vec3& to) {
+    if (from.z() <= p.z() && p.z() < to.z()) covers += orient2d(from, to, p, 0) > 0;
+    if (to.z() <= p.z() && p.z() < from.z()) covers -= orient2d(from, to, p, 0) < 0;
+  };
+  cross(a, b);
+  cross(b, c);
+  cross(c, a);
+  return covers;
 }
 
-//! What the face adds to the winding number of p: 1 if it lies above p and looks up, -1 if it looks down.
+//! False only if the ray from p along x cannot meet the triangle, whose range of z holds p.
+bool mayMeetRay(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
+  const auto below = [](double u, double v, double w, double limit) {
+    return (u < limit) & (v < limit) & (w < limit);
+  };
+  return !(below(a.x(), b.x(), c.x(), p.x()) | below(a.y(), b.y(), c.y(), p.y()) |
+           below(-a.y(), -b.y(), -c.y(), -p.y()));
+}
+
+//! What the face adds to the winding number of p: 1 or -1 if the ray from p along x crosses it.
 int crossing(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
-  const int turn = side(a, b, p);
-  if (turn == 0 || side(b, c, p) != turn || side(c, a, p) != turn) return 0;
-  return orient3d(a, b, c, p) == -turn ? turn : 0;
+  const int covers = coverage(a, b, c, p);
+  return covers != 0 && orient3d(a, b, c, p) == -covers ? covers : 0;  // it lies ahead
 }
 
-//! The winding numbers of all queries, in one look at every face. Sorts them by x.
+//! The winding numbers of all queries, in one look at every face. Sorts them by z.
 void wind(const LabelledSurface& surface, std::vector<Query>& queries) {
-  const auto before = [](const Query& q, double x) { return q.place.x() < x; };
+  const auto before = [](const Query& q, double z) { return q.place.z() < z; };
   std::sort(queries.begin(), queries.end(),
-            [](const Query& a, const Query& b) { return a.place.x() < b.place.x(); });
+            [](const Query& a, const Query& b) { return a.place.z() < b.place.z(); });
   for (const Triangle& t : surface.faces) {
     if (t[0] < 0) continue;
     const Vec3 &a = surface.points[idx(t[0])], &b = surface.points[idx(t[1])], &c = surface.points[idx(t[2])];
-    const double high = std::max({a.x(), b.x(), c.x()});
-    auto q = std::lower_bound(queries.begin(), queries.end(), std::min({a.x(), b.x(), c.x()}), before);
-    for (; q != queries.end() && q->place.x() <= high; ++q) {
-      const double y = q->place.y();
-      if ((a.y() < y && b.y() < y && c.y() < y) || (a.y() > y && b.y() > y && c.y() > y)) continue;
-      if (surface.parts.ofVertex[idx(t[0])] != q->without) q->winding += crossing(a, b, c, q->place);
-    }
+    const double high = std::max({a.z(), b.z(), c.z()});
+    auto q = std::lower_bound(queries.begin(), queries.end(), std::min({a.z(), b.z(), c.z()}), before);
+    for (; q != queries.end() && q->place.z() <= high; ++q)
+      if (mayMeetRay(a, b, c, q->place) && surface.parts.ofVertex[idx(t[0])] != q->without)
+        q->winding += crossing(a, b, c, q->place);
   }
 }
 

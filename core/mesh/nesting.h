@@ -20,7 +20,7 @@ inline LabelledSurface labelled(const Mesh& mesh, const Components& parts) {
 }
 
 //! How often the surface without `component` winds around p: 1 inside the body, 0 outside of it and in its
-//! cavities. Exact, by the faces above p. p must not lie on the surface.
+//! cavities (signed crossings of a ray with the faces, exact). p must not lie on the surface.
 int windingNumber(const Mesh& mesh, const Components& parts, int component, const Vec3& p);
 
 //! True if a component lies wholly where none of its orientation can: a solid part (positive volume) in the
