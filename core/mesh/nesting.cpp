@@ -1,6 +1,8 @@
 #include "core/mesh/nesting.h"
 
 #include <algorithm>
+#include <iterator>
+#include <numeric>
 
 #include "core/geometry/predicates.h"
 
@@ -63,15 +65,16 @@ void wind(const LabelledSurface& surface, std::vector<Query>& queries) {
   }
 }
 
-//! Of the components that `wanted` holds, those that are misplaced, ascending.
-std::vector<int> misplacedOf(const LabelledSurface& surface, const std::vector<unsigned char>& wanted) {
+//! Of the components in `wanted` those of whose samples none fits, ascending.
+std::vector<int> unfitOf(const LabelledSurface& surface, const std::vector<int>& wanted, int samples) {
   const Components& parts = surface.parts;
+  std::vector<int> seen(idx(parts.count()), -1);  // vertices of those that are wanted
+  for (const int c : wanted) seen[idx(c)] = 0;
   std::vector<Query> queries;
-  std::vector<int> seen(idx(parts.count()), 0);
   for (std::size_t v = 0; v < surface.points.size(); ++v) {
     const int c = parts.ofVertex[v];
-    if (c < 0 || wanted[idx(c)] == 0) continue;
-    const int stride = std::max(1, parts.vertices[idx(c)] / kNestingSamples);
+    if (c < 0 || seen[idx(c)] < 0) continue;
+    const int stride = std::max(1, parts.vertices[idx(c)] / samples);
     if (seen[idx(c)]++ % stride == 0) queries.push_back({surface.points[v], c, 0});
   }
   if (parts.count() > 1) wind(surface, queries);  // there is nothing to wind around a single one
@@ -79,9 +82,14 @@ std::vector<int> misplacedOf(const LabelledSurface& surface, const std::vector<u
   for (const Query& q : queries)
     if (q.winding == (parts.volume[idx(q.without)] < 0 ? 1 : 0)) fits[idx(q.without)] = 1;
   std::vector<int> out;
-  for (int c = 0; c < parts.count(); ++c)
-    if (wanted[idx(c)] != 0 && fits[idx(c)] == 0) out.push_back(c);
+  std::copy_if(wanted.begin(), wanted.end(), std::back_inserter(out), [&](int c) { return !fits[idx(c)]; });
   return out;
+}
+
+//! One vertex settles nearly all.
+std::vector<int> misplacedOf(const LabelledSurface& surface, const std::vector<int>& wanted) {
+  const std::vector<int> doubtful = unfitOf(surface, wanted, 1);
+  return doubtful.empty() ? doubtful : unfitOf(surface, doubtful, kNestingSamples);
 }
 
 }  // namespace
@@ -93,13 +101,13 @@ int windingNumber(const Mesh& mesh, const Components& parts, int component, cons
 }
 
 bool isMisplaced(const Mesh& mesh, const Components& parts, int component) {
-  std::vector<unsigned char> wanted(idx(parts.count()), 0);
-  wanted[idx(component)] = 1;
-  return !misplacedOf(labelled(mesh, parts), wanted).empty();
+  return !misplacedOf(labelled(mesh, parts), {component}).empty();
 }
 
 std::vector<int> misplacedComponents(const LabelledSurface& surface) {
-  return misplacedOf(surface, std::vector<unsigned char>(idx(surface.parts.count()), 1));
+  std::vector<int> all(idx(surface.parts.count()));
+  std::iota(all.begin(), all.end(), 0);
+  return misplacedOf(surface, all);
 }
 
 }  // namespace handlebody
