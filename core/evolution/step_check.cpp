@@ -35,7 +35,9 @@ Trouble troubleAt(const StepResult& step, const Vec3& place, const char* reason)
 Trouble troubleAt(const StepResult& step, int vertex, const char* reason) {
   if (has(step.before, vertex)) return troubleAt(step, step.before.position(vertex), reason);
   if (has(step.mesh, vertex)) return troubleAt(step, step.mesh.position(vertex), reason);
-  return troubleAt(step, step.before.position(step.before.face(0)[0]), reason);
+  int any = 0;
+  while (!step.before.isVertex(any)) ++any;  // there is one: what follows from nothing is nothing
+  return troubleAt(step, step.before.position(any), reason);
 }
 
 //! A fault of the numbers shows nowhere: all that the step has changed on purpose is taken back.
@@ -60,22 +62,8 @@ std::optional<TopologyNumbers> predicted(const StepResult& step) {
   return now;
 }
 
-//! Without an event nothing can have joined or parted, and the Euler number is known from the counts.
-std::vector<Trouble> topologyFaults(const StepResult& step) {
-  const std::optional<TopologyNumbers> expected = predicted(step);
-  if (!expected) return troubleAtEvents(step, "the events of the step do not follow from each other");
-  const int euler = step.mesh.vertexCount() - step.mesh.faceCount() / 2;
-  if (euler != expected->euler)
-    return troubleAtEvents(step, "the Euler number is not the one that the events predict");
-  if (step.events.empty()) return {};
-  if (topologyNumbers(step.mesh) != *expected)
-    return troubleAtEvents(step, "the components are not those that the events predict");
-  return {};
-}
-
-std::vector<Trouble> nestingFaults(const StepResult& step) {
-  if (step.events.empty() || step.events.back().after.components < 2) return {};
-  const Components parts = findComponents(step.mesh);
+//! Where the components lie, of a surface that intersects nothing.
+std::vector<Trouble> nestingFaults(const StepResult& step, const Components& parts) {
   std::vector<Trouble> out;
   for (const int c : misplacedComponents(labelled(step.mesh, parts))) {
     const auto at = std::find(parts.ofVertex.begin(), parts.ofVertex.end(), c);
@@ -85,6 +73,22 @@ std::vector<Trouble> nestingFaults(const StepResult& step) {
          parts.volume[idx(c)] < 0 ? "a cavity lies outside of any body" : "a body lies directly in another"});
   }
   return out;
+}
+
+//! Without an event nothing can have joined or parted, and the Euler number is known from the counts.
+std::vector<Trouble> topologyFaults(const StepResult& step) {
+  const std::optional<TopologyNumbers> expected = predicted(step);
+  if (!expected) return troubleAtEvents(step, "the events of the step do not follow from each other");
+  const int euler = step.mesh.vertexCount() - step.mesh.faceCount() / 2;  // E = 3F / 2 on a closed mesh
+  if (euler != expected->euler)
+    return troubleAtEvents(step, "the Euler number is not the one that the events predict");
+  if (step.events.empty()) return {};
+  const bool areSeveral = expected->components > 1;
+  const Components parts = areSeveral ? findComponents(step.mesh) : Components();
+  const int components = areSeveral ? parts.count() : countComponents(step.mesh);
+  if (components != expected->components || expected->genus != (2 * components - euler) / 2)
+    return troubleAtEvents(step, "the components are not those that the events predict");
+  return areSeveral ? nestingFaults(step, parts) : std::vector<Trouble>();
 }
 
 void certifyWhole(const Mesh& mesh) {
@@ -109,9 +113,13 @@ std::vector<Trouble> StepCheck::coverageFaults(const StepResult& step) const {
     if (!isTouched(step, t[0]) && !isTouched(step, t[1]) && !isTouched(step, t[2]))
       return {troubleAt(step, t[0], kUnseen)};
   }
-  for (int v = 0; v < std::min(step.before.vertexSlots(), step.mesh.vertexSlots()); ++v)
-    if (!isTouched(step, v) && step.mesh.isVertex(v) && step.mesh.position(v) != step.before.position(v))
+  const int common = std::min(step.before.vertexSlots(), step.mesh.vertexSlots());
+  const int known = std::min(common, static_cast<int>(step.touched.size()));
+  for (int v = 0; v < common; ++v) {
+    if (v < known && step.touched[idx(v)] != 0) continue;
+    if (step.mesh.isVertex(v) && step.mesh.position(v) != step.before.position(v))
       return {troubleAt(step, v, kUnseen)};
+  }
   return {};
 }
 
@@ -119,7 +127,6 @@ std::vector<Trouble> StepCheck::faultsOf(const StepResult& step) {
   std::vector<Trouble> faults = structureFaults(step);
   if (faults.empty()) faults = coverageFaults(step);
   if (faults.empty()) faults = topologyFaults(step);
-  if (faults.empty()) faults = nestingFaults(step);
   if (!faults.empty()) return faults;
   volume_ = signedVolume(step.mesh);
   if (step.mesh.faceCount() > 0 && !(std::isfinite(volume_) && volume_ > 0))

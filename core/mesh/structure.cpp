@@ -116,9 +116,10 @@ std::optional<StructureFault> StructureCheck::examineLink(const Mesh& mesh, int 
 //! miss faces of its vertex, but never have one too many.
 std::optional<StructureFault> StructureCheck::examineVertices(const Mesh& before, const Mesh& mesh) {
   const int slots = std::max(before.vertexSlots(), mesh.vertexSlots());
+  const int common = std::min(before.vertexSlots(), mesh.vertexSlots());
   for (int v = 0; v < slots; ++v) {
+    if (v < common && isChanged_[idx(v)] == 0 && before.outgoing(v) == mesh.outgoing(v)) continue;
     const bool was = hasVertex(before, v), is = hasVertex(mesh, v);
-    if (isChanged_[idx(v)] == 0 && was == is && (!is || before.outgoing(v) == mesh.outgoing(v))) continue;
     if (was) {
       ++was_.vertices;
       was_.fans += fanSize(before, v);

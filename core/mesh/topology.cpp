@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <numeric>
 
 #include "core/mesh/union_find.h"
 
@@ -24,7 +25,17 @@ std::vector<int> flood(const Mesh& mesh, int v, std::vector<int>& label, int val
 
 //! Face by face, in the order of memory: far quicker than a walk from neighbour to neighbour.
 UnionFind joinedByFaces(const Mesh& mesh) {
-  UnionFind parts(static_cast<std::size_t>(mesh.vertexSlots()));
+  std::vector<int> lower(static_cast<std::size_t>(mesh.vertexSlots()));
+  std::iota(lower.begin(), lower.end(), 0);
+  for (const Triangle& t : mesh.faces()) {
+    if (t[0] < 0) continue;
+    const int lowest = std::min({t[0], t[1], t[2]});
+    for (const int v : t) {
+      int& l = lower[static_cast<std::size_t>(v)];
+      l = std::min(l, lowest);
+    }
+  }
+  UnionFind parts(std::move(lower));
   for (const Triangle& t : mesh.faces()) {
     if (t[0] < 0) continue;
     parts.join(t[0], t[1]);

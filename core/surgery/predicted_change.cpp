@@ -31,9 +31,9 @@ int eulerChange(const Plan& plan) {
 }
 
 TopologyNumbers predictChange(const TopologyNumbers& before, const Mesh& opened, const Plan& plan) {
-  const bool onlyDiscs =
-      plan.joined.empty() && std::all_of(plan.openings.begin(), plan.openings.end(), takesDiscs);
-  return numbers(onlyDiscs ? before.components : countComponents(opened, plan.joined),
+  const bool onlyDiscs = std::all_of(plan.openings.begin(), plan.openings.end(), takesDiscs);
+  const bool joinsNothing = plan.joined.empty() || before.components == 1;
+  return numbers(onlyDiscs && joinsNothing ? before.components : countComponents(opened, plan.joined),
                  before.euler + eulerChange(plan));
 }
 
