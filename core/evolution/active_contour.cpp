@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/collision/self_intersection.h"
 #include "core/errors.h"
@@ -34,6 +35,7 @@ constexpr double kStirring = 0.1;    // a neighbour that moves more than this wa
 constexpr double kCollapsed = 1.0;   // a component of less extent than this is gone
 constexpr double kAgrees = 0.5;      // voxels between a boundary and a surface that agree
 constexpr double kShrinks = 4;       // more than a component loses of its extent in one step
+constexpr double kSweeps = 0.5;  // more than a face moves along its normal in one step: kStep, and remeshing
 
 constexpr int kQuietToSleep = 3;  // iterations
 constexpr int kQuietToStop = 3;   // iterations without motion or event
@@ -80,6 +82,7 @@ struct ActiveContour::State {
   int orderedVertices = kFitsIntoCache;  // vertices when they were last put into order
   std::ptrdiff_t knownCavities = 0;      // components of negative volume, when last looked at
   int lookAtComponents = 0;              // iteration before which none can collapse
+  double enclosed = 0;                   // mm³ that the last step left; 0 if not known
   bool traces = false;
 
   //! True if parts of the surface may give ground: where that was asked for, or after other clicks.
@@ -98,6 +101,7 @@ struct ActiveContour::State {
   Attempt attempt();
   std::vector<int> verticesToMove() const;
   void adapt(Attempt& a);
+  bool mayTurn() const;
   void deleteCollapsed(Attempt& a);
   void accept(Attempt& a, StepReport& report);
   void restRepeated(StepReport& report);
@@ -184,6 +188,7 @@ void ActiveContour::State::forgetRest() {
   resting = {};
   quietIterations = nearlyStillIterations = 0;
   lookAtComponents = 0;
+  enclosed = 0;
 }
 
 //! After a change of the clicks. What had settled and agrees with the new image sleeps on.
@@ -281,10 +286,18 @@ void ActiveContour::State::adapt(Attempt& a) {
   }
 }
 
+//! False only if no component can have turned inside out in this step: a single one would have to sweep all
+//! that it enclosed. No face is larger than the equilateral one of the longest edge.
+bool ActiveContour::State::mayTurn() const {
+  if (topology.components != 1) return true;
+  const double area = mesh.faceCount() * std::numbers::sqrt3 / 4 * limits.longest * limits.longest;
+  return enclosed <= area * kSweeps * parameters.edgeLength;
+}
+
 //! Components that have collapsed, and those that have turned inside out while they did: a cavity would grow
 //! on as a body in the body, a body as a cavity of all space, without end.
 void ActiveContour::State::deleteCollapsed(Attempt& a) {
-  if (a.events.empty() && iteration < lookAtComponents && !mayShrink()) return;
+  if (a.events.empty() && iteration < lookAtComponents && !(mayShrink() && mayTurn())) return;
   const Components parts = findComponents(mesh);
   const double smallest =
       parts.count() == 0 ? 0 : *std::min_element(parts.extent.begin(), parts.extent.end());
@@ -406,7 +419,7 @@ StepReport ActiveContour::State::step() {
     rollBack({last.troubles[0].centre, 1e3 * parameters.edgeLength, "no part of the step could be kept"});
   // Of the mesh that is left, also when all of the step was rolled back.
   report.settledVertices = std::max(0, mesh.vertexCount() - report.movedVertices);
-  report.volume = transaction.volume();
+  report.volume = enclosed = transaction.volume();
   decideStop(report);
   return report;
 }
