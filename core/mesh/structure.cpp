@@ -11,10 +11,8 @@ std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 bool hasFace(const Mesh& mesh, int f) { return f < mesh.faceSlots() && mesh.isFace(f); }
 bool hasVertex(const Mesh& mesh, int v) { return v >= 0 && v < mesh.vertexSlots() && mesh.isVertex(v); }
 
-bool hasSameOpposites(const Mesh& a, const Mesh& b, int f) {
-  return a.opposite(3 * f) == b.opposite(3 * f) && a.opposite(3 * f + 1) == b.opposite(3 * f + 1) &&
-         a.opposite(3 * f + 2) == b.opposite(3 * f + 2);
-}
+//! Without a branch, and without a call for so few bytes as std::array's == makes.
+bool areEqual(const int* a, const int* b) { return ((a[0] ^ b[0]) | (a[1] ^ b[1]) | (a[2] ^ b[2])) == 0; }
 
 //! Half-edges that leave v in its fan. Precondition: those around it have opposites that agree.
 int fanSize(const Mesh& mesh, int v) {
@@ -40,10 +38,14 @@ void StructureCheck::listChanges(const Mesh& before, const Mesh& mesh) {
   changedFaces_.clear();
   newFaces_.clear();
   const int common = std::min(before.faceSlots(), mesh.faceSlots());
+  const Triangle *was = before.faces().data(), *is = mesh.faces().data();
+  const int *wasBeside = before.opposites().data(), *isBeside = mesh.opposites().data();
   for (int f = 0; f < common; ++f) {
-    const bool isNew = before.face(f) != mesh.face(f);
+    const bool isNew = !areEqual(was[f].data(), is[f].data());
+    const bool isBesideOther = !areEqual(wasBeside + 3 * f, isBeside + 3 * f);
+    if (!(isNew | isBesideOther)) continue;
     if (isNew && mesh.isFace(f)) newFaces_.push_back(f);
-    if (isNew || (mesh.isFace(f) && !hasSameOpposites(before, mesh, f))) changedFaces_.push_back(f);
+    if (isNew || mesh.isFace(f)) changedFaces_.push_back(f);
   }
   for (int f = common; f < std::max(before.faceSlots(), mesh.faceSlots()); ++f) {
     changedFaces_.push_back(f);

@@ -28,7 +28,7 @@ class StructureCheck {
   std::optional<StructureFault> examine(const Mesh& mesh);
   //! The same where `before` has no fault, slot by slot: looks only at the faces and half-edges that differ
   //! from it, at what lay beside them, and at their vertices. It takes nobody's word for what has changed;
-  //! the comparison costs about what copying the mesh does.
+  //! the comparison goes once over all slots, whatever has changed.
   std::optional<StructureFault> examineChanges(const Mesh& before, const Mesh& mesh);
   //! The faces of the mesh last looked at that had other vertices before, ascending.
   std::span<const int> newFaces() const { return newFaces_; }
