@@ -13,6 +13,7 @@
 #include "core/errors.h"
 #include "core/io/mesh_io.h"
 #include "core/io/picture.h"
+#include "core/io/result.h"
 
 namespace handlebody::cli {
 
@@ -75,10 +76,8 @@ void checkPictureExtension(const OutputFile& file) {
 }
 
 void checkResultExtension(const OutputFile& file) {
-  if (!isMeshPath(file.path) && !isLabelMapPath(file.path))
-    throw UsageError(file.option + " " + file.path +
-                     ": unknown extension; a mesh is .stl, .vtp, .ply or .obj, a label map .nii, .nii.gz, "
-                     ".nrrd or .mha.");
+  if (!isResultPath(file.path))
+    throw UsageError(file.option + " " + file.path + ": unknown extension; " + resultEndings() + ".");
 }
 
 namespace {

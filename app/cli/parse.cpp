@@ -90,6 +90,20 @@ IntensityRange parseRange(const std::string& option, const std::string& text) {
   return {v[0], v[1]};
 }
 
+WallBall parseWall(const std::string& option, const std::string& text) {
+  const auto v = parseNumbers(option, text);
+  if (v.size() != 4 || !allFinite(v) || !(v[3] > 0))
+    refuse(option, text, "X,Y,Z,R in finite numbers with a radius above 0");
+  return {{v[0], v[1], v[2]}, v[3]};
+}
+
+Veto parseVeto(const std::string& option, const std::string& text) {
+  const auto colon = text.find(':');
+  if (colon == std::string::npos) refuse(option, text, "ITERATION:X,Y,Z");
+  const int iteration = parseInteger(option, text.substr(0, colon), 1, std::numeric_limits<int>::max());
+  return {iteration, parseVector(option, text.substr(colon + 1))};
+}
+
 Seed parseSeed(const std::string& option, const std::string& text) {
   const auto v = parseNumbers(option, text);
   if ((v.size() != 3 && v.size() != 4) || !allFinite(v))

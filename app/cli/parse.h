@@ -21,6 +21,10 @@ Vec3 parseVector(const std::string& option, const std::string& text);
 std::vector<int> parseIntegers(const std::string& option, const std::string& text, int lowest);
 //! LO,HI with LO <= HI.
 IntensityRange parseRange(const std::string& option, const std::string& text);
+//! X,Y,Z,R in mm; R > 0.
+WallBall parseWall(const std::string& option, const std::string& text);
+//! ITERATION:X,Y,Z, the iteration at least 1.
+Veto parseVeto(const std::string& option, const std::string& text);
 //! X,Y,Z[,R] in any one unit; R > 0.
 Seed parseSeed(const std::string& option, const std::string& text);
 

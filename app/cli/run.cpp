@@ -11,17 +11,44 @@
 #include "core/errors.h"
 #include "core/evolution/active_contour.h"
 #include "core/io/atomic_file.h"
+#include "core/io/label_map.h"
 #include "core/io/picture.h"
 #include "core/io/result.h"
+#include "core/io/wall_map.h"
 
 namespace handlebody::cli {
+
+namespace {
+
+void addContent(CLI::App& command, DicomContent& content) {
+  const auto add = [&command](const std::string& name, std::string& text, const std::string& type,
+                              const std::string& help) {
+    const auto set = [&text, name](const std::string& given) {
+      if (const std::string fault = dicomTextFault(given); !fault.empty())
+        throw UsageError(name + ": '" + given + "' " + fault + ".");
+      text = given;
+    };
+    command.add_option_function<std::string>(name, set, help)->type_name(type);
+  };
+  add("--creator", content.creator, "FAMILY^GIVEN",
+      "Who made it, for DICOM files (default: nobody is named)");
+  command.add_flag(
+      "--anonymous", content.anonymous,
+      "Leave names, dates and identifiers of the source out of every file: paths, series, and in DICOM "
+      "files patient, study and references");
+  add("--description", content.description, "TEXT", "What it is for, for DICOM files");
+}
+
+}  // namespace
 
 void addRunOutputs(CLI::App& command, RunOutputs& outputs) {
   command
       .add_option(
           "-o,--output", outputs.results,
-          "What to write, by extension: .stl .vtp .ply .obj = the mesh; .nii.gz .nii .nrrd .mha = its "
-          "label map on the input grid; may be given several times")
+          "What to write, by extension: .stl .vtp .ply .obj .3mf = the mesh; .nii.gz .nii .nrrd .mha = its "
+          "label map on the input grid; .seg.nrrd = the same as 3D Slicer's segmentation; for a volume read "
+          "from DICOM, too: .seg.dcm = a DICOM Segmentation, .stl.dcm = the mesh as DICOM Encapsulated STL; "
+          "may be given several times")
       ->type_name("OUT")
       ->expected(1)
       ->take_all()
@@ -33,6 +60,12 @@ void addRunOutputs(CLI::App& command, RunOutputs& outputs) {
       ->type_name("F.json");
   command.add_option("--picture", outputs.picture, "Three slices with the outline, and the surface (PNG)")
       ->type_name("F.png");
+  command
+      .add_option("--label-description", outputs.labelDescription,
+                  "Names and colours of the labels for ITK-SNAP (text)")
+      ->type_name("F.txt");
+  addObjectOptions(command, outputs.object);
+  addContent(command, outputs.content);
   command.add_flag("--quiet", outputs.quiet, "No progress and no summary");
 }
 
@@ -46,6 +79,15 @@ void addSpace(CLI::App& command, std::optional<CoordinateSpace>& space) {
       ->type_name("LPS|RAS");
 }
 
+std::vector<std::string> inputsOf(const Session& session) {
+  std::vector<std::string> inputs{session.volume.path};
+  if (session.constraints.walls.map) inputs.push_back(session.constraints.walls.map->path);
+  for (const ParameterChange& change : session.changes)
+    if (change.constraints && change.constraints->walls.map)
+      inputs.push_back(change.constraints->walls.map->path);
+  return inputs;
+}
+
 void checkOutputs(const RunOutputs& outputs, const std::vector<std::string>& inputs) {
   std::vector<OutputFile> files;
   for (const std::string& path : outputs.results) {
@@ -55,6 +97,7 @@ void checkOutputs(const RunOutputs& outputs, const std::vector<std::string>& inp
   if (!outputs.report.empty()) files.push_back({"--report", outputs.report});
   if (!outputs.session.empty()) files.push_back({"--session", outputs.session});
   if (!outputs.trace.empty()) files.push_back({"--trace", outputs.trace});
+  if (!outputs.labelDescription.empty()) files.push_back({"--label-description", outputs.labelDescription});
   if (!outputs.picture.empty()) {
     files.push_back({"--picture", outputs.picture});
     checkPictureExtension(files.back());
@@ -83,6 +126,7 @@ LoadedSession load(Session session) {
   loaded.info = std::move(read.info);
   for (const std::string& warning : loaded.info.warnings)
     std::fprintf(stderr, "handlebody-cli: warning: %s\n", warning.c_str());
+  loadWalls(session, loaded.volume.grid);
   loaded.session = std::move(session);
   loaded.loadSeconds = watch.lap();
   return loaded;
@@ -98,7 +142,7 @@ void evolve(ActiveContour& contour, RunReport& report, const RunOutputs& outputs
   const int last = report.session.stopAt.value_or(std::numeric_limits<int>::max());
   while (contour.iteration() < last) {
     if (change != report.session.changes.end() && change->iteration == contour.iteration()) {
-      contour.change(changed({contour.requestedSeeds(), contour.requested()}, *change));
+      contour.change(changed(contour.request(), *change));
       if (change->seeds && contour.correction())
         report.corrections.push_back({contour.iteration(), *contour.correction()});
       ++change;
@@ -108,8 +152,13 @@ void evolve(ActiveContour& contour, RunReport& report, const RunOutputs& outputs
     progress.show(step);
     std::move(step.events.begin(), step.events.end(), std::back_inserter(report.events));
   }
+  if (const auto veto = contour.waitingVeto(); veto && contour.stopReason() != StopReason::running)
+    throw UsageError("The veto of iteration " + std::to_string(veto->iteration) +
+                     " has nothing to forbid: the growth ended at iteration " +
+                     std::to_string(contour.iteration()) + ".");
   report.iterations = contour.iteration();
   report.stopped = contour.stopReason();
+  report.held = contour.held();
 }
 
 void printSummary(const RunReport& report) {
@@ -119,12 +168,27 @@ void printSummary(const RunReport& report) {
   std::printf("%s after %d iterations (%.2f s): components %d, genus %s, %d vertices, %.4g ml, %.4g cm2\n",
               endName(report.stopped), report.iterations, report.seconds.total, mesh.components,
               genus.c_str(), mesh.vertices, mesh.volume / 1000.0, mesh.area / 100.0);
+  for (const HeldPlace& held : report.held)
+    std::printf("held by %s since iteration %d: %s at %.4g,%.4g,%.4g\n", held.isVetoed ? "a veto" : "a limit",
+                held.iteration, eventKindName(held.kind), held.place.x(), held.place.y(), held.place.z());
 }
 
-void writeSideFiles(const RunReport& report, const RunOutputs& outputs) {
+void writeSideFiles(RunReport report, const RunOutputs& outputs) {
+  if (outputs.content.anonymous) report = anonymous(std::move(report));
   if (!outputs.session.empty()) writeSession(report.session, outputs.session);
   if (!outputs.trace.empty()) writeTextAtomically(outputs.trace, traceText(report));
   if (!outputs.report.empty()) writeTextAtomically(outputs.report, reportText(report));
+}
+
+ExportContext contextOf(const RunReport& report, const RunOutputs& outputs) {
+  return {report.volume.grid, report.session.space, report.volume.dicom, outputs.content};
+}
+
+void writeObjects(const std::vector<ExportedObject>& objects, const RunReport& report,
+                  const RunOutputs& outputs) {
+  writeResults(objects, contextOf(report, outputs), outputs.results);
+  if (!outputs.labelDescription.empty())
+    writeTextAtomically(outputs.labelDescription, labelDescription(objects));
 }
 
 }  // namespace
@@ -133,12 +197,14 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
   Stopwatch watch;
   RunReport report;
   report.session = std::move(loaded.session);
+  report.session.label = chosenLabel(outputs.object, report.session.label);
   report.volume = std::move(loaded.info);
   report.seconds.load = loaded.loadSeconds;
+  for (const std::string& path : outputs.results) checkResult(path, contextOf(report, outputs));
   std::optional<Volume> shown;  // the voxels are not kept in memory for nothing
   if (!outputs.picture.empty()) shown = loaded.volume;
   auto contour = std::make_optional<ActiveContour>(std::move(loaded.volume), report.session.seeds,
-                                                   report.session.requested);
+                                                   report.session.requested, report.session.constraints);
   report.session.resolved = contour->parameters();
   report.candidates = contour->candidates();
   report.isCloseChoice = contour->isCloseChoice();
@@ -160,7 +226,7 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
   for (const std::string& d : report.doubts) std::fprintf(stderr, "handlebody-cli: warning: %s\n", d.c_str());
   {
     DeferSignals whole;
-    writeResults(mesh, report.volume.grid, outputs.results, report.session.space);
+    writeObjects({{report.session.label, mesh}}, report, outputs);
     if (shown) writePicture(*shown, mesh, outputs.picture);
     report.seconds.exported = watch.lap();
     const Timings& s = report.seconds;

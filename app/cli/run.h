@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/object_options.h"
 #include "app/cli/outputs.h"
+#include "core/io/dicom_writer.h"
 #include "core/io/report.h"
 
 namespace CLI {
@@ -17,14 +19,19 @@ namespace handlebody::cli {
 //! What a run writes and says.
 struct RunOutputs {
   std::vector<std::string> results;  //!< -o
-  std::string report, session, trace, picture;
+  std::string report, session, trace, picture, labelDescription;
+  ObjectOptions object;
+  DicomContent content;
   bool quiet = false;
 };
 
-//! Adds -o, --report, --session, --trace, --picture and --quiet.
+//! Adds -o, --report, --session, --trace, --picture, --label-description, --quiet and the object's options.
 void addRunOutputs(CLI::App& command, RunOutputs& outputs);
 //! Adds --space; LPS unless given.
 void addSpace(CLI::App& command, std::optional<CoordinateSpace>& space);
+
+//! The files that a session reads: no output may be one of them.
+std::vector<std::string> inputsOf(const Session& session);
 
 //! Before any work: throws UsageError if an output has no known extension or cannot be written.
 void checkOutputs(const RunOutputs& outputs, const std::vector<std::string>& inputs);

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <limits>
 #include <memory>
 
@@ -106,12 +107,55 @@ void addParameters(CLI::App& command, Parameters& p) {
       [](Parameters& q, Text t) { q.threads = parseInteger("--threads", t, 1, kMostThreads); });
 }
 
+//! Given as often as one likes.
+void addConstraint(CLI::App& command, Text name, Text type, Text help, std::function<void(Text)> add) {
+  const auto addAll = [add](const std::vector<std::string>& texts) {
+    for (Text text : texts) add(text);
+  };
+  command.add_option_function<std::vector<std::string>>(name, addAll, help)
+      ->type_name(type)
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
+void addConstraints(CLI::App& command, Constraints& c) {
+  addConstraint(command, "--wall", "X,Y,Z,R",
+                "A ball that the surface may not enter, LPS millimetres; may be given several times",
+                [&c](Text t) { c.walls.balls.push_back(parseWall("--wall", t)); });
+  command
+      .add_option_function<std::string>(
+          "--walls",
+          [&c](Text path) {
+            c.walls.map = WallMap{path, {}, nullptr};
+          },
+          "A label map on the volume's grid: the surface may not enter voxels that are not 0")
+      ->type_name("LABELMAP");
+  addConstraint(
+      command, "--veto", "ITERATION:X,Y,Z",
+      "The change of topology nearest to there in that step does not happen: the fronts rest; may be "
+      "given several times",
+      [&c](Text t) { c.vetoes.push_back(parseVeto("--veto", t)); });
+  const auto addLimit = [&command](Text name, int least, std::optional<int>& limit, Text help) {
+    const auto set = [&limit, name, least](Text t) { limit = parseInteger(name, t, least, kAnyCount); };
+    command.add_option_function<std::string>(name, set, help)->type_name("N");
+  };
+  addLimit("--components", 1, c.topology.components,
+           "Never more components than this: changes that would make more are held");
+  addLimit("--genus", 0, c.topology.genus, "Never more tunnels than this (of all components together)");
+  addConstraint(
+      command, "--allow", "X,Y,Z",
+      "A change of topology there may break these limits, LPS millimetres (the report lists what was "
+      "held, and where); may be given several times",
+      [&c](Text t) { c.topology.allowed.push_back(parseVector("--allow", t)); });
+}
+
 int segment(SegmentOptions o) {
   Session& session = o.session;
   session.version = HANDLEBODY_VERSION;
   session.space = o.space.value_or(CoordinateSpace::lps);
   const Clicks clicks = parseClicks(o.clicks);
-  checkOutputs(o.outputs, {session.volume.path});
+  checkOutputs(o.outputs, inputsOf(session));
 
   LoadedSession loaded = load(std::move(session));
   loaded.session.seeds = seedsInWorld(clicks, loaded.volume.grid);
@@ -126,6 +170,7 @@ void addSegment(CLI::App& app, Action& action) {
   addInput(*command, options->session.volume);
   addClicks(*command, options->clicks);
   addParameters(*command, options->session.requested);
+  addConstraints(*command, options->session.constraints);
   addRunOutputs(*command, options->outputs);
   addSpace(*command, options->space);
   command->callback([&action, options] { action = [options] { return segment(*options); }; });

@@ -2,22 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/collision/self_intersection.h"
 #include "core/errors.h"
+#include "core/evolution/adaptation_rounds.h"
 #include "core/evolution/clicked_object.h"
+#include "core/evolution/collapsed_components.h"
 #include "core/evolution/image_doubts.h"
 #include "core/evolution/motion.h"
 #include "core/evolution/object_image.h"
+#include "core/evolution/quiet_vertices.h"
 #include "core/evolution/resting_places.h"
+#include "core/evolution/scratch.h"
 #include "core/evolution/seeds.h"
+#include "core/evolution/stillness.h"
 #include "core/evolution/transaction.h"
+#include "core/evolution/wall_guard.h"
 #include "core/mesh/morton_order.h"
-#include "core/mesh/nesting.h"
 #include "core/mesh/remesh.h"
 #include "core/mesh/topology.h"
-#include "core/surgery/predicted_change.h"
 #include "core/surgery/topology_adaptation.h"
 
 namespace handlebody {
@@ -30,32 +33,12 @@ constexpr double kShortest = 0.55;
 constexpr double kStep =
     0.28;  // largest move along the normal: two fronts come closer by little more than s / 3
 constexpr double kStepVoxels = 0.9;  // and never further than this many voxels of the finest axis
-constexpr double kQuiet = 0.015;     // a vertex that moves less than this is quiet
-constexpr double kStirring = 0.1;    // a neighbour that moves more than this wakes a sleeper
-constexpr double kCollapsed = 1.0;   // a component of less extent than this is gone
 constexpr double kAgrees = 0.5;      // voxels between a boundary and a surface that agree
-constexpr double kShrinks = 4;       // more than a component loses of its extent in one step
-constexpr double kSweeps = 0.5;  // more than a face moves along its normal in one step: kStep, and remeshing
 
-constexpr int kQuietToSleep = 3;  // iterations
-constexpr int kQuietToStop = 3;   // iterations without motion or event
-constexpr int kStillToStop = 40;  // iterations in which next to nothing moves and nothing happens
-constexpr double kNextToNothing =
-    0.001;  // part of the vertices: single ones may tremble between two faces of a noisy voxel
-constexpr int kRounds = 5;                // of detection and surgery in one step
 constexpr double kGrowthToReorder = 1.5;  // of the mesh, until its vertices are put into order again
 constexpr int kFitsIntoCache = 3000;      // vertices: any order will do
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
-
-//! What only saves work and decides nothing: a copy starts without it.
-template <typename T>
-struct Scratch : T {
-  Scratch() = default;
-  Scratch(const Scratch&) : T() {}
-  Scratch& operator=(const Scratch&) = delete;
-  using T::operator=;
-};
 
 }  // namespace
 
@@ -66,23 +49,23 @@ struct ActiveContour::State {
   Volume volume;
   std::vector<Seed> seeds;  // as asked for
   Parameters requested;
+  Constraints constraints;
+  WallGuard walls;
   ClickedObject object;
   ResolvedParameters parameters;
   MotionSettings motion;
   RemeshLimits limits;
   Scratch<CollisionDetector> detector;
   RestingPlaces resting;
+  HeldChanges held;  // what the constraints forbid
+  CollapsedComponents collapsed;
+  Stillness stillness;
   std::optional<Correction> correction;
   double automaticEdge = 0;  // mm; what the edge length is if none is asked for
   TopologyNumbers topology;
   StopReason stop = StopReason::running;
   int iteration = 0;
-  int quietIterations = 0;
-  int nearlyStillIterations = 0;
   int orderedVertices = kFitsIntoCache;  // vertices when they were last put into order
-  std::ptrdiff_t knownCavities = 0;      // components of negative volume, when last looked at
-  int lookAtComponents = 0;              // iteration before which none can collapse
-  double enclosed = 0;                   // mm³ that the last step left; 0 if not known
   bool traces = false;
 
   //! True if parts of the surface may give ground: where that was asked for, or after other clicks.
@@ -91,8 +74,10 @@ struct ActiveContour::State {
 
   void chooseEdge();
   void resolve(const Parameters& p);
+  void start(const Parameters& p, const Constraints& c);
   void begin();
   void change(const Request& to, const State* prepared);
+  void chooseWalls();
   void forgetRest();
   void correct();
   void beginAnew();
@@ -101,12 +86,11 @@ struct ActiveContour::State {
   Attempt attempt();
   std::vector<int> verticesToMove() const;
   void adapt(Attempt& a);
-  bool mayTurn() const;
   void deleteCollapsed(Attempt& a);
   void accept(Attempt& a, StepReport& report);
+  std::vector<HeldChange> judge(const Attempt& a, StepReport& report);
   void restRepeated(StepReport& report);
   Event rolledBack(const Vec3& place, const char* reason) const;
-  void updateQuiet(const Attempt& a);
   void decideStop(const StepReport& report);
   StopReason restReason() const;
   StepReport step();
@@ -115,9 +99,10 @@ struct ActiveContour::State {
 //! Two voxels, but finer in thin structures.
 void ActiveContour::State::chooseEdge() {
   const double voxel = volume.grid.meanSpacing();
+  const auto image = object.image->behind(nullptr);
   double fit = 0;
   for (const Seed& s : seedsOfSide(seeds, false))
-    fit = std::max(fit, fittingRadius(*object.image, s.centre, 8 * voxel));
+    fit = std::max(fit, fittingRadius(*image, s.centre, 8 * voxel));
   automaticEdge = std::clamp(0.6 * fit / voxel, 1.0, 2.0) * voxel;
 }
 
@@ -143,11 +128,29 @@ void ActiveContour::State::resolve(const Parameters& p) {
   motion.outwardOnly = p.direction == Direction::outward;
   motion.threads = p.threads;
   limits = {kLongest * edge, kShortest * edge};
+  chooseWalls();
+}
+
+void ActiveContour::State::chooseWalls() {
+  walls.choose(constraints.walls, volume.grid, parameters.edgeLength, motion.largestStep);
+  object.image = object.image->behind(walls.all());
+  limits.forbidden = walls.forbidden();
+}
+
+//! Precondition: volume, seeds and object are chosen.
+void ActiveContour::State::start(const Parameters& p, const Constraints& c) {
+  held.choose(c, 0);
+  constraints = c;
+  chooseEdge();
+  resolve(p);
+  begin();
 }
 
 void ActiveContour::State::begin() {
-  const std::vector<Seed> inside = fitSeeds(*object.image, seedsOfSide(seeds, false), parameters.edgeLength,
-                                            parameters.direction == Direction::both);
+  const std::vector<Seed> asked = seedsOfSide(seeds, false);
+  std::vector<Seed> inside =
+      fitSeeds(*object.image, asked, parameters.edgeLength, parameters.direction == Direction::both);
+  if (walls.all()) inside = clearOfWalls(inside, asked, *walls.all(), limits.shortest);
   mesh = seedMesh(inside, parameters.edgeLength);
   resolveSeeds(inside);
   quiet.assign(idx(mesh.vertexSlots()), 0);
@@ -165,11 +168,16 @@ void ActiveContour::State::resolveSeeds(const std::vector<Seed>& inside) {
 
 void ActiveContour::State::change(const Request& to, const State* prepared) {
   requireSensible(to.parameters);
+  requireSensible(to.constraints, volume.grid);
+  const WallList known = constraints.walls;
+  const bool otherWalls = to.constraints.walls != known;
   const bool otherClicks = to.seeds != seeds;
   const bool otherImage = prepared || otherClicks || !chooseSameImage(to.parameters, requested);
-  const bool wake = otherClicks || !moveAlike(to.parameters, requested);
+  const bool freed = held.choose(to.constraints, iteration);
+  const bool wake = otherClicks || otherWalls || freed || !moveAlike(to.parameters, requested);
   const bool sleepsOn = otherClicks && haveSameForces(to.parameters, requested);
   seeds = to.seeds;
+  constraints = to.constraints;
   if (prepared)
     object = prepared->object;
   else if (otherImage)
@@ -179,6 +187,8 @@ void ActiveContour::State::change(const Request& to, const State* prepared) {
   if (wake) forgetRest();
   if (wake && !sleepsOn) quiet.assign(idx(mesh.vertexSlots()), 0);
   if (otherClicks) correct();
+  walls.putUp(mesh, known, mayShrink());
+  limits.forbidden = walls.forbidden();
   if (stop == StopReason::maxIterations || (wake && mesh.faceCount() > 0)) stop = StopReason::running;
   if (stop == StopReason::running && iteration >= to.parameters.maxIterations)
     stop = StopReason::maxIterations;
@@ -186,9 +196,8 @@ void ActiveContour::State::change(const Request& to, const State* prepared) {
 
 void ActiveContour::State::forgetRest() {
   resting = {};
-  quietIterations = nearlyStillIterations = 0;
-  lookAtComponents = 0;
-  enclosed = 0;
+  stillness = {};
+  collapsed.forget();
 }
 
 //! After a change of the clicks. What had settled and agrees with the new image sleeps on.
@@ -233,7 +242,8 @@ std::vector<int> ActiveContour::State::verticesToMove() const {
   std::vector<int> out;
   const bool anyRest = resting.any(iteration);
   for (int v = 0; v < mesh.vertexSlots(); ++v)
-    if (mesh.isVertex(v) && !sleeps(v) && !(anyRest && resting.rests(mesh.position(v), iteration)))
+    if (mesh.isVertex(v) && !sleeps(v) && !(anyRest && resting.rests(mesh.position(v), iteration)) &&
+        !held.rests(mesh.position(v)))
       out.push_back(v);
   return out;
 }
@@ -244,112 +254,47 @@ Attempt ActiveContour::State::attempt() {
   std::vector<Vec3> moves = computeMotion(mesh, *object.image, motion, a.moving);
   for (std::size_t i = 0; i < moves.size(); ++i) moves[i] *= resting.pace(mesh.position(a.moving[i]));
   a.touched.assign(idx(mesh.vertexSlots()), 0);
+  walls.bound(mesh, a.moving, motion.largestStep, moves);
   for (std::size_t i = 0; i < moves.size(); ++i) {
     mesh.setPosition(a.moving[i], mesh.position(a.moving[i]) + moves[i]);
-    a.distances.push_back(moves[i].norm());
     a.touched[idx(a.moving[i])] = 1;
   }
+  walls.holdBack(mesh, transaction.before(), a.moving, moves);
+  for (const Vec3& move : moves) a.distances.push_back(move.norm());
   regulate(mesh, limits, a.touched);
   adapt(a);
   if (a.troubles.empty()) deleteCollapsed(a);
+  if (const auto place = walls.broken(mesh, a.touched, a.events); a.troubles.empty() && place)
+    a.troubles.push_back({*place, 2 * limits.longest, "the surface would have entered a wall"});
   return a;
 }
 
-//! Detection and surgery until nothing intersects, or until a place has to be rolled back.
 void ActiveContour::State::adapt(Attempt& a) {
-  AdaptationSettings settings{!mayShrink(), traces, iteration, topology, {}};
+  AdaptationSettings settings{!mayShrink(), traces, iteration, topology, {}, limits.forbidden};
   settings.cameBack = [this](const Vec3& p) { return resting.cameBack(p, limits.longest); };
-  std::vector<unsigned char> changed = a.touched;
-  for (int round = 0; round < kRounds; ++round) {
-    const std::vector<FacePair>& pairs = detector.detectMoved(mesh, changed);
-    if (pairs.empty()) return;
-    changed.assign(idx(mesh.vertexSlots()), 0);
-    for (const auto& [f, g] : pairs)
-      for (int face : {f, g})
-        for (int v : mesh.face(face)) changed[idx(v)] = 1;
-    AdaptationResult result = adaptTopology(mesh, pairs, settings, changed);
-    if (!result.events.empty()) settings.topology = result.events.back().after;
-    a.events.insert(a.events.end(), std::make_move_iterator(result.events.begin()),
-                    std::make_move_iterator(result.events.end()));
-    a.touched.resize(idx(mesh.vertexSlots()), 0);
-    changed.resize(idx(mesh.vertexSlots()), 0);
-    for (std::size_t v = 0; v < changed.size(); ++v) a.touched[v] = a.touched[v] | changed[v];
-    if (!result.troubles.empty()) {
-      a.troubles = std::move(result.troubles);
-      return;
-    }
-  }
-  for (const auto& [f, g] : detector.detectMoved(mesh, changed)) {
-    const Vec3 centre = mesh.position(mesh.face(f)[0]);
-    a.troubles.push_back(
-        {centre, 2 * limits.longest, "the surface still intersected itself after several changes"});
-  }
+  adaptInRounds(mesh, detector, std::move(settings), limits.longest, a);
 }
 
-//! False only if no component can have turned inside out in this step: a single one would have to sweep all
-//! that it enclosed. No face is larger than the equilateral one of the longest edge.
-bool ActiveContour::State::mayTurn() const {
-  if (topology.components != 1) return true;
-  const double area = mesh.faceCount() * std::numbers::sqrt3 / 4 * limits.longest * limits.longest;
-  return enclosed <= area * kSweeps * parameters.edgeLength;
-}
-
-//! Components that have collapsed, and those that have turned inside out while they did: a cavity would grow
-//! on as a body in the body, a body as a cavity of all space, without end.
 void ActiveContour::State::deleteCollapsed(Attempt& a) {
-  if (a.events.empty() && iteration < lookAtComponents && !(mayShrink() && mayTurn())) return;
-  const Components parts = findComponents(mesh);
-  const double smallest =
-      parts.count() == 0 ? 0 : *std::min_element(parts.extent.begin(), parts.extent.end());
-  lookAtComponents = iteration + static_cast<int>(smallest / (kShrinks * parameters.edgeLength));
-  const auto cavities =
-      std::count_if(parts.volume.begin(), parts.volume.end(), [](double v) { return v < 0; });
-  const bool mayHaveTurned = knownCavities != cavities || (mayShrink() && !a.events.empty());
-  knownCavities = cavities;
-  std::vector<int> first(parts.vertices.size(), -1);
-  for (int v = mesh.vertexSlots() - 1; v >= 0; --v)
-    if (mesh.isVertex(v)) first[idx(parts.ofVertex[idx(v)])] = v;
-  for (std::size_t c = 0; c < first.size(); ++c) {
-    const bool isTurned = mayHaveTurned && isMisplaced(mesh, parts, static_cast<int>(c));
-    if (parts.extent[c] >= kCollapsed * parameters.edgeLength && !isTurned) continue;
-    Event event;
-    event.kind = EventKind::componentDeleted;
-    event.iteration = iteration;
-    event.location = mesh.position(first[c]);
-    event.before = a.events.empty() ? topology : a.events.back().after;
-    event.after = predictDeletion(event.before, parts, static_cast<int>(c));
-    deleteComponent(mesh, first[c]);
-    a.events.push_back(std::move(event));
-  }
+  const auto isKept = [this](const Vec3& p) { return held.rests(p); };
+  const TopologyNumbers& now = a.events.empty() ? topology : a.events.back().after;
+  for (Event& e : collapsed.erase(mesh, {parameters.edgeLength, limits.longest, mayShrink(),
+                                         !a.events.empty(), iteration, now, isKept}))
+    a.events.push_back(std::move(e));
 }
 
-void ActiveContour::State::updateQuiet(const Attempt& a) {
-  const std::size_t known = quiet.size();
-  quiet.resize(idx(mesh.vertexSlots()), 0);
-  // Vertices that surgery made, moved or gave new faces are awake.
-  std::vector<unsigned char> wasMoved(quiet.size(), 0);
-  for (int v : a.moving) wasMoved[idx(v)] = 1;
-  for (std::size_t v = 0; v < quiet.size(); ++v)
-    if (v >= known || (a.touched[v] != 0 && wasMoved[v] == 0)) quiet[v] = 0;
-  const double quietMove = kQuiet * parameters.edgeLength, stirringMove = kStirring * parameters.edgeLength;
-  for (std::size_t i = 0; i < a.moving.size(); ++i) {
-    unsigned char& q = quiet[idx(a.moving[i])];
-    if (idx(a.moving[i]) >= known || !mesh.isVertex(a.moving[i])) continue;
-    q = a.distances[i] < quietMove ? static_cast<unsigned char>(std::min(q + 1, kQuietToSleep))
-                                   : static_cast<unsigned char>(0);
+//! The changes that may not happen, each with an event.
+std::vector<HeldChange> ActiveContour::State::judge(const Attempt& a, StepReport& report) {
+  std::vector<HeldChange> changes = held.judge(a.events, iteration, limits.longest);
+  for (const HeldChange& h : changes) {
+    report.events.push_back(rolledBack(h.place, h.reason));
+    report.events.back().held = h.kind;
   }
-  // Those that stir wake their neighbours. Face by face, in the order of memory: far quicker than a walk from
-  // neighbour to neighbour.
-  std::fill(wasMoved.begin(), wasMoved.end(), static_cast<unsigned char>(0));
-  for (std::size_t i = 0; i < a.moving.size(); ++i)
-    wasMoved[idx(a.moving[i])] = a.distances[i] > stirringMove;
-  for (const Triangle& t : mesh.faces())
-    if (t[0] >= 0 && (wasMoved[idx(t[0])] | wasMoved[idx(t[1])] | wasMoved[idx(t[2])]) != 0)
-      for (const int v : t) quiet[idx(v)] = 0;
+  return changes;
 }
 
 void ActiveContour::State::accept(Attempt& a, StepReport& report) {
-  updateQuiet(a);
+  countQuiet(mesh, {a.moving, a.distances, a.touched}, parameters.edgeLength, quiet);
   for (double d : a.distances) {
     report.movedVertices += d >= kQuiet * parameters.edgeLength;
     report.largestMove = std::max(report.largestMove, d);
@@ -381,12 +326,10 @@ Event ActiveContour::State::rolledBack(const Vec3& place, const char* reason) co
 
 void ActiveContour::State::decideStop(const StepReport& report) {
   const bool calm = report.events.empty() && !resting.anyWillWake(iteration);
-  quietIterations = calm && report.movedVertices == 0 ? quietIterations + 1 : 0;
-  const bool nearlyStill = report.movedVertices <= std::max(1.0, kNextToNothing * mesh.vertexCount());
-  nearlyStillIterations = calm && nearlyStill ? nearlyStillIterations + 1 : 0;
+  stillness.count(calm, report.movedVertices, mesh.vertexCount());
   if (mesh.faceCount() == 0)
     stop = StopReason::empty;
-  else if (quietIterations >= kQuietToStop || nearlyStillIterations >= kStillToStop)
+  else if (stillness.isAtRest())
     stop = restReason();
   else if (iteration >= parameters.maxIterations)
     stop = StopReason::maxIterations;
@@ -398,9 +341,9 @@ StopReason ActiveContour::State::restReason() const {
   for (int v = 0; v < mesh.vertexSlots(); ++v)
     if (mesh.isVertex(v) && resting.rests(mesh.position(v), iteration)) resters.push_back(v);
   const std::vector<Vec3> moves = computeMotion(mesh, *object.image, motion, resters);
-  const bool held = std::any_of(moves.begin(), moves.end(),
-                                [&](const Vec3& m) { return m.norm() >= kQuiet * parameters.edgeLength; });
-  if (!held) return StopReason::converged;
+  const bool wouldMove = std::any_of(
+      moves.begin(), moves.end(), [&](const Vec3& m) { return m.norm() >= kQuiet * parameters.edgeLength; });
+  if (!wouldMove) return StopReason::converged;
   return static_cast<int>(resters.size()) == mesh.vertexCount() ? StopReason::stuck : StopReason::frozen;
 }
 
@@ -412,27 +355,33 @@ StepReport ActiveContour::State::step() {
     report.events.push_back(rolledBack(t.centre, t.reason));
     resting.add(t.centre, t.radius + 0.5 * limits.longest, iteration);
   };
-  Attempt last = transaction.run({mesh, topology, limits.longest, [this] { return attempt(); }, rollBack});
-  if (last.troubles.empty())
+  Attempt last = transaction.run({mesh, topology, limits.longest, [this] { return attempt(); },
+                                  [&](const Attempt& a) { return judge(a, report); }, rollBack});
+  if (last.isKept())
     accept(last, report);
   else
-    rollBack({last.troubles[0].centre, 1e3 * parameters.edgeLength, "no part of the step could be kept"});
+    rollBack({last.place(), 1e3 * parameters.edgeLength, "no part of the step could be kept"});
+  if (walls.isPushing()) {
+    walls.release(mesh);
+    limits.forbidden = walls.forbidden();
+  }
   // Of the mesh that is left, also when all of the step was rolled back.
   report.settledVertices = std::max(0, mesh.vertexCount() - report.movedVertices);
-  report.volume = enclosed = transaction.volume();
+  report.volume = transaction.volume();
+  collapsed.setEnclosed(report.volume);
   decideStop(report);
   return report;
 }
 
-ActiveContour::ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters parameters)
+ActiveContour::ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters parameters,
+                             Constraints constraints)
     : state_(std::make_unique<State>()) {
   requireSensible(parameters);
+  requireSensible(constraints, volume.grid);
   state_->volume = std::move(volume);
   state_->seeds = std::move(seeds);
   state_->object = findClickedObject(state_->volume, state_->seeds, parameters);
-  state_->chooseEdge();
-  state_->resolve(parameters);
-  state_->begin();
+  state_->start(parameters, constraints);
 }
 ActiveContour::ActiveContour(std::unique_ptr<State> state) : state_(std::move(state)) {}
 ActiveContour::~ActiveContour() = default;
@@ -449,28 +398,32 @@ void ActiveContour::change(const Request& request) {
 }
 void ActiveContour::change(const ActiveContour& prepared) {
   auto changed = std::make_unique<State>(*state_);
-  changed->change({prepared.requestedSeeds(), prepared.requested()}, prepared.state_.get());
+  changed->change(prepared.request(), prepared.state_.get());
   state_ = std::move(changed);
 }
 const std::optional<Correction>& ActiveContour::correction() const { return state_->correction; }
-ActiveContour ActiveContour::restarted(const Parameters& parameters) const {
-  if (!chooseSameImage(parameters, requested())) return {state_->volume, state_->seeds, parameters};
+ActiveContour ActiveContour::restarted(const Parameters& parameters, const Constraints& constraints) const {
+  if (!chooseSameImage(parameters, requested()))
+    return {state_->volume, state_->seeds, parameters, constraints};
   requireSensible(parameters);
+  requireSensible(constraints, grid());
   auto fresh = std::make_unique<State>();
   fresh->volume = state_->volume;
   fresh->seeds = state_->seeds;
   fresh->object = state_->object;
-  fresh->chooseEdge();
-  fresh->resolve(parameters);
-  fresh->begin();
+  fresh->start(parameters, constraints);
   return ActiveContour(std::move(fresh));
 }
 StopReason ActiveContour::stopReason() const { return state_->stop; }
 int ActiveContour::iteration() const { return state_->iteration; }
 const Mesh& ActiveContour::mesh() const { return state_->mesh; }
+const Grid& ActiveContour::grid() const { return state_->volume.grid; }
 const ResolvedParameters& ActiveContour::parameters() const { return state_->parameters; }
 const Parameters& ActiveContour::requested() const { return state_->requested; }
 const std::vector<Seed>& ActiveContour::requestedSeeds() const { return state_->seeds; }
+const Constraints& ActiveContour::constraints() const { return state_->constraints; }
+std::optional<Veto> ActiveContour::waitingVeto() const { return state_->held.waiting(); }
+std::vector<HeldPlace> ActiveContour::held() const { return state_->held.list(); }
 const std::vector<ObjectCandidate>& ActiveContour::candidates() const { return state_->object.candidates; }
 bool ActiveContour::isCloseChoice() const { return state_->object.isCloseChoice; }
 bool ActiveContour::isSettled(int vertex) const { return state_->sleeps(vertex); }
@@ -480,6 +433,8 @@ std::size_t ActiveContour::memory() const {
 SurfaceSupport ActiveContour::support() const { return surfaceSupport(state_->mesh, *state_->object.image); }
 std::vector<std::string> ActiveContour::doubts(const SurfaceSupport& support) const {
   std::vector<std::string> doubts = imageDoubts(state_->mesh, *state_->object.image, support);
+  if (state_->walls.isPushing()) doubts.push_back("the surface still lies in a wall that was put over it");
+  for (std::string& d : state_->held.doubts()) doubts.push_back(std::move(d));
   if (state_->object.neckRadius > 0) doubts.push_back(heldAtPassages(state_->object.neckRadius));
   return doubts;
 }

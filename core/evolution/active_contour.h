@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/evolution/correction.h"
+#include "core/evolution/held_changes.h"
 #include "core/evolution/image_doubts.h"
 #include "core/evolution/parameters.h"
 #include "core/evolution/step_report.h"
@@ -21,8 +22,8 @@ class ActiveContour {
  public:
   //! Resolves the automatic parameters from the image around the seeds and makes the seed spheres.
   //! Throws SeedError (seed outside the volume or not in an object), UsageError (a parameter without meaning,
-  //! a range without voxels), Cancelled (cancellation.h).
-  ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters parameters);
+  //! a range without voxels, a wall outside of the volume), Cancelled (cancellation.h).
+  ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters parameters, Constraints constraints = {});
   ~ActiveContour();
   ActiveContour(ActiveContour&&) noexcept;
   ActiveContour& operator=(ActiveContour&&) noexcept;
@@ -32,7 +33,8 @@ class ActiveContour {
   ActiveContour& operator=(const ActiveContour&);
 
   //! One iteration, all or nothing: the mesh it leaves is closed, manifold, oriented and free of
-  //! self-intersections.
+  //! self-intersections. Throws UsageError if a veto of that iteration finds no change of topology; no
+  //! further step may be taken then.
   StepReport step();
 
   //! Goes on with other clicks and parameters from here. What is automatic is chosen as for a new contour;
@@ -42,26 +44,38 @@ class ActiveContour {
   //! grows, or gives ground, and its components are corrected (correction.h). If it has next to nothing in
   //! common with the new object it begins anew, at the same iteration: correction() tells. Throws as the
   //! constructor, and nothing has changed then.
+  //! Walls may not be put where the surface is, unless it may move in both directions and crosses them
+  //! (UsageError otherwise).
   void change(const Request& request);
   //! The same with what `prepared` was made from, whose image is taken over instead of being chosen again.
   //! Precondition: it was made for the same volume.
   void change(const ActiveContour& prepared);
-  //! The clicks stay.
-  void changeParameters(const Parameters& parameters) { change({requestedSeeds(), parameters}); }
+  //! The clicks and the constraints stay.
+  void changeParameters(const Parameters& parameters) {
+    change({requestedSeeds(), parameters, constraints()});
+  }
   //! What came of the last change of the clicks; none if they have not been changed.
   const std::optional<Correction>& correction() const;
   //! A new contour at iteration 0 for the same volume and seeds. Quick if both choose the same image. Throws
   //! as the constructor.
-  ActiveContour restarted(const Parameters& parameters) const;
+  ActiveContour restarted(const Parameters& parameters, const Constraints& constraints) const;
 
   //! StopReason::running while step() would go on.
   StopReason stopReason() const;
   int iteration() const;
   const Mesh& mesh() const;
+  const Grid& grid() const;
   const ResolvedParameters& parameters() const;
   //! As asked for: with what was left to the image still open.
   const Parameters& requested() const;
   const std::vector<Seed>& requestedSeeds() const;
+  const Constraints& constraints() const;
+  //! The first veto whose iteration has not come yet.
+  std::optional<Veto> waitingVeto() const;
+  //! What the constraints hold back now.
+  std::vector<HeldPlace> held() const;
+  //! What it goes on with.
+  Request request() const { return {requestedSeeds(), requested(), constraints()}; }
   //! The objects that the clicks may mean, the likeliest first; at most five. `parameters().candidate` is the
   //! one that grows. Empty with a given range.
   const std::vector<ObjectCandidate>& candidates() const;

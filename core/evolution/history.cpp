@@ -4,6 +4,8 @@
 #include <cassert>
 #include <chrono>
 
+#include "core/evolution/wall_guard.h"
+#include "core/evolution/wall_pieces.h"
 #include "core/mesh/topology.h"
 
 namespace handlebody {
@@ -23,8 +25,6 @@ bool sameResult(Request a, const Request& b) {
   a.parameters.threads = b.parameters.threads;
   return a == b;
 }
-
-Request requestOf(const ActiveContour& contour) { return {contour.requestedSeeds(), contour.requested()}; }
 
 }  // namespace
 
@@ -118,17 +118,18 @@ void History::goTo(int iteration) {
 }
 
 void History::change(const Request& request, const ActiveContour* prepared) {
-  if (sameResult(request, requestOf(next()))) return;
-  const bool isOther = !sameResult(request, requestOf(shown_));
+  if (sameResult(request, next().request())) return;
+  const bool isOther = !sameResult(request, shown_.request());
   ActiveContour after = shown_;
-  if (isOther && prepared && requestOf(*prepared) == request)
+  if (isOther && prepared && prepared->request() == request)
     after.change(*prepared);
   else if (isOther)
     after.change(request);
   dropAfter(iteration());
   if (isOther) {
-    ParameterChange what{iteration(), request.parameters, {}};
+    ParameterChange what{iteration(), request.parameters, {}, {}};
     if (request.seeds != shown_.requestedSeeds()) what.seeds = request.seeds;
+    if (request.constraints != shown_.constraints()) what.constraints = request.constraints;
     changes_.push_back({std::move(what), std::move(after)});
   }
   countMemory();
@@ -140,6 +141,23 @@ void History::dropAfter(int iteration) {
   std::erase_if(events_, [&](const Event& e) { return e.iteration > iteration; });
   std::erase_if(steps_, [&](const StepReport& s) { return s.iteration > iteration; });
   sinceKeyframe_ = 0;
+}
+
+std::optional<int> History::lastFree(const WallList& walls) const {
+  const WallList fresh = without(walls, constraints().walls);
+  const auto freeAt = [&](const ActiveContour& c) { return isFree(c.mesh(), fresh, c.grid()); };
+  if (freeAt(shown_)) return iteration();
+  // From keyframe to keyframe backwards; between two of them every step is done again.
+  for (int end = iteration(); end > firstIteration();) {
+    const int begin = std::prev(keyframes_.lower_bound(end))->first;
+    std::optional<int> last;
+    ActiveContour contour = restored(begin);
+    for (; contour.iteration() < end; stepFrom(contour))
+      if (freeAt(contour)) last = contour.iteration();
+    if (last) return last;
+    end = begin;
+  }
+  return std::nullopt;
 }
 
 std::vector<ParameterChange> History::changes() const {

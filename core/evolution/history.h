@@ -35,6 +35,7 @@ class History {
   //! What the next step from here is done with.
   const Parameters& parameters() const { return next().requested(); }
   const std::vector<Seed>& seeds() const { return next().requestedSeeds(); }
+  const Constraints& constraints() const { return next().constraints(); }
   const ResolvedParameters& resolved() const { return next().parameters(); }
 
   //! One iteration on: records it, or shows it again where it is recorded. Precondition: stopReason() is
@@ -47,8 +48,12 @@ class History {
   //! ActiveContour::change; nothing has changed then. `prepared`, if given, is a contour of the same volume,
   //! and spares choosing the image again if it was made from `request`.
   void change(const Request& request, const ActiveContour* prepared = nullptr);
-  //! The clicks stay those that hold at the shown iteration.
-  void changeParameters(const Parameters& parameters) { change({seeds(), parameters}); }
+  //! The clicks and constraints stay those that hold at the shown iteration.
+  void changeParameters(const Parameters& parameters) { change({seeds(), parameters, constraints()}); }
+
+  //! The last iteration up to the shown one at which the surface neither touches nor encloses any of the
+  //! walls that would be new now; none if there is none. Costs at most what all steps up to here did.
+  std::optional<int> lastFree(const WallList& walls) const;
 
   //! One per iteration from the first on, without events; the first has the volume alone.
   const std::vector<StepReport>& steps() const { return steps_; }

@@ -8,6 +8,7 @@
 #include "core/evolution/level_field.h"
 #include "core/evolution/neck.h"
 #include "core/evolution/parameters.h"
+#include "core/evolution/walls.h"
 #include "core/object/region_field.h"
 #include "core/volume/smoothed_volume.h"
 
@@ -46,6 +47,13 @@ class ObjectImage {
         neck_(std::move(neck)),
         view_(std::move(view)) {}
 
+  //! The same object with these walls, which are outside of it; null: with none.
+  std::shared_ptr<const ObjectImage> behind(std::shared_ptr<const Walls> walls) const {
+    auto image = std::make_shared<ObjectImage>(*this);
+    image->walls_ = std::move(walls);
+    return image;
+  }
+
   //! > 0 inside the object, 0 at its boundary, < 0 outside; 1 is `scale` intensity units from the boundary.
   //! World mm. Outside the volume, and from half a voxel beyond the centres of the border voxels on, it is
   //! negative.
@@ -79,10 +87,10 @@ class ObjectImage {
     return limitsWithin(index, world, false).inside(volume_->sample(index));
   }
   bool isRegion() const { return region_.field != nullptr; }
-  //! True if a front that needs this much room (mm) comes from one place to the other; false if the object is
-  //! no region.
+  //! True if a front that needs this much room (mm) surely comes from one place to the other; false if the
+  //! object is no region, or if there are walls.
   bool reaches(const Vec3& from, const Vec3& to, double room) const {
-    return isRegion() && region_.field->areJoined(from, to, room);
+    return isRegion() && !walls_ && region_.field->areJoined(from, to, room);
   }
   const SmoothedVolume& volume() const { return *volume_; }
   //! Null if the object is not cut off.
@@ -100,6 +108,7 @@ class ObjectImage {
   std::shared_ptr<const NeckCut> neck_;
   std::shared_ptr<const FieldOfView> view_;
   RegionLimits region_{};
+  std::shared_ptr<const Walls> walls_{};
 };
 
 }  // namespace handlebody

@@ -52,7 +52,8 @@ bool chooseSameImage(Parameters a, const Parameters& b) {
 }
 
 Request changed(const Request& before, const ParameterChange& change) {
-  return {change.seeds.value_or(before.seeds), change.parameters};
+  return {change.seeds.value_or(before.seeds), change.parameters,
+          change.constraints.value_or(before.constraints)};
 }
 
 const char* stopReasonName(StopReason reason) {

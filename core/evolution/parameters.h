@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/evolution/constraints.h"
 #include "core/geometry/vec.h"
 
 namespace handlebody {
@@ -62,6 +63,7 @@ bool haveSameForces(const Parameters& a, const Parameters& b);
 struct Request {
   std::vector<Seed> seeds;
   Parameters parameters{};
+  Constraints constraints{};
   bool operator==(const Request&) const = default;
 };
 
@@ -70,6 +72,7 @@ struct ParameterChange {
   int iteration = 0;
   Parameters parameters{};
   std::optional<std::vector<Seed>> seeds{};  //!< none: the same as before
+  std::optional<Constraints> constraints{};  //!< the same
 };
 
 //! What holds after a change of `before`.

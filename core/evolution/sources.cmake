@@ -1,9 +1,13 @@
 target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/active_contour.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/adaptation_rounds.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/clicked_object.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/collapsed_components.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/constraints.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/correction.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/edge_profile.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/growth_level.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/held_changes.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/history.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/image_doubts.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/level_field.cpp
@@ -15,11 +19,16 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/object_range.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/object_region.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/parameters.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/quiet_vertices.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/region_growth.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/resting_places.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/seed_statistics.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/seeds.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/shown_object.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/step_check.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/stillness.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/thickness_map.cpp
-  ${CMAKE_SOURCE_DIR}/core/evolution/transaction.cpp)
+  ${CMAKE_SOURCE_DIR}/core/evolution/transaction.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/wall_guard.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/wall_pieces.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/walls.cpp)

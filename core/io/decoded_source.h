@@ -13,6 +13,10 @@ class DecodedSource : public VolumeSource {
   virtual void decode(int frame, void* to, const DicomProgress& progress) = 0;
 };
 
+//! The label map of a binary DICOM Segmentation: the number of the segment, 0 outside of all, on the smallest
+//! grid that holds its frames. `path` is what the user named. Throws InputError.
+SourcePointer openSegmentationHere(const DicomFile& file, const std::string& path);
+
 //! As openDicom and openTiff, here.
 SourcePointer openDicomHere(const OpenRequest& request, const DicomProgress& progress, bool* several);
 SourcePointer openTiffHere(const OpenRequest& request, const DicomProgress& progress);

@@ -80,6 +80,33 @@ SeriesInfo seriesFrom(const Message& m) {
   return s;
 }
 
+Message originMessage(const DicomOrigin& o) {
+  Message values = Message::array(), images = Message::array();
+  for (const DicomValue& v : o.values) values.push_back({v.group, v.element, v.value});
+  for (const DicomImage& i : o.images) images.push_back({i.sopClass, i.instance, i.frame});
+  return {{"values", values},
+          {"images", images},
+          {"straight", o.straight},
+          {"displaced", o.displaced},
+          {"uids", {o.studyUid, o.seriesUid, o.frameOfReference}}};
+}
+
+std::shared_ptr<DicomOrigin> originFrom(const Message& m) {
+  auto o = std::make_shared<DicomOrigin>();
+  for (const Message& v : m.at("values"))
+    o->values.push_back(
+        {v.at(0).get<std::uint16_t>(), v.at(1).get<std::uint16_t>(), v.at(2).get<std::string>()});
+  for (const Message& i : m.at("images"))
+    o->images.push_back({i.at(0).get<std::string>(), i.at(1).get<std::string>(), i.at(2).get<int>()});
+  o->straight = m.at("straight").get<bool>();
+  o->displaced = m.at("displaced").get<std::string>();
+  const auto uids = m.at("uids").get<std::array<std::string, 3>>();
+  o->studyUid = uids[0];
+  o->seriesUid = uids[1];
+  o->frameOfReference = uids[2];
+  return o;
+}
+
 }  // namespace
 
 bool sendMessage(int socket, const Message& message) {
@@ -99,9 +126,8 @@ std::optional<Message> receiveMessage(int socket) {
 }
 
 Message requestToMessage(const OpenRequest& r) {
-  Message m = {{"path", r.path},
-               {"format", r.format},
-               {"refuse", r.selection.uneven == UnevenSlices::refuse}};
+  Message m = {
+      {"path", r.path}, {"format", r.format}, {"refuse", r.selection.uneven == UnevenSlices::refuse}};
   if (r.selection.series) m["series"] = *r.selection.series;
   if (r.selection.spacing) m["spacing"] = vectorMessage(*r.selection.spacing);
   return m;
@@ -122,6 +148,7 @@ Message headerToMessage(const VolumeHeader& h) {
   for (const SeriesInfo& s : h.series) series.push_back(seriesMessage(s));
   const GeometrySources& s = h.sources;
   return {{"format", h.format},
+          {"dicom", h.dicom ? originMessage(*h.dicom) : Message()},
           {"series", series},
           {"grid", gridMessage(h.grid)},
           {"component", static_cast<int>(h.component)},
@@ -136,6 +163,7 @@ VolumeHeader headerFromMessage(const Message& m) {
   VolumeHeader h;
   h.format = m.at("format").get<std::string>();
   for (const Message& s : m.at("series")) h.series.push_back(seriesFrom(s));
+  if (!m.at("dicom").is_null()) h.dicom = originFrom(m.at("dicom"));
   h.grid = gridFrom(m.at("grid"));
   const int component = m.at("component").get<int>();
   if (component < 0 || component > static_cast<int>(Component::float64)) m.at("no such component");

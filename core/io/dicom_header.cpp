@@ -149,6 +149,9 @@ void readPlane(const Groups& groups, DicomPlace& place, DicomFile& f) {
     place.time = dicom::binary<std::uint32_t>(data, {0x0020, 0x9128}).value_or(0);
     place.stack = dicom::text(data, {0x0020, 0x9056});
   });
+  groups.visit({0x0062, 0x000a}, [&](const DataSet& data) {
+    place.segment = dicom::binary<std::uint16_t>(data, {0x0062, 0x000b}).value_or(0);
+  });
 }
 
 void readFunctionalGroups(const DataSet& data, const DicomPlace& plain, DicomFile& f) {
@@ -221,6 +224,7 @@ DicomFile fileOf(const gdcm::File& read, const std::string& file) {
   f.file = file;
   f.seriesUid = dicom::text(data, {0x0020, 0x000e});
   f.instanceUid = dicom::text(data, {0x0008, 0x0018});
+  f.classUid = dicom::text(data, {0x0008, 0x0016});
   f.modality = dicom::text(data, {0x0008, 0x0060});
   f.description = dicom::text(data, {0x0008, 0x103e});
   f.transferSyntax = dicom::text(read.GetHeader(), {0x0002, 0x0010});

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/io/dicom_origin.h"
 #include "core/io/dicom_structure.h"
 #include "core/volume/volume.h"
 
@@ -20,12 +21,15 @@ struct DicomPlace {
   double slope = 1, intercept = 0;
   double time = 0;      //!< temporal position, or what orders images of one place
   std::string stack{};  //!< StackID, of a frame
+  int segment = 0;      //!< ReferencedSegmentNumber, of a frame of a segmentation
 
   bool complete() const { return position && rowDirection && columnDirection && pixelSpacing; }
 };
 
+inline constexpr const char* kSegmentationClass = "1.2.840.10008.5.1.4.1.1.66.4";
+
 struct DicomFile {
-  std::string file, seriesUid, instanceUid, modality, description, transferSyntax, photometric;
+  std::string file, seriesUid, instanceUid, classUid, modality, description, transferSyntax, photometric;
   int rows = 0, columns = 0, frames = 1, samples = 1;
   int bitsAllocated = 16, bitsStored = 16, highBit = 15;
   bool isSigned = false, planar = false;
@@ -39,6 +43,7 @@ struct DicomFile {
   DicomStructure structure{};
 
   bool isImage() const { return rows > 0 && columns > 0; }
+  bool isSegmentation() const { return classUid == kSegmentationClass; }
   std::uint64_t pixelsPerFrame() const {
     return static_cast<std::uint64_t>(rows) * static_cast<std::uint64_t>(columns);
   }
@@ -47,5 +52,8 @@ struct DicomFile {
 //! Reads the header of `file` up to its pixels. Nothing if GDCM finds no DICOM in it. `path` is what the user
 //! named, for the sentences of the errors.
 std::optional<DicomFile> readDicomFile(const std::string& file, const std::string& path);
+
+//! What `file`, the first of a series, says about patient and study. Its images are left to the caller.
+DicomOrigin readDicomOrigin(const std::string& file);
 
 }  // namespace handlebody

@@ -194,6 +194,14 @@ struct Entries {
 
 std::vector<DicomSeries> stacksOf(const std::string& uid, const Slices& all, DicomScan& scan) {
   Entries entries{scan, uid};
+  // The frames of a segmentation are of segments as well as of slices: it is a volume by itself.
+  if (all.front().file->isSegmentation()) {
+    std::map<std::string, Slices> byFile;
+    for (const DicomSlice& s : all) byFile[s.file->file].push_back(s);
+    for (auto& [file, slices] : byFile) entries.add(std::move(slices), false);
+    entries.number();
+    return std::move(entries.list);
+  }
   std::vector<Slices> planes = splitByPlane(all);
   const auto first = [](const Slices& s) {
     return orderMade(*std::min_element(s.begin(), s.end(), [](const DicomSlice& a, const DicomSlice& b) {

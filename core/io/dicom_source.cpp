@@ -75,6 +75,7 @@ class StackSource : public DecodedSource {
 
  private:
   void describe(const Assumed& assumed);
+  void describeOrigin(const Assumed& assumed);
   void readSlice(const DicomSlice& slice, char* to);
   std::string path_;
   std::shared_ptr<const DicomScan> scan_;  // holds the files of the series
@@ -102,6 +103,7 @@ StackSource::StackSource(std::string path, DicomSeries series, std::shared_ptr<c
   header_.warnings = stack_.warnings;
   describe(assumed);
   checkHeader(header_, path_);
+  withItk(path_, "its DICOM header cannot be read", [&] { describeOrigin(assumed); });
 }
 
 void StackSource::describe(const Assumed& assumed) {
@@ -122,6 +124,20 @@ void StackSource::describe(const Assumed& assumed) {
        "Positions are in the frame of the ultrasound volume, not of the patient: its axes are taken as LPS.");
   warn(isColour(f), "Colour was turned into luminance (0.2125 R + 0.7154 G + 0.0721 B).");
   warn(f.photometric == "MONOCHROME1", "MONOCHROME1: low values are bright on a display.");
+}
+
+void StackSource::describeOrigin(const Assumed& assumed) {
+  const DicomFile& f = *stack_.slices.front().file;
+  auto origin = std::make_shared<DicomOrigin>(readDicomOrigin(f.file));
+  for (const DicomSlice& slice : stack_.slices)
+    origin->images.push_back(
+        {slice.file->classUid, slice.file->instanceUid, slice.file->frames > 1 ? slice.frame + 1 : 0});
+  origin->straight = stack_.straight;
+  if (assumed.places || assumed.pixels || assumed.distance)
+    origin->displaced = "the series does not say where its slices lie";
+  else if (f.ownFrameOfReference)
+    origin->displaced = "its positions are in the frame of the ultrasound volume, not of the patient";
+  header_.dicom = std::move(origin);
 }
 
 void StackSource::readSlice(const DicomSlice& slice, char* to) {
@@ -251,6 +267,8 @@ void addGeometry(const VolumeHeader& h, SeriesInfo& info) {
 
 SourcePointer Chooser::openOne(const DicomSeries& series) const {
   refuseDamaged(*scan_, series.uid, request_.path);
+  if (series.files.front()->isSegmentation())
+    return openSegmentationHere(*series.files.front(), request_.path);
   return std::make_unique<StackSource>(request_.path, series, scan_, request_.selection);
 }
 

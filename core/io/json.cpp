@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/errors.h"
+#include "core/io/constraints_json.h"
 #include "core/io/parameter_names.h"
 
 namespace handlebody {
@@ -87,7 +88,7 @@ Json certificateToJson(const Certificate& certificate) {
 }
 
 Json referenceToJson(const VolumeReference& volume) {
-  Json json = {{"path", volume.path}, {"sha256", volume.sha256}};
+  Json json = {{"path", volume.path.empty() ? Json(nullptr) : Json(volume.path)}, {"sha256", volume.sha256}};
   if (volume.selection.series) json["series"] = *volume.selection.series;
   if (volume.selection.frame) json["frame"] = *volume.selection.frame;
   if (volume.selection.spacing) json["given_spacing"] = vectorToJson(*volume.selection.spacing);
@@ -129,9 +130,14 @@ Json changesToJson(const std::vector<ParameterChange>& changes) {
     Json entry = {{"iteration", change.iteration}};
     entry.update(requestedToJson(change.parameters));
     if (change.seeds) entry["seeds"] = seedsToJson(*change.seeds);
+    if (change.constraints) entry["constraints"] = constraintsToJson(*change.constraints);
     list.push_back(std::move(entry));
   }
   return list;
+}
+
+Json labelToJson(const ObjectLabel& label) {
+  return {{"name", label.name}, {"colour", label.colour}, {"value", label.value}, {"term", label.term}};
 }
 
 }  // namespace
@@ -140,8 +146,10 @@ Json requestToJson(const Session& session) {
   Json json = requestedToJson(session.requested);
   json["seeds"] = seedsToJson(session.seeds);
   json["space"] = session.space == CoordinateSpace::ras ? "RAS" : "LPS";
+  if (!session.constraints.empty()) json["constraints"] = constraintsToJson(session.constraints);
   if (!session.changes.empty()) json["changes"] = changesToJson(session.changes);
   if (session.stopAt) json["stop_at"] = *session.stopAt;
+  if (!(session.label == ObjectLabel{})) json["label"] = labelToJson(session.label);
   return json;
 }
 
@@ -160,14 +168,16 @@ Json resolvedToJson(const ResolvedParameters& parameters) {
 }
 
 Json eventToJson(const Event& event) {
-  return {{"kind", eventKindName(event.kind)},
-          {"iteration", event.iteration},
-          {"location", vectorToJson(event.location)},
-          {"fronts", event.fronts},
-          {"loop_sizes", event.loopSizes},
-          {"before", topologyToJson(event.before)},
-          {"after", topologyToJson(event.after)},
-          {"reason", event.reason}};
+  Json json = {{"kind", eventKindName(event.kind)},
+               {"iteration", event.iteration},
+               {"location", vectorToJson(event.location)},
+               {"fronts", event.fronts},
+               {"loop_sizes", event.loopSizes},
+               {"before", topologyToJson(event.before)},
+               {"after", topologyToJson(event.after)},
+               {"reason", event.reason}};
+  if (event.held) json["held"] = eventKindName(*event.held);
+  return json;
 }
 
 Json traceToJson(const EventTrace& trace) {
@@ -207,21 +217,25 @@ void append(std::string& text, const Json& json, std::size_t indent) {
   text += "\n" + std::string(indent, ' ') + (json.is_array() ? "]" : "}");
 }
 
+}  // namespace
+
 // Stricter than the library, which also makes numbers of true and false.
 double finiteFromJson(const Json& json) {
   if (!json.is_number()) throw UsageError(compact(json) + " is not a number.");
   return json.get<double>();
 }
 
+Vec3 vectorFromJson(const Json& json) {
+  if (json.size() != 3) throw UsageError(compact(json) + " is not a point.");
+  return {finiteFromJson(json.at(0)), finiteFromJson(json.at(1)), finiteFromJson(json.at(2))};
+}
+
+namespace {
+
 double numberFromJson(const Json& json) {
   if (json == "inf") return std::numeric_limits<double>::infinity();
   if (json == "-inf") return -std::numeric_limits<double>::infinity();
   return finiteFromJson(json);
-}
-
-Vec3 vectorFromJson(const Json& json) {
-  if (json.size() != 3) throw UsageError(compact(json) + " is not a point.");
-  return {finiteFromJson(json.at(0)), finiteFromJson(json.at(1)), finiteFromJson(json.at(2))};
 }
 
 std::optional<double> optionalFromJson(const Json& object, const char* key) {
@@ -324,10 +338,33 @@ std::vector<ParameterChange> changesFromJson(const Json& json) {
     const int iteration = iterationFromJson(entry.at("iteration"));
     if (!changes.empty() && iteration <= changes.back().iteration)
       throw UsageError("the changes on the way are not in ascending order.");
-    changes.push_back({iteration, parametersFromJson(entry)});
+    changes.push_back({iteration, parametersFromJson(entry), {}, {}});
     if (entry.contains("seeds")) changes.back().seeds = clicksFromJson(entry.at("seeds"));
+    if (entry.contains("constraints"))
+      changes.back().constraints = constraintsFromJson(entry.at("constraints"));
   }
   return changes;
+}
+
+ObjectLabel labelFromJson(const Json& json) {
+  ObjectLabel label;
+  label.name = json.at("name").get<std::string>();
+  if (const std::string fault = objectNameFault(label.name); !fault.empty())
+    throw UsageError("the name of the object " + fault + ".");
+  label.term = json.at("term").get<std::string>();
+  if (!termFromName(label.term)) throw UsageError("there is no term '" + label.term + "'.");
+  label.value = integerFromJson(json.at("value"));
+  if (label.value < 1 || label.value > kLargestLabel)
+    throw UsageError("the object's label value is not within 1 and 65535.");
+  const Json& colour = json.at("colour");
+  if (!colour.is_array() || colour.size() != label.colour.size())
+    throw UsageError("the object's colour is not a list of three numbers.");
+  for (std::size_t i = 0; i < label.colour.size(); ++i) {
+    const int part = integerFromJson(colour[i]);
+    if (part < 0 || part > 255) throw UsageError("the object's colour is not within 0 and 255.");
+    label.colour[i] = static_cast<std::uint8_t>(part);
+  }
+  return label;
 }
 
 }  // namespace
@@ -335,9 +372,11 @@ std::vector<ParameterChange> changesFromJson(const Json& json) {
 void readRequest(const Json& json, Session& session) {
   session.requested = parametersFromJson(json);
   if (json.contains("space")) session.space = spaceFromJson(json.at("space"));
+  if (json.contains("constraints")) session.constraints = constraintsFromJson(json.at("constraints"));
   if (json.contains("changes")) session.changes = changesFromJson(json.at("changes"));
   if (json.contains("stop_at") && !json.at("stop_at").is_null())
     session.stopAt = iterationFromJson(json.at("stop_at"));
+  if (json.contains("label")) session.label = labelFromJson(json.at("label"));
   session.seeds = clicksFromJson(json.at("seeds"));
 }
 

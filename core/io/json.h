@@ -42,7 +42,8 @@ void readSelection(const Json& json, VolumeSelection& selection);
 //! Adds "calibrated" and "sources" (of size, spacing, origin, direction).
 void addSources(Json& object, const VolumeInfo& info);
 //! "requested": every parameter as asked for, the seeds and the space of the mesh files; where there are any,
-//! the changes on the way, with the seeds where those change, and the iteration to stop at. The candidate
+//! the constraints (constraints_json.h), the changes on the way, with the seeds and constraints where those
+//! change, and the iteration to stop at. The candidate
 //! stands there if it is not the first.
 Json requestToJson(const Session& session);
 //! Every parameter as used; seeds apart. The candidate stands there if it is not the first.
@@ -55,11 +56,14 @@ Json traceToJson(const EventTrace& trace);
 //! that are not UTF-8 (a path may have them) are replaced.
 std::string jsonText(const Json& json);
 
+//! Stricter than the library, which also makes numbers of true and false. Throw UsageError.
+double finiteFromJson(const Json& json);
+Vec3 vectorFromJson(const Json& json);
 //! Whole numbers that fit only: the library would cut 1.5 to 1 and wrap what does not fit. Throws UsageError.
 int integerFromJson(const Json& json);
-//! The inverse of requestToJson: parameters, seeds, space, changes and last iteration of `session`. Absent
-//! keys keep their defaults, null is "automatic". Throws Json::exception for a value of the wrong type,
-//! UsageError for a word or number without meaning.
+//! The inverse of requestToJson: parameters, seeds, constraints, space, changes and last iteration of
+//! `session`. Absent keys keep their defaults, null is "automatic". Throws Json::exception for a value of the
+//! wrong type, UsageError for a word or number without meaning.
 void readRequest(const Json& json, Session& session);
 
 }  // namespace handlebody

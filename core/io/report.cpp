@@ -65,10 +65,31 @@ Json correctionsToJson(const std::vector<RecordedCorrection>& corrections) {
   return list;
 }
 
+//! The changes of topology that the constraints hold back in the end, each where it first would have come.
+Json heldToJson(const std::vector<HeldPlace>& places) {
+  Json list = Json::array();
+  for (const HeldPlace& held : places)
+    list.push_back({{"kind", eventKindName(held.kind)},
+                    {"iteration", held.iteration},
+                    {"location", vectorToJson(held.place)},
+                    {"why", held.isVetoed ? "veto" : "limit"},
+                    {"times", held.times}});
+  return list;
+}
+
 }  // namespace
 
 const char* endName(StopReason stopped) {
   return stopped == StopReason::running ? "stop-at" : stopReasonName(stopped);
+}
+
+RunReport anonymous(RunReport report) {
+  report.session = anonymous(std::move(report.session));
+  for (std::string& warning : report.volume.warnings) {
+    const auto list = warning.find(": ");
+    if (list != std::string::npos) warning = warning.substr(0, list) + ".";
+  }
+  return report;
 }
 
 std::string reportText(const RunReport& report) {
@@ -89,6 +110,7 @@ std::string reportText(const RunReport& report) {
   json["seconds"] = secondsToJson(report.seconds);
   json["mesh"] = certificateToJson(report.mesh);
   if (!report.corrections.empty()) json["corrections"] = correctionsToJson(report.corrections);
+  if (!report.held.empty()) json["held"] = heldToJson(report.held);
   Json& events = json["events"] = Json::array();
   for (const Event& event : report.events) events.push_back(eventToJson(event));
   return jsonText(json);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/evolution/correction.h"
+#include "core/evolution/held_changes.h"
 #include "core/evolution/step_report.h"
 #include "core/io/session.h"
 #include "core/mesh/validity.h"
@@ -34,11 +35,16 @@ struct RunReport {
   Timings seconds;
   Certificate mesh;  //!< of the exported mesh
   std::vector<Event> events;
+  std::vector<HeldPlace> held;                  //!< in the end
   std::vector<RecordedCorrection> corrections;  //!< what came of clicks that were changed on the way
 };
 
 //! Why a growth ended, as in the report: stopReasonName, and "stop-at" where it was asked to end there.
 const char* endName(StopReason stopped);
+
+//! Without what may name the patient: as the session's, and without the names of files and series that
+//! warnings of the volume list behind a colon.
+RunReport anonymous(RunReport report);
 
 //! The report as JSON text, without the traces of the events.
 std::string reportText(const RunReport& report);

@@ -8,7 +8,10 @@
 #include <stdexcept>
 
 #include "core/collision/certify.h"
+#include "core/errors.h"
+#include "core/io/label_map.h"
 #include "core/io/single_precision.h"
+#include "core/io/three_mf.h"
 
 namespace handlebody {
 
@@ -102,17 +105,74 @@ std::vector<std::string> doubts(const RunReport& report, const TriangleSoup& mes
   return out;
 }
 
-void writeResults(const TriangleSoup& mesh, const Grid& grid, const std::vector<std::string>& paths,
-                  CoordinateSpace space) {
-  std::optional<Volume> label;
-  for (const std::string& path : paths) {
-    if (isMeshPath(path)) {
-      writeMesh(mesh, path, space);
-      continue;
-    }
-    if (!label) label = rasterize(mesh, grid);
-    writeVolume(*label, path);
+namespace {
+
+bool isDicomResult(const std::string& path) { return isDicomSegmentationPath(path) || isDicomStlPath(path); }
+
+}  // namespace
+
+bool isResultPath(const std::string& path) {
+  return isMeshPath(path) || isLabelMapPath(path) || isThreeMfPath(path) || isDicomResult(path);
+}
+
+void checkResult(const std::string& path, const ExportContext& context) {
+  if (!isDicomResult(path)) return;
+  if (const std::string fault = dicomFault(context.dicom.get()); !fault.empty())
+    throw UsageError(path + ": no DICOM file can be made: " + fault + ".");
+}
+
+const char* resultEndings() {
+  return "a mesh is .stl, .vtp, .ply, .obj, .3mf or .stl.dcm, a label map .seg.nrrd, .seg.dcm, .nii, "
+         ".nii.gz, .nrrd or .mha";
+}
+
+namespace {
+
+TriangleSoup together(const std::vector<ExportedObject>& objects) {
+  TriangleSoup all;
+  for (const ExportedObject& object : objects) {
+    const int first = static_cast<int>(all.points.size());
+    const TriangleSoup& mesh = object.mesh;
+    all.points.insert(all.points.end(), mesh.points.begin(), mesh.points.end());
+    for (const Triangle& t : mesh.triangles)
+      all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
   }
+  return all;
+}
+
+//! Writes to one path after the other; the label map is made once, for the first that needs it.
+class Writer {
+ public:
+  Writer(const std::vector<ExportedObject>& objects, const ExportContext& context)
+      : objects_(objects), context_(context) {}
+
+  void write(const std::string& path) {
+    checkResult(path, context_);
+    if (isDicomSegmentationPath(path))
+      return writeDicomSegmentation(labels(), objects_, *context_.dicom, context_.content, path);
+    if (isDicomStlPath(path)) return writeDicomStl(objects_, *context_.dicom, context_.content, path);
+    if (isThreeMfPath(path)) return writeThreeMf(objects_, path, context_.space);
+    if (isMeshPath(path)) return writeMesh(together(objects_), path, context_.space);
+    if (isSlicerSegmentationPath(path)) return writeSlicerSegmentation(labels(), objects_, path);
+    writeVolume(labels(), path);
+  }
+
+ private:
+  const Volume& labels() {
+    if (!labels_) labels_ = labelMap(objects_, context_.grid);
+    return *labels_;
+  }
+  const std::vector<ExportedObject>& objects_;
+  const ExportContext& context_;
+  std::optional<Volume> labels_;
+};
+
+}  // namespace
+
+void writeResults(const std::vector<ExportedObject>& objects, const ExportContext& context,
+                  const std::vector<std::string>& paths) {
+  Writer writer(objects, context);
+  for (const std::string& path : paths) writer.write(path);
 }
 
 }  // namespace handlebody

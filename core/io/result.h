@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/io/dicom_writer.h"
 #include "core/io/report.h"
 
 namespace handlebody {
@@ -24,9 +25,26 @@ CertifiedMesh certifiedForExport(const TriangleSoup& mesh);
 //! and why the growth stopped.
 std::vector<std::string> doubts(const RunReport& report, const TriangleSoup& mesh);
 
-//! Writes the mesh, or its label map on `grid`, to each path by its extension. Throws OutputError; UsageError
-//! for an unknown extension.
-void writeResults(const TriangleSoup& mesh, const Grid& grid, const std::vector<std::string>& paths,
-                  CoordinateSpace space);
+//! What the objects are written with.
+struct ExportContext {
+  Grid grid;                                     //!< of label maps
+  CoordinateSpace space = CoordinateSpace::lps;  //!< of meshes
+  std::shared_ptr<const DicomOrigin> dicom{};    //!< of the volume; what DICOM files are made for
+  DicomContent content{};                        //!< of DICOM files
+};
+
+//! True for every ending that writeResults knows.
+bool isResultPath(const std::string& path);
+//! The endings that writeResults knows, as the end of a sentence.
+const char* resultEndings();
+
+//! Throws UsageError that begins with the path if a file of that ending cannot be made in this context; to be
+//! asked before the work.
+void checkResult(const std::string& path, const ExportContext& context);
+
+//! Writes the objects to each path by its ending: their meshes as one, or their label map. Throws
+//! OutputError; UsageError for an unknown ending.
+void writeResults(const std::vector<ExportedObject>& objects, const ExportContext& context,
+                  const std::vector<std::string>& paths);
 
 }  // namespace handlebody

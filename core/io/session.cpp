@@ -41,17 +41,39 @@ std::string openablePath(const std::string& stored, const std::string& session) 
   return fs::exists(beside) || !fs::exists(stored) ? beside.string() : stored;
 }
 
-Session sessionFromJson(const Json& json, const std::string& path) {
+template <typename F>
+void forEachWallMap(Session& session, F&& f) {
+  if (session.constraints.walls.map) f(*session.constraints.walls.map);
+  for (ParameterChange& change : session.changes)
+    if (change.constraints && change.constraints->walls.map) f(*change.constraints->walls.map);
+}
+
+//! `walls`: where the label map of the walls is now; empty: where the session says.
+void locateWalls(Session& session, const std::string& path, const std::string& walls) {
+  forEachWallMap(session, [&](WallMap& map) {
+    if (map.path.empty() && walls.empty())
+      throw UsageError(
+          "it names no label map of its walls, as it is anonymous; say which with replay --walls.");
+    map.path = walls.empty() ? openablePath(map.path, path) : walls;
+  });
+}
+
+Session sessionFromJson(const Json& json, const std::string& path, const std::string& volume,
+                        const std::string& walls) {
   Session session;
   session.version = json.at("version").get<std::string>();
   const Json& input = json.at("input");
-  session.volume.path = openablePath(input.at("path").get<std::string>(), path);
+  session.volume.path = volume;
+  if (volume.empty() && input.at("path").is_null())
+    throw UsageError("it names no volume, as it is anonymous; say which with replay --volume.");
+  if (volume.empty()) session.volume.path = openablePath(input.at("path").get<std::string>(), path);
   if (!input.at("sha256").is_null()) {
     session.volume.sha256 = input.at("sha256").get<std::string>();
     if (session.volume.sha256.empty()) throw UsageError("the volume's SHA-256 is empty.");
   }
   readSelection(input, session.volume.selection);
   readRequest(json.at("requested"), session);
+  locateWalls(session, path, walls);
   if (json.contains("view")) session.view = json.at("view").dump();
   return session;
 }
@@ -67,10 +89,14 @@ std::string withoutTag(const std::string& message) {
 void writeSession(const Session& session, const std::string& path) {
   Json json = {{"version", session.version}, {"notice", kNotice}};
   Json input = referenceToJson(session.volume);
-  input["path"] = storedPath(session.volume.path, path);
+  if (!session.volume.path.empty()) input["path"] = storedPath(session.volume.path, path);
   if (session.volume.sha256.empty()) input["sha256"] = nullptr;
   json["input"] = std::move(input);
-  json["requested"] = requestToJson(session);
+  Session stored = session;
+  forEachWallMap(stored, [&](WallMap& map) {
+    if (!map.path.empty()) map.path = storedPath(map.path, path);
+  });
+  json["requested"] = requestToJson(stored);
   if (session.resolved) {
     json["parameters"] = resolvedToJson(*session.resolved);
     json["seeds"] = seedsToJson(seedsOfSide(session.resolved->seeds, false));
@@ -79,10 +105,18 @@ void writeSession(const Session& session, const std::string& path) {
   writeTextAtomically(path, jsonText(json));
 }
 
-Session readSession(const std::string& path) {
+Session anonymous(Session session) {
+  session.volume.path.clear();
+  session.volume.selection.series.reset();
+  session.view.clear();
+  forEachWallMap(session, [](WallMap& map) { map.path.clear(); });
+  return session;
+}
+
+Session readSession(const std::string& path, const std::string& volume, const std::string& walls) {
   const std::string text = readText(path);
   try {
-    return sessionFromJson(Json::parse(text), path);
+    return sessionFromJson(Json::parse(text), path, volume, walls);
   } catch (const Json::parse_error&) {
     throw InputError(path + " is not a JSON file.");
   } catch (const std::exception& error) {

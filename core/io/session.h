@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/evolution/parameters.h"
+#include "core/io/exported_object.h"
 #include "core/io/mesh_io.h"
 #include "core/io/volume_io.h"
 
@@ -23,8 +24,10 @@ struct Session {
   VolumeReference volume;                        //!< in memory, the path is as the caller would open it
   std::vector<Seed> seeds;                       //!< as asked for at the beginning, mm LPS
   Parameters requested;                          //!< the same
+  Constraints constraints{};                     //!< the same; readSession reads no label map (loadWalls)
   std::optional<ResolvedParameters> resolved{};  //!< as used, for the record; not read back
   CoordinateSpace space = CoordinateSpace::lps;  //!< of the mesh files
+  ObjectLabel label{};                           //!< of the object, where it is written
   //! Other parameters, and other clicks, from some iteration on, in ascending order.
   std::vector<ParameterChange> changes{};
   //! The iteration whose mesh is meant; none: the one at which the growth ends by itself.
@@ -37,8 +40,14 @@ struct Session {
 //! as null, and such a session is read back without one. Throws OutputError.
 void writeSession(const Session& session, const std::string& path);
 
-//! Reads a session or a report. A relative path of the volume is looked for beside the file first, then from
-//! the current folder. Throws InputError that names the file.
-Session readSession(const std::string& path);
+//! Without what may name the patient: the paths of the volume and of the label map of walls, the series, and
+//! what a window keeps. Such a session says null for the paths.
+Session anonymous(Session session);
+
+//! Reads a session or a report, with `volume` as the path of its volume unless that is empty, and `walls` as
+//! that of the label map of its walls. A relative path is looked for beside the file first, then from the
+//! current folder. Throws InputError that names the file, also for one that names no volume, or not the label
+//! map.
+Session readSession(const std::string& path, const std::string& volume = {}, const std::string& walls = {});
 
 }  // namespace handlebody

@@ -4,11 +4,13 @@
 #include <array>
 #include <atomic>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/errors.h"
+#include "core/io/dicom_origin.h"
 #include "core/volume/volume.h"
 
 namespace handlebody {
@@ -60,6 +62,7 @@ struct VolumeInfo {
   bool calibrated = true;  //!< false: a spacing is assumed, and lengths and volumes in mm mean nothing
   GeometrySources sources{};
   std::vector<std::string> warnings;
+  std::shared_ptr<const DicomOrigin> dicom{};  //!< of a volume that was read from DICOM images
 };
 
 //! Thrown where one volume is asked for and a folder (or series) holds several.

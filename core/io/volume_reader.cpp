@@ -103,9 +103,21 @@ void setSpacing(const VolumeSelection& selection, VolumeHeader& header, const st
     header.warnings.push_back(
         "The spacing was given by the user; the file says " + millimetres(header.grid.spacing.x()) + ", " +
         millimetres(header.grid.spacing.y()) + ", " + millimetres(header.grid.spacing.z()) + ".");
+  if (header.dicom && !(header.calibrated && given == header.grid.spacing))
+    header.dicom->displaced = "its spacing was given by the user, not by the series";
   header.grid.spacing = given;
   header.calibrated = true;
   for (std::string& source : header.sources.spacing) source = "given by the user";
+}
+
+//! The images of one time point, of those of all.
+std::shared_ptr<const DicomOrigin> originOf(const VolumeHeader& h, int frame) {
+  if (!h.dicom || h.frames == 1) return h.dicom;
+  auto origin = std::make_shared<DicomOrigin>(*h.dicom);
+  std::vector<DicomImage>& images = origin->images;
+  const auto count = static_cast<std::ptrdiff_t>(images.size()) / h.frames;
+  images = {images.begin() + count * frame, images.begin() + count * (frame + 1)};
+  return origin;
 }
 
 VolumeInfo infoOf(const VolumeHeader& h, const VolumeSelection& selection, const std::string& path) {
@@ -120,6 +132,7 @@ VolumeInfo infoOf(const VolumeHeader& h, const VolumeSelection& selection, const
   info.frames = h.frames;
   info.calibrated = h.calibrated;
   info.sources = h.sources;
+  info.dicom = originOf(h, selection.frame.value_or(0));
   if (h.frames > 1 && !selection.frame)
     info.warnings.push_back("There are " + std::to_string(h.frames) + " time points; frame 0 is used.");
   if (!h.calibrated)

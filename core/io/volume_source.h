@@ -55,6 +55,7 @@ struct VolumeHeader {
   bool calibrated = true;
   GeometrySources sources{};
   std::vector<std::string> warnings{};
+  std::shared_ptr<DicomOrigin> dicom{};  //!< of DICOM images, of all time points one behind the other
 
   bool scaled() const { return slope != 1 || intercept != 0; }
   std::uint64_t bytesPerFrame() const {

@@ -1,6 +1,7 @@
 // Volumes and label maps through ITK. ITK's writers do not report a full disk in every format: what was
 // written is read back and compared before it gets its name.
 
+#include <itkMetaDataObject.h>
 #include <itkMetaImageIO.h>
 #include <itkNiftiImageIO.h>
 #include <itkNrrdImageIO.h>
@@ -13,6 +14,7 @@
 #include "core/io/itk_source.h"
 #include "core/io/mesh_io.h"
 #include "core/io/volume_io.h"
+#include "core/io/volume_keys.h"
 
 namespace handlebody {
 namespace {
@@ -82,7 +84,10 @@ bool isLabelMapPath(const std::string& path) {
   return false;
 }
 
-void writeVolume(const Volume& volume, const std::string& path) {
+void writeVolume(const Volume& volume, const std::string& path) { writeVolumeWithKeys(volume, path, {}); }
+
+void writeVolumeWithKeys(const Volume& volume, const std::string& path,
+                         const std::map<std::string, std::string>& keys) {
   const auto io = writerFor(path);
   for (int n : volume.grid.size)
     if (n < 2)
@@ -95,6 +100,8 @@ void writeVolume(const Volume& volume, const std::string& path) {
     try {
       const Quiet quiet;
       describe(*io, volume);
+      for (const auto& [key, value] : keys)
+        itk::EncapsulateMetaData<std::string>(io->GetMetaDataDictionary(), key, value);
       io->SetFileName(temporary);
       io->SetUseCompression(true);
       io->WriteImageInformation();

@@ -34,7 +34,7 @@ int coverage(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
   return covers;
 }
 
-//! False only if the ray from p along x cannot meet the triangle, whose range of z holds p.
+//! False only if the ray from p along x cannot meet the triangle. Its range of z is left to coverage.
 bool mayMeetRay(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
   const auto below = [](double u, double v, double w, double limit) {
     return (u < limit) & (v < limit) & (w < limit);
@@ -43,11 +43,15 @@ bool mayMeetRay(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
            below(-a.y(), -b.y(), -c.y(), -p.y()));
 }
 
-//! What the face adds to the winding number of p: 1 or -1 if the ray from p along x crosses it.
+}  // namespace
+
 int crossing(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
+  if (!mayMeetRay(a, b, c, p)) return 0;
   const int covers = coverage(a, b, c, p);
   return covers != 0 && orient3d(a, b, c, p) == -covers ? covers : 0;  // it lies ahead
 }
+
+namespace {
 
 //! The winding numbers of all queries, in one look at every face. Sorts them by z.
 void wind(const LabelledSurface& surface, std::vector<Query>& queries) {
@@ -60,8 +64,7 @@ void wind(const LabelledSurface& surface, std::vector<Query>& queries) {
     const double high = std::max({a.z(), b.z(), c.z()});
     auto q = std::lower_bound(queries.begin(), queries.end(), std::min({a.z(), b.z(), c.z()}), before);
     for (; q != queries.end() && q->place.z() <= high; ++q)
-      if (mayMeetRay(a, b, c, q->place) && surface.parts.ofVertex[idx(t[0])] != q->without)
-        q->winding += crossing(a, b, c, q->place);
+      if (surface.parts.ofVertex[idx(t[0])] != q->without) q->winding += crossing(a, b, c, q->place);
   }
 }
 

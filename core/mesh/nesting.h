@@ -19,6 +19,10 @@ inline LabelledSurface labelled(const Mesh& mesh, const Components& parts) {
   return {mesh.positions(), mesh.faces(), parts};
 }
 
+//! 1 or -1 if a ray from p, the same for all triangles, crosses abc, by its orientation, else 0 (exact). The
+//! sum over a closed surface is how often it winds around p. p must not lie on it.
+int crossing(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p);
+
 //! How often the surface without `component` winds around p: 1 inside the body, 0 outside of it and in its
 //! cavities (signed crossings of a ray with the faces, exact). p must not lie on the surface.
 int windingNumber(const Mesh& mesh, const Components& parts, int component, const Vec3& p);

@@ -193,7 +193,7 @@ class Regulator {
       const Vec3 after = normal(p, mesh_.position(b), mesh_.position(c));
       const double limit = limits_.longest * limits_.longest;
       ok = before.dot(after) > kFlatEnough && (mesh_.position(b) - p).squaredNorm() < limit &&
-           (mesh_.position(c) - p).squaredNorm() < limit;
+           (mesh_.position(c) - p).squaredNorm() < limit && allows(p, mesh_.position(b), mesh_.position(c));
     });
     return ok;
   }
@@ -239,7 +239,12 @@ class Regulator {
     if ((pc - pd).squaredNorm() > limits_.longest * limits_.longest) return false;
     const Vec3 n0 = normal(pa, pb, pc), n1 = normal(pb, pa, pd);
     const Vec3 m0 = normal(pd, pc, pa), m1 = normal(pc, pd, pb);
-    return n0.dot(n1) > kFlatEnough && m0.dot(m1) > kFlatEnough && m0.dot(n0) > kFlatEnough;
+    return n0.dot(n1) > kFlatEnough && m0.dot(m1) > kFlatEnough && m0.dot(n0) > kFlatEnough &&
+           allows(pd, pc, pa) && allows(pc, pd, pb);
+  }
+
+  bool allows(const Vec3& a, const Vec3& b, const Vec3& c) const {
+    return !limits_.forbidden.holds || !limits_.forbidden.holds(a, b, c);
   }
 
   Mesh& mesh_;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/mesh/forbidden.h"
 #include "core/mesh/mesh.h"
 
 namespace handlebody {
@@ -10,6 +11,8 @@ namespace handlebody {
 struct RemeshLimits {
   double longest = 0;   //!< mm; longer edges are split
   double shortest = 0;  //!< mm; shorter edges are collapsed
+  //! Where no face may lie that was not part of one before.
+  Forbidden forbidden{};
 };
 
 //! The dihedral angle up to which an edge may be turned or an edge beside it collapsed: the surface moves by

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/collision/face_pair.h"
+#include "core/mesh/nesting.h"
 
 namespace handlebody {
 
@@ -160,9 +161,37 @@ double area(const Mesh& mesh, const Patch& patch) {
   return sum;
 }
 
+Replaced::Replaced(const Mesh& mesh, std::span<const Opening> openings, const Forbidden& forbidden)
+    : forbidden_(forbidden) {
+  if (!forbidden.places) return;
+  for (const Opening& o : openings)
+    for (const int f : o.faces) {
+      const Triangle& t = mesh.face(f);
+      faces_.push_back({mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2])});
+    }
+}
+
+bool Replaced::sweepsOver(const Mesh& mesh, const Patch& patch) const {
+  if (faces_.empty()) return false;
+  std::vector<std::array<Vec3, 3>> added;
+  for (const Triangle& t : patch.faces) added.push_back(corners(mesh, patch, t));
+  Eigen::AlignedBox3d box;
+  for (const auto& face : faces_) box.extend(boxOf(face));
+  for (const auto& face : added) box.extend(boxOf(face));
+  // Old and new faces together are closed: they wind around a place between them.
+  const auto isBetween = [&](const Vec3& p) {
+    int winding = 0;
+    for (const auto& [a, b, c] : added) winding += crossing(a, b, c, p);
+    for (const auto& [a, b, c] : faces_) winding -= crossing(a, b, c, p);
+    return winding != 0;
+  };
+  const std::vector<Vec3> places = forbidden_.places(box.min(), box.max());
+  return std::any_of(places.begin(), places.end(), isBetween);
+}
+
 Surroundings::Surroundings(const Mesh& mesh, std::span<const Opening> openings,
-                           std::span<const unsigned char> ignored)
-    : mesh_(mesh) {
+                           std::span<const unsigned char> ignored, const Forbidden& forbidden)
+    : mesh_(mesh), forbidden_(forbidden), replaced_(mesh, openings, forbidden) {
   Eigen::AlignedBox3d box;
   for (const Opening& o : openings)
     for (const auto& loop : o.loops)
@@ -184,6 +213,7 @@ Surroundings::Surroundings(const Mesh& mesh, std::span<const Opening> openings,
 
 bool Surroundings::hitsStaying(const Patch& patch, const Triangle& face) const {
   const std::array<Vec3, 3> p = corners(mesh_, patch, face);
+  if (forbidden_.holds && forbidden_.holds(p[0], p[1], p[2])) return true;
   const Eigen::AlignedBox3d box = boxOf(p);
   return std::any_of(faces_.begin(), faces_.end(), [&](int g) {
     const std::array<Vec3, 3> q = corners(mesh_, patch, mesh_.face(g));

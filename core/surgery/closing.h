@@ -1,10 +1,12 @@
 #pragma once
 // Faces that close an opened mesh: caps on single polygons, and the test whether caps and handles fit.
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "core/mesh/forbidden.h"
 #include "core/mesh/mesh.h"
 #include "core/surgery/opening.h"
 
@@ -41,20 +43,39 @@ double volumeGain(const Mesh& mesh, std::span<const Opening> openings, const Pat
 //! Area of the patch, mm².
 double area(const Mesh& mesh, const Patch& patch);
 
+//! The faces of openings as they were when this was made, which a patch is to replace.
+class Replaced {
+ public:
+  Replaced(const Mesh& mesh, std::span<const Opening> openings, const Forbidden& forbidden);
+  //! True if a forbidden place lies between them and the patch: it would come to the other side of the
+  //! surface. Precondition: they and the patch have the same boundary.
+  bool sweepsOver(const Mesh& mesh, const Patch& patch) const;
+
+ private:
+  Forbidden forbidden_;
+  std::vector<std::array<Vec3, 3>> faces_;  // none if no place is forbidden
+};
+
 //! The faces of the mesh near an opening that stay: what a patch must not intersect.
 class Surroundings {
  public:
   //! `ignored[f]` != 0: faces that do not count because they collide themselves and will be dealt with.
-  Surroundings(const Mesh& mesh, std::span<const Opening> openings, std::span<const unsigned char> ignored);
+  //! What lies where it is forbidden counts as if it intersected a face that stays.
+  Surroundings(const Mesh& mesh, std::span<const Opening> openings, std::span<const unsigned char> ignored,
+               const Forbidden& forbidden = {});
   //! True if no face of the patch intersects another or one that stays.
   bool fits(const Patch& patch) const;
   //! The faces of the patch, by index, that intersect a face that stays or one of `other`.
   std::vector<std::size_t> hits(const Patch& patch, const Patch& other) const;
   bool intersectsItself(const Patch& patch) const;
+  //! True if the patch would swallow a forbidden place. Precondition: it closes all of the openings.
+  bool sweepsOver(const Patch& patch) const { return replaced_.sweepsOver(mesh_, patch); }
 
  private:
   bool hitsStaying(const Patch& patch, const Triangle& face) const;
   const Mesh& mesh_;
+  Forbidden forbidden_;
+  Replaced replaced_;
   std::vector<int> faces_;
 };
 

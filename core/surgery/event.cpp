@@ -2,6 +2,8 @@
 
 namespace handlebody {
 
+bool changesTopology(EventKind kind) { return kind != EventKind::smoothed && kind != EventKind::rolledBack; }
+
 const char* eventKindName(EventKind kind) {
   switch (kind) {
     case EventKind::handleInserted:

@@ -2,6 +2,7 @@
 // A change of the mesh that somebody may question: what happened, where, and the topology before and after.
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ enum class EventKind {
 };
 //! "handle inserted", "split" … as in the report.
 const char* eventKindName(EventKind kind);
+//! False for repairs: a fold that was smoothed away, a part that was rolled back.
+bool changesTopology(EventKind kind);
 
 //! The stages of a change of topology (the paper's Figures 1 and 7), in mm; recorded only on request.
 struct EventTrace {
@@ -42,8 +45,9 @@ struct Event {
   //! What the change predicts (predicted_change.h). A step that ends with other numbers, counted on its mesh,
   //! is rolled back: in an event of a step that was kept these are the true ones.
   TopologyNumbers after;
-  std::string reason;  //!< why it was rolled back, or what did not fit before this
-  EventTrace trace;    //!< empty unless traces are recorded
+  std::string reason;               //!< why it was rolled back, or what did not fit before this
+  std::optional<EventKind> held{};  //!< rolled back: the change that may not happen, as the user asked
+  EventTrace trace;                 //!< empty unless traces are recorded
 };
 
 }  // namespace handlebody

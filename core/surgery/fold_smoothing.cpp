@@ -39,7 +39,7 @@ std::vector<int> cornersOf(const Mesh& mesh, const std::vector<int>& faces) {
 }  // namespace
 
 bool smoothFold(Mesh& mesh, const std::vector<int>& lambda, std::span<const unsigned char> ignored,
-                std::vector<unsigned char>& touched) {
+                const Forbidden& forbidden, std::vector<unsigned char>& touched) {
   const std::vector<int> vertices = enlarge(mesh, lambda);
   std::vector<Vec3> old;
   for (int v : vertices) old.push_back(mesh.position(v));
@@ -53,12 +53,14 @@ bool smoothFold(Mesh& mesh, const std::vector<int>& lambda, std::span<const unsi
   Patch patch;
   patch.firstNew = mesh.vertexSlots();
   for (int f : moved.faces) patch.faces.push_back(mesh.face(f));
+  const std::span<const Opening> one(&moved, 1);
+  const Replaced unmoved(mesh, one, forbidden);
   for (int pass = 0; pass < kFoldPasses; ++pass) {
     for (int i = 0; i < kPairs; ++i) {
       laplacianStep(mesh, vertices, kLambda);
       laplacianStep(mesh, vertices, kMu);
     }
-    if (Surroundings(mesh, std::span(&moved, 1), others).fits(patch)) {
+    if (Surroundings(mesh, one, others, forbidden).fits(patch) && !unmoved.sweepsOver(mesh, patch)) {
       touched.resize(static_cast<std::size_t>(mesh.vertexSlots()), 0);
       for (int v : vertices) touched[static_cast<std::size_t>(v)] = 1;
       return true;

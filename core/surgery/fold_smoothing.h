@@ -3,15 +3,18 @@
 #include <span>
 #include <vector>
 
+#include "core/mesh/forbidden.h"
 #include "core/mesh/mesh.h"
 
 namespace handlebody {
 
 //! Smooths a lone colliding set Λ and its ring by Taubin's method (paper, section 4, "Deleting components")
-//! until its faces intersect nothing. Returns false, with the mesh unchanged, if they still do after
-//! kFoldPasses passes. `ignored` marks faces that collide elsewhere; touched[v] = 1 for moved vertices.
+//! until its faces intersect nothing, lie nowhere and have
+//! swept over nothing that is forbidden. Returns false, with the mesh unchanged, if they
+//! still do after kFoldPasses passes. `ignored` marks faces that collide elsewhere; touched[v] = 1 for moved
+//! vertices.
 bool smoothFold(Mesh& mesh, const std::vector<int>& lambda, std::span<const unsigned char> ignored,
-                std::vector<unsigned char>& touched);
+                const Forbidden& forbidden, std::vector<unsigned char>& touched);
 
 inline constexpr int kFoldPasses = 4;
 

@@ -81,8 +81,8 @@ FittingHandle shortestFittingHandle(const Mesh& mesh, std::span<const Opening> o
       search.forbid(faults);
     } else if (!surroundings.intersectsItself(out.patch)) {
       out.patch.append(caps);
-      out.found = true;
-      return out;
+      out.found = !surroundings.sweepsOver(out.patch);
+      if (out.found) return out;
     }
   }
   return out;

@@ -55,9 +55,11 @@ class Planner {
         plan_(plan),
         settings_(settings),
         reason_(reason),
-        surroundings_(mesh, plan.openings, settings.colliding) {}
+        surroundings_(mesh, plan.openings, settings.colliding, settings.forbidden) {}
   bool joinFronts(std::span<const Opening> openings);
   bool closeOne(const Opening& opening);
+  //! Where the openings are whole components.
+  bool deleteAll();
 
  private:
   bool meetOutside(std::span<const Opening> openings, const Loops& loops) const;
@@ -149,7 +151,7 @@ bool Planner::closeOne(const Opening& opening) {
       return a.shrinks != b.shrinks ? b.shrinks : a.area < b.area;
     });
   for (ClosingChoice& c : choices)
-    if (surroundings_.fits(c.patch)) {
+    if (surroundings_.fits(c.patch) && !surroundings_.sweepsOver(c.patch)) {
       plan_.patch = std::move(c.patch);
       plan_.kind = c.kind;
       plan_.joined = std::move(c.joined);
@@ -178,6 +180,13 @@ std::vector<ClosingChoice> Planner::capsFor(const Opening& opening) const {
   return choices;
 }
 
+bool Planner::deleteAll() {
+  plan_.kind = EventKind::componentDeleted;
+  if (!surroundings_.sweepsOver(plan_.patch)) return true;
+  reason_ = "the component encloses a place where no surface may go";
+  return false;
+}
+
 bool isTooLarge(const Opening& o) {
   return std::any_of(o.loops.begin(), o.loops.end(),
                      [](const std::vector<int>& loop) { return loop.size() > kLongestLoop; });
@@ -194,11 +203,8 @@ bool closeAll(const Mesh& mesh, Plan& plan, const PlanSettings& settings, const 
                                           [](const Opening& o) { return o.loops.empty(); });
   const std::span<const Opening> opened(open, plan.openings.end());
   plan.patch.firstNew = mesh.vertexSlots();
-  if (opened.empty()) {
-    plan.kind = EventKind::componentDeleted;
-    return true;
-  }
   Planner planner(mesh, plan, settings, reason);
+  if (opened.empty()) return planner.deleteAll();
   return opened.size() == 1 ? planner.closeOne(opened[0]) : planner.joinFronts(opened);
 }
 

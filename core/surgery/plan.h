@@ -28,6 +28,8 @@ struct PlanSettings {
   bool outwardOnly = true;
   //! Faces that collide (per face slot): they do not stand in the way of a patch.
   std::span<const unsigned char> colliding;
+  //! Where no patch may lie, and what it may not swallow.
+  Forbidden forbidden{};
 };
 
 //! The most fronts that one handle joins.

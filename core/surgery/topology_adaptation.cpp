@@ -94,7 +94,8 @@ class Adaptation {
     std::string why = before;
     for (int ring = 0; ring <= enlargements; ++ring) {
       colliding_.resize(idx(mesh_.faceSlots()), 0);
-      const auto plan = planFor(mesh_, sets, {settings_.outwardOnly, colliding_}, reason);
+      const auto plan =
+          planFor(mesh_, sets, {settings_.outwardOnly, colliding_, settings_.forbidden}, reason);
       const bool deletes = plan && plan->kind == EventKind::componentDeleted && ring > kDeletes;
       if (plan && !deletes) {
         apply(group, *plan, why);
@@ -110,7 +111,9 @@ class Adaptation {
   }
 
   bool smoothed(const CollisionGroup& group) {
-    if (group.lambda.size() != 1 || !smoothFold(mesh_, group.lambda[0], colliding_, touched_)) return false;
+    if (group.lambda.size() != 1 ||
+        !smoothFold(mesh_, group.lambda[0], colliding_, settings_.forbidden, touched_))
+      return false;
     report(group, EventKind::smoothed);
     return true;
   }

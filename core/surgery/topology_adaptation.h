@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/collision/self_intersection.h"
+#include "core/mesh/forbidden.h"
 #include "core/mesh/mesh.h"
 #include "core/surgery/event.h"
 
@@ -20,6 +21,8 @@ struct AdaptationSettings {
   TopologyNumbers topology;  //!< of the mesh as it is handed over
   //! True where folds have been smoothed before and came back: there a cut is tried first. None: nowhere.
   std::function<bool(const Vec3&)> cameBack{};
+  //! Where no patch may lie, and what it may not swallow.
+  Forbidden forbidden{};
 };
 
 //! A place where nothing fitted: the caller rolls it back.

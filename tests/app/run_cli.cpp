@@ -67,11 +67,13 @@ nlohmann::json runForJson(const std::vector<std::string>& arguments) {
 }
 
 PhantomFile makePhantomFile(const TempFolder& folder, const std::string& name,
-                            const std::vector<std::string>& more) {
+                            const std::vector<std::string>& more, const std::string& phantom) {
   PhantomFile file;
   file.path = folder / name;
-  std::vector<std::string> arguments{"phantom", "sphere",   "-o",        file.path,
-                                     "--size",  "32,32,32", "--spacing", "2.5,2.5,2.5"};
+  std::vector<std::string> arguments{"phantom",   phantom,
+                                     "-o",        file.path,
+                                     "--size",    phantom == "sphere" ? "32,32,32" : "50,50,50",
+                                     "--spacing", phantom == "sphere" ? "2.5,2.5,2.5" : "2,2,2"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   file.json = runForJson(arguments);
   for (const auto& x : file.json.at("seed").at("centre")) file.seed += x.dump() + ",";

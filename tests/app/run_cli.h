@@ -27,6 +27,6 @@ struct PhantomFile {
   nlohmann::json json;  //!< what the program printed
 };
 PhantomFile makePhantomFile(const TempFolder& folder, const std::string& name = "sphere.mha",
-                            const std::vector<std::string>& more = {});
+                            const std::vector<std::string>& more = {}, const std::string& phantom = "sphere");
 
 }  // namespace handlebody::test

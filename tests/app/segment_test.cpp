@@ -375,3 +375,74 @@ TEST_CASE("a seed larger than the object contracts onto it where the surface may
   CHECK(report.at("warnings").empty());
   CHECK(report.at("mesh").at("volume_mm3").get<double>() == Approx(113097).epsilon(0.02));
 }
+
+TEST_CASE("a term names, colours and codes the object in what is written of it, and again in a replay",
+          "[cli][segment]") {
+  const SphereRun run;
+  run.requireSuccess({"--term", "liver", "--label-value", "5", "-o", run.folder / "a.seg.nrrd", "-o",
+                      run.folder / "a.nii.gz", "--label-description", run.folder / "a.txt", "--session",
+                      run.folder / "s.json"});
+  const std::string header = readBytes(run.folder / "a.seg.nrrd").substr(0, 3000);
+  CHECK_THAT(header, Contains("Segment0_Name:=Liver\n"));
+  CHECK_THAT(header, Contains("SCT^10200004^Liver"));
+  CHECK_THAT(header, Contains("Segment0_LabelValue:=5\n"));
+  CHECK_THAT(readBytes(run.folder / "a.txt"), Contains("\"Liver\""));
+  const Volume labels = readVolume(run.folder / "a.nii.gz");
+  std::set<int> values;
+  for (std::size_t i = 0; i < labels.grid.voxelCount(); ++i) values.insert(labels.data<std::uint8_t>()[i]);
+  CHECK(values == std::set<int>{0, 5});
+
+  const Outcome again = runCli({"replay", run.folder / "s.json", "--color", "1,2,3", "--object-name",
+                                "My liver", "-o", run.folder / "b.seg.nrrd"});
+  REQUIRE(again.exitCode == 0);
+  const std::string second = readBytes(run.folder / "b.seg.nrrd").substr(0, 3000);
+  CHECK_THAT(second, Contains("Segment0_Name:=My liver\n"));
+  CHECK_THAT(second, Contains("Segment0_Color:=0.003922 0.007843 0.011765\n"));
+  CHECK_THAT(second, Contains("SCT^10200004^Liver"));
+  CHECK_THAT(second, Contains("Segment0_LabelValue:=5\n"));
+}
+
+TEST_CASE("a name, term, colour or label value without meaning is refused with the option's name",
+          "[cli][segment]") {
+  const SphereRun run;
+  const std::vector<std::pair<std::string, std::string>> bad{
+      {"--object-name", "a|b"}, {"--term", "lever"},    {"--color", "1,2"},
+      {"--color", "1,2,256"},   {"--label-value", "0"}, {"--label-value", "70000"}};
+  for (const auto& [option, value] : bad) {
+    const Outcome outcome = runCli(run.arguments({option, value, "-o", run.folder / "m.seg.nrrd"}));
+    INFO(option << " " << value);
+    CHECK(outcome.exitCode == 2);
+    CHECK_THAT(outcome.err, Contains(option));
+  }
+  CHECK(run.folder.names() == std::vector<std::string>{"sphere.mha"});
+}
+
+TEST_CASE("a DICOM file of a volume that is not DICOM is refused before the work", "[cli][segment]") {
+  const SphereRun run;
+  for (const char* name : {"m.seg.dcm", "m.stl.dcm"}) {
+    const Outcome outcome = runCli(run.arguments({"-o", run.folder / name, "-o", run.folder / "m.stl"}));
+    CHECK(outcome.exitCode == 2);
+    CHECK_THAT(outcome.err,
+               Contains(std::string(name) + ": no DICOM file can be made: the volume was not read from"));
+  }
+  const Outcome creator = runCli(run.arguments({"-o", run.folder / "m.stl", "--creator", "A\\B"}));
+  CHECK(creator.exitCode == 2);
+  CHECK_THAT(creator.err, Contains("--creator"));
+  CHECK(run.folder.names() == std::vector<std::string>{"sphere.mha"});
+}
+
+TEST_CASE("an anonymous session replays with the volume named, and says so without it", "[cli][segment]") {
+  const SphereRun run;
+  run.requireSuccess({"-o", run.folder / "a.stl", "-o", run.folder / "a.3mf", "--anonymous", "--session",
+                      run.folder / "s.json", "--report", run.folder / "r.json"});
+  for (const char* name : {"s.json", "r.json"}) {
+    CHECK(run.json(name).at("input").at("path").is_null());
+    const Outcome lost = runCli({"replay", run.folder / name, "-o", run.folder / "b.stl"});
+    CHECK(lost.exitCode == 3);
+    CHECK_THAT(lost.err, Contains(std::string(name)) && Contains("--volume"));
+    const Outcome found =
+        runCli({"replay", run.folder / name, "--volume", run.phantom.path, "-o", run.folder / "b.stl"});
+    CHECK(found.exitCode == 0);
+    CHECK(readBytes(run.folder / "a.stl") == readBytes(run.folder / "b.stl"));
+  }
+}

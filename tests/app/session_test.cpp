@@ -37,7 +37,13 @@ Session unusualSession(const std::string& volume) {
   later.candidate = 2;
   later.smoothing.reset();
   later.balloon = 1.0 / 7.0;
-  s.changes = {{0, later}, {9, s.requested, {{{{1, 2.0 / 3.0, 3}, {}}, {{4, 5, 6}, 0.1, true}}}}};
+  s.constraints = {{{{{1.0 / 3.0, -2, 1e-7}, 0.3}}, WallMap{volume + ".walls.mha", "ab12", nullptr}},
+                   {{7, {0.1, 0.2, 1.0 / 3.0}}},
+                   {4, 0}};
+  s.changes = {{0, later, {}, {}},
+               {9, s.requested, {{{{1, 2.0 / 3.0, 3}, {}}, {{4, 5, 6}, 0.1, true}}}, {}},
+               {11, s.requested, {}, Constraints{{{{{4, 5, 6}, 7}}, {}}, {}, {{}, 2}}},
+               {12, s.requested, {}, Constraints{}}};
   s.stopAt = 12;
   s.view = R"({"zoom":1.5})";
   return s;
@@ -76,8 +82,10 @@ TEST_CASE("a session comes back exactly as it was written", "[session]") {
   CHECK(back.requested.maxIterations == s.requested.maxIterations);
   CHECK(back.requested.threads == s.requested.threads);
   CHECK(back.space == s.space);
-  REQUIRE(back.changes.size() == 2);
-  for (std::size_t i = 0; i < 2; ++i) {
+  CHECK(back.constraints == s.constraints);
+  REQUIRE(back.changes.size() == 4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(back.changes[i].constraints == s.changes[i].constraints);
     CHECK(back.changes[i].iteration == s.changes[i].iteration);
     CHECK(back.changes[i].parameters == s.changes[i].parameters);
     CHECK(back.changes[i].seeds == s.changes[i].seeds);
@@ -105,7 +113,7 @@ TEST_CASE("a session whose changes have no seeds is that of earlier versions: th
   const TempFolder folder;
   test::writeBytes(folder / "s.json", json.dump());
   const Session back = readSession(folder / "s.json");
-  REQUIRE(back.changes.size() == 2);
+  REQUIRE(back.changes.size() == 4);
   CHECK_FALSE(back.changes[1].seeds.has_value());
   CHECK(changed({back.seeds, back.requested}, back.changes[1]).seeds == back.seeds);
 }

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -13,11 +14,13 @@
 #include "core/io/mesh_io.h"
 #include "core/io/volume_io.h"
 #include "tests/support/catch.h"
+#include "tests/support/wall_support.h"
 #ifdef HANDLEBODY_WITH_ORACLE
 #include "tests/collision_oracle/oracle.h"
 #endif
 
 using namespace handlebody;
+using handlebody::testing::clearance;
 
 namespace {
 
@@ -72,15 +75,23 @@ struct RealOutcome {
   std::vector<std::string> doubts;
 };
 
-//! Grows the case, expects it to converge to a certified mesh, and says what came out.
-RealOutcome expectCertified(const std::string& name) {
-  const RealCase& c =
-      *std::find_if(std::begin(kCases), std::end(kCases), [&](const RealCase& r) { return name == r.name; });
-  const Volume volume = readVolume(folder() + "/" + c.volume);
+const RealCase& caseOf(const std::string& name) {
+  return *std::find_if(std::begin(kCases), std::end(kCases),
+                       [&](const RealCase& r) { return name == r.name; });
+}
+
+ActiveContour begun(const RealCase& c, const Constraints& constraints = {}) {
+  Volume volume = readVolume(folder() + "/" + c.volume);
   Parameters parameters;
   parameters.object = c.object;
-  ActiveContour contour(
-      volume, {{volume.grid.toWorld(c.seedIndex), c.radiusVoxels * volume.grid.meanSpacing()}}, parameters);
+  const Seed seed{volume.grid.toWorld(c.seedIndex), c.radiusVoxels * volume.grid.meanSpacing()};
+  return {std::move(volume), {seed}, parameters, constraints};
+}
+
+//! Grows the case, expects it to converge to a certified mesh, and says what came out.
+RealOutcome expectCertified(const std::string& name) {
+  const RealCase& c = caseOf(name);
+  ActiveContour contour = begun(c);
   while (contour.stopReason() == StopReason::running) contour.step();
   const TriangleSoup mesh = contour.mesh().compact();
   const Certificate certificate = certify(mesh);
@@ -129,6 +140,40 @@ TEST_CASE("the aorta in a CT angiography agrees with the label and is held at a 
   const RealOutcome o = expectCertified("aorta");
   CHECK(o.dice >= 0.87);
   CHECK(warnsOf(o, kNeck));
+}
+
+TEST_CASE("the aorta with walls all over its surface and no tunnel allowed keeps both",
+          "[real][walls][veto]") {
+  if (volumesMissing()) return;
+  const RealCase& c = caseOf("aorta");
+  ActiveContour free = begun(c);
+  while (free.stopReason() == StopReason::running) free.step();
+  const TriangleSoup surface = free.mesh().compact();
+  const Certificate unbound = certify(surface);
+  CHECK(std::accumulate(unbound.genus.begin(), unbound.genus.end(), 0) > 0);
+  constexpr std::size_t kWalls = 30;
+  const Vec3 seed = free.parameters().seeds[0].centre;
+  Constraints constraints{{}, {}, {{}, 0}};
+  for (std::size_t i = 0; i < kWalls; ++i) {
+    const Vec3& p = surface.points[(2 * i + 1) * surface.points.size() / (2 * kWalls)];
+    if ((p - seed).norm() > 12) constraints.walls.balls.push_back({p, 2.0});
+  }
+  REQUIRE(constraints.walls.balls.size() > kWalls / 2);
+
+  ActiveContour bound = begun(c, constraints);
+  double least = clearance(bound.mesh(), constraints.walls.balls);
+  while (bound.stopReason() == StopReason::running) {
+    bound.step();
+    least = std::min(least, clearance(bound.mesh(), constraints.walls.balls));
+  }
+  const Certificate certificate = certify(bound.mesh().compact());
+  CHECK(least > 0);
+  CHECK(certificate.passes());
+  CHECK(std::accumulate(certificate.genus.begin(), certificate.genus.end(), 0) == 0);
+  CHECK(certificate.volume == Approx(unbound.volume).epsilon(0.1));
+  std::cout << "aorta with " << constraints.walls.balls.size() << " walls, nearest " << least << " mm, "
+            << bound.held().size() << " places held: " << certificate.volume / 1000 << " ml, "
+            << unbound.volume / 1000 << " ml without\n";
 }
 
 TEST_CASE("the trachea in a CT volume has 24 ml, within 5 %", "[real]") {

@@ -1,5 +1,6 @@
 #include "tests/fuzz/corpus.h"
 
+#include "core/io/dicom_writer.h"
 #include "core/io/mesh_io.h"
 #include "core/io/session.h"
 #include "tests/io/dicom_test_support.h"
@@ -57,6 +58,24 @@ void addDicom(std::vector<Sample>& corpus) {
   corpus.push_back({"us.dcm", dicomBytes(us, "1.2")});
 }
 
+//! A segmentation of two segments whose frames do not fill whole bytes.
+void addSegmentation(const std::string& folder, std::vector<Sample>& corpus) {
+  const Grid grid = obliqueGrid();
+  void* buffer = nullptr;
+  const Volume labels = makeVolume(grid, VoxelType::uint8, &buffer);
+  for (std::size_t i = 0; i < grid.voxelCount(); ++i)
+    static_cast<std::uint8_t*>(buffer)[i] = static_cast<std::uint8_t>(i % 3);
+  std::vector<ExportedObject> objects(2);
+  objects[1].label.value = 2;
+  DicomOrigin origin;
+  origin.studyUid = "1.2.3";
+  origin.seriesUid = "1.2.3.4";
+  for (int k = 0; k < grid.size[2]; ++k)
+    origin.images.push_back({"1.2.840.10008.5.1.4.1.1.4", "1.2.3.4." + std::to_string(k + 1), 0});
+  writeDicomSegmentation(labels, objects, origin, {}, folder + "/s.seg.dcm");
+  corpus.push_back({"s.seg.dcm", readBytes(folder + "/s.seg.dcm")});
+}
+
 void addMeshes(const std::string& folder, std::vector<Sample>& corpus) {
   for (const char* name : {"m.stl", "m.ply", "m.obj", "m.vtp"}) {
     const std::string path = folder + "/" + name;
@@ -72,6 +91,7 @@ void addSession(const std::string& folder, std::vector<Sample>& corpus) {
   session.volume.selection.spacing = Vec3(1, 2, 3);
   session.seeds = {{{1, 2, 3}, 4.0}, {{5, 6, 7}, {}}, {{8, 9, 1}, {}, true}};
   session.requested.candidate = 2;
+  session.label = {"Cyst", {1, 2, 3}, 4, "cyst"};
   writeSession(session, folder + "/s.json");
   corpus.push_back({"s.json", readBytes(folder + "/s.json")});
 }
@@ -84,6 +104,7 @@ std::vector<Sample> fuzzCorpus(const std::string& folder) {
   addMeshes(folder, corpus);
   addSession(folder, corpus);
   addDicom(corpus);
+  addSegmentation(folder, corpus);
   return corpus;
 }
 

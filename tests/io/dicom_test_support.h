@@ -4,10 +4,14 @@
 #include <algorithm>
 #include <cstdio>
 #include <functional>
+#include <map>
 
 #include "tests/io/io_test_support.h"
 
 namespace handlebody::test {
+
+//! Further elements of the groups 8, 10 and 20 (up to 20,0012), by tag: VR and value.
+using MoreElements = std::map<std::uint32_t, std::pair<std::string, std::string>>;
 
 struct Slice {
   std::string series = "1.2.3.4";
@@ -28,6 +32,7 @@ struct Slice {
   double regionDelta = 0;              // cm, of an ultrasound region
   std::vector<Vec3> framePositions{};  // functional groups
   std::vector<std::string> frameStacks{};
+  MoreElements more{};
 };
 
 //! Explicit little-endian data elements.
@@ -130,15 +135,25 @@ inline std::string dicomBytes(const Slice& s, const std::string& instance) {
   meta.add(2, 0x03, "UI", instance);
   meta.add(2, 0x10, "UI", "1.2.840.10008.1.2.1");
   DicomText data;
+  auto more = s.more.begin();
+  const auto addMore = [&](std::uint32_t before) {
+    for (; more != s.more.end() && more->first < before; ++more)
+      data.add(more->first >> 16, more->first & 0xffff, more->second.first, more->second.second);
+  };
+  addMore(0x00080016);
   data.add(8, 0x16, "UI", "1.2.840.10008.5.1.4.1.1.4");
   data.add(8, 0x18, "UI", s.instance.empty() ? instance : s.instance);
+  addMore(0x00080060);
   data.add(8, 0x60, "CS", s.modality);
+  addMore(0x0008103e);
   data.add(8, 0x103e, "LO", "made by hand");
+  addMore(0x00180000);
   if (s.sliceDistance > 0) data.add(0x18, 0x88, "DS", list({s.sliceDistance}));
   if (s.frameTime > 0) data.add(0x18, 0x1063, "DS", list({s.frameTime}));
   if (s.regionDelta > 0) addRegion(s, data);
   data.add(0x20, 0x0d, "UI", "1.2.3");
   data.add(0x20, 0x0e, "UI", s.series);
+  addMore(0x00200012);
   if (s.acquisition > 0) data.add(0x20, 0x12, "IS", std::to_string(s.acquisition));
   data.add(0x20, 0x13, "IS", std::to_string(s.number));
   const Eigen::Matrix3d& d = s.direction;
@@ -158,6 +173,7 @@ inline std::string dicomBytes(const Slice& s, const std::string& instance) {
   data.addShort(0x28, 0x103, 1);
   data.add(0x28, 0x1052, "DS", s.intercept);
   data.add(0x28, 0x1053, "DS", s.slope);
+  addMore(0x52000000);
   if (!s.framePositions.empty()) addFunctionalGroups(s, orientation, data);
   std::string pixels;
   for (int f = 0; f < s.frames; ++f)

@@ -115,6 +115,7 @@ void Document::Private::adopt(const QString& path, OpenedWork opened) {
   Q_EMIT q.seedsChanged();
   Q_EMIT q.selectedSeedChanged(edits.selectedSeed);
   Q_EMIT q.parametersChanged();
+  Q_EMIT q.constraintsChanged();
   Q_EMIT q.resolvedChanged();
   if (session && (session->stopAt || !session->changes.empty()))
     beginGrowth(Wanted::replay);
@@ -125,11 +126,12 @@ void Document::Private::adopt(const QString& path, OpenedWork opened) {
 }
 
 void Document::Private::adoptSession(const QString& path, const Session& session) {
-  replayed = {session.seeds, session.requested};
+  replayed = {session.seeds, session.requested, session.constraints};
   Request last = replayed;
   for (const ParameterChange& change : session.changes) last = changed(last, change);
   edits.seeds = std::move(last.seeds);
   edits.parameters = last.parameters;
+  edits.constraints = std::move(last.constraints);
   view = QByteArray::fromStdString(session.view);
   replay = {session.changes, session.stopAt};
   savedIteration = session.stopAt.value_or(-1);
@@ -174,14 +176,16 @@ void Document::Private::push(const QString& text, Edits after, int gesture) {
 void Document::Private::apply(const Edits& after, EditCommand::Way way) {
   const bool seeds = after.seeds != edits.seeds, parameters = !(after.parameters == edits.parameters);
   const bool selection = after.selectedSeed != edits.selectedSeed;
+  const bool constraints = after.constraints != edits.constraints;
   if (!offerSameObjects(edits, after)) forgetCandidates();
   const Request before = edits.request();
   edits = after;
   if (way == EditCommand::Way::undo) goBackBefore(before);
-  if (seeds || parameters) editsChanged(seeds);
+  if (seeds || parameters || constraints) editsChanged(seeds);
   if (seeds) Q_EMIT q.seedsChanged();
   if (selection) Q_EMIT q.selectedSeedChanged(edits.selectedSeed);
   if (parameters) Q_EMIT q.parametersChanged();
+  if (constraints) Q_EMIT q.constraintsChanged();
 }
 
 //! A correction that has been grown and is undone: shows the surface as it was when it was made.
@@ -189,8 +193,10 @@ void Document::Private::goBackBefore(const Request& undone) {
   const std::vector<ParameterChange>& changes = growth.changes();
   const auto later = [&](const ParameterChange& c) { return c.iteration >= growth.iteration(); };
   const auto last = std::find_if_not(changes.rbegin(), changes.rend(), later);
-  if (last == changes.rend() || !last->seeds || Request{*last->seeds, last->parameters} != undone) return;
-  growth.goTo(last->iteration);
+  if (last == changes.rend() || !(last->seeds || last->constraints)) return;
+  Request made = growth.beginning().request();
+  for (auto change = changes.begin(); change != last.base(); ++change) made = changed(made, *change);
+  if (made == undone) growth.goTo(last->iteration);
 }
 
 void Document::Private::editsChanged(bool seeds) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/evolution/correction.h"
+#include "core/evolution/held_changes.h"
 #include "core/evolution/image_doubts.h"
 #include "core/evolution/parameters.h"
 #include "core/evolution/step_report.h"
@@ -34,6 +35,7 @@ struct MeshSnapshot {
   std::vector<FaceState> states;  //!< one per triangle
   SurfaceSupport support;         //!< its faces are the triangles
   Certificate certificate;        //!< of this mesh: every frame that is shown has been looked at
+  std::vector<HeldPlace> held;    //!< what vetoes and limits of the topology hold back
   //! What the image says against the surface, sentences without a full stop; only of a surface at rest.
   std::vector<std::string> doubts;
 };
@@ -98,6 +100,14 @@ class Document : public QObject {
   const Parameters& parameters() const;
   //! The likeliest object is taken again where another kind of object is asked for, as with other clicks.
   void setParameters(const Parameters& parameters, const QString& undoText, int gesture = -1);
+  //! What the surface may not do.
+  const Constraints& constraints() const;
+  //! events()[index] is not to happen: goes back to the step before, and what is grown on from there is
+  //! without it. Precondition: a change of topology.
+  void forbid(int index);
+  //! What of the shown snapshot's list is held may happen from the shown iteration on: the veto is lifted, or
+  //! the place allowed to break the limits.
+  void allow(const HeldPlace& held);
   //! What the automatic parameters come to with the present seeds; worked out in the background after every
   //! change, told by resolvedChanged(). Empty while unknown or where it failed (resolveError()).
   const std::optional<ResolvedParameters>& resolved() const;
@@ -160,6 +170,7 @@ class Document : public QObject {
   void seedsChanged();
   void selectedSeedChanged(int index);
   void parametersChanged();
+  void constraintsChanged();
   void resolvedChanged();
   void stateChanged();
   void snapshotChanged();   //!< another iteration is shown

@@ -4,10 +4,6 @@
 
 namespace handlebody::ui {
 
-namespace {
-Request requestOf(const ActiveContour& contour) { return {contour.requestedSeeds(), contour.requested()}; }
-}  // namespace
-
 // --- automatic parameters ---
 
 void Document::Private::forgetPreparation() {
@@ -33,11 +29,10 @@ void Document::Private::requestPreparation(const Request& request) {
   settle.stop();
   isPreparing = true;
   const int number = ++preparations;
-  preparation.request(
-      work->volume, request.seeds, request.parameters, [this, number](const Prepared& result) {
-        QMetaObject::invokeMethod(
-            &q, [this, number, result] { preparationDone(number, result); }, Qt::QueuedConnection);
-      });
+  preparation.request(work->volume, request, [this, number](const Prepared& result) {
+    QMetaObject::invokeMethod(
+        &q, [this, number, result] { preparationDone(number, result); }, Qt::QueuedConnection);
+  });
 }
 
 void Document::Private::preparationDone(int number, const Prepared& result) {
@@ -46,7 +41,7 @@ void Document::Private::preparationDone(int number, const Prepared& result) {
   prepareSeconds = result.seconds;
   if (wanted != Wanted::nothing) error = result.error;
   prepared = result.contour;
-  if (prepared && requestOf(*prepared) != edits.request()) {  // for the beginning of a replay
+  if (prepared && prepared->request() != edits.request()) {  // for the beginning of a replay
     startPrepared();
     prepared.reset();
     preparationDue();
@@ -71,7 +66,7 @@ void Document::Private::goOn(Wanted what) {
   if (!work) return;
   error.clear();
   const bool restart =
-      growth.iteration() == 0 && !growth.isRunning() && requestOf(growth.beginning()) != edits.request();
+      growth.iteration() == 0 && !growth.isRunning() && growth.beginning().request() != edits.request();
   if (!growth.exists() || restart) {
     beginGrowth(what);
     return;

@@ -37,20 +37,23 @@ Session Document::Private::session() const {
   s.volume = work->reference;
   s.seeds = edits.seeds;
   s.requested = edits.parameters;
+  s.constraints = edits.constraints;
   s.view = view.toStdString();
   const int shown = growth.iteration();
   if (shown < 0) return s;
   s.seeds = growth.beginning().requestedSeeds();
   s.requested = growth.beginning().requested();
+  s.constraints = growth.beginning().constraints();
   s.resolved = growth.beginning().parameters();
   s.stopAt = shown;
   for (const ParameterChange& change : growth.changes())
     if (change.iteration < shown) s.changes.push_back(change);
-  Request last{s.seeds, s.requested};
+  Request last{s.seeds, s.requested, s.constraints};
   for (const ParameterChange& change : s.changes) last = changed(last, change);
   if (last == edits.request()) return s;
   s.changes.push_back({shown, edits.parameters, {}});
   if (last.seeds != edits.seeds) s.changes.back().seeds = edits.seeds;
+  if (last.constraints != edits.constraints) s.changes.back().constraints = edits.constraints;
   return s;
 }
 
@@ -68,6 +71,7 @@ RunReport Document::Private::report() const {
     if (event.iteration <= r.iterations) r.events.push_back(event);
   for (const RecordedCorrection& correction : growth.corrections())
     if (correction.iteration < r.iterations) r.corrections.push_back(correction);
+  if (const auto shown = growth.snapshot()) r.held = shown->held;
   if (growth.exists()) {
     r.candidates = growth.beginning().candidates();
     r.isCloseChoice = growth.beginning().isCloseChoice();
@@ -86,14 +90,16 @@ void Document::exportResult(const QString& path, CoordinateSpace space) {
         tr("Nothing is left of the surface at this iteration: step back to one that has some."));
     return;
   }
-  d_->files.post([this, path, space, shown, grid = d_->work->volume.grid] {
-    const QString failed = sentenceOf(
-        [&] { writeResults(certifiedForExport(shown->mesh).mesh, grid, {fileName(path)}, space); });
-    QMetaObject::invokeMethod(
-        this,
-        [this, path, failed] { failed.isEmpty() ? Q_EMIT exported(path) : Q_EMIT exportFailed(failed); },
-        Qt::QueuedConnection);
-  });
+  d_->files.post(
+      [this, path, shown, context = ExportContext{d_->work->volume.grid, space, d_->work->info.dicom, {}}] {
+        const QString failed = sentenceOf([&] {
+          writeResults({{ObjectLabel{}, certifiedForExport(shown->mesh).mesh}}, context, {fileName(path)});
+        });
+        QMetaObject::invokeMethod(
+            this,
+            [this, path, failed] { failed.isEmpty() ? Q_EMIT exported(path) : Q_EMIT exportFailed(failed); },
+            Qt::QueuedConnection);
+      });
 }
 
 void Document::exportReport(const QString& path) {

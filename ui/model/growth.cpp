@@ -22,7 +22,7 @@ void Growth::expect(bool running) {
 void Growth::start(std::shared_ptr<const ActiveContour> contour, const std::optional<Replay>& replay) {
   clear();
   start_ = contour;
-  request_ = {contour->requestedSeeds(), contour->requested()};
+  request_ = contour->request();
   worker_.start(std::move(contour));
   started_ = worker_.sent();
   if (replay) worker_.replay(*replay);

@@ -4,7 +4,6 @@
 #include <chrono>
 
 #include "ui/model/error_sentence.h"
-#include "ui/model/event_kinds.h"
 #include "ui/model/snapshot.h"
 
 namespace handlebody::ui {
@@ -247,7 +246,7 @@ void GrowthWorker::publish(std::shared_ptr<const MeshSnapshot> frame) {
     if (frame || !history_) update_.snapshot = std::move(frame);
     if (history_) {
       update_.stopReason = history_->stopReason();
-      update_.request = {history_->seeds(), history_->parameters()};
+      update_.request = {history_->seeds(), history_->parameters(), history_->constraints()};
       update_.resolved = history_->resolved();
       update_.changes = history_->changes();
       update_.corrections = history_->corrections();

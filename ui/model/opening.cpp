@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/errors.h"
+#include "core/io/wall_map.h"
 #include "ui/model/error_sentence.h"
 
 namespace handlebody::ui {
@@ -37,6 +38,7 @@ OpeningResult read(const QString& path, const VolumeSelection& selection,
   auto loaded = loadVolume(work.reference.path, work.reference.selection, {progress, &cancelled});
   if (!loaded) return OpeningFailed{};
   work.volume = std::move(loaded->volume);
+  if (work.session) loadWalls(*work.session, work.volume.grid);
   work.info = std::move(loaded->info);
   work.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return work;

@@ -11,20 +11,19 @@ namespace {
 constexpr std::size_t kMostKnown = 4;
 }
 
-ActiveContour Preparation::make(const Volume& volume, const std::vector<Seed>& seeds,
-                                const Parameters& parameters) const {
+ActiveContour Preparation::make(const Volume& volume, const Request& request) const {
+  const auto& [seeds, parameters, constraints] = request;
   for (const Known& known : known_)
     if (known.contour->requestedSeeds() == seeds && chooseSameImage(known.contour->requested(), parameters))
-      return known.contour->restarted(parameters);
-  return {volume, seeds, parameters};
+      return known.contour->restarted(parameters, constraints);
+  return {volume, seeds, parameters, constraints};
 }
 
-Prepared Preparation::prepare(const Volume& volume, const std::vector<Seed>& seeds,
-                              const Parameters& parameters) {
+Prepared Preparation::prepare(const Volume& volume, const Request& request) {
   const auto start = std::chrono::steady_clock::now();
   if (!known_.empty() && known_.front().volume.voxels != volume.voxels) known_.clear();
   Prepared prepared;
-  prepared.contour = std::make_shared<const ActiveContour>(make(volume, seeds, parameters));
+  prepared.contour = std::make_shared<const ActiveContour>(make(volume, request));
   prepared.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   known_.push_front({volume, prepared.contour});
   if (known_.size() > kMostKnown) known_.pop_back();
@@ -35,14 +34,13 @@ Preparation::~Preparation() { cancel(); }
 
 void Preparation::cancel() { *cancelled_ = true; }
 
-void Preparation::request(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& parameters,
-                          std::function<void(Prepared)> done) {
+void Preparation::request(const Volume& volume, const Request& request, std::function<void(Prepared)> done) {
   cancel();
   cancelled_ = std::make_shared<std::atomic<bool>>(false);
   background_.postInstead([=, this, stop = cancelled_, done = std::move(done)] {
     const CancelScope scope(*stop);
     try {
-      done(prepare(volume, seeds, parameters));
+      done(prepare(volume, request));
     } catch (const Cancelled&) {  // nobody waits for it
     } catch (...) {
       done({nullptr, errorSentence(), 0});

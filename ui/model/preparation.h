@@ -25,8 +25,7 @@ class Preparation {
   ~Preparation();
   //! `done` is called on the worker thread. Of several requests only the newest is answered; what is under
   //! way for an older one is given up.
-  void request(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& parameters,
-               std::function<void(Prepared)> done);
+  void request(const Volume& volume, const Request& request, std::function<void(Prepared)> done);
   void cancel();
 
  private:
@@ -36,9 +35,8 @@ class Preparation {
     Volume volume;
     std::shared_ptr<const ActiveContour> contour;
   };
-  Prepared prepare(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& parameters);
-  ActiveContour make(const Volume& volume, const std::vector<Seed>& seeds,
-                     const Parameters& parameters) const;
+  Prepared prepare(const Volume& volume, const Request& request);
+  ActiveContour make(const Volume& volume, const Request& request) const;
 
   std::deque<Known> known_;  // the worker's
   std::shared_ptr<std::atomic<bool>> cancelled_ = std::make_shared<std::atomic<bool>>(false);

@@ -6,7 +6,6 @@
 
 #include "core/collision/certify.h"
 #include "core/collision/self_intersection.h"
-#include "ui/model/event_kinds.h"
 
 namespace handlebody::ui {
 
@@ -70,6 +69,7 @@ std::shared_ptr<const MeshSnapshot> makeSnapshot(const History& history, Checkin
         static_cast<int>(findSelfIntersections(snapshot->mesh.points, snapshot->mesh.triangles).size());
   }
   snapshot->support = contour.support();
+  snapshot->held = contour.held();
   if (checking == Checking::everything) snapshot->doubts = contour.doubts(snapshot->support);
   return snapshot;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What can be undone: seeds and parameters, as they were before and after.
+// What can be undone: seeds, parameters and constraints, as they were before and after.
 
 #include <QUndoCommand>
 #include <functional>
@@ -13,7 +13,8 @@ namespace handlebody::ui {
 struct Edits {
   std::vector<Seed> seeds;
   Parameters parameters;
-  Request request() const { return {seeds, parameters}; }
+  Constraints constraints{};
+  Request request() const { return {seeds, parameters, constraints}; }
   int selectedSeed = -1;
 };
 

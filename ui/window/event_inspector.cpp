@@ -3,10 +3,11 @@
 #include <QAbstractButton>
 #include <QButtonGroup>
 #include <QLabel>
+#include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/model/document.h"
-#include "ui/model/event_kinds.h"
 #include "ui/window/choice_row.h"
 #include "ui/window/numbers.h"
 #include "ui/window/panel_tools.h"
@@ -66,6 +67,10 @@ QString eventName(EventKind kind) {
   return {};
 }
 
+QString eventName(const Event& event) {
+  return event.held ? EventInspector::tr("Held: %1").arg(eventName(*event.held)) : eventName(event.kind);
+}
+
 QString changeText(int before, int after) {
   return before == after ? QString::number(after) : QStringLiteral("%1 → %2").arg(before).arg(after);
 }
@@ -86,6 +91,10 @@ EventInspector::EventInspector(Document& document, SurfaceView& surface, QWidget
   layout->addWidget(stages_);
   stageText_ = hint(QString(), this);
   layout->addWidget(stageText_);
+  constrain_ = new QPushButton(this);
+  constrain_->setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard with the views
+  layout->addWidget(constrain_);
+  connect(constrain_, &QPushButton::clicked, this, &EventInspector::constrain);
   connect(stage_, &QButtonGroup::idClicked, this, [this](int id) { showStage(kStages[id]); });
   connect(&document_, &Document::eventTraced, this, &EventInspector::receive);
   connect(&document_, &Document::snapshotChanged, this, &EventInspector::followIteration);
@@ -118,10 +127,12 @@ void EventInspector::followIteration() {
     return i >= 0 && i < static_cast<int>(events.size()) &&
            events[static_cast<std::size_t>(i)].iteration == document_.iteration();
   };
-  if (isHere(index_)) return;
+  if (isHere(index_)) return offerConstraint();  // what is held there may have changed
   int first = -1;
   for (int i = 0; i < static_cast<int>(events.size()) && first < 0; ++i)
     if (isHere(i) && changesTopology(events[static_cast<std::size_t>(i)].kind)) first = i;
+  for (int i = 0; i < static_cast<int>(events.size()) && first < 0; ++i)
+    if (isHere(i) && events[static_cast<std::size_t>(i)].held) first = i;
   setEvent(first);
 }
 
@@ -129,8 +140,9 @@ void EventInspector::showText() {
   const bool any = index_ >= 0;
   setVisible(any);
   if (!any) return;
+  offerConstraint();
   const Event& event = document_.events()[static_cast<std::size_t>(index_)];
-  title_->setText(tr("Event: %1").arg(eventName(event.kind)));
+  title_->setText(tr("Event: %1").arg(eventName(event)));
   QStringList lines{tr("at %1").arg(place(event.location)),
                     tr("Genus %1, components %2")
                         .arg(changeText(event.before.genus, event.after.genus),
@@ -139,6 +151,36 @@ void EventInspector::showText() {
   if (!event.loopSizes.empty()) lines << tr("Boundary polygons of %1 vertices").arg(loopsText(event));
   if (!event.reason.empty()) lines << QString::fromStdString(event.reason);
   text_->setText(lines.join(QLatin1Char('\n')));
+}
+
+//! What is held at the place of the shown event, if it is a change that was held; a repair is not.
+std::optional<HeldPlace> EventInspector::heldHere() const {
+  const Event& event = document_.events()[static_cast<std::size_t>(index_)];
+  const auto shown = document_.snapshot();
+  if (!event.held || !shown || shown->held.empty()) return std::nullopt;
+  const auto distance = [&](const HeldPlace& held) { return (held.place - event.location).norm(); };
+  return *std::min_element(shown->held.begin(), shown->held.end(),
+                           [&](const HeldPlace& a, const HeldPlace& b) { return distance(a) < distance(b); });
+}
+
+void EventInspector::offerConstraint() {
+  const Event& event = document_.events()[static_cast<std::size_t>(index_)];
+  const bool isChange = changesTopology(event.kind);
+  constrain_->setVisible(isChange || heldHere());
+  const bool isMeeting = event.kind == EventKind::handleInserted;
+  const QString name = !isChange ? tr("Let it happen") : isMeeting ? tr("Keep apart here") : tr("Keep it");
+  const QString tip = isChange ? tr("Goes back to the step before; grown on from there, this does not happen")
+                               : tr("From the shown step on, what is held here may happen");
+  constrain_->setText(name);
+  describe(constrain_, name, tip);
+}
+
+void EventInspector::constrain() {
+  if (index_ < 0) return;
+  if (const auto held = heldHere())
+    document_.allow(*held);
+  else
+    document_.forbid(index_);
 }
 
 void EventInspector::showStage(EventStage stage) {

@@ -5,11 +5,12 @@
 #include <QWidget>
 #include <optional>
 
-#include "core/surgery/event.h"
+#include "core/evolution/held_changes.h"
 #include "ui/view/surface_view.h"
 
 class QButtonGroup;
 class QLabel;
+class QPushButton;
 
 namespace handlebody::ui {
 
@@ -17,6 +18,8 @@ class Document;
 
 //! "Handle inserted", "Split" …, translated.
 QString eventName(EventKind kind);
+//! The same, and "Held: …" for a change that was not to happen.
+QString eventName(const Event& event);
 //! "0 → 1", or "1" where it stays.
 QString changeText(int before, int after);
 
@@ -37,10 +40,14 @@ class EventInspector : public QWidget {
   void leaveStage();
   void followIteration();
   void explain();
+  void offerConstraint();
+  void constrain();
+  std::optional<HeldPlace> heldHere() const;
 
   Document& document_;
   SurfaceView& surface_;
   QLabel *title_, *text_, *stageText_;
+  QPushButton* constrain_;
   QWidget* stages_;
   QButtonGroup* stage_;
   int index_ = -1;

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "ui/model/document.h"
-#include "ui/model/event_kinds.h"
 #include "ui/window/event_inspector.h"
 #include "ui/window/numbers.h"
 
@@ -67,7 +66,7 @@ QString EventTable::text(int row, int column) const {
     case kIteration:
       return QString::number(event.iteration);
     case kKind:
-      return eventName(event.kind);
+      return eventName(event);
     case kPlace:
       return place(event.location);
     case kGenus:

@@ -7,6 +7,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "core/io/three_mf.h"
 #include "ui/model/document.h"
 #include "ui/window/action_button.h"
 #include "ui/window/choice_row.h"
@@ -38,10 +39,15 @@ void ExportPanel::buildResult(const Commands& commands) {
   format_->addItem(tr("VTP surface (VTK)"), QStringLiteral(".vtp"));
   format_->addItem(tr("PLY surface, binary"), QStringLiteral(".ply"));
   format_->addItem(tr("OBJ surface"), QStringLiteral(".obj"));
+  format_->addItem(tr("3MF surface, to print"), QStringLiteral(".3mf"));
   format_->insertSeparator(format_->count());
   format_->addItem(tr("NIfTI label map"), QStringLiteral(".nii.gz"));
   format_->addItem(tr("NRRD label map"), QStringLiteral(".nrrd"));
   format_->addItem(tr("MetaImage label map"), QStringLiteral(".mha"));
+  format_->addItem(tr("3D Slicer segmentation"), QStringLiteral(".seg.nrrd"));
+  format_->insertSeparator(format_->count());
+  format_->addItem(tr("DICOM segmentation"), QStringLiteral(".seg.dcm"));
+  format_->addItem(tr("DICOM with STL surface"), QStringLiteral(".stl.dcm"));
   describe(format_, tr("Format"), tr("A surface keeps all detail; a label map has the voxels of the volume"));
   ignoreWheelWithoutFocus(format_);
   form->addRow(tr("Format"), format_);
@@ -90,7 +96,8 @@ void ExportPanel::showWhatIsWritten() {
   const auto snapshot = document_.snapshot();
   hint_->setVisible(!snapshot);
   numbers_->setVisible(snapshot != nullptr);
-  spaceRow_->setEnabled(isMeshPath("x" + extension().toStdString()));
+  const std::string example = "x" + extension().toStdString();
+  spaceRow_->setEnabled(isMeshPath(example) || isThreeMfPath(example));
   if (!snapshot) return;
   if (snapshot->mesh.triangles.empty())
     return numbers_->setText(tr("Nothing is left of the surface at this iteration."));

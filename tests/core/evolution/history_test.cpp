@@ -202,7 +202,7 @@ TEST_CASE("a contour begun again with other parameters is as a new one", "[histo
   sameImage.edgeLength = 1.3;
   otherImage.range = IntensityRange{-100, 90};
   for (const Parameters& p : {sameImage, otherImage}) {
-    const ActiveContour again = contour.restarted(p);
+    const ActiveContour again = contour.restarted(p, {});
     CHECK(again.iteration() == 0);
     CHECK(isSame(straightRun(again).back(), straightRun(torusContour(p)).back()));
   }

@@ -76,6 +76,7 @@ class PanelTest : public QObject {
   void itIsSeenThatTheImageIsPrepared();
   void aNumberThatIsNotKnownIsADash();
   void anEventIsNotInspectedWhileTheSurfaceGrows();
+  void whatAnEventDidCanBeForbiddenAndAllowedAgain();
   void onlyChangesOfTopologyAreListedUntilMoreIsAsked();
   void anUncalibratedVolumeIsOpenedAgainWithTheSpacingThatIsEntered();
   void aCalibratedVolumeAsksForNoSpacing();
@@ -200,6 +201,42 @@ void PanelTest::anEventIsNotInspectedWhileTheSurfaceGrows() {
   QVERIFY(!seen);
   QTest::keyClick(window.get(), Qt::Key_P);  // but it is when one goes there
   QTRY_VERIFY(window->inspector().isVisible());
+}
+
+void PanelTest::whatAnEventDidCanBeForbiddenAndAllowedAgain() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst_session.json")));
+  ui::Document& document = window->document();
+  const auto genus = [&] { return document.snapshot()->certificate.genus.at(0); };
+  const auto isShown = [&](int iteration) {
+    return QTest::qWaitFor([&] { return document.iteration() == iteration; }, kPatience);
+  };
+  QTest::keyClick(window.get(), Qt::Key_Space);
+  QVERIFY(waitFor(*window, GrowthState::finished));
+  QCOMPARE(genus(), 1);
+  window->showStep(Command::stepGrow);
+  const int iteration = document.events().at(static_cast<std::size_t>(firstHandle(document))).iteration;
+  document.goTo(iteration);
+  QVERIFY(isShown(iteration));
+  QAbstractButton* forbid = buttonNamed(*window, "Keep apart here");
+  QVERIFY(forbid && forbid->isVisible());
+  forbid->click();
+  QVERIFY(isShown(iteration - 1));
+  QVERIFY(!forbid->isVisible());
+  document.run();
+  QVERIFY(waitFor(*window, GrowthState::finished));
+  QCOMPARE(genus(), 0);
+
+  document.goTo(iteration);
+  QVERIFY(isShown(iteration));
+  QVERIFY(QTest::qWaitFor([&] { return buttonNamed(*window, "Let it happen") != nullptr; }, kPatience));
+  QAbstractButton* allow = buttonNamed(*window, "Let it happen");
+  QVERIFY(allow->isVisible());
+  allow->click();
+  QVERIFY(document.constraints().empty());
+  document.run();
+  QVERIFY(waitFor(*window, GrowthState::finished));
+  QCOMPARE(genus(), 1);
 }
 
 void PanelTest::onlyChangesOfTopologyAreListedUntilMoreIsAsked() {

@@ -1,0 +1,74 @@
+#include "core/evolution/collapsed_components.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "core/mesh/nesting.h"
+#include "core/surgery/predicted_change.h"
+
+namespace handlebody {
+
+namespace {
+
+// Lengths as parts of the target edge length.
+constexpr double kCollapsed = 1.0;  // a component of less extent than this is gone
+constexpr double kShrinks = 4;      // more than a component loses of its extent in one step
+constexpr double kSweeps = 0.5;     // more than a face moves along its normal in one step, with remeshing
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+//! The first vertex of each component.
+std::vector<int> firstVertices(const Mesh& mesh, const Components& parts) {
+  std::vector<int> first(parts.vertices.size(), -1);
+  for (int v = mesh.vertexSlots() - 1; v >= 0; --v)
+    if (mesh.isVertex(v)) first[idx(parts.ofVertex[idx(v)])] = v;
+  return first;
+}
+
+}  // namespace
+
+//! False only if no component can have turned inside out in this step: a single one would have to sweep all
+//! that it enclosed. No face is larger than the equilateral one of the longest edge.
+bool CollapsedComponents::mayTurn(const Mesh& mesh, const CollapsingStep& step) const {
+  if (step.topology.components != 1) return true;
+  const double area = mesh.faceCount() * std::numbers::sqrt3 / 4 * step.longestEdge * step.longestEdge;
+  return enclosed_ <= area * kSweeps * step.edgeLength;
+}
+
+bool CollapsedComponents::mayHaveTurned(const Components& parts, const CollapsingStep& step) {
+  const auto cavities =
+      std::count_if(parts.volume.begin(), parts.volume.end(), [](double v) { return v < 0; });
+  const bool isOther = cavities_ != cavities;
+  cavities_ = cavities;
+  return isOther || (step.mayShrink && step.hasEvents);
+}
+
+std::vector<Event> CollapsedComponents::erase(Mesh& mesh, const CollapsingStep& step) {
+  const bool shrinks = step.mayShrink && mayTurn(mesh, step);
+  if (!step.hasEvents && step.iteration < lookAt_ && !shrinks) return {};
+  const Components parts = findComponents(mesh);
+  const double smallest =
+      parts.count() == 0 ? 0 : *std::min_element(parts.extent.begin(), parts.extent.end());
+  lookAt_ = step.iteration + static_cast<int>(smallest / (kShrinks * step.edgeLength));
+  const bool looksForTurned = mayHaveTurned(parts, step);
+  const std::vector<int> first = firstVertices(mesh, parts);
+  std::vector<Event> events;
+  TopologyNumbers now = step.topology;
+  for (int c = 0; c < parts.count(); ++c) {
+    const Vec3 place = mesh.position(first[idx(c)]);
+    const bool isTurned = looksForTurned && isMisplaced(mesh, parts, c);
+    const bool isGone = parts.extent[idx(c)] < kCollapsed * step.edgeLength && !step.isKept(place);
+    if (!isTurned && !isGone) continue;
+    Event event;
+    event.kind = EventKind::componentDeleted;
+    event.iteration = step.iteration;
+    event.location = place;
+    event.before = now;
+    event.after = now = predictDeletion(now, parts, c);
+    deleteComponent(mesh, first[idx(c)]);
+    events.push_back(std::move(event));
+  }
+  return events;
+}
+
+}  // namespace handlebody

@@ -1,0 +1,65 @@
+#include "core/evolution/constraints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "core/errors.h"
+
+namespace handlebody {
+
+namespace {
+
+//! mm from the volume, whose border voxels count whole; 0 within.
+double outside(const Grid& grid, const Vec3& p) {
+  Vec3 index = grid.toIndex(p);
+  for (int a = 0; a < 3; ++a)
+    index[a] = std::clamp(index[a], -0.5, grid.size[static_cast<std::size_t>(a)] - 0.5);
+  return (grid.toWorld(index) - p).norm();
+}
+
+void requireSensible(const WallList& walls, const Grid& grid) {
+  for (const WallBall& w : walls.balls) {
+    if (!(w.radius > 0) || !std::isfinite(w.radius) || !w.centre.allFinite())
+      throw UsageError("The wall at " + written(w.centre) + " has no radius above 0 mm.");
+    if (outside(grid, w.centre) >= w.radius)
+      throw UsageError("The wall at " + written(w.centre) + " mm lies outside of the volume.");
+  }
+  if (!walls.map) return;
+  if (!walls.map->voxels) throw UsageError("The label map of the walls has not been read.");
+  if (walls.map->voxels->size() != grid.voxelCount())
+    throw UsageError("The label map of the walls has not the volume's size.");
+}
+
+}  // namespace
+
+std::string written(const Vec3& p) {
+  std::ostringstream text;
+  text << p.x() << "," << p.y() << "," << p.z();
+  return text.str();
+}
+
+bool WallMap::operator==(const WallMap& other) const {
+  if (voxels == other.voxels && voxels) return true;
+  if (voxels && other.voxels) return *voxels == *other.voxels;
+  return path == other.path && sha256 == other.sha256;
+}
+
+void requireSensible(const Constraints& constraints, const Grid& grid) {
+  requireSensible(constraints.walls, grid);
+  for (const Veto& v : constraints.vetoes) {
+    if (v.iteration < 1 || !v.place.allFinite())
+      throw UsageError("A veto needs an iteration of at least 1 and a place.");
+  }
+  if (constraints.topology.components.value_or(1) < 1)
+    throw UsageError("The number of components must be at least 1.");
+  if (constraints.topology.genus.value_or(0) < 0) throw UsageError("The genus must be at least 0.");
+  if (constraints.topology.allowed.empty()) return;
+  if (!constraints.topology.components && !constraints.topology.genus)
+    throw UsageError("An allowed place has nothing to allow: the components and the genus have no limit.");
+  for (const Vec3& p : constraints.topology.allowed)
+    if (!p.allFinite() || outside(grid, p) > 0)
+      throw UsageError("The allowed place " + written(p) + " lies outside of the volume.");
+}
+
+}  // namespace handlebody

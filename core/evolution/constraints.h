@@ -1,0 +1,70 @@
+#pragma once
+// What a user forbids the surface: places where it may not go, changes of topology that are not to happen.
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/geometry/vec.h"
+#include "core/volume/volume.h"
+
+namespace handlebody {
+
+//! A ball that the surface may not enter.
+struct WallBall {
+  Vec3 centre{0, 0, 0};  //!< mm, LPS
+  double radius = 0;     //!< mm, > 0
+  bool operator==(const WallBall&) const = default;
+};
+
+//! Voxels that the surface may not enter: those of a label map that are not 0.
+struct WallMap {
+  std::string path{};    //!< of the label map
+  std::string sha256{};  //!< of that file; empty: not known
+  //! One per voxel of the volume, x fastest; null: not read yet (loadWalls).
+  std::shared_ptr<const std::vector<bool>> voxels{};
+  //! The same voxels, or what is to be read from the same file.
+  bool operator==(const WallMap& other) const;
+};
+
+struct WallList {
+  std::vector<WallBall> balls{};
+  std::optional<WallMap> map{};
+  bool empty() const { return balls.empty() && !map; }
+  bool operator==(const WallList&) const = default;
+};
+
+//! The change of topology that happened nearest to `place` in the step to `iteration` does not happen.
+struct Veto {
+  int iteration = 0;
+  Vec3 place{0, 0, 0};  //!< mm, LPS
+  bool operator==(const Veto&) const = default;
+};
+
+//! Never more than this many components, or than this genus (of all components together).
+struct TopologyLimits {
+  std::optional<int> components{};
+  std::optional<int> genus{};
+  std::vector<Vec3> allowed{};  //!< mm, LPS: changes at these places may break the limits
+  bool empty() const { return !components && !genus && allowed.empty(); }
+  bool operator==(const TopologyLimits&) const = default;
+};
+
+struct Constraints {
+  WallList walls{};
+  std::vector<Veto> vetoes{};
+  TopologyLimits topology{};
+  bool empty() const { return walls.empty() && vetoes.empty() && topology.empty(); }
+  bool operator==(const Constraints&) const = default;
+};
+
+//! "X,Y,Z", as in the options.
+std::string written(const Vec3& place);
+
+//! Throws UsageError if one has no meaning: a wall without a radius or outside of the volume, a label map of
+//! another size, a veto before the first step, a limit that no surface keeps.
+void requireSensible(const Constraints& constraints, const Grid& grid);
+
+}  // namespace handlebody

@@ -1,0 +1,196 @@
+#include "core/evolution/held_changes.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/errors.h"
+
+namespace handlebody {
+
+namespace {
+
+// Longest edges: radius within which fronts rest, and by how much it grows where they meet all the same. Two
+// fronts that meet in a step were at most 0.4 of one apart (kStep of both).
+constexpr double kSmallest = 0.75;
+constexpr double kGrowth = 0.25;
+// Fronts that rest in their middle would meet beside it: within so many longest edges of a place that rests
+// it is the same change.
+constexpr double kSameChange = 2.75;
+
+bool contains(const std::vector<Veto>& list, const Veto& veto) {
+  return std::find(list.begin(), list.end(), veto) != list.end();
+}
+
+}  // namespace
+
+bool HeldChanges::choose(const Constraints& constraints, int iteration) {
+  for (const Veto& v : constraints.vetoes)
+    if (v.iteration <= iteration && !contains(met_, v))
+      throw UsageError("The veto of iteration " + std::to_string(v.iteration) +
+                       " comes too late: the surface is at iteration " + std::to_string(iteration) + ".");
+  const std::size_t before = places_.size();
+  const TopologyLimits &old = asked_.topology, &limits = constraints.topology;
+  const bool sameLimits = limits.components == old.components && limits.genus == old.genus;
+  std::erase_if(
+      places_, [&](const Place& p) { return p.veto ? !contains(constraints.vetoes, *p.veto) : !sameLimits; });
+  std::erase_if(met_, [&](const Veto& v) { return !contains(constraints.vetoes, v); });
+  if (limits.allowed != old.allowed) freed_.clear();
+  for (const Vec3& p : limits.allowed) free(p);
+  asked_ = {{}, constraints.vetoes, limits};
+  return places_.size() < before;
+}
+
+//! For each place the first one that hangs together with it, over others or directly, for the same reason.
+std::vector<std::size_t> HeldChanges::groups() const {
+  std::vector<std::size_t> group(places_.size());
+  std::iota(group.begin(), group.end(), std::size_t{0});
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Place &a = places_[i], &b = places_[j];
+      if (group[i] == group[j] || a.veto != b.veto ||
+          (a.centre - b.centre).norm() >= std::max(a.reach, b.reach))
+        continue;
+      const auto [low, high] = std::minmax(group[i], group[j]);
+      std::replace(group.begin(), group.end(), std::size_t{high}, std::size_t{low});
+    }
+  return group;
+}
+
+//! What is held for the limits at that place goes on.
+void HeldChanges::free(const Vec3& allowed) {
+  const std::vector<std::size_t> group = groups();
+  std::vector<std::size_t> free;
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    if (!places_[i].veto && (places_[i].centre - allowed).norm() < places_[i].reach) free.push_back(group[i]);
+  if (!free.empty()) used_.push_back(allowed);
+  std::vector<Place> left;
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    (std::find(free.begin(), free.end(), group[i]) == free.end() ? left : freed_).push_back(places_[i]);
+  places_ = std::move(left);
+}
+
+const HeldChanges::Place* HeldChanges::vetoedNear(const Event& event) const {
+  const auto at =
+      std::find_if(places_.begin(), places_.end(), [&](const Place& p) { return p.veto && p.holds(event); });
+  return at == places_.end() ? nullptr : &*at;
+}
+
+bool HeldChanges::mayBreakLimits(const Event& event, double longest) {
+  for (const Vec3& p : asked_.topology.allowed)
+    if ((p - event.location).norm() < kSameChange * longest) {
+      used_.push_back(p);
+      return true;
+    }
+  return std::any_of(freed_.begin(), freed_.end(), [&](const Place& p) { return p.holds(event); });
+}
+
+bool HeldChanges::breaksLimit(const Event& e) const {
+  const TopologyLimits& limits = asked_.topology;
+  const bool components = limits.components && e.after.components > *limits.components &&
+                          e.after.components > e.before.components;
+  const bool genus = limits.genus && e.after.genus > *limits.genus && e.after.genus > e.before.genus;
+  return components || genus;
+}
+
+//! A new place, or, in the middle of one that did not suffice, that one made larger: so everything near
+//! rests in the end.
+HeldChange HeldChanges::hold(const Event& event, const std::optional<Veto>& veto, double longest) {
+  const auto known = std::find_if(places_.begin(), places_.end(), [&](const Place& p) {
+    return p.veto == veto && (p.centre - event.location).norm() < kSmallest / 2 * longest;
+  });
+  if (known != places_.end()) {
+    known->radius += kGrowth * longest;
+    known->reach += kGrowth * longest;
+    ++known->told.times;
+  } else {
+    const HeldPlace told{event.kind, event.iteration, event.location, veto.has_value(), 1};
+    places_.push_back({event.location, kSmallest * longest, kSameChange * longest, veto, told});
+  }
+  return {event.kind, event.location,
+          veto ? "kept apart here, as asked" : "held: it would break the limit of the topology"};
+}
+
+void HeldChanges::holdForLimits(std::span<const Event> events, double longest,
+                                std::vector<HeldChange>& held) {
+  // What an attempt makes and undoes again breaks no limit.
+  const TopologyNumbers &first = events.front().before, &last = events.back().after;
+  const TopologyLimits& limits = asked_.topology;
+  const bool isOver =
+      (limits.components && last.components > std::max(*limits.components, first.components)) ||
+      (limits.genus && last.genus > std::max(*limits.genus, first.genus));
+  if (!isOver) return;
+  for (const Event& e : events)
+    if (changesTopology(e.kind) && breaksLimit(e) && !mayBreakLimits(e, longest))
+      held.push_back(hold(e, std::nullopt, longest));
+}
+
+std::vector<HeldChange> HeldChanges::judge(std::span<const Event> events, int iteration, double longest) {
+  std::vector<HeldChange> held;
+  if (asked_.empty()) return held;
+  for (const Event& e : events) {
+    const Place* near = changesTopology(e.kind) ? vetoedNear(e) : nullptr;
+    if (near) held.push_back(hold(e, std::optional<Veto>(near->veto), longest));
+  }
+  if (held.empty() && !events.empty()) holdForLimits(events, longest, held);
+  if (!held.empty()) return held;
+  // One at a time, in the order in which they were asked for: each was chosen in what the others left.
+  const auto veto = std::find_if(asked_.vetoes.begin(), asked_.vetoes.end(), [&](const Veto& v) {
+    return v.iteration == iteration && !contains(met_, v);
+  });
+  if (veto == asked_.vetoes.end()) return held;
+  const Event* met = metByVeto(events, *veto);
+  if (!met)
+    throw UsageError("The veto of iteration " + std::to_string(iteration) +
+                     " has nothing to forbid: no change of topology happens there.");
+  met_.push_back(*veto);
+  held.push_back(hold(*met, *veto, longest));
+  return held;
+}
+
+//! The nearest change of topology; null if there is none.
+const Event* HeldChanges::metByVeto(std::span<const Event> events, const Veto& veto) const {
+  const Event* nearest = nullptr;
+  for (const Event& e : events)
+    if (changesTopology(e.kind) && (!nearest || (e.location - veto.place).squaredNorm() <
+                                                    (nearest->location - veto.place).squaredNorm()))
+      nearest = &e;
+  return nearest;
+}
+
+bool HeldChanges::rests(const Vec3& p) const {
+  return std::any_of(places_.begin(), places_.end(), [&](const Place& place) {
+    return (p - place.centre).squaredNorm() < place.radius * place.radius;
+  });
+}
+
+std::vector<HeldPlace> HeldChanges::list() const {
+  std::vector<HeldPlace> out;
+  const std::vector<std::size_t> group = groups();
+  std::vector<std::size_t> row(places_.size());
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    if (group[i] == i) {
+      row[i] = out.size();
+      out.push_back(places_[i].told);
+    } else {
+      out[row[group[i]]].times += places_[i].told.times;
+    }
+  }
+  return out;
+}
+
+std::vector<std::string> HeldChanges::doubts() const {
+  std::vector<std::string> doubts;
+  for (const Vec3& p : asked_.topology.allowed)
+    if (std::find(used_.begin(), used_.end(), p) == used_.end())
+      doubts.push_back("at the allowed place " + written(p) +
+                       " nothing came that a limit of the topology would have held");
+  return doubts;
+}
+
+std::optional<Veto> HeldChanges::waiting() const {
+  for (const Veto& v : asked_.vetoes)
+    if (!contains(met_, v)) return v;
+  return std::nullopt;
+}
+
+}  // namespace handlebody

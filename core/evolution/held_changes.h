@@ -1,0 +1,76 @@
+#pragma once
+// Changes of topology that are not to happen: those that were vetoed, and those that would break a limit. The
+// fronts rest there.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/evolution/constraints.h"
+#include "core/surgery/event.h"
+
+namespace handlebody {
+
+//! A change that an attempt at a step made and that may not happen.
+struct HeldChange {
+  EventKind kind = EventKind::handleInserted;
+  Vec3 place{0, 0, 0};  //!< mm
+  const char* reason = "";
+};
+
+//! Where fronts are kept from a change now: one for all places that hang together.
+struct HeldPlace {
+  EventKind kind = EventKind::handleInserted;  //!< of the first change that was held there
+  int iteration = 0;                           //!< the same
+  Vec3 place{0, 0, 0};                         //!< mm; the same
+  bool isVetoed = false;                       //!< false: for a limit
+  int times = 0;                               //!< how often a change was held there
+};
+
+class HeldChanges {
+ public:
+  //! From after `iteration` on. True if something that was held is free now. Throws UsageError for a veto of
+  //! an iteration that is over, unless it has been known in time.
+  bool choose(const Constraints& constraints, int iteration);
+
+  //! Which events of an attempt may not happen; around each of them the surface rests from now on.
+  //! Precondition: the attempt would be accepted otherwise. Throws UsageError if a veto of this iteration
+  //! finds no change. `longest`: mm, of the mesh's edges.
+  std::vector<HeldChange> judge(std::span<const Event> events, int iteration, double longest);
+
+  //! True where the surface rests for good.
+  bool rests(const Vec3& p) const;
+  //! In the order in which they came.
+  std::vector<HeldPlace> list() const;
+  //! Of allowed places at which nothing has come that a limit would have held: sentences without a full stop.
+  std::vector<std::string> doubts() const;
+  //! The first veto whose iteration has not come yet.
+  std::optional<Veto> waiting() const;
+
+ private:
+  struct Place {
+    Vec3 centre;
+    double radius;             // mm, within which the surface rests
+    double reach;              // mm, within which it is the same change
+    std::optional<Veto> veto;  // none: for the limits
+    HeldPlace told;
+    bool holds(const Event& e) const { return (centre - e.location).norm() < reach; }
+  };
+  std::vector<std::size_t> groups() const;
+  void free(const Vec3& allowed);
+  const Place* vetoedNear(const Event& event) const;
+  bool mayBreakLimits(const Event& event, double longest);
+  bool breaksLimit(const Event& event) const;
+  void holdForLimits(std::span<const Event> events, double longest, std::vector<HeldChange>& held);
+  HeldChange hold(const Event& event, const std::optional<Veto>& veto, double longest);
+  const Event* metByVeto(std::span<const Event> events, const Veto& veto) const;
+
+  Constraints asked_;  // without walls
+  std::vector<Veto> met_;
+  std::vector<Place> places_;
+  std::vector<Place> freed_;  // where they were allowed to go on
+  std::vector<Vec3> used_;    // of the allowed places
+};
+
+}  // namespace handlebody

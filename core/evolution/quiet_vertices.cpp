@@ -1,0 +1,39 @@
+#include "core/evolution/quiet_vertices.h"
+
+#include <algorithm>
+
+namespace handlebody {
+
+namespace {
+
+constexpr double kStirring = 0.1;  // edge lengths: a neighbour that moves more than this wakes a sleeper
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+void countQuiet(const Mesh& mesh, const StepMotion& a, double edgeLength, std::vector<unsigned char>& quiet) {
+  const std::size_t known = quiet.size();
+  quiet.resize(idx(mesh.vertexSlots()), 0);
+  // Vertices that surgery made, moved or gave new faces are awake.
+  std::vector<unsigned char> wasMoved(quiet.size(), 0);
+  for (int v : a.moving) wasMoved[idx(v)] = 1;
+  for (std::size_t v = 0; v < quiet.size(); ++v)
+    if (v >= known || (a.touched[v] != 0 && wasMoved[v] == 0)) quiet[v] = 0;
+  for (std::size_t i = 0; i < a.moving.size(); ++i) {
+    unsigned char& q = quiet[idx(a.moving[i])];
+    if (idx(a.moving[i]) >= known || !mesh.isVertex(a.moving[i])) continue;
+    q = a.distances[i] < kQuiet * edgeLength ? static_cast<unsigned char>(std::min(q + 1, kQuietToSleep))
+                                             : static_cast<unsigned char>(0);
+  }
+  // Those that stir wake their neighbours. Face by face, in the order of memory: far quicker than a walk from
+  // neighbour to neighbour.
+  std::fill(wasMoved.begin(), wasMoved.end(), static_cast<unsigned char>(0));
+  for (std::size_t i = 0; i < a.moving.size(); ++i)
+    wasMoved[idx(a.moving[i])] = a.distances[i] > kStirring * edgeLength;
+  for (const Triangle& t : mesh.faces())
+    if (t[0] >= 0 && (wasMoved[idx(t[0])] | wasMoved[idx(t[1])] | wasMoved[idx(t[2])]) != 0)
+      for (const int v : t) quiet[idx(v)] = 0;
+}
+
+}  // namespace handlebody

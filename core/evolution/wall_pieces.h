@@ -1,0 +1,33 @@
+#pragma once
+// Walls piece by piece: which of them a surface lies in.
+
+#include "core/evolution/walls.h"
+#include "core/mesh/mesh.h"
+
+namespace handlebody {
+
+//! A ball each, and the voxels of the map that hang together (by faces, edges or corners).
+std::vector<WallList> piecesOf(const WallList& walls, const Grid& grid);
+
+//! Those of the walls that are no pieces of `known`: balls, and the map if it is another.
+WallList without(const WallList& walls, const WallList& known);
+
+//! The pieces together.
+WallList together(const std::vector<WallList>& pieces);
+
+//! A point in the first wall: mm.
+Vec3 placeOf(const WallList& walls, const Grid& grid);
+
+//! The pieces of walls that touch the mesh, and those that lie wholly in what it encloses.
+struct Occupied {
+  std::vector<WallList> touched, enclosed;
+};
+Occupied findOccupied(const Mesh& mesh, const Walls& walls);
+
+//! True if the mesh encloses a wall within so many mm of a place.
+bool enclosesAny(const Mesh& mesh, const Walls& walls, const Vec3& place, double within);
+
+//! True if the mesh touches a wall.
+bool touchesAny(const Mesh& mesh, const Walls& walls);
+
+}  // namespace handlebody

@@ -1,0 +1,270 @@
+#include "core/evolution/walls.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/triangle_distance.h"
+
+namespace handlebody {
+
+namespace {
+
+constexpr double kBrick = 4;         // voxels of mean size
+constexpr double kMostBricks = 256;  // along an axis
+// What is left free between a wall and the faces, voxels of the finest axis: far above the rounding of
+// coordinates, in single precision, too.
+constexpr double kClearance = 0.01;
+// A face of the longest edges that the mesh has, 1.4 / sqrt(3) (its circumradius), lies within its corners on
+// a sphere around a point by as much as this makes of the radius.
+constexpr double kCircumradius = 0.81;
+// No flip or collapse moves the surface by more than twice this part of the edge length (kFlatEnough).
+constexpr double kHalfFlip = 0.2;
+constexpr double kRest =
+    0.05;  // voxels between where corners come to rest at the map's voxels and its margin
+constexpr double kLongestFace = 4.5;  // edge lengths: longer than any edge, three times the paper's bound
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+Walls::Walls(const WallList& list, const Grid& grid, double edgeLength, double largestStep)
+    : list_(list), grid_(grid), edgeLength_(edgeLength), largestStep_(largestStep) {
+  const double finest = grid.spacing.minCoeff(), clearance = kClearance * finest;
+  far_ = kFarVoxels * grid.meanSpacing();
+  reach_ = kLongestFace * edgeLength;
+  margin_ = std::max(clearance, kHalfFlip * edgeLength - 0.5 * finest);
+  // A sheet of surface that keeps half of what it moves away from a point at all times cannot pass it.
+  const double least = std::max(0.5 * largestStep, kHalfFlip * edgeLength);
+  for (const WallBall& w : list_.balls) {
+    const double guard = std::max(w.radius, least) + clearance;
+    reaches_.push_back({guard, std::hypot(guard, kCircumradius * edgeLength)});
+  }
+  chooseBricks();
+  fillBalls();
+  fillMap();
+}
+
+void Walls::chooseBricks() {
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double voxels = kBrick * grid_.meanSpacing() / grid_.spacing[static_cast<int>(a)];
+    brickSize_[a] = static_cast<int>(std::ceil(std::max({voxels, 1.0, grid_.size[a] / kMostBricks})));
+    bricks_[a] = (grid_.size[a] + brickSize_[a] - 1) / brickSize_[a];
+  }
+  const std::size_t count = idx(bricks_[0]) * idx(bricks_[1]) * idx(bricks_[2]);
+  near_.assign(count, false);
+  hasVoxels_.assign(count, false);
+  first_.assign(count + 1, 0);
+}
+
+Walls::Index Walls::brickOf(const Vec3& index) const {
+  Index b{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double brick = (index[static_cast<int>(a)] + 0.5) / brickSize_[a];
+    b[a] = static_cast<int>(std::clamp(brick, 0.0, bricks_[a] - 1.0));
+  }
+  return b;
+}
+
+Walls::Range Walls::bricksWithin(const Vec3& low, const Vec3& high, double mm) const {
+  const Vec3 wide = mm * grid_.spacing.cwiseInverse();
+  return {brickOf(low - wide), brickOf(high + wide)};
+}
+
+Walls::Range Walls::voxelsWithin(const Vec3& low, const Vec3& high, double mm) const {
+  Range r{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const int i = static_cast<int>(a);
+    const double wide = mm / grid_.spacing[i] + 0.5, last = grid_.size[a] - 1.0;
+    r.low[a] = static_cast<int>(std::clamp(std::floor(low[i] - wide), 0.0, last));
+    r.high[a] = static_cast<int>(std::clamp(std::ceil(high[i] + wide), 0.0, last));
+  }
+  return r;
+}
+
+namespace {
+
+template <typename Range, typename F>
+void forEach(const Range& r, F&& f) {
+  for (int z = r.low[2]; z <= r.high[2]; ++z)
+    for (int y = r.low[1]; y <= r.high[1]; ++y)
+      for (int x = r.low[0]; x <= r.high[0]; ++x) f(std::array<int, 3>{x, y, z});
+}
+
+}  // namespace
+
+void Walls::fillBalls() {
+  std::vector<std::vector<int>> held(first_.size() - 1);
+  for (std::size_t i = 0; i < list_.balls.size(); ++i) {
+    const Vec3 index = grid_.toIndex(list_.balls[i].centre);
+    forEach(bricksWithin(index, index, reaches_[i].rest + far_),
+            [&](const Index& b) { held[idx(brickAt(b))].push_back(static_cast<int>(i)); });
+    forEach(bricksWithin(index, index, reaches_[i].rest + reach_),
+            [&](const Index& b) { near_[idx(brickAt(b))] = true; });
+  }
+  for (std::size_t b = 0; b < held.size(); ++b) {
+    balls_.insert(balls_.end(), held[b].begin(), held[b].end());
+    first_[b + 1] = static_cast<int>(balls_.size());
+  }
+}
+
+void Walls::fillMap() {
+  nearVoxels_ = hasVoxels_;
+  if (!list_.map) return;
+  const std::vector<bool>& wall = *list_.map->voxels;
+  std::size_t i = 0;
+  forEach(Range{{0, 0, 0}, {grid_.size[0] - 1, grid_.size[1] - 1, grid_.size[2] - 1}}, [&](const Index& v) {
+    if (wall[i++])
+      hasVoxels_[idx(brickAt({v[0] / brickSize_[0], v[1] / brickSize_[1], v[2] / brickSize_[2]}))] = true;
+  });
+  nearVoxels_ = hasVoxels_;
+  dilate(nearVoxels_, margin_ + far_);
+  std::vector<bool> around = hasVoxels_;
+  dilate(around, margin_ + reach_);
+  for (std::size_t b = 0; b < near_.size(); ++b) near_[b] = near_[b] || around[b];
+}
+
+//! To all bricks within so many mm, axis by axis.
+void Walls::dilate(std::vector<bool>& flags, double mm) const {
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double brick = brickSize_[a] * grid_.spacing[static_cast<int>(a)];
+    const int wide = static_cast<int>(std::ceil(mm / brick));
+    const std::vector<bool> before = flags;
+    forEach(Range{{0, 0, 0}, {bricks_[0] - 1, bricks_[1] - 1, bricks_[2] - 1}}, [&](const Index& b) {
+      if (!before[idx(brickAt(b))]) return;
+      Index c = b;
+      for (c[a] = std::max(0, b[a] - wide); c[a] <= std::min(bricks_[a] - 1, b[a] + wide); ++c[a])
+        flags[idx(brickAt(c))] = true;
+    });
+  }
+}
+
+bool Walls::isWall(const Index& v) const {
+  const std::size_t row = idx(v[2]) * idx(grid_.size[1]) + idx(v[1]);
+  return (*list_.map->voxels)[row * idx(grid_.size[0]) + idx(v[0])];
+}
+
+bool Walls::isNear(const Vec3& world) const { return near_[idx(brickAt(brickOf(grid_.toIndex(world))))]; }
+
+double Walls::room(const Vec3& world, const Vec3& index) const {
+  const std::size_t brick = idx(brickAt(brickOf(index)));
+  double room = far_;
+  for (int i = first_[brick]; i < first_[brick + 1]; ++i) {
+    const std::size_t ball = idx(balls_[idx(i)]);
+    const double reach = room + reaches_[ball].rest;
+    const double squared = (world - list_.balls[ball].centre).squaredNorm();
+    if (squared < reach * reach) room = std::sqrt(squared) - reaches_[ball].rest;
+  }
+  return nearVoxels_[brick] ? std::min(room, roomToVoxels(index)) : room;
+}
+
+namespace {
+
+//! mm from a voxel, the whole of it; 0 within.
+double distanceToVoxel(const Grid& grid, const Vec3& index, const std::array<int, 3>& v) {
+  Vec3 away;
+  for (int a = 0; a < 3; ++a)
+    away[a] = std::max(0.0, std::abs(index[a] - v[static_cast<std::size_t>(a)]) - 0.5) * grid.spacing[a];
+  return away.norm();
+}
+
+}  // namespace
+
+double Walls::roomToVoxels(const Vec3& index) const {
+  const double rest = margin_ + kRest * grid_.meanSpacing();
+  double nearest = far_ + rest;
+  forEach(voxelsWithin(index, index, nearest), [&](const Index& v) {
+    if (isWall(v)) nearest = std::min(nearest, distanceToVoxel(grid_, index, v));
+  });
+  return nearest - rest;
+}
+
+double Walls::distance(const Vec3& world, double limit) const {
+  double nearest = limit;
+  for (const WallBall& w : list_.balls) nearest = std::min(nearest, (world - w.centre).norm() - w.radius);
+  const Vec3 index = grid_.toIndex(world);
+  if (list_.map)
+    forEach(voxelsWithin(index, index, limit), [&](const Index& v) {
+      if (isWall(v)) nearest = std::min(nearest, distanceToVoxel(grid_, index, v));
+    });
+  return nearest;
+}
+
+std::vector<Vec3> Walls::places(const Vec3& world, double within) const {
+  std::vector<Vec3> out;
+  for (const WallBall& w : list_.balls)
+    if ((w.centre - world).squaredNorm() <= within * within) out.push_back(w.centre);
+  if (!list_.map) return out;
+  const Vec3 index = grid_.toIndex(world);
+  std::vector<Index> left;  // in ascending order of z, y, x
+  forEach(voxelsWithin(index, index, within), [&](const Index& v) {
+    if (isWall(v)) left.push_back({v[2], v[1], v[0]});
+  });
+  while (!left.empty()) {
+    std::vector<Index> piece{left.back()};
+    out.push_back(grid_.toWorld(Vec3(piece[0][2], piece[0][1], piece[0][0])));
+    left.pop_back();
+    for (std::size_t at = 0; at < piece.size(); ++at) {
+      const Index c = piece[at];
+      const auto hangs = [&](const Index& v) {
+        const bool beside =
+            std::abs(v[0] - c[0]) < 2 && std::abs(v[1] - c[1]) < 2 && std::abs(v[2] - c[2]) < 2;
+        if (beside) piece.push_back(v);
+        return beside;
+      };
+      std::erase_if(left, hangs);
+    }
+  }
+  return out;
+}
+
+bool Walls::meets(const Vec3& a, const Vec3& b, const Vec3& c, bool withMargin, Touched* which) const {
+  const std::array<Vec3, 3> world{a, b, c};
+  const std::array<Vec3, 3> index{grid_.toIndex(a), grid_.toIndex(b), grid_.toIndex(c)};
+  const Vec3 low = index[0].cwiseMin(index[1]).cwiseMin(index[2]);
+  const Vec3 high = index[0].cwiseMax(index[1]).cwiseMax(index[2]);
+  const Range bricks = bricksWithin(low, high, 0);
+  const bool balls = meetsBalls(world, bricks, withMargin, which);
+  if (balls && !which) return true;
+  bool voxels = false;
+  if (list_.map) forEach(bricks, [&](const Index& v) { voxels = voxels || nearVoxels_[idx(brickAt(v))]; });
+  return (voxels && meetsVoxels(index, withMargin, which)) || balls;
+}
+
+bool Walls::meetsBalls(const std::array<Vec3, 3>& t, const Range& bricks, bool withMargin,
+                       Touched* which) const {
+  const double size = std::sqrt(std::max((t[1] - t[0]).squaredNorm(), (t[2] - t[0]).squaredNorm()));
+  bool any = false;
+  forEach(bricks, [&](const Index& b) {
+    const std::size_t brick = idx(brickAt(b));
+    for (int i = first_[brick]; i < first_[brick + 1] && (which || !any); ++i) {
+      const std::size_t ball = idx(balls_[idx(i)]);
+      const Vec3& centre = list_.balls[ball].centre;
+      const double radius = withMargin ? reaches_[ball].guard : list_.balls[ball].radius;
+      if ((t[0] - centre).squaredNorm() > (radius + size) * (radius + size)) continue;
+      if (squaredDistance(centre, t[0], t[1], t[2]) > radius * radius) continue;
+      any = true;
+      if (which) which->balls.push_back(static_cast<int>(ball));
+    }
+  });
+  return any;
+}
+
+bool Walls::meetsVoxels(const std::array<Vec3, 3>& t, bool withMargin, Touched* which) const {
+  const double wide = withMargin ? margin_ : 0.0;
+  const Vec3 low = t[0].cwiseMin(t[1]).cwiseMin(t[2]), high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
+  const Vec3 half = 0.5 * grid_.spacing + Vec3::Constant(wide);
+  bool any = false;
+  forEach(voxelsWithin(low, high, wide), [&](const Index& v) {
+    if ((any && !which) || !isWall(v)) return;
+    const Vec3 centre(v[0], v[1], v[2]);
+    const auto local = [&](const Vec3& p) { return Vec3((p - centre).cwiseProduct(grid_.spacing)); };
+    if (!meetsBox(local(t[0]), local(t[1]), local(t[2]), half)) return;
+    any = true;
+    if (!which) return;
+    const std::size_t row = idx(v[2]) * idx(grid_.size[1]) + idx(v[1]);
+    which->voxels.push_back(row * idx(grid_.size[0]) + idx(v[0]));
+  });
+  return any;
+}
+
+}  // namespace handlebody

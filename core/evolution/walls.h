@@ -1,0 +1,87 @@
+#pragma once
+// Walls as a front meets them: how near one is, and whether a face would lie in one. Bricks of a few voxels
+// tell which of them are near, so that a thousand cost little more than one.
+
+#include <array>
+#include <vector>
+
+#include "core/evolution/constraints.h"
+
+namespace handlebody {
+
+class Walls {
+ public:
+  //! `edgeLength`: the mesh's target, `largestStep`: how far a vertex goes in one step, both mm. The margin
+  //! that a front keeps follows from both, so that it neither steps over a small wall, nor has faces that
+  //! cut through one between their corners.
+  //! Precondition: requireSensible(constraints.h).
+  Walls(const WallList& list, const Grid& grid, double edgeLength, double largestStep);
+
+  //! mm from a place to where a vertex should come to rest before a wall: negative within. What is further
+  //! than kFarVoxels is told as that. `index`: the same place as a continuous voxel index.
+  double room(const Vec3& world, const Vec3& index) const;
+  //! mm to the nearest wall itself, 0 or less within one; `limit` if there is none within that distance.
+  double distance(const Vec3& world, double limit) const;
+  //! False if no face of usual size with a corner there comes near a wall.
+  bool isNear(const Vec3& world) const;
+  //! True if no point of the triangle lies in a wall or within the margin of one.
+  bool clears(const Vec3& a, const Vec3& b, const Vec3& c) const { return !meets(a, b, c, true, nullptr); }
+
+  //! What of the walls a triangle touches.
+  struct Touched {
+    std::vector<int> balls;           // by index of the list
+    std::vector<std::size_t> voxels;  // of the map
+  };
+  //! True if a point of the triangle lies in a wall; which ones, if wanted.
+  bool touches(const Vec3& a, const Vec3& b, const Vec3& c, Touched* which = nullptr) const {
+    return meets(a, b, c, false, which);
+  }
+
+  //! A point of each wall within so many mm of a place: the middle of each ball, and of one voxel of each
+  //! part of the map that hangs together there.
+  std::vector<Vec3> places(const Vec3& world, double within) const;
+
+  const WallList& list() const { return list_; }
+  const Grid& grid() const { return grid_; }
+
+ private:
+  using Index = std::array<int, 3>;
+  struct Range {
+    Index low, high;  // both included
+  };
+  struct Reach {
+    double guard, rest;  // mm from the centre: no face within, vertices come to rest
+  };
+
+  void chooseBricks();
+  void fillBalls();
+  void fillMap();
+  int brickAt(const Index& b) const { return (b[2] * bricks_[1] + b[1]) * bricks_[0] + b[0]; }
+  Index brickOf(const Vec3& index) const;
+  //! Of all bricks between two continuous indices, widened by mm.
+  Range bricksWithin(const Vec3& low, const Vec3& high, double mm) const;
+  Range voxelsWithin(const Vec3& low, const Vec3& high, double mm) const;
+  void dilate(std::vector<bool>& flags, double mm) const;
+  bool meets(const Vec3& a, const Vec3& b, const Vec3& c, bool withMargin, Touched* which) const;
+  bool meetsBalls(const std::array<Vec3, 3>& world, const Range& bricks, bool withMargin,
+                  Touched* which) const;
+  bool meetsVoxels(const std::array<Vec3, 3>& index, bool withMargin, Touched* which) const;
+  bool isWall(const Index& v) const;
+  double roomToVoxels(const Vec3& index) const;
+
+  WallList list_;
+  Grid grid_;
+  double edgeLength_, largestStep_;
+  double far_ = 0;     // mm
+  double margin_ = 0;  // mm, of the map's voxels
+  double reach_ = 0;   // mm: longer than any face
+  std::vector<Reach> reaches_;
+  std::array<int, 3> brickSize_{1, 1, 1}, bricks_{1, 1, 1};  // voxels; number
+  std::vector<int> first_, balls_;                   // which balls a brick holds: first_[b] … first_[b + 1]
+  std::vector<bool> near_, hasVoxels_, nearVoxels_;  // per brick
+};
+
+//! Beyond this many voxels (of mean size) a wall is far.
+inline constexpr double kFarVoxels = 1.0;
+
+}  // namespace handlebody

@@ -1,0 +1,65 @@
+#include "core/io/constraints_json.h"
+
+#include "core/errors.h"
+
+namespace handlebody {
+
+namespace {
+
+int countFromJson(const Json& json, int least) {
+  const int count = integerFromJson(json);
+  if (count < least) throw UsageError("a limit of the topology is below " + std::to_string(least) + ".");
+  return count;
+}
+
+WallBall ballFromJson(const Json& json) {
+  const WallBall wall{vectorFromJson(json.at("centre")), finiteFromJson(json.at("radius"))};
+  if (!(wall.radius > 0)) throw UsageError("a wall has no radius above 0.");
+  return wall;
+}
+
+Veto vetoFromJson(const Json& json) {
+  const Veto veto{integerFromJson(json.at("iteration")), vectorFromJson(json.at("place"))};
+  if (veto.iteration < 1) throw UsageError("a veto's iteration is below 1.");
+  return veto;
+}
+
+}  // namespace
+
+Json constraintsToJson(const Constraints& c) {
+  Json json = Json::object();
+  for (const WallBall& w : c.walls.balls)
+    json["walls"].push_back({{"centre", vectorToJson(w.centre)}, {"radius", w.radius}});
+  if (c.walls.map) {
+    json["wall_map"] = {{"path", nullptr}};
+    if (!c.walls.map->path.empty()) json["wall_map"]["path"] = c.walls.map->path;
+    if (!c.walls.map->sha256.empty()) json["wall_map"]["sha256"] = c.walls.map->sha256;
+  }
+  for (const Veto& v : c.vetoes)
+    json["vetoes"].push_back({{"iteration", v.iteration}, {"place", vectorToJson(v.place)}});
+  if (c.topology.components) json["components"] = *c.topology.components;
+  if (c.topology.genus) json["genus"] = *c.topology.genus;
+  for (const Vec3& p : c.topology.allowed) json["allowed"].push_back(vectorToJson(p));
+  return json;
+}
+
+Constraints constraintsFromJson(const Json& json) {
+  if (!json.is_object()) throw UsageError("the constraints are not an object.");
+  Constraints c;
+  if (json.contains("walls"))
+    for (const Json& wall : json.at("walls")) c.walls.balls.push_back(ballFromJson(wall));
+  if (json.contains("wall_map")) {
+    const Json& map = json.at("wall_map");
+    c.walls.map = WallMap{{}, map.value("sha256", std::string()), nullptr};
+    if (!map.at("path").is_null()) c.walls.map->path = map.at("path").get<std::string>();
+  }
+  if (json.contains("vetoes"))
+    for (const Json& veto : json.at("vetoes")) c.vetoes.push_back(vetoFromJson(veto));
+  if (json.contains("components")) c.topology.components = countFromJson(json.at("components"), 1);
+  if (json.contains("genus")) c.topology.genus = countFromJson(json.at("genus"), 0);
+  if (json.contains("allowed"))
+    for (const Json& place : json.at("allowed")) c.topology.allowed.push_back(vectorFromJson(place));
+  return c;
+}
+
+}  // namespace handlebody

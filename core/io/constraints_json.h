@@ -1,0 +1,17 @@
+#pragma once
+// How walls, vetoes and limits of the topology stand in JSON: "constraints" of a request. Only sources
+// include this header (see json.h).
+
+#include "core/evolution/constraints.h"
+#include "core/io/json.h"
+
+namespace handlebody {
+
+//! {"walls": [{"centre", "radius"}], "wall_map": {"path", "sha256"}, "vetoes": [{"iteration", "place"}],
+//! "components", "genus", "allowed": [place]}, each only where there are any; the path is null if anonymous.
+Json constraintsToJson(const Constraints& constraints);
+
+//! The inverse; the voxels of the label map are not read. Throws Json::exception and UsageError.
+Constraints constraintsFromJson(const Json& json);
+
+}  // namespace handlebody

@@ -1,0 +1,231 @@
+// Changes of topology that may not happen: vetoes, and limits of components and genus.
+#include "core/evolution/held_changes.h"
+
+#include "core/errors.h"
+#include "core/evolution/history.h"
+#include "tests/core/evolution/contour_support.h"
+
+using namespace handlebody;
+using namespace handlebody::testing;
+
+namespace {
+
+const Seed kTorusSeed{kMiddle + Vec3(kTorusR, 0, 0), 3.0};
+
+Constraints vetoing(std::vector<Veto> vetoes) { return {{}, std::move(vetoes), {}}; }
+Constraints limited(std::optional<int> components, std::optional<int> genus, std::vector<Vec3> allowed = {}) {
+  return {{}, {}, {components, genus, std::move(allowed)}};
+}
+
+Parameters bothWays() {
+  Parameters p;
+  p.direction = Direction::both;
+  return p;
+}
+
+//! Two balls 8 mm apart, and a start around both of them: it splits between them.
+struct TwoBalls {
+  Volume volume;
+  std::vector<Seed> seeds{{Vec3(14, 20, 20), 42.0}};
+  TwoBalls() {
+    Grid grid = cubicGrid(41);
+    grid.size[0] = 62;
+    volume = darkObject(grid, [](const Vec3& p) {
+      return std::min((p - Vec3(14, 20, 20)).norm(), (p - Vec3(42, 20, 20)).norm()) - 10;
+    });
+  }
+};
+
+void run(ActiveContour& contour) {
+  while (contour.stopReason() == StopReason::running) {
+    contour.step();
+    REQUIRE(contour.iteration() < 2000);
+  }
+}
+
+//! The first event that changed the topology, of a run without constraints.
+Event firstChange(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& parameters = {}) {
+  ActiveContour contour(volume, seeds, parameters);
+  while (contour.stopReason() == StopReason::running)
+    for (const Event& e : contour.step().events)
+      if (changesTopology(e.kind)) return e;
+  FAIL("nothing happened");
+  return {};
+}
+
+int countHeld(const std::vector<StepReport>& reports) {
+  int n = 0;
+  for (const StepReport& r : reports)
+    for (const Event& e : r.events) n += e.held.has_value() && e.kind == EventKind::rolledBack;
+  return n;
+}
+
+std::string messageOf(const std::function<void()>& f) {
+  try {
+    f();
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("a torus whose fronts may not meet stays a sphere with a gap", "[veto]") {
+  const Event meeting = firstChange(torusVolume(), {kTorusSeed});
+  REQUIRE(meeting.kind == EventKind::handleInserted);
+  ActiveContour contour(torusVolume(), {kTorusSeed}, {}, vetoing({{meeting.iteration, meeting.location}}));
+  const auto reports = runCertified(contour);
+  CHECK(contour.stopReason() == StopReason::converged);  // what rests does so because it was asked for
+  CHECK(certify(contour.mesh().compact()).genus == std::vector<int>{0});
+  CHECK(countHeld(reports) >= 1);
+  CHECK_FALSE(contour.waitingVeto().has_value());
+  const double whole = 2 * M_PI * M_PI * kTorusR * kTorusr * kTorusr;
+  CHECK(volumeOf(contour.mesh()) > 0.9 * whole);
+  CHECK(volumeOf(contour.mesh()) < whole);
+}
+
+TEST_CASE("a veto in a history goes on from the step before, as if it had been known from the start",
+          "[veto][history]") {
+  const Event meeting = firstChange(torusVolume(), {kTorusSeed});
+  const Constraints veto = vetoing({{meeting.iteration, meeting.location}});
+  History history(ActiveContour(torusVolume(), {kTorusSeed}, {}));
+  while (history.stopReason() == StopReason::running) history.advance();
+  history.goTo(meeting.iteration - 1);
+  const Mesh before = history.shown().mesh();
+  history.change({{kTorusSeed}, {}, veto});
+  CHECK(isSame(history.shown().mesh(), before));
+  while (history.stopReason() == StopReason::running) history.advance();
+  ActiveContour straight(torusVolume(), {kTorusSeed}, {}, veto);
+  run(straight);
+  CHECK(isSame(history.shown().mesh(), straight.mesh()));
+
+  // Lifted, the fronts meet after all.
+  history.change({{kTorusSeed}, {}, {}});
+  while (history.stopReason() == StopReason::running) history.advance();
+  CHECK(certify(history.shown().mesh().compact()).genus == std::vector<int>{1});
+}
+
+TEST_CASE("two bodies that may not join stay two", "[veto]") {
+  const std::vector<Seed> seeds{{kMiddle + Vec3(-5, 0, 0), 3.0}, {kMiddle + Vec3(5, 1, 0), 3.0}};
+  const Event meeting = firstChange(ballVolume(), seeds);
+  ActiveContour contour(ballVolume(), seeds, {}, vetoing({{meeting.iteration, meeting.location}}));
+  runCertified(contour);
+  CHECK(certify(contour.mesh().compact()).components == 2);
+  CHECK(volumeOf(contour.mesh()) > 0.75 * kBallVolume);
+}
+
+TEST_CASE("a neck that may not split stays, thin, for good", "[veto]") {
+  const TwoBalls balls;
+  const Event cut = firstChange(balls.volume, balls.seeds, bothWays());
+  REQUIRE(cut.kind == EventKind::split);
+  const Constraints constraints =
+      GENERATE_COPY(vetoing({{cut.iteration, cut.location}}), limited(1, std::nullopt));
+  ActiveContour contour(balls.volume, balls.seeds, bothWays(), constraints);
+  runCertified(contour);
+  CHECK(certify(contour.mesh().compact()).components == 1);
+  CHECK(volumeOf(contour.mesh()) == Approx(2 * kBallVolume).epsilon(0.05));
+  REQUIRE(contour.held().size() == 1);
+  CHECK(contour.held()[0].kind == EventKind::split);
+  CHECK(contour.held()[0].iteration == cut.iteration);
+  CHECK(contour.held()[0].isVetoed == !constraints.vetoes.empty());
+}
+
+TEST_CASE("a component that may not be deleted is kept, as small as it is", "[veto]") {
+  Parameters p = bothWays();
+  p.range = IntensityRange{-1000, 110};
+  p.curvature = 50;  // holds fronts of 100 mm and more: everything here collapses
+  p.edgeLength = 2;
+  p.maxIterations = 300;
+  const Volume volume = ballVolume();
+  const std::vector<Seed> seeds{{kMiddle, 6.0}};
+  const Event last = firstChange(volume, seeds, p);
+  REQUIRE(last.kind == EventKind::componentDeleted);
+  ActiveContour contour(volume, seeds, p, vetoing({{last.iteration, last.location}}));
+  runCertified(contour);
+  CHECK(certify(contour.mesh().compact()).components == 1);
+  REQUIRE(contour.held().size() == 1);
+  CHECK(contour.held()[0].kind == EventKind::componentDeleted);
+  CHECK(contour.held()[0].times == 1);  // and then it rests in peace
+}
+
+TEST_CASE("a veto without sense is refused with one sentence", "[veto]") {
+  const auto message = [](const Constraints& constraints) {
+    return messageOf([&] {
+      ActiveContour contour(torusVolume(), {kTorusSeed}, {}, constraints);
+      run(contour);
+    });
+  };
+  CHECK(message(vetoing({{3, kMiddle}})) ==
+        "The veto of iteration 3 has nothing to forbid: no change of topology happens there.");
+  CHECK(message(vetoing({{0, kMiddle}})).find("at least 1") != std::string::npos);
+  CHECK(message(limited(0, {})).find("at least 1") != std::string::npos);
+  CHECK(message(limited({}, -1)).find("at least 0") != std::string::npos);
+  CHECK(message(limited({}, {}, {kMiddle})).find("no limit") != std::string::npos);
+  CHECK(message(limited({}, 0, {Vec3(-9, 0, 0)})).find("outside of the volume") != std::string::npos);
+  ActiveContour contour(torusVolume(), {kTorusSeed}, {});
+  contour.step();
+  contour.step();
+  CHECK(messageOf([&] {
+          contour.change({{kTorusSeed}, {}, vetoing({{2, kMiddle}})});
+        }).find("too late") != std::string::npos);
+  CHECK(contour.constraints().empty());
+  ActiveContour late(torusVolume(), {kTorusSeed}, {}, vetoing({{1500, kMiddle}}));
+  run(late);
+  REQUIRE(late.waitingVeto().has_value());
+  CHECK(late.waitingVeto()->iteration == 1500);
+}
+
+TEST_CASE("a limit of the genus holds what would break it, and lets all else happen", "[veto]") {
+  ActiveContour held(torusVolume(), {kTorusSeed}, {}, limited({}, 0));
+  for (const StepReport& r : runCertified(held))
+    for (const Event& e : r.events) CHECK(e.after.genus == 0);
+  CHECK(certify(held.mesh().compact()).genus == std::vector<int>{0});
+  ActiveContour free(torusVolume(), {kTorusSeed}, {}),
+      allowed(torusVolume(), {kTorusSeed}, {}, limited(1, 1));
+  run(free);
+  run(allowed);
+  CHECK(isSame(free.mesh(), allowed.mesh()));
+  held.change({{kTorusSeed}, {}, {}});
+  run(held);
+  CHECK(certify(held.mesh().compact()).genus == std::vector<int>{1});
+}
+
+TEST_CASE("what a limit holds may happen at an allowed place, known from the start or named on the way",
+          "[veto][history]") {
+  ActiveContour held(torusVolume(), {kTorusSeed}, {}, limited({}, 0));
+  run(held);
+  REQUIRE(held.held().size() == 1);
+  const Vec3 place = held.held()[0].place;
+  const Constraints allowing = limited({}, 0, {place});
+  ActiveContour straight(torusVolume(), {kTorusSeed}, {}, allowing), free(torusVolume(), {kTorusSeed}, {});
+  run(straight);
+  run(free);
+  CHECK(isSame(straight.mesh(), free.mesh()));
+  CHECK(straight.held().empty());
+
+  held.change({{kTorusSeed}, {}, allowing});
+  CHECK(held.held().empty());
+  run(held);
+  CHECK(certify(held.mesh().compact()).genus == std::vector<int>{1});
+  CHECK(held.doubts(held.support()).empty());
+
+  ActiveContour elsewhere(torusVolume(), {kTorusSeed}, {}, limited({}, 0, {kTorusSeed.centre}));
+  run(elsewhere);
+  CHECK(certify(elsewhere.mesh().compact()).genus == std::vector<int>{0});
+  const auto doubts = elsewhere.doubts(elsewhere.support());
+  CHECK(std::any_of(doubts.begin(), doubts.end(),
+                    [](const std::string& d) { return d.find("allowed place") != std::string::npos; }));
+}
+
+TEST_CASE("a limit of the components keeps a cavity open to the outside", "[veto]") {
+  const auto shell = [](const Vec3& p) {
+    const double r = (p - kMiddle).norm();
+    return std::max(r - 13, 4 - r);
+  };
+  ActiveContour contour(darkObject(cubicGrid(41), shell), {Seed{kMiddle + Vec3(8.5, 0, 0), 2.5}}, {},
+                        limited(1, {}));
+  const auto reports = runCertified(contour);
+  CHECK(countHeld(reports) >= 1);
+  CHECK(certify(contour.mesh().compact()).components == 1);
+}

@@ -1,0 +1,102 @@
+// --anonymous: nothing that names the patient is in any file.
+
+#include <cstdlib>
+#include <set>
+
+#include "tests/io/dicom_test_support.h"
+
+using namespace handlebody;
+using namespace handlebody::test;
+
+namespace {
+
+//! Every value of the source that names the patient, the study or the images, as it stands in the files.
+const MoreElements kPatient{{0x00080020, {"DA", "19991231"}},   {0x00080030, {"TM", "235958"}},
+                            {0x00080050, {"SH", "ACC4711"}},    {0x00080080, {"LO", "Hospital X"}},
+                            {0x00080090, {"PN", "House^Greg"}}, {0x00081030, {"LO", "Knee study"}},
+                            {0x00100010, {"PN", "Doe^Jane"}},   {0x00100020, {"LO", "PID0815"}},
+                            {0x00100030, {"DA", "19700203"}},   {0x00101010, {"AS", "029Y"}},
+                            {0x00102297, {"PN", "Doe^Mother"}}, {0x00200010, {"SH", "STUDY99"}}};
+const std::string kSeries = "1.2.3.4711.99.1", kFolder = "DOE_JANE_19700203";
+
+std::vector<Slice> bright() {
+  std::vector<Slice> slices = evenStack(24);
+  for (std::size_t k = 0; k < slices.size(); ++k) {
+    Slice& s = slices[k];
+    s.series = kSeries;
+    s.columns = s.rows = 40;
+    s.spacing = "2.5\\2.5";
+    s.more = kPatient;
+    s.number = static_cast<int>(k) + 1;
+    s.pixel = [k](int x, int y) {
+      const double dx = x - 19.5, dy = y - 19.5, dz = static_cast<double>(k) - 11.5;
+      return dx * dx + dy * dy + dz * dz < 81 ? 500 : 100;
+    };
+  }
+  return slices;
+}
+
+const std::vector<std::string> kOutputs{"a.stl",  "a.vtp", "a.ply",      "a.obj",     "a.3mf",    "a.nii",
+                                        "a.nrrd", "a.mha", "a.seg.nrrd", "a.seg.dcm", "a.stl.dcm"};
+
+//! Segments the series into `to`; every kind of file. Returns the exit code.
+int run(const TemporaryFolder& folder, const std::string& to, const std::string& more) {
+  fs::create_directories(folder / to);
+  const auto in = [&](const std::string& name) { return "'" + (folder / to) + "/" + name + "'"; };
+  std::string command = std::string(HANDLEBODY_CLI) + " segment '" + (folder / kFolder) + "' --series " +
+                        kSeries + " --seed-ijk 19,19,11 --quiet " + more;
+  for (const std::string& name : kOutputs) command += " -o " + in(name);
+  command += " --report " + in("r.json") + " --session " + in("s.json") + " --trace " + in("t.json") +
+             " --picture " + in("p.png") + " --label-description " + in("l.txt") + " 2> /dev/null";
+  return std::system(command.c_str());
+}
+
+//! What names the patient: the values, the UIDs, and the names of the folder and its files.
+std::set<std::string> telling(const std::string& folder) {
+  std::set<std::string> all{kSeries, kFolder, "DOE_JANE", "not_dicom_doe.txt"};
+  for (const auto& [tag, value] : kPatient) all.insert(value.second);
+  for (const DicomImage& image : loadVolume(folder)->info.dicom->images) all.insert(image.instance);
+  return all;
+}
+
+std::set<std::string> found(const TemporaryFolder& folder, const std::string& in,
+                            const std::set<std::string>& values) {
+  std::set<std::string> hits;
+  for (const auto& entry : fs::directory_iterator(folder / in)) {
+    const std::string bytes = readBytes(entry.path().string());
+    for (const std::string& value : values)
+      if (bytes.find(value) != std::string::npos) hits.insert(value);
+  }
+  return hits;
+}
+
+}  // namespace
+
+TEST_CASE("no value of the source is in any file that is written anonymously") {
+  const TemporaryFolder folder;
+  writeSeries(folder / kFolder, bright());
+  writeBytes((folder / kFolder) + "/not_dicom_doe.txt", "a note");
+  const std::set<std::string> values = telling(folder / kFolder);
+  REQUIRE(values.size() > 30);
+
+  REQUIRE(run(folder, "open", "") == 0);
+  const std::set<std::string> open = found(folder, "open", values);
+  for (const char* value : {"Doe^Jane", "PID0815", "19700203", "DOE_JANE", "not_dicom_doe.txt", "House^Greg"})
+    CHECK(open.count(value) == 1);  // else the search would prove nothing
+  CHECK(open.count(kSeries) == 1);
+
+  REQUIRE(run(folder, "hidden", "--anonymous") == 0);
+  CHECK(std::distance(fs::directory_iterator(folder / "hidden"), fs::directory_iterator{}) ==
+        std::ptrdiff_t(kOutputs.size()) + 5);
+  CHECK(found(folder, "hidden", values) == std::set<std::string>{});
+  CHECK(readBytes(folder / "hidden/a.stl") == readBytes(folder / "open/a.stl"));
+  const Volume one = readVolume(folder / "open/a.seg.dcm"), other = readVolume(folder / "hidden/a.seg.dcm");
+  CHECK(voxelBytes(one) == voxelBytes(other));
+
+  const std::string replay = std::string(HANDLEBODY_CLI) + " replay '" + (folder / "hidden/s.json") +
+                             "' -o '" + (folder / "again.stl") + "' --quiet";
+  CHECK(std::system((replay + " 2> /dev/null").c_str()) != 0);  // it does not know its volume
+  const std::string volume = " --volume '" + (folder / kFolder) + "' --series " + kSeries + " 2> /dev/null";
+  REQUIRE(std::system((replay + volume).c_str()) == 0);
+  CHECK(readBytes(folder / "again.stl") == readBytes(folder / "open/a.stl"));
+}

@@ -1,0 +1,111 @@
+// What the surface may not do, in the window's document: undone, saved, opened again.
+
+#include <algorithm>
+
+#include "core/collision/certify.h"
+#include "core/io/session.h"
+#include "tests/ui/model/document_support.h"
+
+using namespace handlebody;
+using namespace handlebody::ui;
+
+namespace {
+
+struct Grown {
+  TorusFile torus;
+  Document document;
+
+  Grown() {
+    REQUIRE(openAndWait(document, torus.path));
+    document.addSeed(torus.seed);
+    REQUIRE(runToEnd(document));
+  }
+  int meeting() const {
+    const auto& events = document.events();
+    const auto at = std::find_if(events.begin(), events.end(),
+                                 [](const Event& e) { return e.kind == EventKind::handleInserted; });
+    REQUIRE(at != events.end());
+    return static_cast<int>(at - events.begin());
+  }
+  int genus() const { return document.snapshot()->certificate.genus.at(0); }
+  bool save(const QString& path) {
+    bool saved = false;
+    const auto done = QObject::connect(&document, &Document::sessionSaved, [&] { saved = true; });
+    document.saveSession(path);
+    const bool ended = waitFor([&] { return saved; });
+    QObject::disconnect(done);
+    return ended;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a change of topology is forbidden from the step before on, and undo brings it back",
+          "[document]") {
+  Grown grown;
+  Document& document = grown.document;
+  const Event event = document.events()[static_cast<std::size_t>(grown.meeting())];
+  document.forbid(grown.meeting());
+  REQUIRE(waitFor([&] { return document.iteration() == event.iteration - 1; }));
+  const TriangleSoup before = document.snapshot()->mesh;
+  REQUIRE(runToEnd(document));
+  CHECK(grown.genus() == 0);
+  REQUIRE(document.snapshot()->held.size() == 1);
+  CHECK(document.snapshot()->held[0].isVetoed);
+  const TriangleSoup apart = document.snapshot()->mesh;
+
+  document.undoStack()->undo();
+  REQUIRE(waitFor([&] { return document.iteration() == event.iteration - 1; }));
+  CHECK(isSame(document.snapshot()->mesh, before));
+  CHECK(document.constraints().empty());
+  REQUIRE(runToEnd(document));
+  CHECK(grown.genus() == 1);
+
+  document.undoStack()->redo();
+  REQUIRE(showIteration(document, event.iteration - 1));
+  REQUIRE(runToEnd(document));
+  CHECK(isSame(document.snapshot()->mesh, apart));
+}
+
+TEST_CASE("what was held may happen from the shown iteration on", "[document]") {
+  Grown grown;
+  Document& document = grown.document;
+  document.forbid(grown.meeting());
+  REQUIRE(runToEnd(document));
+  REQUIRE(grown.genus() == 0);
+  document.allow(document.snapshot()->held.at(0));
+  CHECK(document.constraints().vetoes.empty());
+  CHECK(document.state() == GrowthState::paused);
+  REQUIRE(runToEnd(document));
+  CHECK(grown.genus() == 1);
+  CHECK(document.snapshot()->held.empty());
+}
+
+TEST_CASE("a session with vetoes, limits and walls comes back as it was, and nothing of it is lost",
+          "[document]") {
+  Grown grown;
+  Document& document = grown.document;
+  document.forbid(grown.meeting());
+  REQUIRE(runToEnd(document));
+  const QString path = grown.torus.file("vetoed.json");
+  REQUIRE(grown.save(path));
+  Document again;
+  REQUIRE(openAndWait(again, path));
+  REQUIRE(waitFor([&] { return again.iteration() == document.iteration() && isAtRest(again); }));
+  CHECK(isSame(again.snapshot()->mesh, document.snapshot()->mesh));
+  CHECK(again.constraints() == document.constraints());
+
+  // As the command line writes it: known from the start.
+  Session session = readSession(path.toStdString());
+  session.changes.clear();
+  session.stopAt.reset();
+  session.constraints = {{{{testing::kMiddle - Vec3(testing::kTorusR, 0, 0), 2.0}}, {}}, {}, {3, 0, {}}};
+  writeSession(session, path.toStdString());
+  Document third;
+  REQUIRE(openAndWait(third, path));
+  CHECK(third.constraints() == session.constraints);
+  REQUIRE(runToEnd(third));
+  ActiveContour straight(third.volume(), session.seeds, session.requested, session.constraints);
+  while (straight.stopReason() == StopReason::running) straight.step();
+  CHECK(isSame(third.snapshot()->mesh, straight.mesh().compact()));
+}
