@@ -278,8 +278,8 @@ void ActiveContour::State::adapt(Attempt& a) {
 void ActiveContour::State::deleteCollapsed(Attempt& a) {
   const auto isKept = [this](const Vec3& p) { return held.rests(p); };
   const TopologyNumbers& now = a.events.empty() ? topology : a.events.back().after;
-  for (Event& e : collapsed.erase(mesh, {parameters.edgeLength, limits.longest, mayShrink(),
-                                         !a.events.empty(), iteration, now, isKept}))
+  for (Event& e :
+       collapsed.erase(mesh, {parameters.edgeLength, mayShrink(), !a.events.empty(), iteration, now, isKept}))
     a.events.push_back(std::move(e));
 }
 
@@ -368,7 +368,6 @@ StepReport ActiveContour::State::step() {
   // Of the mesh that is left, also when all of the step was rolled back.
   report.settledVertices = std::max(0, mesh.vertexCount() - report.movedVertices);
   report.volume = transaction.volume();
-  collapsed.setEnclosed(report.volume);
   decideStop(report);
   return report;
 }

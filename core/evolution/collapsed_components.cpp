@@ -1,7 +1,7 @@
 #include "core/evolution/collapsed_components.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
-#include <numbers>
 
 #include "core/mesh/nesting.h"
 #include "core/surgery/predicted_change.h"
@@ -13,9 +13,15 @@ namespace {
 // Lengths as parts of the target edge length.
 constexpr double kCollapsed = 1.0;  // a component of less extent than this is gone
 constexpr double kShrinks = 4;      // more than a component loses of its extent in one step
-constexpr double kSweeps = 0.5;     // more than a face moves along its normal in one step, with remeshing
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+double extentOf(const Mesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (int v = 0; v < mesh.vertexSlots(); ++v)
+    if (mesh.isVertex(v)) box.extend(mesh.position(v));
+  return box.sizes().maxCoeff();
+}
 
 //! The first vertex of each component.
 std::vector<int> firstVertices(const Mesh& mesh, const Components& parts) {
@@ -27,12 +33,17 @@ std::vector<int> firstVertices(const Mesh& mesh, const Components& parts) {
 
 }  // namespace
 
-//! False only if no component can have turned inside out in this step: a single one would have to sweep all
-//! that it enclosed. No face is larger than the equilateral one of the longest edge.
-bool CollapsedComponents::mayTurn(const Mesh& mesh, const CollapsingStep& step) const {
-  if (step.topology.components != 1) return true;
-  const double area = mesh.faceCount() * std::numbers::sqrt3 / 4 * step.longestEdge * step.longestEdge;
-  return enclosed_ <= area * kSweeps * step.edgeLength;
+//! Of a surface that is a single component: far quicker than to find that component.
+bool CollapsedComponents::isWhole(const Mesh& mesh, const CollapsingStep& step) {
+  const double extent = extentOf(mesh);
+  if (extent < kCollapsed * step.edgeLength || !(signedVolume(mesh) > 0)) return false;
+  lookAfter(extent, step);
+  cavities_ = 0;
+  return true;
+}
+
+void CollapsedComponents::lookAfter(double smallestExtent, const CollapsingStep& step) {
+  lookAt_ = step.iteration + static_cast<int>(smallestExtent / (kShrinks * step.edgeLength));
 }
 
 bool CollapsedComponents::mayHaveTurned(const Components& parts, const CollapsingStep& step) {
@@ -44,12 +55,10 @@ bool CollapsedComponents::mayHaveTurned(const Components& parts, const Collapsin
 }
 
 std::vector<Event> CollapsedComponents::erase(Mesh& mesh, const CollapsingStep& step) {
-  const bool shrinks = step.mayShrink && mayTurn(mesh, step);
-  if (!step.hasEvents && step.iteration < lookAt_ && !shrinks) return {};
+  if (!step.hasEvents && step.iteration < lookAt_ && !step.mayShrink) return {};
+  if (step.topology.components == 1 && isWhole(mesh, step)) return {};
   const Components parts = findComponents(mesh);
-  const double smallest =
-      parts.count() == 0 ? 0 : *std::min_element(parts.extent.begin(), parts.extent.end());
-  lookAt_ = step.iteration + static_cast<int>(smallest / (kShrinks * step.edgeLength));
+  lookAfter(parts.count() == 0 ? 0 : *std::min_element(parts.extent.begin(), parts.extent.end()), step);
   const bool looksForTurned = mayHaveTurned(parts, step);
   const std::vector<int> first = firstVertices(mesh, parts);
   std::vector<Event> events;

@@ -11,7 +11,7 @@ namespace handlebody {
 
 //! The step that is being made.
 struct CollapsingStep {
-  double edgeLength = 0, longestEdge = 0;   //!< mm
+  double edgeLength = 0;                    //!< mm
   bool mayShrink = false;                   //!< parts of the surface may give ground
   bool hasEvents = false;                   //!< its topology has been changed already, or folds were smoothed
   int iteration = 0;                        //!< for the events
@@ -26,18 +26,16 @@ class CollapsedComponents {
  public:
   //! Deletes them, one after the other. One that has turned is never kept: no mesh may hold it.
   std::vector<Event> erase(Mesh& mesh, const CollapsingStep& step);
-  //! After a step: what its mesh encloses, mm³.
-  void setEnclosed(double volume) { enclosed_ = volume; }
   //! After a change of what moves the surface.
-  void forget() { lookAt_ = 0, enclosed_ = 0; }
+  void forget() { lookAt_ = 0; }
 
  private:
-  bool mayTurn(const Mesh& mesh, const CollapsingStep& step) const;
+  bool isWhole(const Mesh& mesh, const CollapsingStep& step);
+  void lookAfter(double smallestExtent, const CollapsingStep& step);
   bool mayHaveTurned(const Components& parts, const CollapsingStep& step);
 
   std::ptrdiff_t cavities_ = 0;  // components of negative volume, when last looked at
   int lookAt_ = 0;               // iteration before which none can collapse
-  double enclosed_ = 0;          // mm³; 0 if not known
 };
 
 }  // namespace handlebody

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/collision/certify.h"
+#include "core/mesh/changed_blocks.h"
 #include "core/mesh/nesting.h"
 
 namespace handlebody {
@@ -115,11 +116,15 @@ std::vector<Trouble> StepCheck::coverageFaults(const StepResult& step) const {
   }
   const int common = std::min(step.before.vertexSlots(), step.mesh.vertexSlots());
   const int known = std::min(common, static_cast<int>(step.touched.size()));
-  for (int v = 0; v < common; ++v) {
-    if (v < known && step.touched[idx(v)] != 0) continue;
-    if (step.mesh.isVertex(v) && step.mesh.position(v) != step.before.position(v))
-      return {troubleAt(step, v, kUnseen)};
-  }
+  const Vec3 *was = step.before.positions().data(), *is = step.mesh.positions().data();
+  int unseen = -1;
+  visitChangedBlocks(
+      common, [&](int v, int n) { return areSame(was + v, is + v, n); },
+      [&](int v) {
+        if (v < known && step.touched[idx(v)] != 0) return;
+        if (step.mesh.isVertex(v) && is[v] != was[v]) unseen = v;
+      });
+  if (unseen >= 0) return {troubleAt(step, unseen, kUnseen)};
   return {};
 }
 

@@ -1,6 +1,9 @@
 #include "core/mesh/structure.h"
 
 #include <algorithm>
+#include <array>
+
+#include "core/mesh/changed_blocks.h"
 
 namespace handlebody {
 
@@ -40,13 +43,16 @@ void StructureCheck::listChanges(const Mesh& before, const Mesh& mesh) {
   const int common = std::min(before.faceSlots(), mesh.faceSlots());
   const Triangle *was = before.faces().data(), *is = mesh.faces().data();
   const int *wasBeside = before.opposites().data(), *isBeside = mesh.opposites().data();
-  for (int f = 0; f < common; ++f) {
+  const auto isSame = [&](int f, int n) {
+    return areSame(was + f, is + f, n) && areSame(wasBeside + 3 * f, isBeside + 3 * f, 3 * n);
+  };
+  visitChangedBlocks(common, isSame, [&](int f) {
     const bool isNew = !areEqual(was[f].data(), is[f].data());
     const bool isBesideOther = !areEqual(wasBeside + 3 * f, isBeside + 3 * f);
-    if (!(isNew | isBesideOther)) continue;
+    if (!(isNew | isBesideOther)) return;
     if (isNew && mesh.isFace(f)) newFaces_.push_back(f);
     if (isNew || mesh.isFace(f)) changedFaces_.push_back(f);
-  }
+  });
   for (int f = common; f < std::max(before.faceSlots(), mesh.faceSlots()); ++f) {
     changedFaces_.push_back(f);
     if (hasFace(mesh, f)) newFaces_.push_back(f);
@@ -114,13 +120,26 @@ std::optional<StructureFault> StructureCheck::examineLink(const Mesh& mesh, int 
   return std::nullopt;
 }
 
+void StructureCheck::listVertices(const Mesh& before, const Mesh& mesh) {
+  changedVertices_.clear();
+  const int common = std::min(before.vertexSlots(), mesh.vertexSlots());
+  const int *was = before.outgoing().data(), *is = mesh.outgoing().data();
+  static constexpr std::array<unsigned char, kBlockOfSlots> kNone{};
+  const auto isSame = [&](int v, int n) {
+    return areSame(was + v, is + v, n) && areSame(isChanged_.data() + v, kNone.data(), n);
+  };
+  visitChangedBlocks(common, isSame, [&](int v) {
+    if (isChanged_[idx(v)] != 0 || was[v] != is[v]) changedVertices_.push_back(v);
+  });
+  for (int v = common; v < std::max(before.vertexSlots(), mesh.vertexSlots()); ++v)
+    changedVertices_.push_back(v);
+}
+
 //! The fans of the changed vertices must have won and lost as many faces as hold these vertices: a fan can
 //! miss faces of its vertex, but never have one too many.
 std::optional<StructureFault> StructureCheck::examineVertices(const Mesh& before, const Mesh& mesh) {
-  const int slots = std::max(before.vertexSlots(), mesh.vertexSlots());
-  const int common = std::min(before.vertexSlots(), mesh.vertexSlots());
-  for (int v = 0; v < slots; ++v) {
-    if (v < common && isChanged_[idx(v)] == 0 && before.outgoing(v) == mesh.outgoing(v)) continue;
+  listVertices(before, mesh);
+  for (const int v : changedVertices_) {
     const bool was = hasVertex(before, v), is = hasVertex(mesh, v);
     if (was) {
       ++was_.vertices;

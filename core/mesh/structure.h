@@ -43,11 +43,13 @@ class StructureCheck {
   std::optional<StructureFault> examineFaces(const Mesh& before, const Mesh& mesh);
   std::optional<StructureFault> examineVertices(const Mesh& before, const Mesh& mesh);
   std::optional<StructureFault> examineLink(const Mesh& mesh, int v);
+  void listVertices(const Mesh& before, const Mesh& mesh);
   void markCorners(const Mesh& mesh, int f, Counts& counts);
 
   std::vector<int> changedFaces_;         // with other vertices or opposites than before
   std::vector<int> newFaces_;             // with other vertices than before
   std::vector<unsigned char> isChanged_;  // per vertex: of a changed face, before or now, or made or removed
+  std::vector<int> changedVertices_;      // the same, or with another half-edge of their own
   std::vector<int> seenAt_;               // per vertex: the last link in which it was met
   int links_ = 0;                         // looked at so far
   Counts was_, is_;                       // of what has changed
