@@ -124,7 +124,7 @@ void StructureCheck::listVertices(const Mesh& before, const Mesh& mesh) {
   changedVertices_.clear();
   const int common = std::min(before.vertexSlots(), mesh.vertexSlots());
   const int *was = before.outgoing().data(), *is = mesh.outgoing().data();
-  static constexpr std::array<unsigned char, kBlockOfSlots> kNone{};
+  static constexpr std::array<unsigned char, kLargestBlock> kNone{};
   const auto isSame = [&](int v, int n) {
     return areSame(was + v, is + v, n) && areSame(isChanged_.data() + v, kNone.data(), n);
   };
