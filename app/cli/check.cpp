@@ -26,6 +26,12 @@ void printText(const Certificate& c) {
   std::printf("vertices %d, faces %d, components %d, Euler number %d, genus%s\n", c.vertices, c.faces,
               c.components, c.euler, genus.empty() ? " undefined" : genus.c_str());
   std::printf("volume %.6g mm3, area %.6g mm2\n", c.volume, c.area);
+  if (c.cavities > 0) std::printf("cavities %d\n", c.cavities);
+  if (c.misplaced > 0)
+    std::printf(
+        "%d of the components %s where a body's cannot: a body directly in a body, or a cavity outside of "
+        "any\n",
+        c.misplaced, c.misplaced == 1 ? "lies" : "lie");
 }
 
 int check(const CheckOptions& o) {

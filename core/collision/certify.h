@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/mesh/certificate.h"
+#include "core/mesh/validity.h"
 
 namespace handlebody {
 

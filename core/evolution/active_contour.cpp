@@ -5,6 +5,7 @@
 
 #include "core/collision/self_intersection.h"
 #include "core/errors.h"
+#include "core/evolution/adaptation_rounds.h"
 #include "core/evolution/clicked_object.h"
 #include "core/evolution/collapsed_components.h"
 #include "core/evolution/image_doubts.h"
@@ -14,11 +15,12 @@
 #include "core/evolution/resting_places.h"
 #include "core/evolution/scratch.h"
 #include "core/evolution/seeds.h"
+#include "core/evolution/stillness.h"
+#include "core/evolution/transaction.h"
 #include "core/evolution/wall_guard.h"
 #include "core/mesh/morton_order.h"
 #include "core/mesh/remesh.h"
 #include "core/mesh/topology.h"
-#include "core/surgery/nesting.h"
 #include "core/surgery/topology_adaptation.h"
 
 namespace handlebody {
@@ -31,17 +33,8 @@ constexpr double kShortest = 0.55;
 constexpr double kStep =
     0.28;  // largest move along the normal: two fronts come closer by little more than s / 3
 constexpr double kStepVoxels = 0.9;  // and never further than this many voxels of the finest axis
-constexpr double kCollapsed = 1.0;   // a component of less extent than this is gone
 constexpr double kAgrees = 0.5;      // voxels between a boundary and a surface that agree
-constexpr double kShrinks = 4;       // more than a component loses of its extent in one step
 
-constexpr int kQuietToStop = 3;   // iterations without motion or event
-constexpr int kStillToStop = 40;  // iterations in which next to nothing moves and nothing happens
-constexpr double kNextToNothing =
-    0.001;  // part of the vertices: single ones may tremble between two faces of a noisy voxel
-constexpr int kRounds = 5;                // of detection and surgery in one step
-constexpr int kAttempts = 8;              // at one step before all of it is rolled back
-constexpr int kHeldAttempts = 60;         // the same where changes of topology are held one after the other
 constexpr double kGrowthToReorder = 1.5;  // of the mesh, until its vertices are put into order again
 constexpr int kFitsIntoCache = 3000;      // vertices: any order will do
 
@@ -51,7 +44,7 @@ std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 struct ActiveContour::State {
   Mesh mesh;
-  Scratch<Mesh> before;              // of the step that is being made; kept for its memory
+  Scratch<Transaction> transaction;
   std::vector<unsigned char> quiet;  // iterations per vertex without motion, up to kQuietToSleep
   Volume volume;
   std::vector<Seed> seeds;  // as asked for
@@ -65,27 +58,15 @@ struct ActiveContour::State {
   Scratch<CollisionDetector> detector;
   RestingPlaces resting;
   HeldChanges held;  // what the constraints forbid
+  CollapsedComponents collapsed;
+  Stillness stillness;
   std::optional<Correction> correction;
   double automaticEdge = 0;  // mm; what the edge length is if none is asked for
   TopologyNumbers topology;
   StopReason stop = StopReason::running;
   int iteration = 0;
-  int quietIterations = 0;
-  int nearlyStillIterations = 0;
   int orderedVertices = kFitsIntoCache;  // vertices when they were last put into order
-  std::ptrdiff_t knownCavities = 0;      // components of negative volume, when last looked at
-  int lookAtComponents = 0;              // iteration before which none can collapse
   bool traces = false;
-
-  //! What one attempt at a step leaves behind besides the mesh.
-  struct Attempt {
-    std::vector<Event> events;
-    std::vector<Trouble> troubles;
-    std::vector<HeldChange> held;
-    std::vector<int> moving;        // vertices that were asked to move
-    std::vector<double> distances;  // how far, mm
-    std::vector<unsigned char> touched;
-  };
 
   //! True if parts of the surface may give ground: where that was asked for, or after other clicks.
   bool mayShrink() const { return !motion.outwardOnly || (correction && correction->givesGround); }
@@ -93,6 +74,7 @@ struct ActiveContour::State {
 
   void chooseEdge();
   void resolve(const Parameters& p);
+  void start(const Parameters& p, const Constraints& c);
   void begin();
   void change(const Request& to, const State* prepared);
   void chooseWalls();
@@ -106,6 +88,7 @@ struct ActiveContour::State {
   void adapt(Attempt& a);
   void deleteCollapsed(Attempt& a);
   void accept(Attempt& a, StepReport& report);
+  std::vector<HeldChange> judge(const Attempt& a, StepReport& report);
   void restRepeated(StepReport& report);
   Event rolledBack(const Vec3& place, const char* reason) const;
   void decideStop(const StepReport& report);
@@ -152,6 +135,15 @@ void ActiveContour::State::chooseWalls() {
   walls.choose(constraints.walls, volume.grid, parameters.edgeLength, motion.largestStep);
   object.image = object.image->behind(walls.all());
   limits.forbidden = walls.forbidden();
+}
+
+//! Precondition: volume, seeds and object are chosen.
+void ActiveContour::State::start(const Parameters& p, const Constraints& c) {
+  held.choose(c, 0);
+  constraints = c;
+  chooseEdge();
+  resolve(p);
+  begin();
 }
 
 void ActiveContour::State::begin() {
@@ -204,8 +196,8 @@ void ActiveContour::State::change(const Request& to, const State* prepared) {
 
 void ActiveContour::State::forgetRest() {
   resting = {};
-  quietIterations = nearlyStillIterations = 0;
-  lookAtComponents = 0;
+  stillness = {};
+  collapsed.forget();
 }
 
 //! After a change of the clicks. What had settled and agrees with the new image sleeps on.
@@ -256,7 +248,7 @@ std::vector<int> ActiveContour::State::verticesToMove() const {
   return out;
 }
 
-ActiveContour::State::Attempt ActiveContour::State::attempt() {
+Attempt ActiveContour::State::attempt() {
   Attempt a;
   a.moving = verticesToMove();
   std::vector<Vec3> moves = computeMotion(mesh, *object.image, motion, a.moving);
@@ -267,64 +259,38 @@ ActiveContour::State::Attempt ActiveContour::State::attempt() {
     mesh.setPosition(a.moving[i], mesh.position(a.moving[i]) + moves[i]);
     a.touched[idx(a.moving[i])] = 1;
   }
-  walls.holdBack(mesh, before, a.moving, moves);
+  walls.holdBack(mesh, transaction.before(), a.moving, moves);
   for (const Vec3& move : moves) a.distances.push_back(move.norm());
   regulate(mesh, limits, a.touched);
   adapt(a);
   if (a.troubles.empty()) deleteCollapsed(a);
   if (const auto place = walls.broken(mesh, a.touched, a.events); a.troubles.empty() && place)
     a.troubles.push_back({*place, 2 * limits.longest, "the surface would have entered a wall"});
-  if (a.troubles.empty()) a.held = held.judge(a.events, iteration, limits.longest);
   return a;
 }
 
-//! Detection and surgery until nothing intersects, or until a place has to be rolled back.
 void ActiveContour::State::adapt(Attempt& a) {
   AdaptationSettings settings{!mayShrink(), traces, iteration, topology, {}, limits.forbidden};
   settings.cameBack = [this](const Vec3& p) { return resting.cameBack(p, limits.longest); };
-  std::vector<unsigned char> changed = a.touched;
-  for (int round = 0; round < kRounds; ++round) {
-    const std::vector<FacePair>& pairs = detector.detectMoved(mesh, changed);
-    if (pairs.empty()) return;
-    changed.assign(idx(mesh.vertexSlots()), 0);
-    for (const auto& [f, g] : pairs)
-      for (int face : {f, g})
-        for (int v : mesh.face(face)) changed[idx(v)] = 1;
-    AdaptationResult result = adaptTopology(mesh, pairs, settings, changed);
-    if (!result.events.empty()) settings.topology = result.events.back().after;
-    a.events.insert(a.events.end(), std::make_move_iterator(result.events.begin()),
-                    std::make_move_iterator(result.events.end()));
-    a.touched.resize(idx(mesh.vertexSlots()), 0);
-    changed.resize(idx(mesh.vertexSlots()), 0);
-    for (std::size_t v = 0; v < changed.size(); ++v) a.touched[v] = a.touched[v] | changed[v];
-    if (!result.troubles.empty()) {
-      a.troubles = std::move(result.troubles);
-      return;
-    }
-  }
-  for (const auto& [f, g] : detector.detectMoved(mesh, changed)) {
-    const Vec3 centre = mesh.position(mesh.face(f)[0]);
-    a.troubles.push_back(
-        {centre, 2 * limits.longest, "the surface still intersected itself after several changes"});
-  }
+  adaptInRounds(mesh, detector, std::move(settings), limits.longest, a);
 }
 
-//! Components that have collapsed, and those that have turned inside out while they did: a cavity would grow
-//! on as a body in the body, a body as a cavity of all space, without end.
 void ActiveContour::State::deleteCollapsed(Attempt& a) {
-  if (a.events.empty() && iteration < lookAtComponents && !mayShrink()) return;
-  const Components parts = findComponents(mesh);
-  const double smallest =
-      parts.count() == 0 ? 0 : *std::min_element(parts.extent.begin(), parts.extent.end());
-  lookAtComponents = iteration + static_cast<int>(smallest / (kShrinks * parameters.edgeLength));
-  const auto cavities =
-      std::count_if(parts.volume.begin(), parts.volume.end(), [](double v) { return v < 0; });
-  const bool mayHaveTurned = knownCavities != cavities || (mayShrink() && !a.events.empty());
-  knownCavities = cavities;
   const auto isKept = [this](const Vec3& p) { return held.rests(p); };
-  for (Event& e : deleteCollapsedComponents(
-           mesh, parts, {kCollapsed * parameters.edgeLength, mayHaveTurned, iteration, isKept}))
+  const TopologyNumbers& now = a.events.empty() ? topology : a.events.back().after;
+  for (Event& e :
+       collapsed.erase(mesh, {parameters.edgeLength, mayShrink(), !a.events.empty(), iteration, now, isKept}))
     a.events.push_back(std::move(e));
+}
+
+//! The changes that may not happen, each with an event.
+std::vector<HeldChange> ActiveContour::State::judge(const Attempt& a, StepReport& report) {
+  std::vector<HeldChange> changes = held.judge(a.events, iteration, limits.longest);
+  for (const HeldChange& h : changes) {
+    report.events.push_back(rolledBack(h.place, h.reason));
+    report.events.back().held = h.kind;
+  }
+  return changes;
 }
 
 void ActiveContour::State::accept(Attempt& a, StepReport& report) {
@@ -360,12 +326,10 @@ Event ActiveContour::State::rolledBack(const Vec3& place, const char* reason) co
 
 void ActiveContour::State::decideStop(const StepReport& report) {
   const bool calm = report.events.empty() && !resting.anyWillWake(iteration);
-  quietIterations = calm && report.movedVertices == 0 ? quietIterations + 1 : 0;
-  const bool nearlyStill = report.movedVertices <= std::max(1.0, kNextToNothing * mesh.vertexCount());
-  nearlyStillIterations = calm && nearlyStill ? nearlyStillIterations + 1 : 0;
+  stillness.count(calm, report.movedVertices, mesh.vertexCount());
   if (mesh.faceCount() == 0)
     stop = StopReason::empty;
-  else if (quietIterations >= kQuietToStop || nearlyStillIterations >= kStillToStop)
+  else if (stillness.isAtRest())
     stop = restReason();
   else if (iteration >= parameters.maxIterations)
     stop = StopReason::maxIterations;
@@ -387,35 +351,23 @@ StepReport ActiveContour::State::step() {
   StepReport report;
   report.iteration = ++iteration;
   keepOrder();
-  before = mesh;
   const auto rollBack = [&](const Trouble& t) {
     report.events.push_back(rolledBack(t.centre, t.reason));
     resting.add(t.centre, t.radius + 0.5 * limits.longest, iteration);
   };
-  for (int tries = 0;; ++tries) {
-    Attempt a = attempt();
-    if (a.troubles.empty() && a.held.empty()) {
-      accept(a, report);
-      break;
-    }
-    mesh = before;
-    for (const Trouble& t : a.troubles) rollBack(t);
-    for (const HeldChange& h : a.held) {
-      report.events.push_back(rolledBack(h.place, h.reason));
-      report.events.back().held = h.kind;
-    }
-    if (tries + 1 < (a.held.empty() ? kAttempts : kHeldAttempts)) continue;
-    rollBack({a.held.empty() ? a.troubles[0].centre : a.held[0].place, 1e3 * parameters.edgeLength,
-              "no part of the step could be kept"});
-    break;
-  }
+  Attempt last = transaction.run({mesh, topology, limits.longest, [this] { return attempt(); },
+                                  [&](const Attempt& a) { return judge(a, report); }, rollBack});
+  if (last.isKept())
+    accept(last, report);
+  else
+    rollBack({last.place(), 1e3 * parameters.edgeLength, "no part of the step could be kept"});
   if (walls.isPushing()) {
     walls.release(mesh);
     limits.forbidden = walls.forbidden();
   }
   // Of the mesh that is left, also when all of the step was rolled back.
   report.settledVertices = std::max(0, mesh.vertexCount() - report.movedVertices);
-  report.volume = signedVolume(mesh);
+  report.volume = transaction.volume();
   decideStop(report);
   return report;
 }
@@ -425,14 +377,10 @@ ActiveContour::ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters 
     : state_(std::make_unique<State>()) {
   requireSensible(parameters);
   requireSensible(constraints, volume.grid);
-  state_->held.choose(constraints, 0);
-  state_->constraints = std::move(constraints);
   state_->volume = std::move(volume);
   state_->seeds = std::move(seeds);
   state_->object = findClickedObject(state_->volume, state_->seeds, parameters);
-  state_->chooseEdge();
-  state_->resolve(parameters);
-  state_->begin();
+  state_->start(parameters, constraints);
 }
 ActiveContour::ActiveContour(std::unique_ptr<State> state) : state_(std::move(state)) {}
 ActiveContour::~ActiveContour() = default;
@@ -461,12 +409,8 @@ ActiveContour ActiveContour::restarted(const Parameters& parameters, const Const
   auto fresh = std::make_unique<State>();
   fresh->volume = state_->volume;
   fresh->seeds = state_->seeds;
-  fresh->constraints = constraints;
-  fresh->held.choose(fresh->constraints, 0);
   fresh->object = state_->object;
-  fresh->chooseEdge();
-  fresh->resolve(parameters);
-  fresh->begin();
+  fresh->start(parameters, constraints);
   return ActiveContour(std::move(fresh));
 }
 StopReason ActiveContour::stopReason() const { return state_->stop; }

@@ -1,36 +1,81 @@
 #include "core/evolution/collapsed_components.h"
 
-#include "core/surgery/nesting.h"
-#include "core/surgery/topology_adaptation.h"
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "core/mesh/nesting.h"
+#include "core/surgery/predicted_change.h"
 
 namespace handlebody {
 
 namespace {
 
-Event deleteWithEvent(Mesh& mesh, int v, int iteration) {
-  Event event;
-  event.kind = EventKind::componentDeleted;
-  event.iteration = iteration;
-  event.location = mesh.position(v);
-  event.before = topologyNumbers(mesh);
-  deleteComponent(mesh, v);
-  event.after = topologyNumbers(mesh);
-  return event;
+// Lengths as parts of the target edge length.
+constexpr double kCollapsed = 1.0;  // a component of less extent than this is gone
+constexpr double kShrinks = 4;      // more than a component loses of its extent in one step
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+double extentOf(const Mesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (int v = 0; v < mesh.vertexSlots(); ++v)
+    if (mesh.isVertex(v)) box.extend(mesh.position(v));
+  return box.sizes().maxCoeff();
+}
+
+//! The first vertex of each component.
+std::vector<int> firstVertices(const Mesh& mesh, const Components& parts) {
+  std::vector<int> first(parts.vertices.size(), -1);
+  for (int v = mesh.vertexSlots() - 1; v >= 0; --v)
+    if (mesh.isVertex(v)) first[idx(parts.ofVertex[idx(v)])] = v;
+  return first;
 }
 
 }  // namespace
 
-std::vector<Event> deleteCollapsedComponents(Mesh& mesh, const Components& parts,
-                                             const CollapseSettings& settings) {
+//! Of a surface that is a single component: far quicker than to find that component.
+bool CollapsedComponents::isWhole(const Mesh& mesh, const CollapsingStep& step) {
+  const double extent = extentOf(mesh);
+  if (extent < kCollapsed * step.edgeLength || !(signedVolume(mesh) > 0)) return false;
+  lookAfter(extent, step);
+  cavities_ = 0;
+  return true;
+}
+
+void CollapsedComponents::lookAfter(double smallestExtent, const CollapsingStep& step) {
+  lookAt_ = step.iteration + static_cast<int>(smallestExtent / (kShrinks * step.edgeLength));
+}
+
+bool CollapsedComponents::mayHaveTurned(const Components& parts, const CollapsingStep& step) {
+  const auto cavities =
+      std::count_if(parts.volume.begin(), parts.volume.end(), [](double v) { return v < 0; });
+  const bool isOther = cavities_ != cavities;
+  cavities_ = cavities;
+  return isOther || (step.mayShrink && step.hasEvents);
+}
+
+std::vector<Event> CollapsedComponents::erase(Mesh& mesh, const CollapsingStep& step) {
+  if (!step.hasEvents && step.iteration < lookAt_ && !step.mayShrink) return {};
+  if (step.topology.components == 1 && isWhole(mesh, step)) return {};
+  const Components parts = findComponents(mesh);
+  lookAfter(parts.count() == 0 ? 0 : *std::min_element(parts.extent.begin(), parts.extent.end()), step);
+  const bool looksForTurned = mayHaveTurned(parts, step);
+  const std::vector<int> first = firstVertices(mesh, parts);
   std::vector<Event> events;
-  std::vector<int> first(parts.vertices.size(), -1);
-  for (int v = mesh.vertexSlots() - 1; v >= 0; --v)
-    if (mesh.isVertex(v)) first[static_cast<std::size_t>(parts.ofVertex[static_cast<std::size_t>(v)])] = v;
-  for (std::size_t c = 0; c < first.size(); ++c) {
-    const bool isTurned = settings.mayHaveTurned && isMisplaced(mesh, parts, static_cast<int>(c));
-    if (parts.extent[c] >= settings.smallest && !isTurned) continue;
-    if (!settings.isKept(mesh.position(first[c])))
-      events.push_back(deleteWithEvent(mesh, first[c], settings.iteration));
+  TopologyNumbers now = step.topology;
+  for (int c = 0; c < parts.count(); ++c) {
+    const Vec3 place = mesh.position(first[idx(c)]);
+    const bool isTurned = looksForTurned && isMisplaced(mesh, parts, c);
+    const bool isGone = parts.extent[idx(c)] < kCollapsed * step.edgeLength && !step.isKept(place);
+    if (!isTurned && !isGone) continue;
+    Event event;
+    event.kind = EventKind::componentDeleted;
+    event.iteration = step.iteration;
+    event.location = place;
+    event.before = now;
+    event.after = now = predictDeletion(now, parts, c);
+    deleteComponent(mesh, first[idx(c)]);
+    events.push_back(std::move(event));
   }
   return events;
 }

@@ -9,15 +9,33 @@
 
 namespace handlebody {
 
-struct CollapseSettings {
-  double smallest = 0;                      //!< mm: components of less extent go
-  bool mayHaveTurned = false;               //!< also those that have turned inside out (isMisplaced)
+//! The step that is being made.
+struct CollapsingStep {
+  double edgeLength = 0;                    //!< mm
+  bool mayShrink = false;                   //!< parts of the surface may give ground
+  bool hasEvents = false;                   //!< its topology has been changed already, or folds were smoothed
   int iteration = 0;                        //!< for the events
-  std::function<bool(const Vec3&)> isKept;  //!< asked for the first vertex of each that would go
+  TopologyNumbers topology;                 //!< of the mesh
+  std::function<bool(const Vec3&)> isKept;  //!< asked for the first vertex of each that has collapsed
 };
 
-//! Deletes them, one after the other.
-std::vector<Event> deleteCollapsedComponents(Mesh& mesh, const Components& parts,
-                                             const CollapseSettings& settings);
+//! Deletes the components that have collapsed, and those that have turned inside out while they did: a cavity
+//! would grow on as a body in the body, a body as a cavity of all space, without end. Knows when there can be
+//! none.
+class CollapsedComponents {
+ public:
+  //! Deletes them, one after the other. One that has turned is never kept: no mesh may hold it.
+  std::vector<Event> erase(Mesh& mesh, const CollapsingStep& step);
+  //! After a change of what moves the surface.
+  void forget() { lookAt_ = 0; }
+
+ private:
+  bool isWhole(const Mesh& mesh, const CollapsingStep& step);
+  void lookAfter(double smallestExtent, const CollapsingStep& step);
+  bool mayHaveTurned(const Components& parts, const CollapsingStep& step);
+
+  std::ptrdiff_t cavities_ = 0;  // components of negative volume, when last looked at
+  int lookAt_ = 0;               // iteration before which none can collapse
+};
 
 }  // namespace handlebody

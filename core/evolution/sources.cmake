@@ -1,5 +1,6 @@
 target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/active_contour.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/adaptation_rounds.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/clicked_object.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/collapsed_components.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/constraints.cpp
@@ -24,7 +25,10 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/seed_statistics.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/seeds.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/shown_object.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/step_check.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/stillness.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/thickness_map.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/transaction.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/wall_guard.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/wall_pieces.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/walls.cpp)

@@ -7,7 +7,7 @@
 #include "core/errors.h"
 #include "core/evolution/wall_pieces.h"
 #include "core/mesh/topology.h"
-#include "core/surgery/nesting.h"
+#include "core/mesh/nesting.h"
 
 namespace handlebody {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/mesh/topology.h"
-#include "core/surgery/nesting.h"
+#include "core/mesh/nesting.h"
 
 namespace handlebody {
 

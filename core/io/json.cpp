@@ -82,7 +82,9 @@ Json certificateToJson(const Certificate& certificate) {
           {"closed", certificate.closed},
           {"manifold", certificate.manifold},
           {"oriented", certificate.oriented},
-          {"self_intersections", certificate.selfIntersections}};
+          {"self_intersections", certificate.selfIntersections},
+          {"cavities", certificate.cavities},
+          {"misplaced_components", certificate.misplaced}};
 }
 
 Json referenceToJson(const VolumeReference& volume) {

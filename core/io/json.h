@@ -10,7 +10,7 @@
 
 #include "core/evolution/step_report.h"
 #include "core/io/session.h"
-#include "core/mesh/certificate.h"
+#include "core/mesh/validity.h"
 #include "core/volume/volume.h"
 
 namespace handlebody {
@@ -32,7 +32,8 @@ Json seedToJson(const Seed& seed);
 Json seedsToJson(const std::vector<Seed>& seeds);
 //! Adds size, spacing, origin and direction (its three rows) to an object.
 void addGrid(Json& object, const Grid& grid);
-//! The certificate: "mesh" of a report and the answer of `check`.
+//! The certificate: "mesh" of a report and the answer of `check`. "cavities" and "misplaced_components" are
+//! -1 where they have no meaning: of a mesh that is not closed, manifold and oriented.
 Json certificateToJson(const Certificate& certificate);
 //! {"path", "sha256"} and, where they were chosen, "series", "frame", "given_spacing" and "uneven".
 Json referenceToJson(const VolumeReference& volume);

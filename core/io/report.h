@@ -8,7 +8,7 @@
 #include "core/evolution/held_changes.h"
 #include "core/evolution/step_report.h"
 #include "core/io/session.h"
-#include "core/mesh/certificate.h"
+#include "core/mesh/validity.h"
 #include "core/object/candidate.h"
 
 namespace handlebody {

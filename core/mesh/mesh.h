@@ -41,6 +41,10 @@ class Mesh {
   std::span<const Vec3> positions() const { return positions_; }
   //! Vertex indices per face slot; deleted faces hold -1.
   std::span<const Triangle> faces() const { return faces_; }
+  //! Per half-edge slot: the opposites, stale for deleted faces.
+  std::span<const int> opposites() const { return opposite_; }
+  //! Per vertex slot: outgoing(), and a negative number for what has none.
+  std::span<const int> outgoing() const { return outgoing_; }
   const Triangle& face(int f) const { return faces_[idx(f)]; }
   //! Cross product of two edges of face f: its length is twice the area (mm²), outward.
   Vec3 areaVector(int f) const;

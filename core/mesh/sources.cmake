@@ -1,8 +1,10 @@
 target_sources(handlebody_core PRIVATE
-  ${CMAKE_SOURCE_DIR}/core/mesh/certificate.cpp
+  ${CMAKE_SOURCE_DIR}/core/mesh/validity.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/mesh.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/morton_order.cpp
+  ${CMAKE_SOURCE_DIR}/core/mesh/nesting.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/plane_section.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/remesh.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/shapes.cpp
+  ${CMAKE_SOURCE_DIR}/core/mesh/structure.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/topology.cpp)

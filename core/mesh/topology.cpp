@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <numeric>
 
 #include "core/mesh/union_find.h"
 
@@ -22,17 +23,48 @@ std::vector<int> flood(const Mesh& mesh, int v, std::vector<int>& label, int val
   return reached;
 }
 
-}  // namespace
-
-Components findComponents(const Mesh& mesh) {
-  const auto at = [](int i) { return static_cast<std::size_t>(i); };
-  // Face by face, in the order of memory: far quicker than a walk from neighbour to neighbour.
-  UnionFind parts(at(mesh.vertexSlots()));
+//! Face by face, in the order of memory: far quicker than a walk from neighbour to neighbour.
+UnionFind joinedByFaces(const Mesh& mesh) {
+  std::vector<int> lower(static_cast<std::size_t>(mesh.vertexSlots()));
+  std::iota(lower.begin(), lower.end(), 0);
+  for (const Triangle& t : mesh.faces()) {
+    if (t[0] < 0) continue;
+    const int lowest = std::min({t[0], t[1], t[2]});
+    for (const int v : t) {
+      int& l = lower[static_cast<std::size_t>(v)];
+      l = std::min(l, lowest);
+    }
+  }
+  UnionFind parts(std::move(lower));
   for (const Triangle& t : mesh.faces()) {
     if (t[0] < 0) continue;
     parts.join(t[0], t[1]);
     parts.join(t[0], t[2]);
   }
+  return parts;
+}
+
+}  // namespace
+
+int countComponents(const Mesh& mesh, std::span<const int> joined) {
+  UnionFind parts = joinedByFaces(mesh);
+  for (const int v : joined) parts.join(joined[0], v);
+  int n = 0;
+  for (int v = 0; v < mesh.vertexSlots(); ++v) n += mesh.isVertex(v) && parts.find(v) == v;
+  return n;
+}
+
+TopologyNumbers topologyNumbers(const Mesh& mesh) {
+  TopologyNumbers n;
+  n.components = countComponents(mesh);
+  n.euler = mesh.vertexCount() - mesh.faceCount() / 2;  // E = 3F / 2 on a closed mesh
+  n.genus = (2 * n.components - n.euler) / 2;
+  return n;
+}
+
+Components findComponents(const Mesh& mesh) {
+  const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  UnionFind parts = joinedByFaces(mesh);
   Components c;
   c.ofVertex.assign(at(mesh.vertexSlots()), -1);
   std::vector<Eigen::AlignedBox3d> boxes;

@@ -1,6 +1,7 @@
 #pragma once
 // Components and topology numbers of a closed mesh.
 
+#include <span>
 #include <vector>
 
 #include "core/mesh/mesh.h"
@@ -17,6 +18,21 @@ struct Components {
 
   int count() const { return static_cast<int>(vertices.size()); }
 };
+
+//! Topology of the whole mesh.
+struct TopologyNumbers {
+  int components = 0;
+  int euler = 0;  //!< V - E + F
+  int genus = 0;  //!< sum over the components
+  bool operator==(const TopologyNumbers&) const = default;
+};
+
+//! Number of components, Euler number, genus of a closed mesh.
+TopologyNumbers topologyNumbers(const Mesh& mesh);
+
+//! Number of components: cheaper than to label them. The mesh may be open, but every vertex has a face. The
+//! components of the vertices in `joined` count as one.
+int countComponents(const Mesh& mesh, std::span<const int> joined = {});
 
 //! Labels components in the order of their lowest vertex slot.
 Components findComponents(const Mesh& mesh);

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/collision/face_pair.h"
-#include "core/surgery/nesting.h"
+#include "core/mesh/nesting.h"
 
 namespace handlebody {
 

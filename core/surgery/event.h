@@ -7,15 +7,9 @@
 #include <vector>
 
 #include "core/geometry/vec.h"
+#include "core/mesh/topology.h"
 
 namespace handlebody {
-
-//! Topology of the whole mesh.
-struct TopologyNumbers {
-  int components = 0;
-  int euler = 0;  //!< V - E + F
-  int genus = 0;  //!< sum over the components
-};
 
 enum class EventKind {
   handleInserted,      //!< k fronts joined
@@ -47,7 +41,10 @@ struct Event {
   Vec3 location{0, 0, 0};      //!< mm
   int fronts = 0;              //!< k, for handles
   std::vector<int> loopSizes;  //!< vertices of each boundary polygon
-  TopologyNumbers before, after;
+  TopologyNumbers before;
+  //! What the change predicts (predicted_change.h). A step that ends with other numbers, counted on its mesh,
+  //! is rolled back: in an event of a step that was kept these are the true ones.
+  TopologyNumbers after;
   std::string reason;               //!< why it was rolled back, or what did not fit before this
   std::optional<EventKind> held{};  //!< rolled back: the change that may not happen, as the user asked
   EventTrace trace;                 //!< empty unless traces are recorded

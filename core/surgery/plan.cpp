@@ -37,9 +37,16 @@ bool nextChoice(std::span<const Opening> openings, std::vector<std::size_t>& cho
 struct ClosingChoice {
   Patch patch;
   EventKind kind = EventKind::smoothed;
-  double area = 0;  // mm²
+  std::vector<int> joined{};  // as in the plan
+  double area = 0;            // mm²
   bool shrinks = false;
 };
+
+std::vector<int> oneOfEach(const Loops& loops) {
+  std::vector<int> out;
+  for (const auto& loop : loops) out.push_back(loop[0]);
+  return out;
+}
 
 class Planner {
  public:
@@ -83,7 +90,9 @@ bool Planner::joinFronts(std::span<const Opening> openings) {
     FittingHandle handle =
         shortestFittingHandle(mesh_, plan_.openings, loops, capsBut(openings, chosen), surroundings_);
     const bool better = !best.found || handle.patch.length < best.patch.length;
-    if (handle.found && better) best = std::move(handle);
+    if (!handle.found || !better) continue;
+    best = std::move(handle);
+    plan_.joined = oneOfEach(loops);
   } while (nextChoice(openings, chosen));
   if (best.found) {
     plan_.patch = std::move(best.patch);
@@ -131,7 +140,7 @@ bool Planner::closeOne(const Opening& opening) {
     Patch noCaps;
     noCaps.firstNew = mesh_.vertexSlots();
     FittingHandle band = shortestFittingHandle(mesh_, one, opening.loops, noCaps, surroundings_);
-    if (band.found) choices.push_back({std::move(band.patch), EventKind::smoothed});
+    if (band.found) choices.push_back({std::move(band.patch), EventKind::smoothed, oneOfEach(opening.loops)});
   }
   for (ClosingChoice& c : choices) {
     c.area = area(mesh_, c.patch);
@@ -145,6 +154,7 @@ bool Planner::closeOne(const Opening& opening) {
     if (surroundings_.fits(c.patch) && !surroundings_.sweepsOver(c.patch)) {
       plan_.patch = std::move(c.patch);
       plan_.kind = c.kind;
+      plan_.joined = std::move(c.joined);
       return true;
     }
   reason_ = "no patch fits";

@@ -19,6 +19,8 @@ struct Plan {
   Patch patch;
   EventKind kind = EventKind::smoothed;
   int fronts = 0;
+  //! One vertex of each polygon that a handle or a band joins; all other polygons get caps.
+  std::vector<int> joined;
   bool shortest = true;  //!< false: there may be a shorter handle, the search for it was cut short
 };
 

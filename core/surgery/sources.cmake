@@ -5,8 +5,8 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/surgery/fold_smoothing.cpp
   ${CMAKE_SOURCE_DIR}/core/surgery/front_gathering.cpp
   ${CMAKE_SOURCE_DIR}/core/surgery/handle_fitting.cpp
-  ${CMAKE_SOURCE_DIR}/core/surgery/nesting.cpp
   ${CMAKE_SOURCE_DIR}/core/surgery/opening.cpp
   ${CMAKE_SOURCE_DIR}/core/surgery/plan.cpp
+  ${CMAKE_SOURCE_DIR}/core/surgery/predicted_change.cpp
   ${CMAKE_SOURCE_DIR}/core/surgery/topology_adaptation.cpp
   ${CMAKE_SOURCE_DIR}/core/surgery/trace.cpp)

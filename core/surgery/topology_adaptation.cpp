@@ -4,13 +4,14 @@
 #include <map>
 #include <string>
 
+#include "core/mesh/nesting.h"
 #include "core/mesh/topology.h"
 #include "core/surgery/collision_groups.h"
 #include "core/surgery/fold_smoothing.h"
 #include "core/surgery/front_gathering.h"
-#include "core/surgery/nesting.h"
 #include "core/surgery/opening.h"
 #include "core/surgery/plan.h"
+#include "core/surgery/predicted_change.h"
 #include "core/surgery/trace.h"
 
 namespace handlebody {
@@ -129,6 +130,7 @@ class Adaptation {
     }
     mesh_.removeFaces(faces);
     for (int v : vertices) mesh_.removeVertex(v);
+    predict(event, predictChange(topology_, mesh_, plan));
     std::vector<int> fresh;
     for (const Vec3& p : plan.patch.points) fresh.push_back(mesh_.addVertex(p));
     std::vector<Triangle> patch = plan.patch.faces;
@@ -148,7 +150,6 @@ class Adaptation {
     for (const Triangle& t : patch)
       for (int v : t) mesh_.forEachOutgoing(v, [&](int h) { colliding_[idx(Mesh::faceOf(h))] = 0; });
 
-    countTopology(event);
     if (plan.kind == EventKind::split || plan.kind == EventKind::smoothed) event.kind = kindOfCut(event);
     // Where fronts of two components meet and a part between them is cut off, their number stays.
     const bool cut = event.after.components > event.before.components ||
@@ -178,7 +179,7 @@ class Adaptation {
       return parts.volume[idx(a.first)] < parts.volume[idx(b.first)];
     });
     for (auto it = solids.begin(); it != solids.end(); ++it) {
-      if (it != body) deletePart(it->second);
+      if (it != body) deletePart(parts, it->second);
     }
   }
 
@@ -189,32 +190,25 @@ class Adaptation {
     std::map<int, int> beside;  // component beside the cut → one of its vertices
     for (const Triangle& t : patch) beside.emplace(parts.ofVertex[idx(t[0])], t[0]);
     for (const auto& [component, vertex] : beside)
-      if (isMisplaced(mesh_, parts, component)) deletePart(vertex);
+      if (isMisplaced(mesh_, parts, component)) deletePart(parts, vertex);
   }
 
-  void deletePart(int v) {
+  void deletePart(const Components& parts, int v) {
     Event event;
     event.kind = EventKind::componentDeleted;
     event.iteration = settings_.iteration;
     event.location = mesh_.position(v);
+    predict(event, predictDeletion(topology_, parts, parts.ofVertex[idx(v)]));
     deleteComponent(mesh_, v);
-    countTopology(event);
     result_.events.push_back(std::move(event));
   }
 
-  //! The numbers before are known from the event before; components are counted anew only if something
-  //! changed.
-  void countTopology(Event& event) {
+  void predict(Event& event, const TopologyNumbers& after) {
     event.before = topology_;
-    const int euler = mesh_.vertexCount() - mesh_.faceCount() / 2;
-    // A handle between two components, or a deleted torus, changes them and not the Euler number.
-    if (euler != topology_.euler || event.kind == EventKind::handleInserted ||
-        event.kind == EventKind::componentDeleted)
-      topology_ = topologyNumbers(mesh_);
-    event.after = topology_;
+    event.after = topology_ = after;
   }
 
-  //! What closing one opening with caps or a band did is known only when it is done.
+  //! What closing one opening with caps does is known only when the mesh is open.
   static EventKind kindOfCut(const Event& event) {
     if (event.after.components > event.before.components) return EventKind::split;
     return event.after.genus < event.before.genus ? EventKind::tunnelClosed : EventKind::smoothed;
@@ -270,14 +264,6 @@ class Adaptation {
 };
 
 }  // namespace
-
-TopologyNumbers topologyNumbers(const Mesh& mesh) {
-  TopologyNumbers n;
-  n.components = findComponents(mesh).count();
-  n.euler = mesh.vertexCount() - mesh.faceCount() / 2;  // E = 3F / 2 on a closed mesh
-  n.genus = (2 * n.components - n.euler) / 2;
-  return n;
-}
 
 AdaptationResult adaptTopology(Mesh& mesh, std::span<const FacePair> pairs,
                                const AdaptationSettings& settings, std::vector<unsigned char>& touched) {

@@ -37,9 +37,6 @@ struct AdaptationResult {
   std::vector<Trouble> troubles;
 };
 
-//! Number of components, Euler number, genus of a closed mesh.
-TopologyNumbers topologyNumbers(const Mesh& mesh);
-
 //! Handles every group of colliding faces once. `touched` grows with the mesh; touched[v] = 1 for the
 //! vertices of every face that is new or was moved. Places listed as troubles are unchanged but for
 //! refinement, and still collide.

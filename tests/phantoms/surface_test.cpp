@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/mesh/certificate.h"
+#include "core/mesh/validity.h"
 #include "sample_volumes/labyrinths.h"
 #include "tests/phantoms/helpers.h"
 

@@ -5,7 +5,7 @@
 #include <queue>
 
 #include "core/collision/self_intersection.h"
-#include "core/mesh/certificate.h"
+#include "core/mesh/validity.h"
 #include "core/surgery/closing.h"
 #include "core/surgery/opening.h"
 

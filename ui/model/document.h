@@ -17,7 +17,7 @@
 #include "core/evolution/step_report.h"
 #include "core/io/mesh_io.h"
 #include "core/io/volume_io.h"
-#include "core/mesh/certificate.h"
+#include "core/mesh/validity.h"
 #include "core/volume/volume.h"
 #include "ui/model/candidate_choice.h"
 

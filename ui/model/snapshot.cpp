@@ -6,7 +6,6 @@
 
 #include "core/collision/certify.h"
 #include "core/collision/self_intersection.h"
-#include "core/mesh/topology.h"
 
 namespace handlebody::ui {
 
@@ -50,40 +49,6 @@ FaceState stateOf(const ActiveContour& contour, const Triangle& face, const std:
   return settled ? FaceState::settled : FaceState::moving;
 }
 
-//! Every half-edge has its opposite, and the faces around every vertex form one fan: closed, manifold and
-//! oriented.
-bool isClosedManifold(const Mesh& mesh) {
-  int corners = 0;
-  for (int v = 0; v < mesh.vertexSlots(); ++v)
-    if (mesh.isVertex(v)) mesh.forEachOutgoing(v, [&](int) { ++corners; });
-  if (corners != 3 * mesh.faceCount()) return false;
-  for (int f = 0; f < mesh.faceSlots(); ++f)
-    for (int h = 3 * f; mesh.isFace(f) && h < 3 * f + 3; ++h)
-      if (mesh.opposite(h) < 0) return false;
-  return true;
-}
-
-//! The same as examine(), an order of magnitude faster, from the mesh's own structure; without
-//! self-intersections.
-Certificate examineStructure(const Mesh& mesh) {
-  Certificate c;
-  const Components parts = findComponents(mesh);
-  c.vertices = mesh.vertexCount();
-  c.faces = mesh.faceCount();
-  c.components = parts.count();
-  c.closed = c.manifold = c.oriented = c.faces > 0 && isClosedManifold(mesh);
-  for (std::size_t i = 0; i < parts.vertices.size(); ++i) {
-    const int euler = parts.vertices[i] - parts.faces[i] / 2;  // 2 E = 3 F
-    c.euler += euler;
-    if (c.closed) c.genus.push_back((2 - euler) / 2);
-    c.volume += parts.volume[i];
-  }
-  for (int f = 0; f < mesh.faceSlots(); ++f)
-    if (mesh.isFace(f)) c.area += mesh.areaVector(f).norm() / 2;
-  c.oriented = c.oriented && c.volume > 0;
-  return c;
-}
-
 }  // namespace
 
 std::shared_ptr<const MeshSnapshot> makeSnapshot(const History& history, Checking checking) {
@@ -99,7 +64,7 @@ std::shared_ptr<const MeshSnapshot> makeSnapshot(const History& history, Checkin
     snapshot->certificate = certify(snapshot->mesh);
   } else {
     // A step leaves no self-intersections, but what says so on the screen has looked.
-    snapshot->certificate = examineStructure(contour.mesh());
+    snapshot->certificate = examine(contour.mesh());
     snapshot->certificate.selfIntersections =
         static_cast<int>(findSelfIntersections(snapshot->mesh.points, snapshot->mesh.triangles).size());
   }

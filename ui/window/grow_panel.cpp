@@ -41,6 +41,7 @@ QString faultsOf(const Certificate& c) {
   if (!c.manifold) faults << GrowPanel::tr("not manifold");
   if (!c.oriented) faults << GrowPanel::tr("not oriented");
   if (c.selfIntersections > 0) faults << GrowPanel::tr("self-intersections: %1").arg(c.selfIntersections);
+  if (c.misplaced > 0) faults << GrowPanel::tr("parts that lie wrongly in each other: %1").arg(c.misplaced);
   if (c.selfIntersections < 0) faults << GrowPanel::tr("self-intersections not checked");
   return faults.join(QStringLiteral(", "));
 }
@@ -241,7 +242,7 @@ void GrowPanel::showNumbers() {
 void GrowPanel::showCertificate() {
   const Certificate& c = document_.snapshot()->certificate;
   const bool empty = c.faces == 0;  // a surface that shrank away: nothing to certify, and nothing wrong
-  const bool passes = c.passes();
+  const bool passes = c.boundsBody();
   badge_->setText(empty    ? tr("Nothing is left of the surface")
                   : passes ? tr("✓ Closed, manifold, free of self-intersections")
                            : tr("✗ %1").arg(faultsOf(c)));

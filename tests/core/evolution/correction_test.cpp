@@ -10,7 +10,7 @@
 #include "core/evolution/shown_object.h"
 #include "core/mesh/shapes.h"
 #include "core/mesh/topology.h"
-#include "core/surgery/nesting.h"
+#include "core/mesh/nesting.h"
 #include "tests/core/evolution/contour_support.h"
 
 using namespace handlebody;

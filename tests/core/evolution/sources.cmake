@@ -9,6 +9,7 @@ target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/image_doubts_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/level_field_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/motion_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/evolution/mutation_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/neck_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/object_boundary_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/object_range_test.cpp

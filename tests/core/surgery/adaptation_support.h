@@ -8,10 +8,6 @@
 
 namespace handlebody::testing {
 
-inline bool operator==(const TopologyNumbers& a, const TopologyNumbers& b) {
-  return a.components == b.components && a.euler == b.euler && a.genus == b.genus;
-}
-
 inline std::string text(const TopologyNumbers& n) {
   return std::to_string(n.components) + " components, Euler " + std::to_string(n.euler) + ", genus " +
          std::to_string(n.genus);

@@ -1,4 +1,4 @@
-#include "core/surgery/nesting.h"
+#include "core/mesh/nesting.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

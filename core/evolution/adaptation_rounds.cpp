@@ -1,0 +1,48 @@
+#include "core/evolution/adaptation_rounds.h"
+
+#include <iterator>
+
+namespace handlebody {
+
+namespace {
+
+constexpr int kRounds = 5;
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+std::vector<unsigned char> verticesOf(const Mesh& mesh, const std::vector<FacePair>& pairs) {
+  std::vector<unsigned char> marked(idx(mesh.vertexSlots()), 0);
+  for (const auto& [f, g] : pairs)
+    for (int face : {f, g})
+      for (int v : mesh.face(face)) marked[idx(v)] = 1;
+  return marked;
+}
+
+}  // namespace
+
+void adaptInRounds(Mesh& mesh, CollisionDetector& detector, AdaptationSettings settings, double longest,
+                   Attempt& a) {
+  std::vector<unsigned char> changed = a.touched;
+  for (int round = 0; round < kRounds; ++round) {
+    const std::vector<FacePair>& pairs = detector.detectMoved(mesh, changed);
+    if (pairs.empty()) return;
+    changed = verticesOf(mesh, pairs);
+    AdaptationResult result = adaptTopology(mesh, pairs, settings, changed);
+    if (!result.events.empty()) settings.topology = result.events.back().after;
+    a.events.insert(a.events.end(), std::make_move_iterator(result.events.begin()),
+                    std::make_move_iterator(result.events.end()));
+    a.touched.resize(idx(mesh.vertexSlots()), 0);
+    changed.resize(idx(mesh.vertexSlots()), 0);
+    for (std::size_t v = 0; v < changed.size(); ++v) a.touched[v] = a.touched[v] | changed[v];
+    if (!result.troubles.empty()) {
+      a.troubles = std::move(result.troubles);
+      return;
+    }
+  }
+  for (const auto& [f, g] : detector.detectMoved(mesh, changed)) {
+    const Vec3 centre = mesh.position(mesh.face(f)[0]);
+    a.troubles.push_back({centre, 2 * longest, "the surface still intersected itself after several changes"});
+  }
+}
+
+}  // namespace handlebody

@@ -1,0 +1,143 @@
+#include "core/evolution/step_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/collision/certify.h"
+#include "core/mesh/changed_blocks.h"
+#include "core/mesh/nesting.h"
+
+namespace handlebody {
+
+namespace {
+
+constexpr double kAround = 2;  // longest edges about a fault that are taken back with it
+
+#ifdef HANDLEBODY_CHECK_WHOLE
+constexpr bool kChecksWhole = true;
+#else
+constexpr bool kChecksWhole = false;
+#endif
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+bool has(const Mesh& mesh, int v) { return v >= 0 && v < mesh.vertexSlots() && mesh.isVertex(v); }
+
+bool isTouched(const StepResult& step, int v) {
+  return idx(v) < step.touched.size() && step.touched[idx(v)] != 0;
+}
+
+Trouble troubleAt(const StepResult& step, const Vec3& place, const char* reason) {
+  return {place, kAround * step.longest, reason};
+}
+
+//! Where the vertex was when all was well, or else where it is.
+Trouble troubleAt(const StepResult& step, int vertex, const char* reason) {
+  if (has(step.before, vertex)) return troubleAt(step, step.before.position(vertex), reason);
+  if (has(step.mesh, vertex)) return troubleAt(step, step.mesh.position(vertex), reason);
+  int any = 0;
+  while (!step.before.isVertex(any)) ++any;  // there is one: what follows from nothing is nothing
+  return troubleAt(step, step.before.position(any), reason);
+}
+
+//! A fault of the numbers shows nowhere: all that the step has changed on purpose is taken back.
+std::vector<Trouble> troubleAtEvents(const StepResult& step, const char* reason) {
+  std::vector<Trouble> out;
+  for (const Event& e : step.events) {
+    Trouble t = troubleAt(step, e.location, reason);
+    for (const int size : e.loopSizes) t.radius = std::max(t.radius, size * step.longest / 4);
+    out.push_back(t);
+  }
+  if (out.empty()) out.push_back(troubleAt(step, -1, reason));
+  return out;
+}
+
+//! The numbers after the events, if each goes on from the one before.
+std::optional<TopologyNumbers> predicted(const StepResult& step) {
+  TopologyNumbers now = step.topology;
+  for (const Event& e : step.events) {
+    if (e.before != now) return std::nullopt;
+    now = e.after;
+  }
+  return now;
+}
+
+//! Where the components lie, of a surface that intersects nothing.
+std::vector<Trouble> nestingFaults(const StepResult& step, const Components& parts) {
+  std::vector<Trouble> out;
+  for (const int c : misplacedComponents(labelled(step.mesh, parts))) {
+    const auto at = std::find(parts.ofVertex.begin(), parts.ofVertex.end(), c);
+    const Vec3 place = step.mesh.position(static_cast<int>(at - parts.ofVertex.begin()));
+    out.push_back(
+        {place, parts.extent[idx(c)] + kAround * step.longest,
+         parts.volume[idx(c)] < 0 ? "a cavity lies outside of any body" : "a body lies directly in another"});
+  }
+  return out;
+}
+
+//! Without an event nothing can have joined or parted, and the Euler number is known from the counts.
+std::vector<Trouble> topologyFaults(const StepResult& step) {
+  const std::optional<TopologyNumbers> expected = predicted(step);
+  if (!expected) return troubleAtEvents(step, "the events of the step do not follow from each other");
+  const int euler = step.mesh.vertexCount() - step.mesh.faceCount() / 2;  // E = 3F / 2 on a closed mesh
+  if (euler != expected->euler)
+    return troubleAtEvents(step, "the Euler number is not the one that the events predict");
+  if (step.events.empty()) return {};
+  const bool areSeveral = expected->components > 1;
+  const Components parts = areSeveral ? findComponents(step.mesh) : Components();
+  const int components = areSeveral ? parts.count() : countComponents(step.mesh);
+  if (components != expected->components || expected->genus != (2 * components - euler) / 2)
+    return troubleAtEvents(step, "the components are not those that the events predict");
+  return areSeveral ? nestingFaults(step, parts) : std::vector<Trouble>();
+}
+
+void certifyWhole(const Mesh& mesh) {
+  if (mesh.faceCount() == 0) return;
+  if (findStructureFault(mesh) || !certify(mesh.compact()).boundsBody())
+    throw std::logic_error("A step has passed its check and left an invalid mesh.");
+}
+
+}  // namespace
+
+std::vector<Trouble> StepCheck::structureFaults(const StepResult& step) {
+  const auto fault = structure_.examineChanges(step.before, step.mesh);
+  if (!fault) return {};
+  return {troubleAt(step, fault->vertex, fault->what)};
+}
+
+//! Precondition: the structure has been examined.
+std::vector<Trouble> StepCheck::coverageFaults(const StepResult& step) const {
+  constexpr const char* kUnseen = "a part of the surface has changed that detection had not looked at";
+  for (const int f : structure_.newFaces()) {
+    const Triangle& t = step.mesh.face(f);
+    if (!isTouched(step, t[0]) && !isTouched(step, t[1]) && !isTouched(step, t[2]))
+      return {troubleAt(step, t[0], kUnseen)};
+  }
+  const int common = std::min(step.before.vertexSlots(), step.mesh.vertexSlots());
+  const int known = std::min(common, static_cast<int>(step.touched.size()));
+  const Vec3 *was = step.before.positions().data(), *is = step.mesh.positions().data();
+  int unseen = -1;
+  visitChangedBlocks(
+      common, [&](int v, int n) { return areSame(was + v, is + v, n); },
+      [&](int v) {
+        if (v < known && step.touched[idx(v)] != 0) return;
+        if (step.mesh.isVertex(v) && is[v] != was[v]) unseen = v;
+      });
+  if (unseen >= 0) return {troubleAt(step, unseen, kUnseen)};
+  return {};
+}
+
+std::vector<Trouble> StepCheck::faultsOf(const StepResult& step) {
+  std::vector<Trouble> faults = structureFaults(step);
+  if (faults.empty()) faults = coverageFaults(step);
+  if (faults.empty()) faults = topologyFaults(step);
+  if (!faults.empty()) return faults;
+  volume_ = signedVolume(step.mesh);
+  if (step.mesh.faceCount() > 0 && !(std::isfinite(volume_) && volume_ > 0))
+    return troubleAtEvents(step, "the surface does not enclose a volume");
+  if constexpr (kChecksWhole) certifyWhole(step.mesh);
+  return {};
+}
+
+}  // namespace handlebody

@@ -1,0 +1,45 @@
+#pragma once
+// What every step must fulfil before it is kept: the guarantee of the product, as code.
+
+#include <span>
+#include <vector>
+
+#include "core/mesh/structure.h"
+#include "core/surgery/topology_adaptation.h"
+
+namespace handlebody {
+
+//! What a step has left, and what it says of it.
+struct StepResult {
+  const Mesh& before;  //!< valid, slot by slot what the step started from
+  const Mesh& mesh;
+  TopologyNumbers topology;                //!< of `before`
+  std::span<const unsigned char> touched;  //!< per vertex: detection has looked at its faces as they are now
+  std::span<const Event> events;
+  double longest = 0;  //!< mm, of an edge
+};
+
+//! Looks at what a step has changed, given that all was well before:
+//! - the structure of the mesh (structure.h), wherever a face or half-edge differs from before;
+//! - detection has been asked to look at every face that is new or has moved: those that it was not asked
+//!   about cannot intersect each other, and what it found has been dealt with or rolled back;
+//! - the surface encloses a positive volume (and no coordinate is out of bounds);
+//! - Euler number, components and genus are those that the events predict, counted on the mesh;
+//! - after a change of topology, the components lie in each other as those of a body (nesting.h).
+//! Where HANDLEBODY_CHECK_WHOLE is defined (the presets for tests) the whole mesh is then certified from its
+//! triangles alone, and a fault that only this finds throws std::logic_error.
+class StepCheck {
+ public:
+  //! The places that are to be taken back, with the reasons; none if the step may be kept.
+  std::vector<Trouble> faultsOf(const StepResult& step);
+  //! mm³ enclosed by the mesh last looked at.
+  double volume() const { return volume_; }
+
+ private:
+  std::vector<Trouble> structureFaults(const StepResult& step);
+  std::vector<Trouble> coverageFaults(const StepResult& step) const;
+  StructureCheck structure_;
+  double volume_ = 0;
+};
+
+}  // namespace handlebody

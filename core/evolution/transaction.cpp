@@ -1,0 +1,37 @@
+#include "core/evolution/transaction.h"
+
+#include <algorithm>
+
+#include "core/mesh/topology.h"
+
+namespace handlebody {
+
+Attempt Transaction::tryOnce(const StepWork& work) {
+  Attempt a = work.attempt();
+  if (a.troubles.empty())
+    a.troubles = check_.faultsOf({before_, work.mesh, work.topology, a.touched, a.events, work.longest});
+  if (a.troubles.empty()) a.held = work.judge(a);
+  return a;
+}
+
+Attempt Transaction::run(const StepWork& work) {
+  before_ = work.mesh;
+  for (int tries = 1;; ++tries) {
+    Attempt a;
+    try {
+      a = tryOnce(work);
+    } catch (...) {
+      work.mesh = before_;
+      throw;
+    }
+    volume_ = check_.volume();
+    if (a.isKept()) return a;
+    work.mesh = before_;
+    std::for_each(a.troubles.begin(), a.troubles.end(), work.restAt);
+    if (tries < (a.held.empty() ? kAttempts : kHeldAttempts)) continue;
+    volume_ = signedVolume(work.mesh);
+    return a;
+  }
+}
+
+}  // namespace handlebody
