@@ -107,8 +107,15 @@ class Batch {
     while (next_ < cases_.size() && static_cast<int>(jobs_.size()) < options_.jobs &&
            !DeferSignals::isPending()) {
       const std::size_t i = next_++;
-      if (summary_.rows[i].status == CaseStatus::notRun) jobs_.push_back({i, start(cases_[i])});
+      if (summary_.rows[i].status == CaseStatus::notRun) startJob(i);
     }
+  }
+
+  void startJob(std::size_t i) try {
+    jobs_.push_back({i, start(cases_[i])});
+  } catch (const std::exception& error) {
+    fail(i, error.what());
+    say(summary_.rows[i]);
   }
 
   std::unique_ptr<CaseProcess> start(const StudyCase& c) const {
@@ -136,18 +143,19 @@ class Batch {
   }
 
   void settle(std::size_t i, const CaseEnd& end) {
-    const StudyCase& c = cases_[i];
-    if (end.exitCode == kDone || end.exitCode == kMaxIterations) {
-      try {
-        folder_.finish(c, end);
-        if (!showResult(i)) throw InputError("its report cannot be read.");
-      } catch (const InputError& error) {
-        fail(i, error.what());
-      }
-    } else {
-      fail(i, failureSentence(end, c.limits, folder_.logOfWork(c)));
-    }
+    if (end.exitCode == kDone || end.exitCode == kMaxIterations)
+      finish(i, end);
+    else
+      fail(i, failureSentence(end, cases_[i].limits, folder_.logOfWork(cases_[i])));
     say(summary_.rows[i]);
+  }
+
+  //! A full disk, say, is the failure of the case: others may have room.
+  void finish(std::size_t i, const CaseEnd& end) try {
+    folder_.finish(cases_[i], end);
+    if (!showResult(i)) fail(i, "its report cannot be read.");
+  } catch (const std::exception& error) {
+    fail(i, error.what());
   }
 
   void fail(std::size_t i, const std::string& why) {
@@ -187,6 +195,7 @@ class Batch {
                 summary_.count(CaseStatus::done), kept_, summary_.count(CaseStatus::failed),
                 summary_.count(CaseStatus::refused), summary_.count(CaseStatus::notRun),
                 folder_.absolute("index.html").c_str());
+    std::fflush(stdout);  // a signal that came ends the program without that
   }
 
   const BatchOptions& options_;

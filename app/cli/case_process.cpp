@@ -149,8 +149,10 @@ std::string failureSentence(const CaseEnd& end, const CaseLimits& limits, const 
   const std::string error = lastError(log);
   if (error.empty())
     return "it ended with exit code " + std::to_string(end.exitCode) + " and without a word.";
-  const bool isHungry = error.find("not enough memory") != std::string::npos && limits.bytes > 0;
-  return error + (isHungry ? " Its limit is " + megabytes(limits.bytes) + "." : "");
+  // The loader ends with that code when the program's libraries have no room.
+  const bool isHungry = error.find("not enough memory") != std::string::npos || end.exitCode == kNotStarted;
+  return error +
+         (isHungry && limits.bytes > 0 ? " (Its memory limit is " + megabytes(limits.bytes) + ".)" : "");
 }
 
 }  // namespace handlebody::cli

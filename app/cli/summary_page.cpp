@@ -26,7 +26,7 @@ th button:focus-visible { outline: 2px solid #1460aa; }
 th[aria-sort=ascending] button::after { content: " \25b2"; }
 th[aria-sort=descending] button::after { content: " \25bc"; }
 td.number { text-align: right; font-variant-numeric: tabular-nums; }
-td img { width: 150px; height: 125px; display: block; }
+td img { width: 240px; height: 200px; display: block; }
 tr.failed td, tr.refused td { background: #fdf0ee; }
 ul { margin: 0; padding-left: 1.1em; }
 p.notice { color: #555; }

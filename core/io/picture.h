@@ -32,7 +32,7 @@ void writePicture(const Volume& volume, const TriangleSoup& mesh, const std::str
                   const PictureOptions& options = {});
 
 //! A small picture has one pixel for so many of each row and column.
-constexpr int kThumbnailPart = 4;
+constexpr int kThumbnailPart = 5;
 
 //! The bytes of a small PNG of a picture that writePicture wrote. Throws InputError if it is none.
 std::string thumbnailOf(const std::string& picture);
