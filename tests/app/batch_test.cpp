@@ -204,12 +204,12 @@ TEST_CASE("several seeds in a cell or in columns of one name are several seeds",
 TEST_CASE("walls are a part of what was asked for, and a surface that is not finished is a result",
           "[batch]") {
   const Study s;
-  const auto makeWalls = [&](const std::string& phantom) {
-    REQUIRE(runCli({"phantom", phantom, "-o", s.folder / (phantom + ".mha"), "--truth",
-                    s.folder / "walls.mha", "--size", "40,40,40", "--spacing", "2.5,2.5,2.5"})
+  const auto makeWalls = [&](const std::string& value) {
+    REQUIRE(runCli({"segment", s.phantom.path, "--seed", s.phantom.seed, "--label-value", value, "-o",
+                    s.folder / "walls.mha"})
                 .exitCode == 0);
   };
-  makeWalls("sphere");  // and another sphere.mha
+  makeWalls("1");
   writeBytes(s.csv,
              "case,volume,seed,walls,anonymous,max-iterations\na,sphere.mha,\"8,8,8,4\",walls.mha,yes,2\n");
   REQUIRE(s.run().exitCode == 0);
@@ -218,7 +218,7 @@ TEST_CASE("walls are a part of what was asked for, and a surface that is not fin
   const std::string session = readBytes(s.file("a", "session.json"));
   CHECK(session.find(s.folder.path()) == std::string::npos);  // anonymous
   CHECK(nlohmann::json::parse(session).at("requested").at("constraints").contains("wall_map"));
-  makeWalls("dumbbell");
+  makeWalls("2");
   CHECK(s.run().out.find("1 done (0 of them before)") == 0);
 }
 
