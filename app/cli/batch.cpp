@@ -53,6 +53,7 @@ class Batch {
     for (const SummaryRow& row : summary_.rows)
       if (row.status == CaseStatus::refused) say(row);
     findDone();
+    if (DeferSignals::isPending()) return kIncomplete;  // not all that is done has been found
     while (startJobs(), !jobs_.empty() && !DeferSignals::isPending()) {
       collect();
       std::this_thread::sleep_for(std::chrono::milliseconds(10));

@@ -23,6 +23,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kRecord = "case.json";
+constexpr const char* kTemporary = ".tmp-";  // in front of a case's name
 
 [[noreturn]] void refuse(const std::string& path, const std::string& why) {
   throw OutputError(path + ": cannot be written: " + why + ".");
@@ -84,18 +85,22 @@ Json sizesOf(const StudyCase& c, const std::string& folder) {
   return sizes;
 }
 
-//! In one step where the file system can swap names; else what was there is away for a moment.
+//! In one step where the file system can swap names; else what was there is away for a moment. It is then
+//! under a name in the folder of `to` that no case has.
 void putInPlace(const std::string& from, const std::string& to) {
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return;
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_EXCHANGE) == 0) return;
+  const fs::path target(to);
+  const std::string aside =
+      (target.parent_path() / (kTemporary + std::string("~") + target.filename().string())).string();
   std::error_code ignored;
-  fs::remove_all(to, ignored);
+  fs::remove_all(aside, ignored);
+  fs::rename(target, aside, ignored);
   if (::rename(from.c_str(), to.c_str()) != 0) refuse(to, std::strerror(errno));
+  fs::remove_all(aside, ignored);
 }
 
 }  // namespace
-
-const std::string BatchFolder::kTemporary = ".tmp-";
 
 BatchFolder::BatchFolder(const std::string& path) : path_(fs::absolute(path).lexically_normal().string()) {
   if (path_.size() > 1 && path_.back() == '/') path_.pop_back();
@@ -168,6 +173,10 @@ void BatchFolder::fail(const StudyCase& c) const {
   std::error_code ignored;
   fs::rename(logOfWork(c), absolute(logOf(c)), ignored);
   abandon(c);
+}
+
+std::string BatchFolder::temporary(const StudyCase& c) const {
+  return absolute("cases/" + (kTemporary + c.name));
 }
 
 void BatchFolder::abandon(const StudyCase& c) const {

@@ -45,9 +45,8 @@ class BatchFolder {
   void abandon(const StudyCase& c) const;
 
  private:
-  std::string temporary(const StudyCase& c) const { return absolute("cases/" + kTemporary + c.name); }
+  std::string temporary(const StudyCase& c) const;
   void writeRecord(const StudyCase& c, const CaseEnd& end, const std::string& folder) const;
-  static const std::string kTemporary;
   std::string path_;
   int lock_ = -1;
 };
