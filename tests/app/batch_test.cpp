@@ -252,7 +252,20 @@ TEST_CASE("a case that is killed or has no memory is a row with its sentence", "
   expectWholeResults(s, 3);
 }
 
-TEST_CASE("a batch that is killed takes its cases with it and goes on when it is run again", "[batch]") {
+TEST_CASE("a case does not outlive a batch that is killed", "[batch]") {
+  const Study s;
+  writeBytes(s.csv, kHeader + "\n" + s.row("a"));
+  RunningCli batch(s.arguments());
+  const int child = batch.waitForChild();
+  kill(batch.process(), SIGKILL);
+  batch.wait();
+  CHECK(waitUntil([child] { return isGone(child); }));
+  // Else it has gone on to its end.
+  CHECK_FALSE(fs::exists(s.out + "/cases/.tmp-a/report.json"));
+  CHECK_FALSE(fs::exists(s.out + "/cases/a"));
+}
+
+TEST_CASE("a batch that is killed goes on when it is run again", "[batch]") {
   const Study s;
   std::string text = kHeader + "\n";
   for (const char* name : {"a", "b", "c", "d", "e"}) text += s.row(name);
