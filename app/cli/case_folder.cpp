@@ -91,8 +91,8 @@ void putInPlace(const std::string& from, const std::string& to) {
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return;
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_EXCHANGE) == 0) return;
   const fs::path target(to);
-  const std::string aside =
-      (target.parent_path() / (kTemporary + std::string("~") + target.filename().string())).string();
+  const std::string hidden = std::string(kTemporary).append("~").append(target.filename().string());
+  const std::string aside = (target.parent_path() / hidden).string();
   std::error_code ignored;
   fs::remove_all(aside, ignored);
   fs::rename(target, aside, ignored);

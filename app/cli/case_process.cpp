@@ -80,6 +80,7 @@ CaseProcess::CaseProcess(const std::vector<std::string>& arguments, const std::s
   std::vector<std::string> words{"handlebody-cli"};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   const int file = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
