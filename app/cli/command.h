@@ -19,7 +19,8 @@ enum ExitCode : int {
   kUsage = 2,          //!< also: an output cannot be written
   kInput = 3,
   kSeed = 4,
-  kMaxIterations = 5
+  kMaxIterations = 5,
+  kIncomplete = 7  //!< `batch`: some cases have no result
 };
 
 //! What a parsed command line asks for; returns the exit code and throws the errors of core/errors.h.
@@ -32,6 +33,7 @@ void addCheck(CLI::App& app, Action& action);
 void addHandles(CLI::App& app, Action& action);
 void addPhantom(CLI::App& app, Action& action);
 void addReplay(CLI::App& app, Action& action);
+void addBatch(CLI::App& app, Action& action);
 //! Not for users: see runDicomDecoder.
 void addDecode(CLI::App& app, Action& action);
 

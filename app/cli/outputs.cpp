@@ -96,6 +96,8 @@ DeferSignals::DeferSignals() {
   }
 }
 
+bool DeferSignals::isPending() { return receivedSignal != 0; }
+
 DeferSignals::~DeferSignals() {
   for (std::size_t i = 0; i < kSignals.size(); ++i) std::signal(kSignals[i], previous_[i]);
   if (receivedSignal != 0) std::raise(receivedSignal);

@@ -35,6 +35,8 @@ class DeferSignals {
   ~DeferSignals();
   DeferSignals(const DeferSignals&) = delete;
   DeferSignals& operator=(const DeferSignals&) = delete;
+  //! One came.
+  static bool isPending();
 
  private:
   std::array<void (*)(int), 3> previous_{};

@@ -1,3 +1,5 @@
+#include "app/cli/segment.h"
+
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <limits>
@@ -162,17 +164,45 @@ int segment(SegmentOptions o) {
   return run(std::move(loaded), o.outputs);
 }
 
+void addOptions(CLI::App& command, SegmentOptions& options) {
+  addInput(command, options.session.volume);
+  addClicks(command, options.clicks);
+  addParameters(command, options.session.requested);
+  addConstraints(command, options.session.constraints);
+  addRunOutputs(command, options.outputs);
+  addSpace(command, options.space);
+}
+
 }  // namespace
+
+std::vector<SegmentOption> segmentOptions() {
+  CLI::App command;
+  SegmentOptions values;
+  addOptions(command, values);
+  std::vector<SegmentOption> options;
+  for (const CLI::Option* option : command.get_options())
+    if (const auto& names = option->get_lnames(); !names.empty() && names[0] != "help")
+      options.push_back({names[0], option->get_type_name(), option->get_items_expected_max() == 0,
+                         option->get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll});
+  return options;
+}
+
+void checkSegmentArguments(const std::vector<std::string>& arguments) try {
+  CLI::App command;
+  SegmentOptions options;
+  addOptions(command, options);
+  command.parse(
+      std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // CLI11 takes them from the back
+  parseClicks(options.clicks);
+  for (const std::string& path : options.outputs.results) checkResultExtension({"--output", path});
+} catch (const CLI::ParseError& error) {
+  throw UsageError(error.what());
+}
 
 void addSegment(CLI::App& app, Action& action) {
   CLI::App* command = addCommand(app, "segment", "Grow a surface from seeds in a volume");
   auto options = std::make_shared<SegmentOptions>();
-  addInput(*command, options->session.volume);
-  addClicks(*command, options->clicks);
-  addParameters(*command, options->session.requested);
-  addConstraints(*command, options->session.constraints);
-  addRunOutputs(*command, options->outputs);
-  addSpace(*command, options->space);
+  addOptions(*command, *options);
   command->callback([&action, options] { action = [options] { return segment(*options); }; });
 }
 

@@ -15,9 +15,9 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 
 #include "core/errors.h"
+#include "core/io/address_space.h"
 
 extern char** environ;
 
@@ -48,14 +48,6 @@ int movedUp(int file) {
   const int up = ::fcntl(file, F_DUPFD_CLOEXEC, kFree);
   ::close(file);
   return up;
-}
-
-//! Bytes of address space; 0 if not known.
-std::uint64_t addressSpace(int process) {
-  std::ifstream file("/proc/" + std::to_string(process) + "/statm");
-  std::uint64_t pages = 0;
-  file >> pages;
-  return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGE_SIZE));
 }
 
 struct SpawnSetup {
@@ -187,9 +179,7 @@ Message DecoderProcess::receive(const ReadControl& control, double from, double 
 }
 
 void DecoderProcess::allowMemory(std::uint64_t bytes) {
-  // The address sanitizer reserves terabytes: nothing can be limited there.
-  constexpr std::uint64_t kSanitized = 1ull << 40;
-  if (base_ == 0 || base_ > kSanitized) return;
+  if (!canLimitAddressSpace(base_)) return;
   const rlimit limit{base_ + bytes, RLIM_INFINITY};
   ::prlimit(child_, RLIMIT_AS, &limit, nullptr);
 }

@@ -31,4 +31,10 @@ bool isPicturePath(const std::string& path);
 void writePicture(const Volume& volume, const TriangleSoup& mesh, const std::string& path,
                   const PictureOptions& options = {});
 
+//! A small picture has one pixel for so many of each row and column.
+constexpr int kThumbnailPart = 5;
+
+//! The bytes of a small PNG of a picture that writePicture wrote. Throws InputError if it is none.
+std::string thumbnailOf(const std::string& picture);
+
 }  // namespace handlebody

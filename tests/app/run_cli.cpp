@@ -6,6 +6,8 @@
 
 #include <chrono>
 #include <csignal>
+#include <fstream>
+#include <iterator>
 #include <thread>
 
 #include "tests/support/catch.h"
@@ -45,18 +47,50 @@ int exitCodeOf(pid_t child) {
 
 }  // namespace
 
-Outcome runCli(const std::vector<std::string>& arguments, int interruptAfter) {
-  const TempFolder folder;
+RunningCli::RunningCli(const std::vector<std::string>& arguments)
+    : child_(spawn(arguments, folder_ / "out", folder_ / "err")) {}
+
+RunningCli::~RunningCli() {
+  if (child_ < 0) return;
+  kill(child_, SIGKILL);
+  waitpid(child_, nullptr, 0);
+}
+
+std::vector<int> RunningCli::children() const {
+  const std::string process = std::to_string(child_);
+  std::ifstream list("/proc/" + process + "/task/" + process + "/children");
+  return {std::istream_iterator<int>(list), {}};
+}
+
+int RunningCli::waitForChild() const {
+  for (int i = 0; i < 20000; ++i) {
+    for (const int child : children()) {
+      std::ifstream file("/proc/" + std::to_string(child) + "/cmdline");
+      const std::string words(std::istreambuf_iterator<char>(file), {});
+      if (words.find("--report=") != std::string::npos) return child;  // it has been turned into the case
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  FAIL("no case has begun");
+  return -1;
+}
+
+Outcome RunningCli::wait() {
   Outcome outcome;
-  const pid_t child = spawn(arguments, folder / "out", folder / "err");
+  outcome.exitCode = exitCodeOf(child_);
+  child_ = -1;
+  outcome.out = readBytes(folder_ / "out");
+  outcome.err = readBytes(folder_ / "err");
+  return outcome;
+}
+
+Outcome runCli(const std::vector<std::string>& arguments, int interruptAfter) {
+  RunningCli run(arguments);
   if (interruptAfter > 0) {
     std::this_thread::sleep_for(std::chrono::milliseconds(interruptAfter));
-    kill(child, SIGINT);
+    kill(run.process(), SIGINT);
   }
-  outcome.exitCode = exitCodeOf(child);
-  outcome.out = readBytes(folder / "out");
-  outcome.err = readBytes(folder / "err");
-  return outcome;
+  return run.wait();
 }
 
 nlohmann::json runForJson(const std::vector<std::string>& arguments) {

@@ -14,6 +14,28 @@ struct Outcome {
   std::string out, err;
 };
 
+//! A run that goes on while the test does something else.
+class RunningCli {
+ public:
+  explicit RunningCli(const std::vector<std::string>& arguments);
+  //! Kills it if it still runs.
+  ~RunningCli();
+  RunningCli(const RunningCli&) = delete;
+  RunningCli& operator=(const RunningCli&) = delete;
+
+  int process() const { return child_; }
+  //! Processes that it has started and that still run.
+  std::vector<int> children() const;
+  //! Waits until it has started one that is at work, and gives that.
+  int waitForChild() const;
+  //! Waits for its end.
+  Outcome wait();
+
+ private:
+  TempFolder folder_;
+  int child_ = -1;
+};
+
 //! Runs the program that was built beside the tests, with nothing on its standard input.
 //! With `interruptAfter` > 0 it gets an interrupt (Ctrl-C) after so many milliseconds.
 Outcome runCli(const std::vector<std::string>& arguments, int interruptAfter = 0);

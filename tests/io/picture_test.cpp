@@ -8,6 +8,8 @@
 #include <vtkSmartPointer.h>
 
 #include <algorithm>
+#include <cmath>
+#include <fstream>
 
 #include "core/io/picture_slice.h"
 #include "tests/io/io_test_support.h"
@@ -313,4 +315,32 @@ TEST_CASE("a picture that cannot be written leaves nothing behind") {
   CHECK_THROWS_AS(writePicture(volume, {}, folder / "p.png"), OutputError);
   CHECK_THROWS_AS(writePicture(volume, {}, folder / "p.jpg"), UsageError);
   CHECK(folder.fileCount() == 1);
+}
+
+TEST_CASE("a thumbnail has the mean colours of its picture, the same way up") {
+  const TemporaryFolder folder;
+  const Grid grid = anisotropicGrid();
+  writePicture(empty(grid), sphere(centreOf(grid), 12.5, 5), folder / "p.png");
+  std::ofstream(folder / "t.png", std::ios::binary) << thumbnailOf(folder / "p.png");
+  const Png large(folder / "p.png"), small(folder / "t.png");
+  REQUIRE(small.size[0] * kThumbnailPart == large.size[0]);
+  REQUIRE(small.size[1] * kThumbnailPart == large.size[1]);
+  int wrong = 0;
+  for (int y = 0; y < small.size[1]; ++y)
+    for (int x = 0; x < small.size[0]; ++x) {
+      int sum = 0;
+      for (int i = 0; i < kThumbnailPart * kThumbnailPart; ++i)
+        sum += large.channel(x * kThumbnailPart + i % kThumbnailPart, y * kThumbnailPart + i / kThumbnailPart,
+                             0);
+      const double mean = double(sum) / (kThumbnailPart * kThumbnailPart);
+      wrong += std::abs(mean - small.channel(x, y, 0)) > 0.51 ? 1 : 0;  // rounded to a whole number
+    }
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("what is no picture of a result has no thumbnail") {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "p.png") << "no picture";
+  CHECK_THROWS_AS(thumbnailOf(folder / "p.png"), InputError);
+  CHECK_THROWS_AS(thumbnailOf(folder / "none.png"), InputError);
 }

@@ -1,0 +1,187 @@
+#include "app/cli/case_folder.h"
+
+#include <fcntl.h>
+#include <stdio.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "core/errors.h"
+#include "core/io/atomic_file.h"
+#include "core/io/json.h"
+#include "core/io/picture.h"
+#include "core/io/volume_io.h"
+
+namespace handlebody::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kRecord = "case.json";
+constexpr const char* kTemporary = ".tmp-";  // in front of a case's name
+
+[[noreturn]] void refuse(const std::string& path, const std::string& why) {
+  throw OutputError(path + ": cannot be written: " + why + ".");
+}
+
+void makeFolder(const std::string& path) {
+  std::error_code failed;
+  fs::create_directories(path, failed);
+  if (!fs::is_directory(path)) refuse(path, failed ? failed.message() : "it is not a folder");
+}
+
+//! Onto the disk: files are renamed there by what is written in the folder.
+void flushFolder(const std::string& path) {
+  const int folder = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0) refuse(path, std::strerror(errno));
+  ::fsync(folder);  // not all file systems can
+  ::close(folder);
+}
+
+//! Nothing if it cannot be read or is no JSON.
+Json readJson(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return Json::parse(file, nullptr, false);
+}
+
+//! What decides on the result, but for the voxels themselves.
+Json requestOf(const StudyCase& c) {
+  return {{"version", HANDLEBODY_VERSION}, {"options", c.options}, {"outputs", c.outputs}};
+}
+
+Json hashesOf(const StudyCase& c) {
+  Json hashes = {{"volume", sha256OfPath(c.volumePath)}};
+  if (!c.wallsPath.empty()) hashes["walls"] = sha256OfPath(c.wallsPath);
+  return hashes;
+}
+
+//! The hashes that the case found itself: a volume may be changed while a batch runs.
+Json hashesIn(const Json& report, const StudyCase& c) {
+  Json hashes = {{"volume", report.at("input").at("sha256")}};
+  if (!c.wallsPath.empty())
+    hashes["walls"] = report.at("requested").at("constraints").at("wall_map").at("sha256");
+  return hashes;
+}
+
+std::vector<std::string> filesOf(const StudyCase& c) {
+  std::vector<std::string> files = c.outputs;
+  files.insert(files.end(), {"report.json", "session.json", "picture.png", "thumbnail.png"});
+  return files;
+}
+
+Json sizesOf(const StudyCase& c, const std::string& folder) {
+  Json sizes = Json::object();
+  for (const std::string& file : filesOf(c)) {
+    std::error_code failed;
+    const auto size = fs::file_size(folder + "/" + file, failed);
+    if (failed) throw InputError(file + ": it was not written.");
+    sizes[file] = size;
+  }
+  return sizes;
+}
+
+//! In one step where the file system can swap names; else what was there is away for a moment. It is then
+//! under a name in the folder of `to` that no case has.
+void putInPlace(const std::string& from, const std::string& to) {
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return;
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_EXCHANGE) == 0) return;
+  const fs::path target(to);
+  const std::string hidden = std::string(kTemporary).append("~").append(target.filename().string());
+  const std::string aside = (target.parent_path() / hidden).string();
+  std::error_code ignored;
+  fs::remove_all(aside, ignored);
+  fs::rename(target, aside, ignored);
+  if (::rename(from.c_str(), to.c_str()) != 0) refuse(to, std::strerror(errno));
+  fs::remove_all(aside, ignored);
+}
+
+}  // namespace
+
+BatchFolder::BatchFolder(const std::string& path) : path_(fs::absolute(path).lexically_normal().string()) {
+  if (path_.size() > 1 && path_.back() == '/') path_.pop_back();
+  for (const char* part : {"cases", "failed"}) makeFolder(absolute(part));
+  const std::string lock = absolute(".lock");
+  lock_ = ::open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (lock_ < 0) refuse(lock, std::strerror(errno));
+  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
+    ::close(lock_);
+    throw UsageError(path_ + ": another batch is at work in this folder.");
+  }
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(absolute("cases")))
+    if (entry.path().filename().string().rfind(kTemporary, 0) == 0) fs::remove_all(entry.path(), ignored);
+}
+
+BatchFolder::~BatchFolder() { ::close(lock_); }
+
+bool BatchFolder::hasResults(const StudyCase& c) const {
+  return fs::exists(absolute(folderOf(c)) + "/" + kRecord);
+}
+
+bool BatchFolder::isDone(const StudyCase& c) const {
+  const std::string folder = absolute(folderOf(c));
+  if (!hasResults(c)) return false;
+  const Json record = readJson(folder + "/" + kRecord);
+  if (!record.is_object() || record.value("request", Json()) != requestOf(c)) return false;
+  try {
+    return record.value("files", Json()) == sizesOf(c, folder) &&
+           record.value("sha256", Json()) == hashesOf(c);
+  } catch (const InputError&) {  // gone meanwhile: running it will say so
+    return false;
+  }
+}
+
+std::string BatchFolder::begin(const StudyCase& c) const {
+  abandon(c);
+  makeFolder(temporary(c));
+  return temporary(c);
+}
+
+void BatchFolder::writeRecord(const StudyCase& c, const CaseEnd& end, const std::string& folder) const {
+  const Json report = readJson(folder + "/report.json");
+  if (!report.is_object()) throw InputError("report.json: it was not written.");
+  const Json record = {{"case", c.name},
+                       {"volume", c.volume},
+                       {"request", requestOf(c)},
+                       {"sha256", hashesIn(report, c)},
+                       {"files", sizesOf(c, folder)},
+                       {"exit_code", end.exitCode},
+                       {"seconds", end.seconds},
+                       {"cpu_seconds", end.cpuSeconds},
+                       {"peak_memory_mb", end.peakMegabytes}};
+  writeTextAtomically(folder + "/" + kRecord, jsonText(record));
+}
+
+void BatchFolder::finish(const StudyCase& c, const CaseEnd& end) const {
+  const std::string folder = temporary(c), target = absolute(folderOf(c));
+  writeTextAtomically(folder + "/thumbnail.png", thumbnailOf(folder + "/picture.png"));
+  writeRecord(c, end, folder);
+  flushFolder(folder);
+  putInPlace(folder, target);
+  flushFolder(absolute("cases"));
+  std::error_code ignored;
+  fs::remove_all(folder, ignored);  // what was there before
+  fs::remove(absolute(logOf(c)), ignored);
+}
+
+void BatchFolder::fail(const StudyCase& c) const {
+  std::error_code ignored;
+  fs::rename(logOfWork(c), absolute(logOf(c)), ignored);
+  abandon(c);
+}
+
+std::string BatchFolder::temporary(const StudyCase& c) const {
+  return absolute("cases/" + (kTemporary + c.name));
+}
+
+void BatchFolder::abandon(const StudyCase& c) const {
+  std::error_code ignored;
+  fs::remove_all(temporary(c), ignored);
+}
+
+}  // namespace handlebody::cli

@@ -1,0 +1,54 @@
+#pragma once
+// The folder of a batch: cases/NAME for each case that is done, failed/NAME.txt for the log of each that is
+// not. A case's folder appears whole: it is filled under a temporary name and then renamed.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/case_process.h"
+#include "app/cli/study.h"
+
+namespace handlebody::cli {
+
+class BatchFolder {
+ public:
+  //! Makes what is not there, and takes away what a batch that was killed has left half-done. Holds the
+  //! folder while it lives: throws UsageError if another batch does. Throws OutputError.
+  explicit BatchFolder(const std::string& path);
+  ~BatchFolder();
+  BatchFolder(const BatchFolder&) = delete;
+  BatchFolder& operator=(const BatchFolder&) = delete;
+
+  //! Of the results; relative to this one.
+  static std::string folderOf(const StudyCase& c) { return "cases/" + c.name; }
+  //! Of the log of a failure; relative to this one.
+  static std::string logOf(const StudyCase& c) { return "failed/" + c.name + ".txt"; }
+  std::string absolute(const std::string& relative) const { return path_ + "/" + relative; }
+
+  //! There are results, of these inputs or of others.
+  bool hasResults(const StudyCase& c) const;
+  //! There are results, by this version of the program from the same voxels and options, and no file of them
+  //! has gone or changed its size. Reads the whole volume. May be called on several threads.
+  bool isDone(const StudyCase& c) const;
+
+  //! An empty folder for a case to work in.
+  std::string begin(const StudyCase& c) const;
+  //! Where it writes what it says there.
+  std::string logOfWork(const StudyCase& c) const { return temporary(c) + "/log.txt"; }
+  //! Makes results of that folder, in one step, in place of what was there. Throws OutputError, InputError if
+  //! something is missing in it.
+  void finish(const StudyCase& c, const CaseEnd& end) const;
+  //! Keeps its log as that of a failure, and takes the rest away.
+  void fail(const StudyCase& c) const;
+  //! Takes it away.
+  void abandon(const StudyCase& c) const;
+
+ private:
+  std::string temporary(const StudyCase& c) const;
+  void writeRecord(const StudyCase& c, const CaseEnd& end, const std::string& folder) const;
+  std::string path_;
+  int lock_ = -1;
+};
+
+}  // namespace handlebody::cli

@@ -1,0 +1,168 @@
+#include "app/cli/csv.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "core/errors.h"
+
+namespace handlebody::cli {
+
+namespace {
+
+//! Length of the UTF-8 sequence at `at`; 0 if there is none. Overlong forms, surrogates and what lies beyond
+//! U+10FFFF do not count.
+std::size_t sequenceLength(const std::string& text, std::size_t at) {
+  const auto byte = [&](std::size_t i) {
+    return static_cast<unsigned char>(at + i < text.size() ? text[at + i] : 0);
+  };
+  const unsigned first = byte(0);
+  if (first < 0x80) return 1;
+  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : first >= 0xC2 ? 2 : 0;
+  if (length == 0 || first > 0xF4) return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((byte(i) & 0xC0U) != 0x80) return 0;
+  const unsigned second = byte(1);
+  const bool bad = (first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) ||
+                   (first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F);
+  return bad ? 0 : length;
+}
+
+bool isUtf8(const std::string& text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = sequenceLength(text, at);
+    if (length == 0) return false;
+    at += length;
+  }
+  return true;
+}
+
+bool isControl(char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t");
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+class CsvReader {
+ public:
+  CsvReader(const std::string& text, const std::string& path) : text_(text), path_(path) {
+    if (text.rfind("\xff\xfe", 0) == 0 || text.rfind("\xfe\xff", 0) == 0)
+      throw InputError(path + ": it is UTF-16; save it as CSV in UTF-8.");
+    if (text.rfind("\xef\xbb\xbf", 0) == 0) at_ = 3;
+  }
+
+  bool atEnd() const { return at_ >= text_.size(); }
+
+  CsvRow row() {
+    CsvRow row{line_, {}};
+    do row.cells.push_back(cell());
+    while (skip(","));
+    if (skip("\r\n") || skip("\n")) ++line_;
+    return row;
+  }
+
+ private:
+  bool isNext(const char* word) const {
+    return text_.compare(at_, std::char_traits<char>::length(word), word) == 0;
+  }
+  bool skip(const char* word) {
+    if (!isNext(word)) return false;
+    at_ += std::char_traits<char>::length(word);
+    return true;
+  }
+  bool atCellEnd() const { return atEnd() || isNext(",") || isNext("\n") || isNext("\r\n"); }
+
+  std::string toCellEnd() {
+    const std::size_t begin = at_;
+    while (!atCellEnd()) ++at_;
+    return text_.substr(begin, at_ - begin);
+  }
+
+  CsvCell cell() {
+    CsvCell cell;
+    const std::size_t begin = at_;
+    while (!atCellEnd() && (isNext(" ") || isNext("\t"))) ++at_;
+    if (skip("\"")) {
+      cell.text = quoted();
+      if (!trimmed(toCellEnd()).empty()) cell.fault = "goes on behind its closing quotation mark";
+    } else {
+      at_ = begin;
+      cell.text = trimmed(toCellEnd());
+      if (cell.text.find('"') != std::string::npos)
+        cell.fault = "has a quotation mark in it: the whole cell must be quoted, and that mark doubled";
+    }
+    if (!isUtf8(cell.text)) cell.fault = "is not UTF-8";
+    if (std::any_of(cell.text.begin(), cell.text.end(), isControl))
+      cell.fault = "has a control character or a line break in it";
+    return cell;
+  }
+
+  std::string quoted() {
+    const int begin = line_;
+    std::string content;
+    for (; !atEnd(); ++at_) {
+      if (isNext("\"") && ++at_ && !isNext("\"")) return content;
+      if (atEnd()) break;
+      if (text_[at_] == '\n') ++line_;
+      content += text_[at_];
+    }
+    throw InputError(path_ + ": line " + std::to_string(begin) + ": a quotation mark is not closed.");
+  }
+
+  const std::string& text_;
+  const std::string& path_;
+  std::size_t at_ = 0;
+  int line_ = 1;
+};
+
+bool isNumber(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+}  // namespace
+
+std::string readFile(const std::string& path) {
+  std::error_code failed;
+  if (!std::filesystem::is_regular_file(path, failed)) throw InputError(path + ": there is no such file.");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw InputError(path + ": it cannot be opened (" + std::strerror(errno) + ").");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::vector<CsvRow> parseCsv(const std::string& text, const std::string& path) {
+  CsvReader reader(text, path);
+  std::vector<CsvRow> rows;
+  while (!reader.atEnd()) {
+    CsvRow row = reader.row();
+    const auto isEmpty = [](const CsvCell& cell) { return cell.text.empty() && cell.fault.empty(); };
+    if (!std::all_of(row.cells.begin(), row.cells.end(), isEmpty)) rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::string csvLine(const std::vector<std::string>& cells) {
+  std::string line;
+  for (const std::string& cell : cells) {
+    if (&cell != &cells.front()) line += ',';
+    const bool isFormula =
+        !cell.empty() && std::string("=+-@\t\r").find(cell[0]) != std::string::npos && !isNumber(cell);
+    const std::string text = isFormula ? "'" + cell : cell;
+    if (text.find_first_of(",\"\r\n") == std::string::npos) {
+      line += text;
+      continue;
+    }
+    line += '"';
+    for (char c : text) line += c == '"' ? std::string("\"\"") : std::string(1, c);
+    line += '"';
+  }
+  return line + "\r\n";
+}
+
+}  // namespace handlebody::cli

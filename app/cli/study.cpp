@@ -1,0 +1,356 @@
+#include "app/cli/study.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <map>
+
+#include "app/cli/csv.h"
+#include "app/cli/parse.h"
+#include "app/cli/segment.h"
+#include "core/errors.h"
+
+namespace handlebody::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kLongestName = 200;  // bytes; file systems take 255, temporary names are longer
+const std::vector<std::string> kDefaultOutputs{"mesh.stl", "labels.nii.gz"};
+
+enum class ColumnKind { none, name, volume, output, timeLimit, memoryLimit, walls, option };
+
+struct Column {
+  std::string header;
+  ColumnKind kind = ColumnKind::none;
+  SegmentOption option;  //!< of ColumnKind::option
+};
+
+//! What is wrong with a cell; becomes the fault of its row.
+struct CellFault {
+  std::size_t column;
+  std::string message;
+};
+
+//! Where the results of a case go is the batch's business, and so is what it says.
+bool isForBatch(const std::string& option) {
+  static const std::vector<std::string> own{
+      "output", "report", "session", "trace", "picture", "label-description", "quiet"};
+  return std::find(own.begin(), own.end(), option) != own.end();
+}
+
+const std::map<std::string, ColumnKind>& ownColumns() {
+  static const std::map<std::string, ColumnKind> columns{{"case", ColumnKind::name},
+                                                         {"name", ColumnKind::name},
+                                                         {"volume", ColumnKind::volume},
+                                                         {"output", ColumnKind::output},
+                                                         {"time-limit", ColumnKind::timeLimit},
+                                                         {"memory-limit", ColumnKind::memoryLimit},
+                                                         {"walls", ColumnKind::walls}};
+  return columns;
+}
+
+std::string place(const CsvRow& row, std::size_t column) {
+  return "line " + std::to_string(row.line) + ", column " + std::to_string(column + 1);
+}
+
+Column columnOf(const std::string& header) {
+  if (const auto own = ownColumns().find(header); own != ownColumns().end()) return {header, own->second, {}};
+  for (const SegmentOption& option : segmentOptions())
+    if (option.name == header && !isForBatch(header)) return {header, ColumnKind::option, option};
+  return {header, ColumnKind::none, {}};
+}
+
+bool mayRepeat(const Column& column) {
+  return column.kind == ColumnKind::output || column.kind == ColumnKind::none || column.option.isRepeated;
+}
+
+//! Throws InputError for the second of a kind of which there is one, and if there is none for the volume.
+void requireColumns(const std::vector<Column>& columns, const CsvRow& row, const std::string& path) {
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (columns[i].kind == columns[j].kind && columns[i].option.name == columns[j].option.name &&
+          !mayRepeat(columns[i]))
+        throw InputError(path + ": " + place(row, i) + ": '" + columns[i].header +
+                         "' says the same as column " + std::to_string(j + 1) + ".");
+  const auto isVolume = [](const Column& c) { return c.kind == ColumnKind::volume; };
+  if (std::none_of(columns.begin(), columns.end(), isVolume))
+    throw InputError(path + ": line " + std::to_string(row.line) + ": there is no column 'volume'.");
+}
+
+std::vector<Column> readHeader(const CsvRow& row, const std::string& path) {
+  std::vector<Column> columns;
+  for (const CsvCell& cell : row.cells) {
+    const std::string where = path + ": " + place(row, columns.size()) + ": ";
+    if (!cell.fault.empty()) throw InputError(where + "the name of the column " + cell.fault + ".");
+    columns.push_back(columnOf(cell.text));
+    if (columns.back().kind != ColumnKind::none || cell.text.empty()) continue;
+    if (row.cells.size() == 1 && cell.text.find(';') != std::string::npos)
+      throw InputError(where + "its columns are separated by semicolons; commas are needed.");
+    throw InputError(where + "'" + cell.text + "' is no column; there are " + studyColumns() + ".");
+  }
+  requireColumns(columns, row, path);
+  return columns;
+}
+
+std::vector<std::string> splitAtSemicolons(const std::string& text) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(';', begin), text.size());
+    const std::size_t first = std::min(text.find_first_not_of(' ', begin), end);
+    if (first < end) parts.push_back(text.substr(first, text.find_last_not_of(' ', end - 1) - first + 1));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+//! Why it cannot be the name of a file or folder of ours; empty: it can.
+std::string nameFault(const std::string& name) {
+  if (name.empty()) return "it is empty";
+  if (name.size() > kLongestName) return "it is longer than " + std::to_string(kLongestName) + " bytes";
+  if (name.find_first_of("/\\") != std::string::npos) return "it has a slash in it";
+  // Hidden and temporary files begin with a full stop; the others mean something to a shell or a spreadsheet.
+  if (std::string(".-=+@~ ").find(name[0]) != std::string::npos)
+    return std::string("it begins with '") + name[0] + "'";
+  if (name.back() == ' ' || name.back() == '.') return "it ends in a space or a full stop";
+  return {};
+}
+
+bool isOurs(const std::string& file) {
+  return file == "report.json" || file == "session.json" || file == "picture.png" ||
+         file == "thumbnail.png" || file == "log.txt" || file == "case.json";
+}
+
+//! Path of an input; throws UsageError unless it can be read.
+std::string inputPath(const std::string& text, const fs::path& folder) {
+  const std::string path = (folder / text).lexically_normal().string();
+  std::error_code failed;
+  const fs::file_status status = fs::status(path, failed);
+  if (!fs::exists(status)) throw UsageError(path + ": there is no such file or folder");
+  if (!fs::is_regular_file(status) && !fs::is_directory(status))
+    throw UsageError(path + ": it is neither a file nor a folder");
+  if (::access(path.c_str(), R_OK) != 0)
+    throw UsageError(path + ": it cannot be read (" + std::strerror(errno) + ")");
+  return path;
+}
+
+//! The name of a volume without what says its format.
+std::string stem(const std::string& volume) {
+  fs::path name = fs::path(volume).lexically_normal();
+  if (!name.has_filename()) name = name.parent_path();
+  name = name.filename();
+  if (name.extension() == ".gz") name = name.stem();
+  return name.stem().string();
+}
+
+bool parseFlag(const std::string& text) {
+  for (const char* yes : {"1", "yes", "true"})
+    if (text == yes) return true;
+  for (const char* no : {"0", "no", "false"})
+    if (text == no) return false;
+  throw UsageError("'" + text + "' is not yes or no");
+}
+
+//! One row on its way to a case.
+class RowReader {
+ public:
+  RowReader(const std::vector<Column>& columns, const fs::path& folder, const CaseLimits& limits)
+      : columns_(columns), folder_(folder) {
+    case_.limits = limits;
+  }
+
+  StudyCase read(const CsvRow& row) {
+    case_.line = row.line;
+    try {
+      nameFirst(row);
+      requireCells(row);
+      for (at_ = 0; at_ < columns_.size(); ++at_)
+        if (at_ < row.cells.size()) take(columns_[at_], row.cells[at_].text);
+      finish();
+    } catch (const UsageError& error) {
+      refuse(row, at_, error.what());
+    } catch (const CellFault& fault) {
+      refuse(row, fault.column, fault.message);
+    }
+    return case_;
+  }
+
+ private:
+  //! Whatever is wrong with the rest: the summary names the case and its volume.
+  void nameFirst(const CsvRow& row) {
+    for (std::size_t i = 0; i < std::min(row.cells.size(), columns_.size()); ++i) {
+      if (columns_[i].kind == ColumnKind::name && row.cells[i].fault.empty()) case_.name = row.cells[i].text;
+      if (columns_[i].kind == ColumnKind::volume && row.cells[i].fault.empty())
+        case_.volume = row.cells[i].text;
+    }
+    const auto isName = [](const Column& c) { return c.kind == ColumnKind::name; };
+    if (std::none_of(columns_.begin(), columns_.end(), isName)) case_.name = stem(case_.volume);
+  }
+
+  void requireCells(const CsvRow& row) const {
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+      if (!row.cells[i].fault.empty()) throw CellFault{i, "the cell " + row.cells[i].fault};
+      const bool isExtra = i >= columns_.size() || columns_[i].header.empty();
+      if (isExtra && !row.cells[i].text.empty())
+        throw CellFault{i, "there is no column of a name over '" + row.cells[i].text +
+                               "' (values with commas must be quoted)"};
+    }
+  }
+
+  void take(const Column& column, const std::string& text) {
+    if (column.kind == ColumnKind::volume && text.empty()) throw UsageError("there is no volume");
+    if (text.empty()) return;
+    switch (column.kind) {
+      case ColumnKind::volume:
+        case_.volumePath = inputPath(text, folder_);
+        break;
+      case ColumnKind::walls:
+        case_.wallsPath = inputPath(text, folder_);
+        break;
+      case ColumnKind::output:
+        takeOutputs(text);
+        break;
+      case ColumnKind::timeLimit:
+        case_.limits.seconds = parseTimeLimit(column.header, text);
+        break;
+      case ColumnKind::memoryLimit:
+        case_.limits.bytes = parseMemoryLimit(column.header, text);
+        break;
+      case ColumnKind::option:
+        takeOption(column, text);
+        break;
+      case ColumnKind::name:
+      case ColumnKind::none:
+        break;
+    }
+  }
+
+  void takeOutputs(const std::string& text) {
+    for (const std::string& file : splitAtSemicolons(text)) {
+      if (const std::string fault = nameFault(file); !fault.empty())
+        throw UsageError("'" + file + "' is no name of a file: " + fault);
+      if (isOurs(file)) throw UsageError("'" + file + "' is written anyway");
+      if (std::find(case_.outputs.begin(), case_.outputs.end(), file) != case_.outputs.end())
+        throw UsageError("'" + file + "' is named twice");
+      case_.outputs.push_back(file);
+    }
+  }
+
+  void takeOption(const Column& column, const std::string& text) {
+    const std::string option = "--" + column.header;
+    if (column.option.isFlag) {
+      if (parseFlag(text)) case_.options.push_back(option);
+      return;
+    }
+    const std::vector<std::string> values =
+        column.option.isRepeated ? splitAtSemicolons(text) : std::vector{text};
+    for (const std::string& value : values) case_.options.push_back(option + "=" + value);
+  }
+
+  void finish() {
+    at_ = columnOfKind(ColumnKind::volume);
+    if (case_.volumePath.empty()) throw UsageError("there is no volume");
+    if (case_.outputs.empty()) case_.outputs = kDefaultOutputs;
+    at_ = columnOfKind(ColumnKind::name);
+    if (const std::string fault = nameFault(case_.name); !fault.empty())
+      throw UsageError("'" + case_.name + "' cannot name the case: " + fault);
+    checkArguments();
+  }
+
+  //! With the column that a message begins with.
+  void checkArguments() {
+    std::vector<std::string> arguments{case_.volumePath};
+    arguments.insert(arguments.end(), case_.options.begin(), case_.options.end());
+    for (const std::string& file : case_.outputs) arguments.push_back("--output=" + file);
+    try {
+      checkSegmentArguments(arguments);
+    } catch (const UsageError& error) {
+      const std::string message = error.what();
+      for (std::size_t i = 0; i < columns_.size(); ++i)
+        if (const std::string begin = "--" + columns_[i].header;
+            !columns_[i].header.empty() && message.rfind(begin + ": ", 0) == 0)
+          throw CellFault{i, message.substr(begin.size() + 2)};
+      throw CellFault{message.rfind("--output", 0) == 0 ? columnOfKind(ColumnKind::output) : columns_.size(),
+                      message};
+    }
+  }
+
+  //! As many as there are: none.
+  std::size_t columnOfKind(ColumnKind kind) const {
+    const auto found =
+        std::find_if(columns_.begin(), columns_.end(), [kind](const Column& c) { return c.kind == kind; });
+    return static_cast<std::size_t>(found - columns_.begin());
+  }
+
+  void refuse(const CsvRow& row, std::size_t column, const std::string& why) {
+    std::string text = "line " + std::to_string(row.line);
+    if (column < columns_.size() || column < row.cells.size()) text = place(row, column);
+    if (column < columns_.size() && !columns_[column].header.empty())
+      text += " (" + columns_[column].header + ")";
+    // The column has been named.
+    const std::string named = column < columns_.size() ? columns_[column].header + ": " : "";
+    const std::string rest = !named.empty() && why.rfind(named, 0) == 0 ? why.substr(named.size()) : why;
+    case_.fault = text + ": " + rest + (why.back() == '.' ? "" : ".");
+  }
+
+  const std::vector<Column>& columns_;
+  fs::path folder_;
+  StudyCase case_;
+  std::size_t at_ = 0;
+};
+
+void refuseNamesakes(std::vector<StudyCase>& cases) {
+  std::map<std::string, int> lines;
+  for (StudyCase& c : cases) {
+    const auto [first, isNew] = lines.emplace(c.name, c.line);
+    if (!isNew && c.fault.empty())
+      c.fault = "line " + std::to_string(c.line) + ": '" + c.name + "' is the name of the case of line " +
+                std::to_string(first->second) + ", too.";
+  }
+}
+
+}  // namespace
+
+std::string studyColumns() {
+  std::string text =
+      "volume, case (or name), output, time-limit, memory-limit, and of the options of segment ";
+  bool isFirst = true;
+  for (const SegmentOption& option : segmentOptions()) {
+    if (isForBatch(option.name)) continue;
+    text += (isFirst ? "" : ", ") + option.name;
+    isFirst = false;
+  }
+  return text;
+}
+
+std::vector<StudyCase> readStudy(const std::string& path, const CaseLimits& limits) {
+  const std::vector<CsvRow> rows = parseCsv(readFile(path), path);
+  if (rows.empty()) throw InputError(path + ": it is empty; its first line names the columns.");
+  const std::vector<Column> columns = readHeader(rows[0], path);
+  if (rows.size() == 1) throw InputError(path + ": it has no rows under the names of the columns.");
+  const fs::path folder = fs::absolute(path).parent_path();
+  std::vector<StudyCase> cases;
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    cases.push_back(RowReader(columns, folder, limits).read(rows[i]));
+  refuseNamesakes(cases);
+  return cases;
+}
+
+double parseTimeLimit(const std::string& option, const std::string& text) {
+  const double seconds = parseNumber(option, text);
+  if (!(seconds >= 0) || !std::isfinite(seconds))
+    throw UsageError(option + ": '" + text + "' is below 0 or infinite.");
+  return seconds;
+}
+
+std::uint64_t parseMemoryLimit(const std::string& option, const std::string& text) {
+  constexpr int kMost = 1 << 30;  // a petabyte
+  return static_cast<std::uint64_t>(parseInteger(option, text, 0, kMost)) << 20U;
+}
+
+}  // namespace handlebody::cli

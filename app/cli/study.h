@@ -1,0 +1,39 @@
+#pragma once
+// The study of `batch`: a CSV file, one row a case.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace handlebody::cli {
+
+//! What a case may take. 0: as much as there is.
+struct CaseLimits {
+  double seconds = 0;       //!< by the clock
+  std::uint64_t bytes = 0;  //!< of address space
+};
+
+struct StudyCase {
+  int line = 0;                       //!< of the CSV file
+  std::string name;                   //!< of its folder
+  std::string volume;                 //!< as the file says it
+  std::string volumePath, wallsPath;  //!< absolute; no walls: empty
+  std::vector<std::string> options;   //!< of `segment`, --NAME=VALUE, without volume, walls and outputs
+  std::vector<std::string> outputs;   //!< names of files in its folder
+  CaseLimits limits;
+  std::string fault;  //!< a sentence with line and column why it cannot run; empty: it can
+};
+
+//! The names of the columns, for messages and help.
+std::string studyColumns();
+
+//! Reads and checks all rows; `limits` are those of the rows that give none. Relative paths are taken from
+//! the folder of the CSV file. Throws InputError if there are no rows to tell: the file cannot be read, a
+//! column is not known or missing, a quotation mark is not closed.
+std::vector<StudyCase> readStudy(const std::string& path, const CaseLimits& limits);
+
+//! Seconds, and megabytes as bytes; 0: no limit. Throw UsageError that names the option.
+double parseTimeLimit(const std::string& option, const std::string& text);
+std::uint64_t parseMemoryLimit(const std::string& option, const std::string& text);
+
+}  // namespace handlebody::cli

@@ -1,0 +1,352 @@
+// The subcommand `batch`, through the real executable: what is refused, what is kept, and what becomes of it
+// when processes are killed.
+
+#include <signal.h>
+#include <sys/stat.h>
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <thread>
+
+#include "tests/app/run_cli.h"
+#include "tests/support/catch.h"
+
+using namespace handlebody::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kIncomplete = 7;
+
+//! A folder with a phantom, in which studies are run.
+struct Study {
+  TempFolder folder;
+  PhantomFile phantom = makePhantomFile(folder);
+  std::string csv = folder / "study.csv", out = folder / "out";
+
+  //! A row that works.
+  std::string row(const std::string& name, const std::string& more = "") const {
+    return name + ",sphere.mha,\"" + phantom.seed + "\"" + more + "\n";
+  }
+  std::vector<std::string> arguments(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> all{"batch", csv, "-o", out};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+  Outcome run(const std::vector<std::string>& more = {}) const { return runCli(arguments(more)); }
+  nlohmann::json summary() const { return nlohmann::json::parse(readBytes(out + "/summary.json")); }
+  nlohmann::json row(std::size_t i) const { return summary().at("cases").at(i); }
+  std::string file(const std::string& name, const std::string& of = "mesh.stl") const {
+    return out + "/cases/" + name + "/" + of;
+  }
+};
+
+const std::string kHeader = "case,volume,seed";
+
+//! Of the inode: another one says that the folder was made anew.
+ino_t identity(const std::string& path) {
+  struct stat status {};
+  REQUIRE(stat(path.c_str(), &status) == 0);
+  return status.st_ino;
+}
+
+//! Every folder of a case has all of its files, and its record tells their sizes; nothing else lies about.
+void expectWholeResults(const Study& study, std::size_t most) {
+  std::size_t count = 0;
+  for (const auto& entry : fs::directory_iterator(study.out + "/cases")) {
+    INFO(entry.path());
+    REQUIRE(fs::exists(entry.path() / "case.json"));
+    const auto record = nlohmann::json::parse(readBytes(entry.path() / "case.json"));
+    CHECK(record.at("files").size() == 6);
+    for (const auto& [name, size] : record.at("files").items())
+      CHECK(fs::file_size(entry.path() / name) == size);
+    ++count;
+  }
+  CHECK(count <= most);
+}
+
+void removeTemporaries(const Study& study) {
+  for (const auto& entry : fs::directory_iterator(study.out + "/cases"))
+    if (entry.path().filename().string().rfind(".tmp-", 0) == 0) fs::remove_all(entry.path());
+}
+
+bool waitUntil(const std::function<bool()>& condition, int seconds = 30) {
+  for (int i = 0; i < 500 * seconds && !condition(); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  return condition();
+}
+
+bool isGone(int process) {  // or waits to be buried
+  const std::string path = "/proc/" + std::to_string(process) + "/stat";
+  if (!fs::exists(path)) return true;
+  const std::string stat = readBytes(path);
+  return stat.find(") Z") != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("a batch gives the same bits as single runs, with any number of jobs", "[batch]") {
+  const Study s;
+  writeBytes(s.csv, "\xef\xbb\xbf" + kHeader + ",output,smoothing\r\n" + s.row("a", ",mesh.stl;l.nii.gz,") +
+                        s.row("b", ",mesh.stl,0.5"));
+  const Outcome outcome = s.run({"--jobs", "2"});
+  INFO(outcome.err);
+  REQUIRE(outcome.exitCode == 0);
+  const std::string mesh = s.folder / "single.stl", labels = s.folder / "single.nii.gz";
+  REQUIRE(runCli({"segment", s.phantom.path, "--seed", s.phantom.seed, "-o", mesh, "-o", labels}).exitCode ==
+          0);
+  CHECK(readBytes(mesh) == readBytes(s.file("a")));
+  CHECK(readBytes(labels) == readBytes(s.file("a", "l.nii.gz")));
+  REQUIRE(runCli({"segment", s.phantom.path, "--seed", s.phantom.seed, "--smoothing", "0.5", "-o", mesh})
+              .exitCode == 0);
+  CHECK(readBytes(mesh) == readBytes(s.file("b")));
+  CHECK(runCli({"replay", s.file("a", "session.json"), "-o", mesh}).exitCode == 0);  // it finds its volume
+  CHECK(readBytes(mesh) == readBytes(s.file("a")));
+}
+
+TEST_CASE("a batch keeps what is done and repeats what has changed", "[batch]") {
+  const Study s;
+  writeBytes(s.csv, kHeader + ",curvature\n" + s.row("a", ",") + s.row("b", ",0.2"));
+  REQUIRE(s.run().exitCode == 0);
+  const ino_t a = identity(s.out + "/cases/a"), b = identity(s.out + "/cases/b");
+  const std::string before = readBytes(s.out + "/summary.csv");
+
+  CHECK(s.run().out.find("2 done (2 of them before)") == 0);
+  CHECK(readBytes(s.out + "/summary.csv") == before);
+  writeBytes(s.csv, kHeader + ",curvature\n" + s.row("a", ",") + s.row("b", ",0.3"));
+  CHECK(s.run().out.find("2 done (1 of them before)") == 0);
+  CHECK(identity(s.out + "/cases/a") == a);
+  CHECK(identity(s.out + "/cases/b") != b);
+
+  SECTION("a result that was tampered with is made again") {
+    fs::resize_file(s.file("a"), 100);
+    CHECK(s.run().out.find("2 done (1 of them before)") == 0);
+    CHECK(fs::file_size(s.file("a")) > 100);
+  }
+  SECTION("other voxels under the same name") {
+    makePhantomFile(s.folder, "sphere.mha", {"--noise", "0.05"});
+    CHECK(s.run().out.find("2 done (0 of them before)") == 0);
+  }
+  SECTION("a record that is damaged") {
+    writeBytes(s.file("a", "case.json"), "{\"request\": 3");
+    CHECK(s.run().out.find("2 done (1 of them before)") == 0);
+  }
+  expectWholeResults(s, 2);
+}
+
+TEST_CASE("every bad row is a row with line, column and sentence, and the others run", "[batch]") {
+  const Study s;
+  REQUIRE(mkfifo((s.folder / "pipe.mha").c_str(), 0600) == 0);
+  writeBytes(s.csv, kHeader + ",object,time-limit,anonymous,output\n" + s.row("good", ",,,,") +
+                        "gone,nothing.mha,\"1,1,1\",,,,\n" + s.row("purple", ",purple,,,") +
+                        s.row("good", ",,,,") + "no-seed,sphere.mha,,,,,\n" + s.row("../up", ",,,,") +
+                        s.row("=1+1", ",,,,") + s.row("late", ",,soon,,") + s.row("flag", ",,,maybe,") +
+                        s.row("ending", ",,,,x.doc") + s.row("slash", ",,,,../x.stl") +
+                        "pipe,pipe.mha,\"1,1,1\",,,,\n" + "raw,sphere.mha,\"1,1\"x,,,,\n" +
+                        "extra,sphere.mha,\"1,1,1\",,,,,more\n" + ",sphere.mha,\"1,1,1\",,,,\n");
+  const Outcome outcome = s.run();
+  CHECK(outcome.exitCode == kIncomplete);
+  const auto cases = s.summary().at("cases");
+  REQUIRE(cases.size() == 15);
+  CHECK(cases[0]["status"] == "done");
+  const std::vector<std::pair<int, std::string>> expected{
+      {3, ", column 2 (volume): "},
+      {4, ", column 4 (object): 'purple' is not auto, dark or bright."},
+      {5, ": 'good' is the name of the case of line 2, too."},
+      {6, ": segment needs a --seed"},
+      {7, ", column 1 (case): '../up'"},
+      {8, ", column 1 (case): '=1+1'"},
+      {9, ", column 5 (time-limit): 'soon'"},
+      {10, ", column 6 (anonymous): 'maybe'"},
+      {11, ", column 7 (output): "},
+      {12, ", column 7 (output): '../x.stl'"},
+      {13, ", column 2 (volume): "},
+      {14, ", column 3 (seed): "},
+      {15, ", column 8: "},
+      {16, ", column 1 (case): "}};
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const std::string message = cases[i + 1]["message"];
+    CHECK(cases[i + 1]["status"] == "refused");
+    CHECK(message.find("line " + std::to_string(expected[i].first) + expected[i].second) == 0);
+    CHECK(message.back() == '.');
+    CHECK(outcome.err.find(message) != std::string::npos);
+  }
+  expectWholeResults(s, 1);
+}
+
+TEST_CASE("a study that cannot be told is refused whole, before anything is made", "[batch]") {
+  const Study s;
+  for (const std::string text :
+       {"", "case,volume,seed\n", "case,seed\na,\"1,1,1\"\n", "case,volume,sed\na,b,c\n",
+        "case;volume;seed\na;b;c\n", "volume,volume\na,b\n", "case,name,volume\na,b,c\n",
+        "volume,output,report\na,b,c\n", "case,volume\n\"a,b\n"}) {
+    INFO(text);
+    writeBytes(s.csv, text);
+    const Outcome outcome = s.run();
+    CHECK(outcome.exitCode == 3);
+    CHECK(outcome.err.find("study.csv: ") != std::string::npos);
+    CHECK_FALSE(fs::exists(s.out));
+  }
+  CHECK(runCli({"batch", s.folder / "none.csv", "-o", s.out}).exitCode == 3);
+  CHECK(s.run({"--jobs", "0"}).exitCode == 2);
+}
+
+TEST_CASE("several seeds in a cell or in columns of one name are several seeds", "[batch]") {
+  const Study s;
+  writeBytes(s.csv, "volume,seed,seed\nsphere.mha,\"" + s.phantom.seed + " ; 40,40,40,4\",\"44,40,40,4\"\n");
+  REQUIRE(s.run().exitCode == 0);
+  CHECK(
+      nlohmann::json::parse(readBytes(s.file("sphere", "report.json"))).at("requested").at("seeds").size() ==
+      3);
+}
+
+TEST_CASE("walls are a part of what was asked for, and a surface that is not finished is a result",
+          "[batch]") {
+  const Study s;
+  const auto makeWalls = [&](const std::string& value) {
+    REQUIRE(runCli({"segment", s.phantom.path, "--seed", s.phantom.seed, "--label-value", value, "-o",
+                    s.folder / "walls.mha"})
+                .exitCode == 0);
+  };
+  makeWalls("1");
+  writeBytes(s.csv,
+             "case,volume,seed,walls,anonymous,max-iterations\na,sphere.mha,\"8,8,8,4\",walls.mha,yes,2\n");
+  REQUIRE(s.run().exitCode == 0);
+  CHECK(s.row(0).at("measures").at("stopped") == "max-iterations");
+  CHECK(s.run().out.find("1 done (1 of them before)") == 0);
+  const std::string session = readBytes(s.file("a", "session.json"));
+  CHECK(session.find(s.folder.path()) == std::string::npos);  // anonymous
+  CHECK(nlohmann::json::parse(session).at("requested").at("constraints").contains("wall_map"));
+  makeWalls("2");
+  CHECK(s.run().out.find("1 done (0 of them before)") == 0);
+}
+
+TEST_CASE("a case that hangs is stopped at its time limit, and the others run", "[batch]") {
+  const Study s;
+  writeBytes(s.csv, kHeader + ",time-limit\n" + s.row("hangs", ",1.5") + s.row("works", ","));
+  RunningCli batch(s.arguments());
+  kill(batch.waitForChild(), SIGSTOP);  // it does nothing any more, whatever it is asked
+  CHECK(batch.wait().exitCode == kIncomplete);
+  CHECK(s.row(0).at("status") == "failed");
+  CHECK(s.row(0).at("message") == "it was stopped at its time limit of 1.5 s.");
+  CHECK(s.row(1).at("status") == "done");
+  CHECK(s.run().exitCode == 0);
+  CHECK_FALSE(fs::exists(s.out + "/failed/hangs.txt"));
+  expectWholeResults(s, 2);
+}
+
+TEST_CASE("a case that is killed or has no memory is a row with its sentence", "[batch]") {
+  const Study s;
+  writeBytes(s.csv, kHeader + ",memory-limit\n" + s.row("killed", ",") + s.row("hungry", ",20") +
+                        s.row("works", ","));
+  RunningCli batch(s.arguments());
+  kill(batch.waitForChild(), SIGKILL);
+  CHECK(batch.wait().exitCode == kIncomplete);
+  CHECK(s.row(0).at("message").get<std::string>().find("it was killed") == 0);
+#ifndef __SANITIZE_ADDRESS__
+  CHECK(s.row(1).at("message").get<std::string>().find("20 MB") != std::string::npos);
+  CHECK(fs::exists(s.out + "/" + s.row(1).at("log").get<std::string>()));
+#endif
+  CHECK(s.row(2).at("status") == "done");
+  expectWholeResults(s, 3);
+}
+
+TEST_CASE("a case does not outlive a batch that is killed", "[batch]") {
+  const Study s;
+  writeBytes(s.csv, kHeader + "\n" + s.row("a"));
+  RunningCli batch(s.arguments());
+  const int child = batch.waitForChild();
+  kill(batch.process(), SIGKILL);
+  batch.wait();
+  CHECK(waitUntil([child] { return isGone(child); }));
+  // Else it has gone on to its end.
+  CHECK_FALSE(fs::exists(s.out + "/cases/.tmp-a/report.json"));
+  CHECK_FALSE(fs::exists(s.out + "/cases/a"));
+}
+
+TEST_CASE("a batch that is killed goes on when it is run again", "[batch]") {
+  const Study s;
+  std::string text = kHeader + "\n";
+  for (const char* name : {"a", "b", "c", "d", "e"}) text += s.row(name);
+  writeBytes(s.csv, text);
+  std::vector<ino_t> kept;
+  {
+    RunningCli batch(s.arguments({"--jobs", "2"}));
+    REQUIRE(waitUntil([&] { return fs::exists(s.file("a", "case.json")); }));
+    const std::vector<int> children{batch.waitForChild()};
+    kill(batch.process(), SIGKILL);
+    CHECK(batch.wait().exitCode == -SIGKILL);
+    for (int child : children) CHECK(waitUntil([child] { return isGone(child); }));
+    removeTemporaries(s);
+    expectWholeResults(s, 4);  // nothing half-written among what has a name
+  }
+  const ino_t a = identity(s.out + "/cases/a");
+  fs::create_directories(s.out + "/cases/.tmp-e/rest");  // as a batch leaves it that is killed later
+  const Outcome again = s.run();
+  CHECK(again.exitCode == 0);
+  CHECK(again.out.find("5 done (") == 0);
+  CHECK(again.out.find("(0 of them before)") == std::string::npos);
+  CHECK(identity(s.out + "/cases/a") == a);
+  expectWholeResults(s, 5);
+}
+
+TEST_CASE("an interrupt stops a batch cleanly", "[batch]") {
+  const Study s;
+  std::string text = kHeader + "\n";
+  for (const char* name : {"a", "b", "c", "d", "e"}) text += s.row(name);
+  writeBytes(s.csv, text);
+  RunningCli batch(s.arguments());
+  REQUIRE(waitUntil([&] { return fs::exists(s.file("a", "case.json")); }));
+  const int child = batch.waitForChild();
+  kill(batch.process(), SIGINT);
+  const Outcome outcome = batch.wait();
+  CHECK(outcome.exitCode == -SIGINT);
+  CHECK(outcome.out.find("not run") != std::string::npos);
+  CHECK(isGone(child));
+  expectWholeResults(s, 4);
+  CHECK(s.row(0).at("status") == "done");
+  CHECK(s.row(4).at("status") == "not run");
+}
+
+TEST_CASE("two batches do not work in one folder", "[batch]") {
+  const Study s;
+  writeBytes(s.csv, kHeader + "\n" + s.row("a"));
+  RunningCli batch(s.arguments());
+  kill(batch.waitForChild(), SIGSTOP);
+  const Outcome second = s.run();
+  CHECK(second.exitCode == 2);
+  CHECK(second.err.find("another batch") != std::string::npos);
+}
+
+TEST_CASE("a hundred cases with three bad rows, two kills and a resume", "[.][slow][batch-slow]") {
+  const Study s;
+  std::string text = kHeader + ",balloon\n";
+  for (int i = 0; i < 100; ++i) {
+    const std::string weight = i % 33 == 7 ? ",heavy" : "," + std::to_string(1 + i % 5 * 0.1);
+    text += s.row("case" + std::to_string(i), weight);
+  }
+  writeBytes(s.csv, text);
+  for (const int after : {20, 60}) {
+    RunningCli batch(s.arguments({"--jobs", "2"}));
+    REQUIRE(waitUntil([&] { return fs::exists(s.file("case" + std::to_string(after), "case.json")); }, 300));
+    kill(batch.process(), SIGKILL);
+    batch.wait();
+  }
+  const Outcome last = s.run({"--jobs", "2"});
+  CHECK(last.exitCode == kIncomplete);
+  CHECK(std::stoi(last.out.substr(last.out.find('(') + 1)) >=
+        58);  // of those before the second kill, none again
+  const auto counts = s.summary().at("counts");
+  CHECK(counts.at("done") == 97);
+  CHECK(counts.at("refused") == 3);
+  expectWholeResults(s, 97);
+  for (int i = 0; i < 5; ++i) {  // the five kinds of case
+    const std::string mesh = s.folder / "single.stl";
+    REQUIRE(runCli({"segment", s.phantom.path, "--seed", s.phantom.seed, "--balloon",
+                    std::to_string(1 + i * 0.1), "-o", mesh})
+                .exitCode == 0);
+    for (int j = i; j < 100; j += 5)
+      if (j % 33 != 7) CHECK(readBytes(mesh) == readBytes(s.file("case" + std::to_string(j))));
+  }
+}
