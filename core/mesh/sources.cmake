@@ -1,6 +1,12 @@
 target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/mesh/validity.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/mesh.cpp
+  ${CMAKE_SOURCE_DIR}/core/mesh/tunnels.cpp
+  ${CMAKE_SOURCE_DIR}/core/mesh/tree_cotree.cpp
+  ${CMAKE_SOURCE_DIR}/core/mesh/loop_tightening.cpp
+  ${CMAKE_SOURCE_DIR}/core/mesh/loop_search.cpp
+  ${CMAKE_SOURCE_DIR}/core/mesh/linking.cpp
+  ${CMAKE_SOURCE_DIR}/core/mesh/loop_classes.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/morton_order.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/nesting.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/plane_section.cpp

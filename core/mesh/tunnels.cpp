@@ -1,0 +1,220 @@
+#include "core/mesh/tunnels.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/mesh/topology.h"
+
+namespace handlebody {
+
+namespace {
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+constexpr int kFirstBases = 12, kMostBases = 240;  // spread over the surface
+constexpr int kBasesPerLoop = 8;
+constexpr int kRounds = 3;          // of searches from the loops found so far
+constexpr double kProgress = 0.98;  // of the total length, below which another round follows
+
+//! One component as a mesh of its own.
+struct Part {
+  Mesh mesh;
+  std::vector<int> slots;  // of its vertices in the whole mesh
+};
+
+Part partOf(const Mesh& mesh, const Components& parts, int component) {
+  Part out;
+  TriangleSoup soup;
+  std::vector<int> number(idx(mesh.vertexSlots()), -1);
+  for (int v = 0; v < mesh.vertexSlots(); ++v) {
+    if (parts.ofVertex[idx(v)] != component) continue;
+    number[idx(v)] = static_cast<int>(out.slots.size());
+    out.slots.push_back(v);
+    soup.points.push_back(mesh.position(v));
+  }
+  for (const Triangle& t : mesh.faces())
+    if (t[0] >= 0 && number[idx(t[0])] >= 0)
+      soup.triangles.push_back({number[idx(t[0])], number[idx(t[1])], number[idx(t[2])]});
+  out.mesh = Mesh(soup);
+  return out;
+}
+
+//! Which tunnel loop each handle loop is paired with: one that it meets an odd number of times. There is
+//! always such a matching of all, since the intersection form is not singular modulo 2 (Kuhn's method).
+class Pairing {
+ public:
+  Pairing(const Mesh& mesh, const LoopClasses& classes, const std::vector<EdgeLoop>& handles,
+          const std::vector<EdgeLoop>& tunnels)
+      : choices_(handles.size()), ofTunnel_(tunnels.size(), -1) {
+    for (std::size_t h = 0; h < handles.size(); ++h) {
+      std::vector<std::pair<double, int>> near;  // those met once and close by first
+      for (std::size_t t = 0; t < tunnels.size(); ++t) {
+        const auto n = classes.intersections(handles[h].coordinates, tunnels[t].coordinates);
+        if (n % 2 != 0)
+          near.emplace_back(static_cast<double>(n - 1) * 1e6 + gap(mesh, handles[h], tunnels[t]),
+                            static_cast<int>(t));
+      }
+      std::sort(near.begin(), near.end());
+      for (const auto& [cost, t] : near) choices_[h].push_back(t);
+    }
+    for (std::size_t h = 0; h < handles.size(); ++h) {
+      tried_.assign(tunnels.size(), 0);
+      place(static_cast<int>(h));
+    }
+  }
+  //! Per tunnel loop its handle loop, or -1.
+  const std::vector<int>& ofTunnel() const { return ofTunnel_; }
+
+ private:
+  static Vec3 middle(const Mesh& mesh, const EdgeLoop& loop) {
+    Vec3 sum(0, 0, 0);
+    for (const int v : loop.vertices) sum += mesh.position(v);
+    return sum / static_cast<double>(loop.vertices.size());
+  }
+  static double gap(const Mesh& mesh, const EdgeLoop& a, const EdgeLoop& b) {
+    return (middle(mesh, a) - middle(mesh, b)).norm();
+  }
+  bool place(int h) {
+    for (const int t : choices_[idx(h)]) {
+      if (tried_[idx(t)] != 0) continue;
+      tried_[idx(t)] = 1;
+      if (ofTunnel_[idx(t)] >= 0 && !place(ofTunnel_[idx(t)])) continue;
+      ofTunnel_[idx(t)] = h;
+      return true;
+    }
+    return false;
+  }
+
+  std::vector<std::vector<int>> choices_;
+  std::vector<int> ofTunnel_;
+  std::vector<unsigned char> tried_;
+};
+
+//! The search for short loops of both kinds on one component.
+class ShortLoops {
+ public:
+  ShortLoops(const Mesh& mesh, const LoopClasses& classes)
+      : mesh_(mesh), classes_(classes), search_(mesh, classes) {}
+
+  void run() {
+    searchAllOver();
+    for (int round = 0; round < kRounds; ++round) {
+      const double before = total();
+      searchFromLoops();
+      take();
+      if (total() > kProgress * before) break;
+    }
+  }
+  std::vector<EdgeLoop> handles, tunnels;
+
+ private:
+  bool complete() const {
+    return 2 * handles.size() == idx(classes_.rank()) && 2 * tunnels.size() == idx(classes_.rank());
+  }
+  void take() {
+    handles = search_.basis(LoopKind::handle);
+    tunnels = search_.basis(LoopKind::tunnel);
+  }
+  double total() const {
+    double sum = 0;
+    for (const auto* loops : {&handles, &tunnels})
+      for (const EdgeLoop& loop : *loops) sum += loop.length;
+    return sum;
+  }
+  //! Each base as far as possible from those before.
+  void searchAllOver() {
+    std::vector<double> nearest(idx(mesh_.vertexSlots()), std::numeric_limits<double>::infinity());
+    int base = 0;
+    for (int n = 1; n <= std::min(kMostBases, mesh_.vertexSlots()); ++n) {
+      search_.searchFrom(base);
+      for (std::size_t v = 0; v < nearest.size(); ++v)
+        nearest[v] = std::min(nearest[v], search_.distances()[v]);
+      base = static_cast<int>(std::max_element(nearest.begin(), nearest.end()) - nearest.begin());
+      if (n < kFirstBases || n % kFirstBases != 0) continue;
+      take();
+      if (complete()) return;
+    }
+    take();
+  }
+  //! A shorter loop of a pair crosses the other one.
+  void searchFromLoops() {
+    const Pairing pairing(mesh_, classes_, handles, tunnels);
+    for (std::size_t t = 0; t < tunnels.size(); ++t) {
+      if (pairing.ofTunnel()[t] < 0) continue;
+      const EdgeLoop& handle = handles[idx(pairing.ofTunnel()[t])];
+      searchAlong(tunnels[t], handle.length);
+      searchAlong(handle, tunnels[t].length);
+    }
+  }
+  void searchAlong(const EdgeLoop& loop, double other) {
+    const int step = std::max(1, static_cast<int>(loop.vertices.size()) / kBasesPerLoop);
+    for (std::size_t i = 0; i < loop.vertices.size(); i += idx(step))
+      search_.searchFrom(loop.vertices[i], std::min(other, 4 * loop.length) / 2);
+  }
+
+  const Mesh& mesh_;
+  const LoopClasses& classes_;
+  LoopSearch search_;
+};
+
+Vec3 middleOf(const Mesh& mesh, const SurfaceLoop& loop) {
+  Vec3 sum(0, 0, 0);
+  double length = 0;
+  for (std::size_t i = 0; i < loop.points.size(); ++i) {
+    const Vec3 a = positionOf(mesh, loop.points[i]),
+               b = positionOf(mesh, loop.points[(i + 1) % loop.points.size()]);
+    sum += (b - a).norm() * (a + b) / 2;
+    length += (b - a).norm();
+  }
+  return sum / length;
+}
+
+//! Tightened, with its vertices as slots of the whole mesh.
+SurfaceLoop finished(const Part& part, const LoopClasses& classes, const EdgeLoop& loop) {
+  SurfaceLoop out = tightened(part.mesh, classes, loop);
+  for (SurfacePoint& p : out.points) {
+    p.from = part.slots[idx(p.from)];
+    p.to = part.slots[idx(p.to)];
+  }
+  return out;
+}
+
+//! Adds the tunnels of one component; returns how many it adds.
+int addTunnels(const Mesh& mesh, const Part& part, int component, TunnelList& list) {
+  const auto classes = LoopClasses::of(part.mesh);
+  if (!classes) return 0;
+  ShortLoops loops(part.mesh, *classes);
+  loops.run();
+  const Pairing pairing(part.mesh, *classes, loops.handles, loops.tunnels);
+  int added = 0;
+  for (std::size_t t = 0; t < loops.tunnels.size(); ++t) {
+    const int h = pairing.ofTunnel()[t];
+    if (h < 0) continue;
+    Tunnel tunnel{finished(part, *classes, loops.handles[idx(h)]),
+                  finished(part, *classes, loops.tunnels[t]),
+                  {},
+                  component};
+    tunnel.position = middleOf(mesh, tunnel.shorter());
+    list.tunnels.push_back(std::move(tunnel));
+    ++added;
+  }
+  return added;
+}
+
+}  // namespace
+
+TunnelList findTunnels(const Mesh& mesh) {
+  TunnelList out;
+  const Components parts = findComponents(mesh);
+  for (int c = 0; c < parts.count(); ++c) {
+    const int genus = 1 - (parts.vertices[idx(c)] - parts.faces[idx(c)] / 2) / 2;
+    if (genus <= 0) continue;
+    out.unlisted += genus;
+    if (genus <= kMostListed) out.unlisted -= addTunnels(mesh, partOf(mesh, parts, c), c, out);
+  }
+  std::stable_sort(out.tunnels.begin(), out.tunnels.end(),
+                   [](const Tunnel& a, const Tunnel& b) { return a.shorter().length < b.shorter().length; });
+  return out;
+}
+
+}  // namespace handlebody

@@ -1,0 +1,39 @@
+#pragma once
+// The tunnels of a surface, each as a pair of short loops that meet.
+
+#include <vector>
+
+#include "core/mesh/loop_tightening.h"
+
+namespace handlebody {
+
+//! A handle of the surface; its tunnel is what lies beside the handle.
+struct Tunnel {
+  //! Around the handle: bounds a surface in the body. Cutting along it takes the handle away.
+  SurfaceLoop handle;
+  //! Round the tunnel: bounds a surface outside of the body. A membrane in it closes the tunnel.
+  SurfaceLoop tunnel;
+  Vec3 position;      //!< mm: the middle of the shorter of the two
+  int component = 0;  //!< as in findComponents
+
+  const SurfaceLoop& shorter() const { return handle.length < tunnel.length ? handle : tunnel; }
+};
+
+struct TunnelList {
+  std::vector<Tunnel> tunnels;  //!< by the length of the shorter loop, ascending
+  //! Tunnels for which no pair of loops was found: of components of a genus above kMostListed, or that fold
+  //! so tightly that their loops cannot be told apart.
+  int unlisted = 0;
+};
+
+//! A component of a greater genus is not searched: time and memory grow with the square of it.
+inline constexpr int kMostListed = 400;
+
+//! All tunnels of a closed, manifold, oriented mesh without self-intersections. The loops of each kind are
+//! independent in the first homology (modulo 2) and short: the shortest through base points all over the
+//! surface and on the loops found so far, tightened across faces. A handle loop and the tunnel loop of the
+//! same pair meet an odd number of times, mostly once. Each component is looked at alone: a loop that bounds
+//! outside of its component may run around another one. The vertices of the loops are slots of the mesh.
+TunnelList findTunnels(const Mesh& mesh);
+
+}  // namespace handlebody
