@@ -1,0 +1,179 @@
+#include "core/surgery/mesh_edits.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <stdexcept>
+
+#include "core/mesh/containment.h"
+#include "core/mesh/structure.h"
+#include "core/surgery/predicted_change.h"
+
+namespace handlebody {
+
+namespace {
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+//! Cuts along loops of one list of tunnels, as long as the surface beside them is as it was.
+class TunnelCloser {
+ public:
+  TunnelCloser(Mesh& mesh, double shorterThan, TunnelCut cut, TunnelsClosed& out)
+      : mesh_(mesh), shorterThan_(shorterThan), cut_(cut), out_(out) {}
+
+  //! True if it closed any.
+  bool round() {
+    const TunnelList list = findTunnels(mesh_);
+    out_.unlisted = list.unlisted;
+    out_.open.clear();
+    touched_.assign(idx(mesh_.vertexSlots()), 0);
+    bool any = false;
+    for (const Tunnel& tunnel : list.tunnels) {
+      const Result result = close(tunnel);
+      any = any || result == Result::closed;
+      if (result == Result::refused)
+        out_.open.push_back({tunnel.position, tunnel.handle.length, tunnel.tunnel.length});
+    }
+    return any;
+  }
+
+ private:
+  enum class Result { closed, refused, notNow };
+
+  std::vector<std::pair<const SurfaceLoop*, EditKind>> choices(const Tunnel& t) const {
+    const std::pair handle(&t.handle, EditKind::handleCut), tunnel(&t.tunnel, EditKind::tunnelClosed);
+    if (cut_ == TunnelCut::handle) return {handle};
+    if (cut_ == TunnelCut::tunnel) return {tunnel};
+    if (t.handle.length < t.tunnel.length) return {handle, tunnel};
+    return {tunnel, handle};
+  }
+  bool isTouched(const SurfaceLoop& loop) const {
+    return std::any_of(loop.points.begin(), loop.points.end(), [&](const SurfacePoint& p) {
+      return touched_[idx(p.from)] != 0 || touched_[idx(p.to)] != 0;
+    });
+  }
+  Result close(const Tunnel& tunnel) {
+    bool refused = false;
+    for (const auto& [loop, kind] : choices(tunnel)) {
+      if (!(loop->length < shorterThan_)) continue;
+      if (isTouched(*loop)) return Result::notNow;
+      auto done = cutAlong(mesh_, *loop);
+      if (done) {
+        accept(*std::move(done), tunnel, *loop, kind);
+        return Result::closed;
+      }
+      refused = true;
+    }
+    return refused ? Result::refused : Result::notNow;
+  }
+  void accept(LoopCut cut, const Tunnel& tunnel, const SurfaceLoop& loop, EditKind kind) {
+    out_.edits.push_back({kind, tunnel.position, loop.length, signedVolume(mesh_), signedVolume(cut.mesh),
+                          cut.before, cut.after});
+    mesh_ = std::move(cut.mesh);
+    touched_.resize(idx(mesh_.vertexSlots()), 0);
+    for (const int v : cut.touched)
+      if (idx(v) < touched_.size()) touched_[idx(v)] = 1;
+  }
+
+  Mesh& mesh_;
+  double shorterThan_;
+  TunnelCut cut_;
+  TunnelsClosed& out_;
+  std::vector<unsigned char> touched_;  // per vertex slot, since the tunnels were listed
+};
+
+//! Removes the components that are marked, one edit each.
+std::vector<MeshEdit> remove(Mesh& mesh, const Components& parts, const std::vector<unsigned char>& marked) {
+  std::vector<MeshEdit> out;
+  std::vector<Eigen::AlignedBox3d> boxes(idx(parts.count()));
+  std::vector<int> vertex(idx(parts.count()), -1);
+  for (int v = 0; v < mesh.vertexSlots(); ++v)
+    if (const int c = parts.ofVertex[idx(v)]; c >= 0) {
+      boxes[idx(c)].extend(mesh.position(v));
+      vertex[idx(c)] = v;
+    }
+  TopologyNumbers now = topologyNumbers(mesh);
+  double volume = signedVolume(mesh);
+  for (int c = 0; c < parts.count(); ++c) {
+    if (marked[idx(c)] == 0) continue;
+    MeshEdit edit{parts.volume[idx(c)] < 0 ? EditKind::cavityFilled : EditKind::componentRemoved,
+                  boxes[idx(c)].center(),
+                  0,
+                  volume,
+                  volume - parts.volume[idx(c)],
+                  now,
+                  predictDeletion(now, parts, c)};
+    deleteComponent(mesh, vertex[idx(c)]);
+    now = edit.after;
+    volume = edit.volumeAfter;
+    out.push_back(edit);
+  }
+  // What is left has not been changed: only counts can be wrong.
+  if (!(topologyNumbers(mesh) == now) || findStructureFault(mesh))
+    throw std::logic_error("removing components did not leave what was predicted");
+  return out;
+}
+
+//! Marks all that lies in a marked component.
+void markWithin(std::vector<unsigned char>& marked, const std::vector<int>& surrounding) {
+  for (std::size_t c = 0; c < marked.size(); ++c) {
+    int around = surrounding[c];
+    // As deep as there are components at most.
+    for (std::size_t i = 0; i < marked.size() && around >= 0; ++i, around = surrounding[idx(around)])
+      if (marked[idx(around)] != 0) marked[c] = 1;
+  }
+}
+
+}  // namespace
+
+const char* editKindName(EditKind kind) {
+  switch (kind) {
+    case EditKind::tunnelClosed:
+      return "tunnel closed";
+    case EditKind::handleCut:
+      return "handle cut";
+    case EditKind::componentRemoved:
+      return "component removed";
+    case EditKind::cavityFilled:
+      return "cavity filled";
+  }
+  return "";
+}
+
+TunnelsClosed closeTunnels(Mesh& mesh, double shorterThan, TunnelCut cut) {
+  TunnelsClosed out;
+  TunnelCloser closer(mesh, shorterThan, cut, out);
+  while (closer.round()) {
+  }
+  return out;
+}
+
+std::vector<MeshEdit> removeComponent(Mesh& mesh, int component) {
+  const Components parts = findComponents(mesh);
+  std::vector<unsigned char> marked(idx(parts.count()), 0);
+  marked[idx(component)] = 1;
+  markWithin(marked, surroundingComponents(mesh, parts));
+  return remove(mesh, parts, marked);
+}
+
+std::vector<MeshEdit> keepLargest(Mesh& mesh) {
+  const Components parts = findComponents(mesh);
+  if (parts.count() == 0) return {};
+  const std::vector<int> body = bodyOfComponents(parts, surroundingComponents(mesh, parts));
+  std::vector<double> volume(idx(parts.count()), 0);
+  for (int c = 0; c < parts.count(); ++c)
+    if (body[idx(c)] >= 0) volume[idx(body[idx(c)])] += parts.volume[idx(c)];
+  const auto largest = static_cast<int>(std::max_element(volume.begin(), volume.end()) - volume.begin());
+  std::vector<unsigned char> marked;
+  for (const int b : body) marked.push_back(b != largest);
+  return remove(mesh, parts, marked);
+}
+
+std::vector<MeshEdit> fillCavities(Mesh& mesh) {
+  const Components parts = findComponents(mesh);
+  std::vector<unsigned char> marked;
+  for (const double volume : parts.volume) marked.push_back(volume < 0);
+  markWithin(marked, surroundingComponents(mesh, parts));
+  return remove(mesh, parts, marked);
+}
+
+}  // namespace handlebody
