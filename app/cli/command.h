@@ -20,7 +20,7 @@ enum ExitCode : int {
   kInput = 3,
   kSeed = 4,
   kMaxIterations = 5,
-  kIncomplete = 7  //!< `batch`: some cases have no result
+  kIncomplete = 7  //!< `batch`: some cases have no result; `edit`: some tunnels are still open
 };
 
 //! What a parsed command line asks for; returns the exit code and throws the errors of core/errors.h.
@@ -32,6 +32,7 @@ void addInfo(CLI::App& app, Action& action);
 void addCheck(CLI::App& app, Action& action);
 void addHandles(CLI::App& app, Action& action);
 void addPhantom(CLI::App& app, Action& action);
+void addEdit(CLI::App& app, Action& action);
 void addReplay(CLI::App& app, Action& action);
 void addBatch(CLI::App& app, Action& action);
 //! Not for users: see runDicomDecoder.

@@ -111,11 +111,40 @@ void LoopSearch::collect(double radius) {
       Found& found = found_[kind][key];
       if (closing.length >= found.length) continue;
       std::vector<int> vertices = path(mesh_.origin(closing.halfedge), mesh_.target(closing.halfedge));
-      double length = 0;
-      for (std::size_t i = 0; i < vertices.size(); ++i)
-        length += (mesh_.position(vertices[(i + 1) % vertices.size()]) - mesh_.position(vertices[i])).norm();
+      const double length = lengthOf(vertices);
       if (length < found.length) found = {length, std::move(vertices)};
     }
+}
+
+double LoopSearch::lengthOf(const std::vector<int>& loop) const {
+  double length = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    length += (mesh_.position(loop[(i + 1) % loop.size()]) - mesh_.position(loop[i])).norm();
+  return length;
+}
+
+EdgeLoop LoopSearch::loopThrough(int base, const ClassKey& key, double radius) {
+  spread(base, radius);
+  double shortest = 2 * radius;
+  const Arc* closing = nullptr;
+  for (const int v : reached_)
+    for (std::size_t a = firstArc_[idx(v)]; a < firstArc_[idx(v) + 1]; ++a) {
+      const Arc& arc = arcs_[a];
+      const double length = distance_[idx(v)] + arc.length + distance_[idx(arc.target)];
+      if (!(length < shortest)) continue;
+      ClassKey sum = key_[idx(v)];
+      sum += classes_.key(arc.halfedge);
+      sum -= key_[idx(arc.target)];
+      if (!(sum == key)) continue;
+      shortest = length;
+      closing = &arc;
+    }
+  EdgeLoop out;
+  out.key = key;
+  if (closing == nullptr) return out;
+  out.vertices = path(mesh_.origin(closing->halfedge), closing->target);
+  out.length = lengthOf(out.vertices);
+  return out;
 }
 
 //! From the place where the paths to u and w part, to u, to w and back: what both share is left out.

@@ -31,6 +31,10 @@ class LoopSearch {
   //! (mm) long, and keeps the shortest of each class.
   void searchFrom(int base, double radius = std::numeric_limits<double>::infinity());
 
+  //! The shortest loop of the class through `base` that consists of two shortest paths and an edge and is up
+  //! to 2 · radius (mm) long; no vertices if there is none. Forgets nothing, keeps nothing.
+  EdgeLoop loopThrough(int base, const ClassKey& key, double radius);
+
   //! The shortest loops found whose classes are independent (modulo 2): g of the kind if there are enough
   //! among them, ascending by length.
   std::vector<EdgeLoop> basis(LoopKind kind) const;
@@ -52,6 +56,7 @@ class LoopSearch {
   void spread(int base, double radius);
   void collect(double radius);
   std::vector<int> path(int u, int w) const;
+  double lengthOf(const std::vector<int>& loop) const;
   EdgeLoop described(const Found& found, LoopKind kind) const;
 
   const Mesh& mesh_;

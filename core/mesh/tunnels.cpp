@@ -11,8 +11,8 @@ namespace {
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
-constexpr int kFirstBases = 12, kMostBases = 240;  // spread over the surface
-constexpr int kBasesPerLoop = 8;
+constexpr int kFirstBases = 6, kMostBases = 240;  // spread over the surface
+constexpr int kBasesPerLoop = 6;
 constexpr int kRounds = 3;          // of searches from the loops found so far
 constexpr double kProgress = 0.98;  // of the total length, below which another round follows
 
@@ -201,7 +201,59 @@ int addTunnels(const Mesh& mesh, const Part& part, int component, TunnelList& li
   return added;
 }
 
+constexpr int kPlacesBeside = 12;  // around the other loop
+constexpr double kMostLonger = 2;  // than the shortest
+
+//! The key of a loop, with each of its places drawn back to the lower end of its edge.
+ClassKey keyOf(const Mesh& mesh, const LoopClasses& classes, const SurfaceLoop& loop) {
+  ClassKey out;
+  for (std::size_t i = 0; i < loop.points.size(); ++i) {
+    const int u = loop.points[i].from, v = loop.points[(i + 1) % loop.points.size()].from;
+    if (u != v) out += classes.key(mesh.findHalfedge(u, v));
+  }
+  return out;
+}
+
+//! The place of a slot of the whole mesh in the part, or -1.
+int numberIn(const Part& part, int slot) {
+  const auto it = std::lower_bound(part.slots.begin(), part.slots.end(), slot);
+  return it != part.slots.end() && *it == slot ? static_cast<int>(it - part.slots.begin()) : -1;
+}
+
 }  // namespace
+
+std::vector<SurfaceLoop> loopsBeside(const Mesh& mesh, const Tunnel& tunnel, LoopKind kind) {
+  SurfaceLoop loop = kind == LoopKind::handle ? tunnel.handle : tunnel.tunnel;
+  const SurfaceLoop& other = kind == LoopKind::handle ? tunnel.tunnel : tunnel.handle;
+  // Cuts made since the tunnels were listed may have put the components in another order.
+  const Components parts = findComponents(mesh);
+  const Part part = partOf(mesh, parts, parts.ofVertex[idx(loop.points[0].from)]);
+  const auto classes = LoopClasses::of(part.mesh);
+  if (!classes) return {};
+  for (SurfacePoint& p : loop.points) {
+    p.from = numberIn(part, p.from);
+    p.to = numberIn(part, p.to);
+  }
+  const ClassKey key = keyOf(part.mesh, *classes, loop);
+  LoopSearch search(part.mesh, *classes);
+  const Vec3 middle = middleOf(part.mesh, loop);
+  std::vector<std::pair<double, SurfaceLoop>> found;
+  const std::size_t n = other.points.size();
+  for (std::size_t i = 0; i < kPlacesBeside; ++i) {
+    const int base = numberIn(part, other.points[i * n / kPlacesBeside].from);
+    if (base < 0) continue;
+    const EdgeLoop beside = search.loopThrough(base, key, kMostLonger * loop.length / 2);
+    SurfaceLoop out;
+    out.length = beside.length;
+    for (const int v : beside.vertices) out.points.push_back({part.slots[idx(v)], part.slots[idx(v)], 0});
+    if (!out.points.empty()) found.emplace_back((middleOf(mesh, out) - middle).norm(), std::move(out));
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<SurfaceLoop> out;
+  for (auto& [distance, beside] : found) out.push_back(std::move(beside));
+  return out;
+}
 
 TunnelList findTunnels(const Mesh& mesh) {
   TunnelList out;

@@ -36,4 +36,9 @@ inline constexpr int kMostListed = 400;
 //! outside of its component may run around another one. The vertices of the loops are slots of the mesh.
 TunnelList findTunnels(const Mesh& mesh);
 
+//! Other loops of the class of the tunnel's loop of that kind, along edges: through places all around the
+//! other loop of the pair, the nearest to the first first. For cuts that do not fit where the loop is
+//! shortest.
+std::vector<SurfaceLoop> loopsBeside(const Mesh& mesh, const Tunnel& tunnel, LoopKind kind);
+
 }  // namespace handlebody

@@ -56,7 +56,8 @@ class TunnelCloser {
     for (const auto& [loop, kind] : choices(tunnel)) {
       if (!(loop->length < shorterThan_)) continue;
       if (isTouched(*loop)) return Result::notNow;
-      auto done = cutAlong(mesh_, *loop);
+      auto done =
+          closeTunnel(mesh_, tunnel, kind == EditKind::handleCut ? LoopKind::handle : LoopKind::tunnel);
       if (done) {
         accept(*std::move(done), tunnel, *loop, kind);
         return Result::closed;

@@ -15,8 +15,8 @@ namespace {
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
-constexpr int kShifts = 3;                  // neighbouring loops tried on each side
 constexpr std::size_t kLongestLoop = 2000;  // vertices: the least-area cap takes its cube
+constexpr std::size_t kLongestFan = 24;
 constexpr std::size_t kLongestSmooth = 1000;
 
 void sortUnique(std::vector<int>& v) {
@@ -112,39 +112,23 @@ class Cutter {
  public:
   explicit Cutter(const Mesh& mesh) : mesh_(mesh), before_(topologyNumbers(mesh)) {}
 
-  //! Tries what fits, first along the loop, then beside it.
-  std::optional<LoopCut> cut(const SurfaceLoop& loop) {
+  //! Tries what fits along the loop.
+  std::optional<LoopCut> cut(const SurfaceLoop& loop) const {
     Mesh embedded = mesh_;
     const auto vertices = embed(embedded, loop);
     if (!vertices) return std::nullopt;
-    if (auto done = cutAt(embedded, *vertices)) return done;
-    for (std::size_t side = 0; side < 2; ++side) {
-      std::vector<int> shifted = *vertices;
-      for (int k = 0; k < kShifts && !shifted.empty(); ++k) {
-        shifted = neighbour(embedded, shifted, side);
-        if (shifted.empty()) break;
-        if (auto done = cutAt(embedded, shifted)) return done;
-      }
-    }
-    return std::nullopt;
+    return cutAt(embedded, *vertices);
   }
 
  private:
-  //! The polygon on one side of the loop's stars; empty if that is no plain annulus.
-  static std::vector<int> neighbour(const Mesh& mesh, const std::vector<int>& loop, std::size_t side) {
-    std::vector<int> lambda = loop;
-    sortUnique(lambda);
-    const auto opening = planOpening(mesh, lambda);
-    if (!opening || !isAnnulus(*opening, lambda.size())) return {};
-    return opening->loops[side];
-  }
-
   std::optional<LoopCut> cutAt(const Mesh& embedded, const std::vector<int>& loop) const {
     Mesh narrowed = embedded;
     narrow(narrowed, loop);
-    for (const CapStyle style : {CapStyle::smooth, CapStyle::flat, CapStyle::fan})
+    for (const CapStyle style : {CapStyle::smooth, CapStyle::flat, CapStyle::fan}) {
+      if (style == CapStyle::fan && loop.size() > kLongestFan) break;
       for (const Mesh* mesh : {&embedded, static_cast<const Mesh*>(&narrowed)})
         if (auto done = attempt(*mesh, loop, style)) return done;
+    }
     return std::nullopt;
   }
 
@@ -210,5 +194,13 @@ class Cutter {
 }  // namespace
 
 std::optional<LoopCut> cutAlong(const Mesh& mesh, const SurfaceLoop& loop) { return Cutter(mesh).cut(loop); }
+
+std::optional<LoopCut> closeTunnel(const Mesh& mesh, const Tunnel& tunnel, LoopKind kind) {
+  const Cutter cutter(mesh);
+  if (auto done = cutter.cut(kind == LoopKind::handle ? tunnel.handle : tunnel.tunnel)) return done;
+  for (const SurfaceLoop& loop : loopsBeside(mesh, tunnel, kind))
+    if (auto done = cutter.cut(loop)) return done;
+  return std::nullopt;
+}
 
 }  // namespace handlebody

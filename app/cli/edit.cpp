@@ -1,0 +1,273 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "app/cli/command.h"
+#include "app/cli/outputs.h"
+#include "app/cli/parse.h"
+#include "app/cli/run.h"
+#include "app/cli/tunnel_text.h"
+#include "core/collision/certify.h"
+#include "core/errors.h"
+#include "core/io/atomic_file.h"
+#include "core/io/edit_json.h"
+#include "core/io/mesh_io.h"
+#include "core/io/result.h"
+
+namespace handlebody::cli {
+
+namespace {
+
+struct EditOptions {
+  std::string path;
+  std::vector<std::string> results, closing;
+  std::string report;
+  std::optional<double> shorterThan;
+  TunnelCut cut = TunnelCut::shorter;
+  std::optional<CoordinateSpace> space;
+  bool keepLargest = false, fillCavities = false, json = false, quiet = false;
+
+  bool edits() const { return shorterThan || keepLargest || fillCavities; }
+};
+
+//! What there is in a mesh.
+struct Contents {
+  Certificate certificate;
+  std::vector<Piece> pieces;
+  TunnelList tunnels;
+};
+
+Contents contentsOf(const Mesh& mesh, const Certificate& certificate) {
+  return {certificate, listPieces(mesh), findTunnels(mesh)};
+}
+
+Json contentsToJson(const Contents& c) {
+  return {{"mesh", certificateToJson(c.certificate)},
+          {"components", piecesToJson(c.pieces)},
+          {"tunnels", tunnelsToJson(c.tunnels)},
+          {"tunnels_not_listed", c.tunnels.unlisted}};
+}
+
+//! What the command did.
+struct Edited {
+  std::vector<MeshEdit> edits;
+  TunnelsClosed closed;
+};
+
+//! Pieces go first: what is gone has no tunnels.
+Edited edit(Mesh& mesh, const EditOptions& o) {
+  Edited out;
+  const auto add = [&out](const std::vector<MeshEdit>& more) {
+    out.edits.insert(out.edits.end(), more.begin(), more.end());
+  };
+  if (o.keepLargest) add(keepLargest(mesh));
+  if (o.fillCavities) add(fillCavities(mesh));
+  if (o.shorterThan) {
+    out.closed = closeTunnels(mesh, *o.shorterThan, o.cut);
+    add(out.closed.edits);
+  }
+  return out;
+}
+
+void printEdits(const Edited& done) {
+  for (const MeshEdit& e : done.edits) std::printf("%s\n", editText(e).c_str());
+  if (done.edits.empty()) std::printf("nothing to change\n");
+}
+
+void printContents(const Contents& c) {
+  std::printf("%s", piecesText(c.pieces).c_str());
+  std::printf("%s", tunnelsText(c.tunnels).c_str());
+}
+
+void warn(const Edited& done) {
+  for (const OpenTunnel& t : done.closed.open)
+    std::fprintf(stderr,
+                 "handlebody-cli: warning: the tunnel at %.4g,%.4g,%.4g (loops of %.4g and %.4g mm) is still "
+                 "open: every "
+                 "cap that was tried meets the surface.\n",
+                 t.location.x(), t.location.y(), t.location.z(), t.handleLength, t.tunnelLength);
+  if (done.closed.unlisted > 0)
+    std::fprintf(stderr,
+                 "handlebody-cli: warning: for %d tunnels no loops were found; they are still open.\n",
+                 done.closed.unlisted);
+}
+
+Json answer(const EditOptions& o, const Contents& before, const Edited& done,
+            const std::optional<Contents>& after) {
+  Json json = {{"version", HANDLEBODY_VERSION}, {"notice", kNotice}, {"input", o.path}};
+  json["before"] = contentsToJson(before);
+  if (!after) return json;
+  Json& edits = json["edits"] = Json::array();
+  for (const MeshEdit& e : done.edits) edits.push_back(meshEditToJson(e));
+  Json& open = json["still_open"] = Json::array();
+  for (const OpenTunnel& t : done.closed.open) open.push_back(openTunnelToJson(t));
+  json["after"] = contentsToJson(*after);
+  return json;
+}
+
+void checkOptions(const EditOptions& o) {
+  if (o.path.empty()) throw UsageError("MESH is required.");
+  if (o.edits() && o.results.empty()) throw UsageError("-o: an edit needs a file to write.");
+  if (!o.edits() && !o.results.empty())
+    throw UsageError(
+        "-o: there is no edit to write; see --close-tunnels, --keep-largest and --fill-cavities.");
+  if (o.cut != TunnelCut::shorter && !o.shorterThan) throw UsageError("--cut goes with --close-tunnels.");
+  std::vector<OutputFile> files;
+  for (const std::string& path : o.results) {
+    files.push_back({"-o", path});
+    checkMeshExtension(files.back());
+  }
+  if (!o.report.empty()) files.push_back({"--report", o.report});
+  checkWritable(files, {o.path});
+}
+
+//! Without points that belong to no face, as `check` does not count them either. Throws InputError unless it
+//! passes the certificate.
+Mesh readValid(const std::string& path, Certificate& certificate) {
+  const TriangleSoup soup = readMesh(path);
+  certificate = certify(soup);
+  if (!certificate.passes())
+    throw InputError(path +
+                     " does not pass `check`; only a closed, manifold, oriented mesh without "
+                     "self-intersections can be looked at or edited.");
+  TriangleSoup used;
+  std::vector<int> number(soup.points.size(), -1);
+  for (Triangle t : soup.triangles) {
+    for (int& v : t) {
+      int& n = number[static_cast<std::size_t>(v)];
+      if (n < 0) {
+        n = static_cast<int>(used.points.size());
+        used.points.push_back(soup.points[static_cast<std::size_t>(v)]);
+      }
+      v = n;
+    }
+    used.triangles.push_back(t);
+  }
+  return Mesh(used);
+}
+
+//! The mesh as it will be written. Throws if it would not be what the edits promise.
+CertifiedMesh certified(const EditOptions& o, const Mesh& mesh, const Certificate& before) {
+  if (before.misplaced > 0 && examine(mesh).misplaced > 0)
+    throw InputError(o.path +
+                     ": components lie directly in each other, or cavities outside of any body; nothing "
+                     "was written (--keep-largest leaves one body).");
+  return certifiedForExport(mesh.compact());
+}
+
+int look(const EditOptions& o, const Mesh& mesh, const Certificate& certificate) {
+  const Contents contents = contentsOf(mesh, certificate);
+  const std::string json = jsonText(answer(o, contents, {}, std::nullopt));
+  if (!o.report.empty()) writeTextAtomically(o.report, json);
+  if (o.json)
+    std::fputs(json.c_str(), stdout);
+  else if (!o.quiet)
+    printContents(contents);
+  return kDone;
+}
+
+int editMesh(const EditOptions& o) {
+  checkOptions(o);
+  Certificate certificate;
+  Mesh mesh = readValid(o.path, certificate);
+  if (!o.edits()) return look(o, mesh, certificate);
+  const bool listed = o.json || !o.report.empty();
+  const Contents before = listed ? contentsOf(mesh, certificate) : Contents{certificate, {}, {}};
+  const Edited done = edit(mesh, o);
+  const CertifiedMesh out = certified(o, mesh, certificate);
+  std::optional<Contents> after;
+  if (listed) after = contentsOf(Mesh(out.mesh), out.certificate);
+  warn(done);
+  const std::string json = listed ? jsonText(answer(o, before, done, after)) : std::string();
+  {
+    DeferSignals whole;
+    for (const std::string& path : o.results)
+      writeMesh(out.mesh, path, o.space.value_or(CoordinateSpace::lps));
+    if (!o.report.empty()) writeTextAtomically(o.report, json);
+  }
+  if (o.json)
+    std::fputs(json.c_str(), stdout);
+  else if (!o.quiet) {
+    printEdits(done);
+    std::printf("%s\n", changeText(certificate, out.certificate).c_str());
+  }
+  return done.closed.open.empty() && done.closed.unlisted == 0 ? kDone : kIncomplete;
+}
+
+//! "shorter-than MM" or "MM". The parser takes what follows, too: it may be MESH.
+void setClosing(EditOptions& o) {
+  if (o.closing.empty()) return;
+  std::vector<std::string> words = o.closing;
+  if (words.front() == "shorter-than") {
+    words.erase(words.begin());
+    if (words.empty()) throw UsageError("--close-tunnels shorter-than needs a length in mm.");
+  } else if (words.size() == 2) {
+    if (!o.path.empty()) throw UsageError("--close-tunnels: '" + words.front() + "' is not shorter-than.");
+    o.path = words.back();
+  }
+  const double length = parseNumber("--close-tunnels", words.front());
+  if (!(length > 0)) throw UsageError("--close-tunnels: '" + words.front() + "' is not above 0.");
+  o.shorterThan = length;
+}
+
+void setCut(EditOptions& o, const std::string& text) {
+  if (text == "shorter")
+    o.cut = TunnelCut::shorter;
+  else if (text == "handle")
+    o.cut = TunnelCut::handle;
+  else if (text == "tunnel")
+    o.cut = TunnelCut::tunnel;
+  else
+    throw UsageError("--cut: '" + text + "' is not shorter, handle or tunnel.");
+}
+
+void addEdits(CLI::App& command, EditOptions& o) {
+  command
+      .add_option("--close-tunnels", o.closing,
+                  "Cut and cap along each tunnel's loop of less than MM millimetres (inf: all)")
+      ->type_name("[shorter-than] MM")
+      ->expected(1, 2);
+  command
+      .add_option_function<std::string>(
+          "--cut", [&o](const std::string& text) { setCut(o, text); },
+          "Which loop of a tunnel: the one round the tunnel (fills it), the one around its handle (cuts it), "
+          "or the "
+          "shorter (default)")
+      ->type_name("shorter|handle|tunnel");
+  command.add_flag("--keep-largest", o.keepLargest,
+                   "Remove every body but the largest, which keeps its cavities");
+  command.add_flag("--fill-cavities", o.fillCavities, "Remove the cavities, with what lies in them");
+}
+
+}  // namespace
+
+void addEdit(CLI::App& app, Action& action) {
+  CLI::App* command = addCommand(
+      app, "edit",
+      "Tunnels, components and cavities of a mesh: lists them; with -o, closes, removes and fills them");
+  auto options = std::make_shared<EditOptions>();
+  command->add_option("MESH", options->path, "A .stl, .vtp, .ply or .obj file that passes `check`");
+  addEdits(*command, *options);
+  command
+      ->add_option("-o,--output", options->results,
+                   "The edited mesh: .stl .vtp .ply .obj; may be given several times")
+      ->type_name("OUT")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+  command->add_option("--report", options->report, "What there was, what was done, what there is (JSON)")
+      ->type_name("F.json");
+  addSpace(*command, options->space);
+  command->add_flag("--json", options->json, "The same on standard output");
+  command->add_flag("--quiet", options->quiet, "No summary");
+  command->callback([&action, options] {
+    action = [options] {
+      setClosing(*options);
+      return editMesh(*options);
+    };
+  });
+}
+
+}  // namespace handlebody::cli
