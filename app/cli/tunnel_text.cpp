@@ -36,9 +36,13 @@ std::string piecesText(const std::vector<Piece>& pieces) {
 
 std::string tunnelsText(const TunnelList& list) {
   std::string out;
-  for (const Tunnel& t : list.tunnels)
-    out += formatted("tunnel at %.4g,%.4g,%.4g: %.4g mm round the tunnel, %.4g mm around its handle\n",
+  for (const Tunnel& t : list.tunnels) {
+    out += formatted("tunnel at %.4g,%.4g,%.4g: %.4g mm round the tunnel, %.4g mm around its handle",
                      t.position.x(), t.position.y(), t.position.z(), t.tunnel.length, t.handle.length);
+    if (!t.tunnelBounds) out += ", which is knotted";
+    if (!t.handleBounds) out += "; the tunnel is knotted";
+    out += '\n';
+  }
   if (list.unlisted > 0) out += formatted("tunnels without a list: %d\n", list.unlisted);
   return out;
 }

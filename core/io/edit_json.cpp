@@ -18,6 +18,8 @@ Json tunnelsToJson(const TunnelList& list) {
     out.push_back({{"position", vectorToJson(t.position)},
                    {"handle_loop_mm", t.handle.length},
                    {"tunnel_loop_mm", t.tunnel.length},
+                   {"handle_loop_bounds", t.handleBounds},
+                   {"tunnel_loop_bounds", t.tunnelBounds},
                    {"component", t.component}});
   return out;
 }

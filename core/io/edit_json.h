@@ -7,7 +7,8 @@
 
 namespace handlebody {
 
-//! One object per tunnel: {"position": [x, y, z] in mm, "handle_loop_mm", "tunnel_loop_mm", "component"}.
+//! One object per tunnel: {"position": [x, y, z] in mm, "handle_loop_mm", "tunnel_loop_mm",
+//! "handle_loop_bounds", "tunnel_loop_bounds", "component"}.
 Json tunnelsToJson(const TunnelList& list);
 //! One object per component: {"cavity", "volume_ml", "size_mm", "centre", "genus", "vertices", "within"}; the
 //! last is the place in this list of the innermost component around it, or null.

@@ -13,7 +13,8 @@ namespace handlebody {
 //! Which side of the surface a loop bounds on (T. K. Dey, K. Li, J. Sun, "On computing handle and tunnel
 //! loops", 2007): a handle loop runs around a handle and bounds in the body; a tunnel loop runs round a
 //! tunnel and bounds outside of it.
-enum class LoopKind : unsigned char { handle, tunnel };
+//! `neither`: along a knotted handle or tunnel, where it winds around that as well, or both in one.
+enum class LoopKind : unsigned char { handle, tunnel, neither };
 
 //! Two numbers of a class: the first is 0 if it is that of a handle loop, the second if it is that of a
 //! tunnel loop, both only if it bounds on the surface. They add up along a path, modulo 2^64. By chance (one
@@ -43,7 +44,7 @@ class LoopClasses {
   const ClassKey& key(int halfedge) const { return keys_[static_cast<std::size_t>(halfedge)]; }
   //! Adds the coordinates of a half-edge to those of a class: `rank` numbers.
   void addTo(std::span<std::int64_t> coordinates, int halfedge) const;
-  //! Exactly.
+  //! Exactly; the kind is handle or tunnel.
   bool isOfKind(std::span<const std::int64_t> coordinates, LoopKind kind) const;
   //! Algebraic intersection number of two classes, but for the sign. Precondition: its magnitude is below
   //! 2^30.

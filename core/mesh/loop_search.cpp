@@ -89,7 +89,7 @@ void LoopSearch::collect(double radius) {
     double length;
     int halfedge;
   };
-  std::map<Key, Closing> best[2];
+  std::map<Key, Closing> best[3];
   for (const int v : reached_)
     for (std::size_t a = firstArc_[idx(v)]; a < firstArc_[idx(v) + 1]; ++a) {
       const Arc& arc = arcs_[a];
@@ -98,15 +98,19 @@ void LoopSearch::collect(double radius) {
       ClassKey key = key_[idx(v)];
       key += classes_.key(arc.halfedge);
       key -= key_[idx(arc.target)];
-      if ((key.outer == 0) == (key.inner == 0)) continue;  // bounds, or is of neither kind
+      if (key.outer == 0 && key.inner == 0) continue;  // bounds on the surface
+      const auto kind = key.outer == 0   ? LoopKind::handle
+                        : key.inner == 0 ? LoopKind::tunnel
+                                         : LoopKind::neither;
+      if (kind == LoopKind::neither && !keepsOthers_) continue;
       const std::uint64_t number = key.outer + key.inner;
       if (number > 0 - number) continue;  // the same loop the other way comes, too
-      auto& closing = best[key.outer == 0 ? 0 : 1]
+      auto& closing = best[static_cast<int>(kind)]
                           .try_emplace(Key{key.outer, key.inner}, Closing{kFar, -1})
                           .first->second;
       if (length < closing.length) closing = {length, arc.halfedge};
     }
-  for (int kind = 0; kind < 2; ++kind)
+  for (int kind = 0; kind < 3; ++kind)
     for (const auto& [key, closing] : best[kind]) {
       Found& found = found_[kind][key];
       if (closing.length >= found.length) continue;
@@ -175,18 +179,37 @@ EdgeLoop LoopSearch::described(const Found& found, LoopKind kind) const {
   return out;
 }
 
-std::vector<EdgeLoop> LoopSearch::basis(LoopKind kind) const {
+std::vector<const LoopSearch::Found*> LoopSearch::byLength(LoopKind kind) const {
   std::vector<const Found*> order;
   for (const auto& [key, found] : found_[static_cast<int>(kind)]) order.push_back(&found);
   std::stable_sort(order.begin(), order.end(),
                    [](const Found* a, const Found* b) { return a->length < b->length; });
+  return order;
+}
+
+std::vector<EdgeLoop> LoopSearch::basis(LoopKind kind) const {
   Independent chosen(classes_.rank());
   std::vector<EdgeLoop> out;
-  for (const Found* found : order) {
+  for (const Found* found : byLength(kind)) {
     if (2 * static_cast<int>(out.size()) == classes_.rank()) break;
     EdgeLoop loop = described(*found, kind);
     if (classes_.isOfKind(loop.coordinates, kind) && chosen.add(loop.coordinates))
       out.push_back(std::move(loop));
+  }
+  return out;
+}
+
+std::vector<EdgeLoop> LoopSearch::others(const std::vector<EdgeLoop>& given) const {
+  Independent chosen(classes_.rank());
+  int count = 0;
+  for (const EdgeLoop& loop : given) count += chosen.add(loop.coordinates);
+  std::vector<EdgeLoop> out;
+  for (const Found* found : byLength(LoopKind::neither)) {
+    if (count == classes_.rank()) break;
+    EdgeLoop loop = described(*found, LoopKind::neither);
+    if (!chosen.add(loop.coordinates)) continue;
+    out.push_back(std::move(loop));
+    ++count;
   }
   return out;
 }

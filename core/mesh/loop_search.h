@@ -31,6 +31,9 @@ class LoopSearch {
   //! (mm) long, and keeps the shortest of each class.
   void searchFrom(int base, double radius = std::numeric_limits<double>::infinity());
 
+  //! From now on loops of neither kind are kept, too: there are many.
+  void keepOthers() { keepsOthers_ = true; }
+
   //! The shortest loop of the class through `base` that consists of two shortest paths and an edge and is up
   //! to 2 · radius (mm) long; no vertices if there is none. Forgets nothing, keeps nothing.
   EdgeLoop loopThrough(int base, const ClassKey& key, double radius);
@@ -38,6 +41,10 @@ class LoopSearch {
   //! The shortest loops found whose classes are independent (modulo 2): g of the kind if there are enough
   //! among them, ascending by length.
   std::vector<EdgeLoop> basis(LoopKind kind) const;
+
+  //! The shortest loops of neither kind whose classes are independent of each other and of those of the given
+  //! loops (modulo 2).
+  std::vector<EdgeLoop> others(const std::vector<EdgeLoop>& given) const;
 
   //! Per vertex the length of the shortest path from the last base, mm; infinite beyond the radius.
   std::span<const double> distances() const { return distance_; }
@@ -57,6 +64,7 @@ class LoopSearch {
   void collect(double radius);
   std::vector<int> path(int u, int w) const;
   double lengthOf(const std::vector<int>& loop) const;
+  std::vector<const Found*> byLength(LoopKind kind) const;
   EdgeLoop described(const Found& found, LoopKind kind) const;
 
   const Mesh& mesh_;
@@ -68,7 +76,8 @@ class LoopSearch {
   std::vector<int> parent_;  // half-edge that arrives
   std::vector<ClassKey> key_;
   std::vector<int> reached_;
-  std::map<Key, Found> found_[2];  // by kind; keys that differ by the sign are one class
+  std::map<Key, Found> found_[3];  // by kind; keys that differ by the sign are one class
+  bool keepsOthers_ = false;
 };
 
 }  // namespace handlebody

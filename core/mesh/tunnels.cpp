@@ -11,8 +11,10 @@ namespace {
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
-constexpr int kFirstBases = 6, kMostBases = 240;  // spread over the surface
+constexpr int kFirstBases = 6, kMostBases = 60;  // spread over the surface
+constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr int kBasesPerLoop = 6;
+constexpr double kMostTimes = 8;    // as long as its partner, for a loop to be searched for there again
 constexpr int kRounds = 3;          // of searches from the loops found so far
 constexpr double kProgress = 0.98;  // of the total length, below which another round follows
 
@@ -104,8 +106,10 @@ class ShortLoops {
       take();
       if (total() > kProgress * before) break;
     }
+    if (!complete()) searchOthers();
   }
   std::vector<EdgeLoop> handles, tunnels;
+  std::vector<EdgeLoop> others;  // of neither kind; none if there are enough of both
 
  private:
   bool complete() const {
@@ -143,13 +147,28 @@ class ShortLoops {
       if (pairing.ofTunnel()[t] < 0) continue;
       const EdgeLoop& handle = handles[idx(pairing.ofTunnel()[t])];
       searchAlong(tunnels[t], handle.length);
-      searchAlong(handle, tunnels[t].length);
+      searchAlong(handle, std::min(tunnels[t].length, kMostTimes * handle.length));
     }
+  }
+  //! Whatever meets a loop that has no partner passes through one of its vertices.
+  void searchOthers() {
+    search_.keepOthers();
+    const Pairing pairing(mesh_, classes_, handles, tunnels);
+    for (std::size_t t = 0; t < tunnels.size(); ++t)
+      if (pairing.ofTunnel()[t] < 0) searchAlong(tunnels[t], kFar);
+    for (std::size_t h = 0; h < handles.size(); ++h)
+      if (std::find(pairing.ofTunnel().begin(), pairing.ofTunnel().end(), static_cast<int>(h)) ==
+          pairing.ofTunnel().end())
+        searchAlong(handles[h], kFar);
+    take();
+    std::vector<EdgeLoop> given = handles;
+    given.insert(given.end(), tunnels.begin(), tunnels.end());
+    others = search_.others(given);
   }
   void searchAlong(const EdgeLoop& loop, double other) {
     const int step = std::max(1, static_cast<int>(loop.vertices.size()) / kBasesPerLoop);
     for (std::size_t i = 0; i < loop.vertices.size(); i += idx(step))
-      search_.searchFrom(loop.vertices[i], std::min(other, 4 * loop.length) / 2);
+      search_.searchFrom(loop.vertices[i], other / 2);
   }
 
   const Mesh& mesh_;
@@ -179,26 +198,60 @@ SurfaceLoop finished(const Part& part, const LoopClasses& classes, const EdgeLoo
   return out;
 }
 
-//! Adds the tunnels of one component; returns how many it adds.
-int addTunnels(const Mesh& mesh, const Part& part, int component, TunnelList& list) {
+//! Makes pairs of loops and adds them to the list.
+class PairLister {
+ public:
+  PairLister(const Mesh& mesh, const Part& part, int component, const LoopClasses& classes, TunnelList& list)
+      : mesh_(mesh), part_(part), component_(component), classes_(classes), list_(list) {}
+
+  //! Those of each that find no partner stay in them.
+  void pairUp(std::vector<EdgeLoop>& handles, std::vector<EdgeLoop>& tunnels) {
+    const Pairing pairing(part_.mesh, classes_, handles, tunnels);
+    std::vector<EdgeLoop> handlesLeft, tunnelsLeft;
+    std::vector<unsigned char> paired(handles.size(), 0);
+    for (std::size_t t = 0; t < tunnels.size(); ++t) {
+      const int h = pairing.ofTunnel()[t];
+      if (h >= 0) {
+        add(handles[idx(h)], tunnels[t]);
+        paired[idx(h)] = 1;
+      } else {
+        tunnelsLeft.push_back(std::move(tunnels[t]));
+      }
+    }
+    for (std::size_t h = 0; h < handles.size(); ++h)
+      if (paired[h] == 0) handlesLeft.push_back(std::move(handles[h]));
+    handles = std::move(handlesLeft);
+    tunnels = std::move(tunnelsLeft);
+  }
+
+ private:
+  void add(const EdgeLoop& handle, const EdgeLoop& tunnel) {
+    Tunnel t;
+    t.handle = finished(part_, classes_, handle);
+    t.tunnel = finished(part_, classes_, tunnel);
+    t.handleBounds = handle.kind == LoopKind::handle;
+    t.tunnelBounds = tunnel.kind == LoopKind::tunnel;
+    t.position = middleOf(mesh_, t.shorter());
+    t.component = component_;
+    list_.tunnels.push_back(std::move(t));
+  }
+
+  const Mesh& mesh_;
+  const Part& part_;
+  int component_;
+  const LoopClasses& classes_;
+  TunnelList& list_;
+};
+
+void addTunnels(const Mesh& mesh, const Part& part, int component, TunnelList& list) {
   const auto classes = LoopClasses::of(part.mesh);
-  if (!classes) return 0;
+  if (!classes) return;
   ShortLoops loops(part.mesh, *classes);
   loops.run();
-  const Pairing pairing(part.mesh, *classes, loops.handles, loops.tunnels);
-  int added = 0;
-  for (std::size_t t = 0; t < loops.tunnels.size(); ++t) {
-    const int h = pairing.ofTunnel()[t];
-    if (h < 0) continue;
-    Tunnel tunnel{finished(part, *classes, loops.handles[idx(h)]),
-                  finished(part, *classes, loops.tunnels[t]),
-                  {},
-                  component};
-    tunnel.position = middleOf(mesh, tunnel.shorter());
-    list.tunnels.push_back(std::move(tunnel));
-    ++added;
-  }
-  return added;
+  PairLister lister(mesh, part, component, *classes, list);
+  lister.pairUp(loops.handles, loops.tunnels);
+  lister.pairUp(loops.handles, loops.others);
+  lister.pairUp(loops.others, loops.tunnels);
 }
 
 constexpr int kPlacesBeside = 12;  // around the other loop
@@ -258,12 +311,14 @@ std::vector<SurfaceLoop> loopsBeside(const Mesh& mesh, const Tunnel& tunnel, Loo
 TunnelList findTunnels(const Mesh& mesh) {
   TunnelList out;
   const Components parts = findComponents(mesh);
+  int total = 0;
   for (int c = 0; c < parts.count(); ++c) {
     const int genus = 1 - (parts.vertices[idx(c)] - parts.faces[idx(c)] / 2) / 2;
     if (genus <= 0) continue;
-    out.unlisted += genus;
-    if (genus <= kMostListed) out.unlisted -= addTunnels(mesh, partOf(mesh, parts, c), c, out);
+    total += genus;
+    if (genus <= kMostListed) addTunnels(mesh, partOf(mesh, parts, c), c, out);
   }
+  out.unlisted = total - static_cast<int>(out.tunnels.size());
   std::stable_sort(out.tunnels.begin(), out.tunnels.end(),
                    [](const Tunnel& a, const Tunnel& b) { return a.shorter().length < b.shorter().length; });
   return out;

@@ -13,10 +13,15 @@ struct Tunnel {
   SurfaceLoop handle;
   //! Round the tunnel: bounds a surface outside of the body. A membrane in it closes the tunnel.
   SurfaceLoop tunnel;
-  Vec3 position;      //!< mm: the middle of the shorter of the two
+  //! Along a knotted handle (or tunnel) no short loop bounds outside (inside) of the body: then that loop is
+  //! the shortest one that meets the other, and bounds on neither side.
+  bool handleBounds = true, tunnelBounds = true;
+  Vec3 position;      //!< mm: the middle of the shorter loop that bounds
   int component = 0;  //!< as in findComponents
 
-  const SurfaceLoop& shorter() const { return handle.length < tunnel.length ? handle : tunnel; }
+  const SurfaceLoop& shorter() const {
+    return !tunnelBounds || (handleBounds && handle.length < tunnel.length) ? handle : tunnel;
+  }
 };
 
 struct TunnelList {

@@ -40,11 +40,11 @@ class TunnelCloser {
   enum class Result { closed, refused, notNow };
 
   std::vector<std::pair<const SurfaceLoop*, EditKind>> choices(const Tunnel& t) const {
-    const std::pair handle(&t.handle, EditKind::handleCut), tunnel(&t.tunnel, EditKind::tunnelClosed);
-    if (cut_ == TunnelCut::handle) return {handle};
-    if (cut_ == TunnelCut::tunnel) return {tunnel};
-    if (t.handle.length < t.tunnel.length) return {handle, tunnel};
-    return {tunnel, handle};
+    std::vector<std::pair<const SurfaceLoop*, EditKind>> out;
+    if (cut_ != TunnelCut::tunnel && t.handleBounds) out.emplace_back(&t.handle, EditKind::handleCut);
+    if (cut_ != TunnelCut::handle && t.tunnelBounds) out.emplace_back(&t.tunnel, EditKind::tunnelClosed);
+    if (out.size() == 2 && t.tunnel.length < t.handle.length) std::swap(out[0], out[1]);
+    return out;
   }
   bool isTouched(const SurfaceLoop& loop) const {
     return std::any_of(loop.points.begin(), loop.points.end(), [&](const SurfacePoint& p) {
