@@ -3,8 +3,9 @@
 #include <memory>
 
 #include "app/cli/command.h"
+#include "app/cli/tunnel_text.h"
 #include "core/collision/certify.h"
-#include "core/io/json.h"
+#include "core/io/edit_json.h"
 #include "core/io/mesh_io.h"
 
 namespace handlebody::cli {
@@ -35,11 +36,20 @@ void printText(const Certificate& c) {
 }
 
 int check(const CheckOptions& o) {
-  const Certificate certificate = certify(readMesh(o.path));
-  if (o.json)
-    std::fputs(jsonText(certificateToJson(certificate)).c_str(), stdout);
-  else
+  const TriangleSoup mesh = readMesh(o.path);
+  const Certificate certificate = certify(mesh);
+  const std::optional<TunnelList> tunnels = findTunnelsQuickly(mesh, certificate);
+  if (o.json) {
+    Json json = certificateToJson(certificate);
+    json["tunnels"] = tunnels ? tunnelsToJson(*tunnels) : Json(nullptr);
+    std::fputs(jsonText(json).c_str(), stdout);
+  } else {
     printText(certificate);
+    if (tunnels)
+      std::fputs(tunnelsText(*tunnels).c_str(), stdout);
+    else if (certificate.passes())
+      std::puts("tunnels: too many, or too large a mesh, to be listed here; see `edit`");
+  }
   return certificate.passes() ? kDone : kInternalError;
 }
 

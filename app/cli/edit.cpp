@@ -84,10 +84,12 @@ void printContents(const Contents& c) {
 void warn(const Edited& done) {
   for (const OpenTunnel& t : done.closed.open)
     std::fprintf(stderr,
-                 "handlebody-cli: warning: the tunnel at %.4g,%.4g,%.4g (loops of %.4g and %.4g mm) is still "
-                 "open: every "
-                 "cap that was tried meets the surface.\n",
-                 t.location.x(), t.location.y(), t.location.z(), t.handleLength, t.tunnelLength);
+                 "handlebody-cli: warning: the tunnel at %.4g,%.4g,%.4g (%.4g mm round it, %.4g mm around "
+                 "its handle) is still "
+                 "open: no cap fits.
+                 ",
+                 t.location.x(),
+                 t.location.y(), t.location.z(), t.tunnelLength, t.handleLength);
   if (done.closed.unlisted > 0)
     std::fprintf(stderr,
                  "handlebody-cli: warning: for %d tunnels no loops were found; they are still open.\n",
@@ -132,20 +134,7 @@ Mesh readValid(const std::string& path, Certificate& certificate) {
     throw InputError(path +
                      " does not pass `check`; only a closed, manifold, oriented mesh without "
                      "self-intersections can be looked at or edited.");
-  TriangleSoup used;
-  std::vector<int> number(soup.points.size(), -1);
-  for (Triangle t : soup.triangles) {
-    for (int& v : t) {
-      int& n = number[static_cast<std::size_t>(v)];
-      if (n < 0) {
-        n = static_cast<int>(used.points.size());
-        used.points.push_back(soup.points[static_cast<std::size_t>(v)]);
-      }
-      v = n;
-    }
-    used.triangles.push_back(t);
-  }
-  return Mesh(used);
+  return Mesh(withoutLoosePoints(soup));
 }
 
 //! The mesh as it will be written. Throws if it would not be what the edits promise.

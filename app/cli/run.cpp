@@ -218,6 +218,7 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
 
   const auto [mesh, certificate] = certifiedForExport(contour->mesh().compact());
   report.mesh = certificate;
+  if (!outputs.report.empty()) report.tunnels = findTunnelsQuickly(mesh, certificate);
   report.doubts = doubts(report, mesh);
   const SurfaceSupport support = contour->support();
   for (std::string& d : contour->doubts(support)) report.doubts.push_back(std::move(d));

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/io/json.h"
+#include "core/io/edit_json.h"
 
 namespace handlebody {
 
@@ -109,6 +109,7 @@ std::string reportText(const RunReport& report) {
   json["unsupported_surface"] = report.unsupportedSurface;
   json["seconds"] = secondsToJson(report.seconds);
   json["mesh"] = certificateToJson(report.mesh);
+  if (report.tunnels) json["tunnels"] = tunnelsToJson(*report.tunnels);
   if (!report.corrections.empty()) json["corrections"] = correctionsToJson(report.corrections);
   if (!report.held.empty()) json["held"] = heldToJson(report.held);
   Json& events = json["events"] = Json::array();

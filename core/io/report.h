@@ -1,6 +1,7 @@
 #pragma once
 // The report of a run: what went in, how it was done, what came out, and every change of topology.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "core/evolution/held_changes.h"
 #include "core/evolution/step_report.h"
 #include "core/io/session.h"
+#include "core/mesh/tunnels.h"
 #include "core/mesh/validity.h"
 #include "core/object/candidate.h"
 
@@ -33,7 +35,8 @@ struct RunReport {
   int iterations = 0;
   StopReason stopped = StopReason::running;
   Timings seconds;
-  Certificate mesh;  //!< of the exported mesh
+  Certificate mesh;                     //!< of the exported mesh
+  std::optional<TunnelList> tunnels{};  //!< of it, where they were looked for
   std::vector<Event> events;
   std::vector<HeldPlace> held;                  //!< in the end
   std::vector<RecordedCorrection> corrections;  //!< what came of clicks that were changed on the way

@@ -29,4 +29,21 @@ std::vector<Piece> listPieces(const Mesh& mesh) {
   return out;
 }
 
+TriangleSoup withoutLoosePoints(const TriangleSoup& soup) {
+  std::vector<int> number(soup.points.size(), -1);
+  for (const Triangle& t : soup.triangles)
+    for (const int v : t) number[static_cast<std::size_t>(v)] = 0;
+  TriangleSoup out;
+  for (std::size_t v = 0; v < number.size(); ++v) {
+    if (number[v] < 0) continue;
+    number[v] = static_cast<int>(out.points.size());
+    out.points.push_back(soup.points[v]);
+  }
+  for (Triangle t : soup.triangles) {
+    for (int& v : t) v = number[static_cast<std::size_t>(v)];
+    out.triangles.push_back(t);
+  }
+  return out;
+}
+
 }  // namespace handlebody

@@ -22,4 +22,8 @@ struct Piece {
 //! self-intersections.
 std::vector<Piece> listPieces(const Mesh& mesh);
 
+//! Without the points that belong to no face; the others keep their order. A mesh made from it has no
+//! isolated vertices, which would count as components.
+TriangleSoup withoutLoosePoints(const TriangleSoup& soup);
+
 }  // namespace handlebody

@@ -1,8 +1,9 @@
 #include "core/mesh/tunnels.h"
 
 #include <algorithm>
-#include <cmath>
+#include <numeric>
 
+#include "core/mesh/pieces.h"
 #include "core/mesh/topology.h"
 
 namespace handlebody {
@@ -322,6 +323,14 @@ TunnelList findTunnels(const Mesh& mesh) {
   std::stable_sort(out.tunnels.begin(), out.tunnels.end(),
                    [](const Tunnel& a, const Tunnel& b) { return a.shorter().length < b.shorter().length; });
   return out;
+}
+
+std::optional<TunnelList> findTunnelsQuickly(const TriangleSoup& mesh, const Certificate& certificate) {
+  const int genus = std::accumulate(certificate.genus.begin(), certificate.genus.end(), 0);
+  if (!certificate.passes()) return std::nullopt;
+  if (genus == 0) return TunnelList{};
+  if (genus > kQuickGenus || certificate.vertices > kQuickVertices) return std::nullopt;
+  return findTunnels(Mesh(withoutLoosePoints(mesh)));
 }
 
 }  // namespace handlebody

@@ -1,9 +1,11 @@
 #pragma once
 // The tunnels of a surface, each as a pair of short loops that meet.
 
+#include <optional>
 #include <vector>
 
 #include "core/mesh/loop_tightening.h"
+#include "core/mesh/validity.h"
 
 namespace handlebody {
 
@@ -40,6 +42,12 @@ inline constexpr int kMostListed = 400;
 //! same pair meet an odd number of times, mostly once. Each component is looked at alone: a loop that bounds
 //! outside of its component may run around another one. The vertices of the loops are slots of the mesh.
 TunnelList findTunnels(const Mesh& mesh);
+
+//! The same of a mesh as it is written, where that takes about a second at most: none if the certificate does
+//! not pass, or the mesh has more than kQuickVertices vertices or kQuickGenus tunnels.
+std::optional<TunnelList> findTunnelsQuickly(const TriangleSoup& mesh, const Certificate& certificate);
+
+inline constexpr int kQuickVertices = 100000, kQuickGenus = 40;
 
 //! Other loops of the class of the tunnel's loop of that kind, along edges: through places all around the
 //! other loop of the pair, the nearest to the first first. For cuts that do not fit where the loop is

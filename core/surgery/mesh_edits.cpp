@@ -52,8 +52,11 @@ class TunnelCloser {
     });
   }
   Result close(const Tunnel& tunnel) {
-    bool refused = false;
-    for (const auto& [loop, kind] : choices(tunnel)) {
+    const auto loops = choices(tunnel);
+    // A knotted tunnel or handle has no loop to cut along.
+    bool refused =
+        loops.empty() && (cut_ == TunnelCut::handle ? tunnel.handle : tunnel.tunnel).length < shorterThan_;
+    for (const auto& [loop, kind] : loops) {
       if (!(loop->length < shorterThan_)) continue;
       if (isTouched(*loop)) return Result::notNow;
       auto done =

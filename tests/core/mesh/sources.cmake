@@ -5,4 +5,5 @@ target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/mesh/nesting_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/mesh/remesh_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/mesh/structure_test.cpp
-  ${CMAKE_SOURCE_DIR}/tests/core/mesh/topology_test.cpp)
+  ${CMAKE_SOURCE_DIR}/tests/core/mesh/topology_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/mesh/tunnels_test.cpp)
