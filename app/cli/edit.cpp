@@ -83,13 +83,11 @@ void printContents(const Contents& c) {
 
 void warn(const Edited& done) {
   for (const OpenTunnel& t : done.closed.open)
-    std::fprintf(stderr,
-                 "handlebody-cli: warning: the tunnel at %.4g,%.4g,%.4g (%.4g mm round it, %.4g mm around "
-                 "its handle) is still "
-                 "open: no cap fits.
-                 ",
-                 t.location.x(),
-                 t.location.y(), t.location.z(), t.tunnelLength, t.handleLength);
+    std::fprintf(
+        stderr,
+        "handlebody-cli: warning: the tunnel at %.4g,%.4g,%.4g (%.4g mm round it, %.4g mm around its "
+        "handle) is still open: no cap fits.\n",
+        t.location.x(), t.location.y(), t.location.z(), t.tunnelLength, t.handleLength);
   if (done.closed.unlisted > 0)
     std::fprintf(stderr,
                  "handlebody-cli: warning: for %d tunnels no loops were found; they are still open.\n",

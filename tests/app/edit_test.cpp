@@ -1,0 +1,131 @@
+// edit: what it lists, what it does, what it refuses; through the program.
+
+#include "core/io/mesh_io.h"
+#include "tests/app/run_cli.h"
+#include "tests/support/catch.h"
+#include "tests/support/tunnel_shapes.h"
+
+using namespace handlebody;
+using namespace handlebody::test;
+
+namespace {
+
+//! Two tori with a cavity in the larger one, and a small ball: the tunnels have loops of 6.3 and 12.6 mm.
+struct PiecesFile {
+  TempFolder folder;
+  std::string path = folder / "pieces.ply";
+
+  PiecesFile() {
+    const TriangleSoup large =
+        zoo::both(zoo::torus(60, 30, 6, 2), zoo::insideOut(zoo::moved(zoo::sphere(3), Vec3(6, 0, 0))));
+    const TriangleSoup small = zoo::moved(zoo::torus(40, 20, 3, 1), Vec3(20, 0, 0));
+    writeMesh(zoo::both(zoo::both(large, small), zoo::moved(zoo::sphere(2), Vec3(0, 20, 0))), path);
+  }
+  nlohmann::json check(const std::string& name) const {
+    return runForJson({"check", folder / name, "--json"});
+  }
+};
+
+void expectRefusal(const std::vector<std::string>& arguments, int exitCode, const std::string& says) {
+  const Outcome outcome = runCli(arguments);
+  INFO(outcome.err);
+  CHECK(outcome.exitCode == exitCode);
+  CHECK_THAT(outcome.err, Contains(says));
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  CHECK(outcome.out.empty());
+}
+
+}  // namespace
+
+TEST_CASE("edit without an edit lists tunnels, components and cavities", "[cli]") {
+  const PiecesFile file;
+  const auto json = runForJson({"edit", file.path, "--json"});
+  const auto& before = json.at("before");
+  REQUIRE(before.at("components").size() == 4);
+  CHECK(before.at("components")[1].at("cavity") == true);
+  CHECK(before.at("components")[1].at("within") == 0);
+  CHECK(before.at("components")[0].at("genus") == 1);
+  CHECK(before.at("components")[0].at("volume_ml").get<double>() == Approx(0.4737).epsilon(0.03));
+  CHECK(before.at("components")[0].at("size_mm")[2].get<double>() == Approx(4).epsilon(0.02));
+  REQUIRE(before.at("tunnels").size() == 2);
+  CHECK(before.at("tunnels")[0].at("handle_loop_mm").get<double>() == Approx(6.283).epsilon(0.02));
+  CHECK(before.at("tunnels")[0].at("tunnel_loop_mm").get<double>() == Approx(12.57).epsilon(0.02));
+  CHECK(before.at("tunnels")[1].at("handle_loop_mm").get<double>() == Approx(12.57).epsilon(0.02));
+  CHECK(before.at("tunnels_not_listed") == 0);
+  CHECK_FALSE(json.contains("edits"));
+  const Outcome text = runCli({"edit", file.path});
+  CHECK(text.exitCode == 0);
+  CHECK_THAT(text.out, Contains("cavity of") && Contains("mm round the tunnel"));
+}
+
+TEST_CASE("edit closes short tunnels, keeps the largest body and fills its cavity", "[cli]") {
+  const PiecesFile file;
+  const auto json = runForJson({"edit", file.path, "--close-tunnels", "shorter-than", "8", "--json", "-o",
+                                file.folder / "closed.stl", "-o", file.folder / "closed.obj"});
+  CHECK(json.at("edits").size() == 1);
+  CHECK(json.at("edits")[0].at("kind") == "handle cut");
+  CHECK(json.at("edits")[0].at("after").at("genus") == 1);
+  CHECK(json.at("still_open").empty());
+  CHECK(json.at("after").at("tunnels").size() == 1);
+  for (const char* name : {"closed.stl", "closed.obj"}) CHECK(file.check(name).at("genus").size() == 4);
+
+  const Outcome all =
+      runCli({"edit", "--close-tunnels", "100", file.path, "--keep-largest", "--fill-cavities", "-o",
+              file.folder / "all.vtp", "--report", file.folder / "r.json"});
+  CHECK(all.exitCode == 0);
+  CHECK(all.err.empty());
+  CHECK_THAT(all.out, Contains("volume") && Contains("components 1, was 4; genus 0, was 2"));
+  const auto check = file.check("all.vtp");
+  CHECK(check.at("genus") == nlohmann::json::array({0}));
+  CHECK(check.at("self_intersections") == 0);
+  const auto report = nlohmann::json::parse(readBytes(file.folder / "r.json"));
+  CHECK(report.at("edits").size() == 4);
+  CHECK(report.at("edits")[0].at("volume_before_ml").get<double>() ==
+        Approx(report.at("before").at("mesh").at("volume_mm3").get<double>() / 1000).epsilon(1e-6));
+}
+
+TEST_CASE("edit says which tunnel it could not close, and ends with 7", "[cli]") {
+  const TempFolder folder;
+  TriangleSoup rod = zoo::sphere(4);
+  for (Vec3& p : rod.points) p = Vec3(0.4 * p.x(), 0.4 * p.y(), 6 * p.z());
+  writeMesh(zoo::both(zoo::torus(48, 24, 3, 1), rod), folder / "threaded.ply");
+  const Outcome outcome = runCli({"edit", folder / "threaded.ply", "--close-tunnels", "inf", "--cut",
+                                  "tunnel", "-o", folder / "out.ply"});
+  CHECK(outcome.exitCode == 7);
+  CHECK_THAT(outcome.err, Contains("still open: no cap fits"));
+  CHECK(runCli({"check", folder / "out.ply"}).exitCode == 0);
+}
+
+TEST_CASE("edit refuses what it cannot do, in one sentence, and writes nothing", "[cli]") {
+  const PiecesFile file;
+  const std::string out = file.folder / "out.stl";
+  TriangleSoup open = zoo::torus(12, 8, 3, 1);
+  open.triangles.pop_back();
+  writeMesh(open, file.folder / "open.obj");
+  expectRefusal({"edit", file.folder / "open.obj", "--keep-largest", "-o", out}, 3, "does not pass `check`");
+  expectRefusal({"edit", file.folder / "none.obj"}, 3, "none.obj");
+  expectRefusal({"edit"}, 2, "MESH is required");
+  expectRefusal({"edit", file.path, "--keep-largest"}, 2, "-o");
+  expectRefusal({"edit", file.path, "-o", out}, 2, "there is no edit to write");
+  expectRefusal({"edit", file.path, "--cut", "handle", "--keep-largest", "-o", out}, 2, "--close-tunnels");
+  expectRefusal({"edit", file.path, "--close-tunnels", "shorter-than", "-o", out}, 2, "--close-tunnels");
+  expectRefusal({"edit", file.path, "--close-tunnels", "-3", "-o", out}, 2, "--close-tunnels");
+  expectRefusal({"edit", file.path, "--close-tunnels", "shorter-than", "x", "-o", out}, 2, "'x'");
+  expectRefusal({"edit", file.path, "--close-tunnels", "longer-than", "3", "-o", out}, 2, "longer-than");
+  expectRefusal({"edit", file.path, "--close-tunnels", "3", "--cut", "both", "-o", out}, 2, "--cut");
+  expectRefusal({"edit", file.path, "--keep-largest", "-o", file.path}, 2, "it is the input");
+  expectRefusal({"edit", file.path, "--keep-largest", "-o", file.folder / "out.nii"}, 2, "a mesh is");
+  expectRefusal({"edit", file.path, "--keep-largest", "-o", out, "--report", out}, 2, "named twice");
+  CHECK(file.folder.names() == std::vector<std::string>{"open.obj", "pieces.ply"});
+}
+
+TEST_CASE("check and the report of segment list the tunnels", "[cli]") {
+  const PiecesFile file;
+  CHECK(file.check("pieces.ply").at("tunnels").size() == 2);
+  CHECK_THAT(runCli({"check", file.path}).out, Contains("mm round the tunnel"));
+  const PhantomFile phantom = makePhantomFile(file.folder);
+  REQUIRE(runCli({"segment", phantom.path, "--seed", phantom.seed, "-o", file.folder / "s.stl", "--report",
+                  file.folder / "r.json", "--quiet"})
+              .exitCode == 0);
+  CHECK(nlohmann::json::parse(readBytes(file.folder / "r.json")).at("tunnels").empty());
+}
