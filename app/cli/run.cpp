@@ -218,7 +218,9 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
 
   const auto [mesh, certificate] = certifiedForExport(contour->mesh().compact());
   report.mesh = certificate;
+  report.seconds.exported = watch.lap();
   if (!outputs.report.empty()) report.tunnels = findTunnelsQuickly(mesh, certificate);
+  report.seconds.tunnels = watch.lap();
   report.doubts = doubts(report, mesh);
   const SurfaceSupport support = contour->support();
   for (std::string& d : contour->doubts(support)) report.doubts.push_back(std::move(d));
@@ -229,9 +231,9 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
     DeferSignals whole;
     writeObjects({{report.session.label, mesh}}, report, outputs);
     if (shown) writePicture(*shown, mesh, outputs.picture);
-    report.seconds.exported = watch.lap();
+    report.seconds.exported += watch.lap();
     const Timings& s = report.seconds;
-    report.seconds.total = s.load + s.prepare + s.evolve + s.exported;
+    report.seconds.total = s.load + s.prepare + s.evolve + s.exported + s.tunnels;
     writeSideFiles(report, outputs);
   }
   if (!outputs.quiet) printSummary(report);

@@ -13,6 +13,7 @@ Json secondsToJson(const Timings& seconds) {
           {"prepare", seconds.prepare},
           {"evolve", seconds.evolve},
           {"export", seconds.exported},
+          {"tunnels", seconds.tunnels},
           {"total", seconds.total}};
 }
 

@@ -21,6 +21,7 @@ struct Timings {
   double prepare = 0;   //!< automatic parameters, smoothing, seed spheres
   double evolve = 0;    //!< all iterations
   double exported = 0;  //!< certificate and files
+  double tunnels = 0;   //!< listing them, for the report
   double total = 0;
 };
 

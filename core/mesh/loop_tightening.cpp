@@ -201,7 +201,7 @@ SurfaceLoop tightened(const Mesh& mesh, const LoopClasses& classes, const EdgeLo
     const double before = out.length;
     out = band.shortened(out, 0);
     out = band.shortened(out, out.points.size() / 2);
-    if (out.length > 0.999 * before) break;
+    if (out.length > 0.997 * before) break;
   }
   return out;
 }

@@ -185,3 +185,19 @@ TEST_CASE("components are told what surrounds them") {
                             zoo::insideOut(zoo::moved(zoo::scaled(zoo::sphere(3), 0.5), Vec3(0, 3, 0)))));
   CHECK(surroundingComponents(mesh, findComponents(mesh)) == std::vector<int>{-1, -1, 0});
 }
+
+TEST_CASE("the coarsest meshes with tunnels are closed, too") {
+  for (const TriangleSoup& soup : {zoo::torus(3, 3, 3, 1), zoo::torus(4, 3, 3, 1), zoo::torus(3, 5, 3, 1.2),
+                                   zoo::frame(1), zoo::torus(20, 3, 3, 0.1)}) {
+    REQUIRE(certify(soup).passes());
+    for (const TunnelCut cut : {TunnelCut::handle, TunnelCut::tunnel}) {
+      Mesh mesh(soup);
+      const int genus = topologyNumbers(mesh).genus;
+      const TunnelsClosed done = closeTunnels(mesh, kAll, cut);
+      CHECK(done.open.empty());
+      CHECK(static_cast<int>(done.edits.size()) == genus);
+      expectCertified(mesh);
+      expectTopology(mesh, 1, 0);
+    }
+  }
+}
