@@ -33,6 +33,7 @@ class TunnelCloser {
       if (result == Result::refused)
         out_.open.push_back({tunnel.position, tunnel.handle.length, tunnel.tunnel.length});
     }
+    refused_ = out_.open;
     return any;
   }
 
@@ -51,7 +52,15 @@ class TunnelCloser {
       return touched_[idx(p.from)] != 0 || touched_[idx(p.to)] != 0;
     });
   }
+  //! In the round before, with the same loops: it would cost as much again to fail once more.
+  bool wasRefused(const Tunnel& t) const {
+    return std::any_of(refused_.begin(), refused_.end(), [&](const OpenTunnel& o) {
+      return o.location == t.position && o.handleLength == t.handle.length &&
+             o.tunnelLength == t.tunnel.length;
+    });
+  }
   Result close(const Tunnel& tunnel) {
+    if (wasRefused(tunnel)) return Result::refused;
     const auto loops = choices(tunnel);
     // A knotted tunnel or handle has no loop to cut along.
     bool refused =
@@ -82,6 +91,7 @@ class TunnelCloser {
   double shorterThan_;
   TunnelCut cut_;
   TunnelsClosed& out_;
+  std::vector<OpenTunnel> refused_;     // in the round before
   std::vector<unsigned char> touched_;  // per vertex slot, since the tunnels were listed
 };
 
