@@ -9,12 +9,8 @@ namespace handlebody {
 namespace {
 
 Json secondsToJson(const Timings& seconds) {
-  return {{"load", seconds.load},
-          {"prepare", seconds.prepare},
-          {"evolve", seconds.evolve},
-          {"export", seconds.exported},
-          {"tunnels", seconds.tunnels},
-          {"total", seconds.total}};
+  return {{"load", seconds.load},       {"prepare", seconds.prepare}, {"evolve", seconds.evolve},
+          {"export", seconds.exported}, {"tunnels", seconds.tunnels}, {"total", seconds.total}};
 }
 
 Json headToJson(const RunReport& report) {
