@@ -33,6 +33,7 @@ void addCheck(CLI::App& app, Action& action);
 void addHandles(CLI::App& app, Action& action);
 void addPhantom(CLI::App& app, Action& action);
 void addReplay(CLI::App& app, Action& action);
+void addCompare(CLI::App& app, Action& action);
 void addBatch(CLI::App& app, Action& action);
 //! Not for users: see runDicomDecoder.
 void addDecode(CLI::App& app, Action& action);

@@ -55,7 +55,8 @@ int parseAndPerform(int argc, char** argv) {
   app.set_version_flag("--version", std::string("handlebody-cli ") + HANDLEBODY_VERSION);
   app.require_subcommand(1);
   Action action;
-  for (auto add : {addSegment, addInfo, addCheck, addHandles, addPhantom, addReplay, addBatch, addDecode})
+  for (auto add :
+       {addSegment, addInfo, addCheck, addHandles, addPhantom, addReplay, addCompare, addBatch, addDecode})
     add(app, action);
   try {
     app.parse(argc, argv);

@@ -1,0 +1,3 @@
+target_sources(core_tests PRIVATE
+  ${CMAKE_SOURCE_DIR}/tests/core/solid/comparison_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/solid/mask_surface_test.cpp)
