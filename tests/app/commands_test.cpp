@@ -11,6 +11,7 @@ TEST_CASE("help and version succeed and say what the program is not", "[cli]") {
                                              {"segment", "--help"},
                                              {"info", "--help"},
                                              {"check", "--help"},
+                                             {"compare", "--help"},
                                              {"handles", "--help"},
                                              {"phantom", "--help"},
                                              {"replay", "--help"}}) {

@@ -20,9 +20,8 @@ struct Truth {
 Truth makeTruth(const TempFolder& folder, const std::string& name,
                 const std::vector<std::string>& more = {}) {
   Truth t{folder / name + ".nii.gz", folder / name + ".stl"};
-  std::vector<std::string> arguments{"phantom", "rings",   "-o",        folder / name + ".mha",
-                                     "--truth", t.labels,  "--surface", t.surface,
-                                     "--size",  "48,48,48"};
+  std::vector<std::string> arguments{"phantom", "rings",  "-o",        folder / name + ".mha",
+                                     "--truth", t.labels, "--surface", t.surface};
   arguments.insert(arguments.end(), more.begin(), more.end());
   runForJson(arguments);
   return t;
@@ -56,7 +55,7 @@ void requireRefusal(const TempFolder& folder, const std::vector<std::string>& ar
 
 TEST_CASE("a label map is compared with the surface it was drawn from", "[cli][compare]") {
   const TempFolder folder;
-  const Truth truth = makeTruth(folder, "t", {"--spacing", "2,2,2.5"});
+  const Truth truth = makeTruth(folder, "t", {"--size", "48,48,48", "--spacing", "2,2,2.5"});
   const auto json = runForJson({"compare", truth.labels, truth.surface, "--sampling", "0.7", "--json"});
   CHECK(json.at("a").at("kind") == "label map");
   CHECK(json.at("b").at("kind") == "mesh");
