@@ -1,6 +1,9 @@
 target_sources(handlebody_core PRIVATE
+  ${CMAKE_SOURCE_DIR}/core/solid/blurred_mask.cpp
   ${CMAKE_SOURCE_DIR}/core/solid/cell_cases.cpp
   ${CMAKE_SOURCE_DIR}/core/solid/comparison.cpp
+  ${CMAKE_SOURCE_DIR}/core/solid/guarded_mesh.cpp
+  ${CMAKE_SOURCE_DIR}/core/solid/label_mesh.cpp
   ${CMAKE_SOURCE_DIR}/core/solid/mask.cpp
   ${CMAKE_SOURCE_DIR}/core/solid/mask_surface.cpp
   ${CMAKE_SOURCE_DIR}/core/solid/overlap.cpp
