@@ -6,6 +6,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/compare_result.h"
+#include "app/cli/label_input.h"
 #include "app/cli/outputs.h"
 #include "app/cli/parse.h"
 #include "core/errors.h"
@@ -16,7 +17,6 @@ namespace handlebody::cli {
 
 namespace {
 
-constexpr int kLargestValue = 1 << 24;  // whole numbers up to here are exact in every voxel type
 constexpr int kMostThreads = 1024;
 
 struct CompareOptions {
@@ -35,12 +35,9 @@ Solid readMeshSolid(const std::string& path) {
 }
 
 Solid readLabelSolid(const std::string& path, std::optional<int> label, std::vector<std::string>& warnings) {
-  const auto loaded = loadVolume(path);
-  for (const std::string& w : loaded->info.warnings) warnings.push_back(path + ": " + w);
-  if (!holdsWholeNumbers(loaded->volume))
-    throw InputError(path + ": it is no label map: it has voxels whose values are no whole numbers.");
+  const LoadedVolume loaded = readLabels(path, warnings);
   try {
-    return solidOf(maskOf(loaded->volume, label));
+    return solidOf(maskOf(loaded.volume, label));
   } catch (const InputError& error) {
     throw InputError(path + ": it " + error.what() + ".");
   }
@@ -93,18 +90,6 @@ int compare(const CompareOptions& o) {
   return kDone;
 }
 
-void addLabel(CLI::App& command, const std::string& name, std::optional<int>& label,
-              const std::string& help) {
-  command
-      .add_option_function<std::string>(
-          name,
-          [&label, name](const std::string& t) {
-            label = parseInteger(name, t, -kLargestValue, kLargestValue);
-          },
-          help)
-      ->type_name("N");
-}
-
 void addMeasures(CLI::App& command, ComparisonOptions& how) {
   command
       .add_option_function<std::string>(
@@ -136,9 +121,10 @@ void addCompare(CLI::App& app, Action& action) {
       "A mesh (.stl .vtp .ply .obj) or a label map (any volume, .seg.nrrd, DICOM Segmentation)";
   command->add_option("A", options->a, help)->required();
   command->add_option("B", options->b, std::string(help) + "; the reference")->required();
-  addLabel(*command, "--label", options->label, "Value of the object in label maps (default: all but 0)");
-  addLabel(*command, "--label-a", options->labelA, "The same for A alone");
-  addLabel(*command, "--label-b", options->labelB, "The same for B alone");
+  addLabelOption(*command, "--label", options->label,
+                 "Value of the object in label maps (default: all but 0)");
+  addLabelOption(*command, "--label-a", options->labelA, "The same for A alone");
+  addLabelOption(*command, "--label-b", options->labelB, "The same for B alone");
   command
       ->add_option("-o,--output", options->distances,
                    "The surface of A with its signed distance to B at every vertex, mm, negative inside of B")

@@ -56,7 +56,7 @@ int parseAndPerform(int argc, char** argv) {
   app.require_subcommand(1);
   Action action;
   for (auto add :
-       {addSegment, addInfo, addCheck, addHandles, addPhantom, addReplay, addCompare, addBatch, addDecode})
+       {addSegment, addInfo, addCheck, addHandles, addPhantom, addReplay, addCompare, addMesh, addBatch, addDecode})
     add(app, action);
   try {
     app.parse(argc, argv);

@@ -19,18 +19,21 @@ constexpr double kSurroundings = 2;  // longest edges
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
-//! Signed, per component; relative to a point of its own, so that far from the origin no digits are lost.
-std::vector<double> volumesOf(const Mesh& mesh, const std::vector<int>& component, std::size_t count) {
-  std::vector<double> volume(count, 0);
+//! Relative to a point of each component, so that far from the origin no digits are lost.
+std::vector<GuardedMesh::Measure> measuresOf(const Mesh& mesh, const std::vector<int>& component,
+                                             std::size_t count) {
+  std::vector<GuardedMesh::Measure> measures(count);
   std::vector<int> origin(count, -1);
   for (const Triangle& t : mesh.faces()) {
     if (t[0] < 0) continue;
     const auto c = idx(component[idx(t[0])]);
     if (origin[c] < 0) origin[c] = t[0];
     const Vec3& o = mesh.position(origin[c]);
-    volume[c] += (mesh.position(t[0]) - o).dot((mesh.position(t[1]) - o).cross(mesh.position(t[2]) - o)) / 6;
+    const Vec3 a = mesh.position(t[0]) - o, b = mesh.position(t[1]) - o, d = mesh.position(t[2]) - o;
+    measures[c].volume += a.dot(b.cross(d)) / 6;
+    measures[c].area += (b - a).cross(d - a).norm() / 2;
   }
-  return volume;
+  return measures;
 }
 
 }  // namespace
@@ -38,7 +41,11 @@ std::vector<double> volumesOf(const Mesh& mesh, const std::vector<int>& componen
 GuardedMesh::GuardedMesh(Mesh mesh) : mesh_(std::move(mesh)) {
   Components parts = findComponents(mesh_);
   component_ = std::move(parts.ofVertex);
-  volume_ = volumesOf(mesh_, component_, parts.vertices.size());
+  for (const Measure& m : measuresOf(mesh_, component_, parts.vertices.size())) volume_.push_back(m.volume);
+}
+
+std::vector<GuardedMesh::Measure> GuardedMesh::measures() const {
+  return measuresOf(mesh_, component_, volume_.size());
 }
 
 GuardedMesh::Faults GuardedMesh::faultsOf(const Mesh& mesh, const std::vector<int>& component,
@@ -50,9 +57,9 @@ GuardedMesh::Faults GuardedMesh::faultsOf(const Mesh& mesh, const std::vector<in
       for (const int v : mesh.face(face)) faults.vertices.push_back(v);
   faults.any = !pairs.empty();
   if (faults.any) return faults;  // the rest is for a mesh without intersections
-  const std::vector<double> now = volumesOf(mesh, component, volume_.size());
+  const std::vector<Measure> now = measuresOf(mesh, component, volume_.size());
   for (std::size_t c = 0; c < now.size(); ++c)
-    if (!(now[c] / volume_[c] >= kLeastVolume)) faults.component[c] = 1;
+    if (!(now[c].volume / volume_[c] >= kLeastVolume)) faults.component[c] = 1;
   if (volume_.size() > 1) {
     const Components parts = findComponents(mesh);
     for (const int c : misplacedComponents(labelled(mesh, parts)))

@@ -18,6 +18,13 @@ class GuardedMesh {
   //! body.
   explicit GuardedMesh(Mesh mesh);
   const Mesh& mesh() const { return mesh_; }
+  //! Of a vertex: as findComponents numbered them at first.
+  int component(int v) const { return component_[static_cast<std::size_t>(v)]; }
+  struct Measure {
+    double volume = 0, area = 0;  //!< mm³, signed; mm²
+  };
+  //! Per component.
+  std::vector<Measure> measures() const;
 
   //! Puts every vertex at its target. Those whose faces then intersect, and what lies around them, go back
   //! until none do; so do the components that have lost too much of their volume (kLeastVolume) or lie where

@@ -2,11 +2,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 
 #include "core/collision/certify.h"
 #include "core/collision/closest_point.h"
+#include "core/mesh/topology.h"
 #include "core/solid/blurred_mask.h"
 #include "core/solid/guarded_mesh.h"
 #include "core/solid/mask_surface.h"
@@ -23,6 +25,7 @@ constexpr int kMovesBetween = 3;
 constexpr double kTangential = 0.5;                // of the way to the neighbours' mean
 constexpr double kLongestStep = 0.25;              // voxels, towards the level
 constexpr double kLongest = 1.5, kShortest = 0.6;  // of the edge length that is wanted
+constexpr double kMostOffset = 0.3;                // of the smallest spacing, to keep the volume
 constexpr std::size_t kChunk = 1024;
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
@@ -30,6 +33,17 @@ std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 TriangleSoup onGrid(TriangleSoup mesh, const Grid& grid) {
   for (Vec3& p : mesh.points) p = grid.toIndex(p);
   return mesh;
+}
+
+//! Midway between two voxels.
+bool isCrossing(const Vec3& index) {
+  int halves = 0;
+  for (int a = 0; a < 3; ++a) {
+    const double twice = 2 * index[a], whole = std::round(twice);
+    if (std::abs(twice - whole) > 1e-6) return false;
+    halves += static_cast<long>(whole) % 2 != 0;
+  }
+  return halves == 1;
 }
 
 //! The smooth surface that is meant: where the blurred mask has the mean value that it has around there on
@@ -44,8 +58,9 @@ class SmoothSurface {
         nearest_(inVoxels_),
         levels_(meanLevels(Mesh(surface))) {}
 
-  //! From `p` towards it; `hint` as ClosestPoint. Never farther than kMostMove from the voxels' surface.
-  Vec3 towards(const Vec3& from, const Vec3& p, int& hint) const {
+  //! From `p` towards what lies `offset` mm outside of it; `hint` as ClosestPoint. Never farther than
+  //! kMostMove from the voxels' surface.
+  Vec3 towards(const Vec3& from, const Vec3& p, double offset, int& hint) const {
     const Vec3 start = grid_.toIndex(from);
     Vec3 index = grid_.toIndex(p);
     if (hint < 0) nearest_.distance(index, &hint);
@@ -53,6 +68,7 @@ class SmoothSurface {
     const double level = (levels_[idx(t[0])] + levels_[idx(t[1])] + levels_[idx(t[2])]) / 3;
     index += step(index, level);
     index += step(index, level);
+    index += outwards(index, offset);
     for (int i = 0; i < 4; ++i, index = (index + start) / 2)
       if (nearest_.distance(index, &hint) <= kMostMove) return grid_.toWorld(index);
     return from;
@@ -69,9 +85,30 @@ class SmoothSurface {
     return length > kLongestStep ? s * (kLongestStep / length) : s;
   }
 
+  //! Only where an edge of the grid crosses the surface is its place known without bias: what fills corners
+  //! begins with the mean of its neighbours.
+  double firstLevel(const Mesh& mesh, int v) const {
+    if (isCrossing(inVoxels_.points[idx(v)])) return blurred_.at(inVoxels_.points[idx(v)]);
+    double sum = 0;
+    int n = 0;
+    mesh.forEachNeighbour(v, [&](int w) {
+      sum += blurred_.at(inVoxels_.points[idx(w)]);
+      ++n;
+    });
+    return sum / n;
+  }
+
+  //! A way of `offset` mm, in voxels.
+  Vec3 outwards(const Vec3& index, double offset) const {
+    const Vec3 g = blurred_.gradient(index).cwiseQuotient(grid_.spacing);  // per mm
+    const double length = g.norm();
+    if (offset == 0 || !(length > 0)) return Vec3::Zero();
+    return (-offset / length * g).cwiseQuotient(grid_.spacing);
+  }
+
   std::vector<double> meanLevels(const Mesh& mesh) const {
     std::vector<double> level(inVoxels_.points.size()), next(level.size());
-    for (std::size_t v = 0; v < level.size(); ++v) level[v] = blurred_.at(inVoxels_.points[v]);
+    for (std::size_t v = 0; v < level.size(); ++v) level[v] = firstLevel(mesh, static_cast<int>(v));
     for (int pass = 0; pass < kLevelPasses; ++pass) {
       for (int v = 0; v < mesh.vertexSlots(); ++v) {
         double sum = level[idx(v)];
@@ -111,7 +148,44 @@ Vec3 evened(const Mesh& mesh, int v) {
   return p + kTangential * (shift - shift.dot(normal) * normal);
 }
 
-void moveOnce(GuardedMesh& guarded, const SmoothSurface& surface, std::vector<int>& hints, int threads) {
+//! Per component of the surface between the voxels: the volume of the voxels that it encloses, mm³, negative
+//! for a cavity. That is the sum over the sides of voxels across the first axis, each with its place along
+//! it.
+std::vector<double> voxelVolumes(const Mask& mask, const TriangleSoup& surface) {
+  const Components parts = findComponents(Mesh(surface));
+  std::vector<double> volumes(parts.vertices.size(), 0);
+  for (std::size_t v = 0; v < surface.points.size(); ++v) {
+    const Vec3 index = mask.grid.toIndex(surface.points[v]);
+    const int x = static_cast<int>(std::floor(index.x())), y = static_cast<int>(std::lround(index.y())),
+              z = static_cast<int>(std::lround(index.z()));
+    const bool isAcross = isCrossing(index) && std::abs(index.x() - x - 0.5) < 0.25 &&
+                          mask.holds(x, y, z) != mask.holds(x + 1, y, z);
+    if (isAcross) volumes[idx(parts.ofVertex[v])] += (mask.holds(x, y, z) ? 1 : -1) * (x + 0.5);
+  }
+  for (double& volume : volumes) volume *= mask.grid.voxelVolume();
+  return volumes;
+}
+
+//! How far outside of the smooth surface each component is to lie, mm, so that it keeps the volume of its
+//! voxels.
+class Offsets {
+ public:
+  Offsets(std::vector<double> wanted, double most)
+      : wanted_(std::move(wanted)), offset_(wanted_.size(), 0), most_(most) {}
+  double of(int component) const { return offset_[idx(component)]; }
+  void update(const GuardedMesh& guarded) {
+    const auto now = guarded.measures();
+    for (std::size_t c = 0; c < now.size(); ++c)
+      offset_[c] = std::clamp(offset_[c] + (wanted_[c] - now[c].volume) / now[c].area, -most_, most_);
+  }
+
+ private:
+  std::vector<double> wanted_, offset_;
+  double most_;
+};
+
+void moveOnce(GuardedMesh& guarded, const SmoothSurface& surface, const Offsets& offsets,
+              std::vector<int>& hints, int threads) {
   const Mesh& mesh = guarded.mesh();
   std::vector<Vec3> targets(idx(mesh.vertexSlots()));
   hints.resize(targets.size(), -1);
@@ -119,7 +193,8 @@ void moveOnce(GuardedMesh& guarded, const SmoothSurface& surface, std::vector<in
     const int end = static_cast<int>(std::min((chunk + 1) * kChunk, targets.size()));
     for (int v = static_cast<int>(chunk * kChunk); v < end; ++v)
       if (mesh.isVertex(v))
-        targets[idx(v)] = surface.towards(mesh.position(v), evened(mesh, v), hints[idx(v)]);
+        targets[idx(v)] = surface.towards(mesh.position(v), evened(mesh, v), offsets.of(guarded.component(v)),
+                                          hints[idx(v)]);
   });
   guarded.move(targets);
 }
@@ -135,14 +210,16 @@ bool isSameTopology(const Certificate& a, const Certificate& b) {
   return a.components == b.components && a.cavities == b.cavities && sortedGenus(a) == sortedGenus(b);
 }
 
-void smoothAndRegulate(GuardedMesh& guarded, const SmoothSurface& surface, double edge, int threads) {
+void smoothAndRegulate(GuardedMesh& guarded, const SmoothSurface& surface, Offsets& offsets, double edge,
+                       int threads) {
   const RemeshLimits limits{kLongest * edge, kShortest * edge};
   std::vector<int> hints;
-  for (int i = 0; i < kFirstMoves; ++i) moveOnce(guarded, surface, hints, threads);
+  for (int i = 0; i < kFirstMoves; ++i) moveOnce(guarded, surface, offsets, hints, threads);
   for (int i = 0; i < kRegulations; ++i) {
+    offsets.update(guarded);
     guarded.regulate(limits);
     hints.assign(hints.size(), -1);  // vertices have other numbers
-    for (int k = 0; k < kMovesBetween; ++k) moveOnce(guarded, surface, hints, threads);
+    for (int k = 0; k < kMovesBetween; ++k) moveOnce(guarded, surface, offsets, hints, threads);
   }
 }
 
@@ -162,7 +239,8 @@ LabelMesh meshOf(const Mask& mask, const LabelMeshOptions& options) {
   const SmoothSurface surface(mask, result.mesh, sigma);
   const Certificate counted = examine(Mesh(result.mesh));
   GuardedMesh guarded{Mesh(result.mesh)};
-  smoothAndRegulate(guarded, surface, edge, options.threads);
+  Offsets offsets(voxelVolumes(mask, result.mesh), kMostOffset * mask.grid.spacing.minCoeff());
+  smoothAndRegulate(guarded, surface, offsets, edge, options.threads);
   result.mesh = guarded.mesh().compact();
   result.certificate = certify(result.mesh);
   if (!result.certificate.boundsBody() || !isSameTopology(result.certificate, counted))

@@ -44,7 +44,7 @@ const Layers& layers() {
     add("core/surgery", {"core/collision", "core/handles"});
     add("core/object", {"core/volume", "core/mesh"});
     add("core/evolution", {"core/surgery", "core/object"});
-    add("core/solid", {"core/collision", "core/volume"});
+    add("core/solid", {"core/collision", "core/object"});
     add("core/io", {"core/evolution", "core/solid"});
     add("sample_volumes", {"core/io"});
     add("ui/model", {"core/io"});
