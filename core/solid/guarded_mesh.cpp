@@ -100,7 +100,7 @@ void GuardedMesh::putBack(const Faults& faults, std::span<const Vec3> before, bo
     if (moved_[idx(v)] != 0 && faults.component[idx(component_[idx(v)])] != 0) back(v);
 }
 
-bool GuardedMesh::regulate(const RemeshLimits& limits) {
+bool GuardedMesh::regulate(const RemeshLimits& limits, const std::function<bool(const Vec3&)>& mayLie) {
   std::vector<int> faces(volume_.size(), 0);
   for (const Triangle& t : mesh_.faces()) ++faces[idx(component_[idx(t[0])])];
   std::vector<unsigned char> allowed(idx(mesh_.vertexSlots()));
@@ -112,8 +112,10 @@ bool GuardedMesh::regulate(const RemeshLimits& limits) {
     handlebody::regulate(changed, limits, active);
     if (findStructureFault(changed)) return false;
     const auto component = componentsOf(changed);
-    const Faults faults =
-        faultsOf(changed, component, detector_.detectAll(changed.positions(), changed.faces()));
+    Faults faults = faultsOf(changed, component, detector_.detectAll(changed.positions(), changed.faces()));
+    for (int v = 0; v < changed.vertexSlots(); ++v)
+      if (changed.isVertex(v) && !mayLie(changed.position(v))) faults.vertices.push_back(v);
+    faults.any = faults.any || !faults.vertices.empty();
     if (!faults.any) {
       component_ = component;
       take(changed);

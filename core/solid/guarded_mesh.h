@@ -31,9 +31,9 @@ class GuardedMesh {
   //! they cannot.
   void move(std::span<const Vec3> targets);
   //! Regulates the edges, but not those of components of fewer than kFewestFaces. Where something is wrong
-  //! then, as above, all is taken back and done anew without the surroundings. False, with the mesh
-  //! unchanged, if that fails again and again.
-  bool regulate(const RemeshLimits& limits);
+  //! then, as above, or a vertex lies where it may not, all is taken back and done anew without the
+  //! surroundings. False, with the mesh unchanged, if that fails again and again.
+  bool regulate(const RemeshLimits& limits, const std::function<bool(const Vec3&)>& mayLie);
 
  private:
   struct Faults {

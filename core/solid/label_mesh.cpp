@@ -25,7 +25,14 @@ constexpr int kMovesBetween = 3;
 constexpr double kTangential = 0.5;                // of the way to the neighbours' mean
 constexpr double kLongestStep = 0.25;              // voxels, towards the level
 constexpr double kLongest = 1.5, kShortest = 0.6;  // of the edge length that is wanted
-constexpr double kMostOffset = 0.3;                // of the smallest spacing, to keep the volume
+//! Voxels: how far a vertex may go between two looks at the edges. What is thin would draw back without end.
+struct Reach {
+  double along;  // the normal
+  double any;    // in any direction
+};
+constexpr Reach kFirstReach{0.75, 0.8}, kLaterReach{0.15, 0.3};
+constexpr double kSameWay = 0.3;     // cosine; steps of voxels are within 55° of the surface meant
+constexpr double kMostOffset = 0.3;  // of the smallest spacing, to keep the volume
 constexpr std::size_t kChunk = 1024;
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
@@ -46,6 +53,16 @@ bool isCrossing(const Vec3& index) {
   return halves == 1;
 }
 
+//! The place nearest to `index` along the normal, and then on the way from the anchor, that it may go to.
+//! Voxels.
+Vec3 withinReach(const Vec3& anchor, const Vec3& index, const Vec3& normal, const Reach& reach) {
+  Vec3 way = index - anchor;
+  const double along = way.dot(normal);
+  way += (std::clamp(along, -reach.along, reach.along) - along) * normal;
+  const double length = way.norm();
+  return anchor + (length > reach.any ? reach.any / length : 1.0) * way;
+}
+
 //! The smooth surface that is meant: where the blurred mask has the mean value that it has around there on
 //! the surface between the voxels. Half way on a plane; on what is thin or curved, another one, so that it
 //! keeps its size.
@@ -58,24 +75,49 @@ class SmoothSurface {
         nearest_(inVoxels_),
         levels_(meanLevels(Mesh(surface))) {}
 
-  //! From `p` towards what lies `offset` mm outside of it; `hint` as ClosestPoint. Never farther than
-  //! kMostMove from the voxels' surface.
-  Vec3 towards(const Vec3& from, const Vec3& p, double offset, int& hint) const {
-    const Vec3 start = grid_.toIndex(from);
-    Vec3 index = grid_.toIndex(p);
+  //! Where a vertex is, and what it is to do.
+  struct Place {
+    Vec3 from, to;  //!< mm
+    Vec3 normal;    //!< of the mesh, of any length
+    double offset;  //!< mm, outside of the surface that is meant
+    Vec3 anchor;    //!< mm
+    Reach reach;    //!< from there
+  };
+
+  //! From `to` towards the surface. Never farther than kMostMove from the voxels' surface, and only to where
+  //! that faces the same way: else what is as thin as a voxel would draw back along itself.
+  Vec3 towards(const Place& place, int& hint) const {
+    const Vec3 start = grid_.toIndex(place.from);
+    Vec3 index = grid_.toIndex(place.to);
     if (hint < 0) nearest_.distance(index, &hint);
     const Triangle& t = inVoxels_.triangles[idx(hint)];
     const double level = (levels_[idx(t[0])] + levels_[idx(t[1])] + levels_[idx(t[2])]) / 3;
     index += step(index, level);
     index += step(index, level);
-    index += outwards(index, offset);
+    index += outwards(index, place.offset);
+    const Vec3 normal = normalInVoxels(place.normal);
+    index = withinReach(grid_.toIndex(place.anchor), index, normal, place.reach);
     for (int i = 0; i < 4; ++i, index = (index + start) / 2)
-      if (nearest_.distance(index, &hint) <= kMostMove) return grid_.toWorld(index);
-    return from;
+      if (nearest_.distance(index, &hint) <= kMostMove && facesLike(normal, hint))
+        return grid_.toWorld(index);
+    return place.from;
   }
+  //! From the voxels' surface, in voxels.
   double distance(const Vec3& p) const { return nearest_.distance(grid_.toIndex(p)); }
 
  private:
+  //! Normals go the other way than points: a plane stays a plane.
+  Vec3 normalInVoxels(const Vec3& normal) const {
+    const double turned = grid_.direction.determinant() < 0 ? -1 : 1;
+    return (turned * (grid_.direction.transpose() * normal).cwiseProduct(grid_.spacing)).normalized();
+  }
+  bool facesLike(const Vec3& normal, int triangle) const {
+    const Triangle& t = inVoxels_.triangles[idx(triangle)];
+    const Vec3& a = inVoxels_.points[idx(t[0])];
+    const Vec3 there = (inVoxels_.points[idx(t[1])] - a).cross(inVoxels_.points[idx(t[2])] - a);
+    return normal.dot(there) > kSameWay * there.norm();
+  }
+
   Vec3 step(const Vec3& index, double level) const {
     const Vec3 g = blurred_.gradient(index);
     const double squared = g.squaredNorm();
@@ -131,8 +173,8 @@ class SmoothSurface {
   std::vector<double> levels_;
 };
 
-//! The mean of the neighbours, as far as it lies in the tangent plane.
-Vec3 evened(const Mesh& mesh, int v) {
+//! To the mean of the neighbours, as far as it lies in the tangent plane.
+SmoothSurface::Place evened(const Mesh& mesh, int v) {
   Vec3 mean = Vec3::Zero(), normal = Vec3::Zero();
   int n = 0;
   mesh.forEachOutgoing(v, [&](int h) {
@@ -141,11 +183,10 @@ Vec3 evened(const Mesh& mesh, int v) {
     ++n;
   });
   const Vec3& p = mesh.position(v);
-  const double length = normal.norm();
-  if (n == 0 || !(length > 0)) return p;
-  normal /= length;
+  const double squared = normal.squaredNorm();
+  if (n == 0 || !(squared > 0)) return {p, p, normal, 0, p, {}};
   const Vec3 shift = mean / n - p;
-  return p + kTangential * (shift - shift.dot(normal) * normal);
+  return {p, p + kTangential * (shift - shift.dot(normal) / squared * normal), normal, 0, p, {}};
 }
 
 //! Per component of the surface between the voxels: the volume of the voxels that it encloses, mm³, negative
@@ -184,20 +225,44 @@ class Offsets {
   double most_;
 };
 
-void moveOnce(GuardedMesh& guarded, const SmoothSurface& surface, const Offsets& offsets,
-              std::vector<int>& hints, int threads) {
-  const Mesh& mesh = guarded.mesh();
-  std::vector<Vec3> targets(idx(mesh.vertexSlots()));
-  hints.resize(targets.size(), -1);
-  forEachOnThreads((targets.size() + kChunk - 1) / kChunk, threads, [&](std::size_t chunk) {
-    const int end = static_cast<int>(std::min((chunk + 1) * kChunk, targets.size()));
-    for (int v = static_cast<int>(chunk * kChunk); v < end; ++v)
-      if (mesh.isVertex(v))
-        targets[idx(v)] = surface.towards(mesh.position(v), evened(mesh, v), offsets.of(guarded.component(v)),
-                                          hints[idx(v)]);
-  });
-  guarded.move(targets);
-}
+//! Moves all vertices towards the surface that is meant.
+class Moves {
+ public:
+  Moves(GuardedMesh& guarded, const SmoothSurface& surface, const Offsets& offsets, int threads)
+      : guarded_(guarded), surface_(surface), offsets_(offsets), threads_(threads) {}
+
+  //! None goes farther than `reach` from where it is now.
+  void make(int count, const Reach& reach) {
+    anchors_.assign(guarded_.mesh().positions().begin(), guarded_.mesh().positions().end());
+    hints_.assign(anchors_.size(), -1);
+    for (int i = 0; i < count; ++i) make(reach);
+  }
+
+ private:
+  void make(const Reach& reach) {
+    const Mesh& mesh = guarded_.mesh();
+    std::vector<Vec3> targets(anchors_.size());
+    forEachOnThreads((targets.size() + kChunk - 1) / kChunk, threads_, [&](std::size_t chunk) {
+      const int end = static_cast<int>(std::min((chunk + 1) * kChunk, targets.size()));
+      for (int v = static_cast<int>(chunk * kChunk); v < end; ++v) {
+        if (!mesh.isVertex(v)) continue;
+        SmoothSurface::Place place = evened(mesh, v);
+        place.offset = offsets_.of(guarded_.component(v));
+        place.anchor = anchors_[idx(v)];
+        place.reach = reach;
+        targets[idx(v)] = surface_.towards(place, hints_[idx(v)]);
+      }
+    });
+    guarded_.move(targets);
+  }
+
+  GuardedMesh& guarded_;
+  const SmoothSurface& surface_;
+  const Offsets& offsets_;
+  int threads_;
+  std::vector<Vec3> anchors_;
+  std::vector<int> hints_;
+};
 
 //! In the order of size, as the order of components may change.
 std::vector<int> sortedGenus(const Certificate& c) {
@@ -213,13 +278,12 @@ bool isSameTopology(const Certificate& a, const Certificate& b) {
 void smoothAndRegulate(GuardedMesh& guarded, const SmoothSurface& surface, Offsets& offsets, double edge,
                        int threads) {
   const RemeshLimits limits{kLongest * edge, kShortest * edge};
-  std::vector<int> hints;
-  for (int i = 0; i < kFirstMoves; ++i) moveOnce(guarded, surface, offsets, hints, threads);
+  Moves moves(guarded, surface, offsets, threads);
+  moves.make(kFirstMoves, kFirstReach);
   for (int i = 0; i < kRegulations; ++i) {
     offsets.update(guarded);
-    guarded.regulate(limits);
-    hints.assign(hints.size(), -1);  // vertices have other numbers
-    for (int k = 0; k < kMovesBetween; ++k) moveOnce(guarded, surface, offsets, hints, threads);
+    guarded.regulate(limits, [&](const Vec3& p) { return surface.distance(p) <= kMostMove; });
+    moves.make(kMovesBetween, kLaterReach);
   }
 }
 

@@ -86,15 +86,28 @@ Mask largestPart(const Mask& mask) {
   return part;
 }
 
-int countTunnels(const Mask& mask) {
+namespace {
+
+Certificate topologyOf(const Mask& mask) {
   const TriangleSoup surface = maskSurface(mask);
-  if (surface.triangles.empty()) return 0;
-  const Certificate c = examine(Mesh(surface));
-  return std::accumulate(c.genus.begin(), c.genus.end(), 0);
+  return surface.triangles.empty() ? Certificate{} : examine(Mesh(surface));
 }
 
+int tunnelsOf(const Certificate& c) { return std::accumulate(c.genus.begin(), c.genus.end(), 0); }
+
+//! Neither more parts nor more cavities.
+bool isSimpler(const Certificate& c, const Certificate& before, int genus) {
+  return tunnelsOf(c) <= genus && c.cavities <= std::max(0, before.cavities) &&
+         c.components - c.cavities <= before.components - before.cavities;
+}
+
+}  // namespace
+
+int countTunnels(const Mask& mask) { return tunnelsOf(topologyOf(mask)); }
+
 std::optional<Mask> withFewerTunnels(const Mask& mask, int genus) {
-  if (countTunnels(mask) <= genus) return mask;
+  const Certificate before = topologyOf(mask);
+  if (tunnelsOf(before) <= genus) return mask;
   std::optional<Mask> best;
   std::size_t fewest = 0;
   const double step = mask.grid.spacing.minCoeff();
@@ -106,7 +119,7 @@ std::optional<Mask> withFewerTunnels(const Mask& mask, int genus) {
       spread(changed, first == 1 ? 0 : 1, ball * step * 1.001);
       const std::size_t n = difference(changed, wide);
       if (changed.count() == 0 || (best && n >= fewest)) break;  // larger balls change more
-      if (countTunnels(changed) > genus) continue;
+      if (!isSimpler(topologyOf(changed), before, genus)) continue;
       best = std::move(changed);
       fewest = n;
       break;

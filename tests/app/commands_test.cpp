@@ -12,6 +12,7 @@ TEST_CASE("help and version succeed and say what the program is not", "[cli]") {
                                              {"info", "--help"},
                                              {"check", "--help"},
                                              {"compare", "--help"},
+                                             {"mesh", "--help"},
                                              {"handles", "--help"},
                                              {"phantom", "--help"},
                                              {"replay", "--help"}}) {
