@@ -282,7 +282,7 @@ void smoothAndRegulate(GuardedMesh& guarded, const SmoothSurface& surface, Offse
   moves.make(kFirstMoves, kFirstReach);
   for (int i = 0; i < kRegulations; ++i) {
     offsets.update(guarded);
-    guarded.regulate(limits, [&](const Vec3& p) { return surface.distance(p) <= kMostMove; });
+    guarded.regulate(limits, [&](const Vec3& p) { return surface.distance(p) <= kMostApart; });
     moves.make(kMovesBetween, kLaterReach);
   }
 }

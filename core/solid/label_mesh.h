@@ -18,12 +18,13 @@ struct LabelMesh {
   double farthest = 0;      //!< voxels: of a vertex from the surface between the voxels
 };
 
-//! The maskSurface, smoothed and regulated. No vertex leaves that surface by more than kMostMove voxels; what
+//! The maskSurface, smoothed and regulated. No vertex is moved farther
+//! than kMostMove voxels from that surface, nor put farther than kMostApart where edges are regulated; what
 //! would make the mesh intersect itself is not done, vertex by vertex. Components, cavities and genus are
 //! those of the mask (see maskSurface). Throws as maskSurface; std::logic_error if a step has broken the
 //! topology. Precondition: the mask has a voxel.
 LabelMesh meshOf(const Mask& mask, const LabelMeshOptions& options);
 
-inline constexpr double kMostMove = 0.5;
+inline constexpr double kMostMove = 0.5, kMostApart = 0.8;
 
 }  // namespace handlebody

@@ -48,7 +48,7 @@ def discrete(image, smoothing):
     f.Update()
     if not smoothing:
         return f.GetOutput()
-    s = vtk.vtkWindowedSincPolyDataFilter()  # as 3D Slicer sets it for a smoothing of 0.5
+    s = vtk.vtkWindowedSincPolyDataFilter()  # strong enough to take the steps away
     s.SetInputData(f.GetOutput())
     s.SetNumberOfIterations(60)
     s.SetPassBand(0.01)
