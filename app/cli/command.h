@@ -34,6 +34,8 @@ void addHandles(CLI::App& app, Action& action);
 void addPhantom(CLI::App& app, Action& action);
 void addEdit(CLI::App& app, Action& action);
 void addReplay(CLI::App& app, Action& action);
+void addCompare(CLI::App& app, Action& action);
+void addMesh(CLI::App& app, Action& action);
 void addBatch(CLI::App& app, Action& action);
 //! Not for users: see runDicomDecoder.
 void addDecode(CLI::App& app, Action& action);

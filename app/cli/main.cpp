@@ -55,8 +55,8 @@ int parseAndPerform(int argc, char** argv) {
   app.set_version_flag("--version", std::string("handlebody-cli ") + HANDLEBODY_VERSION);
   app.require_subcommand(1);
   Action action;
-  for (auto add :
-       {addSegment, addInfo, addCheck, addEdit, addHandles, addPhantom, addReplay, addBatch, addDecode})
+  for (auto add : {addSegment, addInfo, addCheck, addEdit, addHandles, addPhantom, addReplay, addCompare,
+                   addMesh, addBatch, addDecode})
     add(app, action);
   try {
     app.parse(argc, argv);

@@ -1,6 +1,7 @@
 target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/collision/box_tree.cpp
   ${CMAKE_SOURCE_DIR}/core/collision/certify.cpp
+  ${CMAKE_SOURCE_DIR}/core/collision/closest_point.cpp
   ${CMAKE_SOURCE_DIR}/core/collision/face_pair.cpp
   ${CMAKE_SOURCE_DIR}/core/collision/near_points.cpp
   ${CMAKE_CURRENT_LIST_DIR}/self_intersection.cpp

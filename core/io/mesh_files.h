@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/io/mesh_io.h"
 
@@ -12,6 +13,8 @@ namespace handlebody {
 struct MeshFile {
   TriangleSoup mesh{};
   CoordinateSpace space = CoordinateSpace::lps;
+  std::vector<double> values{};  //!< per point, for .vtp; empty: none
+  std::string valueName{};
 };
 
 //! "SPACE=LPS" or "SPACE=RAS": what we write into comments and headers.

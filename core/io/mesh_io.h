@@ -2,8 +2,10 @@
 // Meshes from and to files, through VTK. No VTK type appears here.
 
 #include <string>
+#include <vector>
 
 #include "core/mesh/mesh.h"
+#include "core/solid/rasterize.h"
 #include "core/volume/volume.h"
 
 namespace handlebody {
@@ -22,13 +24,13 @@ bool isLabelMapPath(const std::string& path);
 void writeMesh(const TriangleSoup& mesh, const std::string& path,
                CoordinateSpace space = CoordinateSpace::lps);
 
+//! Writes .vtp alone, with a value per point in an array of that name (single precision, the active scalars).
+//! Throws as writeMesh.
+void writeMeshWithValues(const TriangleSoup& mesh, const std::vector<double>& values, const std::string& name,
+                         const std::string& path);
+
 //! Reads .stl .vtp .ply .obj; STL vertices with equal coordinates are merged. RAS files that say so come back
 //! as LPS. Throws InputError.
 TriangleSoup readMesh(const std::string& path);
-
-//! Label map on `grid`: 1 where the voxel centre lies inside the closed mesh (an odd number of crossings, so
-//! that cavities are outside), else 0 (uint8). Precondition: the mesh is closed; its orientation does not
-//! matter.
-Volume rasterize(const TriangleSoup& mesh, const Grid& grid);
 
 }  // namespace handlebody

@@ -1,8 +1,10 @@
 #include <vtkCellArray.h>
 #include <vtkFieldData.h>
+#include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPLYWriter.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSTLWriter.h>
@@ -65,8 +67,16 @@ bool writePly(const MeshFile& file, const std::string& temporary) {
   return writer->Write() == 1 && writer->GetErrorCode() == 0;
 }
 
+void addValues(const MeshFile& file, vtkPolyData& data) {
+  vtkNew<vtkFloatArray> array;
+  array->SetName(file.valueName.c_str());
+  for (const double value : file.values) array->InsertNextValue(static_cast<float>(value));
+  data.GetPointData()->SetScalars(array);
+}
+
 bool writeVtp(const MeshFile& file, const std::string& temporary) {
   const auto data = toVtk(file);
+  if (!file.values.empty()) addValues(file, *data);
   vtkNew<vtkStringArray> space;
   space->SetName("SPACE");
   space->InsertNextValue(file.space == CoordinateSpace::lps ? "LPS" : "RAS");
@@ -98,6 +108,20 @@ bool arrived(const MeshFile& file, const std::string& temporary) {
   }
 }
 
+void writeWhole(const MeshFile& file, const std::string& path) {
+  writeAtomically(path, [&](const std::string& temporary) {
+    const VtkSilence silence;
+    bool written = false;
+    try {
+      written = writeAny(file, endingOf(path), temporary) && arrived(file, temporary);
+    } catch (const OutputError&) {
+      // Said below, with the right name.
+    }
+    if (!written)
+      throw OutputError(path + ": cannot be written: the data did not reach the disk (is it full?).");
+  });
+}
+
 }  // namespace
 
 bool isMeshPath(const std::string& path) {
@@ -110,17 +134,13 @@ void writeMesh(const TriangleSoup& mesh, const std::string& path, CoordinateSpac
   MeshFile file{mesh, space};
   if (space == CoordinateSpace::ras)
     for (Vec3& p : file.mesh.points) p = Vec3(-p.x(), -p.y(), p.z());  // a rotation: the winding stays
-  writeAtomically(path, [&](const std::string& temporary) {
-    const VtkSilence silence;
-    bool written = false;
-    try {
-      written = writeAny(file, endingOf(path), temporary) && arrived(file, temporary);
-    } catch (const OutputError&) {
-      // Said below, with the right name.
-    }
-    if (!written)
-      throw OutputError(path + ": cannot be written: the data did not reach the disk (is it full?).");
-  });
+  writeWhole(file, path);
+}
+
+void writeMeshWithValues(const TriangleSoup& mesh, const std::vector<double>& values, const std::string& name,
+                         const std::string& path) {
+  if (endingOf(path) != ".vtp") throw UsageError(path + ": a mesh with values is written as .vtp.");
+  writeWhole({mesh, CoordinateSpace::lps, values, name}, path);
 }
 
 }  // namespace handlebody

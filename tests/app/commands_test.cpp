@@ -12,6 +12,8 @@ TEST_CASE("help and version succeed and say what the program is not", "[cli]") {
                                              {"info", "--help"},
                                              {"check", "--help"},
                                              {"edit", "--help"},
+                                             {"compare", "--help"},
+                                             {"mesh", "--help"},
                                              {"handles", "--help"},
                                              {"phantom", "--help"},
                                              {"replay", "--help"}}) {

@@ -44,7 +44,8 @@ const Layers& layers() {
     add("core/surgery", {"core/collision", "core/handles"});
     add("core/object", {"core/volume", "core/mesh"});
     add("core/evolution", {"core/surgery", "core/object"});
-    add("core/io", {"core/evolution"});
+    add("core/solid", {"core/collision", "core/object"});
+    add("core/io", {"core/evolution", "core/solid"});
     add("sample_volumes", {"core/io"});
     add("ui/model", {"core/io"});
     add("ui/view", {"ui/model"});

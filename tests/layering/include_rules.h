@@ -14,8 +14,8 @@ using SourceTree = std::map<std::string, std::string>;
 SourceTree readSources(const std::string& root);
 
 //! One sentence, "FILE:LINE: …", for every include that breaks a rule, in the order of the files:
-//! - geometry ← mesh ← collision, handles ← surgery ← evolution; geometry ← volume ← evolution; io on all of
-//! core;
+//! - geometry ← mesh ← collision, handles ← surgery ← evolution; geometry ← volume ← evolution; collision,
+//!   object ← solid; io on all of core;
 //!   sample_volumes and ui on core and io; model ← view ← window within ui; app on everything; nothing on
 //!   tests.
 //! - core outside io: Eigen and the standard library only.

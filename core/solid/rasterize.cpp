@@ -1,10 +1,10 @@
 // A closed mesh to a label map: crossings of the mesh with the grid's x lines, sorted, filled in pairs.
 
+#include "core/solid/rasterize.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
-
-#include "core/io/mesh_io.h"
 
 namespace handlebody {
 namespace {

@@ -1,0 +1,139 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "app/cli/command.h"
+#include "app/cli/compare_result.h"
+#include "app/cli/label_input.h"
+#include "app/cli/outputs.h"
+#include "app/cli/parse.h"
+#include "core/errors.h"
+#include "core/io/atomic_file.h"
+#include "core/io/mesh_io.h"
+
+namespace handlebody::cli {
+
+namespace {
+
+constexpr int kMostThreads = 1024;
+
+struct CompareOptions {
+  std::string a, b;
+  std::optional<int> label, labelA, labelB;
+  std::string distances, report, csv;
+  ComparisonOptions how;
+  bool json = false;
+};
+
+Solid readMeshSolid(const std::string& path) {
+  Solid solid = solidOf(readMesh(path));
+  if (solid.empty() || !(solid.certificate.area > 0) || !std::isfinite(solid.certificate.area))
+    throw InputError(path + ": its triangles have no area.");
+  return solid;
+}
+
+Solid readLabelSolid(const std::string& path, std::optional<int> label, std::vector<std::string>& warnings) {
+  const LoadedVolume loaded = readLabels(path, warnings);
+  try {
+    return solidOf(maskOf(loaded.volume, label));
+  } catch (const InputError& error) {
+    throw InputError(path + ": it " + error.what() + ".");
+  }
+}
+
+ComparedObject readObject(const std::string& path, std::optional<int> label,
+                          std::vector<std::string>& warnings) {
+  if (isMeshPath(path)) return {path, std::nullopt, readMeshSolid(path)};
+  return {path, label, readLabelSolid(path, label, warnings)};
+}
+
+void checkOptions(const CompareOptions& o) {
+  if (o.labelA && isMeshPath(o.a)) throw UsageError("--label-a: " + o.a + " is a mesh.");
+  if (o.labelB && isMeshPath(o.b)) throw UsageError("--label-b: " + o.b + " is a mesh.");
+  if (o.label && isMeshPath(o.a) && isMeshPath(o.b)) throw UsageError("--label: both objects are meshes.");
+  std::vector<OutputFile> files;
+  if (!o.distances.empty()) files.push_back({"-o", o.distances});
+  if (!o.report.empty()) files.push_back({"--report", o.report});
+  if (!o.csv.empty()) files.push_back({"--csv", o.csv});
+  if (!o.distances.empty() && !o.distances.ends_with(".vtp"))
+    throw UsageError("-o " + o.distances + ": a surface with distances is written as .vtp.");
+  checkWritable(files, {o.a, o.b});
+}
+
+void writeDistances(const ComparedPair& pair, const CompareOptions& o) {
+  const bool isSigned = pair.b.solid.isClosed();
+  writeMeshWithValues(pair.a.solid.surface,
+                      vertexDistances(pair.a.solid.surface, pair.b.solid.surface, isSigned, o.how.threads),
+                      isSigned ? "signed_distance_mm" : "distance_mm", o.distances);
+}
+
+void write(const ComparedPair& pair, const CompareOptions& o) {
+  if (!o.distances.empty() && !pair.found.distances)
+    throw UsageError("-o " + o.distances + ": there are no distances, as an object is empty.");
+  const DeferSignals whole;
+  if (!o.distances.empty()) writeDistances(pair, o);
+  if (!o.report.empty()) writeTextAtomically(o.report, comparisonJson(pair));
+  if (!o.csv.empty()) writeTextAtomically(o.csv, comparisonCsv(pair));
+}
+
+int compare(const CompareOptions& o) {
+  checkOptions(o);
+  ComparedPair pair;
+  pair.a = readObject(o.a, o.labelA ? o.labelA : o.label, pair.warnings);
+  pair.b = readObject(o.b, o.labelB ? o.labelB : o.label, pair.warnings);
+  pair.found = handlebody::compare(pair.a.solid, pair.b.solid, o.how);
+  pair.warnings.insert(pair.warnings.end(), pair.found.warnings.begin(), pair.found.warnings.end());
+  write(pair, o);
+  std::fputs((o.json ? comparisonJson(pair) : comparisonText(pair)).c_str(), stdout);
+  return kDone;
+}
+
+void addMeasures(CLI::App& command, ComparisonOptions& how) {
+  command
+      .add_option_function<std::string>(
+          "--sampling",
+          [&how](const std::string& text) {
+            how.sampling = parseNumber("--sampling", text);
+            if (!(how.sampling > 0) || !std::isfinite(how.sampling))
+              throw UsageError("--sampling: '" + text + "' is not a finite number above 0.");
+          },
+          "Distance between samples of the surfaces, and of the overlap of two meshes (default: about a "
+          "million "
+          "samples of the surfaces)")
+      ->type_name("MM");
+  command
+      .add_option_function<std::string>(
+          "--threads",
+          [&how](const std::string& text) { how.threads = parseInteger("--threads", text, 1, kMostThreads); },
+          "The figures do not depend on it (default 1)")
+      ->type_name("N");
+}
+
+}  // namespace
+
+void addCompare(CLI::App& app, Action& action) {
+  CLI::App* command = addCommand(
+      app, "compare", "Two objects against each other: Dice, IoU, volumes, surface distances, topology");
+  auto options = std::make_shared<CompareOptions>();
+  const char* help =
+      "A mesh (.stl .vtp .ply .obj) or a label map (any volume, .seg.nrrd, DICOM Segmentation)";
+  command->add_option("A", options->a, help)->required();
+  command->add_option("B", options->b, std::string(help) + "; the reference")->required();
+  addLabelOption(*command, "--label", options->label,
+                 "Value of the object in label maps (default: all but 0)");
+  addLabelOption(*command, "--label-a", options->labelA, "The same for A alone");
+  addLabelOption(*command, "--label-b", options->labelB, "The same for B alone");
+  command
+      ->add_option("-o,--output", options->distances,
+                   "The surface of A with its signed distance to B at every vertex, mm, negative inside of B")
+      ->type_name("DIST.vtp");
+  command->add_option("--report", options->report, "The figures as JSON")->type_name("F.json");
+  command->add_option("--csv", options->csv, "The figures as a table of one row")->type_name("F.csv");
+  command->add_flag("--json", options->json, "Print JSON instead of text");
+  addMeasures(*command, options->how);
+  command->callback([&action, options] { action = [options] { return compare(*options); }; });
+}
+
+}  // namespace handlebody::cli

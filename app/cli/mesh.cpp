@@ -1,0 +1,150 @@
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <memory>
+
+#include "app/cli/command.h"
+#include "app/cli/label_input.h"
+#include "app/cli/object_options.h"
+#include "app/cli/outputs.h"
+#include "app/cli/parse.h"
+#include "core/errors.h"
+#include "core/io/json.h"
+#include "core/io/result.h"
+#include "core/solid/label_mesh.h"
+#include "core/solid/simplify.h"
+
+namespace handlebody::cli {
+
+namespace {
+
+constexpr int kMostThreads = 1024;
+
+struct MeshOptions {
+  std::string labels;
+  std::optional<int> label, genus;
+  bool keepLargest = false, json = false;
+  LabelMeshOptions how;
+  std::vector<std::string> results;
+  std::string space = "LPS";
+  ObjectOptions object;
+};
+
+std::string plural(int n, const std::string& what) {
+  return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+}
+
+Mask readMask(const MeshOptions& o, const Volume& volume) {
+  Mask mask = maskOf(volume, o.label);
+  if (mask.inside.empty())
+    throw InputError(o.labels + ": " +
+                     (o.label ? "no voxel has the value " + std::to_string(*o.label) : "all voxels are 0") +
+                     ".");
+  if (o.keepLargest) mask = largestPart(mask);
+  if (!o.genus) return mask;
+  const auto simpler = withFewerTunnels(mask, *o.genus);
+  if (!simpler)
+    throw InputError(o.labels + ": no closing or opening by up to " + std::to_string(kLargestBall) +
+                     " voxels leaves " + plural(*o.genus, "tunnel") + " or fewer of its " +
+                     std::to_string(countTunnels(mask)) + " (--genus).");
+  return *simpler;
+}
+
+CertifiedMesh meshOf(const MeshOptions& o, const Volume& volume) {
+  try {
+    return certifiedForExport(handlebody::meshOf(readMask(o, volume), o.how).mesh);
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    if (text.rfind(o.labels, 0) == 0) throw;
+    throw InputError(o.labels + ": it " + text + ".");
+  }
+}
+
+void print(const Certificate& c, const MeshOptions& o) {
+  if (o.json) {
+    std::fputs(jsonText(certificateToJson(c)).c_str(), stdout);
+    return;
+  }
+  int tunnels = 0;
+  for (const int g : c.genus) tunnels += g;
+  std::printf("%s, %s, genus %d; volume %.6g ml; %d vertices, %d faces; certified\n",
+              plural(c.components - c.cavities, "component").c_str(),
+              c.cavities == 1 ? "1 cavity" : (std::to_string(c.cavities) + " cavities").c_str(), tunnels,
+              c.volume / 1000, c.vertices, c.faces);
+}
+
+int mesh(const MeshOptions& o) {
+  std::vector<OutputFile> files;
+  for (const std::string& path : o.results) {
+    files.push_back({"-o", path});
+    if (!isResultPath(path))
+      throw UsageError("-o " + path + ": an output ends in " + std::string(resultEndings()) + ".");
+  }
+  checkWritable(files, {o.labels});
+  std::vector<std::string> warnings;
+  const LoadedVolume loaded = readLabels(o.labels, warnings);
+  const ExportContext context{loaded.volume.grid,
+                              o.space == "RAS" ? CoordinateSpace::ras : CoordinateSpace::lps,
+                              loaded.info.dicom,
+                              {}};
+  for (const std::string& path : o.results) checkResult(path, context);
+  const CertifiedMesh made = meshOf(o, loaded.volume);
+  {
+    const DeferSignals whole;
+    writeResults({{chosenLabel(o.object, {}), made.mesh}}, context, o.results);
+  }
+  for (const std::string& w : warnings) std::fprintf(stderr, "handlebody-cli: warning: %s\n", w.c_str());
+  print(made.certificate, o);
+  return kDone;
+}
+
+double positive(const std::string& option, const std::string& text, bool orZero) {
+  const double value = parseNumber(option, text);
+  if (!std::isfinite(value) || !(orZero ? value >= 0 : value > 0))
+    throw UsageError(option + ": '" + text + "' is not a finite number " +
+                     (orZero ? "of at least" : "above") + " 0.");
+  return value;
+}
+
+void addShape(CLI::App& command, MeshOptions& o) {
+  const auto add = [&](const char* name, const char* type, const char* help,
+                       std::function<void(const std::string&)> set) {
+    command.add_option_function<std::string>(name, set, help)->type_name(type);
+  };
+  addLabelOption(command, "--label", o.label, "Value of the object (default: all but 0)");
+  command.add_flag("--keep-largest", o.keepLargest, "Only the largest 6-connected part");
+  add("--genus", "G", "Close or cut tunnels until no more than G are left", [&o](const std::string& t) {
+    o.genus = parseInteger("--genus", t, 0, std::numeric_limits<int>::max());
+  });
+  add("--smooth", "MM",
+      "Smoothing, standard deviation (default: a voxel along each axis; 0: none, steps and all)",
+      [&o](const std::string& t) { o.how.smoothing = positive("--smooth", t, true); });
+  add("--edge-length", "MM", "Target edge length (default: the mean voxel size)",
+      [&o](const std::string& t) { o.how.edgeLength = positive("--edge-length", t, false); });
+  add("--threads", "N", "The mesh does not depend on it (default 1)",
+      [&o](const std::string& t) { o.how.threads = parseInteger("--threads", t, 1, kMostThreads); });
+  add("--space", "LPS|RAS", "Coordinates of mesh files (default LPS)", [&o](const std::string& t) {
+    if (t != "LPS" && t != "RAS") throw UsageError("--space: '" + t + "' is not LPS or RAS.");
+    o.space = t;
+  });
+}
+
+}  // namespace
+
+void addMesh(CLI::App& app, Action& action) {
+  CLI::App* command =
+      addCommand(app, "mesh", "A smooth, even, certified mesh of a label map, of its topology");
+  auto options = std::make_shared<MeshOptions>();
+  command->add_option("LABELMAP", options->labels, "Any volume, .seg.nrrd or DICOM Segmentation")->required();
+  command->add_option("-o,--output", options->results, "The mesh, by its ending")
+      ->type_name("OUT")
+      ->required()
+      ->allow_extra_args(false);
+  addShape(*command, *options);
+  command->add_flag("--json", options->json, "Print the certificate as JSON");
+  addObjectOptions(*command, options->object);
+  command->callback([&action, options] { action = [options] { return mesh(*options); }; });
+}
+
+}  // namespace handlebody::cli

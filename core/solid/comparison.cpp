@@ -1,0 +1,135 @@
+#include "core/solid/comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/errors.h"
+
+namespace handlebody {
+
+namespace {
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+std::size_t samplesAt(const Solid& a, const Solid& b, double h) {
+  const std::size_t n = countSamples(a.surface, h, kMostSamples);
+  return n > kMostSamples ? n : n + countSamples(b.surface, h, kMostSamples - n);
+}
+
+//! Pieces whose longest edge is at most h have some h²/8 of area each.
+double samplingFor(const Solid& a, const Solid& b, double wanted) {
+  if (wanted > 0) {
+    if (samplesAt(a, b, wanted) > kMostSamples)
+      throw UsageError("--sampling: " + number(wanted) + " mm would take more than " +
+                       std::to_string(kMostSamples) + " samples of these surfaces.");
+    return wanted;
+  }
+  const double area = areaOf(a.surface) + areaOf(b.surface);
+  double h = std::sqrt(8 * area / static_cast<double>(kUsualSamples));
+  const std::size_t fewest = a.surface.triangles.size() + b.surface.triangles.size();
+  while (samplesAt(a, b, h) > std::max(4 * kUsualSamples, 2 * fewest)) h *= 2;
+  return h;
+}
+
+SurfaceDistances distancesOf(const Solid& a, const Solid& b, const ComparisonOptions& options) {
+  SurfaceDistances d;
+  d.sampling = samplingFor(a, b, options.sampling);
+  d.ofA = directedDistances(a.surface, b.surface, d.sampling, options.threads);
+  d.ofB = directedDistances(b.surface, a.surface, d.sampling, options.threads);
+  return d;
+}
+
+struct Bounds {
+  Vec3 low, high;
+  explicit Bounds(const TriangleSoup& mesh) {
+    low = high = mesh.points[static_cast<std::size_t>(mesh.triangles[0][0])];
+    for (const Triangle& t : mesh.triangles)
+      for (const int v : t) {
+        low = low.cwiseMin(mesh.points[static_cast<std::size_t>(v)]);
+        high = high.cwiseMax(mesh.points[static_cast<std::size_t>(v)]);
+      }
+  }
+  bool meets(const Bounds& o) const {
+    return (low.array() <= o.high.array()).all() && (o.low.array() <= high.array()).all();
+  }
+  Bounds turned() const {  // LPS ↔ RAS
+    Bounds t = *this;
+    t.low.head<2>() = -high.head<2>();
+    t.high.head<2>() = -low.head<2>();
+    return t;
+  }
+  Vec3 centre() const { return (low + high) / 2; }
+};
+
+void warnOfDistance(const Solid& a, const Solid& b, Comparison& c) {
+  const Bounds ba(a.surface), bb(b.surface);
+  const bool apart = c.overlap ? c.overlap->both == 0 : !ba.meets(bb);
+  if (!apart) return;
+  std::string text = "A and B do not overlap: their surfaces are " + number(c.distances->smallest()) +
+                     " mm apart, the centres of their boxes " + number((ba.centre() - bb.centre()).norm()) +
+                     " mm.";
+  if (!ba.meets(bb) && ba.meets(bb.turned()))
+    text +=
+        " With the signs of x and y turned in one of them they would meet: is one in RAS and does not say "
+        "so?";
+  c.warnings.push_back(text);
+}
+
+void warnOf(const Solid& solid, const std::string& name, std::vector<std::string>& warnings) {
+  if (solid.empty()) {
+    warnings.push_back(name + " is empty: there are no distances.");
+  } else if (!solid.certificate.closed) {
+    warnings.push_back(name +
+                       " is not closed: it has no volume, and there is no Dice coefficient. Distances " +
+                       "are measured from and to what there is of its surface.");
+  } else if (!solid.certificate.oriented) {
+    warnings.push_back(name +
+                       " is closed, but not all of its faces are oriented alike: it has no volume, and " +
+                       "there is no Dice coefficient.");
+  } else if (!solid.certificate.manifold) {
+    warnings.push_back(name + " is not a manifold: its genus and cavities cannot be counted.");
+  }
+  if (solid.wasInsideOut) warnings.push_back(name + " is inside out; it was turned.");
+}
+
+}  // namespace
+
+double SurfaceDistances::mean() const {
+  return (ofA.mean * ofA.area + ofB.mean * ofB.area) / (ofA.area + ofB.area);
+}
+double SurfaceDistances::percentile95() const { return std::max(ofA.percentile95, ofB.percentile95); }
+double SurfaceDistances::hausdorff() const { return std::max(ofA.largest, ofB.largest); }
+double SurfaceDistances::smallest() const { return std::min(ofA.smallest, ofB.smallest); }
+
+Comparison compare(const Solid& a, const Solid& b, const ComparisonOptions& options) {
+  Comparison c;
+  warnOf(a, "A", c.warnings);
+  warnOf(b, "B", c.warnings);
+  if (!a.empty() && !b.empty()) c.distances = distancesOf(a, b, options);
+  if (!a.isClosed() || !b.isClosed() || (a.empty() && b.empty())) {
+    if (c.distances) warnOfDistance(a, b, c);
+    return c;
+  }
+  if (!c.distances) {
+    c.dice = c.iou = 0;
+    return c;
+  }
+  c.overlap = overlapOf(a, b, options.sampling);
+  const double sum = c.overlap->a + c.overlap->b;
+  if (sum > 0) {
+    c.dice = 2 * c.overlap->both / sum;
+    c.iou = c.overlap->both / (sum - c.overlap->both);
+  } else {
+    c.warnings.push_back("No point of the lattice lies in A or B: there is no Dice coefficient; --sampling " +
+                         std::string("makes the lattice of two meshes finer."));
+  }
+  warnOfDistance(a, b, c);
+  return c;
+}
+
+}  // namespace handlebody

@@ -1,0 +1,61 @@
+#pragma once
+// A mesh whose vertices and edges are changed only so far that it does not intersect itself.
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/collision/self_intersection.h"
+#include "core/mesh/mesh.h"
+#include "core/mesh/remesh.h"
+
+namespace handlebody {
+
+//! Components are told apart by a number per vertex that stays when the mesh changes.
+class GuardedMesh {
+ public:
+  //! Precondition: closed, manifold, without self-intersections, the components in each other as those of a
+  //! body.
+  explicit GuardedMesh(Mesh mesh);
+  const Mesh& mesh() const { return mesh_; }
+  //! Of a vertex: as findComponents numbered them at first.
+  int component(int v) const { return component_[static_cast<std::size_t>(v)]; }
+  struct Measure {
+    double volume = 0, area = 0;  //!< mm³, signed; mm²
+  };
+  //! Per component.
+  std::vector<Measure> measures() const;
+
+  //! Puts every vertex at its target. Those whose faces then intersect, and what lies around them, go back
+  //! until none do; so do the components that have lost too much of their volume (kLeastVolume) or lie where
+  //! they cannot.
+  void move(std::span<const Vec3> targets);
+  //! Regulates the edges, but not those of components of fewer than kFewestFaces. Where something is wrong
+  //! then, as above, or a vertex lies where it may not, all is taken back and done anew without the
+  //! surroundings. False, with the mesh unchanged, if that fails again and again.
+  bool regulate(const RemeshLimits& limits, const std::function<bool(const Vec3&)>& mayLie);
+
+ private:
+  struct Faults {
+    std::vector<int> vertices;    // of faces that intersect
+    std::vector<char> component;  // 1: its volume is not what it may be, or it is misplaced
+    bool any = false;
+  };
+  Faults faultsOf(const Mesh& mesh, const std::vector<int>& component, const std::vector<FacePair>& pairs);
+  void putBack(const Faults& faults, std::span<const Vec3> before, bool withRing);
+  std::vector<unsigned char> restOf(const Faults& faults, const Mesh& changed, double reach,
+                                    std::vector<unsigned char> allowed) const;
+  std::vector<int> componentsOf(const Mesh& changed) const;
+  void take(const Mesh& changed);
+
+  Mesh mesh_;
+  std::vector<int> component_;  // per vertex
+  std::vector<double> volume_;  // mm³ at first, per component, signed
+  CollisionDetector detector_;
+  std::vector<unsigned char> moved_;  // per vertex
+};
+
+inline constexpr double kLeastVolume = 0.6;  //!< of what it was at first
+inline constexpr int kFewestFaces = 60;
+
+}  // namespace handlebody

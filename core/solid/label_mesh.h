@@ -1,0 +1,30 @@
+#pragma once
+// From the voxels of an object to a smooth, even mesh of the same topology.
+
+#include "core/mesh/validity.h"
+#include "core/solid/mask.h"
+
+namespace handlebody {
+
+struct LabelMeshOptions {
+  double smoothing = -1;  //!< mm, standard deviation; negative: a voxel along each axis; 0: none
+  double edgeLength = 0;  //!< mm; 0: from the voxels
+  int threads = 1;
+};
+
+struct LabelMesh {
+  TriangleSoup mesh;
+  Certificate certificate;  //!< passes, and bounds a body
+  double farthest = 0;      //!< voxels: of a vertex from the surface between the voxels
+};
+
+//! The maskSurface, smoothed and regulated. No vertex is moved farther
+//! than kMostMove voxels from that surface, nor put farther than kMostApart where edges are regulated; what
+//! would make the mesh intersect itself is not done, vertex by vertex. Components, cavities and genus are
+//! those of the mask (see maskSurface). Throws as maskSurface; std::logic_error if a step has broken the
+//! topology. Precondition: the mask has a voxel.
+LabelMesh meshOf(const Mask& mask, const LabelMeshOptions& options);
+
+inline constexpr double kMostMove = 0.5, kMostApart = 0.8;
+
+}  // namespace handlebody

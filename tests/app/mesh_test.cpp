@@ -1,0 +1,106 @@
+// mesh, through the program.
+
+#include <algorithm>
+
+#include "tests/app/run_cli.h"
+#include "tests/support/catch.h"
+
+using namespace handlebody::test;
+
+namespace {
+
+//! Unsigned bytes of a cube of n³ voxels.
+template <typename F>
+std::string cube(int n, F&& value) {
+  const std::string size = std::to_string(n);
+  std::string bytes =
+      "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nDimSize = " + size +
+      " " + size + " " + size +
+      "\nElementSpacing = 1 1 2\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n";
+  for (int i = 0; i < n * n * n; ++i) bytes += static_cast<char>(value(i % n, i / n % n, i / (n * n)));
+  return bytes;
+}
+
+//! Label 1: a block with a hole along z; label 2: two voxels that touch at a corner.
+std::string someLabels() {
+  return cube(16, [](int x, int y, int z) {
+    if ((x == 14 && y == 14 && z == 14) || (x == 15 && y == 15 && z == 15)) return 2;
+    const bool block = x > 1 && x < 12 && y > 1 && y < 12 && z > 3 && z < 9;
+    return block && !(x == 6 && y == 7) ? 1 : 0;
+  });
+}
+
+void requireRefusal(const TempFolder& folder, const std::vector<std::string>& arguments, int exitCode,
+                    const std::string& named) {
+  const auto before = folder.names();
+  const Outcome outcome = runCli(arguments);
+  INFO("error line: " << outcome.err);
+  CHECK(outcome.exitCode == exitCode);
+  CHECK(outcome.out.empty());
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  CHECK_THAT(outcome.err, Contains(named) && Catch::Matchers::EndsWith(".\n"));
+  CHECK(folder.names() == before);
+}
+
+}  // namespace
+
+TEST_CASE("a label's mesh is certified, with its topology and volume", "[cli][mesh]") {
+  const TempFolder folder;
+  writeBytes(folder / "l.mha", someLabels());
+  const auto one = runForJson({"mesh", folder / "l.mha", "--label", "1", "-o", folder / "a.stl", "-o",
+                               folder / "a.nii.gz", "--json"});
+  CHECK(one.at("components") == 1);
+  CHECK(one.at("genus") == nlohmann::json::array({1}));
+  CHECK(one.at("self_intersections") == 0);
+  CHECK(one.at("volume_mm3").get<double>() == Approx(2.0 * 99 * 5).epsilon(0.01));
+  CHECK(runCli({"check", folder / "a.stl"}).exitCode == 0);
+  const auto two = runForJson({"mesh", folder / "l.mha", "--label", "2", "-o", folder / "b.vtp", "--json"});
+  CHECK(two.at("components") == 2);  // at a corner: 6-connected voxels do not touch
+  CHECK(runForJson({"mesh", folder / "l.mha", "-o", folder / "c.ply", "--json"}).at("components") == 3);
+  const auto compared = runForJson(
+      {"compare", folder / "a.stl", folder / "l.mha", "--label", "1", "--sampling", "0.3", "--json"});
+  CHECK(compared.at("dice") > 0.98);
+  CHECK(compared.at("a").at("genus") == compared.at("b").at("genus"));
+}
+
+TEST_CASE("the topology is made simpler on request", "[cli][mesh]") {
+  const TempFolder folder;
+  writeBytes(folder / "l.mha", someLabels());
+  const auto mesh = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> all{"mesh", folder / "l.mha", "-o", folder / "m.stl", "--json"};
+    all.insert(all.end(), options.begin(), options.end());
+    return runForJson(all);
+  };
+  CHECK(mesh({"--keep-largest"}).at("components") == 1);
+  const auto filled = mesh({"--keep-largest", "--genus", "0"});
+  CHECK(filled.at("genus") == nlohmann::json::array({0}));
+  CHECK(filled.at("volume_mm3").get<double>() > 2.0 * 99 * 5);
+  const auto steps = mesh({"--label", "1", "--smooth", "0"});
+  CHECK(steps.at("genus") == nlohmann::json::array({1}));
+  CHECK(mesh({"--label", "1", "--edge-length", "2"}).at("faces") < steps.at("faces"));
+}
+
+TEST_CASE("what is no label map, or has nothing to mesh, is refused in one sentence", "[cli][mesh]") {
+  const TempFolder folder;
+  const std::string labels = folder / "l.mha", out = folder / "m.stl";
+  writeBytes(labels, someLabels());
+  writeBytes(folder / "zero.mha", cube(8, [](int, int, int) { return 0; }));
+  writeBytes(folder / "letter.nii", "This is a letter.\n");
+  requireRefusal(folder, {"mesh", labels}, 2, "--output");
+  requireRefusal(folder, {"mesh", labels, "-o", folder / "m.xyz"}, 2, "m.xyz");
+  requireRefusal(folder, {"mesh", labels, "-o", labels}, 2, "-o");
+  requireRefusal(folder, {"mesh", labels, "-o", folder / "missing/m.stl"}, 2, "-o");
+  requireRefusal(folder, {"mesh", labels, "-o", folder / "m.seg.dcm"}, 2, "m.seg.dcm");
+  requireRefusal(folder, {"mesh", folder / "none.mha", "-o", out}, 3, "none.mha");
+  requireRefusal(folder, {"mesh", folder / "letter.nii", "-o", out}, 3, "letter.nii");
+  requireRefusal(folder, {"mesh", folder / "zero.mha", "-o", out}, 3, "zero.mha");
+  requireRefusal(folder, {"mesh", labels, "--label", "9", "-o", out}, 3, "9");
+  for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{{"--smooth", "-1"},
+                                                                                      {"--smooth", "inf"},
+                                                                                      {"--edge-length", "0"},
+                                                                                      {"--genus", "-1"},
+                                                                                      {"--label", "1.5"},
+                                                                                      {"--space", "MNI"},
+                                                                                      {"--threads", "0"}})
+    requireRefusal(folder, {"mesh", labels, option, value, "-o", out}, 2, option);
+}

@@ -1,0 +1,331 @@
+#include "core/solid/comparison.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "core/errors.h"
+#include "core/geometry/triangle_distance.h"
+#include "tests/core/solid/voxel_topology.h"
+#include "tests/support/catch.h"
+#include "tests/support/mesh_zoo.h"
+
+using namespace handlebody;
+using namespace handlebody::testing;
+
+namespace {
+
+constexpr ComparisonOptions kCoarse{0.4, 2};  // mm; the default would take longer
+constexpr double kPi = std::numbers::pi;
+
+//! The label map of what is at a negative distance of a body.
+template <typename Body>
+Mask draw(Grid grid, Body&& distance) {
+  Mask mask;
+  mask.grid = grid;
+  for (int z = 0; z < grid.size[2]; ++z)
+    for (int y = 0; y < grid.size[1]; ++y)
+      for (int x = 0; x < grid.size[0]; ++x)
+        mask.inside.push_back(distance(grid.toWorld(Vec3(x, y, z))) < 0 ? 1 : 0);
+  return mask;
+}
+
+auto ball(const Vec3& centre, double radius) {
+  return [=](const Vec3& p) { return (p - centre).norm() - radius; };
+}
+
+Grid gridAround(int n, double spacing) {
+  Grid grid;
+  grid.size = {n, n, n};
+  grid.spacing.setConstant(spacing);
+  grid.origin.setConstant(-(n - 1) * spacing / 2);
+  return grid;
+}
+
+Grid obliqueGrid() {
+  Grid grid;
+  grid.size = {22, 30, 14};
+  grid.spacing = Vec3(1.1, 0.8, 1.9);
+  grid.direction =
+      (Eigen::AngleAxisd(0.5, Vec3::UnitY()) * Eigen::AngleAxisd(2.4, Vec3::UnitZ())).toRotationMatrix();
+  grid.direction.col(2) *= -1;  // left-handed, as some files are
+  grid.origin = -(grid.direction * (0.5 * grid.spacing.cwiseProduct(Vec3(21, 29, 13))));
+  return grid;
+}
+
+// --- brute force: the definitions of docs/compare.md, written once more ---
+
+struct Piece {
+  double distance, area;
+};
+
+void addPieces(const Vec3& a, const Vec3& b, const Vec3& c, double h, const TriangleSoup& to,
+               std::vector<Piece>& pieces) {
+  const double ab = (b - a).norm(), bc = (c - b).norm(), ca = (a - c).norm();
+  if (std::max({ab, bc, ca}) > h) {
+    if (bc > ab && bc >= ca) return addPieces(b, c, a, h, to, pieces);
+    if (ca > ab && ca > bc) return addPieces(c, a, b, h, to, pieces);
+    addPieces(a, (a + b) / 2, c, h, to, pieces);
+    addPieces((a + b) / 2, b, c, h, to, pieces);
+    return;
+  }
+  double squared = std::numeric_limits<double>::infinity();
+  for (const Triangle& t : to.triangles) {
+    const auto at = [&](std::size_t i) { return to.points[static_cast<std::size_t>(t[i])]; };
+    squared = std::min(squared, squaredDistance((a + b + c) / 3, at(0), at(1), at(2)));
+  }
+  pieces.push_back({std::sqrt(squared), (b - a).cross(c - a).norm() / 2});
+}
+
+std::vector<Piece> piecesOf(const TriangleSoup& from, const TriangleSoup& to, double h) {
+  std::vector<Piece> pieces;
+  for (const Triangle& t : from.triangles) {
+    const auto at = [&](std::size_t i) { return from.points[static_cast<std::size_t>(t[i])]; };
+    addPieces(at(0), at(1), at(2), h, to, pieces);
+  }
+  return pieces;
+}
+
+double meanOf(const std::vector<Piece>& pieces) {
+  double moment = 0, area = 0;
+  for (const Piece& p : pieces) {
+    moment += p.distance * p.area;
+    area += p.area;
+  }
+  return moment / area;
+}
+
+double percentileOf(std::vector<Piece> pieces, double share) {
+  std::sort(pieces.begin(), pieces.end(),
+            [](const Piece& a, const Piece& b) { return a.distance < b.distance; });
+  double area = 0, below = 0;
+  for (const Piece& p : pieces) area += p.area;
+  for (const Piece& p : pieces)
+    if ((below += p.area) >= share * area * (1 - 1e-12)) return p.distance;
+  return pieces.back().distance;
+}
+
+void requireDistancesByForce(const Solid& a, const Solid& b, const SurfaceDistances& found) {
+  const auto ofA = piecesOf(a.surface, b.surface, found.sampling);
+  auto both = piecesOf(b.surface, a.surface, found.sampling);
+  CHECK(found.ofA.samples == ofA.size());
+  CHECK(found.ofA.mean == Approx(meanOf(ofA)).epsilon(1e-9));
+  CHECK(found.ofB.mean == Approx(meanOf(both)).epsilon(1e-9));
+  CHECK(found.percentile95() ==
+        Approx(std::max(percentileOf(ofA, 0.95), percentileOf(both, 0.95))).epsilon(1e-9));
+  both.insert(both.end(), ofA.begin(), ofA.end());
+  CHECK(found.mean() == Approx(meanOf(both)).epsilon(1e-9));
+  double largest = 0;
+  for (const Piece& p : both) largest = std::max(largest, p.distance);
+  CHECK(found.hausdorff() >= largest);  // vertices count as well
+  CHECK(found.hausdorff() <= largest + 2.0 / 3 * found.sampling);
+}
+
+//! Counted on the whole space of the lattice around both.
+Overlap overlapByForce(const Mask& a, const Mask& b) {
+  const Mask& finer = b.grid.voxelVolume() < a.grid.voxelVolume() ? b : a;
+  Overlap o;
+  constexpr int kReach = 80;
+  for (int z = -kReach; z < kReach; ++z)
+    for (int y = -kReach; y < kReach; ++y)
+      for (int x = -kReach; x < kReach; ++x) {
+        const Vec3 p = finer.grid.toWorld(Vec3(x, y, z));
+        const auto in = [&p](const Mask& m) {
+          const Vec3 i = m.grid.toIndex(p);
+          const int u = static_cast<int>(std::lround(i.x())), v = static_cast<int>(std::lround(i.y())),
+                    w = static_cast<int>(std::lround(i.z()));
+          return u >= 0 && v >= 0 && w >= 0 && u < m.grid.size[0] && v < m.grid.size[1] &&
+                 w < m.grid.size[2] && m.inside[m.at(u, v, w)] != 0;
+        };
+        const double each = finer.grid.voxelVolume();
+        o.a += in(a) ? each : 0;
+        o.b += in(b) ? each : 0;
+        o.both += in(a) && in(b) ? each : 0;
+      }
+  return o;
+}
+
+void requireByForce(const Mask& a, const Mask& b) {
+  const Solid sa = solidOf(a), sb = solidOf(b);
+  const Comparison c = compare(sa, sb, {1.3, 2});
+  const Overlap o = overlapByForce(a, b);
+  REQUIRE(c.overlap);
+  CHECK(c.overlap->onVoxels);
+  CHECK(c.overlap->a == Approx(o.a));
+  CHECK(c.overlap->b == Approx(o.b));
+  CHECK(c.overlap->both == Approx(o.both));
+  CHECK(*c.dice == Approx(2 * o.both / (o.a + o.b)));
+  CHECK(*c.iou == Approx(o.both / (o.a + o.b - o.both)));
+  CHECK(sa.volume() == Approx(static_cast<double>(a.count()) * a.grid.voxelVolume()));
+  requireDistancesByForce(sa, sb, *c.distances);
+  CHECK(sa.certificate.components == voxelTopology(a).components + voxelTopology(a).cavities);
+}
+
+//! Share of each of two balls that lies in the other.
+double lensShare(double radius, double apart) {
+  const double lens = kPi * (4 * radius + apart) * std::pow(2 * radius - apart, 2) / 12;
+  return lens / (4 * kPi / 3 * std::pow(radius, 3));
+}
+
+//! Of a sphere from an equal one: at the cosine t, which is uniform over its area.
+double sphereDistance(double radius, double apart, double t) {
+  return std::abs(std::sqrt(radius * radius + apart * apart - 2 * radius * apart * t) - radius);
+}
+
+}  // namespace
+
+TEST_CASE("figures of label maps on one grid are those of brute force", "[solid][compare]") {
+  const Grid grid = gridAround(20, 1);
+  requireByForce(draw(grid, ball(Vec3(0.3, 0, 0), 6.2)), draw(grid, ball(Vec3(2, -1, 1), 5)));
+}
+
+TEST_CASE("figures of label maps on different grids and directions are those of brute force",
+          "[solid][compare]") {
+  const auto bodyA = [](const Vec3& p) { return std::max(p.norm() - 7, 3 - (p - Vec3(1, 0, 0)).norm()); };
+  const Mask a = draw(obliqueGrid(), bodyA), b = draw(gridAround(26, 0.9), ball(Vec3(2, 1, -1), 6));
+  requireByForce(a, b);
+  requireByForce(b, a);
+}
+
+TEST_CASE("a label map drawn on two grids is nearly the same object", "[solid][compare]") {
+  const auto body = ball(Vec3(0.2, 0.1, -0.3), 6);
+  const Comparison c =
+      compare(solidOf(draw(obliqueGrid(), body)), solidOf(draw(gridAround(60, 0.4), body)), kCoarse);
+  // Both surfaces lie within half a cell's diagonal of the sphere.
+  const double bound = 0.5 * (obliqueGrid().spacing.norm() + Vec3::Constant(0.4).norm());
+  CHECK(c.distances->hausdorff() < bound);
+  CHECK(*c.dice > 1 - 3 * bound / 6);
+}
+
+TEST_CASE("an object is the same as itself", "[solid][compare]") {
+  for (const Solid& s :
+       {solidOf(zoo::torus(40, 20, 10, 3)), solidOf(draw(obliqueGrid(), ball({0, 0, 0}, 5)))}) {
+    const Comparison c = compare(s, s, kCoarse);
+    CHECK(*c.dice == 1);
+    CHECK(*c.iou == 1);
+    CHECK(c.distances->hausdorff() < 1e-6);
+    CHECK(c.warnings.empty());
+  }
+}
+
+TEST_CASE("two balls that are apart have the Dice coefficient and distances of the formulas",
+          "[solid][compare]") {
+  constexpr double kRadius = 10, kApart = 6, kEdge = 0.5;
+  const Solid a = solidOf(icosphere(Vec3(0, 0, 0), kRadius, kEdge));
+  const Solid b = solidOf(icosphere(Vec3(kApart * 0.6, 0, kApart * 0.8), kRadius, kEdge));
+  const Comparison c = compare(a, b, {0.3, 2});
+  const double facets = kEdge * kEdge / (6 * kRadius);  // how deep a facet lies under its sphere, at most
+  CHECK(*c.dice == Approx(lensShare(kRadius, kApart)).margin(0.003));
+  CHECK(*c.iou == Approx(*c.dice / (2 - *c.dice)));
+  double mean = 0;
+  std::vector<Piece> pieces;
+  for (int i = 0; i < 20000; ++i) {
+    const double d = sphereDistance(kRadius, kApart, -1 + (i + 0.5) / 10000);
+    mean += d / 20000;
+    pieces.push_back({d, 1});
+  }
+  CHECK(c.distances->mean() == Approx(mean).margin(2 * facets));
+  CHECK(c.distances->ofA.mean == Approx(c.distances->ofB.mean).margin(2 * facets));
+  CHECK(c.distances->percentile95() == Approx(percentileOf(pieces, 0.95)).margin(2 * facets + 0.2));
+  CHECK(c.distances->hausdorff() == Approx(kApart).margin(2 * facets));
+}
+
+TEST_CASE("concentric balls are as far apart as their radii everywhere", "[solid][compare]") {
+  const Solid a = solidOf(icosphere(Vec3(5, 5, 5), 10, 0.5)), b = solidOf(icosphere(Vec3(5, 5, 5), 8, 0.5));
+  const Comparison c = compare(a, b, kCoarse);
+  CHECK(c.distances->mean() == Approx(2).margin(0.02));
+  CHECK(c.distances->percentile95() == Approx(2).margin(0.02));
+  CHECK(c.distances->hausdorff() == Approx(2).margin(0.02));
+  CHECK(c.distances->smallest() == Approx(2).margin(0.02));
+  CHECK(*c.dice == Approx(2.0 * 512 / (1000 + 512)).margin(0.003));
+  const auto outside = vertexDistances(a.surface, b.surface, true, 1);
+  const auto inside = vertexDistances(b.surface, a.surface, true, 2);
+  CHECK(std::all_of(outside.begin(), outside.end(), [](double d) { return std::abs(d - 2) < 0.02; }));
+  CHECK(std::all_of(inside.begin(), inside.end(), [](double d) { return std::abs(d + 2) < 0.02; }));
+}
+
+TEST_CASE("a mesh against its own label map has the voxels of that map", "[solid][compare]") {
+  const Mask mask = draw(gridAround(40, 0.7), ball(Vec3(0.1, 0.2, 0.3), 9));
+  const Comparison c = compare(solidOf(icosphere(Vec3(0.1, 0.2, 0.3), 9, 0.2)), solidOf(mask), kCoarse);
+  CHECK(c.overlap->onVoxels);
+  CHECK(*c.dice == Approx(1).margin(2e-3));  // facets lie a little under the sphere
+  CHECK(c.distances->hausdorff() < 0.5 * Vec3::Constant(0.7).norm());
+}
+
+TEST_CASE("the figures do not depend on the number of threads", "[solid][compare]") {
+  const Solid a = solidOf(zoo::bumpySphere(12, 0)), b = solidOf(zoo::bumpySphere(11, 1));
+  const Comparison one = compare(a, b, {0.02, 1}), three = compare(a, b, {0.02, 3});
+  CHECK(one.distances->mean() == three.distances->mean());
+  CHECK(one.distances->percentile95() == three.distances->percentile95());
+  CHECK(one.dice == three.dice);
+}
+
+TEST_CASE("objects that do not meet are told with their distance", "[solid][compare]") {
+  const Solid a = solidOf(icosphere(Vec3(0, 0, 0), 3, 0.4)), b = solidOf(icosphere(Vec3(10, 0, 0), 3, 0.4));
+  const Comparison c = compare(a, b, kCoarse);
+  CHECK(*c.dice == 0);
+  CHECK(c.distances->smallest() == Approx(4).margin(0.05));
+  REQUIRE(c.warnings.size() == 1);
+  CHECK_THAT(c.warnings[0], Contains("do not overlap") && Contains("10 mm") && !Contains("RAS"));
+}
+
+TEST_CASE("objects that would meet in the other space are told so", "[solid][compare]") {
+  const Solid a = solidOf(icosphere(Vec3(20, 30, 5), 3, 0.4)),
+              b = solidOf(icosphere(Vec3(-20, -30, 5), 3, 0.4));
+  REQUIRE(compare(a, b, kCoarse).warnings.size() == 1);
+  CHECK_THAT(compare(a, b, kCoarse).warnings[0], Contains("RAS"));
+}
+
+TEST_CASE("an empty object has no distances, and no overlap with what is not empty", "[solid][compare]") {
+  Mask none;
+  none.grid.size = {0, 0, 0};
+  const Solid empty = solidOf(none), full = solidOf(icosphere(Vec3(0, 0, 0), 3, 0.4));
+  const Comparison c = compare(empty, full, kCoarse);
+  CHECK(c.dice == 0.0);
+  CHECK_FALSE(c.distances);
+  CHECK(c.warnings.size() == 1);
+  CHECK(empty.volume() == 0);
+  const Comparison nothing = compare(empty, empty, kCoarse);
+  CHECK_FALSE(nothing.dice);
+  CHECK_FALSE(nothing.distances);
+}
+
+TEST_CASE("an open mesh has distances and no volume", "[solid][compare]") {
+  TriangleSoup open = icosphere(Vec3(0, 0, 0), 3, 0.4);
+  open.triangles.resize(open.triangles.size() / 2);
+  const Solid a = solidOf(open), b = solidOf(icosphere(Vec3(0, 0, 0), 2, 0.4));
+  CHECK_FALSE(a.isClosed());
+  const Comparison c = compare(a, b, kCoarse);
+  CHECK_FALSE(c.dice);
+  CHECK(c.distances->ofA.mean == Approx(1).margin(0.05));
+  REQUIRE(c.warnings.size() == 1);
+  CHECK_THAT(c.warnings[0], Contains("A is not closed"));
+}
+
+TEST_CASE("a mesh that is inside out is turned", "[solid][compare]") {
+  TriangleSoup turned = icosphere(Vec3(0, 0, 0), 3, 0.4);
+  for (Triangle& t : turned.triangles) std::swap(t[0], t[1]);
+  const Solid a = solidOf(turned), b = solidOf(icosphere(Vec3(0, 0, 0), 3, 0.4));
+  CHECK(a.volume() == Approx(b.volume()));
+  CHECK(*compare(a, b, kCoarse).dice == 1);
+  CHECK(compare(a, b, kCoarse).warnings.size() == 1);
+}
+
+TEST_CASE("needles and large triangles take few samples, and a sampling that is too fine is refused",
+          "[solid][compare]") {
+  TriangleSoup needle;
+  needle.points = {Vec3(0, 0, 0), Vec3(1000, 0, 0), Vec3(1000, 0.01, 0)};
+  needle.triangles = {{0, 1, 2}};
+  CHECK(countSamples(needle, 1, 1'000'000) < 100'000);
+  const Solid a = solidOf(zoo::scaled(zoo::cube(1), 100));
+  CHECK_THROWS_AS(compare(a, a, {0.001, 1}), UsageError);
+}
+
+TEST_CASE("a lattice that would be too large is made coarser", "[solid][compare]") {
+  Mask small = draw(gridAround(5, 0.01), ball(Vec3(0, 0, 0), 0.018));
+  const Solid large = solidOf(zoo::scaled(zoo::cube(2), 50));
+  const Comparison c = compare(solidOf(small), large, {5, 1});
+  REQUIRE(c.overlap);
+  CHECK_FALSE(c.overlap->onVoxels);
+  CHECK(c.overlap->b == Approx(125000).epsilon(0.02));
+}
