@@ -6,8 +6,8 @@
 
 #include "core/errors.h"
 #include "core/evolution/wall_pieces.h"
-#include "core/mesh/topology.h"
 #include "core/mesh/nesting.h"
+#include "core/mesh/topology.h"
 
 namespace handlebody {
 
@@ -126,6 +126,8 @@ std::optional<Vec3> WallGuard::broken(const Mesh& mesh, std::span<const unsigned
   for (const Event& e : events)
     if (holding_->isNear(e.location) && enclosesAny(mesh, *holding_, e.location, kSwallows * edgeLength_))
       return e.location;
+  for (const Vec3& place : holding_->smallParts())
+    if (enclosesAny(mesh, {place})) return place;
   return std::nullopt;
 }
 
@@ -140,9 +142,14 @@ void WallGuard::release(const Mesh& mesh) {
 namespace {
 
 void requireFree(const std::vector<Seed>& asked, const Walls& walls) {
-  for (const Seed& s : asked)
+  for (const Seed& s : asked) {
+    const int object = walls.objects() ? walls.objects()->objectAt(s.centre) : -1;
+    if (object >= 0)
+      throw SeedError("The seed at " + written(s.centre) + " mm lies in the object '" +
+                      walls.list().objects[idx(object)].name + "', which is done already.");
     if (walls.distance(s.centre, 1) <= 0)
       throw SeedError("A wall lies over the seed at " + written(s.centre) + " mm.");
+  }
 }
 
 //! True if the place was not pushed through a wall on the way from a click to what fits near it.

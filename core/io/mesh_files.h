@@ -12,6 +12,7 @@ namespace handlebody {
 struct MeshFile {
   TriangleSoup mesh{};
   CoordinateSpace space = CoordinateSpace::lps;
+  std::vector<MeshPart> parts{};  // written, not read back
 };
 
 //! "SPACE=LPS" or "SPACE=RAS": what we write into comments and headers.
