@@ -40,6 +40,10 @@ void WallGuard::putUp(const Mesh& mesh, const WallList& known, bool mayPush) {
   const auto refuse = [&](const WallList& wall, const char* why) {
     throw UsageError("The wall at " + written(placeOf(wall, all_->grid())) + " mm lies " + why);
   };
+  for (const WallList& wall : occupied.touched)
+    for (const WallObject& object : wall.objects)
+      throw UsageError("The object '" + object.name +
+                       "' lies over surface that is already there: go back to before it came in there.");
   if (!occupied.enclosed.empty() && !without(occupied.enclosed[0], known).empty())
     refuse(occupied.enclosed[0],
            "within the surface, which cannot be pushed out of it: go back to before it came in there.");

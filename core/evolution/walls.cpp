@@ -136,6 +136,11 @@ void Walls::fillObjects() {
     forEach(bricksWithin(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c), clearance_ + reach_),
             [&](const Index& i) { near_[idx(brickAt(i))] = true; });
   }
+  forEach(Range{{0, 0, 0}, {bricks_[0] - 1, bricks_[1] - 1, bricks_[2] - 1}}, [&](const Index& b) {
+    Vec3 middle;
+    for (std::size_t a = 0; a < 3; ++a) middle[static_cast<int>(a)] = (b[a] + 0.5) * brickSize_[a] - 0.5;
+    if (objects_->encloses(grid_.toWorld(middle))) near_[idx(brickAt(b))] = true;
+  });
   for (const WallSurface::Part& part : objects_->parts())
     if (part.extent < kSmallPart * edgeLength_) smallParts_.push_back(part.place);
 }
