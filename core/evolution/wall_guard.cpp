@@ -130,8 +130,9 @@ std::optional<Vec3> WallGuard::broken(const Mesh& mesh, std::span<const unsigned
   for (const Event& e : events)
     if (holding_->isNear(e.location) && enclosesAny(mesh, *holding_, e.location, kSwallows * edgeLength_))
       return e.location;
-  for (const Vec3& place : holding_->smallParts())
-    if (enclosesAny(mesh, {place})) return place;
+  if (enclosesAny(mesh, holding_->smallParts()))
+    for (const Vec3& place : holding_->smallParts())
+      if (enclosesAny(mesh, {place})) return place;
   return std::nullopt;
 }
 

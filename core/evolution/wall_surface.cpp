@@ -1,5 +1,6 @@
 #include "core/evolution/wall_surface.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -23,6 +24,7 @@ WallSurface::WallSurface(const std::vector<WallObject>& objects, double cell) {
   layOut(cell);
   fillCells();
   markInside();
+  measureBulges();
 }
 
 const Vec3& WallSurface::corner(int triangle, int i) const {
@@ -161,13 +163,47 @@ void WallSurface::forEachNear(const Vec3& low, const Vec3& high, F&& f) const {
   });
 }
 
-double WallSurface::distance(const Vec3& p, double limit) const {
-  double squared = limit * limit;
-  forEachNear(p.array() - limit, p.array() + limit, [&](int t) {
-    squared = std::min(squared, squaredDistance(p, corner(t, 0), corner(t, 1), corner(t, 2)));
+//! By how much the neighbours of a vertex lie below its tangent plane, at most; the mean of that over the
+//! vertex's neighbours, since a single vertex tells more of the noise.
+void WallSurface::measureBulges() {
+  std::vector<Vec3> normals(points_.size(), Vec3::Zero());
+  for (const Triangle& t : triangles_) {
+    const Vec3 &a = points_[idx(t[0])], &b = points_[idx(t[1])], &c = points_[idx(t[2])];
+    for (const int v : t) normals[idx(v)] += (b - a).cross(c - a);
+  }
+  std::vector<double> own(points_.size(), 0);
+  std::vector<int> neighbours(points_.size(), 0);
+  bulges_.assign(points_.size(), 0);
+  const auto forEachEdge = [&](auto&& f) {
+    for (const Triangle& t : triangles_)
+      for (std::size_t i = 0; i < 3; ++i) f(idx(t[i]), idx(t[(i + 1) % 3]));
+  };
+  forEachEdge([&](std::size_t v, std::size_t w) {
+    const Vec3 edge = points_[w] - points_[v];
+    const double below = -normals[v].stableNormalized().dot(edge) / edge.squaredNorm();
+    own[v] = std::max(own[v], below);
   });
-  const double away = std::min(limit, std::sqrt(squared));
-  return encloses(p) ? -away : away;
+  forEachEdge([&](std::size_t v, std::size_t w) {
+    bulges_[v] += own[w];
+    ++neighbours[v];
+  });
+  for (std::size_t v = 0; v < bulges_.size(); ++v) bulges_[v] /= std::max(1, neighbours[v]);
+}
+
+WallSurface::Nearest WallSurface::nearest(const Vec3& p, double limit) const {
+  double squared = limit * limit;
+  int nearest = -1;
+  forEachNear(p.array() - limit, p.array() + limit, [&](int t) {
+    const double here = squaredDistance(p, corner(t, 0), corner(t, 1), corner(t, 2));
+    if (here >= squared) return;
+    squared = here;
+    nearest = t;
+  });
+  const double away = nearest < 0 ? limit : std::sqrt(squared);
+  double bulge = 0;
+  if (nearest >= 0)
+    for (const int v : triangles_[idx(nearest)]) bulge += bulges_[idx(v)] / 3;
+  return {encloses(p) ? -away : away, bulge};
 }
 
 bool WallSurface::meets(const Vec3& a, const Vec3& b, const Vec3& c, std::vector<int>* which) const {

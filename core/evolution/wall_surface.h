@@ -20,8 +20,16 @@ class WallSurface {
   bool encloses(const Vec3& world) const;
   //! Index of the object that the place lies in; -1 if it lies in none.
   int objectAt(const Vec3& world) const;
-  //! mm to the nearest surface, negative within an object; from `limit` (> 0) on it is told as that.
-  double distance(const Vec3& world, double limit) const;
+  //! What is nearest to a place.
+  struct Nearest {
+    double distance;  //!< mm to the nearest surface, negative within an object
+    //! Half of the largest normal curvature there, 1/mm: at r mm from where a plane touches the surface it
+    //! lies by r² times this below the plane. 0 where the surface is hollow.
+    double bulge;
+  };
+  //! From `limit` (mm, > 0) on a distance is told as that.
+  Nearest nearest(const Vec3& world, double limit) const;
+  double distance(const Vec3& world, double limit) const { return nearest(world, limit).distance; }
   //! True if the triangle has a point in common with a surface: exact. `which`, if wanted, gets the indices
   //! of the objects.
   bool meets(const Vec3& a, const Vec3& b, const Vec3& c, std::vector<int>* which = nullptr) const;
@@ -53,6 +61,7 @@ class WallSurface {
   void layOut(double cell);
   void fillCells();
   void markInside();
+  void measureBulges();
   int at(const Index& c) const { return (c[2] * size_[1] + c[1]) * size_[0] + c[0]; }
   Range cellsOf(const Vec3& low, const Vec3& high) const;
   bool winds(const Vec3& p, Index cell) const;
@@ -65,6 +74,7 @@ class WallSurface {
   std::vector<Triangle> triangles_;
   std::vector<int> objectOf_, partOf_;  // per triangle, per point
   std::vector<Part> parts_;
+  std::vector<double> bulges_;  // per point
   Vec3 low_{0, 0, 0}, high_{0, 0, 0};
   double cell_ = 1;
   Index size_{0, 0, 0};

@@ -22,6 +22,7 @@ constexpr double kHalfFlip = 0.2;
 constexpr double kRest =
     0.05;  // voxels between where corners come to rest at the map's voxels or an object and its margin
 constexpr double kSmallPart = 4;      // edge lengths: no step carries a front over anything larger
+constexpr double kMostBulge = 0.3;    // voxels of mean size: what objects may lie apart is half of one
 constexpr double kObjectCell = 2;     // voxels of mean size
 constexpr double kLongestFace = 4.5;  // edge lengths: longer than any edge, three times the paper's bound
 
@@ -178,8 +179,13 @@ double Walls::room(const Vec3& world, const Vec3& index) const {
   }
   if (nearVoxels_[brick]) room = std::min(room, roomToVoxels(index));
   if (!objects_) return room;
-  const double rest = clearance_ + kRest * grid_.meanSpacing();
-  return std::min(room, objects_->distance(world, far_ + rest) - rest);
+  // Corners that are no nearer than what bulges between them stay out of each other's way: where some came
+  // nearer, the faces at them would hold back the others.
+  const double least = clearance_ + kRest * grid_.meanSpacing(), most = kMostBulge * grid_.meanSpacing();
+  const double across = kCircumradius * edgeLength_;
+  const WallSurface::Nearest nearest = objects_->nearest(world, far_ + least + most);
+  const double bulge = std::min(most, nearest.bulge * across * across);
+  return std::min(room, nearest.distance - least - bulge);
 }
 
 namespace {

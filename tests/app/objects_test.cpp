@@ -180,9 +180,10 @@ TEST_CASE("three objects of one run touch and are apart, nested either way", "[c
 
 TEST_CASE("where one object is stopped by another the gap is half a voxel at most", "[cli][objects]") {
   const TempFolder folder;
-  const Made made = segment(folder, writeStudy(folder), {kKidneyGroup, kLiverGroup}, {"kidney", "liver"},
-                            {"--background", "16,20,20,5"});
+  const Arguments kidney = joined({kKidneyGroup, {"--wall", "14,20,20,13"}});
+  const Made made = segment(folder, writeStudy(folder), {kidney, kLiverGroup}, {"kidney", "liver"});
   expectApart(made.meshes, readVolume(folder / "all.seg.nrrd"));
+  CHECK(gapWithin(made.meshes.at("kidney"), made.meshes.at("liver"), place(26.5, 20, 20), 4) <= 0.5);
 }
 
 TEST_CASE("the files of one run agree: labels, groups, names, and each object by itself", "[cli][objects]") {
@@ -257,7 +258,7 @@ TEST_CASE("what cannot be meant by several objects is refused with one sentence,
   const TempFolder folder;
   const std::string volume = writeStudy(folder);
   const auto refused = [&](const std::vector<Arguments>& groups, int exitCode, const std::string& words) {
-    expectRefused(joined({{"segment", volume}, joined(groups), {"-o", folder / "out.stl"}}), exitCode, words);
+    expectRefused(joined({{"segment", volume, "-o", folder / "out.stl"}, joined(groups)}), exitCode, words);
   };
   const Arguments a{"--object-name", "a", "--seed", "18,28,20,2"}, b{"--object-name", "b"};
   refused({a, a}, 2, "two objects have the name 'a'");
