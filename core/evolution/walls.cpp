@@ -22,6 +22,7 @@ constexpr double kHalfFlip = 0.2;
 constexpr double kRest =
     0.05;  // voxels between where corners come to rest at the map's voxels or an object and its margin
 constexpr double kSmallPart = 4;      // edge lengths: no step carries a front over anything larger
+constexpr double kLeastBulge = 0.08;  // voxels of mean size: that edges stand out of a surface that is smooth
 constexpr double kMostBulge = 0.3;    // voxels of mean size: what objects may lie apart is half of one
 constexpr double kObjectCell = 2;     // voxels of mean size
 constexpr double kLongestFace = 4.5;  // edge lengths: longer than any edge, three times the paper's bound
@@ -184,7 +185,7 @@ double Walls::room(const Vec3& world, const Vec3& index) const {
   const double least = clearance_ + kRest * grid_.meanSpacing(), most = kMostBulge * grid_.meanSpacing();
   const double across = kCircumradius * edgeLength_;
   const WallSurface::Nearest nearest = objects_->nearest(world, far_ + least + most);
-  const double bulge = std::min(most, nearest.bulge * across * across);
+  const double bulge = std::clamp(nearest.bulge * across * across, kLeastBulge * grid_.meanSpacing(), most);
   return std::min(room, nearest.distance - least - bulge);
 }
 
