@@ -73,64 +73,80 @@ std::string messageOf(const std::function<void()>& f) {
 
 }  // namespace
 
-TEST_CASE("what a wall surface answers is what all of its triangles say", "[walls][objects]") {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> u(-1, 1);
-  const auto place = [&] {
-    const double x = u(random), y = u(random);
-    return Vec3(kMiddle + 14 * Vec3(x, y, u(random)));
-  };
-  const TriangleSoup shell = [] {  // a ball with a cavity
-    TriangleSoup mesh = ballInside(9), hole = ballInside(4);
-    for (const Triangle& t : hole.triangles) {
-      const int first = 0 + static_cast<int>(ballInside(9).points.size());
+namespace {
+
+//! A ball with a cavity, a ball in that, and one beside.
+struct ThreeBodies {
+  TriangleSoup shell = hollow(ballInside(9), ballInside(4));
+  TriangleSoup core = ballInside(2, Vec3(1, 0, 0)), beside = ballInside(1.5, Vec3(-11.5, 1, 0));
+  std::mt19937 random{7};
+
+  static TriangleSoup hollow(TriangleSoup mesh, const TriangleSoup& hole) {
+    const int first = static_cast<int>(mesh.points.size());
+    for (const Triangle& t : hole.triangles)
       mesh.triangles.push_back({t[0] + first, t[2] + first, t[1] + first});
-    }
     mesh.points.insert(mesh.points.end(), hole.points.begin(), hole.points.end());
     return mesh;
-  }();
-  const TriangleSoup core = ballInside(2, Vec3(1, 0, 0)), beside = ballInside(1.5, Vec3(-11.5, 1, 0));
-  const double cell = GENERATE(0.3, 2.0, 50.0);
-  const WallSurface surface({object("shell", shell), object("core", core), object("beside", beside)}, cell);
+  }
+  WallSurface surface(double cell) const {
+    return {{object("shell", shell), object("core", core), object("beside", beside)}, cell};
+  }
+  Vec3 place() {
+    std::uniform_real_distribution<double> u(-1, 1);
+    const double x = u(random), y = u(random);
+    return kMiddle + 14 * Vec3(x, y, u(random));
+  }
+  //! Indices of those that the triangle meets, by the detector of self-intersections.
+  std::vector<int> metBy(const Vec3& a, const Vec3& b, const Vec3& c) const {
+    std::vector<int> met;
+    int index = 0;
+    for (const TriangleSoup* mesh : {&shell, &core, &beside}) {
+      TriangleSoup both = *mesh;
+      const int first = static_cast<int>(both.points.size());
+      both.points.insert(both.points.end(), {a, b, c});
+      both.triangles.push_back({first, first + 1, first + 2});
+      if (!findSelfIntersections(both.points, both.triangles).empty()) met.push_back(index);
+      ++index;
+    }
+    return met;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("where a place lies to a wall surface is what all of its triangles say", "[walls][objects]") {
+  ThreeBodies bodies;
+  const WallSurface surface = bodies.surface(GENERATE(0.3, 2.0, 50.0));
   REQUIRE(surface.parts().size() == 4);
   for (int i = 0; i < 1000; ++i) {
-    const Vec3 p = place();
-    const double toShell = bruteDistanceTo(shell, p), toCore = bruteDistanceTo(core, p),
-                 toBeside = bruteDistanceTo(beside, p);
-    const double nearest = std::min({toShell, toCore, toBeside});
-    const auto within = [&](const Vec3& middle, double r) { return (p - middle).norm() < r; };
-    // The icospheres lie within the spheres by less than 0.2 mm.
-    if (nearest < 0.2) continue;
-    const bool inShell = within(kMiddle, 9) && !within(kMiddle, 4);
-    const bool inCore = within(kMiddle + Vec3(1, 0, 0), 2),
-               inBeside = within(kMiddle + Vec3(-11.5, 1, 0), 1.5);
+    const Vec3 p = bodies.place();
+    const double nearest = std::min({bruteDistanceTo(bodies.shell, p), bruteDistanceTo(bodies.core, p),
+                                     bruteDistanceTo(bodies.beside, p)});
+    if (nearest < 0.2) continue;  // the icospheres lie within the spheres by less
+    const auto within = [&](const Vec3& offset, double r) { return (p - kMiddle - offset).norm() < r; };
+    const bool inShell = within(Vec3::Zero(), 9) && !within(Vec3::Zero(), 4);
+    const bool inCore = within(Vec3(1, 0, 0), 2), inBeside = within(Vec3(-11.5, 1, 0), 1.5);
     CHECK(surface.encloses(p) == (inShell || inCore || inBeside));
     CHECK(surface.objectAt(p) == (inShell ? 0 : inCore ? 1 : inBeside ? 2 : -1));
     const double expected = std::min(nearest, 1.7) * (surface.encloses(p) ? -1 : 1);
     CHECK(std::abs(surface.distance(p, 1.7) - expected) < 1e-9);
   }
+}
+
+TEST_CASE("which objects a triangle meets or comes near is what all of their triangles say",
+          "[walls][objects]") {
+  ThreeBodies bodies;
+  const WallSurface surface = bodies.surface(GENERATE(0.3, 2.0, 50.0));
   int met = 0, near = 0;
   for (int i = 0; i < 1000; ++i) {
-    const Vec3 a = place(), b = a + 0.1 * (place() - a), c = a + 0.1 * (place() - a);
-    const TriangleSoup one{{a, b, c}, {{0, 1, 2}}};
-    std::vector<int> expected, which;
-    int index = 0;
-    for (const TriangleSoup* mesh : {&shell, &core, &beside}) {
-      bool meets = false;
-      for (const Triangle& t : mesh->triangles) {
-        TriangleSoup pair = one;
-        for (const int v : t) pair.points.push_back(mesh->points[static_cast<std::size_t>(v)]);
-        pair.triangles.push_back({3, 4, 5});
-        meets = meets || !findSelfIntersections(pair.points, pair.triangles).empty();
-      }
-      if (meets) expected.push_back(index);
-      ++index;
-    }
+    const Vec3 a = bodies.place(), b = a + 0.1 * (bodies.place() - a), c = a + 0.1 * (bodies.place() - a);
+    const std::vector<int> expected = bodies.metBy(a, b, c);
+    std::vector<int> which;
     CHECK(surface.meets(a, b, c, &which) == !expected.empty());
     std::sort(which.begin(), which.end());
     which.erase(std::unique(which.begin(), which.end()), which.end());
     CHECK(which == expected);
-    double least = std::numeric_limits<double>::infinity();  // of a fine sampling: too large by a little
+    double least = 1e300;  // of a fine sampling: too large by a little
     for (int s = 0; s <= 8; ++s)
       for (int t = 0; s + t <= 8; ++t)
         least = std::min(least, std::abs(surface.distance(a + s / 8.0 * (b - a) + t / 8.0 * (c - a), 3)));
