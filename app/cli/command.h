@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "core/io/volume_io.h"
 
@@ -39,6 +40,10 @@ void addMesh(CLI::App& app, Action& action);
 void addBatch(CLI::App& app, Action& action);
 //! Not for users: see runDicomDecoder.
 void addDecode(CLI::App& app, Action& action);
+
+//! `segment` with several objects (nameSeveralObjects), from the arguments behind it: what follows a name is
+//! that object's, which no subcommand of CLI11 can say. Throws UsageError.
+Action segmentSeveralObjects(const std::vector<std::string>& arguments);
 
 //! A subcommand with the notice under its help.
 CLI::App* addCommand(CLI::App& app, const std::string& name, const std::string& description);

@@ -6,6 +6,7 @@
 #include <new>
 
 #include "app/cli/command.h"
+#include "app/cli/object_groups.h"
 #include "core/errors.h"
 #include "core/io/json.h"
 
@@ -58,8 +59,12 @@ int parseAndPerform(int argc, char** argv) {
   for (auto add : {addSegment, addInfo, addCheck, addEdit, addHandles, addPhantom, addReplay, addCompare,
                    addMesh, addBatch, addDecode})
     add(app, action);
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
   try {
-    app.parse(argc, argv);
+    if (!arguments.empty() && arguments[0] == "segment" && nameSeveralObjects(arguments))
+      action = segmentSeveralObjects({arguments.begin() + 1, arguments.end()});
+    else
+      app.parse(argc, argv);
   } catch (const CLI::Success& help) {  // --help and --version
     return app.exit(help);
   } catch (const CLI::ParseError& error) {

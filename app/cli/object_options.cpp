@@ -48,7 +48,9 @@ void addObjectOptions(CLI::App& command, ObjectOptions& options) {
             name, [&options, set](Text t) { set(options, t); }, help)
         ->type_name(type);
   };
-  add("--object-name", "NAME", "What the object is called in files that hold names (default Object)",
+  add("--object-name", "NAME",
+      "What the object is called in files that hold names (default Object); given again in `segment` it "
+      "begins another object, whose options follow",
       setName);
   add("--term", "TERM", "What it is, as a code of SNOMED CT (default tissue): " + termNames(), setTerm);
   add("--color", "R,G,B", "Its colour, 0 to 255 each (default: the term's)", setColour);

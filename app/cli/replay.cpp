@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "app/cli/command.h"
-#include "app/cli/run.h"
+#include "app/cli/run_objects.h"
 #include "core/errors.h"
 
 namespace handlebody::cli {
@@ -17,20 +17,49 @@ struct ReplayOptions {
   RunOutputs outputs;
 };
 
-int replay(const ReplayOptions& o) {
-  Session session = readSession(o.path, o.volume, o.walls);
-  if (o.series) session.volume.selection.series = o.series;
-  if (o.space) session.space = *o.space;
-  std::vector<std::string> inputs = inputsOf(session);
-  inputs.push_back(o.path);
+//! Several objects keep the names of their session: an option could mean any of them.
+void requireNoLabel(const std::string& path, const ObjectOptions& o) {
+  if (o.name || o.term || o.colour || o.value)
+    throw UsageError(path +
+                     " holds several objects, which keep their names, terms, colours and label values.");
+}
+
+std::vector<ObjectLabel> labelsOf(const std::string& path, const std::vector<Session>& sessions,
+                                  const ObjectOptions& options) {
+  if (sessions.size() == 1) return {chosenLabel(options, sessions[0].label)};
+  requireNoLabel(path, options);
+  std::vector<ObjectLabel> labels;
+  for (const Session& session : sessions) labels.push_back(session.label);
+  try {
+    requireDistinct(labels);
+  } catch (const UsageError& error) {
+    throw InputError(path + ": " + error.what());
+  }
+  return labels;
+}
+
+int replay(ReplayOptions o) {
+  std::vector<Session> sessions = readSessions(o.path, o.volume, o.walls);
+  std::vector<std::string> inputs{o.path};
+  const std::string version = sessions[0].version;
+  for (Session& session : sessions) {
+    if (o.series) session.volume.selection.series = o.series;
+    if (o.space) session.space = *o.space;
+    session.version = HANDLEBODY_VERSION;
+    for (std::string& path : inputsOf(session)) inputs.push_back(std::move(path));
+  }
+  assignResults(o.outputs, labelsOf(o.path, sessions, o.outputs.object));
   checkOutputs(o.outputs, inputs);
-  if (session.version != HANDLEBODY_VERSION)
-    std::cerr << "handlebody-cli: warning: " << o.path << " was made by version " << session.version
-              << "; this is " << HANDLEBODY_VERSION << ", and the mesh may differ." << std::endl;
-  session.version = HANDLEBODY_VERSION;
+  if (version != HANDLEBODY_VERSION)
+    std::cerr << "handlebody-cli: warning: " << o.path << " was made by version " << version << "; this is "
+              << HANDLEBODY_VERSION << ", and the mesh may differ." << std::endl;
 
   try {
-    return run(load(std::move(session)), o.outputs);
+    LoadedSession first = load(std::move(sessions[0]));
+    if (sessions.size() == 1) return run(std::move(first), o.outputs);
+    sessions.erase(sessions.begin());
+    for (Session& session : sessions) session.volume = first.session.volume;
+    return runObjects(std::move(first), std::move(sessions), o.outputs);
   } catch (const UsageError& error) {  // the parameters and the frame came from the file
     throw InputError(o.path + ": " + error.what());
   }
@@ -51,6 +80,7 @@ void addReplay(CLI::App& app, Action& action) {
       ->type_name("LABELMAP");
   command->add_option("--series", options->series, "The DICOM series of that volume")->type_name("UID");
   addRunOutputs(*command, options->outputs);
+  addObjectOptions(*command, options->outputs.object);
   addSpace(*command, options->space);
   command->callback([&action, options] { action = [options] { return replay(*options); }; });
 }

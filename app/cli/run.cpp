@@ -48,7 +48,7 @@ void addRunOutputs(CLI::App& command, RunOutputs& outputs) {
           "What to write, by extension: .stl .vtp .ply .obj .3mf = the mesh; .nii.gz .nii .nrrd .mha = its "
           "label map on the input grid; .seg.nrrd = the same as 3D Slicer's segmentation; for a volume read "
           "from DICOM, too: .seg.dcm = a DICOM Segmentation, .stl.dcm = the mesh as DICOM Encapsulated STL; "
-          "may be given several times")
+          "NAME=FILE: of several objects that one alone; may be given several times")
       ->type_name("OUT")
       ->expected(1)
       ->take_all()
@@ -64,7 +64,6 @@ void addRunOutputs(CLI::App& command, RunOutputs& outputs) {
       .add_option("--label-description", outputs.labelDescription,
                   "Names and colours of the labels for ITK-SNAP (text)")
       ->type_name("F.txt");
-  addObjectOptions(command, outputs.object);
   addContent(command, outputs.content);
   command.add_flag("--quiet", outputs.quiet, "No progress and no summary");
 }
@@ -88,10 +87,48 @@ std::vector<std::string> inputsOf(const Session& session) {
   return inputs;
 }
 
+namespace {
+
+std::string quotedNames(const std::vector<ObjectLabel>& objects) {
+  std::string names;
+  for (const ObjectLabel& o : objects) names += (names.empty() ? "'" : ", '") + o.name + "'";
+  return names;
+}
+
+//! The object whose name stands before an equals sign, the longest if one name begins with another; -1 if
+//! there is none.
+int namedIn(const std::string& text, const std::vector<ObjectLabel>& objects) {
+  int found = -1;
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    if (text.rfind(objects[i].name + "=", 0) == 0 &&
+        (found < 0 || objects[i].name.size() > objects[static_cast<std::size_t>(found)].name.size()))
+      found = static_cast<int>(i);
+  return found;
+}
+
+}  // namespace
+
+void assignResults(RunOutputs& outputs, const std::vector<ObjectLabel>& objects) {
+  outputs.files.clear();
+  for (const std::string& text : outputs.results) {
+    const int object = namedIn(text, objects);
+    if (object >= 0) {
+      outputs.files.push_back(
+          {text.substr(objects[static_cast<std::size_t>(object)].name.size() + 1), object});
+      continue;
+    }
+    const std::string before = text.substr(0, text.find('='));
+    if (objects.size() > 1 && before.size() < text.size() && before.find('/') == std::string::npos)
+      throw UsageError("-o " + text + ": no object has the name '" + before + "'; there are " +
+                       quotedNames(objects) + ".");
+    outputs.files.push_back({text, -1});
+  }
+}
+
 void checkOutputs(const RunOutputs& outputs, const std::vector<std::string>& inputs) {
   std::vector<OutputFile> files;
-  for (const std::string& path : outputs.results) {
-    files.push_back({"-o", path});
+  for (const ResultFile& file : outputs.files) {
+    files.push_back({"-o", file.path});
     checkResultExtension(files.back());
   }
   if (!outputs.report.empty()) files.push_back({"--report", outputs.report});
@@ -161,10 +198,13 @@ void evolve(ActiveContour& contour, RunReport& report, const RunOutputs& outputs
   report.held = contour.held();
 }
 
-void printSummary(const RunReport& report) {
+}  // namespace
+
+void printSummary(const RunReport& report, const std::string& name) {
   const Certificate& mesh = report.mesh;
   std::string genus;
   for (int g : mesh.genus) genus += (genus.empty() ? "" : "+") + std::to_string(g);
+  if (!name.empty()) std::printf("%s: ", name.c_str());
   std::printf("%s after %d iterations (%.2f s): components %d, genus %s, %d vertices, %.4g ml, %.4g cm2\n",
               endName(report.stopped), report.iterations, report.seconds.total, mesh.components,
               genus.c_str(), mesh.vertices, mesh.volume / 1000.0, mesh.area / 100.0);
@@ -172,6 +212,8 @@ void printSummary(const RunReport& report) {
     std::printf("held by %s since iteration %d: %s at %.4g,%.4g,%.4g\n", held.isVetoed ? "a veto" : "a limit",
                 held.iteration, eventKindName(held.kind), held.place.x(), held.place.y(), held.place.z());
 }
+
+namespace {
 
 void writeSideFiles(RunReport report, const RunOutputs& outputs) {
   if (outputs.content.anonymous) report = anonymous(std::move(report));
@@ -184,49 +226,64 @@ ExportContext contextOf(const RunReport& report, const RunOutputs& outputs) {
   return {report.volume.grid, report.session.space, report.volume.dicom, outputs.content};
 }
 
+}  // namespace
+
 void writeObjects(const std::vector<ExportedObject>& objects, const RunReport& report,
                   const RunOutputs& outputs) {
-  writeResults(objects, contextOf(report, outputs), outputs.results);
+  const ExportContext context = contextOf(report, outputs);
+  std::vector<std::string> together;
+  for (const ResultFile& file : outputs.files)
+    if (file.object < 0)
+      together.push_back(file.path);
+    else
+      writeResults({objects[static_cast<std::size_t>(file.object)]}, context, {file.path});
+  if (!together.empty()) writeResults(objects, context, together);
   if (!outputs.labelDescription.empty())
     writeTextAtomically(outputs.labelDescription, labelDescription(objects));
 }
 
-}  // namespace
-
-int run(LoadedSession loaded, const RunOutputs& outputs) {
+GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, const std::string& name) {
   Stopwatch watch;
   RunReport report;
   report.session = std::move(loaded.session);
-  report.session.label = chosenLabel(outputs.object, report.session.label);
   report.volume = std::move(loaded.info);
   report.seconds.load = loaded.loadSeconds;
-  for (const std::string& path : outputs.results) checkResult(path, contextOf(report, outputs));
-  std::optional<Volume> shown;  // the voxels are not kept in memory for nothing
-  if (!outputs.picture.empty()) shown = loaded.volume;
-  auto contour = std::make_optional<ActiveContour>(std::move(loaded.volume), report.session.seeds,
-                                                   report.session.requested, report.session.constraints);
-  report.session.resolved = contour->parameters();
-  report.candidates = contour->candidates();
-  report.isCloseChoice = contour->isCloseChoice();
+  for (const ResultFile& file : outputs.files) checkResult(file.path, contextOf(report, outputs));
+  ActiveContour contour(std::move(loaded.volume), report.session.seeds, report.session.requested,
+                        report.session.constraints);
+  report.session.resolved = contour.parameters();
+  report.candidates = contour.candidates();
+  report.isCloseChoice = contour.isCloseChoice();
   report.seconds.prepare = watch.lap();
 
-  evolve(*contour, report, outputs);
+  evolve(contour, report, outputs);
   report.seconds.evolve = watch.lap();
   if (report.stopped == StopReason::empty)
     throw SeedError("The surface vanished after " + std::to_string(report.iterations) +
                     " iterations: the seeds are not in an object of that kind and range.");
 
-  const auto [mesh, certificate] = certifiedForExport(contour->mesh().compact());
-  report.mesh = certificate;
+  CertifiedMesh made = certifiedForExport(contour.mesh().compact());
+  report.mesh = made.certificate;
   report.seconds.exported = watch.lap();
-  if (!outputs.report.empty()) report.tunnels = findTunnelsQuickly(mesh, certificate);
+  if (!outputs.report.empty()) report.tunnels = findTunnelsQuickly(made.mesh, made.certificate);
   report.seconds.tunnels = watch.lap();
-  report.doubts = doubts(report, mesh);
-  const SurfaceSupport support = contour->support();
-  for (std::string& d : contour->doubts(support)) report.doubts.push_back(std::move(d));
+  report.doubts = doubts(report, made.mesh);
+  const SurfaceSupport support = contour.support();
+  for (std::string& d : contour.doubts(support)) report.doubts.push_back(std::move(d));
   report.unsupportedSurface = support.withoutEdge;
-  contour.reset();  // with the voxels: a label map needs the memory
-  for (const std::string& d : report.doubts) std::fprintf(stderr, "handlebody-cli: warning: %s\n", d.c_str());
+  const std::string behind = name.empty() ? name : name + ": ";
+  for (const std::string& d : report.doubts)
+    std::fprintf(stderr, "handlebody-cli: warning: %s%s\n", behind.c_str(), d.c_str());
+  report.seconds.exported += watch.lap();
+  return {std::move(report), std::move(made.mesh)};
+}
+
+int run(LoadedSession loaded, const RunOutputs& outputs) {
+  std::optional<Volume> shown;  // the voxels are not kept in memory for nothing: a label map needs it
+  if (!outputs.picture.empty()) shown = loaded.volume;
+  loaded.session.label = chosenLabel(outputs.object, loaded.session.label);
+  auto [report, mesh] = grow(std::move(loaded), outputs);
+  Stopwatch watch;
   {
     DeferSignals whole;
     writeObjects({{report.session.label, mesh}}, report, outputs);

@@ -16,24 +16,36 @@ class App;
 
 namespace handlebody::cli {
 
+//! A file of -o.
+struct ResultFile {
+  std::string path;
+  int object = -1;  //!< index of the one that it holds; -1: all of them
+};
+
 //! What a run writes and says.
 struct RunOutputs {
-  std::vector<std::string> results;  //!< -o
+  std::vector<std::string> results;  //!< -o, as given: FILE or NAME=FILE
+  std::vector<ResultFile> files;     //!< the same by object (assignResults)
   std::string report, session, trace, picture, labelDescription;
   ObjectOptions object;
   DicomContent content;
   bool quiet = false;
 };
 
-//! Adds -o, --report, --session, --trace, --picture, --label-description, --quiet and the object's options.
+//! Adds -o, --report, --session, --trace, --picture, --label-description, --quiet and what DICOM files say.
 void addRunOutputs(CLI::App& command, RunOutputs& outputs);
 //! Adds --space; LPS unless given.
 void addSpace(CLI::App& command, std::optional<CoordinateSpace>& space);
 
+//! Sorts -o by object. NAME=FILE holds the object of that name alone. Throws UsageError for a name that no
+//! object has; with a single object such a text is a path.
+void assignResults(RunOutputs& outputs, const std::vector<ObjectLabel>& objects);
+
 //! The files that a session reads: no output may be one of them.
 std::vector<std::string> inputsOf(const Session& session);
 
-//! Before any work: throws UsageError if an output has no known extension or cannot be written.
+//! Before any work, after assignResults: throws UsageError if an output has no known extension or cannot be
+//! written.
 void checkOutputs(const RunOutputs& outputs, const std::vector<std::string>& inputs);
 
 //! Seconds since it was made or last asked.
@@ -60,5 +72,20 @@ LoadedSession load(Session session);
 //! Grows the surface, certifies it and writes everything; returns the exit code. Throws SeedError,
 //! UsageError, OutputError; std::runtime_error if the mesh fails its certificate (nothing is written then).
 int run(LoadedSession loaded, const RunOutputs& outputs);
+
+//! An object that has been grown and passed its certificate.
+struct GrownObject {
+  RunReport report;   //!< without the seconds of the export, and of all
+  TriangleSoup mesh;  //!< as it is written
+};
+
+//! Grows one object; says its doubts on standard error, behind `name` if that is not empty. Throws as run.
+GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, const std::string& name = {});
+
+//! Writes every file of -o, and the description of the labels. Throws OutputError, UsageError.
+void writeObjects(const std::vector<ExportedObject>& objects, const RunReport& report,
+                  const RunOutputs& outputs);
+//! One line on standard output, behind `name` if that is not empty.
+void printSummary(const RunReport& report, const std::string& name = {});
 
 }  // namespace handlebody::cli

@@ -1,14 +1,17 @@
 #include "app/cli/segment.h"
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <functional>
 #include <limits>
 #include <memory>
+#include <set>
 
 #include "app/cli/clicks.h"
 #include "app/cli/command.h"
+#include "app/cli/object_groups.h"
 #include "app/cli/parse.h"
-#include "app/cli/run.h"
+#include "app/cli/run_objects.h"
 #include "core/errors.h"
 #include "core/io/parameter_names.h"
 
@@ -157,6 +160,7 @@ int segment(SegmentOptions o) {
   session.version = HANDLEBODY_VERSION;
   session.space = o.space.value_or(CoordinateSpace::lps);
   const Clicks clicks = parseClicks(o.clicks);
+  assignResults(o.outputs, {chosenLabel(o.outputs.object, session.label)});
   checkOutputs(o.outputs, inputsOf(session));
 
   LoadedSession loaded = load(std::move(session));
@@ -164,13 +168,137 @@ int segment(SegmentOptions o) {
   return run(std::move(loaded), o.outputs);
 }
 
-void addOptions(CLI::App& command, SegmentOptions& options) {
+//! What concerns the whole run.
+void addRunOptions(CLI::App& command, SegmentOptions& options) {
   addInput(command, options.session.volume);
+  addRunOutputs(command, options.outputs);
+  addSpace(command, options.space);
+}
+
+//! What each of several objects has of its own.
+void addOwnOptions(CLI::App& command, SegmentOptions& options) {
   addClicks(command, options.clicks);
   addParameters(command, options.session.requested);
   addConstraints(command, options.session.constraints);
-  addRunOutputs(command, options.outputs);
-  addSpace(command, options.space);
+  addObjectOptions(command, options.outputs.object);
+}
+
+void addOptions(CLI::App& command, SegmentOptions& options) {
+  addRunOptions(command, options);
+  addOwnOptions(command, options);
+}
+
+void parse(CLI::App& command, const std::vector<std::string>& arguments) try {
+  command.parse(
+      std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // CLI11 takes them from the back
+} catch (const CLI::ParseError& error) {
+  throw UsageError(error.what());
+}
+
+OptionKind kindOf(const CLI::App& command, Text name) {
+  const CLI::Option* option = command.get_option_no_throw(name);
+  if (!option) return OptionKind::unknown;
+  return option->get_items_expected_max() == 0 ? OptionKind::flag : OptionKind::value;
+}
+
+void prepend(std::vector<std::string>& texts, const std::vector<std::string>& before) {
+  texts.insert(texts.begin(), before.begin(), before.end());
+}
+
+//! The options of one object, whose own ones stand against the common ones or are added to them.
+SegmentOptions parseOwn(const std::vector<std::string>& arguments, const SegmentOptions& common) {
+  SegmentOptions options = common;
+  options.clicks = {};
+  CLI::App command;
+  addOwnOptions(command, options);
+  parse(command, arguments);
+  prepend(options.clicks.background, common.clicks.background);
+  prepend(options.clicks.voxelBackground, common.clicks.voxelBackground);
+  return options;
+}
+
+//! Told apart at a glance, next to each other in this order: Okabe and Ito's, for the colour-blind too.
+constexpr std::array<Colour, 7> kColours{{{230, 159, 0},
+                                          {86, 180, 233},
+                                          {0, 158, 115},
+                                          {240, 228, 66},
+                                          {0, 114, 178},
+                                          {213, 94, 0},
+                                          {204, 121, 167}}};
+
+//! Label values that are not given are the smallest that are free.
+std::vector<ObjectLabel> labelsOf(const std::vector<SegmentOptions>& objects) {
+  std::vector<ObjectLabel> labels;
+  std::set<int> taken;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    ObjectLabel label;
+    label.colour = kColours[i % kColours.size()];
+    label.value = 0;
+    labels.push_back(chosenLabel(objects[i].outputs.object, label));
+    taken.insert(labels.back().value);
+  }
+  int free = 1;
+  for (ObjectLabel& label : labels) {
+    if (label.value != 0) continue;
+    while (taken.count(free) != 0) ++free;
+    label.value = free++;
+  }
+  requireDistinct(labels);
+  return labels;
+}
+
+//! Several objects as they were asked for.
+struct SeveralObjects {
+  SegmentOptions run;
+  std::vector<Session> sessions;  //!< without seeds
+  std::vector<Clicks> clicks;
+};
+
+SeveralObjects parseSeveral(const std::vector<std::string>& arguments) {
+  SeveralObjects all;
+  CLI::App known, command;
+  SegmentOptions unused;
+  addOwnOptions(known, unused);
+  const ObjectGroups groups = groupArguments(arguments, [&](Text name) { return kindOf(known, name); });
+  addRunOptions(command, all.run);
+  parse(command, groups.run);
+  const SegmentOptions common = parseOwn(groups.common, {});
+  if (!common.clicks.seeds.empty() || !common.clicks.voxelSeeds.empty())
+    throw UsageError("A seed before the first --object-name belongs to no object.");
+  std::vector<SegmentOptions> objects;
+  for (const auto& group : groups.objects) objects.push_back(parseOwn(group, common));
+  const std::vector<ObjectLabel> labels = labelsOf(objects);
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    Session session = objects[i].session;
+    session.version = HANDLEBODY_VERSION;
+    session.space = all.run.space.value_or(CoordinateSpace::lps);
+    session.volume = all.run.session.volume;
+    session.label = labels[i];
+    all.sessions.push_back(std::move(session));
+    try {
+      all.clicks.push_back(parseClicks(objects[i].clicks));
+    } catch (const UsageError& error) {
+      throw UsageError("object '" + labels[i].name + "': " + error.what());
+    }
+  }
+  assignResults(all.run.outputs, labels);
+  return all;
+}
+
+int segmentSeveral(SeveralObjects all) {
+  std::vector<std::string> inputs;
+  for (const Session& session : all.sessions)
+    for (const std::string& path : inputsOf(session)) inputs.push_back(path);
+  checkOutputs(all.run.outputs, inputs);
+  LoadedSession first = load(std::move(all.sessions[0]));
+  first.session.seeds = seedsInWorld(all.clicks[0], first.volume.grid);
+  std::vector<Session> others;
+  for (std::size_t i = 1; i < all.sessions.size(); ++i) {
+    all.sessions[i].volume = first.session.volume;
+    all.sessions[i].seeds = seedsInWorld(all.clicks[i], first.volume.grid);
+    others.push_back(std::move(all.sessions[i]));
+  }
+  return runObjects(std::move(first), std::move(others), all.run.outputs);
 }
 
 }  // namespace
@@ -187,16 +315,17 @@ std::vector<SegmentOption> segmentOptions() {
   return options;
 }
 
-void checkSegmentArguments(const std::vector<std::string>& arguments) try {
+void checkSegmentArguments(const std::vector<std::string>& arguments) {
   CLI::App command;
   SegmentOptions options;
   addOptions(command, options);
-  command.parse(
-      std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // CLI11 takes them from the back
+  parse(command, arguments);
   parseClicks(options.clicks);
   for (const std::string& path : options.outputs.results) checkResultExtension({"--output", path});
-} catch (const CLI::ParseError& error) {
-  throw UsageError(error.what());
+}
+
+Action segmentSeveralObjects(const std::vector<std::string>& arguments) {
+  return [all = parseSeveral(arguments)] { return segmentSeveral(all); };
 }
 
 void addSegment(CLI::App& app, Action& action) {

@@ -1,4 +1,5 @@
 target_sources(handlebody_core PRIVATE
+  ${CMAKE_SOURCE_DIR}/core/collision/body_contact.cpp
   ${CMAKE_SOURCE_DIR}/core/collision/box_tree.cpp
   ${CMAKE_SOURCE_DIR}/core/collision/certify.cpp
   ${CMAKE_SOURCE_DIR}/core/collision/closest_point.cpp

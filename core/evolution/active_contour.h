@@ -45,7 +45,7 @@ class ActiveContour {
   //! common with the new object it begins anew, at the same iteration: correction() tells. Throws as the
   //! constructor, and nothing has changed then.
   //! Walls may not be put where the surface is, unless it may move in both directions and crosses them
-  //! (UsageError otherwise).
+  //! (UsageError otherwise); objects never.
   void change(const Request& request);
   //! The same with what `prepared` was made from, whose image is taken over instead of being chosen again.
   //! Precondition: it was made for the same volume.

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/errors.h"
+#include "core/mesh/mesh.h"
 
 namespace handlebody {
 
@@ -25,6 +26,9 @@ void requireSensible(const WallList& walls, const Grid& grid) {
     if (outside(grid, w.centre) >= w.radius)
       throw UsageError("The wall at " + written(w.centre) + " mm lies outside of the volume.");
   }
+  for (const WallObject& object : walls.objects)
+    if (!object.mesh || object.mesh->triangles.empty())
+      throw UsageError("The object '" + object.name + "' has no mesh that could be a wall.");
   if (!walls.map) return;
   if (!walls.map->voxels) throw UsageError("The label map of the walls has not been read.");
   if (walls.map->voxels->size() != grid.voxelCount())

@@ -12,6 +12,8 @@
 
 namespace handlebody {
 
+struct TriangleSoup;
+
 //! A ball that the surface may not enter.
 struct WallBall {
   Vec3 centre{0, 0, 0};  //!< mm, LPS
@@ -29,10 +31,19 @@ struct WallMap {
   bool operator==(const WallMap& other) const;
 };
 
+//! An object that is done: the surface may not enter what its mesh encloses, and does not touch it.
+struct WallObject {
+  std::string name{};  //!< for messages
+  //! mm LPS: closed, oriented, without intersections, apart from the other objects (bodyContact).
+  std::shared_ptr<const TriangleSoup> mesh{};
+  bool operator==(const WallObject&) const = default;  // the same mesh in memory
+};
+
 struct WallList {
   std::vector<WallBall> balls{};
   std::optional<WallMap> map{};
-  bool empty() const { return balls.empty() && !map; }
+  std::vector<WallObject> objects{};
+  bool empty() const { return balls.empty() && !map && objects.empty(); }
   bool operator==(const WallList&) const = default;
 };
 

@@ -6,8 +6,8 @@
 
 #include "core/errors.h"
 #include "core/evolution/wall_pieces.h"
-#include "core/mesh/topology.h"
 #include "core/mesh/nesting.h"
+#include "core/mesh/topology.h"
 
 namespace handlebody {
 
@@ -40,6 +40,10 @@ void WallGuard::putUp(const Mesh& mesh, const WallList& known, bool mayPush) {
   const auto refuse = [&](const WallList& wall, const char* why) {
     throw UsageError("The wall at " + written(placeOf(wall, all_->grid())) + " mm lies " + why);
   };
+  for (const WallList& wall : occupied.touched)
+    for (const WallObject& object : wall.objects)
+      throw UsageError("The object '" + object.name +
+                       "' lies over surface that is already there: go back to before it came in there.");
   if (!occupied.enclosed.empty() && !without(occupied.enclosed[0], known).empty())
     refuse(occupied.enclosed[0],
            "within the surface, which cannot be pushed out of it: go back to before it came in there.");
@@ -126,6 +130,9 @@ std::optional<Vec3> WallGuard::broken(const Mesh& mesh, std::span<const unsigned
   for (const Event& e : events)
     if (holding_->isNear(e.location) && enclosesAny(mesh, *holding_, e.location, kSwallows * edgeLength_))
       return e.location;
+  if (enclosesAny(mesh, holding_->smallParts()))
+    for (const Vec3& place : holding_->smallParts())
+      if (enclosesAny(mesh, {place})) return place;
   return std::nullopt;
 }
 
@@ -140,9 +147,14 @@ void WallGuard::release(const Mesh& mesh) {
 namespace {
 
 void requireFree(const std::vector<Seed>& asked, const Walls& walls) {
-  for (const Seed& s : asked)
+  for (const Seed& s : asked) {
+    const int object = walls.objects() ? walls.objects()->objectAt(s.centre) : -1;
+    if (object >= 0)
+      throw SeedError("The seed at " + written(s.centre) + " mm lies in the object '" +
+                      walls.list().objects[idx(object)].name + "', which is done already.");
     if (walls.distance(s.centre, 1) <= 0)
       throw SeedError("A wall lies over the seed at " + written(s.centre) + " mm.");
+  }
 }
 
 //! True if the place was not pushed through a wall on the way from a click to what fits near it.

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/mesh/topology.h"
 #include "core/mesh/nesting.h"
+#include "core/mesh/topology.h"
 
 namespace handlebody {
 
@@ -94,6 +94,7 @@ class Inside {
 std::vector<WallList> piecesOf(const WallList& walls, const Grid& grid) {
   std::vector<WallList> out;
   for (const WallBall& w : walls.balls) out.push_back({{w}, {}});
+  for (const WallObject& o : walls.objects) out.push_back({{}, {}, {o}});
   if (!walls.map) return out;
   std::vector<bool> left = *walls.map->voxels;
   for (std::size_t i = 0; i < left.size(); ++i)
@@ -105,6 +106,9 @@ WallList without(const WallList& walls, const WallList& known) {
   WallList out;
   for (const WallBall& w : walls.balls)
     if (std::find(known.balls.begin(), known.balls.end(), w) == known.balls.end()) out.balls.push_back(w);
+  for (const WallObject& o : walls.objects)
+    if (std::find(known.objects.begin(), known.objects.end(), o) == known.objects.end())
+      out.objects.push_back(o);
   if (!walls.map || walls.map == known.map) return out;
   out.map = walls.map;
   if (!known.map || !known.map->voxels) return out;
@@ -121,6 +125,7 @@ WallList together(const std::vector<WallList>& pieces) {
   std::vector<bool> flags;
   for (const WallList& piece : pieces) {
     all.balls.insert(all.balls.end(), piece.balls.begin(), piece.balls.end());
+    all.objects.insert(all.objects.end(), piece.objects.begin(), piece.objects.end());
     if (!piece.map) continue;
     flags.resize(piece.map->voxels->size(), false);
     for (std::size_t i = 0; i < flags.size(); ++i) flags[i] = flags[i] || (*piece.map->voxels)[i];
@@ -132,6 +137,7 @@ WallList together(const std::vector<WallList>& pieces) {
 
 Vec3 placeOf(const WallList& walls, const Grid& grid) {
   if (!walls.balls.empty()) return walls.balls[0].centre;
+  if (!walls.objects.empty()) return walls.objects[0].mesh->points[0];
   const std::vector<bool>& flags = *walls.map->voxels;
   return centreOf(grid,
                   static_cast<std::size_t>(std::find(flags.begin(), flags.end(), true) - flags.begin()));
@@ -139,15 +145,37 @@ Vec3 placeOf(const WallList& walls, const Grid& grid) {
 
 bool touchesAny(const Mesh& mesh, const Walls& walls) {
   const Walls::Touched which = touched(mesh, walls, true);
-  return !which.balls.empty() || !which.voxels.empty();
+  return !which.balls.empty() || !which.voxels.empty() || !which.objects.empty();
+}
+
+bool enclosesAny(const Mesh& mesh, const std::vector<Vec3>& places) {
+  if (places.empty()) return false;
+  const Inside inside(mesh);
+  return std::any_of(places.begin(), places.end(), inside);
 }
 
 bool enclosesAny(const Mesh& mesh, const Walls& walls, const Vec3& place, double within) {
-  const std::vector<Vec3> samples = walls.places(place, within);
-  if (samples.empty()) return false;
-  const Inside inside(mesh);
-  return std::any_of(samples.begin(), samples.end(), inside);
+  return enclosesAny(mesh, walls.places(place, within));
 }
+
+namespace {
+
+//! An object whose surface the mesh does not meet lies in it as any part of its surface does.
+void findObjects(const Walls& walls, const Walls::Touched& which, const Inside& inside, Occupied& out) {
+  for (std::size_t i = 0; i < walls.list().objects.size(); ++i) {
+    const int object = static_cast<int>(i);
+    const auto isTouched =
+        std::find(which.objects.begin(), which.objects.end(), object) != which.objects.end();
+    const auto& parts = walls.objects()->parts();
+    const bool isEnclosed = std::any_of(parts.begin(), parts.end(), [&](const WallSurface::Part& part) {
+      return part.object == object && inside(part.place);
+    });
+    if (isTouched || isEnclosed)
+      (isTouched ? out.touched : out.enclosed).push_back({{}, {}, {walls.list().objects[i]}});
+  }
+}
+
+}  // namespace
 
 Occupied findOccupied(const Mesh& mesh, const Walls& walls) {
   const Walls::Touched which = touched(mesh, walls, false);
@@ -159,6 +187,7 @@ Occupied findOccupied(const Mesh& mesh, const Walls& walls) {
         std::find(which.balls.begin(), which.balls.end(), static_cast<int>(i)) != which.balls.end();
     if (isTouched || inside(w.centre)) (isTouched ? out.touched : out.enclosed).push_back({{w}, {}});
   }
+  findObjects(walls, which, inside, out);
   if (!walls.list().map) return out;
   const WallMap& map = *walls.list().map;
   std::vector<bool> hit(map.voxels->size(), false), left = *map.voxels;

@@ -6,10 +6,10 @@
 
 namespace handlebody {
 
-//! A ball each, and the voxels of the map that hang together (by faces, edges or corners).
+//! A ball each, an object each, and the voxels of the map that hang together (by faces, edges or corners).
 std::vector<WallList> piecesOf(const WallList& walls, const Grid& grid);
 
-//! Those of the walls that are no pieces of `known`: balls, and the map if it is another.
+//! Those of the walls that are no pieces of `known`: balls, objects, and the map if it is another.
 WallList without(const WallList& walls, const WallList& known);
 
 //! The pieces together.
@@ -26,6 +26,9 @@ Occupied findOccupied(const Mesh& mesh, const Walls& walls);
 
 //! True if the mesh encloses a wall within so many mm of a place.
 bool enclosesAny(const Mesh& mesh, const Walls& walls, const Vec3& place, double within);
+
+//! True if the mesh encloses one of the places.
+bool enclosesAny(const Mesh& mesh, const std::vector<Vec3>& places);
 
 //! True if the mesh touches a wall.
 bool touchesAny(const Mesh& mesh, const Walls& walls);

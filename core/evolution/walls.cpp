@@ -20,7 +20,11 @@ constexpr double kCircumradius = 0.81;
 // No flip or collapse moves the surface by more than twice this part of the edge length (kFlatEnough).
 constexpr double kHalfFlip = 0.2;
 constexpr double kRest =
-    0.05;  // voxels between where corners come to rest at the map's voxels and its margin
+    0.05;  // voxels between where corners come to rest at the map's voxels or an object and its margin
+constexpr double kSmallPart = 4;      // edge lengths: no step carries a front over anything larger
+constexpr double kLeastBulge = 0.08;  // voxels of mean size: that edges stand out of a surface that is smooth
+constexpr double kMostBulge = 0.3;    // voxels of mean size: what objects may lie apart is half of one
+constexpr double kObjectCell = 2;     // voxels of mean size
 constexpr double kLongestFace = 4.5;  // edge lengths: longer than any edge, three times the paper's bound
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
@@ -30,6 +34,7 @@ std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 Walls::Walls(const WallList& list, const Grid& grid, double edgeLength, double largestStep)
     : list_(list), grid_(grid), edgeLength_(edgeLength), largestStep_(largestStep) {
   const double finest = grid.spacing.minCoeff(), clearance = kClearance * finest;
+  clearance_ = clearance;
   far_ = kFarVoxels * grid.meanSpacing();
   reach_ = kLongestFace * edgeLength;
   margin_ = std::max(clearance, kHalfFlip * edgeLength - 0.5 * finest);
@@ -42,6 +47,7 @@ Walls::Walls(const WallList& list, const Grid& grid, double edgeLength, double l
   chooseBricks();
   fillBalls();
   fillMap();
+  fillObjects();
 }
 
 void Walls::chooseBricks() {
@@ -123,6 +129,24 @@ void Walls::fillMap() {
   for (std::size_t b = 0; b < near_.size(); ++b) near_[b] = near_[b] || around[b];
 }
 
+void Walls::fillObjects() {
+  if (list_.objects.empty()) return;
+  objects_ = std::make_shared<const WallSurface>(list_.objects, kObjectCell * grid_.meanSpacing());
+  for (const Triangle& t : objects_->triangles()) {
+    const auto corner = [&](std::size_t i) { return grid_.toIndex(objects_->points()[idx(t[i])]); };
+    const Vec3 a = corner(0), b = corner(1), c = corner(2);
+    forEach(bricksWithin(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c), clearance_ + reach_),
+            [&](const Index& i) { near_[idx(brickAt(i))] = true; });
+  }
+  forEach(Range{{0, 0, 0}, {bricks_[0] - 1, bricks_[1] - 1, bricks_[2] - 1}}, [&](const Index& b) {
+    Vec3 middle;
+    for (std::size_t a = 0; a < 3; ++a) middle[static_cast<int>(a)] = (b[a] + 0.5) * brickSize_[a] - 0.5;
+    if (objects_->encloses(grid_.toWorld(middle))) near_[idx(brickAt(b))] = true;
+  });
+  for (const WallSurface::Part& part : objects_->parts())
+    if (part.extent < kSmallPart * edgeLength_) smallParts_.push_back(part.place);
+}
+
 //! To all bricks within so many mm, axis by axis.
 void Walls::dilate(std::vector<bool>& flags, double mm) const {
   for (std::size_t a = 0; a < 3; ++a) {
@@ -154,7 +178,15 @@ double Walls::room(const Vec3& world, const Vec3& index) const {
     const double squared = (world - list_.balls[ball].centre).squaredNorm();
     if (squared < reach * reach) room = std::sqrt(squared) - reaches_[ball].rest;
   }
-  return nearVoxels_[brick] ? std::min(room, roomToVoxels(index)) : room;
+  if (nearVoxels_[brick]) room = std::min(room, roomToVoxels(index));
+  if (!objects_) return room;
+  // Corners that are no nearer than what bulges between them stay out of each other's way: where some came
+  // nearer, the faces at them would hold back the others.
+  const double least = clearance_ + kRest * grid_.meanSpacing(), most = kMostBulge * grid_.meanSpacing();
+  const double across = kCircumradius * edgeLength_;
+  const WallSurface::Nearest nearest = objects_->nearest(world, far_ + least + most);
+  const double bulge = std::clamp(nearest.bulge * across * across, kLeastBulge * grid_.meanSpacing(), most);
+  return std::min(room, nearest.distance - least - bulge);
 }
 
 namespace {
@@ -181,6 +213,7 @@ double Walls::roomToVoxels(const Vec3& index) const {
 double Walls::distance(const Vec3& world, double limit) const {
   double nearest = limit;
   for (const WallBall& w : list_.balls) nearest = std::min(nearest, (world - w.centre).norm() - w.radius);
+  if (objects_) nearest = std::min(nearest, objects_->distance(world, limit));
   const Vec3 index = grid_.toIndex(world);
   if (list_.map)
     forEach(voxelsWithin(index, index, limit), [&](const Index& v) {
@@ -193,6 +226,8 @@ std::vector<Vec3> Walls::places(const Vec3& world, double within) const {
   std::vector<Vec3> out;
   for (const WallBall& w : list_.balls)
     if ((w.centre - world).squaredNorm() <= within * within) out.push_back(w.centre);
+  if (objects_)
+    for (const Vec3& p : objects_->places(world, within)) out.push_back(p);
   if (!list_.map) return out;
   const Vec3 index = grid_.toIndex(world);
   std::vector<Index> left;  // in ascending order of z, y, x
@@ -225,9 +260,20 @@ bool Walls::meets(const Vec3& a, const Vec3& b, const Vec3& c, bool withMargin, 
   const Range bricks = bricksWithin(low, high, 0);
   const bool balls = meetsBalls(world, bricks, withMargin, which);
   if (balls && !which) return true;
+  const bool objects = objects_ && meetsObjects(world, withMargin, which);
+  if (objects && !which) return true;
   bool voxels = false;
   if (list_.map) forEach(bricks, [&](const Index& v) { voxels = voxels || nearVoxels_[idx(brickAt(v))]; });
-  return (voxels && meetsVoxels(index, withMargin, which)) || balls;
+  return (voxels && meetsVoxels(index, withMargin, which)) || balls || objects;
+}
+
+//! A triangle that meets no surface lies wholly inside or outside.
+bool Walls::meetsObjects(const std::array<Vec3, 3>& t, bool withMargin, Touched* which) const {
+  if (withMargin) return !objects_->clears(t[0], t[1], t[2], clearance_) || objects_->encloses(t[0]);
+  if (objects_->meets(t[0], t[1], t[2], which ? &which->objects : nullptr)) return true;
+  if (!objects_->encloses(t[0])) return false;
+  if (which) which->objects.push_back(objects_->objectAt(t[0]));
+  return true;
 }
 
 bool Walls::meetsBalls(const std::array<Vec3, 3>& t, const Range& bricks, bool withMargin,

@@ -3,9 +3,10 @@
 // tell which of them are near, so that a thousand cost little more than one.
 
 #include <array>
+#include <memory>
 #include <vector>
 
-#include "core/evolution/constraints.h"
+#include "core/evolution/wall_surface.h"
 
 namespace handlebody {
 
@@ -31,6 +32,7 @@ class Walls {
   struct Touched {
     std::vector<int> balls;           // by index of the list
     std::vector<std::size_t> voxels;  // of the map
+    std::vector<int> objects;         // by index of the list
   };
   //! True if a point of the triangle lies in a wall; which ones, if wanted.
   bool touches(const Vec3& a, const Vec3& b, const Vec3& c, Touched* which = nullptr) const {
@@ -38,8 +40,14 @@ class Walls {
   }
 
   //! A point of each wall within so many mm of a place: the middle of each ball, and of one voxel of each
-  //! part of the map that hangs together there.
+  //! part of the map that hangs together there, and of each part of an object a vertex there.
   std::vector<Vec3> places(const Vec3& world, double within) const;
+
+  //! The objects; null: there are none.
+  const WallSurface* objects() const { return objects_.get(); }
+  //! A vertex of each part of an object that is so small that a front may pass over it between two looks at
+  //! its faces.
+  const std::vector<Vec3>& smallParts() const { return smallParts_; }
 
   const WallList& list() const { return list_; }
   const Grid& grid() const { return grid_; }
@@ -56,6 +64,7 @@ class Walls {
   void chooseBricks();
   void fillBalls();
   void fillMap();
+  void fillObjects();
   int brickAt(const Index& b) const { return (b[2] * bricks_[1] + b[1]) * bricks_[0] + b[0]; }
   Index brickOf(const Vec3& index) const;
   //! Of all bricks between two continuous indices, widened by mm.
@@ -65,6 +74,7 @@ class Walls {
   bool meets(const Vec3& a, const Vec3& b, const Vec3& c, bool withMargin, Touched* which) const;
   bool meetsBalls(const std::array<Vec3, 3>& world, const Range& bricks, bool withMargin,
                   Touched* which) const;
+  bool meetsObjects(const std::array<Vec3, 3>& world, bool withMargin, Touched* which) const;
   bool meetsVoxels(const std::array<Vec3, 3>& index, bool withMargin, Touched* which) const;
   bool isWall(const Index& v) const;
   double roomToVoxels(const Vec3& index) const;
@@ -72,12 +82,15 @@ class Walls {
   WallList list_;
   Grid grid_;
   double edgeLength_, largestStep_;
-  double far_ = 0;     // mm
-  double margin_ = 0;  // mm, of the map's voxels
-  double reach_ = 0;   // mm: longer than any face
+  double far_ = 0;        // mm
+  double margin_ = 0;     // mm, of the map's voxels
+  double clearance_ = 0;  // mm, of the objects
+  double reach_ = 0;      // mm: longer than any face
   std::vector<Reach> reaches_;
   std::array<int, 3> brickSize_{1, 1, 1}, bricks_{1, 1, 1};  // voxels; number
-  std::vector<int> first_, balls_;                   // which balls a brick holds: first_[b] … first_[b + 1]
+  std::vector<int> first_, balls_;  // which balls a brick holds: first_[b] … first_[b + 1]
+  std::shared_ptr<const WallSurface> objects_{};
+  std::vector<Vec3> smallParts_{};
   std::vector<bool> near_, hasVoxels_, nearVoxels_;  // per brick
 };
 

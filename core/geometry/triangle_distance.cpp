@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace handlebody {
 
@@ -14,6 +15,18 @@ double squaredToSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const double length = ab.squaredNorm();
   const double t = length > 0 ? std::clamp((p - a).dot(ab) / length, 0.0, 1.0) : 0.0;
   return (p - a - t * ab).squaredNorm();
+}
+
+//! Of the segments ab and cd (Ericson, 5.1.9). Where a foot lies beyond an end, a corner and an edge are
+//! nearest, which the caller looks at besides.
+double squaredBetweenLines(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 u = b - a, v = d - c, w = a - c;
+  const double uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm(), uw = u.dot(w), vw = v.dot(w);
+  const double area = uu * vv - uv * uv;
+  if (!(area > 0)) return std::numeric_limits<double>::infinity();
+  const double s = (uv * vw - vv * uw) / area, t = (uu * vw - uv * uw) / area;
+  if (s < 0 || s > 1 || t < 0 || t > 1) return std::numeric_limits<double>::infinity();
+  return (w + s * u - t * v).squaredNorm();
 }
 
 bool apartAlong(const Vec3& axis, const std::array<Vec3, 3>& t, const Vec3& half) {
@@ -35,6 +48,17 @@ double squaredDistance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& 
   if (u < 0 || v < 0 || u + v > area) return byEdges;
   const double height = ap.dot(n);
   return std::min(height * height / area, byEdges);
+}
+
+double squaredDistance(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < 3; ++i) {
+    least =
+        std::min({least, squaredDistance(s[i], t[0], t[1], t[2]), squaredDistance(t[i], s[0], s[1], s[2])});
+    for (std::size_t j = 0; j < 3; ++j)
+      least = std::min(least, squaredBetweenLines(s[i], s[(i + 1) % 3], t[j], t[(j + 1) % 3]));
+  }
+  return least;
 }
 
 bool meetsBox(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& half) {

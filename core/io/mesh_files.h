@@ -15,6 +15,7 @@ struct MeshFile {
   CoordinateSpace space = CoordinateSpace::lps;
   std::vector<double> values{};  //!< per point, for .vtp; empty: none
   std::string valueName{};
+  std::vector<MeshPart> parts{};  // written, not read back
 };
 
 //! "SPACE=LPS" or "SPACE=RAS": what we write into comments and headers.

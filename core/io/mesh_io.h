@@ -1,6 +1,8 @@
 #pragma once
 // Meshes from and to files, through VTK. No VTK type appears here.
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -18,11 +20,22 @@ bool isMeshPath(const std::string& path);
 //! True for .nii .nii.gz .nrrd .mha (any case).
 bool isLabelMapPath(const std::string& path);
 
+//! One of several objects whose triangles lie in a mesh one behind the other.
+struct MeshPart {
+  std::string name{};
+  int label = 0;
+  std::array<std::uint8_t, 3> colour{};  //!< sRGB
+  std::size_t triangles = 0;             //!< number
+};
+
 //! Writes by extension (.stl binary, .vtp, .ply binary, .obj), whole or not at all (temporary name, then
 //! rename). .vtp and .obj keep every digit; .stl and .ply hold single precision, which near 200 mm is 1.5e-5
 //! mm. Throws OutputError; UsageError for an unknown extension.
+//!
+//! `parts`: the objects of the mesh, if there are several. .obj holds each as a group, .vtp its label per
+//! face (and names and labels as field data), .ply its colour per face; .stl has no place for them.
 void writeMesh(const TriangleSoup& mesh, const std::string& path,
-               CoordinateSpace space = CoordinateSpace::lps);
+               CoordinateSpace space = CoordinateSpace::lps, const std::vector<MeshPart>& parts = {});
 
 //! Writes .vtp alone, with a value per point in an array of that name (single precision, the active scalars).
 //! Throws as writeMesh.

@@ -1,7 +1,9 @@
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPLYWriter.h>
 #include <vtkPointData.h>
@@ -9,6 +11,7 @@
 #include <vtkPolyData.h>
 #include <vtkSTLWriter.h>
 #include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
@@ -44,6 +47,45 @@ vtkNew<vtkPolyData> toVtk(const MeshFile& file) {
   return data;
 }
 
+//! f(part, face), face by face.
+template <typename F>
+void forEachFace(const MeshFile& file, F&& f) {
+  vtkIdType face = 0;
+  for (const MeshPart& part : file.parts)
+    for (std::size_t i = 0; i < part.triangles; ++i) f(part, face++);
+}
+
+//! Labels per face; which label has which name is in the field data.
+void addLabels(const MeshFile& file, vtkPolyData* data) {
+  if (file.parts.empty()) return;
+  vtkNew<vtkIntArray> perFace, labels;
+  vtkNew<vtkStringArray> names;
+  perFace->SetName("Label");
+  perFace->SetNumberOfValues(data->GetNumberOfCells());
+  forEachFace(file, [&](const MeshPart& part, vtkIdType face) { perFace->SetValue(face, part.label); });
+  labels->SetName("LabelValues");
+  names->SetName("LabelNames");
+  for (const MeshPart& part : file.parts) {
+    labels->InsertNextValue(part.label);
+    names->InsertNextValue(part.name);
+  }
+  data->GetCellData()->SetScalars(perFace);
+  data->GetFieldData()->AddArray(labels);
+  data->GetFieldData()->AddArray(names);
+}
+
+void addColours(const MeshFile& file, vtkPolyData* data, vtkPLYWriter* writer) {
+  if (file.parts.empty()) return;
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetName("Colour");
+  colours->SetNumberOfComponents(3);
+  colours->SetNumberOfTuples(data->GetNumberOfCells());
+  forEachFace(
+      file, [&](const MeshPart& part, vtkIdType face) { colours->SetTypedTuple(face, part.colour.data()); });
+  data->GetCellData()->SetScalars(colours);
+  writer->SetArrayName("Colour");
+}
+
 bool writeStl(const MeshFile& file, const std::string& temporary) {
   vtkNew<vtkSTLWriter> writer;
   // A binary header must not begin with "solid".
@@ -63,6 +105,7 @@ bool writePly(const MeshFile& file, const std::string& temporary) {
   writer->SetDataByteOrderToLittleEndian();
   writer->SetFileName(temporary.c_str());
   const auto data = toVtk(file);
+  addColours(file, data, writer);
   writer->SetInputData(data);
   return writer->Write() == 1 && writer->GetErrorCode() == 0;
 }
@@ -81,6 +124,7 @@ bool writeVtp(const MeshFile& file, const std::string& temporary) {
   space->SetName("SPACE");
   space->InsertNextValue(file.space == CoordinateSpace::lps ? "LPS" : "RAS");
   data->GetFieldData()->AddArray(space);
+  addLabels(file, data);
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetFileName(temporary.c_str());
   writer->SetDataModeToAppended();
@@ -129,9 +173,11 @@ bool isMeshPath(const std::string& path) {
   return ending == ".stl" || ending == ".vtp" || ending == ".ply" || ending == ".obj";
 }
 
-void writeMesh(const TriangleSoup& mesh, const std::string& path, CoordinateSpace space) {
+void writeMesh(const TriangleSoup& mesh, const std::string& path, CoordinateSpace space,
+               const std::vector<MeshPart>& parts) {
   if (!isMeshPath(path)) throw UsageError(path + ": meshes are written as .stl, .vtp, .ply or .obj.");
   MeshFile file{mesh, space};
+  file.parts = parts;
   if (space == CoordinateSpace::ras)
     for (Vec3& p : file.mesh.points) p = Vec3(-p.x(), -p.y(), p.z());  // a rotation: the winding stays
   writeWhole(file, path);

@@ -1,6 +1,7 @@
 // OBJ by hand: VTK's writer and reader keep six digits, which is not enough to keep a mesh free of
 // self-intersections.
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -85,6 +86,16 @@ class ObjReader {
 
 }  // namespace
 
+namespace {
+
+//! Names of groups end at a blank.
+std::string groupLine(std::string name) {
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return "g " + name + "\n";
+}
+
+}  // namespace
+
 void writeObj(const MeshFile& file, const std::string& temporary) {
   std::string text = "# " + spaceMark(file.space) + "\n# Handlebody, coordinates in mm\n";
   for (const Vec3& p : file.mesh.points) {
@@ -95,9 +106,14 @@ void writeObj(const MeshFile& file, const std::string& temporary) {
     }
     text += '\n';
   }
-  for (const Triangle& t : file.mesh.triangles) {
+  std::size_t begins = 0, part = 0;  // the next group
+  for (std::size_t i = 0; i < file.mesh.triangles.size(); ++i) {
+    for (; part < file.parts.size() && i == begins; ++part) {
+      text += groupLine(file.parts[part].name);
+      begins += file.parts[part].triangles;
+    }
     text += "f";
-    for (int v : t) text += ' ' + std::to_string(v + 1);
+    for (int v : file.mesh.triangles[i]) text += ' ' + std::to_string(v + 1);
     text += '\n';
   }
   std::ofstream stream(temporary, std::ios::binary);

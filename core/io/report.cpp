@@ -89,9 +89,11 @@ RunReport anonymous(RunReport report) {
   return report;
 }
 
-std::string reportText(const RunReport& report) {
+namespace {
+
+//! What is told of the object.
+void addObject(Json& json, const RunReport& report) {
   const ResolvedParameters& resolved = report.session.resolved.value();
-  Json json = headToJson(report);
   json["parameters"] = resolvedToJson(resolved);
   json["parameters"]["candidate"] = resolved.candidate;
   json["requested"] = requestToJson(report.session);
@@ -111,16 +113,50 @@ std::string reportText(const RunReport& report) {
   if (!report.held.empty()) json["held"] = heldToJson(report.held);
   Json& events = json["events"] = Json::array();
   for (const Event& event : report.events) events.push_back(eventToJson(event));
-  return jsonText(json);
 }
 
-std::string traceText(const RunReport& report) {
-  Json json = headToJson(report);
+void addTraces(Json& json, const RunReport& report) {
   Json& events = json["events"] = Json::array();
   for (const Event& event : report.events) {
     events.push_back(eventToJson(event));
     events.back()["trace"] = traceToJson(event.trace);
   }
+}
+
+//! A place for an object, with its name.
+Json& addNamed(Json& json, const ObjectLabel& label) {
+  Json& object = json["objects"].emplace_back(Json::object());
+  object["name"] = label.name;
+  object["label_value"] = label.value;
+  object["colour"] = label.colour;
+  object["term"] = label.term;
+  return object;
+}
+
+}  // namespace
+
+std::string reportText(const RunReport& report) {
+  Json json = headToJson(report);
+  addObject(json, report);
+  return jsonText(json);
+}
+
+std::string traceText(const RunReport& report) {
+  Json json = headToJson(report);
+  addTraces(json, report);
+  return jsonText(json);
+}
+
+std::string reportText(const std::vector<RunReport>& objects, const Timings& seconds) {
+  Json json = headToJson(objects.front());
+  for (const RunReport& object : objects) addObject(addNamed(json, object.session.label), object);
+  json["seconds"] = secondsToJson(seconds);
+  return jsonText(json);
+}
+
+std::string traceText(const std::vector<RunReport>& objects) {
+  Json json = headToJson(objects.front());
+  for (const RunReport& object : objects) addTraces(addNamed(json, object.session.label), object);
   return jsonText(json);
 }
 

@@ -56,4 +56,10 @@ std::string reportText(const RunReport& report);
 //! The events with their traces as JSON text.
 std::string traceText(const RunReport& report);
 
+//! Both for several objects of one volume, in the order in which they were grown: "objects" holds what is
+//! told of one, after its name, label value, colour and term; "seconds" those of the whole run. Precondition:
+//! there is one at least.
+std::string reportText(const std::vector<RunReport>& objects, const Timings& seconds);
+std::string traceText(const std::vector<RunReport>& objects);
+
 }  // namespace handlebody

@@ -140,6 +140,15 @@ TriangleSoup together(const std::vector<ExportedObject>& objects) {
   return all;
 }
 
+//! What a mesh of several objects is made of; nothing of a single one.
+std::vector<MeshPart> partsOf(const std::vector<ExportedObject>& objects) {
+  std::vector<MeshPart> parts;
+  if (objects.size() > 1)
+    for (const auto& [label, mesh] : objects)
+      parts.push_back({label.name, label.value, label.colour, mesh.triangles.size()});
+  return parts;
+}
+
 //! Writes to one path after the other; the label map is made once, for the first that needs it.
 class Writer {
  public:
@@ -152,7 +161,7 @@ class Writer {
       return writeDicomSegmentation(labels(), objects_, *context_.dicom, context_.content, path);
     if (isDicomStlPath(path)) return writeDicomStl(objects_, *context_.dicom, context_.content, path);
     if (isThreeMfPath(path)) return writeThreeMf(objects_, path, context_.space);
-    if (isMeshPath(path)) return writeMesh(together(objects_), path, context_.space);
+    if (isMeshPath(path)) return writeMesh(together(objects_), path, context_.space, partsOf(objects_));
     if (isSlicerSegmentationPath(path)) return writeSlicerSegmentation(labels(), objects_, path);
     writeVolume(labels(), path);
   }

@@ -58,8 +58,8 @@ void locateWalls(Session& session, const std::string& path, const std::string& w
   });
 }
 
-Session sessionFromJson(const Json& json, const std::string& path, const std::string& volume,
-                        const std::string& walls) {
+//! What all objects have in common.
+Session headFromJson(const Json& json, const std::string& path, const std::string& volume) {
   Session session;
   session.version = json.at("version").get<std::string>();
   const Json& input = json.at("input");
@@ -72,10 +72,26 @@ Session sessionFromJson(const Json& json, const std::string& path, const std::st
     if (session.volume.sha256.empty()) throw UsageError("the volume's SHA-256 is empty.");
   }
   readSelection(input, session.volume.selection);
-  readRequest(json.at("requested"), session);
-  locateWalls(session, path, walls);
-  if (json.contains("view")) session.view = json.at("view").dump();
   return session;
+}
+
+std::vector<Session> sessionsFromJson(const Json& json, const std::string& path, const std::string& volume,
+                                      const std::string& walls) {
+  const Session head = headFromJson(json, path, volume);
+  std::vector<Session> sessions;
+  const auto add = [&](const Json& object) {
+    sessions.push_back(head);
+    readRequest(object.at("requested"), sessions.back());
+    locateWalls(sessions.back(), path, walls);
+  };
+  if (!json.contains("objects")) {
+    add(json);
+    if (json.contains("view")) sessions[0].view = json.at("view").dump();
+    return sessions;
+  }
+  if (!json.at("objects").is_array() || json.at("objects").empty()) throw UsageError("it holds no objects.");
+  for (const Json& object : json.at("objects")) add(object);
+  return sessions;
 }
 
 // The JSON library starts its messages with a tag in brackets.
@@ -86,22 +102,39 @@ std::string withoutTag(const std::string& message) {
 
 }  // namespace
 
-void writeSession(const Session& session, const std::string& path) {
+namespace {
+
+Json headToJson(const Session& session, const std::string& path) {
   Json json = {{"version", session.version}, {"notice", kNotice}};
   Json input = referenceToJson(session.volume);
   if (!session.volume.path.empty()) input["path"] = storedPath(session.volume.path, path);
   if (session.volume.sha256.empty()) input["sha256"] = nullptr;
   json["input"] = std::move(input);
-  Session stored = session;
-  forEachWallMap(stored, [&](WallMap& map) {
+  return json;
+}
+
+void addObject(Json& json, Session session, const std::string& path) {
+  forEachWallMap(session, [&](WallMap& map) {
     if (!map.path.empty()) map.path = storedPath(map.path, path);
   });
-  json["requested"] = requestToJson(stored);
-  if (session.resolved) {
-    json["parameters"] = resolvedToJson(*session.resolved);
-    json["seeds"] = seedsToJson(seedsOfSide(session.resolved->seeds, false));
-  }
+  json["requested"] = requestToJson(session);
+  if (!session.resolved) return;
+  json["parameters"] = resolvedToJson(*session.resolved);
+  json["seeds"] = seedsToJson(seedsOfSide(session.resolved->seeds, false));
+}
+
+}  // namespace
+
+void writeSession(const Session& session, const std::string& path) {
+  Json json = headToJson(session, path);
+  addObject(json, session, path);
   if (!session.view.empty()) json["view"] = Json::parse(session.view);
+  writeTextAtomically(path, jsonText(json));
+}
+
+void writeSessions(const std::vector<Session>& objects, const std::string& path) {
+  Json json = headToJson(objects.front(), path);
+  for (const Session& object : objects) addObject(json["objects"].emplace_back(Json::object()), object, path);
   writeTextAtomically(path, jsonText(json));
 }
 
@@ -114,9 +147,18 @@ Session anonymous(Session session) {
 }
 
 Session readSession(const std::string& path, const std::string& volume, const std::string& walls) {
+  std::vector<Session> sessions = readSessions(path, volume, walls);
+  if (sessions.size() > 1)
+    throw InputError(path + " holds " + std::to_string(sessions.size()) +
+                     " objects, where one is needed; handlebody-cli replay makes them all.");
+  return std::move(sessions[0]);
+}
+
+std::vector<Session> readSessions(const std::string& path, const std::string& volume,
+                                  const std::string& walls) {
   const std::string text = readText(path);
   try {
-    return sessionFromJson(Json::parse(text), path, volume, walls);
+    return sessionsFromJson(Json::parse(text), path, volume, walls);
   } catch (const Json::parse_error&) {
     throw InputError(path + " is not a JSON file.");
   } catch (const std::exception& error) {

@@ -40,6 +40,10 @@ struct Session {
 //! as null, and such a session is read back without one. Throws OutputError.
 void writeSession(const Session& session, const std::string& path);
 
+//! The same for several objects of one volume, in the order in which they are grown: "objects" holds what of
+//! a session belongs to one. Precondition: there is one at least; all have the first one's volume and space.
+void writeSessions(const std::vector<Session>& objects, const std::string& path);
+
 //! Without what may name the patient: the paths of the volume and of the label map of walls, the series, and
 //! what a window keeps. Such a session says null for the paths.
 Session anonymous(Session session);
@@ -47,7 +51,10 @@ Session anonymous(Session session);
 //! Reads a session or a report, with `volume` as the path of its volume unless that is empty, and `walls` as
 //! that of the label map of its walls. A relative path is looked for beside the file first, then from the
 //! current folder. Throws InputError that names the file, also for one that names no volume, or not the label
-//! map.
+//! map, or one that holds several objects.
 Session readSession(const std::string& path, const std::string& volume = {}, const std::string& walls = {});
+//! The same, with all objects of a session or report that holds several.
+std::vector<Session> readSessions(const std::string& path, const std::string& volume = {},
+                                  const std::string& walls = {});
 
 }  // namespace handlebody

@@ -11,6 +11,7 @@ target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/motion_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/mutation_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/neck_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/evolution/object_walls_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/object_boundary_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/object_range_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/region_growth_test.cpp

@@ -1,7 +1,9 @@
 #include "core/geometry/triangle_distance.h"
 
+#include <array>
 #include <random>
 
+#include "core/geometry/triangle_intersection.h"
 #include "tests/support/catch.h"
 #include "tests/support/wall_support.h"
 
@@ -50,4 +52,31 @@ TEST_CASE("a triangle meets a box where the nearest of its points in the box's n
     if (least > 1.6) CHECK_FALSE(meets);  // the sampling is coarse by 0.1 mm, half of the thinnest axis
   }
   CHECK(met > 100);
+}
+
+TEST_CASE("the distance of two triangles is that of the nearest of their points") {
+  std::mt19937 random(3);
+  int apart = 0;
+  for (int i = 0; i < 300; ++i) {
+    std::array<Vec3, 3> s, t;
+    for (Vec3& p : s) p = randomPoint(random);
+    for (Vec3& p : t) p = randomPoint(random);
+    if (trianglesIntersect(s[0], s[1], s[2], t[0], t[1], t[2])) continue;
+    double least = 1e300;
+    constexpr int kFine = 40;
+    for (int u = 0; u <= kFine; ++u)
+      for (int v = 0; u + v <= kFine; ++v) {
+        const Vec3 p = s[0] + double(u) / kFine * (s[1] - s[0]) + double(v) / kFine * (s[2] - s[0]);
+        least = std::min(least, bruteDistance(p, t[0], t[1], t[2]));
+      }
+    const double distance = std::sqrt(squaredDistance(s, t));
+    CHECK(distance <= least + 1e-9);
+    CHECK(distance >= least - 6.0 / kFine);  // no point is further from a sample
+    CHECK(squaredDistance(t, s) == Approx(squaredDistance(s, t)));
+    ++apart;
+  }
+  CHECK(apart > 100);
+  const std::array<Vec3, 3> edge{Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(0, 0, -3)};
+  const std::array<Vec3, 3> across{Vec3(0, -1, 0.5), Vec3(0, 1, 0.5), Vec3(0, 0, 3)};
+  CHECK(squaredDistance(edge, across) == Approx(0.25));  // of two edges
 }

@@ -1,0 +1,154 @@
+#include "app/cli/run_objects.h"
+
+#include <memory>
+#include <set>
+#include <stdexcept>
+
+#include "app/cli/command.h"
+#include "core/collision/body_contact.h"
+#include "core/errors.h"
+#include "core/io/atomic_file.h"
+#include "core/io/picture.h"
+#include "core/io/wall_map.h"
+
+namespace handlebody::cli {
+
+namespace {
+
+//! Does the work for one object, whose name then stands before whatever goes wrong.
+template <typename F>
+auto namingErrors(const std::string& name, F&& work) {
+  const auto named = [&](const std::exception& error) { return "object '" + name + "': " + error.what(); };
+  try {
+    return work();
+  } catch (const UsageError& error) {
+    throw UsageError(named(error));
+  } catch (const SeedError& error) {
+    throw SeedError(named(error));
+  } catch (const InputError& error) {
+    throw InputError(named(error));
+  } catch (const OutputError& error) {
+    throw OutputError(named(error));
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(named(error));
+  }
+}
+
+//! The guarantee, looked at once more on the meshes as they are written, by a way of its own.
+void requireApart(const std::vector<WallObject>& finished, const TriangleSoup& mesh) {
+  for (const WallObject& other : finished)
+    if (bodyContact(*other.mesh, mesh) != BodyContact::none)
+      throw std::runtime_error("its mesh meets that of the object '" + other.name +
+                               "', and nothing was written.");
+}
+
+void addWalls(Session& session, const std::vector<WallObject>& finished) {
+  session.constraints.walls.objects = finished;
+  for (ParameterChange& change : session.changes)
+    if (change.constraints) change.constraints->walls.objects = finished;
+}
+
+std::vector<GrownObject> growAll(LoadedSession first, std::vector<Session> others,
+                                 const RunOutputs& outputs) {
+  const Volume volume = first.volume;
+  const VolumeInfo info = first.info;
+  std::vector<GrownObject> grown;
+  std::vector<WallObject> finished;
+  const auto growNext = [&](LoadedSession loaded) {
+    const std::string name = loaded.session.label.name;
+    addWalls(loaded.session, finished);
+    grown.push_back(namingErrors(name, [&] {
+      GrownObject object = grow(std::move(loaded), outputs, name);
+      requireApart(finished, object.mesh);
+      return object;
+    }));
+    finished.push_back({name, std::make_shared<const TriangleSoup>(grown.back().mesh)});
+  };
+  growNext(std::move(first));
+  for (Session& session : others) {
+    Stopwatch watch;
+    loadWalls(session, volume.grid);
+    growNext({std::move(session), volume, info, watch.lap()});
+  }
+  return grown;
+}
+
+Timings sumOf(const std::vector<GrownObject>& grown) {
+  Timings sum;
+  for (const GrownObject& object : grown) {
+    const Timings& s = object.report.seconds;
+    sum.load += s.load;
+    sum.prepare += s.prepare;
+    sum.evolve += s.evolve;
+    sum.exported += s.exported;
+    sum.tunnels += s.tunnels;
+  }
+  return sum;
+}
+
+void writeSideFiles(std::vector<RunReport> reports, const Timings& seconds, const RunOutputs& outputs) {
+  std::vector<Session> sessions;
+  for (RunReport& report : reports) {
+    if (outputs.content.anonymous) report = anonymous(std::move(report));
+    sessions.push_back(report.session);
+  }
+  if (!outputs.session.empty()) writeSessions(sessions, outputs.session);
+  if (!outputs.trace.empty()) writeTextAtomically(outputs.trace, traceText(reports));
+  if (!outputs.report.empty()) writeTextAtomically(outputs.report, reportText(reports, seconds));
+}
+
+TriangleSoup together(const std::vector<ExportedObject>& objects) {
+  TriangleSoup all;
+  for (const ExportedObject& object : objects) {
+    const int first = static_cast<int>(all.points.size());
+    all.points.insert(all.points.end(), object.mesh.points.begin(), object.mesh.points.end());
+    for (const Triangle& t : object.mesh.triangles)
+      all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  return all;
+}
+
+}  // namespace
+
+void requireDistinct(const std::vector<ObjectLabel>& objects) {
+  std::set<std::string> names;
+  std::set<int> values;
+  for (const ObjectLabel& object : objects) {
+    if (!names.insert(object.name).second)
+      throw UsageError("--object-name: two objects have the name '" + object.name + "'.");
+    if (!values.insert(object.value).second)
+      throw UsageError("--label-value: two objects have the value " + std::to_string(object.value) + ".");
+  }
+}
+
+int runObjects(LoadedSession first, std::vector<Session> others, const RunOutputs& outputs) {
+  std::optional<Volume> shown;
+  if (!outputs.picture.empty()) shown = first.volume;
+  std::vector<GrownObject> grown = growAll(std::move(first), std::move(others), outputs);
+  Stopwatch watch;
+  std::vector<ExportedObject> objects;
+  std::vector<RunReport> reports;
+  Timings seconds = sumOf(grown);
+  for (GrownObject& object : grown) {
+    Timings& s = object.report.seconds;
+    s.total = s.load + s.prepare + s.evolve + s.exported + s.tunnels;
+    objects.push_back({object.report.session.label, std::move(object.mesh)});
+    reports.push_back(std::move(object.report));
+  }
+  {
+    DeferSignals whole;
+    writeObjects(objects, reports[0], outputs);
+    if (shown) writePicture(*shown, together(objects), outputs.picture);
+    seconds.exported += watch.lap();
+    seconds.total = seconds.load + seconds.prepare + seconds.evolve + seconds.exported + seconds.tunnels;
+    writeSideFiles(reports, seconds, outputs);
+  }
+  bool isCut = false;
+  for (const RunReport& report : reports) {
+    isCut = isCut || report.stopped == StopReason::maxIterations;
+    if (!outputs.quiet) printSummary(report, report.session.label.name);
+  }
+  return isCut ? kMaxIterations : kDone;
+}
+
+}  // namespace handlebody::cli
