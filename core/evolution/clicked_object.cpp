@@ -7,10 +7,9 @@
 #include <numbers>
 
 #include "core/errors.h"
-#include "core/evolution/edge_profile.h"
 #include "core/evolution/object_range.h"
+#include "core/evolution/region_levels.h"
 #include "core/object/region_field.h"
-#include "core/volume/intensity_statistics.h"
 
 namespace handlebody {
 
@@ -26,8 +25,6 @@ constexpr double kTrusted = 2;
 constexpr std::array<double, 6> kSigmas{0.5, 0.7, 1.0, 1.3, 1.6, 2.0};
 constexpr double kNoiseAllowed = 0.15;
 
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
-
 ObjectQuery queryOf(const std::vector<Seed>& clicks, const Parameters& p) {
   ObjectQuery query;
   for (const Seed& s : clicks) (s.background ? query.outside : query.inside).push_back({s.centre, s.radius});
@@ -38,33 +35,6 @@ ObjectQuery queryOf(const std::vector<Seed>& clicks, const Parameters& p) {
   return query;
 }
 
-//! The object's cells as voxels of a volume of cells, with the faces between them and the rest.
-ObjectRegion facesOf(const ObjectModel& model) {
-  ObjectRegion out;
-  const CellGrid& cells = model.work.cells();
-  const auto& n = cells.grid.size;
-  std::size_t i = 0;
-  for (int z = 0; z < n[2]; ++z)
-    for (int y = 0; y < n[1]; ++y)
-      for (int x = 0; x < n[0]; ++x, ++i) {
-        if (!model.region.inside[i]) continue;
-        const ObjectRegion::Voxel v{x, y, z};
-        bool isListed = false;
-        for (std::int8_t a = 0; a < 3; ++a)
-          for (const std::int8_t step : {std::int8_t{-1}, std::int8_t{1}}) {
-            ObjectRegion::Voxel w = v;
-            w[idx(a)] += step;
-            if (w[idx(a)] < 0 || w[idx(a)] >= n[idx(a)]) continue;
-            const std::size_t j = cells.at(w);
-            if (model.region.inside[j] || model.work.image.padding[j]) continue;
-            if (!isListed) out.voxels.push_back(v);
-            isListed = true;
-            out.faces.push_back({static_cast<std::int32_t>(out.voxels.size()) - 1, a, step});
-          }
-      }
-  return out;
-}
-
 //! The least smoothing that is enough for white noise.
 double smoothingFor(double noise, double halfStep) {
   for (const double sigma : kSigmas) {
@@ -72,46 +42,6 @@ double smoothingFor(double noise, double halfStep) {
     if (std::min(noise, left) <= kNoiseAllowed * halfStep) return sigma;
   }
   return kSigmas.back();
-}
-
-//! Half-way levels on the region's surface, for edges that rise outwards and those that fall, and which do
-//! where.
-struct Levels {
-  std::shared_ptr<const LevelField> high, low, side;
-  double halfStep = 0;  // typical, intensities
-};
-
-Levels levelsOf(const ObjectModel& model) {
-  const CellGrid& cells = model.work.cells();
-  void* buffer = nullptr;
-  Volume pooled = makeVolume(cells.grid, VoxelType::float32, &buffer);
-  std::copy(model.work.values.begin(), model.work.values.end(), static_cast<float*>(buffer));
-  const SmoothedVolume volume(std::move(pooled), 0);
-  const EdgeReader rising(volume, 1), falling(volume, -1);
-  LevelField::Samples high(cells.grid), low(cells.grid), side(cells.grid);
-  const ObjectRegion region = facesOf(model);
-  std::vector<double> steps;
-  for (const ObjectRegion::Face& face : region.faces) {
-    const ObjectRegion::Voxel& v = region.voxels[idx(face.voxel)];
-    const auto rise = rising.halfWay(v, face), fall = falling.halfWay(v, face);
-    if (!rise && !fall) continue;
-    const bool rises = !fall || (rise && rise->step >= fall->step);
-    const Edge& e = rises ? *rise : *fall;
-    const double weight = e.step * e.step;
-    if (rises)
-      high.add(e.place, e.level, weight);
-    else
-      low.add(e.place, -e.level, weight);
-    side.add(e.place, rises ? 1 : -1, weight);
-    steps.push_back(e.step);
-  }
-  Levels out;
-  const LevelField none(cells.grid, 0);
-  out.high = std::make_shared<LevelField>(high.empty() ? none : high.spread());
-  out.low = std::make_shared<LevelField>(low.empty() ? none : low.spread());
-  out.side = std::make_shared<LevelField>(side.empty() ? none : side.spread());
-  out.halfStep = steps.empty() ? model.noise : quantile(std::move(steps), 0.5);
-  return out;
 }
 
 //! The volume as the model compares intensities; itself where it takes them as they are.
@@ -128,13 +58,14 @@ Volume onScale(const Volume& volume, const IntensityScale& scale) {
 
 std::shared_ptr<const ObjectImage> imageOf(const Volume& volume, const ObjectModel& model,
                                            const Parameters& p, std::shared_ptr<const FieldOfView> view) {
-  const Levels levels = levelsOf(model);
+  const RegionLevels levels = levelsOn(model.work, model.region, model.work.cells().grid);
+  const double halfStep = levels.halfStep > 0 ? levels.halfStep : model.noise;
   const double voxel = volume.grid.meanSpacing();
-  const double sigma = p.smoothing.value_or(smoothingFor(model.noise, levels.halfStep) * voxel);
+  const double sigma = p.smoothing.value_or(smoothingFor(model.noise, halfStep) * voxel);
   const CellGrid& cells = model.work.cells();
   const double cell = cells.grid.meanSpacing();
   // A star-shaped region was chosen because the image around it leads astray: its own surface counts.
-  const double trust = model.isStar ? 0 : std::min(1.0, levels.halfStep / (kTrusted * model.noise));
+  const double trust = model.isStar ? 0 : std::min(1.0, halfStep / (kTrusted * model.noise));
   RegionLimits region{std::make_shared<RegionField>(model.work, model.region),
                       cells.grid,
                       levels.low,
@@ -142,9 +73,9 @@ std::shared_ptr<const ObjectImage> imageOf(const Volume& volume, const ObjectMod
                       levels.side,
                       trust * cell,
                       cell};
-  return std::make_shared<ObjectImage>(
-      std::make_shared<SmoothedVolume>(onScale(volume, model.scale), sigma), std::move(region),
-      std::max(levels.halfStep, 1e-6 * std::abs(model.level)), std::move(view));
+  return std::make_shared<ObjectImage>(std::make_shared<SmoothedVolume>(onScale(volume, model.scale), sigma),
+                                       std::move(region), std::max(halfStep, 1e-6 * std::abs(model.level)),
+                                       std::move(view));
 }
 
 //! The strongest boundary around the seeds, or why there is none.

@@ -21,6 +21,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/parameters.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/quiet_vertices.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/region_growth.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/region_levels.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/resting_places.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/seed_statistics.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/seeds.cpp

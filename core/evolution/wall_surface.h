@@ -38,9 +38,9 @@ class WallSurface {
 
   //! A part of a surface that hangs together.
   struct Part {
-    int object;     //!< index
-    Vec3 place;     //!< one of its vertices
-    double extent;  //!< longest side of its bounding box, mm
+    int object = 0;       //!< index
+    Vec3 place{0, 0, 0};  //!< one of its vertices
+    double extent = 0;    //!< longest side of its bounding box, mm
   };
   const std::vector<Part>& parts() const { return parts_; }
   //! A vertex, within so many mm of a place, of each part that has one there.
