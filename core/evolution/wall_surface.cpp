@@ -43,7 +43,8 @@ void WallSurface::gather(const std::vector<WallObject>& objects) {
       objectOf_.push_back(static_cast<int>(o));
     }
     const Components components = findComponents(Mesh(mesh));
-    for (const double extent : components.extent) parts_.push_back({static_cast<int>(o), {}, extent});
+    for (const double extent : components.extent)
+      parts_.push_back({static_cast<int>(o), Vec3(0, 0, 0), extent});
     for (std::size_t v = 0; v < mesh.points.size(); ++v) {
       if (components.ofVertex[v] < 0) continue;
       const int part = firstPart + components.ofVertex[v];
