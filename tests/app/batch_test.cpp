@@ -224,12 +224,12 @@ TEST_CASE("walls are a part of what was asked for, and a surface that is not fin
 
 TEST_CASE("a case that hangs is stopped at its time limit, and the others run", "[batch]") {
   const Study s;
-  writeBytes(s.csv, kHeader + ",time-limit\n" + s.row("hangs", ",1.5") + s.row("works", ","));
+  writeBytes(s.csv, kHeader + ",time-limit\n" + s.row("hangs", ",4.5") + s.row("works", ","));
   RunningCli batch(s.arguments());
   kill(batch.waitForChild(), SIGSTOP);  // it does nothing any more, whatever it is asked
   CHECK(batch.wait().exitCode == kIncomplete);
   CHECK(s.row(0).at("status") == "failed");
-  CHECK(s.row(0).at("message") == "it was stopped at its time limit of 1.5 s.");
+  CHECK(s.row(0).at("message") == "it was stopped at its time limit of 4.5 s.");
   CHECK(s.row(1).at("status") == "done");
   CHECK(s.run().exitCode == 0);
   CHECK_FALSE(fs::exists(s.out + "/failed/hangs.txt"));
