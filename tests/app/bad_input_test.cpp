@@ -6,25 +6,13 @@
 #include <filesystem>
 #include <limits>
 
+#include "tests/app/refusal.h"
 #include "tests/app/run_cli.h"
 #include "tests/support/catch.h"
 
 using namespace handlebody::test;
 
 namespace {
-
-// Runs in a folder whose contents must stay as they are.
-void requireRefusal(const TempFolder& folder, const std::vector<std::string>& arguments, int exitCode,
-                    const std::string& named) {
-  const auto before = folder.names();
-  const Outcome outcome = runCli(arguments);
-  INFO("error line: " << outcome.err);
-  CHECK(outcome.exitCode == exitCode);
-  CHECK(outcome.out.empty());
-  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
-  CHECK_THAT(outcome.err, Contains(named) && Catch::Matchers::EndsWith(".\n"));
-  CHECK(folder.names() == before);
-}
 
 void requireUnreadable(const TempFolder& folder, const std::string& name) {
   INFO(name);

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "app/cli/csv.h"
+#include "tests/app/refusal.h"
 #include "tests/app/run_cli.h"
 #include "tests/support/catch.h"
 
@@ -37,18 +38,6 @@ std::string cube(int n, F&& value) {
       "\nElementSpacing = 1 1 1\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n";
   for (int i = 0; i < n * n * n; ++i) bytes += static_cast<char>(value(i % n, i / n % n, i / (n * n)));
   return bytes;
-}
-
-void requireRefusal(const TempFolder& folder, const std::vector<std::string>& arguments, int exitCode,
-                    const std::string& named) {
-  const auto before = folder.names();
-  const Outcome outcome = runCli(arguments);
-  INFO("error line: " << outcome.err);
-  CHECK(outcome.exitCode == exitCode);
-  CHECK(outcome.out.empty());
-  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
-  CHECK_THAT(outcome.err, Contains(named) && Catch::Matchers::EndsWith(".\n"));
-  CHECK(folder.names() == before);
 }
 
 }  // namespace

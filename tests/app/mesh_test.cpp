@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tests/app/refusal.h"
 #include "tests/app/run_cli.h"
 #include "tests/support/catch.h"
 
@@ -28,18 +29,6 @@ std::string someLabels() {
     const bool block = x > 1 && x < 12 && y > 1 && y < 12 && z > 3 && z < 9;
     return block && !(x == 6 && y == 7) ? 1 : 0;
   });
-}
-
-void requireRefusal(const TempFolder& folder, const std::vector<std::string>& arguments, int exitCode,
-                    const std::string& named) {
-  const auto before = folder.names();
-  const Outcome outcome = runCli(arguments);
-  INFO("error line: " << outcome.err);
-  CHECK(outcome.exitCode == exitCode);
-  CHECK(outcome.out.empty());
-  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
-  CHECK_THAT(outcome.err, Contains(named) && Catch::Matchers::EndsWith(".\n"));
-  CHECK(folder.names() == before);
 }
 
 }  // namespace
