@@ -6,6 +6,7 @@
 
 #include "core/collision/box_tree.h"
 #include "core/collision/face_pair.h"
+#include "core/collision/marked_cells.h"
 #include "core/collision/near_faces.h"
 #include "core/collision/near_points.h"
 #include "core/collision/spatial_hash.h"
@@ -77,6 +78,7 @@ struct CollisionDetector::Tables {
   SpatialHash hash;
   NearPoints near;
   BoxTree tree;
+  MarkedCells cells;
   std::vector<Box> boxes;
   std::vector<int> boxFaces;
 
@@ -103,6 +105,7 @@ struct CollisionDetector::Tables {
   void testNear(int u, int v, double distanceSquared);
   bool isFirstNear(int u, const Triangle& t, int v) const;
   void testFan(int f, int v);
+  void markCells();
   void testSeparateByTree();
 };
 
@@ -287,12 +290,26 @@ void CollisionDetector::Tables::testFan(int f, int v) {
   }
 }
 
+//! Where the moved faces are: only what lies there goes into the tree.
+void CollisionDetector::Tables::markCells() {
+  double sum = 0;
+  for (const int f : movedFaces) {
+    const Box box = boxOf(points, faces[idx(f)]);
+    sum += (box.high - box.low).maxCoeff();
+  }
+  cells.clear(movedFaces.empty() ? 1 : 2 * sum / static_cast<double>(movedFaces.size()));
+  for (const int f : movedFaces) cells.mark(boxOf(points, faces[idx(f)]));
+}
+
 void CollisionDetector::Tables::testSeparateByTree() {
   boxes.clear();
   boxFaces.clear();
+  if (!all) markCells();
   for (std::size_t f = 0; f < faces.size(); ++f) {
     if (faces[f][0] < 0) continue;
-    boxes.push_back(boxOf(points, faces[f]));
+    const Box box = boxOf(points, faces[f]);
+    if (!all && !cells.mayMeet(box)) continue;
+    boxes.push_back(box);
     boxFaces.push_back(static_cast<int>(f));
   }
   tree.build(boxes);

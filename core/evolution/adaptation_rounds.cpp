@@ -2,6 +2,8 @@
 
 #include <iterator>
 
+#include "core/cancellation.h"
+
 namespace handlebody {
 
 namespace {
@@ -26,6 +28,7 @@ void adaptInRounds(Mesh& mesh, CollisionDetector& detector, AdaptationSettings s
   for (int round = 0; round < kRounds; ++round) {
     const std::vector<FacePair>& pairs = detector.detectMoved(mesh, changed);
     if (pairs.empty()) return;
+    giveUpIfCancelled();
     changed = verticesOf(mesh, pairs);
     AdaptationResult result = adaptTopology(mesh, pairs, settings, changed);
     if (!result.events.empty()) settings.topology = result.events.back().after;

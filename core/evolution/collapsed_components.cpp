@@ -63,9 +63,15 @@ std::vector<Event> CollapsedComponents::erase(Mesh& mesh, const CollapsingStep& 
   const std::vector<int> first = firstVertices(mesh, parts);
   std::vector<Event> events;
   TopologyNumbers now = step.topology;
+  // One look at every face for all of them, and another when one is gone.
+  std::vector<int> turned;
+  const auto lookForTurned = [&] {
+    if (looksForTurned) turned = misplacedComponents(labelled(mesh, parts));
+  };
+  lookForTurned();
   for (int c = 0; c < parts.count(); ++c) {
     const Vec3 place = mesh.position(first[idx(c)]);
-    const bool isTurned = looksForTurned && isMisplaced(mesh, parts, c);
+    const bool isTurned = std::binary_search(turned.begin(), turned.end(), c);
     const bool isGone = parts.extent[idx(c)] < kCollapsed * step.edgeLength && !step.isKept(place);
     if (!isTurned && !isGone) continue;
     Event event;
@@ -75,6 +81,7 @@ std::vector<Event> CollapsedComponents::erase(Mesh& mesh, const CollapsingStep& 
     event.before = now;
     event.after = now = predictDeletion(now, parts, c);
     deleteComponent(mesh, first[idx(c)]);
+    lookForTurned();
     events.push_back(std::move(event));
   }
   return events;

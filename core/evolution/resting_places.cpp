@@ -15,11 +15,11 @@ constexpr double kSlowest = 0.2;
 constexpr double kGrowth = 1.15;  // of the radius each time
 }  // namespace
 
-void RestingPlaces::add(const Vec3& centre, double radius, int iteration) {
+void RestingPlaces::add(const Vec3& centre, double radius, int iteration, bool waits) {
   for (Place& p : places_)
     if ((p.centre - centre).norm() < kSamePlace * std::min(p.radius, radius)) {
       const bool sameStep = p.until > iteration;
-      if (!sameStep) ++p.times;
+      if (!sameStep && !(waits && p.times >= kMostTimes)) ++p.times;
       p.radius = std::max((sameStep ? kGrowth : 1.0) * p.radius, radius);
       p.centre = centre;
       p.until = p.times > kMostTimes ? std::numeric_limits<int>::max() : iteration + (kFirstRest << p.times);

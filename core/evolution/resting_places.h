@@ -16,8 +16,9 @@ inline constexpr int kCameBack = 3;
 
 class RestingPlaces {
  public:
-  //! A place rests from `iteration` on; each time it comes again it rests longer.
-  void add(const Vec3& centre, double radius, int iteration);
+  //! A place rests from `iteration` on; each time it comes again it rests longer, and at last for good:
+  //! unless it only waits.
+  void add(const Vec3& centre, double radius, int iteration, bool waits = false);
   //! Counts a change of the mesh at `p`. True when it is the kMostRepeats-th within `radius`: the place then
   //! rests for good, so that attaching and splitting, or folding and smoothing, cannot go on for ever.
   bool repeats(const Vec3& p, double radius);

@@ -21,9 +21,13 @@ CrossEdges::CrossEdges(std::span<const std::vector<Vec3>> loops, std::span<const
       length_[u * points.size() + v] = length_[v * points.size() + u] = length;
     }
   }
-  for (const auto& [u, v] : forbiddenEdges) {
+  forbid(forbiddenEdges);
+}
+
+void CrossEdges::forbid(std::span<const VertexPair> edges) {
+  for (const auto& [u, v] : edges) {
     assert(u >= 0 && u < vertexCount() && v >= 0 && v < vertexCount());
-    length_[idx(u) * points.size() + idx(v)] = length_[idx(v) * points.size() + idx(u)] = kNone;
+    length_[idx(u) * loop_.size() + idx(v)] = length_[idx(v) * loop_.size() + idx(u)] = kNone;
   }
 }
 
@@ -31,15 +35,16 @@ void CrossEdges::forbid(std::span<const Triangle> faces) {
   for (Triangle face : faces) {
     std::sort(face.begin(), face.end());
     forbiddenFaces_.push_back(face);
+    isCorner_.resize(loop_.size(), 0);
+    for (const int v : face) isCorner_[idx(v)] = 1;
   }
   std::sort(forbiddenFaces_.begin(), forbiddenFaces_.end());
 }
 
-bool CrossEdges::allows(const Triangle& face) const {
-  if (!anyFaceForbidden()) return true;
+bool CrossEdges::isForbidden(const Triangle& face) const {
   Triangle corners = face;
   std::sort(corners.begin(), corners.end());
-  return !std::binary_search(forbiddenFaces_.begin(), forbiddenFaces_.end(), corners);
+  return std::binary_search(forbiddenFaces_.begin(), forbiddenFaces_.end(), corners);
 }
 
 }  // namespace handlebody

@@ -22,6 +22,8 @@ class CrossEdges {
   CrossEdges(std::span<const std::vector<Vec3>> loops, std::span<const VertexPair> forbiddenEdges);
   //! No handle may have these faces, corners in any order.
   void forbid(std::span<const Triangle> faces);
+  //! Nor these edges.
+  void forbid(std::span<const VertexPair> edges);
 
   int vertexCount() const { return static_cast<int>(loop_.size()); }
   int loopCount() const { return static_cast<int>(first_.size()) - 1; }
@@ -33,14 +35,20 @@ class CrossEdges {
   //! Of the edge uv, mm; kNone within a loop, if the edge is forbidden, and if it is not finite.
   double length(int u, int v) const { return length_[idx(u) * loop_.size() + idx(v)]; }
   bool anyFaceForbidden() const { return !forbiddenFaces_.empty(); }
-  bool allows(const Triangle& face) const;
+  bool allows(const Triangle& face) const {
+    return !anyFaceForbidden() ||
+           (isCorner_[idx(face[0])] & isCorner_[idx(face[1])] & isCorner_[idx(face[2])]) == 0 ||
+           !isForbidden(face);
+  }
 
  private:
+  bool isForbidden(const Triangle& face) const;
   static std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
   std::vector<int> loop_;   // of each vertex
   std::vector<int> first_;  // vertex of each loop, and the end
   std::vector<double> length_;
+  std::vector<unsigned char> isCorner_;   // of a forbidden face, per vertex
   std::vector<Triangle> forbiddenFaces_;  // corners ascending; sorted
 };
 

@@ -35,6 +35,23 @@ DiscTriangulation::DiscTriangulation(const CrossEdges& edges, std::vector<int> p
     chord_[idx(first) * n_ + idx(end - 1)] = 0;
     first = end;
   }
+  listRuns();
+}
+
+void DiscTriangulation::listRuns() {
+  const auto loops = idx(edges_->loopCount());
+  runs_.resize(loops * loops);
+  for (std::size_t pair = 0; pair < runs_.size(); ++pair) {
+    const auto isThird = [&](int place) {
+      const auto loop = idx(edges_->loopOf(places_[idx(place)]));
+      return loop != pair / loops && loop != pair % loops;
+    };
+    for (int i = 0, n = static_cast<int>(n_); i < n; ++i) {
+      if (!isThird(i)) continue;
+      if (i == 0 || !isThird(i - 1)) runs_[pair].push_back({i, i});
+      runs_[pair].back()[1] = i + 1;
+    }
+  }
 }
 
 void DiscTriangulation::exclude(const Chord& chord) { chord_[idx(chord.from) * n_ + idx(chord.to)] = kNone; }
@@ -74,33 +91,59 @@ double DiscTriangulation::through(const Chord& base, int apex) const {
   return edges_->allows(face) ? length : kNone;
 }
 
+//! The places of loops that neither end of the chord is on.
+const std::vector<std::array<int, 2>>& DiscTriangulation::runs(const Chord& base) const {
+  const int from = edges_->loopOf(places_[idx(base.from)]), to = edges_->loopOf(places_[idx(base.to)]);
+  return runs_[idx(from * edges_->loopCount() + to)];
+}
+
+//! The places where the third corner of a face on the chord can be, ascending.
+template <typename F>
+void DiscTriangulation::forEachApex(const Chord& base, F&& f) const {
+  const int first = base.from + 1, last = base.to - 1;
+  f(first);
+  for (const auto& [begin, end] : runs(base))
+    for (int m = std::max(begin, first + 1); m < std::min(end, last); ++m) f(m);
+  if (last > first) f(last);
+}
+
 double DiscTriangulation::bestThrough(const Chord& base) const {
   double best = kNone;
   if (edges_->anyFaceForbidden()) {
-    for (int m = base.from + 1; m < base.to; ++m) best = std::min(best, through(base, m));
+    forEachApex(base, [&](int m) { best = std::min(best, through(base, m)); });
     return best;
   }
-  // The hot loop of the choice of a handle: two rows, four minima at a time.
+  best = std::min(through(base, base.from + 1), through(base, base.to - 1));
+  for (const auto& [begin, end] : runs(base)) {
+    const int first = std::max(begin, base.from + 1), past = std::min(end, base.to);
+    if (first < past) best = std::min(best, bestOfRun(base, first, past));
+  }
+  return best;
+}
+
+//! The hot loop of the choice of a handle for three and four loops: two rows, four minima at a time.
+double DiscTriangulation::bestOfRun(const Chord& base, int first, int end) const {
   const double* a = below_.data() + idx(base.from) * n_;
   const double* b = below_.data() + idx(base.to) * n_;
   std::array<double, 4> least{kNone, kNone, kNone, kNone};
-  int m = base.from + 1;
-  for (; m + 4 <= base.to; m += 4) {
+  double best = kNone;
+  int m = first;
+  for (; m + 4 <= end; m += 4) {
     for (std::size_t lane = 0; lane < 4; ++lane) {
       const double length = a[idx(m) + lane] + b[idx(m) + lane];
       least[lane] = length < least[lane] ? length : least[lane];
     }
   }
-  for (; m < base.to; ++m) best = std::min(best, a[m] + b[m]);
+  for (; m < end; ++m) best = std::min(best, a[m] + b[m]);
   return std::min({best, least[0], least[1], least[2], least[3]});
 }
 
 std::vector<DiscTriangulation::Option> DiscTriangulation::options(const Chord& base) const {
   std::vector<Option> out;
-  for (int m = base.from + 1; m < base.to; ++m) {
+  forEachApex(base, [&](int m) {
     const double length = through(base, m);
     if (length < kNone) out.push_back({length, m});
-  }
+  });
   std::sort(out.begin(), out.end());
   return out;
 }

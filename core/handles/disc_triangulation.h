@@ -1,6 +1,7 @@
 #pragma once
 // Triangulations of polygons, shortest total edge length first: the last part of the choice of a handle.
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -33,10 +34,11 @@ class DiscTriangulation {
   //! From now on every triangulation has this chord (that is, none that crosses it).
   void require(const Chord& chord);
 
-  //! Sum of the lengths of the chords of the shortest triangulation, mm; kNone if there is none. O(n³).
+  //! Sum of the lengths of the chords of the shortest triangulation, mm; kNone if there is none. O(n²) for
+  //! two loops, whose triangulations are monotone paths between them; O(n³) for more.
   double solve();
   //! Rough number of operations of solve().
-  std::size_t work() const { return n_ * n_ * n_ / 8; }
+  std::size_t work() const { return edges_->loopCount() == 2 ? n_ * n_ : n_ * n_ * n_ / 8; }
 
   //! A triangulation as it is taken apart: for each sub-polygon (from, to), in the order of a stack, the
   //! place of the third corner of the face on its side `from to`.
@@ -64,14 +66,22 @@ class DiscTriangulation {
   };
   static std::size_t idx(int i) { return static_cast<std::size_t>(i); }
   bool isSide(const Chord& c) const;
+  void listRuns();
+  const std::vector<std::array<int, 2>>& runs(const Chord& base) const;
   double through(const Chord& base, int apex) const;
   double bestThrough(const Chord& base) const;
+  double bestOfRun(const Chord& base, int first, int end) const;
+  template <typename F>
+  void forEachApex(const Chord& base, F&& f) const;
   std::vector<Option> options(const Chord& base) const;
 
   const CrossEdges* edges_;
   std::vector<int> places_;
   std::vector<int> ends_;
   std::size_t n_;
+  // Per pair of loops: the places of all others, from the first to one past the last. A face on a chord
+  // between the two has its third corner beside one of its ends, or there.
+  std::vector<std::vector<std::array<int, 2>>> runs_;
   std::vector<double> chord_;  // lengths; 0 for sides
   std::vector<double> below_;  // of the chord and all below it, by (from, to) and by (to, from)
 };

@@ -4,6 +4,8 @@
 #include <bit>
 #include <tuple>
 
+#include "core/cancellation.h"
+
 namespace handlebody {
 
 namespace {
@@ -41,6 +43,12 @@ HandleBound::HandleBound(const CrossEdges& edges)
       combinations_(combinations(edges.loopCount())) {
   for (int u = 0; u < edges.vertexCount(); ++u)
     for (int v = 0; v < edges.vertexCount(); ++v) share_.push_back(edges.length(u, v) / 2);
+  findLeast();
+}
+
+void HandleBound::update(std::span<const VertexPair> forbidden) {
+  for (const auto& [u, v] : forbidden)
+    share_[idx(u) * count_ + idx(v)] = share_[idx(v) * count_ + idx(u)] = kNone;
   findLeast();
 }
 
@@ -178,12 +186,14 @@ int HandleBound::chooseFaces() {
   return squares;
 }
 
-void HandleBound::tighten(double target, int rounds) {
-  if (!(ofAll() < kNone) || !(target < kNone)) return;
+int HandleBound::tighten(double target, int rounds) {
+  if (!(ofAll() < kNone) || !(target < kNone)) return 0;
   std::vector<double> best = share_;
   double bound = ofAll();
   double pace = 1;
-  for (int round = 0, since = 0; round < rounds && pace > kLeastPace; ++round) {
+  int round = 0;
+  for (int since = 0; round < rounds && pace > kLeastPace; ++round) {
+    giveUpIfCancelled();
     const int squares = chooseFaces();
     if (squares == 0 || ofAll() >= target) break;  // the faces fit together
     const double step = pace * (target - ofAll()) / squares;
@@ -203,6 +213,7 @@ void HandleBound::tighten(double target, int rounds) {
   }
   share_ = std::move(best);
   findLeast();
+  return round;
 }
 
 }  // namespace handlebody

@@ -16,12 +16,13 @@ class HandleBound {
  public:
   explicit HandleBound(const CrossEdges& edges);
 
-  //! Looks again at the faces that are allowed.
-  void update() { findLeast(); }
+  //! Looks again at the faces that are allowed, now without these edges as well.
+  void update(std::span<const VertexPair> forbidden);
 
   //! Moves shares between the two directions of edges to raise the bound (subgradient steps of the dual
-  //! problem, with Polyak's step towards `target`, the length of a good handle).
-  void tighten(double target, int rounds);
+  //! problem, with Polyak's step towards `target`, the length of a good handle). Returns the rounds it took,
+  //! each of O(n²). Throws Cancelled.
+  int tighten(double target, int rounds);
 
   //! Share of a face; kNone if it has an edge that is not allowed.
   double share(const Triangle& face) const;

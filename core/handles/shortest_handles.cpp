@@ -5,6 +5,7 @@
 #include <deque>
 #include <numeric>
 
+#include "core/cancellation.h"
 #include "core/handles/disc_triangulation.h"
 #include "core/handles/handle_bound.h"
 
@@ -15,7 +16,8 @@ namespace {
 constexpr double kNone = CrossEdges::kNone;
 constexpr std::size_t kMaxLoops = 4;
 constexpr int kRoundsAgain = 20;
-constexpr int kRounds = 1000;  // of the search for a good lower bound
+constexpr int kRounds = 1000;                    // of the search for a good lower bound
+constexpr std::size_t kRoundsWork = 30'000'000;  // that they may cost, for long loops
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
@@ -60,8 +62,9 @@ class ShortestHandles::Search {
   Search(std::span<const std::vector<Vec3>> loops, std::span<const VertexPair> forbiddenEdges,
          std::size_t maxWork);
   std::optional<HandleCandidate> next();
-  void forbid(std::span<const Triangle> faces);
+  void forbid(std::span<const Triangle> faces, std::span<const VertexPair> edges);
   bool gaveUp() const { return gaveUp_; }
+  std::size_t workDone() const { return workDone_; }
 
  private:
   enum class Kind { branch, solved, next };
@@ -84,6 +87,7 @@ class ShortestHandles::Search {
   void chooseTellingEdges();
   std::optional<Partial> anyPartial();
   void giveUp();
+  void count(std::size_t steps);
   static Triangle faceOf(const Partial& p, const Branch& b);
   void push(double length, Kind kind, std::size_t index);
   double takenLength(const Partial& p) const;
@@ -114,6 +118,7 @@ class ShortestHandles::Search {
   std::deque<Solved> solved_;
   std::deque<Next> nexts_;
   std::size_t workLeft_;
+  std::size_t workDone_ = 0;
   bool gaveUp_ = false;
 };
 
@@ -136,22 +141,29 @@ void ShortestHandles::Search::start(int rounds) {
   chooseTellingEdges();
   if (edges_.loopCount() > 2) {
     const std::optional<Partial> any = anyPartial();
-    if (any) bound_.tighten(discsOf(*any).solve() + takenLength(*any), rounds);
+    if (any) {
+      const auto vertices = idx(edges_.vertexCount());
+      const auto affordable = std::max<std::size_t>(kRoundsAgain, kRoundsWork / (vertices * vertices));
+      workDone_ += idx(bound_.tighten(discsOf(*any).solve() + takenLength(*any),
+                                      std::min(rounds, static_cast<int>(affordable)))) *
+                   vertices * vertices;
+    }
     chooseTellingEdges();
   }
   expand(0);
 }
 
 //! The shares found so far stay good ones; all else is done anew.
-void ShortestHandles::Search::forbid(std::span<const Triangle> faces) {
+void ShortestHandles::Search::forbid(std::span<const Triangle> faces, std::span<const VertexPair> edges) {
   edges_.forbid(faces);
+  edges_.forbid(edges);
   if (partials_.empty()) return;
   partials_.resize(1);
   heap_.clear();
   branches_.clear();
   solved_.clear();
   nexts_.clear();
-  bound_.update();
+  bound_.update(edges);
   start(kRoundsAgain);
   if (gaveUp_) giveUp();
 }
@@ -169,6 +181,12 @@ void ShortestHandles::Search::chooseTellingEdges() {
   std::stable_sort(joinOrder_.begin(), joinOrder_.end(), [&](int a, int b) {
     return excess[idx(tellingVertex_[idx(a)])] > excess[idx(tellingVertex_[idx(b)])];
   });
+}
+
+void ShortestHandles::Search::count(std::size_t steps) {
+  workLeft_ -= std::min(workLeft_, steps);
+  workDone_ += steps;
+  giveUpIfCancelled();
 }
 
 //! Behind the branches that look best one by one.
@@ -363,7 +381,7 @@ DiscTriangulation ShortestHandles::Search::discsOf(const Partial& p) const {
 void ShortestHandles::Search::solve(int partial) {
   const Partial& p = partials_[idx(partial)];
   DiscTriangulation discs = discsOf(p);
-  workLeft_ -= std::min(workLeft_, discs.work());
+  count(discs.work());
   const double length = discs.solve() + takenLength(p);
   if (length == kNone) return;
   solved_.push_back({partial, nullptr});
@@ -376,6 +394,7 @@ void ShortestHandles::Search::openSolved(const Solved& s, double length) {
   if (!discs) {
     auto again = std::make_shared<DiscTriangulation>(discsOf(partials_[idx(s.partial)]));
     again->solve();
+    workDone_ += again->work();
     discs = std::move(again);
   }
   const auto pair = discs->repeatedPair(discs->derive({}, 0));
@@ -394,7 +413,7 @@ void ShortestHandles::Search::separate(const DiscTriangulation& discs, int parti
   with->exclude(pair[1]);
   const double taken = takenLength(partials_[idx(partial)]);
   for (auto& part : {without, with}) {
-    workLeft_ -= std::min(workLeft_, part->work());
+    count(part->work());
     const double length = part->solve() + taken;
     if (length == kNone) continue;
     solved_.push_back({partial, part});
@@ -428,7 +447,7 @@ std::optional<HandleCandidate> ShortestHandles::Search::next() {
     std::pop_heap(heap_.begin(), heap_.end());
     const Entry entry = heap_.back();
     heap_.pop_back();
-    workLeft_ -= workLeft_ > 0 ? 1 : 0;
+    count(1);
     if (entry.kind == Kind::branch) {
       if (!gaveUp_) take(branches_[entry.index]);
     } else if (entry.kind == Kind::solved) {
@@ -449,7 +468,10 @@ ShortestHandles::ShortestHandles(ShortestHandles&&) noexcept = default;
 ShortestHandles& ShortestHandles::operator=(ShortestHandles&&) noexcept = default;
 
 std::optional<HandleCandidate> ShortestHandles::next() { return search_->next(); }
-void ShortestHandles::forbid(std::span<const Triangle> faces) { search_->forbid(faces); }
+void ShortestHandles::forbid(std::span<const Triangle> faces, std::span<const VertexPair> edges) {
+  search_->forbid(faces, edges);
+}
+std::size_t ShortestHandles::workDone() const { return search_->workDone(); }
 bool ShortestHandles::gaveUp() const { return search_->gaveUp(); }
 
 }  // namespace handlebody

@@ -60,9 +60,13 @@ class ShortestHandles {
   //! them.
   std::optional<HandleCandidate> next();
 
-  //! From now on no handle has one of these faces (corners in any order). The next handle is the shortest of
-  //! all without them, also if it came before.
-  void forbid(std::span<const Triangle> faces);
+  //! From now on no handle has one of these faces (corners in any order) or edges. The next handle is the
+  //! shortest of all without them, also if it came before.
+  void forbid(std::span<const Triangle> faces, std::span<const VertexPair> edges = {});
+
+  //! Steps taken so far, those after maxWork as well. The calls give up by Cancelled where it is wished
+  //! (cancellation.h); the search is of no use then.
+  std::size_t workDone() const;
 
   //! True if the search reached maxWork: the last handle may not have been the next, nor have been the last.
   bool gaveUp() const;

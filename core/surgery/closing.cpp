@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/collision/face_pair.h"
+#include "core/geometry/predicates.h"
 #include "core/mesh/nesting.h"
 
 namespace handlebody {
@@ -189,47 +190,70 @@ bool Replaced::sweepsOver(const Mesh& mesh, const Patch& patch) const {
   return std::any_of(places.begin(), places.end(), isBetween);
 }
 
-Surroundings::Surroundings(const Mesh& mesh, std::span<const Opening> openings,
-                           std::span<const unsigned char> ignored, const Forbidden& forbidden)
+Surroundings::Surroundings(const Mesh& mesh, const FaceBlocks& blocks, std::span<const Opening> openings,
+                           std::span<const unsigned char> ignored, const Forbidden& forbidden, double about)
     : mesh_(mesh), forbidden_(forbidden), replaced_(mesh, openings, forbidden) {
-  Eigen::AlignedBox3d box;
   for (const Opening& o : openings)
     for (const auto& loop : o.loops)
-      for (int v : loop) box.extend(mesh.position(v));
-  const Vec3 low = box.min(), high = box.max();
-  for (int f = 0; f < mesh.faceSlots(); ++f) {
+      for (int v : loop) known_.extend(mesh.position(v));
+  known_ = {known_.min() - Vec3::Constant(about), known_.max() + Vec3::Constant(about)};
+  blocks.forEachNear(mesh, known_, [&](int f) {
     const Triangle& t = mesh.face(f);
-    if (t[0] < 0) continue;
-    const Vec3 &a = mesh.position(t[0]), &b = mesh.position(t[1]), &c = mesh.position(t[2]);
-    // Axis by axis, so that most faces cost three comparisons.
-    bool apart = false;
-    for (int axis = 0; axis < 3 && !apart; ++axis)
-      apart = (a[axis] < low[axis] && b[axis] < low[axis] && c[axis] < low[axis]) ||
-              (a[axis] > high[axis] && b[axis] > high[axis] && c[axis] > high[axis]);
-    if (apart || (idx(f) < ignored.size() && ignored[idx(f)]) || !stays(openings, f)) continue;
-    faces_.push_back(f);
-  }
+    const Eigen::AlignedBox3d box = boxOf({mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2])});
+    if (!box.intersects(known_) || (idx(f) < ignored.size() && ignored[idx(f)] != 0) || !stays(openings, f))
+      return;
+    faces_.push_back({box, f});
+    widest_ = std::max(widest_, box.sizes().x());
+  });
+  std::sort(faces_.begin(), faces_.end(), [](const Staying& a, const Staying& b) {
+    return a.box.min().x() != b.box.min().x() ? a.box.min().x() < b.box.min().x() : a.face < b.face;
+  });
+}
+
+bool Surroundings::reach(const Patch& patch) const {
+  return std::all_of(patch.faces.begin(), patch.faces.end(),
+                     [&](const Triangle& t) { return known_.contains(boxOf(corners(mesh_, patch, t))); });
+}
+
+//! True if f(face) is, for any of the faces whose boxes meet the box.
+template <typename F>
+bool Surroundings::anyNear(const Eigen::AlignedBox3d& box, F&& f) const {
+  // A little more than the widest, as the difference is rounded.
+  auto near = std::lower_bound(faces_.begin(), faces_.end(), box.min().x() - 1.001 * widest_,
+                               [](const Staying& s, double x) { return s.box.min().x() < x; });
+  for (; near != faces_.end() && near->box.min().x() <= box.max().x(); ++near)
+    if (box.intersects(near->box) && f(mesh_.face(near->face))) return true;
+  return false;
 }
 
 bool Surroundings::hitsStaying(const Patch& patch, const Triangle& face) const {
   const std::array<Vec3, 3> p = corners(mesh_, patch, face);
   if (forbidden_.holds && forbidden_.holds(p[0], p[1], p[2])) return true;
-  const Eigen::AlignedBox3d box = boxOf(p);
-  return std::any_of(faces_.begin(), faces_.end(), [&](int g) {
-    const std::array<Vec3, 3> q = corners(mesh_, patch, mesh_.face(g));
-    return box.intersects(boxOf(q)) && intersect(face, p, mesh_.face(g), q);
+  return anyNear(boxOf(p),
+                 [&](const Triangle& g) { return intersect(face, p, g, corners(mesh_, patch, g)); });
+}
+
+bool Surroundings::isBlocked(int u, int v) const {
+  const Vec3 &p = mesh_.position(u), &q = mesh_.position(v);
+  Eigen::AlignedBox3d box(p);
+  box.extend(q);
+  return anyNear(box, [&](const Triangle& g) {
+    const Vec3 &a = mesh_.position(g[0]), &b = mesh_.position(g[1]), &c = mesh_.position(g[2]);
+    const int side = orient3d(a, b, c, p);
+    if (side == 0 || orient3d(a, b, c, q) != -side) return false;
+    const int turn = orient3d(p, q, a, b);
+    return turn != 0 && orient3d(p, q, b, c) == turn && orient3d(p, q, c, a) == turn;
   });
 }
 
 bool Surroundings::intersectsItself(const Patch& patch) const {
-  for (std::size_t i = 0; i < patch.faces.size(); ++i) {
-    const std::array<Vec3, 3> p = corners(mesh_, patch, patch.faces[i]);
-    const Eigen::AlignedBox3d box = boxOf(p);
-    for (std::size_t j = 0; j < i; ++j) {
-      const std::array<Vec3, 3> q = corners(mesh_, patch, patch.faces[j]);
-      if (box.intersects(boxOf(q)) && intersect(patch.faces[i], p, patch.faces[j], q)) return true;
-    }
-  }
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (const Triangle& t : patch.faces) boxes.push_back(boxOf(corners(mesh_, patch, t)));
+  for (std::size_t i = 0; i < patch.faces.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (boxes[i].intersects(boxes[j]) && intersect(patch.faces[i], corners(mesh_, patch, patch.faces[i]),
+                                                     patch.faces[j], corners(mesh_, patch, patch.faces[j])))
+        return true;
   return false;
 }
 
@@ -239,16 +263,14 @@ bool Surroundings::fits(const Patch& patch) const {
          !intersectsItself(patch);
 }
 
-std::vector<std::size_t> Surroundings::hits(const Patch& patch, const Patch& other) const {
-  std::vector<std::size_t> out;
-  for (std::size_t i = 0; i < patch.faces.size(); ++i) {
-    const std::array<Vec3, 3> p = corners(mesh_, patch, patch.faces[i]);
-    const bool hitsOther = std::any_of(other.faces.begin(), other.faces.end(), [&](const Triangle& g) {
-      return intersect(patch.faces[i], p, g, corners(mesh_, other, g));
-    });
-    if (hitsOther || hitsStaying(patch, patch.faces[i])) out.push_back(i);
-  }
-  return out;
+bool Surroundings::hits(const Patch& patch, const Triangle& face, const Patch& other) const {
+  const std::array<Vec3, 3> p = corners(mesh_, patch, face);
+  const Eigen::AlignedBox3d box = boxOf(p);
+  const bool hitsOther = std::any_of(other.faces.begin(), other.faces.end(), [&](const Triangle& g) {
+    const std::array<Vec3, 3> q = corners(mesh_, other, g);
+    return box.intersects(boxOf(q)) && intersect(face, p, g, q);
+  });
+  return hitsOther || hitsStaying(patch, face);
 }
 
 }  // namespace handlebody

@@ -1,6 +1,7 @@
 #pragma once
 // Faces that close an opened mesh: caps on single polygons, and the test whether caps and handles fit.
 
+#include <Eigen/Geometry>
 #include <array>
 #include <optional>
 #include <span>
@@ -8,6 +9,7 @@
 
 #include "core/mesh/forbidden.h"
 #include "core/mesh/mesh.h"
+#include "core/surgery/face_blocks.h"
 #include "core/surgery/opening.h"
 
 namespace handlebody {
@@ -59,24 +61,37 @@ class Replaced {
 //! The faces of the mesh near an opening that stay: what a patch must not intersect.
 class Surroundings {
  public:
-  //! `ignored[f]` != 0: faces that do not count because they collide themselves and will be dealt with.
-  //! What lies where it is forbidden counts as if it intersected a face that stays.
-  Surroundings(const Mesh& mesh, std::span<const Opening> openings, std::span<const unsigned char> ignored,
-               const Forbidden& forbidden = {});
+  //! `blocks`: of the mesh. `ignored[f]` != 0: faces that do not count because they collide themselves and
+  //! will be dealt with. What lies where it is forbidden counts as if it intersected a face that stays.
+  //! `about`: mm; faces are known whose boxes meet the box of the openings' loops, widened by this.
+  Surroundings(const Mesh& mesh, const FaceBlocks& blocks, std::span<const Opening> openings,
+               std::span<const unsigned char> ignored, const Forbidden& forbidden = {}, double about = 0);
+  //! True if all faces are known that the patch can meet.
+  bool reach(const Patch& patch) const;
   //! True if no face of the patch intersects another or one that stays.
   bool fits(const Patch& patch) const;
-  //! The faces of the patch, by index, that intersect a face that stays or one of `other`.
-  std::vector<std::size_t> hits(const Patch& patch, const Patch& other) const;
+  //! True if the face of the patch intersects a face that stays or one of `other`.
+  bool hits(const Patch& patch, const Triangle& face, const Patch& other) const;
+  //! True if a face that stays is pierced by the edge uv of the mesh, so that no face of a patch may have it.
+  bool isBlocked(int u, int v) const;
   bool intersectsItself(const Patch& patch) const;
   //! True if the patch would swallow a forbidden place. Precondition: it closes all of the openings.
   bool sweepsOver(const Patch& patch) const { return replaced_.sweepsOver(mesh_, patch); }
 
  private:
+  struct Staying {
+    Eigen::AlignedBox3d box;
+    int face;
+  };
+  template <typename F>
+  bool anyNear(const Eigen::AlignedBox3d& box, F&& f) const;
   bool hitsStaying(const Patch& patch, const Triangle& face) const;
   const Mesh& mesh_;
   Forbidden forbidden_;
   Replaced replaced_;
-  std::vector<int> faces_;
+  Eigen::AlignedBox3d known_;
+  std::vector<Staying> faces_;  // along the first axis
+  double widest_ = 0;           // of their boxes along it
 };
 
 }  // namespace handlebody

@@ -1,6 +1,7 @@
 #include "core/surgery/fold_smoothing.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/surgery/closing.h"
 #include "core/surgery/opening.h"
@@ -13,6 +14,7 @@ namespace {
 constexpr double kLambda = 0.5;
 constexpr double kMu = -0.526;
 constexpr int kPairs = 5;
+constexpr double kAbout = 0.1;  // of the size of the place: it hardly swells
 
 void laplacianStep(Mesh& mesh, const std::vector<int>& vertices, double factor) {
   std::vector<Vec3> fresh;
@@ -36,10 +38,17 @@ std::vector<int> cornersOf(const Mesh& mesh, const std::vector<int>& faces) {
   return corners;
 }
 
+double sizeOf(const Mesh& mesh, const std::vector<int>& vertices) {
+  Eigen::AlignedBox3d box;
+  for (int v : vertices) box.extend(mesh.position(v));
+  return box.sizes().maxCoeff();
+}
+
 }  // namespace
 
-bool smoothFold(Mesh& mesh, const std::vector<int>& lambda, std::span<const unsigned char> ignored,
-                const Forbidden& forbidden, std::vector<unsigned char>& touched) {
+bool smoothFold(Mesh& mesh, FaceBlocks& blocks, const std::vector<int>& lambda,
+                std::span<const unsigned char> ignored, const Forbidden& forbidden,
+                std::vector<unsigned char>& touched) {
   const std::vector<int> vertices = enlarge(mesh, lambda);
   std::vector<Vec3> old;
   for (int v : vertices) old.push_back(mesh.position(v));
@@ -49,18 +58,22 @@ bool smoothFold(Mesh& mesh, const std::vector<int>& lambda, std::span<const unsi
   std::sort(moved.faces.begin(), moved.faces.end());
   moved.faces.erase(std::unique(moved.faces.begin(), moved.faces.end()), moved.faces.end());
   moved.loops.push_back(cornersOf(mesh, moved.faces));  // what lies near any of them may be hit
-  std::vector<unsigned char> others(ignored.begin(), ignored.end());
   Patch patch;
   patch.firstNew = mesh.vertexSlots();
   for (int f : moved.faces) patch.faces.push_back(mesh.face(f));
   const std::span<const Opening> one(&moved, 1);
   const Replaced unmoved(mesh, one, forbidden);
+  const double about = kAbout * sizeOf(mesh, moved.loops[0]);
+  std::optional<Surroundings> surroundings;
   for (int pass = 0; pass < kFoldPasses; ++pass) {
     for (int i = 0; i < kPairs; ++i) {
       laplacianStep(mesh, vertices, kLambda);
       laplacianStep(mesh, vertices, kMu);
     }
-    if (Surroundings(mesh, one, others, forbidden).fits(patch) && !unmoved.sweepsOver(mesh, patch)) {
+    if (!surroundings || !surroundings->reach(patch))
+      surroundings.emplace(mesh, blocks, one, ignored, forbidden, about);
+    if (surroundings->fits(patch) && !unmoved.sweepsOver(mesh, patch)) {
+      blocks.includeAround(mesh, vertices);
       touched.resize(static_cast<std::size_t>(mesh.vertexSlots()), 0);
       for (int v : vertices) touched[static_cast<std::size_t>(v)] = 1;
       return true;

@@ -5,6 +5,7 @@
 
 #include "core/mesh/forbidden.h"
 #include "core/mesh/mesh.h"
+#include "core/surgery/face_blocks.h"
 
 namespace handlebody {
 
@@ -12,9 +13,10 @@ namespace handlebody {
 //! until its faces intersect nothing, lie nowhere and have
 //! swept over nothing that is forbidden. Returns false, with the mesh unchanged, if they
 //! still do after kFoldPasses passes. `ignored` marks faces that collide elsewhere; touched[v] = 1 for moved
-//! vertices.
-bool smoothFold(Mesh& mesh, const std::vector<int>& lambda, std::span<const unsigned char> ignored,
-                const Forbidden& forbidden, std::vector<unsigned char>& touched);
+//! vertices, and `blocks` are those of the mesh.
+bool smoothFold(Mesh& mesh, FaceBlocks& blocks, const std::vector<int>& lambda,
+                std::span<const unsigned char> ignored, const Forbidden& forbidden,
+                std::vector<unsigned char>& touched);
 
 inline constexpr int kFoldPasses = 4;
 

@@ -9,6 +9,7 @@
 #include "core/mesh/mesh.h"
 #include "core/surgery/closing.h"
 #include "core/surgery/opening.h"
+#include "core/work_budget.h"
 
 namespace handlebody {
 
@@ -27,10 +28,10 @@ struct FittingHandle {
 //! The shortest of all handles for the polygons that intersects neither itself, nor the caps, nor what stays
 //! of the mesh, together with the caps. A face that intersects the mesh or a cap is in no handle that fits:
 //! the search goes on among those without it, so that next best handles with the same fault are not tried one
-//! by one. Exact up to kFitTries handles, then none.
+//! by one. Exact up to kFitTries handles, or until the work is spent; then none.
 FittingHandle shortestFittingHandle(const Mesh& mesh, std::span<const Opening> openings,
                                     std::span<const std::vector<int>> loops, const Patch& caps,
-                                    const Surroundings& surroundings);
+                                    const Surroundings& surroundings, WorkBudget* work = nullptr);
 
 inline constexpr int kFitTries = 60;
 

@@ -8,7 +8,12 @@ namespace handlebody {
 
 namespace {
 
-constexpr std::size_t kLongestLoop = 120;  // vertices; closing takes time that grows with the cube of this
+// Vertices of a loop. Closing one opening, or joining more than two, takes the cube of this; joining two the
+// square, so that fronts that meet flat over a wide area are joined along its rim.
+constexpr std::size_t kLongestLoop = 120;
+constexpr std::size_t kLongestOfTwo = 400;
+
+constexpr std::size_t kCapWork = 1;  // for the cube of a loop
 
 using Loops = std::vector<std::vector<int>>;
 
@@ -50,12 +55,13 @@ std::vector<int> oneOfEach(const Loops& loops) {
 
 class Planner {
  public:
-  Planner(const Mesh& mesh, Plan& plan, const PlanSettings& settings, const char*& reason)
+  Planner(const Mesh& mesh, const FaceBlocks& blocks, Plan& plan, const PlanSettings& settings,
+          const char*& reason)
       : mesh_(mesh),
         plan_(plan),
         settings_(settings),
         reason_(reason),
-        surroundings_(mesh, plan.openings, settings.colliding, settings.forbidden) {}
+        surroundings_(mesh, blocks, plan.openings, settings.colliding, settings.forbidden) {}
   bool joinFronts(std::span<const Opening> openings);
   bool closeOne(const Opening& opening);
   //! Where the openings are whole components.
@@ -63,6 +69,7 @@ class Planner {
 
  private:
   bool meetOutside(std::span<const Opening> openings, const Loops& loops) const;
+  bool isSpent() const { return settings_.work && settings_.work->isSpent(); }
   Patch capsBut(std::span<const Opening> openings, const std::vector<std::size_t>& chosen) const;
   std::vector<ClosingChoice> capsFor(const Opening& opening) const;
 
@@ -87,13 +94,13 @@ bool Planner::joinFronts(std::span<const Opening> openings) {
       continue;
     }
     tried = true;
-    FittingHandle handle =
-        shortestFittingHandle(mesh_, plan_.openings, loops, capsBut(openings, chosen), surroundings_);
+    FittingHandle handle = shortestFittingHandle(mesh_, plan_.openings, loops, capsBut(openings, chosen),
+                                                 surroundings_, settings_.work);
     const bool better = !best.found || handle.patch.length < best.patch.length;
     if (!handle.found || !better) continue;
     best = std::move(handle);
     plan_.joined = oneOfEach(loops);
-  } while (nextChoice(openings, chosen));
+  } while (!isSpent() && nextChoice(openings, chosen));
   if (best.found) {
     plan_.patch = std::move(best.patch);
     plan_.kind = EventKind::handleInserted;
@@ -139,7 +146,8 @@ bool Planner::closeOne(const Opening& opening) {
   if (opening.loops.size() == 2) {
     Patch noCaps;
     noCaps.firstNew = mesh_.vertexSlots();
-    FittingHandle band = shortestFittingHandle(mesh_, one, opening.loops, noCaps, surroundings_);
+    FittingHandle band =
+        shortestFittingHandle(mesh_, one, opening.loops, noCaps, surroundings_, settings_.work);
     if (band.found) choices.push_back({std::move(band.patch), EventKind::smoothed, oneOfEach(opening.loops)});
   }
   for (ClosingChoice& c : choices) {
@@ -170,6 +178,7 @@ std::vector<ClosingChoice> Planner::capsFor(const Opening& opening) const {
   bool flat = true;
   for (const auto& loop : opening.loops) {
     fans.append(fanCap(mesh_, loop));
+    if (settings_.work) settings_.work->spend(kCapWork * loop.size() * loop.size() * loop.size());
     const auto cap = leastAreaCap(mesh_, opening, loop);
     flat = flat && cap;
     if (flat) flats.append(*cap);
@@ -187,30 +196,32 @@ bool Planner::deleteAll() {
   return false;
 }
 
-bool isTooLarge(const Opening& o) {
+bool isTooLarge(const Opening& o, std::size_t longest) {
   return std::any_of(o.loops.begin(), o.loops.end(),
-                     [](const std::vector<int>& loop) { return loop.size() > kLongestLoop; });
+                     [longest](const std::vector<int>& loop) { return loop.size() > longest; });
 }
 
 //! Looks for what closes the openings of the plan.
-bool closeAll(const Mesh& mesh, Plan& plan, const PlanSettings& settings, const char*& reason) {
-  if (std::any_of(plan.openings.begin(), plan.openings.end(), isTooLarge)) {
-    reason = "the opening is too large";
-    return false;
-  }
+bool closeAll(const Mesh& mesh, const FaceBlocks& blocks, Plan& plan, const PlanSettings& settings,
+              const char*& reason) {
   // Whole components in Λ come first: they have no boundary.
   const auto open = std::stable_partition(plan.openings.begin(), plan.openings.end(),
                                           [](const Opening& o) { return o.loops.empty(); });
   const std::span<const Opening> opened(open, plan.openings.end());
+  const std::size_t longest = opened.size() == 2 ? kLongestOfTwo : kLongestLoop;
+  if (std::any_of(opened.begin(), opened.end(), [&](const Opening& o) { return isTooLarge(o, longest); })) {
+    reason = "the opening is too large";
+    return false;
+  }
   plan.patch.firstNew = mesh.vertexSlots();
-  Planner planner(mesh, plan, settings, reason);
+  Planner planner(mesh, blocks, plan, settings, reason);
   if (opened.empty()) return planner.deleteAll();
   return opened.size() == 1 ? planner.closeOne(opened[0]) : planner.joinFronts(opened);
 }
 
 }  // namespace
 
-std::optional<Plan> planFor(Mesh& mesh, const std::vector<std::vector<int>>& sets,
+std::optional<Plan> planFor(Mesh& mesh, FaceBlocks& blocks, const std::vector<std::vector<int>>& sets,
                             const PlanSettings& settings, const char*& reason) {
   Plan plan;
   // Refinement that led to nothing would make the next try refine what has been refined: after a few rings
@@ -218,10 +229,15 @@ std::optional<Plan> planFor(Mesh& mesh, const std::vector<std::vector<int>>& set
   std::optional<Mesh> unrefined;
   for (const auto& lambda : sets) {
     std::optional<Opening> opening = planOpening(mesh, lambda);
-    if (!opening && !unrefined) unrefined = mesh;
-    plan.openings.push_back(opening ? *std::move(opening) : openWithRefinement(mesh, lambda));
+    if (!opening) {
+      if (!unrefined) unrefined = mesh;
+      opening = openWithRefinement(mesh, lambda);
+      // An edge is split between a vertex of Λ and a neighbour: the new faces have the new vertex.
+      blocks.includeAround(mesh, enlarge(mesh, lambda));
+    }
+    plan.openings.push_back(*std::move(opening));
   }
-  if (closeAll(mesh, plan, settings, reason)) return plan;
+  if (closeAll(mesh, blocks, plan, settings, reason)) return plan;
   if (unrefined) mesh = *std::move(unrefined);
   return std::nullopt;
 }

@@ -10,6 +10,7 @@
 #include "core/surgery/closing.h"
 #include "core/surgery/event.h"
 #include "core/surgery/opening.h"
+#include "core/work_budget.h"
 
 namespace handlebody {
 
@@ -30,6 +31,7 @@ struct PlanSettings {
   std::span<const unsigned char> colliding;
   //! Where no patch may lie, and what it may not swallow.
   Forbidden forbidden{};
+  WorkBudget* work = nullptr;  //!< none: no bound
 };
 
 //! The most fronts that one handle joins.
@@ -37,8 +39,8 @@ inline constexpr std::size_t kMaxFronts = 4;
 
 //! Opens the mesh around the sets Λ (at most kMaxFronts) and looks for what closes it: a handle if several
 //! openings have a boundary, caps or a band if one has, nothing if none has. The mesh is refined where an
-//! opening needs it. None, with the reason and the mesh as it was, if nothing fits.
-std::optional<Plan> planFor(Mesh& mesh, const std::vector<std::vector<int>>& sets,
+//! opening needs it, and its blocks with it. None, with the reason and the mesh as it was, if nothing fits.
+std::optional<Plan> planFor(Mesh& mesh, FaceBlocks& blocks, const std::vector<std::vector<int>>& sets,
                             const PlanSettings& settings, const char*& reason);
 
 }  // namespace handlebody

@@ -2,6 +2,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/surgery/closing.cpp
   ${CMAKE_SOURCE_DIR}/core/surgery/collision_groups.cpp
   ${CMAKE_SOURCE_DIR}/core/surgery/event.cpp
+  ${CMAKE_SOURCE_DIR}/core/surgery/face_blocks.cpp
   ${CMAKE_SOURCE_DIR}/core/surgery/fold_smoothing.cpp
   ${CMAKE_SOURCE_DIR}/core/surgery/front_gathering.cpp
   ${CMAKE_SOURCE_DIR}/core/surgery/handle_fitting.cpp

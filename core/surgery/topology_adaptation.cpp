@@ -22,6 +22,9 @@ constexpr int kEnlargements = 4;      // rings added to Λ before a place is giv
 constexpr int kDeletes = 1;           // rings within which a component goes with Λ: its neighbourhood N
 constexpr int kReach = 10;            // edges between sets that are one front
 constexpr int kManyEnlargements = 1;  // before several fronts are joined two by two
+// In units of WorkBudget: a look at every face of the mesh, and at one of a place that is opened or smoothed.
+constexpr std::size_t kMeshWork = 2;
+constexpr std::size_t kPlaceWork = 1000;
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
@@ -31,6 +34,7 @@ class Adaptation {
       : mesh_(mesh),
         settings_(settings),
         touched_(touched),
+        blocks_(mesh),
         colliding_(idx(mesh.faceSlots()), 0),
         topology_(settings.topology) {}
 
@@ -75,6 +79,8 @@ class Adaptation {
 
   void treat(const CollisionGroup& group, std::string before) {
     if (isStale(group)) return;
+    if (isSpent()) return wait(group);
+    const std::size_t hadWork = settings_.work ? settings_.work->left() : 0;
     // A collar that closes behind an enclosed part can be smoothed again and again: it has to be cut.
     const bool cutFirst = settings_.cameBack && settings_.cameBack(middle(group));
     if (!cutFirst && smoothed(group)) return;
@@ -85,17 +91,21 @@ class Adaptation {
       before = notAtOnce(fronts.size(), reason);
     }
     if (close(group, mostColliding(mesh_, group, 2), kEnlargements, before, reason)) return;
-    if (!cutFirst || !smoothed(group)) giveUp(group, reason);
+    if (isSpent() && hadWork < settings_.work->all() / 2) return wait(group);
+    if (!cutFirst || !smoothed(group))
+      giveUp(group, isSpent() ? "to close the place would take too much work" : reason);
   }
 
   //! Closes the openings around the sets, or around more and more rings of them.
   bool close(const CollisionGroup& group, std::vector<std::vector<int>> sets, int enlargements,
              const std::string& before, const char*& reason) {
     std::string why = before;
-    for (int ring = 0; ring <= enlargements; ++ring) {
+    for (int ring = 0; ring <= enlargements && !isSpent(); ++ring) {
+      for (const auto& lambda : sets) spend(kPlaceWork * lambda.size());
       colliding_.resize(idx(mesh_.faceSlots()), 0);
       const auto plan =
-          planFor(mesh_, sets, {settings_.outwardOnly, colliding_, settings_.forbidden}, reason);
+          planFor(mesh_, blocks_, sets,
+                  {settings_.outwardOnly, colliding_, settings_.forbidden, settings_.work}, reason);
       const bool deletes = plan && plan->kind == EventKind::componentDeleted && ring > kDeletes;
       if (plan && !deletes) {
         apply(group, *plan, why);
@@ -111,8 +121,9 @@ class Adaptation {
   }
 
   bool smoothed(const CollisionGroup& group) {
+    spend(kPlaceWork * group.lambda[0].size());
     if (group.lambda.size() != 1 ||
-        !smoothFold(mesh_, group.lambda[0], colliding_, settings_.forbidden, touched_))
+        !smoothFold(mesh_, blocks_, group.lambda[0], colliding_, settings_.forbidden, touched_))
       return false;
     report(group, EventKind::smoothed);
     return true;
@@ -128,6 +139,7 @@ class Adaptation {
       faces.insert(faces.end(), o.faces.begin(), o.faces.end());
       vertices.insert(vertices.end(), o.lambda.begin(), o.lambda.end());
     }
+    spend(kMeshWork * idx(mesh_.faceSlots()));
     mesh_.removeFaces(faces);
     for (int v : vertices) mesh_.removeVertex(v);
     predict(event, predictChange(topology_, mesh_, plan));
@@ -144,6 +156,7 @@ class Adaptation {
     for (int v : vertices) replaced_[idx(v)] = 1;
     for (const Triangle& t : patch)
       for (int v : t) touched_[idx(v)] = replaced_[idx(v)] = 1;
+    for (const Triangle& t : patch) blocks_.includeAround(mesh_, t);
     // Face slots have new owners, which collide with nothing.
     colliding_.resize(idx(mesh_.faceSlots()), 0);
     for (int f : faces) colliding_[idx(f)] = 0;
@@ -154,24 +167,31 @@ class Adaptation {
     // Where fronts of two components meet and a part between them is cut off, their number stays.
     const bool cut = event.after.components > event.before.components ||
                      (plan.kind == EventKind::handleInserted && idx(event.fronts) < event.loopSizes.size());
-    if (cut && event.kind == EventKind::split && hasCavity(patch)) event.kind = EventKind::enclosedPartCutOff;
+    if (cut) {
+      const Components parts = findComponents(mesh_);
+      if (event.kind == EventKind::split && hasCavity(parts, patch))
+        event.kind = EventKind::enclosedPartCutOff;
+      report(std::move(event), patch);
+      settings_.outwardOnly ? deleteFlakes(parts, patch) : deleteMisplaced(parts, patch);
+    } else {
+      report(std::move(event), patch);
+    }
+  }
+
+  void report(Event event, const std::vector<Triangle>& patch) {
     if (settings_.recordTraces) traceClosing(mesh_, patch, event.trace);
     result_.events.push_back(std::move(event));
-    if (cut && settings_.outwardOnly) deleteFlakes(patch);
-    if (cut && !settings_.outwardOnly) deleteMisplaced(patch);
   }
 
   //! True if the patch bounds a part of outside space that it has just enclosed.
-  bool hasCavity(const std::vector<Triangle>& patch) const {
-    const Components parts = findComponents(mesh_);
+  static bool hasCavity(const Components& parts, const std::vector<Triangle>& patch) {
     return std::any_of(patch.begin(), patch.end(),
                        [&](const Triangle& t) { return parts.volume[idx(parts.ofVertex[idx(t[0])])] < 0; });
   }
 
   //! Motion outwards can cut off nothing but cavities. A solid piece that a cut leaves is a scrap of surface
   //! turned inside out, and would grow into the object once more.
-  void deleteFlakes(const std::vector<Triangle>& patch) {
-    const Components parts = findComponents(mesh_);
+  void deleteFlakes(const Components& parts, const std::vector<Triangle>& patch) {
     std::map<int, int> solids;  // component beside the cut → one of its vertices
     for (const Triangle& t : patch)
       if (parts.volume[idx(parts.ofVertex[idx(t[0])])] >= 0) solids.emplace(parts.ofVertex[idx(t[0])], t[0]);
@@ -185,8 +205,7 @@ class Adaptation {
 
   //! Where the surface may shrink, a cut may well leave two solid pieces, and only the place of a piece tells
   //! that it is a scrap.
-  void deleteMisplaced(const std::vector<Triangle>& patch) {
-    const Components parts = findComponents(mesh_);
+  void deleteMisplaced(const Components& parts, const std::vector<Triangle>& patch) {
     std::map<int, int> beside;  // component beside the cut → one of its vertices
     for (const Triangle& t : patch) beside.emplace(parts.ofVertex[idx(t[0])], t[0]);
     for (const auto& [component, vertex] : beside)
@@ -246,6 +265,16 @@ class Adaptation {
     result_.events.push_back(std::move(event));
   }
 
+  bool isSpent() const { return settings_.work && settings_.work->isSpent(); }
+  void spend(std::size_t units) const {
+    if (settings_.work) settings_.work->spend(units);
+  }
+
+  void wait(const CollisionGroup& group) {
+    giveUp(group, "the work that a step may take is done: the place waits");
+    result_.troubles.back().waits = true;
+  }
+
   void giveUp(const CollisionGroup& group, const char* reason) {
     Trouble t{middle(group), 0, reason};
     for (const auto& lambda : group.lambda)
@@ -257,6 +286,7 @@ class Adaptation {
   Mesh& mesh_;
   const AdaptationSettings& settings_;
   std::vector<unsigned char>& touched_;
+  FaceBlocks blocks_;
   std::vector<unsigned char> colliding_;  // per face
   std::vector<unsigned char> replaced_;   // per vertex
   TopologyNumbers topology_;              // as after the last event

@@ -10,6 +10,7 @@
 #include "core/mesh/forbidden.h"
 #include "core/mesh/mesh.h"
 #include "core/surgery/event.h"
+#include "core/work_budget.h"
 
 namespace handlebody {
 
@@ -23,6 +24,8 @@ struct AdaptationSettings {
   std::function<bool(const Vec3&)> cameBack{};
   //! Where no patch may lie, and what it may not swallow.
   Forbidden forbidden{};
+  //! Of the step: places for which nothing is left wait. None: no bound.
+  WorkBudget* work = nullptr;
 };
 
 //! A place where nothing fitted: the caller rolls it back.
@@ -30,6 +33,7 @@ struct Trouble {
   Vec3 centre{0, 0, 0};  //!< mm
   double radius = 0;     //!< mm; holds all colliding vertices and the patches that were tried
   const char* reason = "";
+  bool waits = false;  //!< nothing is wrong there: others have spent the work of the step
 };
 
 struct AdaptationResult {

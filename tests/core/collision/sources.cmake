@@ -1,4 +1,5 @@
 target_sources(core_tests PRIVATE
+  ${CMAKE_SOURCE_DIR}/tests/core/collision/marked_cells_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/collision/closest_point_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/collision/spatial_hash_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/collision/star_test_test.cpp

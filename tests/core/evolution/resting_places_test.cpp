@@ -117,3 +117,19 @@ TEST_CASE("a place has come back once it has changed kCameBack times") {
   CHECK(places.cameBack(kPlace + Vec3(0.9, 0, 0), 1));
   CHECK_FALSE(places.cameBack(kPlace + Vec3(1.1, 0, 0), 1));
 }
+
+TEST_CASE("a place that only waits rests longer and longer, but never for good") {
+  RestingPlaces waiting, failing;
+  int now = 0, last = 0;
+  for (int i = 0; i < 12; ++i) {
+    waiting.add(kPlace, 2, now, true);
+    failing.add(kPlace, 2, now);
+    const int rest = restFrom(waiting, kPlace, now, 100000);
+    CHECK(rest >= last);
+    last = rest;
+    now += rest;
+  }
+  CHECK(last < 1000);
+  CHECK_FALSE(waiting.rests(kPlace, now));
+  CHECK(failing.rests(kPlace, now));
+}

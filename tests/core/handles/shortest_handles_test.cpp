@@ -5,6 +5,7 @@
 #include <numeric>
 #include <random>
 
+#include "core/cancellation.h"
 #include "core/handles/handle_enumeration.h"
 #include "core/handles/homology.h"
 #include "tests/core/handles/handle_oracle.h"
@@ -307,6 +308,88 @@ TEST_CASE("A search that is cut short says so, and still finds handles in order"
   while (all.next()) {
   }
   CHECK_FALSE(all.gaveUp());
+}
+
+namespace {
+
+//! The shortest handle of two loops is the shortest closed monotone path over the torus of their edges: one
+//! dynamic programme for each edge at the first vertex of the first loop.
+double shortestOfTwo(const Loops& loops) {
+  const auto n = loops[0].size(), m = loops[1].size();
+  const auto length = [&](std::size_t i, std::size_t j) {
+    return (loops[0][i % n] - loops[1][(2 * m - j) % m]).norm();  // the loops run against each other
+  };
+  double best = std::numeric_limits<double>::infinity();
+  for (std::size_t start = 0; start < m; ++start) {
+    std::vector<double> row(m + 1, std::numeric_limits<double>::infinity());
+    row[0] = 0;
+    for (std::size_t i = 0; i <= n; ++i)
+      for (std::size_t j = 0; j <= m; ++j) {
+        const double beside = j > 0 ? row[j - 1] : std::numeric_limits<double>::infinity();
+        row[j] = std::min(row[j], beside) + (i + j > 0 ? length(i, start + j) : 0);
+      }
+    best = std::min(best, row[m]);
+  }
+  return best;
+}
+
+}  // namespace
+
+TEST_CASE("The shortest handle of two long loops is found within the work, and is the shortest of all",
+          "[handles][shortest]") {
+  for (const Sizes& sizes : {Sizes{9, 7}, Sizes{60, 80}, Sizes{150, 120}}) {
+    for (const double noise : {0.2, 2.0}) {
+      CAPTURE(sizes, noise);
+      const Loops loops = facingRings(sizes, noise, 4);
+      ShortestHandles search(loops);
+      const auto handle = search.next();
+      REQUIRE(handle.has_value());
+      CHECK_FALSE(search.gaveUp());
+      CHECK(search.workDone() <= ShortestHandles::kMaxWork);
+      CHECK(handle->length == Approx(shortestOfTwo(loops)).epsilon(1e-12));
+    }
+  }
+}
+
+TEST_CASE("Of long loops the handle that is found when the search is cut short is within 2 % of the shortest",
+          "[handles][shortest]") {
+  for (const Sizes& sizes : {Sizes{300, 280}, Sizes{24, 20, 22}, Sizes{14, 12, 13, 15}}) {
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+      CAPTURE(sizes, seed);
+      const Loops loops = facingRings(sizes, 0.2, seed);
+      ShortestHandles cut(loops, {}, 1000);
+      const auto handle = cut.next();
+      REQUIRE(handle.has_value());
+      CHECK(cut.gaveUp());
+      CHECK(handle->length <= 1.02 * ShortestHandles(loops, {}, 1'000'000'000).next().value().length);
+    }
+  }
+}
+
+TEST_CASE("Edges forbidden on the way are as those forbidden from the start", "[handles][shortest]") {
+  for (const Sizes& sizes : {Sizes{12, 15}, Sizes{7, 8, 6}}) {
+    const Loops loops = facingRings(sizes, 0.2, 9);
+    ShortestHandles search(loops);
+    std::vector<VertexPair> forbidden;
+    double last = 0;
+    for (int round = 0; round < 8; ++round) {
+      const HandleCandidate handle = search.next().value();
+      CHECK(handle.length == Approx(shortest(loops, forbidden)).epsilon(1e-12));
+      CHECK(handle.length >= last - 1e-9);
+      last = handle.length;
+      const std::vector<VertexPair> more{
+          crossEdges(loopOf(loops), handle.faces)[static_cast<std::size_t>(round)]};
+      forbidden.push_back(more[0]);
+      search.forbid({}, more);
+    }
+  }
+}
+
+TEST_CASE("A search gives up when it is cancelled", "[handles][shortest]") {
+  ShortestHandles search(facingRings({30, 30}, 0.2, 1));
+  const std::atomic<bool> cancelled{true};
+  const CancelScope scope(cancelled);
+  CHECK_THROWS_AS(search.next(), Cancelled);
 }
 
 }  // namespace handlebody

@@ -219,7 +219,7 @@ TEST_CASE("patches appended to each other keep their own new vertices") {
 TEST_CASE("a cap fits its hole, one that reaches through the far side does not") {
   const Mesh mesh(zoo::sphere(7));
   const std::vector<Opening> o{*planOpening(mesh, verticesNear(mesh, Vec3(0, 0, 1), 0.3))};
-  const Surroundings around(mesh, o, {});
+  const Surroundings around(mesh, FaceBlocks(mesh), o, {});
   Patch cap = fanCap(mesh, o[0].loops[0]);
   CHECK(around.fits(cap));
   cap.points[0] = Vec3(0, 0, 2);  // a spike outwards is ugly, but intersects nothing
@@ -232,7 +232,7 @@ TEST_CASE("a patch that intersects itself does not fit") {
   const Mesh mesh(zoo::both(zoo::sphere(5), zoo::moved(zoo::sphere(5), Vec3(0, 0, 3))));
   const int top = vertexNear(mesh, Vec3(0, 0, 1)), bottom = vertexNear(mesh, Vec3(0, 0, 2));
   const std::vector<Opening> o{*planOpening(mesh, {top}), *planOpening(mesh, {bottom})};
-  const Surroundings around(mesh, o, {});
+  const Surroundings around(mesh, FaceBlocks(mesh), o, {});
   Patch caps = fanCap(mesh, o[0].loops[0]);
   caps.append(fanCap(mesh, o[1].loops[0]));
   CHECK(around.fits(caps));
@@ -247,7 +247,7 @@ TEST_CASE("a patch does not fit where its face is one of the mesh already") {
   const Mesh tetrahedron(s);
   const std::vector<Opening> o{*planOpening(tetrahedron, {3})};
   const auto cap = leastAreaCap(tetrahedron, o[0], o[0].loops[0]);
-  CHECK((!cap || !Surroundings(tetrahedron, o, {}).fits(*cap)));
+  CHECK((!cap || !Surroundings(tetrahedron, FaceBlocks(tetrahedron), o, {}).fits(*cap)));
 }
 
 TEST_CASE("faces that are ignored do not stand in the way of a patch") {
@@ -255,8 +255,8 @@ TEST_CASE("faces that are ignored do not stand in the way of a patch") {
   const int n = Mesh(zoo::sphere(7)).faceSlots();
   const std::vector<Opening> hole{*planOpening(mesh, {vertexNear(Mesh(zoo::sphere(7)), Vec3(0, 0, 1))})};
   const Patch cap = fanCap(mesh, hole[0].loops[0]);
-  CHECK_FALSE(Surroundings(mesh, hole, {}).fits(cap));
+  CHECK_FALSE(Surroundings(mesh, FaceBlocks(mesh), hole, {}).fits(cap));
   std::vector<unsigned char> ignored(static_cast<std::size_t>(mesh.faceSlots()), 0);
   for (int f = n; f < mesh.faceSlots(); ++f) ignored[static_cast<std::size_t>(f)] = 1;
-  CHECK(Surroundings(mesh, hole, ignored).fits(cap));
+  CHECK(Surroundings(mesh, FaceBlocks(mesh), hole, ignored).fits(cap));
 }

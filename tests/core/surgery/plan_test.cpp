@@ -21,7 +21,8 @@ struct PlanTrial {
     const std::vector<int> distances = graphDistances(mesh, {0});
     const auto farthest = std::max_element(distances.begin(), distances.end());
     const std::vector<unsigned char> none;
-    plan = planFor(mesh, {pinchingPair(mesh), {static_cast<int>(farthest - distances.begin())}},
+    FaceBlocks blocks(mesh);
+    plan = planFor(mesh, blocks, {pinchingPair(mesh), {static_cast<int>(farthest - distances.begin())}},
                    {outwardOnly, none}, reason);
   }
 };

@@ -145,9 +145,18 @@ TEST_CASE("a fold is smoothed and the topology stays") {
       REQUIRE(mesh.position(w) == clean.position(w));  // smoothing is local
 }
 
+TEST_CASE("surfaces that meet over a wide area are joined along its rim") {
+  Mesh mesh(zoo::both(zoo::sphere(24), zoo::moved(zoo::sphere(24), Vec3(1, 0.02, 0.01))));
+  const AdaptationResult result = adaptFully(mesh);
+  expectAdapted(mesh, 1, 0);
+  const Event* event = findEvent(result, EventKind::handleInserted);
+  REQUIRE(event);
+  CHECK(*std::min_element(event->loopSizes.begin(), event->loopSizes.end()) > 60);
+}
+
 TEST_CASE("a place where nothing fits is reported and the surface stays where it is") {
   // Two spheres deep in each other: their polygons are too long.
-  Mesh mesh(zoo::both(zoo::sphere(24), zoo::moved(zoo::sphere(24), Vec3(1, 0.02, 0.01))));
+  Mesh mesh(zoo::both(zoo::sphere(90), zoo::moved(zoo::sphere(90), Vec3(1, 0.02, 0.01))));
   const Mesh before = mesh;
   std::vector<unsigned char> touched;
   const AdaptationResult result = adaptOnce(mesh, intersections(mesh), {}, touched);

@@ -1,0 +1,41 @@
+#pragma once
+// The faces of a mesh near a place, while the mesh changes: so that a change costs what lies about it.
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "core/mesh/mesh.h"
+
+namespace handlebody {
+
+//! Boxes around every kBlock faces, in the order of their slots. Faces that follow each other lie close to
+//! each other wherever the mesh is kept in order (morton_order.h), so that a box says much; it holds its
+//! faces in any case. Made in one look at every face.
+class FaceBlocks {
+ public:
+  explicit FaceBlocks(const Mesh& mesh);
+  //! To be called when the face is new or has moved. Faces that are removed need no call.
+  void include(const Mesh& mesh, int face);
+  //! The same for all faces around these vertices.
+  void includeAround(const Mesh& mesh, std::span<const int> vertices);
+
+  //! Calls f(face) for all faces whose boxes meet the box, ascending, and for some others.
+  template <typename F>
+  void forEachNear(const Mesh& mesh, const Eigen::AlignedBox3d& box, F&& f) const {
+    const int slots = mesh.faceSlots();
+    for (std::size_t b = 0; b < boxes_.size(); ++b) {
+      if (!boxes_[b].intersects(box)) continue;
+      const int first = static_cast<int>(b) * kBlock;
+      for (int face = first; face < std::min(first + kBlock, slots); ++face)
+        if (mesh.isFace(face)) f(face);
+    }
+  }
+
+ private:
+  static constexpr int kBlock = 32;
+  std::vector<Eigen::AlignedBox3d> boxes_;
+};
+
+}  // namespace handlebody
