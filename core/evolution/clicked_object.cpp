@@ -18,6 +18,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // A boundary and a region are of one object if they share this part of what either holds.
 constexpr double kSameObject = 0.75;
+constexpr double kNextTo = 1.5;  // cells: a boundary that is that near to the region's surface is its own
 constexpr std::size_t kMostVoxels = 20'000'000;  // of a boundary that is compared
 // An edge of half a step of so many standard deviations of the noise is trusted for a whole cell.
 constexpr double kTrusted = 2;
@@ -92,6 +93,21 @@ Boundary strongestBoundary(const Volume& volume, const std::vector<Seed>& seeds,
   }
 }
 
+//! The boundary next to a region, between two intensities, if there is one.
+std::optional<ObjectChoice> boundaryNextTo(const ObjectModel& model, const Volume& volume,
+                                           const std::vector<Seed>& seeds, const Parameters& p) {
+  const RegionLevels levels = levelsOn(model.work, model.region, volume.grid);
+  if (!(levels.halfStep > 0)) return {};
+  ObjectKind kind = levels.kind;
+  if (std::isfinite(model.low) != std::isfinite(model.high))
+    kind = std::isfinite(model.high) ? ObjectKind::dark : ObjectKind::bright;
+  const auto& factor = model.work.cells().factor;
+  const double perCell = static_cast<double>(factor[0]) * factor[1] * factor[2];
+  return objectNextTo({kind, kind == ObjectKind::dark ? *levels.high : *levels.low,
+                       static_cast<double>(model.region.count()) * perCell, model.neckRadius > 0},
+                      volume, seeds, p);
+}
+
 //! A seed with a radius, or the kind of object, says more than a click: what is meant is the strongest
 //! boundary of that kind around the seed, as far as it is there. Further clicks correct the likeliest region
 //! instead.
@@ -130,9 +146,29 @@ bool isSameObject(const Volume& volume, const ObjectChoice& choice, const std::v
   return both >= kSameObject * any;
 }
 
-void takeBoundary(ClickedObject& out, const ObjectChoice& choice) {
-  out.image = std::make_shared<ObjectImage>(choice.volume, choice.range, choice.contrast, choice.levels,
-                                            choice.neck, choice.view);
+//! A boundary next to the region, no further from the region's own surface than it may have moved: it could
+//! leak where it has a gap of less than a voxel.
+std::shared_ptr<const ObjectImage> imageOf(const ObjectChoice& choice, const ObjectModel& model) {
+  const Grid& grid = choice.volume->grid();
+  const double cell = model.work.cells().grid.meanSpacing();
+  RegionLimits region{std::make_shared<RegionField>(model.work, model.region),
+                      grid,
+                      choice.levels,
+                      choice.levels,
+                      std::make_shared<LevelField>(grid, choice.object == ObjectKind::dark ? 1 : -1),
+                      kNextTo * cell,
+                      cell,
+                      true};
+  return std::make_shared<ObjectImage>(choice.volume, std::move(region), choice.contrast, choice.view);
+}
+
+std::shared_ptr<const ObjectImage> imageOf(const ObjectChoice& choice) {
+  return std::make_shared<ObjectImage>(choice.volume, choice.range, choice.contrast, choice.levels,
+                                       choice.neck, choice.view);
+}
+
+void takeBoundary(ClickedObject& out, const ObjectChoice& choice, std::shared_ptr<const ObjectImage> image) {
+  out.image = std::move(image);
   out.kind = choice.object;
   out.range = choice.range;
 }
@@ -156,7 +192,8 @@ ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& c
       throw UsageError(
           "Clicks outside of the object and a given range do not go together: the range alone says "
           "where the object ends.");
-    takeBoundary(out, chooseObject(volume, seeds, p));
+    const ObjectChoice choice = chooseObject(volume, seeds, p);
+    takeBoundary(out, choice, imageOf(choice));
     out.smoothing = out.image->volume().sigma();
     return out;
   }
@@ -166,7 +203,10 @@ ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& c
   const std::optional<ObjectModel> model = findObject(volume, queryOf(clicks, p), view.get());
   const bool isMeant = !model || isMeantByBoundary(clicks, p);
   Boundary boundary;
-  if (isMeant || isItselfABoundary(*model)) boundary = strongestBoundary(volume, seeds, p);
+  if (isMeant)
+    boundary = strongestBoundary(volume, seeds, p);
+  else if (isItselfABoundary(*model))
+    boundary.choice = boundaryNextTo(*model, volume, seeds, p);
   if (!model && !boundary.choice) throw SeedError(boundary.why);
   if (model) {
     out.candidates = model->candidates;
@@ -177,7 +217,8 @@ ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& c
                       isSameObject(volume, *boundary.choice, clicks, *model);
   if (boundary.choice && (isMeant || isSame)) {
     out.isCloseChoice = out.isCloseChoice && isSame;  // else it was not the candidates that were chosen from
-    takeBoundary(out, *boundary.choice);
+    takeBoundary(out, *boundary.choice,
+                 isMeant ? imageOf(*boundary.choice) : imageOf(*boundary.choice, *model));
   } else {
     out.image = imageOf(volume, *model, p, std::move(view));
     out.kind = model->rise > 0 ? ObjectKind::dark : ObjectKind::bright;

@@ -47,7 +47,7 @@ enum class Edges { lowerDecide, higherDecide };
 //! What a search came to.
 struct Found {
   ObjectBoundary boundary;
-  bool settled;  // else the boundary is that of the one level it began with
+  bool settled;  // else the boundary is that of the levels it began with
 };
 
 class BoundarySearch {
@@ -59,7 +59,8 @@ class BoundarySearch {
       : s_(s), edges_(edges), read_(read), expected_(s.expectedVoxels) {}
 
   Found run() {
-    LevelField trial(s_.volume.grid(), s_.level);
+    LevelField trial = s_.levels;
+    const double contrast = std::abs(trial.at(s_.seeds[0]) - s_.object);
     std::optional<ObjectBoundary> best, first;
     double part = 1, lastChange = 0;
     for (int pass = 0; pass < kMostPasses; ++pass) {
@@ -73,7 +74,7 @@ class BoundarySearch {
       expected_ = c.voxels;
       LevelField next = levelsAt(c, trial, read_);
       const double change = meanChange(c.region, next, trial);
-      const bool rests = change <= kStays * std::abs(s_.level - s_.object);
+      const bool rests = change <= kStays * contrast;
       if (pass >= 2 && change > kContracts * lastChange) return {*std::move(first), false};
       lastChange = change;
       // A neck belongs to the levels at which it was found.
@@ -102,7 +103,7 @@ class BoundarySearch {
     c.voxels = static_cast<double>(c.region.voxels.size());
     const bool looksLikeLeak = c.voxels > kLooksLikeLeak * expected_;
     const bool isNew = c.voxels > kIsNew * looked_;
-    if (!looksLikeLeak && !wasHeld && !isNew) return c;
+    if (s_.isWhole || (!looksLikeLeak && !wasHeld && !isNew)) return c;
     looked_ = std::max(looked_, c.voxels);
     c.neck = findNeck(s_.volume.grid(), c.region, s_.seeds, looksLikeLeak ? Passages::both : Passages::holes);
     if (c.neck) c.voxels = c.neck->keptVolume / s_.volume.grid().voxelVolume();
@@ -182,14 +183,15 @@ ObjectBoundary findBoundary(const ObjectSearch& search) {
 }
 
 std::optional<ObjectBoundary> findBoundaryAtNeck(const ObjectSearch& s) {
+  const LevelField object(s.volume.grid(), s.object);
   for (double part : kNeckLevels) {
-    const LevelField level(s.volume.grid(), s.object + part * (s.level - s.object));
+    LevelField level = LevelField::between(object, s.levels, part);
     const ObjectRegion region =
         floodObject(s.volume, s.seeds, s.sign, level, static_cast<std::size_t>(kLeastVoxels));
     std::optional<NeckCut> neck = findNeck(s.volume.grid(), region, s.seeds);
     if (!neck) continue;
     neck->kept = {};
-    return ObjectBoundary{level, std::move(neck)};
+    return ObjectBoundary{std::move(level), std::move(neck)};
   }
   return {};
 }

@@ -21,8 +21,9 @@ struct ObjectSearch {
   std::vector<Vec3> seeds;  //!< continuous indices
   double sign;              //!< +1 for a dark object, -1 for a bright one
   double object;            //!< level of the object at the seeds, intensity units
-  double level;             //!< of its boundary as far as one number can say
-  double expectedVoxels;    //!< of the region within `level`
+  LevelField levels;        //!< of its boundary, to begin with
+  double expectedVoxels;    //!< of the region within them
+  bool isWhole = false;     //!< that region is the object: it is not to be cut at necks
 };
 
 //! Goes back and forth between the region that the levels enclose around the seeds and the levels that the
@@ -42,7 +43,7 @@ struct ObjectSearch {
 //! for whatever the size of what lies behind it: two chambers of one size may share a wall with a hole. If
 //! the levels come to no rest either way, only lines along the normals of the edges are asked, for half-way
 //! levels creep up on small objects that lines cross at a slant; if not even then (surroundings that change
-//! along the boundary, not a gain), the first level stays for all places.
+//! along the boundary, not a gain), the first levels stay.
 ObjectBoundary findBoundary(const ObjectSearch& search);
 
 //! For a region that is out of all proportion to the place of the seeds: it has leaked, though no level shows

@@ -21,6 +21,14 @@ ObjectImage::Reading ObjectImage::read(const Vec3& world) const {
   return reading;
 }
 
+bool ObjectImage::holds(const std::array<int, 3>& voxel) const {
+  const Vec3 index(voxel[0], voxel[1], voxel[2]);
+  Limits limits{range_.low, range_.high, scale_, 1};
+  if (region_.field || levels_) limits = limitsWithin(index, volume_->grid().toWorld(index), true);
+  if (neck_) limits.most = std::min(limits.most, neck_->barrier->openness(index));
+  return limits.inside(static_cast<double>(volume_->at(voxel[0], voxel[1], voxel[2]))) > 0;
+}
+
 ObjectImage::Limits ObjectImage::limitsWithin(const Vec3& index, const Vec3& world, bool held) const {
   const Grid& grid = volume_->grid();
   Limits limits{range_.low, range_.high, scale_, 1};
@@ -34,7 +42,7 @@ ObjectImage::Limits ObjectImage::limitsWithin(const Vec3& index, const Vec3& wor
     (side > 0 ? limits.high : limits.low) = (side > 0 ? region_.high : region_.low)->at(place);
     if (held) {
       const double deep = region_.field->at(world), slack = std::abs(side) * region_.slack;
-      limits.least = (deep - slack) / region_.cell;
+      if (!region_.mayHaveHoles) limits.least = (deep - slack) / region_.cell;
       limits.most = std::min(limits.most, (deep + slack) / region_.cell);
     }
   }

@@ -23,6 +23,7 @@ struct RegionLimits {
   std::shared_ptr<const LevelField> side{};  //!< +1 where the edges rise, -1 where they fall, mixed between
   double slack = 0;                          //!< mm
   double cell = 1;                           //!< mm
+  bool mayHaveHoles = false;  //!< inwards the levels alone decide, also far from the region's surface
 };
 
 //! Smoothed volume and intensity range of the object. With `levels` the range's finite end is theirs, place
@@ -61,6 +62,9 @@ class ObjectImage {
     const Reading r = read(world);
     return r.limits.inside(r.intensity);
   }
+  //! inside() > 0 at the centre of a voxel of the grid; walls do not count. Quick where only the intensity
+  //! decides.
+  bool holds(const std::array<int, 3>& voxel) const;
   //! Smoothed; outside the volume that of its border. World mm.
   double intensity(const Vec3& world) const { return volume_->sample(volume_->grid().toIndex(world)); }
   //! What makes an intensity one of the object at a place.

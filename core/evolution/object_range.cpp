@@ -20,6 +20,7 @@ namespace handlebody {
 
 namespace {
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Standard deviations of the Gaussian that are tried, in voxels (mean spacing).
 constexpr std::array<double, 7> kSigmas{0.5, 0.7, 1.0, 1.3, 1.6, 2.0, 2.5};
 constexpr double kFirstSigma = 1.0;
@@ -49,6 +50,10 @@ constexpr double kBackground = 0.5;
 
 // And one of whose surface more than this part lies against the padding around the image.
 constexpr double kFillsView = 2.0 / 3;
+// Levels that hold so many times the region on which they were found let it leak.
+constexpr double kLeaks = 1.5;
+// Parts of the way from the object's level to the half-way levels that are tried as levels to begin with.
+constexpr double kParts[] = {1, 0.8, 0.64, 0.51, 0.41, 0.33, 0.26, 0.21, 0.17, 0.13, 0.11};
 constexpr std::size_t kViewVoxels = 3'000'000;  // enough of it to tell
 
 using FieldOfViewPointer = std::shared_ptr<const FieldOfView>;
@@ -70,6 +75,8 @@ struct Statistics {
   double lowest, highest;  // of the whole volume, outliers left out
 };
 
+double signOf(ObjectKind kind) { return kind == ObjectKind::dark ? 1 : -1; }
+
 std::vector<Vec3> indicesOf(const Grid& grid, const std::vector<Seed>& seeds) {
   std::vector<Vec3> indices;
   for (const Seed& s : seeds) indices.push_back(grid.toIndex(s.centre));
@@ -78,7 +85,7 @@ std::vector<Vec3> indicesOf(const Grid& grid, const std::vector<Seed>& seeds) {
 
 std::optional<GrowthLevel> searchLevel(const SmoothedVolume& volume, const std::vector<Seed>& seeds,
                                        const Statistics& s, ObjectKind kind) {
-  const double sign = kind == ObjectKind::dark ? 1 : -1;
+  const double sign = signOf(kind);
   const double from = sign * s.level, to = sign > 0 ? s.highest : -s.lowest;
   if (!(to > from)) return {};
   return strongestLevel(growRegion(volume, indicesOf(volume.grid(), seeds), sign, from, to));
@@ -110,18 +117,29 @@ void requireVoxelsInRange(const Volume& volume, const IntensityRange& range) {
                      std::to_string(high) + ".");
 }
 
+//! By the median of the nearest voxels: one of them may be noise.
+double intensityAt(const SmoothedVolume& volume, const Seed& seed) {
+  return quantile(valuesNear(volume, {seed}, 1.5 * volume.grid().meanSpacing()), 0.5);
+}
+
+//! The first seed that does not lie in the object's range; null if all do.
+const Seed* seedOutOfRange(const ObjectChoice& choice, const std::vector<Seed>& seeds) {
+  const auto isOut = [&](const Seed& s) {
+    const double value = intensityAt(*choice.volume, s);
+    return value < choice.range.low || value > choice.range.high;
+  };
+  const auto found = std::find_if(seeds.begin(), seeds.end(), isOut);
+  return found == seeds.end() ? nullptr : &*found;
+}
+
 void requireSeedsInRange(const ObjectChoice& choice, const std::vector<Seed>& seeds) {
-  for (const Seed& s : seeds) {
-    // The median of the nearest voxels: one of them may be noise.
-    const double value =
-        quantile(valuesNear(*choice.volume, {s}, 1.5 * choice.volume->grid().meanSpacing()), 0.5);
-    if (value < choice.range.low || value > choice.range.high)
-      throw SeedError("The seed at (" + std::to_string(s.centre[0]) + ", " + std::to_string(s.centre[1]) +
-                      ", " + std::to_string(s.centre[2]) +
-                      ") mm is not in the object: the smoothed intensity there is " + std::to_string(value) +
-                      ", the object's range is " + std::to_string(choice.range.low) + " to " +
-                      std::to_string(choice.range.high) + ".");
-  }
+  const Seed* s = seedOutOfRange(choice, seeds);
+  if (!s) return;
+  throw SeedError("The seed at (" + std::to_string(s->centre[0]) + ", " + std::to_string(s->centre[1]) +
+                  ", " + std::to_string(s->centre[2]) +
+                  ") mm is not in the object: the smoothed intensity there is " +
+                  std::to_string(intensityAt(*choice.volume, *s)) + ", the object's range is " +
+                  std::to_string(choice.range.low) + " to " + std::to_string(choice.range.high) + ".");
 }
 
 //! Radius (mm) of the balls around the seeds in which the noise is measured: as far as the object goes.
@@ -187,13 +205,23 @@ double seedBallVoxels(const ObjectChoice& choice, const std::vector<Seed>& seeds
   return 4.0 / 3 * std::numbers::pi * std::pow(largest / voxel, 3);
 }
 
+//! The finite end of the range.
+double& endOf(ObjectChoice& choice) {
+  return choice.object == ObjectKind::dark ? choice.range.high : choice.range.low;
+}
+
+//! The range says what is used: without a gain, given as --range, it leads to the same surface.
+void takeBoundary(ObjectChoice& choice, ObjectBoundary boundary, const Vec3& seed) {
+  endOf(choice) = boundary.levels.at(seed);
+  choice.levels = std::make_shared<LevelField>(std::move(boundary.levels));
+  if (boundary.neck) choice.neck = std::make_shared<NeckCut>(*std::move(boundary.neck));
+}
+
 //! The boundary place by place. `found`: what the growth said about the level in the range.
 void setBoundary(ObjectChoice& choice, const std::vector<Seed>& seeds, const GrowthLevel& found) {
-  const bool dark = choice.object == ObjectKind::dark;
-  double& end = dark ? choice.range.high : choice.range.low;
-  const ObjectSearch search{
-      *choice.volume, indicesOf(choice.volume->grid(), seeds), dark ? 1.0 : -1.0, choice.level, end,
-      found.voxels};
+  const Grid& grid = choice.volume->grid();
+  const ObjectSearch search{*choice.volume, indicesOf(grid, seeds),          signOf(choice.object),
+                            choice.level,   LevelField(grid, endOf(choice)), found.voxels};
   std::optional<ObjectBoundary> boundary;
   if (found.border > kOnBorder && found.voxels > kOutOfProportion * seedBallVoxels(choice, seeds))
     boundary = findBoundaryAtNeck(search);
@@ -202,10 +230,42 @@ void setBoundary(ObjectChoice& choice, const std::vector<Seed>& seeds, const Gro
   } else {
     boundary = findBoundary(search);
   }
-  // The range says what is used: without a gain, given as --range, it leads to the same surface.
-  end = boundary->levels.at(search.seeds[0]);
-  choice.levels = std::make_shared<LevelField>(std::move(boundary->levels));
-  if (boundary->neck) choice.neck = std::make_shared<NeckCut>(*std::move(boundary->neck));
+  takeBoundary(choice, *std::move(boundary), search.seeds[0]);
+}
+
+//! True if levels hold the seeds and hardly more than the start.
+bool isTight(const LevelField& levels, const ObjectChoice& choice, const std::vector<Vec3>& seeds,
+             const BoundaryStart& start) {
+  const double sign = signOf(choice.object);
+  const auto isInside = [&](const Vec3& s) { return sign * choice.volume->sample(s) < sign * levels.at(s); };
+  if (!std::all_of(seeds.begin(), seeds.end(), isInside)) return false;
+  const auto most = static_cast<std::size_t>(kLeaks * start.voxels);
+  const ObjectRegion held = floodObject(*choice.volume, seeds, sign, levels, most);
+  return held.whole && static_cast<double>(held.voxels.size()) * kLeaks >= start.voxels;
+}
+
+//! The outermost tight levels between the object's and the half-way ones. What has been opened leaks by its
+//! shape, whatever the level. None if there are none.
+std::optional<LevelField> tightLevels(const ObjectChoice& choice, const std::vector<Vec3>& seeds,
+                                      const BoundaryStart& start) {
+  const LevelField object(choice.volume->grid(), choice.level);
+  for (const double part : kParts) {
+    if (part < 1 && start.isOpened) break;
+    LevelField levels = LevelField::between(object, start.levels, part);
+    if (isTight(levels, choice, seeds, start)) return levels;
+  }
+  return {};
+}
+
+//! The same, and the range that follows.
+std::optional<LevelField> takeTightLevels(ObjectChoice& choice, const std::vector<Vec3>& seeds,
+                                          const BoundaryStart& start) {
+  std::optional<LevelField> levels = tightLevels(choice, seeds, start);
+  if (!levels) return {};
+  choice.range = {-kInfinity, kInfinity};
+  endOf(choice) = levels->at(seeds[0]);
+  choice.contrast = std::abs(endOf(choice) - choice.level);
+  return levels;
 }
 
 //! With a given range the contrast is the distance from the level in the seeds to the nearer end.
@@ -256,7 +316,6 @@ std::optional<GrowthLevel> chooseLevel(ObjectChoice& choice, const Volume& volum
   const auto& other = takeDark ? bright : dark;
   if (!best || (other && other->strength > kWrongKind * best->strength)) return {};
   if (asked == ObjectKind::automatic && best->border > kBackground) return {};
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   choice.object = takeDark ? ObjectKind::dark : ObjectKind::bright;
   choice.range = takeDark ? IntensityRange{-kInfinity, best->level} : IntensityRange{-best->level, kInfinity};
   choice.level = whole.level;
@@ -265,14 +324,16 @@ std::optional<GrowthLevel> chooseLevel(ObjectChoice& choice, const Volume& volum
 }
 
 //! Padding is no border of the volume: an object that fills the field of view shows only here.
-void requireNotAllOfView(const ObjectChoice& choice, const std::vector<Seed>& seeds) {
-  if (!choice.view || choice.neck) return;
-  const Grid& grid = choice.volume->grid();
-  const double sign = choice.object == ObjectKind::dark ? 1 : -1;
+bool fillsView(const ObjectChoice& choice, const std::vector<Vec3>& seeds) {
+  if (!choice.view || choice.neck) return false;
   const ObjectRegion r =
-      floodObject(*choice.volume, indicesOf(grid, seeds), sign, *choice.levels, kViewVoxels);
+      floodObject(*choice.volume, seeds, signOf(choice.object), *choice.levels, kViewVoxels);
   const auto padding = static_cast<double>(r.againstPadding);
-  if (padding <= kFillsView * static_cast<double>(r.faces.size() + r.againstPadding + r.atBorder)) return;
+  return padding > kFillsView * static_cast<double>(r.faces.size() + r.againstPadding + r.atBorder);
+}
+
+void requireNotAllOfView(const ObjectChoice& choice, const std::vector<Seed>& seeds) {
+  if (!fillsView(choice, indicesOf(choice.volume->grid(), seeds))) return;
   throw SeedError(
       "The seed is not in an object with a boundary of its own: what grows from it fills the field of view, "
       "up to the padding around the image. Where that is meant, say whether it is dark or bright, or give "
@@ -293,6 +354,27 @@ void requireSeedsInside(const Grid& grid, const std::vector<Seed>& seeds) {
                       std::to_string(i[0]) + ", " + std::to_string(i[1]) + ", " + std::to_string(i[2]) +
                       ").");
   }
+}
+
+std::optional<ObjectChoice> objectNextTo(const BoundaryStart& start, const Volume& volume,
+                                         const std::vector<Seed>& seeds, const Parameters& p) {
+  ObjectChoice choice;
+  const double first = kFirstSigma * volume.grid.meanSpacing();
+  choice.volume = std::make_shared<SmoothedVolume>(volume, p.smoothing.value_or(first));
+  choice.object = start.object;
+  choice.level = quantile(valuesNear(*choice.volume, seeds, statisticsRadius(volume.grid, seeds)), 0.5);
+  const std::vector<Vec3> indices = indicesOf(volume.grid, seeds);
+  if (!takeTightLevels(choice, indices, start)) return {};
+  setImage(choice, volume, p.smoothing ? *p.smoothing : chooseSmoothing(volume, seeds, choice),
+           paddingBeside(volume, seeds));
+  std::optional<LevelField> levels = takeTightLevels(choice, indices, start);
+  if (!levels || seedOutOfRange(choice, seeds)) return {};
+  takeBoundary(choice,
+               findBoundary({*choice.volume, indices, signOf(choice.object), choice.level, *std::move(levels),
+                             start.voxels, true}),
+               indices[0]);
+  if (p.object == ObjectKind::automatic && fillsView(choice, indices)) return {};
+  return choice;
 }
 
 ObjectChoice chooseObject(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& p) {

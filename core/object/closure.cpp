@@ -23,46 +23,63 @@ Closure::Closure(std::size_t nodes, const std::vector<std::array<std::size_t, 2>
   }
 }
 
+// From the sink backwards: so no path that is followed leads where it cannot go on.
 bool Closure::setLevels() {
   std::fill(level_.begin(), level_.end(), -1);
   queue_.clear();
-  last_ = -1;
   for (std::uint32_t i = 0; i < level_.size(); ++i)
-    if (source_[i] > 0) {
+    if (sink_[i] > 0) {
       level_[i] = 0;
       queue_.push_back(i);
     }
+  bool reachesSource = false;
   for (std::size_t k = 0; k < queue_.size(); ++k) {
     const std::uint32_t i = queue_[k];
-    if (last_ >= 0 && level_[i] > last_) break;
-    if (sink_[i] > 0) last_ = level_[i];
+    reachesSource = reachesSource || source_[i] > 0;
     for (std::uint32_t a = first_[i]; a < first_[i + 1]; ++a) {
       const Arc& arc = arcs_[a];
-      if ((!arc.isFree && arc.left <= 0) || level_[arc.to] >= 0) continue;
+      if (level_[arc.to] >= 0 || (arc.isFree && arcs_[arc.opposite].left <= 0)) continue;
       level_[arc.to] = level_[i] + 1;
       queue_.push_back(arc.to);
     }
   }
-  return last_ >= 0;
+  return reachesSource;
 }
 
 // Depth first; no path is longer than there are levels.
 Closure::Flow Closure::push(std::uint32_t node, Flow most) {
   Flow pushed = 0;
-  if (level_[node] == last_) {
+  if (level_[node] == 0) {
     pushed = std::min(most, sink_[node]);
     sink_[node] -= pushed;
     return pushed;
   }
   for (std::uint32_t& a = next_[node]; a < first_[node + 1]; ++a) {
     Arc& arc = arcs_[a];
-    if (level_[arc.to] != level_[node] + 1 || (!arc.isFree && arc.left <= 0)) continue;
+    if (level_[arc.to] != level_[node] - 1 || (!arc.isFree && arc.left <= 0)) continue;
     const Flow got = push(arc.to, arc.isFree ? most - pushed : std::min(most - pushed, arc.left));
     (arc.isFree ? arcs_[arc.opposite].left : arc.left) += arc.isFree ? got : -got;
     pushed += got;
     if (pushed == most) break;
   }
   return pushed;
+}
+
+// What is still reached from sources with something left: the smallest of the cheapest sets.
+std::vector<std::uint8_t> Closure::reachedFromSources() {
+  std::vector<std::uint8_t> in(source_.size(), 0);
+  queue_.clear();
+  const auto reach = [&](std::uint32_t i) {
+    if (in[i]) return;
+    in[i] = 1;
+    queue_.push_back(i);
+  };
+  for (std::uint32_t i = 0; i < source_.size(); ++i)
+    if (source_[i] > 0) reach(i);
+  for (std::size_t k = 0; k < queue_.size(); ++k)
+    for (std::uint32_t a = first_[queue_[k]]; a < first_[queue_[k] + 1]; ++a)
+      if (arcs_[a].isFree || arcs_[a].left > 0) reach(arcs_[a].to);
+  return in;
 }
 
 std::vector<std::uint8_t> Closure::cheapest(const std::vector<double>& costs) {
@@ -77,11 +94,9 @@ std::vector<std::uint8_t> Closure::cheapest(const std::vector<double>& costs) {
     giveUpIfCancelled();
     std::copy(first_.begin(), first_.end() - 1, next_.begin());
     for (std::uint32_t i = 0; i < source_.size(); ++i)
-      if (source_[i] > 0) source_[i] -= push(i, source_[i]);
+      if (source_[i] > 0 && level_[i] >= 0) source_[i] -= push(i, source_[i]);
   }
-  std::vector<std::uint8_t> in(costs.size());
-  std::transform(level_.begin(), level_.end(), in.begin(), [](std::int32_t l) { return l >= 0; });
-  return in;
+  return reachedFromSources();
 }
 
 }  // namespace handlebody

@@ -27,12 +27,12 @@ class Closure {
   };
   bool setLevels();
   Flow push(std::uint32_t node, Flow most);
+  std::vector<std::uint8_t> reachedFromSources();
 
   std::vector<std::uint32_t> first_;  // arc of each node, and one more
   std::vector<Arc> arcs_;
   std::vector<Flow> source_, sink_;  // capacities left between each node and the ends
-  std::vector<std::int32_t> level_;
-  std::int32_t last_ = 0;  // level of the nodes before the sink
+  std::vector<std::int32_t> level_;  // steps to the nodes before the sink; -1 = no way
   std::vector<std::uint32_t> next_, queue_;
 };
 

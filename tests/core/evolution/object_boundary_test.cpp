@@ -36,7 +36,8 @@ double halfWay(double x, double lowest) { return gain(x, lowest) * (kObject + kB
 
 ObjectBoundary boundaryOf(const SmoothedVolume& volume, double sign) {
   const double voxels = 81 * 3.14159 * kRadius * kRadius;
-  return findBoundary({volume, {kCentre}, sign, sign * kObject, sign * (kObject + kBackground) / 2, voxels});
+  const LevelField halfWay(volume.grid(), sign * (kObject + kBackground) / 2);
+  return findBoundary({volume, {kCentre}, sign, sign * kObject, halfWay, voxels});
 }
 
 void expectHalfWay(const ObjectBoundary& boundary, double lowest, double sign, double part) {
@@ -64,7 +65,7 @@ Volume joinedBalls(double bar) {
 }
 
 ObjectSearch searchFromSmall(const SmoothedVolume& volume) {
-  return {volume, {kSmall}, 1, kObject, 80, 4.18879 * std::pow(kSmallRadius, 3)};
+  return {volume, {kSmall}, 1, kObject, LevelField(volume.grid(), 80), 4.18879 * std::pow(kSmallRadius, 3)};
 }
 
 }  // namespace
@@ -97,7 +98,8 @@ TEST_CASE("the levels of a small smoothed ball enclose its volume") {
   const auto ball = [](const Vec3& p) { return (p - Vec3::Constant(16)).norm() - kBall; };
   const SmoothedVolume volume(testing::volumeByDistance(cubicGrid(33), kObject, kBackground, ball), 1);
   const double truth = 4.18879 * std::pow(kBall, 3);
-  const ObjectBoundary boundary = findBoundary({volume, {Vec3::Constant(16)}, 1, kObject, 80, truth});
+  const ObjectBoundary boundary =
+      findBoundary({volume, {Vec3::Constant(16)}, 1, kObject, LevelField(volume.grid(), 80), truth});
   // The radius at which the smoothed image has that level, along an axis and along a diagonal.
   const double level = boundary.levels.at(Vec3::Constant(16));
   for (const Vec3& direction : {Vec3(1, 0, 0), Vec3(1, 1, 1), Vec3(1, 1, 0)}) {
@@ -137,7 +139,8 @@ TEST_CASE("a hole in a wall holds the region, though the first level shows too l
   const SmoothedVolume volume(testing::volumeByDistance(g, kObject, kBackground, chambers), 0.5);
   for (const double level : {kObject + 2, 80.0}) {
     CAPTURE(level);
-    const ObjectBoundary boundary = findBoundary({volume, {Vec3(20, 23, 23)}, 1, kObject, level, 60'000});
+    const ObjectBoundary boundary =
+        findBoundary({volume, {Vec3(20, 23, 23)}, 1, kObject, LevelField(volume.grid(), level), 60'000});
     REQUIRE(boundary.neck);
     CHECK(boundary.neck->hole);
     CHECK(boundary.neck->barrier->openness(Vec3(20, 23, 23)) == 1);
