@@ -144,7 +144,7 @@ class Batch {
   }
 
   void settle(std::size_t i, const CaseEnd& end) {
-    if (end.exitCode == kDone || end.exitCode == kMaxIterations)
+    if (end.exitCode == kDone || end.exitCode == kMaxIterations || end.exitCode == kLeak)
       finish(i, end);
     else
       fail(i, failureSentence(end, cases_[i].limits, folder_.logOfWork(cases_[i])));

@@ -21,6 +21,7 @@ enum ExitCode : int {
   kInput = 3,
   kSeed = 4,
   kMaxIterations = 5,
+  kLeak = 6,       //!< stopped at a leak (--on-leak)
   kIncomplete = 7  //!< `batch`: some cases have no result; `edit`: some tunnels are still open
 };
 

@@ -97,6 +97,15 @@ WallBall parseWall(const std::string& option, const std::string& text) {
   return {{v[0], v[1], v[2]}, v[3]};
 }
 
+WallDisc parseWallDisc(const std::string& option, const std::string& text) {
+  const auto v = parseNumbers(option, text);
+  if (v.size() != 7 || !allFinite(v)) refuse(option, text, "X,Y,Z,NX,NY,NZ,R in finite numbers");
+  const WallDisc disc{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, v[6]};
+  if (!(disc.normal.norm() > 0)) refuse(option, text, "a disc with a normal of some length");
+  if (!(disc.radius > 0)) refuse(option, text, "a disc with a radius above 0");
+  return disc;
+}
+
 Veto parseVeto(const std::string& option, const std::string& text) {
   const auto colon = text.find(':');
   if (colon == std::string::npos) refuse(option, text, "ITERATION:X,Y,Z");

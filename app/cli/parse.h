@@ -23,6 +23,8 @@ std::vector<int> parseIntegers(const std::string& option, const std::string& tex
 IntensityRange parseRange(const std::string& option, const std::string& text);
 //! X,Y,Z,R in mm; R > 0.
 WallBall parseWall(const std::string& option, const std::string& text);
+//! X,Y,Z,NX,NY,NZ,R in mm; a normal of some length, R > 0.
+WallDisc parseWallDisc(const std::string& option, const std::string& text);
 //! ITERATION:X,Y,Z, the iteration at least 1.
 Veto parseVeto(const std::string& option, const std::string& text);
 //! X,Y,Z[,R] in any one unit; R > 0.

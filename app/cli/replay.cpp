@@ -38,8 +38,20 @@ std::vector<ObjectLabel> labelsOf(const std::string& path, const std::vector<Ses
   return labels;
 }
 
+//! What the window keeps of an object that nobody has clicked into yet.
+void leaveOutUnseeded(std::vector<Session>& sessions) {
+  for (const Session& session : sessions)
+    if (!isSeeded(session))
+      std::cerr << "handlebody-cli: warning: object '" << session.label.name
+                << "' has no seed and is left out." << std::endl;
+  const std::string view = sessions[0].view;
+  std::erase_if(sessions, [](const Session& session) { return !isSeeded(session); });
+  sessions[0].view = view;
+}
+
 int replay(ReplayOptions o) {
   std::vector<Session> sessions = readSessions(o.path, o.volume, o.walls);
+  leaveOutUnseeded(sessions);
   std::vector<std::string> inputs{o.path};
   const std::string version = sessions[0].version;
   for (Session& session : sessions) {

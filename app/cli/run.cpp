@@ -1,13 +1,12 @@
 #include "app/cli/run.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 
 #include "app/cli/command.h"
-#include "app/cli/progress.h"
 #include "core/errors.h"
 #include "core/evolution/active_contour.h"
 #include "core/io/atomic_file.h"
@@ -169,36 +168,12 @@ LoadedSession load(Session session) {
   return loaded;
 }
 
-namespace {
-
-// Traces are kept only when they will be written: they can be many times larger than the mesh.
-void evolve(ActiveContour& contour, RunReport& report, const RunOutputs& outputs) {
-  contour.recordTraces(!outputs.trace.empty());
-  Progress progress(outputs.quiet);
-  auto change = report.session.changes.begin();
-  const int last = report.session.stopAt.value_or(std::numeric_limits<int>::max());
-  while (contour.iteration() < last) {
-    if (change != report.session.changes.end() && change->iteration == contour.iteration()) {
-      contour.change(changed(contour.request(), *change));
-      if (change->seeds && contour.correction())
-        report.corrections.push_back({contour.iteration(), *contour.correction()});
-      ++change;
-    }
-    if (contour.stopReason() != StopReason::running) break;
-    StepReport step = contour.step();
-    progress.show(step);
-    std::move(step.events.begin(), step.events.end(), std::back_inserter(report.events));
-  }
-  if (const auto veto = contour.waitingVeto(); veto && contour.stopReason() != StopReason::running)
-    throw UsageError("The veto of iteration " + std::to_string(veto->iteration) +
-                     " has nothing to forbid: the growth ended at iteration " +
-                     std::to_string(contour.iteration()) + ".");
-  report.iterations = contour.iteration();
-  report.stopped = contour.stopReason();
-  report.held = contour.held();
+int exitCodeOf(const std::vector<RunReport>& reports) {
+  const auto any = [&](auto&& is) { return std::any_of(reports.begin(), reports.end(), is); };
+  if (any([](const RunReport& r) { return r.isStoppedAtLeak; })) return kLeak;
+  const bool isCut = any([](const RunReport& r) { return r.stopped == StopReason::maxIterations; });
+  return isCut ? kMaxIterations : kDone;
 }
-
-}  // namespace
 
 void printSummary(const RunReport& report, const std::string& name) {
   const Certificate& mesh = report.mesh;
@@ -206,8 +181,8 @@ void printSummary(const RunReport& report, const std::string& name) {
   for (int g : mesh.genus) genus += (genus.empty() ? "" : "+") + std::to_string(g);
   if (!name.empty()) std::printf("%s: ", name.c_str());
   std::printf("%s after %d iterations (%.2f s): components %d, genus %s, %d vertices, %.4g ml, %.4g cm2\n",
-              endName(report.stopped), report.iterations, report.seconds.total, mesh.components,
-              genus.c_str(), mesh.vertices, mesh.volume / 1000.0, mesh.area / 100.0);
+              endName(report), report.iterations, report.seconds.total, mesh.components, genus.c_str(),
+              mesh.vertices, mesh.volume / 1000.0, mesh.area / 100.0);
   for (const HeldPlace& held : report.held)
     std::printf("held by %s since iteration %d: %s at %.4g,%.4g,%.4g\n", held.isVetoed ? "a veto" : "a limit",
                 held.iteration, eventKindName(held.kind), held.place.x(), held.place.y(), held.place.z());
@@ -256,7 +231,7 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, const std::str
   report.isCloseChoice = contour.isCloseChoice();
   report.seconds.prepare = watch.lap();
 
-  evolve(contour, report, outputs);
+  contour = evolve(std::move(contour), report, {outputs.onLeak, !outputs.trace.empty(), outputs.quiet});
   report.seconds.evolve = watch.lap();
   if (report.stopped == StopReason::empty)
     throw SeedError("The surface vanished after " + std::to_string(report.iterations) +
@@ -270,6 +245,7 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, const std::str
   report.doubts = doubts(report, made.mesh);
   const SurfaceSupport support = contour.support();
   for (std::string& d : contour.doubts(support)) report.doubts.push_back(std::move(d));
+  for (std::string& d : leakDoubts(report)) report.doubts.push_back(std::move(d));
   report.unsupportedSurface = support.withoutEdge;
   const std::string behind = name.empty() ? name : name + ": ";
   for (const std::string& d : report.doubts)
@@ -294,7 +270,7 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
     writeSideFiles(report, outputs);
   }
   if (!outputs.quiet) printSummary(report);
-  return report.stopped == StopReason::maxIterations ? kMaxIterations : kDone;
+  return exitCodeOf({report});
 }
 
 }  // namespace handlebody::cli

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/evolve.h"
 #include "app/cli/object_options.h"
 #include "app/cli/outputs.h"
 #include "core/io/dicom_writer.h"
@@ -29,6 +30,7 @@ struct RunOutputs {
   std::string report, session, trace, picture, labelDescription;
   ObjectOptions object;
   DicomContent content;
+  OnLeak onLeak = OnLeak::goOn;
   bool quiet = false;
 };
 
@@ -85,6 +87,9 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, const std::str
 //! Writes every file of -o, and the description of the labels. Throws OutputError, UsageError.
 void writeObjects(const std::vector<ExportedObject>& objects, const RunReport& report,
                   const RunOutputs& outputs);
+//! Of what the reports tell; kLeak goes before kMaxIterations.
+int exitCodeOf(const std::vector<RunReport>& reports);
+
 //! One line on standard output, behind `name` if that is not empty.
 void printSummary(const RunReport& report, const std::string& name = {});
 

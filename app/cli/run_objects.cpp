@@ -143,12 +143,9 @@ int runObjects(LoadedSession first, std::vector<Session> others, const RunOutput
     seconds.total = seconds.load + seconds.prepare + seconds.evolve + seconds.exported + seconds.tunnels;
     writeSideFiles(reports, seconds, outputs);
   }
-  bool isCut = false;
-  for (const RunReport& report : reports) {
-    isCut = isCut || report.stopped == StopReason::maxIterations;
+  for (const RunReport& report : reports)
     if (!outputs.quiet) printSummary(report, report.session.label.name);
-  }
-  return isCut ? kMaxIterations : kDone;
+  return exitCodeOf(reports);
 }
 
 }  // namespace handlebody::cli

@@ -1,11 +1,9 @@
 #include "app/cli/segment.h"
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <functional>
 #include <limits>
 #include <memory>
-#include <set>
 
 #include "app/cli/clicks.h"
 #include "app/cli/command.h"
@@ -128,6 +126,10 @@ void addConstraints(CLI::App& command, Constraints& c) {
   addConstraint(command, "--wall", "X,Y,Z,R",
                 "A ball that the surface may not enter, LPS millimetres; may be given several times",
                 [&c](Text t) { c.walls.balls.push_back(parseWall("--wall", t)); });
+  addConstraint(command, "--wall-disc", "X,Y,Z,NX,NY,NZ,R",
+                "A flat disc, by its middle (LPS millimetres), normal and radius, that the surface may not "
+                "pass; may be given several times",
+                [&c](Text t) { c.walls.discs.push_back(parseWallDisc("--wall-disc", t)); });
   command
       .add_option_function<std::string>(
           "--walls",
@@ -173,6 +175,7 @@ void addRunOptions(CLI::App& command, SegmentOptions& options) {
   addInput(command, options.session.volume);
   addRunOutputs(command, options.outputs);
   addSpace(command, options.space);
+  addOnLeak(command, options.outputs.onLeak);
 }
 
 //! What each of several objects has of its own.
@@ -217,32 +220,19 @@ SegmentOptions parseOwn(const std::vector<std::string>& arguments, const Segment
   return options;
 }
 
-//! Told apart at a glance, next to each other in this order: Okabe and Ito's, for the colour-blind too.
-constexpr std::array<Colour, 7> kColours{{{230, 159, 0},
-                                          {86, 180, 233},
-                                          {0, 158, 115},
-                                          {240, 228, 66},
-                                          {0, 114, 178},
-                                          {213, 94, 0},
-                                          {204, 121, 167}}};
-
 //! Label values that are not given are the smallest that are free.
 std::vector<ObjectLabel> labelsOf(const std::vector<SegmentOptions>& objects) {
   std::vector<ObjectLabel> labels;
-  std::set<int> taken;
+  std::vector<int> taken;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     ObjectLabel label;
-    label.colour = kColours[i % kColours.size()];
+    label.colour = distinctColours()[i % distinctColours().size()];
     label.value = 0;
     labels.push_back(chosenLabel(objects[i].outputs.object, label));
-    taken.insert(labels.back().value);
+    taken.push_back(labels.back().value);
   }
-  int free = 1;
-  for (ObjectLabel& label : labels) {
-    if (label.value != 0) continue;
-    while (taken.count(free) != 0) ++free;
-    label.value = free++;
-  }
+  for (ObjectLabel& label : labels)
+    if (label.value == 0) taken.push_back(label.value = freeLabelValue(taken));
   requireDistinct(labels);
   return labels;
 }

@@ -1,14 +1,18 @@
 #include "core/evolution/active_contour.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <tuple>
 
+#include "core/cancellation.h"
 #include "core/collision/self_intersection.h"
 #include "core/errors.h"
 #include "core/evolution/adaptation_rounds.h"
 #include "core/evolution/clicked_object.h"
 #include "core/evolution/collapsed_components.h"
 #include "core/evolution/image_doubts.h"
+#include "core/evolution/leak_alarm.h"
 #include "core/evolution/motion.h"
 #include "core/evolution/object_image.h"
 #include "core/evolution/quiet_vertices.h"
@@ -35,6 +39,10 @@ constexpr double kStep =
 constexpr double kStepVoxels = 0.9;  // and never further than this many voxels of the finest axis
 constexpr double kAgrees = 0.5;      // voxels between a boundary and a surface that agree
 
+// Of surgery in one step, and in an attempt after those that have spent it (units of WorkBudget).
+constexpr std::size_t kStepWork = 120'000'000;
+constexpr std::size_t kLeastWork = 10'000'000;
+
 constexpr double kGrowthToReorder = 1.5;  // of the mesh, until its vertices are put into order again
 constexpr int kFitsIntoCache = 3000;      // vertices: any order will do
 
@@ -60,6 +68,7 @@ struct ActiveContour::State {
   HeldChanges held;  // what the constraints forbid
   CollapsedComponents collapsed;
   Stillness stillness;
+  LeakAlarm alarm;
   std::optional<Correction> correction;
   double automaticEdge = 0;  // mm; what the edge length is if none is asked for
   TopologyNumbers topology;
@@ -67,6 +76,7 @@ struct ActiveContour::State {
   int iteration = 0;
   int orderedVertices = kFitsIntoCache;  // vertices when they were last put into order
   bool traces = false;
+  WorkBudget work{kStepWork};
 
   //! True if parts of the surface may give ground: where that was asked for, or after other clicks.
   bool mayShrink() const { return !motion.outwardOnly || (correction && correction->givesGround); }
@@ -91,9 +101,11 @@ struct ActiveContour::State {
   std::vector<HeldChange> judge(const Attempt& a, StepReport& report);
   void restRepeated(StepReport& report);
   Event rolledBack(const Vec3& place, const char* reason) const;
+  void watch(const Attempt& kept, StepReport& report);
   void decideStop(const StepReport& report);
   StopReason restReason() const;
   StepReport step();
+  StepReport stepOrNothing();
 };
 
 //! Two voxels, but finer in thin structures.
@@ -187,6 +199,7 @@ void ActiveContour::State::change(const Request& to, const State* prepared) {
   if (wake) forgetRest();
   if (wake && !sleepsOn) quiet.assign(idx(mesh.vertexSlots()), 0);
   if (otherClicks) correct();
+  if (otherClicks || otherImage || otherWalls) alarm.forget();
   walls.putUp(mesh, known, mayShrink());
   limits.forbidden = walls.forbidden();
   if (stop == StopReason::maxIterations || (wake && mesh.faceCount() > 0)) stop = StopReason::running;
@@ -249,10 +262,13 @@ std::vector<int> ActiveContour::State::verticesToMove() const {
 }
 
 Attempt ActiveContour::State::attempt() {
+  giveUpIfCancelled();
+  work.allowAtLeast(kLeastWork);
   Attempt a;
   a.moving = verticesToMove();
   std::vector<Vec3> moves = computeMotion(mesh, *object.image, motion, a.moving);
   for (std::size_t i = 0; i < moves.size(); ++i) moves[i] *= resting.pace(mesh.position(a.moving[i]));
+  giveUpIfCancelled();
   a.touched.assign(idx(mesh.vertexSlots()), 0);
   walls.bound(mesh, a.moving, motion.largestStep, moves);
   for (std::size_t i = 0; i < moves.size(); ++i) {
@@ -262,7 +278,9 @@ Attempt ActiveContour::State::attempt() {
   walls.holdBack(mesh, transaction.before(), a.moving, moves);
   for (const Vec3& move : moves) a.distances.push_back(move.norm());
   regulate(mesh, limits, a.touched);
+  giveUpIfCancelled();
   adapt(a);
+  giveUpIfCancelled();
   if (a.troubles.empty()) deleteCollapsed(a);
   if (const auto place = walls.broken(mesh, a.touched, a.events); a.troubles.empty() && place)
     a.troubles.push_back({*place, 2 * limits.longest, "the surface would have entered a wall"});
@@ -270,7 +288,7 @@ Attempt ActiveContour::State::attempt() {
 }
 
 void ActiveContour::State::adapt(Attempt& a) {
-  AdaptationSettings settings{!mayShrink(), traces, iteration, topology, {}, limits.forbidden};
+  AdaptationSettings settings{!mayShrink(), traces, iteration, topology, {}, limits.forbidden, &work};
   settings.cameBack = [this](const Vec3& p) { return resting.cameBack(p, limits.longest); };
   adaptInRounds(mesh, detector, std::move(settings), limits.longest, a);
 }
@@ -324,6 +342,15 @@ Event ActiveContour::State::rolledBack(const Vec3& place, const char* reason) co
   return event;
 }
 
+//! For leaks. The step has been made: it is not to be cancelled any more.
+void ActiveContour::State::watch(const Attempt& kept, StepReport& report) {
+  static const std::atomic<bool> never{false};
+  const CancelScope scope(never);
+  std::vector<Vec3> starts;
+  for (const Seed& s : seedsOfSide(parameters.seeds, false)) starts.push_back(s.centre);
+  report.leaks = alarm.look(mesh, kept.moving, {*object.image, walls.all().get(), starts, iteration});
+}
+
 void ActiveContour::State::decideStop(const StepReport& report) {
   const bool calm = report.events.empty() && !resting.anyWillWake(iteration);
   stillness.count(calm, report.movedVertices, mesh.vertexCount());
@@ -347,13 +374,27 @@ StopReason ActiveContour::State::restReason() const {
   return static_cast<int>(resters.size()) == mesh.vertexCount() ? StopReason::stuck : StopReason::frozen;
 }
 
+//! As if it had never begun, if it is cancelled: Transaction takes the mesh back, and this all that an
+//! attempt leaves besides. Whatever else is thrown may come after the mesh was accepted: the iteration then
+//! says so, and the history restores what was before.
+StepReport ActiveContour::State::stepOrNothing() {
+  const auto before = std::make_tuple(iteration, resting, held, collapsed);
+  try {
+    return step();
+  } catch (const Cancelled&) {
+    std::tie(iteration, resting, held, collapsed) = before;
+    throw;
+  }
+}
+
 StepReport ActiveContour::State::step() {
   StepReport report;
   report.iteration = ++iteration;
+  work = WorkBudget(kStepWork);
   keepOrder();
   const auto rollBack = [&](const Trouble& t) {
     report.events.push_back(rolledBack(t.centre, t.reason));
-    resting.add(t.centre, t.radius + 0.5 * limits.longest, iteration);
+    resting.add(t.centre, t.radius + 0.5 * limits.longest, iteration, t.waits);
   };
   Attempt last = transaction.run({mesh, topology, limits.longest, [this] { return attempt(); },
                                   [&](const Attempt& a) { return judge(a, report); }, rollBack});
@@ -368,6 +409,7 @@ StepReport ActiveContour::State::step() {
   // Of the mesh that is left, also when all of the step was rolled back.
   report.settledVertices = std::max(0, mesh.vertexCount() - report.movedVertices);
   report.volume = transaction.volume();
+  watch(last, report);
   decideStop(report);
   return report;
 }
@@ -389,7 +431,7 @@ ActiveContour& ActiveContour::operator=(ActiveContour&&) noexcept = default;
 ActiveContour::ActiveContour(const ActiveContour& other) : state_(std::make_unique<State>(*other.state_)) {}
 ActiveContour& ActiveContour::operator=(const ActiveContour& other) { return *this = ActiveContour(other); }
 
-StepReport ActiveContour::step() { return state_->step(); }
+StepReport ActiveContour::step() { return state_->stepOrNothing(); }
 void ActiveContour::change(const Request& request) {
   auto changed = std::make_unique<State>(*state_);
   changed->change(request, nullptr);

@@ -34,7 +34,8 @@ class ActiveContour {
 
   //! One iteration, all or nothing: the mesh it leaves is closed, manifold, oriented and free of
   //! self-intersections. Throws UsageError if a veto of that iteration finds no change of topology; no
-  //! further step may be taken then.
+  //! further step may be taken then. Throws Cancelled (cancellation.h) within some 20 ms of the wish; the
+  //! contour is as it was before the step.
   StepReport step();
 
   //! Goes on with other clicks and parameters from here. What is automatic is chosen as for a new contour;

@@ -26,6 +26,14 @@ void requireSensible(const WallList& walls, const Grid& grid) {
     if (outside(grid, w.centre) >= w.radius)
       throw UsageError("The wall at " + written(w.centre) + " mm lies outside of the volume.");
   }
+  for (const WallDisc& w : walls.discs) {
+    const std::string name = "The wall disc at " + written(w.centre);
+    if (!(w.radius > 0) || !std::isfinite(w.radius) || !w.centre.allFinite())
+      throw UsageError(name + " has no radius above 0 mm.");
+    if (!(w.normal.norm() > 0) || !std::isfinite(w.normal.norm()))
+      throw UsageError(name + " mm has a normal of no length.");
+    if (outside(grid, w.centre) >= w.radius) throw UsageError(name + " mm lies outside of the volume.");
+  }
   for (const WallObject& object : walls.objects)
     if (!object.mesh || object.mesh->triangles.empty())
       throw UsageError("The object '" + object.name + "' has no mesh that could be a wall.");
@@ -40,6 +48,14 @@ void requireSensible(const WallList& walls, const Grid& grid) {
 std::string written(const Vec3& p) {
   std::ostringstream text;
   text << p.x() << "," << p.y() << "," << p.z();
+  return text.str();
+}
+
+std::string written(const WallDisc& d) {
+  std::ostringstream text;
+  text.precision(12);
+  for (const Vec3& v : {d.centre, d.normal}) text << v.x() << ',' << v.y() << ',' << v.z() << ',';
+  text << d.radius;
   return text.str();
 }
 

@@ -21,6 +21,14 @@ struct WallBall {
   bool operator==(const WallBall&) const = default;
 };
 
+//! A flat disc that the surface may not pass: it has no thickness.
+struct WallDisc {
+  Vec3 centre{0, 0, 0};  //!< mm, LPS
+  Vec3 normal{0, 0, 1};  //!< LPS, of any length above 0
+  double radius = 0;     //!< mm, > 0
+  bool operator==(const WallDisc&) const = default;
+};
+
 //! Voxels that the surface may not enter: those of a label map that are not 0.
 struct WallMap {
   std::string path{};    //!< of the label map
@@ -43,7 +51,8 @@ struct WallList {
   std::vector<WallBall> balls{};
   std::optional<WallMap> map{};
   std::vector<WallObject> objects{};
-  bool empty() const { return balls.empty() && !map && objects.empty(); }
+  std::vector<WallDisc> discs{};
+  bool empty() const { return balls.empty() && !map && objects.empty() && discs.empty(); }
   bool operator==(const WallList&) const = default;
 };
 
@@ -74,8 +83,11 @@ struct Constraints {
 //! "X,Y,Z", as in the options.
 std::string written(const Vec3& place);
 
-//! Throws UsageError if one has no meaning: a wall without a radius or outside of the volume, a label map of
-//! another size, a veto before the first step, a limit that no surface keeps.
+//! "X,Y,Z,NX,NY,NZ,R", as in --wall-disc.
+std::string written(const WallDisc& disc);
+
+//! Throws UsageError if one has no meaning: a wall without a radius or (a disc) without a normal, or outside
+//! of the volume, a label map of another size, a veto before the first step, a limit that no surface keeps.
 void requireSensible(const Constraints& constraints, const Grid& grid);
 
 }  // namespace handlebody

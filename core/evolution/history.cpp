@@ -143,6 +143,10 @@ void History::dropAfter(int iteration) {
   sinceKeyframe_ = 0;
 }
 
+int History::lastBefore(const Leak& leak) const {
+  return lastFree({{}, {}, {}, {leak.disc}}).value_or(std::max(firstIteration(), leak.iteration - 1));
+}
+
 std::optional<int> History::lastFree(const WallList& walls) const {
   const WallList fresh = without(walls, constraints().walls);
   const auto freeAt = [&](const ActiveContour& c) { return isFree(c.mesh(), fresh, c.grid()); };

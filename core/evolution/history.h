@@ -54,6 +54,9 @@ class History {
   //! The last iteration up to the shown one at which the surface neither touches nor encloses any of the
   //! walls that would be new now; none if there is none. Costs at most what all steps up to here did.
   std::optional<int> lastFree(const WallList& walls) const;
+  //! The last iteration at which the disc that closes the passage was free; the one before the leak if there
+  //! is none.
+  int lastBefore(const Leak& leak) const;
 
   //! One per iteration from the first on, without events; the first has the volume alone.
   const std::vector<StepReport>& steps() const { return steps_; }

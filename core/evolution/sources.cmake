@@ -10,6 +10,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/held_changes.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/history.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/image_doubts.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/leak_alarm.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/level_field.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/object_boundary.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/motion.cpp
@@ -19,6 +20,8 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/object_range.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/object_region.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/parameters.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/passage_disc.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/passages.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/quiet_vertices.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/region_growth.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/region_levels.cpp
@@ -26,10 +29,12 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/seed_statistics.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/seeds.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/shown_object.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/space_tree.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/step_check.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/stillness.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/thickness_map.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/transaction.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/wall_disc.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/wall_guard.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/wall_pieces.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/wall_surface.cpp

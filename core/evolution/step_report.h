@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/evolution/leak_alarm.h"
 #include "core/surgery/event.h"
 
 namespace handlebody {
@@ -14,6 +15,7 @@ struct StepReport {
   double volume = 0;       //!< mm³ enclosed
   double largestMove = 0;  //!< mm
   std::vector<Event> events;
+  std::vector<Leak> leaks{};  //!< passages that it came through in this iteration; nearly always none
 };
 
 //! Why an evolution ended.

@@ -47,6 +47,9 @@ void WallGuard::putUp(const Mesh& mesh, const WallList& known, bool mayPush) {
   if (!occupied.enclosed.empty() && !without(occupied.enclosed[0], known).empty())
     refuse(occupied.enclosed[0],
            "within the surface, which cannot be pushed out of it: go back to before it came in there.");
+  for (const WallList& wall : occupied.touched)
+    if (!wall.discs.empty())
+      refuse(wall, "across surface that is already there: go back to before it came in there.");
   if (!occupied.touched.empty() && !mayPush)
     refuse(occupied.touched[0],
            "over surface that is already there: go back to before it came in there, or let the surface move "

@@ -21,7 +21,7 @@ class WallGuard {
   void choose(const WallList& list, const Grid& grid, double edgeLength, double largestStep);
   //! From here on no step may carry the mesh into one. Where it lies in one already, and that wall is not of
   //! `known`, whose walls it does not enclose: UsageError, unless `mayPush`. Such a wall holds as soon as the
-  //! mesh has given ground. No object pushes.
+  //! mesh has given ground. No object pushes, and no disc.
   void putUp(const Mesh& mesh, const WallList& known, bool mayPush);
 
   //! All that were chosen, for the image; null: there are none.

@@ -94,6 +94,7 @@ class Inside {
 std::vector<WallList> piecesOf(const WallList& walls, const Grid& grid) {
   std::vector<WallList> out;
   for (const WallBall& w : walls.balls) out.push_back({{w}, {}});
+  for (const WallDisc& d : walls.discs) out.push_back({{}, {}, {}, {d}});
   for (const WallObject& o : walls.objects) out.push_back({{}, {}, {o}});
   if (!walls.map) return out;
   std::vector<bool> left = *walls.map->voxels;
@@ -106,6 +107,8 @@ WallList without(const WallList& walls, const WallList& known) {
   WallList out;
   for (const WallBall& w : walls.balls)
     if (std::find(known.balls.begin(), known.balls.end(), w) == known.balls.end()) out.balls.push_back(w);
+  for (const WallDisc& d : walls.discs)
+    if (std::find(known.discs.begin(), known.discs.end(), d) == known.discs.end()) out.discs.push_back(d);
   for (const WallObject& o : walls.objects)
     if (std::find(known.objects.begin(), known.objects.end(), o) == known.objects.end())
       out.objects.push_back(o);
@@ -125,6 +128,7 @@ WallList together(const std::vector<WallList>& pieces) {
   std::vector<bool> flags;
   for (const WallList& piece : pieces) {
     all.balls.insert(all.balls.end(), piece.balls.begin(), piece.balls.end());
+    all.discs.insert(all.discs.end(), piece.discs.begin(), piece.discs.end());
     all.objects.insert(all.objects.end(), piece.objects.begin(), piece.objects.end());
     if (!piece.map) continue;
     flags.resize(piece.map->voxels->size(), false);
@@ -137,6 +141,7 @@ WallList together(const std::vector<WallList>& pieces) {
 
 Vec3 placeOf(const WallList& walls, const Grid& grid) {
   if (!walls.balls.empty()) return walls.balls[0].centre;
+  if (!walls.discs.empty()) return walls.discs[0].centre;
   if (!walls.objects.empty()) return walls.objects[0].mesh->points[0];
   const std::vector<bool>& flags = *walls.map->voxels;
   return centreOf(grid,
@@ -145,7 +150,7 @@ Vec3 placeOf(const WallList& walls, const Grid& grid) {
 
 bool touchesAny(const Mesh& mesh, const Walls& walls) {
   const Walls::Touched which = touched(mesh, walls, true);
-  return !which.balls.empty() || !which.voxels.empty() || !which.objects.empty();
+  return !which.balls.empty() || !which.voxels.empty() || !which.objects.empty() || !which.discs.empty();
 }
 
 bool enclosesAny(const Mesh& mesh, const std::vector<Vec3>& places) {
@@ -186,6 +191,12 @@ Occupied findOccupied(const Mesh& mesh, const Walls& walls) {
     const bool isTouched =
         std::find(which.balls.begin(), which.balls.end(), static_cast<int>(i)) != which.balls.end();
     if (isTouched || inside(w.centre)) (isTouched ? out.touched : out.enclosed).push_back({{w}, {}});
+  }
+  for (std::size_t i = 0; i < walls.list().discs.size(); ++i) {
+    const WallDisc& d = walls.list().discs[i];
+    const bool isTouched =
+        std::find(which.discs.begin(), which.discs.end(), static_cast<int>(i)) != which.discs.end();
+    if (isTouched || inside(d.centre)) (isTouched ? out.touched : out.enclosed).push_back({{}, {}, {}, {d}});
   }
   findObjects(walls, which, inside, out);
   if (!walls.list().map) return out;

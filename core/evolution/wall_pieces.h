@@ -6,10 +6,11 @@
 
 namespace handlebody {
 
-//! A ball each, an object each, and the voxels of the map that hang together (by faces, edges or corners).
+//! A ball each, a disc each, an object each, and the voxels of the map that hang together (by faces, edges or
+//! corners).
 std::vector<WallList> piecesOf(const WallList& walls, const Grid& grid);
 
-//! Those of the walls that are no pieces of `known`: balls, objects, and the map if it is another.
+//! Those of the walls that are no pieces of `known`: balls, discs, objects, and the map if it is another.
 WallList without(const WallList& walls, const WallList& known);
 
 //! The pieces together.

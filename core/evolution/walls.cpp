@@ -46,6 +46,9 @@ Walls::Walls(const WallList& list, const Grid& grid, double edgeLength, double l
   }
   chooseBricks();
   fillBalls();
+  discGuard_ = least + clearance;
+  discRest_ = discGuard_ + kRest * grid_.meanSpacing();
+  fillDiscs();
   fillMap();
   fillObjects();
 }
@@ -110,6 +113,24 @@ void Walls::fillBalls() {
   for (std::size_t b = 0; b < held.size(); ++b) {
     balls_.insert(balls_.end(), held[b].begin(), held[b].end());
     first_[b + 1] = static_cast<int>(balls_.size());
+  }
+}
+
+//! Between corners on one side of a disc a face lies on that side, too: they may rest at the margin.
+void Walls::fillDiscs() {
+  nearDiscs_ = hasVoxels_;
+  for (const WallDisc& d : list_.discs) {
+    discs_.emplace_back(d);
+    const Vec3 half = discs_.back().halfBox();
+    Vec3 low = Vec3::Constant(1e300), high = -low;
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3 sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+      const Vec3 index = grid_.toIndex(d.centre + sign.cwiseProduct(half));
+      low = low.cwiseMin(index);
+      high = high.cwiseMax(index);
+    }
+    forEach(bricksWithin(low, high, discRest_ + std::max(far_, reach_)),
+            [&](const Index& b) { near_[idx(brickAt(b))] = nearDiscs_[idx(brickAt(b))] = true; });
   }
 }
 
@@ -178,6 +199,8 @@ double Walls::room(const Vec3& world, const Vec3& index) const {
     const double squared = (world - list_.balls[ball].centre).squaredNorm();
     if (squared < reach * reach) room = std::sqrt(squared) - reaches_[ball].rest;
   }
+  if (nearDiscs_[brick])
+    for (const DiscShape& disc : discs_) room = std::min(room, disc.distance(world) - discRest_);
   if (nearVoxels_[brick]) room = std::min(room, roomToVoxels(index));
   if (!objects_) return room;
   // Corners that are no nearer than what bulges between them stay out of each other's way: where some came
@@ -213,6 +236,7 @@ double Walls::roomToVoxels(const Vec3& index) const {
 double Walls::distance(const Vec3& world, double limit) const {
   double nearest = limit;
   for (const WallBall& w : list_.balls) nearest = std::min(nearest, (world - w.centre).norm() - w.radius);
+  for (const DiscShape& disc : discs_) nearest = std::min(nearest, disc.distance(world));
   if (objects_) nearest = std::min(nearest, objects_->distance(world, limit));
   const Vec3 index = grid_.toIndex(world);
   if (list_.map)
@@ -226,6 +250,8 @@ std::vector<Vec3> Walls::places(const Vec3& world, double within) const {
   std::vector<Vec3> out;
   for (const WallBall& w : list_.balls)
     if ((w.centre - world).squaredNorm() <= within * within) out.push_back(w.centre);
+  for (const DiscShape& disc : discs_)
+    if (disc.distance(world) <= within) out.push_back(disc.nearest(world));
   if (objects_)
     for (const Vec3& p : objects_->places(world, within)) out.push_back(p);
   if (!list_.map) return out;
@@ -260,11 +286,23 @@ bool Walls::meets(const Vec3& a, const Vec3& b, const Vec3& c, bool withMargin, 
   const Range bricks = bricksWithin(low, high, 0);
   const bool balls = meetsBalls(world, bricks, withMargin, which);
   if (balls && !which) return true;
+  const bool discs = !discs_.empty() && meetsDiscs(world, withMargin, which);
+  if (discs && !which) return true;
   const bool objects = objects_ && meetsObjects(world, withMargin, which);
   if (objects && !which) return true;
   bool voxels = false;
   if (list_.map) forEach(bricks, [&](const Index& v) { voxels = voxels || nearVoxels_[idx(brickAt(v))]; });
-  return (voxels && meetsVoxels(index, withMargin, which)) || balls || objects;
+  return (voxels && meetsVoxels(index, withMargin, which)) || balls || discs || objects;
+}
+
+bool Walls::meetsDiscs(const std::array<Vec3, 3>& t, bool withMargin, Touched* which) const {
+  bool any = false;
+  for (std::size_t i = 0; i < discs_.size() && (which || !any); ++i) {
+    if (withMargin ? discs_[i].clears(t, discGuard_) : !discs_[i].meets(t)) continue;
+    any = true;
+    if (which) which->discs.push_back(static_cast<int>(i));
+  }
+  return any;
 }
 
 //! A triangle that meets no surface lies wholly inside or outside.

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/evolution/wall_disc.h"
 #include "core/evolution/wall_surface.h"
 
 namespace handlebody {
@@ -33,14 +34,16 @@ class Walls {
     std::vector<int> balls;           // by index of the list
     std::vector<std::size_t> voxels;  // of the map
     std::vector<int> objects;         // by index of the list
+    std::vector<int> discs;           // the same
   };
   //! True if a point of the triangle lies in a wall; which ones, if wanted.
   bool touches(const Vec3& a, const Vec3& b, const Vec3& c, Touched* which = nullptr) const {
     return meets(a, b, c, false, which);
   }
 
-  //! A point of each wall within so many mm of a place: the middle of each ball, and of one voxel of each
-  //! part of the map that hangs together there, and of each part of an object a vertex there.
+  //! A point of each wall within so many mm of a place: the middle of each ball, the nearest of each disc,
+  //! the middle of one voxel of each part of the map that hangs together there, and of each part of an object
+  //! a vertex there.
   std::vector<Vec3> places(const Vec3& world, double within) const;
 
   //! The objects; null: there are none.
@@ -63,6 +66,7 @@ class Walls {
 
   void chooseBricks();
   void fillBalls();
+  void fillDiscs();
   void fillMap();
   void fillObjects();
   int brickAt(const Index& b) const { return (b[2] * bricks_[1] + b[1]) * bricks_[0] + b[0]; }
@@ -74,6 +78,7 @@ class Walls {
   bool meets(const Vec3& a, const Vec3& b, const Vec3& c, bool withMargin, Touched* which) const;
   bool meetsBalls(const std::array<Vec3, 3>& world, const Range& bricks, bool withMargin,
                   Touched* which) const;
+  bool meetsDiscs(const std::array<Vec3, 3>& world, bool withMargin, Touched* which) const;
   bool meetsObjects(const std::array<Vec3, 3>& world, bool withMargin, Touched* which) const;
   bool meetsVoxels(const std::array<Vec3, 3>& index, bool withMargin, Touched* which) const;
   bool isWall(const Index& v) const;
@@ -89,6 +94,10 @@ class Walls {
   std::vector<Reach> reaches_;
   std::array<int, 3> brickSize_{1, 1, 1}, bricks_{1, 1, 1};  // voxels; number
   std::vector<int> first_, balls_;  // which balls a brick holds: first_[b] … first_[b + 1]
+  std::vector<DiscShape> discs_;
+  double discGuard_ = 0;         // mm: no face nearer to a disc
+  double discRest_ = 0;          // mm: fronts rest there
+  std::vector<bool> nearDiscs_;  // per brick
   std::shared_ptr<const WallSurface> objects_{};
   std::vector<Vec3> smallParts_{};
   std::vector<bool> near_, hasVoxels_, nearVoxels_;  // per brick

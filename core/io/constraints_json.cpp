@@ -18,6 +18,14 @@ WallBall ballFromJson(const Json& json) {
   return wall;
 }
 
+WallDisc discFromJson(const Json& json) {
+  const WallDisc wall{vectorFromJson(json.at("centre")), vectorFromJson(json.at("normal")),
+                      finiteFromJson(json.at("radius"))};
+  if (!(wall.radius > 0)) throw UsageError("a wall disc has no radius above 0.");
+  if (!(wall.normal.norm() > 0)) throw UsageError("a wall disc has a normal of no length.");
+  return wall;
+}
+
 Veto vetoFromJson(const Json& json) {
   const Veto veto{integerFromJson(json.at("iteration")), vectorFromJson(json.at("place"))};
   if (veto.iteration < 1) throw UsageError("a veto's iteration is below 1.");
@@ -26,10 +34,15 @@ Veto vetoFromJson(const Json& json) {
 
 }  // namespace
 
+Json discToJson(const WallDisc& w) {
+  return {{"centre", vectorToJson(w.centre)}, {"normal", vectorToJson(w.normal)}, {"radius", w.radius}};
+}
+
 Json constraintsToJson(const Constraints& c) {
   Json json = Json::object();
   for (const WallBall& w : c.walls.balls)
     json["walls"].push_back({{"centre", vectorToJson(w.centre)}, {"radius", w.radius}});
+  for (const WallDisc& w : c.walls.discs) json["wall_discs"].push_back(discToJson(w));
   if (c.walls.map) {
     json["wall_map"] = {{"path", nullptr}};
     if (!c.walls.map->path.empty()) json["wall_map"]["path"] = c.walls.map->path;
@@ -48,6 +61,8 @@ Constraints constraintsFromJson(const Json& json) {
   Constraints c;
   if (json.contains("walls"))
     for (const Json& wall : json.at("walls")) c.walls.balls.push_back(ballFromJson(wall));
+  if (json.contains("wall_discs"))
+    for (const Json& wall : json.at("wall_discs")) c.walls.discs.push_back(discFromJson(wall));
   if (json.contains("wall_map")) {
     const Json& map = json.at("wall_map");
     c.walls.map = WallMap{{}, map.value("sha256", std::string()), nullptr};

@@ -7,8 +7,12 @@
 
 namespace handlebody {
 
-//! {"walls": [{"centre", "radius"}], "wall_map": {"path", "sha256"}, "vetoes": [{"iteration", "place"}],
-//! "components", "genus", "allowed": [place]}, each only where there are any; the path is null if anonymous.
+//! {"centre", "normal", "radius"}.
+Json discToJson(const WallDisc& disc);
+
+//! {"walls": [{"centre", "radius"}], "wall_discs": [as above], "wall_map": {"path", "sha256"}, "vetoes":
+//! [{"iteration", "place"}], "components", "genus", "allowed": [place]}, each only where there are any; the
+//! path is null if anonymous.
 Json constraintsToJson(const Constraints& constraints);
 
 //! The inverse; the voxels of the label map are not read. Throws Json::exception and UsageError.

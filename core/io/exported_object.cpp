@@ -74,6 +74,18 @@ const Term* termFromName(const std::string& name) {
 
 const Term& plainTerm() { return terms().front(); }
 
+const std::vector<Colour>& distinctColours() {
+  static const std::vector<Colour> all{{230, 159, 0}, {86, 180, 233}, {0, 158, 115},  {240, 228, 66},
+                                       {0, 114, 178}, {213, 94, 0},   {204, 121, 167}};
+  return all;
+}
+
+int freeLabelValue(const std::vector<int>& taken) {
+  int value = 1;
+  while (std::find(taken.begin(), taken.end(), value) != taken.end()) ++value;
+  return value;
+}
+
 std::string objectNameFault(const std::string& name) {
   constexpr std::size_t kMostCharacters = 64;  // of DICOM's LO
   if (name.find_first_not_of(' ') == std::string::npos) return "is empty";

@@ -43,6 +43,12 @@ struct ObjectLabel {
   friend bool operator==(const ObjectLabel&, const ObjectLabel&) = default;
 };
 
+//! Colours that are told apart at a glance, next to each other in this order: Okabe and Ito's, for the
+//! colour-blind too.
+const std::vector<Colour>& distinctColours();
+//! The smallest label value, from 1 on, that none of these is. Precondition: there is one.
+int freeLabelValue(const std::vector<int>& taken);
+
 //! Empty if `name` can stand in every format: 1 to 64 characters of UTF-8, none of them a control character,
 //! quote ("), backslash, or bar, tilde or caret (which separate in 3D Slicer's and DICOM's texts). Else why
 //! not, as the end of a sentence.

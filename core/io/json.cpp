@@ -302,10 +302,15 @@ Seed seedFromJson(const Json& json) {
   return seed;
 }
 
-//! Clicks of which at least one is inside of the object.
 std::vector<Seed> clicksFromJson(const Json& json) {
   std::vector<Seed> clicks;
   for (const Json& entry : json) clicks.push_back(seedFromJson(entry));
+  return clicks;
+}
+
+//! Clicks of which at least one is inside of the object.
+std::vector<Seed> seededClicksFromJson(const Json& json) {
+  std::vector<Seed> clicks = clicksFromJson(json);
   if (seedsOfSide(clicks, false).empty()) throw UsageError("it has no seeds.");
   return clicks;
 }
@@ -339,7 +344,7 @@ std::vector<ParameterChange> changesFromJson(const Json& json) {
     if (!changes.empty() && iteration <= changes.back().iteration)
       throw UsageError("the changes on the way are not in ascending order.");
     changes.push_back({iteration, parametersFromJson(entry), {}, {}});
-    if (entry.contains("seeds")) changes.back().seeds = clicksFromJson(entry.at("seeds"));
+    if (entry.contains("seeds")) changes.back().seeds = seededClicksFromJson(entry.at("seeds"));
     if (entry.contains("constraints"))
       changes.back().constraints = constraintsFromJson(entry.at("constraints"));
   }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/io/constraints_json.h"
 #include "core/io/edit_json.h"
 
 namespace handlebody {
@@ -74,10 +75,46 @@ Json heldToJson(const std::vector<HeldPlace>& places) {
   return list;
 }
 
+Json leaksToJson(const std::vector<ToldLeak>& leaks) {
+  Json list = Json::array();
+  for (const auto& [leak, answer] : leaks) {
+    const Passage& p = leak.passage;
+    list.push_back({{"iteration", leak.iteration},
+                    {"location", vectorToJson(leak.place)},
+                    {"width_mm", p.isSeen ? Json(2 * p.radius) : Json(nullptr)},
+                    {"width_before_mm", 2 * p.before},
+                    {"width_behind_mm", 2 * p.behind},
+                    {"disc", discToJson(leak.disc)},
+                    {"option", "--wall-disc " + written(leak.disc)},
+                    {"answer", answer == LeakAnswer::wall   ? "wall"
+                               : answer == LeakAnswer::stop ? "stop"
+                                                            : "go-on"}});
+  }
+  return list;
+}
+
 }  // namespace
 
-const char* endName(StopReason stopped) {
-  return stopped == StopReason::running ? "stop-at" : stopReasonName(stopped);
+const char* endName(const RunReport& report) {
+  if (report.isStoppedAtLeak) return "leak";
+  return report.stopped == StopReason::running ? "stop-at" : stopReasonName(report.stopped);
+}
+
+std::vector<std::string> leakDoubts(const RunReport& report) {
+  std::vector<std::string> doubts;
+  for (const auto& [leak, answer] : report.leaks) {
+    const std::string what =
+        "the surface leaked at iteration " + std::to_string(leak.iteration) + ": " + sentence(leak) + "; ";
+    const std::string option = "--wall-disc " + written(leak.disc);
+    if (answer == LeakAnswer::wall)
+      doubts.push_back(what + "a wall was put there (" + option + ")");
+    else if (answer == LeakAnswer::stop)
+      doubts.push_back(what + "the mesh is that of iteration " + std::to_string(report.iterations) +
+                       ", before it came there; " + option + " closes the passage");
+    else
+      doubts.push_back(what + option + " closes the passage");
+  }
+  return doubts;
 }
 
 RunReport anonymous(RunReport report) {
@@ -103,7 +140,7 @@ void addObject(Json& json, const RunReport& report) {
   json["candidates"] = candidatesToJson(report.candidates, resolved.candidate);
   json["close_choice"] = report.isCloseChoice;
   json["iterations"] = report.iterations;
-  json["stopped"] = endName(report.stopped);
+  json["stopped"] = endName(report);
   json["warnings"] = report.doubts;
   json["unsupported_surface"] = report.unsupportedSurface;
   json["seconds"] = secondsToJson(report.seconds);
@@ -111,6 +148,7 @@ void addObject(Json& json, const RunReport& report) {
   if (report.tunnels) json["tunnels"] = tunnelsToJson(*report.tunnels);
   if (!report.corrections.empty()) json["corrections"] = correctionsToJson(report.corrections);
   if (!report.held.empty()) json["held"] = heldToJson(report.held);
+  if (!report.leaks.empty()) json["leaks"] = leaksToJson(report.leaks);
   Json& events = json["events"] = Json::array();
   for (const Event& event : report.events) events.push_back(eventToJson(event));
 }

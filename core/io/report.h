@@ -7,6 +7,7 @@
 
 #include "core/evolution/correction.h"
 #include "core/evolution/held_changes.h"
+#include "core/evolution/leak_alarm.h"
 #include "core/evolution/step_report.h"
 #include "core/io/session.h"
 #include "core/mesh/tunnels.h"
@@ -25,6 +26,14 @@ struct Timings {
   double total = 0;
 };
 
+//! What was done at a leak.
+enum class LeakAnswer { goOn, stop, wall };
+
+struct ToldLeak {
+  Leak leak;
+  LeakAnswer answer = LeakAnswer::goOn;
+};
+
 struct RunReport {
   Session session;                          //!< with `resolved` set
   std::vector<ObjectCandidate> candidates;  //!< of the contour as it began, as `resolved`
@@ -39,12 +48,18 @@ struct RunReport {
   Certificate mesh;                     //!< of the exported mesh
   std::optional<TunnelList> tunnels{};  //!< of it, where they were looked for
   std::vector<Event> events;
+  std::vector<ToldLeak> leaks{};                //!< in the order in which they came
+  bool isStoppedAtLeak = false;                 //!< the mesh is that of before the last of them
   std::vector<HeldPlace> held;                  //!< in the end
   std::vector<RecordedCorrection> corrections;  //!< what came of clicks that were changed on the way
 };
 
-//! Why a growth ended, as in the report: stopReasonName, and "stop-at" where it was asked to end there.
-const char* endName(StopReason stopped);
+//! Why a growth ended, as in the report: stopReasonName, "leak" where it stopped before one, and "stop-at"
+//! where it was asked to end there.
+const char* endName(const RunReport& report);
+
+//! A sentence without a full stop for every leak.
+std::vector<std::string> leakDoubts(const RunReport& report);
 
 //! Without what may name the patient: as the session's, and without the names of files and series that
 //! warnings of the volume list behind a colon.

@@ -86,11 +86,13 @@ std::vector<Session> sessionsFromJson(const Json& json, const std::string& path,
   };
   if (!json.contains("objects")) {
     add(json);
-    if (json.contains("view")) sessions[0].view = json.at("view").dump();
-    return sessions;
+  } else {
+    if (!json.at("objects").is_array() || json.at("objects").empty())
+      throw UsageError("it holds no objects.");
+    for (const Json& object : json.at("objects")) add(object);
   }
-  if (!json.at("objects").is_array() || json.at("objects").empty()) throw UsageError("it holds no objects.");
-  for (const Json& object : json.at("objects")) add(object);
+  if (std::none_of(sessions.begin(), sessions.end(), isSeeded)) throw UsageError("it has no seeds.");
+  if (json.contains("view")) sessions[0].view = json.at("view").dump();
   return sessions;
 }
 
@@ -133,10 +135,14 @@ void writeSession(const Session& session, const std::string& path) {
 }
 
 void writeSessions(const std::vector<Session>& objects, const std::string& path) {
+  if (objects.size() == 1) return writeSession(objects.front(), path);
   Json json = headToJson(objects.front(), path);
   for (const Session& object : objects) addObject(json["objects"].emplace_back(Json::object()), object, path);
+  if (!objects.front().view.empty()) json["view"] = Json::parse(objects.front().view);
   writeTextAtomically(path, jsonText(json));
 }
+
+bool isSeeded(const Session& session) { return !seedsOfSide(session.seeds, false).empty(); }
 
 Session anonymous(Session session) {
   session.volume.path.clear();

@@ -40,9 +40,14 @@ struct Session {
 //! as null, and such a session is read back without one. Throws OutputError.
 void writeSession(const Session& session, const std::string& path);
 
-//! The same for several objects of one volume, in the order in which they are grown: "objects" holds what of
-//! a session belongs to one. Precondition: there is one at least; all have the first one's volume and space.
+//! The same for several objects of one volume, in the order in which they are grown (a single one is written
+//! as such): "objects" holds what of a session belongs to one; what a window keeps is the first one's. One
+//! without a seed inside is not grown yet. Precondition: there is one at least; all have the first one's
+//! volume and space.
 void writeSessions(const std::vector<Session>& objects, const std::string& path);
+
+//! True if one of its clicks is inside of the object: else there is nothing to grow from.
+bool isSeeded(const Session& session);
 
 //! Without what may name the patient: the paths of the volume and of the label map of walls, the series, and
 //! what a window keeps. Such a session says null for the paths.
@@ -53,7 +58,7 @@ Session anonymous(Session session);
 //! current folder. Throws InputError that names the file, also for one that names no volume, or not the label
 //! map, or one that holds several objects.
 Session readSession(const std::string& path, const std::string& volume = {}, const std::string& walls = {});
-//! The same, with all objects of a session or report that holds several.
+//! The same, with all objects of a session or report that holds several: one of them is seeded at least.
 std::vector<Session> readSessions(const std::string& path, const std::string& volume = {},
                                   const std::string& walls = {});
 

@@ -2,7 +2,10 @@
 // Small volumes, and evolution with a look at every step.
 
 #include <Eigen/Geometry>
+#include <functional>
 #include <random>
+#include <stdexcept>
+#include <string>
 
 #include "core/collision/certify.h"
 #include "core/evolution/active_contour.h"
@@ -102,6 +105,16 @@ inline int countEvents(const std::vector<StepReport>& reports, EventKind kind) {
   for (const StepReport& r : reports)
     for (const Event& e : r.events) n += e.kind == kind;
   return n;
+}
+
+//! What is thrown, in words; empty: nothing.
+inline std::string messageOf(const std::function<void()>& f) {
+  try {
+    f();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
 }
 
 }  // namespace handlebody::testing

@@ -60,15 +60,6 @@ int countHeld(const std::vector<StepReport>& reports) {
   return n;
 }
 
-std::string messageOf(const std::function<void()>& f) {
-  try {
-    f();
-  } catch (const UsageError& error) {
-    return error.what();
-  }
-  return "";
-}
-
 }  // namespace
 
 TEST_CASE("a torus whose fronts may not meet stays a sphere with a gap", "[veto]") {

@@ -1,7 +1,9 @@
 #include "core/evolution/history.h"
 
 #include <atomic>
+#include <chrono>
 #include <random>
+#include <thread>
 
 #include "core/cancellation.h"
 #include "core/errors.h"
@@ -212,6 +214,37 @@ TEST_CASE("the choice of the image gives up when it is cancelled", "[history]") 
   const std::atomic<bool> cancelled{true};
   const CancelScope scope(cancelled);
   CHECK_THROWS_AS(torusContour(), Cancelled);
+}
+
+TEST_CASE("a step that is cancelled anywhere inside leaves no trace", "[history]") {
+  ActiveContour contour = torusContour();
+  std::atomic<bool> cancelled{false};
+  std::atomic<int> delay{0};  // microseconds; 0: there is nothing to cancel
+  std::jthread canceller([&](const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      const int wait = delay.exchange(0);
+      if (wait == 0) continue;
+      std::this_thread::sleep_for(std::chrono::microseconds(wait));
+      cancelled = true;
+    }
+  });
+  int broken = 0;
+  for (int tries = 0; contour.stopReason() == StopReason::running; ++tries) {
+    const int before = contour.iteration();
+    const CancelScope scope(cancelled);
+    if (tries % 3 == 0) delay = 1 + tries * 37 % 300;
+    if (tries % 3 == 1) cancelled = true;
+    try {
+      contour.step();
+    } catch (const Cancelled&) {
+      CHECK(contour.iteration() == before);
+      ++broken;
+    }
+    while (tries % 3 == 0 && !cancelled) std::this_thread::yield();
+    cancelled = false;
+  }
+  CHECK(broken > 10);
+  CHECK(isSame(contour.mesh(), straightRun(torusContour()).back()));
 }
 
 TEST_CASE("an event of the past tells its stages without disturbing the history", "[history]") {

@@ -62,19 +62,6 @@ double widestGap(const TriangleSoup& wall, const TriangleSoup& mesh, F&& counts)
 
 bool always(const Vec3&) { return true; }
 
-std::string messageOf(const std::function<void()>& f) {
-  try {
-    f();
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "";
-}
-
-}  // namespace
-
-namespace {
-
 //! A ball with a cavity, a ball in that, and one beside.
 struct ThreeBodies {
   TriangleSoup shell = hollow(ballInside(9), ballInside(4));

@@ -7,6 +7,7 @@ target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/held_changes_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/history_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/image_doubts_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/evolution/leak_alarm_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/level_field_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/motion_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/mutation_test.cpp
@@ -15,6 +16,8 @@ target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/object_boundary_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/object_range_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/region_growth_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/evolution/region_levels_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/resting_places_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/shrinking_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/evolution/wall_disc_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/walls_test.cpp)

@@ -34,15 +34,6 @@ void expectKeepsOut(ActiveContour& contour) {
   CHECK(volumeOf(contour.mesh()) > start);
 }
 
-std::string messageOf(const std::function<void()>& f) {
-  try {
-    f();
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "";
-}
-
 }  // namespace
 
 TEST_CASE("which walls a triangle touches is what every wall by itself says", "[walls]") {

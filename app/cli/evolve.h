@@ -1,0 +1,34 @@
+#pragma once
+// The iterations of a run, and what is done at a leak (docs/leaks.md).
+
+#include "core/evolution/active_contour.h"
+#include "core/io/report.h"
+
+namespace CLI {
+class App;
+}
+
+namespace handlebody::cli {
+
+//! What happens when the surface comes through a narrow passage.
+enum class OnLeak {
+  goOn,   //!< it is told
+  pause,  //!< a person at the terminal is asked; where there is none: stop
+  stop,   //!< back to the last iteration at which the passage was free, and there it ends
+  wall    //!< back there, a disc is put across, and on
+};
+
+//! Adds --on-leak.
+void addOnLeak(CLI::App& command, OnLeak& onLeak);
+
+struct EvolveSettings {
+  OnLeak onLeak = OnLeak::goOn;
+  bool traces = false;
+  bool quiet = false;
+};
+
+//! Makes the steps of the report's session; sets what the report tells of them. Returns the contour in the
+//! end. Throws UsageError for a veto that came too late.
+ActiveContour evolve(ActiveContour contour, RunReport& report, const EvolveSettings& settings);
+
+}  // namespace handlebody::cli

@@ -1,0 +1,115 @@
+#include "core/evolution/leak_alarm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/evolution/passage_disc.h"
+
+namespace handlebody {
+
+namespace {
+
+constexpr std::size_t kSmall = 2'000'000;  // voxels: a volume that is looked at as a whole
+constexpr int kWiden = 24;                 // voxels around the surface, at least
+constexpr double kWidenPart = 0.35;        // and of its extent
+constexpr int kNear = 4;                   // voxels from the box's end at which it is widened
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+std::vector<int> allVertices(const Mesh& mesh) {
+  std::vector<int> all;
+  for (int v = 0; v < mesh.vertexSlots(); ++v)
+    if (mesh.isVertex(v)) all.push_back(v);
+  return all;
+}
+
+VoxelBox boxAround(const Grid& grid, const Mesh& mesh) {
+  VoxelBox box;
+  for (std::size_t a = 0; a < 3; ++a) box.high[a] = grid.size[a] - 1;
+  if (grid.voxelCount() <= kSmall || mesh.vertexCount() == 0) return box;
+  Vec3 low = Vec3::Constant(1e300), high = -low;
+  for (const int v : allVertices(mesh)) {
+    const Vec3 index = grid.toIndex(mesh.position(v));
+    low = low.cwiseMin(index);
+    high = high.cwiseMax(index);
+  }
+  const double extent = (high - low).cwiseProduct(grid.spacing).maxCoeff();
+  for (int a = 0; a < 3; ++a) {
+    const double wide = std::max<double>(kWiden, kWidenPart * extent / grid.spacing[a]);
+    const double last = grid.size[idx(a)] - 1.0;
+    box.low[idx(a)] = static_cast<int>(std::clamp(std::floor(low[a] - wide), 0.0, last));
+    box.high[idx(a)] = static_cast<int>(std::clamp(std::ceil(high[a] + wide), 0.0, last));
+  }
+  return box;
+}
+
+}  // namespace
+
+std::string sentence(const Leak& leak) {
+  const Passage& p = leak.passage;
+  char wide[64] = "too narrow for the voxels to show", text[320];
+  if (p.isSeen) std::snprintf(wide, sizeof wide, "%.1f mm wide", 2 * p.radius);
+  std::snprintf(text, sizeof text,
+                "it came through a passage %s at %.1f,%.1f,%.1f from a space %.0f mm wide into one %.0f mm "
+                "wide",
+                wide, leak.place.x(), leak.place.y(), leak.place.z(), 2 * p.before, 2 * p.behind);
+  return text;
+}
+
+void LeakAlarm::forget() { map_ = nullptr; }
+
+bool LeakAlarm::isCovered(const Mesh& mesh, std::span<const int> vertices) const {
+  if (!map_) return false;
+  Vec3 low, high;
+  for (int a = 0; a < 3; ++a) {
+    low[a] = box_.low[idx(a)] == 0 ? -1e300 : box_.low[idx(a)] + kNear;
+    high[a] = box_.high[idx(a)] == grid_.size[idx(a)] - 1 ? 1e300 : box_.high[idx(a)] - kNear;
+  }
+  if (low.maxCoeff() == -1e300 && high.minCoeff() == 1e300) return true;
+  return std::all_of(vertices.begin(), vertices.end(), [&](int v) {
+    if (!mesh.isVertex(v)) return true;
+    const Vec3 index = grid_.toIndex(mesh.position(v));
+    return (index.array() >= low.array()).all() && (index.array() <= high.array()).all();
+  });
+}
+
+//! Where the surface is already is no leak.
+void LeakAlarm::chart(const Mesh& mesh, const Scene& scene) {
+  grid_ = scene.image.volume().grid();
+  box_ = boxAround(grid_, mesh);
+  std::vector<Vec3> starts(scene.seeds.begin(), scene.seeds.end());
+  starts.insert(starts.end(), known_.begin(), known_.end());
+  map_ = std::make_shared<const PassageMap>(scene.image, scene.walls, box_, starts);
+  entered_.assign(map_->passages().size(), false);
+  enteredBy(mesh, allVertices(mesh));
+}
+
+std::vector<LeakAlarm::Entry> LeakAlarm::enteredBy(const Mesh& mesh, std::span<const int> vertices) {
+  std::vector<Entry> fresh;
+  if (map_->passages().empty()) return fresh;
+  for (const int v : vertices) {
+    if (!mesh.isVertex(v)) continue;
+    const int passage = map_->behindWhich(mesh.position(v));
+    if (passage < 0 || entered_[idx(passage)]) continue;
+    entered_[idx(passage)] = true;
+    fresh.push_back({idx(passage), v});
+  }
+  for (const Entry& e : fresh) known_.push_back(map_->passages()[e.passage].widest);
+  return fresh;
+}
+
+std::vector<Leak> LeakAlarm::look(const Mesh& mesh, std::span<const int> moving, const Scene& scene) {
+  std::vector<Leak> leaks;
+  if (!isCovered(mesh, moving)) chart(mesh, scene);
+  for (const Entry& entry : enteredBy(mesh, moving)) {
+    Leak leak{scene.iteration, map_->passages()[entry.passage], {}, {}};
+    if (!leak.passage.isSeen) leak.passage.place = mesh.position(entry.vertex);
+    leak.disc = discAcross(scene.image, leak.passage);
+    leak.place = leak.disc.centre;
+    leaks.push_back(leak);
+  }
+  return leaks;
+}
+
+}  // namespace handlebody

@@ -1,0 +1,60 @@
+#pragma once
+// The alarm that a growing surface has come through a passage much narrower than what lies on both sides.
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/evolution/passages.h"
+#include "core/mesh/mesh.h"
+
+namespace handlebody {
+
+//! A passage that the surface has come through.
+struct Leak {
+  int iteration = 0;  //!< the first one at which the surface lies behind it
+  Passage passage{};
+  Vec3 place{0, 0, 0};  //!< mm, LPS: where it is narrowest
+  WallDisc disc{};      //!< closes it
+};
+
+//! "it came through a passage 3.0 mm wide at 50.0,39.5,39.5 from a space 39 mm wide into one 39 mm wide":
+//! without a full stop.
+std::string sentence(const Leak& leak);
+
+//! Looks at the surface once per iteration. Passages are found in the image (passages.h), in a box around the
+//! surface that is widened as it grows, so that a volume that is not reached costs nothing. A passage is told
+//! once; one that the surface lies behind already when it is found (a click there, other parameters) is none.
+class LeakAlarm {
+ public:
+  //! What the surface grows in.
+  struct Scene {
+    const ObjectImage& image;
+    const Walls* walls;           //!< null: none
+    std::span<const Vec3> seeds;  //!< mm
+    int iteration;
+  };
+  //! `moving`: the vertices that may have come to lie somewhere else since the last look.
+  std::vector<Leak> look(const Mesh& mesh, std::span<const int> moving, const Scene& scene);
+  //! The image, the walls or the seeds are others now.
+  void forget();
+
+ private:
+  bool isCovered(const Mesh& mesh, std::span<const int> vertices) const;
+  void chart(const Mesh& mesh, const Scene& scene);
+  struct Entry {
+    std::size_t passage;
+    int vertex;  // the first that lies behind it
+  };
+  std::vector<Entry> enteredBy(const Mesh& mesh, std::span<const int> vertices);
+
+  Grid grid_;
+  VoxelBox box_;  // of the map
+  std::shared_ptr<const PassageMap> map_;
+  std::vector<bool> entered_;  // per passage of the map
+  std::vector<Vec3> known_;    // mm: spaces that the surface has come into
+};
+
+}  // namespace handlebody

@@ -1,0 +1,142 @@
+// The leak alarm: passages that a surface comes through.
+#include "core/evolution/leak_alarm.h"
+
+#include "core/evolution/history.h"
+#include "core/evolution/space_tree.h"
+#include "tests/core/evolution/contour_support.h"
+
+using namespace handlebody;
+using namespace handlebody::testing;
+
+namespace {
+
+constexpr double kWallX = 20, kChamberHalf = 9;
+
+//! mm from two chambers of 18 mm, 3 mm apart, with a hole of this radius in between. Voxels of 1 mm.
+double chambers(const Vec3& p, double hole) {
+  const auto box = [](const Vec3& q, const Vec3& half) {
+    const Vec3 d = q.cwiseAbs() - half;
+    return d.cwiseMax(0.0).norm() + std::min(0.0, d.maxCoeff());
+  };
+  const Vec3 half = Vec3::Constant(kChamberHalf);
+  const double shift = kChamberHalf + 1.5;
+  const Vec3 q = p - Vec3(kWallX, 20, 20);
+  const double both = std::min(box(q + Vec3(shift, 0, 0), half), box(q - Vec3(shift, 0, 0), half));
+  const double tube = std::max(std::hypot(q.y(), q.z()) - hole, std::abs(q.x()) - 4);
+  return hole > 0 ? std::min(both, tube) : both;
+}
+
+ActiveContour growing(double hole, Constraints constraints = {}, Vec3 seed = Vec3(10, 18, 21)) {
+  Parameters p;
+  p.range = IntensityRange{-1e9, 100};
+  return ActiveContour(darkObject(cubicGrid(41), [hole](const Vec3& q) { return chambers(q, hole); }),
+                       {Seed{seed, 3.0}}, p, std::move(constraints));
+}
+
+std::vector<Leak> leaksOf(ActiveContour& contour) {
+  std::vector<Leak> leaks;
+  while (contour.stopReason() == StopReason::running)
+    for (const Leak& leak : contour.step().leaks) leaks.push_back(leak);
+  return leaks;
+}
+
+double furthestX(const Mesh& mesh) {
+  double x = -1e300;
+  for (const Vec3& p : mesh.compact().points) x = std::max(x, p.x());
+  return x;
+}
+
+}  // namespace
+
+TEST_CASE("spaces merge at their passages, and a space before or behind is as wide as its widest ball",
+          "[leaks]") {
+  // A row: radii of two spaces with a narrow passage, in a layer of cells that are no part of the region.
+  const std::array<int, 3> size{13, 3, 3};
+  std::vector<float> radius(13 * 9, 0.0f);
+  const std::vector<float> row{3, 5, 6, 4, 1, 0.5f, 1, 4, 7, 4, 2};
+  std::copy(row.begin(), row.end(), radius.begin() + 13 * 4 + 1);
+  const auto cell = [](std::size_t i) { return static_cast<std::uint32_t>(13 * 4 + 1 + i); };
+  SpaceTree tree(size, radius);
+  NarrowRule rule;
+  const std::vector<std::uint32_t> left{cell(2)}, right{cell(8)}, passage{cell(5)};
+  const std::vector<Merging> found = tree.merge(left, rule);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].level == 0.5);
+  CHECK(found[0].at == cell(5));
+  CHECK(found[0].before == 6);
+  CHECK(found[0].behind == 7);
+  CHECK(found[0].peak == cell(8));
+  CHECK(tree.behindWhich(cell(8)) == 1);
+  CHECK(tree.behindWhich(cell(2)) == 0);
+  CHECK(tree.merge(right, rule).at(0).behind == 6);
+  rule.narrow = 0.08;  // 0.5 of 6 is more
+  CHECK(tree.merge(left, rule).empty());
+}
+
+TEST_CASE("the alarm comes when the surface comes out of a hole, tells the passage, and comes once",
+          "[leaks]") {
+  ActiveContour contour = growing(2.5);
+  int out = -1;
+  std::vector<Leak> leaks;
+  while (contour.stopReason() == StopReason::running) {
+    for (const Leak& leak : contour.step().leaks) leaks.push_back(leak);
+    if (out < 0 && furthestX(contour.mesh()) > kWallX + 1.5) out = contour.iteration();
+  }
+  REQUIRE(out > 0);
+  REQUIRE(leaks.size() == 1);
+  CHECK(std::abs(leaks[0].iteration - out) <= 5);
+  CHECK((leaks[0].place - Vec3(kWallX, 20, 20)).norm() < 2);
+  CHECK(std::abs(leaks[0].disc.normal.normalized().x()) > 0.95);
+  CHECK(leaks[0].disc.radius > 2.5);
+  CHECK(leaks[0].disc.radius < 5.5);
+  CHECK(leaks[0].passage.before > 7);
+  CHECK(leaks[0].passage.behind > 7);
+  CHECK(leaks[0].passage.radius < 3.2);
+  CHECK(sentence(leaks[0]).find("passage") != std::string::npos);
+}
+
+TEST_CASE("no alarm without a passage, nor where the passage is wide, nor for a click in each space",
+          "[leaks]") {
+  ActiveContour closed = growing(0), wide = growing(6);
+  CHECK(leaksOf(closed).empty());
+  CHECK(leaksOf(wide).empty());
+  CHECK(furthestX(wide.mesh()) > kWallX + 10);
+  Parameters p;
+  p.range = IntensityRange{-1e9, 100};
+  ActiveContour both(darkObject(cubicGrid(41), [](const Vec3& q) { return chambers(q, 2.5); }),
+                     {Seed{Vec3(10, 18, 21), 3.0}, Seed{Vec3(30, 22, 19), 3.0}}, p);
+  CHECK(leaksOf(both).empty());
+}
+
+TEST_CASE("the alarm comes again where its iteration is made again, and once", "[leaks][history]") {
+  History history(growing(2.5));
+  while (history.stopReason() == StopReason::running) history.advance();
+  std::vector<int> alarms;
+  for (const StepReport& s : history.steps())
+    if (!s.leaks.empty()) alarms.push_back(s.iteration);
+  REQUIRE(alarms.size() == 1);
+  history.goTo(alarms[0] - 1);
+  ActiveContour again = history.shown();
+  CHECK(again.step().leaks.size() == 1);
+  CHECK(again.step().leaks.empty());
+}
+
+TEST_CASE("a wall put across the passage that the alarm tells keeps the surface in, and no alarm comes again",
+          "[leaks][walls][history]") {
+  History history(growing(2.5));
+  while (history.steps().back().leaks.empty()) history.advance();
+  const Leak leak = history.steps().back().leaks[0];
+  const auto free = history.lastFree({{}, {}, {}, {leak.disc}});
+  REQUIRE(free.has_value());
+  CHECK(*free < leak.iteration);
+  history.goTo(*free);
+  Request request = history.shown().request();
+  request.constraints.walls.discs.push_back(leak.disc);
+  history.change(request);
+  while (history.stopReason() == StopReason::running) {
+    history.advance();
+    CHECK(history.steps().back().leaks.empty());
+  }
+  CHECK(furthestX(history.shown().mesh()) < kWallX + 1.5);
+  CHECK(std::abs(volumeOf(history.shown().mesh()) / std::pow(2 * kChamberHalf, 3) - 1) < 0.05);
+}
