@@ -1,6 +1,7 @@
 #pragma once
-// The open work: volume, seeds, parameters and the growth made from them. What the views show and the panels
-// change. Lives on the GUI thread; reading and growing run on worker threads and never block a call here.
+// The open work: a volume, and objects with their seeds, parameters and the growth made from them. What the
+// views show and the panels change. Lives on the GUI thread; reading and growing run on worker threads and
+// never block a call here.
 
 #include <QByteArray>
 #include <QObject>
@@ -13,8 +14,10 @@
 #include "core/evolution/correction.h"
 #include "core/evolution/held_changes.h"
 #include "core/evolution/image_doubts.h"
+#include "core/evolution/leak_alarm.h"
 #include "core/evolution/parameters.h"
 #include "core/evolution/step_report.h"
+#include "core/io/exported_object.h"
 #include "core/io/mesh_io.h"
 #include "core/io/volume_io.h"
 #include "core/mesh/validity.h"
@@ -48,12 +51,31 @@ struct IterationSummary {
   int events = 0;          //!< changes of topology; repairs of the mesh are not counted
 };
 
+//! A narrow passage that the surface came through.
+struct FoundLeak {
+  Leak leak;
+  int before = 0;  //!< the last iteration at which the passage was free
+};
+
 enum class GrowthState {
   none,       //!< nothing was grown yet, or the volume changed since, or no seed is left
   preparing,  //!< automatic parameters are chosen, the image is smoothed
   paused,
   running,
   finished,  //!< converged or at the iteration limit (see stopReason)
+};
+
+//! A row of the list of objects.
+struct ObjectInfo {
+  ObjectLabel label;
+  bool visible = true;
+  bool locked = false;  //!< nothing that makes its surface another one is taken
+  bool seeded = false;
+  GrowthState state = GrowthState::none;
+  std::shared_ptr<const MeshSnapshot> snapshot;  //!< null without a growth
+  //! The first of the objects before it whose surface was another one when this one was grown, or that was
+  //! not among them, or is no more; empty: its surface is made with those that there are.
+  QString madeWithEarlier;
 };
 
 class Document : public QObject {
@@ -80,7 +102,36 @@ class Document : public QObject {
   QByteArray view() const;
   void setView(const QByteArray& json);
 
+  // --- objects: one at least; all that comes below but the files is about the active one ---
+  // The surface of an object is a wall for those that come after it in the list. One that grows begins when
+  // those before it are at rest.
+  int objectCount() const;
+  int activeObject() const;  //!< index
+  ObjectInfo objectInfo(int index) const;
+  //! No undo entry; what grows goes on. Undoing a change of another object makes that active.
+  void setActiveObject(int index);
+  //! Behind the others, and active. Name, colour and label value are such as no other has.
+  void addObject();
+  //! Behind it, and active: seeds, parameters and constraints, without the growth and the vetoes of its
+  //! steps.
+  void duplicateObject(int index);
+  //! The active one after it is the next in the list. Nothing if it is the last that is left.
+  void removeObject(int index);
+  void moveObject(int index, int to);
+  //! Precondition: objectLabelFault(index, label) is empty.
+  void setObjectLabel(int index, const ObjectLabel& label, const QString& undoText, int gesture = -1);
+  //! Why the object cannot be called so, as a sentence; empty: it can.
+  QString objectLabelFault(int index, const ObjectLabel& label) const;
+  void setObjectVisible(int index, bool visible);
+  void setObjectLocked(int index, bool locked);
+  //! Grows every object that is not done, in their order, and those whose surfaces are made with earlier
+  //! ones; none that is locked.
+  void runAll();
+  //! The object that the active one waits for; empty: it does not wait.
+  QString waitsFor() const;
+
   // --- seeds and parameters; each change is one undo entry with a name ("Move seed") ---
+  // Of a locked object nothing is changed: refused() tells.
   // Changes apply to the growth from its shown iteration on: what was grown after it is dropped when it goes
   // on. At iteration 0 it begins again instead. Undoing other clicks with which it has gone on shows the
   // surface as it was when they were made.
@@ -108,6 +159,9 @@ class Document : public QObject {
   //! What of the shown snapshot's list is held may happen from the shown iteration on: the veto is lifted, or
   //! the place allowed to break the limits.
   void allow(const HeldPlace& held);
+  //! A wall across leaks()[index]: goes back to before the surface came there, and what is grown on from
+  //! there stays on this side.
+  void wallAt(int index);
   //! What the automatic parameters come to with the present seeds; worked out in the background after every
   //! change, told by resolvedChanged(). Empty while unknown or where it failed (resolveError()).
   const std::optional<ResolvedParameters>& resolved() const;
@@ -134,6 +188,12 @@ class Document : public QObject {
   //! While it runs a frame is shown every so many iterations, or later if the views are slower. 1 at first.
   void setStepsPerFrame(int steps);
   int stepsPerFrame() const;
+  //! Whether it pauses where it has come through a narrow passage, when it is grown for the first time. False
+  //! at first.
+  void setPausesAtLeaks(bool on);
+  bool pausesAtLeaks() const;
+  //! Of all iterations recorded so far, in order.
+  const std::vector<FoundLeak>& leaks() const;
   int iteration() const;      //!< shown; -1 without a growth
   int lastIteration() const;  //!< recorded so far; -1 without a growth
   //! The shown iteration; null without a growth.
@@ -149,9 +209,16 @@ class Document : public QObject {
   //! Mesh or label map by extension, of the shown iteration, written on a worker thread: exported() or
   //! exportFailed().
   void exportResult(const QString& path, CoordinateSpace space);
+  //! The same of all objects that have a surface, in one file; not if two of them meet.
+  void exportObjects(const QString& path, CoordinateSpace space);
+  //! Of all objects that have a surface.
   void exportReport(const QString& path);
-  //! What `handlebody-cli replay` needs to make the shown mesh again. Throws nothing; saveFailed() tells why.
+  //! What `handlebody-cli replay` needs to make the shown meshes again. Throws nothing; saveFailed() tells
+  //! why.
   void saveSession(const QString& path);
+  //! Objects whose shown surface a replay does not make: of several, those with seeds that are not grown yet
+  //! or are made with earlier ones, and those after them.
+  QStringList notReplayed() const;
   QString sessionPath() const;
   bool isModified() const;  //!< since the session was saved or opened
 
@@ -172,9 +239,14 @@ class Document : public QObject {
   void parametersChanged();
   void constraintsChanged();
   void resolvedChanged();
+  void objectsChanged();       //!< the list, or what is told of or drawn for one that is not active
+  void activeObjectChanged();  //!< followed by all signals of what is about the active one
+  void refused(const QString& sentence);
   void stateChanged();
-  void snapshotChanged();   //!< another iteration is shown
-  void summariesChanged();  //!< lastIteration() moved, or the tail was dropped
+  void snapshotChanged();            //!< another iteration is shown
+  void summariesChanged();           //!< lastIteration() moved, or the tail was dropped
+  void leaked(int index);            //!< leaks()[index] was found just now
+  void leakedElsewhere(int object);  //!< one that is not active came through a narrow passage just now
   void eventTraced(int index, const handlebody::EventTrace& trace);
   void exported(const QString& path);
   void exportFailed(const QString& sentence);

@@ -1,8 +1,14 @@
 // What the Document writes: meshes, label maps, reports, sessions, the journal.
 
 #include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <algorithm>
 #include <chrono>
 
+#include "core/collision/body_contact.h"
+#include "core/errors.h"
 #include "core/io/atomic_file.h"
 #include "core/io/result.h"
 #include "ui/model/document_private.h"
@@ -23,6 +29,52 @@ QString sentenceOf(Job&& job) try {
   return errorSentence();
 }
 
+const QString kObjectsKey = QStringLiteral("objects"), kActiveKey = QStringLiteral("activeObject"),
+              kVisibleKey = QStringLiteral("visible"), kLockedKey = QStringLiteral("locked");
+
+//! The guarantee of several objects in one file, looked at on the meshes as they are written. Throws
+//! OutputError.
+void requireApart(const std::vector<FinishedWall>& surfaces) {
+  for (std::size_t j = 1; j < surfaces.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i)
+      if (bodyContact(surfaces[i].mesh->get().mesh, surfaces[j].mesh->get().mesh) != BodyContact::none)
+        throw OutputError(
+            Document::tr("“%1” meets “%2”, and nothing was written: grow it anew, so that it keeps clear.")
+                .arg(surfaces[j].name, surfaces[i].name)
+                .toStdString());
+}
+
+//! What takes time: the certificate of the mesh as it is written, and doubts.
+RunReport completed(PendingReport pending) {
+  const auto start = std::chrono::steady_clock::now();
+  RunReport made = std::move(pending.report);
+  const std::vector<std::string> known = std::move(made.doubts);
+  const MeshSnapshot& shown = *pending.shown;
+  const CertifiedMesh mesh = certifiedForExport(shown.mesh);
+  made.mesh = mesh.certificate;
+  made.doubts = doubts(made, mesh.mesh);
+  made.doubts.insert(made.doubts.end(), shown.doubts.begin(), shown.doubts.end());
+  made.doubts.insert(made.doubts.end(), known.begin(), known.end());
+  made.unsupportedSurface = shown.support.withoutEdge;
+  Timings& s = made.seconds;
+  s.exported = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  s.total = s.load + s.prepare + s.evolve + s.exported;
+  return made;
+}
+
+std::string textOf(const std::vector<RunReport>& reports) {
+  if (reports.size() == 1) return reportText(reports.front());
+  Timings sum;
+  for (const RunReport& report : reports) {
+    sum.load += report.seconds.load;
+    sum.prepare += report.seconds.prepare;
+    sum.evolve += report.seconds.evolve;
+    sum.exported += report.seconds.exported;
+    sum.total += report.seconds.total;
+  }
+  return reportText(reports, sum);
+}
+
 //! On the files' thread: the hash is there, or worked out now. Throws InputError.
 void complete(Session& session, std::string& hash) {
   if (hash.empty()) hash = sha256OfPath(session.volume.path);
@@ -31,98 +83,86 @@ void complete(Session& session, std::string& hash) {
 
 }  // namespace
 
-Session Document::Private::session() const {
-  Session s;
-  s.version = HANDLEBODY_VERSION;
-  s.volume = work->reference;
-  s.seeds = edits.seeds;
-  s.requested = edits.parameters;
-  s.constraints = edits.constraints;
-  s.view = view.toStdString();
-  const int shown = growth.iteration();
-  if (shown < 0) return s;
-  s.seeds = growth.beginning().requestedSeeds();
-  s.requested = growth.beginning().requested();
-  s.constraints = growth.beginning().constraints();
-  s.resolved = growth.beginning().parameters();
-  s.stopAt = shown;
-  for (const ParameterChange& change : growth.changes())
-    if (change.iteration < shown) s.changes.push_back(change);
-  Request last{s.seeds, s.requested, s.constraints};
-  for (const ParameterChange& change : s.changes) last = changed(last, change);
-  if (last == edits.request()) return s;
-  s.changes.push_back({shown, edits.parameters, {}});
-  if (last.seeds != edits.seeds) s.changes.back().seeds = edits.seeds;
-  if (last.constraints != edits.constraints) s.changes.back().constraints = edits.constraints;
-  return s;
+std::vector<Session> Document::Private::sessions() const {
+  std::vector<Session> all;
+  for (const auto& object : objects) {
+    all.push_back(object->session());
+    all.back().version = HANDLEBODY_VERSION;
+    all.back().volume = work->reference;
+  }
+  all.front().view = viewWithObjects().toStdString();
+  return all;
 }
 
-RunReport Document::Private::report() const {
-  RunReport r;
-  r.session = session();
-  r.volume = work->info;
-  r.volume.grid = work->volume.grid;
-  r.iterations = growth.iteration();
-  r.stopped = growth.stopReason();
-  r.seconds.load = work->seconds;
-  r.seconds.prepare = prepareSeconds;
-  r.seconds.evolve = growth.seconds();
-  for (const Event& event : growth.events())
-    if (event.iteration <= r.iterations) r.events.push_back(event);
-  for (const RecordedCorrection& correction : growth.corrections())
-    if (correction.iteration < r.iterations) r.corrections.push_back(correction);
-  if (const auto shown = growth.snapshot()) r.held = shown->held;
-  if (growth.exists()) {
-    r.candidates = growth.beginning().candidates();
-    r.isCloseChoice = growth.beginning().isCloseChoice();
-  }
-  return r;
+//! What a session of the command line has no place for stands among what the window keeps for itself.
+QByteArray Document::Private::viewWithObjects() const {
+  QJsonObject json = QJsonDocument::fromJson(view).object();
+  const bool isPlain = objects.size() == 1 && active->traits.visible && !active->traits.locked;
+  if (isPlain && !json.contains(kObjectsKey)) return view;
+  json.remove(kObjectsKey);
+  json.remove(kActiveKey);
+  if (isPlain) return json.isEmpty() ? QByteArray() : QJsonDocument(json).toJson(QJsonDocument::Compact);
+  QJsonArray rows;
+  for (const auto& object : objects)
+    rows.append(QJsonObject{{kVisibleKey, object->traits.visible}, {kLockedKey, object->traits.locked}});
+  json[kObjectsKey] = rows;
+  json[kActiveKey] = indexOf(*active);
+  return QJsonDocument(json).toJson(QJsonDocument::Compact);
 }
+
+// A session may come from anywhere: what makes no sense is left as it is.
+void Document::Private::readView() {
+  const QJsonObject json = QJsonDocument::fromJson(view).object();
+  const QJsonArray rows = json[kObjectsKey].toArray();
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const QJsonObject row = rows[static_cast<qsizetype>(i)].toObject();
+    objects[i]->traits.visible = row[kVisibleKey].toBool(true);
+    objects[i]->traits.locked = row[kLockedKey].toBool(false);
+  }
+  const int index = json[kActiveKey].toInt(0);
+  if (index >= 0 && index < static_cast<int>(objects.size()))
+    active = objects[static_cast<std::size_t>(index)];
+}
+
+// --- results ---
 
 void Document::exportResult(const QString& path, CoordinateSpace space) {
   const auto shown = snapshot();
-  if (!shown) {
+  if (!shown)
     Q_EMIT exportFailed(tr("There is no surface to export yet: grow one first."));
-    return;
-  }
-  if (shown->mesh.triangles.empty()) {
+  else if (shown->mesh.triangles.empty())
     Q_EMIT exportFailed(
         tr("Nothing is left of the surface at this iteration: step back to one that has some."));
-    return;
-  }
-  d_->files.post(
-      [this, path, shown, context = ExportContext{d_->work->volume.grid, space, d_->work->info.dicom, {}}] {
-        const QString failed = sentenceOf([&] {
-          writeResults({{ObjectLabel{}, certifiedForExport(shown->mesh).mesh}}, context, {fileName(path)});
-        });
-        QMetaObject::invokeMethod(
-            this,
-            [this, path, failed] { failed.isEmpty() ? Q_EMIT exported(path) : Q_EMIT exportFailed(failed); },
-            Qt::QueuedConnection);
-      });
-}
-
-void Document::exportReport(const QString& path) {
-  if (snapshot())
-    d_->exportReport(path);
   else
-    Q_EMIT exportFailed(tr("There is no surface to report on yet: grow one first."));
+    d_->exportFiles(path, space, {activeObject()});
 }
 
-void Document::Private::exportReport(const QString& path) {
-  files.post([this, path, shown = growth.snapshot(), made = report(), known = hash]() mutable {
+void Document::exportObjects(const QString& path, CoordinateSpace space) {
+  std::vector<int> which;
+  for (int i = 0; i < objectCount(); ++i)
+    if (d_->object(i).finished()) which.push_back(i);
+  if (which.empty())
+    Q_EMIT exportFailed(tr("There is no surface to export yet: grow one first."));
+  else
+    d_->exportFiles(path, space, which);
+}
+
+void Document::Private::exportFiles(const QString& path, CoordinateSpace space,
+                                    const std::vector<int>& which) {
+  std::vector<FinishedWall> surfaces;
+  std::vector<ObjectLabel> labels;
+  for (const int i : which) {
+    labels.push_back(object(i).traits.label);
+    surfaces.push_back({QString::fromStdString(labels.back().name), object(i).finished()});
+  }
+  files.post([this, path, surfaces, labels,
+              context = ExportContext{work->volume.grid, space, work->info.dicom, {}}] {
     const QString failed = sentenceOf([&] {
-      const auto start = std::chrono::steady_clock::now();
-      complete(made.session, *known);
-      const CertifiedMesh mesh = certifiedForExport(shown->mesh);
-      made.mesh = mesh.certificate;
-      made.doubts = doubts(made, mesh.mesh);
-      made.doubts.insert(made.doubts.end(), shown->doubts.begin(), shown->doubts.end());
-      made.unsupportedSurface = shown->support.withoutEdge;
-      Timings& s = made.seconds;
-      s.exported = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      s.total = s.load + s.prepare + s.evolve + s.exported;
-      writeTextAtomically(fileName(path), reportText(made));
+      requireApart(surfaces);
+      std::vector<ExportedObject> made;
+      for (std::size_t i = 0; i < surfaces.size(); ++i)
+        made.push_back({labels[i], surfaces[i].mesh->get().mesh});
+      writeResults(made, context, {fileName(path)});
     });
     QMetaObject::invokeMethod(
         &q,
@@ -131,46 +171,118 @@ void Document::Private::exportReport(const QString& path) {
   });
 }
 
+// --- report ---
+
+void Document::exportReport(const QString& path) {
+  const auto made = hasVolume() ? d_->pendingReports() : std::vector<PendingReport>();
+  if (made.empty())
+    Q_EMIT exportFailed(tr("There is no surface to report on yet: grow one first."));
+  else
+    d_->exportReport(path, made);
+}
+
+//! Of what is known on this thread; the rest is added on the files'.
+std::vector<PendingReport> Document::Private::pendingReports() const {
+  std::vector<PendingReport> all;
+  for (const auto& object : objects) {
+    const auto shown = object->growth().snapshot();
+    if (!shown || (objects.size() > 1 && !object->finished())) continue;
+    RunReport r = object->report();
+    r.session.version = HANDLEBODY_VERSION;
+    r.session.volume = work->reference;
+    r.volume = work->info;
+    r.volume.grid = work->volume.grid;
+    if (all.empty()) {
+      r.session.view = viewWithObjects().toStdString();
+      r.seconds.load = work->seconds;
+    }
+    if (const QString earlier = madeWithEarlier(*object); !earlier.isEmpty())
+      r.doubts.push_back("The surface was made with an earlier one of the object '" + earlier.toStdString() +
+                         "', and a replay may make another");
+    all.push_back({std::move(r), shown});
+  }
+  return all;
+}
+
+void Document::Private::exportReport(const QString& path, const std::vector<PendingReport>& reports) {
+  files.post([this, path, made = reports, known = hash]() mutable {
+    const QString failed = sentenceOf([&] {
+      std::vector<RunReport> all;
+      for (PendingReport& pending : made) {
+        complete(pending.report.session, *known);
+        all.push_back(completed(std::move(pending)));
+      }
+      writeTextAtomically(fileName(path), textOf(all));
+    });
+    QMetaObject::invokeMethod(
+        &q,
+        [this, path, failed] { failed.isEmpty() ? Q_EMIT q.exported(path) : Q_EMIT q.exportFailed(failed); },
+        Qt::QueuedConnection);
+  });
+}
+
+// --- session ---
+
 void Document::saveSession(const QString& path) {
+  const auto& all = d_->objects;
   if (!hasVolume())
     Q_EMIT saveFailed(tr("There is nothing to save yet: open a volume first."));
-  else if (!isSeeded())
+  else if (std::none_of(all.begin(), all.end(), [](const auto& object) { return object->isSeeded(); }))
     Q_EMIT saveFailed(tr("A session needs a seed: place one inside the object first."));
   else
     d_->saveSession(path);
 }
 
 void Document::Private::saveSession(const QString& path) {
-  const int edit = undo.index(), iteration = growth.iteration(), opening = openings;
-  files.post([this, path, made = session(), known = hash, edit, iteration, opening]() mutable {
+  std::vector<int> iterations;
+  for (const auto& object : objects) iterations.push_back(object->growth().iteration());
+  files.post([this, path, made = sessions(), known = hash, edit = undo.index(), iterations,
+              opening = openings]() mutable {
     const QString failed = sentenceOf([&] {
-      complete(made, *known);
-      writeSession(made, fileName(path));
+      for (Session& session : made) complete(session, *known);
+      writeSessions(made, fileName(path));
     });
     QMetaObject::invokeMethod(
         &q,
-        [this, path, failed, edit, iteration, opening] {
+        [this, path, failed, edit, iterations, opening] {
           if (!failed.isEmpty()) {
             Q_EMIT q.saveFailed(failed);
             return;
           }
-          if (opening == openings) {  // else other work is open by now
-            sessionPath = path;
-            savedIteration = iteration;
-            if (edit == undo.index()) undo.setClean();
-            updateModified();
-          }
+          if (opening == openings) saved(path, edit, iterations);  // else other work is open by now
           Q_EMIT q.sessionSaved(path);
         },
         Qt::QueuedConnection);
   });
 }
 
+void Document::Private::saved(const QString& path, int edit, const std::vector<int>& iterations) {
+  sessionPath = path;
+  if (objects.size() == iterations.size())  // else one was added or deleted meanwhile, which is not saved
+    for (std::size_t i = 0; i < iterations.size(); ++i) objects[i]->setSavedIteration(iterations[i]);
+  if (edit == undo.index()) undo.setClean();
+  updateModified();
+}
+
 QString Document::sessionPath() const { return d_->sessionPath; }
 
+QStringList Document::notReplayed() const {
+  QStringList names;
+  if (objectCount() < 2) return names;
+  for (const auto& object : d_->objects) {
+    const bool isAsShown = object->growth().exists() && !object->isOutOfDate() && names.isEmpty();
+    if (object->isSeeded() && !object->isReplaying() && !isAsShown)
+      names.append(QString::fromStdString(object->traits.label.name));
+  }
+  return names;
+}
+
 void Document::Private::journalNow() {
-  if (work && q.isSeeded())
-    journal.write(session());
+  const bool isWorthIt = objects.size() > 1 || active->isSeeded();
+  const bool isSeeded =
+      std::any_of(objects.begin(), objects.end(), [](const auto& object) { return object->isSeeded(); });
+  if (work && isWorthIt && isSeeded)
+    journal.write(sessions());
   else
     journal.clear();
 }

@@ -1,64 +1,81 @@
 #pragma once
 // The parts of a Document and how they are joined. Only for document*.cpp.
 
-#include <QTimer>
 #include <QUndoStack>
+#include <memory>
+#include <optional>
+#include <vector>
 
 #include "core/io/report.h"
 #include "ui/model/background.h"
 #include "ui/model/document.h"
-#include "ui/model/growth.h"
 #include "ui/model/journal.h"
+#include "ui/model/object_work.h"
 #include "ui/model/opening.h"
-#include "ui/model/preparation.h"
 #include "ui/model/undo_commands.h"
 
 namespace handlebody::ui {
 
-class Document::Private {
+//! What is told of an object but what takes time.
+struct PendingReport {
+  RunReport report;
+  std::shared_ptr<const MeshSnapshot> shown;
+};
+
+class Document::Private : public ObjectHost {
  public:
-  //! What is to be done when the contour is prepared.
-  enum class Wanted { nothing, run, step, toEvent, replay };
+  using Wanted = ObjectWork::Wanted;
 
   explicit Private(Document& document);
-  ~Private();
+  ~Private() override;
+
+  // --- what the objects ask and tell ---
+  const Volume* openVolume() const override { return work ? &work->volume : nullptr; }
+  std::vector<FinishedWall> wallsFor(const ObjectWork& object) const override;
+  bool mustWait(const ObjectWork& object) const override;
+  void changed(const ObjectWork& object, Part part) override;
+  void worthKeeping(const ObjectWork& object) override;
+  void traced(const ObjectWork& object, int index, const EventTrace& trace) override;
+  void leaked(const ObjectWork& object, int index) override;
 
   // --- opening ---
   void open(const QString& path, const VolumeSelection& selection);
   void finishOpening(int number, const QString& path, OpeningResult result);
   void adopt(const QString& path, OpenedWork opened);
-  void adoptSession(const QString& path, const Session& session);
+  void adoptObjects(const QString& path, const std::vector<Session>& sessions);
   void hashInBackground();
+
+  // --- objects ---
+  ObjectWork& object(int index) const { return *objects.at(static_cast<std::size_t>(index)); }
+  int indexOf(const ObjectWork& object) const;
+  //! Set up as the others are; not in the list.
+  std::shared_ptr<ObjectWork> newObject();
+  void setUp(ObjectWork& object) const;
+  void activate(const std::shared_ptr<ObjectWork>& object);
+  void tellAll();
+  ObjectList list() const;
+  void pushList(const QString& text, ObjectList after, int gesture = -1);
+  void applyList(const ObjectList& after);
+  void pokeAfter(const ObjectWork& object);
+  ObjectLabel freshLabel() const;
+  QString madeWithEarlier(const ObjectWork& object) const;
+  //! False, and says so, if the active object is locked.
+  bool mayChange();
 
   // --- seeds and parameters ---
   void push(const QString& text, Edits after, int gesture);
-  void apply(const Edits& after, EditCommand::Way way);
-  void editsChanged(bool seeds);
-  void goBackBefore(const Request& undone);
-
-  // --- automatic parameters ---
-  void requestPreparation(const Request& request);
-  void preparationDone(int number, const Prepared& result);
-  void preparationDue();
-  void forgetPreparation();
-  void forgetCandidates();
-
-  // --- growth ---
   void goOn(Wanted what);
-  void beginGrowth(Wanted what);
-  void await(Wanted what);
-  void startPrepared();
-  void dropGrowth();
-  void growthStateChanged();
-  GrowthState state() const;
-  void updateState();
   void updateModified();
 
   // --- out ---
-  Session session() const;
-  RunReport report() const;
+  std::vector<Session> sessions() const;
+  std::vector<PendingReport> pendingReports() const;
+  QByteArray viewWithObjects() const;
+  void readView();
+  void exportFiles(const QString& path, CoordinateSpace space, const std::vector<int>& which);
+  void exportReport(const QString& path, const std::vector<PendingReport>& reports);
   void saveSession(const QString& path);
-  void exportReport(const QString& path);
+  void saved(const QString& path, int edit, const std::vector<int>& iterations);
   void journalNow();
 
   Document& q;
@@ -71,35 +88,15 @@ class Document::Private {
   bool isOpening = false;
   std::shared_ptr<std::atomic<bool>> cancelled = std::make_shared<std::atomic<bool>>(false);
 
-  Edits edits;
+  std::vector<std::shared_ptr<ObjectWork>> objects;  // one at least
+  std::shared_ptr<ObjectWork> active;                // one of them
   QUndoStack undo;
-  int savedIteration = -1;
   bool wasModified = false;
-
-  int preparations = 0;  // number of the newest that was asked for
-  bool isPreparing = false;
-  bool changedOnTheWay = false;                   // clicks or parameters, while the growth runs
-  std::shared_ptr<const ActiveContour> prepared;  // of the present clicks and parameters
-  double prepareSeconds = 0;
-  std::optional<ResolvedParameters> resolved;
-  std::vector<ObjectCandidate> candidates;
-  bool isCloseChoice = false;
-  QString resolveError;
-  QTimer settle;  // from the last change to the preparation
-
-  Wanted wanted = Wanted::nothing;
-  Replay replay;
-  Request replayed;  // at the beginning of the replay
-  QString error;
-  GrowthState shownState = GrowthState::none;
-  StopReason shownStop = StopReason::running;
-  QString shownError;
   int stepsPerFrame = 1;
+  bool pausesAtLeaks = false;
 
   // Threads: last, so that they end before what their jobs report to.
   Journal journal;
-  Growth growth;
-  Preparation preparation;
   Background files;
 };
 

@@ -40,6 +40,7 @@ void Growth::clear() {
   snapshot_.reset();
   summaries_.clear();
   events_.clear();
+  leaks_.clear();
   changes_.clear();
   corrections_.clear();
   seconds_ = 0;
@@ -101,6 +102,8 @@ void Growth::collect() {
   request_ = std::move(update.request);
   changes_ = std::move(update.changes);
   corrections_ = std::move(update.corrections);
+  leaks_ = std::move(update.leaks);
+  const bool leaked = update.leaked && !leaks_.empty();
   seconds_ = update.seconds;
   stopReason_ = update.stopReason;
   if (update.processed >= expected_) {
@@ -111,6 +114,7 @@ void Growth::collect() {
   if (shownChanged) listener_.snapshotChanged();
   for (const auto& [index, trace] : update.traces) listener_.traced(index, trace);
   listener_.stateChanged();
+  if (leaked) listener_.leaked(static_cast<int>(leaks_.size()) - 1);
 }
 
 }  // namespace handlebody::ui

@@ -16,6 +16,7 @@ class Growth {
     std::function<void()> snapshotChanged;
     std::function<void()> summariesChanged;
     std::function<void(int, const EventTrace&)> traced;
+    std::function<void(int)> leaked;
   };
   Growth(QObject* context, Listener listener);
 
@@ -36,6 +37,8 @@ class Growth {
   void trace(int index) { worker_.trace(index); }
   void setStepsPerFrame(int steps) { worker_.setStepsPerFrame(steps); }
 
+  void setPausesAtLeaks(bool on) { worker_.setPausesAtLeaks(on); }
+
   bool isRunning() const { return running_; }
   //! Of the shown iteration; running while it could go on.
   StopReason stopReason() const { return stopReason_; }
@@ -44,6 +47,7 @@ class Growth {
   int iteration() const { return snapshot_ ? snapshot_->iteration : -1; }
   const std::vector<IterationSummary>& summaries() const { return summaries_; }
   const std::vector<Event>& events() const { return events_; }
+  const std::vector<FoundLeak>& leaks() const { return leaks_; }
   //! What the next step from the shown iteration is done with, as recorded.
   const Request& request() const { return request_; }
   const std::vector<ParameterChange>& changes() const { return changes_; }
@@ -65,6 +69,7 @@ class Growth {
   std::shared_ptr<const MeshSnapshot> snapshot_;
   std::vector<IterationSummary> summaries_;
   std::vector<Event> events_;
+  std::vector<FoundLeak> leaks_;
   Request request_;
   std::vector<ParameterChange> changes_;
   std::vector<RecordedCorrection> corrections_;

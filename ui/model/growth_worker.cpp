@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "core/cancellation.h"
 #include "ui/model/error_sentence.h"
 #include "ui/model/snapshot.h"
 
@@ -10,36 +11,45 @@ namespace handlebody::ui {
 
 GrowthWorker::GrowthWorker(std::function<void()> notify)
     : notify_(std::move(notify)), thread_([this](const std::stop_token& stop) { loop(stop); }) {}
-GrowthWorker::~GrowthWorker() = default;
+GrowthWorker::~GrowthWorker() {
+  thread_.request_stop();
+  endsStep_ = true;
+}
 
-void GrowthWorker::send(Command command, bool isGoTo) {
+void GrowthWorker::send(Command command, Urgency urgency) {
   {
     const std::lock_guard lock(mutex_);
     // A slider that is dragged asks for many iterations; only the newest counts.
-    if (isGoTo && !commands_.empty() && commands_.back().second) {
+    if (urgency == Urgency::goesTo && !commands_.empty() && commands_.back().second == urgency) {
       commands_.pop_back();
       ++done_;
     }
-    commands_.emplace_back(std::move(command), isGoTo);
+    commands_.emplace_back(std::move(command), urgency);
+    if (urgency != Urgency::normal) endsStep_ = true;
   }
   ++sent_;
   changed_.notify_all();
 }
 
 void GrowthWorker::start(std::shared_ptr<const ActiveContour> contour) {
-  send([this, contour = std::move(contour)] {
-    mode_ = Mode::idle;
-    seconds_ = 0;
-    framed_ = kept_ = -1;
-    history_.emplace(*contour);
-  });
+  send(
+      [this, contour = std::move(contour)] {
+        mode_ = Mode::idle;
+        seconds_ = 0;
+        framed_ = kept_ = -1;
+        leaks_.clear();
+        history_.emplace(*contour);
+      },
+      Urgency::endsStep);
 }
 
 void GrowthWorker::clear() {
-  send([this] {
-    mode_ = Mode::idle;
-    history_.reset();
-  });
+  send(
+      [this] {
+        mode_ = Mode::idle;
+        history_.reset();
+      },
+      Urgency::endsStep);
 }
 
 void GrowthWorker::run(const Request& request, PreparedContour prepared) {
@@ -53,8 +63,9 @@ void GrowthWorker::runToEvent(const Request& request, PreparedContour prepared) 
 void GrowthWorker::step(const Request& request, PreparedContour prepared) {
   send([this, request, prepared = std::move(prepared)] {
     goOn(request, prepared.get(), Mode::run);
-    if (mode_ == Mode::run) stepOnce();
+    const bool canGoOn = mode_ == Mode::run;
     mode_ = Mode::idle;
+    if (canGoOn) stepOnce();
   });
 }
 
@@ -66,24 +77,26 @@ void GrowthWorker::replay(const Replay& replay) {
 }
 
 void GrowthWorker::pause() {
-  send([this] { mode_ = Mode::idle; });
+  send([this] { mode_ = Mode::idle; }, Urgency::endsStep);
 }
 
 void GrowthWorker::goTo(int iteration) {
-  send([this, iteration] { show(iteration); }, true);
+  send([this, iteration] { show(iteration); }, Urgency::goesTo);
 }
 
 void GrowthWorker::stepBack() {
-  send([this] { show(history_ ? history_->iteration() - 1 : 0); });
+  send([this] { show(history_ ? history_->iteration() - 1 : 0); }, Urgency::endsStep);
 }
 
 void GrowthWorker::goToPreviousEvent() {
-  send([this] {
-    if (!history_) return;
-    int at = history_->iteration() - 1;
-    while (at > history_->firstIteration() && !isEventIteration(at)) --at;
-    show(at);
-  });
+  send(
+      [this] {
+        if (!history_) return;
+        int at = history_->iteration() - 1;
+        while (at > history_->firstIteration() && !isEventIteration(at)) --at;
+        show(at);
+      },
+      Urgency::endsStep);
 }
 
 void GrowthWorker::trace(int index) {
@@ -93,6 +106,11 @@ void GrowthWorker::trace(int index) {
 void GrowthWorker::setStepsPerFrame(int steps) {
   const std::lock_guard lock(mutex_);
   stepsPerFrame_ = std::max(1, steps);
+}
+
+void GrowthWorker::setPausesAtLeaks(bool on) {
+  const std::lock_guard lock(mutex_);
+  pausesAtLeaks_ = on;
 }
 
 GrowthUpdate GrowthWorker::collect() {
@@ -106,6 +124,7 @@ GrowthUpdate GrowthWorker::collect() {
   knownEvents_ = events_.size();
   update_.snapshot.reset();
   update_.traces.clear();
+  update_.leaked = false;
   notified_ = false;
   return out;
 }
@@ -127,6 +146,8 @@ std::optional<GrowthWorker::Command> GrowthWorker::next(const std::stop_token& s
   if (commands_.empty() || stop.stop_requested()) return std::nullopt;
   Command command = std::move(commands_.front().first);
   commands_.pop_front();
+  endsStep_ = std::any_of(commands_.begin(), commands_.end(),
+                          [](const auto& c) { return c.second != Urgency::normal; });
   ++done_;
   error_.clear();
   return command;
@@ -139,6 +160,7 @@ void GrowthWorker::perform(const Command& command) {
     command();
     if (history_ && history_->iteration() != before) ++sinceFrame_;
     frame = nextFrame();
+  } catch (const Cancelled&) {  // the next command says what is wanted instead
   } catch (...) {
     error_ = errorSentence();
     mode_ = Mode::idle;
@@ -165,6 +187,7 @@ std::shared_ptr<const MeshSnapshot> GrowthWorker::nextFrame() {
 void GrowthWorker::change(const Request& request, const ActiveContour* prepared) {
   history_->change(request, prepared);
   kept_ = std::min(kept_, history_->lastIteration());
+  std::erase_if(leaks_, [&](const FoundLeak& f) { return f.leak.iteration > history_->lastIteration(); });
 }
 
 void GrowthWorker::goOn(const Request& request, const ActiveContour* prepared, Mode mode) {
@@ -188,10 +211,23 @@ void GrowthWorker::stepOnce() {
   if (mode_ == Mode::replay && !replayChange()) return;
   const int last = history_->lastIteration();
   const auto start = std::chrono::steady_clock::now();
-  history_->advance();
+  {
+    const CancelScope scope(endsStep_);
+    history_->advance();
+  }
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-  if (history_->lastIteration() > last) seconds_ += spent.count();
-  if (hasReached()) mode_ = Mode::idle;
+  const bool isNew = history_->lastIteration() > last;
+  if (isNew) seconds_ += spent.count();
+  if ((isNew && noticeLeaks() && mode_ != Mode::replay) || hasReached()) mode_ = Mode::idle;
+}
+
+//! Of the step just made. True if the growth is to pause at them.
+bool GrowthWorker::noticeLeaks() {
+  const std::vector<Leak>& found = history_->steps().back().leaks;
+  for (const Leak& leak : found) leaks_.push_back({leak, history_->lastBefore(leak)});
+  const std::lock_guard lock(mutex_);
+  update_.leaked = update_.leaked || !found.empty();
+  return pausesAtLeaks_ && !found.empty();
 }
 
 //! The change that the session recorded here, if any. False if the replay ends here.
@@ -199,7 +235,7 @@ bool GrowthWorker::replayChange() {
   const int now = history_->iteration();
   for (const ParameterChange& recorded : replay_.changes)
     if (recorded.iteration == now && now < replay_.stopAt.value_or(now + 1))
-      change(changed({history_->seeds(), history_->parameters()}, recorded));
+      change(changed({history_->seeds(), history_->parameters(), history_->constraints()}, recorded));
   const bool goesOn = history_->stopReason() == StopReason::running && now < replay_.stopAt.value_or(now + 1);
   if (!goesOn) mode_ = Mode::idle;
   return goesOn;
@@ -249,6 +285,7 @@ void GrowthWorker::publish(std::shared_ptr<const MeshSnapshot> frame) {
       update_.request = {history_->seeds(), history_->parameters(), history_->constraints()};
       update_.resolved = history_->resolved();
       update_.changes = history_->changes();
+      update_.leaks = leaks_;
       update_.corrections = history_->corrections();
     }
   }

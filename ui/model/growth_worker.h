@@ -2,6 +2,7 @@
 // The growth on its own thread: steps while it runs, steps back, and hands over what it did.
 
 #include <QString>
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -29,7 +30,9 @@ struct GrowthUpdate {
   std::size_t eventsFrom = 0;
   std::vector<Event> events;
   std::vector<std::pair<int, EventTrace>> traces;
-  Request request;  //!< what the next step from the shown iteration is done with
+  std::vector<FoundLeak> leaks;  //!< all that are recorded
+  bool leaked = false;           //!< the last of them is new
+  Request request;               //!< what the next step from the shown iteration is done with
   std::optional<ResolvedParameters> resolved;
   std::vector<ParameterChange> changes;
   std::vector<RecordedCorrection> corrections;
@@ -46,8 +49,9 @@ struct Replay {
   std::optional<int> stopAt;
 };
 
-//! Every call returns at once; commands are done in order, a pause between two steps at the latest. Calls
-//! come from one thread.
+//! Every call returns at once; commands are done in order. What ends a run (a pause, another iteration,
+//! another growth) does not wait for the step that is being made: it is taken back. Calls come from one
+//! thread.
 class GrowthWorker {
  public:
   //! `notify` is called on the worker's thread when there is something to collect; not again before that is
@@ -75,6 +79,7 @@ class GrowthWorker {
   //! Works out the stages of events()[index].
   void trace(int index);
   void setStepsPerFrame(int steps);
+  void setPausesAtLeaks(bool on);
 
   //! Number of commands given so far: compare with GrowthUpdate::processed.
   int sent() const { return sent_; }
@@ -84,13 +89,15 @@ class GrowthWorker {
   enum class Mode { idle, run, toEvent, replay };
   using Command = std::function<void()>;
 
-  void send(Command command, bool isGoTo = false);
+  enum class Urgency { normal, endsStep, goesTo };
+  void send(Command command, Urgency urgency = Urgency::normal);
   void loop(const std::stop_token& stop);
   std::optional<Command> next(const std::stop_token& stop);
   void perform(const Command& command);
   void goOn(const Request& request, const ActiveContour* prepared, Mode mode);
   bool goToRecordedEvent();
   void stepOnce();
+  bool noticeLeaks();
   bool replayChange();
   bool hasReached() const;
   bool isEventIteration(int iteration) const;
@@ -114,13 +121,16 @@ class GrowthWorker {
   int kept_ = -1;  // what was published up to this iteration still holds
   double seconds_ = 0;
   QString error_;
+  std::vector<FoundLeak> leaks_;
 
   // Shared.
   std::mutex mutex_;
   std::condition_variable_any changed_;
-  std::deque<std::pair<Command, bool>> commands_;  // true: goes to an iteration
+  std::deque<std::pair<Command, Urgency>> commands_;
+  std::atomic<bool> endsStep_{false};  // one of them does
   int done_ = 0;
   int stepsPerFrame_ = 1;
+  bool pausesAtLeaks_ = false;
   bool notified_ = false;
   GrowthUpdate update_;  // without the lists
   std::vector<IterationSummary> summaries_;

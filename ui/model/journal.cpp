@@ -19,8 +19,8 @@ QDir folder() {
 QString lockOf(const QString& path) { return path + QLatin1String(".lock"); }
 
 // A journal that cannot be written must not stop the work; it is said once.
-void write(const Session& session, const std::string& path) try {
-  writeSession(session, path);
+void write(const std::vector<Session>& objects, const std::string& path) try {
+  writeSessions(objects, path);
 } catch (const std::exception& error) {
   static std::atomic<bool> said{false};
   if (!said.exchange(true)) std::fprintf(stderr, "handlebody: no journal is kept: %s\n", error.what());
@@ -45,9 +45,9 @@ Journal::~Journal() {
   background_.finish();
 }
 
-void Journal::write(const Session& session) {
+void Journal::write(const std::vector<Session>& objects) {
   background_.postInstead(
-      [session, path = QFile::encodeName(path_).toStdString()] { ui::write(session, path); });
+      [objects, path = QFile::encodeName(path_).toStdString()] { ui::write(objects, path); });
 }
 
 void Journal::clear() {

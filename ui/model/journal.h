@@ -20,8 +20,9 @@ class Journal {
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
-  //! Writes the session on a worker thread; of several that wait, only the newest.
-  void write(const Session& session);
+  //! Writes the session, of one object or of several, on a worker thread; of those that wait, only the
+  //! newest.
+  void write(const std::vector<Session>& objects);
   //! Nothing is left to recover.
   void clear();
 

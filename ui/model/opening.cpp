@@ -27,18 +27,18 @@ OpeningResult read(const QString& path, const VolumeSelection& selection,
   OpenedWork work;
   work.reference = {QFile::encodeName(path).toStdString(), {}, selection};
   if (isSessionPath(path)) {
-    work.session = readSession(work.reference.path);
-    work.reference = work.session->volume;
+    work.sessions = readSessions(work.reference.path);
+    work.reference = work.sessions.front().volume;
     // Relative to the session's folder it may be full of "..", which nobody wants to read.
     work.reference.path = std::filesystem::weakly_canonical(work.reference.path).string();
   }
   progress(-1);
-  if (work.session) verifyHash(work.reference);
+  if (!work.sessions.empty()) verifyHash(work.reference);
   if (cancelled) return OpeningFailed{};
   auto loaded = loadVolume(work.reference.path, work.reference.selection, {progress, &cancelled});
   if (!loaded) return OpeningFailed{};
   work.volume = std::move(loaded->volume);
-  if (work.session) loadWalls(*work.session, work.volume.grid);
+  for (Session& session : work.sessions) loadWalls(session, work.volume.grid);
   work.info = std::move(loaded->info);
   work.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return work;

@@ -4,7 +4,6 @@
 #include <QString>
 #include <atomic>
 #include <functional>
-#include <optional>
 #include <variant>
 #include <vector>
 
@@ -13,13 +12,13 @@
 
 namespace handlebody::ui {
 
-//! A volume, and the session that named it if there was one.
+//! A volume, and the objects of the session that named it if there was one.
 struct OpenedWork {
   Volume volume;
   VolumeInfo info;
-  VolumeReference reference;  //!< the hash is empty unless a session gave it
-  std::optional<Session> session;
-  double seconds = 0;  //!< that reading took
+  VolumeReference reference;      //!< the hash is empty unless a session gave it
+  std::vector<Session> sessions;  //!< one per object; empty: it was a volume
+  double seconds = 0;             //!< that reading took
 };
 
 //! A folder of several series of which none was chosen.

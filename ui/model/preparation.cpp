@@ -34,12 +34,19 @@ Preparation::~Preparation() { cancel(); }
 
 void Preparation::cancel() { *cancelled_ = true; }
 
-void Preparation::request(const Volume& volume, const Request& request, std::function<void(Prepared)> done) {
+void Preparation::forget() {
+  cancel();
+  background_.postInstead([this] { known_.clear(); });
+}
+
+void Preparation::request(const Volume& volume, const Request& request,
+                          const std::vector<FinishedWall>& walls, std::function<void(Prepared)> done) {
   cancel();
   cancelled_ = std::make_shared<std::atomic<bool>>(false);
   background_.postInstead([=, this, stop = cancelled_, done = std::move(done)] {
     const CancelScope scope(*stop);
     try {
+      for (const FinishedWall& wall : walls) wall.mesh->get();
       done(prepare(volume, request));
     } catch (const Cancelled&) {  // nobody waits for it
     } catch (...) {

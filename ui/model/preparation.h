@@ -10,6 +10,7 @@
 
 #include "core/evolution/active_contour.h"
 #include "ui/model/background.h"
+#include "ui/model/finished_mesh.h"
 
 namespace handlebody::ui {
 
@@ -24,9 +25,12 @@ class Preparation {
  public:
   ~Preparation();
   //! `done` is called on the worker thread. Of several requests only the newest is answered; what is under
-  //! way for an older one is given up.
-  void request(const Volume& volume, const Request& request, std::function<void(Prepared)> done);
+  //! way for an older one is given up. `walls` are the objects among the request's, which are made first.
+  void request(const Volume& volume, const Request& request, const std::vector<FinishedWall>& walls,
+               std::function<void(Prepared)> done);
   void cancel();
+  //! Lets go of what was prepared lately: its images are large.
+  void forget();
 
  private:
   //! What was prepared lately for the open volume: the choice of the image takes nearly all of the time, and

@@ -3,7 +3,7 @@
 namespace handlebody::ui {
 
 namespace {
-constexpr int kEdit = 1;  // the only kind of command that merges
+constexpr int kEdit = 1, kList = 2;  // the kinds of commands that merge
 }
 
 EditCommand::EditCommand(const QString& text, Edits before, Edits after, int gesture, Apply apply)
@@ -17,6 +17,22 @@ int EditCommand::id() const { return gesture_ < 0 ? -1 : kEdit; }
 
 bool EditCommand::mergeWith(const QUndoCommand* other) {
   const auto* next = static_cast<const EditCommand*>(other);  // the same id: the same class
+  if (next->gesture_ != gesture_ || next->text() != text()) return false;
+  after_ = next->after_;
+  return true;
+}
+
+ListCommand::ListCommand(const QString& text, ObjectList before, ObjectList after, int gesture, Apply apply)
+    : QUndoCommand(text),
+      before_(std::move(before)),
+      after_(std::move(after)),
+      gesture_(gesture),
+      apply_(std::move(apply)) {}
+
+int ListCommand::id() const { return gesture_ < 0 ? -1 : kList; }
+
+bool ListCommand::mergeWith(const QUndoCommand* other) {
+  const auto* next = static_cast<const ListCommand*>(other);
   if (next->gesture_ != gesture_ || next->text() != text()) return false;
   after_ = next->after_;
   return true;

@@ -1,11 +1,14 @@
 #pragma once
-// What can be undone: seeds, parameters and constraints, as they were before and after.
+// What can be undone: seeds, parameters and constraints of an object, as they were before and after; and
+// which objects there are, in which order, and how they are called.
 
 #include <QUndoCommand>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "core/evolution/parameters.h"
+#include "core/io/exported_object.h"
 
 namespace handlebody::ui {
 
@@ -17,6 +20,8 @@ struct Edits {
   Request request() const { return {seeds, parameters, constraints}; }
   int selectedSeed = -1;
 };
+
+class ObjectWork;
 
 class EditCommand : public QUndoCommand {
  public:
@@ -33,6 +38,42 @@ class EditCommand : public QUndoCommand {
 
  private:
   Edits before_, after_;
+  int gesture_;
+  Apply apply_;
+};
+
+//! How an object is called, and how it is treated.
+struct ObjectTraits {
+  ObjectLabel label;
+  bool visible = true;
+  bool locked = false;
+  friend bool operator==(const ObjectTraits&, const ObjectTraits&) = default;
+};
+
+//! The objects in their order. Those that are in no list any more live on in the commands that took them out.
+struct ObjectList {
+  struct Entry {
+    std::shared_ptr<ObjectWork> object;
+    ObjectTraits traits;
+    bool operator==(const Entry&) const = default;
+  };
+  std::vector<Entry> entries;
+  std::shared_ptr<ObjectWork> active;
+};
+
+class ListCommand : public QUndoCommand {
+ public:
+  using Apply = std::function<void(const ObjectList&)>;
+
+  ListCommand(const QString& text, ObjectList before, ObjectList after, int gesture, Apply apply);
+
+  int id() const override;
+  bool mergeWith(const QUndoCommand* other) override;
+  void undo() override { apply_(before_); }
+  void redo() override { apply_(after_); }
+
+ private:
+  ObjectList before_, after_;
   int gesture_;
   Apply apply_;
 };

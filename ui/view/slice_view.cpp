@@ -10,6 +10,7 @@
 
 #include "core/mesh/plane_section.h"
 #include "ui/model/document.h"
+#include "ui/view/other_outlines.h"
 #include "ui/view/overlay.h"
 #include "ui/view/slice_image.h"
 #include "ui/view/slice_interaction.h"
@@ -17,7 +18,7 @@
 namespace handlebody::ui {
 namespace {
 
-const QColor kOutline(0xff, 0xb8, 0x1a), kOutlineShadow(0, 0, 0, 110);
+const QColor kOutline(0xff, 0xb8, 0x1a);
 constexpr double kOutlineWidth = 1.6, kUnsupportedWidth = 2.4;  // pixels
 
 //! The views whose planes the vertical and the horizontal line of a crosshair are.
@@ -66,6 +67,7 @@ struct SliceView::Private {
   int cutSlice = -1;
   std::vector<std::array<Vec3, 2>> section;  // of cutMesh with cutSlice, mm
   std::vector<int> sectionFaces;             // triangles of its segments
+  OtherOutlines others;
 };
 
 const QImage& SliceView::Private::image(double pixelRatio) {
@@ -93,11 +95,9 @@ const std::vector<std::array<Vec3, 2>>& SliceView::Private::outline() {
   const std::shared_ptr<const MeshSnapshot> mesh = document.snapshot();
   if (mesh == cutMesh && geometry.slice() == cutSlice) return section;
   section.clear();
-  Vec3 index = Vec3::Zero();
-  index[geometry.axes().normal] = geometry.slice();
-  const double offset = geometry.normal().dot(geometry.grid().toWorld(index));
   if (mesh)
-    planeSection(mesh->mesh.points, mesh->mesh.triangles, geometry.normal(), offset, section, &sectionFaces);
+    planeSection(mesh->mesh.points, mesh->mesh.triangles, geometry.normal(), offsetOf(geometry), section,
+                 &sectionFaces);
   cutMesh = mesh;
   cutSlice = geometry.slice();
   return section;
@@ -115,14 +115,8 @@ bool SliceView::Private::paintOutline(QPainter& painter) {
         marks && cutMesh->support.faces[static_cast<std::size_t>(sectionFaces[i])] == FaceSupport::none;
     (marked ? unsupported : lines).append(QLineF(geometry.worldToScreen(from), geometry.worldToScreen(to)));
   }
-  const auto draw = [&painter](const QVector<QLineF>& all, const QColor& colour, double width) {
-    painter.setPen(QPen(kOutlineShadow, 2 * width, Qt::SolidLine, Qt::FlatCap));
-    painter.drawLines(all);
-    painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap));
-    painter.drawLines(all);
-  };
-  draw(lines, kOutline, kOutlineWidth);
-  draw(unsupported, unsupportedColour(), kUnsupportedWidth);
+  paintSegments(painter, lines, activeColour(document, kOutline), kOutlineWidth);
+  paintSegments(painter, unsupported, unsupportedColour(), kUnsupportedWidth);
   return !unsupported.isEmpty();
 }
 
@@ -185,7 +179,8 @@ void SliceView::Private::paint(QPainter& painter, double pixelRatio, bool focuse
     painter.drawImage(QPointF(0, 0), image(pixelRatio));
     painter.setRenderHint(QPainter::Antialiasing);
     paintCrosshair(painter);
-    const bool marked = paintOutline(painter);
+    others.paint(painter, document, geometry);
+    const bool marked = isActiveVisible(document) && paintOutline(painter);
     paintSeeds(painter, interaction.circles(), document.selectedSeed());
     paintScaleBar(painter, size, geometry.mmPerPixel());
     paintTexts(painter);
@@ -209,6 +204,7 @@ SliceView::SliceView(Plane plane, Document& document, ViewState& state, QWidget*
   connect(&document, &Document::selectedSeedChanged, this, repaint);
   connect(&document, &Document::resolvedChanged, this, repaint);
   connect(&document, &Document::snapshotChanged, this, repaint);
+  connect(&document, &Document::objectsChanged, this, repaint);
   connect(&state, &ViewState::changed, this, [this] {
     update();
     if (d_->document.hasVolume()) setCursor(d_->interaction.cursorAt(mapFromGlobal(QCursor::pos())));

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <list>
 
 #include "core/mesh/shapes.h"
 #include "ui/model/document.h"
@@ -133,6 +134,8 @@ void addLight(vtkRenderer* renderer, const Vec3& from, double intensity) {
 
 }  // namespace
 
+QColor plainMaterial() { return kMaterial; }
+
 QColor faceStateColour(int state) {
   static const QColor colours[] = {{0xf2, 0xa8, 0x3b}, {0x8f, 0xa6, 0xbf}, kHandle, kColliding};
   return colours[state];
@@ -145,13 +148,19 @@ QColor faceSupportColour(FaceSupport support) {
 }
 
 struct SurfaceScene::Private {
-  void colour(const MeshSnapshot& snapshot, MeshColouring colouring);
+  struct Shown {
+    TriangleActor actor;
+    std::shared_ptr<const MeshSnapshot> mesh;
+  };
+
+  void colour(const MeshSnapshot& snapshot, MeshColouring colouring, const QColor& material);
   void updateVisibility();
 
   vtkRenderer* renderer = nullptr;
   TriangleActor mesh, seeds, around, red, handle;
   LineActor outside, loops, lambda, box;
   std::array<SliceActor, 3> slices;
+  std::list<Shown> others;
   bool hasMesh = false, hasSeeds = false, hasOutside = false, hasVolume = false, slicesOn = false;
   EventStage stage = EventStage::none;
 };
@@ -194,6 +203,7 @@ void SurfaceScene::Private::updateVisibility() {
   mesh.actor()->SetVisibility(hasMesh && !staged);
   seeds.actor()->SetVisibility(hasSeeds && !hasMesh && !staged);
   outside.actor->SetVisibility(hasOutside && !hasMesh && !staged);
+  for (Shown& other : others) other.actor.actor()->SetVisibility(!staged);
   around.actor()->SetVisibility(staged);
   red.actor()->SetVisibility(stage == EventStage::colliding);
   lambda.actor->SetVisibility(stage == EventStage::colliding);
@@ -203,7 +213,8 @@ void SurfaceScene::Private::updateVisibility() {
   for (SliceActor& slice : slices) slice.actor->SetVisibility(slice.filled && slicesOn && !staged);
 }
 
-void SurfaceScene::Private::colour(const MeshSnapshot& snapshot, MeshColouring colouring) {
+void SurfaceScene::Private::colour(const MeshSnapshot& snapshot, MeshColouring colouring,
+                                   const QColor& material) {
   const std::size_t faces = snapshot.mesh.triangles.size();
   if (colouring == MeshColouring::state && snapshot.states.size() == faces)
     mesh.setColours({faceStateColour(0), faceStateColour(1), faceStateColour(2), faceStateColour(3)},
@@ -213,15 +224,31 @@ void SurfaceScene::Private::colour(const MeshSnapshot& snapshot, MeshColouring c
                      faceSupportColour(FaceSupport::border)},
                     reinterpret_cast<const unsigned char*>(snapshot.support.faces.data()), faces);
   else
-    mesh.setColour(kMaterial);
+    mesh.setColour(material);
 }
 
-void SurfaceScene::setMesh(const MeshSnapshot* mesh, MeshColouring colouring) {
+void SurfaceScene::setMesh(const MeshSnapshot* mesh, MeshColouring colouring, const QColor& material) {
   d_->hasMesh = mesh != nullptr && !mesh->mesh.triangles.empty();
   if (d_->hasMesh) {
     d_->mesh.setMesh(mesh->mesh, colouring != MeshColouring::edges);
     d_->mesh.setEdges(colouring == MeshColouring::edges);
-    d_->colour(*mesh, colouring);
+    d_->colour(*mesh, colouring, material);
+  }
+  d_->updateVisibility();
+}
+
+void SurfaceScene::setOthers(const std::vector<Other>& others) {
+  while (d_->others.size() > others.size()) {
+    d_->renderer->RemoveActor(d_->others.back().actor.actor());
+    d_->others.pop_back();
+  }
+  while (d_->others.size() < others.size()) d_->renderer->AddActor(d_->others.emplace_back().actor.actor());
+  auto shown = d_->others.begin();
+  for (const Other& other : others) {
+    if (shown->mesh != other.mesh) shown->actor.setMesh(other.mesh->mesh, true);
+    shown->mesh = other.mesh;
+    shown->actor.setColour(other.colour);
+    ++shown;
   }
   d_->updateVisibility();
 }

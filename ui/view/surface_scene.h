@@ -20,6 +20,7 @@ namespace handlebody::ui {
 
 struct MeshSnapshot;
 
+QColor plainMaterial();             //!< of a mesh without other colours
 QColor faceStateColour(int state);  //!< of a FaceState
 QColor faceSupportColour(FaceSupport support);
 
@@ -47,8 +48,14 @@ class SurfaceScene {
   explicit SurfaceScene(vtkRenderer* renderer);
   ~SurfaceScene();
 
-  //! Null: no mesh.
-  void setMesh(const MeshSnapshot* mesh, MeshColouring colouring);
+  //! Null: no mesh. `material`: its colour where `colouring` gives none.
+  void setMesh(const MeshSnapshot* mesh, MeshColouring colouring, const QColor& material = plainMaterial());
+  //! Surfaces besides the mesh, each in one colour.
+  struct Other {
+    std::shared_ptr<const MeshSnapshot> mesh;
+    QColor colour;
+  };
+  void setOthers(const std::vector<Other>& others);
   //! Balls, and crosses in place of those outside of the object; all with radii; empty: none are shown.
   void setSeeds(const std::vector<Seed>& seeds);
   //! The volume's edges; null: none.

@@ -17,6 +17,8 @@
 
 #include "ui/model/document.h"
 #include "ui/view/offscreen_renderer.h"
+#include "ui/view/other_outlines.h"
+#include "ui/view/other_surfaces.h"
 #include "ui/view/overlay.h"
 #include "ui/view/slice_image.h"
 #include "ui/view/surface_overlay.h"
@@ -154,7 +156,9 @@ double SurfaceView::Private::heightFor(const Sight& sight, double margin) const 
 void SurfaceView::Private::sync() {
   if (meshChanged) {
     shownColouring = state.meshColouring();
-    scene->setMesh(document.snapshot().get(), shownColouring);
+    scene->setMesh(isActiveVisible(document) ? document.snapshot().get() : nullptr, shownColouring,
+                   activeColour(document, plainMaterial()));
+    scene->setOthers(otherSurfaces(document));
     followMesh();
   }
   if (seedsChanged) syncSeeds();
@@ -195,7 +199,7 @@ void SurfaceView::Private::followMesh() {
   constexpr double kAtRest = 1.25, kFarAtRest = 1.6;                // and where nothing grows any more
   const std::shared_ptr<const MeshSnapshot> mesh = document.snapshot();
   if (!mesh || !follows || stage != EventStage::none || flight.state() == QAbstractAnimation::Running) return;
-  const std::optional<Sight> sight = ui::sightOf(mesh->mesh.points);
+  const std::optional<Sight> sight = sightOfSurfaces(document);
   if (!sight) return;
   CameraPose pose = scene->pose();
   const double offset = (sight->centre - pose.focus).norm();
@@ -304,7 +308,8 @@ SurfaceView::SurfaceView(Document& document, ViewState& state, QWidget* parent)
   const auto seeds = [d] { d->draw(d->seedsChanged); };
   connect(&document, &Document::seedsChanged, this, seeds);
   connect(&document, &Document::resolvedChanged, this, seeds);
-  connect(&document, &Document::snapshotChanged, this, [d] { d->draw(d->meshChanged); });
+  for (auto changed : {&Document::snapshotChanged, &Document::objectsChanged})
+    connect(&document, changed, this, [d] { d->draw(d->meshChanged); });
   connect(&document, &Document::stateChanged, this, [d] {
     if (d->document.state() == GrowthState::finished) d->draw(d->meshChanged);  // it may be seen from nearer
   });
@@ -363,8 +368,7 @@ void SurfaceView::clearStage() {
 
 void SurfaceView::resetCamera() {
   if (!hasOpenGl() || !d_->document.hasVolume()) return;
-  const std::shared_ptr<const MeshSnapshot> mesh = d_->document.snapshot();
-  const std::optional<Sight> sight = mesh ? ui::sightOf(mesh->mesh.points) : std::nullopt;
+  const std::optional<Sight> sight = sightOfSurfaces(d_->document);
   CameraPose pose = d_->scene->pose();
   if (sight) {
     pose.focus = sight->centre;

@@ -161,6 +161,33 @@ void addGrowCommands(std::vector<CommandSpec>& t) {
                       T("To the last iteration that was worked out"), kPlain, false}});
 }
 
+void addObjectCommands(std::vector<CommandSpec>& t) {
+  const char* menu = T("&Objects");
+  t.insert(t.end(),
+           {{Command::addObject, menu, "", T("&Add object"), "Ctrl+N", "object-add",
+             T("Another object in this volume; the surfaces before it are walls for it"), kPlain, false},
+            {Command::duplicateObject, menu, "", T("&Duplicate"), "Ctrl+Shift+D", "object-duplicate",
+             T("Another object with the same seeds and parameters"), kPlain, false},
+            {Command::deleteObject, menu, "", T("D&elete object"), "Ctrl+Backspace", "object-delete",
+             T("Delete the active object with its seeds and surface"), kPlain, false},
+            {Command::editObject, menu, "", T("&Properties…"), "F2", "object-edit",
+             T("Name, colour, label value and term of the active object"), kPlain, false},
+            {Command::moveObjectUp, menu, "", T("Move &up"), "Ctrl+Shift+Up", "move-up",
+             T("The active object earlier in the list: what two claim belongs to the first"), kPlain, true},
+            {Command::moveObjectDown, menu, "", T("Move do&wn"), "Ctrl+Shift+Down", "move-down",
+             T("The active object later in the list"), kPlain, false},
+            {Command::nextObject, menu, "", T("&Next object"), "Ctrl+PgDown", "",
+             T("The next object of the list is active"), kPlain, true},
+            {Command::previousObject, menu, "", T("P&revious object"), "Ctrl+PgUp", "",
+             T("The object before it in the list is active"), kPlain, false},
+            {Command::objectVisible, menu, "", T("&Visible"), "Ctrl+H", "",
+             T("Draw the surface of the active object"), kToggle, true},
+            {Command::objectLocked, menu, "", T("&Locked"), "Ctrl+L", "",
+             T("Change nothing of the active object"), kToggle, false},
+            {Command::growAll, menu, "", T("&Grow all"), "Ctrl+Space", "grow",
+             T("Grow all objects that are not done, in the order of the list"), kPlain, true}});
+}
+
 void addHelpCommands(std::vector<CommandSpec>& t) {
   const char* menu = T("&Help");
   t.insert(t.end(),
@@ -177,7 +204,7 @@ const std::vector<CommandSpec>& Commands::table() {
   static const std::vector<CommandSpec> all = [] {
     std::vector<CommandSpec> t;
     for (auto add : {addFileCommands, addEditCommands, addViewCommands, addDisplayCommands, addSeedCommands,
-                     addGrowCommands, addHelpCommands})
+                     addGrowCommands, addObjectCommands, addHelpCommands})
       add(t);
     return t;
   }();

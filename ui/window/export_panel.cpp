@@ -25,7 +25,10 @@ ExportPanel::ExportPanel(Document& document, const Commands& commands, QWidget* 
   static_cast<QVBoxLayout*>(layout())->addStretch();
   connect(&document_, &Document::snapshotChanged, this, &ExportPanel::showWhatIsWritten);
   connect(&document_, &Document::stateChanged, this, &ExportPanel::showWhatIsWritten);
-  connect(format_, &QComboBox::currentIndexChanged, this, &ExportPanel::showWhatIsWritten);
+  for (auto changed : {&Document::objectsChanged, &Document::opened})
+    connect(&document_, changed, this, &ExportPanel::showWhatIsWritten);
+  for (QComboBox* field : {objects_, format_})
+    connect(field, &QComboBox::currentIndexChanged, this, &ExportPanel::showWhatIsWritten);
   showWhatIsWritten();
 }
 
@@ -33,7 +36,12 @@ void ExportPanel::buildResult(const Commands& commands) {
   layout()->addWidget(heading(tr("Surface or label map"), this));
   hint_ = hint(tr("Nothing has grown yet. Place a seed and start the growth first."), this);
   layout()->addWidget(hint_);
-  QFormLayout* form = panelForm();
+  form_ = panelForm();
+  objects_ = new QComboBox(this);
+  objects_->addItems({tr("All objects in one file"), tr("The active object")});
+  describe(objects_, tr("Objects"), tr("What the file holds: names and colours stay apart where it can"));
+  ignoreWheelWithoutFocus(objects_);
+  form_->addRow(tr("Objects"), objects_);
   format_ = new QComboBox(this);
   format_->addItem(tr("STL surface, binary"), QStringLiteral(".stl"));
   format_->addItem(tr("VTP surface (VTK)"), QStringLiteral(".vtp"));
@@ -50,14 +58,14 @@ void ExportPanel::buildResult(const Commands& commands) {
   format_->addItem(tr("DICOM with STL surface"), QStringLiteral(".stl.dcm"));
   describe(format_, tr("Format"), tr("A surface keeps all detail; a label map has the voxels of the volume"));
   ignoreWheelWithoutFocus(format_);
-  form->addRow(tr("Format"), format_);
+  form_->addRow(tr("Format"), format_);
   spaceRow_ = choiceRow(tr("Coordinates"), {tr("LPS"), tr("RAS")},
                         {tr("x to the patient's left, y to the back, as in DICOM and ITK"),
                          tr("x to the patient's right, y to the front, as in NIfTI and 3D Slicer")},
                         space_, this);
   space_->button(0)->setChecked(true);
-  form->addRow(tr("Coordinates"), spaceRow_);
-  static_cast<QVBoxLayout*>(layout())->addLayout(form);
+  form_->addRow(tr("Coordinates"), spaceRow_);
+  static_cast<QVBoxLayout*>(layout())->addLayout(form_);
   numbers_ = value(tr("What is written"), this);
   layout()->addWidget(numbers_);
   layout()->addWidget(new ActionButton(commands[Command::exportResult], this));
@@ -87,17 +95,48 @@ CoordinateSpace ExportPanel::space() const {
   return space_->checkedId() == 1 ? CoordinateSpace::ras : CoordinateSpace::lps;
 }
 
+bool ExportPanel::takesAll() const { return document_.objectCount() > 1 && objects_->currentIndex() == 0; }
+
 std::optional<Cell> ExportPanel::pictureOf() const {
   const int cell = picture_->currentData().toInt();
   return cell < 0 ? std::nullopt : std::optional(static_cast<Cell>(cell));
 }
 
+//! How many there are, what they hold together, and what stands in the way.
+void ExportPanel::showAllObjects() {
+  int count = 0;
+  double volume = 0;
+  QStringList without, old;
+  for (int i = 0; i < document_.objectCount(); ++i) {
+    const ObjectInfo info = document_.objectInfo(i);
+    const QString name = QString::fromStdString(info.label.name);
+    if (!info.snapshot || info.snapshot->mesh.triangles.empty()) {
+      without << name;
+      continue;
+    }
+    ++count;
+    volume += info.snapshot->certificate.volume;
+    if (!info.madeWithEarlier.isEmpty()) old << name;
+  }
+  hint_->setVisible(count == 0);
+  numbers_->setVisible(count > 0);
+  QString text = tr("Objects: %1; %2 together.").arg(QString::number(count), millilitres(volume));
+  if (!without.isEmpty()) text += QLatin1Char(' ') + tr("Without a surface: %1.").arg(without.join(tr(", ")));
+  if (!old.isEmpty())
+    text +=
+        QLatin1Char(' ') +
+        tr("Made with earlier surfaces: %1. Nothing is written if any of them meet.").arg(old.join(tr(", ")));
+  numbers_->setText(text);
+}
+
 void ExportPanel::showWhatIsWritten() {
+  const std::string example = "x" + extension().toStdString();
+  spaceRow_->setEnabled(isMeshPath(example) || isThreeMfPath(example));
+  form_->setRowVisible(objects_, document_.objectCount() > 1);
+  if (takesAll()) return showAllObjects();
   const auto snapshot = document_.snapshot();
   hint_->setVisible(!snapshot);
   numbers_->setVisible(snapshot != nullptr);
-  const std::string example = "x" + extension().toStdString();
-  spaceRow_->setEnabled(isMeshPath(example) || isThreeMfPath(example));
   if (!snapshot) return;
   if (snapshot->mesh.triangles.empty())
     return numbers_->setText(tr("Nothing is left of the surface at this iteration."));

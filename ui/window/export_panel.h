@@ -9,6 +9,7 @@
 
 class QButtonGroup;
 class QComboBox;
+class QFormLayout;
 class QLabel;
 class QPushButton;
 
@@ -26,6 +27,8 @@ class ExportPanel : public QWidget {
   //! ".stl" …
   QString extension() const;
   CoordinateSpace space() const;
+  //! All objects in one file; else the active one.
+  bool takesAll() const;
   //! The view of which a picture is wanted; none: all four.
   std::optional<Cell> pictureOf() const;
 
@@ -33,10 +36,12 @@ class ExportPanel : public QWidget {
   void buildResult(const Commands& commands);
   void buildRest(const Commands& commands);
   void showWhatIsWritten();
+  void showAllObjects();
 
   Document& document_;
   QLabel *hint_, *numbers_;
-  QComboBox *format_, *picture_;
+  QComboBox *objects_, *format_, *picture_;
+  QFormLayout* form_;
   QWidget* spaceRow_;
   QButtonGroup* space_;
 };

@@ -79,7 +79,10 @@ void FileWork::connectMessages() {
   connect(&document_, &Document::exported, this,
           [said](const QString& path) { said(tr("%1 is written.").arg(path)); });
   connect(&document_, &Document::sessionSaved, this, [this, said](const QString& path) {
-    said(tr("The session is saved as %1.").arg(path));
+    const QStringList anew = document_.notReplayed();
+    said(tr("The session is saved as %1.").arg(path) +
+         (anew.isEmpty() ? QString()
+                         : QLatin1Char(' ') + tr("A replay grows anew: %1.").arg(anew.join(tr(", ")))));
     remember(path);
     afterSaved();
   });
@@ -216,7 +219,11 @@ void FileWork::exportResult() {
   const QString extension = exports_.extension();
   const QString path = askForName(tr("Export the result"), suggestedBase() + QStringLiteral("_surface"),
                                   QStringLiteral("*%1").arg(extension), extension);
-  if (!path.isEmpty()) document_.exportResult(path, exports_.space());
+  if (path.isEmpty()) return;
+  if (exports_.takesAll())
+    document_.exportObjects(path, exports_.space());
+  else
+    document_.exportResult(path, exports_.space());
 }
 
 void FileWork::exportReport() {

@@ -1,5 +1,6 @@
 #include "ui/window/grow_panel.h"
 
+#include <QCheckBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -179,6 +180,15 @@ QWidget* GrowPanel::buildButtons(const Commands& commands) {
   pace->addWidget(label);
   pace->addWidget(steps, 1);
   layout->addLayout(pace);
+  auto* pauses = new QCheckBox(tr("Pause at a leak"), part);
+  describe(
+      pauses, tr("Pause at a leak"),
+      tr("The growth pauses where the surface has come through a passage much narrower than what lies on "
+         "both sides of it"));
+  document_.setPausesAtLeaks(true);
+  pauses->setChecked(true);
+  connect(pauses, &QCheckBox::toggled, this, [this](bool on) { document_.setPausesAtLeaks(on); });
+  layout->addWidget(pauses);
   return part;
 }
 

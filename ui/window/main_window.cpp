@@ -23,6 +23,7 @@
 #include "ui/window/label_face.h"
 #include "ui/window/menus.h"
 #include "ui/window/message_bar.h"
+#include "ui/window/objects_panel.h"
 #include "ui/window/open_panel.h"
 #include "ui/window/panel_tools.h"
 #include "ui/window/seed_panel.h"
@@ -55,6 +56,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), commands_(documen
   connectDisplayCommands();
   connectSeedCommands();
   connectGrowCommands();
+  connectObjectCommands();
   connectHelpCommands();
   connect(&document_, &Document::opened, this, &MainWindow::showOpened);
   connect(&document_, &Document::modifiedChanged, this, &MainWindow::updateTitle);
@@ -92,6 +94,7 @@ void MainWindow::buildCentre() {
 
 void MainWindow::buildDocks() {
   steps_ = new StepsPanel(commands_);
+  steps_->setTop(new ObjectsPanel(document_, commands_, steps_));
   open_ = new OpenPanel(document_, commands_);
   steps_->add(Command::stepOpen, open_);
   steps_->add(Command::stepSeed, new SeedPanel(document_, state_, commands_));
@@ -108,6 +111,8 @@ void MainWindow::buildDocks() {
 
   timeline_ = new TimelinePanel(document_);
   connect(timeline_, &TimelinePanel::eventChosen, this, &MainWindow::goToEvent);
+  connect(&document_, &Document::leaked, this, &MainWindow::showLeak);
+  connect(&document_, &Document::leakedElsewhere, this, &MainWindow::tellLeakOf);
   timelineDock_ = new QDockWidget(tr("Timeline"), this);
   timelineDock_->setObjectName(QStringLiteral("timeline"));
   timelineDock_->setWidget(timeline_);

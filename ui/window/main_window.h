@@ -74,12 +74,19 @@ class MainWindow : public QMainWindow {
   void selectNextSeed();
   void seekEvent(bool next);
   void updateCommands();
+  // main_window_objects.cpp
+  void connectObjectCommands();
+  void showObject();
+  void updateObjectCommands();
   void showLayout();
   void showViewState();
   // main_window_session.cpp
   void restoreSettings();
   void saveSettings();
   void showOpened();
+  // main_window_leaks.cpp
+  void showLeak(int index);
+  void tellLeakOf(int object);
   void keepView();
   void restoreView();
   void updateTitle();

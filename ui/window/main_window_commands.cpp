@@ -230,14 +230,21 @@ void MainWindow::updateCommands() {
   enable({Command::largerObject}, neighbour(choice, SizeStep::larger).has_value());
   enable({Command::run, Command::stepForward, Command::nextEvent}, seeded && !atRest);
   const auto snapshot = document_.snapshot();
-  const bool something = snapshot && !snapshot->mesh.triangles.empty();
+  bool something = snapshot && !snapshot->mesh.triangles.empty(), anything = grown;
+  for (int i = 0; i < document_.objectCount() && document_.objectCount() > 1; ++i) {
+    const auto other = document_.objectInfo(i).snapshot;
+    something = something || (other && !other->mesh.triangles.empty());
+    anything = anything || other;
+  }
   enable({Command::exportResult}, something && !running);
-  enable({Command::exportReport}, grown && !running);
+  enable({Command::exportReport}, anything && !running);
   enable({Command::stepBack, Command::previousEvent, Command::toStart}, document_.iteration() > 0);
   enable({Command::toEnd}, grown && document_.iteration() < document_.lastIteration());
   QAction* run = commands_[Command::run];
-  run->setText(running ? tr("P&ause") : (grown ? tr("&Go on") : tr("&Start")));
+  const bool isOld = !document_.objectInfo(document_.activeObject()).madeWithEarlier.isEmpty();
+  run->setText(running ? tr("P&ause") : (grown && !isOld ? tr("&Go on") : tr("&Start")));
   run->setIcon(icon(running ? QStringLiteral("pause") : QStringLiteral("run")));
+  updateObjectCommands();
 }
 
 }  // namespace handlebody::ui

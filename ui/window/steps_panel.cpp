@@ -89,6 +89,8 @@ void StepsPanel::add(Command step, QWidget* panel) {
   steps_.push_back(step);
 }
 
+void StepsPanel::setTop(QWidget* widget) { static_cast<QVBoxLayout*>(layout())->insertWidget(0, widget); }
+
 void StepsPanel::show(Command step) {
   for (std::size_t i = 0; i < steps_.size(); ++i)
     if (steps_[i] == step) pages_->setCurrentIndex(static_cast<int>(i));

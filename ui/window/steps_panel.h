@@ -18,6 +18,8 @@ class StepsPanel : public QWidget {
 
   //! Adds the panel of a step; it scrolls if it is higher than the dock.
   void add(Command step, QWidget* panel);
+  //! What concerns all steps stands over them.
+  void setTop(QWidget* widget);
   void show(Command step);
   Command shown() const;
   QSize sizeHint() const override { return {312, 560}; }

@@ -14,13 +14,21 @@ namespace handlebody::ui {
 
 namespace {
 
-const QColor kVolume(0x3B, 0x82, 0xC4), kMoving(0xE0, 0x8A, 0x1E);
+const QColor kVolume(0x3B, 0x82, 0xC4), kMoving(0xE0, 0x8A, 0x1E), kLeak(0xC8, 0x32, 0x32);
 constexpr double kTop = 18;  // pixels for the legend
 
 double mostVolume(const std::vector<IterationSummary>& summaries) {
   double most = 0;
   for (const IterationSummary& s : summaries) most = std::max(most, s.volume);
   return most > 0 ? most : 1;
+}
+
+QString leakText(const Document& document, int iteration) {
+  for (const FoundLeak& found : document.leaks())
+    if (found.leak.iteration == iteration)
+      return QLatin1Char('\n') +
+             TimelinePlot::tr("Leak: %1").arg(QString::fromStdString(sentence(found.leak)));
+  return {};
 }
 
 }  // namespace
@@ -51,8 +59,9 @@ bool TimelinePlot::event(QEvent* event) {
   const IterationSummary& s = document_.summaries()[std::min(i, document_.summaries().size() - 1)];
   QToolTip::showText(help->globalPos(),
                      tr("Iteration %1: %2, %3 % of the vertices moving, %4")
-                         .arg(QString::number(s.iteration), millilitres(s.volume),
-                              number(100 * s.movingShare, 2), tr("events: %1").arg(s.events)));
+                             .arg(QString::number(s.iteration), millilitres(s.volume),
+                                  number(100 * s.movingShare, 2), tr("events: %1").arg(s.events)) +
+                         leakText(document_, s.iteration));
   return true;
 }
 
@@ -98,6 +107,11 @@ void TimelinePlot::paintEvent(QPaintEvent*) {
   for (const IterationSummary& s : document_.summaries())
     if (s.events > 0)
       painter.drawLine(QPointF(a.toX(s.iteration), kTop), QPointF(a.toX(s.iteration), area().bottom()));
+  painter.setPen(QPen(kLeak, 2, Qt::DashLine));
+  for (const FoundLeak& found : document_.leaks()) {
+    const double x = a.toX(found.leak.iteration);
+    painter.drawLine(QPointF(x, kTop), QPointF(x, area().bottom()));
+  }
   const double most = mostVolume(document_.summaries());
   paintCurve(painter, 1, &IterationSummary::movingShare, kMoving);
   paintCurve(painter, most, &IterationSummary::volume, kVolume);

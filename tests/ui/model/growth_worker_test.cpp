@@ -169,3 +169,24 @@ TEST_CASE("a worker ends while it is at work", "[worker]") {
   }
   SUCCEED();
 }
+
+TEST_CASE("a pause in the middle of a step takes it back, and the growth goes on as if nothing had been",
+          "[worker]") {
+  Rig rig;
+  const auto start = torusContour();
+  rig.worker.start(start);
+  std::mt19937 random(7);
+  for (int i = 0; i < 200; ++i) {
+    rig.worker.run(with());
+    std::this_thread::sleep_for(std::chrono::microseconds(random() % 3000));
+    rig.worker.pause();
+    REQUIRE(rig.waitForRest());
+    CHECK(rig.mirror.last.error.isEmpty());
+  }
+  rig.worker.run(with());
+  REQUIRE(rig.waitForRest());
+  ActiveContour straight = *start;
+  while (straight.stopReason() == StopReason::running) straight.step();
+  CHECK(rig.mirror.snapshot->mesh.points == straight.mesh().compact().points);
+  CHECK(rig.mirror.summaries.size() == static_cast<std::size_t>(straight.iteration()) + 1);
+}

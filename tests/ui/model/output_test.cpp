@@ -2,60 +2,27 @@
 
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
-#include <QProcessEnvironment>
 
 #include "core/collision/certify.h"
 #include "core/io/session.h"
-#include "tests/ui/model/document_support.h"
+#include "tests/ui/model/output_support.h"
 
 using namespace handlebody;
 using namespace handlebody::ui;
 
 namespace {
 
-struct Work {
-  TorusFile torus;
-  Document document;
-  QString failed;
-  QStringList written;
-
-  Work() {
-    const auto fail = [this](const QString& sentence) { failed = sentence; };
-    const auto done = [this](const QString& path) { written.append(path); };
-    QObject::connect(&document, &Document::exportFailed, fail);
-    QObject::connect(&document, &Document::saveFailed, fail);
-    QObject::connect(&document, &Document::exported, done);
-    QObject::connect(&document, &Document::sessionSaved, done);
-    REQUIRE(openAndWait(document, torus.path));
-    document.addSeed(torus.seed);
-  }
+struct Work : OutputWork {
+  Work() { document.addSeed(torus.seed); }
   bool exportTo(const QString& path) {
     document.exportResult(path, CoordinateSpace::lps);
-    return waitFor([&] { return written.contains(path) || !failed.isEmpty(); }) && failed.isEmpty();
+    return isWritten(path);
   }
   bool saveTo(const QString& path) {
     document.saveSession(path);
-    return waitFor([&] { return written.contains(path) || !failed.isEmpty(); }) && failed.isEmpty();
-  }
-  bool stepTo(int iteration) {
-    while (document.iteration() < iteration) {
-      const int before = document.iteration();
-      document.stepForward();
-      if (!waitFor([&] { return document.iteration() > before && isAtRest(document); })) return false;
-    }
-    return true;
+    return isWritten(path);
   }
 };
-
-//! Runs handlebody-cli; its exit code.
-int runCli(const QStringList& arguments) {
-  QProcess process;
-  process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-  process.start(QStringLiteral(HANDLEBODY_CLI), arguments);
-  process.waitForFinished(120'000);
-  return process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1;
-}
 
 //! What `replay` makes of a session, as STL bytes.
 QByteArray replayed(const TorusFile& torus, const QString& session) {
@@ -343,19 +310,7 @@ TEST_CASE("works until it is killed", "[.child]") {
 
 TEST_CASE("what a killed program was about is recovered", "[document]") {
   const TorusFile torus;
-  QProcess child;
-  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-  environment.insert(QStringLiteral("HANDLEBODY_TEST_DATA"), QStringLiteral("keep"));
-  environment.insert(QStringLiteral("HANDLEBODY_TEST_VOLUME"), torus.path);
-  child.setProcessEnvironment(environment);
-  child.start(QCoreApplication::applicationFilePath(), {QStringLiteral("works until it is killed")});
-  QByteArray said;
-  REQUIRE(waitFor([&] { return (said += child.readAllStandardOutput()).contains("ready"); }));
-  CHECK(Document::recoverable().isEmpty());
-  child.kill();
-  child.waitForFinished();
-
-  const QStringList orphans = Document::recoverable();
+  const QStringList orphans = killedAtWork(torus, QStringLiteral("works until it is killed"));
   REQUIRE(orphans.size() == 1);
   Document document;
   REQUIRE(openAndWait(document, orphans[0]));

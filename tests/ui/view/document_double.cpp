@@ -13,6 +13,7 @@ struct State {
   std::shared_ptr<const MeshSnapshot> snapshot;
   GrowthState growth = GrowthState::none;
   std::vector<int> gestures;
+  std::vector<ObjectInfo> others;  //!< behind the active one
 };
 
 //! A document's private part is its own; the functions for tests reach its state here.
@@ -36,6 +37,15 @@ const std::vector<Seed>& Document::seeds() const { return d_->seeds; }
 int Document::selectedSeed() const { return d_->selected; }
 GrowthState Document::state() const { return d_->growth; }
 std::shared_ptr<const MeshSnapshot> Document::snapshot() const { return d_->snapshot; }
+
+int Document::objectCount() const { return 1 + static_cast<int>(d_->others.size()); }
+int Document::activeObject() const { return 0; }
+ObjectInfo Document::objectInfo(int index) const {
+  if (index > 0) return d_->others.at(static_cast<std::size_t>(index) - 1);
+  ObjectInfo info;
+  info.snapshot = d_->snapshot;
+  return info;
+}
 
 void Document::addSeed(const Seed& seed) {
   d_->seeds.push_back(seed);
@@ -90,6 +100,11 @@ void setSnapshot(Document& document, const TriangleSoup& mesh, const std::vector
   snapshot->support.faces.resize(mesh.triangles.size(), FaceSupport::edge);
   states().at(&document)->snapshot = snapshot;
   Q_EMIT document.snapshotChanged();
+}
+
+void setOthers(Document& document, const std::vector<ObjectInfo>& others) {
+  states().at(&document)->others = others;
+  Q_EMIT document.objectsChanged();
 }
 
 void setGrowthState(Document& document, GrowthState growth) {

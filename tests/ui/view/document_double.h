@@ -14,6 +14,8 @@ namespace handlebody::ui::testing {
 void setVolume(Document& document, const Volume& volume);
 void setSnapshot(Document& document, const TriangleSoup& mesh, const std::vector<FaceState>& states = {},
                  const SurfaceSupport& support = {});
+//! Objects besides the active one.
+void setOthers(Document& document, const std::vector<ObjectInfo>& others);
 void setGrowthState(Document& document, GrowthState growth);
 //! The gestures of all calls that moved or sized a seed.
 const std::vector<int>& gestures(const Document& document);

@@ -1,0 +1,105 @@
+// How the Document comes to its volume and objects.
+
+#include "ui/model/document_private.h"
+
+namespace handlebody::ui {
+
+void Document::open(const QString& path, const VolumeSelection& selection) { d_->open(path, selection); }
+
+void Document::Private::open(const QString& path, const VolumeSelection& selection) {
+  *cancelled = true;
+  cancelled = std::make_shared<std::atomic<bool>>(false);
+  isOpening = true;
+  const int number = ++openings;
+  Q_EMIT q.opening(path, 0);
+  files.post([this, number, path, selection, stop = cancelled] {
+    if (*stop) return;
+    const auto progress = [&](double part) {
+      QMetaObject::invokeMethod(
+          &q,
+          [this, number, path, part] {
+            if (number == openings && isOpening) Q_EMIT q.opening(path, part);
+          },
+          Qt::QueuedConnection);
+    };
+    auto result = std::make_shared<OpeningResult>(openWork(path, selection, progress, *stop));
+    QMetaObject::invokeMethod(
+        &q, [this, number, path, result] { finishOpening(number, path, std::move(*result)); },
+        Qt::QueuedConnection);
+  });
+}
+
+void Document::Private::finishOpening(int number, const QString& path, OpeningResult result) {
+  if (number != openings || !isOpening) return;  // cancelled, or a newer one is under way
+  isOpening = false;
+  if (auto* opened = std::get_if<OpenedWork>(&result))
+    adopt(path, std::move(*opened));
+  else if (const auto* choice = std::get_if<SeriesChoice>(&result))
+    Q_EMIT q.seriesChoiceNeeded(path, choice->series);
+  else
+    Q_EMIT q.openFailed(std::get<OpeningFailed>(result).sentence);
+}
+
+void Document::cancelOpening() {
+  *d_->cancelled = true;
+  d_->isOpening = false;
+}
+
+void Document::Private::adopt(const QString& path, OpenedWork opened) {
+  const std::vector<Session> sessions = std::move(opened.sessions);
+  for (const auto& object : objects) object->pause();
+  objects.resize(1);
+  active = objects.front();
+  active->reset();
+  undo.clear();
+  journal.clear();
+  work = std::move(opened);
+  sessionPath.clear();
+  view.clear();
+  hashInBackground();
+  if (!sessions.empty()) adoptObjects(path, sessions);
+  Q_EMIT q.opened();
+  tellAll();
+  for (const auto& object : objects) object->begin();
+  active->beShown();
+  updateModified();
+}
+
+void Document::Private::adoptObjects(const QString& path, const std::vector<Session>& sessions) {
+  view = QByteArray::fromStdString(sessions.front().view);
+  for (const Session& session : sessions) {
+    if (&session != &sessions.front()) objects.push_back(newObject());
+    objects.back()->adopt(session);
+  }
+  readView();
+  if (Journal::isJournal(path)) {
+    undo.resetClean();
+    journalNow();
+  } else {
+    sessionPath = path;
+  }
+}
+
+void Document::Private::hashInBackground() {
+  hash = std::make_shared<std::string>(work->reference.sha256);
+  if (!hash->empty()) return;
+  files.post([known = hash, path = work->reference.path] {
+    try {
+      *known = sha256OfPath(path);
+    } catch (const std::exception&) {  // tried again, and told, when a session is saved
+    }
+  });
+}
+
+bool Document::isOpening() const { return d_->isOpening; }
+bool Document::hasVolume() const { return d_->work.has_value(); }
+const Volume& Document::volume() const { return d_->work->volume; }
+const VolumeInfo& Document::info() const { return d_->work->info; }
+QString Document::path() const {
+  return d_->work ? QString::fromStdString(d_->work->reference.path) : QString();
+}
+const VolumeSelection& Document::selection() const { return d_->work->reference.selection; }
+QByteArray Document::view() const { return d_->view; }
+void Document::setView(const QByteArray& json) { d_->view = json; }
+
+}  // namespace handlebody::ui

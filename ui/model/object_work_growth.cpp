@@ -1,0 +1,226 @@
+// An object's growth, and what is told of it.
+
+#include "ui/model/object_work.h"
+
+namespace handlebody::ui {
+
+namespace {
+
+//! The finished objects are walls throughout, whatever else changes on the way.
+void addWalls(std::vector<ParameterChange>& changes, const std::vector<WallObject>& walls) {
+  for (ParameterChange& change : changes)
+    if (change.constraints) change.constraints->walls.objects = walls;
+}
+
+}  // namespace
+
+Request ObjectWork::replayedRequest() const {
+  Request request = replayed_;
+  request.constraints.walls.objects = wallObjects(walls_);
+  return request;
+}
+
+void ObjectWork::goOn(Wanted what) {
+  if (!host_.openVolume()) return;
+  error_.clear();
+  const bool restart =
+      growth_.iteration() == 0 && !growth_.isRunning() && growth_.beginning().request() != request();
+  if (!growth_.exists() || restart || (!growth_.isRunning() && isOutOfDate())) {
+    beginGrowth(what);
+    return;
+  }
+  const Request& known = growth_.request();
+  const bool sameImage = edits_.seeds == known.seeds && chooseSameImage(edits_.parameters, known.parameters);
+  if (!prepared_ && !sameImage) {
+    await(what);
+    return;
+  }
+  switch (what) {
+    case Wanted::run:
+      growth_.run(request(), prepared_);
+      break;
+    case Wanted::step:
+      growth_.step(request(), prepared_);
+      break;
+    case Wanted::toEvent:
+      growth_.runToEvent(request(), prepared_);
+      break;
+    default:
+      break;
+  }
+}
+
+void ObjectWork::growAnew() {
+  error_.clear();
+  beginGrowth(Wanted::run);
+}
+
+//! Goes on when the contour with the present parameters is prepared.
+void ObjectWork::await(Wanted what) {
+  wanted_ = what;
+  if (growth_.isRunning()) growth_.pause();
+  if (what == Wanted::replay)
+    requestPreparation(replayedRequest());
+  else if (!isPreparing_)
+    requestPreparation(request());
+  updateState();
+}
+
+void ObjectWork::beginGrowth(Wanted what) {
+  growth_.clear();
+  takeWalls();
+  if (!isSeeded()) {
+    error_ = Document::tr("There is no seed yet: place one inside the object first.");
+    updateState();
+  } else if (prepared_ && what != Wanted::replay && !host_.mustWait(*this)) {
+    wanted_ = what;
+    startPrepared();
+  } else {
+    await(what);
+  }
+}
+
+void ObjectWork::startPrepared() {
+  const Wanted what = std::exchange(wanted_, Wanted::nothing);
+  if (what == Wanted::nothing) return;
+  if (prepared_ && !growth_.exists()) {
+    grownWith_ = walls_;
+    Replay replay = replay_;
+    addWalls(replay.changes, wallObjects(walls_));
+    growth_.start(prepared_, what == Wanted::replay ? std::optional(replay) : std::nullopt);
+  }
+  if (prepared_) goOn(what);
+  updateState();
+}
+
+void ObjectWork::dropGrowth() {
+  changedOnTheWay_ = false;
+  wanted_ = Wanted::nothing;
+  error_.clear();
+  growth_.clear();
+}
+
+GrowthState ObjectWork::state() const {
+  if (wanted_ != Wanted::nothing) return GrowthState::preparing;
+  if (!growth_.exists()) return GrowthState::none;
+  if (growth_.isRunning()) return GrowthState::running;
+  const bool others = growth_.request() != request();
+  return growth_.stopReason() == StopReason::running || others || isOutOfDate() ? GrowthState::paused
+                                                                                : GrowthState::finished;
+}
+
+void ObjectWork::updateState() {
+  const GrowthState now = state();
+  const StopReason stop = stopReason();
+  const QString failed = error();
+  if (now == shownState_ && stop == shownStop_ && failed == shownError_) return;
+  const bool cameToRest = shownState_ == GrowthState::running && now != GrowthState::running;
+  if (!isBusy()) replays_ = false;
+  shownState_ = now;
+  shownStop_ = stop;
+  shownError_ = failed;
+  if (cameToRest) host_.worthKeeping(*this);
+  host_.changed(*this, ObjectHost::Part::state);
+}
+
+void ObjectWork::pause() {
+  changedOnTheWay_ = replays_ = false;
+  if (wanted_ != Wanted::nothing) {
+    wanted_ = Wanted::nothing;
+    updateState();
+  }
+  if (growth_.exists()) growth_.pause();
+}
+
+void ObjectWork::goTo(int iteration) {
+  changedOnTheWay_ = false;
+  if (growth_.exists()) growth_.goTo(iteration);
+}
+
+void ObjectWork::stepBack() {
+  changedOnTheWay_ = false;
+  if (growth_.exists()) growth_.stepBack();
+}
+
+void ObjectWork::goToPreviousEvent() {
+  changedOnTheWay_ = false;
+  if (growth_.exists()) growth_.goToPreviousEvent();
+}
+
+// --- to the others ---
+
+std::shared_ptr<const FinishedMesh> ObjectWork::finished() const {
+  const auto shown = growth_.snapshot();
+  if (!shown || shown->mesh.triangles.empty()) return nullptr;
+  if (!finished_ || !finished_->isOf(*shown)) finished_ = std::make_shared<const FinishedMesh>(shown);
+  return finished_;
+}
+
+bool ObjectWork::isOutOfDate() const { return growth_.exists() && host_.wallsFor(*this) != grownWith_; }
+
+// --- out ---
+
+Session ObjectWork::session() const {
+  Session s;
+  s.label = traits.label;
+  const bool isUnderWay = isReplaying();
+  const Request asked = isUnderWay ? replayed_ : edits_.request();
+  s.seeds = asked.seeds;
+  s.requested = asked.parameters;
+  s.constraints = asked.constraints;
+  if (isUnderWay) {
+    s.changes = replay_.changes;
+    s.stopAt = replay_.stopAt;
+  }
+  // With other walls than there are now the way that it took cannot be gone again.
+  return isUnderWay || growth_.iteration() < 0 || isOutOfDate() ? s : recorded();
+}
+
+//! How the shown surface was made.
+Session ObjectWork::recorded() const {
+  Session s;
+  s.label = traits.label;
+  const int shown = growth_.iteration();
+  const Request began = growth_.beginning().request();
+  Request last = began;
+  s.resolved = growth_.beginning().parameters();
+  s.stopAt = shown;
+  for (const ParameterChange& change : growth_.changes())
+    if (change.iteration < shown) s.changes.push_back(change);
+  for (const ParameterChange& change : s.changes) last = changed(last, change);
+  if (last != request()) {
+    s.changes.push_back({shown, edits_.parameters, {}, {}});
+    if (last.seeds != edits_.seeds) s.changes.back().seeds = edits_.seeds;
+    if (last.constraints != request().constraints) s.changes.back().constraints = edits_.constraints;
+  }
+  s.seeds = began.seeds;
+  s.requested = began.parameters;
+  s.constraints = began.constraints;
+  s.constraints.walls.objects.clear();
+  addWalls(s.changes, {});
+  return s;
+}
+
+RunReport ObjectWork::report() const {
+  RunReport r;
+  r.session = session();
+  r.iterations = growth_.iteration();
+  r.stopped = growth_.stopReason();
+  r.seconds.prepare = prepareSeconds_;
+  r.seconds.evolve = growth_.seconds();
+  for (const Event& event : growth_.events())
+    if (event.iteration <= r.iterations) r.events.push_back(event);
+  for (const FoundLeak& found : growth_.leaks())
+    if (found.leak.iteration <= r.iterations) r.leaks.push_back({found.leak, LeakAnswer::goOn});
+  for (const RecordedCorrection& correction : growth_.corrections())
+    if (correction.iteration < r.iterations) r.corrections.push_back(correction);
+  if (const auto shown = growth_.snapshot()) r.held = shown->held;
+  if (growth_.exists()) {
+    r.session.resolved = growth_.beginning().parameters();
+    r.candidates = growth_.beginning().candidates();
+    r.isCloseChoice = growth_.beginning().isCloseChoice();
+  }
+  return r;
+}
+
+}  // namespace handlebody::ui

@@ -1,0 +1,65 @@
+#include "ui/view/other_outlines.h"
+
+#include <QLineF>
+#include <QPen>
+#include <QVector>
+
+#include "core/mesh/plane_section.h"
+#include "ui/model/document.h"
+
+namespace handlebody::ui {
+
+namespace {
+const QColor kShadow(0, 0, 0, 110);
+constexpr double kWidth = 1.4;  // pixels, thinner than the active one's
+}  // namespace
+
+QColor colourOf(const Document& document, int object) {
+  const Colour c = document.objectInfo(object).label.colour;
+  return {c[0], c[1], c[2]};
+}
+
+QColor activeColour(const Document& document, const QColor& alone) {
+  return document.objectCount() > 1 ? colourOf(document, document.activeObject()) : alone;
+}
+
+bool isActiveVisible(const Document& document) {
+  return document.objectInfo(document.activeObject()).visible;
+}
+
+void paintSegments(QPainter& painter, const QVector<QLineF>& lines, const QColor& colour, double width) {
+  painter.setPen(QPen(kShadow, 2 * width, Qt::SolidLine, Qt::FlatCap));
+  painter.drawLines(lines);
+  painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap));
+  painter.drawLines(lines);
+}
+
+double offsetOf(const SliceGeometry& geometry) {
+  Vec3 index = Vec3::Zero();
+  index[geometry.axes().normal] = geometry.slice();
+  return geometry.normal().dot(geometry.grid().toWorld(index));
+}
+
+void OtherOutlines::paint(QPainter& painter, const Document& document, const SliceGeometry& geometry) {
+  const int count = document.objectCount(), active = document.activeObject();
+  cuts_.resize(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    Cut& cut = cuts_[static_cast<std::size_t>(i)];
+    const ObjectInfo info = document.objectInfo(i);
+    if (i == active || !info.visible || !info.snapshot) {
+      cut = {};
+      continue;
+    }
+    if (cut.mesh != info.snapshot || cut.slice != geometry.slice()) {
+      cut = {info.snapshot, geometry.slice(), {}};
+      planeSection(cut.mesh->mesh.points, cut.mesh->mesh.triangles, geometry.normal(), offsetOf(geometry),
+                   cut.section);
+    }
+    QVector<QLineF> lines;
+    for (const auto& [from, to] : cut.section)
+      lines.append(QLineF(geometry.worldToScreen(from), geometry.worldToScreen(to)));
+    paintSegments(painter, lines, colourOf(document, i), kWidth);
+  }
+}
+
+}  // namespace handlebody::ui
