@@ -102,8 +102,9 @@ void WindowTest::steppingBackIsExactAndANewParameterGoesOnFromThere() {
     }
     return true;
   };
+  // The seeds are shown as iteration 0 before the first step is made.
   QTest::keyClick(window.get(), Qt::Key_Period);
-  QVERIFY(QTest::qWaitFor([&] { return document.iteration() >= 0; }, kPatience));
+  QVERIFY(QTest::qWaitFor([&] { return document.iteration() == 1; }, kPatience));
   QVERIFY(forward(5));
   const auto before = document.snapshot();
   QVERIFY(forward(1));
