@@ -114,6 +114,13 @@ Handle mirrored(Handle handle, const Sizes& sizes) {
   return sorted(handle);
 }
 
+Handle renumbered(Handle handle, const std::vector<int>& image) {
+  for (Triangle& f : handle) {
+    for (int& v : f) v = image[idx(v)];
+  }
+  return sorted(handle);
+}
+
 //! What the refusal says; empty if there is none.
 std::string refusal(const Sizes& sizes, Family family) {
   try {
@@ -147,6 +154,22 @@ TEST_CASE("Each size of Table 1 has two generators, which are each other's mirro
     const auto other = orbitOf(sizes, generators[1]);
     CHECK(std::binary_search(other.begin(), other.end(), mirrored(generators[0], sizes)));
   }
+}
+
+TEST_CASE("An exchange of two caps turns the rotation of one into that of the other; they do not commute",
+          "[handles][enumeration]") {
+  const Sizes sizes{3, 3, 4};
+  const std::vector<int> exchange{3, 4, 5, 0, 1, 2, 6, 7, 8, 9};
+  const std::vector<int> rotateFirst{1, 2, 0, 3, 4, 5, 6, 7, 8, 9};
+  const std::vector<int> rotateSecond{0, 1, 2, 4, 5, 3, 6, 7, 8, 9};
+  bool commute = true;
+  for (const Handle& handle : enumerateHandles(sizes, Family::balanced)) {
+    const Handle exchanged = renumbered(handle, exchange);
+    const Handle rotatedAndExchanged = renumbered(renumbered(handle, rotateFirst), exchange);
+    CHECK(rotatedAndExchanged == renumbered(exchanged, rotateSecond));
+    commute = commute && rotatedAndExchanged == renumbered(exchanged, rotateFirst);
+  }
+  CHECK_FALSE(commute);
 }
 
 TEST_CASE("All handles of two caps are those that Theorem 7 accepts", "[handles][enumeration]") {
