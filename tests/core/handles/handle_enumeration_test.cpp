@@ -15,6 +15,8 @@ namespace {
 using Sizes = std::vector<int>;
 constexpr int kLargestOfTwo = 6;
 
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
 Handle sorted(Handle handle) {
   for (Triangle& f : handle) std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
   std::sort(handle.begin(), handle.end());
@@ -101,6 +103,24 @@ Handle rotated(Handle handle, int p, int q, int byFirst, int bySecond) {
   return sorted(handle);
 }
 
+//! The handle in a mirror: every cap is run through the other way, and the faces are turned over.
+Handle mirrored(Handle handle, const Sizes& sizes) {
+  std::vector<int> image;
+  for (const int size : sizes) {
+    const int first = static_cast<int>(image.size());
+    for (int v = 0; v < size; ++v) image.push_back(first + (size - v) % size);
+  }
+  for (Triangle& f : handle) f = {image[idx(f[0])], image[idx(f[2])], image[idx(f[1])]};
+  return sorted(handle);
+}
+
+Handle renumbered(Handle handle, const std::vector<int>& image) {
+  for (Triangle& f : handle) {
+    for (int& v : f) v = image[idx(v)];
+  }
+  return sorted(handle);
+}
+
 //! What the refusal says; empty if there is none.
 std::string refusal(const Sizes& sizes, Family family) {
   try {
@@ -122,6 +142,34 @@ TEST_CASE("Table 1 of the paper counts the balanced handles", "[handles][enumera
   CHECK(countHandles(Sizes{3, 4, 5}, Family::balanced).handles == 120);
   CHECK(countHandles(Sizes{4, 4, 6}, Family::balanced).handles == 192);
   CHECK(countHandles(Sizes{3, 3, 4, 4}, Family::balanced).handles == 576);
+}
+
+TEST_CASE("Each size of Table 1 has two generators, which are each other's mirror image",
+          "[handles][enumeration]") {
+  for (const Sizes& sizes : {Sizes{3, 3, 4}, Sizes{3, 4, 5}, Sizes{4, 4, 6}, Sizes{3, 3, 4, 4}}) {
+    const auto generators = generatorsOf(sizes, enumerateHandles(sizes, Family::balanced));
+    REQUIRE(generators.size() == 2);
+    const auto orbit = orbitOf(sizes, generators[0]);
+    CHECK_FALSE(std::binary_search(orbit.begin(), orbit.end(), mirrored(generators[0], sizes)));
+    const auto other = orbitOf(sizes, generators[1]);
+    CHECK(std::binary_search(other.begin(), other.end(), mirrored(generators[0], sizes)));
+  }
+}
+
+TEST_CASE("An exchange of two caps turns the rotation of one into that of the other; they do not commute",
+          "[handles][enumeration]") {
+  const Sizes sizes{3, 3, 4};
+  const std::vector<int> exchange{3, 4, 5, 0, 1, 2, 6, 7, 8, 9};
+  const std::vector<int> rotateFirst{1, 2, 0, 3, 4, 5, 6, 7, 8, 9};
+  const std::vector<int> rotateSecond{0, 1, 2, 4, 5, 3, 6, 7, 8, 9};
+  bool commute = true;
+  for (const Handle& handle : enumerateHandles(sizes, Family::balanced)) {
+    const Handle exchanged = renumbered(handle, exchange);
+    const Handle rotatedAndExchanged = renumbered(renumbered(handle, rotateFirst), exchange);
+    CHECK(rotatedAndExchanged == renumbered(exchanged, rotateSecond));
+    commute = commute && rotatedAndExchanged == renumbered(exchanged, rotateFirst);
+  }
+  CHECK_FALSE(commute);
 }
 
 TEST_CASE("All handles of two caps are those that Theorem 7 accepts", "[handles][enumeration]") {

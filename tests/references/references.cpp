@@ -1,0 +1,159 @@
+#include "tests/references/references.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+namespace handlebody::test {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array kSourceEndings{".h", ".cpp", ".txx", ".cmake", ".txt", ".sh", ".json", ".in"};
+// A word of these pages alone says nothing of the sources.
+constexpr std::array kNotSources{"docs", "resources", "sample_volumes"};
+
+std::string textOf(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+bool isSource(const std::string& path) {
+  const bool apart = std::any_of(kNotSources.begin(), kNotSources.end(), [&](const char* folder) {
+    return path.rfind(std::string(folder) + "/", 0) == 0 && !path.ends_with(".cpp") && !path.ends_with(".h");
+  });
+  return !apart && std::any_of(kSourceEndings.begin(), kSourceEndings.end(),
+                               [&](const char* ending) { return path.ends_with(ending); });
+}
+
+//! Names of TEST_CASE, also where they are written as several literals, and of add_test.
+std::set<std::string> testsOf(const std::string& text) {
+  static const std::regex test(R"re((?:TEST_CASE\(|add_test\(NAME)\s*((?:"(?:[^"\\]|\\.)*"\s*)+))re");
+  static const std::regex literal(R"re("((?:[^"\\]|\\.)*)")re");
+  std::set<std::string> names;
+  for (std::sregex_iterator t(text.begin(), text.end(), test), end; t != end; ++t) {
+    const std::string literals = (*t)[1];
+    std::string name;
+    for (std::sregex_iterator l(literals.begin(), literals.end(), literal); l != end; ++l) name += (*l)[1];
+    names.insert(name);
+  }
+  return names;
+}
+
+void addWords(const std::string& text, std::set<std::string>& words) {
+  static const std::regex word(R"(--[a-z][a-z-]*|[A-Za-z_]\w*)");
+  for (std::sregex_iterator w(text.begin(), text.end(), word), end; w != end; ++w) words.insert(w->str());
+}
+
+//! A line of a page, what was named on it so far, and what is wrong with it.
+class Line {
+ public:
+  Line(const Project& project, std::string place, std::vector<std::string>& broken)
+      : project_(project), place_(std::move(place)), broken_(broken) {}
+
+  void check(const std::string& text) {
+    static const std::regex span("`([^`]+)`");
+    for (std::sregex_iterator s(text.begin(), text.end(), span), end; s != end; ++s) checkSpan((*s)[1]);
+  }
+  void checkLinks(const std::string& text, const fs::path& folder) {
+    static const std::regex link(R"(\]\(([^)#\s]+)(#[^)]*)?\))");
+    for (std::sregex_iterator l(text.begin(), text.end(), link), end; l != end; ++l) {
+      const std::string to = (*l)[1];
+      if (to.find("://") != std::string::npos) continue;
+      const std::string path = (folder / to).lexically_normal().generic_string();
+      if (project_.paths.count(path) == 0) tell("there is no file " + path);
+    }
+  }
+
+ private:
+  void tell(const std::string& what) { broken_.push_back(place_ + ": " + what); }
+
+  void checkSpan(const std::string& span) {
+    static const std::regex path(R"([\w.-]+(/[\w.-]+)+/?)");
+    static const std::regex quoted(R"re("([^"]+)")re");
+    static const std::regex identifier(R"re((?:\w+(?:::|\.|->))*([A-Za-z_]\w*)(?:\(\))?)re");
+    static const std::regex option("--[a-z][a-z-]*");
+    std::smatch match;
+    if (project_.paths.count(span) > 0 || (std::regex_match(span, path) && startsAtTop(span)))
+      checkPath(span.ends_with('/') ? span.substr(0, span.size() - 1) : span);
+    else if (std::regex_match(span, match, quoted))
+      checkTest(match[1]);
+    else if (std::regex_match(span, match, identifier))
+      checkWord(match[1]);
+    else if (std::regex_match(span, option))
+      checkWord(span);
+  }
+
+  bool startsAtTop(const std::string& span) const {
+    return project_.paths.count(span.substr(0, span.find('/'))) > 0;
+  }
+  void checkPath(const std::string& path) {
+    if (project_.tests.count(path) > 0) testSource_ = path;
+    const bool isModule = project_.paths.count(path + ".h") > 0 || project_.paths.count(path + ".cpp") > 0;
+    if (project_.paths.count(path) == 0 && !isModule) tell("there is no file " + path);
+  }
+  void checkTest(const std::string& name) {
+    if (!testSource_.empty()) {
+      if (project_.tests.at(testSource_).count(name) == 0)
+        tell("there is no test \"" + name + "\" in " + testSource_);
+      return;
+    }
+    const bool any = std::any_of(project_.tests.begin(), project_.tests.end(),
+                                 [&](const auto& source) { return source.second.count(name) > 0; });
+    if (!any) tell("there is no test \"" + name + "\"");
+  }
+  void checkWord(const std::string& word) {
+    if (project_.words.count(word) == 0) tell("nothing is called " + word);
+  }
+
+  const Project& project_;
+  std::string place_;
+  std::vector<std::string>& broken_;
+  std::string testSource_;
+};
+
+}  // namespace
+
+Project readProject(const std::string& root) {
+  Project project;
+  for (auto it = fs::recursive_directory_iterator(root); it != fs::recursive_directory_iterator(); ++it) {
+    const std::string path = fs::relative(it->path(), root).generic_string();
+    if (it->path().filename().string().front() == '.' || path == "build") {
+      it.disable_recursion_pending();
+      continue;
+    }
+    project.paths.insert(path);
+    if (!it->is_regular_file() || !isSource(path)) continue;
+    const std::string text = textOf(it->path());
+    addWords(text, project.words);
+    // These tests name tests that are not there.
+    if (path.rfind("tests/", 0) != 0 || path.rfind("tests/references/", 0) == 0) continue;
+    const std::set<std::string> tests = testsOf(text);
+    if (!tests.empty()) project.tests[path] = tests;
+  }
+  return project;
+}
+
+std::vector<std::string> brokenReferences(const Project& project, const std::string& page,
+                                          const std::string& text) {
+  std::vector<std::string> broken;
+  const fs::path folder = fs::path(page).parent_path();
+  std::istringstream lines(text);
+  std::string line;
+  bool inBlock = false;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    if (line.rfind("```", 0) == 0) inBlock = !inBlock;
+    if (inBlock || line.rfind("    ", 0) == 0) continue;
+    Line checked(project, page + ":" + std::to_string(number), broken);
+    checked.check(line);
+    checked.checkLinks(line, folder);
+  }
+  return broken;
+}
+
+}  // namespace handlebody::test

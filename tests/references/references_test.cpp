@@ -1,0 +1,76 @@
+// What the pages for developers name, in the project itself and in small ones.
+
+#include "tests/references/references.h"
+
+#include <fstream>
+#include <sstream>
+
+#include "tests/support/catch.h"
+
+using namespace handlebody::test;
+
+namespace {
+
+const Project kSmall{
+    {"core", "core/mesh.h", "tests", "tests/a_test.cpp", "tests/b_test.cpp", "docs", "docs/page.md"},
+    {{"tests/a_test.cpp", {"a mesh is closed"}}, {"tests/b_test.cpp", {"a hole is open"}}},
+    {"Mesh", "findEdge", "--seed"}};
+
+std::vector<std::string> broken(const std::string& text) {
+  return brokenReferences(kSmall, "docs/page.md", text);
+}
+
+std::string pageOf(const std::string& name) {
+  std::ostringstream text;
+  text << std::ifstream(std::string(HANDLEBODY_SOURCE_DIR) + "/" + name).rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+TEST_CASE("every file, test and name in the pages for developers is there") {
+  const Project project = readProject(HANDLEBODY_SOURCE_DIR);
+  REQUIRE(project.paths.count("core/mesh/mesh.h") == 1);
+  REQUIRE(project.tests.count("tests/layering/layering_test.cpp") == 1);
+  for (const char* page : {"docs/paper.md", "docs/architecture.md", "docs/glossary.md", "docs/reference.md",
+                           "CONTRIBUTING.md"}) {
+    const std::string text = pageOf(page);
+    CHECK(text.size() > 500);
+    std::string all;
+    for (const std::string& one : brokenReferences(project, page, text)) all += one + "\n";
+    CHECK(all == "");
+  }
+}
+
+TEST_CASE("a path that is not there is told with page and line") {
+  CHECK(broken("`core/mesh.h` and `core/mesh` and `core`").empty());
+  const auto found = broken("first\n\nsee `core/gone.h`\n");
+  REQUIRE(found.size() == 1);
+  CHECK(found[0] == "docs/page.md:3: there is no file core/gone.h");
+}
+
+TEST_CASE("a test is looked for in the source that was named before it on the line") {
+  CHECK(broken("`\"a mesh is closed\"`").empty());
+  CHECK(broken("`tests/a_test.cpp`: `\"a mesh is closed\"`").empty());
+  CHECK(broken("`\"a mesh is shut\"`").size() == 1);
+  const auto found = broken("`tests/b_test.cpp`: `\"a mesh is closed\"`");
+  REQUIRE(found.size() == 1);
+  CHECK(found[0] == "docs/page.md:1: there is no test \"a mesh is closed\" in tests/b_test.cpp");
+}
+
+TEST_CASE("names of types, functions and options have to occur") {
+  CHECK(broken("`Mesh`, `Mesh::findEdge`, `findEdge()`, `--seed`").empty());
+  CHECK(broken("`Mash`").size() == 1);
+  CHECK(broken("`Mesh::findEgde()`").size() == 1);
+  CHECK(broken("`--sead`").size() == 1);
+}
+
+TEST_CASE("links lead to files of the project, from the page's folder") {
+  CHECK(broken("[core](../core/mesh.h), [page](page.md#part), [web](https://example.org/a)").empty());
+  CHECK(broken("[core](core/mesh.h)").size() == 1);
+}
+
+TEST_CASE("commands, formulas and blocks of code are left alone") {
+  CHECK(broken("`cmake --build build` `2(k-1)` `m1 + m2`\n    `core/gone.h`\n```\n`core/gone.h`\n```\n")
+            .empty());
+}
