@@ -57,6 +57,12 @@ void setDirection(Parameters& p, Text text) {
   p.direction = *direction;
 }
 
+void setBroadPhase(Parameters& p, Text text) {
+  const auto phase = broadPhaseFromName(text);
+  if (!phase) throw UsageError("--broad-phase: '" + text + "' is not hashing or sorted.");
+  p.broadPhase = *phase;
+}
+
 void setSmoothing(Parameters& p, Text text) {
   if (text == "auto")
     p.smoothing.reset();
@@ -108,6 +114,11 @@ void addParameters(CLI::App& command, Parameters& p) {
       [](Parameters& q, Text t) { q.maxIterations = parseInteger("--max-iterations", t, 1, kAnyCount); });
   add("--threads", "N", "The mesh does not depend on it (default 1)",
       [](Parameters& q, Text t) { q.threads = parseInteger("--threads", t, 1, kMostThreads); });
+  add("--broad-phase", "hashing|sorted",
+      "How near vertices are found: the paper's eight hash functions, or one sorted table (default); the "
+      "mesh "
+      "does not depend on it",
+      setBroadPhase);
 }
 
 //! Given as often as one likes.

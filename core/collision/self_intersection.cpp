@@ -9,8 +9,8 @@
 #include "core/collision/marked_cells.h"
 #include "core/collision/near_faces.h"
 #include "core/collision/near_points.h"
-#include "core/collision/spatial_hash.h"
 #include "core/collision/star_test.h"
+#include "core/collision/vertex_pairs.h"
 #include "core/collision/vertex_stars.h"
 
 namespace handlebody {
@@ -75,7 +75,7 @@ struct CollisionDetector::Tables {
   std::vector<FacePair> pairs;
   VertexStars stars;
   StarTest starTest;
-  SpatialHash hash;
+  VertexPairs nearPairs;
   NearPoints near;
   BoxTree tree;
   MarkedCells cells;
@@ -240,11 +240,11 @@ void CollisionDetector::Tables::testStarPairs(int v) {
 //! pairs of a vertex P and a triangle T.
 void CollisionDetector::Tables::testSeparate() {
   if (vertices.empty()) return;  // nothing moved
-  if (!hash.build(points, vertices, reach())) {
+  if (!nearPairs.build(points, vertices, reach())) {
     testSeparateByTree();
     return;
   }
-  hash.forEachPair([&](int u, int v, double distanceSquared) {
+  nearPairs.forEachPair([&](int u, int v, double distanceSquared) {
     const bool mayBeWanted = all || (active[idx(u)] | active[idx(v)]) != 0;
     if (mayBeWanted && distanceSquared <= reachSquared(u, v)) testNear(u, v, distanceSquared);
     if (mayBeWanted && distanceSquared <= reachSquared(v, u)) testNear(v, u, distanceSquared);
@@ -324,6 +324,8 @@ CollisionDetector::CollisionDetector() : tables_(std::make_unique<Tables>()) {}
 CollisionDetector::~CollisionDetector() = default;
 CollisionDetector::CollisionDetector(CollisionDetector&&) noexcept = default;
 CollisionDetector& CollisionDetector::operator=(CollisionDetector&&) noexcept = default;
+
+void CollisionDetector::use(BroadPhase phase) { tables_->nearPairs.use(phase); }
 
 const std::vector<FacePair>& CollisionDetector::detectAll(std::span<const Vec3> points,
                                                           std::span<const Triangle> faces) {

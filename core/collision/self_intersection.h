@@ -1,12 +1,13 @@
 #pragma once
-// All self-intersections of a triangle mesh (paper, section 2): spatial hashing of the vertices with eight
-// shifted hash functions finds candidates, exact predicates decide.
+// All self-intersections of a triangle mesh (paper, section 2): near vertices give candidates
+// (vertex_pairs.h), exact predicates decide.
 
 #include <memory>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "core/collision/broad_phase.h"
 #include "core/geometry/vec.h"
 #include "core/mesh/mesh.h"
 
@@ -34,6 +35,9 @@ class CollisionDetector {
   ~CollisionDetector();
   CollisionDetector(CollisionDetector&&) noexcept;
   CollisionDetector& operator=(CollisionDetector&&) noexcept;
+
+  //! From now on; at first the sorted one. What is found does not depend on it.
+  void use(BroadPhase phase);
 
   //! As findSelfIntersections, over all faces.
   const std::vector<FacePair>& detectAll(std::span<const Vec3> points, std::span<const Triangle> faces);

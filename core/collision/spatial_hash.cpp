@@ -1,98 +1,82 @@
 #include "core/collision/spatial_hash.h"
 
-#include <cmath>
-#include <limits>
+#include <algorithm>
 
 namespace handlebody {
+
 namespace {
 
-// Half boxes are larger than the radius by this factor, so that rounding x/size (relative error 2^-51 of at
-// most kMaxIndex) never puts two vertices within the radius into half boxes that are not neighbours.
-constexpr double kMargin = 1 + 0x1p-18;
-constexpr double kMaxIndex = 0x1p30;
-static_assert(kMaxIndex * 0x1p-51 * 4 < kMargin - 1);
+// The primes of Teschner et al. (2003), whom the paper follows.
+constexpr std::uint32_t kPrimes[] = {73856093u, 19349663u, 83492791u};
 
-// Bits of one pass of the sort: its counters stay in the nearest cache.
-constexpr int kDigit = 11;
-constexpr std::uint32_t kDigitMask = (1u << kDigit) - 1;
+// The squares of the numbers of vertices with the same value, summed, may be this many times the number of
+// vertices. A mesh with edges between s/3 and s stays below 60, chance adds 1.
+constexpr double kCrowd = 200;
 
 }  // namespace
 
 bool SpatialHash::build(std::span<const Vec3> points, std::span<const int> vertices, double radius) {
-  if (!(radius > 0) || vertices.empty()) return false;
-  Vec3 low = points[static_cast<std::size_t>(vertices[0])];
-  Vec3 high = low;
-  for (const int v : vertices) {
-    low = low.cwiseMin(points[static_cast<std::size_t>(v)]);
-    high = high.cwiseMax(points[static_cast<std::size_t>(v)]);
-  }
-  const double scale = 1 / (radius * kMargin);
-  if (!((high - low).maxCoeff() * scale < kMaxIndex)) return false;
-
+  const std::optional<HalfBoxes> boxes = halfBoxesFor(points, vertices, radius);
+  if (!boxes) return false;
   points_ = points;
   radiusSquared_ = radius * radius * (1 + 0x1p-40);
-  // In half boxes the radius is below 1. Each coordinate difference is off by less than 2^-22 times the
-  // largest coordinate (two roundings to single precision, one of the difference), the sum of squares by a
-  // few 2^-24.
-  const double off = std::sqrt(3.0) * 0x1p-22 * (high - low).maxCoeff() * scale;
-  rejectBeyond_ = static_cast<float>((1 + off) * (1 + off) * (1 + 0x1p-20));
-  entries_.resize(vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const Vec3 a = (points[static_cast<std::size_t>(vertices[i])] - low) * scale;
-    // Not negative, so truncation is the floor.
-    entries_[i] = {vertices[i], {static_cast<int>(a.x()), static_cast<int>(a.y()), static_cast<int>(a.z())}};
-  }
-  const Vec3 most = (high - low) * scale;
-  for (const int axis : {0, 1, 2}) sortAlong(static_cast<std::size_t>(axis), static_cast<int>(most[axis]));
-  if (listRows() > kCrowd * static_cast<double>(vertices.size())) return false;
-  placePoints(low, scale);
-  return true;
+  vertices_.assign(vertices.begin(), vertices.end());
+  halfBoxes_.resize(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    halfBoxes_[i] = boxes->boxOf(points[static_cast<std::size_t>(vertices[i])]);
+  fillTable(0);
+  return crowd() <= kCrowd * static_cast<double>(vertices.size());
 }
 
-//! Counting sort, digit by digit; keeps the order of what is equal.
-void SpatialHash::sortAlong(std::size_t axis, int most) {
-  scratch_.resize(entries_.size());
-  for (int shift = 0; shift == 0 || most >> shift > 0; shift += kDigit) {
-    const auto digit = [&](const Entry& e) {
-      return static_cast<std::uint32_t>(e.box[axis] >> shift) & kDigitMask;
-    };
-    start_.assign(std::min(static_cast<std::uint32_t>(most >> shift), kDigitMask) + 1, 0);
-    for (const Entry& e : entries_) ++start_[digit(e)];
-    std::uint32_t sum = 0;
-    for (std::uint32_t& s : start_) s = (sum += s) - s;
-    for (const Entry& e : entries_) scratch_[start_[digit(e)]++] = e;
-    std::swap(entries_, scratch_);
-  }
-}
-
-//! Returns the sum of squares of the numbers of vertices in the half boxes.
-double SpatialHash::listRows() {
-  rows_.clear();
-  double crowd = 0, same = 0;
-  std::array<int, 3> before{-1, -1, -1};
-  for (std::uint32_t i = 0; i < entries_.size(); ++i) {
-    const std::array<int, 3>& box = entries_[i].box;
-    if (box[1] != before[1] || box[2] != before[2]) rows_.push_back({box[1], box[2], i});
-    same = box == before ? same + 1 : 1;
-    crowd += 2 * same - 1;
-    before = box;
-  }
-  constexpr int kBeyond = std::numeric_limits<int>::max();
-  rows_.insert(rows_.end(), 3, {kBeyond, kBeyond, static_cast<std::uint32_t>(entries_.size())});
-  return crowd;
-}
-
-void SpatialHash::placePoints(const Vec3& low, double scale) {
-  const std::size_t count = entries_.size();
-  vertex_.resize(count);
-  x_.resize(count);
-  for (auto& c : at_) c.resize(count + kLanes);
+//! Counting sort by Eq. (2).
+void SpatialHash::fillTable(int shift) {
+  const std::size_t count = vertices_.size();
+  const auto size = static_cast<std::uint32_t>(
+      std::clamp(tableSize_ * static_cast<double>(count), 1.0, static_cast<double>(1u << 30)));
+  value_.resize(count);
+  order_.resize(count);
+  start_.assign(std::size_t{size} + 1, 0);
   for (std::size_t i = 0; i < count; ++i) {
-    vertex_[i] = entries_[i].vertex;
-    x_[i] = entries_[i].box[0];
-    const Vec3 a = (points_[static_cast<std::size_t>(vertex_[i])] - low) * scale;
-    for (std::size_t axis = 0; axis < 3; ++axis) at_[axis][i] = static_cast<float>(a[static_cast<int>(axis)]);
+    std::uint32_t sum = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      sum += kPrimes[axis] * static_cast<std::uint32_t>(
+                                 boxIndex(halfBoxes_[i][static_cast<std::size_t>(axis)], shift >> axis & 1));
+    value_[i] = sum % size;
+    ++start_[value_[i]];
   }
+  std::uint32_t sum = 0;
+  for (std::uint32_t& s : start_) s = sum += s;
+  for (std::size_t i = count; i-- > 0;) order_[--start_[value_[i]]] = static_cast<std::uint32_t>(i);
+}
+
+double SpatialHash::crowd() const {
+  double sum = 0;
+  for (std::size_t value = 0; value + 1 < start_.size(); ++value) {
+    const double n = start_[value + 1] - start_[value];
+    sum += n * n;
+  }
+  return sum;
+}
+
+std::size_t SpatialHash::countCandidates() {
+  std::size_t count = 0;
+  for (int shift = 0; shift < kFunctions; ++shift) {
+    fillTable(shift);
+    forEachWithSameValue([&](std::uint32_t, std::uint32_t) { ++count; });
+  }
+  return count;
+}
+
+//! The first of the eight functions that puts both into one box, or none of them: 8.
+int SpatialHash::firstSharedBox(std::uint32_t i, std::uint32_t j) const {
+  int shift = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const int a = halfBoxes_[i][axis], b = halfBoxes_[j][axis];
+    if (boxIndex(a, 0) == boxIndex(b, 0)) continue;
+    if (boxIndex(a, 1) != boxIndex(b, 1)) return kFunctions;
+    shift |= 1 << axis;
+  }
+  return shift;
 }
 
 }  // namespace handlebody

@@ -132,6 +132,7 @@ void ActiveContour::State::resolve(const Parameters& p) {
   parameters.curvature = p.curvature;
   parameters.maxIterations = p.maxIterations;
   parameters.threads = p.threads;
+  parameters.broadPhase = p.broadPhase;
 
   motion.balloon = p.balloon;
   motion.curvature = p.curvature;
@@ -290,6 +291,7 @@ Attempt ActiveContour::State::attempt() {
 void ActiveContour::State::adapt(Attempt& a) {
   AdaptationSettings settings{!mayShrink(), traces, iteration, topology, {}, limits.forbidden, &work};
   settings.cameBack = [this](const Vec3& p) { return resting.cameBack(p, limits.longest); };
+  detector.use(parameters.broadPhase);
   adaptInRounds(mesh, detector, std::move(settings), limits.longest, a);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <mutex>
 
 #include "core/evolution/passage_disc.h"
 
@@ -57,7 +58,36 @@ std::string sentence(const Leak& leak) {
   return text;
 }
 
-void LeakAlarm::forget() { map_ = nullptr; }
+//! Maps that some copy still goes by.
+struct LeakAlarm::Charts {
+  struct Chart {
+    VoxelBox box;
+    std::vector<Vec3> starts;
+    std::weak_ptr<const PassageMap> map;
+  };
+  std::mutex mutex;  // copies may look on several threads
+  std::vector<Chart> all;
+
+  std::shared_ptr<const PassageMap> find(const VoxelBox& box, const std::vector<Vec3>& starts) {
+    const std::lock_guard lock(mutex);
+    for (const Chart& c : all)
+      if (c.box == box && c.starts == starts)
+        if (auto map = c.map.lock()) return map;
+    return nullptr;
+  }
+  void add(const VoxelBox& box, std::vector<Vec3> starts, const std::shared_ptr<const PassageMap>& map) {
+    const std::lock_guard lock(mutex);
+    std::erase_if(all, [](const Chart& c) { return c.map.expired(); });
+    all.push_back({box, std::move(starts), map});
+  }
+};
+
+LeakAlarm::LeakAlarm() : charts_(std::make_shared<Charts>()) {}
+
+void LeakAlarm::forget() {
+  map_ = nullptr;
+  charts_ = std::make_shared<Charts>();  // what is copied already keeps the others
+}
 
 bool LeakAlarm::isCovered(const Mesh& mesh, std::span<const int> vertices) const {
   if (!map_) return false;
@@ -80,7 +110,11 @@ void LeakAlarm::chart(const Mesh& mesh, const Scene& scene) {
   box_ = boxAround(grid_, mesh);
   std::vector<Vec3> starts(scene.seeds.begin(), scene.seeds.end());
   starts.insert(starts.end(), known_.begin(), known_.end());
-  map_ = std::make_shared<const PassageMap>(scene.image, scene.walls, box_, starts);
+  map_ = charts_->find(box_, starts);
+  if (!map_) {
+    map_ = std::make_shared<const PassageMap>(scene.image, scene.walls, box_, starts);
+    charts_->add(box_, std::move(starts), map_);
+  }
   entered_.assign(map_->passages().size(), false);
   enteredBy(mesh, allVertices(mesh));
 }

@@ -29,6 +29,8 @@ std::string sentence(const Leak& leak);
 //! once; one that the surface lies behind already when it is found (a click there, other parameters) is none.
 class LeakAlarm {
  public:
+  LeakAlarm();
+
   //! What the surface grows in.
   struct Scene {
     const ObjectImage& image;
@@ -40,10 +42,13 @@ class LeakAlarm {
   std::vector<Leak> look(const Mesh& mesh, std::span<const int> moving, const Scene& scene);
   //! The image, the walls or the seeds are others now.
   void forget();
+  //! What it goes by; null before the first look.
+  const PassageMap* map() const { return map_.get(); }
 
  private:
   bool isCovered(const Mesh& mesh, std::span<const int> vertices) const;
   void chart(const Mesh& mesh, const Scene& scene);
+  struct Charts;
   struct Entry {
     std::size_t passage;
     int vertex;  // the first that lies behind it
@@ -55,6 +60,8 @@ class LeakAlarm {
   std::shared_ptr<const PassageMap> map_;
   std::vector<bool> entered_;  // per passage of the map
   std::vector<Vec3> known_;    // mm: spaces that the surface has come into
+  //! Of the present image, walls and seeds, shared by all copies: steps that are made again need no new map.
+  std::shared_ptr<Charts> charts_;
 };
 
 }  // namespace handlebody

@@ -34,6 +34,7 @@ void requireSensible(const Parameters& p) {
 bool moveAlike(Parameters a, const Parameters& b) {
   a.maxIterations = b.maxIterations;
   a.threads = b.threads;
+  a.broadPhase = b.broadPhase;
   return a == b;
 }
 

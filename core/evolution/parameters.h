@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/collision/broad_phase.h"
 #include "core/evolution/constraints.h"
 #include "core/geometry/vec.h"
 
@@ -43,6 +44,7 @@ struct Parameters {
   double curvature = 0.2;  //!< weight of the curvature regularisation, >= 0
   int maxIterations = 3000;
   int threads = 1;
+  BroadPhase broadPhase = BroadPhase::sorted;  //!< of the detection; the mesh does not depend on it
   bool operator==(const Parameters&) const = default;
 };
 
@@ -53,10 +55,10 @@ bool chooseSameImage(Parameters a, const Parameters& b);
 //! Throws UsageError if a parameter has no meaning.
 void requireSensible(const Parameters& parameters);
 
-//! True if both move a surface in the same way: all but the number of iterations and threads.
+//! True if both move a surface in the same way: all but the number of iterations, threads and broad phase.
 bool moveAlike(Parameters a, const Parameters& b);
 
-//! True if they differ in nothing but what the image shows, iterations and threads.
+//! True if they differ in nothing but what the image shows, iterations, threads and broad phase.
 bool haveSameForces(const Parameters& a, const Parameters& b);
 
 //! What a growth is made of, besides the volume.
@@ -90,6 +92,7 @@ struct ResolvedParameters {
   double curvature = 0.2;
   int maxIterations = 3000;
   int threads = 1;
+  BroadPhase broadPhase = BroadPhase::sorted;
   std::vector<Seed> seeds;  //!< with their radii as used
 };
 

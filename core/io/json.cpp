@@ -121,6 +121,8 @@ Json requestedToJson(const Parameters& parameters) {
                {"max_iterations", parameters.maxIterations},
                {"threads", parameters.threads}};
   addCandidate(json, parameters.candidate);
+  if (parameters.broadPhase != BroadPhase::sorted)  // as above
+    json["broad_phase"] = broadPhaseName(parameters.broadPhase);
   return json;
 }
 
@@ -162,7 +164,8 @@ Json resolvedToJson(const ResolvedParameters& parameters) {
                {"balloon", parameters.balloon},
                {"curvature", parameters.curvature},
                {"max_iterations", parameters.maxIterations},
-               {"threads", parameters.threads}};
+               {"threads", parameters.threads},
+               {"broad_phase", broadPhaseName(parameters.broadPhase)}};
   addCandidate(json, parameters.candidate);
   return json;
 }
@@ -327,6 +330,7 @@ Parameters parametersFromJson(const Json& json) {
   if (json.contains("curvature")) p.curvature = finiteFromJson(json.at("curvature"));
   if (json.contains("max_iterations")) p.maxIterations = integerFromJson(json.at("max_iterations"));
   if (json.contains("threads")) p.threads = integerFromJson(json.at("threads"));
+  if (json.contains("broad_phase")) p.broadPhase = wordFromJson(json.at("broad_phase"), broadPhaseFromName);
   return p;
 }
 

@@ -29,4 +29,12 @@ std::optional<Direction> directionFromName(std::string_view name) {
   return std::nullopt;
 }
 
+const char* broadPhaseName(BroadPhase phase) { return phase == BroadPhase::sorted ? "sorted" : "hashing"; }
+
+std::optional<BroadPhase> broadPhaseFromName(std::string_view name) {
+  for (BroadPhase phase : {BroadPhase::sorted, BroadPhase::hashing})
+    if (name == broadPhaseName(phase)) return phase;
+  return std::nullopt;
+}
+
 }  // namespace handlebody

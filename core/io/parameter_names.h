@@ -18,4 +18,9 @@ const char* directionName(Direction direction);
 //! None for any other word.
 std::optional<Direction> directionFromName(std::string_view name);
 
+//! "sorted", "hashing".
+const char* broadPhaseName(BroadPhase phase);
+//! None for any other word.
+std::optional<BroadPhase> broadPhaseFromName(std::string_view name);
+
 }  // namespace handlebody

@@ -7,8 +7,7 @@
 #include <numeric>
 
 #include "core/collision/self_intersection.h"
-#include "core/collision/spatial_hash.h"
-#include "tests/bench/eight_tables.h"
+#include "core/collision/vertex_pairs.h"
 #include "tests/collision_oracle/oracle.h"
 #include "tests/support/mesh_zoo.h"
 
@@ -84,31 +83,44 @@ double radiusOf(const TriangleSoup& s) {
   return longest * std::sqrt(7.0 / 12.0);
 }
 
-void pairsInOneTable(benchmark::State& state) {
-  const TriangleSoup& s = meshOf(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
-  const double radius = radiusOf(s);
-  std::vector<int> vertices(s.points.size());
-  std::iota(vertices.begin(), vertices.end(), 0);
-  SpatialHash hash;
+//! Builds and visits, as a detection does.
+template <typename Pairs>
+std::size_t countPairs(Pairs& near, const TriangleSoup& s, std::span<const int> vertices, double radius) {
   std::size_t pairs = 0;
-  for (auto _ : state) {
-    pairs = 0;
-    hash.build(s.points, vertices, radius);
-    hash.forEachPair([&](int, int, double) { ++pairs; });
-  }
-  state.counters["pairs"] = static_cast<double>(pairs);
+  near.build(s.points, vertices, radius);
+  near.forEachPair([&](int, int, double) { ++pairs; });
+  return pairs;
 }
 
-void pairsInEightTables(benchmark::State& state) {
+std::vector<int> allOf(const TriangleSoup& s) {
+  std::vector<int> vertices(s.points.size());
+  std::iota(vertices.begin(), vertices.end(), 0);
+  return vertices;
+}
+
+void pairsBy(benchmark::State& state, BroadPhase phase) {
   const TriangleSoup& s = meshOf(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
-  const double radius = radiusOf(s);
-  bench::EightTables tables;
+  const std::vector<int> vertices = allOf(s);
+  VertexPairs near;
+  near.use(phase);
   std::size_t pairs = 0;
-  for (auto _ : state) {
-    pairs = 0;
-    tables.forEachPair(s.points, 2.0001 * radius, radius, [&](std::uint32_t, std::uint32_t) { ++pairs; });
-  }
+  for (auto _ : state) pairs = countPairs(near, s, vertices, radiusOf(s));
   state.counters["pairs"] = static_cast<double>(pairs);
+}
+void pairsSorted(benchmark::State& state) { pairsBy(state, BroadPhase::sorted); }
+void pairsHashed(benchmark::State& state) { pairsBy(state, BroadPhase::hashing); }
+
+//! The paper's study in section 2: a mesh of about 10,000 vertices and 20,000 faces, tables of different
+//! sizes (in hundredths of the number of vertices). broad_phase_study.py draws it.
+void tableSize(benchmark::State& state) {
+  const TriangleSoup& s = meshOf(kSphere, 32);
+  const std::vector<int> vertices = allOf(s);
+  SpatialHash hash(static_cast<double>(state.range(0)) / 100);
+  std::size_t pairs = 0;
+  for (auto _ : state) pairs = countPairs(hash, s, vertices, radiusOf(s));
+  state.counters["vertices"] = static_cast<double>(s.points.size());
+  state.counters["pairs"] = static_cast<double>(pairs);
+  state.counters["candidates"] = static_cast<double>(hash.countCandidates());
 }
 
 void sizes(benchmark::internal::Benchmark* b) {
@@ -128,7 +140,21 @@ BENCHMARK(moved)
     ->ArgNames({"kind", "n", "percent"})
     ->ArgsProduct({{kSphere}, {32, 100, 224}, {0, 5, 100}})
     ->ArgsProduct({{kOverlapping}, {32}, {5, 100}});
-BENCHMARK(pairsInOneTable)->Apply(sizes);
-BENCHMARK(pairsInEightTables)->Apply(sizes);
+BENCHMARK(pairsSorted)->Apply(sizes);
+BENCHMARK(pairsHashed)->Apply(sizes);
+BENCHMARK(tableSize)
+    ->Unit(benchmark::kMillisecond)
+    ->ArgName("hundredths")
+    ->Arg(1)
+    ->Arg(3)
+    ->Arg(6)
+    ->Arg(12)
+    ->Arg(25)
+    ->Arg(50)
+    ->Arg(100)
+    ->Arg(200)
+    ->Arg(400)
+    ->Arg(800)
+    ->Arg(1600);
 BENCHMARK(cgal)->Apply(sizes);
 BENCHMARK_MAIN();

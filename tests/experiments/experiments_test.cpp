@@ -54,3 +54,16 @@ TEST_CASE("one thread, two threads and a second run give the same mesh bit for b
   CHECK(first.mesh.points == threaded.mesh.points);
   CHECK(first.mesh.triangles == threaded.mesh.triangles);
 }
+
+TEST_CASE("both broad phases give the same mesh, bit for bit, in the four experiments", "[experiments]") {
+  for (const std::string& name : kExperiments) {
+    INFO(name);
+    const Phantom phantom = makePhantom(name);
+    Parameters hashing;
+    hashing.broadPhase = BroadPhase::hashing;
+    const Outcome a = grow(phantom), b = growWith(phantom, hashing);
+    CHECK(a.mesh.points == b.mesh.points);
+    CHECK(a.mesh.triangles == b.mesh.triangles);
+    CHECK(a.iterations == b.iterations);
+  }
+}

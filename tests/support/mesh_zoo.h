@@ -148,6 +148,19 @@ inline TriangleSoup overlappingSpheres(int n) {
   return both(bumpySphere(n, 0), moved(bumpySphere(n, 1), Vec3(1.7, 0.11, 0.07)));
 }
 
+//! All kinds that intersect themselves.
+inline std::vector<TriangleSoup> intersecting() {
+  return {overlappingSpheres(6),
+          perturbed(sphere(6), 0.3, 1),
+          perturbed(torus(20, 10, 2, 0.7), 0.5, 2),
+          perturbed(cube(4), 0.15, 3),
+          rose(9, 2),
+          rose(50, 3),
+          spikySphere(10),
+          both(cube(3), cube(3)),
+          latticeSoup(60, 120, 5, 4)};
+}
+
 //! The same mesh with vertices and faces in a random order and faces turned.
 inline TriangleSoup shuffled(const TriangleSoup& s, unsigned seed, std::vector<int>* newFace = nullptr) {
   std::mt19937 random(seed);

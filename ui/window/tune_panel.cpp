@@ -45,6 +45,7 @@ TunePanel::TunePanel(Document& document, ViewState& state, QWidget* parent)
   column->addWidget(buildObject());
   column->addWidget(buildRange());
   column->addWidget(buildForces());
+  column->addWidget(buildExpert());
   layout->addWidget(body_);
   layout->addStretch();
 
@@ -167,6 +168,27 @@ QWidget* TunePanel::buildForces() {
   return part;
 }
 
+QWidget* TunePanel::buildExpert() {
+  auto* part = new QWidget(body_);
+  auto* layout = new QVBoxLayout(part);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(heading(tr("Expert"), part));
+  QFormLayout* form = panelForm();
+  form->addRow(
+      tr("Collisions"),
+      choiceRow(tr("Collisions"), {tr("Sorted"), tr("Hashing")},
+                {tr("Near vertices are found in one sorted table. The surface does not depend on it"),
+                 tr("Near vertices are found by the paper's eight hash functions: slower, the same "
+                    "surface")},
+                broadPhase_, part));
+  connect(broadPhase_, &QButtonGroup::idClicked, this, [this](int id) {
+    apply(tr("Change search for collisions"), -1,
+          [id](Parameters& p) { p.broadPhase = id == 0 ? BroadPhase::sorted : BroadPhase::hashing; });
+  });
+  layout->addLayout(form);
+  return part;
+}
+
 void TunePanel::apply(const QString& undoText, int gesture, const Change& change) {
   Parameters parameters = document_.parameters();
   change(parameters);
@@ -224,6 +246,7 @@ void TunePanel::show() {
   object_->button(2)->setText(
       !used ? tr("Auto") : (used->object == ObjectKind::dark ? tr("Auto (dark)") : tr("Auto (bright)")));
   direction_->button(p.direction == Direction::outward ? 0 : 1)->setChecked(true);
+  broadPhase_->button(p.broadPhase == BroadPhase::sorted ? 0 : 1)->setChecked(true);
   smoothing_->show(p.smoothing, used ? std::optional(used->smoothing) : std::nullopt);
   edgeLength_->show(p.edgeLength, used ? std::optional(used->edgeLength) : std::nullopt);
   balloon_->show(p.balloon);

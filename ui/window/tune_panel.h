@@ -33,6 +33,7 @@ class TunePanel : public QWidget {
   QWidget* buildObject();
   QWidget* buildRange();
   QWidget* buildForces();
+  QWidget* buildExpert();
   IntensityField* rangeEnd(const QString& name, bool low);
   ValueField* addField(QFormLayout* form, const ValueSpec& spec, const QString& undoText,
                        std::function<void(Parameters&, std::optional<double>)> set);
@@ -50,7 +51,7 @@ class TunePanel : public QWidget {
   QLabel *hint_, *error_;
   QWidget* body_;
   HistogramView* histogram_;
-  QButtonGroup *object_, *direction_;
+  QButtonGroup *object_, *direction_, *broadPhase_;
   IntensityField *low_, *high_;
   QToolButton* automaticRange_;
   QCheckBox* keepTint_;

@@ -28,18 +28,6 @@ std::vector<FacePair> bruteForce(const TriangleSoup& s) {
   return pairs;
 }
 
-std::vector<TriangleSoup> zooOfIntersecting() {
-  return {zoo::overlappingSpheres(6),
-          zoo::perturbed(zoo::sphere(6), 0.3, 1),
-          zoo::perturbed(zoo::torus(20, 10, 2, 0.7), 0.5, 2),
-          zoo::perturbed(zoo::cube(4), 0.15, 3),
-          zoo::rose(9, 2),
-          zoo::rose(50, 3),
-          zoo::spikySphere(10),
-          zoo::both(zoo::cube(3), zoo::cube(3)),
-          zoo::latticeSoup(60, 120, 5, 4)};
-}
-
 TriangleSoup cornersExchanged(TriangleSoup s) {  // a rotation about (1,1,1) and a half turn: exact
   for (Vec3& p : s.points) p = Vec3(-p.y(), -p.z(), p.x());
   return s;
@@ -48,7 +36,7 @@ TriangleSoup cornersExchanged(TriangleSoup s) {  // a rotation about (1,1,1) and
 }  // namespace
 
 TEST_CASE("detection equals the exact test of all pairs") {
-  for (const TriangleSoup& s : zooOfIntersecting()) {
+  for (const TriangleSoup& s : zoo::intersecting()) {
     const auto expected = bruteForce(s);
     CAPTURE(s.points.size());
     CHECK(expected.size() > 0);
@@ -57,7 +45,7 @@ TEST_CASE("detection equals the exact test of all pairs") {
 }
 
 TEST_CASE("detection on open, broken and thinned meshes equals the exact test of all pairs") {
-  for (TriangleSoup s : zooOfIntersecting()) {
+  for (TriangleSoup s : zoo::intersecting()) {
     for (std::size_t f = 0; f < s.triangles.size(); f += 5) s.triangles[f] = {-1, -1, -1};
     for (std::size_t f = 2; f < s.triangles.size(); f += 7) std::swap(s.triangles[f][0], s.triangles[f][1]);
     CHECK(find(s) == bruteForce(s));
@@ -65,7 +53,7 @@ TEST_CASE("detection on open, broken and thinned meshes equals the exact test of
 }
 
 TEST_CASE("scale by a power of two, an exact rotation and permutation do not change the pairs") {
-  for (const TriangleSoup& s : zooOfIntersecting()) {
+  for (const TriangleSoup& s : zoo::intersecting()) {
     const auto expected = find(s);
     CHECK(find(zoo::scaled(s, 0x1p-10)) == expected);
     CHECK(find(zoo::scaled(s, 0x1p10)) == expected);
@@ -88,7 +76,7 @@ TEST_CASE("scale by a power of two, an exact rotation and permutation do not cha
 TEST_CASE("a detector gives the same answer again, also after other meshes") {
   CollisionDetector detector;
   for (int round = 0; round < 2; ++round) {
-    for (const TriangleSoup& s : zooOfIntersecting())
+    for (const TriangleSoup& s : zoo::intersecting())
       CHECK(detector.detectAll(s.points, s.triangles) == find(s));
   }
 }

@@ -140,3 +140,21 @@ TEST_CASE("a wall put across the passage that the alarm tells keeps the surface 
   CHECK(furthestX(history.shown().mesh()) < kWallX + 1.5);
   CHECK(std::abs(volumeOf(history.shown().mesh()) / std::pow(2 * kChamberHalf, 3) - 1) < 0.05);
 }
+
+TEST_CASE("copies of an alarm share what they found in the image, until it is another image", "[leaks]") {
+  const Volume volume = darkObject(cubicGrid(41), [](const Vec3& q) { return chambers(q, 2.5); });
+  const ObjectImage image(std::make_shared<SmoothedVolume>(volume, 0), IntensityRange{-1e9, 100}, 20);
+  const ActiveContour contour = growing(2.5);
+  const std::vector<Vec3> seeds{Vec3(10, 18, 21)};
+  const LeakAlarm::Scene scene{image, nullptr, seeds, 1};
+  LeakAlarm first;
+  LeakAlarm copy = first;  // as the keyframe of the seeds is
+  first.look(contour.mesh(), {}, scene);
+  copy.look(contour.mesh(), {}, scene);
+  CHECK(first.map() != nullptr);
+  CHECK(copy.map() == first.map());
+  LeakAlarm other = first;
+  other.forget();
+  other.look(contour.mesh(), {}, scene);
+  CHECK(other.map() != first.map());
+}

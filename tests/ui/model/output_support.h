@@ -30,9 +30,9 @@ struct OutputWork {
   }
   bool stepTo(int iteration) {
     while (document.iteration() < iteration) {
-      const int before = document.iteration();
+      const int next = std::max(0, document.iteration()) + 1;  // the seeds are shown as iteration 0 before
       document.stepForward();
-      if (!waitFor([&] { return document.iteration() > before && isAtRest(document); })) return false;
+      if (!waitFor([&] { return document.iteration() >= next && isAtRest(document); })) return false;
     }
     return true;
   }

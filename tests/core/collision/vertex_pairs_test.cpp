@@ -1,15 +1,18 @@
-#include "core/collision/spatial_hash.h"
+#include "core/collision/vertex_pairs.h"
 
 #include "core/collision/near_points.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <random>
 #include <set>
 #include <utility>
 
+#include "core/collision/self_intersection.h"
 #include "tests/support/catch.h"
+#include "tests/support/mesh_zoo.h"
 
 using namespace handlebody;
 
@@ -49,14 +52,17 @@ int paperBox(double a, double l, int i) { return static_cast<int>(std::floor(a /
 
 }  // namespace
 
-TEST_CASE("every pair within the radius is found exactly once") {
+TEST_CASE("every pair within the radius is found exactly once, by either broad phase") {
+  const BroadPhase phase = GENERATE(BroadPhase::sorted, BroadPhase::hashing);
   for (const Vec3& extent : {Vec3(20, 20, 20), Vec3(4000, 1, 1), Vec3(90, 90, 0), Vec3(1, 2, 3000)}) {
     const auto points = cloud(1500, extent, 1);
     for (const double radius : {0.8, 1.7}) {
-      SpatialHash hash;
-      REQUIRE(hash.build(points, allOf(points), radius));
+      VertexPairs near;
+      near.use(phase);
+      const std::vector<int> all = allOf(points);
+      REQUIRE(near.build(points, all, radius));
       Pairs found;
-      hash.forEachPair([&](int u, int v, double d) {
+      near.forEachPair([&](int u, int v, double d) {
         const double expected =
             (points[static_cast<std::size_t>(u)] - points[static_cast<std::size_t>(v)]).squaredNorm();
         REQUIRE(d == expected);
@@ -97,7 +103,7 @@ TEST_CASE("the boxes of the eight hash functions are blocks of half boxes, negat
   const double l = 0.75;
   for (double a = -10; a < 10; a += 0.0625) {
     const int half = static_cast<int>(std::floor(2 * a / l));
-    for (int i = 0; i < 2; ++i) REQUIRE(SpatialHash::boxIndex(half, i) == paperBox(a, l, i));
+    for (int i = 0; i < 2; ++i) REQUIRE(boxIndex(half, i) == paperBox(a, l, i));
   }
 }
 
@@ -117,12 +123,47 @@ TEST_CASE("points closer than half a box share a box of one of the eight functio
   }
 }
 
-TEST_CASE("a crowd, a radius of nothing and boxes beyond counting are refused") {
-  SpatialHash hash;
+TEST_CASE("any size of the hash table gives the same pairs, a smaller one more to look at") {
+  const auto points = cloud(1500, Vec3(20, 20, 20), 5);
+  const std::vector<int> all = allOf(points);
+  const Pairs expected = bruteForce(points, 0.9);
+  std::size_t candidatesBefore = std::numeric_limits<std::size_t>::max();
+  for (const double tableSize : {0.0, 0.125, 0.5, 2.0, 8.0}) {
+    SpatialHash hash(tableSize);
+    const bool isLinear = hash.build(points, all, 0.9);
+    CHECK(isLinear == (tableSize > 0));  // with one entry all vertices have the same value
+    Pairs found;
+    hash.forEachPair([&](int u, int v, double) { found.emplace_back(std::min(u, v), std::max(u, v)); });
+    std::sort(found.begin(), found.end());
+    CHECK(found == expected);
+    const std::size_t candidates = hash.countCandidates();
+    CHECK(candidates < candidatesBefore);
+    candidatesBefore = candidates;
+  }
+}
+
+TEST_CASE("both broad phases find the same self-intersections on every mesh of the zoo") {
+  for (const TriangleSoup& s : zoo::intersecting()) {
+    CAPTURE(s.points.size());
+    CollisionDetector sorted, hashing;
+    hashing.use(BroadPhase::hashing);
+    CHECK(hashing.detectAll(s.points, s.triangles) == sorted.detectAll(s.points, s.triangles));
+    std::vector<unsigned char> moved(s.points.size());
+    for (std::size_t v = 0; v < moved.size(); v += 3) moved[v] = 1;
+    CHECK(hashing.detectMoved(s.points, s.triangles, moved) ==
+          sorted.detectMoved(s.points, s.triangles, moved));
+  }
+}
+
+TEST_CASE("a crowd, a radius of nothing and boxes beyond counting are refused by either broad phase") {
+  const BroadPhase phase = GENERATE(BroadPhase::sorted, BroadPhase::hashing);
+  VertexPairs near;
+  near.use(phase);
   const auto points = cloud(2000, Vec3(10, 10, 10), 4);
-  CHECK_FALSE(hash.build(points, allOf(points), 0));
-  CHECK_FALSE(hash.build(points, allOf(points), 8));
-  CHECK_FALSE(hash.build(points, allOf(points), 1e-9));
-  CHECK_FALSE(hash.build(points, {}, 1));
-  CHECK(hash.build(points, allOf(points), 0.5));
+  const std::vector<int> all = allOf(points);
+  CHECK_FALSE(near.build(points, all, 0));
+  CHECK_FALSE(near.build(points, all, 8));
+  CHECK_FALSE(near.build(points, all, 1e-9));
+  CHECK_FALSE(near.build(points, {}, 1));
+  CHECK(near.build(points, all, 0.5));
 }
