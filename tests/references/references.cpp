@@ -50,6 +50,13 @@ void addWords(const std::string& text, std::set<std::string>& words) {
   for (std::sregex_iterator w(text.begin(), text.end(), word), end; w != end; ++w) words.insert(w->str());
 }
 
+//! "core/mesh/mesh" for core/mesh/mesh.h and .cpp; other paths as they are.
+std::string withoutEnding(const std::string& path) {
+  for (const std::string ending : {".h", ".cpp"})
+    if (path.ends_with(ending)) return path.substr(0, path.size() - ending.size());
+  return path;
+}
+
 //! A line of a page, what was named on it so far, and what is wrong with it.
 class Line {
  public:
@@ -58,7 +65,15 @@ class Line {
 
   void check(const std::string& text) {
     static const std::regex span("`([^`]+)`");
-    for (std::sregex_iterator s(text.begin(), text.end(), span), end; s != end; ++s) checkSpan((*s)[1]);
+    for (std::sregex_iterator s(text.begin(), text.end(), span), end; s != end; ++s) {
+      const std::string between = s->prefix();
+      if (between == ": ")
+        list_ = before_;
+      else if (between != ", ")
+        list_.clear();
+      before_ = (*s)[1];
+      checkSpan(before_);
+    }
   }
   void checkLinks(const std::string& text, const fs::path& folder) {
     static const std::regex link(R"(\]\(([^)#\s]+)(#[^)]*)?\))");
@@ -108,13 +123,18 @@ class Line {
     if (!any) tell("there is no test \"" + name + "\"");
   }
   void checkWord(const std::string& word) {
-    if (project_.words.count(word) == 0) tell("nothing is called " + word);
+    const auto source = project_.wordsOf.find(withoutEnding(list_));
+    if (project_.words.count(word) == 0)
+      tell("nothing is called " + word);
+    else if (source != project_.wordsOf.end() && source->second.count(word) == 0)
+      tell("nothing is called " + word + " in " + list_);
   }
 
   const Project& project_;
   std::string place_;
   std::vector<std::string>& broken_;
   std::string testSource_;
+  std::string before_, list_;  // the span before; what stands before the colon of the list that it is in
 };
 
 }  // namespace
@@ -131,6 +151,7 @@ Project readProject(const std::string& root) {
     if (!it->is_regular_file() || !isSource(path)) continue;
     const std::string text = textOf(it->path());
     addWords(text, project.words);
+    if (withoutEnding(path) != path) addWords(text, project.wordsOf[withoutEnding(path)]);
     // These tests name tests that are not there.
     if (path.rfind("tests/", 0) != 0 || path.rfind("tests/references/", 0) == 0) continue;
     const std::set<std::string> tests = testsOf(text);

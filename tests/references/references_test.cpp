@@ -14,7 +14,8 @@ namespace {
 const Project kSmall{
     {"core", "core/mesh.h", "tests", "tests/a_test.cpp", "tests/b_test.cpp", "docs", "docs/page.md"},
     {{"tests/a_test.cpp", {"a mesh is closed"}}, {"tests/b_test.cpp", {"a hole is open"}}},
-    {"Mesh", "findEdge", "--seed"}};
+    {"Mesh", "findEdge", "--seed"},
+    {{"core/mesh", {"Mesh"}}}};
 
 std::vector<std::string> broken(const std::string& text) {
   return brokenReferences(kSmall, "docs/page.md", text);
@@ -63,6 +64,15 @@ TEST_CASE("names of types, functions and options have to occur") {
   CHECK(broken("`Mash`").size() == 1);
   CHECK(broken("`Mesh::findEgde()`").size() == 1);
   CHECK(broken("`--sead`").size() == 1);
+}
+
+TEST_CASE("names in a list behind a source are looked for there") {
+  CHECK(broken("`core/mesh.h`: `Mesh`").empty());
+  CHECK(broken("`core/mesh.h` and `findEdge`").empty());
+  CHECK(broken("`core/mesh.h`: `Mesh`; `findEdge`").empty());
+  const auto found = broken("`core/mesh.h`: `Mesh`, `findEdge`");
+  REQUIRE(found.size() == 1);
+  CHECK(found[0] == "docs/page.md:1: nothing is called findEdge in core/mesh.h");
 }
 
 TEST_CASE("links lead to files of the project, from the page's folder") {
