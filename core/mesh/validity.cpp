@@ -25,16 +25,31 @@ struct EdgeNumbers {
   std::vector<Edge> distinct;
 };
 
+//! Those of all faces, sorted: by a counting sort along the lower ends, which hold few each.
+std::vector<Edge> sortedEdges(const TriangleSoup& soup) {
+  const auto forEachEdge = [&](auto&& f) {
+    for (const Triangle& t : soup.triangles)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const int a = t[i], b = t[(i + 1) % 3];
+        f(Edge{std::min(a, b), std::max(a, b), a < b});
+      }
+  };
+  std::vector<std::size_t> start(soup.points.size() + 1, 0);
+  forEachEdge([&](const Edge& e) { ++start[static_cast<std::size_t>(e.low) + 1]; });
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<Edge> edges(3 * soup.triangles.size());
+  std::vector<std::size_t> fill(start.begin(), start.end() - 1);
+  forEachEdge([&](const Edge& e) { edges[fill[static_cast<std::size_t>(e.low)]++] = e; });
+  for (std::size_t v = 0; v + 1 < start.size(); ++v)
+    std::sort(edges.begin() + static_cast<std::ptrdiff_t>(start[v]),
+              edges.begin() + static_cast<std::ptrdiff_t>(start[v + 1]));
+  return edges;
+}
+
 EdgeNumbers examineEdges(const TriangleSoup& soup) {
-  std::vector<Edge> edges;
-  edges.reserve(3 * soup.triangles.size());
-  for (const Triangle& t : soup.triangles)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const int a = t[i], b = t[(i + 1) % 3];
-      edges.push_back({std::min(a, b), std::max(a, b), a < b});
-    }
-  std::sort(edges.begin(), edges.end());
+  const std::vector<Edge> edges = sortedEdges(soup);
   EdgeNumbers n;
+  n.distinct.reserve(edges.size() / 2 + 1);
   for (std::size_t i = 0; i < edges.size();) {
     std::size_t j = i;
     int forward = 0;
