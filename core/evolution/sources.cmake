@@ -6,6 +6,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/constraints.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/correction.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/edge_profile.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/edit_step.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/growth_level.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/held_changes.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/history.cpp
