@@ -153,6 +153,8 @@ class Document : public QObject {
   void setParameters(const Parameters& parameters, const QString& undoText, int gesture = -1);
   //! What the surface may not do.
   const Constraints& constraints() const;
+  //! From the shown iteration on.
+  void setConstraints(const Constraints& constraints, const QString& undoText, int gesture = -1);
   //! events()[index] is not to happen: goes back to the step before, and what is grown on from there is
   //! without it. Precondition: a change of topology.
   void forbid(int index);

@@ -8,6 +8,13 @@ namespace handlebody::ui {
 
 const Constraints& Document::constraints() const { return d_->active->edits().constraints; }
 
+void Document::setConstraints(const Constraints& constraints, const QString& undoText, int gesture) {
+  if (constraints == this->constraints()) return;
+  Edits after = d_->active->edits();
+  after.constraints = constraints;
+  d_->push(undoText, std::move(after), gesture);
+}
+
 void Document::forbid(int index) {
   const Event& event = events().at(static_cast<std::size_t>(index));
   const bool isMeeting = event.kind == EventKind::handleInserted;
