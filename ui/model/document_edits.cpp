@@ -54,8 +54,10 @@ void Document::Private::edited(const ObjectWork& object) {
 void Document::Private::editRefused(const ObjectWork& object, const Request& asked, const QString& why) {
   const auto* last = dynamic_cast<const EditCommand*>(undo.command(undo.index() - 1));
   if (&object == active.get() && last && last->after().request() == asked) {
-    const_cast<EditCommand*>(last)->setObsolete(true);
-    undo.undo();
+    auto* command = const_cast<EditCommand*>(last);
+    command->undo();
+    command->setObsolete(true);
+    undo.undo();  // takes one that is obsolete from the list, and does no more
   }
   Q_EMIT q.refused(why);
 }
