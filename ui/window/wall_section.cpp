@@ -80,7 +80,7 @@ void WallSection::showBrush() {
 
 void WallSection::showWalls() {
   const auto count = static_cast<int>(document_.constraints().walls.balls.size());
-  walls_->setText(count == 0 ? tr("Nothing is painted.") : tr("%n ball(s) painted", nullptr, count));
+  walls_->setText(count == 0 ? tr("Nothing is painted.") : tr("Balls painted: %1").arg(count));
 }
 
 }  // namespace handlebody::ui
