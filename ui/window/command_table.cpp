@@ -163,6 +163,26 @@ void addGrowCommands(std::vector<CommandSpec>& t) {
                       T("To the last iteration that was worked out"), kPlain, false}});
 }
 
+void addCorrectCommands(std::vector<CommandSpec>& t) {
+  const char* menu = T("&Correct");
+  t.insert(t.end(), {{Command::paintWalls, menu, "", T("&Paint walls"), "B", "wall-paint",
+                      T("Drag in a slice: the surface may not go where it is painted"), kToggle, false},
+                     {Command::eraseWalls, menu, "", T("&Erase walls"), "E", "wall-erase",
+                      T("Drag in a slice: what the eraser touches is no wall any more"), kToggle, false},
+                     {Command::largerBrush, menu, "", T("&Larger brush"), "Ctrl+]", "",
+                      T("Radius of brush and eraser a tenth larger"), kPlain, true},
+                     {Command::smallerBrush, menu, "", T("S&maller brush"), "Ctrl+[", "",
+                      T("Radius of brush and eraser a tenth smaller"), kPlain, false},
+                     {Command::wallAtCrosshair, menu, "", T("&Wall at the crosshair"), "Shift+B", "",
+                      T("A wall as large as the brush where the crosshair is"), kPlain, true},
+                     {Command::eraseAtCrosshair, menu, "", T("E&rase at the crosshair"), "Shift+E", "",
+                      T("No walls where the eraser would touch them at the crosshair"), kPlain, false},
+                     {Command::goOnBeforeWalls, menu, "", T("Go &on from before the walls"), "Ctrl+B", "",
+                      T("Back to before the surface came to the new walls, and on from there"), kPlain, true},
+                     {Command::removeWalls, menu, "", T("Remo&ve all walls"), "Ctrl+Shift+B", "",
+                      T("Nothing that was painted is a wall any more"), kPlain, false}});
+}
+
 void addObjectCommands(std::vector<CommandSpec>& t) {
   const char* menu = T("&Objects");
   t.insert(t.end(),
@@ -206,7 +226,7 @@ const std::vector<CommandSpec>& Commands::table() {
   static const std::vector<CommandSpec> all = [] {
     std::vector<CommandSpec> t;
     for (auto add : {addFileCommands, addEditCommands, addViewCommands, addDisplayCommands, addSeedCommands,
-                     addGrowCommands, addObjectCommands, addHelpCommands})
+                     addGrowCommands, addCorrectCommands, addObjectCommands, addHelpCommands})
       add(t);
     return t;
   }();

@@ -78,11 +78,13 @@ void HeldSection::addTopology(std::vector<Row>& rows) const {
   if (now.topology.components) {
     Constraints after = now;
     after.topology.components.reset();
+    if (!after.topology.genus) after.topology.allowed.clear();  // nothing is left to allow
     add(tr("At most %1 components").arg(*now.topology.components), {}, tr("Lift the limit"), after);
   }
   if (now.topology.genus) {
     Constraints after = now;
     after.topology.genus.reset();
+    if (!after.topology.components) after.topology.allowed.clear();
     add(tr("Genus at most %1").arg(*now.topology.genus), {}, tr("Lift the limit"), after);
   }
   for (std::size_t i = 0; i < now.topology.allowed.size(); ++i) {

@@ -36,6 +36,7 @@
 #include "ui/window/tune_panel.h"
 #include "ui/window/tunnels_list.h"
 #include "ui/window/view_grid.h"
+#include "ui/window/wall_section.h"
 
 namespace handlebody::ui {
 
@@ -59,6 +60,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), commands_(documen
   connectDisplayCommands();
   connectSeedCommands();
   connectGrowCommands();
+  connectCorrectCommands();
   connectObjectCommands();
   connectHelpCommands();
   connect(&document_, &Document::opened, this, &MainWindow::showOpened);
@@ -126,6 +128,10 @@ void MainWindow::buildDocks() {
 // The sections stand in the order in which they are added.
 void MainWindow::buildCorrectPanel() {
   auto* panel = new CorrectPanel;
+  panel->addSection(tr("Walls"),
+                    tr("Paint in the slices where the surface may not go, from the shown iteration on. "
+                       "Ctrl+wheel changes the radius."),
+                    new WallSection(document_, state_, commands_));
   panel->addSection(
       tr("Held back"),
       tr("Limits, vetoes and discs. The crosshair goes to the chosen one; lifted, it holds no more "
