@@ -3,6 +3,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -18,7 +19,7 @@ namespace handlebody::ui {
 
 namespace {
 
-constexpr int kTableHeight = 150;  // pixels
+constexpr int kHighestTable = 190;  // pixels
 enum Column { kWhat, kSize, kColumns };
 
 QTableWidgetItem* cell(const QString& text) {
@@ -44,7 +45,9 @@ QString nameOf(const MeshEdit& edit) {
     case MeshEditKind::fillCavity:
       return TunnelsList::tr("Cavity filled");
     default:
-      return edit.cut == TunnelCut::handle ? TunnelsList::tr("Handle cut") : TunnelsList::tr("Tunnel filled");
+      return edit.cut == TunnelCut::handle   ? TunnelsList::tr("Handle cut")
+             : edit.cut == TunnelCut::tunnel ? TunnelsList::tr("Tunnel filled")
+                                             : TunnelsList::tr("Tunnel closed");
   }
 }
 
@@ -63,7 +66,8 @@ TunnelsList::TunnelsList(Document& document, ViewState& state, QWidget* parent)
   layout->addWidget(table_);
   detail_ = value(tr("The chosen row"), this);
   layout->addWidget(detail_);
-  layout->addWidget(buildActions());
+  actionRow_ = buildActions();
+  layout->addWidget(actionRow_);
   connect(find_, &QPushButton::clicked, this, &TunnelsList::look);
   connect(&document_, &Document::snapshotChanged, this, &TunnelsList::follow);
   connect(&document_, &Document::stateChanged, this, &TunnelsList::showState);
@@ -87,7 +91,6 @@ void TunnelsList::buildTable() {
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setTabKeyNavigation(false);
   table_->setAccessibleName(tr("Tunnels, components and cavities, each with its size"));
-  table_->setFixedHeight(kTableHeight);
   connect(table_, &QTableWidget::itemSelectionChanged, this, &TunnelsList::showChosen);
   connect(table_, &QTableWidget::cellClicked, this, &TunnelsList::showChosen);  // again, too
 }
@@ -266,9 +269,29 @@ void TunnelsList::showRows() {
       table_->setItem(i, kSize, cell(rows_[static_cast<std::size_t>(i)].size));
     }
   }
+  fitTable();
   table_->setVisible(!rows_.empty());
   mark();
   showState();
+}
+
+//! As high as what it lists, so that its buttons stand near it; many rows are scrolled.
+void TunnelsList::fitTable() {
+  int height = 2 * table_->frameWidth() + table_->horizontalHeader()->sizeHint().height();
+  for (int row = 0; row < table_->rowCount() && height < kHighestTable; ++row)
+    height += table_->rowHeight(row);
+  table_->setFixedHeight(std::min(height, kHighestTable));
+}
+
+//! The panel may be longer than the window: what can be done with the chosen row is not to be searched for.
+void TunnelsList::scrollToActions() {
+  for (QWidget* around = parentWidget(); around; around = around->parentWidget())
+    if (auto* area = qobject_cast<QScrollArea*>(around)) {
+      layout()->activate();
+      QMetaObject::invokeMethod(
+          area, [this, area] { area->ensureWidgetVisible(actionRow_, 0, 8); }, Qt::QueuedConnection);
+      return;
+    }
 }
 
 QString TunnelsList::summary() const {
@@ -324,6 +347,7 @@ void TunnelsList::showChosen() {
   mark();
   const Row* row = chosen();
   if (!row) return;
+  scrollToActions();
   state_.setCrosshair(row->tunnel ? row->tunnel->place : row->piece ? row->piece->place : row->edit->place);
 }
 

@@ -55,6 +55,8 @@ class TunnelsList : public QWidget {
   void addPieces(std::vector<Row>& rows, bool cavities) const;
   void addEdits(std::vector<Row>& rows) const;
   void showRows();
+  void fitTable();
+  void scrollToActions();
   void showState();
   QString summary() const;
   const Row* chosen() const;  // null: none
@@ -70,6 +72,7 @@ class TunnelsList : public QWidget {
   QTableWidget* table_;
   std::vector<Action> actions_;
   QPushButton* leaveOut_ = nullptr;
+  QWidget* actionRow_ = nullptr;
   std::vector<Row> rows_;
   std::optional<MeshContents> found_;  // of the shown surface
   bool isLooking_ = false;
