@@ -99,6 +99,8 @@ void paintKey(QPainter& painter, const QPointF& place, const QColor& colour, con
   paintText(painter, {swatch.right() + 6, place.y()}, Qt::AlignLeft | Qt::AlignVCenter, text, font);
 }
 
+QColor wallColour() { return {0xd8, 0x5c, 0xf0}; }
+
 QColor unsupportedColour() { return {0x6a, 0x7b, 0xff}; }
 
 void paintScaleBar(QPainter& painter, const QSizeF& size, double mmPerPixel) {
