@@ -100,8 +100,10 @@ void paintKey(QPainter& painter, const QPointF& place, const QColor& colour, con
 }
 
 QColor loopColour(MarkedLoop::Kind kind) {
-  return kind == MarkedLoop::Kind::handle ? QColor(0xe0, 0x40, 0xfb) : QColor(0x00, 0xe5, 0xff);
+  return kind == MarkedLoop::Kind::handle ? QColor(0x5e, 0xff, 0x5e) : QColor(0x00, 0xe5, 0xff);
 }
+
+QColor wallColour() { return {0xd8, 0x5c, 0xf0}; }
 
 QColor unsupportedColour() { return {0x6a, 0x7b, 0xff}; }
 

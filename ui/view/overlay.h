@@ -26,6 +26,8 @@ void paintKey(QPainter& painter, const QPointF& place, const QColor& colour, con
 QColor unsupportedColour();
 //! Of a marked loop, in all views.
 QColor loopColour(MarkedLoop::Kind kind);
+//! Of walls, in slices and in 3D.
+QColor wallColour();
 //! A bar of a round length with its mm in the lower right corner.
 void paintScaleBar(QPainter& painter, const QSizeF& size, double mmPerPixel);
 //! A bar of the view's colour along its upper edge; around it when the view has the keyboard's focus.

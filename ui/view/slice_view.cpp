@@ -222,7 +222,9 @@ SliceView::SliceView(Plane plane, Document& document, ViewState& state, QWidget*
   setAccessibleName(tr("%1 slice").arg(planeName(plane)));
   setAccessibleDescription(tr(
       "Arrows and Page Up or Down move the crosshair, Return adds a seed, Shift and Return a click outside "
-      "of the object, W changes window and level."));
+      "of the object, W changes window and level. B and E turn the brush for walls on and off, with Shift "
+      "they "
+      "paint and erase at the crosshair."));
   const auto repaint = [this] { update(); };
   connect(&document, &Document::opened, this, &SliceView::startVolume);
   connect(&document, &Document::seedsChanged, this, repaint);

@@ -19,7 +19,6 @@
 #include "ui/view/overlay.h"
 #include "ui/view/seed_circles.h"
 #include "ui/view/triangle_actor.h"
-#include "ui/view/wall_overlay.h"
 
 namespace handlebody::ui {
 namespace {

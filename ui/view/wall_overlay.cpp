@@ -10,6 +10,7 @@
 
 #include "core/evolution/painted_walls.h"
 #include "ui/view/other_outlines.h"
+#include "ui/view/overlay.h"
 #include "ui/view/seed_circles.h"
 #include "ui/view/wall_brush.h"
 
@@ -17,7 +18,7 @@ namespace handlebody::ui {
 
 namespace {
 
-const QColor kWall(0xd8, 0x5c, 0xf0), kRim(0xf4, 0xb8, 0xff), kShadow(0, 0, 0, 150);
+const QColor kRim(0xf4, 0xb8, 0xff), kShadow(0, 0, 0, 150);
 constexpr double kOpacity = 0.5, kRimWidth = 1.6, kDiscWidth = 3;  // pixels
 
 std::vector<WallBall> shownBalls(const WallList& walls, const WallBrush& brush) {
@@ -42,9 +43,9 @@ void paintWholeDisc(QPainter& painter, const SliceGeometry& geometry, const Wall
     const double angle = 2 * std::numbers::pi * i / kCorners;
     rim << geometry.worldToScreen(disc.centre + disc.radius * (std::cos(angle) * a + std::sin(angle) * b));
   }
-  QColor fill = kWall;
+  QColor fill = wallColour();
   fill.setAlphaF(static_cast<float>(kOpacity));
-  painter.setPen(QPen(kWall, kRimWidth));
+  painter.setPen(QPen(wallColour(), kRimWidth));
   painter.setBrush(fill);
   painter.drawPolygon(rim);
 }
@@ -65,13 +66,11 @@ void paintDisc(QPainter& painter, const SliceGeometry& geometry, const WallDisc&
   const Vec3 half = std::sqrt(disc.radius * disc.radius - t * t) * along;
   const Vec3 middle = disc.centre + t * towards;
   paintSegments(painter,
-                {QLineF(geometry.worldToScreen(middle - half), geometry.worldToScreen(middle + half))}, kWall,
-                kDiscWidth);
+                {QLineF(geometry.worldToScreen(middle - half), geometry.worldToScreen(middle + half))},
+                wallColour(), kDiscWidth);
 }
 
 }  // namespace
-
-QColor wallColour() { return kWall; }
 
 //! A rim lies under what is there, so that only the whole has one.
 void WallOverlay::draw(const std::vector<WallBall>& balls, const SliceGeometry& geometry, double pixelRatio) {
@@ -92,7 +91,7 @@ void WallOverlay::draw(const std::vector<WallBall>& balls, const SliceGeometry& 
   QPainter painter(&picture_);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
-  painter.setBrush(kWall);
+  painter.setBrush(wallColour());
   for (const SeedCircle& c : circles) {
     const double inner = std::max(0.5, c.radius - kRimWidth);
     painter.drawEllipse(c.centre, inner, inner);
@@ -110,7 +109,7 @@ void WallOverlay::paintMap(QPainter& painter, const SliceGeometry& geometry, con
     mapSlice_ = geometry.slice();
     mapPicture_ = QImage(size(axes.across), size(axes.down), QImage::Format_ARGB32_Premultiplied);
     mapPicture_.fill(Qt::transparent);
-    const QRgb colour = qPremultiply(kWall.rgba());
+    const QRgb colour = qPremultiply(wallColour().rgba());
     std::array<std::size_t, 3> v{};
     v[static_cast<std::size_t>(axes.normal)] = static_cast<std::size_t>(geometry.slice());
     for (int y = 0; y < mapPicture_.height(); ++y) {

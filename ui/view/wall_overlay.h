@@ -14,9 +14,6 @@ namespace handlebody::ui {
 
 class WallBrush;
 
-//! Of all walls, here and in 3D.
-QColor wallColour();
-
 //! Balls and voxels filled as one, however they overlap; discs as the line in which the slice cuts them, or
 //! whole where they lie in it. Balls are drawn into a picture of their own, to which a stroke adds: what a
 //! mouse move costs does not depend on how many there are.

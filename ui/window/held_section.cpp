@@ -2,6 +2,7 @@
 
 #include <QFileInfo>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -55,6 +56,7 @@ HeldSection::HeldSection(Document& document, ViewState& state, QWidget* parent)
   table_->setTabKeyNavigation(false);
   table_->setAccessibleName(tr("What is held back, each with its place"));
   table_->setFixedHeight(kTableHeight);
+  table_->installEventFilter(this);
   layout->addWidget(table_);
   lift_ = new QPushButton(tr("Lift"), this);
   lift_->setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard with the views
@@ -66,6 +68,15 @@ HeldSection::HeldSection(Document& document, ViewState& state, QWidget* parent)
                        &Document::activeObjectChanged})
     connect(&document_, changed, this, &HeldSection::showRows);
   showRows();
+}
+
+bool HeldSection::eventFilter(QObject*, QEvent* event) {
+  const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+  const int key = isKey ? static_cast<QKeyEvent*>(event)->key() : 0;
+  if (key != Qt::Key_Delete && key != Qt::Key_Backspace) return false;
+  event->accept();  // no shortcut
+  if (event->type() == QEvent::KeyPress) liftChosen();
+  return true;
 }
 
 void HeldSection::addTopology(std::vector<Row>& rows) const {

@@ -24,6 +24,10 @@ class HeldSection : public QWidget {
  public:
   HeldSection(Document& document, ViewState& state, QWidget* parent = nullptr);
 
+ protected:
+  //! Delete lifts the chosen one: the window's key would delete a seed.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   struct Row {
     QString text;

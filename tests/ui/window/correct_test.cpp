@@ -328,8 +328,10 @@ void CorrectTest::whatIsHeldBackIsListedFoundAndLifted() {
   table->selectRow(0);  // the limit, without which no place needs to be allowed
   QTest::mouseClick(lift, Qt::LeftButton);
   QVERIFY(o.document().constraints().topology.empty());
+  table->setFocus();
   table->selectRow(0);
-  QTest::mouseClick(lift, Qt::LeftButton);
+  QTest::keyClick(table, Qt::Key_Delete);
+  QCOMPARE(o.document().seeds().size(), std::size_t(1));  // the selected seed stays
   QVERIFY(o.document().constraints().empty());
   QVERIFY(!table->isVisible());
   for (int i = 0; i < 3; ++i) QTest::keyClick(o.window.get(), Qt::Key_Z, Qt::ControlModifier);
