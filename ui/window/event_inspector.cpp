@@ -149,6 +149,7 @@ void EventInspector::showText() {
   offerConstraint();
   const Event& event = document_.events()[static_cast<std::size_t>(index_)];
   title_->setText(tr("Event: %1").arg(eventName(event)));
+  stages_->setVisible(!event.edit);  // nothing collided
   QStringList lines{tr("at %1").arg(place(event.location)),
                     tr("Genus %1, components %2")
                         .arg(changeText(event.before.genus, event.after.genus),
@@ -183,8 +184,10 @@ void EventInspector::offerConstraint() {
                        : event.edit ? tr("Leave out")
                        : isMeeting  ? tr("Keep apart here")
                                     : tr("Keep it");
-  const QString tip = isChange ? tr("Goes back to the step before; grown on from there, this does not happen")
-                               : tr("From the shown step on, what is held here may happen");
+  const QString tip = event.edit ? tr("Goes back to the step before this edit, and on without it")
+                      : isChange
+                          ? tr("Goes back to the step before; grown on from there, this does not happen")
+                          : tr("From the shown step on, what is held here may happen");
   constrain_->setText(name);
   describe(constrain_, name, tip);
 }
