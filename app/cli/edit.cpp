@@ -52,14 +52,14 @@ Json contentsToJson(const Contents& c) {
 
 //! What the command did.
 struct Edited {
-  std::vector<MeshEdit> edits;
+  std::vector<Event> edits;
   TunnelsClosed closed;
 };
 
 //! Pieces go first: what is gone has no tunnels.
 Edited edit(Mesh& mesh, const EditOptions& o) {
   Edited out;
-  const auto add = [&out](const std::vector<MeshEdit>& more) {
+  const auto add = [&out](const std::vector<Event>& more) {
     out.edits.insert(out.edits.end(), more.begin(), more.end());
   };
   if (o.keepLargest) add(keepLargest(mesh));
@@ -72,7 +72,7 @@ Edited edit(Mesh& mesh, const EditOptions& o) {
 }
 
 void printEdits(const Edited& done) {
-  for (const MeshEdit& e : done.edits) std::printf("%s\n", editText(e).c_str());
+  for (const Event& e : done.edits) std::printf("%s\n", editText(e).c_str());
   if (done.edits.empty()) std::printf("nothing to change\n");
 }
 
@@ -100,7 +100,7 @@ Json answer(const EditOptions& o, const Contents& before, const Edited& done,
   json["before"] = contentsToJson(before);
   if (!after) return json;
   Json& edits = json["edits"] = Json::array();
-  for (const MeshEdit& e : done.edits) edits.push_back(meshEditToJson(e));
+  for (const Event& e : done.edits) edits.push_back(editToJson(e));
   Json& open = json["still_open"] = Json::array();
   for (const OpenTunnel& t : done.closed.open) open.push_back(openTunnelToJson(t));
   json["after"] = contentsToJson(*after);

@@ -44,6 +44,10 @@ void tellAfter(const ActiveContour& contour, RunReport& report) {
     throw UsageError("The veto of iteration " + std::to_string(veto->iteration) +
                      " has nothing to forbid: the growth ended at iteration " +
                      std::to_string(contour.iteration()) + ".");
+  if (const auto edit = contour.waitingEdit(); edit && contour.stopReason() != StopReason::running)
+    throw UsageError("The edit of iteration " + std::to_string(edit->iteration) +
+                     " is never made: the growth ended at iteration " + std::to_string(contour.iteration()) +
+                     ".");
   report.iterations = contour.iteration();
   report.stopped = contour.stopReason();
   report.held = contour.held();

@@ -113,6 +113,26 @@ Veto parseVeto(const std::string& option, const std::string& text) {
   return {iteration, parseVector(option, text.substr(colon + 1))};
 }
 
+MeshEdit parseMeshEdit(const std::string& option, const std::string& text) {
+  const auto first = text.find(':'), second = text.find(':', first + 1);
+  if (first == std::string::npos || second == std::string::npos) refuse(option, text, "ITERATION:KIND:X,Y,Z");
+  const std::string word = text.substr(first + 1, second - first - 1);
+  MeshEdit edit;
+  edit.iteration = parseInteger(option, text.substr(0, first), 1, std::numeric_limits<int>::max());
+  edit.place = parseVector(option, text.substr(second + 1));
+  if (word == "fill-tunnel" || word == "cut-handle") {
+    edit.cut = word == "cut-handle" ? TunnelCut::handle : TunnelCut::tunnel;
+    return edit;
+  }
+  const auto kind = meshEditKind(word);
+  if (!kind)
+    refuse(option, text,
+           "an edit of kind close-tunnel, fill-tunnel, cut-handle, remove-component, keep-component or "
+           "fill-cavity");
+  edit.kind = *kind;
+  return edit;
+}
+
 Seed parseSeed(const std::string& option, const std::string& text) {
   const auto v = parseNumbers(option, text);
   if ((v.size() != 3 && v.size() != 4) || !allFinite(v))

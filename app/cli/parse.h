@@ -27,6 +27,9 @@ WallBall parseWall(const std::string& option, const std::string& text);
 WallDisc parseWallDisc(const std::string& option, const std::string& text);
 //! ITERATION:X,Y,Z, the iteration at least 1.
 Veto parseVeto(const std::string& option, const std::string& text);
+//! ITERATION:KIND:X,Y,Z, the kind close-tunnel, fill-tunnel, cut-handle, remove-component, keep-component or
+//! fill-cavity.
+MeshEdit parseMeshEdit(const std::string& option, const std::string& text);
 //! X,Y,Z[,R] in any one unit; R > 0.
 Seed parseSeed(const std::string& option, const std::string& text);
 

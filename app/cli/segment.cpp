@@ -154,6 +154,12 @@ void addConstraints(CLI::App& command, Constraints& c) {
       "The change of topology nearest to there in that step does not happen: the fronts rest; may be "
       "given several times",
       [&c](Text t) { c.vetoes.push_back(parseVeto("--veto", t)); });
+  addConstraint(
+      command, "--edit", "ITERATION:KIND:X,Y,Z",
+      "That step is an edit in place of motion: close-tunnel (fill-tunnel, cut-handle: by which of its "
+      "loops), remove-component, keep-component or fill-cavity, of what is nearest to there; may be given "
+      "several times",
+      [&c](Text t) { c.edits.push_back(parseMeshEdit("--edit", t)); });
   const auto addLimit = [&command](Text name, int least, std::optional<int>& limit, Text help) {
     const auto set = [&limit, name, least](Text t) { limit = parseInteger(name, t, least, kAnyCount); };
     command.add_option_function<std::string>(name, set, help)->type_name("N");

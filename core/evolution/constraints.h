@@ -1,5 +1,6 @@
 #pragma once
-// What a user forbids the surface: places where it may not go, changes of topology that are not to happen.
+// What a user forbids the surface: places where it may not go, changes of topology that are not to happen;
+// and what is to be done to it by hand.
 
 #include <array>
 #include <memory>
@@ -7,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/evolution/mesh_edit.h"
 #include "core/geometry/vec.h"
 #include "core/volume/volume.h"
 
@@ -76,7 +78,8 @@ struct Constraints {
   WallList walls{};
   std::vector<Veto> vetoes{};
   TopologyLimits topology{};
-  bool empty() const { return walls.empty() && vetoes.empty() && topology.empty(); }
+  std::vector<MeshEdit> edits{};
+  bool empty() const { return walls.empty() && vetoes.empty() && topology.empty() && edits.empty(); }
   bool operator==(const Constraints&) const = default;
 };
 
@@ -87,7 +90,8 @@ std::string written(const Vec3& place);
 std::string written(const WallDisc& disc);
 
 //! Throws UsageError if one has no meaning: a wall without a radius or (a disc) without a normal, or outside
-//! of the volume, a label map of another size, a veto before the first step, a limit that no surface keeps.
+//! of the volume, a label map of another size, a veto or an edit before the first step,
+//! two edits of one step or a veto of an edit's step, a limit that no surface keeps.
 void requireSensible(const Constraints& constraints, const Grid& grid);
 
 }  // namespace handlebody

@@ -32,6 +32,29 @@ Veto vetoFromJson(const Json& json) {
   return veto;
 }
 
+Json meshEditToJson(const MeshEdit& e) {
+  Json json = {{"iteration", e.iteration}, {"kind", meshEditName(e.kind)}, {"place", vectorToJson(e.place)}};
+  if (e.kind == MeshEditKind::closeTunnel) json["loop"] = tunnelCutName(e.cut);
+  return json;
+}
+
+MeshEdit meshEditFromJson(const Json& json) {
+  MeshEdit edit;
+  edit.iteration = integerFromJson(json.at("iteration"));
+  if (edit.iteration < 1) throw UsageError("an edit's iteration is below 1.");
+  const auto name = json.at("kind").get<std::string>();
+  const auto kind = meshEditKind(name);
+  if (!kind) throw UsageError("'" + name + "' is no kind of edit.");
+  edit.kind = *kind;
+  edit.place = vectorFromJson(json.at("place"));
+  if (!json.contains("loop")) return edit;
+  const auto loop = json.at("loop").get<std::string>();
+  const auto cut = tunnelCutOf(loop);
+  if (!cut) throw UsageError("'" + loop + "' is no loop of a tunnel.");
+  edit.cut = *cut;
+  return edit;
+}
+
 }  // namespace
 
 Json discToJson(const WallDisc& w) {
@@ -53,6 +76,7 @@ Json constraintsToJson(const Constraints& c) {
   if (c.topology.components) json["components"] = *c.topology.components;
   if (c.topology.genus) json["genus"] = *c.topology.genus;
   for (const Vec3& p : c.topology.allowed) json["allowed"].push_back(vectorToJson(p));
+  for (const MeshEdit& e : c.edits) json["edits"].push_back(meshEditToJson(e));
   return json;
 }
 
@@ -74,6 +98,8 @@ Constraints constraintsFromJson(const Json& json) {
   if (json.contains("genus")) c.topology.genus = countFromJson(json.at("genus"), 0);
   if (json.contains("allowed"))
     for (const Json& place : json.at("allowed")) c.topology.allowed.push_back(vectorFromJson(place));
+  if (json.contains("edits"))
+    for (const Json& edit : json.at("edits")) c.edits.push_back(meshEditFromJson(edit));
   return c;
 }
 

@@ -11,7 +11,8 @@ namespace handlebody {
 Json discToJson(const WallDisc& disc);
 
 //! {"walls": [{"centre", "radius"}], "wall_discs": [as above], "wall_map": {"path", "sha256"}, "vetoes":
-//! [{"iteration", "place"}], "components", "genus", "allowed": [place]}, each only where there are any; the
+//! [{"iteration", "place"}], "components", "genus", "allowed": [place], "edits": [{"iteration",
+//! "kind", "place"}], with "loop" for a tunnel}, each only where there are any; the
 //! path is null if anonymous.
 Json constraintsToJson(const Constraints& constraints);
 

@@ -16,6 +16,12 @@ const char* eventKindName(EventKind kind) {
       return "tunnel closed";
     case EventKind::componentDeleted:
       return "component deleted";
+    case EventKind::handleCut:
+      return "handle cut";
+    case EventKind::componentRemoved:
+      return "component removed";
+    case EventKind::cavityFilled:
+      return "cavity filled";
     case EventKind::smoothed:
       return "smoothed";
     default:

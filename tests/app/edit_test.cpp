@@ -1,5 +1,7 @@
 // edit: what it lists, what it does, what it refuses; through the program.
 
+#include <filesystem>
+
 #include "core/io/mesh_io.h"
 #include "tests/app/run_cli.h"
 #include "tests/support/catch.h"
@@ -128,4 +130,79 @@ TEST_CASE("check and the report of segment list the tunnels", "[cli]") {
                   file.folder / "r.json", "--quiet"})
               .exitCode == 0);
   CHECK(nlohmann::json::parse(readBytes(file.folder / "r.json")).at("tunnels").empty());
+}
+
+TEST_CASE("segment makes edits as steps, report and session tell them, and replay makes the same bytes",
+          "[cli]") {
+  const TempFolder folder;
+  const PhantomFile torus = makePhantomFile(folder, "torus.mha", {}, "torus");
+  const auto segment = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"segment",  torus.path,       "--seed",    torus.seed,
+                                       "-o",       folder / "a.stl", "--session", folder / "s.json",
+                                       "--report", folder / "r.json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return runCli(arguments);
+  };
+  REQUIRE(segment({}).exitCode == 0);
+  const auto free = nlohmann::json::parse(readBytes(folder / "r.json"));
+  REQUIRE(free.at("tunnels").size() == 1);
+  const std::string next = std::to_string(free.at("iterations").get<int>() + 1);
+  const std::string at = free.at("tunnels").at(0).at("position").dump();
+  const std::string place = at.substr(1, at.size() - 2);
+
+  REQUIRE(segment({"--edit", next + ":cut-handle:" + place}).exitCode == 0);
+  const auto cut = nlohmann::json::parse(readBytes(folder / "r.json"));
+  CHECK(cut.at("tunnels").empty());
+  CHECK(cut.at("stopped") == "converged");
+  const auto& event = cut.at("events").back();
+  CHECK(event.at("kind") == "handle cut");
+  CHECK(event.at("edit").at("volume_after_ml") < event.at("edit").at("volume_before_ml"));
+  CHECK(event.at("edit").at("loop_mm").get<double>() ==
+        Approx(free.at("tunnels").at(0).at("handle_loop_mm").get<double>()).epsilon(0.01));
+  CHECK(cut.at("requested").at("constraints").at("edits").at(0).at("loop") == "handle");
+  for (const char* file : {"s.json", "r.json"}) {
+    REQUIRE(runCli({"replay", folder / file, "-o", folder / "b.stl"}).exitCode == 0);
+    CHECK(readBytes(folder / "a.stl") == readBytes(folder / "b.stl"));
+  }
+
+  const auto refused = [&](const std::string& edit, const std::string& says) {
+    expectRefusal(
+        {"segment", torus.path, "--seed", torus.seed, "-o", folder / "c.stl", "--quiet", "--edit", edit}, 2,
+        says);
+  };
+  refused("2:close-tunnel:" + place, "The edit of iteration 2 finds no tunnel at");
+  refused("9:paint:1,2,3", "--edit");
+  refused("0:close-tunnel:1,2,3", "--edit");
+  refused("close-tunnel:1,2,3", "--edit");
+  CHECK_FALSE(std::filesystem::exists(folder / "c.stl"));
+}
+
+TEST_CASE("an edit in a session that means nothing is refused with the file's name", "[cli]") {
+  const TempFolder folder;
+  const PhantomFile torus = makePhantomFile(folder, "torus.mha", {}, "torus");
+  REQUIRE(runCli({"segment", torus.path, "--seed", torus.seed, "--edit", "2:keep-component:1,2,3", "-o",
+                  folder / "a.stl"})
+              .exitCode == 2);
+  REQUIRE(runCli({"segment", torus.path, "--seed", torus.seed, "--max-iterations", "3", "-o",
+                  folder / "a.stl", "--session", folder / "s.json"})
+              .exitCode == 5);
+  auto session = nlohmann::json::parse(readBytes(folder / "s.json"));
+  const auto refused = [&](const nlohmann::json& edit, const std::string& says) {
+    session["requested"]["constraints"] = {{"edits", {edit}}};
+    writeBytes(folder / "bad.json", session.dump());
+    expectRefusal({"replay", folder / "bad.json", "-o", folder / "b.stl", "--quiet"}, 3, says);
+  };
+  const nlohmann::json good = {{"iteration", 2}, {"kind", "fill-cavity"}, {"place", {1, 2, 3}}};
+  auto bad = good;
+  bad["kind"] = "paint";
+  refused(bad, "'paint' is no kind of edit");
+  bad = good;
+  bad["iteration"] = 0;
+  refused(bad, "below 1");
+  bad = good;
+  bad["place"] = {1, 2};
+  refused(bad, "bad.json");
+  bad = good;
+  bad["loop"] = "long";
+  refused(bad, "'long' is no loop");
 }

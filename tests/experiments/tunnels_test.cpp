@@ -86,3 +86,33 @@ TEST_CASE("the torus is solid when its four cavities are filled") {
   CHECK(c.cavities == 0);
   CHECK(c.volume == Approx(2 * std::numbers::pi * std::numbers::pi * 30 * 13.3 * 13.3).epsilon(0.02));
 }
+
+TEST_CASE("every tunnel of the grown phantoms is closed by a step each, and a new run makes the same mesh",
+          "[edit]") {
+  for (const char* name : {"torus", "genus3", "cube"}) {
+    CAPTURE(name);
+    const Phantom phantom = makePhantom(name, {});
+    ActiveContour contour(phantom.volume, {{phantom.seed, phantom.seedRadius}}, {});
+    const ActiveContour start = contour;
+    while (contour.stopReason() == StopReason::running) contour.step();
+    Request request = contour.request();
+    for (int genus = topologyNumbers(contour.mesh()).genus; genus > 0; --genus) {
+      const TunnelList list = findTunnels(contour.mesh());
+      REQUIRE(static_cast<int>(list.tunnels.size()) == genus);
+      request.constraints.edits.push_back(
+          {contour.iteration() + 1, MeshEditKind::closeTunnel, list.tunnels[0].position});
+      contour.change(request);
+      contour.step();
+      const Certificate c = certify(contour.mesh().compact());
+      REQUIRE(c.boundsBody());
+      REQUIRE(genusOf(c) == genus - 1);
+    }
+    CHECK(contour.stopReason() == StopReason::converged);
+    ActiveContour again = start;
+    again.change(request);
+    while (again.stopReason() == StopReason::running) again.step();
+    CHECK(again.iteration() == contour.iteration());
+    CHECK(again.mesh().compact().points == contour.mesh().compact().points);
+    CHECK(again.mesh().compact().triangles == contour.mesh().compact().triangles);
+  }
+}

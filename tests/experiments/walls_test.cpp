@@ -1,7 +1,9 @@
 // Walls on the phantoms: at random, and where a passage lets the surface out.
 
+#include <ctime>
 #include <random>
 
+#include "core/evolution/painted_walls.h"
 #include "tests/experiments/experiment_support.h"
 #include "tests/support/wall_support.h"
 
@@ -82,4 +84,67 @@ TEST_CASE("a wall in the gap keeps the surface in its chamber", "[walls]") {
   if (gap >= 4) CHECK(free < 0.7);
   CHECK(ball >= 0.98);
   CHECK(sheeted >= 0.98);
+}
+
+namespace {
+
+//! Strokes of a brush of 2 mm between random places, none nearer to the object than 3 mm.
+std::vector<WallBall> strokesBeside(const Phantom& phantom, std::size_t balls) {
+  constexpr double kRadius = 2, kBeside = 3;
+  std::mt19937 random(11);
+  const Grid& grid = phantom.volume.grid;
+  const auto place = [&] {
+    Vec3 index;
+    for (int a = 0; a < 3; ++a)
+      index[a] = static_cast<double>(random()) / 4294967296.0 * grid.size[static_cast<std::size_t>(a)];
+    return grid.toWorld(index);
+  };
+  WallList walls;
+  while (walls.balls.size() < balls) {
+    std::vector<WallBall> stroke;
+    const Vec3 from = place(), to = place();
+    for (int i = 0; i <= 40; ++i) drawTo(stroke, from + i / 40.0 * (to - from), kRadius);
+    std::erase_if(stroke, [&](const WallBall& w) {
+      return phantomDistance(phantom.name, {}, w.centre) < kRadius + kBeside;
+    });
+    walls = painted(std::move(walls), stroke);
+  }
+  walls.balls.resize(balls);
+  return walls.balls;
+}
+
+struct Cost {
+  double seconds = 1e300;  // of processor for all steps, the best of some
+  int iterations = 0;
+};
+
+//! In turn, so that what else the machine does falls on all of them.
+std::vector<Cost> costsOf(const Phantom& phantom, const std::vector<std::vector<WallBall>>& walls) {
+  std::vector<Cost> costs(walls.size());
+  for (int repeat = 0; repeat < 5; ++repeat)
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+      Constraints constraints;
+      constraints.walls.balls = walls[i];
+      ActiveContour contour(phantom.volume, {{phantom.seed, phantom.seedRadius}}, {}, constraints);
+      const std::clock_t start = std::clock();
+      while (contour.stopReason() == StopReason::running) contour.step();
+      costs[i].seconds =
+          std::min(costs[i].seconds, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+      costs[i].iterations = contour.iteration();
+    }
+  return costs;
+}
+
+}  // namespace
+
+TEST_CASE("a thousand balls of strokes that the surface does not meet cost less than a tenth of a step",
+          "[walls][cost]") {
+  const Phantom phantom = makePhantom("cube");
+  const std::vector<WallBall> strokes = strokesBeside(phantom, 1000);
+  const std::vector<Cost> costs = costsOf(phantom, {{}, strokes});
+  const auto perStep = [](const Cost& c) { return 1000 * c.seconds / c.iterations; };
+  std::cout << "a step without walls " << perStep(costs[0]) << " ms, with 1,000 balls of strokes "
+            << perStep(costs[1]) << " ms (" << costs[0].iterations << " and " << costs[1].iterations
+            << " iterations)\n";
+  CHECK(perStep(costs[1]) < 1.1 * perStep(costs[0]));
 }

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "core/cancellation.h"
+#include "core/errors.h"
 #include "ui/model/error_sentence.h"
 #include "ui/model/snapshot.h"
 
@@ -62,10 +63,16 @@ void GrowthWorker::runToEvent(const Request& request, PreparedContour prepared) 
 
 void GrowthWorker::step(const Request& request, PreparedContour prepared) {
   send([this, request, prepared = std::move(prepared)] {
+    const std::optional<Request> before = history_ ? std::optional(nextRequest()) : std::nullopt;
     goOn(request, prepared.get(), Mode::run);
     const bool canGoOn = mode_ == Mode::run;
     mode_ = Mode::idle;
-    if (canGoOn) stepOnce();
+    try {
+      if (canGoOn) stepOnce();
+    } catch (const UsageError&) {
+      change(*before);
+      throw;
+    }
   });
 }
 
@@ -97,6 +104,10 @@ void GrowthWorker::goToPreviousEvent() {
         show(at);
       },
       Urgency::endsStep);
+}
+
+void GrowthWorker::goBefore(const WallList& walls) {
+  send([this, walls] { showBefore(walls); }, Urgency::endsStep);
 }
 
 void GrowthWorker::trace(int index) {
@@ -198,6 +209,11 @@ void GrowthWorker::goOn(const Request& request, const ActiveContour* prepared, M
   if (history_->stopReason() == StopReason::running) mode_ = mode;
 }
 
+//! What the next step from the shown iteration is done with.
+Request GrowthWorker::nextRequest() const {
+  return {history_->seeds(), history_->parameters(), history_->constraints()};
+}
+
 //! False, and at the last iteration, if no event is recorded after the shown one.
 bool GrowthWorker::goToRecordedEvent() {
   const int last = history_->lastIteration();
@@ -235,7 +251,7 @@ bool GrowthWorker::replayChange() {
   const int now = history_->iteration();
   for (const ParameterChange& recorded : replay_.changes)
     if (recorded.iteration == now && now < replay_.stopAt.value_or(now + 1))
-      change(changed({history_->seeds(), history_->parameters(), history_->constraints()}, recorded));
+      change(changed(nextRequest(), recorded));
   const bool goesOn = history_->stopReason() == StopReason::running && now < replay_.stopAt.value_or(now + 1);
   if (!goesOn) mode_ = Mode::idle;
   return goesOn;
@@ -256,6 +272,13 @@ bool GrowthWorker::isEventIteration(int iteration) const {
 void GrowthWorker::show(int iteration) {
   mode_ = Mode::idle;
   if (history_) history_->goTo(std::clamp(iteration, history_->firstIteration(), history_->lastIteration()));
+}
+
+void GrowthWorker::showBefore(const WallList& walls) {
+  mode_ = Mode::idle;
+  if (!history_) return;
+  const CancelScope scope(endsStep_);
+  show(history_->lastFree(walls).value_or(history_->firstIteration()));
 }
 
 void GrowthWorker::traceEvent(int index) {
@@ -282,7 +305,7 @@ void GrowthWorker::publish(std::shared_ptr<const MeshSnapshot> frame) {
     if (frame || !history_) update_.snapshot = std::move(frame);
     if (history_) {
       update_.stopReason = history_->stopReason();
-      update_.request = {history_->seeds(), history_->parameters(), history_->constraints()};
+      update_.request = nextRequest();
       update_.resolved = history_->resolved();
       update_.changes = history_->changes();
       update_.leaks = leaks_;

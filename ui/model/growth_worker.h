@@ -65,6 +65,7 @@ class GrowthWorker {
   void start(std::shared_ptr<const ActiveContour> contour);
   //! Nothing is grown any more.
   void clear();
+  //! A step that is refused (UsageError) leaves the clicks and parameters as they were, too.
   //! All three go on from the shown iteration with these clicks and parameters; if they are others than
   //! recorded, what was recorded after it is dropped.
   void run(const Request& request, PreparedContour prepared = {});
@@ -76,6 +77,9 @@ class GrowthWorker {
   void goTo(int iteration);
   void stepBack();
   void goToPreviousEvent();
+  //! The last iteration up to the shown one that is free of the walls that would be new there; else the
+  //! first. What ends a run breaks it off, and the shown iteration stays.
+  void goBefore(const WallList& walls);
   //! Works out the stages of events()[index].
   void trace(int index);
   void setStepsPerFrame(int steps);
@@ -100,8 +104,10 @@ class GrowthWorker {
   bool noticeLeaks();
   bool replayChange();
   bool hasReached() const;
+  Request nextRequest() const;
   bool isEventIteration(int iteration) const;
   void show(int iteration);
+  void showBefore(const WallList& walls);
   void traceEvent(int index);
   void change(const Request& request, const ActiveContour* prepared = nullptr);
   std::shared_ptr<const MeshSnapshot> nextFrame();

@@ -2,6 +2,8 @@
 
 #include "ui/model/object_work.h"
 
+#include <algorithm>
+
 namespace handlebody::ui {
 
 namespace {
@@ -94,7 +96,7 @@ void ObjectWork::startPrepared() {
 }
 
 void ObjectWork::dropGrowth() {
-  changedOnTheWay_ = false;
+  changedOnTheWay_ = goesOnThere_ = false;
   wanted_ = Wanted::nothing;
   error_.clear();
   growth_.clear();
@@ -110,6 +112,8 @@ GrowthState ObjectWork::state() const {
 }
 
 void ObjectWork::updateState() {
+  if (goesOnThere_ && growth_.isSettled()) goOnThere();
+  if (editing_ && !isBusy() && growth_.isSettled()) tellOfEdit();
   const GrowthState now = state();
   const StopReason stop = stopReason();
   const QString failed = error();
@@ -124,7 +128,7 @@ void ObjectWork::updateState() {
 }
 
 void ObjectWork::pause() {
-  changedOnTheWay_ = replays_ = false;
+  changedOnTheWay_ = replays_ = goesOnThere_ = false;
   if (wanted_ != Wanted::nothing) {
     wanted_ = Wanted::nothing;
     updateState();
@@ -133,18 +137,50 @@ void ObjectWork::pause() {
 }
 
 void ObjectWork::goTo(int iteration) {
-  changedOnTheWay_ = false;
+  changedOnTheWay_ = goesOnThere_ = false;
   if (growth_.exists()) growth_.goTo(iteration);
 }
 
 void ObjectWork::stepBack() {
-  changedOnTheWay_ = false;
+  changedOnTheWay_ = goesOnThere_ = false;
   if (growth_.exists()) growth_.stepBack();
 }
 
 void ObjectWork::goToPreviousEvent() {
-  changedOnTheWay_ = false;
+  changedOnTheWay_ = goesOnThere_ = false;
   if (growth_.exists()) growth_.goToPreviousEvent();
+}
+
+void ObjectWork::goOnBeforeWalls() {
+  if (!growth_.exists()) return;
+  pause();
+  goesOnThere_ = true;
+  growth_.goBefore(request().constraints.walls);
+}
+
+//! Only now is it known whether it is the start, from which it begins again.
+void ObjectWork::goOnThere() {
+  goesOnThere_ = false;
+  goOn(Wanted::run);
+}
+
+//! If the next step from the shown iteration is an edit that is not one of those.
+void ObjectWork::makeEdit(const std::vector<MeshEdit>& known) {
+  const auto isNext = [this](const MeshEdit& e) { return e.iteration == growth_.iteration() + 1; };
+  const std::vector<MeshEdit>& edits = edits_.constraints.edits;
+  const auto edit = std::find_if(edits.begin(), edits.end(), isNext);
+  if (isBusy() || edit == edits.end() || std::find(known.begin(), known.end(), *edit) != known.end()) return;
+  editing_ = edits_.request();
+  goOn(Wanted::step);
+}
+
+void ObjectWork::tellOfEdit() {
+  const Request asked = *std::exchange(editing_, std::nullopt);
+  const auto isShown = [this](const Event& e) { return e.edit && e.iteration == growth_.iteration(); };
+  if (const QString why = error(); !why.isEmpty())
+    host_.editRefused(*this, asked, why);
+  else if (std::any_of(growth_.events().begin(), growth_.events().end(), isShown))
+    host_.edited(*this);
 }
 
 // --- to the others ---

@@ -14,12 +14,13 @@
 #include "ui/view/overlay.h"
 #include "ui/view/slice_image.h"
 #include "ui/view/slice_interaction.h"
+#include "ui/view/wall_overlay.h"
 
 namespace handlebody::ui {
 namespace {
 
 const QColor kOutline(0xff, 0xb8, 0x1a);
-constexpr double kOutlineWidth = 1.6, kUnsupportedWidth = 2.4;  // pixels
+constexpr double kOutlineWidth = 1.6, kUnsupportedWidth = 2.4, kLoopWidth = 3;  // pixels
 
 //! The views whose planes the vertical and the horizontal line of a crosshair are.
 std::pair<Plane, Plane> crossedPlanes(Plane plane) {
@@ -50,6 +51,7 @@ struct SliceView::Private {
   const std::vector<std::array<Vec3, 2>>& outline();
   void paint(QPainter& painter, double pixelRatio, bool focused);
   bool paintOutline(QPainter& painter);
+  void paintMarkedLoops(QPainter& painter) const;
   void paintLegend(QPainter& painter) const;
   void paintCrosshair(QPainter& painter) const;
   void paintTexts(QPainter& painter) const;
@@ -68,6 +70,8 @@ struct SliceView::Private {
   std::vector<std::array<Vec3, 2>> section;  // of cutMesh with cutSlice, mm
   std::vector<int> sectionFaces;             // triangles of its segments
   OtherOutlines others;
+  WallOverlay walls;
+  std::optional<QPointF> pointer;  // where the mouse is, if it is in the view
 };
 
 const QImage& SliceView::Private::image(double pixelRatio) {
@@ -118,6 +122,22 @@ bool SliceView::Private::paintOutline(QPainter& painter) {
   paintSegments(painter, lines, activeColour(document, kOutline), kOutlineWidth);
   paintSegments(painter, unsupported, unsupportedColour(), kUnsupportedWidth);
   return !unsupported.isEmpty();
+}
+
+//! Where they lie within a slice of this one.
+void SliceView::Private::paintMarkedLoops(QPainter& painter) const {
+  const double reach = geometry.grid().spacing.maxCoeff() / 2;
+  const Vec3 normal = geometry.normal();
+  const double offset = offsetOf(geometry);
+  for (const MarkedLoop& loop : state.markedLoops()) {
+    QVector<QLineF> lines;
+    for (std::size_t i = 0; i < loop.points.size(); ++i) {
+      const Vec3 &from = loop.points[i], &to = loop.points[(i + 1) % loop.points.size()];
+      if (std::abs(normal.dot((from + to) / 2) - offset) <= reach)
+        lines.append(QLineF(geometry.worldToScreen(from), geometry.worldToScreen(to)));
+    }
+    paintSegments(painter, lines, loopColour(loop.kind), kLoopWidth);
+  }
 }
 
 void SliceView::Private::paintCrosshair(QPainter& painter) const {
@@ -178,10 +198,15 @@ void SliceView::Private::paint(QPainter& painter, double pixelRatio, bool focuse
   } else {
     painter.drawImage(QPointF(0, 0), image(pixelRatio));
     painter.setRenderHint(QPainter::Antialiasing);
+    if (isActiveVisible(document))
+      walls.paint(painter, geometry, pixelRatio, document.constraints().walls, state.brush());
     paintCrosshair(painter);
     others.paint(painter, document, geometry);
     const bool marked = isActiveVisible(document) && paintOutline(painter);
+    if (isActiveVisible(document)) paintMarkedLoops(painter);
     paintSeeds(painter, interaction.circles(), document.selectedSeed());
+    if (pointer && state.brush().isOn() && !state.windowLevelTool())
+      paintBrush(painter, geometry, *pointer, state.brush());
     paintScaleBar(painter, size, geometry.mmPerPixel());
     paintTexts(painter);
     if (marked) paintLegend(painter);
@@ -197,7 +222,9 @@ SliceView::SliceView(Plane plane, Document& document, ViewState& state, QWidget*
   setAccessibleName(tr("%1 slice").arg(planeName(plane)));
   setAccessibleDescription(tr(
       "Arrows and Page Up or Down move the crosshair, Return adds a seed, Shift and Return a click outside "
-      "of the object, W changes window and level."));
+      "of the object, W changes window and level. B and E turn the brush for walls on and off, with Shift "
+      "they "
+      "paint and erase at the crosshair."));
   const auto repaint = [this] { update(); };
   connect(&document, &Document::opened, this, &SliceView::startVolume);
   connect(&document, &Document::seedsChanged, this, repaint);
@@ -205,10 +232,15 @@ SliceView::SliceView(Plane plane, Document& document, ViewState& state, QWidget*
   connect(&document, &Document::resolvedChanged, this, repaint);
   connect(&document, &Document::snapshotChanged, this, repaint);
   connect(&document, &Document::objectsChanged, this, repaint);
-  connect(&state, &ViewState::changed, this, [this] {
+  connect(&document, &Document::constraintsChanged, this, repaint);
+  connect(&state, &ViewState::markedLoopsChanged, this, repaint);
+  connect(&state.brush(), &WallBrush::strokeChanged, this, repaint);
+  const auto follow = [this] {
     update();
     if (d_->document.hasVolume()) setCursor(d_->interaction.cursorAt(mapFromGlobal(QCursor::pos())));
-  });
+  };
+  connect(&state, &ViewState::changed, this, follow);
+  connect(&state.brush(), &WallBrush::changed, this, follow);
   connect(&state, &ViewState::crosshairChanged, this, &SliceView::followCrosshair);
   startVolume();
 }
@@ -226,7 +258,9 @@ QImage SliceView::picture() {
   QImage image((QSizeF(size()) * devicePixelRatioF()).toSize(), QImage::Format_RGB32);
   image.setDevicePixelRatio(devicePixelRatioF());
   QPainter painter(&image);
+  const auto pointer = std::exchange(d_->pointer, std::nullopt);  // of the slice, not of the mouse
   d_->paint(painter, devicePixelRatioF(), false);
+  d_->pointer = pointer;
   return image;
 }
 
@@ -270,7 +304,8 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
 
 void SliceView::mouseMoveEvent(QMouseEvent* event) {
   if (!d_->document.hasVolume()) return;
-  if (d_->interaction.move(*event)) update();
+  d_->pointer = event->position();
+  if (d_->interaction.move(*event) || d_->state.brush().isOn()) update();
   setCursor(d_->interaction.cursorAt(event->position()));
   tellHover(event->position());
 }
@@ -302,7 +337,11 @@ void SliceView::keyReleaseEvent(QKeyEvent* event) {
   if (!d_->document.hasVolume() || !d_->interaction.keyRelease(*event)) QWidget::keyReleaseEvent(event);
 }
 
-void SliceView::leaveEvent(QEvent*) { Q_EMIT left(); }
+void SliceView::leaveEvent(QEvent*) {
+  d_->pointer.reset();
+  if (d_->state.brush().isOn()) update();
+  Q_EMIT left();
+}
 void SliceView::focusInEvent(QFocusEvent*) { update(); }
 void SliceView::focusOutEvent(QFocusEvent*) { update(); }
 

@@ -32,6 +32,8 @@ void ViewState::setAutomaticWindow(const Volume& volume) {
 void ViewState::startWith(const Volume& volume) {
   const Grid& grid = volume.grid;
   setTint(std::nullopt);
+  markLoops({});
+  brush_.startWith(grid);
   setAutomaticWindow(volume);
   // On voxels, so that all three slices pass exactly through it.
   setCrosshair(grid.toWorld(Vec3(grid.size[0] / 2, grid.size[1] / 2, grid.size[2] / 2)));
@@ -48,6 +50,12 @@ void ViewState::setTint(const std::optional<IntensityRange>& range) {
     return;
   tint_ = range;
   Q_EMIT changed();
+}
+
+void ViewState::markLoops(const std::vector<MarkedLoop>& loops) {
+  if (markedLoops_ == loops) return;
+  markedLoops_ = loops;
+  Q_EMIT markedLoopsChanged();
 }
 
 int ViewState::nextGesture() {

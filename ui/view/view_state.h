@@ -5,10 +5,12 @@
 #include <QObject>
 #include <QString>
 #include <optional>
+#include <vector>
 
 #include "core/evolution/parameters.h"
 #include "core/geometry/vec.h"
 #include "core/volume/volume.h"
+#include "ui/view/wall_brush.h"
 
 namespace handlebody::ui {
 
@@ -17,6 +19,15 @@ enum class Plane { axial, coronal, sagittal };
 
 enum class ColourMap { grey, inverted, hot, contrast };
 enum class MeshColouring { plain, edges, state, support };
+
+//! A closed loop on the surface that was pointed out, mm LPS.
+struct MarkedLoop {
+  //! Around a handle, or round a tunnel: each has a colour (loopColour, overlay.h).
+  enum class Kind { handle, tunnel };
+  Kind kind = Kind::handle;
+  std::vector<Vec3> points;
+  bool operator==(const MarkedLoop&) const = default;
+};
 
 class ViewState : public QObject {
   Q_OBJECT
@@ -32,8 +43,8 @@ class ViewState : public QObject {
   void setWindowLevel(double window, double level);
   //! From the 0.1 to the 99.9 percentile of the volume; takes milliseconds for a volume of any size.
   void setAutomaticWindow(const Volume& volume);
-  //! For a volume that was just opened: crosshair in its middle, automatic window, no tint. The views do not
-  //! call it, so that a session may restore its own state.
+  //! For a volume that was just opened: crosshair in its middle, automatic window, no tint, no brush. The
+  //! views do not call it, so that a session may restore its own state.
   void startWith(const Volume& volume);
   //! While on, dragging with the left button in a slice changes window and level (key W in a slice).
   bool windowLevelTool() const { return windowLevelTool_; }
@@ -48,11 +59,19 @@ class ViewState : public QObject {
   const std::optional<IntensityRange>& tint() const { return tint_; }
   void setTint(const std::optional<IntensityRange>& range);
 
+  WallBrush& brush() { return brush_; }
+  const WallBrush& brush() const { return brush_; }
+
+  //! Loops of the shown surface that are drawn over it; none at first.
+  const std::vector<MarkedLoop>& markedLoops() const { return markedLoops_; }
+  void markLoops(const std::vector<MarkedLoop>& loops);
+
   //! A number for Document::moveSeed() and its like that no other drag has.
   static int nextGesture();
 
  Q_SIGNALS:
   void crosshairChanged();
+  void markedLoopsChanged();
   void changed();  //!< anything else
 
  private:
@@ -67,6 +86,8 @@ class ViewState : public QObject {
   MeshColouring meshColouring_ = MeshColouring::plain;
   bool slicesIn3d_ = true;
   std::optional<IntensityRange> tint_;
+  std::vector<MarkedLoop> markedLoops_;
+  WallBrush brush_;
 };
 
 }  // namespace handlebody::ui

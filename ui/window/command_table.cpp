@@ -63,7 +63,9 @@ void addViewCommands(std::vector<CommandSpec>& t) {
                       T("Set range and forces"), kChoice, false},
                      {Command::stepGrow, menu, steps, T("4 &Grow"), "Alt+4", "grow",
                       T("Grow the surface and watch it"), kChoice, false},
-                     {Command::stepExport, menu, steps, T("5 &Export"), "Alt+5", "export",
+                     {Command::stepCorrect, menu, steps, T("5 &Correct"), "Alt+5", "correct",
+                      T("Walls, and what is held back: mend what has grown wrong"), kChoice, false},
+                     {Command::stepExport, menu, steps, T("6 &Export"), "Alt+6", "export",
                       T("Write the results"), kChoice, false},
                      {Command::resetViews, menu, "", T("&Reset views"), "Ctrl+R", "reset",
                       T("Whole slices, camera from the front"), kPlain, true},
@@ -161,6 +163,26 @@ void addGrowCommands(std::vector<CommandSpec>& t) {
                       T("To the last iteration that was worked out"), kPlain, false}});
 }
 
+void addCorrectCommands(std::vector<CommandSpec>& t) {
+  const char* menu = T("&Correct");
+  t.insert(t.end(), {{Command::paintWalls, menu, "", T("&Paint walls"), "B", "wall-paint",
+                      T("Drag in a slice: the surface may not go where it is painted"), kToggle, false},
+                     {Command::eraseWalls, menu, "", T("&Erase walls"), "E", "wall-erase",
+                      T("Drag in a slice: what the eraser touches is no wall any more"), kToggle, false},
+                     {Command::largerBrush, menu, "", T("&Larger brush"), "Ctrl+]", "",
+                      T("Radius of brush and eraser a tenth larger"), kPlain, true},
+                     {Command::smallerBrush, menu, "", T("S&maller brush"), "Ctrl+[", "",
+                      T("Radius of brush and eraser a tenth smaller"), kPlain, false},
+                     {Command::wallAtCrosshair, menu, "", T("&Wall at the crosshair"), "Shift+B", "",
+                      T("A wall as large as the brush where the crosshair is"), kPlain, true},
+                     {Command::eraseAtCrosshair, menu, "", T("E&rase at the crosshair"), "Shift+E", "",
+                      T("No walls where the eraser would touch them at the crosshair"), kPlain, false},
+                     {Command::goOnBeforeWalls, menu, "", T("Go &on from before the walls"), "Ctrl+B", "",
+                      T("Back to before the surface came to the new walls, and on from there"), kPlain, true},
+                     {Command::removeWalls, menu, "", T("Remo&ve all walls"), "Ctrl+Shift+B", "",
+                      T("Nothing that was painted is a wall any more"), kPlain, false}});
+}
+
 void addObjectCommands(std::vector<CommandSpec>& t) {
   const char* menu = T("&Objects");
   t.insert(t.end(),
@@ -204,7 +226,7 @@ const std::vector<CommandSpec>& Commands::table() {
   static const std::vector<CommandSpec> all = [] {
     std::vector<CommandSpec> t;
     for (auto add : {addFileCommands, addEditCommands, addViewCommands, addDisplayCommands, addSeedCommands,
-                     addGrowCommands, addObjectCommands, addHelpCommands})
+                     addGrowCommands, addCorrectCommands, addObjectCommands, addHelpCommands})
       add(t);
     return t;
   }();

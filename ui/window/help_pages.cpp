@@ -34,17 +34,18 @@ QString section(const QString& title, const QString& rows) {
 }
 
 QString mouseInSlices() {
-  return section(tr("Mouse and keys in a slice"),
-                 row(tr("Left click"), tr("Crosshair")) +
-                     row(tr("Return; with Shift"), tr("Seed at the crosshair; click outside of the object")) +
-                     row(tr("Left drag on a seed, on its rim"), tr("Move it, change its radius")) +
-                     row(tr("Wheel; with Shift"), tr("Next slice; five slices")) +
-                     row(tr("Right drag, Ctrl+wheel"), tr("Zoom")) +
-                     row(tr("Middle drag, Shift+left drag"), tr("Pan")) +
-                     row(tr("Arrows; with Shift"), tr("Crosshair by one voxel; by five")) +
-                     row(tr("Page Up, Page Down"), tr("Next, previous slice")) +
-                     row(tr("W, then left drag"), tr("Window (sideways) and level (up and down)")) +
-                     row(tr("Double click"), tr("This view alone, or all four")));
+  return section(
+      tr("Mouse and keys in a slice"),
+      row(tr("Left click"), tr("Crosshair")) +
+          row(tr("Return; with Shift"), tr("Seed at the crosshair; click outside of the object")) +
+          row(tr("Left drag on a seed, on its rim"), tr("Move it, change its radius")) +
+          row(tr("Wheel; with Shift"), tr("Next slice; five slices")) +
+          row(tr("Right drag, Ctrl+wheel"), tr("Zoom")) + row(tr("Middle drag, Shift+left drag"), tr("Pan")) +
+          row(tr("Arrows; with Shift"), tr("Crosshair by one voxel; by five")) +
+          row(tr("Page Up, Page Down"), tr("Next, previous slice")) +
+          row(tr("B or E, then left drag; Ctrl+wheel"), tr("Paint or erase walls; radius of the brush")) +
+          row(tr("W, then left drag"), tr("Window (sideways) and level (up and down)")) +
+          row(tr("Double click"), tr("This view alone, or all four")));
 }
 
 QString mouseIn3d() {
@@ -58,7 +59,8 @@ QString escape() {
   return section(
       tr("Messages"),
       row(QStringLiteral("<b>%1</b>").arg(QKeySequence(Qt::Key_Escape).toString(QKeySequence::NativeText)),
-          tr("Close the message over the views; else leave window and level")));
+          tr("Close the message over the views; else give up a stroke, put the brush away, leave window and "
+             "level")));
 }
 
 struct Library {

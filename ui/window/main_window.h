@@ -59,6 +59,7 @@ class MainWindow : public QMainWindow {
  private:
   void buildCentre();
   void buildDocks();
+  void buildCorrectPanel();
   void buildStatusBar();
   void fillRecent();
   // main_window_commands.cpp
@@ -84,8 +85,15 @@ class MainWindow : public QMainWindow {
   void restoreSettings();
   void saveSettings();
   void showOpened();
+  // main_window_edits.cpp
+  void tellOfEdit();
   // main_window_leaks.cpp
   void showLeak(int index);
+  // main_window_walls.cpp
+  void connectCorrectCommands();
+  void brushAtCrosshair(bool erases);
+  void showWallConflict();
+  void updateWallCommands();
   void tellLeakOf(int object);
   void keepView();
   void restoreView();
@@ -109,6 +117,7 @@ class MainWindow : public QMainWindow {
   QDockWidget *stepsDock_ = nullptr, *timelineDock_ = nullptr;
   QMenu *recent_ = nullptr, *panels_ = nullptr;
   Appearance appearance_ = Appearance::system;
+  bool paintedOver_ = false;   //!< the message bar offers a way out of a wall over the surface
   bool seekingEvent_ = false;  //!< N or P was pressed: the views follow to the event that is reached
 };
 

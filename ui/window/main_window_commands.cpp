@@ -244,6 +244,7 @@ void MainWindow::updateCommands() {
   const bool isOld = !document_.objectInfo(document_.activeObject()).madeWithEarlier.isEmpty();
   run->setText(running ? tr("P&ause") : (grown && !isOld ? tr("&Go on") : tr("&Start")));
   run->setIcon(icon(running ? QStringLiteral("pause") : QStringLiteral("run")));
+  updateWallCommands();
   updateObjectCommands();
 }
 

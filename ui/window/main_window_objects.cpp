@@ -67,10 +67,17 @@ void MainWindow::updateObjectCommands() {
   commands_[Command::objectVisible]->setChecked(info.visible);
   commands_[Command::objectLocked]->setChecked(info.locked);
   if (!info.locked) return;
-  for (Command id :
-       {Command::addSeed, Command::addOutside, Command::deleteSeed, Command::growSeed, Command::shrinkSeed,
-        Command::smallerObject, Command::largerObject, Command::run, Command::stepForward, Command::stepBack,
-        Command::nextEvent, Command::previousEvent, Command::toStart, Command::toEnd, Command::deleteObject})
+  for (Command id : {Command::addSeed,          Command::addOutside,
+                     Command::deleteSeed,       Command::growSeed,
+                     Command::shrinkSeed,       Command::smallerObject,
+                     Command::largerObject,     Command::paintWalls,
+                     Command::eraseWalls,       Command::wallAtCrosshair,
+                     Command::eraseAtCrosshair, Command::removeWalls,
+                     Command::goOnBeforeWalls,  Command::run,
+                     Command::stepForward,      Command::stepBack,
+                     Command::nextEvent,        Command::previousEvent,
+                     Command::toStart,          Command::toEnd,
+                     Command::deleteObject})
     enable(id, false);
 }
 

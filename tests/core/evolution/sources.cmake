@@ -4,6 +4,7 @@ target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/contour_reports_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/correction_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/edge_profile_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/evolution/edit_step_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/held_changes_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/history_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/image_doubts_test.cpp
@@ -15,6 +16,7 @@ target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/object_walls_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/object_boundary_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/object_range_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/evolution/painted_walls_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/region_growth_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/region_levels_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/resting_places_test.cpp

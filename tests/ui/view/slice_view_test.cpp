@@ -57,6 +57,56 @@ TEST_CASE("An empty view says how to open a volume and bears events", "[slice_vi
   CHECK(countPixels(view.picture(), QRect(50, 100, 300, 100), light) > 100);  // the hint's letters
 }
 
+TEST_CASE("With the brush on, left paints in the slice and the end of the stroke is told once",
+          "[slice_view][walls]") {
+  OneSlice slice;
+  WallBrush& brush = slice.state.brush();
+  brush.setRadius(4);
+  brush.setMode(WallBrush::Mode::paint);
+  const Vec3 crosshair = slice.state.crosshair();
+  QTest::mousePress(&slice.view, Qt::LeftButton, {}, kPlace);
+  const QPoint to = kPlace + QPoint(60, 0);
+  QMouseEvent move(QEvent::MouseMove, to, slice.view.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+  QCoreApplication::sendEvent(&slice.view, &move);
+  CHECK(painted(slice.document).empty());  // not before the end
+  const std::vector<WallBall> stroke = brush.stroke();
+  REQUIRE(stroke.size() > 2);
+  QTest::mouseRelease(&slice.view, Qt::LeftButton, {}, to);
+  CHECK(painted(slice.document) == stroke);
+  CHECK(brush.stroke().empty());
+  CHECK(slice.state.crosshair() == crosshair);
+  CHECK((stroke.front().centre - slice.geometry.toWorld(kPlace)).norm() < 1e-9);
+  for (const WallBall& ball : stroke) {
+    CHECK(ball.radius == 4);
+    CHECK(std::abs(slice.geometry.distance(ball.centre)) < 1e-9);
+  }
+  brush.setMode(WallBrush::Mode::erase);
+  QTest::mouseClick(&slice.view, Qt::LeftButton, {}, kPlace);
+  CHECK(erased(slice.document).size() == 1);
+}
+
+TEST_CASE("Overlapping walls have one shade, and the eraser shows what would be left",
+          "[slice_view][walls]") {
+  OneSlice slice;
+  const Vec3 middle = slice.geometry.toWorld(kPlace);
+  const auto violet = [](const QColor& c) { return c.hue() > 270 && c.hue() < 310 && c.saturation() > 60; };
+  const QRect all(0, 0, kWidth, kHeight);
+  const int none = countPixels(slice.view.picture(), all, violet);
+  Constraints walls;
+  walls.walls.balls = {{middle, 5}};
+  setConstraints(slice.document, walls);
+  const QColor one = slice.view.picture().pixelColor(kPlace);
+  CHECK(violet(one));
+  walls.walls.balls.assign(12, {middle, 5});
+  setConstraints(slice.document, walls);
+  CHECK(slice.view.picture().pixelColor(kPlace) == one);
+  slice.state.brush().setMode(WallBrush::Mode::erase);
+  QTest::mousePress(&slice.view, Qt::LeftButton, {}, kPlace);
+  CHECK(countPixels(slice.view.picture(), all, violet) == none);
+  slice.state.brush().take();
+  CHECK(countPixels(slice.view.picture(), all, violet) > none + 100);
+}
+
 TEST_CASE("A click moves the crosshair to the place under the mouse", "[slice_view]") {
   for (Plane plane : {Plane::axial, Plane::coronal, Plane::sagittal}) {
     OneSlice slice(plane);

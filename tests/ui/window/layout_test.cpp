@@ -110,6 +110,7 @@ class LayoutTest : public QObject {
   void nothingIsCutOffWhenAnEventIsInspected();
   void nothingIsCutOffWhenSeriesAreOffered();
   void nothingIsCutOffWithALongFileName();
+  void nothingIsCutOffWithWallsAndWhatIsHeld();
   void filesOpenedBeforeAreNamedInTheRoomThereIs();
   void nothingIsCutOffWhenMessagesHoldLongWords();
   void theViewsKeepTheirPlaceWhenAMessageComesAndGoes();
@@ -184,6 +185,22 @@ void LayoutTest::nothingIsCutOffWhenSeriesAreOffered() {
   series[1].note = "a single image is no volume";
   Q_EMIT window->document().seriesChoiceNeeded(QStringLiteral("/somewhere/scans"), series);
   NO_FAULTS(resized(*window, kSmall));
+}
+
+void LayoutTest::nothingIsCutOffWithWallsAndWhatIsHeld() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst_session.json")));
+  Constraints some;
+  for (int i = 0; i < 20; ++i) some.walls.balls.push_back({Vec3(110, 40 + i, 60), 4});
+  some.walls.discs = {{Vec3(112.25, 41.75, 86.5), Vec3(1, 0, 0), 12.5}};
+  some.vetoes = {{12, Vec3(110.5, 40.5, 101.5)}, {1234, Vec3(115.25, 40.75, 91.5)}};
+  some.topology = {12, 10, {Vec3(118.25, 40.5, 86.5)}};
+  window->document().setConstraints(some, QStringLiteral("Some"));
+  for (auto appearance : {ui::Appearance::light, ui::Appearance::dark}) {
+    window->setAppearance(appearance);
+    NO_FAULTS(resized(*window, kSmall));
+    NO_FAULTS(resized(*window, kLarge));
+  }
 }
 
 void LayoutTest::nothingIsCutOffWithALongFileName() {

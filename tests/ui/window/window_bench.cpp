@@ -2,7 +2,8 @@
 //   sh tests/ui/with_display.sh build/release/tests/ui/window/window_bench
 // Start to the first picture of the paper's cyst (199 × 99 × 171 voxels); frames per second while its surface
 // of 20,000 triangles changes at every step; slices per second of 512 × 512 × 300 voxels under the wheel; how
-// long a pause takes. All in the whole window at 1600 × 1000 with all four views.
+// long a pause takes; moves of the brush for walls. All in the whole window at 1600 × 1000 with all four
+// views.
 
 #include <unistd.h>
 #include <QDir>
@@ -10,6 +11,7 @@
 #include <QFile>
 #include <QProcess>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 
@@ -128,6 +130,51 @@ void measureGrowth(ui::MainWindow& window) {
       static_cast<long long>(paints.longest), steps / seconds);
 }
 
+//! A stroke across the grown surface with a thousand walls there already: every move is drawn before the
+//! next.
+void measurePainting(ui::MainWindow& window) {
+  ui::Document& document = window.document();
+  if (!document.snapshot()) return;
+  Constraints walls;
+  for (int i = 0; i < 1000; ++i)  // beside the object, in the slice that is shown
+    walls.walls.balls.push_back({Vec3(3 + 2 * (i % 50), 3 + 0.5 * (i / 50), 85), 2.0});
+  document.setConstraints(walls, QStringLiteral("A thousand walls"));
+  window.viewState().setCrosshair(Vec3(77, 49, 85));
+  window.viewState().brush().setMode(ui::WallBrush::Mode::paint);
+  window.viewState().brush().setRadius(3);
+  QTest::qWait(1000);  // the 3D view
+  ui::SliceView& view = window.views().slice(ui::Plane::axial);
+  Paints paints(view);
+  constexpr int kMoves = 200;
+  const auto at = [&](int i) {
+    const double t = 2 * 3.14159265 * i / kMoves;
+    return QPoint(static_cast<int>(view.width() * (0.5 + 0.3 * std::cos(t))),
+                  static_cast<int>(view.height() * (0.5 + 0.3 * std::sin(2 * t))));
+  };
+  QTest::mousePress(&view, Qt::LeftButton, {}, at(0));
+  QElapsedTimer timer;
+  timer.start();
+  paints.restart();
+  const double busy = busyMilliseconds();
+  for (int i = 1; i <= kMoves; ++i) {
+    QMouseEvent move(QEvent::MouseMove, at(i), view.mapToGlobal(at(i)), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(&view, &move);
+    const int before = paints.count;
+    while (paints.count == before && timer.elapsed() < kPatience) QCoreApplication::processEvents();
+  }
+  std::printf("%-58s %6.1f per second (%.1f ms of processor each; longest %lld ms)\n",
+              "moves of the brush, 1,000 walls there, all slices drawn",
+              1000.0 * kMoves / double(timer.elapsed()), (busyMilliseconds() - busy) / kMoves,
+              static_cast<long long>(paints.longest));
+  const auto balls = window.viewState().brush().stroke().size();
+  timer.start();
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, at(kMoves));
+  std::printf("%-58s %6lld ms (%zu balls, over a surface of %zu triangles)\n", "the end of that stroke",
+              static_cast<long long>(timer.elapsed()), balls, document.snapshot()->mesh.triangles.size());
+  window.viewState().brush().setMode(ui::WallBrush::Mode::off);
+  document.setConstraints({}, QStringLiteral("No walls"));
+}
+
 //! From the command to the last step that the worker still does.
 void measurePause(ui::MainWindow& window) {
   ui::Document& document = window.document();
@@ -203,6 +250,7 @@ int main(int argc, char** argv) {
   window.show();
   measureStart(window, cyst);
   measureGrowth(window);
+  measurePainting(window);
   measurePause(window);
   measureScroll(window, QFileInfo(cyst).dir().filePath("large.nii"));
   return 0;

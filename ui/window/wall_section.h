@@ -1,0 +1,31 @@
+#pragma once
+// The brush for walls: painting or erasing, its radius, and how many walls there are.
+
+#include <QWidget>
+
+class QDoubleSpinBox;
+class QLabel;
+
+namespace handlebody::ui {
+
+class Commands;
+class Document;
+class ViewState;
+
+class WallSection : public QWidget {
+  Q_OBJECT
+
+ public:
+  WallSection(Document& document, ViewState& state, const Commands& commands, QWidget* parent = nullptr);
+
+ private:
+  void showWalls();
+  void showBrush();
+
+  Document& document_;
+  ViewState& state_;
+  QDoubleSpinBox* radius_;
+  QLabel* walls_;
+};
+
+}  // namespace handlebody::ui
