@@ -44,9 +44,13 @@ void tellAfter(const ActiveContour& contour, RunReport& report) {
     throw UsageError("The veto of iteration " + std::to_string(veto->iteration) +
                      " has nothing to forbid: the growth ended at iteration " +
                      std::to_string(contour.iteration()) + ".");
+  if (const auto pin = contour.waitingPin(); pin && contour.stopReason() != StopReason::running)
+    throw UsageError("The pin " + written(*pin) + " holds nothing: the growth ended at iteration " +
+                     std::to_string(contour.iteration()) + ".");
   report.iterations = contour.iteration();
   report.stopped = contour.stopReason();
   report.held = contour.held();
+  report.pinned = contour.pinned();
 }
 
 //! Nothing is kept to go back to.

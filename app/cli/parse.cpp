@@ -106,6 +106,16 @@ WallDisc parseWallDisc(const std::string& option, const std::string& text) {
   return disc;
 }
 
+Pin parsePin(const std::string& option, const std::string& text) {
+  const auto at = text.find('@');
+  if (at == std::string::npos) refuse(option, text, "X,Y,Z,R@ITERATION");
+  const auto v = parseNumbers(option, text.substr(0, at));
+  if (v.size() != 4 || !allFinite(v) || !(v[3] > 0))
+    refuse(option, text, "X,Y,Z,R@ITERATION in finite numbers with a radius above 0");
+  const int iteration = parseInteger(option, text.substr(at + 1), 0, std::numeric_limits<int>::max());
+  return {{v[0], v[1], v[2]}, v[3], iteration};
+}
+
 Veto parseVeto(const std::string& option, const std::string& text) {
   const auto colon = text.find(':');
   if (colon == std::string::npos) refuse(option, text, "ITERATION:X,Y,Z");

@@ -26,6 +26,7 @@ WallBall parseWall(const std::string& option, const std::string& text);
 //! X,Y,Z,NX,NY,NZ,R in mm; a normal of some length, R > 0.
 WallDisc parseWallDisc(const std::string& option, const std::string& text);
 //! ITERATION:X,Y,Z, the iteration at least 1.
+Pin parsePin(const std::string& option, const std::string& text);
 Veto parseVeto(const std::string& option, const std::string& text);
 //! X,Y,Z[,R] in any one unit; R > 0.
 Seed parseSeed(const std::string& option, const std::string& text);

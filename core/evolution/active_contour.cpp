@@ -66,6 +66,7 @@ struct ActiveContour::State {
   Scratch<CollisionDetector> detector;
   RestingPlaces resting;
   HeldChanges held;  // what the constraints forbid
+  PinnedParts pins;
   CollapsedComponents collapsed;
   Stillness stillness;
   LeakAlarm alarm;
@@ -88,6 +89,7 @@ struct ActiveContour::State {
   void begin();
   void change(const Request& to, const State* prepared);
   void chooseWalls();
+  void chooseForbidden();
   void forgetRest();
   void correct();
   void beginAnew();
@@ -95,6 +97,8 @@ struct ActiveContour::State {
   void keepOrder();
   Attempt attempt();
   std::vector<int> verticesToMove() const;
+  void lookAtPins(Attempt& a) const;
+  void takePins();
   void adapt(Attempt& a);
   void deleteCollapsed(Attempt& a);
   void accept(Attempt& a, StepReport& report);
@@ -146,16 +150,23 @@ void ActiveContour::State::resolve(const Parameters& p) {
 void ActiveContour::State::chooseWalls() {
   walls.choose(constraints.walls, volume.grid, parameters.edgeLength, motion.largestStep);
   object.image = object.image->behind(walls.all());
+  chooseForbidden();
+}
+
+void ActiveContour::State::chooseForbidden() {
   limits.forbidden = walls.forbidden();
+  limits.forbidden.pinned = pins.mask();
 }
 
 //! Precondition: volume, seeds and object are chosen.
 void ActiveContour::State::start(const Parameters& p, const Constraints& c) {
   held.choose(c, 0);
+  pins.choose(c.pins, 0);
   constraints = c;
   chooseEdge();
   resolve(p);
   begin();
+  takePins();
 }
 
 void ActiveContour::State::begin() {
@@ -186,7 +197,9 @@ void ActiveContour::State::change(const Request& to, const State* prepared) {
   const bool otherClicks = to.seeds != seeds;
   const bool otherImage = prepared || otherClicks || !chooseSameImage(to.parameters, requested);
   const bool freed = held.choose(to.constraints, iteration);
-  const bool wake = otherClicks || otherWalls || freed || !moveAlike(to.parameters, requested);
+  const bool unpinned = pins.choose(to.constraints.pins, iteration);
+  takePins();
+  const bool wake = otherClicks || otherWalls || freed || unpinned || !moveAlike(to.parameters, requested);
   const bool sleepsOn = otherClicks && haveSameForces(to.parameters, requested);
   seeds = to.seeds;
   constraints = to.constraints;
@@ -201,7 +214,7 @@ void ActiveContour::State::change(const Request& to, const State* prepared) {
   if (otherClicks) correct();
   if (otherClicks || otherImage || otherWalls) alarm.forget();
   walls.putUp(mesh, known, mayShrink());
-  limits.forbidden = walls.forbidden();
+  chooseForbidden();
   if (stop == StopReason::maxIterations || (wake && mesh.faceCount() > 0)) stop = StopReason::running;
   if (stop == StopReason::running && iteration >= to.parameters.maxIterations)
     stop = StopReason::maxIterations;
@@ -211,13 +224,20 @@ void ActiveContour::State::forgetRest() {
   resting = {};
   stillness = {};
   collapsed.forget();
+  pins.forgetStops();
 }
 
 //! After a change of the clicks. What had settled and agrees with the new image sleeps on.
 void ActiveContour::State::correct() {
   std::vector<Seed> fronts;
-  correction = correctComponents(mesh, *object.image, seeds, parameters.edgeLength, limits.longest, fronts);
+  const auto isPinned = [this](int v) { return pins.holds(v); };
+  correction = correctComponents(mesh, *object.image, seeds, parameters.edgeLength, limits.longest, fronts,
+                                 pins.any() ? isPinned : std::function<bool(int)>());
   if (correction->beganAnew) {
+    if (pins.any())
+      throw UsageError(
+          "The clicks have so little in common with the surface that it would begin anew, but a part of it is "
+          "pinned: take the pins away first.");
     beginAnew();
     return;
   }
@@ -245,6 +265,8 @@ void ActiveContour::State::keepOrder() {
   if (mesh.vertexSlots() < kGrowthToReorder * orderedVertices) return;
   const std::vector<int> order = mortonOrder(mesh, parameters.edgeLength);
   mesh.reorder(order);
+  pins.reorder(order);
+  chooseForbidden();
   std::vector<unsigned char> quietInOrder;
   for (const int v : order) quietInOrder.push_back(quiet[idx(v)]);
   quiet = std::move(quietInOrder);
@@ -256,7 +278,7 @@ std::vector<int> ActiveContour::State::verticesToMove() const {
   const bool anyRest = resting.any(iteration);
   for (int v = 0; v < mesh.vertexSlots(); ++v)
     if (mesh.isVertex(v) && !sleeps(v) && !(anyRest && resting.rests(mesh.position(v), iteration)) &&
-        !held.rests(mesh.position(v)))
+        !held.rests(mesh.position(v)) && !pins.holds(v) && !pins.rests(mesh.position(v)))
       out.push_back(v);
   return out;
 }
@@ -284,7 +306,22 @@ Attempt ActiveContour::State::attempt() {
   if (a.troubles.empty()) deleteCollapsed(a);
   if (const auto place = walls.broken(mesh, a.touched, a.events); a.troubles.empty() && place)
     a.troubles.push_back({*place, 2 * limits.longest, "the surface would have entered a wall"});
+  if (a.troubles.empty()) lookAtPins(a);
   return a;
+}
+
+//! What no look ahead has kept from changing what is pinned, is taken back.
+void ActiveContour::State::lookAtPins(Attempt& a) const {
+  const auto place = pins.broken(transaction.before(), mesh);
+  if (!place) return;
+  constexpr const char* kReason = "a pinned part would have changed";
+  a.troubles.push_back({*place, 2 * limits.longest, kReason});
+  for (const Event& e : a.events) a.troubles.push_back({e.location, 2 * limits.longest, kReason});
+}
+
+void ActiveContour::State::takePins() {
+  pins.take(mesh, iteration);
+  chooseForbidden();
 }
 
 void ActiveContour::State::adapt(Attempt& a) {
@@ -295,9 +332,11 @@ void ActiveContour::State::adapt(Attempt& a) {
 
 void ActiveContour::State::deleteCollapsed(Attempt& a) {
   const auto isKept = [this](const Vec3& p) { return held.rests(p); };
+  const auto isPinned = [this](int v) { return pins.holds(v); };
   const TopologyNumbers& now = a.events.empty() ? topology : a.events.back().after;
   for (Event& e :
-       collapsed.erase(mesh, {parameters.edgeLength, mayShrink(), !a.events.empty(), iteration, now, isKept}))
+       collapsed.erase(mesh, {parameters.edgeLength, mayShrink(), !a.events.empty(), iteration, now, isKept,
+                              isPinned}))
     a.events.push_back(std::move(e));
 }
 
@@ -379,10 +418,12 @@ StopReason ActiveContour::State::restReason() const {
 //! says so, and the history restores what was before.
 StepReport ActiveContour::State::stepOrNothing() {
   const auto before = std::make_tuple(iteration, resting, held, collapsed);
+  const PinnedParts pinsBefore = pins;
   try {
     return step();
   } catch (const Cancelled&) {
     std::tie(iteration, resting, held, collapsed) = before;
+    pins.takeStopsBack(pinsBefore);
     throw;
   }
 }
@@ -394,7 +435,10 @@ StepReport ActiveContour::State::step() {
   keepOrder();
   const auto rollBack = [&](const Trouble& t) {
     report.events.push_back(rolledBack(t.centre, t.reason));
-    resting.add(t.centre, t.radius + 0.5 * limits.longest, iteration, t.waits);
+    if (t.atPin)
+      pins.stop(mesh, t.centre, t.radius, limits.longest);
+    else
+      resting.add(t.centre, t.radius + 0.5 * limits.longest, iteration, t.waits);
   };
   Attempt last = transaction.run({mesh, topology, limits.longest, [this] { return attempt(); },
                                   [&](const Attempt& a) { return judge(a, report); }, rollBack});
@@ -404,13 +448,14 @@ StepReport ActiveContour::State::step() {
     rollBack({last.place(), 1e3 * parameters.edgeLength, "no part of the step could be kept"});
   if (walls.isPushing()) {
     walls.release(mesh);
-    limits.forbidden = walls.forbidden();
+    chooseForbidden();
   }
   // Of the mesh that is left, also when all of the step was rolled back.
   report.settledVertices = std::max(0, mesh.vertexCount() - report.movedVertices);
   report.volume = transaction.volume();
   watch(last, report);
   decideStop(report);
+  takePins();
   return report;
 }
 
@@ -464,6 +509,8 @@ const Parameters& ActiveContour::requested() const { return state_->requested; }
 const std::vector<Seed>& ActiveContour::requestedSeeds() const { return state_->seeds; }
 const Constraints& ActiveContour::constraints() const { return state_->constraints; }
 std::optional<Veto> ActiveContour::waitingVeto() const { return state_->held.waiting(); }
+std::vector<PinnedPart> ActiveContour::pinned() const { return state_->pins.list(); }
+std::optional<Pin> ActiveContour::waitingPin() const { return state_->pins.waiting(); }
 std::vector<HeldPlace> ActiveContour::held() const { return state_->held.list(); }
 const std::vector<ObjectCandidate>& ActiveContour::candidates() const { return state_->object.candidates; }
 bool ActiveContour::isCloseChoice() const { return state_->object.isCloseChoice; }

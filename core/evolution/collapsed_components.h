@@ -17,6 +17,7 @@ struct CollapsingStep {
   int iteration = 0;                        //!< for the events
   TopologyNumbers topology;                 //!< of the mesh
   std::function<bool(const Vec3&)> isKept;  //!< asked for the first vertex of each that has collapsed
+  std::function<bool(int)> isPinned{};      //!< of a vertex: its component is kept, too
 };
 
 //! Deletes the components that have collapsed, and those that have turned inside out while they did: a cavity

@@ -19,6 +19,14 @@ double outside(const Grid& grid, const Vec3& p) {
   return (grid.toWorld(index) - p).norm();
 }
 
+void requireSensible(const Pin& pin, const Grid& grid) {
+  const std::string name = "The pin at " + written(pin.centre);
+  if (!(pin.radius > 0) || !std::isfinite(pin.radius) || !pin.centre.allFinite())
+    throw UsageError(name + " has no radius above 0 mm.");
+  if (pin.iteration < 0) throw UsageError(name + " mm has an iteration below 0.");
+  if (outside(grid, pin.centre) >= pin.radius) throw UsageError(name + " mm lies outside of the volume.");
+}
+
 void requireSensible(const WallList& walls, const Grid& grid) {
   for (const WallBall& w : walls.balls) {
     if (!(w.radius > 0) || !std::isfinite(w.radius) || !w.centre.allFinite())
@@ -59,6 +67,13 @@ std::string written(const WallDisc& d) {
   return text.str();
 }
 
+std::string written(const Pin& p) {
+  std::ostringstream text;
+  text.precision(12);
+  text << p.centre.x() << ',' << p.centre.y() << ',' << p.centre.z() << ',' << p.radius << '@' << p.iteration;
+  return text.str();
+}
+
 bool WallMap::operator==(const WallMap& other) const {
   if (voxels == other.voxels && voxels) return true;
   if (voxels && other.voxels) return *voxels == *other.voxels;
@@ -67,6 +82,7 @@ bool WallMap::operator==(const WallMap& other) const {
 
 void requireSensible(const Constraints& constraints, const Grid& grid) {
   requireSensible(constraints.walls, grid);
+  for (const Pin& p : constraints.pins) requireSensible(p, grid);
   for (const Veto& v : constraints.vetoes) {
     if (v.iteration < 1 || !v.place.allFinite())
       throw UsageError("A veto needs an iteration of at least 1 and a place.");

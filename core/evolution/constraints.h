@@ -1,5 +1,6 @@
 #pragma once
-// What a user forbids the surface: places where it may not go, changes of topology that are not to happen.
+// What a user forbids the surface: places where it may not go, changes of topology that are not to happen,
+// parts of it that are to stay as they are.
 
 #include <array>
 #include <memory>
@@ -72,11 +73,21 @@ struct TopologyLimits {
   bool operator==(const TopologyLimits&) const = default;
 };
 
+//! From the step after `iteration` on, the vertices that lie in the ball at that iteration stay where they are,
+//! and so do the faces between them.
+struct Pin {
+  Vec3 centre{0, 0, 0};  //!< mm, LPS
+  double radius = 0;     //!< mm, > 0
+  int iteration = 0;     //!< 0: the spheres at the seeds
+  bool operator==(const Pin&) const = default;
+};
+
 struct Constraints {
   WallList walls{};
   std::vector<Veto> vetoes{};
   TopologyLimits topology{};
-  bool empty() const { return walls.empty() && vetoes.empty() && topology.empty(); }
+  std::vector<Pin> pins{};
+  bool empty() const { return walls.empty() && vetoes.empty() && topology.empty() && pins.empty(); }
   bool operator==(const Constraints&) const = default;
 };
 
@@ -86,7 +97,10 @@ std::string written(const Vec3& place);
 //! "X,Y,Z,NX,NY,NZ,R", as in --wall-disc.
 std::string written(const WallDisc& disc);
 
-//! Throws UsageError if one has no meaning: a wall without a radius or (a disc) without a normal, or outside
+//! "X,Y,Z,R@ITERATION", as in --pin.
+std::string written(const Pin& pin);
+
+//! Throws UsageError if one has no meaning: a wall or a pin without a radius or (a disc) without a normal, or outside
 //! of the volume, a label map of another size, a veto before the first step, a limit that no surface keeps.
 void requireSensible(const Constraints& constraints, const Grid& grid);
 

@@ -28,7 +28,7 @@ Attempt Transaction::run(const StepWork& work) {
     if (a.isKept()) return a;
     work.mesh = before_;
     std::for_each(a.troubles.begin(), a.troubles.end(), work.restAt);
-    if (tries < (a.held.empty() ? kAttempts : kHeldAttempts)) continue;
+    if (tries < (a.isHeldBack() ? kHeldAttempts : kAttempts)) continue;
     volume_ = signedVolume(work.mesh);
     return a;
   }

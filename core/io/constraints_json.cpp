@@ -32,6 +32,14 @@ Veto vetoFromJson(const Json& json) {
   return veto;
 }
 
+Pin pinFromJson(const Json& json) {
+  const Pin pin{vectorFromJson(json.at("centre")), finiteFromJson(json.at("radius")),
+                integerFromJson(json.at("iteration"))};
+  if (!(pin.radius > 0)) throw UsageError("a pin has no radius above 0.");
+  if (pin.iteration < 0) throw UsageError("a pin's iteration is below 0.");
+  return pin;
+}
+
 }  // namespace
 
 Json discToJson(const WallDisc& w) {
@@ -53,6 +61,9 @@ Json constraintsToJson(const Constraints& c) {
   if (c.topology.components) json["components"] = *c.topology.components;
   if (c.topology.genus) json["genus"] = *c.topology.genus;
   for (const Vec3& p : c.topology.allowed) json["allowed"].push_back(vectorToJson(p));
+  for (const Pin& p : c.pins)
+    json["pins"].push_back(
+        {{"centre", vectorToJson(p.centre)}, {"radius", p.radius}, {"iteration", p.iteration}});
   return json;
 }
 
@@ -74,6 +85,8 @@ Constraints constraintsFromJson(const Json& json) {
   if (json.contains("genus")) c.topology.genus = countFromJson(json.at("genus"), 0);
   if (json.contains("allowed"))
     for (const Json& place : json.at("allowed")) c.topology.allowed.push_back(vectorFromJson(place));
+  if (json.contains("pins"))
+    for (const Json& pin : json.at("pins")) c.pins.push_back(pinFromJson(pin));
   return c;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// How walls, vetoes and limits of the topology stand in JSON: "constraints" of a request. Only sources
+// How walls, vetoes, pins and limits of the topology stand in JSON: "constraints" of a request. Only sources
 // include this header (see json.h).
 
 #include "core/evolution/constraints.h"
@@ -11,7 +11,7 @@ namespace handlebody {
 Json discToJson(const WallDisc& disc);
 
 //! {"walls": [{"centre", "radius"}], "wall_discs": [as above], "wall_map": {"path", "sha256"}, "vetoes":
-//! [{"iteration", "place"}], "components", "genus", "allowed": [place]}, each only where there are any; the
+//! [{"iteration", "place"}], "components", "genus", "allowed": [place], "pins": [{"centre", "radius", "iteration"}]}, each only where there are any; the
 //! path is null if anonymous.
 Json constraintsToJson(const Constraints& constraints);
 
