@@ -143,10 +143,11 @@ void addConstraints(CLI::App& command, Constraints& c) {
       "The change of topology nearest to there in that step does not happen: the fronts rest; may be "
       "given several times",
       [&c](Text t) { c.vetoes.push_back(parseVeto("--veto", t)); });
-  addConstraint(command, "--pin", "X,Y,Z,R@ITERATION",
-                "What of the surface lies in that ball (LPS millimetres) at that iteration stays as it is from "
-                "then on; may be given several times",
-                [&c](Text t) { c.pins.push_back(parsePin("--pin", t)); });
+  addConstraint(
+      command, "--pin", "X,Y,Z,R@ITERATION",
+      "What of the surface lies in that ball (LPS millimetres) at that iteration stays as it is from "
+      "then on; may be given several times",
+      [&c](Text t) { c.pins.push_back(parsePin("--pin", t)); });
   const auto addLimit = [&command](Text name, int least, std::optional<int>& limit, Text help) {
     const auto set = [&limit, name, least](Text t) { limit = parseInteger(name, t, least, kAnyCount); };
     command.add_option_function<std::string>(name, set, help)->type_name("N");

@@ -236,7 +236,8 @@ void ActiveContour::State::correct() {
   if (correction->beganAnew) {
     if (pins.any())
       throw UsageError(
-          "The clicks have so little in common with the surface that it would begin anew, but a part of it is "
+          "The clicks have so little in common with the surface that it would begin anew, but a part of it "
+          "is "
           "pinned: take the pins away first.");
     beginAnew();
     return;
@@ -334,9 +335,8 @@ void ActiveContour::State::deleteCollapsed(Attempt& a) {
   const auto isKept = [this](const Vec3& p) { return held.rests(p); };
   const auto isPinned = [this](int v) { return pins.holds(v); };
   const TopologyNumbers& now = a.events.empty() ? topology : a.events.back().after;
-  for (Event& e :
-       collapsed.erase(mesh, {parameters.edgeLength, mayShrink(), !a.events.empty(), iteration, now, isKept,
-                              isPinned}))
+  for (Event& e : collapsed.erase(
+           mesh, {parameters.edgeLength, mayShrink(), !a.events.empty(), iteration, now, isKept, isPinned}))
     a.events.push_back(std::move(e));
 }
 

@@ -23,7 +23,8 @@ class ActiveContour {
  public:
   //! Resolves the automatic parameters from the image around the seeds and makes the seed spheres.
   //! Throws SeedError (seed outside the volume or not in an object), UsageError (a parameter without meaning,
-  //! a range without voxels, a wall outside of the volume, a pin of iteration 0 without a vertex), Cancelled (cancellation.h).
+  //! a range without voxels, a wall outside of the volume, a pin of iteration 0 without a vertex), Cancelled
+  //! (cancellation.h).
   ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters parameters, Constraints constraints = {});
   ~ActiveContour();
   ActiveContour(ActiveContour&&) noexcept;
@@ -35,8 +36,8 @@ class ActiveContour {
 
   //! One iteration, all or nothing: the mesh it leaves is closed, manifold, oriented and free of
   //! self-intersections. Throws UsageError if a veto of that iteration finds no change of topology, or a pin
-  //! no vertex; no further step may be taken then. Throws Cancelled (cancellation.h) within some 20 ms of the wish; the
-  //! contour is as it was before the step.
+  //! no vertex; no further step may be taken then. Throws Cancelled (cancellation.h) within some 20 ms of the
+  //! wish; the contour is as it was before the step.
   StepReport step();
 
   //! Goes on with other clicks and parameters from here. What is automatic is chosen as for a new contour;

@@ -73,8 +73,8 @@ struct TopologyLimits {
   bool operator==(const TopologyLimits&) const = default;
 };
 
-//! From the step after `iteration` on, the vertices that lie in the ball at that iteration stay where they are,
-//! and so do the faces between them.
+//! From the step after `iteration` on, the vertices that lie in the ball at that iteration stay where they
+//! are, and so do the faces between them.
 struct Pin {
   Vec3 centre{0, 0, 0};  //!< mm, LPS
   double radius = 0;     //!< mm, > 0
@@ -100,8 +100,9 @@ std::string written(const WallDisc& disc);
 //! "X,Y,Z,R@ITERATION", as in --pin.
 std::string written(const Pin& pin);
 
-//! Throws UsageError if one has no meaning: a wall or a pin without a radius or (a disc) without a normal, or outside
-//! of the volume, a label map of another size, a veto before the first step, a limit that no surface keeps.
+//! Throws UsageError if one has no meaning: a wall or a pin without a radius or (a disc) without a normal, or
+//! outside of the volume, a label map of another size, a veto before the first step, a limit that no surface
+//! keeps.
 void requireSensible(const Constraints& constraints, const Grid& grid);
 
 }  // namespace handlebody

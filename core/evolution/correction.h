@@ -35,7 +35,8 @@ inline constexpr double kHardlyInCommon = 0.1;
 //! Changes the components of the surface as the new clicks ask for; the vertices that stay do not move.
 //! `fronts` gets the spheres that were added. Nothing is done if it has to begin anew. Precondition: the mesh
 //! is closed, manifold and free of self-intersections, with edges of at most `longest` mm; it is so
-//! afterwards. A component stays if it, or one within it, has a vertex that `isPinned` tells (none: no vertex).
+//! afterwards. A component stays if it, or one within it, has a vertex that `isPinned` tells (none: no
+//! vertex).
 Correction correctComponents(Mesh& mesh, const ObjectImage& image, const std::vector<Seed>& clicks,
                              double edgeLength, double longest, std::vector<Seed>& fronts,
                              const std::function<bool(int)>& isPinned = {});

@@ -130,9 +130,8 @@ void PinnedParts::takeStopsBack(const PinnedParts& before) {
 }
 
 bool PinnedParts::rests(const Vec3& p) const {
-  return std::any_of(stops_.begin(), stops_.end(), [&](const Stop& s) {
-    return (p - s.centre).squaredNorm() < s.radius * s.radius;
-  });
+  return std::any_of(stops_.begin(), stops_.end(),
+                     [&](const Stop& s) { return (p - s.centre).squaredNorm() < s.radius * s.radius; });
 }
 
 std::vector<PinnedPart> PinnedParts::list() const {

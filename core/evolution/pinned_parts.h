@@ -22,11 +22,11 @@ struct PinnedPart {
 
 class PinnedParts {
  public:
-  //! From after `iteration` on. True if something that was held is free now. Throws UsageError for a pin of an
-  //! iteration that is over, unless it has been known in time.
+  //! From after `iteration` on. True if something that was held is free now. Throws UsageError for a pin of
+  //! an iteration that is over, unless it has been known in time.
   bool choose(const std::vector<Pin>& pins, int iteration);
-  //! The pins of this iteration take hold of the vertices in their balls. Throws UsageError if there are none,
-  //! and nothing has changed then.
+  //! The pins of this iteration take hold of the vertices in their balls. Throws UsageError if there are
+  //! none, and nothing has changed then.
   void take(const Mesh& mesh, int iteration);
   //! After mesh.reorder(order).
   void reorder(std::span<const int> order);

@@ -7,8 +7,8 @@
 
 #include "core/evolution/correction.h"
 #include "core/evolution/held_changes.h"
-#include "core/evolution/pinned_parts.h"
 #include "core/evolution/leak_alarm.h"
+#include "core/evolution/pinned_parts.h"
 #include "core/evolution/step_report.h"
 #include "core/io/session.h"
 #include "core/mesh/tunnels.h"

@@ -28,9 +28,9 @@ inline constexpr unsigned char kAtRest = 0, kActive = 1, kTouched = 2;
 //! `active` grows with the mesh. Vertices at rest are neither moved nor removed. No edge beside an active
 //! vertex is longer than limits.longest afterwards, unless its other faces hold longer edges between vertices
 //! at rest; of those, what is half as long again is split too, unless it is the edge of a face between pinned
-//! vertices (beside such an edge the others may be up to three quarters of it). Collapses and flips are done only where the
-//! surface is nearly flat (kFlatEnough), so that it moves by little; they may still make it intersect another
-//! sheet close by, which the caller's detection sees.
+//! vertices (beside such an edge the others may be up to three quarters of it). Collapses and flips are done
+//! only where the surface is nearly flat (kFlatEnough), so that it moves by little; they may still make it
+//! intersect another sheet close by, which the caller's detection sees.
 void regulate(Mesh& mesh, const RemeshLimits& limits, std::vector<unsigned char>& active);
 
 }  // namespace handlebody

@@ -13,10 +13,10 @@
 
 #include "core/evolution/correction.h"
 #include "core/evolution/held_changes.h"
-#include "core/evolution/pinned_parts.h"
 #include "core/evolution/image_doubts.h"
 #include "core/evolution/leak_alarm.h"
 #include "core/evolution/parameters.h"
+#include "core/evolution/pinned_parts.h"
 #include "core/evolution/step_report.h"
 #include "core/io/exported_object.h"
 #include "core/io/mesh_io.h"

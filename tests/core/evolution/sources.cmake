@@ -15,6 +15,7 @@ target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/object_walls_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/object_boundary_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/object_range_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/evolution/pinned_parts_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/region_growth_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/region_levels_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/resting_places_test.cpp
