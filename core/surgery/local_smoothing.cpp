@@ -1,5 +1,6 @@
 #include "core/surgery/local_smoothing.h"
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -110,8 +111,8 @@ TouchedMesh smoothedHere(const Mesh& mesh, const Vec3& centre, double radius) {
   for (const double part : kParts) {
     Mesh some = mesh;
     for (const WeightedVertex& w : vertices)
-      some.setPosition(w.vertex, mesh.position(w.vertex) +
-                                     part * (smooth.position(w.vertex) - mesh.position(w.vertex)));
+      some.setPosition(
+          w.vertex, mesh.position(w.vertex) + part * (smooth.position(w.vertex) - mesh.position(w.vertex)));
     restoreVolume(some, vertices, faces, centre, wanted);
     out = certifiedEdit(mesh, std::move(some));
     if (out.isDone()) return out;

@@ -1,5 +1,6 @@
 #include "core/surgery/pulling.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,8 +20,8 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr double kSnap = 0.3;  // from the point to a vertex that stands for it
 constexpr double kLongest = 1.4;
 constexpr double kShortest = 0.55;
-constexpr double kResolved = 3;       // edges over the radius, at least
-constexpr int kRefinements = 12;      // passes
+constexpr double kResolved = 3;   // edges over the radius, at least
+constexpr int kRefinements = 12;  // passes
 constexpr std::array<int, 4> kPulls{1, 2, 4, 8};
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
@@ -201,8 +202,7 @@ TouchedMesh pulled(const Mesh& mesh, const Vec3& from, const Vec3& to, double ra
   Mesh start = mesh;
   const int handle = handleAt(start, from);
   const Vec3 by = to - start.position(handle);
-  if (by.norm() > kFurthestPull * radius)
-    return refused(mesh, "The pull goes too far for its radius.");
+  if (by.norm() > kFurthestPull * radius) return refused(mesh, "The pull goes too far for its radius.");
   TouchedMesh out;
   for (const int pulls : kPulls) {
     Mesh some = start;
