@@ -47,6 +47,10 @@ void tellAfter(const ActiveContour& contour, RunReport& report) {
   if (const auto pin = contour.waitingPin(); pin && contour.stopReason() != StopReason::running)
     throw UsageError("The pin " + written(*pin) + " holds nothing: the growth ended at iteration " +
                      std::to_string(contour.iteration()) + ".");
+  if (const auto edit = contour.waitingEdit(); edit && contour.stopReason() != StopReason::running)
+    throw UsageError("The edit of iteration " + std::to_string(edit->iteration) +
+                     " is never made: the growth ended at iteration " + std::to_string(contour.iteration()) +
+                     ".");
   report.iterations = contour.iteration();
   report.stopped = contour.stopReason();
   report.held = contour.held();

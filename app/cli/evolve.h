@@ -28,7 +28,7 @@ struct EvolveSettings {
 };
 
 //! Makes the steps of the report's session; sets what the report tells of them. Returns the contour in the
-//! end. Throws UsageError for a veto or a pin that the growth did not come to.
+//! end. Throws UsageError for a veto, a pin or an edit that the growth did not come to.
 ActiveContour evolve(ActiveContour contour, RunReport& report, const EvolveSettings& settings);
 
 }  // namespace handlebody::cli

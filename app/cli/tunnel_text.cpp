@@ -47,11 +47,12 @@ std::string tunnelsText(const TunnelList& list) {
   return out;
 }
 
-std::string editText(const MeshEdit& e) {
-  std::string out =
-      formatted("%s at %.4g,%.4g,%.4g", editKindName(e.kind), e.location.x(), e.location.y(), e.location.z());
-  if (e.length > 0) out += formatted(", loop of %.4g mm", e.length);
-  return out + formatted(": %.6g ml, was %.6g ml", e.volumeAfter / 1000, e.volumeBefore / 1000);
+std::string editText(const Event& e) {
+  std::string out = formatted("%s at %.4g,%.4g,%.4g", eventKindName(e.kind), e.location.x(), e.location.y(),
+                              e.location.z());
+  const EditMeasures measures = e.edit.value_or(EditMeasures{});
+  if (measures.loop > 0) out += formatted(", loop of %.4g mm", measures.loop);
+  return out + formatted(": %.6g ml, was %.6g ml", measures.volumeAfter / 1000, measures.volumeBefore / 1000);
 }
 
 std::string changeText(const Certificate& before, const Certificate& after) {

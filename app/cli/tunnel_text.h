@@ -15,7 +15,7 @@ std::string piecesText(const std::vector<Piece>& pieces);
 //! One line per tunnel, with the lengths of both loops and its place (mm).
 std::string tunnelsText(const TunnelList& list);
 //! "tunnel closed at x,y,z …", without a newline.
-std::string editText(const MeshEdit& edit);
+std::string editText(const Event& edit);
 //! Volumes and topology before and after, without a newline.
 std::string changeText(const Certificate& before, const Certificate& after);
 

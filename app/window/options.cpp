@@ -48,7 +48,7 @@ void addOptions(CLI::App& app, Texts& texts, Options& options) {
       ->type_name("WxH")
       ->check(faultOfSize);
   app.add_option("--step", texts.step, "The step to begin with")
-      ->check(CLI::IsMember({"open", "seed", "tune", "grow", "export"}));
+      ->check(CLI::IsMember({"open", "seed", "tune", "grow", "correct", "export"}));
   app.add_option("--appearance", texts.appearance, "Colours of the window")
       ->check(CLI::IsMember({"system", "light", "dark"}));
 }

@@ -68,8 +68,8 @@ void Screenshot::continueGrowing() {
 void Screenshot::take() {
   growing_ = false;
   if (!options_.step.isEmpty()) {
-    const QStringList steps{QStringLiteral("open"), QStringLiteral("seed"), QStringLiteral("tune"),
-                            QStringLiteral("grow"), QStringLiteral("export")};
+    const QStringList steps{QStringLiteral("open"), QStringLiteral("seed"),    QStringLiteral("tune"),
+                            QStringLiteral("grow"), QStringLiteral("correct"), QStringLiteral("export")};
     window_.showStep(
         static_cast<ui::Command>(int(ui::Command::stepOpen) + int(steps.indexOf(options_.step))));
   }

@@ -11,6 +11,7 @@
 #include "core/evolution/adaptation_rounds.h"
 #include "core/evolution/clicked_object.h"
 #include "core/evolution/collapsed_components.h"
+#include "core/evolution/edit_step.h"
 #include "core/evolution/image_doubts.h"
 #include "core/evolution/leak_alarm.h"
 #include "core/evolution/motion.h"
@@ -67,6 +68,7 @@ struct ActiveContour::State {
   RestingPlaces resting;
   HeldChanges held;  // what the constraints forbid
   PinnedParts pins;
+  EditSchedule edits;
   CollapsedComponents collapsed;
   Stillness stillness;
   LeakAlarm alarm;
@@ -108,6 +110,10 @@ struct ActiveContour::State {
   void watch(const Attempt& kept, StepReport& report);
   void decideStop(const StepReport& report);
   StopReason restReason() const;
+  bool leadsToEdit() const;
+  Attempt editAttempt(const MeshEdit& edit);
+  StepReport editStep(const MeshEdit& edit);
+  void letSleep(const Attempt& edited);
   StepReport step();
   StepReport stepOrNothing();
 };
@@ -162,6 +168,7 @@ void ActiveContour::State::chooseForbidden() {
 void ActiveContour::State::start(const Parameters& p, const Constraints& c) {
   held.choose(c, 0);
   pins.choose(c.pins, 0);
+  edits.choose(c.edits, 0);
   constraints = c;
   chooseEdge();
   resolve(p);
@@ -178,7 +185,7 @@ void ActiveContour::State::begin() {
   resolveSeeds(inside);
   quiet.assign(idx(mesh.vertexSlots()), 0);
   topology = topologyNumbers(mesh);
-  if (parameters.maxIterations == 0) stop = StopReason::maxIterations;
+  if (parameters.maxIterations == 0 && !leadsToEdit()) stop = StopReason::maxIterations;
 }
 
 void ActiveContour::State::resolveSeeds(const std::vector<Seed>& inside) {
@@ -199,6 +206,7 @@ void ActiveContour::State::change(const Request& to, const State* prepared) {
   const bool freed = held.choose(to.constraints, iteration);
   const bool unpinned = pins.choose(to.constraints.pins, iteration);
   takePins();
+  edits.choose(to.constraints.edits, iteration);
   const bool wake = otherClicks || otherWalls || freed || unpinned || !moveAlike(to.parameters, requested);
   const bool sleepsOn = otherClicks && haveSameForces(to.parameters, requested);
   seeds = to.seeds;
@@ -218,6 +226,7 @@ void ActiveContour::State::change(const Request& to, const State* prepared) {
   if (stop == StopReason::maxIterations || (wake && mesh.faceCount() > 0)) stop = StopReason::running;
   if (stop == StopReason::running && iteration >= to.parameters.maxIterations)
     stop = StopReason::maxIterations;
+  if (leadsToEdit()) stop = StopReason::running;
 }
 
 void ActiveContour::State::forgetRest() {
@@ -391,10 +400,14 @@ void ActiveContour::State::watch(const Attempt& kept, StepReport& report) {
 }
 
 void ActiveContour::State::decideStop(const StepReport& report) {
+  const bool isEdit = !report.events.empty() && report.events.front().edit;
   const bool calm = report.events.empty() && !resting.anyWillWake(iteration);
-  stillness.count(calm, report.movedVertices, mesh.vertexCount());
+  // What was at rest before an edit is so after it: nothing that it made stirs.
+  if (!isEdit) stillness.count(calm, report.movedVertices, mesh.vertexCount());
   if (mesh.faceCount() == 0)
     stop = StopReason::empty;
+  else if (leadsToEdit())
+    stop = StopReason::running;
   else if (stillness.isAtRest())
     stop = restReason();
   else if (iteration >= parameters.maxIterations)
@@ -428,7 +441,67 @@ StepReport ActiveContour::State::stepOrNothing() {
   }
 }
 
+//! Steps from here come to an edit that waits.
+bool ActiveContour::State::leadsToEdit() const {
+  const std::optional<MeshEdit> next = edits.waiting();
+  return next && mesh.faceCount() > 0 &&
+         (iteration < parameters.maxIterations || next->iteration == iteration + 1);
+}
+
+//! No limit of the topology is in the way: edits take tunnels, components and cavities away.
+Attempt ActiveContour::State::editAttempt(const MeshEdit& edit) {
+  EditOutcome done = makeEdit(mesh, edit);
+  Attempt a;
+  a.events = std::move(done.events);
+  for (Event& e : a.events) e.iteration = edit.iteration;
+  a.touched.assign(idx(mesh.vertexSlots()), 0);
+  for (const int v : done.touched)
+    if (v < mesh.vertexSlots()) a.touched[idx(v)] = 1;
+  if (const auto place = walls.brokenAnywhere(mesh))
+    a.troubles.push_back({*place, 0, "the surface would come into a wall or around it"});
+  else if (const auto pinned = pins.broken(transaction.before(), mesh))
+    a.troubles.push_back({*pinned, 0, "a pinned part would change"});
+  return a;
+}
+
+//! What an edit made stays as it was made, until something near it moves.
+void ActiveContour::State::letSleep(const Attempt& edited) {
+  const Mesh& before = transaction.before();
+  quiet.resize(idx(mesh.vertexSlots()), 0);
+  for (int v = 0; v < mesh.vertexSlots(); ++v)
+    if (edited.touched[idx(v)] != 0 &&
+        (v >= before.vertexSlots() || !before.isVertex(v) || before.position(v) != mesh.position(v)))
+      quiet[idx(v)] = kQuietToSleep;
+}
+
+//! All or nothing: what throws has changed nothing.
+StepReport ActiveContour::State::editStep(const MeshEdit& edit) {
+  const auto anything = [](const Attempt&) { return std::vector<HeldChange>(); };
+  Attempt made =
+      transaction.runOnce({mesh, topology, limits.longest, [&] { return editAttempt(edit); }, anything, {}});
+  if (!made.isKept())
+    throw UsageError("The edit of iteration " + std::to_string(edit.iteration) +
+                     " cannot be made: " + made.troubles[0].reason + ".");
+  StepReport report;
+  report.iteration = ++iteration;
+  edits.setMade(edit);
+  letSleep(made);
+  topology = made.events.back().after;
+  report.events = std::move(made.events);
+  collapsed.forget();
+  if (walls.isPushing()) {
+    walls.release(mesh);
+    chooseForbidden();
+  }
+  report.settledVertices = mesh.vertexCount();
+  report.volume = transaction.volume();
+  decideStop(report);
+  takePins();
+  return report;
+}
+
 StepReport ActiveContour::State::step() {
+  if (const MeshEdit* edit = edits.dueAt(iteration + 1)) return editStep(MeshEdit(*edit));
   StepReport report;
   report.iteration = ++iteration;
   work = WorkBudget(kStepWork);
@@ -511,6 +584,7 @@ const Constraints& ActiveContour::constraints() const { return state_->constrain
 std::optional<Veto> ActiveContour::waitingVeto() const { return state_->held.waiting(); }
 std::vector<PinnedPart> ActiveContour::pinned() const { return state_->pins.list(); }
 std::optional<Pin> ActiveContour::waitingPin() const { return state_->pins.waiting(); }
+std::optional<MeshEdit> ActiveContour::waitingEdit() const { return state_->edits.waiting(); }
 std::vector<HeldPlace> ActiveContour::held() const { return state_->held.list(); }
 const std::vector<ObjectCandidate>& ActiveContour::candidates() const { return state_->object.candidates; }
 bool ActiveContour::isCloseChoice() const { return state_->object.isCloseChoice; }

@@ -36,8 +36,10 @@ class ActiveContour {
 
   //! One iteration, all or nothing: the mesh it leaves is closed, manifold, oriented and free of
   //! self-intersections. Throws UsageError if a veto of that iteration finds no change of topology, or a pin
-  //! no vertex; no further step may be taken then. Throws Cancelled (cancellation.h) within some 20 ms of the
-  //! wish; the contour is as it was before the step.
+  //! no vertex; no further step may be taken then. An edit of that iteration (mesh_edit.h) is made in place
+  //! of motion; if it finds nothing, would change what is pinned, or what it would leave is not certain to be
+  //! valid, UsageError, and the contour is as it was before the step. Throws Cancelled (cancellation.h)
+  //! within some 20 ms of the wish; the contour is as it was before the step.
   StepReport step();
 
   //! Goes on with other clicks and parameters from here. What is automatic is chosen as for a new contour;
@@ -76,6 +78,9 @@ class ActiveContour {
   const Constraints& constraints() const;
   //! The first veto whose iteration has not come yet.
   std::optional<Veto> waitingVeto() const;
+  //! The first edit that has not been made. While there is one, a contour at rest goes on for it; one at the
+  //! limit of its iterations does only if the next step is that edit.
+  std::optional<MeshEdit> waitingEdit() const;
   //! What the constraints hold back now.
   std::vector<HeldPlace> held() const;
   //! What the pins hold now.

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/errors.h"
+#include "core/evolution/edit_step.h"
 #include "core/mesh/mesh.h"
 
 namespace handlebody {
@@ -51,6 +52,25 @@ void requireSensible(const WallList& walls, const Grid& grid) {
     throw UsageError("The label map of the walls has not the volume's size.");
 }
 
+//! A step is one edit, and nothing else happens in it.
+void requireSensibleEdits(const Constraints& c) {
+  std::vector<int> taken;
+  for (const MeshEdit& e : c.edits) {
+    if (e.iteration < 1 || !e.place.allFinite())
+      throw UsageError("An edit needs an iteration of at least 1 and a place.");
+    if (const std::string fault = faultOf(e); !fault.empty())
+      throw UsageError("The edit of iteration " + std::to_string(e.iteration) + " " + fault + ".");
+    if (std::find(taken.begin(), taken.end(), e.iteration) != taken.end())
+      throw UsageError("There are two edits of iteration " + std::to_string(e.iteration) +
+                       ": a step can be one only.");
+    taken.push_back(e.iteration);
+  }
+  for (const Veto& v : c.vetoes)
+    if (std::find(taken.begin(), taken.end(), v.iteration) != taken.end())
+      throw UsageError("Iteration " + std::to_string(v.iteration) +
+                       " is an edit: there is nothing that a veto could forbid.");
+}
+
 }  // namespace
 
 std::string written(const Vec3& p) {
@@ -87,6 +107,7 @@ void requireSensible(const Constraints& constraints, const Grid& grid) {
     if (v.iteration < 1 || !v.place.allFinite())
       throw UsageError("A veto needs an iteration of at least 1 and a place.");
   }
+  requireSensibleEdits(constraints);
   if (constraints.topology.components.value_or(1) < 1)
     throw UsageError("The number of components must be at least 1.");
   if (constraints.topology.genus.value_or(0) < 0) throw UsageError("The genus must be at least 0.");

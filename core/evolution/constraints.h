@@ -1,6 +1,6 @@
 #pragma once
 // What a user forbids the surface: places where it may not go, changes of topology that are not to happen,
-// parts of it that are to stay as they are.
+// parts of it that are to stay as they are; and what is to be done to it by hand.
 
 #include <array>
 #include <memory>
@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/evolution/mesh_edit.h"
 #include "core/geometry/vec.h"
 #include "core/volume/volume.h"
 
@@ -87,7 +88,10 @@ struct Constraints {
   std::vector<Veto> vetoes{};
   TopologyLimits topology{};
   std::vector<Pin> pins{};
-  bool empty() const { return walls.empty() && vetoes.empty() && topology.empty() && pins.empty(); }
+  std::vector<MeshEdit> edits{};
+  bool empty() const {
+    return walls.empty() && vetoes.empty() && topology.empty() && pins.empty() && edits.empty();
+  }
   bool operator==(const Constraints&) const = default;
 };
 
@@ -101,8 +105,8 @@ std::string written(const WallDisc& disc);
 std::string written(const Pin& pin);
 
 //! Throws UsageError if one has no meaning: a wall or a pin without a radius or (a disc) without a normal, or
-//! outside of the volume, a label map of another size, a veto before the first step, a limit that no surface
-//! keeps.
+//! outside of the volume, a label map of another size, a veto or an edit before the first step,
+//! two edits of one step or a veto of an edit's step, a limit that no surface keeps.
 void requireSensible(const Constraints& constraints, const Grid& grid);
 
 }  // namespace handlebody

@@ -97,9 +97,10 @@ std::optional<Vec3> PinnedParts::broken(const Mesh& before, const Mesh& mesh) co
       if (!mesh.isVertex(v) || mesh.position(v) != before.position(v)) return before.position(v);
       std::optional<Vec3> place;
       before.forEachOutgoing(v, [&](int h) {
-        const int face = Mesh::faceOf(h);
-        const Triangle& t = before.face(face);
-        if (holds(t[0]) && holds(t[1]) && holds(t[2]) && mesh.face(face) != t) place = before.position(v);
+        const int w = before.target(h), apex = before.apex(h);
+        if (!holds(w) || !holds(apex) || !mesh.isVertex(w)) return;
+        const int same = mesh.findHalfedge(v, w);
+        if (same < 0 || mesh.apex(same) != apex) place = before.position(v);
       });
       if (place) return place;
     }

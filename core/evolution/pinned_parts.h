@@ -39,8 +39,8 @@ class PinnedParts {
   }
   //! Per vertex slot, as in Forbidden; null: none.
   const std::shared_ptr<const std::vector<unsigned char>>& mask() const { return mask_; }
-  //! A place where an attempt has changed what is held; none if all is as it was. `before`: slot by slot what
-  //! the attempt started from.
+  //! A place where an attempt has changed what is held; none if all is as it was. `before`: what
+  //! the attempt started from, with the same vertex slots.
   std::optional<Vec3> broken(const Mesh& before, const Mesh& mesh) const;
 
   //! A front came to what is held: it rests within that many mm, and further when it comes again. `longest`:

@@ -6,6 +6,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/constraints.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/correction.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/edge_profile.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/edit_step.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/growth_level.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/held_changes.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/history.cpp
@@ -20,6 +21,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/object_range.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/object_region.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/parameters.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/painted_walls.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/passage_disc.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/passages.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/pinned_parts.cpp

@@ -14,19 +14,29 @@ Attempt Transaction::tryOnce(const StepWork& work) {
   return a;
 }
 
+Attempt Transaction::keptOrNot(const StepWork& work) {
+  Attempt a;
+  try {
+    a = tryOnce(work);
+  } catch (...) {
+    work.mesh = before_;
+    throw;
+  }
+  volume_ = check_.volume();
+  if (!a.isKept()) work.mesh = before_;
+  return a;
+}
+
+Attempt Transaction::runOnce(const StepWork& work) {
+  before_ = work.mesh;
+  return keptOrNot(work);
+}
+
 Attempt Transaction::run(const StepWork& work) {
   before_ = work.mesh;
   for (int tries = 1;; ++tries) {
-    Attempt a;
-    try {
-      a = tryOnce(work);
-    } catch (...) {
-      work.mesh = before_;
-      throw;
-    }
-    volume_ = check_.volume();
+    Attempt a = keptOrNot(work);
     if (a.isKept()) return a;
-    work.mesh = before_;
     std::for_each(a.troubles.begin(), a.troubles.end(), work.restAt);
     if (tries < (a.isHeldBack() ? kHeldAttempts : kAttempts)) continue;
     volume_ = signedVolume(work.mesh);

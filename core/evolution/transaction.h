@@ -50,6 +50,8 @@ class Transaction {
   //! been handed to restAt. What an attempt or the judge throws passes through; the mesh then is as it was,
   //! too.
   Attempt run(const StepWork& work);
+  //! A single attempt: kept, or with its troubles and the mesh as it was, bit for bit. restAt is not asked.
+  Attempt runOnce(const StepWork& work);
   //! What the step that is being made, or was made last, started from.
   const Mesh& before() const { return before_; }
   //! mm³ enclosed by the mesh that is left.
@@ -60,6 +62,7 @@ class Transaction {
 
  private:
   Attempt tryOnce(const StepWork& work);
+  Attempt keptOrNot(const StepWork& work);
   Mesh before_;
   StepCheck check_;
   double volume_ = 0;

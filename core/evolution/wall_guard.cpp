@@ -139,6 +139,14 @@ std::optional<Vec3> WallGuard::broken(const Mesh& mesh, std::span<const unsigned
   return std::nullopt;
 }
 
+std::optional<Vec3> WallGuard::brokenAnywhere(const Mesh& mesh) const {
+  if (!holding_) return std::nullopt;
+  const Occupied occupied = findOccupied(mesh, *holding_);
+  for (const auto* walls : {&occupied.touched, &occupied.enclosed})
+    if (!walls->empty()) return placeOf(walls->front(), holding_->grid());
+  return std::nullopt;
+}
+
 void WallGuard::release(const Mesh& mesh) {
   if (!pushing_) return;
   std::vector<WallList> left;

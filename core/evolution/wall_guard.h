@@ -39,6 +39,9 @@ class WallGuard {
   //! faces without a touched vertex are as they were before the step.
   std::optional<Vec3> broken(const Mesh& mesh, std::span<const unsigned char> touched,
                              std::span<const Event> events) const;
+  //! A place of a wall that the mesh has come into or swallowed, wherever it is. For changes that may have
+  //! come anywhere: each looks at every face and every wall.
+  std::optional<Vec3> brokenAnywhere(const Mesh& mesh) const;
   //! Walls that the mesh has been pushed out of hold from now on.
   void release(const Mesh& mesh);
   //! True while the mesh still lies in walls that were put over it.

@@ -12,7 +12,8 @@ Json discToJson(const WallDisc& disc);
 
 //! {"walls": [{"centre", "radius"}], "wall_discs": [as above], "wall_map": {"path", "sha256"}, "vetoes":
 //! [{"iteration", "place"}], "components", "genus", "allowed": [place], "pins": [{"centre", "radius",
-//! "iteration"}]}, each only where there are any; the path is null if anonymous.
+//! "iteration"}], "edits": [{"iteration", "kind", "place"}], with "loop" for a tunnel, "radius", "to" or
+//! "normal" and "keep"}, each only where there are any; the path is null if anonymous.
 Json constraintsToJson(const Constraints& constraints);
 
 //! The inverse; the voxels of the label map are not read. Throws Json::exception and UsageError.

@@ -37,12 +37,13 @@ Json piecesToJson(const std::vector<Piece>& pieces) {
   return out;
 }
 
-Json meshEditToJson(const MeshEdit& edit) {
-  return {{"kind", editKindName(edit.kind)},
+Json editToJson(const Event& edit) {
+  const EditMeasures measures = edit.edit.value_or(EditMeasures{});
+  return {{"kind", eventKindName(edit.kind)},
           {"location", vectorToJson(edit.location)},
-          {"loop_mm", edit.length > 0 ? Json(edit.length) : Json(nullptr)},
-          {"volume_before_ml", edit.volumeBefore * kMlPerMm3},
-          {"volume_after_ml", edit.volumeAfter * kMlPerMm3},
+          {"loop_mm", measures.loop > 0 ? Json(measures.loop) : Json(nullptr)},
+          {"volume_before_ml", measures.volumeBefore * kMlPerMm3},
+          {"volume_after_ml", measures.volumeAfter * kMlPerMm3},
           {"before", numbersToJson(edit.before)},
           {"after", numbersToJson(edit.after)}};
 }

@@ -15,7 +15,7 @@ Json tunnelsToJson(const TunnelList& list);
 Json piecesToJson(const std::vector<Piece>& pieces);
 //! {"kind", "location", "loop_mm" or null, "volume_before_ml", "volume_after_ml", "before", "after"}, the
 //! last two with "components", "euler" and "genus".
-Json meshEditToJson(const MeshEdit& edit);
+Json editToJson(const Event& edit);
 //! {"position", "handle_loop_mm", "tunnel_loop_mm"}
 Json openTunnelToJson(const OpenTunnel& tunnel);
 

@@ -176,6 +176,11 @@ Json eventToJson(const Event& event) {
                {"before", topologyToJson(event.before)},
                {"after", topologyToJson(event.after)},
                {"reason", event.reason}};
+  if (event.edit) {
+    json["edit"] = {{"volume_before_ml", event.edit->volumeBefore / 1000},
+                    {"volume_after_ml", event.edit->volumeAfter / 1000}};
+    if (event.edit->loop > 0) json["edit"]["loop_mm"] = event.edit->loop;
+  }
   if (event.held) json["held"] = eventKindName(*event.held);
   return json;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <queue>
 
+#include "core/cancellation.h"
+
 namespace handlebody {
 
 namespace {
@@ -51,6 +53,7 @@ LoopSearch::LoopSearch(const Mesh& mesh, const LoopClasses& classes) : mesh_(mes
 }
 
 void LoopSearch::spread(int base, double radius) {
+  giveUpIfCancelled();
   for (const int v : reached_) distance_[idx(v)] = kFar;
   reached_.clear();
   using Entry = std::pair<double, int>;

@@ -4,6 +4,8 @@
 #include <queue>
 #include <unordered_map>
 
+#include "core/cancellation.h"
+
 namespace handlebody {
 
 namespace {
@@ -198,6 +200,7 @@ SurfaceLoop tightened(const Mesh& mesh, const LoopClasses& classes, const EdgeLo
   for (const int v : loop.vertices) out.points.push_back({v, v, 0});
   Band band(mesh, classes, loop.key);
   for (int round = 0; round < kRounds; ++round) {
+    giveUpIfCancelled();
     const double before = out.length;
     out = band.shortened(out, 0);
     out = band.shortened(out, out.points.size() / 2);

@@ -39,7 +39,8 @@ inline constexpr int kMostListed = 400;
 //! All tunnels of a closed, manifold, oriented mesh without self-intersections. The loops of each kind are
 //! independent in the first homology (modulo 2) and short: the shortest through base points all over the
 //! surface and on the loops found so far, tightened across faces. A handle loop and the tunnel loop of the
-//! same pair meet an odd number of times, mostly once. Each component is looked at alone: a loop that bounds
+//! same pair meet an odd number of times, mostly once. Throws Cancelled (cancellation.h).
+//! Each component is looked at alone: a loop that bounds
 //! outside of its component may run around another one. The vertices of the loops are slots of the mesh.
 TunnelList findTunnels(const Mesh& mesh);
 

@@ -17,12 +17,19 @@ enum class EventKind {
   enclosedPartCutOff,  //!< a part wholly inside a collision was cut off and capped
   tunnelClosed,        //!< a cut that did not separate: the genus fell by one
   componentDeleted,    //!< a component collapsed or lay wholly in a collision
+  handleCut,           //!< an edit: a handle was cut through, the genus fell by one
+  componentRemoved,    //!< an edit: a body went, or what lay in a cavity that was filled
+  cavityFilled,        //!< an edit
+  planeCut,            //!< an edit: cut flat, both sides capped
+  surfaceSmoothed,     //!< an edit: smoothed in a ball
+  surfacePulled,       //!< an edit: a place pulled somewhere else
   smoothed,            //!< a fold was smoothed away
   rolledBack,          //!< a part returned to its position before the step
 };
 //! "handle inserted", "split" … as in the report.
 const char* eventKindName(EventKind kind);
-//! False for repairs: a fold that was smoothed away, a part that was rolled back.
+//! False for repairs (a fold that was smoothed away, a part that was rolled back) and for edits that only
+//! move the surface.
 bool changesTopology(EventKind kind);
 
 //! The stages of a change of topology (the paper's Figures 1 and 7), in mm; recorded only on request.
@@ -35,6 +42,12 @@ struct EventTrace {
   std::vector<std::array<Vec3, 3>> closedFaces;  //!< M_c near the place
 };
 
+//! What is told of a change that somebody asked for (mesh_edits.h).
+struct EditMeasures {
+  double loop = 0;                           //!< length of the loop that was cut along, mm; 0: none was
+  double volumeBefore = 0, volumeAfter = 0;  //!< of the whole mesh, mm³
+};
+
 struct Event {
   EventKind kind = EventKind::smoothed;
   int iteration = 0;
@@ -45,9 +58,10 @@ struct Event {
   //! What the change predicts (predicted_change.h). A step that ends with other numbers, counted on its mesh,
   //! is rolled back: in an event of a step that was kept these are the true ones.
   TopologyNumbers after;
-  std::string reason;               //!< why it was rolled back, or what did not fit before this
-  std::optional<EventKind> held{};  //!< rolled back: the change that may not happen, as the user asked
-  EventTrace trace;                 //!< empty unless traces are recorded
+  std::string reason;                  //!< why it was rolled back, or what did not fit before this
+  std::optional<EventKind> held{};     //!< rolled back: the change that may not happen, as the user asked
+  std::optional<EditMeasures> edit{};  //!< it is an edit, no change that the surface made by itself
+  EventTrace trace;                    //!< empty unless traces are recorded
 };
 
 }  // namespace handlebody

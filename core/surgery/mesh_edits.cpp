@@ -14,6 +14,33 @@ namespace {
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
+using LoopChoice = std::pair<const SurfaceLoop*, EventKind>;
+
+//! The loops that may be cut along, the one that is wanted first.
+std::vector<LoopChoice> choices(const Tunnel& t, TunnelCut cut) {
+  std::vector<LoopChoice> out;
+  if (cut != TunnelCut::tunnel && t.handleBounds) out.emplace_back(&t.handle, EventKind::handleCut);
+  if (cut != TunnelCut::handle && t.tunnelBounds) out.emplace_back(&t.tunnel, EventKind::tunnelClosed);
+  if (out.size() == 2 && t.tunnel.length < t.handle.length) std::swap(out[0], out[1]);
+  return out;
+}
+
+//! None, and the mesh as it was, if no caps fit.
+std::optional<TunnelClosed> cutThrough(Mesh& mesh, const Tunnel& tunnel, const LoopChoice& choice) {
+  const auto& [loop, kind] = choice;
+  auto done = closeTunnel(mesh, tunnel, kind == EventKind::handleCut ? LoopKind::handle : LoopKind::tunnel);
+  if (!done) return std::nullopt;
+  TunnelClosed out;
+  out.event.kind = kind;
+  out.event.location = tunnel.position;
+  out.event.before = done->before;
+  out.event.after = done->after;
+  out.event.edit = EditMeasures{loop->length, signedVolume(mesh), signedVolume(done->mesh)};
+  out.touched = std::move(done->touched);
+  mesh = std::move(done->mesh);
+  return out;
+}
+
 //! Cuts along loops of one list of tunnels, as long as the surface beside them is as it was.
 class TunnelCloser {
  public:
@@ -40,13 +67,6 @@ class TunnelCloser {
  private:
   enum class Result { closed, refused, notNow };
 
-  std::vector<std::pair<const SurfaceLoop*, EditKind>> choices(const Tunnel& t) const {
-    std::vector<std::pair<const SurfaceLoop*, EditKind>> out;
-    if (cut_ != TunnelCut::tunnel && t.handleBounds) out.emplace_back(&t.handle, EditKind::handleCut);
-    if (cut_ != TunnelCut::handle && t.tunnelBounds) out.emplace_back(&t.tunnel, EditKind::tunnelClosed);
-    if (out.size() == 2 && t.tunnel.length < t.handle.length) std::swap(out[0], out[1]);
-    return out;
-  }
   bool isTouched(const SurfaceLoop& loop) const {
     return std::any_of(loop.points.begin(), loop.points.end(), [&](const SurfacePoint& p) {
       return touched_[idx(p.from)] != 0 || touched_[idx(p.to)] != 0;
@@ -61,29 +81,25 @@ class TunnelCloser {
   }
   Result close(const Tunnel& tunnel) {
     if (wasRefused(tunnel)) return Result::refused;
-    const auto loops = choices(tunnel);
+    const auto loops = choices(tunnel, cut_);
     // A knotted tunnel or handle has no loop to cut along.
     bool refused =
         loops.empty() && (cut_ == TunnelCut::handle ? tunnel.handle : tunnel.tunnel).length < shorterThan_;
-    for (const auto& [loop, kind] : loops) {
-      if (!(loop->length < shorterThan_)) continue;
-      if (isTouched(*loop)) return Result::notNow;
-      auto done =
-          closeTunnel(mesh_, tunnel, kind == EditKind::handleCut ? LoopKind::handle : LoopKind::tunnel);
-      if (done) {
-        accept(*std::move(done), tunnel, *loop, kind);
+    for (const LoopChoice& choice : loops) {
+      if (!(choice.first->length < shorterThan_)) continue;
+      if (isTouched(*choice.first)) return Result::notNow;
+      if (auto done = cutThrough(mesh_, tunnel, choice)) {
+        accept(*std::move(done));
         return Result::closed;
       }
       refused = true;
     }
     return refused ? Result::refused : Result::notNow;
   }
-  void accept(LoopCut cut, const Tunnel& tunnel, const SurfaceLoop& loop, EditKind kind) {
-    out_.edits.push_back({kind, tunnel.position, loop.length, signedVolume(mesh_), signedVolume(cut.mesh),
-                          cut.before, cut.after});
-    mesh_ = std::move(cut.mesh);
+  void accept(TunnelClosed done) {
+    out_.edits.push_back(std::move(done.event));
     touched_.resize(idx(mesh_.vertexSlots()), 0);
-    for (const int v : cut.touched)
+    for (const int v : done.touched)
       if (idx(v) < touched_.size()) touched_[idx(v)] = 1;
   }
 
@@ -96,8 +112,8 @@ class TunnelCloser {
 };
 
 //! Removes the components that are marked, one edit each.
-std::vector<MeshEdit> remove(Mesh& mesh, const Components& parts, const std::vector<unsigned char>& marked) {
-  std::vector<MeshEdit> out;
+std::vector<Event> remove(Mesh& mesh, const Components& parts, const std::vector<unsigned char>& marked) {
+  std::vector<Event> out;
   std::vector<Eigen::AlignedBox3d> boxes(idx(parts.count()));
   std::vector<int> vertex(idx(parts.count()), -1);
   for (int v = 0; v < mesh.vertexSlots(); ++v)
@@ -109,17 +125,16 @@ std::vector<MeshEdit> remove(Mesh& mesh, const Components& parts, const std::vec
   double volume = signedVolume(mesh);
   for (int c = 0; c < parts.count(); ++c) {
     if (marked[idx(c)] == 0) continue;
-    MeshEdit edit{parts.volume[idx(c)] < 0 ? EditKind::cavityFilled : EditKind::componentRemoved,
-                  boxes[idx(c)].center(),
-                  0,
-                  volume,
-                  volume - parts.volume[idx(c)],
-                  now,
-                  predictDeletion(now, parts, c)};
+    Event edit;
+    edit.kind = parts.volume[idx(c)] < 0 ? EventKind::cavityFilled : EventKind::componentRemoved;
+    edit.location = boxes[idx(c)].center();
+    edit.before = now;
+    edit.after = predictDeletion(now, parts, c);
+    edit.edit = EditMeasures{0, volume, volume - parts.volume[idx(c)]};
     deleteComponent(mesh, vertex[idx(c)]);
     now = edit.after;
-    volume = edit.volumeAfter;
-    out.push_back(edit);
+    volume = edit.edit->volumeAfter;
+    out.push_back(std::move(edit));
   }
   // What is left has not been changed: only counts can be wrong.
   if (!(topologyNumbers(mesh) == now) || findStructureFault(mesh))
@@ -139,20 +154,6 @@ void markWithin(std::vector<unsigned char>& marked, const std::vector<int>& surr
 
 }  // namespace
 
-const char* editKindName(EditKind kind) {
-  switch (kind) {
-    case EditKind::tunnelClosed:
-      return "tunnel closed";
-    case EditKind::handleCut:
-      return "handle cut";
-    case EditKind::componentRemoved:
-      return "component removed";
-    case EditKind::cavityFilled:
-      return "cavity filled";
-  }
-  return "";
-}
-
 TunnelsClosed closeTunnels(Mesh& mesh, double shorterThan, TunnelCut cut) {
   TunnelsClosed out;
   TunnelCloser closer(mesh, shorterThan, cut, out);
@@ -161,7 +162,13 @@ TunnelsClosed closeTunnels(Mesh& mesh, double shorterThan, TunnelCut cut) {
   return out;
 }
 
-std::vector<MeshEdit> removeComponent(Mesh& mesh, int component) {
+std::optional<TunnelClosed> closeOneTunnel(Mesh& mesh, const Tunnel& tunnel, TunnelCut cut) {
+  for (const LoopChoice& choice : choices(tunnel, cut))
+    if (auto done = cutThrough(mesh, tunnel, choice)) return done;
+  return std::nullopt;
+}
+
+std::vector<Event> removeComponent(Mesh& mesh, int component) {
   const Components parts = findComponents(mesh);
   std::vector<unsigned char> marked(idx(parts.count()), 0);
   marked[idx(component)] = 1;
@@ -169,7 +176,23 @@ std::vector<MeshEdit> removeComponent(Mesh& mesh, int component) {
   return remove(mesh, parts, marked);
 }
 
-std::vector<MeshEdit> keepLargest(Mesh& mesh) {
+namespace {
+
+std::vector<Event> keepBody(Mesh& mesh, const Components& parts, const std::vector<int>& bodyOf, int body) {
+  std::vector<unsigned char> marked;
+  for (const int b : bodyOf) marked.push_back(b != body);
+  return remove(mesh, parts, marked);
+}
+
+}  // namespace
+
+std::vector<Event> keepBodyOf(Mesh& mesh, int component) {
+  const Components parts = findComponents(mesh);
+  const std::vector<int> body = bodyOfComponents(parts, surroundingComponents(mesh, parts));
+  return keepBody(mesh, parts, body, body[idx(component)]);
+}
+
+std::vector<Event> keepLargest(Mesh& mesh) {
   const Components parts = findComponents(mesh);
   if (parts.count() == 0) return {};
   const std::vector<int> body = bodyOfComponents(parts, surroundingComponents(mesh, parts));
@@ -177,12 +200,10 @@ std::vector<MeshEdit> keepLargest(Mesh& mesh) {
   for (int c = 0; c < parts.count(); ++c)
     if (body[idx(c)] >= 0) volume[idx(body[idx(c)])] += parts.volume[idx(c)];
   const auto largest = static_cast<int>(std::max_element(volume.begin(), volume.end()) - volume.begin());
-  std::vector<unsigned char> marked;
-  for (const int b : body) marked.push_back(b != largest);
-  return remove(mesh, parts, marked);
+  return keepBody(mesh, parts, body, largest);
 }
 
-std::vector<MeshEdit> fillCavities(Mesh& mesh) {
+std::vector<Event> fillCavities(Mesh& mesh) {
   const Components parts = findComponents(mesh);
   std::vector<unsigned char> marked;
   for (const double volume : parts.volume) marked.push_back(volume < 0);

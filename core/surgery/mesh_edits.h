@@ -1,26 +1,15 @@
 #pragma once
-// Edits of a finished mesh: tunnels closed, pieces removed, cavities filled. Each leaves a valid mesh or the
-// mesh as it was.
+// Edits of a mesh: tunnels closed, pieces removed, cavities filled. Each leaves a valid mesh or the mesh as
+// it was, and tells what it did as events with `edit` (its measures); their iteration is left at 0.
 
 #include <string>
 #include <vector>
 
+#include "core/surgery/event.h"
 #include "core/surgery/tunnel_closing.h"
+#include "core/surgery/tunnel_cut.h"
 
 namespace handlebody {
-
-enum class EditKind { tunnelClosed, handleCut, componentRemoved, cavityFilled };
-//! "tunnel closed", "handle cut" … as in reports.
-const char* editKindName(EditKind kind);
-
-//! One change, as it was made.
-struct MeshEdit {
-  EditKind kind = EditKind::tunnelClosed;
-  Vec3 location{0, 0, 0};                    //!< mm: of the tunnel, or the middle of the component's box
-  double length = 0;                         //!< of the loop that was cut along, mm; 0 for components
-  double volumeBefore = 0, volumeAfter = 0;  //!< of the whole mesh, mm³
-  TopologyNumbers before, after;             //!< counted, and as predicted
-};
 
 //! A tunnel that should have been closed and could not be.
 struct OpenTunnel {
@@ -28,11 +17,8 @@ struct OpenTunnel {
   double handleLength = 0, tunnelLength = 0;
 };
 
-//! Which loop of a tunnel is cut along.
-enum class TunnelCut { shorter, handle, tunnel };
-
 struct TunnelsClosed {
-  std::vector<MeshEdit> edits;
+  std::vector<Event> edits;
   std::vector<OpenTunnel> open;  //!< caps fit along neither loop, nor beside it
   int unlisted = 0;              //!< see TunnelList
 };
@@ -42,13 +28,26 @@ struct TunnelsClosed {
 //! what is left is searched for tunnels again until none is short enough. Precondition: as for findTunnels.
 TunnelsClosed closeTunnels(Mesh& mesh, double shorterThan, TunnelCut cut = TunnelCut::shorter);
 
+//! One tunnel that was closed.
+struct TunnelClosed {
+  Event event;
+  std::vector<int> touched;  //!< as LoopCut::touched
+};
+
+//! Closes the tunnel, one of findTunnels(mesh); where caps do not fit along the shorter loop, along the other
+//! one. None if they fit nowhere.
+std::optional<TunnelClosed> closeOneTunnel(Mesh& mesh, const Tunnel& tunnel, TunnelCut cut);
+
 //! Removes the component, with all that lies in it. Precondition: as for surroundingComponents.
-std::vector<MeshEdit> removeComponent(Mesh& mesh, int component);
+std::vector<Event> removeComponent(Mesh& mesh, int component);
+
+//! Removes everything but the body that the component bounds, with its cavities.
+std::vector<Event> keepBodyOf(Mesh& mesh, int component);
 
 //! Removes everything but the body of the largest volume (cavities taken off) with its cavities.
-std::vector<MeshEdit> keepLargest(Mesh& mesh);
+std::vector<Event> keepLargest(Mesh& mesh);
 
 //! Removes all cavities, with all that lies in them.
-std::vector<MeshEdit> fillCavities(Mesh& mesh);
+std::vector<Event> fillCavities(Mesh& mesh);
 
 }  // namespace handlebody

@@ -294,14 +294,16 @@ TouchedMesh Cut::run() {
   constexpr const char* kNoCap = "No flat cap fits the cut.";
   if (!divide(chosen)) return refused(mesh_, kNoCap);
   soup_.triangles.insert(soup_.triangles.end(), caps_.begin(), caps_.end());
-  const Mesh raw(soup_);
+  Mesh raw(soup_);
+  for (int v = 0; v < mesh_.vertexSlots(); ++v)
+    if (!mesh_.isVertex(v)) raw.removeVertex(v);
   if (!certifiedEdit(mesh_, raw).isDone() || topologyNumbers(raw).euler != predicted_)
     return refused(mesh_, kNoCap);
   for (const bool isEven : {true, false}) {
     Mesh done = isEven ? evened(raw) : raw;
     if (topologyNumbers(done).euler != predicted_) continue;
     if (std::string why = dropOtherSide(done); !why.empty()) return refused(mesh_, std::move(why));
-    TouchedMesh out = certifiedEdit(mesh_, Mesh(done.compact()));
+    TouchedMesh out = certifiedEdit(mesh_, std::move(done));
     if (out.isDone() || !isEven) return out;
   }
   return refused(mesh_, kNoCap);
@@ -309,12 +311,6 @@ TouchedMesh Cut::run() {
 
 }  // namespace
 
-TouchedMesh cutByPlane(const Mesh& mesh, const PlaneCut& cut) {
-  if (mesh.vertexCount() == mesh.vertexSlots() && mesh.faceCount() == mesh.faceSlots())
-    return Cut(mesh, cut).run();
-  TouchedMesh out = Cut(Mesh(mesh.compact()), cut).run();
-  if (!out.isDone()) out.mesh = mesh;
-  return out;
-}
+TouchedMesh cutByPlane(const Mesh& mesh, const PlaneCut& cut) { return Cut(mesh, cut).run(); }
 
 }  // namespace handlebody

@@ -3,12 +3,10 @@
 
 #include <optional>
 
+#include "core/surgery/kept_side.h"
 #include "core/surgery/touched_mesh.h"
 
 namespace handlebody {
-
-//! What a cut leaves: both sides, or that to which the normal points, or the other one.
-enum class KeptSide { both, positive, negative };
 
 struct PlaneCut {
   Vec3 point{0, 0, 0};   //!< mm, LPS
@@ -24,7 +22,7 @@ struct PlaneCut {
 //! side, what lies on the other goes, with what lies in it (with a radius: the components that the cut capped
 //! there); a component that was capped on both sides because the cut did not part it cannot go, and the cut
 //! is refused. Refused, too, where the plane meets nothing. The topology is that which the removed rings and
-//! the caps predict. Precondition: `mesh` is certified.
+//! the caps predict. Vertices keep their slots. Precondition: `mesh` is certified.
 TouchedMesh cutByPlane(const Mesh& mesh, const PlaneCut& cut);
 
 // In mean edges that the plane crosses.

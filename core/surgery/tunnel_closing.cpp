@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/cancellation.h"
 #include "core/collision/self_intersection.h"
 #include "core/mesh/nesting.h"
 #include "core/mesh/structure.h"
@@ -133,6 +134,7 @@ class Cutter {
   }
 
   std::optional<LoopCut> attempt(const Mesh& mesh, const std::vector<int>& loop, CapStyle style) const {
+    giveUpIfCancelled();
     std::vector<int> lambda = loop;
     sortUnique(lambda);
     const auto opening = planOpening(mesh, lambda);

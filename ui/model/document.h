@@ -59,6 +59,11 @@ struct FoundLeak {
   int before = 0;  //!< the last iteration at which the passage was free
 };
 
+//! A wall that the growth does not know yet lies where the shown surface is already.
+struct WallConflict {
+  bool canBePushedOut = false;  //!< the surface may move both ways and crosses it
+};
+
 enum class GrowthState {
   none,       //!< nothing was grown yet, or the volume changed since, or no seed is left
   preparing,  //!< automatic parameters are chosen, the image is smoothed
@@ -155,12 +160,25 @@ class Document : public QObject {
   void setParameters(const Parameters& parameters, const QString& undoText, int gesture = -1);
   //! What the surface may not do.
   const Constraints& constraints() const;
+  //! From the shown iteration on.
+  void setConstraints(const Constraints& constraints, const QString& undoText, int gesture = -1);
   //! events()[index] is not to happen: goes back to the step before, and what is grown on from there is
   //! without it. Precondition: a change of topology.
   void forbid(int index);
   //! What of the shown snapshot's list is held may happen from the shown iteration on: the veto is lifted, or
   //! the place allowed to break the limits.
   void allow(const HeldPlace& held);
+  //! The balls of a stroke are walls from the shown iteration on (painted_walls.h); what lies outside of the
+  //! volume is left out. False, with refused(), if nothing of it lies within or a seed would have no room:
+  //! nothing has changed then. A growth that runs pauses if the surface is there already (wallConflict()).
+  bool paintWalls(const std::vector<WallBall>& stroke);
+  //! Balls and discs that one of these balls touches are no walls any more from the shown iteration on.
+  void eraseWalls(const std::vector<WallBall>& eraser);
+  //! Between the walls and the shown surface; none: it can go on. Takes milliseconds.
+  std::optional<WallConflict> wallConflict() const;
+  //! Back to the last iteration at which the surface had not come to the walls that are new to it, or to the
+  //! start, and on from there.
+  void goOnBeforeWalls();
   //! A wall across leaks()[index]: goes back to before the surface came there, and what is grown on from
   //! there stays on this side.
   void wallAt(int index);

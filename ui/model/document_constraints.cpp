@@ -1,12 +1,82 @@
-// What the surface may not do: vetoes, and what is allowed again.
+// What the surface may not do: walls, vetoes, and what is allowed again.
 
 #include <algorithm>
 
+#include "core/evolution/painted_walls.h"
+#include "core/evolution/wall_pieces.h"
 #include "ui/model/document_private.h"
 
 namespace handlebody::ui {
 
+namespace {
+
+//! What a seed keeps at least, mm: about the shortest edge of a mesh, and what stays free before a wall.
+double leastRoom(const Document& document) {
+  constexpr double kShortest = 0.55, kFree = 0.1;  // edge lengths, voxels
+  const double voxel = document.volume().grid.meanSpacing();
+  const double edge = document.resolved() ? document.resolved()->edgeLength : voxel;
+  return kShortest * edge + kFree * voxel;
+}
+
+QString written(const Vec3& place) {
+  const auto number = [](double value) { return QString::number(value, 'f', 1); };
+  return QStringLiteral("%1, %2, %3").arg(number(place.x()), number(place.y()), number(place.z()));
+}
+
+}  // namespace
+
 const Constraints& Document::constraints() const { return d_->active->edits().constraints; }
+
+void Document::setConstraints(const Constraints& constraints, const QString& undoText, int gesture) {
+  if (constraints == this->constraints()) return;
+  Edits after = d_->active->edits();
+  after.constraints = constraints;
+  d_->push(undoText, std::move(after), gesture);
+}
+
+bool Document::paintWalls(const std::vector<WallBall>& stroke) {
+  const Grid& grid = volume().grid;
+  const std::vector<WallBall> inside = reachingInto(grid, stroke);
+  if (inside.empty()) {
+    Q_EMIT refused(tr("The wall would lie outside of the volume: it is not kept."));
+    return false;
+  }
+  if (const int seed = coveredSeed(seeds(), inside, leastRoom(*this)); seed >= 0) {
+    Q_EMIT refused(tr("The wall would lie over the seed at %1 mm: it is not kept.")
+                       .arg(written(seeds()[static_cast<std::size_t>(seed)].centre)));
+    return false;
+  }
+  Constraints after = constraints();
+  after.walls = painted(std::move(after.walls), inside);
+  setConstraints(after, tr("Paint wall"));
+  if (state() == GrowthState::running && wallConflict()) pause();
+  return true;
+}
+
+void Document::eraseWalls(const std::vector<WallBall>& eraser) {
+  Constraints after = constraints();
+  after.walls = erased(std::move(after.walls), eraser);
+  setConstraints(after, tr("Erase wall"));
+}
+
+std::optional<WallConflict> Document::wallConflict() const {
+  const auto shown = snapshot();
+  if (!shown || shown->mesh.triangles.empty()) return std::nullopt;
+  const WallList fresh = without(constraints().walls, d_->active->growth().request().constraints.walls);
+  if (fresh.empty()) return std::nullopt;
+  const auto& known = d_->active->growth().beginning();
+  const double edge = known.parameters().edgeLength;
+  const Occupied occupied = findOccupied(Mesh(shown->mesh), Walls(fresh, known.grid(), edge, edge));
+  if (occupied.touched.empty() && occupied.enclosed.empty()) return std::nullopt;
+  const bool crossesDisc = std::any_of(occupied.touched.begin(), occupied.touched.end(),
+                                       [](const WallList& wall) { return !wall.discs.empty(); });
+  const bool movesBothWays = parameters().direction == Direction::both;
+  return WallConflict{movesBothWays && occupied.enclosed.empty() && !crossesDisc};
+}
+
+void Document::goOnBeforeWalls() {
+  if (d_->mayChange()) d_->active->goOnBeforeWalls();
+}
 
 void Document::forbid(int index) {
   const Event& event = events().at(static_cast<std::size_t>(index));

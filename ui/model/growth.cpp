@@ -84,6 +84,11 @@ void Growth::goToPreviousEvent() {
   expect(false);
 }
 
+void Growth::goBefore(const WallList& walls) {
+  worker_.goBefore(walls);
+  expect(false);
+}
+
 bool Growth::takeLists(GrowthUpdate& update) {
   const bool changed = update.summariesFrom != summaries_.size() || !update.summaries.empty();
   summaries_.resize(update.summariesFrom);
@@ -106,6 +111,7 @@ void Growth::collect() {
   const bool leaked = update.leaked && !leaks_.empty();
   seconds_ = update.seconds;
   stopReason_ = update.stopReason;
+  processed_ = update.processed;
   if (update.processed >= expected_) {
     running_ = update.running;
     error_ = update.error;

@@ -34,11 +34,15 @@ class Growth {
   void goTo(int iteration);
   void stepBack();
   void goToPreviousEvent();
+  //! The last iteration that is free of the walls that would be new at the shown one; else the first.
+  void goBefore(const WallList& walls);
   void trace(int index) { worker_.trace(index); }
   void setStepsPerFrame(int steps) { worker_.setStepsPerFrame(steps); }
 
   void setPausesAtLeaks(bool on) { worker_.setPausesAtLeaks(on); }
 
+  //! What was asked for is done.
+  bool isSettled() const { return processed_ >= expected_; }
   bool isRunning() const { return running_; }
   //! Of the shown iteration; running while it could go on.
   StopReason stopReason() const { return stopReason_; }
@@ -62,8 +66,9 @@ class Growth {
   Listener listener_;
   std::shared_ptr<const ActiveContour> start_;
   bool running_ = false;
-  int expected_ = 0;  // commands that must be done before an update tells whether it runs
-  int started_ = 0;   // and before it tells of this growth at all
+  int expected_ = 0;   // commands that must be done before an update tells whether it runs
+  int processed_ = 0;  // commands that the last update knew of
+  int started_ = 0;    // and before it tells of this growth at all
   StopReason stopReason_ = StopReason::running;
   QString error_;
   std::shared_ptr<const MeshSnapshot> snapshot_;

@@ -99,6 +99,10 @@ void GrowthWorker::goToPreviousEvent() {
       Urgency::endsStep);
 }
 
+void GrowthWorker::goBefore(const WallList& walls) {
+  send([this, walls] { showBefore(walls); }, Urgency::endsStep);
+}
+
 void GrowthWorker::trace(int index) {
   send([this, index] { traceEvent(index); });
 }
@@ -256,6 +260,13 @@ bool GrowthWorker::isEventIteration(int iteration) const {
 void GrowthWorker::show(int iteration) {
   mode_ = Mode::idle;
   if (history_) history_->goTo(std::clamp(iteration, history_->firstIteration(), history_->lastIteration()));
+}
+
+void GrowthWorker::showBefore(const WallList& walls) {
+  mode_ = Mode::idle;
+  if (!history_) return;
+  const CancelScope scope(endsStep_);
+  show(history_->lastFree(walls).value_or(history_->firstIteration()));
 }
 
 void GrowthWorker::traceEvent(int index) {

@@ -76,6 +76,9 @@ class GrowthWorker {
   void goTo(int iteration);
   void stepBack();
   void goToPreviousEvent();
+  //! The last iteration up to the shown one that is free of the walls that would be new there; else the
+  //! first. What ends a run breaks it off, and the shown iteration stays.
+  void goBefore(const WallList& walls);
   //! Works out the stages of events()[index].
   void trace(int index);
   void setStepsPerFrame(int steps);
@@ -102,6 +105,7 @@ class GrowthWorker {
   bool hasReached() const;
   bool isEventIteration(int iteration) const;
   void show(int iteration);
+  void showBefore(const WallList& walls);
   void traceEvent(int index);
   void change(const Request& request, const ActiveContour* prepared = nullptr);
   std::shared_ptr<const MeshSnapshot> nextFrame();

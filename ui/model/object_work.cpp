@@ -98,7 +98,7 @@ void ObjectWork::editsChanged(bool seeds) {
   forgetPreparation();
   if (seeds && (!growth_.exists() || !isSeeded())) dropGrowth();
   if (wanted_ == Wanted::replay) wanted_ = Wanted::nothing;
-  replays_ = false;
+  replays_ = goesOnThere_ = false;
   changedOnTheWay_ = changedOnTheWay_ || growth_.isRunning();
   settle_.start();
   host_.worthKeeping(*this);

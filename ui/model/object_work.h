@@ -85,6 +85,8 @@ class ObjectWork : public QObject {
   void goTo(int iteration);
   void stepBack();
   void goToPreviousEvent();
+  //! Back to before the surface came to the walls that the growth does not know, and on.
+  void goOnBeforeWalls();
   const Growth& growth() const { return growth_; }
   Growth& growth() { return growth_; }
   //! It grows, or is going to when it can.
@@ -124,6 +126,7 @@ class ObjectWork : public QObject {
   void startPrepared();
   void dropGrowth();
   void updateState();
+  void goOnThere();
   Request replayedRequest() const;
   Session recorded() const;
 
@@ -147,6 +150,7 @@ class ObjectWork : public QObject {
   QTimer settle_;  // from the last change to the preparation
 
   Wanted wanted_ = Wanted::nothing;
+  bool goesOnThere_ = false;  // when the iteration that was asked for is shown
   Replay replay_;
   Request replayed_;      // at the beginning of the replay
   bool replays_ = false;  // what the session says is still to be done, or under way

@@ -94,7 +94,7 @@ void ObjectWork::startPrepared() {
 }
 
 void ObjectWork::dropGrowth() {
-  changedOnTheWay_ = false;
+  changedOnTheWay_ = goesOnThere_ = false;
   wanted_ = Wanted::nothing;
   error_.clear();
   growth_.clear();
@@ -110,6 +110,7 @@ GrowthState ObjectWork::state() const {
 }
 
 void ObjectWork::updateState() {
+  if (goesOnThere_ && growth_.isSettled()) goOnThere();
   const GrowthState now = state();
   const StopReason stop = stopReason();
   const QString failed = error();
@@ -124,7 +125,7 @@ void ObjectWork::updateState() {
 }
 
 void ObjectWork::pause() {
-  changedOnTheWay_ = replays_ = false;
+  changedOnTheWay_ = replays_ = goesOnThere_ = false;
   if (wanted_ != Wanted::nothing) {
     wanted_ = Wanted::nothing;
     updateState();
@@ -133,18 +134,31 @@ void ObjectWork::pause() {
 }
 
 void ObjectWork::goTo(int iteration) {
-  changedOnTheWay_ = false;
+  changedOnTheWay_ = goesOnThere_ = false;
   if (growth_.exists()) growth_.goTo(iteration);
 }
 
 void ObjectWork::stepBack() {
-  changedOnTheWay_ = false;
+  changedOnTheWay_ = goesOnThere_ = false;
   if (growth_.exists()) growth_.stepBack();
 }
 
 void ObjectWork::goToPreviousEvent() {
-  changedOnTheWay_ = false;
+  changedOnTheWay_ = goesOnThere_ = false;
   if (growth_.exists()) growth_.goToPreviousEvent();
+}
+
+void ObjectWork::goOnBeforeWalls() {
+  if (!growth_.exists()) return;
+  pause();
+  goesOnThere_ = true;
+  growth_.goBefore(request().constraints.walls);
+}
+
+//! Only now is it known whether it is the start, from which it begins again.
+void ObjectWork::goOnThere() {
+  goesOnThere_ = false;
+  goOn(Wanted::run);
 }
 
 // --- to the others ---

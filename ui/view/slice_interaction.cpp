@@ -15,7 +15,7 @@ namespace handlebody::ui {
 namespace {
 
 constexpr double kZoomPixels = 150;  // of a drag that zooms by a factor of e
-constexpr double kZoomNotch = 1.2;
+constexpr double kZoomNotch = 1.2, kBrushNotch = 1.1;
 constexpr int kNotch = 120;  // Qt's angle of one notch of a wheel
 
 //! Half black, half white, as on a monitor's contrast knob.
@@ -77,6 +77,11 @@ void SliceInteraction::startLeftDrag(const QPointF& pixel) {
     toolUsed_ = true;
     return;
   }
+  if (state_.brush().isOn()) {
+    drag_ = Drag::brush;
+    state_.brush().drawTo(geometry_.toWorld(pixel));
+    return;
+  }
   const SeedGrab grab = seedAt(circles(), pixel, document_.selectedSeed());
   if (grab.part == SeedGrab::Part::none) {
     drag_ = Drag::crosshair;
@@ -111,6 +116,9 @@ bool SliceInteraction::move(const QMouseEvent& event) {
       state_.setWindowLevel(next.window, next.level);
       break;
     }
+    case Drag::brush:
+      if (state_.brush().isOn()) state_.brush().drawTo(geometry_.toWorld(pixel));
+      break;
     case Drag::moveSeed:
       moveSeedTo(pixel + seedOffset_);
       break;
@@ -126,11 +134,24 @@ bool SliceInteraction::move(const QMouseEvent& event) {
 
 bool SliceInteraction::release(const QMouseEvent&) {
   const bool wasDragging = drag_ != Drag::none;
+  if (drag_ == Drag::brush) endStroke();
   cancel();
   return wasDragging;
 }
 
+//! Only now is anything prepared for the growth.
+void SliceInteraction::endStroke() {
+  const WallBrush::Mode mode = state_.brush().mode();
+  const std::vector<WallBall> stroke = state_.brush().take();
+  if (stroke.empty()) return;  // given up with Escape
+  if (mode == WallBrush::Mode::paint)
+    document_.paintWalls(stroke);
+  else
+    document_.eraseWalls(stroke);
+}
+
 void SliceInteraction::cancel() {
+  if (drag_ == Drag::brush) state_.brush().take();
   drag_ = Drag::none;
   seed_ = -1;
 }
@@ -151,7 +172,11 @@ void SliceInteraction::moveSeedTo(const QPointF& pixel) {
 bool SliceInteraction::wheel(const QWheelEvent& event) {
   wheelAngle_ += event.angleDelta().y();
   const int notches = wheelAngle_ / kNotch;
-  if (event.modifiers() & Qt::ControlModifier) {
+  if ((event.modifiers() & Qt::ControlModifier) && state_.brush().isOn()) {
+    wheelAngle_ = 0;
+    const double turned = event.angleDelta().y() / static_cast<double>(kNotch);
+    state_.brush().setRadius(state_.brush().radius() * std::pow(kBrushNotch, turned));
+  } else if (event.modifiers() & Qt::ControlModifier) {
     wheelAngle_ = 0;
     geometry_.zoom(std::pow(kZoomNotch, event.angleDelta().y() / static_cast<double>(kNotch)),
                    event.position());
@@ -212,6 +237,11 @@ bool SliceInteraction::keyPress(const QKeyEvent& event) {
   }
   if (event.key() == Qt::Key_Escape && state_.windowLevelTool()) {
     state_.setWindowLevelTool(false);
+    return true;
+  }
+  if (event.key() == Qt::Key_Escape && state_.brush().isOn()) {
+    if (state_.brush().take().empty()) state_.brush().setMode(WallBrush::Mode::off);
+    drag_ = Drag::none;
     return true;
   }
   return false;
@@ -290,6 +320,7 @@ QCursor SliceInteraction::cursorAt(const QPointF& pixel) const {
   if (drag_ == Drag::zoom) return Qt::SizeVerCursor;
   if (drag_ == Drag::moveSeed) return Qt::SizeAllCursor;
   if (state_.windowLevelTool()) return contrast_;
+  if (state_.brush().isOn()) return Qt::CrossCursor;
   if (drag_ == Drag::resizeSeed && seed_ >= 0) return rimCursor({SeedGrab::Part::rim, seed_}, pixel);
   if (drag_ == Drag::crosshair) return Qt::CrossCursor;
   const SeedGrab grab = seedAt(circles(), pixel, document_.selectedSeed());

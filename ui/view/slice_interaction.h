@@ -31,7 +31,7 @@ class SliceInteraction {
   bool wheel(const QWheelEvent& event);
   bool keyPress(const QKeyEvent& event);
   bool keyRelease(const QKeyEvent& event);
-  //! Ends what the mouse has hold of, as when the volume is replaced.
+  //! Ends what the mouse has hold of, as when the volume is replaced; a stroke of the brush is not kept.
   void cancel();
 
   //! What the mouse would do at a place, or is doing.
@@ -39,9 +39,10 @@ class SliceInteraction {
   std::vector<SeedCircle> circles() const;
 
  private:
-  enum class Drag { none, crosshair, pan, zoom, window, moveSeed, resizeSeed };
+  enum class Drag { none, crosshair, pan, zoom, window, moveSeed, resizeSeed, brush };
 
   void startLeftDrag(const QPointF& pixel);
+  void endStroke();
   void setCrosshairAt(const QPointF& pixel);
   void moveSeedTo(const QPointF& pixel);
   void stepCrosshair(int axis, int voxels);

@@ -14,6 +14,7 @@
 #include "ui/view/overlay.h"
 #include "ui/view/slice_image.h"
 #include "ui/view/slice_interaction.h"
+#include "ui/view/wall_overlay.h"
 
 namespace handlebody::ui {
 namespace {
@@ -68,6 +69,8 @@ struct SliceView::Private {
   std::vector<std::array<Vec3, 2>> section;  // of cutMesh with cutSlice, mm
   std::vector<int> sectionFaces;             // triangles of its segments
   OtherOutlines others;
+  WallOverlay walls;
+  std::optional<QPointF> pointer;  // where the mouse is, if it is in the view
 };
 
 const QImage& SliceView::Private::image(double pixelRatio) {
@@ -178,10 +181,14 @@ void SliceView::Private::paint(QPainter& painter, double pixelRatio, bool focuse
   } else {
     painter.drawImage(QPointF(0, 0), image(pixelRatio));
     painter.setRenderHint(QPainter::Antialiasing);
+    if (isActiveVisible(document))
+      walls.paint(painter, geometry, pixelRatio, document.constraints().walls, state.brush());
     paintCrosshair(painter);
     others.paint(painter, document, geometry);
     const bool marked = isActiveVisible(document) && paintOutline(painter);
     paintSeeds(painter, interaction.circles(), document.selectedSeed());
+    if (pointer && state.brush().isOn() && !state.windowLevelTool())
+      paintBrush(painter, geometry, *pointer, state.brush());
     paintScaleBar(painter, size, geometry.mmPerPixel());
     paintTexts(painter);
     if (marked) paintLegend(painter);
@@ -205,10 +212,14 @@ SliceView::SliceView(Plane plane, Document& document, ViewState& state, QWidget*
   connect(&document, &Document::resolvedChanged, this, repaint);
   connect(&document, &Document::snapshotChanged, this, repaint);
   connect(&document, &Document::objectsChanged, this, repaint);
-  connect(&state, &ViewState::changed, this, [this] {
+  connect(&document, &Document::constraintsChanged, this, repaint);
+  connect(&state.brush(), &WallBrush::strokeChanged, this, repaint);
+  const auto follow = [this] {
     update();
     if (d_->document.hasVolume()) setCursor(d_->interaction.cursorAt(mapFromGlobal(QCursor::pos())));
-  });
+  };
+  connect(&state, &ViewState::changed, this, follow);
+  connect(&state.brush(), &WallBrush::changed, this, follow);
   connect(&state, &ViewState::crosshairChanged, this, &SliceView::followCrosshair);
   startVolume();
 }
@@ -226,7 +237,9 @@ QImage SliceView::picture() {
   QImage image((QSizeF(size()) * devicePixelRatioF()).toSize(), QImage::Format_RGB32);
   image.setDevicePixelRatio(devicePixelRatioF());
   QPainter painter(&image);
+  const auto pointer = std::exchange(d_->pointer, std::nullopt);  // of the slice, not of the mouse
   d_->paint(painter, devicePixelRatioF(), false);
+  d_->pointer = pointer;
   return image;
 }
 
@@ -270,7 +283,8 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
 
 void SliceView::mouseMoveEvent(QMouseEvent* event) {
   if (!d_->document.hasVolume()) return;
-  if (d_->interaction.move(*event)) update();
+  d_->pointer = event->position();
+  if (d_->interaction.move(*event) || d_->state.brush().isOn()) update();
   setCursor(d_->interaction.cursorAt(event->position()));
   tellHover(event->position());
 }
@@ -302,7 +316,11 @@ void SliceView::keyReleaseEvent(QKeyEvent* event) {
   if (!d_->document.hasVolume() || !d_->interaction.keyRelease(*event)) QWidget::keyReleaseEvent(event);
 }
 
-void SliceView::leaveEvent(QEvent*) { Q_EMIT left(); }
+void SliceView::leaveEvent(QEvent*) {
+  d_->pointer.reset();
+  if (d_->state.brush().isOn()) update();
+  Q_EMIT left();
+}
 void SliceView::focusInEvent(QFocusEvent*) { update(); }
 void SliceView::focusOutEvent(QFocusEvent*) { update(); }
 

@@ -19,6 +19,7 @@
 #include "ui/view/overlay.h"
 #include "ui/view/seed_circles.h"
 #include "ui/view/triangle_actor.h"
+#include "ui/view/wall_overlay.h"
 
 namespace handlebody::ui {
 namespace {
@@ -26,6 +27,7 @@ namespace {
 const QColor kMaterial(0xed, 0xbd, 0x70), kSeedBall(0x4f, 0xc3, 0xf7), kHandle(0x3d, 0xc9, 0x7c);
 const QColor kColliding(0xf0, 0x3e, 0x3e), kAround(0xb9, 0xc3, 0xd0);
 
+constexpr double kWallOpacity = 0.5;
 constexpr double kSliceOpacity = 0.55;  // the part of the mesh behind a slice is seen through it
 
 //! Lines and points of one colour.
@@ -157,11 +159,12 @@ struct SurfaceScene::Private {
   void updateVisibility();
 
   vtkRenderer* renderer = nullptr;
-  TriangleActor mesh, seeds, around, red, handle;
+  TriangleActor mesh, seeds, around, red, handle, walls;
   LineActor outside, loops, lambda, box;
   std::array<SliceActor, 3> slices;
   std::list<Shown> others;
-  bool hasMesh = false, hasSeeds = false, hasOutside = false, hasVolume = false, slicesOn = false;
+  bool hasMesh = false, hasSeeds = false, hasWalls = false, hasOutside = false, hasVolume = false,
+       slicesOn = false;
   EventStage stage = EventStage::none;
 };
 
@@ -179,6 +182,10 @@ SurfaceScene::SurfaceScene(vtkRenderer* renderer) : d_(std::make_unique<Private>
     renderer->AddActor(part->actor());
   for (LineActor* part : {&d_->outside, &d_->loops, &d_->lambda, &d_->box}) renderer->AddActor(part->actor);
   for (SliceActor& slice : d_->slices) renderer->AddActor(slice.actor);
+  renderer->AddActor(d_->walls.actor());  // after all that is seen through them
+  d_->walls.setColour(wallColour());
+  d_->walls.actor()->GetProperty()->SetOpacity(kWallOpacity);
+  d_->walls.actor()->ForceOpaqueOn();  // as the slices
   for (TriangleActor* part : {&d_->around, &d_->red, &d_->handle}) part->setEdges(true);
   for (TriangleActor* part : {&d_->red, &d_->handle}) part->setInFront();
   d_->seeds.setColour(kSeedBall);
@@ -209,6 +216,7 @@ void SurfaceScene::Private::updateVisibility() {
   lambda.actor->SetVisibility(stage == EventStage::colliding);
   loops.actor->SetVisibility(open);
   handle.actor()->SetVisibility(stage == EventStage::handle);
+  walls.actor()->SetVisibility(hasWalls && !staged);
   box.actor->SetVisibility(hasVolume && !staged);
   for (SliceActor& slice : slices) slice.actor->SetVisibility(slice.filled && slicesOn && !staged);
 }
@@ -272,6 +280,12 @@ void SurfaceScene::setSeeds(const std::vector<Seed>& seeds) {
   if (d_->hasSeeds) d_->seeds.setMesh(all, true);
   d_->hasOutside = !crosses.empty();
   if (d_->hasOutside) d_->outside.set(crosses, true);
+  d_->updateVisibility();
+}
+
+void SurfaceScene::setWalls(const TriangleSoup& walls) {
+  d_->hasWalls = !walls.triangles.empty();
+  if (d_->hasWalls) d_->walls.setMesh(walls, true);
   d_->updateVisibility();
 }
 

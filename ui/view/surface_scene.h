@@ -58,6 +58,8 @@ class SurfaceScene {
   void setOthers(const std::vector<Other>& others);
   //! Balls, and crosses in place of those outside of the object; all with radii; empty: none are shown.
   void setSeeds(const std::vector<Seed>& seeds);
+  //! Translucent; where it is empty there are none.
+  void setWalls(const TriangleSoup& walls);
   //! The volume's edges; null: none.
   void setVolume(const Grid* grid);
   //! A picture whose corners (upper left, upper right, lower left) lie at world points.

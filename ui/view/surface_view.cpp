@@ -24,6 +24,7 @@
 #include "ui/view/surface_overlay.h"
 #include "ui/view/surface_scene.h"
 #include "ui/view/surface_style.h"
+#include "ui/view/wall_shapes.h"
 
 namespace handlebody::ui {
 namespace {
@@ -78,6 +79,7 @@ struct SurfaceView::Private {
   void startVolume();
   void sync();
   void syncSeeds();
+  void syncWalls();
   void syncSlices();
   void followMesh();
   double aspect() const {
@@ -101,11 +103,13 @@ struct SurfaceView::Private {
   std::unique_ptr<SurfaceScene> scene;
   QImage shown;
   bool meshChanged = true, seedsChanged = true, slicesChanged = true, coloursChanged = true,
-       poseChanged = true;
+       poseChanged = true, wallsChanged = true;
   std::array<SliceImage, 3> slices;
   std::array<int, 3> shownSlices{-1, -1, -1};
   bool slicesShown = false;
   MeshColouring shownColouring = MeshColouring::plain;
+  WallList shownWalls;
+  bool wallsShown = false;
   bool follows = true;  // the mesh, until the camera is moved by hand
   bool dragging = false;
   EventStage stage = EventStage::none;
@@ -136,11 +140,12 @@ void SurfaceView::Private::createOpenGl() {
 }
 
 void SurfaceView::Private::startVolume() {
-  meshChanged = seedsChanged = slicesChanged = coloursChanged = poseChanged = true;
+  meshChanged = seedsChanged = slicesChanged = coloursChanged = poseChanged = wallsChanged = true;
   shownSlices = {-1, -1, -1};
   slices = {};  // the volume before is let go
   follows = true;
   stage = EventStage::none;
+  wallsShown = false;
   if (!scene) return;
   flight.stop();
   scene->showStage({}, EventStage::none);
@@ -162,8 +167,18 @@ void SurfaceView::Private::sync() {
     followMesh();
   }
   if (seedsChanged) syncSeeds();
+  if (wallsChanged) syncWalls();
   if (slicesChanged || coloursChanged) syncSlices();
-  meshChanged = seedsChanged = slicesChanged = coloursChanged = false;
+  meshChanged = seedsChanged = slicesChanged = coloursChanged = wallsChanged = false;
+}
+
+void SurfaceView::Private::syncWalls() {
+  const bool any = document.hasVolume() && isActiveVisible(document);
+  const WallList walls = any ? document.constraints().walls : WallList{};
+  if (walls == shownWalls && wallsShown) return;
+  scene->setWalls(any ? shapesOf(walls, document.volume().grid) : TriangleSoup{});
+  shownWalls = walls;
+  wallsShown = true;
 }
 
 void SurfaceView::Private::syncSeeds() {
@@ -254,7 +269,7 @@ void SurfaceView::Private::paint(QPainter& painter, double pixelRatio, bool focu
         tr("This machine offers no OpenGL 3.2: the surface cannot be shown in 3D. Slices, growth and export "
            "work all the same."));
   } else {
-    if (meshChanged || seedsChanged || slicesChanged || coloursChanged) poseChanged = true;
+    if (meshChanged || seedsChanged || slicesChanged || coloursChanged || wallsChanged) poseChanged = true;
     painter.drawImage(QPointF(0, 0), frame(pixelRatio));
     painter.setRenderHint(QPainter::Antialiasing);
     const CameraPose pose = scene->pose();
@@ -310,6 +325,8 @@ SurfaceView::SurfaceView(Document& document, ViewState& state, QWidget* parent)
   connect(&document, &Document::resolvedChanged, this, seeds);
   for (auto changed : {&Document::snapshotChanged, &Document::objectsChanged})
     connect(&document, changed, this, [d] { d->draw(d->meshChanged); });
+  for (auto changed : {&Document::constraintsChanged, &Document::objectsChanged})
+    connect(&document, changed, this, [d] { d->draw(d->wallsChanged); });
   connect(&document, &Document::stateChanged, this, [d] {
     if (d->document.state() == GrowthState::finished) d->draw(d->meshChanged);  // it may be seen from nearer
   });

@@ -32,6 +32,7 @@ void ViewState::setAutomaticWindow(const Volume& volume) {
 void ViewState::startWith(const Volume& volume) {
   const Grid& grid = volume.grid;
   setTint(std::nullopt);
+  brush_.startWith(grid);
   setAutomaticWindow(volume);
   // On voxels, so that all three slices pass exactly through it.
   setCrosshair(grid.toWorld(Vec3(grid.size[0] / 2, grid.size[1] / 2, grid.size[2] / 2)));

@@ -9,6 +9,7 @@
 #include "core/evolution/parameters.h"
 #include "core/geometry/vec.h"
 #include "core/volume/volume.h"
+#include "ui/view/wall_brush.h"
 
 namespace handlebody::ui {
 
@@ -32,8 +33,8 @@ class ViewState : public QObject {
   void setWindowLevel(double window, double level);
   //! From the 0.1 to the 99.9 percentile of the volume; takes milliseconds for a volume of any size.
   void setAutomaticWindow(const Volume& volume);
-  //! For a volume that was just opened: crosshair in its middle, automatic window, no tint. The views do not
-  //! call it, so that a session may restore its own state.
+  //! For a volume that was just opened: crosshair in its middle, automatic window, no tint, no brush. The
+  //! views do not call it, so that a session may restore its own state.
   void startWith(const Volume& volume);
   //! While on, dragging with the left button in a slice changes window and level (key W in a slice).
   bool windowLevelTool() const { return windowLevelTool_; }
@@ -47,6 +48,9 @@ class ViewState : public QObject {
   //! Voxels of these intensities are tinted on the slices; none: no tint.
   const std::optional<IntensityRange>& tint() const { return tint_; }
   void setTint(const std::optional<IntensityRange>& range);
+
+  WallBrush& brush() { return brush_; }
+  const WallBrush& brush() const { return brush_; }
 
   //! A number for Document::moveSeed() and its like that no other drag has.
   static int nextGesture();
@@ -67,6 +71,7 @@ class ViewState : public QObject {
   MeshColouring meshColouring_ = MeshColouring::plain;
   bool slicesIn3d_ = true;
   std::optional<IntensityRange> tint_;
+  WallBrush brush_;
 };
 
 }  // namespace handlebody::ui

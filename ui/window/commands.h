@@ -52,6 +52,7 @@ enum class Command {
   stepSeed,
   stepTune,
   stepGrow,
+  stepCorrect,
   stepExport,
   coloursOfSystem,
   coloursLight,

@@ -1,5 +1,5 @@
 #pragma once
-// Step 5: what is written, and how.
+// Step 6: what is written, and how.
 
 #include <QWidget>
 #include <optional>

@@ -13,10 +13,12 @@
 
 #include "ui/view/slice_view.h"
 #include "ui/view/surface_view.h"
+#include "ui/window/correct_panel.h"
 #include "ui/window/event_inspector.h"
 #include "ui/window/export_panel.h"
 #include "ui/window/file_work.h"
 #include "ui/window/grow_panel.h"
+#include "ui/window/held_section.h"
 #include "ui/window/help_window.h"
 #include "ui/window/icons.h"
 #include "ui/window/key_guard.h"
@@ -101,6 +103,7 @@ void MainWindow::buildDocks() {
   steps_->add(Command::stepTune, new TunePanel(document_, state_));
   grow_ = new GrowPanel(document_, views_->surface(), commands_);
   steps_->add(Command::stepGrow, grow_);
+  buildCorrectPanel();
   export_ = new ExportPanel(document_, commands_);
   steps_->add(Command::stepExport, export_);
   steps_->show(Command::stepOpen);
@@ -117,6 +120,17 @@ void MainWindow::buildDocks() {
   timelineDock_->setObjectName(QStringLiteral("timeline"));
   timelineDock_->setWidget(timeline_);
   addDockWidget(Qt::BottomDockWidgetArea, timelineDock_);
+}
+
+// The sections stand in the order in which they are added.
+void MainWindow::buildCorrectPanel() {
+  auto* panel = new CorrectPanel;
+  panel->addSection(
+      tr("Held back"),
+      tr("Limits, vetoes and discs. The crosshair goes to the chosen one; lifted, it holds no more "
+         "from the shown iteration on."),
+      new HeldSection(document_, state_));
+  steps_->add(Command::stepCorrect, panel);
 }
 
 void MainWindow::buildStatusBar() {

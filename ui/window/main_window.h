@@ -59,6 +59,7 @@ class MainWindow : public QMainWindow {
  private:
   void buildCentre();
   void buildDocks();
+  void buildCorrectPanel();
   void buildStatusBar();
   void fillRecent();
   // main_window_commands.cpp

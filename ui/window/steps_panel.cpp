@@ -14,8 +14,8 @@ namespace handlebody::ui {
 
 namespace {
 
-constexpr Command kSteps[] = {Command::stepOpen, Command::stepSeed, Command::stepTune, Command::stepGrow,
-                              Command::stepExport};
+constexpr Command kSteps[] = {Command::stepOpen, Command::stepSeed,    Command::stepTune,
+                              Command::stepGrow, Command::stepCorrect, Command::stepExport};
 
 // As wide as its panel at least, and room for the scroll bar: nothing is cut off at the right.
 class Page : public QScrollArea {
@@ -39,6 +39,14 @@ class Page : public QScrollArea {
 class StepButton : public QToolButton {
  public:
   using QToolButton::QToolButton;
+
+  // Six stand side by side: with less room beside the text than a tool button has, the views keep theirs.
+  QSize sizeHint() const override {
+    constexpr int kBeside = 8;  // pixels
+    const int text = fontMetrics().size(Qt::TextShowMnemonic, this->text()).width();
+    return {std::max(text, iconSize().width()) + kBeside, QToolButton::sizeHint().height()};
+  }
+  QSize minimumSizeHint() const override { return sizeHint(); }
 
  protected:
   void paintEvent(QPaintEvent* event) override {

@@ -1,5 +1,5 @@
 #pragma once
-// The five steps of the work in their order; one is shown at a time.
+// The six steps of the work in their order; one is shown at a time.
 
 #include <QWidget>
 #include <vector>

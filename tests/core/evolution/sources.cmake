@@ -4,6 +4,7 @@ target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/contour_reports_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/correction_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/edge_profile_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/evolution/edit_step_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/held_changes_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/history_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/image_doubts_test.cpp

@@ -33,12 +33,12 @@ TEST_CASE("a membrane in the tunnel of a torus makes it a sphere and adds volume
   const TunnelsClosed done = closeTunnels(mesh, kAll, TunnelCut::tunnel);
   REQUIRE(done.edits.size() == 1);
   CHECK(done.open.empty());
-  const MeshEdit& e = done.edits[0];
-  CHECK(e.kind == EditKind::tunnelClosed);
-  CHECK(e.length == Approx(2 * kPi * 2).epsilon(0.02));
-  CHECK(e.volumeBefore == Approx(before));
-  CHECK(e.volumeAfter == Approx(signedVolume(mesh)));
-  CHECK(e.volumeAfter > before);
+  const Event& e = done.edits[0];
+  CHECK(e.kind == EventKind::tunnelClosed);
+  CHECK(e.edit->loop == Approx(2 * kPi * 2).epsilon(0.02));
+  CHECK(e.edit->volumeBefore == Approx(before));
+  CHECK(e.edit->volumeAfter == Approx(signedVolume(mesh)));
+  CHECK(e.edit->volumeAfter > before);
   CHECK(e.before.genus == 1);
   CHECK(e.after.euler == e.before.euler + 2);
   expectCertified(mesh);
@@ -49,11 +49,11 @@ TEST_CASE("a cut through the handle of a torus makes it a sphere and takes volum
   Mesh mesh(zoo::torus(48, 24, 3, 1));
   const TunnelsClosed done = closeTunnels(mesh, kAll);  // the handle's loop is the shorter
   REQUIRE(done.edits.size() == 1);
-  CHECK(done.edits[0].kind == EditKind::handleCut);
-  CHECK(done.edits[0].length == Approx(2 * kPi).epsilon(0.02));
+  CHECK(done.edits[0].kind == EventKind::handleCut);
+  CHECK(done.edits[0].edit->loop == Approx(2 * kPi).epsilon(0.02));
   // A slice of the tube goes: a few edges of it.
-  CHECK(done.edits[0].volumeAfter < done.edits[0].volumeBefore);
-  CHECK(done.edits[0].volumeAfter > 0.9 * done.edits[0].volumeBefore);
+  CHECK(done.edits[0].edit->volumeAfter < done.edits[0].edit->volumeBefore);
+  CHECK(done.edits[0].edit->volumeAfter > 0.9 * done.edits[0].edit->volumeBefore);
   expectCertified(mesh);
   expectTopology(mesh, 1, 0);
 }
@@ -146,9 +146,9 @@ TEST_CASE("filled cavities go with what lies in them") {
   CHECK(listPieces(mesh)[1].within == 0);
   CHECK(listPieces(mesh)[3].within == 2);
   const double outer = listPieces(mesh)[0].volume;
-  const std::vector<MeshEdit> edits = fillCavities(mesh);
+  const std::vector<Event> edits = fillCavities(mesh);
   CHECK(edits.size() == 3);
-  CHECK(edits.back().volumeAfter == Approx(outer));
+  CHECK(edits.back().edit->volumeAfter == Approx(outer));
   CHECK(signedVolume(mesh) == Approx(outer));
   expectCertified(mesh);
   expectTopology(mesh, 1, 0);
@@ -163,7 +163,7 @@ TEST_CASE("the largest body keeps its cavities, and what lies in those goes") {
                  Vec3(30, 0, 0));
   Mesh mesh(zoo::both(zoo::both(shell, zoo::scaled(zoo::sphere(2), 1)), ball));
   REQUIRE(certify(mesh.compact()).boundsBody());
-  const std::vector<MeshEdit> edits = keepLargest(mesh);
+  const std::vector<Event> edits = keepLargest(mesh);
   CHECK(edits.size() == 3);
   expectCertified(mesh);
   expectTopology(mesh, 2, 0);

@@ -13,7 +13,9 @@ struct State {
   std::shared_ptr<const MeshSnapshot> snapshot;
   GrowthState growth = GrowthState::none;
   std::vector<int> gestures;
-  std::vector<ObjectInfo> others;  //!< behind the active one
+  Constraints constraints;
+  std::vector<WallBall> painted, erased;  //!< the last stroke of each
+  std::vector<ObjectInfo> others;         //!< behind the active one
 };
 
 //! A document's private part is its own; the functions for tests reach its state here.
@@ -75,6 +77,14 @@ void Document::selectSeed(int index) {
   Q_EMIT selectedSeedChanged(index);
 }
 
+const Constraints& Document::constraints() const { return d_->constraints; }
+
+bool Document::paintWalls(const std::vector<WallBall>& stroke) {
+  d_->painted = stroke;
+  return true;
+}
+void Document::eraseWalls(const std::vector<WallBall>& eraser) { d_->erased = eraser; }
+
 double Document::shownRadius(int index) const {
   constexpr double kFitting = 6;  // mm
   return d_->seeds.at(static_cast<std::size_t>(index)).radius.value_or(kFitting);
@@ -111,6 +121,14 @@ void setGrowthState(Document& document, GrowthState growth) {
   states().at(&document)->growth = growth;
   Q_EMIT document.stateChanged();
 }
+
+void setConstraints(Document& document, const Constraints& constraints) {
+  states().at(&document)->constraints = constraints;
+  Q_EMIT document.constraintsChanged();
+}
+
+const std::vector<WallBall>& painted(const Document& document) { return states().at(&document)->painted; }
+const std::vector<WallBall>& erased(const Document& document) { return states().at(&document)->erased; }
 
 const std::vector<int>& gestures(const Document& document) { return states().at(&document)->gestures; }
 

@@ -17,6 +17,10 @@ void setSnapshot(Document& document, const TriangleSoup& mesh, const std::vector
 //! Objects besides the active one.
 void setOthers(Document& document, const std::vector<ObjectInfo>& others);
 void setGrowthState(Document& document, GrowthState growth);
+void setConstraints(Document& document, const Constraints& constraints);
+//! The last stroke of the brush, and of the eraser.
+const std::vector<WallBall>& painted(const Document& document);
+const std::vector<WallBall>& erased(const Document& document);
 //! The gestures of all calls that moved or sized a seed.
 const std::vector<int>& gestures(const Document& document);
 

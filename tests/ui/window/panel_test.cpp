@@ -386,7 +386,10 @@ void PanelTest::aClickOutsideIsListedAsOneAndIsNoSeedToGrowFrom() {
   window->showStep(Command::stepSeed);
   QCOMPARE(shownText(*window, "Which object is taken"), QString("None yet: it takes a seed inside."));
   QTest::keyClick(window.get(), Qt::Key_Return);
-  const auto* table = window->findChild<QTableWidget*>();
+  const QTableWidget* table = nullptr;
+  const auto tables = window->findChildren<QTableWidget*>();
+  for (const QTableWidget* t : tables)
+    if (t->accessibleName() == QString("Seeds")) table = t;
   QVERIFY(table && table->isVisible() && table->rowCount() == 2);
   QCOMPARE(table->item(0, 2)->text(), QString("outside"));
   QCOMPARE(table->item(1, 2)->text(), QString("inside"));

@@ -20,9 +20,9 @@
 
 namespace handlebody::test {
 
-//! The five pages of the panel at the left.
-constexpr ui::Command kSteps[] = {ui::Command::stepOpen, ui::Command::stepSeed, ui::Command::stepTune,
-                                  ui::Command::stepGrow, ui::Command::stepExport};
+//! The six pages of the panel at the left.
+constexpr ui::Command kSteps[] = {ui::Command::stepOpen, ui::Command::stepSeed,    ui::Command::stepTune,
+                                  ui::Command::stepGrow, ui::Command::stepCorrect, ui::Command::stepExport};
 
 constexpr int kPatience = 120'000;  // ms; the machine may be busy
 
