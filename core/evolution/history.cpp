@@ -48,8 +48,12 @@ const ActiveContour& History::next() const {
 StopReason History::stopReason() const { return next().stopReason(); }
 
 StepReport History::stepFrom(ActiveContour& contour) const {
-  if (const Change* change = changeAt(contour.iteration())) contour = change->after;
-  return contour.step();
+  const Change* change = changeAt(contour.iteration());
+  if (!change) return contour.step();
+  ActiveContour changed = change->after;  // a step that throws leaves the contour without the change
+  StepReport report = changed.step();
+  contour = std::move(changed);
+  return report;
 }
 
 void History::advance() {

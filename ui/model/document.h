@@ -119,8 +119,8 @@ class Document : public QObject {
   void setActiveObject(int index);
   //! Behind the others, and active. Name, colour and label value are such as no other has.
   void addObject();
-  //! Behind it, and active: seeds, parameters and constraints, without the growth and the vetoes of its
-  //! steps.
+  //! Behind it, and active: seeds, parameters and constraints, without the growth and the vetoes and
+  //! edits of its steps.
   void duplicateObject(int index);
   //! The active one after it is the next in the list. Nothing if it is the last that is left.
   void removeObject(int index);
@@ -179,6 +179,12 @@ class Document : public QObject {
   //! Back to the last iteration at which the surface had not come to the walls that are new to it, or to the
   //! start, and on from there.
   void goOnBeforeWalls();
+  //! Tunnels, components and cavities of the shown mesh: goes on from the shown iteration with that edit as
+  //! the next step, which is made at once (redo makes it again). Its iteration is set here. meshEdited(), or
+  //! refused() and all is as before. Nothing while it grows.
+  void editMesh(MeshEdit edit);
+  //! The edit of that iteration: goes back to the step before it, and what is grown on from there is without.
+  void leaveOutEdit(int iteration);
   //! A wall across leaks()[index]: goes back to before the surface came there, and what is grown on from
   //! there stays on this side.
   void wallAt(int index);
@@ -265,6 +271,7 @@ class Document : public QObject {
   void stateChanged();
   void snapshotChanged();            //!< another iteration is shown
   void summariesChanged();           //!< lastIteration() moved, or the tail was dropped
+  void meshEdited();                 //!< the shown iteration is an edit that was just made
   void leaked(int index);            //!< leaks()[index] was found just now
   void leakedElsewhere(int object);  //!< one that is not active came through a narrow passage just now
   void eventTraced(int index, const handlebody::EventTrace& trace);

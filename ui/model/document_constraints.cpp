@@ -80,6 +80,7 @@ void Document::goOnBeforeWalls() {
 
 void Document::forbid(int index) {
   const Event& event = events().at(static_cast<std::size_t>(index));
+  if (event.edit) return leaveOutEdit(event.iteration);
   const bool isMeeting = event.kind == EventKind::handleInserted;
   Edits after = d_->active->edits();
   after.constraints.vetoes.push_back({event.iteration, event.location});

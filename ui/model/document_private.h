@@ -37,6 +37,8 @@ class Document::Private : public ObjectHost {
   void worthKeeping(const ObjectWork& object) override;
   void traced(const ObjectWork& object, int index, const EventTrace& trace) override;
   void leaked(const ObjectWork& object, int index) override;
+  void edited(const ObjectWork& object) override;
+  void editRefused(const ObjectWork& object, const Request& asked, const QString& why) override;
 
   // --- opening ---
   void open(const QString& path, const VolumeSelection& selection);

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "core/cancellation.h"
+#include "core/errors.h"
 #include "ui/model/error_sentence.h"
 #include "ui/model/snapshot.h"
 
@@ -62,10 +63,16 @@ void GrowthWorker::runToEvent(const Request& request, PreparedContour prepared) 
 
 void GrowthWorker::step(const Request& request, PreparedContour prepared) {
   send([this, request, prepared = std::move(prepared)] {
+    const std::optional<Request> before = history_ ? std::optional(nextRequest()) : std::nullopt;
     goOn(request, prepared.get(), Mode::run);
     const bool canGoOn = mode_ == Mode::run;
     mode_ = Mode::idle;
-    if (canGoOn) stepOnce();
+    try {
+      if (canGoOn) stepOnce();
+    } catch (const UsageError&) {
+      change(*before);
+      throw;
+    }
   });
 }
 
@@ -202,6 +209,11 @@ void GrowthWorker::goOn(const Request& request, const ActiveContour* prepared, M
   if (history_->stopReason() == StopReason::running) mode_ = mode;
 }
 
+//! What the next step from the shown iteration is done with.
+Request GrowthWorker::nextRequest() const {
+  return {history_->seeds(), history_->parameters(), history_->constraints()};
+}
+
 //! False, and at the last iteration, if no event is recorded after the shown one.
 bool GrowthWorker::goToRecordedEvent() {
   const int last = history_->lastIteration();
@@ -239,7 +251,7 @@ bool GrowthWorker::replayChange() {
   const int now = history_->iteration();
   for (const ParameterChange& recorded : replay_.changes)
     if (recorded.iteration == now && now < replay_.stopAt.value_or(now + 1))
-      change(changed({history_->seeds(), history_->parameters(), history_->constraints()}, recorded));
+      change(changed(nextRequest(), recorded));
   const bool goesOn = history_->stopReason() == StopReason::running && now < replay_.stopAt.value_or(now + 1);
   if (!goesOn) mode_ = Mode::idle;
   return goesOn;
@@ -293,7 +305,7 @@ void GrowthWorker::publish(std::shared_ptr<const MeshSnapshot> frame) {
     if (frame || !history_) update_.snapshot = std::move(frame);
     if (history_) {
       update_.stopReason = history_->stopReason();
-      update_.request = {history_->seeds(), history_->parameters(), history_->constraints()};
+      update_.request = nextRequest();
       update_.resolved = history_->resolved();
       update_.changes = history_->changes();
       update_.leaks = leaks_;

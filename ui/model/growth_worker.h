@@ -65,6 +65,7 @@ class GrowthWorker {
   void start(std::shared_ptr<const ActiveContour> contour);
   //! Nothing is grown any more.
   void clear();
+  //! A step that is refused (UsageError) leaves the clicks and parameters as they were, too.
   //! All three go on from the shown iteration with these clicks and parameters; if they are others than
   //! recorded, what was recorded after it is dropped.
   void run(const Request& request, PreparedContour prepared = {});
@@ -103,6 +104,7 @@ class GrowthWorker {
   bool noticeLeaks();
   bool replayChange();
   bool hasReached() const;
+  Request nextRequest() const;
   bool isEventIteration(int iteration) const;
   void show(int iteration);
   void showBefore(const WallList& walls);

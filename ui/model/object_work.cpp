@@ -81,6 +81,8 @@ void ObjectWork::apply(const Edits& after, EditCommand::Way way) {
   if (selection) host_.changed(*this, ObjectHost::Part::selection);
   if (parameters) host_.changed(*this, ObjectHost::Part::parameters);
   if (constraints) host_.changed(*this, ObjectHost::Part::constraints);
+  editing_.reset();
+  if (constraints && way == EditCommand::Way::redo) makeEdit(before.constraints.edits);
 }
 
 //! A correction that has been grown and is undone: shows the surface as it was when it was made.

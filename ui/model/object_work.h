@@ -33,6 +33,10 @@ class ObjectHost {
   virtual void traced(const ObjectWork& object, int index, const EventTrace& trace) = 0;
   //! The last of its growth's leaks was found just now: `index`.
   virtual void leaked(const ObjectWork& object, int index) = 0;
+  //! The shown iteration is an edit that was just made.
+  virtual void edited(const ObjectWork& object) = 0;
+  //! The edit that was asked for by `asked` could not be made.
+  virtual void editRefused(const ObjectWork& object, const Request& asked, const QString& why) = 0;
 };
 
 class ObjectWork : public QObject {
@@ -127,6 +131,8 @@ class ObjectWork : public QObject {
   void dropGrowth();
   void updateState();
   void goOnThere();
+  void makeEdit(const std::vector<MeshEdit>& known);
+  void tellOfEdit();
   Request replayedRequest() const;
   Session recorded() const;
 
@@ -150,7 +156,8 @@ class ObjectWork : public QObject {
   QTimer settle_;  // from the last change to the preparation
 
   Wanted wanted_ = Wanted::nothing;
-  bool goesOnThere_ = false;  // when the iteration that was asked for is shown
+  bool goesOnThere_ = false;        // when the iteration that was asked for is shown
+  std::optional<Request> editing_;  // asked for the next step to be an edit, which is under way
   Replay replay_;
   Request replayed_;      // at the beginning of the replay
   bool replays_ = false;  // what the session says is still to be done, or under way

@@ -2,6 +2,8 @@
 
 #include "ui/model/object_work.h"
 
+#include <algorithm>
+
 namespace handlebody::ui {
 
 namespace {
@@ -111,6 +113,7 @@ GrowthState ObjectWork::state() const {
 
 void ObjectWork::updateState() {
   if (goesOnThere_ && growth_.isSettled()) goOnThere();
+  if (editing_ && !isBusy() && growth_.isSettled()) tellOfEdit();
   const GrowthState now = state();
   const StopReason stop = stopReason();
   const QString failed = error();
@@ -159,6 +162,25 @@ void ObjectWork::goOnBeforeWalls() {
 void ObjectWork::goOnThere() {
   goesOnThere_ = false;
   goOn(Wanted::run);
+}
+
+//! If the next step from the shown iteration is an edit that is not one of those.
+void ObjectWork::makeEdit(const std::vector<MeshEdit>& known) {
+  const auto isNext = [this](const MeshEdit& e) { return e.iteration == growth_.iteration() + 1; };
+  const std::vector<MeshEdit>& edits = edits_.constraints.edits;
+  const auto edit = std::find_if(edits.begin(), edits.end(), isNext);
+  if (isBusy() || edit == edits.end() || std::find(known.begin(), known.end(), *edit) != known.end()) return;
+  editing_ = edits_.request();
+  goOn(Wanted::step);
+}
+
+void ObjectWork::tellOfEdit() {
+  const Request asked = *std::exchange(editing_, std::nullopt);
+  const auto isShown = [this](const Event& e) { return e.edit && e.iteration == growth_.iteration(); };
+  if (const QString why = error(); !why.isEmpty())
+    host_.editRefused(*this, asked, why);
+  else if (std::any_of(growth_.events().begin(), growth_.events().end(), isShown))
+    host_.edited(*this);
 }
 
 // --- to the others ---

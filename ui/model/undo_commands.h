@@ -35,6 +35,7 @@ class EditCommand : public QUndoCommand {
   bool mergeWith(const QUndoCommand* other) override;
   void undo() override { apply_(before_, Way::undo); }
   void redo() override { apply_(after_, Way::redo); }
+  const Edits& after() const { return after_; }
 
  private:
   Edits before_, after_;

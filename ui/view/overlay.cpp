@@ -99,6 +99,10 @@ void paintKey(QPainter& painter, const QPointF& place, const QColor& colour, con
   paintText(painter, {swatch.right() + 6, place.y()}, Qt::AlignLeft | Qt::AlignVCenter, text, font);
 }
 
+QColor loopColour(MarkedLoop::Kind kind) {
+  return kind == MarkedLoop::Kind::handle ? QColor(0xe0, 0x40, 0xfb) : QColor(0x00, 0xe5, 0xff);
+}
+
 QColor unsupportedColour() { return {0x6a, 0x7b, 0xff}; }
 
 void paintScaleBar(QPainter& painter, const QSizeF& size, double mmPerPixel) {

@@ -24,6 +24,8 @@ void paintKey(QPainter& painter, const QPointF& place, const QColor& colour, con
 //! Of the surface where the image shows no edge. The other colours of mesh and outline differ from it for
 //! every kind of colour vision.
 QColor unsupportedColour();
+//! Of a marked loop, in all views.
+QColor loopColour(MarkedLoop::Kind kind);
 //! A bar of a round length with its mm in the lower right corner.
 void paintScaleBar(QPainter& painter, const QSizeF& size, double mmPerPixel);
 //! A bar of the view's colour along its upper edge; around it when the view has the keyboard's focus.

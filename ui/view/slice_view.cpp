@@ -20,7 +20,7 @@ namespace handlebody::ui {
 namespace {
 
 const QColor kOutline(0xff, 0xb8, 0x1a);
-constexpr double kOutlineWidth = 1.6, kUnsupportedWidth = 2.4;  // pixels
+constexpr double kOutlineWidth = 1.6, kUnsupportedWidth = 2.4, kLoopWidth = 3;  // pixels
 
 //! The views whose planes the vertical and the horizontal line of a crosshair are.
 std::pair<Plane, Plane> crossedPlanes(Plane plane) {
@@ -51,6 +51,7 @@ struct SliceView::Private {
   const std::vector<std::array<Vec3, 2>>& outline();
   void paint(QPainter& painter, double pixelRatio, bool focused);
   bool paintOutline(QPainter& painter);
+  void paintMarkedLoops(QPainter& painter) const;
   void paintLegend(QPainter& painter) const;
   void paintCrosshair(QPainter& painter) const;
   void paintTexts(QPainter& painter) const;
@@ -123,6 +124,22 @@ bool SliceView::Private::paintOutline(QPainter& painter) {
   return !unsupported.isEmpty();
 }
 
+//! Where they lie within a slice of this one.
+void SliceView::Private::paintMarkedLoops(QPainter& painter) const {
+  const double reach = geometry.grid().spacing.maxCoeff() / 2;
+  const Vec3 normal = geometry.normal();
+  const double offset = offsetOf(geometry);
+  for (const MarkedLoop& loop : state.markedLoops()) {
+    QVector<QLineF> lines;
+    for (std::size_t i = 0; i < loop.points.size(); ++i) {
+      const Vec3 &from = loop.points[i], &to = loop.points[(i + 1) % loop.points.size()];
+      if (std::abs(normal.dot((from + to) / 2) - offset) <= reach)
+        lines.append(QLineF(geometry.worldToScreen(from), geometry.worldToScreen(to)));
+    }
+    paintSegments(painter, lines, loopColour(loop.kind), kLoopWidth);
+  }
+}
+
 void SliceView::Private::paintCrosshair(QPainter& painter) const {
   constexpr double kGap = 9;  // what is aimed at stays free
   const QPointF c = geometry.worldToScreen(state.crosshair());
@@ -186,6 +203,7 @@ void SliceView::Private::paint(QPainter& painter, double pixelRatio, bool focuse
     paintCrosshair(painter);
     others.paint(painter, document, geometry);
     const bool marked = isActiveVisible(document) && paintOutline(painter);
+    if (isActiveVisible(document)) paintMarkedLoops(painter);
     paintSeeds(painter, interaction.circles(), document.selectedSeed());
     if (pointer && state.brush().isOn() && !state.windowLevelTool())
       paintBrush(painter, geometry, *pointer, state.brush());
@@ -213,6 +231,7 @@ SliceView::SliceView(Plane plane, Document& document, ViewState& state, QWidget*
   connect(&document, &Document::snapshotChanged, this, repaint);
   connect(&document, &Document::objectsChanged, this, repaint);
   connect(&document, &Document::constraintsChanged, this, repaint);
+  connect(&state, &ViewState::markedLoopsChanged, this, repaint);
   connect(&state.brush(), &WallBrush::strokeChanged, this, repaint);
   const auto follow = [this] {
     update();

@@ -27,6 +27,7 @@ namespace {
 const QColor kMaterial(0xed, 0xbd, 0x70), kSeedBall(0x4f, 0xc3, 0xf7), kHandle(0x3d, 0xc9, 0x7c);
 const QColor kColliding(0xf0, 0x3e, 0x3e), kAround(0xb9, 0xc3, 0xd0);
 
+constexpr double kThroughAll = -66000;  // units of depth, of 65,000 that there are
 constexpr double kWallOpacity = 0.5;
 constexpr double kSliceOpacity = 0.55;  // the part of the mesh behind a slice is seen through it
 
@@ -161,6 +162,7 @@ struct SurfaceScene::Private {
   vtkRenderer* renderer = nullptr;
   TriangleActor mesh, seeds, around, red, handle, walls;
   LineActor outside, loops, lambda, box;
+  std::array<LineActor, 2> marked;  // by MarkedLoop::Kind
   std::array<SliceActor, 3> slices;
   std::list<Shown> others;
   bool hasMesh = false, hasSeeds = false, hasWalls = false, hasOutside = false, hasVolume = false,
@@ -181,6 +183,16 @@ SurfaceScene::SurfaceScene(vtkRenderer* renderer) : d_(std::make_unique<Private>
   for (TriangleActor* part : {&d_->mesh, &d_->seeds, &d_->around, &d_->red, &d_->handle})
     renderer->AddActor(part->actor());
   for (LineActor* part : {&d_->outside, &d_->loops, &d_->lambda, &d_->box}) renderer->AddActor(part->actor);
+  for (LineActor& part : d_->marked) {
+    renderer->AddActor(part.actor);
+    part.actor->GetProperty()->RenderLinesAsTubesOn();
+    // In front of whatever lies nearer to the eye.
+    part.mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, kThroughAll);
+  }
+  for (const auto kind : {MarkedLoop::Kind::handle, MarkedLoop::Kind::tunnel}) {
+    const QColor colour = loopColour(kind);
+    d_->marked[static_cast<std::size_t>(kind)].setColour(colour.redF(), colour.greenF(), colour.blueF());
+  }
   for (SliceActor& slice : d_->slices) renderer->AddActor(slice.actor);
   renderer->AddActor(d_->walls.actor());  // after all that is seen through them
   d_->walls.setColour(wallColour());
@@ -217,6 +229,7 @@ void SurfaceScene::Private::updateVisibility() {
   loops.actor->SetVisibility(open);
   handle.actor()->SetVisibility(stage == EventStage::handle);
   walls.actor()->SetVisibility(hasWalls && !staged);
+  for (LineActor& part : marked) part.actor->SetVisibility(part.data->GetNumberOfLines() > 0 && !staged);
   box.actor->SetVisibility(hasVolume && !staged);
   for (SliceActor& slice : slices) slice.actor->SetVisibility(slice.filled && slicesOn && !staged);
 }
@@ -289,6 +302,16 @@ void SurfaceScene::setWalls(const TriangleSoup& walls) {
   d_->updateVisibility();
 }
 
+void SurfaceScene::setLoops(const std::vector<MarkedLoop>& loops) {
+  for (const auto kind : {MarkedLoop::Kind::handle, MarkedLoop::Kind::tunnel}) {
+    std::vector<std::vector<Vec3>> lines;
+    for (const MarkedLoop& loop : loops)
+      if (loop.kind == kind) lines.push_back(loop.points);
+    d_->marked[static_cast<std::size_t>(kind)].set(lines, true);
+  }
+  d_->updateVisibility();
+}
+
 void SurfaceScene::setVolume(const Grid* grid) {
   d_->hasVolume = grid != nullptr;
   if (grid) {
@@ -332,6 +355,7 @@ void SurfaceScene::showStage(const EventTrace& trace, EventStage stage) {
 void SurfaceScene::setPixelRatio(double ratio) {
   d_->outside.actor->GetProperty()->SetLineWidth(static_cast<float>(3 * ratio));
   d_->loops.actor->GetProperty()->SetLineWidth(static_cast<float>(4 * ratio));
+  for (LineActor& part : d_->marked) part.actor->GetProperty()->SetLineWidth(static_cast<float>(4 * ratio));
   d_->lambda.actor->GetProperty()->SetPointSize(static_cast<float>(5 * ratio));
 }
 

@@ -60,6 +60,8 @@ class SurfaceScene {
   void setSeeds(const std::vector<Seed>& seeds);
   //! Translucent; where it is empty there are none.
   void setWalls(const TriangleSoup& walls);
+  //! Seen through the surface.
+  void setLoops(const std::vector<MarkedLoop>& loops);
   //! The volume's edges; null: none.
   void setVolume(const Grid* grid);
   //! A picture whose corners (upper left, upper right, lower left) lie at world points.

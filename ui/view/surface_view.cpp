@@ -103,7 +103,7 @@ struct SurfaceView::Private {
   std::unique_ptr<SurfaceScene> scene;
   QImage shown;
   bool meshChanged = true, seedsChanged = true, slicesChanged = true, coloursChanged = true,
-       poseChanged = true, wallsChanged = true;
+       poseChanged = true, wallsChanged = true, loopsChanged = true;
   std::array<SliceImage, 3> slices;
   std::array<int, 3> shownSlices{-1, -1, -1};
   bool slicesShown = false;
@@ -140,7 +140,8 @@ void SurfaceView::Private::createOpenGl() {
 }
 
 void SurfaceView::Private::startVolume() {
-  meshChanged = seedsChanged = slicesChanged = coloursChanged = poseChanged = wallsChanged = true;
+  meshChanged = seedsChanged = slicesChanged = coloursChanged = poseChanged = wallsChanged = loopsChanged =
+      true;
   shownSlices = {-1, -1, -1};
   slices = {};  // the volume before is let go
   follows = true;
@@ -168,8 +169,9 @@ void SurfaceView::Private::sync() {
   }
   if (seedsChanged) syncSeeds();
   if (wallsChanged) syncWalls();
+  if (loopsChanged) scene->setLoops(state.markedLoops());
   if (slicesChanged || coloursChanged) syncSlices();
-  meshChanged = seedsChanged = slicesChanged = coloursChanged = wallsChanged = false;
+  loopsChanged = meshChanged = seedsChanged = slicesChanged = coloursChanged = wallsChanged = false;
 }
 
 void SurfaceView::Private::syncWalls() {
@@ -269,7 +271,8 @@ void SurfaceView::Private::paint(QPainter& painter, double pixelRatio, bool focu
         tr("This machine offers no OpenGL 3.2: the surface cannot be shown in 3D. Slices, growth and export "
            "work all the same."));
   } else {
-    if (meshChanged || seedsChanged || slicesChanged || coloursChanged || wallsChanged) poseChanged = true;
+    if (meshChanged || seedsChanged || slicesChanged || coloursChanged || wallsChanged || loopsChanged)
+      poseChanged = true;
     painter.drawImage(QPointF(0, 0), frame(pixelRatio));
     painter.setRenderHint(QPainter::Antialiasing);
     const CameraPose pose = scene->pose();
@@ -323,6 +326,7 @@ SurfaceView::SurfaceView(Document& document, ViewState& state, QWidget* parent)
   const auto seeds = [d] { d->draw(d->seedsChanged); };
   connect(&document, &Document::seedsChanged, this, seeds);
   connect(&document, &Document::resolvedChanged, this, seeds);
+  connect(&state, &ViewState::markedLoopsChanged, this, [d] { d->draw(d->loopsChanged); });
   for (auto changed : {&Document::snapshotChanged, &Document::objectsChanged})
     connect(&document, changed, this, [d] { d->draw(d->meshChanged); });
   for (auto changed : {&Document::constraintsChanged, &Document::objectsChanged})

@@ -32,6 +32,7 @@ void ViewState::setAutomaticWindow(const Volume& volume) {
 void ViewState::startWith(const Volume& volume) {
   const Grid& grid = volume.grid;
   setTint(std::nullopt);
+  markLoops({});
   brush_.startWith(grid);
   setAutomaticWindow(volume);
   // On voxels, so that all three slices pass exactly through it.
@@ -49,6 +50,12 @@ void ViewState::setTint(const std::optional<IntensityRange>& range) {
     return;
   tint_ = range;
   Q_EMIT changed();
+}
+
+void ViewState::markLoops(const std::vector<MarkedLoop>& loops) {
+  if (markedLoops_ == loops) return;
+  markedLoops_ = loops;
+  Q_EMIT markedLoopsChanged();
 }
 
 int ViewState::nextGesture() {

@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QString>
 #include <optional>
+#include <vector>
 
 #include "core/evolution/parameters.h"
 #include "core/geometry/vec.h"
@@ -18,6 +19,15 @@ enum class Plane { axial, coronal, sagittal };
 
 enum class ColourMap { grey, inverted, hot, contrast };
 enum class MeshColouring { plain, edges, state, support };
+
+//! A closed loop on the surface that was pointed out, mm LPS.
+struct MarkedLoop {
+  //! Around a handle, or round a tunnel: each has a colour (loopColour, overlay.h).
+  enum class Kind { handle, tunnel };
+  Kind kind = Kind::handle;
+  std::vector<Vec3> points;
+  bool operator==(const MarkedLoop&) const = default;
+};
 
 class ViewState : public QObject {
   Q_OBJECT
@@ -52,11 +62,16 @@ class ViewState : public QObject {
   WallBrush& brush() { return brush_; }
   const WallBrush& brush() const { return brush_; }
 
+  //! Loops of the shown surface that are drawn over it; none at first.
+  const std::vector<MarkedLoop>& markedLoops() const { return markedLoops_; }
+  void markLoops(const std::vector<MarkedLoop>& loops);
+
   //! A number for Document::moveSeed() and its like that no other drag has.
   static int nextGesture();
 
  Q_SIGNALS:
   void crosshairChanged();
+  void markedLoopsChanged();
   void changed();  //!< anything else
 
  private:
@@ -71,6 +86,7 @@ class ViewState : public QObject {
   MeshColouring meshColouring_ = MeshColouring::plain;
   bool slicesIn3d_ = true;
   std::optional<IntensityRange> tint_;
+  std::vector<MarkedLoop> markedLoops_;
   WallBrush brush_;
 };
 

@@ -59,6 +59,12 @@ QString eventName(EventKind kind) {
       return EventInspector::tr("Tunnel closed");
     case EventKind::componentDeleted:
       return EventInspector::tr("Component deleted");
+    case EventKind::handleCut:
+      return EventInspector::tr("Handle cut");
+    case EventKind::componentRemoved:
+      return EventInspector::tr("Component removed");
+    case EventKind::cavityFilled:
+      return EventInspector::tr("Cavity filled");
     case EventKind::smoothed:
       return EventInspector::tr("Fold smoothed");
     case EventKind::planeCut:
@@ -153,6 +159,11 @@ void EventInspector::showText() {
                     tr("Genus %1, components %2")
                         .arg(changeText(event.before.genus, event.after.genus),
                              changeText(event.before.components, event.after.components))};
+  if (event.edit) {
+    lines << tr("Edit by hand: %1 → %2")
+                 .arg(millilitres(event.edit->volumeBefore), millilitres(event.edit->volumeAfter));
+    if (event.edit->loop > 0) lines << tr("Loop of %1").arg(millimetres(event.edit->loop));
+  }
   if (event.fronts > 0) lines << tr("Fronts joined: %1").arg(event.fronts);
   if (!event.loopSizes.empty()) lines << tr("Boundary polygons of %1 vertices").arg(loopsText(event));
   if (!event.reason.empty()) lines << QString::fromStdString(event.reason);
@@ -174,7 +185,10 @@ void EventInspector::offerConstraint() {
   const bool isChange = changesTopology(event.kind);
   constrain_->setVisible(isChange || heldHere());
   const bool isMeeting = event.kind == EventKind::handleInserted;
-  const QString name = !isChange ? tr("Let it happen") : isMeeting ? tr("Keep apart here") : tr("Keep it");
+  const QString name = !isChange    ? tr("Let it happen")
+                       : event.edit ? tr("Leave out")
+                       : isMeeting  ? tr("Keep apart here")
+                                    : tr("Keep it");
   const QString tip = isChange ? tr("Goes back to the step before; grown on from there, this does not happen")
                                : tr("From the shown step on, what is held here may happen");
   constrain_->setText(name);

@@ -34,6 +34,7 @@
 #include "ui/window/steps_panel.h"
 #include "ui/window/timeline_panel.h"
 #include "ui/window/tune_panel.h"
+#include "ui/window/tunnels_list.h"
 #include "ui/window/view_grid.h"
 
 namespace handlebody::ui {
@@ -130,6 +131,11 @@ void MainWindow::buildCorrectPanel() {
       tr("Limits, vetoes and discs. The crosshair goes to the chosen one; lifted, it holds no more "
          "from the shown iteration on."),
       new HeldSection(document_, state_));
+  panel->addSection(
+      tr("Tunnels and pieces"),
+      tr("What the shown surface holds, and what can be done to it: each edit is the next step."),
+      new TunnelsList(document_, state_));
+  connect(&document_, &Document::meshEdited, this, &MainWindow::tellOfEdit);
   steps_->add(Command::stepCorrect, panel);
 }
 

@@ -85,6 +85,8 @@ class MainWindow : public QMainWindow {
   void restoreSettings();
   void saveSettings();
   void showOpened();
+  // main_window_edits.cpp
+  void tellOfEdit();
   // main_window_leaks.cpp
   void showLeak(int index);
   void tellLeakOf(int object);

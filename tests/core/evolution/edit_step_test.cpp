@@ -176,6 +176,19 @@ TEST_CASE("back from an edit and forth again is exact, and without it the tunnel
   CHECK(history.stopReason() == StopReason::converged);
 }
 
+TEST_CASE("an edit that is refused leaves a history as it was, also what it shows", "[edit][history]") {
+  History history(grownTorus());
+  const Request before = history.shown().request();
+  history.change(with(history.shown(), {history.iteration() + 1, MeshEditKind::fillCavity, kMiddle}));
+  CHECK(history.stopReason() == StopReason::running);
+  CHECK_THROWS_AS(history.advance(), UsageError);
+  CHECK(history.shown().request() == before);
+  CHECK(history.shown().stopReason() == StopReason::converged);
+  history.change(before);
+  CHECK(history.stopReason() == StopReason::converged);
+  CHECK(history.changes().empty());
+}
+
 TEST_CASE("an edit that finds nothing or fits nowhere is one sentence, and nothing changes", "[edit]") {
   ActiveContour contour = grownTorus();
   const int next = contour.iteration() + 1;
