@@ -1,5 +1,6 @@
 #include "core/surgery/plane_cut.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,6 +17,7 @@ namespace handlebody {
 namespace {
 
 constexpr double kGapOfFree = 0.4;  // half of the gap, as a part of the way to the next vertex
+constexpr int kMerges = 4;          // rounds
 constexpr double kSliver = 0.25;    // edges: vertices so near to a rim are merged into it
 constexpr double kLongest = 1.4, kShortest = 0.55;  // edges, in a cap
 
@@ -24,6 +26,16 @@ std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 //! A ring of faces that the plane crosses, by the half-edges that lead across it from below to above, in the
 //! order in which they follow each other round it.
 using Ring = std::vector<int>;
+
+//! Points on either side of the gap.
+struct Rims {
+  std::vector<int> low, high;
+  std::vector<int> all() const {
+    std::vector<int> both = low;
+    both.insert(both.end(), high.begin(), high.end());
+    return both;
+  }
+};
 
 class Cut {
  public:
@@ -41,8 +53,10 @@ class Cut {
   bool divide(const std::vector<std::vector<std::size_t>>& chosen);
   bool cap(const std::vector<std::size_t>& region, const std::vector<int>& first, const Vec3& outward);
   void splitFace(int face, std::map<int, int>& low, std::map<int, int>& high);
-  Mesh evened(const Mesh& raw) const;
-  std::string dropOtherSide(Mesh& mesh) const;
+  void mergeRims(Mesh& mesh, Rims& rims) const;
+  static bool staysFlat(const Mesh& mesh, int v, int other, const Vec3& p);
+  Mesh evened(const Mesh& raw, Rims& rims) const;
+  std::string dropOtherSide(Mesh& mesh, const Rims& rims) const;
 
   const Mesh& mesh_;
   const PlaneCut& cut_;
@@ -52,7 +66,7 @@ class Cut {
   std::vector<Vec3> section_;               // where the rings' half-edges cross the plane
   std::vector<std::vector<int>> outlines_;  // per ring, of `section_`
   TriangleSoup soup_;
-  std::vector<int> lowRim_, highRim_;  // points of the soup on either side of the gap
+  Rims rims_;
   std::vector<Triangle> caps_;
   int predicted_ = 0;  // Euler number
 };
@@ -204,8 +218,8 @@ bool Cut::divide(const std::vector<std::vector<std::size_t>>& chosen) {
         }
         return first;
       };
-      firstLow[ring] = add(-half_, low, lowRim_);
-      firstHigh[ring] = add(half_, high, highRim_);
+      firstLow[ring] = add(-half_, low, rims_.low);
+      firstHigh[ring] = add(half_, high, rims_.high);
       for (const int h : rings_[ring]) isCrossed[idx(Mesh::faceOf(h))] = 1;
     }
   for (int f = 0; f < mesh_.faceSlots(); ++f) {
@@ -221,29 +235,64 @@ bool Cut::divide(const std::vector<std::vector<std::size_t>>& chosen) {
   });
 }
 
+//! Merges what is close to each other on a rim, within the plane, where the surface is nearly flat beside it.
+void Cut::mergeRims(Mesh& mesh, Rims& rims) const {
+  std::vector<unsigned char> isRim(idx(mesh.vertexSlots()), 0);
+  for (const int v : rims.all()) isRim[idx(v)] = 1;
+  const auto isOnRim = [&](int h) {
+    const auto isCap = [&](int side) { return isRim[idx(mesh.apex(side))] != 0; };
+    return isRim[idx(mesh.target(h))] != 0 && isCap(h) != isCap(mesh.opposite(h));
+  };
+  for (int round = 0; round < kMerges; ++round)
+    for (const int v : rims.all()) {
+      if (!mesh.isVertex(v)) continue;
+      int shortest = -1;
+      double least = kShortest * edge_;
+      mesh.forEachOutgoing(v, [&](int h) {
+        const double length = (mesh.position(mesh.target(h)) - mesh.position(v)).norm();
+        if (length >= least || !isOnRim(h)) return;
+        least = length;
+        shortest = h;
+      });
+      if (shortest < 0 || !mesh.canCollapse(shortest)) continue;
+      const int w = mesh.target(shortest);
+      const Vec3 middle = (mesh.position(v) + mesh.position(w)) / 2;
+      if (staysFlat(mesh, v, w, middle) && staysFlat(mesh, w, v, middle)) mesh.collapseEdge(shortest, middle);
+    }
+  for (std::vector<int>* rim : {&rims.low, &rims.high})
+    std::erase_if(*rim, [&](int v) { return !mesh.isVertex(v); });
+}
+
+//! True if the faces around v that do not hold `other` keep their normals, about, when v goes to p.
+bool Cut::staysFlat(const Mesh& mesh, int v, int other, const Vec3& p) {
+  bool ok = true;
+  mesh.forEachOutgoing(v, [&](int h) {
+    const int b = mesh.target(h), c = mesh.apex(h);
+    if (!ok || b == other || c == other) return;
+    const Vec3 across = mesh.position(c) - mesh.position(b);
+    const Vec3 was = across.cross(mesh.position(v) - mesh.position(b)).normalized();
+    ok = was.dot(across.cross(p - mesh.position(b)).normalized()) > kFlatEnough;
+  });
+  return ok;
+}
+
 //! With small faces at the rims merged, and caps of edges as even as those around.
-Mesh Cut::evened(const Mesh& raw) const {
+Mesh Cut::evened(const Mesh& raw, Rims& rims) const {
   Mesh mesh = raw;
+  mergeRims(mesh, rims);
   std::vector<unsigned char> active(idx(mesh.vertexSlots()), kAtRest);
   std::vector<unsigned char> isRim(idx(mesh.vertexSlots()), 0);
-  for (const auto* rim : {&lowRim_, &highRim_})
-    for (const int v : *rim) isRim[idx(v)] = 1;
-  for (const auto* rim : {&lowRim_, &highRim_})
-    for (const int v : *rim)
-      mesh.forEachNeighbour(v, [&](int w) {
-        if (isRim[idx(w)] == 0 && (mesh.position(w) - mesh.position(v)).norm() < kSliver * edge_)
-          active[idx(w)] = kActive;
-      });
+  for (const int v : rims.all()) isRim[idx(v)] = 1;
   std::vector<std::pair<double, std::pair<int, int>>> chords;
-  for (const Triangle& t : caps_)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const int a = t[i], b = t[(i + 1) % 3];
-      const double length = (mesh.position(a) - mesh.position(b)).norm();
-      const int h = mesh.findHalfedge(a, b);
-      const auto isCap = [&](int side) { return isRim[idx(mesh.apex(side))] != 0; };
-      if (a < b && length > kLongest * edge_ && isCap(h) && isCap(mesh.opposite(h)))
-        chords.push_back({-length, {a, b}});
-    }
+  const auto isCap = [&](int side) { return isRim[idx(mesh.apex(side))] != 0; };
+  for (const int v : rims.all())
+    mesh.forEachOutgoing(v, [&](int h) {
+      const int w = mesh.target(h);
+      const double length = (mesh.position(w) - mesh.position(v)).norm();
+      if (isRim[idx(w)] == 0 && length < kSliver * edge_) active[idx(w)] = kActive;
+      if (isRim[idx(w)] != 0 && v < w && length > kLongest * edge_ && isCap(h) && isCap(mesh.opposite(h)))
+        chords.push_back({-length, {v, w}});
+    });
   std::sort(chords.begin(), chords.end());
   for (const auto& [length, ends] : chords) {
     const int h = mesh.findHalfedge(ends.first, ends.second);
@@ -256,12 +305,12 @@ Mesh Cut::evened(const Mesh& raw) const {
 }
 
 //! What lies on the other side goes. A sentence if it cannot.
-std::string Cut::dropOtherSide(Mesh& mesh) const {
+std::string Cut::dropOtherSide(Mesh& mesh, const Rims& rims) const {
   if (cut_.keep == KeptSide::both) return "";
   const Components parts = findComponents(mesh);
   std::vector<unsigned char> isLow(idx(parts.count()), 0), isHigh(idx(parts.count()), 0);
-  for (const int v : lowRim_) isLow[idx(parts.ofVertex[idx(v)])] = 1;
-  for (const int v : highRim_) isHigh[idx(parts.ofVertex[idx(v)])] = 1;
+  for (const int v : rims.low) isLow[idx(parts.ofVertex[idx(v)])] = 1;
+  for (const int v : rims.high) isHigh[idx(parts.ofVertex[idx(v)])] = 1;
   std::vector<int> anyVertex(idx(parts.count()), -1);
   for (int v = 0; v < mesh.vertexSlots(); ++v)
     if (mesh.isVertex(v)) anyVertex[idx(parts.ofVertex[idx(v)])] = v;
@@ -300,9 +349,10 @@ TouchedMesh Cut::run() {
   if (!certifiedEdit(mesh_, raw).isDone() || topologyNumbers(raw).euler != predicted_)
     return refused(mesh_, kNoCap);
   for (const bool isEven : {true, false}) {
-    Mesh done = isEven ? evened(raw) : raw;
+    Rims rims = rims_;
+    Mesh done = isEven ? evened(raw, rims) : raw;
     if (topologyNumbers(done).euler != predicted_) continue;
-    if (std::string why = dropOtherSide(done); !why.empty()) return refused(mesh_, std::move(why));
+    if (std::string why = dropOtherSide(done, rims); !why.empty()) return refused(mesh_, std::move(why));
     TouchedMesh out = certifiedEdit(mesh_, std::move(done));
     if (out.isDone() || !isEven) return out;
   }

@@ -203,14 +203,15 @@ TEST_CASE("local edits are steps of the growth, in session and report, and repla
   const TempFolder folder;
   const PhantomFile phantom = makePhantomFile(folder);
   const std::string here = besideSeed(phantom, 0), beside = besideSeed(phantom, 30);
-  REQUIRE(runCli({"segment", phantom.path, "--seed", phantom.seed, "--edit", "200:cut:" + here + ",0,0,1,positive",
-                  "--edit", "201:smooth:" + beside + ",12", "--edit", "202:pull:" + beside + "," + here + ",9",
-                  "--max-iterations", "150", "-o", folder / "a.stl", "--session", folder / "s.json", "--report",
-                  folder / "r.json"})
+  REQUIRE(runCli({"segment", phantom.path, "--seed", phantom.seed, "--edit",
+                  "200:cut:" + here + ",0,0,1,positive", "--edit", "201:smooth:" + beside + ",12", "--edit",
+                  "202:pull:" + beside + "," + here + ",9", "--max-iterations", "150", "-o", folder / "a.stl",
+                  "--session", folder / "s.json", "--report", folder / "r.json"})
               .exitCode != 0);  // the growth ends before: nothing is made
-  const Outcome outcome = runCli({"segment", phantom.path, "--seed", phantom.seed, "--edit",
-                                  "6:cut:" + here + ",0,0,1,positive", "--max-iterations", "6", "-o",
-                                  folder / "a.stl", "--session", folder / "s.json", "--report", folder / "r.json"});
+  const Outcome outcome =
+      runCli({"segment", phantom.path, "--seed", phantom.seed, "--edit", "6:cut:" + here + ",0,0,1,positive",
+              "--max-iterations", "6", "-o", folder / "a.stl", "--session", folder / "s.json", "--report",
+              folder / "r.json"});
   INFO(outcome.err);
   REQUIRE(outcome.exitCode == 5);
   const auto report = nlohmann::json::parse(readBytes(folder / "r.json"));

@@ -1,6 +1,9 @@
 // edit: what it lists, what it does, what it refuses; through the program.
 
+#include <algorithm>
+#include <filesystem>
 #include "core/io/mesh_io.h"
+
 #include "tests/app/run_cli.h"
 #include "tests/support/catch.h"
 #include "tests/support/tunnel_shapes.h"
@@ -134,8 +137,8 @@ TEST_CASE("edit smooths, pulls and cuts in the order given, certified", "[cli][t
   const TempFolder folder;
   writeMesh(zoo::scaled(zoo::sphere(10), 10), folder / "ball.ply");
   const auto json = runForJson({"edit", folder / "ball.ply", "--pull=0,0,10,0,0,14,5", "--cut-plane",
-                                "0,0,12,0,0,1,negative", "--smooth-here", "10,0,0,4", "--pull=0,0,-10,0,0,-12,5",
-                                "--json", "-o", folder / "out.ply"});
+                                "0,0,12,0,0,1,negative", "--smooth-here", "10,0,0,4",
+                                "--pull=0,0,-10,0,0,-12,5", "--json", "-o", folder / "out.ply"});
   const auto& edits = json.at("edits");
   REQUIRE(edits.size() == 4);
   CHECK(edits[0].at("kind") == "pulled");
@@ -152,7 +155,8 @@ TEST_CASE("edit smooths, pulls and cuts in the order given, certified", "[cli][t
   CHECK(json.at("after").at("mesh").at("self_intersections") == 0);
   CHECK(json.at("after").at("mesh").at("components") == 1);
 
-  const Outcome both = runCli({"edit", folder / "ball.ply", "--cut-plane", "0,0,0,1,1,0", "-o", folder / "b.stl"});
+  const Outcome both =
+      runCli({"edit", folder / "ball.ply", "--cut-plane", "0,0,0,1,1,0", "-o", folder / "b.stl"});
   CHECK(both.exitCode == 0);
   CHECK_THAT(both.out, Contains("cut by a plane at 0,0,0") && Contains("components 2, was 1"));
   CHECK(runForJson({"check", folder / "b.stl", "--json"}).at("genus").size() == 2);
