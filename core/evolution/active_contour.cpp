@@ -44,6 +44,8 @@ constexpr double kAgrees = 0.5;      // voxels between a boundary and a surface 
 constexpr std::size_t kStepWork = 120'000'000;
 constexpr std::size_t kLeastWork = 10'000'000;
 
+constexpr double kFlat = 0.01;  // cubes of the edge length: a component of less volume has been pressed flat
+
 constexpr double kGrowthToReorder = 1.5;  // of the mesh, until its vertices are put into order again
 constexpr int kFitsIntoCache = 3000;      // vertices: any order will do
 
@@ -99,6 +101,7 @@ struct ActiveContour::State {
   void keepOrder();
   Attempt attempt();
   std::vector<int> verticesToMove() const;
+  void stopBeforeFlat(Attempt& a) const;
   void lookAtPins(Attempt& a) const;
   void takePins();
   void adapt(Attempt& a);
@@ -316,8 +319,34 @@ Attempt ActiveContour::State::attempt() {
   if (a.troubles.empty()) deleteCollapsed(a);
   if (const auto place = walls.broken(mesh, a.touched, a.events); a.troubles.empty() && place)
     a.troubles.push_back({*place, 2 * limits.longest, "the surface would have entered a wall"});
+  if (a.troubles.empty()) stopBeforeFlat(a);
   if (a.troubles.empty()) lookAtPins(a);
   return a;
+}
+
+//! A cavity over a pinned part, or a body under one, cannot go: what would press it flat stops.
+void ActiveContour::State::stopBeforeFlat(Attempt& a) const {
+  const TopologyNumbers& now = a.events.empty() ? topology : a.events.back().after;
+  if (!pins.any() || now.components < 2) return;
+  const Components parts = findComponents(mesh);
+  const double least = kFlat * std::pow(parameters.edgeLength, 3);
+  std::vector<unsigned char> isPinned(idx(parts.count()), 0);
+  std::vector<int> moving(idx(parts.count()), -1);  // a vertex
+  for (int v = 0; v < mesh.vertexSlots(); ++v) {
+    const int c = parts.ofVertex[idx(v)];
+    if (c < 0) continue;
+    if (pins.holds(v))
+      isPinned[idx(c)] = 1;
+    else if (idx(v) < a.touched.size() && a.touched[idx(v)] != 0)
+      moving[idx(c)] = v;
+  }
+  for (int c = 0; c < parts.count(); ++c) {
+    const bool isFlat = std::abs(parts.volume[idx(c)]) < least;
+    if (!isFlat || isPinned[idx(c)] == 0 || moving[idx(c)] < 0) continue;
+    a.troubles.push_back({mesh.position(moving[idx(c)]), parts.extent[idx(c)],
+                          "the surface would close over a pinned part, and stops before it"});
+    a.troubles.back().atPin = true;
+  }
 }
 
 //! What no look ahead has kept from changing what is pinned, is taken back.
@@ -342,7 +371,8 @@ void ActiveContour::State::adapt(Attempt& a) {
 
 void ActiveContour::State::deleteCollapsed(Attempt& a) {
   const auto isKept = [this](const Vec3& p) { return held.rests(p); };
-  const auto isPinned = [this](int v) { return pins.holds(v); };
+  std::function<bool(int)> isPinned;
+  if (pins.any()) isPinned = [this](int v) { return pins.holds(v); };
   const TopologyNumbers& now = a.events.empty() ? topology : a.events.back().after;
   for (Event& e : collapsed.erase(
            mesh, {parameters.edgeLength, mayShrink(), !a.events.empty(), iteration, now, isKept, isPinned}))

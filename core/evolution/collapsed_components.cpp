@@ -58,11 +58,11 @@ bool CollapsedComponents::mayHaveTurned(const Components& parts, const Collapsin
       std::count_if(parts.volume.begin(), parts.volume.end(), [](double v) { return v < 0; });
   const bool isOther = cavities_ != cavities;
   cavities_ = cavities;
-  return isOther || (step.mayShrink && step.hasEvents);
+  return isOther || step.isPinned || (step.mayShrink && step.hasEvents);
 }
 
 std::vector<Event> CollapsedComponents::erase(Mesh& mesh, const CollapsingStep& step) {
-  if (!step.hasEvents && step.iteration < lookAt_ && !step.mayShrink) return {};
+  if (!step.hasEvents && step.iteration < lookAt_ && !step.mayShrink && !step.isPinned) return {};
   if (step.topology.components == 1 && isWhole(mesh, step)) return {};
   const Components parts = findComponents(mesh);
   lookAfter(parts.count() == 0 ? 0 : *std::min_element(parts.extent.begin(), parts.extent.end()), step);

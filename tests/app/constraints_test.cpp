@@ -163,7 +163,7 @@ TEST_CASE("walls without sense are refused with one sentence", "[cli][constraint
 TEST_CASE("pins hold, stand in session and report, and replay knows them again", "[cli][constraints][pin]") {
   const TempFolder folder;
   const PhantomFile phantom = makePhantomFile(folder);
-  const std::string pin = besideSeed(phantom, 0) + ",4@3";
+  const std::string pin = besideSeed(phantom, 4) + ",3@3";
   const std::string seed = besideSeed(phantom, 0) + ",3";
   const Outcome outcome =
       runCli({"segment", phantom.path, "--seed", seed, "--pin", pin, "-o", folder / "a.stl", "--session",
@@ -175,10 +175,11 @@ TEST_CASE("pins hold, stand in session and report, and replay knows them again",
   REQUIRE(report.at("pinned").size() == 1);
   CHECK(report.at("pinned")[0].at("vertices") > 0);
   CHECK(report.at("pinned")[0].at("iteration") == 3);
+  CHECK(report.at("pinned")[0].at("radius") == 3);
   for (const char* from : {"s.json", "r.json"}) {
     const auto json = nlohmann::json::parse(readBytes(folder / from));
     const auto& written = json.at("requested").at("constraints").at("pins").at(0);
-    CHECK(written.at("radius") == 4);
+    CHECK(written.at("radius") == 3);
     CHECK(written.at("iteration") == 3);
     REQUIRE(runCli({"replay", folder / from, "-o", folder / "b.stl"}).exitCode == outcome.exitCode);
     CHECK(readBytes(folder / "a.stl") == readBytes(folder / "b.stl"));

@@ -174,7 +174,8 @@ TEST_CASE("local edits without sense are refused in one sentence, and nothing is
   refuse("--smooth-here", "0,0,10,0", "radius above 0");
   refuse("--smooth-here", "0,0,10", "X,Y,Z,R");
   refuse("--pull", "0,0,10,0,0,-20,4", "The surface would meet itself there.");
-  refuse("--pull", "0,0,10,0,0,nan,4", "finite numbers");
+  refuse("--pull", "0,0,10,0,0,nan,4", "--pull: 'nan' is not a number.");
+  refuse("--pull", "0,0,10,0,0,inf,4", "finite numbers");
   refuse("--pull", "0,0,10,0,0,12,-1", "radius above 0");
   refuse("--cut-plane", "0,0,11,0,0,1", "The plane does not meet the surface.");
   refuse("--cut-plane", "0,0,1,0,0,0", "normal of some length");
