@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "app/cli/tunnel_text.h"
 #include "core/collision/certify.h"
 #include "core/errors.h"
+#include "core/evolution/edit_step.h"
 #include "core/io/atomic_file.h"
 #include "core/io/edit_json.h"
 #include "core/io/mesh_io.h"
@@ -27,9 +29,10 @@ struct EditOptions {
   std::optional<double> shorterThan;
   TunnelCut cut = TunnelCut::shorter;
   std::optional<CoordinateSpace> space;
+  std::vector<std::pair<std::string, MeshEdit>> touches;  // by option and text, in the order given
   bool keepLargest = false, fillCavities = false, json = false, quiet = false;
 
-  bool edits() const { return shorterThan || keepLargest || fillCavities; }
+  bool edits() const { return !touches.empty() || shorterThan || keepLargest || fillCavities; }
 };
 
 //! What there is in a mesh.
@@ -56,12 +59,21 @@ struct Edited {
   TunnelsClosed closed;
 };
 
-//! Pieces go first: what is gone has no tunnels.
+//! Throws UsageError if it is refused.
+Event touch(Mesh& mesh, const std::string& option, const MeshEdit& edit) {
+  TouchedMesh done = touched(mesh, edit);
+  if (!done.isDone()) throw UsageError(option + ": " + done.refusal);
+  mesh = std::move(done.mesh);
+  return eventOf(edit, done);
+}
+
+//! Local edits go first, then pieces: what is gone has no tunnels.
 Edited edit(Mesh& mesh, const EditOptions& o) {
   Edited out;
   const auto add = [&out](const std::vector<Event>& more) {
     out.edits.insert(out.edits.end(), more.begin(), more.end());
   };
+  for (const auto& [option, wanted] : o.touches) out.edits.push_back(touch(mesh, option, wanted));
   if (o.keepLargest) add(keepLargest(mesh));
   if (o.fillCavities) add(fillCavities(mesh));
   if (o.shorterThan) {
@@ -112,7 +124,8 @@ void checkOptions(const EditOptions& o) {
   if (o.edits() && o.results.empty()) throw UsageError("-o: an edit needs a file to write.");
   if (!o.edits() && !o.results.empty())
     throw UsageError(
-        "-o: there is no edit to write; see --close-tunnels, --keep-largest and --fill-cavities.");
+        "-o: there is no edit to write; see --close-tunnels, --keep-largest, --fill-cavities, --smooth-here, "
+        "--pull and --cut-plane.");
   if (o.cut != TunnelCut::shorter && !o.shorterThan) throw UsageError("--cut goes with --close-tunnels.");
   std::vector<OutputFile> files;
   for (const std::string& path : o.results) {
@@ -210,6 +223,46 @@ void setCut(EditOptions& o, const std::string& text) {
     throw UsageError("--cut: '" + text + "' is not shorter, handle or tunnel.");
 }
 
+struct TouchOption {
+  const char* name;
+  const char* type;
+  const char* help;
+  MeshEdit (*parse)(const std::string&, const std::string&);
+};
+
+const std::array<TouchOption, 3> kTouches{
+    {{"--smooth-here", "X,Y,Z,R",
+      "Smooth the surface in that ball (LPS millimetres), less towards its rim; the volume stays",
+      parseSmoothing},
+     {"--pull", "X,Y,Z,X2,Y2,Z2,R",
+      "Pull the point of the surface nearest to the first place to the second, and what lies within R mm "
+      "along the surface with it, falling off",
+      parsePull},
+     {"--cut-plane", "X,Y,Z,NX,NY,NZ[,R][,SIDE]",
+      "Cut along the plane through that place with that normal and cap both sides flat; only within R mm of "
+      "the place; SIDE that stays: both (default), positive, negative",
+      parsePlaneCut}}};
+
+void addTouches(CLI::App& command) {
+  for (const TouchOption& touch : kTouches)
+    command.add_option(touch.name, touch.help)
+        ->type_name(touch.type)
+        ->expected(1)
+        ->take_all()
+        ->allow_extra_args(false);
+}
+
+//! The local edits in the order in which they stand on the command line.
+void setTouches(EditOptions& o, const CLI::App& command) {
+  std::array<std::size_t, kTouches.size()> used{};
+  for (const CLI::Option* option : command.parse_order())
+    for (std::size_t i = 0; i < kTouches.size(); ++i) {
+      if (!option->check_name(kTouches[i].name)) continue;
+      const std::string text = option->results().at(used[i]++);
+      o.touches.emplace_back(kTouches[i].name + (" " + text), kTouches[i].parse(kTouches[i].name, text));
+    }
+}
+
 void addEdits(CLI::App& command, EditOptions& o) {
   command
       .add_option("--close-tunnels", o.closing,
@@ -233,10 +286,12 @@ void addEdits(CLI::App& command, EditOptions& o) {
 void addEdit(CLI::App& app, Action& action) {
   CLI::App* command = addCommand(
       app, "edit",
-      "Tunnels, components and cavities of a mesh: lists them; with -o, closes, removes and fills them");
+      "Tunnels, components and cavities of a mesh: lists them; with -o, closes, removes and fills them, "
+      "smooths, pulls and cuts");
   auto options = std::make_shared<EditOptions>();
   command->add_option("MESH", options->path, "A .stl, .vtp, .ply or .obj file that passes `check`");
   addEdits(*command, *options);
+  addTouches(*command);
   command
       ->add_option("-o,--output", options->results,
                    "The edited mesh: .stl .vtp .ply .obj; may be given several times")
@@ -249,7 +304,8 @@ void addEdit(CLI::App& app, Action& action) {
   addSpace(*command, options->space);
   command->add_flag("--json", options->json, "The same on standard output");
   command->add_flag("--quiet", options->quiet, "No summary");
-  command->callback([&action, options] {
+  command->callback([&action, options, command] {
+    setTouches(*options, *command);
     action = [options] {
       setClosing(*options);
       return editMesh(*options);

@@ -44,6 +44,9 @@ void tellAfter(const ActiveContour& contour, RunReport& report) {
     throw UsageError("The veto of iteration " + std::to_string(veto->iteration) +
                      " has nothing to forbid: the growth ended at iteration " +
                      std::to_string(contour.iteration()) + ".");
+  if (const auto pin = contour.waitingPin(); pin && contour.stopReason() != StopReason::running)
+    throw UsageError("The pin " + written(*pin) + " holds nothing: the growth ended at iteration " +
+                     std::to_string(contour.iteration()) + ".");
   if (const auto edit = contour.waitingEdit(); edit && contour.stopReason() != StopReason::running)
     throw UsageError("The edit of iteration " + std::to_string(edit->iteration) +
                      " is never made: the growth ended at iteration " + std::to_string(contour.iteration()) +
@@ -51,6 +54,7 @@ void tellAfter(const ActiveContour& contour, RunReport& report) {
   report.iterations = contour.iteration();
   report.stopped = contour.stopReason();
   report.held = contour.held();
+  report.pinned = contour.pinned();
 }
 
 //! Nothing is kept to go back to.

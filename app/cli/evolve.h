@@ -28,8 +28,7 @@ struct EvolveSettings {
 };
 
 //! Makes the steps of the report's session; sets what the report tells of them. Returns the contour in the
-//! end. Throws UsageError for a veto or an edit that came
-//! too late.
+//! end. Throws UsageError for a veto, a pin or an edit that the growth did not come to.
 ActiveContour evolve(ActiveContour contour, RunReport& report, const EvolveSettings& settings);
 
 }  // namespace handlebody::cli

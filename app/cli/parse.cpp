@@ -106,11 +106,66 @@ WallDisc parseWallDisc(const std::string& option, const std::string& text) {
   return disc;
 }
 
+Pin parsePin(const std::string& option, const std::string& text) {
+  const auto at = text.find('@');
+  if (at == std::string::npos) refuse(option, text, "X,Y,Z,R@ITERATION");
+  const auto v = parseNumbers(option, text.substr(0, at));
+  if (v.size() != 4 || !allFinite(v) || !(v[3] > 0))
+    refuse(option, text, "X,Y,Z,R@ITERATION in finite numbers with a radius above 0");
+  const int iteration = parseInteger(option, text.substr(at + 1), 0, std::numeric_limits<int>::max());
+  return {{v[0], v[1], v[2]}, v[3], iteration};
+}
+
 Veto parseVeto(const std::string& option, const std::string& text) {
   const auto colon = text.find(':');
   if (colon == std::string::npos) refuse(option, text, "ITERATION:X,Y,Z");
   const int iteration = parseInteger(option, text.substr(0, colon), 1, std::numeric_limits<int>::max());
   return {iteration, parseVector(option, text.substr(colon + 1))};
+}
+
+MeshEdit parseSmoothing(const std::string& option, const std::string& text) {
+  const auto v = parseNumbers(option, text);
+  if (v.size() != 4 || !allFinite(v) || !(v[3] > 0))
+    refuse(option, text, "X,Y,Z,R in finite numbers with a radius above 0");
+  MeshEdit edit;
+  edit.kind = MeshEditKind::smooth;
+  edit.place = {v[0], v[1], v[2]};
+  edit.radius = v[3];
+  return edit;
+}
+
+MeshEdit parsePull(const std::string& option, const std::string& text) {
+  const auto v = parseNumbers(option, text);
+  if (v.size() != 7 || !allFinite(v) || !(v[6] > 0))
+    refuse(option, text, "X,Y,Z,X2,Y2,Z2,R in finite numbers with a radius above 0");
+  MeshEdit edit;
+  edit.kind = MeshEditKind::pull;
+  edit.place = {v[0], v[1], v[2]};
+  edit.vector = {v[3], v[4], v[5]};
+  edit.radius = v[6];
+  return edit;
+}
+
+MeshEdit parsePlaneCut(const std::string& option, const std::string& text) {
+  MeshEdit edit;
+  edit.kind = MeshEditKind::cut;
+  std::string numbers = text;
+  const auto comma = text.rfind(',');
+  if (comma != std::string::npos)
+    if (const auto keep = keptSideOf(text.substr(comma + 1))) {
+      edit.keep = *keep;
+      numbers = text.substr(0, comma);
+    }
+  const bool isWord = numbers.find_first_of("abpn") != std::string::npos;
+  const auto v = isWord ? std::vector<double>() : parseNumbers(option, numbers);
+  if ((v.size() != 6 && v.size() != 7) || !allFinite(v))
+    refuse(option, text, "X,Y,Z,NX,NY,NZ[,R][,both|positive|negative] in finite numbers");
+  edit.place = {v[0], v[1], v[2]};
+  edit.vector = {v[3], v[4], v[5]};
+  if (!(edit.vector.norm() > 0)) refuse(option, text, "a plane with a normal of some length");
+  if (v.size() == 7 && !(v[6] > 0)) refuse(option, text, "a cut with a radius above 0");
+  if (v.size() == 7) edit.radius = v[6];
+  return edit;
 }
 
 MeshEdit parseMeshEdit(const std::string& option, const std::string& text) {
@@ -119,7 +174,16 @@ MeshEdit parseMeshEdit(const std::string& option, const std::string& text) {
   const std::string word = text.substr(first + 1, second - first - 1);
   MeshEdit edit;
   edit.iteration = parseInteger(option, text.substr(0, first), 1, std::numeric_limits<int>::max());
-  edit.place = parseVector(option, text.substr(second + 1));
+  const std::string rest = text.substr(second + 1);
+  if (word == "smooth" || word == "pull" || word == "cut") {
+    const int iteration = edit.iteration;
+    edit = word == "smooth" ? parseSmoothing(option, rest)
+           : word == "pull" ? parsePull(option, rest)
+                            : parsePlaneCut(option, rest);
+    edit.iteration = iteration;
+    return edit;
+  }
+  edit.place = parseVector(option, rest);
   if (word == "fill-tunnel" || word == "cut-handle") {
     edit.cut = word == "cut-handle" ? TunnelCut::handle : TunnelCut::tunnel;
     return edit;
@@ -127,8 +191,8 @@ MeshEdit parseMeshEdit(const std::string& option, const std::string& text) {
   const auto kind = meshEditKind(word);
   if (!kind)
     refuse(option, text,
-           "an edit of kind close-tunnel, fill-tunnel, cut-handle, remove-component, keep-component or "
-           "fill-cavity");
+           "an edit of kind close-tunnel, fill-tunnel, cut-handle, remove-component, keep-component, "
+           "fill-cavity, smooth, pull or cut");
   edit.kind = *kind;
   return edit;
 }

@@ -26,9 +26,16 @@ WallBall parseWall(const std::string& option, const std::string& text);
 //! X,Y,Z,NX,NY,NZ,R in mm; a normal of some length, R > 0.
 WallDisc parseWallDisc(const std::string& option, const std::string& text);
 //! ITERATION:X,Y,Z, the iteration at least 1.
+Pin parsePin(const std::string& option, const std::string& text);
 Veto parseVeto(const std::string& option, const std::string& text);
 //! ITERATION:KIND:X,Y,Z, the kind close-tunnel, fill-tunnel, cut-handle, remove-component, keep-component or
 //! fill-cavity.
+//! "X,Y,Z,R".
+MeshEdit parseSmoothing(const std::string& option, const std::string& text);
+//! "X,Y,Z,X2,Y2,Z2,R".
+MeshEdit parsePull(const std::string& option, const std::string& text);
+//! "X,Y,Z,NX,NY,NZ[,R][,both|positive|negative]".
+MeshEdit parsePlaneCut(const std::string& option, const std::string& text);
 MeshEdit parseMeshEdit(const std::string& option, const std::string& text);
 //! X,Y,Z[,R] in any one unit; R > 0.
 Seed parseSeed(const std::string& option, const std::string& text);

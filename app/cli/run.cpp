@@ -186,6 +186,9 @@ void printSummary(const RunReport& report, const std::string& name) {
   for (const HeldPlace& held : report.held)
     std::printf("held by %s since iteration %d: %s at %.4g,%.4g,%.4g\n", held.isVetoed ? "a veto" : "a limit",
                 held.iteration, eventKindName(held.kind), held.place.x(), held.place.y(), held.place.z());
+  for (const PinnedPart& part : report.pinned)
+    std::printf("pinned by %s: %d vertices, fronts stopped %d times\n", written(part.pin).c_str(),
+                part.vertices, part.stops);
 }
 
 namespace {

@@ -155,10 +155,15 @@ void addConstraints(CLI::App& command, Constraints& c) {
       "given several times",
       [&c](Text t) { c.vetoes.push_back(parseVeto("--veto", t)); });
   addConstraint(
+      command, "--pin", "X,Y,Z,R@ITERATION",
+      "What of the surface lies in that ball (LPS millimetres) at that iteration stays as it is from "
+      "then on; may be given several times",
+      [&c](Text t) { c.pins.push_back(parsePin("--pin", t)); });
+  addConstraint(
       command, "--edit", "ITERATION:KIND:X,Y,Z",
       "That step is an edit in place of motion: close-tunnel (fill-tunnel, cut-handle: by which of its "
-      "loops), remove-component, keep-component or fill-cavity, of what is nearest to there; may be given "
-      "several times",
+      "loops), remove-component, keep-component or fill-cavity, of what is nearest to there; smooth:X,Y,Z,R, "
+      "pull:X,Y,Z,X2,Y2,Z2,R or cut:X,Y,Z,NX,NY,NZ[,R][,SIDE], as in `edit`; may be given several times",
       [&c](Text t) { c.edits.push_back(parseMeshEdit("--edit", t)); });
   const auto addLimit = [&command](Text name, int least, std::optional<int>& limit, Text help) {
     const auto set = [&limit, name, least](Text t) { limit = parseInteger(name, t, least, kAnyCount); };

@@ -44,6 +44,8 @@ constexpr double kAgrees = 0.5;      // voxels between a boundary and a surface 
 constexpr std::size_t kStepWork = 120'000'000;
 constexpr std::size_t kLeastWork = 10'000'000;
 
+constexpr double kFlat = 0.01;  // cubes of the edge length: a component of less volume has been pressed flat
+
 constexpr double kGrowthToReorder = 1.5;  // of the mesh, until its vertices are put into order again
 constexpr int kFitsIntoCache = 3000;      // vertices: any order will do
 
@@ -67,6 +69,7 @@ struct ActiveContour::State {
   Scratch<CollisionDetector> detector;
   RestingPlaces resting;
   HeldChanges held;  // what the constraints forbid
+  PinnedParts pins;
   EditSchedule edits;
   CollapsedComponents collapsed;
   Stillness stillness;
@@ -90,6 +93,7 @@ struct ActiveContour::State {
   void begin();
   void change(const Request& to, const State* prepared);
   void chooseWalls();
+  void chooseForbidden();
   void forgetRest();
   void correct();
   void beginAnew();
@@ -97,6 +101,9 @@ struct ActiveContour::State {
   void keepOrder();
   Attempt attempt();
   std::vector<int> verticesToMove() const;
+  void stopBeforeFlat(Attempt& a) const;
+  void lookAtPins(Attempt& a) const;
+  void takePins();
   void adapt(Attempt& a);
   void deleteCollapsed(Attempt& a);
   void accept(Attempt& a, StepReport& report);
@@ -153,17 +160,24 @@ void ActiveContour::State::resolve(const Parameters& p) {
 void ActiveContour::State::chooseWalls() {
   walls.choose(constraints.walls, volume.grid, parameters.edgeLength, motion.largestStep);
   object.image = object.image->behind(walls.all());
+  chooseForbidden();
+}
+
+void ActiveContour::State::chooseForbidden() {
   limits.forbidden = walls.forbidden();
+  limits.forbidden.pinned = pins.mask();
 }
 
 //! Precondition: volume, seeds and object are chosen.
 void ActiveContour::State::start(const Parameters& p, const Constraints& c) {
   held.choose(c, 0);
+  pins.choose(c.pins, 0);
   edits.choose(c.edits, 0);
   constraints = c;
   chooseEdge();
   resolve(p);
   begin();
+  takePins();
 }
 
 void ActiveContour::State::begin() {
@@ -194,8 +208,10 @@ void ActiveContour::State::change(const Request& to, const State* prepared) {
   const bool otherClicks = to.seeds != seeds;
   const bool otherImage = prepared || otherClicks || !chooseSameImage(to.parameters, requested);
   const bool freed = held.choose(to.constraints, iteration);
+  const bool unpinned = pins.choose(to.constraints.pins, iteration);
+  takePins();
   edits.choose(to.constraints.edits, iteration);
-  const bool wake = otherClicks || otherWalls || freed || !moveAlike(to.parameters, requested);
+  const bool wake = otherClicks || otherWalls || freed || unpinned || !moveAlike(to.parameters, requested);
   const bool sleepsOn = otherClicks && haveSameForces(to.parameters, requested);
   seeds = to.seeds;
   constraints = to.constraints;
@@ -210,7 +226,7 @@ void ActiveContour::State::change(const Request& to, const State* prepared) {
   if (otherClicks) correct();
   if (otherClicks || otherImage || otherWalls) alarm.forget();
   walls.putUp(mesh, known, mayShrink());
-  limits.forbidden = walls.forbidden();
+  chooseForbidden();
   if (stop == StopReason::maxIterations || (wake && mesh.faceCount() > 0)) stop = StopReason::running;
   if (stop == StopReason::running && iteration >= to.parameters.maxIterations)
     stop = StopReason::maxIterations;
@@ -221,13 +237,21 @@ void ActiveContour::State::forgetRest() {
   resting = {};
   stillness = {};
   collapsed.forget();
+  pins.forgetStops();
 }
 
 //! After a change of the clicks. What had settled and agrees with the new image sleeps on.
 void ActiveContour::State::correct() {
   std::vector<Seed> fronts;
-  correction = correctComponents(mesh, *object.image, seeds, parameters.edgeLength, limits.longest, fronts);
+  const auto isPinned = [this](int v) { return pins.holds(v); };
+  correction = correctComponents(mesh, *object.image, seeds, parameters.edgeLength, limits.longest, fronts,
+                                 pins.any() ? isPinned : std::function<bool(int)>());
   if (correction->beganAnew) {
+    if (pins.any())
+      throw UsageError(
+          "The clicks have so little in common with the surface that it would begin anew, but a part of it "
+          "is "
+          "pinned: take the pins away first.");
     beginAnew();
     return;
   }
@@ -255,6 +279,8 @@ void ActiveContour::State::keepOrder() {
   if (mesh.vertexSlots() < kGrowthToReorder * orderedVertices) return;
   const std::vector<int> order = mortonOrder(mesh, parameters.edgeLength);
   mesh.reorder(order);
+  pins.reorder(order);
+  chooseForbidden();
   std::vector<unsigned char> quietInOrder;
   for (const int v : order) quietInOrder.push_back(quiet[idx(v)]);
   quiet = std::move(quietInOrder);
@@ -266,7 +292,7 @@ std::vector<int> ActiveContour::State::verticesToMove() const {
   const bool anyRest = resting.any(iteration);
   for (int v = 0; v < mesh.vertexSlots(); ++v)
     if (mesh.isVertex(v) && !sleeps(v) && !(anyRest && resting.rests(mesh.position(v), iteration)) &&
-        !held.rests(mesh.position(v)))
+        !held.rests(mesh.position(v)) && !pins.holds(v) && !pins.rests(mesh.position(v)))
       out.push_back(v);
   return out;
 }
@@ -294,7 +320,48 @@ Attempt ActiveContour::State::attempt() {
   if (a.troubles.empty()) deleteCollapsed(a);
   if (const auto place = walls.broken(mesh, a.touched, a.events); a.troubles.empty() && place)
     a.troubles.push_back({*place, 2 * limits.longest, "the surface would have entered a wall"});
+  if (a.troubles.empty()) stopBeforeFlat(a);
+  if (a.troubles.empty()) lookAtPins(a);
   return a;
+}
+
+//! A cavity over a pinned part, or a body under one, cannot go: what would press it flat stops.
+void ActiveContour::State::stopBeforeFlat(Attempt& a) const {
+  const TopologyNumbers& now = a.events.empty() ? topology : a.events.back().after;
+  if (!pins.any() || now.components < 2) return;
+  const Components parts = findComponents(mesh);
+  const double least = kFlat * std::pow(parameters.edgeLength, 3);
+  std::vector<unsigned char> isPinned(idx(parts.count()), 0);
+  std::vector<int> moving(idx(parts.count()), -1);  // a vertex
+  for (int v = 0; v < mesh.vertexSlots(); ++v) {
+    const int c = parts.ofVertex[idx(v)];
+    if (c < 0) continue;
+    if (pins.holds(v))
+      isPinned[idx(c)] = 1;
+    else if (idx(v) < a.touched.size() && a.touched[idx(v)] != 0)
+      moving[idx(c)] = v;
+  }
+  for (int c = 0; c < parts.count(); ++c) {
+    const bool isFlat = std::abs(parts.volume[idx(c)]) < least;
+    if (!isFlat || isPinned[idx(c)] == 0 || moving[idx(c)] < 0) continue;
+    a.troubles.push_back({mesh.position(moving[idx(c)]), parts.extent[idx(c)],
+                          "the surface would close over a pinned part, and stops before it"});
+    a.troubles.back().atPin = true;
+  }
+}
+
+//! What no look ahead has kept from changing what is pinned, is taken back.
+void ActiveContour::State::lookAtPins(Attempt& a) const {
+  const auto place = pins.broken(transaction.before(), mesh);
+  if (!place) return;
+  constexpr const char* kReason = "a pinned part would have changed";
+  a.troubles.push_back({*place, 2 * limits.longest, kReason});
+  for (const Event& e : a.events) a.troubles.push_back({e.location, 2 * limits.longest, kReason});
+}
+
+void ActiveContour::State::takePins() {
+  pins.take(mesh, iteration);
+  chooseForbidden();
 }
 
 void ActiveContour::State::adapt(Attempt& a) {
@@ -306,9 +373,11 @@ void ActiveContour::State::adapt(Attempt& a) {
 
 void ActiveContour::State::deleteCollapsed(Attempt& a) {
   const auto isKept = [this](const Vec3& p) { return held.rests(p); };
+  std::function<bool(int)> isPinned;
+  if (pins.any()) isPinned = [this](int v) { return pins.holds(v); };
   const TopologyNumbers& now = a.events.empty() ? topology : a.events.back().after;
-  for (Event& e :
-       collapsed.erase(mesh, {parameters.edgeLength, mayShrink(), !a.events.empty(), iteration, now, isKept}))
+  for (Event& e : collapsed.erase(
+           mesh, {parameters.edgeLength, mayShrink(), !a.events.empty(), iteration, now, isKept, isPinned}))
     a.events.push_back(std::move(e));
 }
 
@@ -394,10 +463,12 @@ StopReason ActiveContour::State::restReason() const {
 //! says so, and the history restores what was before.
 StepReport ActiveContour::State::stepOrNothing() {
   const auto before = std::make_tuple(iteration, resting, held, collapsed);
+  const PinnedParts pinsBefore = pins;
   try {
     return step();
   } catch (const Cancelled&) {
     std::tie(iteration, resting, held, collapsed) = before;
+    pins.takeStopsBack(pinsBefore);
     throw;
   }
 }
@@ -420,6 +491,8 @@ Attempt ActiveContour::State::editAttempt(const MeshEdit& edit) {
     if (v < mesh.vertexSlots()) a.touched[idx(v)] = 1;
   if (const auto place = walls.brokenAnywhere(mesh))
     a.troubles.push_back({*place, 0, "the surface would come into a wall or around it"});
+  else if (const auto pinned = pins.broken(transaction.before(), mesh))
+    a.troubles.push_back({*pinned, 0, "a pinned part would change"});
   return a;
 }
 
@@ -428,7 +501,8 @@ void ActiveContour::State::letSleep(const Attempt& edited) {
   const Mesh& before = transaction.before();
   quiet.resize(idx(mesh.vertexSlots()), 0);
   for (int v = 0; v < mesh.vertexSlots(); ++v)
-    if (edited.touched[idx(v)] != 0 && (v >= before.vertexSlots() || !before.isVertex(v)))
+    if (edited.touched[idx(v)] != 0 &&
+        (v >= before.vertexSlots() || !before.isVertex(v) || before.position(v) != mesh.position(v)))
       quiet[idx(v)] = kQuietToSleep;
 }
 
@@ -449,11 +523,12 @@ StepReport ActiveContour::State::editStep(const MeshEdit& edit) {
   collapsed.forget();
   if (walls.isPushing()) {
     walls.release(mesh);
-    limits.forbidden = walls.forbidden();
+    chooseForbidden();
   }
   report.settledVertices = mesh.vertexCount();
   report.volume = transaction.volume();
   decideStop(report);
+  takePins();
   return report;
 }
 
@@ -465,7 +540,10 @@ StepReport ActiveContour::State::step() {
   keepOrder();
   const auto rollBack = [&](const Trouble& t) {
     report.events.push_back(rolledBack(t.centre, t.reason));
-    resting.add(t.centre, t.radius + 0.5 * limits.longest, iteration, t.waits);
+    if (t.atPin)
+      pins.stop(mesh, t.centre, t.radius, limits.longest);
+    else
+      resting.add(t.centre, t.radius + 0.5 * limits.longest, iteration, t.waits);
   };
   Attempt last = transaction.run({mesh, topology, limits.longest, [this] { return attempt(); },
                                   [&](const Attempt& a) { return judge(a, report); }, rollBack});
@@ -475,13 +553,14 @@ StepReport ActiveContour::State::step() {
     rollBack({last.place(), 1e3 * parameters.edgeLength, "no part of the step could be kept"});
   if (walls.isPushing()) {
     walls.release(mesh);
-    limits.forbidden = walls.forbidden();
+    chooseForbidden();
   }
   // Of the mesh that is left, also when all of the step was rolled back.
   report.settledVertices = std::max(0, mesh.vertexCount() - report.movedVertices);
   report.volume = transaction.volume();
   watch(last, report);
   decideStop(report);
+  takePins();
   return report;
 }
 
@@ -535,6 +614,8 @@ const Parameters& ActiveContour::requested() const { return state_->requested; }
 const std::vector<Seed>& ActiveContour::requestedSeeds() const { return state_->seeds; }
 const Constraints& ActiveContour::constraints() const { return state_->constraints; }
 std::optional<Veto> ActiveContour::waitingVeto() const { return state_->held.waiting(); }
+std::vector<PinnedPart> ActiveContour::pinned() const { return state_->pins.list(); }
+std::optional<Pin> ActiveContour::waitingPin() const { return state_->pins.waiting(); }
 std::optional<MeshEdit> ActiveContour::waitingEdit() const { return state_->edits.waiting(); }
 std::vector<HeldPlace> ActiveContour::held() const { return state_->held.list(); }
 const std::vector<ObjectCandidate>& ActiveContour::candidates() const { return state_->object.candidates; }

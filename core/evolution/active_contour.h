@@ -9,6 +9,7 @@
 #include "core/evolution/held_changes.h"
 #include "core/evolution/image_doubts.h"
 #include "core/evolution/parameters.h"
+#include "core/evolution/pinned_parts.h"
 #include "core/evolution/step_report.h"
 #include "core/mesh/mesh.h"
 #include "core/object/candidate.h"
@@ -22,7 +23,8 @@ class ActiveContour {
  public:
   //! Resolves the automatic parameters from the image around the seeds and makes the seed spheres.
   //! Throws SeedError (seed outside the volume or not in an object), UsageError (a parameter without meaning,
-  //! a range without voxels, a wall outside of the volume), Cancelled (cancellation.h).
+  //! a range without voxels, a wall outside of the volume, a pin of iteration 0 without a vertex), Cancelled
+  //! (cancellation.h).
   ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters parameters, Constraints constraints = {});
   ~ActiveContour();
   ActiveContour(ActiveContour&&) noexcept;
@@ -33,11 +35,11 @@ class ActiveContour {
   ActiveContour& operator=(const ActiveContour&);
 
   //! One iteration, all or nothing: the mesh it leaves is closed, manifold, oriented and free of
-  //! self-intersections. Throws UsageError if a veto of that iteration finds no change of topology; no
-  //! further step may be taken then. An edit of that
-  //! iteration (mesh_edit.h) is made in place of motion; if it finds nothing, or what it would leave is not
-  //! certain to be valid, UsageError, and the contour is as it was before the step. Throws Cancelled
-  //! (cancellation.h) within some 20 ms of the wish; the contour is as it was before the step.
+  //! self-intersections. Throws UsageError if a veto of that iteration finds no change of topology, or a pin
+  //! no vertex; no further step may be taken then. An edit of that iteration (mesh_edit.h) is made in place
+  //! of motion; if it finds nothing, would change what is pinned, or what it would leave is not certain to be
+  //! valid, UsageError, and the contour is as it was before the step. Throws Cancelled (cancellation.h)
+  //! within some 20 ms of the wish; the contour is as it was before the step.
   StepReport step();
 
   //! Goes on with other clicks and parameters from here. What is automatic is chosen as for a new contour;
@@ -48,7 +50,8 @@ class ActiveContour {
   //! common with the new object it begins anew, at the same iteration: correction() tells. Throws as the
   //! constructor, and nothing has changed then.
   //! Walls may not be put where the surface is, unless it may move in both directions and crosses them
-  //! (UsageError otherwise); objects never.
+  //! (UsageError otherwise); objects never. What is pinned neither moves nor goes; a surface that would have
+  //! to begin anew may not be pinned (UsageError). A pin of this iteration holds from here on.
   void change(const Request& request);
   //! The same with what `prepared` was made from, whose image is taken over instead of being chosen again.
   //! Precondition: it was made for the same volume.
@@ -80,6 +83,10 @@ class ActiveContour {
   std::optional<MeshEdit> waitingEdit() const;
   //! What the constraints hold back now.
   std::vector<HeldPlace> held() const;
+  //! What the pins hold now.
+  std::vector<PinnedPart> pinned() const;
+  //! The first pin whose iteration has not come yet.
+  std::optional<Pin> waitingPin() const;
   //! What it goes on with.
   Request request() const { return {requestedSeeds(), requested(), constraints()}; }
   //! The objects that the clicks may mean, the likeliest first; at most five. `parameters().candidate` is the

@@ -31,6 +31,13 @@ std::vector<int> firstVertices(const Mesh& mesh, const Components& parts) {
   return first;
 }
 
+bool holdsPinned(const Mesh& mesh, const Components& parts, int component, const CollapsingStep& step) {
+  if (!step.isPinned) return false;
+  for (int v = 0; v < mesh.vertexSlots(); ++v)
+    if (mesh.isVertex(v) && parts.ofVertex[idx(v)] == component && step.isPinned(v)) return true;
+  return false;
+}
+
 }  // namespace
 
 //! Of a surface that is a single component: far quicker than to find that component.
@@ -51,11 +58,11 @@ bool CollapsedComponents::mayHaveTurned(const Components& parts, const Collapsin
       std::count_if(parts.volume.begin(), parts.volume.end(), [](double v) { return v < 0; });
   const bool isOther = cavities_ != cavities;
   cavities_ = cavities;
-  return isOther || (step.mayShrink && step.hasEvents);
+  return isOther || step.isPinned || (step.mayShrink && step.hasEvents);
 }
 
 std::vector<Event> CollapsedComponents::erase(Mesh& mesh, const CollapsingStep& step) {
-  if (!step.hasEvents && step.iteration < lookAt_ && !step.mayShrink) return {};
+  if (!step.hasEvents && step.iteration < lookAt_ && !step.mayShrink && !step.isPinned) return {};
   if (step.topology.components == 1 && isWhole(mesh, step)) return {};
   const Components parts = findComponents(mesh);
   lookAfter(parts.count() == 0 ? 0 : *std::min_element(parts.extent.begin(), parts.extent.end()), step);
@@ -72,7 +79,8 @@ std::vector<Event> CollapsedComponents::erase(Mesh& mesh, const CollapsingStep& 
   for (int c = 0; c < parts.count(); ++c) {
     const Vec3 place = mesh.position(first[idx(c)]);
     const bool isTurned = std::binary_search(turned.begin(), turned.end(), c);
-    const bool isGone = parts.extent[idx(c)] < kCollapsed * step.edgeLength && !step.isKept(place);
+    const bool isGone = parts.extent[idx(c)] < kCollapsed * step.edgeLength && !step.isKept(place) &&
+                        !holdsPinned(mesh, parts, c, step);
     if (!isTurned && !isGone) continue;
     Event event;
     event.kind = EventKind::componentDeleted;

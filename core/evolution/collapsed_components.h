@@ -17,6 +17,9 @@ struct CollapsingStep {
   int iteration = 0;                        //!< for the events
   TopologyNumbers topology;                 //!< of the mesh
   std::function<bool(const Vec3&)> isKept;  //!< asked for the first vertex of each that has collapsed
+  //! Of a vertex: its component is kept, too, unless it has turned; and it may turn without getting small.
+  //! None: no vertex is.
+  std::function<bool(int)> isPinned{};
 };
 
 //! Deletes the components that have collapsed, and those that have turned inside out while they did: a cavity

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/errors.h"
+#include "core/evolution/edit_step.h"
 #include "core/mesh/mesh.h"
 
 namespace handlebody {
@@ -17,6 +18,14 @@ double outside(const Grid& grid, const Vec3& p) {
   for (int a = 0; a < 3; ++a)
     index[a] = std::clamp(index[a], -0.5, grid.size[static_cast<std::size_t>(a)] - 0.5);
   return (grid.toWorld(index) - p).norm();
+}
+
+void requireSensible(const Pin& pin, const Grid& grid) {
+  const std::string name = "The pin at " + written(pin.centre);
+  if (!(pin.radius > 0) || !std::isfinite(pin.radius) || !pin.centre.allFinite())
+    throw UsageError(name + " has no radius above 0 mm.");
+  if (pin.iteration < 0) throw UsageError(name + " mm has an iteration below 0.");
+  if (outside(grid, pin.centre) >= pin.radius) throw UsageError(name + " mm lies outside of the volume.");
 }
 
 void requireSensible(const WallList& walls, const Grid& grid) {
@@ -49,6 +58,8 @@ void requireSensibleEdits(const Constraints& c) {
   for (const MeshEdit& e : c.edits) {
     if (e.iteration < 1 || !e.place.allFinite())
       throw UsageError("An edit needs an iteration of at least 1 and a place.");
+    if (const std::string fault = faultOf(e); !fault.empty())
+      throw UsageError("The edit of iteration " + std::to_string(e.iteration) + " " + fault + ".");
     if (std::find(taken.begin(), taken.end(), e.iteration) != taken.end())
       throw UsageError("There are two edits of iteration " + std::to_string(e.iteration) +
                        ": a step can be one only.");
@@ -76,6 +87,13 @@ std::string written(const WallDisc& d) {
   return text.str();
 }
 
+std::string written(const Pin& p) {
+  std::ostringstream text;
+  text.precision(12);
+  text << p.centre.x() << ',' << p.centre.y() << ',' << p.centre.z() << ',' << p.radius << '@' << p.iteration;
+  return text.str();
+}
+
 bool WallMap::operator==(const WallMap& other) const {
   if (voxels == other.voxels && voxels) return true;
   if (voxels && other.voxels) return *voxels == *other.voxels;
@@ -84,6 +102,7 @@ bool WallMap::operator==(const WallMap& other) const {
 
 void requireSensible(const Constraints& constraints, const Grid& grid) {
   requireSensible(constraints.walls, grid);
+  for (const Pin& p : constraints.pins) requireSensible(p, grid);
   for (const Veto& v : constraints.vetoes) {
     if (v.iteration < 1 || !v.place.allFinite())
       throw UsageError("A veto needs an iteration of at least 1 and a place.");

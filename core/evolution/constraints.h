@@ -1,6 +1,6 @@
 #pragma once
-// What a user forbids the surface: places where it may not go, changes of topology that are not to happen;
-// and what is to be done to it by hand.
+// What a user forbids the surface: places where it may not go, changes of topology that are not to happen,
+// parts of it that are to stay as they are; and what is to be done to it by hand.
 
 #include <array>
 #include <memory>
@@ -74,12 +74,24 @@ struct TopologyLimits {
   bool operator==(const TopologyLimits&) const = default;
 };
 
+//! From the step after `iteration` on, the vertices that lie in the ball at that iteration stay where they
+//! are, and so do the faces between them.
+struct Pin {
+  Vec3 centre{0, 0, 0};  //!< mm, LPS
+  double radius = 0;     //!< mm, > 0
+  int iteration = 0;     //!< 0: the spheres at the seeds
+  bool operator==(const Pin&) const = default;
+};
+
 struct Constraints {
   WallList walls{};
   std::vector<Veto> vetoes{};
   TopologyLimits topology{};
+  std::vector<Pin> pins{};
   std::vector<MeshEdit> edits{};
-  bool empty() const { return walls.empty() && vetoes.empty() && topology.empty() && edits.empty(); }
+  bool empty() const {
+    return walls.empty() && vetoes.empty() && topology.empty() && pins.empty() && edits.empty();
+  }
   bool operator==(const Constraints&) const = default;
 };
 
@@ -89,8 +101,11 @@ std::string written(const Vec3& place);
 //! "X,Y,Z,NX,NY,NZ,R", as in --wall-disc.
 std::string written(const WallDisc& disc);
 
-//! Throws UsageError if one has no meaning: a wall without a radius or (a disc) without a normal, or outside
-//! of the volume, a label map of another size, a veto or an edit before the first step,
+//! "X,Y,Z,R@ITERATION", as in --pin.
+std::string written(const Pin& pin);
+
+//! Throws UsageError if one has no meaning: a wall or a pin without a radius or (a disc) without a normal, or
+//! outside of the volume, a label map of another size, a veto or an edit before the first step,
 //! two edits of one step or a veto of an edit's step, a limit that no surface keeps.
 void requireSensible(const Constraints& constraints, const Grid& grid);
 

@@ -8,6 +8,7 @@
 #include "core/evolution/normal_profile.h"
 #include "core/evolution/seeds.h"
 #include "core/evolution/shown_object.h"
+#include "core/mesh/containment.h"
 #include "core/mesh/nesting.h"
 #include "core/mesh/shapes.h"
 #include "core/mesh/topology.h"
@@ -34,11 +35,26 @@ int anyVertexOf(const Components& parts, int component) {
   return static_cast<int>(at - parts.ofVertex.begin());
 }
 
+//! Per component: it, or one within it, has a pinned vertex.
+std::vector<bool> keptByPins(const Mesh& mesh, const Components& parts,
+                             const std::function<bool(int)>& isPinned) {
+  std::vector<bool> kept(idx(parts.count()), false);
+  if (!isPinned) return kept;
+  const std::vector<int> surrounding = surroundingComponents(mesh, parts);
+  for (int v = 0; v < mesh.vertexSlots(); ++v)
+    if (mesh.isVertex(v) && isPinned(v))
+      for (int c = parts.ofVertex[idx(v)]; c >= 0 && !kept[idx(c)]; c = surrounding[idx(c)])
+        kept[idx(c)] = true;
+  return kept;
+}
+
 //! Solid components that enclose nothing of the object, and then their cavities, which lie nowhere.
-int deleteForeign(Mesh& mesh, const Components& parts, const std::vector<Enclosed>& enclosed) {
+int deleteForeign(Mesh& mesh, const Components& parts, const std::vector<Enclosed>& enclosed,
+                  const std::vector<bool>& kept) {
   std::vector<int> foreign;
   for (int c = 0; c < parts.count(); ++c)
-    if (parts.volume[idx(c)] >= 0 && enclosed[idx(c)].common == 0) foreign.push_back(anyVertexOf(parts, c));
+    if (parts.volume[idx(c)] >= 0 && enclosed[idx(c)].common == 0 && !kept[idx(c)])
+      foreign.push_back(anyVertexOf(parts, c));
   if (foreign.empty()) return 0;
   for (const int v : foreign) deleteComponent(mesh, v);
   const Components left = findComponents(mesh);
@@ -116,7 +132,8 @@ double commonPart(const Components& parts, const std::vector<Enclosed>& enclosed
 }  // namespace
 
 Correction correctComponents(Mesh& mesh, const ObjectImage& image, const std::vector<Seed>& clicks,
-                             double edgeLength, double longest, std::vector<Seed>& fronts) {
+                             double edgeLength, double longest, std::vector<Seed>& fronts,
+                             const std::function<bool(int)>& isPinned) {
   Correction out;
   const std::vector<Vec3> places = placesOf(image, clicks, edgeLength);
   const ShownObject object(image, places, edgeLength);
@@ -125,7 +142,7 @@ Correction correctComponents(Mesh& mesh, const ObjectImage& image, const std::ve
   out.common = commonPart(parts, enclosed);
   out.beganAnew = out.common < kHardlyInCommon;
   if (out.beganAnew) return out;
-  out.deleted = deleteForeign(mesh, parts, enclosed);
+  out.deleted = deleteForeign(mesh, parts, enclosed, keptByPins(mesh, parts, isPinned));
   fronts = addFronts(mesh, image, clicks, startsOf(mesh, places, enclosed), edgeLength, longest);
   out.fronts = static_cast<int>(fronts.size());
   return out;

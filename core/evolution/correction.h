@@ -2,6 +2,7 @@
 // What other clicks make of a surface that has grown: parts that do not meet the object go, clicks that no
 // front would come to get one of their own, and what agrees with the new image stays as it is.
 
+#include <functional>
 #include <vector>
 
 #include "core/evolution/object_image.h"
@@ -34,9 +35,11 @@ inline constexpr double kHardlyInCommon = 0.1;
 //! Changes the components of the surface as the new clicks ask for; the vertices that stay do not move.
 //! `fronts` gets the spheres that were added. Nothing is done if it has to begin anew. Precondition: the mesh
 //! is closed, manifold and free of self-intersections, with edges of at most `longest` mm; it is so
-//! afterwards.
+//! afterwards. A component stays if it, or one within it, has a vertex that `isPinned` tells (none: no
+//! vertex).
 Correction correctComponents(Mesh& mesh, const ObjectImage& image, const std::vector<Seed>& clicks,
-                             double edgeLength, double longest, std::vector<Seed>& fronts);
+                             double edgeLength, double longest, std::vector<Seed>& fronts,
+                             const std::function<bool(int)>& isPinned = {});
 
 //! Where the surface and the image do not agree on where the boundary lies.
 struct Disagreement {

@@ -1,12 +1,17 @@
 #include "core/evolution/edit_step.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <limits>
 
 #include "core/cancellation.h"
 #include "core/errors.h"
 #include "core/mesh/topology.h"
+#include "core/surgery/local_smoothing.h"
 #include "core/surgery/mesh_edits.h"
+#include "core/surgery/plane_cut.h"
+#include "core/surgery/pulling.h"
 
 namespace handlebody {
 
@@ -86,6 +91,22 @@ EditOutcome editComponentAt(Mesh& mesh, const MeshEdit& edit) {
                                                                 : removeComponent(mesh, component));
 }
 
+//! All faces may be others: the whole mesh has been certified.
+EditOutcome touchAt(Mesh& mesh, const MeshEdit& edit) {
+  TouchedMesh done = touched(mesh, edit);
+  if (!done.isDone()) {
+    std::string why = done.refusal;
+    why.pop_back();
+    why[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(why[0])));
+    refuse(edit, "cannot be made: " + why);
+  }
+  EditOutcome out;
+  out.events.push_back(eventOf(edit, done));
+  mesh = std::move(done.mesh);
+  for (int v = 0; v < mesh.vertexSlots(); ++v) out.touched.push_back(v);
+  return out;
+}
+
 }  // namespace
 
 const char* meshEditName(MeshEditKind kind) {
@@ -96,14 +117,21 @@ const char* meshEditName(MeshEditKind kind) {
       return "keep-component";
     case MeshEditKind::fillCavity:
       return "fill-cavity";
+    case MeshEditKind::smooth:
+      return "smooth";
+    case MeshEditKind::pull:
+      return "pull";
+    case MeshEditKind::cut:
+      return "cut";
     default:
       return "close-tunnel";
   }
 }
 
 std::optional<MeshEditKind> meshEditKind(const std::string& name) {
-  for (const MeshEditKind kind : {MeshEditKind::closeTunnel, MeshEditKind::removeComponent,
-                                  MeshEditKind::keepComponent, MeshEditKind::fillCavity})
+  for (const MeshEditKind kind :
+       {MeshEditKind::closeTunnel, MeshEditKind::removeComponent, MeshEditKind::keepComponent,
+        MeshEditKind::fillCavity, MeshEditKind::smooth, MeshEditKind::pull, MeshEditKind::cut})
     if (name == meshEditName(kind)) return kind;
   return std::nullopt;
 }
@@ -118,6 +146,47 @@ std::optional<TunnelCut> tunnelCutOf(const std::string& name) {
   return std::nullopt;
 }
 
+const char* keptSideName(KeptSide side) {
+  return side == KeptSide::positive ? "positive" : side == KeptSide::negative ? "negative" : "both";
+}
+
+std::optional<KeptSide> keptSideOf(const std::string& name) {
+  for (const KeptSide side : {KeptSide::both, KeptSide::positive, KeptSide::negative})
+    if (name == keptSideName(side)) return side;
+  return std::nullopt;
+}
+
+std::string faultOf(const MeshEdit& edit) {
+  if (!edit.place.allFinite() || !edit.vector.allFinite() || !std::isfinite(edit.radius))
+    return "has a number that is not finite";
+  const bool isCut = edit.kind == MeshEditKind::cut;
+  const bool isBall = edit.kind == MeshEditKind::smooth || edit.kind == MeshEditKind::pull;
+  if (isBall && !(edit.radius > 0)) return "has no radius above 0 mm";
+  if (isCut && edit.radius < 0) return "has a radius below 0 mm";
+  if (isCut && !(edit.vector.norm() > 0)) return "has a normal of no length";
+  return "";
+}
+
+TouchedMesh touched(const Mesh& mesh, const MeshEdit& edit) {
+  if (edit.kind == MeshEditKind::smooth) return smoothedHere(mesh, edit.place, edit.radius);
+  if (edit.kind == MeshEditKind::pull) return pulled(mesh, edit.place, edit.vector, edit.radius);
+  PlaneCut cut{edit.place, edit.vector, edit.keep, std::nullopt};
+  if (edit.radius > 0) cut.radius = edit.radius;
+  return cutByPlane(mesh, cut);
+}
+
+Event eventOf(const MeshEdit& edit, const TouchedMesh& done) {
+  Event event;
+  event.kind = edit.kind == MeshEditKind::smooth ? EventKind::surfaceSmoothed
+               : edit.kind == MeshEditKind::pull ? EventKind::surfacePulled
+                                                 : EventKind::planeCut;
+  event.location = edit.place;
+  event.before = done.before;
+  event.after = done.after;
+  event.edit = EditMeasures{0, done.volumeBefore, done.volumeAfter};
+  return event;
+}
+
 EditOutcome makeEdit(Mesh& mesh, const MeshEdit& edit) {
   giveUpIfCancelled();
   switch (edit.kind) {
@@ -125,6 +194,10 @@ EditOutcome makeEdit(Mesh& mesh, const MeshEdit& edit) {
     case MeshEditKind::keepComponent:
     case MeshEditKind::fillCavity:
       return editComponentAt(mesh, edit);
+    case MeshEditKind::smooth:
+    case MeshEditKind::pull:
+    case MeshEditKind::cut:
+      return touchAt(mesh, edit);
     default:
       return closeTunnelAt(mesh, edit);
   }

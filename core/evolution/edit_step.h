@@ -1,11 +1,14 @@
 #pragma once
 // Makes the edits of mesh_edit.h, and knows which of them are still to come.
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "core/evolution/constraints.h"
 #include "core/mesh/mesh.h"
 #include "core/surgery/event.h"
+#include "core/surgery/touched_mesh.h"
 
 namespace handlebody {
 
@@ -21,6 +24,15 @@ struct EditOutcome {
 //! done: the mesh is then to be taken back. A place is that of a thing if it is no further from it than the
 //! thing is large. Throws Cancelled (cancellation.h). Precondition: the mesh passes the certificate.
 EditOutcome makeEdit(Mesh& mesh, const MeshEdit& edit);
+
+//! What is wrong with its numbers, in words that follow "it"; empty: nothing.
+std::string faultOf(const MeshEdit& edit);
+
+//! One of the kinds smooth, pull and cut, whatever its iteration.
+TouchedMesh touched(const Mesh& mesh, const MeshEdit& edit);
+
+//! The event of such an edit.
+Event eventOf(const MeshEdit& edit, const TouchedMesh& done);
 
 //! The edits that were asked for, and which of them have been made.
 class EditSchedule {

@@ -24,6 +24,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/painted_walls.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/passage_disc.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/passages.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/pinned_parts.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/quiet_vertices.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/region_growth.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/region_levels.cpp

@@ -38,7 +38,7 @@ Attempt Transaction::run(const StepWork& work) {
     Attempt a = keptOrNot(work);
     if (a.isKept()) return a;
     std::for_each(a.troubles.begin(), a.troubles.end(), work.restAt);
-    if (tries < (a.held.empty() ? kAttempts : kHeldAttempts)) continue;
+    if (tries < (a.isHeldBack() ? kHeldAttempts : kAttempts)) continue;
     volume_ = signedVolume(work.mesh);
     return a;
   }

@@ -2,6 +2,7 @@
 // A step as a transaction: attempts are made until one leaves a valid mesh, each that does not is taken back
 // exactly, and the places that failed rest before the next.
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -19,6 +20,11 @@ struct Attempt {
   std::vector<double> distances;       //!< how far, mm
   std::vector<unsigned char> touched;  //!< per vertex: its faces have moved or are new, and were looked at
 
+  //! True if all that is wrong is what the user asked to be kept back: it is, place by place.
+  bool isHeldBack() const {
+    return !held.empty() || (!troubles.empty() && std::all_of(troubles.begin(), troubles.end(),
+                                                              [](const Trouble& t) { return t.atPin; }));
+  }
   bool isKept() const { return troubles.empty() && held.empty(); }
   //! Where the first thing is that was not kept. Precondition: there is one.
   const Vec3& place() const { return held.empty() ? troubles[0].centre : held[0].place; }
@@ -39,7 +45,7 @@ struct StepWork {
 //! Keeps its memory from step to step.
 class Transaction {
  public:
-  //! The attempt that was kept. If kAttempts failed (kHeldAttempts while changes are held), the last of them,
+  //! The attempt that was kept. If kAttempts failed (kHeldAttempts while all is held back), the last of them,
   //! with its troubles or what was held, and the mesh as it was, bit for bit. Every place that failed has
   //! been handed to restAt. What an attempt or the judge throws passes through; the mesh then is as it was,
   //! too.
@@ -52,7 +58,7 @@ class Transaction {
   double volume() const { return volume_; }
 
   static constexpr int kAttempts = 8;
-  static constexpr int kHeldAttempts = 60;  //!< changes of topology are held one after the other
+  static constexpr int kHeldAttempts = 60;  //!< changes are held back one after the other
 
  private:
   Attempt tryOnce(const StepWork& work);

@@ -1,6 +1,7 @@
 #include "core/io/constraints_json.h"
 
 #include "core/errors.h"
+#include "core/evolution/edit_step.h"
 
 namespace handlebody {
 
@@ -32,9 +33,24 @@ Veto vetoFromJson(const Json& json) {
   return veto;
 }
 
+Pin pinFromJson(const Json& json) {
+  const Pin pin{vectorFromJson(json.at("centre")), finiteFromJson(json.at("radius")),
+                integerFromJson(json.at("iteration"))};
+  if (!(pin.radius > 0)) throw UsageError("a pin has no radius above 0.");
+  if (pin.iteration < 0) throw UsageError("a pin's iteration is below 0.");
+  return pin;
+}
+
 Json meshEditToJson(const MeshEdit& e) {
   Json json = {{"iteration", e.iteration}, {"kind", meshEditName(e.kind)}, {"place", vectorToJson(e.place)}};
   if (e.kind == MeshEditKind::closeTunnel) json["loop"] = tunnelCutName(e.cut);
+  if (e.kind == MeshEditKind::smooth || e.kind == MeshEditKind::pull || e.radius > 0)
+    json["radius"] = e.radius;
+  if (e.kind == MeshEditKind::pull) json["to"] = vectorToJson(e.vector);
+  if (e.kind == MeshEditKind::cut) {
+    json["normal"] = vectorToJson(e.vector);
+    json["keep"] = keptSideName(e.keep);
+  }
   return json;
 }
 
@@ -47,6 +63,17 @@ MeshEdit meshEditFromJson(const Json& json) {
   if (!kind) throw UsageError("'" + name + "' is no kind of edit.");
   edit.kind = *kind;
   edit.place = vectorFromJson(json.at("place"));
+  if (json.contains("radius")) edit.radius = finiteFromJson(json.at("radius"));
+  if (edit.kind == MeshEditKind::pull) edit.vector = vectorFromJson(json.at("to"));
+  if (edit.kind == MeshEditKind::cut) {
+    edit.vector = vectorFromJson(json.at("normal"));
+    const auto side = json.at("keep").get<std::string>();
+    if (const auto keep = keptSideOf(side); keep)
+      edit.keep = *keep;
+    else
+      throw UsageError("'" + side + "' is no side of a cut.");
+  }
+  if (const std::string fault = faultOf(edit); !fault.empty()) throw UsageError("an edit " + fault + ".");
   if (!json.contains("loop")) return edit;
   const auto loop = json.at("loop").get<std::string>();
   const auto cut = tunnelCutOf(loop);
@@ -76,6 +103,9 @@ Json constraintsToJson(const Constraints& c) {
   if (c.topology.components) json["components"] = *c.topology.components;
   if (c.topology.genus) json["genus"] = *c.topology.genus;
   for (const Vec3& p : c.topology.allowed) json["allowed"].push_back(vectorToJson(p));
+  for (const Pin& p : c.pins)
+    json["pins"].push_back(
+        {{"centre", vectorToJson(p.centre)}, {"radius", p.radius}, {"iteration", p.iteration}});
   for (const MeshEdit& e : c.edits) json["edits"].push_back(meshEditToJson(e));
   return json;
 }
@@ -98,6 +128,8 @@ Constraints constraintsFromJson(const Json& json) {
   if (json.contains("genus")) c.topology.genus = countFromJson(json.at("genus"), 0);
   if (json.contains("allowed"))
     for (const Json& place : json.at("allowed")) c.topology.allowed.push_back(vectorFromJson(place));
+  if (json.contains("pins"))
+    for (const Json& pin : json.at("pins")) c.pins.push_back(pinFromJson(pin));
   if (json.contains("edits"))
     for (const Json& edit : json.at("edits")) c.edits.push_back(meshEditFromJson(edit));
   return c;

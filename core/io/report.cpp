@@ -75,6 +75,17 @@ Json heldToJson(const std::vector<HeldPlace>& places) {
   return list;
 }
 
+Json pinnedToJson(const std::vector<PinnedPart>& parts) {
+  Json list = Json::array();
+  for (const PinnedPart& p : parts)
+    list.push_back({{"centre", vectorToJson(p.pin.centre)},
+                    {"radius", p.pin.radius},
+                    {"iteration", p.pin.iteration},
+                    {"vertices", p.vertices},
+                    {"stops", p.stops}});
+  return list;
+}
+
 Json leaksToJson(const std::vector<ToldLeak>& leaks) {
   Json list = Json::array();
   for (const auto& [leak, answer] : leaks) {
@@ -148,6 +159,7 @@ void addObject(Json& json, const RunReport& report) {
   if (report.tunnels) json["tunnels"] = tunnelsToJson(*report.tunnels);
   if (!report.corrections.empty()) json["corrections"] = correctionsToJson(report.corrections);
   if (!report.held.empty()) json["held"] = heldToJson(report.held);
+  if (!report.pinned.empty()) json["pinned"] = pinnedToJson(report.pinned);
   if (!report.leaks.empty()) json["leaks"] = leaksToJson(report.leaks);
   Json& events = json["events"] = Json::array();
   for (const Event& event : report.events) events.push_back(eventToJson(event));

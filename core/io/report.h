@@ -8,6 +8,7 @@
 #include "core/evolution/correction.h"
 #include "core/evolution/held_changes.h"
 #include "core/evolution/leak_alarm.h"
+#include "core/evolution/pinned_parts.h"
 #include "core/evolution/step_report.h"
 #include "core/io/session.h"
 #include "core/mesh/tunnels.h"
@@ -51,6 +52,7 @@ struct RunReport {
   std::vector<ToldLeak> leaks{};                //!< in the order in which they came
   bool isStoppedAtLeak = false;                 //!< the mesh is that of before the last of them
   std::vector<HeldPlace> held;                  //!< in the end
+  std::vector<PinnedPart> pinned;               //!< the same
   std::vector<RecordedCorrection> corrections;  //!< what came of clicks that were changed on the way
 };
 

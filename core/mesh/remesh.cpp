@@ -35,6 +35,8 @@ class Regulator {
   // long becomes L - d/2, which tends to 2L/3. Above the limit that never ends, and every pass halves the
   // altitude.
   static constexpr double kFarTooLong = 1.5;
+  // Where it may not be split, the other two are left as soon as they are a little above that 2L/3.
+  static constexpr double kBesideFixed = 0.75;
 
   bool isActive(int v) const { return active_[idx(v)] == kActive; }
   bool isActiveFace(int face) const {
@@ -78,10 +80,27 @@ class Regulator {
       for (int h = 3 * face; h < 3 * face + 3; ++h) {
         const int g = mesh_.opposite(h);
         if (squaredLength(h) > limit && !isActive(mesh_.origin(h)) && !isActive(mesh_.target(h)) &&
-            (h < g || !isActiveFace(Mesh::faceOf(g))))
+            (h < g || !isActiveFace(Mesh::faceOf(g))) && !isFixed(h))
           f(h);
       }
     }
+  }
+
+  //! True if the edge lies in a face that may not be divided.
+  bool isFixed(int h) const {
+    const Forbidden& forbidden = limits_.forbidden;
+    return forbidden.isPinned(mesh_.origin(h)) && forbidden.isPinned(mesh_.target(h)) &&
+           (forbidden.isPinned(mesh_.apex(h)) || forbidden.isPinned(mesh_.apex(mesh_.opposite(h))));
+  }
+
+  //! True if a face of the edge has another edge that may not be split, and is much longer: see kFarTooLong.
+  bool isBesideFixed(int h) const {
+    if (!limits_.forbidden.pinned) return false;
+    const double length = squaredLength(h);
+    for (const int side : {h, mesh_.opposite(h)})
+      for (const int e : {Mesh::next(side), Mesh::prev(side)})
+        if (length < kBesideFixed * kBesideFixed * squaredLength(e) && isFixed(e)) return true;
+    return false;
   }
 
   //! An edge that is still too long after a pass lies in a face with one of its new vertices: it is one of
@@ -113,7 +132,7 @@ class Regulator {
     std::vector<std::pair<double, int>> edges;
     const auto isCandidate = [&](int face) { return anyLonger(face, limit); };
     forEachActiveEdge(faces, isCandidate, [&](int h) {
-      if (squaredLength(h) > limit) edges.emplace_back(-squaredLength(h), h);
+      if (squaredLength(h) > limit && !isBesideFixed(h)) edges.emplace_back(-squaredLength(h), h);
     });
     forEachRestingEdge(faces, kFarTooLong * kFarTooLong * limit,
                        [&](int h) { edges.emplace_back(-squaredLength(h), h); });
@@ -121,7 +140,7 @@ class Regulator {
     std::sort(edges.begin(), edges.end());
     std::vector<int> fresh;
     for (const auto& [length, h] : edges) {
-      if (squaredLength(h) <= limit) continue;
+      if (squaredLength(h) <= limit || isBesideFixed(h)) continue;
       const int m =
           mesh_.splitEdge(h, (mesh_.position(mesh_.origin(h)) + mesh_.position(mesh_.target(h))) / 2);
       if (idx(m) >= active_.size()) active_.resize(idx(m) + 1, 0);

@@ -11,7 +11,8 @@ namespace handlebody {
 struct RemeshLimits {
   double longest = 0;   //!< mm; longer edges are split
   double shortest = 0;  //!< mm; shorter edges are collapsed
-  //! Where no face may lie that was not part of one before.
+  //! Where no face may lie that was not part of one before, and which vertices are pinned.
+  //! Precondition: no pinned vertex is active.
   Forbidden forbidden{};
 };
 
@@ -26,9 +27,10 @@ inline constexpr unsigned char kAtRest = 0, kActive = 1, kTouched = 2;
 //! Regulates the mesh around the active vertices. Topology never changes. New vertices become active;
 //! `active` grows with the mesh. Vertices at rest are neither moved nor removed. No edge beside an active
 //! vertex is longer than limits.longest afterwards, unless its other faces hold longer edges between vertices
-//! at rest; of those, what is half as long again is split too. Collapses and flips are done only where the
-//! surface is nearly flat (kFlatEnough), so that it moves by little; they may still make it intersect another
-//! sheet close by, which the caller's detection sees.
+//! at rest; of those, what is half as long again is split too, unless it is the edge of a face between pinned
+//! vertices (beside such an edge the others may be up to three quarters of it). Collapses and flips are done
+//! only where the surface is nearly flat (kFlatEnough), so that it moves by little; they may still make it
+//! intersect another sheet close by, which the caller's detection sees.
 void regulate(Mesh& mesh, const RemeshLimits& limits, std::vector<unsigned char>& active);
 
 }  // namespace handlebody

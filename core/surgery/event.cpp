@@ -2,7 +2,10 @@
 
 namespace handlebody {
 
-bool changesTopology(EventKind kind) { return kind != EventKind::smoothed && kind != EventKind::rolledBack; }
+bool changesTopology(EventKind kind) {
+  return kind != EventKind::smoothed && kind != EventKind::rolledBack && kind != EventKind::surfaceSmoothed &&
+         kind != EventKind::surfacePulled;
+}
 
 const char* eventKindName(EventKind kind) {
   switch (kind) {
@@ -22,6 +25,12 @@ const char* eventKindName(EventKind kind) {
       return "component removed";
     case EventKind::cavityFilled:
       return "cavity filled";
+    case EventKind::planeCut:
+      return "cut by a plane";
+    case EventKind::surfaceSmoothed:
+      return "smoothed by hand";
+    case EventKind::surfacePulled:
+      return "pulled";
     case EventKind::smoothed:
       return "smoothed";
     default:

@@ -20,12 +20,16 @@ enum class EventKind {
   handleCut,           //!< an edit: a handle was cut through, the genus fell by one
   componentRemoved,    //!< an edit: a body went, or what lay in a cavity that was filled
   cavityFilled,        //!< an edit
+  planeCut,            //!< an edit: cut flat, both sides capped
+  surfaceSmoothed,     //!< an edit: smoothed in a ball
+  surfacePulled,       //!< an edit: a place pulled somewhere else
   smoothed,            //!< a fold was smoothed away
   rolledBack,          //!< a part returned to its position before the step
 };
 //! "handle inserted", "split" … as in the report.
 const char* eventKindName(EventKind kind);
-//! False for repairs: a fold that was smoothed away, a part that was rolled back.
+//! False for repairs (a fold that was smoothed away, a part that was rolled back) and for edits that only
+//! move the surface.
 bool changesTopology(EventKind kind);
 
 //! The stages of a change of topology (the paper's Figures 1 and 7), in mm; recorded only on request.

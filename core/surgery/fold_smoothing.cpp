@@ -49,7 +49,9 @@ double sizeOf(const Mesh& mesh, const std::vector<int>& vertices) {
 bool smoothFold(Mesh& mesh, FaceBlocks& blocks, const std::vector<int>& lambda,
                 std::span<const unsigned char> ignored, const Forbidden& forbidden,
                 std::vector<unsigned char>& touched) {
-  const std::vector<int> vertices = enlarge(mesh, lambda);
+  std::vector<int> vertices = enlarge(mesh, lambda);
+  std::erase_if(vertices, [&](int v) { return forbidden.isPinned(v); });
+  if (vertices.empty()) return false;
   std::vector<Vec3> old;
   for (int v : vertices) old.push_back(mesh.position(v));
   Opening moved;  // the faces that move, as if they were taken out

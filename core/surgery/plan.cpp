@@ -237,7 +237,11 @@ std::optional<Plan> planFor(Mesh& mesh, FaceBlocks& blocks, const std::vector<st
     }
     plan.openings.push_back(*std::move(opening));
   }
-  if (closeAll(mesh, blocks, plan, settings, reason)) return plan;
+  const bool isPinned = std::any_of(plan.openings.begin(), plan.openings.end(), [&](const Opening& o) {
+    return settings.forbidden.isAnyPinned(o.lambda);
+  });
+  if (isPinned) reason = "a pinned part lies there";
+  if (!isPinned && closeAll(mesh, blocks, plan, settings, reason)) return plan;
   if (unrefined) mesh = *std::move(unrefined);
   return std::nullopt;
 }

@@ -29,7 +29,7 @@ struct PlanSettings {
   bool outwardOnly = true;
   //! Faces that collide (per face slot): they do not stand in the way of a patch.
   std::span<const unsigned char> colliding;
-  //! Where no patch may lie, and what it may not swallow.
+  //! Where no patch may lie, what it may not swallow, and which vertices are pinned.
   Forbidden forbidden{};
   WorkBudget* work = nullptr;  //!< none: no bound
 };

@@ -5,12 +5,17 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/surgery/face_blocks.cpp
   ${CMAKE_SOURCE_DIR}/core/surgery/fold_smoothing.cpp
   ${CMAKE_SOURCE_DIR}/core/surgery/front_gathering.cpp
+  ${CMAKE_SOURCE_DIR}/core/surgery/flat_cap.cpp
   ${CMAKE_SOURCE_DIR}/core/surgery/handle_fitting.cpp
+  ${CMAKE_SOURCE_DIR}/core/surgery/local_smoothing.cpp
   ${CMAKE_SOURCE_DIR}/core/surgery/opening.cpp
   ${CMAKE_SOURCE_DIR}/core/surgery/plan.cpp
+  ${CMAKE_SOURCE_DIR}/core/surgery/plane_cut.cpp
+  ${CMAKE_SOURCE_DIR}/core/surgery/pulling.cpp
   ${CMAKE_SOURCE_DIR}/core/surgery/mesh_edits.cpp
   ${CMAKE_SOURCE_DIR}/core/surgery/tunnel_closing.cpp
   ${CMAKE_SOURCE_DIR}/core/surgery/smooth_cap.cpp
   ${CMAKE_SOURCE_DIR}/core/surgery/predicted_change.cpp
   ${CMAKE_SOURCE_DIR}/core/surgery/topology_adaptation.cpp
+  ${CMAKE_SOURCE_DIR}/core/surgery/touched_mesh.cpp
   ${CMAKE_SOURCE_DIR}/core/surgery/trace.cpp)

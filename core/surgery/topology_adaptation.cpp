@@ -60,7 +60,7 @@ class Adaptation {
 
   //! Joins fronts that were found in several groups at once; if that fails, `before` says why.
   bool joinGathered(const CollisionGroup& group, std::string& before) {
-    if (isStale(group)) return false;
+    if (isStale(group) || isPinned(group)) return false;
     const char* reason = "";
     const auto fronts = mostColliding(mesh_, group, kMaxFronts);
     if (close(group, fronts, kManyEnlargements, waiting(group, fronts.size()), reason)) return true;
@@ -77,8 +77,21 @@ class Adaptation {
            std::to_string(group.lambda.size() - fronts) + " left for the next round";
   }
 
+  bool isPinned(const CollisionGroup& group) const {
+    return std::any_of(group.lambda.begin(), group.lambda.end(),
+                       [this](const auto& lambda) { return settings_.forbidden.isAnyPinned(lambda); });
+  }
+
+  //! A fold beside them is smoothed as far as it may be; whatever else meets pinned vertices stops there.
+  void treatPinned(const CollisionGroup& group) {
+    if (smoothed(group)) return;
+    giveUp(group, "the surface came to a pinned part, and stops before it");
+    result_.troubles.back().atPin = true;
+  }
+
   void treat(const CollisionGroup& group, std::string before) {
     if (isStale(group)) return;
+    if (isPinned(group)) return treatPinned(group);
     if (isSpent()) return wait(group);
     const std::size_t hadWork = settings_.work ? settings_.work->left() : 0;
     // A collar that closes behind an enclosed part can be smoothed again and again: it has to be cut.

@@ -22,7 +22,7 @@ struct AdaptationSettings {
   TopologyNumbers topology;  //!< of the mesh as it is handed over
   //! True where folds have been smoothed before and came back: there a cut is tried first. None: nowhere.
   std::function<bool(const Vec3&)> cameBack{};
-  //! Where no patch may lie, and what it may not swallow.
+  //! Where no patch may lie, what it may not swallow, and which vertices are pinned.
   Forbidden forbidden{};
   //! Of the step: places for which nothing is left wait. None: no bound.
   WorkBudget* work = nullptr;
@@ -34,6 +34,7 @@ struct Trouble {
   double radius = 0;     //!< mm; holds all colliding vertices and the patches that were tried
   const char* reason = "";
   bool waits = false;  //!< nothing is wrong there: others have spent the work of the step
+  bool atPin = false;  //!< nothing is wrong there: a front has met pinned vertices
 };
 
 struct AdaptationResult {

@@ -159,3 +159,70 @@ TEST_CASE("walls without sense are refused with one sentence", "[cli][constraint
   const PhantomFile turned = makePhantomFile(folder, "turned.mha", {"--rotate", "0,0,5"});
   requireRefusal(folder, phantom, {"--walls", turned.path}, 3, "direction");
 }
+
+TEST_CASE("pins hold, stand in session and report, and replay knows them again", "[cli][constraints][pin]") {
+  const TempFolder folder;
+  const PhantomFile phantom = makePhantomFile(folder);
+  const std::string pin = besideSeed(phantom, 4) + ",3@3";
+  const std::string seed = besideSeed(phantom, 0) + ",3";
+  const Outcome outcome =
+      runCli({"segment", phantom.path, "--seed", seed, "--pin", pin, "-o", folder / "a.stl", "--session",
+              folder / "s.json", "--report", folder / "r.json"});
+  INFO(outcome.err);
+  REQUIRE((outcome.exitCode == 0 || outcome.exitCode == 1));
+  CHECK_THAT(outcome.out, Contains("pinned by"));
+  const auto report = nlohmann::json::parse(readBytes(folder / "r.json"));
+  REQUIRE(report.at("pinned").size() == 1);
+  CHECK(report.at("pinned")[0].at("vertices") > 0);
+  CHECK(report.at("pinned")[0].at("iteration") == 3);
+  CHECK(report.at("pinned")[0].at("radius") == 3);
+  for (const char* from : {"s.json", "r.json"}) {
+    const auto json = nlohmann::json::parse(readBytes(folder / from));
+    const auto& written = json.at("requested").at("constraints").at("pins").at(0);
+    CHECK(written.at("radius") == 3);
+    CHECK(written.at("iteration") == 3);
+    REQUIRE(runCli({"replay", folder / from, "-o", folder / "b.stl"}).exitCode == outcome.exitCode);
+    CHECK(readBytes(folder / "a.stl") == readBytes(folder / "b.stl"));
+  }
+}
+
+TEST_CASE("pins without sense are refused with one sentence", "[cli][constraints][pin]") {
+  const TempFolder folder;
+  const PhantomFile phantom = makePhantomFile(folder);
+  const std::string here = besideSeed(phantom, 0);
+  requireRefusal(folder, phantom, {"--pin", here + ",4"}, 2, "--pin");
+  requireRefusal(folder, phantom, {"--pin", here + ",0@3"}, 2, "--pin");
+  requireRefusal(folder, phantom, {"--pin", here + ",4@x"}, 2, "--pin");
+  requireRefusal(folder, phantom, {"--pin", here + ",4@-1"}, 2, "--pin");
+  requireRefusal(folder, phantom, {"--pin", here + ",0.01@3"}, 2, "holds nothing: no vertex");
+  requireRefusal(folder, phantom, {"--pin", here + ",4@100000"}, 2, "holds nothing: the growth ended");
+  requireRefusal(folder, phantom, {"--pin", "9999,0,0,4@3"}, 2, "outside of the volume");
+}
+
+TEST_CASE("local edits are steps of the growth, in session and report, and replay makes them again",
+          "[cli][constraints][touch]") {
+  const TempFolder folder;
+  const PhantomFile phantom = makePhantomFile(folder);
+  const std::string here = besideSeed(phantom, 0), beside = besideSeed(phantom, 30);
+  REQUIRE(runCli({"segment", phantom.path, "--seed", phantom.seed, "--edit",
+                  "200:cut:" + here + ",0,0,1,positive", "--edit", "201:smooth:" + beside + ",12", "--edit",
+                  "202:pull:" + beside + "," + here + ",9", "--max-iterations", "150", "-o", folder / "a.stl",
+                  "--session", folder / "s.json", "--report", folder / "r.json"})
+              .exitCode != 0);  // the growth ends before: nothing is made
+  const Outcome outcome =
+      runCli({"segment", phantom.path, "--seed", phantom.seed, "--edit", "6:cut:" + here + ",0,0,1,positive",
+              "--max-iterations", "6", "-o", folder / "a.stl", "--session", folder / "s.json", "--report",
+              folder / "r.json"});
+  INFO(outcome.err);
+  REQUIRE(outcome.exitCode == 5);
+  const auto report = nlohmann::json::parse(readBytes(folder / "r.json"));
+  CHECK(report.at("events").back().at("kind") == "cut by a plane");
+  for (const char* from : {"s.json", "r.json"}) {
+    const auto json = nlohmann::json::parse(readBytes(folder / from));
+    const auto& written = json.at("requested").at("constraints").at("edits").at(0);
+    CHECK(written.at("kind") == "cut");
+    CHECK(written.at("keep") == "positive");
+    REQUIRE(runCli({"replay", folder / from, "-o", folder / "b.stl"}).exitCode == 5);
+    CHECK(readBytes(folder / "a.stl") == readBytes(folder / "b.stl"));
+  }
+}

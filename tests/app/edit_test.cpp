@@ -1,8 +1,10 @@
 // edit: what it lists, what it does, what it refuses; through the program.
 
+#include <algorithm>
 #include <filesystem>
 
 #include "core/io/mesh_io.h"
+
 #include "tests/app/run_cli.h"
 #include "tests/support/catch.h"
 #include "tests/support/tunnel_shapes.h"
@@ -205,4 +207,55 @@ TEST_CASE("an edit in a session that means nothing is refused with the file's na
   bad = good;
   bad["loop"] = "long";
   refused(bad, "'long' is no loop");
+}
+
+TEST_CASE("edit smooths, pulls and cuts in the order given, certified", "[cli][touch]") {
+  const TempFolder folder;
+  writeMesh(zoo::scaled(zoo::sphere(10), 10), folder / "ball.ply");
+  const auto json = runForJson({"edit", folder / "ball.ply", "--pull=0,0,10,0,0,14,5", "--cut-plane",
+                                "0,0,12,0,0,1,negative", "--smooth-here", "10,0,0,4",
+                                "--pull=0,0,-10,0,0,-12,5", "--json", "-o", folder / "out.ply"});
+  const auto& edits = json.at("edits");
+  REQUIRE(edits.size() == 4);
+  CHECK(edits[0].at("kind") == "pulled");
+  CHECK(edits[1].at("kind") == "cut by a plane");
+  CHECK(edits[2].at("kind") == "smoothed by hand");
+  CHECK(edits[3].at("kind") == "pulled");
+  for (std::size_t i = 1; i < edits.size(); ++i)
+    CHECK(edits[i].at("volume_before_ml").get<double>() ==
+          Approx(edits[i - 1].at("volume_after_ml").get<double>()));
+  CHECK(edits[0].at("volume_after_ml") > edits[0].at("volume_before_ml"));
+  CHECK(edits[1].at("volume_after_ml") < edits[1].at("volume_before_ml"));
+  CHECK(edits[2].at("volume_after_ml").get<double>() ==
+        Approx(edits[2].at("volume_before_ml").get<double>()).epsilon(1e-6));
+  CHECK(json.at("after").at("mesh").at("self_intersections") == 0);
+  CHECK(json.at("after").at("mesh").at("components") == 1);
+
+  const Outcome both =
+      runCli({"edit", folder / "ball.ply", "--cut-plane", "0,0,0,1,1,0", "-o", folder / "b.stl"});
+  CHECK(both.exitCode == 0);
+  CHECK_THAT(both.out, Contains("cut by a plane at 0,0,0") && Contains("components 2, was 1"));
+  CHECK(runForJson({"check", folder / "b.stl", "--json"}).at("genus").size() == 2);
+}
+
+TEST_CASE("local edits without sense are refused in one sentence, and nothing is written", "[cli][touch]") {
+  const TempFolder folder;
+  writeMesh(zoo::scaled(zoo::sphere(6), 10), folder / "ball.ply");
+  const auto refuse = [&](const std::string& option, const std::string& value, const std::string& says) {
+    CAPTURE(option, value);
+    expectRefusal({"edit", folder / "ball.ply", option + "=" + value, "-o", folder / "out.ply"}, 2, says);
+    CHECK_FALSE(std::filesystem::exists(folder / "out.ply"));
+  };
+  refuse("--smooth-here", "0,0,0,5", "--smooth-here 0,0,0,5: No vertex of the surface lies in the ball.");
+  refuse("--smooth-here", "0,0,10,0", "radius above 0");
+  refuse("--smooth-here", "0,0,10", "X,Y,Z,R");
+  refuse("--pull", "0,0,10,0,0,-20,4", "The surface would meet itself there.");
+  refuse("--pull", "0,0,10,0,0,nan,4", "--pull: 'nan' is not a number.");
+  refuse("--pull", "0,0,10,0,0,inf,4", "finite numbers");
+  refuse("--pull", "0,0,10,0,0,12,-1", "radius above 0");
+  refuse("--cut-plane", "0,0,11,0,0,1", "The plane does not meet the surface.");
+  refuse("--cut-plane", "0,0,1,0,0,0", "normal of some length");
+  refuse("--cut-plane", "0,0,1,0,0,1,upper", "both|positive|negative");
+  refuse("--cut-plane", "0,0,1,0,0,1,0", "radius above 0");
+  refuse("--cut-plane", "0,0,1,0,0", "X,Y,Z,NX,NY,NZ");
 }

@@ -16,6 +16,7 @@
 #include "core/evolution/image_doubts.h"
 #include "core/evolution/leak_alarm.h"
 #include "core/evolution/parameters.h"
+#include "core/evolution/pinned_parts.h"
 #include "core/evolution/step_report.h"
 #include "core/io/exported_object.h"
 #include "core/io/mesh_io.h"
@@ -39,6 +40,7 @@ struct MeshSnapshot {
   SurfaceSupport support;         //!< its faces are the triangles
   Certificate certificate;        //!< of this mesh: every frame that is shown has been looked at
   std::vector<HeldPlace> held;    //!< what vetoes and limits of the topology hold back
+  std::vector<PinnedPart> pinned;
   //! What the image says against the surface, sentences without a full stop; only of a surface at rest.
   std::vector<std::string> doubts;
 };

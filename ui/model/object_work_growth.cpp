@@ -250,7 +250,10 @@ RunReport ObjectWork::report() const {
     if (found.leak.iteration <= r.iterations) r.leaks.push_back({found.leak, LeakAnswer::goOn});
   for (const RecordedCorrection& correction : growth_.corrections())
     if (correction.iteration < r.iterations) r.corrections.push_back(correction);
-  if (const auto shown = growth_.snapshot()) r.held = shown->held;
+  if (const auto shown = growth_.snapshot()) {
+    r.held = shown->held;
+    r.pinned = shown->pinned;
+  }
   if (growth_.exists()) {
     r.session.resolved = growth_.beginning().parameters();
     r.candidates = growth_.beginning().candidates();

@@ -70,6 +70,7 @@ std::shared_ptr<const MeshSnapshot> makeSnapshot(const History& history, Checkin
   }
   snapshot->support = contour.support();
   snapshot->held = contour.held();
+  snapshot->pinned = contour.pinned();
   if (checking == Checking::everything) snapshot->doubts = contour.doubts(snapshot->support);
   return snapshot;
 }

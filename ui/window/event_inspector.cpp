@@ -67,6 +67,12 @@ QString eventName(EventKind kind) {
       return EventInspector::tr("Cavity filled");
     case EventKind::smoothed:
       return EventInspector::tr("Fold smoothed");
+    case EventKind::planeCut:
+      return EventInspector::tr("Cut by a plane");
+    case EventKind::surfaceSmoothed:
+      return EventInspector::tr("Smoothed by hand");
+    case EventKind::surfacePulled:
+      return EventInspector::tr("Pulled");
     case EventKind::rolledBack:
       return EventInspector::tr("Rolled back");
   }

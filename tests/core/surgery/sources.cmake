@@ -9,4 +9,5 @@ target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/surgery/predicted_change_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/surgery/topology_adaptation_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/surgery/topology_events_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/surgery/touch_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/surgery/work_budget_test.cpp)

@@ -1,0 +1,29 @@
+#include "core/surgery/touched_mesh.h"
+
+#include "core/collision/certify.h"
+#include "core/mesh/structure.h"
+
+namespace handlebody {
+
+TouchedMesh refused(const Mesh& mesh, std::string why) {
+  TouchedMesh out{mesh, std::move(why), topologyNumbers(mesh), {}, signedVolume(mesh), 0};
+  out.after = out.before;
+  out.volumeAfter = out.volumeBefore;
+  return out;
+}
+
+TouchedMesh certifiedEdit(const Mesh& before, Mesh edited) {
+  if (edited.faceCount() == 0) return refused(before, "Nothing of the surface would be left.");
+  constexpr const char* kMeetsItself = "The surface would meet itself there.";
+  if (findStructureFault(edited)) return refused(before, kMeetsItself);
+  const Certificate c = certify(edited.compact());
+  if (!c.passes() || (c.misplaced > 0 && c.misplaced > examine(before).misplaced))
+    return refused(before, kMeetsItself);
+  TouchedMesh out = refused(before, "");
+  out.mesh = std::move(edited);
+  out.after = topologyNumbers(out.mesh);
+  out.volumeAfter = c.volume;
+  return out;
+}
+
+}  // namespace handlebody
