@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
-
 #include "core/io/mesh_io.h"
+
 #include "tests/app/run_cli.h"
 #include "tests/support/catch.h"
 #include "tests/support/tunnel_shapes.h"
