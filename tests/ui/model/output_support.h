@@ -32,9 +32,7 @@ struct OutputWork {
     while (document.iteration() < iteration) {
       const int before = document.iteration();
       document.stepForward();
-      // The first step shows iteration 0 on its way.
-      if (!waitFor([&] { return document.iteration() > std::max(before, 0) && isAtRest(document); }))
-        return false;
+      if (!waitFor([&] { return document.iteration() > before && isAtRest(document); })) return false;
     }
     return true;
   }
