@@ -51,6 +51,18 @@ constexpr int kFitsIntoCache = 3000;      // vertices: any order will do
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
+//! More components or tunnels than there were, and than may be.
+const char* limitBroken(const TopologyLimits& limits, const TopologyNumbers& before,
+                        const TopologyNumbers& after) {
+  const auto isBroken = [](const std::optional<int>& limit, int was, int is) {
+    return limit && is > *limit && is > was;
+  };
+  if (isBroken(limits.components, before.components, after.components))
+    return "there would be more components than may be";
+  if (isBroken(limits.genus, before.genus, after.genus)) return "there would be more tunnels than may be";
+  return nullptr;
+}
+
 }  // namespace
 
 struct ActiveContour::State {
@@ -480,7 +492,6 @@ bool ActiveContour::State::leadsToEdit() const {
          (iteration < parameters.maxIterations || next->iteration == iteration + 1);
 }
 
-//! No limit of the topology is in the way: edits take tunnels, components and cavities away.
 Attempt ActiveContour::State::editAttempt(const MeshEdit& edit) {
   EditOutcome done = makeEdit(mesh, edit);
   Attempt a;
@@ -493,6 +504,8 @@ Attempt ActiveContour::State::editAttempt(const MeshEdit& edit) {
     a.troubles.push_back({*place, 0, "the surface would come into a wall or around it"});
   else if (const auto pinned = pins.broken(transaction.before(), mesh))
     a.troubles.push_back({*pinned, 0, "a pinned part would change"});
+  else if (const char* broken = limitBroken(constraints.topology, topology, a.events.back().after))
+    a.troubles.push_back({edit.place, 0, broken});
   return a;
 }
 

@@ -153,3 +153,18 @@ TEST_CASE("local edits without sense are refused with one sentence", "[touch][ed
   CHECK(message(cut(3, Vec3(1, 1, 1), Vec3(0, 0, 1), KeptSide::both)) ==
         "The edit of iteration 3 cannot be made: the plane does not meet the surface.");
 }
+
+TEST_CASE("a cut that makes more components than may be is refused, one that keeps a part is made",
+          "[touch][edit]") {
+  const ActiveContour grown = grownBall();
+  ActiveContour contour = grown;
+  Request request = with(contour, cut(grown.iteration() + 1, kMiddle, Vec3(0, 0, 1), KeptSide::both));
+  request.constraints.topology.components = 1;
+  contour.change(request);
+  CHECK_THROWS_WITH(contour.step(), Catch::Contains("more components than may be"));
+  CHECK(isSame(contour.mesh(), grown.mesh()));
+  request.constraints.edits.back().keep = KeptSide::positive;
+  contour = grown;
+  contour.change(request);
+  CHECK(contour.step().events.at(0).kind == EventKind::planeCut);
+}
