@@ -105,9 +105,10 @@ void addSources(Json& object, const VolumeInfo& info) {
 
 namespace {
 
-// Sessions without it are those of earlier versions, to the letter.
-void addCandidate(Json& json, int candidate) {
+// Sessions without these are those of earlier versions, to the letter.
+void addRare(Json& json, int candidate, BroadPhase phase) {
   if (candidate != 1) json["candidate"] = candidate;
+  if (phase != BroadPhase::sorted) json["broad_phase"] = broadPhaseName(phase);
 }
 
 Json requestedToJson(const Parameters& parameters) {
@@ -120,9 +121,7 @@ Json requestedToJson(const Parameters& parameters) {
                {"curvature", parameters.curvature},
                {"max_iterations", parameters.maxIterations},
                {"threads", parameters.threads}};
-  addCandidate(json, parameters.candidate);
-  if (parameters.broadPhase != BroadPhase::sorted)  // as above
-    json["broad_phase"] = broadPhaseName(parameters.broadPhase);
+  addRare(json, parameters.candidate, parameters.broadPhase);
   return json;
 }
 
@@ -164,9 +163,8 @@ Json resolvedToJson(const ResolvedParameters& parameters) {
                {"balloon", parameters.balloon},
                {"curvature", parameters.curvature},
                {"max_iterations", parameters.maxIterations},
-               {"threads", parameters.threads},
-               {"broad_phase", broadPhaseName(parameters.broadPhase)}};
-  addCandidate(json, parameters.candidate);
+               {"threads", parameters.threads}};
+  addRare(json, parameters.candidate, parameters.broadPhase);
   return json;
 }
 

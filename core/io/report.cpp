@@ -4,6 +4,7 @@
 
 #include "core/io/constraints_json.h"
 #include "core/io/edit_json.h"
+#include "core/io/parameter_names.h"
 
 namespace handlebody {
 
@@ -143,6 +144,7 @@ namespace {
 void addObject(Json& json, const RunReport& report) {
   const ResolvedParameters& resolved = report.session.resolved.value();
   json["parameters"] = resolvedToJson(resolved);
+  json["parameters"]["broad_phase"] = broadPhaseName(resolved.broadPhase);
   json["parameters"]["candidate"] = resolved.candidate;
   json["requested"] = requestToJson(report.session);
   json["seeds"] = seedsToJson(seedsOfSide(resolved.seeds, false));

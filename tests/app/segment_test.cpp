@@ -96,6 +96,24 @@ TEST_CASE("the mesh is the same bit for bit with one and two threads and in two 
   CHECK(readBytes(run.folder / "a.vtp") == readBytes(run.folder / "c.vtp"));
 }
 
+TEST_CASE("the paper's hashing gives the same mesh, is told by the report and kept by the session",
+          "[cli][segment]") {
+  const SphereRun run;
+  run.requireSuccess({"-o", run.folder / "a.vtp", "--report", run.folder / "a.json"});
+  run.requireSuccess({"-o", run.folder / "b.vtp", "--broad-phase", "hashing", "--report",
+                      run.folder / "b.json", "--session", run.folder / "s.json"});
+  CHECK(readBytes(run.folder / "a.vtp") == readBytes(run.folder / "b.vtp"));
+  CHECK(run.json("a.json").at("parameters").at("broad_phase") == "sorted");
+  CHECK(run.json("b.json").at("parameters").at("broad_phase") == "hashing");
+  REQUIRE(
+      runCli({"replay", run.folder / "s.json", "-o", run.folder / "c.vtp", "--report", run.folder / "c.json"})
+          .exitCode == 0);
+  CHECK(run.json("c.json").at("parameters").at("broad_phase") == "hashing");
+  const Outcome refused = runCli(run.arguments({"--broad-phase", "trees", "-o", run.folder / "d.vtp"}));
+  CHECK(refused.exitCode == 2);
+  CHECK_THAT(refused.err, Contains("--broad-phase: 'trees' is not hashing or sorted."));
+}
+
 TEST_CASE("replay makes the same mesh from a session and from a report", "[cli][segment]") {
   const SphereRun run;
   run.requireSuccess({"--object", "dark", "--curvature", "0.3", "-o", run.folder / "a.stl", "--space", "RAS",

@@ -285,6 +285,8 @@ TEST_CASE("what is not a session is an input error that names the file", "[sessi
       [](nlohmann::json& j) { j["requested"]["changes"][1]["candidate"] = 0; },
       [](nlohmann::json& j) { j["requested"]["max_iterations"] = 1.5; },
       [](nlohmann::json& j) { j["requested"]["threads"] = 1e12; },
+      [](nlohmann::json& j) { j["requested"]["broad_phase"] = "guessing"; },
+      [](nlohmann::json& j) { j["requested"]["broad_phase"] = 1; },
       [](nlohmann::json& j) { j["requested"]["threads"] = 4294967297; },
       [](nlohmann::json& j) { j["requested"]["stop_at"] = -1; },
       [](nlohmann::json& j) { j["requested"]["stop_at"] = "end"; },
