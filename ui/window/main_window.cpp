@@ -23,6 +23,7 @@
 #include "ui/window/icons.h"
 #include "ui/window/key_guard.h"
 #include "ui/window/label_face.h"
+#include "ui/window/local_section.h"
 #include "ui/window/menus.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/objects_panel.h"
@@ -134,9 +135,13 @@ void MainWindow::buildCorrectPanel() {
                     new WallSection(document_, state_, commands_));
   panel->addSection(
       tr("Held back"),
-      tr("Limits, vetoes and discs. The crosshair goes to the chosen one; lifted, it holds no more "
+      tr("Limits, vetoes, pins and discs. The crosshair goes to the chosen one; lifted, it holds no more "
          "from the shown iteration on."),
       new HeldSection(document_, state_));
+  panel->addSection(
+      tr("At the crosshair"),
+      tr("A pin holds the surface in a ball as it is. Smoothing and cutting are the next step."),
+      new LocalSection(document_, state_, commands_));
   panel->addSection(
       tr("Tunnels and pieces"),
       tr("What the shown surface holds, and what can be done to it: each edit is the next step."),
