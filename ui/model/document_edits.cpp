@@ -19,7 +19,7 @@ QString nameOf(const MeshEdit& edit) {
     case MeshEditKind::smooth:
       return Document::tr("Smooth here");
     case MeshEditKind::pull:
-      return Document::tr("Pull");
+      return Document::tr("Pull here");
     case MeshEditKind::cut:
       return Document::tr("Cut here");
     default:

@@ -187,6 +187,8 @@ void addCorrectCommands(std::vector<CommandSpec>& t) {
         T("The surface around the crosshair stays as it is from the shown iteration on"), kPlain, true},
        {Command::smoothHere, menu, "", T("&Smooth here"), "Shift+S", "smooth",
         T("Smooth the surface around its point nearest to the crosshair, as the next step"), kPlain, false},
+       {Command::pullHere, menu, "", T("P&ull here"), "Shift+U", "pull",
+        T("Pull the point of the surface nearest to the crosshair there, as the next step"), kPlain, false},
        {Command::cutHere, menu, "", T("&Cut here"), "Shift+C", "cut",
         T("Cut along the chosen plane through the crosshair, as the next step"), kPlain, false}});
 }

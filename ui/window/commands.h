@@ -83,6 +83,7 @@ enum class Command {
   removeWalls,
   pinHere,
   smoothHere,
+  pullHere,
   cutHere,
   addObject,
   duplicateObject,

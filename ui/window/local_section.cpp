@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/surgery/kept_side.h"
 #include "ui/model/document.h"
 #include "ui/view/slice_geometry.h"
 #include "ui/window/action_button.h"
@@ -50,12 +51,20 @@ LocalSection::LocalSection(Document& document, ViewState& state, const Commands&
   layout->addWidget(buildCut());
   connect(commands_[Command::pinHere], &QAction::triggered, this, &LocalSection::pin);
   connect(commands_[Command::smoothHere], &QAction::triggered, this, &LocalSection::smooth);
+  connect(commands_[Command::pullHere], &QAction::triggered, this, &LocalSection::pull);
   connect(commands_[Command::cutHere], &QAction::triggered, this, &LocalSection::cut);
   connect(&document_, &Document::opened, this, &LocalSection::startWithVolume);
   for (auto changed : {&Document::opened, &Document::stateChanged, &Document::snapshotChanged,
                        &Document::objectsChanged, &Document::activeObjectChanged})
     connect(&document_, changed, this, &LocalSection::updateCommands);
   updateCommands();
+}
+
+//! That it is done here stands over them all.
+QWidget* LocalSection::button(Command id, const QString& text) {
+  auto* made = new ActionButton(commands_[id], this);
+  made->setOwnText(text);
+  return made;
 }
 
 QWidget* LocalSection::buildRadius() {
@@ -70,15 +79,16 @@ QWidget* LocalSection::buildRadius() {
   radius_->setSuffix(tr(" mm"));
   radius_->setKeyboardTracking(false);
   describe(radius_, tr("Radius at the crosshair"),
-           tr("Of the ball in which the surface is pinned or smoothed"));
+           tr("Of the ball in which the surface is pinned or smoothed, and how far along it a pull reaches"));
   ignoreWheelWithoutFocus(radius_);
   QFormLayout* form = panelForm();
   form->addRow(tr("Radius"), radius_);
   layout->addLayout(form);
   auto* row = new QHBoxLayout;
   row->setSpacing(4);
-  for (Command id : {Command::pinHere, Command::smoothHere})
-    row->addWidget(new ActionButton(commands_[id], part));
+  row->addWidget(button(Command::pinHere, tr("Pin")));
+  row->addWidget(button(Command::smoothHere, tr("Smooth")));
+  row->addWidget(button(Command::pullHere, tr("Pull")));
   layout->addLayout(row);
   return part;
 }
@@ -96,7 +106,7 @@ QWidget* LocalSection::buildCut() {
   form->addRow(tr("Keep"), choiceRow(tr("Keep"), {tr("Both"), tr("Superior"), tr("Inferior")},
                                      {tr("Both sides of the cut stay"), {}, {}}, kept_, part));
   layout->addLayout(form);
-  layout->addWidget(new ActionButton(commands_[Command::cutHere], part));
+  layout->addWidget(button(Command::cutHere, tr("Cut")));
   plane_->button(0)->setChecked(true);
   kept_->button(0)->setChecked(true);
   connect(plane_, &QButtonGroup::idToggled, this, &LocalSection::showSides);
@@ -134,16 +144,27 @@ void LocalSection::updateCommands() {
                        (now == GrowthState::paused || now == GrowthState::finished) &&
                        !document_.objectInfo(document_.activeObject()).locked;
   commands_[Command::pinHere]->setEnabled(isThere);
-  for (Command id : {Command::smoothHere, Command::cutHere})
+  for (Command id : {Command::smoothHere, Command::pullHere, Command::cutHere})
     commands_[id]->setEnabled(isThere && shown->certificate.boundsBody());
 }
 
-void LocalSection::pin() { document_.pin(state_.crosshair(), radius_->value()); }
+void LocalSection::pin() {
+  if (document_.pin(state_.crosshair(), radius_->value())) Q_EMIT pinned();
+}
 
 void LocalSection::smooth() {
   MeshEdit edit;
   edit.kind = MeshEditKind::smooth;
   edit.place = nearestVertex(document_.snapshot()->mesh, state_.crosshair());
+  edit.radius = radius_->value();
+  document_.editMesh(edit);
+}
+
+void LocalSection::pull() {
+  MeshEdit edit;
+  edit.kind = MeshEditKind::pull;
+  edit.place = nearestVertex(document_.snapshot()->mesh, state_.crosshair());
+  edit.vector = state_.crosshair();
   edit.radius = radius_->value();
   document_.editMesh(edit);
 }

@@ -1,9 +1,8 @@
 #pragma once
-// What is done to the shown surface where the crosshair is: a part of it pinned, smoothed, cut.
+// What is done to the shown surface where the crosshair is: a part of it pinned, smoothed, pulled, cut.
 
 #include <QWidget>
 
-#include "core/surgery/kept_side.h"
 #include "ui/view/view_state.h"
 
 class QButtonGroup;
@@ -13,15 +12,20 @@ namespace handlebody::ui {
 
 class Commands;
 class Document;
+enum class Command;
 
 class LocalSection : public QWidget {
   Q_OBJECT
 
  public:
-  //! Does what the commands Pin here, Smooth here and Cut here ask for, and enables them.
+  //! Does what the commands Pin here, Smooth here, Pull here and Cut here ask for, and enables them.
   LocalSection(Document& document, ViewState& state, const Commands& commands, QWidget* parent = nullptr);
 
+ Q_SIGNALS:
+  void pinned();
+
  private:
+  QWidget* button(Command id, const QString& text);
   QWidget* buildRadius();
   QWidget* buildCut();
   void startWithVolume();
@@ -29,6 +33,7 @@ class LocalSection : public QWidget {
   void updateCommands();
   void pin();
   void smooth();
+  void pull();
   void cut();
 
   Document& document_;

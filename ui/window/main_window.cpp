@@ -138,10 +138,15 @@ void MainWindow::buildCorrectPanel() {
       tr("Limits, vetoes, pins and discs. The crosshair goes to the chosen one; lifted, it holds no more "
          "from the shown iteration on."),
       new HeldSection(document_, state_));
-  panel->addSection(
-      tr("At the crosshair"),
-      tr("A pin holds the surface in a ball as it is. Smoothing and cutting are the next step."),
-      new LocalSection(document_, state_, commands_));
+  auto* local = new LocalSection(document_, state_, commands_);
+  panel->addSection(tr("At the crosshair"),
+                    tr("A pin holds the surface in a ball as it is. The others are the next step; a pull "
+                       "brings the nearest point here."),
+                    local);
+  connect(local, &LocalSection::pinned, this, [this] {
+    messages_->show(MessageBar::Kind::information,
+                    tr("The surface is pinned here from iteration %1 on.").arg(document_.iteration()));
+  });
   panel->addSection(
       tr("Tunnels and pieces"),
       tr("What the shown surface holds, and what can be done to it: each edit is the next step."),
