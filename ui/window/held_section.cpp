@@ -117,8 +117,8 @@ void HeldSection::addPins(std::vector<Row>& rows) const {
     Constraints after = now;
     after.pins = without(now.pins, i);
     const Pin& pin = now.pins[i];
-    rows.push_back({tr("Pin at iteration %1, %2").arg(pin.iteration).arg(millimetres(pin.radius)), pin.centre,
-                    tr("Lift"), [this, after] { document_.setConstraints(after, tr("Lift the pin")); }});
+    rows.push_back({tr("Pin at iteration %1").arg(pin.iteration), pin.centre, tr("Lift"),
+                    [this, after] { document_.setConstraints(after, tr("Lift the pin")); }});
   }
 }
 

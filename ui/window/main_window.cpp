@@ -140,8 +140,7 @@ void MainWindow::buildCorrectPanel() {
       new HeldSection(document_, state_));
   auto* local = new LocalSection(document_, state_, commands_);
   panel->addSection(tr("At the crosshair"),
-                    tr("A pin holds the surface in a ball as it is. The others are the next step; a pull "
-                       "brings the nearest point here."),
+                    tr("A pin holds the surface in a ball. To smooth, pull and cut is the next step."),
                     local);
   connect(local, &LocalSection::pinned, this, [this] {
     messages_->show(MessageBar::Kind::information,
