@@ -28,8 +28,8 @@ namespace {
 
 const Vec3 kLeft(12, 20, 20), kRight(30, 20, 20), kNeck(21, 20, 20);
 
-//! Two dark balls with a wide bar between them.
-QString writeBalls(const QTemporaryDir& folder) {
+//! Two dark balls with a wide bar between them, at the same places however the columns are counted.
+QString writeBalls(const QTemporaryDir& folder, bool fromTheLeft) {
   const QString path = folder.filePath("balls.nii.gz");
   const auto intensity = [](int i, int j, int k) {
     const Vec3 p(i, j, k);
@@ -39,7 +39,12 @@ QString writeBalls(const QTemporaryDir& folder) {
     // No two voxels are quite alike, so that the background is not taken for padding.
     return 110 + 90 * std::clamp(distance, -1.0, 1.0) + 0.5 * std::sin(i + 37.1 * j + 1234.5 * k);
   };
-  writeVolume(testing::volumeByIndex(testing::cubicGrid(43), intensity), path.toStdString());
+  Grid grid = testing::cubicGrid(43);
+  if (fromTheLeft) {
+    grid.direction.col(0) = Vec3(-1, 0, 0);
+    grid.origin = Vec3(42, 0, 0);
+  }
+  writeVolume(testing::volumeByIndex(grid, intensity), path.toStdString());
   return path;
 }
 
@@ -48,8 +53,8 @@ struct Opened {
   std::unique_ptr<ui::MainWindow> window = shownWindow();
   bool ok = false;
 
-  Opened() {
-    if (!window || !open(*window, writeBalls(folder))) return;
+  explicit Opened(bool fromTheLeft = false) {
+    if (!window || !open(*window, writeBalls(folder, fromTheLeft))) return;
     Parameters p = window->document().parameters();
     p.range = IntensityRange{-1000, 110};  // all that is dark: nothing else holds it back
     window->document().setParameters(p, "Range");
@@ -160,6 +165,7 @@ class CorrectTest : public QObject {
   void aPinIsPutDownByKeyListedFoundAndLifted();
   void theSurfaceIsSmoothedWhereItIsNearestToTheCrosshair();
   void theNearestPointOfTheSurfaceIsPulledToTheCrosshair();
+  void theSurfaceIsCutAlongTheChosenPlaneAndOneSideIsKept_data();
   void theSurfaceIsCutAlongTheChosenPlaneAndOneSideIsKept();
   void withoutASurfaceOrOnALockedObjectNothingIsPinnedOrEdited();
 };
@@ -468,8 +474,15 @@ void CorrectTest::theNearestPointOfTheSurfaceIsPulledToTheCrosshair() {
   QVERIFY(o.document().snapshot()->mesh.points == before.points);
 }
 
+void CorrectTest::theSurfaceIsCutAlongTheChosenPlaneAndOneSideIsKept_data() {
+  QTest::addColumn<bool>("fromTheLeft");
+  QTest::newRow("columns to the left") << false;
+  QTest::newRow("columns to the right") << true;
+}
+
 void CorrectTest::theSurfaceIsCutAlongTheChosenPlaneAndOneSideIsKept() {
-  Opened o;
+  QFETCH(bool, fromTheLeft);
+  Opened o(fromTheLeft);
   QVERIFY(o.ok && o.grow());
   const int iteration = o.document().iteration();
   const auto bodies = [&] { return o.document().snapshot()->certificate.genus.size(); };
