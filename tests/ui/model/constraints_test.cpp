@@ -176,3 +176,28 @@ TEST_CASE("a session with vetoes, limits and walls comes back as it was, and not
   while (straight.stopReason() == StopReason::running) straight.step();
   CHECK(isSame(third.snapshot()->mesh, straight.mesh().compact()));
 }
+
+TEST_CASE("a pin that holds nothing on another way is told, and lifted the growth goes on", "[document]") {
+  Grown grown;
+  Document& document = grown.document;
+  const int middle = document.lastIteration() / 2;
+  REQUIRE(showIteration(document, middle));
+  REQUIRE(document.pin(document.snapshot()->mesh.points.front(), 0.01));
+  REQUIRE(showIteration(document, 0));
+  Parameters other = document.parameters();
+  other.edgeLength = 1.3 * document.resolved()->edgeLength;
+  document.setParameters(other, "Other edges");
+  document.run();
+  REQUIRE(waitFor(
+      [&] {
+        return isAtRest(document) &&
+               (!document.growthError().isEmpty() || document.state() == GrowthState::finished);
+      },
+      120));
+  CHECK(document.iteration() == middle - 1);  // the step is not made
+  CHECK(document.growthError().contains("holds nothing"));
+  Constraints none;
+  document.setConstraints(none, "Lift the pin");
+  REQUIRE(runToEnd(document));
+  CHECK(document.growthError().isEmpty());
+}
