@@ -194,7 +194,7 @@ TEST_CASE("a pin that holds nothing on another way is told, and lifted the growt
                (!document.growthError().isEmpty() || document.state() == GrowthState::finished);
       },
       120));
-  CHECK(document.iteration() == middle - 1);  // the step is not made
+  CHECK(document.iteration() < middle);  // the step is not made
   CHECK(document.growthError().contains("holds nothing"));
   Constraints none;
   document.setConstraints(none, "Lift the pin");
