@@ -119,8 +119,8 @@ class Document : public QObject {
   void setActiveObject(int index);
   //! Behind the others, and active. Name, colour and label value are such as no other has.
   void addObject();
-  //! Behind it, and active: seeds, parameters and constraints, without the growth and the vetoes and
-  //! edits of its steps.
+  //! Behind it, and active: seeds, parameters and constraints, without the growth and the vetoes, pins
+  //! and edits of its steps.
   void duplicateObject(int index);
   //! The active one after it is the next in the list. Nothing if it is the last that is left.
   void removeObject(int index);
@@ -174,14 +174,18 @@ class Document : public QObject {
   bool paintWalls(const std::vector<WallBall>& stroke);
   //! Balls and discs that one of these balls touches are no walls any more from the shown iteration on.
   void eraseWalls(const std::vector<WallBall>& eraser);
+  //! The part of the shown surface in a ball (mm LPS) stays as it is from the shown iteration on. False, with
+  //! refused(), if no vertex lies in the ball or it is pinned already; false, too, without a surface or while
+  //! it grows: nothing has changed then.
+  bool pin(const Vec3& centre, double radius);
   //! Between the walls and the shown surface; none: it can go on. Takes milliseconds.
   std::optional<WallConflict> wallConflict() const;
   //! Back to the last iteration at which the surface had not come to the walls that are new to it, or to the
   //! start, and on from there.
   void goOnBeforeWalls();
-  //! Tunnels, components and cavities of the shown mesh: goes on from the shown iteration with that edit as
-  //! the next step, which is made at once (redo makes it again). Its iteration is set here. meshEdited(), or
-  //! refused() and all is as before. Nothing while it grows.
+  //! Tunnels, components and cavities of the shown mesh, and places on it: goes on from the shown iteration
+  //! with that edit as the next step, which is made at once (redo makes it again). Its iteration is set here.
+  //! meshEdited(), or refused() and all is as before. Nothing while it grows.
   void editMesh(MeshEdit edit);
   //! The edit of that iteration: goes back to the step before it, and what is grown on from there is without.
   void leaveOutEdit(int iteration);

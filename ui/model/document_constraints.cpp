@@ -1,4 +1,4 @@
-// What the surface may not do: walls, vetoes, and what is allowed again.
+// What the surface may not do: walls, vetoes, pins, and what is allowed again.
 
 #include <algorithm>
 
@@ -72,6 +72,28 @@ std::optional<WallConflict> Document::wallConflict() const {
                                        [](const WallList& wall) { return !wall.discs.empty(); });
   const bool movesBothWays = parameters().direction == Direction::both;
   return WallConflict{movesBothWays && occupied.enclosed.empty() && !crossesDisc};
+}
+
+bool Document::pin(const Vec3& centre, double radius) {
+  const auto shown = snapshot();
+  if (!shown || state() == GrowthState::running || state() == GrowthState::preparing || !d_->mayChange())
+    return false;
+  const std::vector<Vec3>& points = shown->mesh.points;
+  const auto isHeld = [&](const Vec3& p) { return (p - centre).squaredNorm() <= radius * radius; };
+  if (std::none_of(points.begin(), points.end(), isHeld)) {
+    Q_EMIT refused(tr("No vertex of the surface lies within %1 mm of %2 mm: nothing is pinned.")
+                       .arg(QString::number(radius, 'g', 4), written(centre)));
+    return false;
+  }
+  const Pin asked{centre, radius, iteration()};
+  Constraints after = constraints();
+  if (std::find(after.pins.begin(), after.pins.end(), asked) != after.pins.end()) {
+    Q_EMIT refused(tr("This part of the surface is pinned already."));
+    return false;
+  }
+  after.pins.push_back(asked);
+  setConstraints(after, tr("Pin here"));
+  return true;
 }
 
 void Document::goOnBeforeWalls() {

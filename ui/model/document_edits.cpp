@@ -16,6 +16,12 @@ QString nameOf(const MeshEdit& edit) {
       return Document::tr("Keep only one component");
     case MeshEditKind::fillCavity:
       return Document::tr("Fill cavity");
+    case MeshEditKind::smooth:
+      return Document::tr("Smooth here");
+    case MeshEditKind::pull:
+      return Document::tr("Pull here");
+    case MeshEditKind::cut:
+      return Document::tr("Cut here");
     default:
       return edit.cut == TunnelCut::handle   ? Document::tr("Cut handle")
              : edit.cut == TunnelCut::tunnel ? Document::tr("Fill tunnel")

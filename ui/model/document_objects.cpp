@@ -222,6 +222,7 @@ void Document::duplicateObject(int index) {
   after.active = d_->newObject();
   Edits edits = original.edits();
   edits.constraints.vetoes.clear();
+  edits.constraints.pins.clear();
   edits.constraints.edits.clear();
   after.active->start(std::move(edits));
   ObjectLabel label = d_->freshLabel();

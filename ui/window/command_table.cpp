@@ -165,22 +165,32 @@ void addGrowCommands(std::vector<CommandSpec>& t) {
 
 void addCorrectCommands(std::vector<CommandSpec>& t) {
   const char* menu = T("&Correct");
-  t.insert(t.end(), {{Command::paintWalls, menu, "", T("&Paint walls"), "B", "wall-paint",
-                      T("Drag in a slice: the surface may not go where it is painted"), kToggle, false},
-                     {Command::eraseWalls, menu, "", T("&Erase walls"), "E", "wall-erase",
-                      T("Drag in a slice: what the eraser touches is no wall any more"), kToggle, false},
-                     {Command::largerBrush, menu, "", T("&Larger brush"), "Ctrl+]", "",
-                      T("Radius of brush and eraser a tenth larger"), kPlain, true},
-                     {Command::smallerBrush, menu, "", T("S&maller brush"), "Ctrl+[", "",
-                      T("Radius of brush and eraser a tenth smaller"), kPlain, false},
-                     {Command::wallAtCrosshair, menu, "", T("&Wall at the crosshair"), "Shift+B", "",
-                      T("A wall as large as the brush where the crosshair is"), kPlain, true},
-                     {Command::eraseAtCrosshair, menu, "", T("E&rase at the crosshair"), "Shift+E", "",
-                      T("No walls where the eraser would touch them at the crosshair"), kPlain, false},
-                     {Command::goOnBeforeWalls, menu, "", T("Go &on from before the walls"), "Ctrl+B", "",
-                      T("Back to before the surface came to the new walls, and on from there"), kPlain, true},
-                     {Command::removeWalls, menu, "", T("Remo&ve all walls"), "Ctrl+Shift+B", "",
-                      T("Nothing that was painted is a wall any more"), kPlain, false}});
+  t.insert(
+      t.end(),
+      {{Command::paintWalls, menu, "", T("&Paint walls"), "B", "wall-paint",
+        T("Drag in a slice: the surface may not go where it is painted"), kToggle, false},
+       {Command::eraseWalls, menu, "", T("&Erase walls"), "E", "wall-erase",
+        T("Drag in a slice: what the eraser touches is no wall any more"), kToggle, false},
+       {Command::largerBrush, menu, "", T("&Larger brush"), "Ctrl+]", "",
+        T("Radius of brush and eraser a tenth larger"), kPlain, true},
+       {Command::smallerBrush, menu, "", T("S&maller brush"), "Ctrl+[", "",
+        T("Radius of brush and eraser a tenth smaller"), kPlain, false},
+       {Command::wallAtCrosshair, menu, "", T("&Wall at the crosshair"), "Shift+B", "",
+        T("A wall as large as the brush where the crosshair is"), kPlain, true},
+       {Command::eraseAtCrosshair, menu, "", T("E&rase at the crosshair"), "Shift+E", "",
+        T("No walls where the eraser would touch them at the crosshair"), kPlain, false},
+       {Command::goOnBeforeWalls, menu, "", T("Go &on from before the walls"), "Ctrl+B", "",
+        T("Back to before the surface came to the new walls, and on from there"), kPlain, true},
+       {Command::removeWalls, menu, "", T("Remo&ve all walls"), "Ctrl+Shift+B", "",
+        T("Nothing that was painted is a wall any more"), kPlain, false},
+       {Command::pinHere, menu, "", T("Pi&n here"), "Shift+P", "pin",
+        T("The surface around the crosshair stays as it is from the shown iteration on"), kPlain, true},
+       {Command::smoothHere, menu, "", T("&Smooth here"), "Shift+S", "smooth",
+        T("Smooth the surface around its point nearest to the crosshair, as the next step"), kPlain, false},
+       {Command::pullHere, menu, "", T("P&ull here"), "Shift+U", "pull",
+        T("Pull the point of the surface nearest to the crosshair there, as the next step"), kPlain, false},
+       {Command::cutHere, menu, "", T("&Cut here"), "Shift+C", "cut",
+        T("Cut along the chosen plane through the crosshair, as the next step"), kPlain, false}});
 }
 
 void addObjectCommands(std::vector<CommandSpec>& t) {

@@ -111,6 +111,17 @@ void HeldSection::addTopology(std::vector<Row>& rows) const {
   }
 }
 
+void HeldSection::addPins(std::vector<Row>& rows) const {
+  const Constraints& now = document_.constraints();
+  for (std::size_t i = 0; i < now.pins.size(); ++i) {
+    Constraints after = now;
+    after.pins = without(now.pins, i);
+    const Pin& pin = now.pins[i];
+    rows.push_back({tr("Pin at iteration %1").arg(pin.iteration), pin.centre, tr("Lift"),
+                    [this, after] { document_.setConstraints(after, tr("Lift the pin")); }});
+  }
+}
+
 void HeldSection::addWalls(std::vector<Row>& rows) const {
   const Constraints& now = document_.constraints();
   for (std::size_t i = 0; i < now.walls.discs.size(); ++i) {
@@ -142,6 +153,7 @@ void HeldSection::addHeld(std::vector<Row>& rows) const {
 std::vector<HeldSection::Row> HeldSection::rowsNow() const {
   std::vector<Row> rows;
   addTopology(rows);
+  addPins(rows);
   addWalls(rows);
   addHeld(rows);
   return rows;

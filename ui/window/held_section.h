@@ -1,6 +1,6 @@
 #pragma once
-// What holds the active object back: limits, vetoes, places that are allowed, discs, a map of walls, and
-// what is held in the shown iteration; each can be lifted.
+// What holds the active object back: limits, vetoes, pins, places that are allowed, discs, a map of walls,
+// and what is held in the shown iteration; each can be lifted.
 
 #include <QWidget>
 #include <functional>
@@ -37,6 +37,7 @@ class HeldSection : public QWidget {
   };
   std::vector<Row> rowsNow() const;
   void addTopology(std::vector<Row>& rows) const;
+  void addPins(std::vector<Row>& rows) const;
   void addWalls(std::vector<Row>& rows) const;
   void addHeld(std::vector<Row>& rows) const;
   void showRows();

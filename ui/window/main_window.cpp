@@ -23,6 +23,7 @@
 #include "ui/window/icons.h"
 #include "ui/window/key_guard.h"
 #include "ui/window/label_face.h"
+#include "ui/window/local_section.h"
 #include "ui/window/menus.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/objects_panel.h"
@@ -134,9 +135,17 @@ void MainWindow::buildCorrectPanel() {
                     new WallSection(document_, state_, commands_));
   panel->addSection(
       tr("Held back"),
-      tr("Limits, vetoes and discs. The crosshair goes to the chosen one; lifted, it holds no more "
+      tr("Limits, vetoes, pins and discs. The crosshair goes to the chosen one; lifted, it holds no more "
          "from the shown iteration on."),
       new HeldSection(document_, state_));
+  auto* local = new LocalSection(document_, state_, commands_);
+  panel->addSection(tr("At the crosshair"),
+                    tr("A pin holds the surface in a ball. To smooth, pull and cut is the next step."),
+                    local);
+  connect(local, &LocalSection::pinned, this, [this] {
+    messages_->show(MessageBar::Kind::information,
+                    tr("The surface is pinned here from iteration %1 on.").arg(document_.iteration()));
+  });
   panel->addSection(
       tr("Tunnels and pieces"),
       tr("What the shown surface holds, and what can be done to it: each edit is the next step."),

@@ -44,6 +44,12 @@ QString nameOf(const MeshEdit& edit) {
       return TunnelsList::tr("One component kept");
     case MeshEditKind::fillCavity:
       return TunnelsList::tr("Cavity filled");
+    case MeshEditKind::smooth:
+      return TunnelsList::tr("Smoothed");
+    case MeshEditKind::pull:
+      return TunnelsList::tr("Pulled");
+    case MeshEditKind::cut:
+      return TunnelsList::tr("Cut by a plane");
     default:
       return edit.cut == TunnelCut::handle   ? TunnelsList::tr("Handle cut")
              : edit.cut == TunnelCut::tunnel ? TunnelsList::tr("Tunnel filled")

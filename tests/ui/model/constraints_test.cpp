@@ -67,6 +67,73 @@ TEST_CASE("a change of topology is forbidden from the step before on, and undo b
   CHECK(isSame(document.snapshot()->mesh, apart));
 }
 
+TEST_CASE("a part is pinned as it is shown, kept in a session, and freed by undo", "[document]") {
+  Grown grown;
+  Document& document = grown.document;
+  const int middle = document.lastIteration() / 2;
+  REQUIRE(showIteration(document, middle));
+  const TriangleSoup before = document.snapshot()->mesh;
+  const Vec3 centre = before.points.front();
+  const auto held = [&](const TriangleSoup& mesh) {  // of the vertices in the ball, as they were
+    int count = 0;
+    for (const Vec3& p : before.points)
+      count += (p - centre).norm() <= 3 &&
+               std::find(mesh.points.begin(), mesh.points.end(), p) != mesh.points.end();
+    return count;
+  };
+  const int all = held(before);
+  REQUIRE(all > 3);
+  REQUIRE(document.pin(centre, 3));
+  CHECK(document.undoStack()->undoText() == "Pin here");
+  CHECK(document.constraints().pins == std::vector<Pin>{{centre, 3, middle}});
+  REQUIRE(runToEnd(document));
+  CHECK(document.lastIteration() > middle);
+  CHECK(held(document.snapshot()->mesh) == all);
+  REQUIRE(document.snapshot()->pinned.size() == 1);
+  CHECK(document.snapshot()->pinned[0].vertices == all);
+
+  const QString path = grown.torus.file("pinned.json");
+  REQUIRE(grown.save(path));
+  Document again;
+  REQUIRE(openAndWait(again, path));
+  REQUIRE(waitFor([&] { return again.iteration() == document.iteration() && isAtRest(again); }));
+  CHECK(again.constraints() == document.constraints());
+  CHECK(isSame(again.snapshot()->mesh, document.snapshot()->mesh));
+
+  document.undoStack()->undo();
+  CHECK(document.constraints().empty());
+  REQUIRE(showIteration(document, middle));
+  CHECK(isSame(document.snapshot()->mesh, before));
+  REQUIRE(runToEnd(document));
+  CHECK(held(document.snapshot()->mesh) < all);
+}
+
+TEST_CASE("a pin that would hold nothing, is there already, or is of a locked object is refused",
+          "[document]") {
+  Grown grown;
+  Document& document = grown.document;
+  QStringList refused;
+  QObject::connect(&document, &Document::refused, [&](const QString& why) { refused << why; });
+  const Vec3 centre = document.snapshot()->mesh.points.front();
+  CHECK_FALSE(document.pin(testing::kMiddle, 0.5));
+  REQUIRE(refused.size() == 1);
+  CHECK(refused[0].contains("nothing is pinned"));
+  CHECK(document.constraints().empty());
+  REQUIRE(document.pin(centre, 2));
+  const int entries = document.undoStack()->count();
+  CHECK_FALSE(document.pin(centre, 2));
+  REQUIRE(refused.size() == 2);
+  CHECK(refused[1].contains("pinned already"));
+  document.duplicateObject(0);
+  CHECK(document.constraints().empty());  // its surface is another one
+  document.setActiveObject(0);
+  document.setObjectLocked(0, true);
+  CHECK_FALSE(document.pin(centre, 3));
+  CHECK(refused.size() == 3);
+  CHECK(document.constraints().pins.size() == 1);
+  CHECK(entries < document.undoStack()->count());  // of duplicating alone
+}
+
 TEST_CASE("what was held may happen from the shown iteration on", "[document]") {
   Grown grown;
   Document& document = grown.document;
@@ -108,4 +175,29 @@ TEST_CASE("a session with vetoes, limits and walls comes back as it was, and not
   ActiveContour straight(third.volume(), session.seeds, session.requested, session.constraints);
   while (straight.stopReason() == StopReason::running) straight.step();
   CHECK(isSame(third.snapshot()->mesh, straight.mesh().compact()));
+}
+
+TEST_CASE("a pin that holds nothing on another way is told, and lifted the growth goes on", "[document]") {
+  Grown grown;
+  Document& document = grown.document;
+  const int middle = document.lastIteration() / 2;
+  REQUIRE(showIteration(document, middle));
+  REQUIRE(document.pin(document.snapshot()->mesh.points.front(), 0.01));
+  REQUIRE(showIteration(document, 0));
+  Parameters other = document.parameters();
+  other.edgeLength = 1.3 * document.resolved()->edgeLength;
+  document.setParameters(other, "Other edges");
+  document.run();
+  REQUIRE(waitFor(
+      [&] {
+        return isAtRest(document) &&
+               (!document.growthError().isEmpty() || document.state() == GrowthState::finished);
+      },
+      120));
+  CHECK(document.iteration() < middle);  // the step is not made
+  CHECK(document.growthError().contains("holds nothing"));
+  Constraints none;
+  document.setConstraints(none, "Lift the pin");
+  REQUIRE(runToEnd(document));
+  CHECK(document.growthError().isEmpty());
 }

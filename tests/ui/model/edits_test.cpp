@@ -133,6 +133,41 @@ TEST_CASE("a session with edits opens to the same surface, and replays to it", "
   CHECK(isSame(contour.mesh().compact(), document.snapshot()->mesh));
 }
 
+TEST_CASE("a place that was pulled, smoothed and cut is the same again from a session", "[document]") {
+  Grown grown;
+  Document& document = grown.document;
+  const int before = document.iteration();
+  const Vec3 end = testing::kMiddle - Vec3(testing::kTorusR + testing::kTorusr, 0, 0);
+  const auto make = [&](MeshEdit edit) {
+    const int made = grown.edited;
+    document.editMesh(edit);
+    return waitFor([&] { return grown.edited > made; });
+  };
+  MeshEdit pull{0, MeshEditKind::pull, end}, smooth{0, MeshEditKind::smooth, end},
+      cut{0, MeshEditKind::cut, testing::kMiddle};
+  pull.vector = end - Vec3(1.5, 0, 0);
+  pull.radius = smooth.radius = 4;
+  cut.vector = Vec3(1, 0, 0);
+  cut.keep = KeptSide::negative;
+  REQUIRE(make(pull));
+  CHECK(document.undoStack()->undoText() == "Pull here");
+  REQUIRE(make(smooth));
+  CHECK(document.undoStack()->undoText() == "Smooth here");
+  REQUIRE(make(cut));
+  CHECK(document.undoStack()->undoText() == "Cut here");
+  CHECK(document.iteration() == before + 3);
+  CHECK(document.snapshot()->certificate.boundsBody());
+  CHECK(grown.genus() == 0);  // half of a ring
+
+  const QString path = grown.torus.file("places.json");
+  REQUIRE(grown.save(path));
+  Document again;
+  REQUIRE(openAndWait(again, path));
+  REQUIRE(waitFor([&] { return again.iteration() == document.iteration() && isAtRest(again); }));
+  CHECK(isSame(again.snapshot()->mesh, document.snapshot()->mesh));
+  CHECK(again.constraints() == document.constraints());
+}
+
 TEST_CASE("what is looked for can be cancelled, and tells nothing then", "[document]") {
   Grown grown;
   std::atomic<int> told{0};

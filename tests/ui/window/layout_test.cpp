@@ -195,6 +195,7 @@ void LayoutTest::nothingIsCutOffWithWallsAndWhatIsHeld() {
   some.walls.discs = {{Vec3(112.25, 41.75, 86.5), Vec3(1, 0, 0), 12.5}};
   some.vetoes = {{12, Vec3(110.5, 40.5, 101.5)}, {1234, Vec3(115.25, 40.75, 91.5)}};
   some.topology = {12, 10, {Vec3(118.25, 40.5, 86.5)}};
+  some.pins = {{Vec3(112.25, 41.75, 86.5), 12.25, 1234}};
   window->document().setConstraints(some, QStringLiteral("Some"));
   for (auto appearance : {ui::Appearance::light, ui::Appearance::dark}) {
     window->setAppearance(appearance);
