@@ -1,7 +1,6 @@
 #include "ui/window/held_section.h"
 
 #include <QFileInfo>
-#include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
@@ -21,14 +20,7 @@ namespace handlebody::ui {
 namespace {
 
 constexpr int kTableHeight = 130;  // pixels
-enum Column { kWhat, kWhere, kColumns };
-
-QTableWidgetItem* cell(const QString& text) {
-  auto* item = new QTableWidgetItem(text);
-  item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
-  item->setToolTip(text.toHtmlEscaped());
-  return item;
-}
+enum Column { kWhat, kWhere };
 
 template <typename T>
 std::vector<T> without(std::vector<T> list, std::size_t index) {
@@ -45,15 +37,7 @@ HeldSection::HeldSection(Document& document, ViewState& state, QWidget* parent)
   none_ = value(tr("What is held back"), this);
   none_->setText(tr("Nothing is held back."));
   layout->addWidget(none_);
-  table_ = new QTableWidget(0, kColumns, this);
-  table_->setHorizontalHeaderLabels({tr("What"), tr("Where (mm LPS)")});
-  table_->horizontalHeader()->setSectionResizeMode(kWhat, QHeaderView::Stretch);
-  table_->horizontalHeader()->setSectionResizeMode(kWhere, QHeaderView::ResizeToContents);
-  table_->horizontalHeader()->setHighlightSections(false);
-  table_->verticalHeader()->hide();
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setTabKeyNavigation(false);
+  table_ = listTable({tr("What"), tr("Where (mm LPS)")}, this);
   table_->setAccessibleName(tr("What is held back, each with its place"));
   table_->setFixedHeight(kTableHeight);
   table_->installEventFilter(this);
@@ -172,8 +156,8 @@ void HeldSection::showRows() {
     table_->setRowCount(static_cast<int>(rows_.size()));
     for (int i = 0; i < table_->rowCount(); ++i) {
       const Row& row = rows_[static_cast<std::size_t>(i)];
-      table_->setItem(i, kWhat, cell(row.text));
-      table_->setItem(i, kWhere, cell(row.place ? place(*row.place).chopped(3) : QStringLiteral("–")));
+      table_->setItem(i, kWhat, listCell(row.text));
+      table_->setItem(i, kWhere, listCell(row.place ? place(*row.place).chopped(3) : QStringLiteral("–")));
     }
   }
   none_->setVisible(rows_.empty());

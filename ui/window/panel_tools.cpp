@@ -3,6 +3,8 @@
 #include <QAction>
 #include <QEvent>
 #include <QFormLayout>
+#include <QHeaderView>
+#include <QTableWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -91,6 +93,26 @@ void describe(QWidget* field, const QString& name, const QString& tip) {
   field->setAccessibleName(name);
   field->setAccessibleDescription(tip);
   field->setToolTip(QStringLiteral("<p>%1</p>").arg(tip.toHtmlEscaped()));  // rich text, so that it wraps
+}
+
+QTableWidget* listTable(const QStringList& headers, QWidget* parent) {
+  auto* table = new QTableWidget(0, static_cast<int>(headers.size()), parent);
+  table->setHorizontalHeaderLabels(headers);
+  table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+  table->horizontalHeader()->setHighlightSections(false);
+  table->verticalHeader()->hide();
+  table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table->setSelectionMode(QAbstractItemView::SingleSelection);
+  table->setTabKeyNavigation(false);
+  return table;
+}
+
+QTableWidgetItem* listCell(const QString& text) {
+  auto* item = new QTableWidgetItem(text);
+  item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+  item->setToolTip(text.toHtmlEscaped());
+  return item;
 }
 
 QString pathText(const QString& path, const QFontMetrics& metrics, int width) {

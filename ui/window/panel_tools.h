@@ -4,9 +4,12 @@
 #include <QFontMetrics>
 #include <QLabel>
 #include <QString>
+#include <QStringList>
 
 class QAction;
 class QFormLayout;
+class QTableWidget;
+class QTableWidgetItem;
 class QToolButton;
 class QVBoxLayout;
 
@@ -30,6 +33,11 @@ QToolButton* smallButton(QAction* action, QWidget* parent);
 void ignoreWheelWithoutFocus(QWidget* field);
 //! Lets a field be found and read aloud: accessible name, tooltip, and the same text as "what is this".
 void describe(QWidget* field, const QString& name, const QString& tip);
+
+//! Rows to choose from, one at a time; the first column takes the room that is left.
+QTableWidget* listTable(const QStringList& headers, QWidget* parent);
+//! Of such a table: cannot be edited; its tip has the whole text.
+QTableWidgetItem* listCell(const QString& text);
 
 //! A path as a menu or a button shows it: shortened in its middle to `width` pixels, and an "&" in it is no
 //! letter to press.

@@ -20,14 +20,7 @@ namespace handlebody::ui {
 namespace {
 
 constexpr int kHighestTable = 190;  // pixels
-enum Column { kWhat, kSize, kColumns };
-
-QTableWidgetItem* cell(const QString& text) {
-  auto* item = new QTableWidgetItem(text);
-  item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
-  item->setToolTip(text.toHtmlEscaped());
-  return item;
-}
+enum Column { kWhat, kSize };
 
 QIcon square(const QColor& colour) {
   QPixmap picture(12, 12);
@@ -87,15 +80,7 @@ TunnelsList::TunnelsList(Document& document, ViewState& state, QWidget* parent)
 }
 
 void TunnelsList::buildTable() {
-  table_ = new QTableWidget(0, kColumns, this);
-  table_->setHorizontalHeaderLabels({tr("What"), tr("Size")});
-  table_->horizontalHeader()->setSectionResizeMode(kWhat, QHeaderView::Stretch);
-  table_->horizontalHeader()->setSectionResizeMode(kSize, QHeaderView::ResizeToContents);
-  table_->horizontalHeader()->setHighlightSections(false);
-  table_->verticalHeader()->hide();
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setTabKeyNavigation(false);
+  table_ = listTable({tr("What"), tr("Size")}, this);
   table_->setAccessibleName(tr("Tunnels, components and cavities, each with its size"));
   connect(table_, &QTableWidget::itemSelectionChanged, this, &TunnelsList::showChosen);
   connect(table_, &QTableWidget::cellClicked, this, &TunnelsList::showChosen);  // again, too
@@ -271,8 +256,8 @@ void TunnelsList::showRows() {
     table_->setCurrentCell(-1, -1);
     table_->setRowCount(static_cast<int>(rows_.size()));
     for (int i = 0; i < table_->rowCount(); ++i) {
-      table_->setItem(i, kWhat, cell(rows_[static_cast<std::size_t>(i)].what));
-      table_->setItem(i, kSize, cell(rows_[static_cast<std::size_t>(i)].size));
+      table_->setItem(i, kWhat, listCell(rows_[static_cast<std::size_t>(i)].what));
+      table_->setItem(i, kSize, listCell(rows_[static_cast<std::size_t>(i)].size));
     }
   }
   fitTable();
