@@ -110,17 +110,29 @@ TEST_CASE("the boxes of the eight hash functions are blocks of half boxes, negat
 TEST_CASE("points closer than half a box share a box of one of the eight functions (Theorem 3)") {
   const double l = 1;
   const auto points = cloud(400, Vec3(3, 3, 3), 3);
-  for (const Vec3& p : points) {
+  const std::vector<int> all = allOf(points);
+  const auto boxes = halfBoxesFor(points, all, l / 2);
+  REQUIRE(boxes);
+  const auto shareBox = [&](const Vec3& p, const Vec3& q) {
+    const auto a = boxes->boxOf(p), b = boxes->boxOf(q);
+    bool shared = true;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      shared = shared &&
+               (boxIndex(a[axis], 0) == boxIndex(b[axis], 0) || boxIndex(a[axis], 1) == boxIndex(b[axis], 1));
+    return shared;
+  };
+  int near = 0, apart = 0;
+  for (const Vec3& p : points)
     for (const Vec3& q : points) {
-      if ((p - q).norm() > l / 2) continue;
-      bool shared = true;
-      for (int axis = 0; axis < 3; ++axis) {
-        shared = shared && (paperBox(p[axis], l, 0) == paperBox(q[axis], l, 0) ||
-                            paperBox(p[axis], l, 1) == paperBox(q[axis], l, 1));
+      if ((p - q).norm() <= l / 2) {
+        REQUIRE(shareBox(p, q));
+        ++near;
+      } else {
+        apart += !shareBox(p, q);
       }
-      REQUIRE(shared);
     }
-  }
+  CHECK(near > 1000);
+  CHECK(apart > near);  // a box for all would not do
 }
 
 TEST_CASE("any size of the hash table gives the same pairs, a smaller one more to look at") {
