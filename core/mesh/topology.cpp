@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/mesh/component_volume.h"
 #include "core/mesh/union_find.h"
 
 namespace handlebody {
@@ -68,6 +69,7 @@ Components findComponents(const Mesh& mesh) {
   Components c;
   c.ofVertex.assign(at(mesh.vertexSlots()), -1);
   std::vector<Eigen::AlignedBox3d> boxes;
+  std::vector<int> first;
   for (int v = 0; v < mesh.vertexSlots(); ++v) {
     if (!mesh.isVertex(v)) continue;
     const int lowest = parts.find(v);
@@ -75,6 +77,7 @@ Components findComponents(const Mesh& mesh) {
       c.ofVertex[at(v)] = c.count();
       c.vertices.push_back(0);
       boxes.emplace_back();
+      first.push_back(v);
     }
     const int part = c.ofVertex[at(v)] = c.ofVertex[at(lowest)];
     ++c.vertices[at(part)];
@@ -85,9 +88,11 @@ Components findComponents(const Mesh& mesh) {
   c.volume.assign(c.vertices.size(), 0);
   for (int f = 0; f < mesh.faceSlots(); ++f) {
     if (!mesh.isFace(f)) continue;
-    const auto part = static_cast<std::size_t>(c.ofVertex[static_cast<std::size_t>(mesh.face(f)[0])]);
+    const Triangle& t = mesh.face(f);
+    const std::size_t part = at(c.ofVertex[at(t[0])]);
     ++c.faces[part];
-    c.volume[part] += mesh.position(mesh.face(f)[0]).dot(mesh.areaVector(f)) / 6;
+    c.volume[part] +=
+        volumeTerm(mesh.position(first[part]), mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
   }
   return c;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numeric>
 
+#include "core/mesh/component_volume.h"
 #include "core/mesh/nesting.h"
 #include "core/mesh/structure.h"
 #include "core/mesh/union_find.h"
@@ -157,12 +158,17 @@ SoupComponents componentsOf(const TriangleSoup& soup, const std::vector<Edge>& e
   return out;
 }
 
-std::vector<double> volumesOf(const TriangleSoup& soup, const Components& parts, const Measuring& measuring) {
-  std::vector<Measures> each(parts.vertices.size());
-  for (const Triangle& t : soup.triangles)
-    measuring.add(t, each[static_cast<std::size_t>(parts.ofVertex[static_cast<std::size_t>(t[0])])]);
-  std::vector<double> volumes;
-  for (const Measures& m : each) volumes.push_back(m.volume);
+std::vector<double> volumesOf(const TriangleSoup& soup, const Components& parts) {
+  const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  std::vector<int> first(parts.vertices.size(), -1);
+  for (std::size_t v = parts.ofVertex.size(); v-- > 0;)
+    if (parts.ofVertex[v] >= 0) first[at(parts.ofVertex[v])] = static_cast<int>(v);
+  std::vector<double> volumes(parts.vertices.size(), 0);
+  for (const Triangle& t : soup.triangles) {
+    const std::size_t part = at(parts.ofVertex[at(t[0])]);
+    volumes[part] += volumeTerm(soup.points[at(first[part])], soup.points[at(t[0])], soup.points[at(t[1])],
+                                soup.points[at(t[2])]);
+  }
   return volumes;
 }
 
@@ -196,7 +202,7 @@ Certificate examine(const TriangleSoup& soup) {
   if (!c.closed || !c.manifold || !edges.oriented) return c;
   for (const int euler : s.euler) c.genus.push_back((2 - euler) / 2);
   if (!c.oriented) return c;
-  s.parts.volume = volumesOf(soup, s.parts, measuring);
+  s.parts.volume = volumesOf(soup, s.parts);
   examineNesting({soup.points, soup.triangles, s.parts}, c);
   return c;
 }

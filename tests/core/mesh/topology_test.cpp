@@ -1,7 +1,10 @@
 #include "core/mesh/topology.h"
 
+#include <cmath>
 #include <numbers>
+#include <random>
 
+#include "core/mesh/validity.h"
 #include "tests/support/expect_valid.h"
 #include "tests/support/mesh_zoo.h"
 
@@ -74,4 +77,23 @@ TEST_CASE("the last component can be deleted, and leaves nothing") {
   CHECK(mesh.vertexCount() == 0);
   CHECK(mesh.faceCount() == 0);
   CHECK(findComponents(mesh).count() == 0);
+}
+
+TEST_CASE(
+    "a body as thin as rounding, far from the origin, is told as a body, by step and certificate alike") {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> place(-600, 600), side(0.2, 1);
+  for (int k = 0; k < 300; ++k) {
+    const Vec3 at(place(random), place(random), place(random));
+    const Vec3 u(side(random), 0, 0), v(0.3 * side(random), side(random), 0);
+    Vec3 top = at + Vec3(0.2, 0.2, 0);  // doubles lie 1e-13 mm apart there
+    for (int n = 0; n < 2; ++n) top.z() = std::nextafter(top.z(), 1e9);
+    const TriangleSoup thin{{at, at + u, at + v, top}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+    const TriangleSoup both = zoo::both(zoo::moved(zoo::cube(2), at + Vec3(5, 0, 0)), thin);
+    const Mesh mesh(both);
+    REQUIRE(findComponents(mesh).volume[1] > 0);
+    REQUIRE(examine(mesh).cavities == 0);
+    REQUIRE(examine(both).cavities == 0);
+    REQUIRE(examine(both).misplaced == 0);
+  }
 }
