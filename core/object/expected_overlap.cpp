@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/cancellation.h"
+#include "core/object/centrality.h"
 
 namespace handlebody {
 
@@ -124,6 +125,12 @@ double overlapOf(const Listed& a, const Listed& b) {
   return std::min(1.0, 2 * (countInA ? shared(a, b) : shared(b, a)) / sum);
 }
 
+//! Of a click near the rim of a region.
+double costOfRim(const RankedRegion& r, const ObjectPolicy& p) {
+  const double part = std::clamp(centrality(r), p.leastCentral, p.centralDepth);
+  return p.central * std::log(p.centralDepth / part);
+}
+
 double diceOfIntersectionOverUnion(double iou) { return 2 * iou / (1 + iou); }
 
 }  // namespace
@@ -153,6 +160,9 @@ LikelyRegions likelyRegions(std::vector<RankedRegion>& ranked, const ObjectPolic
     };
     if (std::all_of(kept.begin(), kept.end(), differs)) kept.push_back(std::move(next));
   }
+  for (Listed& k : kept) k.region.score -= costOfRim(k.region, policy);
+  std::stable_sort(kept.begin(), kept.end(),
+                   [](const Listed& a, const Listed& b) { return a.region.score > b.region.score; });
   std::vector<double> scores;
   for (const Listed& k : kept) {
     out.regions.push_back(k.region);

@@ -16,7 +16,8 @@ struct LikelyRegions {
 };
 //! How likely each is whose score is given; the sum is 1. Precondition: there is one.
 std::vector<double> likelihoods(const std::vector<double>& scores, const ObjectPolicy& policy);
-//! The `likely` best of all. Orders `ranked` by score.
+//! The `likely` best of all, their scores lowered where the click lies near their rims. Orders `ranked` by
+//! score.
 LikelyRegions likelyRegions(std::vector<RankedRegion>& ranked, const ObjectPolicy& policy);
 
 //! A region with its expected Dice.

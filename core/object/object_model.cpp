@@ -338,7 +338,7 @@ class Finder {
     for (std::size_t i = 0; i < offered.size(); ++i) {
       const RankedRegion& r = offered[i].region;
       const std::shared_ptr<const Region> whole = regions[i];
-      offers.add([whole] { return *whole; }, r.score, false);
+      offers.add([whole] { return *whole; }, r.score - (p.isInside ? 0 : policy_.renewed), false);
       const double reach = policy_.correctionReach * depth;
       offers.add([this, whole, reach,
                   &p] { return within(p.click, reach, [&](std::size_t c) { return whole->inside[c]; }); },

@@ -1,7 +1,7 @@
 #pragma once
 // Every threshold of the search for the object that a click means, with what it rests on. Lengths in cells
-// are mean spacings of the grid that is searched. Chosen on real volumes; how sensitive each is was not
-// measured yet.
+// are mean spacings of the grid that is searched. Chosen on real volumes; docs/object.md tells how sensitive
+// those of score and choice are, the others were not measured yet.
 
 #include <array>
 #include <cstddef>
@@ -40,10 +40,13 @@ struct ObjectPolicy {
   double sameSize = 0.22;    //!< |log of volumes| of regions that vote for each other
   double sameRegion = 0.75;  //!< intersection over union above which two candidates are one
   std::size_t offered = 5;
-  std::size_t likely = 100;  //!< best regions that are weighed against each other
-  double likelySame = 0.9;   //!< intersection over union above which two of them are one
-  double likelyScore = 0.3;  //!< scores that differ by this differ e-fold in likelihood
-  double crisp = 0.72;       //!< Dice above which, of what is expected to fit, the best score is taken
+  std::size_t likely = 100;    //!< best regions that are weighed against each other
+  double likelySame = 0.9;     //!< intersection over union above which two of them are one
+  double likelyScore = 0.3;    //!< scores that differ by this differ e-fold in likelihood
+  double central = 0.4;        //!< cost of the log of how much nearer a click is to the rim than this part
+  double centralDepth = 0.5;   //!< of the deepest place: a user clicks well inside of what is meant
+  double leastCentral = 0.02;  //!< and less deep than this makes no difference
+  double crisp = 0.72;         //!< Dice above which, of what is expected to fit, the best score is taken
 
   // --- star-shaped regions: lengths on their rays in parts of the radius they are looked for at ---
   double starSmoothing = 0.8;  //!< cells: Gaussian besides the search's
@@ -83,10 +86,10 @@ struct ObjectPolicy {
   double tubeBonus = 0.3;          //!< agreement for each time that it is 2.7 times as long
 
   // --- score: ranks from 0 to 1, added ---
-  double stability = 0.7, edge = 0.7, contrast = 0.7;
+  double stability = 0.5, edge = 0.7, contrast = 0.7;
   double shape = 0.1;  //!< times the log of how much more surface than a ball's, cubed, between the limits
   double compact = 1.2, ragged = 6;  //!< a ball of voxels has 1.2
-  double agreement = 1.1;            //!< of the starts, in place of stability: of a star-shaped region
+  double agreement = 0.8;            //!< of the starts, in place of stability: of a star-shaped region
   double clearContrast = 1.35;       //!< of the best region: from here on, or from
   double clearEdge = 4;              //!< noises per cell on, star-shaped ones come behind it
   double border = 1.0;               //!< times the part of the surface on the border
@@ -102,6 +105,7 @@ struct ObjectPolicy {
   std::size_t weighed = 8;  //!< best corrections that are weighed against each other
   double corrected = 0.3;   //!< cost of the first correction near a click; n times that of the nth in a row
   double mixed = 0.2;       //!< cost besides, of the part of another candidate
+  double renewed = 0.6;  //!< and of another candidate as a whole, once a click has said what it must not hold
   double correctionReach = 2.5;  //!< what is further from the click stays
   double makeshiftReach = 0.8;   //!< of a ball where nothing else serves
   double edgesGained = 0.4;      //!< times how much stronger the edges are on the new surface, octaves

@@ -47,7 +47,8 @@ inline const std::vector<std::pair<std::string, PolicyMember>>& policyMembers() 
       HANDLEBODY_MEMBER(tubeTurn),       HANDLEBODY_MEMBER(tubeGrowth),    HANDLEBODY_MEMBER(tubeWeak),
       HANDLEBODY_MEMBER(tubeMissed),     HANDLEBODY_MEMBER(tubeLong),      HANDLEBODY_MEMBER(tubeSmallest),
       HANDLEBODY_MEMBER(tubeNext),       HANDLEBODY_MEMBER(tubeLargest),   HANDLEBODY_MEMBER(tubeDirections),
-      HANDLEBODY_MEMBER(thinPart),       HANDLEBODY_MEMBER(rival)};
+      HANDLEBODY_MEMBER(thinPart),       HANDLEBODY_MEMBER(rival),         HANDLEBODY_MEMBER(central),
+      HANDLEBODY_MEMBER(centralDepth),   HANDLEBODY_MEMBER(leastCentral),  HANDLEBODY_MEMBER(renewed)};
 #undef HANDLEBODY_MEMBER
   return members;
 }

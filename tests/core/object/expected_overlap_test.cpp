@@ -38,10 +38,10 @@ Volume ball() {
   });
 }
 
-std::unique_ptr<ClickSearch> search(const Volume& volume, double reach, std::size_t most) {
-  const CellGrid cells = cellsAround(volume.grid, Vec3(30, 30, 30), reach, most);
-  return std::make_unique<ClickSearch>(
-      searchAround(volume, cells, Vec3(30, 30, 30), nullptr, ObjectPolicy{}, 1));
+std::unique_ptr<ClickSearch> search(const Volume& volume, double reach, std::size_t most,
+                                    const Vec3& click = Vec3(30, 30, 30)) {
+  const CellGrid cells = cellsAround(volume.grid, click, reach, most);
+  return std::make_unique<ClickSearch>(searchAround(volume, cells, click, nullptr, ObjectPolicy{}, 1));
 }
 
 bool holdsVoxel(const RankedRegion& r, int x, int y, int z) {
@@ -118,4 +118,27 @@ TEST_CASE("overlaps are those of the voxels, also between regions of different s
   }
   CHECK(sum == Approx(1));
   CHECK(acrossSearches > 0);
+}
+
+TEST_CASE("a click near the rim of a region lowers its score, and hardly one in its middle") {
+  const Volume volume = ball();
+  const auto lowered = [&](const Vec3& click) {
+    std::vector<std::unique_ptr<ClickSearch>> searches;
+    searches.push_back(search(volume, 100, 1'000'000, click));
+    std::vector<RankedRegion> ranked = rankRegions(searches, {});
+    const LikelyRegions likely = likelyRegions(ranked, {});
+    const double radius = 9, wanted = 4.0 / 3 * 3.14159265 * radius * radius * radius;
+    const RankedRegion* like = &likely.regions[0];  // the ball
+    for (const RankedRegion& r : likely.regions)
+      if (std::abs(r.volume - wanted) < std::abs(like->volume - wanted)) like = &r;
+    CHECK(like->volume == Approx(wanted).epsilon(0.1));
+    for (const RankedRegion& r : ranked)
+      if (r.map == like->map && r.rung == like->rung) return r.score - like->score;
+    return -1.0;
+  };
+  CHECK(lowered(Vec3(30, 30, 30)) == 0);
+  // Two of nine mm deep: 0.4 log(0.5 / 0.2), to a cell.
+  const double nearRim = lowered(Vec3(37, 30, 30));
+  CHECK(nearRim > 0.15);
+  CHECK(nearRim < 0.65);
 }
