@@ -2,288 +2,27 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <tuple>
 
 #include "core/cancellation.h"
-#include "core/collision/self_intersection.h"
 #include "core/errors.h"
 #include "core/evolution/adaptation_rounds.h"
-#include "core/evolution/clicked_object.h"
-#include "core/evolution/collapsed_components.h"
-#include "core/evolution/edit_step.h"
+#include "core/evolution/contour_state.h"
 #include "core/evolution/image_doubts.h"
-#include "core/evolution/leak_alarm.h"
-#include "core/evolution/motion.h"
-#include "core/evolution/object_image.h"
-#include "core/evolution/quiet_vertices.h"
-#include "core/evolution/resting_places.h"
-#include "core/evolution/scratch.h"
-#include "core/evolution/seeds.h"
-#include "core/evolution/stillness.h"
-#include "core/evolution/transaction.h"
-#include "core/evolution/wall_guard.h"
 #include "core/mesh/morton_order.h"
-#include "core/mesh/remesh.h"
-#include "core/mesh/topology.h"
-#include "core/surgery/topology_adaptation.h"
 
 namespace handlebody {
 
 namespace {
 
-// Lengths as parts of the target edge length.
-constexpr double kLongest = 1.4;  // the paper's bound s
-constexpr double kShortest = 0.55;
-constexpr double kStep =
-    0.28;  // largest move along the normal: two fronts come closer by little more than s / 3
-constexpr double kStepVoxels = 0.9;  // and never further than this many voxels of the finest axis
-constexpr double kAgrees = 0.5;      // voxels between a boundary and a surface that agree
-
-// Of surgery in one step, and in an attempt after those that have spent it (units of WorkBudget).
-constexpr std::size_t kStepWork = 120'000'000;
+// Of surgery in an attempt after those that have spent what a step has (units of WorkBudget).
 constexpr std::size_t kLeastWork = 10'000'000;
 
-constexpr double kFlat = 0.01;  // cubes of the edge length: a component of less volume has been pressed flat
-
 constexpr double kGrowthToReorder = 1.5;  // of the mesh, until its vertices are put into order again
-constexpr int kFitsIntoCache = 3000;      // vertices: any order will do
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
-//! More components or tunnels than there were, and than may be.
-const char* limitBroken(const TopologyLimits& limits, const TopologyNumbers& before,
-                        const TopologyNumbers& after) {
-  const auto isBroken = [](const std::optional<int>& limit, int was, int is) {
-    return limit && is > *limit && is > was;
-  };
-  if (isBroken(limits.components, before.components, after.components))
-    return "there would be more components than may be";
-  if (isBroken(limits.genus, before.genus, after.genus)) return "there would be more tunnels than may be";
-  return nullptr;
-}
-
 }  // namespace
-
-struct ActiveContour::State {
-  Mesh mesh;
-  Scratch<Transaction> transaction;
-  std::vector<unsigned char> quiet;  // iterations per vertex without motion, up to kQuietToSleep
-  Volume volume;
-  std::vector<Seed> seeds;  // as asked for
-  Parameters requested;
-  Constraints constraints;
-  WallGuard walls;
-  ClickedObject object;
-  ResolvedParameters parameters;
-  MotionSettings motion;
-  RemeshLimits limits;
-  Scratch<CollisionDetector> detector;
-  RestingPlaces resting;
-  HeldChanges held;  // what the constraints forbid
-  PinnedParts pins;
-  EditSchedule edits;
-  CollapsedComponents collapsed;
-  Stillness stillness;
-  LeakAlarm alarm;
-  std::optional<Correction> correction;
-  double automaticEdge = 0;  // mm; what the edge length is if none is asked for
-  TopologyNumbers topology;
-  StopReason stop = StopReason::running;
-  int iteration = 0;
-  int orderedVertices = kFitsIntoCache;  // vertices when they were last put into order
-  bool traces = false;
-  WorkBudget work{kStepWork};
-
-  //! True if parts of the surface may give ground: where that was asked for, or after other clicks.
-  bool mayShrink() const { return !motion.outwardOnly || (correction && correction->givesGround); }
-  bool sleeps(int v) const { return quiet[idx(v)] >= kQuietToSleep; }
-
-  void chooseEdge();
-  void resolve(const Parameters& p);
-  void start(const Parameters& p, const Constraints& c);
-  void begin();
-  void change(const Request& to, const State* prepared);
-  void chooseWalls();
-  void chooseForbidden();
-  void forgetRest();
-  void correct();
-  void beginAnew();
-  void resolveSeeds(const std::vector<Seed>& inside);
-  void keepOrder();
-  Attempt attempt();
-  std::vector<int> verticesToMove() const;
-  void stopBeforeFlat(Attempt& a) const;
-  void lookAtPins(Attempt& a) const;
-  void takePins();
-  void adapt(Attempt& a);
-  void deleteCollapsed(Attempt& a);
-  void accept(Attempt& a, StepReport& report);
-  std::vector<HeldChange> judge(const Attempt& a, StepReport& report);
-  void restRepeated(StepReport& report);
-  Event rolledBack(const Vec3& place, const char* reason) const;
-  void watch(const Attempt& kept, StepReport& report);
-  void decideStop(const StepReport& report);
-  StopReason restReason() const;
-  bool leadsToEdit() const;
-  Attempt editAttempt(const MeshEdit& edit);
-  StepReport editStep(const MeshEdit& edit);
-  void letSleep(const Attempt& edited);
-  StepReport step();
-  StepReport stepOrNothing();
-};
-
-//! Two voxels, but finer in thin structures.
-void ActiveContour::State::chooseEdge() {
-  const double voxel = volume.grid.meanSpacing();
-  const auto image = object.image->behind(nullptr);
-  double fit = 0;
-  for (const Seed& s : seedsOfSide(seeds, false))
-    fit = std::max(fit, fittingRadius(*image, s.centre, 8 * voxel));
-  automaticEdge = std::clamp(0.6 * fit / voxel, 1.0, 2.0) * voxel;
-}
-
-//! Everything but the seeds' radii. Precondition: object and automatic edge length are chosen.
-void ActiveContour::State::resolve(const Parameters& p) {
-  const double edge = p.edgeLength.value_or(automaticEdge);
-  requested = p;
-  parameters.object = object.kind;
-  parameters.range = object.range;
-  parameters.smoothing = object.smoothing;
-  parameters.candidate = object.candidate;
-  parameters.edgeLength = edge;
-  parameters.direction = p.direction;
-  parameters.balloon = p.balloon;
-  parameters.curvature = p.curvature;
-  parameters.maxIterations = p.maxIterations;
-  parameters.threads = p.threads;
-  parameters.broadPhase = p.broadPhase;
-
-  motion.balloon = p.balloon;
-  motion.curvature = p.curvature;
-  motion.edgeLength = edge;
-  motion.largestStep = std::min(kStep * edge, kStepVoxels * volume.grid.spacing.minCoeff());
-  motion.outwardOnly = p.direction == Direction::outward;
-  motion.threads = p.threads;
-  limits = {kLongest * edge, kShortest * edge};
-  chooseWalls();
-}
-
-void ActiveContour::State::chooseWalls() {
-  walls.choose(constraints.walls, volume.grid, parameters.edgeLength, motion.largestStep);
-  object.image = object.image->behind(walls.all());
-  chooseForbidden();
-}
-
-void ActiveContour::State::chooseForbidden() {
-  limits.forbidden = walls.forbidden();
-  limits.forbidden.pinned = pins.mask();
-}
-
-//! Precondition: volume, seeds and object are chosen.
-void ActiveContour::State::start(const Parameters& p, const Constraints& c) {
-  held.choose(c, 0);
-  pins.choose(c.pins, 0);
-  edits.choose(c.edits, 0);
-  constraints = c;
-  chooseEdge();
-  resolve(p);
-  begin();
-  takePins();
-}
-
-void ActiveContour::State::begin() {
-  const std::vector<Seed> asked = seedsOfSide(seeds, false);
-  std::vector<Seed> inside =
-      fitSeeds(*object.image, asked, parameters.edgeLength, parameters.direction == Direction::both);
-  if (walls.all()) inside = clearOfWalls(inside, asked, *walls.all(), limits.shortest);
-  mesh = seedMesh(inside, parameters.edgeLength);
-  resolveSeeds(inside);
-  quiet.assign(idx(mesh.vertexSlots()), 0);
-  topology = topologyNumbers(mesh);
-  if (parameters.maxIterations == 0 && !leadsToEdit()) stop = StopReason::maxIterations;
-}
-
-void ActiveContour::State::resolveSeeds(const std::vector<Seed>& inside) {
-  parameters.seeds = inside;
-  for (Seed s : seedsOfSide(seeds, true)) {
-    s.radius = s.radius.value_or(volume.grid.meanSpacing());
-    parameters.seeds.push_back(s);
-  }
-}
-
-void ActiveContour::State::change(const Request& to, const State* prepared) {
-  requireSensible(to.parameters);
-  requireSensible(to.constraints, volume.grid);
-  const WallList known = constraints.walls;
-  const bool otherWalls = to.constraints.walls != known;
-  const bool otherClicks = to.seeds != seeds;
-  const bool otherImage = prepared || otherClicks || !chooseSameImage(to.parameters, requested);
-  const bool freed = held.choose(to.constraints, iteration);
-  const bool unpinned = pins.choose(to.constraints.pins, iteration);
-  takePins();
-  edits.choose(to.constraints.edits, iteration);
-  const bool wake = otherClicks || otherWalls || freed || unpinned || !moveAlike(to.parameters, requested);
-  const bool sleepsOn = otherClicks && haveSameForces(to.parameters, requested);
-  seeds = to.seeds;
-  constraints = to.constraints;
-  if (prepared)
-    object = prepared->object;
-  else if (otherImage)
-    object = findClickedObject(volume, seeds, to.parameters);
-  if (otherImage && !otherClicks) chooseEdge();
-  resolve(to.parameters);
-  if (wake) forgetRest();
-  if (wake && !sleepsOn) quiet.assign(idx(mesh.vertexSlots()), 0);
-  if (otherClicks) correct();
-  if (otherClicks || otherImage || otherWalls) alarm.forget();
-  walls.putUp(mesh, known, mayShrink());
-  chooseForbidden();
-  if (stop == StopReason::maxIterations || (wake && mesh.faceCount() > 0)) stop = StopReason::running;
-  if (stop == StopReason::running && iteration >= to.parameters.maxIterations)
-    stop = StopReason::maxIterations;
-  if (leadsToEdit()) stop = StopReason::running;
-}
-
-void ActiveContour::State::forgetRest() {
-  resting = {};
-  stillness = {};
-  collapsed.forget();
-  pins.forgetStops();
-}
-
-//! After a change of the clicks. What had settled and agrees with the new image sleeps on.
-void ActiveContour::State::correct() {
-  std::vector<Seed> fronts;
-  const auto isPinned = [this](int v) { return pins.holds(v); };
-  correction = correctComponents(mesh, *object.image, seeds, parameters.edgeLength, limits.longest, fronts,
-                                 pins.any() ? isPinned : std::function<bool(int)>());
-  if (correction->beganAnew) {
-    if (pins.any())
-      throw UsageError(
-          "The clicks have so little in common with the surface that it would begin anew, but a part of it "
-          "is "
-          "pinned: take the pins away first.");
-    beginAnew();
-    return;
-  }
-  std::vector<Seed> inside = seedsOfSide(parameters.seeds, false);
-  inside.insert(inside.end(), fronts.begin(), fronts.end());
-  resolveSeeds(inside);
-  const Disagreement differs = findDisagreement(mesh, *object.image, kAgrees * volume.grid.meanSpacing());
-  correction->givesGround = differs.isOutside;
-  quiet.resize(idx(mesh.vertexSlots()), 0);
-  for (std::size_t v = 0; v < quiet.size(); ++v)
-    if (differs.vertices[v]) quiet[v] = 0;
-  topology = topologyNumbers(mesh);
-}
-
-void ActiveContour::State::beginAnew() {
-  chooseEdge();
-  resolve(requested);
-  orderedVertices = kFitsIntoCache;
-  begin();
-}
 
 //! A ring of a mesh that has grown lies anywhere in memory. At 150,000 vertices it costs five times as much
 //! to look at as one in order.
@@ -335,45 +74,6 @@ Attempt ActiveContour::State::attempt() {
   if (a.troubles.empty()) stopBeforeFlat(a);
   if (a.troubles.empty()) lookAtPins(a);
   return a;
-}
-
-//! A cavity over a pinned part, or a body under one, cannot go: what would press it flat stops.
-void ActiveContour::State::stopBeforeFlat(Attempt& a) const {
-  const TopologyNumbers& now = a.events.empty() ? topology : a.events.back().after;
-  if (!pins.any() || now.components < 2) return;
-  const Components parts = findComponents(mesh);
-  const double least = kFlat * std::pow(parameters.edgeLength, 3);
-  std::vector<unsigned char> isPinned(idx(parts.count()), 0);
-  std::vector<int> moving(idx(parts.count()), -1);  // a vertex
-  for (int v = 0; v < mesh.vertexSlots(); ++v) {
-    const int c = parts.ofVertex[idx(v)];
-    if (c < 0) continue;
-    if (pins.holds(v))
-      isPinned[idx(c)] = 1;
-    else if (idx(v) < a.touched.size() && a.touched[idx(v)] != 0)
-      moving[idx(c)] = v;
-  }
-  for (int c = 0; c < parts.count(); ++c) {
-    const bool isFlat = std::abs(parts.volume[idx(c)]) < least;
-    if (!isFlat || isPinned[idx(c)] == 0 || moving[idx(c)] < 0) continue;
-    a.troubles.push_back({mesh.position(moving[idx(c)]), parts.extent[idx(c)],
-                          "the surface would close over a pinned part, and stops before it"});
-    a.troubles.back().atPin = true;
-  }
-}
-
-//! What no look ahead has kept from changing what is pinned, is taken back.
-void ActiveContour::State::lookAtPins(Attempt& a) const {
-  const auto place = pins.broken(transaction.before(), mesh);
-  if (!place) return;
-  constexpr const char* kReason = "a pinned part would have changed";
-  a.troubles.push_back({*place, 2 * limits.longest, kReason});
-  for (const Event& e : a.events) a.troubles.push_back({e.location, 2 * limits.longest, kReason});
-}
-
-void ActiveContour::State::takePins() {
-  pins.take(mesh, iteration);
-  chooseForbidden();
 }
 
 void ActiveContour::State::adapt(Attempt& a) {
@@ -483,66 +183,6 @@ StepReport ActiveContour::State::stepOrNothing() {
     pins.takeStopsBack(pinsBefore);
     throw;
   }
-}
-
-//! Steps from here come to an edit that waits.
-bool ActiveContour::State::leadsToEdit() const {
-  const std::optional<MeshEdit> next = edits.waiting();
-  return next && mesh.faceCount() > 0 &&
-         (iteration < parameters.maxIterations || next->iteration == iteration + 1);
-}
-
-Attempt ActiveContour::State::editAttempt(const MeshEdit& edit) {
-  EditOutcome done = makeEdit(mesh, edit);
-  Attempt a;
-  a.events = std::move(done.events);
-  for (Event& e : a.events) e.iteration = edit.iteration;
-  a.touched.assign(idx(mesh.vertexSlots()), 0);
-  for (const int v : done.touched)
-    if (v < mesh.vertexSlots()) a.touched[idx(v)] = 1;
-  if (const auto place = walls.brokenAnywhere(mesh))
-    a.troubles.push_back({*place, 0, "the surface would come into a wall or around it"});
-  else if (const auto pinned = pins.broken(transaction.before(), mesh))
-    a.troubles.push_back({*pinned, 0, "a pinned part would change"});
-  else if (const char* broken = limitBroken(constraints.topology, topology, a.events.back().after))
-    a.troubles.push_back({edit.place, 0, broken});
-  return a;
-}
-
-//! What an edit made stays as it was made, until something near it moves.
-void ActiveContour::State::letSleep(const Attempt& edited) {
-  const Mesh& before = transaction.before();
-  quiet.resize(idx(mesh.vertexSlots()), 0);
-  for (int v = 0; v < mesh.vertexSlots(); ++v)
-    if (edited.touched[idx(v)] != 0 &&
-        (v >= before.vertexSlots() || !before.isVertex(v) || before.position(v) != mesh.position(v)))
-      quiet[idx(v)] = kQuietToSleep;
-}
-
-//! All or nothing: what throws has changed nothing.
-StepReport ActiveContour::State::editStep(const MeshEdit& edit) {
-  const auto anything = [](const Attempt&) { return std::vector<HeldChange>(); };
-  Attempt made =
-      transaction.runOnce({mesh, topology, limits.longest, [&] { return editAttempt(edit); }, anything, {}});
-  if (!made.isKept())
-    throw UsageError("The edit of iteration " + std::to_string(edit.iteration) +
-                     " cannot be made: " + made.troubles[0].reason + ".");
-  StepReport report;
-  report.iteration = ++iteration;
-  edits.setMade(edit);
-  letSleep(made);
-  topology = made.events.back().after;
-  report.events = std::move(made.events);
-  collapsed.forget();
-  if (walls.isPushing()) {
-    walls.release(mesh);
-    chooseForbidden();
-  }
-  report.settledVertices = mesh.vertexCount();
-  report.volume = transaction.volume();
-  decideStop(report);
-  takePins();
-  return report;
 }
 
 StepReport ActiveContour::State::step() {

@@ -4,6 +4,9 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/clicked_object.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/collapsed_components.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/constraints.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/contour_edits.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/contour_pins.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/contour_request.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/correction.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/edge_profile.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/edit_step.cpp

@@ -1,0 +1,86 @@
+// Edits by hand as steps.
+
+#include "core/errors.h"
+#include "core/evolution/contour_state.h"
+
+namespace handlebody {
+
+namespace {
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+//! More components or tunnels than there were, and than may be.
+const char* limitBroken(const TopologyLimits& limits, const TopologyNumbers& before,
+                        const TopologyNumbers& after) {
+  const auto isBroken = [](const std::optional<int>& limit, int was, int is) {
+    return limit && is > *limit && is > was;
+  };
+  if (isBroken(limits.components, before.components, after.components))
+    return "there would be more components than may be";
+  if (isBroken(limits.genus, before.genus, after.genus)) return "there would be more tunnels than may be";
+  return nullptr;
+}
+
+}  // namespace
+
+//! Steps from here come to an edit that waits.
+bool ActiveContour::State::leadsToEdit() const {
+  const std::optional<MeshEdit> next = edits.waiting();
+  return next && mesh.faceCount() > 0 &&
+         (iteration < parameters.maxIterations || next->iteration == iteration + 1);
+}
+
+Attempt ActiveContour::State::editAttempt(const MeshEdit& edit) {
+  EditOutcome done = makeEdit(mesh, edit);
+  Attempt a;
+  a.events = std::move(done.events);
+  for (Event& e : a.events) e.iteration = edit.iteration;
+  a.touched.assign(idx(mesh.vertexSlots()), 0);
+  for (const int v : done.touched)
+    if (v < mesh.vertexSlots()) a.touched[idx(v)] = 1;
+  if (const auto place = walls.brokenAnywhere(mesh))
+    a.troubles.push_back({*place, 0, "the surface would come into a wall or around it"});
+  else if (const auto pinned = pins.broken(transaction.before(), mesh))
+    a.troubles.push_back({*pinned, 0, "a pinned part would change"});
+  else if (const char* broken = limitBroken(constraints.topology, topology, a.events.back().after))
+    a.troubles.push_back({edit.place, 0, broken});
+  return a;
+}
+
+//! What an edit made stays as it was made, until something near it moves.
+void ActiveContour::State::letSleep(const Attempt& edited) {
+  const Mesh& before = transaction.before();
+  quiet.resize(idx(mesh.vertexSlots()), 0);
+  for (int v = 0; v < mesh.vertexSlots(); ++v)
+    if (edited.touched[idx(v)] != 0 &&
+        (v >= before.vertexSlots() || !before.isVertex(v) || before.position(v) != mesh.position(v)))
+      quiet[idx(v)] = kQuietToSleep;
+}
+
+//! All or nothing: what throws has changed nothing.
+StepReport ActiveContour::State::editStep(const MeshEdit& edit) {
+  const auto anything = [](const Attempt&) { return std::vector<HeldChange>(); };
+  Attempt made =
+      transaction.runOnce({mesh, topology, limits.longest, [&] { return editAttempt(edit); }, anything, {}});
+  if (!made.isKept())
+    throw UsageError("The edit of iteration " + std::to_string(edit.iteration) +
+                     " cannot be made: " + made.troubles[0].reason + ".");
+  StepReport report;
+  report.iteration = ++iteration;
+  edits.setMade(edit);
+  letSleep(made);
+  topology = made.events.back().after;
+  report.events = std::move(made.events);
+  collapsed.forget();
+  if (walls.isPushing()) {
+    walls.release(mesh);
+    chooseForbidden();
+  }
+  report.settledVertices = mesh.vertexCount();
+  report.volume = transaction.volume();
+  decideStop(report);
+  takePins();
+  return report;
+}
+
+}  // namespace handlebody

@@ -1,0 +1,176 @@
+// What a contour is asked for: at first, and when it is changed on the way.
+
+#include "core/errors.h"
+#include "core/evolution/contour_state.h"
+#include "core/evolution/image_doubts.h"
+#include "core/evolution/seeds.h"
+
+namespace handlebody {
+
+namespace {
+
+// Lengths as parts of the target edge length.
+constexpr double kLongest = 1.4;  // the paper's bound s
+constexpr double kShortest = 0.55;
+constexpr double kStep =
+    0.28;  // largest move along the normal: two fronts come closer by little more than s / 3
+constexpr double kStepVoxels = 0.9;  // and never further than this many voxels of the finest axis
+constexpr double kAgrees = 0.5;      // voxels between a boundary and a surface that agree
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+//! Two voxels, but finer in thin structures.
+void ActiveContour::State::chooseEdge() {
+  const double voxel = volume.grid.meanSpacing();
+  const auto image = object.image->behind(nullptr);
+  double fit = 0;
+  for (const Seed& s : seedsOfSide(seeds, false))
+    fit = std::max(fit, fittingRadius(*image, s.centre, 8 * voxel));
+  automaticEdge = std::clamp(0.6 * fit / voxel, 1.0, 2.0) * voxel;
+}
+
+//! Everything but the seeds' radii. Precondition: object and automatic edge length are chosen.
+void ActiveContour::State::resolve(const Parameters& p) {
+  const double edge = p.edgeLength.value_or(automaticEdge);
+  requested = p;
+  parameters.object = object.kind;
+  parameters.range = object.range;
+  parameters.smoothing = object.smoothing;
+  parameters.candidate = object.candidate;
+  parameters.edgeLength = edge;
+  parameters.direction = p.direction;
+  parameters.balloon = p.balloon;
+  parameters.curvature = p.curvature;
+  parameters.maxIterations = p.maxIterations;
+  parameters.threads = p.threads;
+  parameters.broadPhase = p.broadPhase;
+
+  motion.balloon = p.balloon;
+  motion.curvature = p.curvature;
+  motion.edgeLength = edge;
+  motion.largestStep = std::min(kStep * edge, kStepVoxels * volume.grid.spacing.minCoeff());
+  motion.outwardOnly = p.direction == Direction::outward;
+  motion.threads = p.threads;
+  limits = {kLongest * edge, kShortest * edge};
+  chooseWalls();
+}
+
+void ActiveContour::State::chooseWalls() {
+  walls.choose(constraints.walls, volume.grid, parameters.edgeLength, motion.largestStep);
+  object.image = object.image->behind(walls.all());
+  chooseForbidden();
+}
+
+void ActiveContour::State::chooseForbidden() {
+  limits.forbidden = walls.forbidden();
+  limits.forbidden.pinned = pins.mask();
+}
+
+//! Precondition: volume, seeds and object are chosen.
+void ActiveContour::State::start(const Parameters& p, const Constraints& c) {
+  held.choose(c, 0);
+  pins.choose(c.pins, 0);
+  edits.choose(c.edits, 0);
+  constraints = c;
+  chooseEdge();
+  resolve(p);
+  begin();
+  takePins();
+}
+
+void ActiveContour::State::begin() {
+  const std::vector<Seed> asked = seedsOfSide(seeds, false);
+  std::vector<Seed> inside =
+      fitSeeds(*object.image, asked, parameters.edgeLength, parameters.direction == Direction::both);
+  if (walls.all()) inside = clearOfWalls(inside, asked, *walls.all(), limits.shortest);
+  mesh = seedMesh(inside, parameters.edgeLength);
+  resolveSeeds(inside);
+  quiet.assign(idx(mesh.vertexSlots()), 0);
+  topology = topologyNumbers(mesh);
+  if (parameters.maxIterations == 0 && !leadsToEdit()) stop = StopReason::maxIterations;
+}
+
+void ActiveContour::State::resolveSeeds(const std::vector<Seed>& inside) {
+  parameters.seeds = inside;
+  for (Seed s : seedsOfSide(seeds, true)) {
+    s.radius = s.radius.value_or(volume.grid.meanSpacing());
+    parameters.seeds.push_back(s);
+  }
+}
+
+void ActiveContour::State::change(const Request& to, const State* prepared) {
+  requireSensible(to.parameters);
+  requireSensible(to.constraints, volume.grid);
+  const WallList known = constraints.walls;
+  const bool otherWalls = to.constraints.walls != known;
+  const bool otherClicks = to.seeds != seeds;
+  const bool otherImage = prepared || otherClicks || !chooseSameImage(to.parameters, requested);
+  const bool freed = held.choose(to.constraints, iteration);
+  const bool unpinned = pins.choose(to.constraints.pins, iteration);
+  takePins();
+  edits.choose(to.constraints.edits, iteration);
+  const bool wake = otherClicks || otherWalls || freed || unpinned || !moveAlike(to.parameters, requested);
+  const bool sleepsOn = otherClicks && haveSameForces(to.parameters, requested);
+  seeds = to.seeds;
+  constraints = to.constraints;
+  if (prepared)
+    object = prepared->object;
+  else if (otherImage)
+    object = findClickedObject(volume, seeds, to.parameters);
+  if (otherImage && !otherClicks) chooseEdge();
+  resolve(to.parameters);
+  if (wake) forgetRest();
+  if (wake && !sleepsOn) quiet.assign(idx(mesh.vertexSlots()), 0);
+  if (otherClicks) correct();
+  if (otherClicks || otherImage || otherWalls) alarm.forget();
+  walls.putUp(mesh, known, mayShrink());
+  chooseForbidden();
+  if (stop == StopReason::maxIterations || (wake && mesh.faceCount() > 0)) stop = StopReason::running;
+  if (stop == StopReason::running && iteration >= to.parameters.maxIterations)
+    stop = StopReason::maxIterations;
+  if (leadsToEdit()) stop = StopReason::running;
+}
+
+void ActiveContour::State::forgetRest() {
+  resting = {};
+  stillness = {};
+  collapsed.forget();
+  pins.forgetStops();
+}
+
+//! After a change of the clicks. What had settled and agrees with the new image sleeps on.
+void ActiveContour::State::correct() {
+  std::vector<Seed> fronts;
+  const auto isPinned = [this](int v) { return pins.holds(v); };
+  correction = correctComponents(mesh, *object.image, seeds, parameters.edgeLength, limits.longest, fronts,
+                                 pins.any() ? isPinned : std::function<bool(int)>());
+  if (correction->beganAnew) {
+    if (pins.any())
+      throw UsageError(
+          "The clicks have so little in common with the surface that it would begin anew, but a part of it "
+          "is "
+          "pinned: take the pins away first.");
+    beginAnew();
+    return;
+  }
+  std::vector<Seed> inside = seedsOfSide(parameters.seeds, false);
+  inside.insert(inside.end(), fronts.begin(), fronts.end());
+  resolveSeeds(inside);
+  const Disagreement differs = findDisagreement(mesh, *object.image, kAgrees * volume.grid.meanSpacing());
+  correction->givesGround = differs.isOutside;
+  quiet.resize(idx(mesh.vertexSlots()), 0);
+  for (std::size_t v = 0; v < quiet.size(); ++v)
+    if (differs.vertices[v]) quiet[v] = 0;
+  topology = topologyNumbers(mesh);
+}
+
+void ActiveContour::State::beginAnew() {
+  chooseEdge();
+  resolve(requested);
+  orderedVertices = kFitsIntoCache;
+  begin();
+}
+
+}  // namespace handlebody
