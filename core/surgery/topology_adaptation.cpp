@@ -18,10 +18,11 @@ namespace handlebody {
 
 namespace {
 
-constexpr int kEnlargements = 4;      // rings added to Λ before a place is given up
-constexpr int kDeletes = 1;           // rings within which a component goes with Λ: its neighbourhood N
-constexpr int kReach = 10;            // edges between sets that are one front
-constexpr int kManyEnlargements = 1;  // before several fronts are joined two by two
+constexpr int kEnlargements = 4;        // rings added to Λ before a place is given up
+constexpr int kDeletes = 1;             // rings within which a component goes with Λ: its neighbourhood N
+constexpr int kReach = 10;              // edges between sets that are one front
+constexpr int kManyEnlargements = 1;    // before several fronts are joined two by two
+constexpr std::size_t kManyPlaces = 6;  // in a round, for which it pays to sort the faces by place
 // In units of WorkBudget: a look at every face of the mesh, and at one of a place that is opened or smoothed.
 constexpr std::size_t kMeshWork = 2;
 constexpr std::size_t kPlaceWork = 1000;
@@ -40,7 +41,9 @@ class Adaptation {
 
   AdaptationResult run(std::span<const FacePair> pairs) {
     for (const auto& [f, g] : pairs) colliding_[idx(f)] = colliding_[idx(g)] = 1;
-    for (const Gathering& g : gatherFronts(mesh_, groupCollisions(mesh_, pairs), kReach)) {
+    const std::vector<Gathering> places = gatherFronts(mesh_, groupCollisions(mesh_, pairs), kReach);
+    if (places.size() >= kManyPlaces) blocks_.sortByPlace(mesh_);
+    for (const Gathering& g : places) {
       std::string before;
       if (!g.parts.empty() && joinGathered(g.whole, before)) continue;
       if (g.parts.empty()) treat(g.whole, before);

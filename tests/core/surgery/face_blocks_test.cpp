@@ -29,8 +29,10 @@ void expectAllFound(const Mesh& mesh, const FaceBlocks& blocks, const Eigen::Ali
 }  // namespace
 
 TEST_CASE("blocks know every face near a place, also after it has moved or was made") {
+  const bool isSorted = GENERATE(false, true);
   Mesh mesh(zoo::sphere(12));
   FaceBlocks blocks(mesh);
+  if (isSorted) blocks.sortByPlace(mesh);
   std::mt19937 random(3);
   const auto uniform = [&] { return 2 * static_cast<double>(random()) / 4294967296.0 - 1; };
   for (int round = 0; round < 40; ++round) {
@@ -55,4 +57,19 @@ TEST_CASE("blocks leave out most of a large mesh in order") {
                      [&](int) { ++listed; });
   CHECK(listed > 0);
   CHECK(listed < mesh.faceCount() / 4);
+}
+
+TEST_CASE("blocks that are sorted by place leave out most of a mesh whose faces lie anywhere in memory") {
+  TriangleSoup soup = zoo::sphere(40);
+  std::shuffle(soup.triangles.begin(), soup.triangles.end(), std::mt19937(5));
+  const Mesh mesh(soup);
+  FaceBlocks blocks(mesh);
+  blocks.sortByPlace(mesh);
+  int listed = 0;
+  const Vec3 place = mesh.position(0);
+  const Eigen::AlignedBox3d box(place - Vec3::Constant(0.01), place + Vec3::Constant(0.01));
+  blocks.forEachNear(mesh, box, [&](int) { ++listed; });
+  CHECK(listed > 0);
+  CHECK(listed < mesh.faceCount() / 20);
+  expectAllFound(mesh, blocks, box);
 }
