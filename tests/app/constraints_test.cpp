@@ -226,3 +226,23 @@ TEST_CASE("local edits are steps of the growth, in session and report, and repla
     CHECK(readBytes(folder / "a.stl") == readBytes(folder / "b.stl"));
   }
 }
+
+TEST_CASE("a pin whose iteration never comes is told where the run is ended before it",
+          "[cli][constraints][pin]") {
+  const TempFolder folder;
+  const PhantomFile phantom = makePhantomFile(folder);
+  const std::string pin = besideSeed(phantom, 4) + ",3@3", seed = besideSeed(phantom, 0) + ",3";
+  REQUIRE(runCli({"segment", phantom.path, "--seed", seed, "--pin", pin, "-o", folder / "a.stl", "--session",
+                  folder / "s.json"})
+              .exitCode == 0);
+  auto session = nlohmann::json::parse(readBytes(folder / "s.json"));
+  session["requested"]["stop_at"] = 2;
+  writeBytes(folder / "t.json", session.dump());
+  const Outcome ended =
+      runCli({"replay", folder / "t.json", "-o", folder / "b.stl", "--report", folder / "r.json"});
+  CHECK(ended.exitCode == 0);
+  CHECK_THAT(ended.err, Contains("warning: the pin ") && Contains("@3 holds nothing"));
+  const auto report = nlohmann::json::parse(readBytes(folder / "r.json"));
+  CHECK_THAT(report.at("warnings").dump(), Contains("holds nothing: the mesh is that of iteration 2"));
+  CHECK(report.at("pinned").at(0).at("vertices") == 0);
+}

@@ -1,20 +1,12 @@
 // The step Correct by mouse and keys: walls painted, erased, undone; ways out of a wall over the surface;
-// what is held back lifted; pins and edits at the crosshair.
+// what is held back lifted.
 
 #include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QTableWidget>
-#include <QUndoStack>
-#include <QWheelEvent>
-#include <set>
 
-#include "core/io/volume_io.h"
-#include "tests/support/test_volume.h"
-#include "tests/support/wall_support.h"
-#include "tests/ui/window/window_support.h"
-#include "ui/view/slice_geometry.h"
+#include "tests/ui/window/correct_support.h"
 #include "ui/window/held_section.h"
-#include "ui/window/local_section.h"
 #include "ui/window/wall_section.h"
 
 using namespace handlebody;
@@ -25,114 +17,6 @@ using ui::Plane;
 using ui::WallBrush;
 
 namespace {
-
-const Vec3 kLeft(12, 20, 20), kRight(30, 20, 20), kNeck(21, 20, 20);
-
-//! Two dark balls with a wide bar between them, at the same places however the columns are counted.
-QString writeBalls(const QTemporaryDir& folder, bool fromTheLeft) {
-  const QString path = folder.filePath("balls.nii.gz");
-  const auto intensity = [](int i, int j, int k) {
-    const Vec3 p(i, j, k);
-    const bool between = p.x() > kLeft.x() && p.x() < kRight.x();
-    const double bar = between ? std::hypot(p.y() - 20, p.z() - 20) - 3.5 : 100;
-    const double distance = std::min({(p - kLeft).norm() - 8.0, (p - kRight).norm() - 8.0, bar});
-    // No two voxels are quite alike, so that the background is not taken for padding.
-    return 110 + 90 * std::clamp(distance, -1.0, 1.0) + 0.5 * std::sin(i + 37.1 * j + 1234.5 * k);
-  };
-  Grid grid = testing::cubicGrid(43);
-  if (fromTheLeft) {
-    grid.direction.col(0) = Vec3(-1, 0, 0);
-    grid.origin = Vec3(42, 0, 0);
-  }
-  writeVolume(testing::volumeByIndex(grid, intensity), path.toStdString());
-  return path;
-}
-
-struct Opened {
-  QTemporaryDir folder;
-  std::unique_ptr<ui::MainWindow> window = shownWindow();
-  bool ok = false;
-
-  explicit Opened(bool fromTheLeft = false) {
-    if (!window || !open(*window, writeBalls(folder, fromTheLeft))) return;
-    Parameters p = window->document().parameters();
-    p.range = IntensityRange{-1000, 110};  // all that is dark: nothing else holds it back
-    window->document().setParameters(p, "Range");
-    window->viewState().setCrosshair(kLeft);
-    QTest::keyClick(window.get(), Qt::Key_Return);
-    window->showStep(Command::stepCorrect);
-    ok = window->document().seeds().size() == 1;
-  }
-  ui::Document& document() { return window->document(); }
-  ui::SliceView& axial() { return window->views().slice(Plane::axial); }
-  QPoint pixel(const Vec3& world) {
-    ui::SliceGeometry geometry(document().volume().grid, Plane::axial, axial().size());
-    geometry.setSlice(geometry.nearestSlice(window->viewState().crosshair()));
-    return geometry.worldToScreen(world).toPoint();
-  }
-  //! As a hand does: in steps of a few pixels.
-  void drag(const Vec3& from, const Vec3& to) {
-    QTest::mousePress(&axial(), Qt::LeftButton, {}, pixel(from));
-    for (int i = 1; i <= 10; ++i) {
-      const QPoint at = pixel(from + i / 10.0 * (to - from));
-      QMouseEvent move(QEvent::MouseMove, at, axial().mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
-      QCoreApplication::sendEvent(&axial(), &move);
-    }
-    QTest::mouseRelease(&axial(), Qt::LeftButton, {}, pixel(to));
-  }
-  void turnWheel(const QPoint& at, int notches, Qt::KeyboardModifiers keys) {
-    QWheelEvent event(at, axial().mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, keys,
-                      Qt::NoScrollPhase, false);
-    QCoreApplication::sendEvent(&axial(), &event);
-  }
-  //! To the end; the step Correct is shown.
-  bool grow() {
-    document().run();
-    const bool done = waitFor(*window, GrowthState::finished);
-    window->showStep(Command::stepCorrect);
-    return done && document().snapshot();
-  }
-  QDoubleSpinBox* localRadius() {
-    return window->findChild<ui::LocalSection*>()->findChild<QDoubleSpinBox*>();
-  }
-  QAbstractButton* choice(const QString& name) {
-    const auto all = window->findChild<ui::LocalSection*>()->findChildren<QAbstractButton*>();
-    for (QAbstractButton* b : all)
-      if (b->accessibleName() == name) return b;
-    return nullptr;
-  }
-  //! The window as it is seen in both appearances; to be looked at.
-  void keepPicture(const QString& name) {
-    const QString pictures = qEnvironmentVariable("HANDLEBODY_KEEP_PICTURES");
-    if (pictures.isEmpty()) return;
-    for (const auto appearance : {ui::Appearance::dark, ui::Appearance::light}) {
-      window->setAppearance(appearance);
-      QTest::qWait(300);
-      window->grab().save(pictures + '/' + name +
-                          (appearance == ui::Appearance::dark ? "_dark.png" : "_light.png"));
-    }
-  }
-  double clearance() {
-    return testing::clearance(Mesh(document().snapshot()->mesh), document().constraints().walls.balls);
-  }
-  double furthest() {
-    double x = 0;
-    for (const Vec3& p : document().snapshot()->mesh.points) x = std::max(x, p.x());
-    return x;
-  }
-  QAbstractButton* button(const QString& text) {
-    const auto all = window->findChildren<QAbstractButton*>();
-    for (QAbstractButton* b : all)
-      if (b->isVisible() && b->text() == text) return b;
-    return nullptr;
-  }
-};
-
-std::set<std::array<double, 3>> coordinates(const TriangleSoup& mesh) {
-  std::set<std::array<double, 3>> all;
-  for (const Vec3& p : mesh.points) all.insert({p.x(), p.y(), p.z()});
-  return all;
-}
 
 int pixelsLike(const QImage& picture, const QColor& colour) {
   int count = 0;
@@ -162,12 +46,6 @@ class CorrectTest : public QObject {
   void wallsAreDrawnInTheSlicesAndIn3d();
   void aWallIsPutUpAtTheCrosshairByKey();
   void whatIsHeldBackIsListedFoundAndLifted();
-  void aPinIsPutDownByKeyListedFoundAndLifted();
-  void theSurfaceIsSmoothedWhereItIsNearestToTheCrosshair();
-  void theNearestPointOfTheSurfaceIsPulledToTheCrosshair();
-  void theSurfaceIsCutAlongTheChosenPlaneAndOneSideIsKept_data();
-  void theSurfaceIsCutAlongTheChosenPlaneAndOneSideIsKept();
-  void withoutASurfaceOrOnALockedObjectNothingIsPinnedOrEdited();
 };
 
 void CorrectTest::aStrokeBecomesAWallThatTheSurfaceStaysOutOf() {
@@ -382,166 +260,6 @@ void CorrectTest::whatIsHeldBackIsListedFoundAndLifted() {
   QVERIFY(!table->isVisible());
   for (int i = 0; i < 3; ++i) QTest::keyClick(o.window.get(), Qt::Key_Z, Qt::ControlModifier);
   QVERIFY(o.document().constraints() == some);
-}
-
-void CorrectTest::aPinIsPutDownByKeyListedFoundAndLifted() {
-  Opened o;
-  QVERIFY(o.ok && o.grow());
-  const Vec3 place = o.document().snapshot()->mesh.points.front();
-  const int iteration = o.document().iteration();
-  o.window->viewState().setCrosshair(Vec3(5, 36, 36));  // far from the surface
-  const int entries = o.document().undoStack()->count();
-  o.localRadius()->setValue(2);
-  QTest::keyClick(o.window.get(), Qt::Key_P, Qt::ShiftModifier);
-  QVERIFY2(o.window->messages().text().contains("nothing is pinned"),
-           qPrintable(o.window->messages().text()));
-  QCOMPARE(o.document().undoStack()->count(), entries);
-
-  o.window->viewState().setCrosshair(place);
-  QTest::mouseClick(o.button("Pin"), Qt::LeftButton);
-  QVERIFY(o.window->messages().text().startsWith("The surface is pinned here"));
-  QVERIFY(o.document().constraints().pins == std::vector<Pin>({{place, 2, iteration}}));
-  QCOMPARE(o.document().undoStack()->undoText(), QString("Pin here"));
-  o.keepPicture("pinned");
-  auto* section = o.window->findChild<ui::HeldSection*>();
-  auto* table = section->findChild<QTableWidget*>();
-  QCOMPARE(table->rowCount(), 1);
-  QVERIFY(table->item(0, 0)->text().startsWith("Pin at iteration"));
-  o.window->viewState().setCrosshair(kRight);
-  QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualItemRect(table->item(0, 0)).center());
-  QCOMPARE(o.window->viewState().crosshair(), place);
-  QTest::mouseClick(section->findChild<QPushButton*>(), Qt::LeftButton);
-  QVERIFY(o.document().constraints().empty());
-  QCOMPARE(o.document().undoStack()->undoText(), QString("Lift the pin"));
-  for (int i = 0; i < 2; ++i) QTest::keyClick(o.window.get(), Qt::Key_Z, Qt::ControlModifier);
-  QVERIFY(o.document().constraints().empty());
-  QCOMPARE(o.document().undoStack()->undoText(), QString("Add seed"));
-}
-
-void CorrectTest::theSurfaceIsSmoothedWhereItIsNearestToTheCrosshair() {
-  Opened o;
-  QVERIFY(o.ok && o.grow());
-  const TriangleSoup before = o.document().snapshot()->mesh;
-  const int iteration = o.document().iteration();
-  o.window->viewState().setCrosshair(kLeft - Vec3(11, 0, 0));  // beside the end of the left ball
-  o.localRadius()->setValue(6);
-  QSignalSpy edited(&o.document(), &ui::Document::meshEdited);
-  QTest::keyClick(o.window.get(), Qt::Key_S, Qt::ShiftModifier);
-  QVERIFY(!edited.isEmpty() || edited.wait(kPatience));
-  QCOMPARE(o.document().iteration(), iteration + 1);
-  QVERIFY(o.document().snapshot()->certificate.passes());
-  QCOMPARE(o.document().undoStack()->undoText(), QString("Smooth here"));
-  const MeshEdit& edit = o.document().constraints().edits.at(0);
-  QVERIFY(edit.kind == MeshEditKind::smooth && edit.radius == 6);
-  const TriangleSoup after = o.document().snapshot()->mesh;
-  QCOMPARE(after.points.size(), before.points.size());
-  const std::set<std::array<double, 3>> there = coordinates(after);
-  int moved = 0;
-  for (const Vec3& p : before.points) {
-    if (there.contains({p.x(), p.y(), p.z()})) continue;
-    ++moved;
-    QVERIFY((p - edit.place).norm() <= 6);
-    QVERIFY(p.x() < kLeft.x());
-  }
-  QVERIFY2(moved > 10, qPrintable(QString::number(moved)));
-  QVERIFY2(o.window->messages().text().startsWith("Smoothed by hand: "),
-           qPrintable(o.window->messages().text()));
-  o.keepPicture("smoothed");
-  QTest::keyClick(o.window.get(), Qt::Key_Z, Qt::ControlModifier);
-  QVERIFY(QTest::qWaitFor([&] { return o.document().iteration() == iteration; }, kPatience));
-  QVERIFY(o.document().snapshot()->mesh.points == before.points);
-  QVERIFY(o.document().constraints().empty());
-}
-
-void CorrectTest::theNearestPointOfTheSurfaceIsPulledToTheCrosshair() {
-  Opened o;
-  QVERIFY(o.ok && o.grow());
-  const TriangleSoup before = o.document().snapshot()->mesh;
-  const int iteration = o.document().iteration();
-  const Vec3 there = kLeft - Vec3(11, 0, 0);
-  QVERIFY(!coordinates(before).contains({there.x(), there.y(), there.z()}));
-  o.window->viewState().setCrosshair(there);
-  QSignalSpy edited(&o.document(), &ui::Document::meshEdited);
-  QTest::keyClick(o.window.get(), Qt::Key_U, Qt::ShiftModifier);
-  QVERIFY(!edited.isEmpty() || edited.wait(kPatience));
-  QCOMPARE(o.document().iteration(), iteration + 1);
-  QVERIFY(o.document().snapshot()->certificate.passes());
-  QVERIFY(coordinates(o.document().snapshot()->mesh).contains({there.x(), there.y(), there.z()}));
-  QCOMPARE(o.document().undoStack()->undoText(), QString("Pull here"));
-  o.keepPicture("pulled");
-  QTest::keyClick(o.window.get(), Qt::Key_Z, Qt::ControlModifier);
-  QVERIFY(QTest::qWaitFor([&] { return o.document().iteration() == iteration; }, kPatience));
-  QVERIFY(o.document().snapshot()->mesh.points == before.points);
-}
-
-void CorrectTest::theSurfaceIsCutAlongTheChosenPlaneAndOneSideIsKept_data() {
-  QTest::addColumn<bool>("fromTheLeft");
-  QTest::newRow("columns to the left") << false;
-  QTest::newRow("columns to the right") << true;
-}
-
-void CorrectTest::theSurfaceIsCutAlongTheChosenPlaneAndOneSideIsKept() {
-  QFETCH(bool, fromTheLeft);
-  Opened o(fromTheLeft);
-  QVERIFY(o.ok && o.grow());
-  const int iteration = o.document().iteration();
-  const auto bodies = [&] { return o.document().snapshot()->certificate.genus.size(); };
-  QCOMPARE(bodies(), std::size_t(1));
-  QVERIFY(o.button("Superior") && !o.button("Left"));
-  QTest::mouseClick(o.choice("Plane: Sagittal"), Qt::LeftButton);
-  QVERIFY(o.button("Left") && o.button("Right") && !o.button("Superior"));
-  o.window->viewState().setCrosshair(kNeck);
-  QSignalSpy edited(&o.document(), &ui::Document::meshEdited);
-  QTest::keyClick(o.window.get(), Qt::Key_C, Qt::ShiftModifier);
-  QVERIFY(!edited.isEmpty() || edited.wait(kPatience));
-  QCOMPARE(bodies(), std::size_t(2));
-  QVERIFY(o.document().snapshot()->certificate.passes());
-  QCOMPARE(o.document().undoStack()->undoText(), QString("Cut here"));
-  o.keepPicture("cut");
-  QTest::keyClick(o.window.get(), Qt::Key_Z, Qt::ControlModifier);
-  QVERIFY(QTest::qWaitFor([&] { return o.document().iteration() == iteration; }, kPatience));
-  QCOMPARE(bodies(), std::size_t(1));
-
-  for (const bool left : {true, false}) {  // larger x is further left: LPS
-    QTest::mouseClick(o.choice(left ? "Keep: Left" : "Keep: Right"), Qt::LeftButton);
-    edited.clear();
-    QTest::mouseClick(o.button("Cut"), Qt::LeftButton);
-    QVERIFY(!edited.isEmpty() || edited.wait(kPatience));
-    QCOMPARE(bodies(), std::size_t(1));
-    QCOMPARE(o.furthest() > kRight.x(), left);
-    QTest::keyClick(o.window.get(), Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(QTest::qWaitFor([&] { return o.document().iteration() == iteration; }, kPatience));
-  }
-  // A plane that meets nothing: said, and no entry of the undo list is left.
-  const int entries = o.document().undoStack()->count();
-  o.window->viewState().setCrosshair(Vec3(1, 20, 20));
-  QSignalSpy refused(&o.document(), &ui::Document::refused);
-  QTest::mouseClick(o.button("Cut"), Qt::LeftButton);
-  QVERIFY(!refused.isEmpty() || refused.wait(kPatience));
-  QVERIFY(o.document().constraints().empty());
-  QVERIFY(o.document().undoStack()->count() <= entries);
-}
-
-void CorrectTest::withoutASurfaceOrOnALockedObjectNothingIsPinnedOrEdited() {
-  Opened o;
-  QVERIFY(o.ok);
-  const ui::Commands& commands = o.window->commands();
-  const auto isAny = [&](bool wanted) {
-    for (const Command id : {Command::pinHere, Command::smoothHere, Command::pullHere, Command::cutHere})
-      if (commands[id]->isEnabled() == wanted) return true;
-    return false;
-  };
-  QVERIFY(!isAny(true));
-  o.document().run();
-  QVERIFY(!isAny(true));
-  QVERIFY(waitFor(*o.window, GrowthState::finished));
-  QVERIFY(!isAny(false));
-  o.document().setObjectLocked(0, true);
-  QVERIFY(!isAny(true));
-  o.document().setObjectLocked(0, false);
-  QVERIFY(!isAny(false));
-  o.document().addObject();
-  QVERIFY(!isAny(true));
 }
 
 int main(int argc, char** argv) {

@@ -11,8 +11,6 @@
 #include "tests/ui/window/window_support.h"
 #include "ui/window/event_inspector.h"
 #include "ui/window/object_choice.h"
-#include "ui/window/sentences.h"
-#include "ui/window/series_list.h"
 #include "ui/window/steps_panel.h"
 
 using namespace handlebody;
@@ -33,11 +31,6 @@ QString writeRamp(const QTemporaryDir& folder) {
   return path;
 }
 
-QString shownText(ui::MainWindow& window, const char* name) {
-  const QLabel* label = shownLabel(window, QString::fromLatin1(name));
-  return label ? label->text() : QString();
-}
-
 //! The seed ball shrinks to a point.
 bool shrinkAway(ui::MainWindow& window) {
   Parameters p = window.document().parameters();
@@ -47,20 +40,6 @@ bool shrinkAway(ui::MainWindow& window) {
   window.document().setParameters(p, QStringLiteral("Shrink"));
   QTest::keyClick(&window, Qt::Key_Space);
   return waitFor(window, GrowthState::finished);
-}
-
-const QDoubleSpinBox* numberField(ui::MainWindow& window, const QString& name) {
-  const auto fields = window.findChildren<QDoubleSpinBox*>();
-  for (const QDoubleSpinBox* field : fields)
-    if (field->accessibleName() == name) return field;
-  return nullptr;
-}
-
-QAbstractButton* buttonNamed(ui::MainWindow& window, const char* text) {
-  const auto buttons = window.findChildren<QAbstractButton*>();
-  for (QAbstractButton* button : buttons)
-    if (button->text().contains(QLatin1String(text))) return button;
-  return nullptr;
 }
 
 }  // namespace
@@ -78,13 +57,6 @@ class PanelTest : public QObject {
   void anEventIsNotInspectedWhileTheSurfaceGrows();
   void whatAnEventDidCanBeForbiddenAndAllowedAgain();
   void onlyChangesOfTopologyAreListedUntilMoreIsAsked();
-  void anUncalibratedVolumeIsOpenedAgainWithTheSpacingThatIsEntered();
-  void aCalibratedVolumeAsksForNoSpacing();
-  void aSeriesSaysWhatItHoldsAndOnlyVolumesCanBeChosen();
-  void aSeriesWithoutAUidCanBeChosen();
-  void sentencesNameFieldsInTheirPlaceOfOptions();
-  void sentencesNameStacksAsTheListDoes();
-  void thatLengthsMeanNothingIsSaidFirst();
   void aClickOutsideIsListedAsOneAndIsNoSeedToGrowFrom();
   void theObjectThatIsTakenAndTheWaysFromItAreSaidWithTheirVolumes();
   void withoutAChoiceNothingJumps();
@@ -218,7 +190,7 @@ void PanelTest::whatAnEventDidCanBeForbiddenAndAllowedAgain() {
   const int iteration = document.events().at(static_cast<std::size_t>(firstHandle(document))).iteration;
   document.goTo(iteration);
   QVERIFY(isShown(iteration));
-  QAbstractButton* forbid = buttonNamed(*window, "Keep apart here");
+  QAbstractButton* forbid = buttonSaying(*window, "Keep apart here");
   QVERIFY(forbid && forbid->isVisible());
   forbid->click();
   QVERIFY(isShown(iteration - 1));
@@ -229,8 +201,8 @@ void PanelTest::whatAnEventDidCanBeForbiddenAndAllowedAgain() {
 
   document.goTo(iteration);
   QVERIFY(isShown(iteration));
-  QVERIFY(QTest::qWaitFor([&] { return buttonNamed(*window, "Let it happen") != nullptr; }, kPatience));
-  QAbstractButton* allow = buttonNamed(*window, "Let it happen");
+  QVERIFY(QTest::qWaitFor([&] { return buttonSaying(*window, "Let it happen") != nullptr; }, kPatience));
+  QAbstractButton* allow = buttonSaying(*window, "Let it happen");
   QVERIFY(allow->isVisible());
   allow->click();
   QVERIFY(document.constraints().empty());
@@ -249,7 +221,7 @@ void PanelTest::onlyChangesOfTopologyAreListedUntilMoreIsAsked() {
   for (const QTableView* t : tables)
     if (t->accessibleName() == "Events") table = t;
   QVERIFY(table && table->isVisible());
-  QAbstractButton* repairs = buttonNamed(*window, "repairs");
+  QAbstractButton* repairs = buttonSaying(*window, "repairs");
   QVERIFY(repairs && repairs->isVisible());
   int marks = 0, changes = 0;
   for (const auto& summary : window->document().summaries()) marks += summary.events;
@@ -259,113 +231,6 @@ void PanelTest::onlyChangesOfTopologyAreListedUntilMoreIsAsked() {
   QCOMPARE(marks, changes);
   QTest::mouseClick(repairs, Qt::LeftButton, {}, QPoint(8, repairs->height() / 2));
   QCOMPARE(table->model()->rowCount(), static_cast<int>(window->document().events().size()));
-}
-
-void PanelTest::anUncalibratedVolumeIsOpenedAgainWithTheSpacingThatIsEntered() {
-  const QTemporaryDir folder;
-  const QString path = folder.filePath("nowhere.nrrd");
-  QFile file(path);
-  QVERIFY(file.open(QIODevice::WriteOnly));
-  file.write("NRRD0004\ntype: uint8\ndimension: 3\nsizes: 8 8 8\nencoding: raw\n\n");
-  for (int i = 0; i < 512; ++i) file.putChar(static_cast<char>(i % 100));
-  file.close();
-  auto window = shownWindow();
-  QVERIFY(window && open(*window, path));
-  QVERIFY(!window->document().info().calibrated);
-  window->showStep(Command::stepOpen);
-  const QString warnings = shownText(*window, "Warnings");
-  QVERIFY(warnings.contains("step 1, Open") && !warnings.contains("--spacing"));
-  QVERIFY(shownLabel(*window, "Uncalibrated"));
-  const char* const names[] = {"Spacing of columns", "Spacing of rows", "Spacing of slices"};
-  const char* const values[] = {"0.5", "0.25", "2.125"};
-  for (int axis = 0; axis < 3; ++axis) {
-    auto* field = const_cast<QDoubleSpinBox*>(numberField(*window, names[axis]));
-    QVERIFY2(field && field->isVisible() && field->suffix() == " mm", names[axis]);
-    field->setFocus();
-    field->selectAll();
-    QTest::keyClicks(field, values[axis]);
-  }
-  QSignalSpy opened(&window->document(), &ui::Document::opened);
-  QTest::mouseClick(buttonNamed(*window, "Open with this spacing"), Qt::LeftButton);
-  QVERIFY(!opened.isEmpty() || opened.wait(kPatience));
-  QVERIFY(window->document().volume().grid.spacing == Vec3(0.5, 0.25, 2.125));
-  QVERIFY(window->document().info().calibrated);
-  QVERIFY(!shownLabel(*window, "Uncalibrated"));
-}
-
-void PanelTest::aCalibratedVolumeAsksForNoSpacing() {
-  auto window = shownWindow();
-  QVERIFY(window && open(*window, sample("cyst.nii.gz")));
-  window->showStep(Command::stepOpen);
-  const QDoubleSpinBox* field = numberField(*window, "Spacing of rows");
-  QVERIFY(field && !field->isVisible());
-}
-
-void PanelTest::aSeriesSaysWhatItHoldsAndOnlyVolumesCanBeChosen() {
-  const std::string ct("CT");
-  SeriesInfo scout, thorax;
-  scout.uid = "1.2.3";
-  scout.modality = ct;
-  thorax.modality = ct;
-  scout.description = "Scout";
-  scout.note = "a single image is no volume";
-  scout.slices = 1;
-  thorax.uid = "1.2.4";
-  thorax.description = "CT Thorax";
-  thorax.size = {512, 512, 300};
-  thorax.slices = 600;
-  thorax.frames = 2;
-  thorax.spacing = Vec3(0.7, 0.7, 1.5);
-  QCOMPARE(ui::linesOf(scout),
-           QStringList({"CT Scout", "No volume: a single image is no volume", "Slices: 1"}));
-  QCOMPARE(ui::linesOf(thorax), QStringList({"CT Thorax", "512 × 512 × 300, 0.70 × 0.70 × 1.50 mm",
-                                             "Slices: 600 · time points: 2"}));
-  ui::SeriesList list;
-  list.offer({scout, thorax});
-  QCOMPARE(list.chosen().value_or("none"), QString("1.2.4"));
-  QVERIFY(list.sizeHintForRow(0) >= 3 * list.fontMetrics().lineSpacing() + 8);  // and room above and below
-  list.setCurrentRow(0);
-  QVERIFY(!list.chosen());
-}
-
-void PanelTest::aSeriesWithoutAUidCanBeChosen() {
-  SeriesInfo nameless, other;
-  other.uid = "1.2.3";
-  nameless.slices = other.slices = 20;
-  ui::SeriesList list;
-  list.offer({nameless, other});
-  QCOMPARE(list.chosen().value_or("none"), QString());
-  list.offer({});
-  QVERIFY(!list.chosen());
-}
-
-void PanelTest::sentencesNameFieldsInTheirPlaceOfOptions() {
-  const QString cine("this is a cine; if its frames are slices in space, give --spacing X,Y,Z");
-  QVERIFY(ui::asksForSpacing(cine));
-  for (const QString& text : {cine, QString("lengths mean nothing until --spacing gives it."),
-                              QString("or give --range, which holds nothing back")}) {
-    QVERIFY2(!ui::inWordsOfWindow(text).contains("--"), qPrintable(text));
-    QVERIFY(ui::inWordsOfWindow(text).contains("step"));
-  }
-  QVERIFY(!ui::asksForSpacing("scan.dcm: it is truncated"));
-}
-
-void PanelTest::sentencesNameStacksAsTheListDoes() {
-  QCOMPARE(ui::inWordsOfWindow("to be had alone: 1.2.840.99#1 (14 slices), 1.2.840.99#12 (3 slices)."),
-           QString("to be had alone: stack 1 (14 slices), stack 12 (3 slices)."));
-  QCOMPARE(ui::inWordsOfWindow("/a/scan#2.nii: no volume, 1.5 mm"),
-           QString("/a/scan#2.nii: no volume, 1.5 mm"));
-}
-
-void PanelTest::thatLengthsMeanNothingIsSaidFirst() {
-  VolumeInfo info;
-  info.warnings = {"One file is left out.", "The volume is uncalibrated: 1 mm is assumed."};
-  QVERIFY(ui::mainWarning(info).startsWith("One file"));
-  info.calibrated = false;
-  QVERIFY(ui::mainWarning(info).startsWith("The volume is uncalibrated"));
-  QVERIFY(ui::mainWarning(info).contains("More"));
-  info.warnings = {"The volume is uncalibrated."};
-  QCOMPARE(ui::mainWarning(info), QString("The volume is uncalibrated."));
 }
 
 void PanelTest::aClickOutsideIsListedAsOneAndIsNoSeedToGrowFrom() {

@@ -3,6 +3,7 @@
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QSettings>
 #include <QSignalSpy>
@@ -55,6 +56,25 @@ inline QLabel* shownLabel(ui::MainWindow& window, const QString& name) {
   const auto labels = window.findChildren<QLabel*>();
   for (QLabel* label : labels)
     if (label->accessibleName() == name && label->isVisible()) return label;
+  return nullptr;
+}
+
+inline QString shownText(ui::MainWindow& window, const char* name) {
+  const QLabel* label = shownLabel(window, QString::fromLatin1(name));
+  return label ? label->text() : QString();
+}
+
+inline const QDoubleSpinBox* numberField(ui::MainWindow& window, const QString& name) {
+  const auto fields = window.findChildren<QDoubleSpinBox*>();
+  for (const QDoubleSpinBox* field : fields)
+    if (field->accessibleName() == name) return field;
+  return nullptr;
+}
+
+inline QAbstractButton* buttonSaying(ui::MainWindow& window, const char* text) {
+  const auto buttons = window.findChildren<QAbstractButton*>();
+  for (QAbstractButton* button : buttons)
+    if (button->text().contains(QLatin1String(text))) return button;
   return nullptr;
 }
 
