@@ -6,7 +6,9 @@
 #include "app/cli/tunnel_text.h"
 #include "core/collision/certify.h"
 #include "core/io/edit_json.h"
+#include "core/io/measures_json.h"
 #include "core/io/mesh_io.h"
+#include "core/io/single_precision.h"
 
 namespace handlebody::cli {
 
@@ -35,16 +37,62 @@ void printText(const Certificate& c) {
         c.misplaced, c.misplaced == 1 ? "lies" : "lie");
 }
 
+void printSpread(const char* name, const Spread& s) {
+  std::printf("%s: least %.4g, 5 %% up to %.4g, median %.4g, largest %.4g\n", name, s.least, s.percent5,
+              s.median, s.largest);
+}
+
+void printQuality(const MeshQuality& q) {
+  printSpread("angles (degrees)", q.angles);
+  printSpread("dihedral angles (degrees)", q.dihedral);
+  printSpread("radius ratio", q.radiusRatio);
+  printSpread("edges (mm)", q.edges);
+  if (q.flat > 0) std::printf("%d faces without area\n", q.flat);
+}
+
+//! What is left of a mesh in programs that read single precision.
+struct InSingle {
+  double farthest = 0;  // mm
+  Certificate certificate;
+};
+
+InSingle lookInSingle(const TriangleSoup& mesh, const Certificate& certificate) {
+  const ReadInSingle read = readInSingle(mesh);
+  return {read.farthest, read.farthest > 0 ? certify(read.mesh) : certificate};
+}
+
+void printSingle(const InSingle& s) {
+  if (!(s.farthest > 0)) {
+    std::puts("single precision: nothing is lost");
+    return;
+  }
+  std::printf("single precision: vertices move by up to %.3g mm, and the mesh %s (self-intersections %d)\n",
+              s.farthest, s.certificate.passes() ? "passes" : "does not pass",
+              s.certificate.selfIntersections);
+}
+
+Json singleToJson(const InSingle& s) {
+  return {{"farthest_mm", s.farthest},
+          {"passes", s.certificate.passes()},
+          {"self_intersections", s.certificate.selfIntersections}};
+}
+
 int check(const CheckOptions& o) {
   const TriangleSoup mesh = readMesh(o.path);
   const Certificate certificate = certify(mesh);
+  const MeshQuality quality = meshQuality(mesh);
+  const InSingle single = lookInSingle(mesh, certificate);
   const std::optional<TunnelList> tunnels = findTunnelsQuickly(mesh, certificate);
   if (o.json) {
     Json json = certificateToJson(certificate);
     json["tunnels"] = tunnels ? tunnelsToJson(*tunnels) : Json(nullptr);
+    json["quality"] = qualityToJson(quality);
+    json["single_precision"] = singleToJson(single);
     std::fputs(jsonText(json).c_str(), stdout);
   } else {
     printText(certificate);
+    printQuality(quality);
+    printSingle(single);
     if (tunnels)
       std::fputs(tunnelsText(*tunnels).c_str(), stdout);
     else if (certificate.passes())

@@ -38,6 +38,7 @@ void addEdit(CLI::App& app, Action& action);
 void addReplay(CLI::App& app, Action& action);
 void addCompare(CLI::App& app, Action& action);
 void addMesh(CLI::App& app, Action& action);
+void addMeasure(CLI::App& app, Action& action);
 void addBatch(CLI::App& app, Action& action);
 //! Not for users: see runDicomDecoder.
 void addDecode(CLI::App& app, Action& action);

@@ -57,7 +57,7 @@ int parseAndPerform(int argc, char** argv) {
   app.require_subcommand(1);
   Action action;
   for (auto add : {addSegment, addInfo, addCheck, addEdit, addHandles, addPhantom, addReplay, addCompare,
-                   addMesh, addBatch, addDecode})
+                   addMesh, addMeasure, addBatch, addDecode})
     add(app, action);
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   try {

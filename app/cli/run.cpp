@@ -47,6 +47,7 @@ void addRunOutputs(CLI::App& command, RunOutputs& outputs) {
           "What to write, by extension: .stl .vtp .ply .obj .3mf = the mesh; .nii.gz .nii .nrrd .mha = its "
           "label map on the input grid; .seg.nrrd = the same as 3D Slicer's segmentation; for a volume read "
           "from DICOM, too: .seg.dcm = a DICOM Segmentation, .stl.dcm = the mesh as DICOM Encapsulated STL; "
+          "where gmsh or TetGen is installed: .msh .vtu .inp = tetrahedra for a solver; "
           "NAME=FILE: of several objects that one alone; may be given several times")
       ->type_name("OUT")
       ->expected(1)
@@ -227,6 +228,7 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, const std::str
   report.volume = std::move(loaded.info);
   report.seconds.load = loaded.loadSeconds;
   for (const ResultFile& file : outputs.files) checkResult(file.path, contextOf(report, outputs));
+  const Volume volume = loaded.volume;  // the contour has the same voxels in memory
   ActiveContour contour(std::move(loaded.volume), report.session.seeds, report.session.requested,
                         report.session.constraints);
   report.session.resolved = contour.parameters();
@@ -242,6 +244,7 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, const std::str
 
   CertifiedMesh made = certifiedForExport(contour.mesh().compact());
   report.mesh = made.certificate;
+  if (!outputs.report.empty()) report.measures = objectMeasures(made.mesh, &volume);
   report.seconds.exported = watch.lap();
   if (!outputs.report.empty()) report.tunnels = findTunnelsQuickly(made.mesh, made.certificate);
   report.seconds.tunnels = watch.lap();
@@ -249,6 +252,7 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, const std::str
   const SurfaceSupport support = contour.support();
   for (std::string& d : contour.doubts(support)) report.doubts.push_back(std::move(d));
   for (std::string& d : leakDoubts(report)) report.doubts.push_back(std::move(d));
+  for (std::string& d : pinDoubts(report)) report.doubts.push_back(std::move(d));
   report.unsupportedSurface = support.withoutEdge;
   const std::string behind = name.empty() ? name : name + ": ";
   for (const std::string& d : report.doubts)

@@ -48,8 +48,10 @@ void addWalls(Session& session, const std::vector<WallObject>& finished) {
     if (change.constraints) change.constraints->walls.objects = finished;
 }
 
-std::vector<GrownObject> growAll(LoadedSession first, std::vector<Session> others,
-                                 const RunOutputs& outputs) {
+}  // namespace
+
+std::vector<GrownObject> growObjects(LoadedSession first, std::vector<Session> others,
+                                     const RunOutputs& outputs) {
   const Volume volume = first.volume;
   const VolumeInfo info = first.info;
   std::vector<GrownObject> grown;
@@ -72,6 +74,8 @@ std::vector<GrownObject> growAll(LoadedSession first, std::vector<Session> other
   }
   return grown;
 }
+
+namespace {
 
 Timings sumOf(const std::vector<GrownObject>& grown) {
   Timings sum;
@@ -124,7 +128,7 @@ void requireDistinct(const std::vector<ObjectLabel>& objects) {
 int runObjects(LoadedSession first, std::vector<Session> others, const RunOutputs& outputs) {
   std::optional<Volume> shown;
   if (!outputs.picture.empty()) shown = first.volume;
-  std::vector<GrownObject> grown = growAll(std::move(first), std::move(others), outputs);
+  std::vector<GrownObject> grown = growObjects(std::move(first), std::move(others), outputs);
   Stopwatch watch;
   std::vector<ExportedObject> objects;
   std::vector<RunReport> reports;

@@ -10,6 +10,11 @@ namespace handlebody::cli {
 //! Throws UsageError if two objects have the same name or label value.
 void requireDistinct(const std::vector<ObjectLabel>& objects);
 
+//! Grows the objects in their order, each that is done a wall for the next. `first` has the volume and the
+//! first object; the others' sessions have the same volume. Throws as runObjects.
+std::vector<GrownObject> growObjects(LoadedSession first, std::vector<Session> others,
+                                     const RunOutputs& outputs);
+
 //! Grows the objects in their order and writes everything together: if one of them fails nothing is written.
 //! `first` has the volume and the first object; the others' sessions have the same volume. Returns the exit
 //! code, kMaxIterations if that is why one of them stopped. Throws as run; messages begin with the object's

@@ -1,8 +1,9 @@
 #pragma once
-// Pairs of overlapping boxes by a tree: for meshes whose edges are too uneven for the spatial hash.
-// O(n log n) to build and linear in memory whatever the sizes.
+// Pairs of boxes by a tree: those that overlap, for meshes whose edges are too uneven for the spatial hash,
+// and the best ones of two sets. O(n log n) to build and linear in memory whatever the sizes.
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/geometry/vec.h"
@@ -21,6 +22,8 @@ struct Box {
 
 class BoxTree {
  public:
+  BoxTree() = default;
+  explicit BoxTree(std::span<const Box> boxes) { build(boxes); }
   void build(std::span<const Box> boxes);
 
   //! Calls f(i, j) once for each pair of boxes that overlap (touching counts).
@@ -34,6 +37,12 @@ class BoxTree {
       visit(a, b, f);
     }
   }
+
+  //! Calls f(i, j) for pairs of a box i of this tree and a box j of another (it may be the same). `bound(p,
+  //! q)` is what boxes in the boxes p and q can reach at best, in the sense that larger is better; pairs that
+  //! are not `hopeful(bound)` are left out, and the better half goes first.
+  template <typename Bound, typename Hopeful, typename F>
+  void forEachHopeful(const BoxTree& other, Bound&& bound, Hopeful&& hopeful, F&& f) const;
 
  private:
   static constexpr int kLeafSize = 4;
@@ -84,6 +93,37 @@ void BoxTree::visitLeaves(const Node& a, const Node& b, F&& f) const {
       const auto sj = static_cast<std::size_t>(j);
       if (boxes_[si].overlaps(boxes_[sj])) f(order_[si], order_[sj]);
     }
+  }
+}
+
+template <typename Bound, typename Hopeful, typename F>
+void BoxTree::forEachHopeful(const BoxTree& other, Bound&& bound, Hopeful&& hopeful, F&& f) const {
+  struct Waiting {
+    int a, b;
+    double bound;
+  };
+  if (nodes_.empty() || other.nodes_.empty()) return;
+  const auto nodeA = [&](int i) -> const Node& { return nodes_[static_cast<std::size_t>(i)]; };
+  const auto nodeB = [&](int i) -> const Node& { return other.nodes_[static_cast<std::size_t>(i)]; };
+  const auto waiting = [&](int i, int j) { return Waiting{i, j, bound(nodeA(i).box, nodeB(j).box)}; };
+  std::vector<Waiting> stack{waiting(0, 0)};
+  while (!stack.empty()) {
+    const Waiting w = stack.back();
+    stack.pop_back();
+    if (!hopeful(w.bound)) continue;
+    const Node &na = nodeA(w.a), &nb = nodeB(w.b);
+    if (na.right == 0 && nb.right == 0) {
+      for (int i = na.first; i < na.last; ++i)
+        for (int j = nb.first; j < nb.last; ++j)
+          f(order_[static_cast<std::size_t>(i)], other.order_[static_cast<std::size_t>(j)]);
+      continue;
+    }
+    const bool splitA = na.right != 0 && (nb.right == 0 || na.last - na.first >= nb.last - nb.first);
+    Waiting worse = splitA ? waiting(w.a + 1, w.b) : waiting(w.a, w.b + 1);
+    Waiting better = splitA ? waiting(na.right, w.b) : waiting(w.a, nb.right);
+    if (worse.bound > better.bound) std::swap(worse, better);
+    stack.push_back(worse);
+    stack.push_back(better);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/io/constraints_json.h"
 #include "core/io/edit_json.h"
+#include "core/io/measures_json.h"
 #include "core/io/parameter_names.h"
 
 namespace handlebody {
@@ -129,6 +130,15 @@ std::vector<std::string> leakDoubts(const RunReport& report) {
   return doubts;
 }
 
+std::vector<std::string> pinDoubts(const RunReport& report) {
+  std::vector<std::string> doubts;
+  for (const PinnedPart& p : report.pinned)
+    if (p.vertices == 0)
+      doubts.push_back("the pin " + written(p.pin) + " holds nothing: the mesh is that of iteration " +
+                       std::to_string(report.iterations) + ", and its iteration never came");
+  return doubts;
+}
+
 RunReport anonymous(RunReport report) {
   report.session = anonymous(std::move(report.session));
   for (std::string& warning : report.volume.warnings) {
@@ -158,6 +168,7 @@ void addObject(Json& json, const RunReport& report) {
   json["unsupported_surface"] = report.unsupportedSurface;
   json["seconds"] = secondsToJson(report.seconds);
   json["mesh"] = certificateToJson(report.mesh);
+  if (report.measures) json["measures"] = measuresToJson(*report.measures);
   if (report.tunnels) json["tunnels"] = tunnelsToJson(*report.tunnels);
   if (!report.corrections.empty()) json["corrections"] = correctionsToJson(report.corrections);
   if (!report.held.empty()) json["held"] = heldToJson(report.held);

@@ -11,6 +11,7 @@
 #include "core/evolution/pinned_parts.h"
 #include "core/evolution/step_report.h"
 #include "core/io/session.h"
+#include "core/measure/object_measures.h"
 #include "core/mesh/tunnels.h"
 #include "core/mesh/validity.h"
 #include "core/object/candidate.h"
@@ -46,8 +47,9 @@ struct RunReport {
   int iterations = 0;
   StopReason stopped = StopReason::running;
   Timings seconds;
-  Certificate mesh;                     //!< of the exported mesh
-  std::optional<TunnelList> tunnels{};  //!< of it, where they were looked for
+  Certificate mesh;                          //!< of the exported mesh
+  std::optional<TunnelList> tunnels{};       //!< of it, where they were looked for
+  std::optional<ObjectMeasures> measures{};  //!< the same
   std::vector<Event> events;
   std::vector<ToldLeak> leaks{};                //!< in the order in which they came
   bool isStoppedAtLeak = false;                 //!< the mesh is that of before the last of them
@@ -62,6 +64,9 @@ const char* endName(const RunReport& report);
 
 //! A sentence without a full stop for every leak.
 std::vector<std::string> leakDoubts(const RunReport& report);
+
+//! The same for every pin whose iteration was never reached.
+std::vector<std::string> pinDoubts(const RunReport& report);
 
 //! Without what may name the patient: as the session's, and without the names of files and series that
 //! warnings of the volume list behind a colon.

@@ -11,6 +11,7 @@
 #include "core/errors.h"
 #include "core/io/label_map.h"
 #include "core/io/single_precision.h"
+#include "core/io/tetrahedra.h"
 #include "core/io/three_mf.h"
 
 namespace handlebody {
@@ -112,17 +113,22 @@ bool isDicomResult(const std::string& path) { return isDicomSegmentationPath(pat
 }  // namespace
 
 bool isResultPath(const std::string& path) {
-  return isMeshPath(path) || isLabelMapPath(path) || isThreeMfPath(path) || isDicomResult(path);
+  return isMeshPath(path) || isLabelMapPath(path) || isThreeMfPath(path) || isDicomResult(path) ||
+         isTetrahedraPath(path);
 }
 
 void checkResult(const std::string& path, const ExportContext& context) {
+  if (isTetrahedraPath(path))
+    if (const std::string fault = tetrahedraFault(); !fault.empty())
+      throw UsageError(path + ": " + fault + ".");
   if (!isDicomResult(path)) return;
   if (const std::string fault = dicomFault(context.dicom.get()); !fault.empty())
     throw UsageError(path + ": no DICOM file can be made: " + fault + ".");
 }
 
 const char* resultEndings() {
-  return "a mesh is .stl, .vtp, .ply, .obj, .3mf or .stl.dcm, a label map .seg.nrrd, .seg.dcm, .nii, "
+  return "a mesh is .stl, .vtp, .ply, .obj, .3mf or .stl.dcm, tetrahedra are .msh, .vtu or .inp, a label map "
+         ".seg.nrrd, .seg.dcm, .nii, "
          ".nii.gz, .nrrd or .mha";
 }
 
@@ -149,7 +155,8 @@ std::vector<MeshPart> partsOf(const std::vector<ExportedObject>& objects) {
   return parts;
 }
 
-//! Writes to one path after the other; the label map is made once, for the first that needs it.
+//! Writes to one path after the other; the label map and the tetrahedra are made once, for the first that
+//! needs it.
 class Writer {
  public:
   Writer(const std::vector<ExportedObject>& objects, const ExportContext& context)
@@ -161,12 +168,21 @@ class Writer {
       return writeDicomSegmentation(labels(), objects_, *context_.dicom, context_.content, path);
     if (isDicomStlPath(path)) return writeDicomStl(objects_, *context_.dicom, context_.content, path);
     if (isThreeMfPath(path)) return writeThreeMf(objects_, path, context_.space);
+    if (isTetrahedraPath(path)) return writeTetrahedra(tetrahedra(path), objects_, path, context_.space);
     if (isMeshPath(path)) return writeMesh(together(objects_), path, context_.space, partsOf(objects_));
     if (isSlicerSegmentationPath(path)) return writeSlicerSegmentation(labels(), objects_, path);
     writeVolume(labels(), path);
   }
 
  private:
+  const Tetrahedra& tetrahedra(const std::string& path) {
+    try {
+      if (!tetrahedra_) tetrahedra_ = fillWithTetrahedra(objects_);
+    } catch (const OutputError& error) {
+      throw OutputError(path + ": " + error.what());
+    }
+    return *tetrahedra_;
+  }
   const Volume& labels() {
     if (!labels_) labels_ = labelMap(objects_, context_.grid);
     return *labels_;
@@ -174,6 +190,7 @@ class Writer {
   const std::vector<ExportedObject>& objects_;
   const ExportContext& context_;
   std::optional<Volume> labels_;
+  std::optional<Tetrahedra> tetrahedra_;
 };
 
 }  // namespace

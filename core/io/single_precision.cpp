@@ -89,4 +89,14 @@ TriangleSoup roundedToSingle(const TriangleSoup& mesh) {
   return out;
 }
 
+ReadInSingle readInSingle(const TriangleSoup& mesh) {
+  ReadInSingle read{mesh};
+  for (Vec3& p : read.mesh.points) {
+    const Vec3 exact = p;
+    p = rounded(exact);
+    read.farthest = std::max(read.farthest, (p - exact).norm());
+  }
+  return read;
+}
+
 }  // namespace handlebody

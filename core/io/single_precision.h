@@ -13,4 +13,11 @@ TriangleSoup roundedToSingle(const TriangleSoup& mesh);
 
 inline constexpr double kMostNudge = 256;
 
+//! The mesh as a program has it that reads it in single precision, without such care.
+struct ReadInSingle {
+  TriangleSoup mesh;
+  double farthest = 0;  //!< mm, of a vertex from where it was; 0: nothing is lost
+};
+ReadInSingle readInSingle(const TriangleSoup& mesh);
+
 }  // namespace handlebody

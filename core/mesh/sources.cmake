@@ -12,6 +12,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/mesh/morton_order.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/nesting.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/plane_section.cpp
+  ${CMAKE_SOURCE_DIR}/core/mesh/quality.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/remesh.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/shapes.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/structure.cpp

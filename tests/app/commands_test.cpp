@@ -1,5 +1,7 @@
 // info, check, handles, phantom and help, through the program.
 
+#include <cmath>
+
 #include "tests/app/run_cli.h"
 #include "tests/support/catch.h"
 
@@ -11,6 +13,7 @@ TEST_CASE("help and version succeed and say what the program is not", "[cli]") {
                                              {"segment", "--help"},
                                              {"info", "--help"},
                                              {"check", "--help"},
+                                             {"measure", "--help"},
                                              {"edit", "--help"},
                                              {"compare", "--help"},
                                              {"mesh", "--help"},
@@ -104,4 +107,28 @@ TEST_CASE("handles counts the families", "[cli]") {
   CHECK(all.at("generators") > 0);
   CHECK(runForJson({"handles", "--sizes", "3,3,4", "--json"}).at("handles") == 72);  // Table 1 of the paper
   CHECK_THAT(runCli({"handles", "--sizes", "3,4", "--family", "all"}).out, Contains("48 handles"));
+}
+
+TEST_CASE("check tells the shapes of the triangles and what single precision leaves", "[cli]") {
+  const TempFolder folder;
+  // A flat tetrahedron far out: in single precision its faces fall together.
+  writeBytes(
+      folder / "flat.obj",
+      "v 100000 0 0\nv 100004 0 0\nv 100000 4 0\nv 100001 1 0.3\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  const auto json = runForJson({"check", folder / "flat.obj", "--json"});
+  const auto& quality = json.at("quality");
+  CHECK(quality.at("angles_degrees").at("least") > 5);
+  CHECK(quality.at("edges_mm").at("largest").get<double>() == Approx(std::sqrt(32)));
+  CHECK(quality.at("dihedral_angles_degrees").at("least") < 30);
+  CHECK(json.at("single_precision").at("farthest_mm").get<double>() == Approx(0).margin(1e-7));
+  writeBytes(folder / "thin.obj",
+             "v 100000 0 0\nv 100004 0 0\nv 100000 4 0\nv 100000.001 0 0\nv 100001 1 1\n"
+             "f 1 3 4\nf 4 3 2\nf 1 4 5\nf 4 2 5\nf 2 3 5\nf 3 1 5\n");
+  const auto thin = runForJson({"check", folder / "thin.obj", "--json"});
+  CHECK(thin.at("single_precision").at("farthest_mm").get<double>() == Approx(0.001).epsilon(0.01));
+  CHECK(thin.at("single_precision").at("passes") == false);
+  const std::string text = runCli({"check", folder / "thin.obj"}).out;
+  for (const char* word :
+       {"angles (degrees)", "dihedral angles", "radius ratio", "edges (mm)", "single precision"})
+    CHECK_THAT(text, Contains(word));
 }

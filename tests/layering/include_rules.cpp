@@ -45,7 +45,8 @@ const Layers& layers() {
     add("core/object", {"core/volume", "core/mesh"});
     add("core/evolution", {"core/surgery", "core/object"});
     add("core/solid", {"core/collision", "core/object"});
-    add("core/io", {"core/evolution", "core/solid"});
+    add("core/measure", {"core/solid"});
+    add("core/io", {"core/evolution", "core/measure"});
     add("sample_volumes", {"core/io"});
     add("ui/model", {"core/io"});
     add("ui/view", {"ui/model"});

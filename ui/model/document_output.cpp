@@ -55,6 +55,7 @@ RunReport completed(PendingReport pending) {
   made.doubts = doubts(made, mesh.mesh);
   made.doubts.insert(made.doubts.end(), shown.doubts.begin(), shown.doubts.end());
   made.doubts.insert(made.doubts.end(), known.begin(), known.end());
+  for (std::string& d : pinDoubts(made)) made.doubts.push_back(std::move(d));
   made.unsupportedSurface = shown.support.withoutEdge;
   Timings& s = made.seconds;
   s.exported = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -1,0 +1,57 @@
+#pragma once
+// What `measure` found, as text, JSON and CSV.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/measure/centre_line.h"
+#include "core/measure/object_measures.h"
+#include "core/measure/surface_gap.h"
+#include "core/measure/wall_thickness.h"
+#include "core/mesh/validity.h"
+
+namespace handlebody::cli {
+
+struct MeasuredObject {
+  std::string name;  //!< of the object in a session, else the mesh's path
+  TriangleSoup mesh;
+  Certificate certificate;
+  ObjectMeasures measures;
+};
+
+struct MeasuredGap {
+  std::string from, to;  //!< names
+  SurfaceGap gap;
+};
+
+struct MeasuredWall {
+  std::string first, second;  //!< what the surfaces are called
+  WallThickness wall;
+};
+
+struct MeasuredLine {
+  std::string object;
+  CentreLine line;
+};
+
+struct Measured {
+  std::string path;    //!< of the mesh or session
+  std::string volume;  //!< whose intensities; empty: none
+  std::vector<MeasuredObject> objects;
+  std::vector<MeasuredGap> gaps;
+  std::optional<MeasuredWall> wall;
+  std::optional<MeasuredLine> line;
+  std::vector<std::string>
+      warnings;  //!< whole sentences; those of an object behind its name if there are several
+};
+
+//! A table for the eye, with units.
+std::string measuredText(const Measured& m);
+std::string measuredJson(const Measured& m);
+//! A line of names, which end in the unit, and one per object.
+std::string measuredCsv(const Measured& m);
+//! The same of the points of a centre line.
+std::string sectionsCsv(const CentreLine& line);
+
+}  // namespace handlebody::cli

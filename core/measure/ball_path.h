@@ -1,0 +1,23 @@
+#pragma once
+// Internal: the way from ball to ball.
+
+#include <string>
+#include <vector>
+
+#include "core/measure/inscribed_balls.h"
+
+namespace handlebody {
+
+struct BallPath {
+  std::vector<Vec3> points;  //!< from `from` to `to`; none if there is no way
+  std::string fault;         //!< why, as the end of a sentence
+};
+
+//! Dijkstra's search on a lattice of centres; two of them are joined if their balls overlap, which no two do
+//! that the surface lies between. A millimetre costs 1/radius². `spacing` (mm) is halved where that finds no
+//! way, until kMostBalls. Precondition: both are inside.
+BallPath findBallPath(InscribedBalls& balls, const Vec3& from, const Vec3& to, double spacing);
+
+inline constexpr int kMostBalls = 3'000'000;
+
+}  // namespace handlebody

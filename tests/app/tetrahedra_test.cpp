@@ -1,0 +1,163 @@
+// Tetrahedra by gmsh and TetGen, where they are installed.
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <numbers>
+#include <set>
+#include <sstream>
+
+#include "core/errors.h"
+#include "core/io/mesher_process.h"
+#include "core/io/tetrahedra.h"
+#include "core/mesh/shapes.h"
+#include "core/mesh/topology.h"
+#include "tests/app/refusal.h"
+#include "tests/app/run_cli.h"
+#include "tests/support/catch.h"
+
+using namespace handlebody;
+using namespace handlebody::test;
+
+namespace {
+
+//! Only these programs are found while it lives.
+class OnlyPrograms {
+ public:
+  OnlyPrograms(const TempFolder& folder, const std::vector<std::string>& names)
+      : before_(std::getenv("PATH")) {
+    const std::string bin = folder / "bin";
+    std::filesystem::create_directory(bin);
+    for (const std::string& name : names)
+      std::filesystem::create_symlink(*findProgram(name), bin + "/" + name);
+    setenv("PATH", bin.c_str(), 1);
+  }
+  ~OnlyPrograms() { setenv("PATH", before_.c_str(), 1); }
+  OnlyPrograms(const OnlyPrograms&) = delete;
+  OnlyPrograms& operator=(const OnlyPrograms&) = delete;
+
+ private:
+  std::string before_;
+};
+
+//! A ball with two cavities, one of which holds another ball.
+TriangleSoup nested() {
+  TriangleSoup all;
+  const auto add = [&](const Vec3& centre, double radius, bool isCavity) {
+    const TriangleSoup s = icosphere(centre, radius, radius / 3);
+    const int first = static_cast<int>(all.points.size());
+    all.points.insert(all.points.end(), s.points.begin(), s.points.end());
+    for (Triangle t : s.triangles) {
+      if (isCavity) std::swap(t[1], t[2]);
+      all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    }
+  };
+  add(Vec3(0, 0, 0), 10, false);
+  add(Vec3(4, 0, 0), 3, true);
+  add(Vec3(-4, 0, 0), 4, true);
+  add(Vec3(-4, 0, 0), 2, false);
+  return all;
+}
+
+double volumeOf(const Tetrahedra& t, std::size_t cell) {
+  const auto p = [&](std::size_t c) { return t.points[static_cast<std::size_t>(t.cells[cell][c])]; };
+  return (p(1) - p(0)).cross(p(2) - p(0)).dot(p(3) - p(0)) / 6;
+}
+
+//! Faces of one cell alone.
+std::size_t boundaryFaces(const Tetrahedra& t) {
+  std::map<std::array<int, 3>, int> faces;
+  for (const auto& c : t.cells)
+    for (std::size_t left = 0; left < 4; ++left) {
+      std::array<int, 3> face{};
+      for (std::size_t i = 0, n = 0; i < 4; ++i)
+        if (i != left) face[n++] = c[i];
+      std::sort(face.begin(), face.end());
+      ++faces[face];
+    }
+  return static_cast<std::size_t>(
+      std::count_if(faces.begin(), faces.end(), [](const auto& f) { return f.second == 1; }));
+}
+
+}  // namespace
+
+TEST_CASE("each program fills a body around its cavities and leaves the surface as it is", "[tetrahedra]") {
+  const TriangleSoup mesh = nested();
+  const double volume = signedVolume(Mesh(mesh));
+  bool any = false;
+  for (const char* program : {"gmsh", "tetgen"}) {
+    if (!findProgram(program)) continue;
+    any = true;
+    INFO(program);
+    const TempFolder folder;
+    const OnlyPrograms only(folder, {program});
+    const Tetrahedra made = fillWithTetrahedra({{{}, mesh}});
+    double filled = 0, least = 1;
+    for (std::size_t i = 0; i < made.cells.size(); ++i) {
+      filled += volumeOf(made, i);
+      least = std::min(least, volumeOf(made, i));
+    }
+    CHECK(least > 0);
+    CHECK(filled == Approx(volume).epsilon(1e-6));
+    CHECK(boundaryFaces(made) == mesh.triangles.size());
+  }
+  if (!any) WARN("skipped: neither gmsh nor TetGen is installed");
+}
+
+TEST_CASE("tetrahedra are written in three formats, and gmsh reads its own", "[cli][tetrahedra]") {
+  if (!tetrahedraFault().empty()) {
+    WARN("skipped: neither gmsh nor TetGen is installed");
+    return;
+  }
+  const TempFolder folder;
+  const PhantomFile phantom = makePhantomFile(folder);
+  const Outcome outcome = runCli({"segment", phantom.path, "--seed", phantom.seed, "--object-name",
+                                  "my organ", "-o", folder / "o.msh", "-o", folder / "o.vtu", "-o",
+                                  folder / "o.inp", "-o", folder / "o.stl", "--edge-length", "4", "--quiet"});
+  INFO(outcome.err);
+  REQUIRE(outcome.exitCode == 0);
+  const std::string msh = readBytes(folder / "o.msh"), vtu = readBytes(folder / "o.vtu"),
+                    inp = readBytes(folder / "o.inp");
+  CHECK_THAT(msh, Contains("3 1 \"my organ\""));
+  CHECK_THAT(inp, Contains("*ELEMENT, TYPE=C3D4, ELSET=OBJECT_1_MY_ORGAN"));
+  const auto numberAfter = [](const std::string& text, const std::string& mark) {
+    std::istringstream in(text.substr(text.find(mark) + mark.size()));
+    std::size_t n = 0;
+    in >> n;
+    return n;
+  };
+  const std::size_t cells = numberAfter(msh, "$Elements\n");
+  CHECK(cells > 100);
+  CHECK_THAT(vtu, Contains("NumberOfCells=\"" + std::to_string(cells) + "\""));
+  CHECK_THAT(vtu, Contains("NumberOfPoints=\"" + std::to_string(numberAfter(msh, "$Nodes\n")) + "\""));
+}
+
+TEST_CASE("without a program one sentence says which ones there are", "[cli][tetrahedra]") {
+  const TempFolder folder;
+  const PhantomFile phantom = makePhantomFile(folder);
+  const TempFolder programs;
+  const OnlyPrograms none(programs, {});
+  requireRefusal(folder, {"segment", phantom.path, "--seed", phantom.seed, "-o", folder / "o.msh"}, 2,
+                 "gmsh");
+  CHECK_THROWS_AS(fillWithTetrahedra({{{}, nested()}}), OutputError);
+}
+
+TEST_CASE("a program that fails is named with what it said", "[tetrahedra]") {
+  const TempFolder folder;
+  std::filesystem::create_directory(folder / "fake");
+  writeBytes(folder / "fake/gmsh", "#!/bin/sh\necho 'Error   : no luck today'\nexit 1\n");
+  std::filesystem::permissions(folder / "fake/gmsh", std::filesystem::perms::owner_all);
+  const std::string before = std::getenv("PATH");
+  setenv("PATH", (folder / "fake").c_str(), 1);
+  std::string said;
+  try {
+    fillWithTetrahedra({{{}, nested()}});
+  } catch (const OutputError& error) {
+    said = error.what();
+  }
+  setenv("PATH", before.c_str(), 1);
+  CHECK_THAT(said, Contains("'Object'"));
+  CHECK_THAT(said, Contains("no luck today"));
+}
