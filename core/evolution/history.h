@@ -14,7 +14,7 @@ struct HistoryLimits {
   std::size_t memory = std::size_t{400} << 20;  //!< bytes of all keyframes together
   //! Computing time between two keyframes, seconds: about what going back takes at most. Doubled when the
   //! memory would not suffice.
-  double redoSeconds = 0.08;
+  double redoSeconds = 0.07;
 };
 
 //! Keeps a copy of the contour (a keyframe) every few iterations; an iteration between two of them is the
