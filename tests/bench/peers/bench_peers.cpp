@@ -1,12 +1,13 @@
 // Our engine beside its peers, in one run: detection beside CGAL, the whole job beside ITK's level sets and
-// region growing. Times are processor times of one thread, each the least of --repeat runs; compare ratios,
-// for absolute times drift with the machine's load.
+// region growing. Times are processor times on one thread, wall-clock times on several, each the least of
+// --repeat runs; compare ratios, for absolute times drift with the machine's load.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "tests/bench/peers/child.h"
 #include "tests/bench/peers/systems.h"
@@ -26,6 +27,7 @@ struct Options {
   std::vector<double> gaps{0}, curvatures, edges, smoothings;
   Trials trials;
   std::string peers;  // what their names hold
+  std::vector<int> threads{1};
   int repeat = 3;
   bool json = false, tune = false, detection = false, alone = false;
 };
@@ -56,9 +58,13 @@ const std::pair<std::string, Peer> kPeers[] = {{"level set, threshold", Peer::th
                                                {"region growing", Peer::regionGrowing}};
 
 //! Our engine with nothing told, and with each value that was asked for, one at a time.
-std::vector<Row> oursOn(const Phantom& phantom, const PhantomOptions& options, const Options& o) {
-  std::vector<Row> rows{{"handlebody", runOurs(phantom, options, {}, o.repeat)}};
-  const auto add = [&](const char* what, double value, const Parameters& told) {
+std::vector<Row> oursOn(const Phantom& phantom, const PhantomOptions& options, const Options& o,
+                        int threads) {
+  Parameters untold;
+  untold.threads = threads;
+  std::vector<Row> rows{{"handlebody", runOurs(phantom, options, untold, o.repeat)}};
+  const auto add = [&](const char* what, double value, Parameters told) {
+    told.threads = threads;
     char label[40];
     std::snprintf(label, sizeof label, "  with %s %g", what, value);
     rows.push_back({label, runOurs(phantom, options, told, o.repeat)});
@@ -73,30 +79,38 @@ std::vector<Row> oursOn(const Phantom& phantom, const PhantomOptions& options, c
   return rows;
 }
 
-std::vector<Row> peersOn(const Phantom& phantom, const PhantomOptions& options, const Options& o) {
-  std::vector<Row> rows;
+using Chosen = std::vector<std::tuple<std::string, Peer, PeerSettings>>;
+
+//! The peers that are asked for, with all that they must be told.
+Chosen peersFor(const Phantom& phantom, const Options& o) {
+  Chosen out;
+  if (o.alone) return out;
   for (const auto& [label, peer] : kPeers) {
     if (label.find(o.peers) == std::string::npos) continue;
-    const PeerSettings settings = o.tune ? tune(peer, phantom, o.trials) : tunedSettings(peer, phantom.name);
+    const PeerSettings s = o.tune ? tune(peer, phantom, o.trials) : tunedSettings(peer, phantom.name);
+    out.emplace_back(label, peer, completed(peer, s, phantom));
     if (o.tune)
-      std::fprintf(stderr, "%s, %s: sigma %g, curvature %g\n", phantom.name.c_str(), label.c_str(),
-                   settings.sigma, settings.curvature);
-    rows.push_back({label, runPeer(peer, settings, phantom, options, o.repeat)});
+      std::fprintf(stderr, "%s, %s: sigma %g, curvature %g\n", phantom.name.c_str(), label.c_str(), s.sigma,
+                   s.curvature);
   }
-  return rows;
+  return out;
 }
 
 json compare(const std::string& title, const std::string& name, const PhantomOptions& options,
              const Options& o) {
   const Phantom phantom = makePhantom(name, options);
-  std::vector<Row> rows = oursOn(phantom, options, o);
-  if (!o.alone) {
-    const std::vector<Row> peers = peersOn(phantom, options, o);
-    rows.insert(rows.end(), peers.begin(), peers.end());
-  }
-  if (!o.json) print(title, rows);
+  const Chosen peers = peersFor(phantom, o);
   json out;
-  for (const Row& row : rows) out[row.system] = asJson(row.outcome);
+  for (const int threads : o.threads) {
+    std::vector<Row> rows = oursOn(phantom, options, o, threads);
+    for (auto [label, peer, settings] : peers) {
+      settings.threads = threads;
+      rows.push_back({label, runPeer(peer, settings, phantom, options, o.repeat)});
+    }
+    const std::string suffix = threads == 1 ? "" : ", " + std::to_string(threads) + " threads";
+    if (!o.json) print(title + suffix, rows);
+    for (const Row& row : rows) out[row.system + suffix] = asJson(row.outcome);
+  }
   return out;
 }
 
@@ -171,6 +185,9 @@ void addOptions(CLI::App& app, Options& o) {
   app.add_option_function<double>(
       "--spacing", [&o](double s) { o.phantom.spacing = Vec3::Constant(s); }, "mm");
   app.add_option("--repeat", o.repeat, "Runs of each system; the quickest counts")->check(CLI::Range(1, 100));
+  app.add_option("--threads", o.threads, "Numbers of threads, each in a table of its own")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 64));
   app.add_flag("--alone", o.alone, "Our engine without the peers");
   app.add_option("--peers", o.peers, "Only peers with this in their name, such as threshold");
   app.add_flag("--json", o.json, "Results as JSON on standard output");

@@ -39,6 +39,9 @@ double peakResident() {
 
 Measure::Measure() : startSeconds_(processorSeconds()), startMegabytes_(peakResident()) {}
 double Measure::seconds() const { return processorSeconds() - startSeconds_; }
+double Measure::wallSeconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
 double Measure::peakMegabytes() const { return peakResident() - startMegabytes_; }
 
 void runInChild(void* result, std::size_t size, const std::function<void()>& work) {

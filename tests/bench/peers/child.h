@@ -1,6 +1,7 @@
 #pragma once
 // A measured run in a process of its own: its time and its memory are nobody else's.
 
+#include <chrono>
 #include <functional>
 #include <type_traits>
 
@@ -10,14 +11,16 @@ namespace handlebody::bench {
 class Measure {
  public:
   Measure();
-  //! Processor time, user and system.
+  //! Processor time, user and system, of all threads.
   double seconds() const;
+  double wallSeconds() const;
   //! Peak of the resident set less the resident set at the beginning. Only in a child that has not held more
   //! before.
   double peakMegabytes() const;
 
  private:
   double startSeconds_, startMegabytes_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 //! Runs `work` in a child; what it writes to `result` (size bytes) comes back. Throws std::runtime_error if

@@ -10,7 +10,8 @@ namespace handlebody::bench {
 
 //! Plain data: it comes back from a child process.
 struct Outcome {
-  double seconds = 0;        //!< processor time on one thread, everything but making the image
+  //! Everything but making the image: processor time on one thread, else what a clock shows.
+  double seconds = 0;
   double peakMegabytes = 0;  //!< beyond what the process held before
   double dice = 0;           //!< with the truth label
   double distance = 0;       //!< mean over vertices and face middles to the ideal surface, voxels

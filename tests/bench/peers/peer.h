@@ -3,7 +3,8 @@
 //
 // Each peer gets what a user of it would have to find by hand: the level of the boundary, the smoothing and
 // the weights that give the best overlap with the truth on this very image, and (level sets) the number of
-// iterations after which the overlap is best. So what is compared is the peers at their best.
+// iterations after which the overlap is best. So what is compared is the peers at their best. Level sets run
+// in itk::ParallelSparseFieldLevelSetImageFilter, half a voxel per iteration at most, as ITK-SNAP runs them.
 
 #include <array>
 #include <cstdint>
@@ -22,9 +23,8 @@ struct PeerImage {
 };
 
 enum class Peer {
-  thresholdLevelSet,  //!< itk::ThresholdSegmentationLevelSetImageFilter, the speed behind "region
-                      //!< competition"
-  geodesicLevelSet,   //!< itk::GeodesicActiveContourLevelSetImageFilter on a sigmoid of the gradient
+  thresholdLevelSet,  //!< itk::ThresholdSegmentationLevelSetFunction, the speed behind "region competition"
+  geodesicLevelSet,   //!< itk::GeodesicActiveContourLevelSetFunction on a sigmoid of the gradient
   regionGrowing       //!< Gaussian, itk::ConnectedThresholdImageFilter
 };
 
@@ -34,12 +34,13 @@ struct PeerSettings {
   double curvature = 0.2;  //!< weight; propagation has the weight 1
   double advection = 1;    //!< weight, geodesic only
   int iterations = 0;      //!< level sets only
+  int threads = 1;
 };
 
 //! Called every few iterations with the number of iterations and the field; false ends the run.
 using Watch = std::function<bool(int, const float*)>;
 
-//! A field on the grid whose negative voxels are the object; its zero level is the surface. One thread.
+//! A field on the grid whose negative voxels are the object; its zero level is the surface.
 std::vector<float> segmentWith(Peer peer, const PeerImage& image, const PeerSettings& settings,
                                const Watch& watch = {});
 

@@ -11,11 +11,13 @@ namespace handlebody::bench {
 Outcome runOurs(const Phantom& phantom, const PhantomOptions& options, const Parameters& parameters,
                 int repeat);
 
-//! A peer; `settings` complete but for the iterations and the threshold, which are found here with the truth
-//! in hand and not timed: the threshold with the best overlap of region growing, the fewest iterations whose
-//! overlap is the best to 0.0005.
-Outcome runPeer(Peer peer, PeerSettings settings, const Phantom& phantom, const PhantomOptions& options,
-                int repeat);
+//! The settings with threshold and iterations, found with the truth in hand: the threshold with the best
+//! overlap of region growing, the fewest iterations whose overlap is the best to 0.0005.
+PeerSettings completed(Peer peer, PeerSettings settings, const Phantom& phantom);
+
+//! A peer with complete settings.
+Outcome runPeer(Peer peer, const PeerSettings& settings, const Phantom& phantom,
+                const PhantomOptions& options, int repeat);
 
 //! What tune() tries: every smoothing (voxels) with every curvature weight.
 struct Trials {
