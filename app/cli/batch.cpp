@@ -133,6 +133,7 @@ class Batch {
   }
 
   void collect() {
+    bool isNew = false;
     for (auto job = jobs_.begin(); job != jobs_.end();) {
       if (!job->process->hasEnded()) {
         ++job;
@@ -140,7 +141,9 @@ class Batch {
       }
       settle(job->index, job->process->end());
       job = jobs_.erase(job);
+      isNew = true;
     }
+    if (isNew) writeTables();
   }
 
   void settle(std::size_t i, const CaseEnd& end) {
@@ -184,9 +187,15 @@ class Batch {
                  isGood ? "" : row.message.c_str());
   }
 
-  void writeSummary() {
+  //! After every case.
+  void writeTables() {
     writeTextAtomically(folder_.absolute("summary.csv"), summaryCsv(summary_));
     writeTextAtomically(folder_.absolute("summary.json"), summaryJson(summary_));
+  }
+
+  //! With the page, which holds all pictures: for large studies too much to write it after every case.
+  void writeSummary() {
+    writeTables();
     writeTextAtomically(folder_.absolute("index.html"), summaryPage(summary_));
     written_ = Clock::now();
   }

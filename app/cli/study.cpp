@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::size_t kLongestSaid = 400;  // bytes of a message; a cell may be much longer
 constexpr std::size_t kLongestName = 200;  // bytes; file systems take 255, temporary names are longer
 const std::vector<std::string> kDefaultOutputs{"mesh.stl", "labels.nii.gz"};
 
@@ -92,7 +93,8 @@ std::vector<Column> readHeader(const CsvRow& row, const std::string& path) {
     if (columns.back().kind != ColumnKind::none || cell.text.empty()) continue;
     if (row.cells.size() == 1 && cell.text.find(';') != std::string::npos)
       throw InputError(where + "its columns are separated by semicolons; commas are needed.");
-    throw InputError(where + "'" + cell.text + "' is no column; there are " + studyColumns() + ".");
+    throw InputError(where + "'" + shortened(cell.text, kLongestName) + "' is no column; there are " +
+                     studyColumns() + ".");
   }
   requireColumns(columns, row, path);
   return columns;
@@ -292,10 +294,12 @@ class RowReader {
     if (column < columns_.size() || column < row.cells.size()) text = place(row, column);
     if (column < columns_.size() && !columns_[column].header.empty())
       text += " (" + columns_[column].header + ")";
+    case_.name = shortened(case_.name, kLongestName);
+    case_.volume = shortened(case_.volume, kLongestSaid);
     // The column has been named.
     const std::string named = column < columns_.size() ? columns_[column].header + ": " : "";
     const std::string rest = !named.empty() && why.rfind(named, 0) == 0 ? why.substr(named.size()) : why;
-    case_.fault = text + ": " + rest + (why.back() == '.' ? "" : ".");
+    case_.fault = text + ": " + shortened(rest, kLongestSaid) + (why.back() == '.' ? "" : ".");
   }
 
   const std::vector<Column>& columns_;

@@ -175,6 +175,57 @@ TEST_CASE("every bad row is a row with line, column and sentence, and the others
   expectWholeResults(s, 1);
 }
 
+TEST_CASE("names and values of any text and length are rows with a sentence of one line", "[batch]") {
+  const Study s;
+  const std::string longest(90000, 'x');
+  writeBytes(s.csv, kHeader + "\n" + s.row("Köln 北京 “ß”") + longest + ",sphere.mha,\"1,1,1\"\n" +
+                        "value,sphere.mha," + longest + "\n" + "more,sphere.mha," + std::string(200000, '7') +
+                        "\n" + "volume,/" + longest + ",\"1,1,1\"\n" + "CON\x1b[2J,sphere.mha,\"1,1,1\"\n" +
+                        "\"<b>&\"\"'\",sphere.mha,\"" + s.phantom.seed + "\"\n");
+  const Outcome outcome = s.run();
+  CHECK(outcome.exitCode == kIncomplete);
+  const auto cases = s.summary().at("cases");
+  REQUIRE(cases.size() == 7);
+  for (const std::size_t good : {0U, 6U}) CHECK(cases[good].at("status") == "done");
+  CHECK(fs::exists(s.file("<b>&\"'")));
+  for (const std::size_t bad : {1U, 2U, 3U, 4U, 5U}) {
+    INFO(bad);
+    CHECK(cases[bad].at("status") == "refused");
+    CHECK(cases[bad].at("message").get<std::string>().size() < 600);
+  }
+  CHECK(outcome.err.size() < 6000);
+  CHECK(outcome.err.find('\x1b') == std::string::npos);
+  const std::string page = readBytes(s.out + "/index.html");
+  CHECK(page.find("<b>") == std::string::npos);
+  CHECK(page.find("href=\"cases/%3Cb%3E%26%22%27/mesh.stl\"") != std::string::npos);
+}
+
+TEST_CASE("a command line that the system does not take is the case's failure", "[batch]") {
+  const Study s;
+  std::string seeds;
+  for (int i = 0; i < 2000; ++i) seeds += s.phantom.seed + ";";
+  std::string header = kHeader, row = "long,sphere.mha";
+  for (int i = 0; i < 100; ++i) row += ",\"" + seeds.substr(0, seeds.rfind(';', 99000)) + "\"";
+  for (int i = 1; i < 100; ++i) header += ",seed";
+  writeBytes(s.csv, header + "\n" + row + "\n" + s.row("works"));
+  CHECK(s.run().exitCode == kIncomplete);
+  CHECK(s.row(0).at("status") == "failed");
+  CHECK(s.row(0).at("message") == "its options are longer than the system takes.");
+  CHECK(s.row(1).at("status") == "done");
+}
+
+TEST_CASE("the tables tell a case as soon as it has ended", "[batch]") {
+  const Study s;
+  writeBytes(s.csv, kHeader + "\n" + s.row("a") + s.row("b"));
+  RunningCli batch(s.arguments());
+  REQUIRE(waitUntil([&] { return fs::exists(s.file("a", "case.json")); }));
+  kill(batch.waitForChild(), SIGSTOP);  // the second: nothing ends any more
+  CHECK(waitUntil([&] { return fs::exists(s.out + "/summary.json"); }, 5));
+  CHECK(s.row(0).at("status") == "done");
+  CHECK(s.row(0).at("measures").at("largest_diameter_mm").get<double>() > 0);
+  kill(batch.process(), SIGKILL);
+}
+
 TEST_CASE("a study that cannot be told is refused whole, before anything is made", "[batch]") {
   const Study s;
   for (const std::string text :
