@@ -338,7 +338,7 @@ std::vector<StudyCase> readStudy(const std::string& path, const StudyDefaults& d
   const std::vector<Column> columns = readHeader(rows[0], path);
   if (rows.size() == 1) throw InputError(path + ": it has no rows under the names of the columns.");
   const fs::path folder =
-      fs::absolute(defaults.folder.empty() ? fs::path(path).parent_path() : fs::path(defaults.folder));
+      defaults.folder.empty() ? fs::absolute(path).parent_path() : fs::absolute(defaults.folder);
   std::vector<StudyCase> cases;
   for (std::size_t i = 1; i < rows.size(); ++i)
     cases.push_back(RowReader(columns, folder, defaults).read(rows[i]));

@@ -182,6 +182,18 @@ TEST_CASE("a study that cannot be told is refused whole, before anything is made
   CHECK(s.run({"--jobs", "0"}).exitCode == 2);
 }
 
+TEST_CASE("a study may be named without its folder", "[batch]") {
+  const Study s;
+  writeBytes(s.csv, kHeader + "\n" + s.row("a"));
+  const fs::path before = fs::current_path();
+  fs::current_path(s.folder.path());
+  const Outcome outcome = runCli({"batch", "study.csv", "-o", "out"});
+  const Outcome summary = runCli({"batch", "study.csv", "-o", "out", "--relative-to", ".", "--only-summary"});
+  fs::current_path(before);
+  CHECK(outcome.exitCode == 0);
+  CHECK(summary.exitCode == 0);
+}
+
 TEST_CASE("the format and the folder of relative paths can be chosen for all rows", "[batch]") {
   const Study s;
   writeBytes(s.folder / "elsewhere.csv", kHeader + ",output\n" + s.row("a", ",") + s.row("b", ",b.obj"));
