@@ -1,5 +1,5 @@
 // `batch --slurm` and the parts that its jobs run, with a program in place of sbatch: what is submitted, and
-// what becomes of it when jobs are killed, repeated or run at once. No real Slurm is used here.
+// what becomes of it when jobs are killed, repeated or run at once. For a real Slurm see slurm_cluster.sh.
 
 #include <signal.h>
 #include <stdlib.h>
