@@ -1,8 +1,10 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <list>
 #include <memory>
 #include <thread>
@@ -12,9 +14,11 @@
 #include "app/cli/csv.h"
 #include "app/cli/outputs.h"
 #include "app/cli/parse.h"
+#include "app/cli/slurm.h"
 #include "app/cli/summary.h"
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
+#include "core/io/json.h"
 #include "core/threads.h"
 
 namespace handlebody::cli {
@@ -25,12 +29,19 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kMostJobs = 256;
 constexpr double kHour = 3600;
+constexpr auto kPause = std::chrono::milliseconds(10);
+constexpr const char* kEndedFromOutside =
+    "its process was ended before it was done (a limit of time or memory, its machine, or a cancellation).";
 
 struct BatchOptions {
   std::string study, folder;
-  int jobs = 1;
-  CaseLimits limits{kHour, 0};
+  int jobs = 0;  //!< 0: not given
+  StudyDefaults defaults{{kHour, 0}, "stl", ""};
   bool quiet = false;
+  int onlyRow = 0;  //!< 0: all of them
+  bool onlySummary = false;
+  bool slurm = false;
+  std::vector<std::string> slurmOptions;
 };
 
 //! A case at work.
@@ -41,8 +52,11 @@ struct Job {
 
 class Batch {
  public:
-  explicit Batch(const BatchOptions& options)
-      : options_(options), cases_(readStudy(options.study, options.limits)), folder_(options.folder) {
+  Batch(const BatchOptions& options, FolderUse use)
+      : options_(options),
+        jobsAtATime_(std::max(options.jobs, 1)),
+        cases_(readStudy(options.study, options.defaults)),
+        folder_(options.folder, use) {
     summary_.study = std::filesystem::path(options.study).filename().string();
     summary_.version = HANDLEBODY_VERSION;
     for (const StudyCase& c : cases_) summary_.rows.push_back(rowOf(c));
@@ -50,16 +64,68 @@ class Batch {
 
   int run() {
     const DeferSignals stopCleanly;
-    for (const SummaryRow& row : summary_.rows)
-      if (row.status == CaseStatus::refused) say(row);
+    sayRefused();
     findDone();
     if (DeferSignals::isPending()) return kIncomplete;  // not all that is done has been found
     while (startJobs(), !jobs_.empty() && !DeferSignals::isPending()) {
-      collect();
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      if (collect()) writeTables();
+      std::this_thread::sleep_for(kPause);
       if (Clock::now() - written_ > std::chrono::seconds(10)) writeSummary();
     }
     stopJobs();
+    return sumUp();
+  }
+
+  //! One case alone; other processes may be at work on others. Leaves the summary as it is.
+  int runRow(int number) {
+    const DeferSignals stopCleanly;
+    if (number > static_cast<int>(cases_.size()))
+      throw UsageError("--only-row: '" + std::to_string(number) + "' is not there: " + options_.study +
+                       " has " + std::to_string(cases_.size()) + " rows.");
+    const std::size_t i = static_cast<std::size_t>(number) - 1;
+    SummaryRow& row = summary_.rows[i];
+    if (row.status == CaseStatus::refused) {
+      say(row);
+      return kIncomplete;
+    }
+    const auto hold = folder_.hold(cases_[i]);
+    if (!hold->isMine()) throw UsageError("case '" + row.name + "': another process is at work on it.");
+    if (folder_.isDone(cases_[i]) && showResult(i)) return kDone;
+    startJob(i);
+    while (!jobs_.empty() && !DeferSignals::isPending()) {
+      collect();
+      std::this_thread::sleep_for(kPause);
+    }
+    if (!jobs_.empty()) {
+      jobs_.clear();
+      fail(i, "it was stopped from outside before it was done.");
+      say(row);
+    }
+    return row.status == CaseStatus::done ? kDone : kIncomplete;
+  }
+
+  //! What has become of the cases that were run one by one.
+  int tell() {
+    const DeferSignals stopCleanly;
+    findDone();
+    for (std::size_t i = 0; i < cases_.size(); ++i)
+      if (summary_.rows[i].status == CaseStatus::notRun) tellUnfinished(i);
+    return sumUp();
+  }
+
+  //! Numbers of the rows, from 1, that are neither done nor refused; the summary tells the others.
+  std::vector<int> rowsToDo() {
+    const DeferSignals stopCleanly;
+    sayRefused();
+    findDone();
+    writeSummary();
+    std::vector<int> numbers;
+    for (std::size_t i = 0; i < cases_.size(); ++i)
+      if (summary_.rows[i].status == CaseStatus::notRun) numbers.push_back(static_cast<int>(i) + 1);
+    return numbers;
+  }
+
+  int sumUp() {
     writeSummary();
     if (!options_.quiet) printCounts();
     return summary_.count(CaseStatus::done) == static_cast<int>(cases_.size()) ? kDone : kIncomplete;
@@ -76,10 +142,15 @@ class Batch {
     return row;
   }
 
+  void sayRefused() const {
+    for (const SummaryRow& row : summary_.rows)
+      if (row.status == CaseStatus::refused) say(row);
+  }
+
   //! Hashes the volumes of what was done before, on as many threads as there will be jobs.
   void findDone() {
     std::vector<char> done(cases_.size(), 0);  // not bool: written by several threads
-    forEachOnThreads(cases_.size(), options_.jobs, [&](std::size_t i) {
+    forEachOnThreads(cases_.size(), jobsAtATime_, [&](std::size_t i) {
       if (DeferSignals::isPending()) return;
       done[i] = cases_[i].fault.empty() && folder_.isDone(cases_[i]) ? 1 : 0;
     });
@@ -105,7 +176,7 @@ class Batch {
   }
 
   void startJobs() {
-    while (next_ < cases_.size() && static_cast<int>(jobs_.size()) < options_.jobs &&
+    while (next_ < cases_.size() && static_cast<int>(jobs_.size()) < jobsAtATime_ &&
            !DeferSignals::isPending()) {
       const std::size_t i = next_++;
       if (summary_.rows[i].status == CaseStatus::notRun) startJob(i);
@@ -132,7 +203,9 @@ class Batch {
     return std::make_unique<CaseProcess>(arguments, folder + "/log.txt", c.limits);
   }
 
-  void collect() {
+  //! True if one has ended.
+  bool collect() {
+    bool isNew = false;
     for (auto job = jobs_.begin(); job != jobs_.end();) {
       if (!job->process->hasEnded()) {
         ++job;
@@ -140,7 +213,9 @@ class Batch {
       }
       settle(job->index, job->process->end());
       job = jobs_.erase(job);
+      isNew = true;
     }
+    return isNew;
   }
 
   void settle(std::size_t i, const CaseEnd& end) {
@@ -160,13 +235,31 @@ class Batch {
   }
 
   void fail(std::size_t i, const std::string& why) {
+    folder_.fail(cases_[i], why);
+    tellFailure(i, why);
+  }
+
+  void tellFailure(std::size_t i, const std::string& why) {
     SummaryRow& row = summary_.rows[i];
-    folder_.fail(cases_[i]);
     row.status = CaseStatus::failed;
     row.message = why;
     if (folder_.hasResults(cases_[i]))
       row.message += " (Its folder holds the result of an earlier run, of other inputs or options.)";
     row.log = BatchFolder::logOf(cases_[i]);
+  }
+
+  void tellUnfinished(std::size_t i) {
+    const StudyCase& c = cases_[i];
+    if (folder_.isBegun(c)) {
+      if (folder_.hold(c)->isMine()) {
+        tellFailure(i, kEndedFromOutside);
+        summary_.rows[i].log.clear();
+      } else {
+        summary_.rows[i].message = "It is being worked on.";
+      }
+    } else if (const std::string why = folder_.failureOf(c); !why.empty()) {
+      tellFailure(i, why);
+    }
   }
 
   void stopJobs() {
@@ -184,9 +277,15 @@ class Batch {
                  isGood ? "" : row.message.c_str());
   }
 
-  void writeSummary() {
+  //! After every case.
+  void writeTables() {
     writeTextAtomically(folder_.absolute("summary.csv"), summaryCsv(summary_));
     writeTextAtomically(folder_.absolute("summary.json"), summaryJson(summary_));
+  }
+
+  //! With the page, which holds all pictures: for large studies too much to write it after every case.
+  void writeSummary() {
+    writeTables();
     writeTextAtomically(folder_.absolute("index.html"), summaryPage(summary_));
     written_ = Clock::now();
   }
@@ -200,6 +299,7 @@ class Batch {
   }
 
   const BatchOptions& options_;
+  int jobsAtATime_;
   std::vector<StudyCase> cases_;
   BatchFolder folder_;
   Summary summary_;
@@ -208,6 +308,67 @@ class Batch {
   int kept_ = 0;
   Clock::time_point written_ = Clock::now();
 };
+
+//! The settings of a whole batch, for each of its tasks.
+std::vector<std::string> settingsOf(const BatchOptions& o) {
+  return {"--time-limit=" + Json(o.defaults.limits.seconds).dump(),
+          "--memory-limit=" + std::to_string(o.defaults.limits.bytes >> 20U),
+          "--format=" + o.defaults.format};
+}
+
+int submit(const BatchOptions& o) {
+  SlurmStudy study{o.study,
+                   std::filesystem::absolute(o.folder).lexically_normal().string(),
+                   settingsOf(o),
+                   o.slurmOptions,
+                   {},
+                   o.jobs};
+  {
+    Batch batch(o, FolderUse::alone);
+    study.rows = batch.rowsToDo();
+    if (study.rows.empty()) return batch.sumUp();
+  }  // the folder is free: tasks may begin at once
+  const SlurmJobs jobs = submitToSlurm(study);
+  if (o.quiet) return kDone;
+  std::string numbers;
+  for (const std::string& array : jobs.arrays) numbers += (numbers.empty() ? "" : ", ") + array;
+  std::printf("%zu cases submitted as job %s, their summary as job %s: %s/index.html\n", study.rows.size(),
+              numbers.c_str(), jobs.summary.c_str(), study.folder.c_str());
+  return kDone;
+}
+
+int perform(const BatchOptions& o) {
+  if (o.slurm) return submit(o);
+  if (o.onlyRow > 0) return Batch(o, FolderUse::shared).runRow(o.onlyRow);
+  if (o.onlySummary) return Batch(o, FolderUse::shared).tell();
+  return Batch(o, FolderUse::alone).run();
+}
+
+//! For one process of several.
+void addPartOptions(CLI::App& command, BatchOptions& o) {
+  command
+      .add_option("--relative-to", o.defaults.folder,
+                  "Where relative paths of the table begin (default: its folder)")
+      ->type_name("FOLDER");
+  const auto setRow = [&o](const std::string& text) {
+    o.onlyRow = parseInteger("--only-row", text, 1, std::numeric_limits<int>::max());
+  };
+  CLI::Option* row = command
+                         .add_option_function<std::string>(
+                             "--only-row", setRow,
+                             "That case alone, from 1; other processes may do others in the same folder")
+                         ->type_name("N");
+  CLI::Option* summary =
+      command.add_flag("--only-summary", o.onlySummary, "Run nothing, tell what became of the cases")
+          ->excludes(row);
+  command
+      .add_flag("--slurm", o.slurm,
+                "Submit the cases to Slurm as an array of jobs, and their summary after them; all that "
+                "follows goes to sbatch")
+      ->excludes(row)
+      ->excludes(summary);
+  command.add_option("--slurm-option", o.slurmOptions)->group("");  // see withSlurmOptions
+}
 
 }  // namespace
 
@@ -227,11 +388,16 @@ void addBatch(CLI::App& app, Action& action) {
   add("--jobs", "N", "Cases at a time (default 1)",
       [o](auto& name, auto& text) { o->jobs = parseInteger(name, text, 1, kMostJobs); });
   add("--time-limit", "SECONDS", "For each case (default 3600; 0: none)",
-      [o](auto& name, auto& text) { o->limits.seconds = parseTimeLimit(name, text); });
+      [o](auto& name, auto& text) { o->defaults.limits.seconds = parseTimeLimit(name, text); });
   add("--memory-limit", "MB", "Address space of each case (default 0: none)",
-      [o](auto& name, auto& text) { o->limits.bytes = parseMemoryLimit(name, text); });
+      [o](auto& name, auto& text) { o->defaults.limits.bytes = parseMemoryLimit(name, text); });
+  add("-f,--format", "ENDING", "Of the mesh of a row without output (default stl)", [o](auto&, auto& text) {
+    o->defaults.format = text.substr(text.find_first_not_of('.') == 1 ? 1 : 0);
+    checkMeshExtension({"--format", "mesh." + o->defaults.format});
+  });
   command->add_flag("--quiet", o->quiet, "Say nothing of the cases that are done");
-  command->callback([&action, o] { action = [o] { return Batch(*o).run(); }; });
+  addPartOptions(*command, *o);
+  command->callback([&action, o] { action = [o] { return perform(*o); }; });
 }
 
 }  // namespace handlebody::cli

@@ -6,9 +6,11 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
@@ -23,6 +25,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kRecord = "case.json";
+//! Relative to the batch's.
+std::string failureRecordOf(const StudyCase& c) { return "failed/" + c.name + ".json"; }
+
 constexpr const char* kTemporary = ".tmp-";  // in front of a case's name
 
 [[noreturn]] void refuse(const std::string& path, const std::string& why) {
@@ -100,18 +105,40 @@ void putInPlace(const std::string& from, const std::string& to) {
   fs::remove_all(aside, ignored);
 }
 
+//! -1: somebody else has it. Throws OutputError.
+int lockedFile(const std::string& path, int how) {
+  const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (file < 0) refuse(path, std::strerror(errno));
+  while (::flock(file, how | LOCK_NB) != 0) {
+    if (errno == EINTR) continue;
+    const int cause = errno;
+    ::close(file);
+    if (cause != EWOULDBLOCK)
+      refuse(path, std::string("its file system has no locks (") + std::strerror(cause) + ")");
+    return -1;
+  }
+  return file;
+}
+
 }  // namespace
 
-BatchFolder::BatchFolder(const std::string& path) : path_(fs::absolute(path).lexically_normal().string()) {
+CaseHold::CaseHold(const std::string& path) : file_(lockedFile(path, LOCK_EX)) {}
+CaseHold::~CaseHold() {
+  if (file_ >= 0) ::close(file_);
+}
+
+BatchFolder::BatchFolder(const std::string& path, FolderUse use)
+    : path_(fs::absolute(path).lexically_normal().string()) {
   if (path_.size() > 1 && path_.back() == '/') path_.pop_back();
-  for (const char* part : {"cases", "failed"}) makeFolder(absolute(part));
-  const std::string lock = absolute(".lock");
-  lock_ = ::open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (lock_ < 0) refuse(lock, std::strerror(errno));
-  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
-    ::close(lock_);
-    throw UsageError(path_ + ": another batch is at work in this folder.");
+  for (const char* part : {"cases", "failed", ".holds"}) makeFolder(absolute(part));
+  const bool isShared = use == FolderUse::shared;
+  const auto patience = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while ((lock_ = lockedFile(absolute(".lock"), isShared ? LOCK_SH : LOCK_EX)) < 0) {
+    if (!isShared || std::chrono::steady_clock::now() > patience)
+      throw UsageError(path_ + ": another batch is at work in this folder.");
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
   }
+  if (isShared) return;
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(absolute("cases")))
     if (entry.path().filename().string().rfind(kTemporary, 0) == 0) fs::remove_all(entry.path(), ignored);
@@ -167,12 +194,31 @@ void BatchFolder::finish(const StudyCase& c, const CaseEnd& end) const {
   std::error_code ignored;
   fs::remove_all(folder, ignored);  // what was there before
   fs::remove(absolute(logOf(c)), ignored);
+  fs::remove(absolute(failureRecordOf(c)), ignored);
 }
 
-void BatchFolder::fail(const StudyCase& c) const {
+void BatchFolder::fail(const StudyCase& c, const std::string& why) const {
   std::error_code ignored;
   fs::rename(logOfWork(c), absolute(logOf(c)), ignored);
   abandon(c);
+  const Json record = {{"case", c.name}, {"volume", c.volume}, {"request", requestOf(c)}, {"message", why}};
+  try {
+    writeTextAtomically(absolute(failureRecordOf(c)), jsonText(record));
+  } catch (const OutputError&) {  // a full disk, say: who runs it has the sentence
+  }
+}
+
+std::string BatchFolder::failureOf(const StudyCase& c) const {
+  const Json record = readJson(absolute(failureRecordOf(c)));
+  if (!record.is_object() || record.value("request", Json()) != requestOf(c)) return {};
+  const Json message = record.value("message", Json());
+  return message.is_string() ? message.get<std::string>() : "";
+}
+
+bool BatchFolder::isBegun(const StudyCase& c) const { return fs::exists(temporary(c)); }
+
+std::unique_ptr<CaseHold> BatchFolder::hold(const StudyCase& c) const {
+  return std::make_unique<CaseHold>(absolute(".holds/" + c.name));
 }
 
 std::string BatchFolder::temporary(const StudyCase& c) const {

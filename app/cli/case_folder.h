@@ -1,8 +1,9 @@
 #pragma once
 // The folder of a batch: cases/NAME for each case that is done, failed/NAME.txt for the log of each that is
-// not. A case's folder appears whole: it is filled under a temporary name and then renamed.
+// not, failed/NAME.json for why. A case's folder appears whole: it is filled under a temporary name and then
+// renamed.
 
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,11 +12,29 @@
 
 namespace handlebody::cli {
 
+//! Who else may work in the folder: nobody, or others that share it, each case being one process's alone.
+enum class FolderUse { alone, shared };
+
+//! A case is this process's while it lives.
+class CaseHold {
+ public:
+  //! Without waiting. Throws OutputError.
+  explicit CaseHold(const std::string& path);
+  ~CaseHold();
+  CaseHold(const CaseHold&) = delete;
+  CaseHold& operator=(const CaseHold&) = delete;
+  bool isMine() const { return file_ >= 0; }
+
+ private:
+  int file_ = -1;
+};
+
 class BatchFolder {
  public:
-  //! Makes what is not there, and takes away what a batch that was killed has left half-done. Holds the
-  //! folder while it lives: throws UsageError if another batch does. Throws OutputError.
-  explicit BatchFolder(const std::string& path);
+  //! Makes what is not there. Holds the folder while it lives. Alone: takes away what a batch that was killed
+  //! has left half-done; throws UsageError if others are at work in it. Shared: waits a minute for one that
+  //! is there alone. Throws OutputError.
+  explicit BatchFolder(const std::string& path, FolderUse use = FolderUse::alone);
   ~BatchFolder();
   BatchFolder(const BatchFolder&) = delete;
   BatchFolder& operator=(const BatchFolder&) = delete;
@@ -39,8 +58,14 @@ class BatchFolder {
   //! Makes results of that folder, in one step, in place of what was there. Throws OutputError, InputError if
   //! something is missing in it.
   void finish(const StudyCase& c, const CaseEnd& end) const;
-  //! Keeps its log as that of a failure, and takes the rest away.
-  void fail(const StudyCase& c) const;
+  //! Keeps its log as that of a failure with the sentence why, and takes the rest away. Never throws.
+  void fail(const StudyCase& c, const std::string& why) const;
+  //! The sentence of the last failure of this request; empty if there is none.
+  std::string failureOf(const StudyCase& c) const;
+  //! Somebody has begun it, and neither finished nor failed: is at work on it, or was killed.
+  bool isBegun(const StudyCase& c) const;
+  //! Precondition: the folder is shared.
+  std::unique_ptr<CaseHold> hold(const StudyCase& c) const;
   //! Takes it away.
   void abandon(const StudyCase& c) const;
 

@@ -23,6 +23,8 @@ namespace handlebody::cli {
 namespace {
 
 constexpr int kNotStarted = 127;
+constexpr const char* kTooLong = "handlebody-cli: its options are longer than the system takes.\n";
+constexpr const char* kNoProgram = "handlebody-cli: the program cannot be started.\n";
 const std::string kPrefix = "handlebody-cli: ";
 
 //! Only the soft limit: the child's own decoder must be able to set its.
@@ -57,6 +59,8 @@ void offerToKernel() {
   if (bytes > 0) limitMemory(bytes);
   offerToKernel();
   ::execv("/proc/self/exe", argv);
+  const char* why = errno == E2BIG ? kTooLong : kNoProgram;
+  [[maybe_unused]] const ssize_t told = ::write(2, why, std::strlen(why));
   ::_exit(kNotStarted);
 }
 

@@ -14,6 +14,9 @@ namespace handlebody::cli {
 
 namespace {
 
+// A longer one is no value of anything, and the system starts no process with such an argument.
+constexpr std::size_t kLongestCell = 100000;  // bytes
+
 //! Length of the UTF-8 sequence at `at`; 0 if there is none. Overlong forms, surrogates and what lies beyond
 //! U+10FFFF do not count.
 std::size_t sequenceLength(const std::string& text, std::size_t at) {
@@ -99,6 +102,10 @@ class CsvReader {
     if (!isUtf8(cell.text)) cell.fault = "is not UTF-8";
     if (std::any_of(cell.text.begin(), cell.text.end(), isControl))
       cell.fault = "has a control character or a line break in it";
+    if (cell.text.size() > kLongestCell) {
+      cell.fault = "is longer than " + std::to_string(kLongestCell) + " bytes";
+      cell.text.clear();
+    }
     return cell;
   }
 
@@ -120,6 +127,12 @@ class CsvReader {
   int line_ = 1;
 };
 
+//! The same, not in the middle of a character.
+std::size_t characterBefore(const std::string& text, std::size_t at) {
+  while (at > 0 && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80) --at;
+  return at;
+}
+
 bool isNumber(const std::string& text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -134,6 +147,13 @@ std::string readFile(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InputError(path + ": it cannot be opened (" + std::strerror(errno) + ").");
   return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string shortened(const std::string& text, std::size_t longest) {
+  if (text.size() <= longest) return text;
+  const std::size_t half = longest / 2;
+  return text.substr(0, characterBefore(text, half)) + " … " +
+         text.substr(characterBefore(text, text.size() - half));
 }
 
 std::vector<CsvRow> parseCsv(const std::string& text, const std::string& path) {

@@ -20,6 +20,9 @@ struct CsvRow {
 //! The bytes of a file. Throws InputError.
 std::string readFile(const std::string& path);
 
+//! For messages: begin and end of a text (valid UTF-8) that has more than `longest` bytes.
+std::string shortened(const std::string& text, std::size_t longest);
+
 //! The rows, those of empty cells alone left out. What is wrong within a row is a fault of its cell. Throws
 //! InputError that begins with `path` if there is no telling where rows end (a quotation mark that is not
 //! closed), or the text is UTF-16.

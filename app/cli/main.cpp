@@ -7,6 +7,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/object_groups.h"
+#include "app/cli/slurm.h"
 #include "core/errors.h"
 #include "core/io/json.h"
 
@@ -59,13 +60,13 @@ int parseAndPerform(int argc, char** argv) {
   for (auto add : {addSegment, addInfo, addCheck, addEdit, addHandles, addPhantom, addReplay, addCompare,
                    addMesh, addMeasure, addBatch, addDecode})
     add(app, action);
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  const std::vector<std::string> arguments = withSlurmOptions({argv + 1, argv + argc});
   try {
     if (!arguments.empty() && arguments[0] == "segment" && nameSeveralObjects(arguments))
       action = segmentSeveralObjects({arguments.begin() + 1, arguments.end()});
     else
-      app.parse(argc, argv);
-  } catch (const CLI::Success& help) {  // --help and --version
+      app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // from the back
+  } catch (const CLI::Success& help) {                                            // --help and --version
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
     return fail(error.what(), kUsage);

@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::size_t kLongestSaid = 400;  // bytes of a message; a cell may be much longer
 constexpr std::size_t kLongestName = 200;  // bytes; file systems take 255, temporary names are longer
-const std::vector<std::string> kDefaultOutputs{"mesh.stl", "labels.nii.gz"};
 
 enum class ColumnKind { none, name, volume, output, timeLimit, memoryLimit, walls, option };
 
@@ -92,7 +92,8 @@ std::vector<Column> readHeader(const CsvRow& row, const std::string& path) {
     if (columns.back().kind != ColumnKind::none || cell.text.empty()) continue;
     if (row.cells.size() == 1 && cell.text.find(';') != std::string::npos)
       throw InputError(where + "its columns are separated by semicolons; commas are needed.");
-    throw InputError(where + "'" + cell.text + "' is no column; there are " + studyColumns() + ".");
+    throw InputError(where + "'" + shortened(cell.text, kLongestName) + "' is no column; there are " +
+                     studyColumns() + ".");
   }
   requireColumns(columns, row, path);
   return columns;
@@ -159,9 +160,9 @@ bool parseFlag(const std::string& text) {
 //! One row on its way to a case.
 class RowReader {
  public:
-  RowReader(const std::vector<Column>& columns, const fs::path& folder, const CaseLimits& limits)
-      : columns_(columns), folder_(folder) {
-    case_.limits = limits;
+  RowReader(const std::vector<Column>& columns, const fs::path& folder, const StudyDefaults& defaults)
+      : columns_(columns), folder_(folder), outputs_{"mesh." + defaults.format, "labels.nii.gz"} {
+    case_.limits = defaults.limits;
   }
 
   StudyCase read(const CsvRow& row) {
@@ -255,7 +256,7 @@ class RowReader {
   void finish() {
     at_ = columnOfKind(ColumnKind::volume);
     if (case_.volumePath.empty()) throw UsageError("there is no volume");
-    if (case_.outputs.empty()) case_.outputs = kDefaultOutputs;
+    if (case_.outputs.empty()) case_.outputs = outputs_;
     at_ = columnOfKind(ColumnKind::name);
     if (const std::string fault = nameFault(case_.name); !fault.empty())
       throw UsageError("'" + case_.name + "' cannot name the case: " + fault);
@@ -292,14 +293,17 @@ class RowReader {
     if (column < columns_.size() || column < row.cells.size()) text = place(row, column);
     if (column < columns_.size() && !columns_[column].header.empty())
       text += " (" + columns_[column].header + ")";
+    case_.name = shortened(case_.name, kLongestName);
+    case_.volume = shortened(case_.volume, kLongestSaid);
     // The column has been named.
     const std::string named = column < columns_.size() ? columns_[column].header + ": " : "";
     const std::string rest = !named.empty() && why.rfind(named, 0) == 0 ? why.substr(named.size()) : why;
-    case_.fault = text + ": " + rest + (why.back() == '.' ? "" : ".");
+    case_.fault = text + ": " + shortened(rest, kLongestSaid) + (why.back() == '.' ? "" : ".");
   }
 
   const std::vector<Column>& columns_;
   fs::path folder_;
+  std::vector<std::string> outputs_;
   StudyCase case_;
   std::size_t at_ = 0;
 };
@@ -328,15 +332,16 @@ std::string studyColumns() {
   return text;
 }
 
-std::vector<StudyCase> readStudy(const std::string& path, const CaseLimits& limits) {
+std::vector<StudyCase> readStudy(const std::string& path, const StudyDefaults& defaults) {
   const std::vector<CsvRow> rows = parseCsv(readFile(path), path);
   if (rows.empty()) throw InputError(path + ": it is empty; its first line names the columns.");
   const std::vector<Column> columns = readHeader(rows[0], path);
   if (rows.size() == 1) throw InputError(path + ": it has no rows under the names of the columns.");
-  const fs::path folder = fs::absolute(path).parent_path();
+  const fs::path folder =
+      defaults.folder.empty() ? fs::absolute(path).parent_path() : fs::absolute(defaults.folder);
   std::vector<StudyCase> cases;
   for (std::size_t i = 1; i < rows.size(); ++i)
-    cases.push_back(RowReader(columns, folder, limits).read(rows[i]));
+    cases.push_back(RowReader(columns, folder, defaults).read(rows[i]));
   refuseNamesakes(cases);
   return cases;
 }

@@ -27,10 +27,16 @@ struct StudyCase {
 //! The names of the columns, for messages and help.
 std::string studyColumns();
 
-//! Reads and checks all rows; `limits` are those of the rows that give none. Relative paths are taken from
-//! the folder of the CSV file. Throws InputError if there are no rows to tell: the file cannot be read, a
+//! For the rows that say nothing else.
+struct StudyDefaults {
+  CaseLimits limits;
+  std::string format = "stl";  //!< ending of the mesh's file
+  std::string folder;          //!< where relative paths begin; empty: the folder of the CSV file
+};
+
+//! Reads and checks all rows. Throws InputError if there are no rows to tell: the file cannot be read, a
 //! column is not known or missing, a quotation mark is not closed.
-std::vector<StudyCase> readStudy(const std::string& path, const CaseLimits& limits);
+std::vector<StudyCase> readStudy(const std::string& path, const StudyDefaults& defaults);
 
 //! Seconds, and megabytes as bytes; 0: no limit. Throw UsageError that names the option.
 double parseTimeLimit(const std::string& option, const std::string& text);

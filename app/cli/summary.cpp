@@ -31,6 +31,9 @@ std::string joined(const List& list, Text&& textOf) {
 Json measuresToJson(const CaseMeasures& m) {
   return {{"volume_mm3", m.volume},
           {"area_mm2", m.area},
+          {"largest_diameter_mm", m.largestDiameter},
+          {"principal_extents_mm", m.extents},
+          {"mean_intensity", m.meanIntensity ? Json(*m.meanIntensity) : Json()},
           {"components", m.components},
           {"genus", m.genus},
           {"vertices", m.vertices},
@@ -45,6 +48,7 @@ Json measuresToJson(const CaseMeasures& m) {
 
 std::string cellOf(const Json& value) {
   const auto plain = [](const Json& v) { return v.is_string() ? v.get<std::string>() : text(v); };
+  if (value.is_null()) return "";
   return value.is_array() ? joined(value, plain) : plain(value);
 }
 
@@ -110,6 +114,11 @@ CaseMeasures readMeasures(const std::string& folder) try {
   CaseMeasures m;
   mesh.at("volume_mm3").get_to(m.volume);
   mesh.at("area_mm2").get_to(m.area);
+  const Json& shape = report.at("measures");
+  shape.at("largest_diameter_mm").get_to(m.largestDiameter);
+  shape.at("principal_extents_mm").get_to(m.extents);
+  if (const Json& intensity = shape.at("intensity"); !intensity.is_null())
+    m.meanIntensity = intensity.at("mean").get<double>();
   mesh.at("components").get_to(m.components);
   mesh.at("genus").get_to(m.genus);
   mesh.at("vertices").get_to(m.vertices);

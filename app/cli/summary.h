@@ -13,8 +13,11 @@ const char* statusName(CaseStatus status);
 
 //! The numbers of a result.
 struct CaseMeasures {
-  double volume = 0;  //!< mm³
-  double area = 0;    //!< mm²
+  double volume = 0;                    //!< mm³
+  double area = 0;                      //!< mm²
+  double largestDiameter = 0;           //!< mm
+  std::vector<double> extents;          //!< along the principal axes, mm, the longest first
+  std::optional<double> meanIntensity;  //!< none if no voxel lies inside
   int components = 0;
   std::vector<int> genus;  //!< per component
   int vertices = 0, faces = 0, iterations = 0;

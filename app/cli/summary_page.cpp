@@ -143,9 +143,10 @@ std::string linksOf(const SummaryRow& row) {
   return links;
 }
 
-constexpr std::array kColumns{"Picture",    "Case",       "Line",       "Status",     "Volume, ml",
-                              "Area, cm²",  "Components", "Genus",      "Iterations", "Ended",
-                              "No edge, %", "Time, s",    "Memory, MB", "Notes",      "Files"};
+constexpr std::array kColumns{"Picture",    "Case",         "Line",           "Status",     "Volume, ml",
+                              "Area, cm²",  "Diameter, mm", "Mean intensity", "Components", "Genus",
+                              "Iterations", "Ended",        "No edge, %",     "Time, s",    "Memory, MB",
+                              "Notes",      "Files"};
 
 std::string genusCell(const std::vector<int>& genus) {
   std::string text;
@@ -160,11 +161,12 @@ std::string genusCell(const std::vector<int>& genus) {
 std::string measureCells(const std::optional<CaseMeasures>& m) {
   std::string cells;
   if (!m) {
-    for (int i = 0; i < 9; ++i) cells += cell("", "");
+    for (int i = 0; i < 11; ++i) cells += cell("", "");
     return cells;
   }
-  cells +=
-      number(m->volume / 1000, 3) + number(m->area / 100, 2) + number(m->components, 0) + genusCell(m->genus);
+  cells += number(m->volume / 1000, 3) + number(m->area / 100, 2) + number(m->largestDiameter, 1) +
+           (m->meanIntensity ? number(*m->meanIntensity, 1) : cell("", "")) + number(m->components, 0) +
+           genusCell(m->genus);
   cells += number(m->iterations, 0) + cell(escaped(m->stopped), m->stopped) +
            number(100 * m->unsupportedSurface, 1);
   return cells + number(m->seconds, 1) + number(m->peakMegabytes, 0);

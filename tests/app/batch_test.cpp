@@ -4,77 +4,16 @@
 #include <signal.h>
 #include <sys/stat.h>
 
-#include <chrono>
-#include <filesystem>
-#include <functional>
-#include <thread>
-
-#include "tests/app/run_cli.h"
-#include "tests/support/catch.h"
+#include "tests/app/batch_study.h"
 
 using namespace handlebody::test;
 namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kIncomplete = 7;
-
-//! A folder with a phantom, in which studies are run.
-struct Study {
-  TempFolder folder;
-  PhantomFile phantom = makePhantomFile(folder);
-  std::string csv = folder / "study.csv", out = folder / "out";
-
-  //! A row that works.
-  std::string row(const std::string& name, const std::string& more = "") const {
-    return name + ",sphere.mha,\"" + phantom.seed + "\"" + more + "\n";
-  }
-  std::vector<std::string> arguments(const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> all{"batch", csv, "-o", out};
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-  }
-  Outcome run(const std::vector<std::string>& more = {}) const { return runCli(arguments(more)); }
-  nlohmann::json summary() const { return nlohmann::json::parse(readBytes(out + "/summary.json")); }
-  nlohmann::json row(std::size_t i) const { return summary().at("cases").at(i); }
-  std::string file(const std::string& name, const std::string& of = "mesh.stl") const {
-    return out + "/cases/" + name + "/" + of;
-  }
-};
-
-const std::string kHeader = "case,volume,seed";
-
-//! Of the inode: another one says that the folder was made anew.
-ino_t identity(const std::string& path) {
-  struct stat status {};
-  REQUIRE(stat(path.c_str(), &status) == 0);
-  return status.st_ino;
-}
-
-//! Every folder of a case has all of its files, and its record tells their sizes; nothing else lies about.
-void expectWholeResults(const Study& study, std::size_t most) {
-  std::size_t count = 0;
-  for (const auto& entry : fs::directory_iterator(study.out + "/cases")) {
-    INFO(entry.path());
-    REQUIRE(fs::exists(entry.path() / "case.json"));
-    const auto record = nlohmann::json::parse(readBytes(entry.path() / "case.json"));
-    CHECK(record.at("files").size() == 6);
-    for (const auto& [name, size] : record.at("files").items())
-      CHECK(fs::file_size(entry.path() / name) == size);
-    ++count;
-  }
-  CHECK(count <= most);
-}
-
 void removeTemporaries(const Study& study) {
   for (const auto& entry : fs::directory_iterator(study.out + "/cases"))
     if (entry.path().filename().string().rfind(".tmp-", 0) == 0) fs::remove_all(entry.path());
-}
-
-bool waitUntil(const std::function<bool()>& condition, int seconds = 30) {
-  for (int i = 0; i < 500 * seconds && !condition(); ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  return condition();
 }
 
 bool isGone(int process) {  // or waits to be buried
@@ -175,6 +114,57 @@ TEST_CASE("every bad row is a row with line, column and sentence, and the others
   expectWholeResults(s, 1);
 }
 
+TEST_CASE("names and values of any text and length are rows with a sentence of one line", "[batch]") {
+  const Study s;
+  const std::string longest(90000, 'x');
+  writeBytes(s.csv, kHeader + "\n" + s.row("Köln 北京 “ß”") + longest + ",sphere.mha,\"1,1,1\"\n" +
+                        "value,sphere.mha," + longest + "\n" + "more,sphere.mha," + std::string(200000, '7') +
+                        "\n" + "volume,/" + longest + ",\"1,1,1\"\n" + "CON\x1b[2J,sphere.mha,\"1,1,1\"\n" +
+                        "\"<b>&\"\"'\",sphere.mha,\"" + s.phantom.seed + "\"\n");
+  const Outcome outcome = s.run();
+  CHECK(outcome.exitCode == kIncomplete);
+  const auto cases = s.summary().at("cases");
+  REQUIRE(cases.size() == 7);
+  for (const std::size_t good : {0U, 6U}) CHECK(cases[good].at("status") == "done");
+  CHECK(fs::exists(s.file("<b>&\"'")));
+  for (const std::size_t bad : {1U, 2U, 3U, 4U, 5U}) {
+    INFO(bad);
+    CHECK(cases[bad].at("status") == "refused");
+    CHECK(cases[bad].at("message").get<std::string>().size() < 600);
+  }
+  CHECK(outcome.err.size() < 6000);
+  CHECK(outcome.err.find('\x1b') == std::string::npos);
+  const std::string page = readBytes(s.out + "/index.html");
+  CHECK(page.find("<b>") == std::string::npos);
+  CHECK(page.find("href=\"cases/%3Cb%3E%26%22%27/mesh.stl\"") != std::string::npos);
+}
+
+TEST_CASE("a command line that the system does not take is the case's failure", "[batch]") {
+  const Study s;
+  std::string seeds;
+  for (int i = 0; i < 2000; ++i) seeds += s.phantom.seed + ";";
+  std::string header = kHeader, row = "long,sphere.mha";
+  for (int i = 0; i < 100; ++i) row += ",\"" + seeds.substr(0, seeds.rfind(';', 99000)) + "\"";
+  for (int i = 1; i < 100; ++i) header += ",seed";
+  writeBytes(s.csv, header + "\n" + row + "\n" + s.row("works"));
+  CHECK(s.run().exitCode == kIncomplete);
+  CHECK(s.row(0).at("status") == "failed");
+  CHECK(s.row(0).at("message") == "its options are longer than the system takes.");
+  CHECK(s.row(1).at("status") == "done");
+}
+
+TEST_CASE("the tables tell a case as soon as it has ended", "[batch]") {
+  const Study s;
+  writeBytes(s.csv, kHeader + "\n" + s.row("a") + s.row("b"));
+  RunningCli batch(s.arguments());
+  REQUIRE(waitUntil([&] { return fs::exists(s.file("a", "case.json")); }));
+  kill(batch.waitForChild(), SIGSTOP);  // the second: nothing ends any more
+  CHECK(waitUntil([&] { return fs::exists(s.out + "/summary.json"); }, 5));
+  CHECK(s.row(0).at("status") == "done");
+  CHECK(s.row(0).at("measures").at("largest_diameter_mm").get<double>() > 0);
+  kill(batch.process(), SIGKILL);
+}
+
 TEST_CASE("a study that cannot be told is refused whole, before anything is made", "[batch]") {
   const Study s;
   for (const std::string text :
@@ -190,6 +180,38 @@ TEST_CASE("a study that cannot be told is refused whole, before anything is made
   }
   CHECK(runCli({"batch", s.folder / "none.csv", "-o", s.out}).exitCode == 3);
   CHECK(s.run({"--jobs", "0"}).exitCode == 2);
+}
+
+TEST_CASE("a study may be named without its folder", "[batch]") {
+  const Study s;
+  writeBytes(s.csv, kHeader + "\n" + s.row("a"));
+  const fs::path before = fs::current_path();
+  fs::current_path(s.folder.path());
+  const Outcome outcome = runCli({"batch", "study.csv", "-o", "out"});
+  const Outcome summary = runCli({"batch", "study.csv", "-o", "out", "--relative-to", ".", "--only-summary"});
+  fs::current_path(before);
+  CHECK(outcome.exitCode == 0);
+  CHECK(summary.exitCode == 0);
+}
+
+TEST_CASE("the format and the folder of relative paths can be chosen for all rows", "[batch]") {
+  const Study s;
+  writeBytes(s.folder / "elsewhere.csv", kHeader + ",output\n" + s.row("a", ",") + s.row("b", ",b.obj"));
+  fs::create_directory(s.folder / "tables");
+  fs::rename(s.folder / "elsewhere.csv", s.folder / "tables/study.csv");
+  const std::vector<std::string> words{"batch", s.folder / "tables/study.csv", "-o", s.out, "-f"};
+  const auto run = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = words;
+    all.insert(all.end(), more.begin(), more.end());
+    return runCli(all);
+  };
+  CHECK(run({"doc"}).exitCode == 2);
+  CHECK(run({""}).exitCode == 2);
+  CHECK_FALSE(fs::exists(s.out));
+  CHECK(run({".ply"}).exitCode == kIncomplete);
+  CHECK(run({".ply", "--relative-to", s.folder.path()}).exitCode == 0);
+  CHECK(fs::exists(s.file("a", "mesh.ply")));
+  CHECK(fs::exists(s.file("b", "b.obj")));
 }
 
 TEST_CASE("several seeds in a cell or in columns of one name are several seeds", "[batch]") {

@@ -67,6 +67,18 @@ TEST_CASE("what is wrong within a cell is that cell's fault alone", "[csv]") {
   }
 }
 
+TEST_CASE("a cell of a megabyte is a fault, and messages quote long texts in part", "[csv]") {
+  const auto rows = parseCsv("a,\"" + std::string(1000000, 'x') + "\"\nb,c\n", "t.csv");
+  REQUIRE(rows.size() == 2);
+  CHECK(rows[0].cells[0].fault.empty());
+  CHECK(rows[0].cells[1].fault == "is longer than 100000 bytes");
+  CHECK(rows[0].cells[1].text.empty());
+  CHECK(rows[1].cells[1].text == "c");
+  CHECK(shortened("abc", 3) == "abc");
+  CHECK(shortened("abcdef", 4) == "ab … ef");
+  CHECK(shortened("a\u00e4\u00e4\u00e4\u00e4b", 4) == "a … \u00e4b");  // whole characters
+}
+
 TEST_CASE("a table without end of its rows is refused with the line", "[csv]") {
   CHECK_THROWS_WITH(parseCsv("a\n\"b\nc\n", "s.csv"), "s.csv: line 2: a quotation mark is not closed.");
   CHECK_THROWS_AS(parseCsv("a\n\"b\"\"", "s.csv"), InputError);

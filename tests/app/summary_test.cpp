@@ -22,6 +22,9 @@ Summary evilSummary() {
   done.thumbnail = "ABCD";
   done.measures = CaseMeasures{};
   done.measures->volume = 1234.5;
+  done.measures->largestDiameter = 12.25;
+  done.measures->extents = {12, 7.5, 3};
+  done.measures->meanIntensity = -4.5;
   done.measures->genus = {1, 0};
   done.measures->stopped = "converged";
   done.measures->warnings = {kEvil, "second"};
@@ -75,6 +78,9 @@ TEST_CASE("table and JSON of a summary say the same", "[summary]") {
   CHECK(cells["case"] == kEvil);
   CHECK(cells["volume_mm3"] == "1234.5");
   CHECK(cells["genus"] == "1;0");
+  CHECK(cells["largest_diameter_mm"] == "12.25");
+  CHECK(cells["principal_extents_mm"] == "12.0;7.5;3.0");
+  CHECK(cells["mean_intensity"] == "-4.5");
   CHECK(cells["warnings"] == kEvil + ";second");
   CHECK(json["cases"][0]["case"] == kEvil);
   CHECK(json["cases"][0]["measures"]["volume_mm3"] == 1234.5);
