@@ -1,11 +1,11 @@
-#include "app/cli/clicks.h"
+#include "core/io/clicks.h"
 
 #include <algorithm>
 
-#include "app/cli/parse.h"
 #include "core/errors.h"
+#include "core/io/parse.h"
 
-namespace handlebody::cli {
+namespace handlebody {
 
 namespace {
 
@@ -44,4 +44,4 @@ std::vector<Seed> seedsInWorld(const Clicks& clicks, const Grid& grid) {
   return seeds;
 }
 
-}  // namespace handlebody::cli
+}  // namespace handlebody
