@@ -107,11 +107,11 @@ void checkHeader(VolumeHeader& header, const std::string& path) {
   double bytes = static_cast<double>(bytesOf(header.component)) * header.components;
   for (int n : header.grid.size) bytes *= n;
   const double memory = physicalMemory();
-  if (bytes * header.frames > std::ldexp(1.0, 60))
-    refuseInput(path, "the number of its time points is implausible (" + std::to_string(header.frames) + ")");
   if (bytes > memory)
     refuseInput(path, "it declares " + gigabytes(bytes) + " of voxels, more than the " + gigabytes(memory) +
                           " of memory of this computer");
+  if (bytes * header.frames > std::ldexp(1.0, 60))
+    refuseInput(path, "the number of its time points is implausible (" + std::to_string(header.frames) + ")");
 }
 
 void checkDataSize(const std::string& path, const std::string& file, std::uint64_t offset,

@@ -6,7 +6,24 @@ import numpy as _np
 import numpy.typing as _npt
 
 __version__: str
-__all__: list[str]
+__all__ = [
+    "Contour",
+    "Error",
+    "Grid",
+    "HandlebodyWarning",
+    "InputError",
+    "Mesh",
+    "OutputError",
+    "Phantom",
+    "SeedError",
+    "UsageError",
+    "Volume",
+    "compare",
+    "phantom",
+    "read_mesh",
+    "read_volume",
+    "set_decoder",
+]
 
 _Path = _t.Union[str, bytes, "os.PathLike[str]"]
 _Numbers = _t.Union[_t.Sequence[float], _npt.NDArray[_t.Any]]

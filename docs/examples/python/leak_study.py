@@ -1,11 +1,11 @@
 """A leak study: how far may the range of intensities be widened before the surface leaks?
 
-Two chambers with a wall and a hole of four voxels between them, seeded in one. For each upper end of the range: alarms,
+Two chambers with a wall and a hole of two voxels between them, seeded in one. For each upper end of the range: alarms,
 volume, and the volume with a disc where the alarm came.
 """
 import handlebody
 
-wall = handlebody.phantom("wall", gap=4, noise=0.05)
+wall = handlebody.phantom("wall", gap=2)
 
 
 def grown(**options):
@@ -19,7 +19,7 @@ def millilitres(contour):
 
 
 print("upper,leaks,volume_ml,volume_with_disc_ml")
-for upper in (90, 105, 120, 135):
+for upper in (75, 90, 105, 120):
     contour = grown(range=(0, upper))
     discs = [leak["wall_disc"] for leak in contour.leaks]
     mended = grown(range=(0, upper), wall_disc=discs) if discs else contour

@@ -31,6 +31,7 @@ image.set_title(f"slice {middle}")
 surface = figure.add_subplot(1, 3, 3, projection="3d")
 x, y, z = contour.vertices.T
 surface.plot_trisurf(x, y, z, triangles=contour.faces)
+surface.set_box_aspect(contour.measure()["box_mm"])
 surface.set(title="surface (mm, LPS)", xlabel="x", ylabel="y", zlabel="z")
 figure.tight_layout()
 figure.savefig("torus.png", dpi=100)

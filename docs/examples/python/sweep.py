@@ -6,9 +6,9 @@ import itertools
 
 import handlebody
 
-phantom = handlebody.phantom("rings", spacing=(1.5, 1.5, 1.5))
+phantom = handlebody.phantom("rings", spacing=(2, 2, 2))
 print("edge_length,curvature,iterations,vertices,genus,volume_mm3,dice")
-for edge_length, curvature in itertools.product((2.0, 2.5, 3.0), (0.1, 0.3)):
+for edge_length, curvature in itertools.product((2.5, 3.0, 4.0), (0.1, 0.3)):
     contour = handlebody.Contour(phantom.volume, seed=phantom.seed, edge_length=edge_length, curvature=curvature)
     contour.run()
     mesh = contour.mesh()
