@@ -22,6 +22,8 @@ using VolumePointer = std::shared_ptr<PythonVolume>;
 
 //! A path as Python's functions take it: str, bytes or os.PathLike.
 std::string pathOf(const py::object& path);
+//! That of a Grid or a Volume. Throws TypeError.
+Grid gridOf(const py::object& grid);
 //! Issues handlebody.HandlebodyWarning for each sentence.
 void warn(const std::vector<std::string>& sentences);
 

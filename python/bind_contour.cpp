@@ -113,6 +113,28 @@ py::object measuresOf(const Contour& contour) {
   return toPython(measuresToJson(measures));
 }
 
+py::array labelMapOf(const Contour& contour, const py::object& on) {
+  const Grid grid = on.is_none() ? contour.volume().loaded.volume.grid : gridOf(on);
+  Volume labels;
+  with(contour, [&] { labels = contour.mesh().labelMap(grid); });
+  return ownVoxels(labels);
+}
+
+void changeContour(Contour& contour, const py::kwargs& options) {
+  Asked asked;
+  {
+    const std::unique_lock held = contour.hold();
+    asked.parameters = contour.active().requested();
+    asked.constraints = contour.active().constraints();
+  }
+  readOptions(options, asked);
+  ParameterChange change{0, asked.parameters, {}, std::move(asked.constraints)};
+  const Clicks further = parseFurtherClicks(asked.clicks);
+  if (!further.world.empty() || !further.voxels.empty())
+    change.seeds = seedsInWorld(further, contour.volume().loaded.volume.grid);
+  with(contour, [&] { contour.change(std::move(change)); });
+}
+
 void saveContour(const Contour& contour, const py::args& to, const std::string& space,
                  const std::string& name, int label) {
   std::vector<std::string> paths;
@@ -150,6 +172,12 @@ void bindGrowth(ContourClass& contour) {
         return std::make_shared<Contour>(c);
       },
       "copy()\n\nA contour that goes on exactly as this one would, bit for bit. The image is shared.");
+  contour.def(
+      "change", &changeContour,
+      "change(**options)\n\nGoes on with other options from here, by the names that the constructor has: "
+      "parameters replace those that hold, clicks and constraints come to those that hold. The mesh stays; "
+      "what has settled wakes where it must. Once per iteration. Raises as the constructor, and nothing has "
+      "changed then.");
   contour.def_property_readonly("iteration", &Contour::iteration, "Of the last step; 0 before the first.");
   contour.def_property_readonly(
       "stop_reason", [](const Contour& c) { return stopReasonName(c.stopReason()); },
@@ -192,13 +220,9 @@ void bindResults(ContourClass& contour) {
       "report", [](const Contour& c) { return toPython(reportText(reportOf(c, true))); },
       "report()\n\nThe report of `handlebody-cli segment --report` as a dictionary; without times.");
   contour.def(
-      "label_map",
-      [](const Contour& c) {
-        Volume labels;
-        with(c, [&] { labels = c.mesh().labelMap(c.volume().loaded.volume.grid); });
-        return voxelsView(labels);
-      },
-      "label_map()\n\nOf mesh() on the grid of the volume: uint8 array z, y, x.");
+      "label_map", &labelMapOf, py::arg("grid") = py::none(),
+      "label_map(grid=None)\n\nOf mesh() on a Grid or the grid of a Volume, by default that of the volume: "
+      "uint8 array z, y, x, of the caller's own.");
   contour.def(
       "save", &saveContour, py::arg("space") = "LPS", py::arg("name") = "", py::arg("label") = 1,
       "save(*paths, space='LPS', name='', label=1)\n\nWrites mesh() to each path by its extension, as -o of "

@@ -28,12 +28,6 @@ py::object certificateOf(const PythonMesh& mesh) {
   return toPython(certificateToJson(mesh.certificate()));
 }
 
-Grid gridOf(const py::object& grid) {
-  if (py::isinstance<PythonVolume>(grid)) return grid.cast<VolumePointer>()->loaded.volume.grid;
-  if (!py::isinstance<Grid>(grid)) throw py::type_error("grid: a Grid or a Volume is wanted.");
-  return grid.cast<Grid>();
-}
-
 py::array labelMapOf(const PythonMesh& mesh, const py::object& on) {
   const Grid grid = gridOf(on);
   Volume labels;
@@ -41,7 +35,7 @@ py::array labelMapOf(const PythonMesh& mesh, const py::object& on) {
     const std::lock_guard lock(certificateMutex());
     labels = mesh.labelMap(grid);
   });
-  return voxelsView(labels);
+  return ownVoxels(labels);
 }
 
 py::object measureMesh(const PythonMesh& mesh, const VolumePointer& volume) {
@@ -79,6 +73,12 @@ std::string nameOf(const PythonMesh& mesh) {
 }
 
 }  // namespace
+
+Grid gridOf(const py::object& grid) {
+  if (py::isinstance<PythonVolume>(grid)) return grid.cast<VolumePointer>()->loaded.volume.grid;
+  if (!py::isinstance<Grid>(grid)) throw py::type_error("grid: a Grid or a Volume is wanted.");
+  return grid.cast<Grid>();
+}
 
 void bindMesh(py::module_& module) {
   py::class_<PythonMesh, MeshPointer> mesh(module, "Mesh",

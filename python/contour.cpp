@@ -1,5 +1,6 @@
 #include "python/contour.h"
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 
@@ -70,6 +71,33 @@ void Contour::run(std::optional<int> most, bool untilLeak) {
        left > 0 && stopReason_ == StopReason::running; --left)
     if (!step().leaks.empty() && untilLeak) return;
   requireNothingWaiting(active_);
+}
+
+void Contour::change(ParameterChange what) {
+  auto& changes = told_.session.changes;
+  what.iteration = active_.iteration();
+  // A replay makes the changes of an iteration at once.
+  if (!changes.empty() && changes.back().iteration == what.iteration)
+    throw UsageError("The contour was changed at iteration " + std::to_string(what.iteration) +
+                     " already; give all options in one call, or step before.");
+  Session walls;
+  walls.constraints = std::move(*what.constraints);
+  loadWalls(walls, active_.grid());
+  what.constraints = std::move(walls.constraints);
+  if (what.seeds) {
+    std::vector<Seed> all = active_.requestedSeeds();
+    all.insert(all.end(), what.seeds->begin(), what.seeds->end());
+    std::stable_partition(all.begin(), all.end(), [](const Seed& seed) { return !seed.background; });
+    what.seeds = std::move(all);
+  }
+  active_.change(changed(active_.request(), what));
+  if (what.seeds && active_.correction())
+    told_.corrections.push_back({what.iteration, *active_.correction()});
+  changes.push_back(std::move(what));
+  told_.session.resolved = active_.parameters();
+  surface_.reset();
+  mesh_.reset();
+  tellIteration();
 }
 
 std::shared_ptr<const TriangleSoup> Contour::surface() const {

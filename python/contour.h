@@ -36,6 +36,11 @@ class Contour {
   //! did not come to.
   void run(std::optional<int> most, bool untilLeak);
 
+  //! Goes on with other parameters and constraints, and with the seeds of `what` besides those that there
+  //! are; its iteration is not looked at. It is recorded for the session. Throws UsageError if this iteration
+  //! was changed already, and as ActiveContour::change; nothing has changed then.
+  void change(ParameterChange what);
+
   //! Of the last step that was made; may be asked at any time, also while another thread steps.
   int iteration() const { return iteration_; }
   StopReason stopReason() const { return stopReason_; }

@@ -73,11 +73,14 @@ std::vector<std::string> inPythonWords(std::vector<std::string> sentences) {
 namespace {
 
 //! Of memory that `owner` keeps.
-py::array view(const py::dtype& type, std::vector<py::ssize_t> shape, const void* data,
-               std::shared_ptr<const void> owner) {
+py::array sharing(const py::dtype& type, std::vector<py::ssize_t> shape, const void* data,
+                  std::shared_ptr<const void> owner) {
   auto* kept = new std::shared_ptr<const void>(std::move(owner));
   const py::capsule base(kept, [](void* p) { delete static_cast<std::shared_ptr<const void>*>(p); });
-  py::array array(type, std::move(shape), {}, data, base);
+  return py::array(type, std::move(shape), {}, data, base);
+}
+
+py::array locked(py::array array) {
   array.attr("setflags")(py::arg("write") = false);
   return array;
 }
@@ -87,18 +90,20 @@ py::array view(const py::dtype& type, std::vector<py::ssize_t> shape, const void
 py::array verticesView(const std::shared_ptr<const TriangleSoup>& mesh) {
   static_assert(sizeof(Vec3) == 3 * sizeof(double));
   const auto count = static_cast<py::ssize_t>(mesh->points.size());
-  return view(py::dtype::of<double>(), {count, 3}, mesh->points.data(), mesh);
+  return locked(sharing(py::dtype::of<double>(), {count, 3}, mesh->points.data(), mesh));
 }
 
 py::array facesView(const std::shared_ptr<const TriangleSoup>& mesh) {
   static_assert(sizeof(Triangle) == 3 * sizeof(std::int32_t));
   const auto count = static_cast<py::ssize_t>(mesh->triangles.size());
-  return view(py::dtype::of<std::int32_t>(), {count, 3}, mesh->triangles.data(), mesh);
+  return locked(sharing(py::dtype::of<std::int32_t>(), {count, 3}, mesh->triangles.data(), mesh));
 }
 
-py::array voxelsView(const Volume& volume) {
+py::array voxelsView(const Volume& volume) { return locked(ownVoxels(volume)); }
+
+py::array ownVoxels(const Volume& volume) {
   const auto [nx, ny, nz] = volume.grid.size;
-  return view(py::dtype(voxelTypeName(volume.type)), {nz, ny, nx}, volume.voxels.get(), volume.voxels);
+  return sharing(py::dtype(voxelTypeName(volume.type)), {nz, ny, nx}, volume.voxels.get(), volume.voxels);
 }
 
 namespace {

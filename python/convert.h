@@ -31,6 +31,8 @@ py::array verticesView(const std::shared_ptr<const TriangleSoup>& mesh);
 py::array facesView(const std::shared_ptr<const TriangleSoup>& mesh);
 //! (nz, ny, nx) of the volume's type, the same.
 py::array voxelsView(const Volume& volume);
+//! The same of a volume that nobody else has: it can be written.
+py::array ownVoxels(const Volume& volume);
 
 //! Rows of three numbers and of three indices that exist. Throws UsageError.
 TriangleSoup soupFrom(const py::object& vertices, const py::object& faces);

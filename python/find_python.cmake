@@ -6,15 +6,14 @@ endif()
 find_package(Python 3.9 COMPONENTS Interpreter Development.Module QUIET)
 set(PYBIND11_FINDPYTHON ON)
 find_package(pybind11 2.10 QUIET)
-# With a sanitizer the interpreter would have to be instrumented, too.
+# With a sanitizer the interpreter would have to be instrumented, too. Where it cannot be built nothing is remembered, so
+# that it is built once the packages are there.
 if(Python_Development.Module_FOUND AND pybind11_FOUND AND NOT HANDLEBODY_SANITIZE)
-  set(python_found ON)
-else()
-  set(python_found OFF)
-endif()
-option(HANDLEBODY_PYTHON "Build the Python module (pybind11-dev, python3-dev)" ${python_found})
-if(HANDLEBODY_PYTHON AND NOT python_found)
+  option(HANDLEBODY_PYTHON "Build the Python module (pybind11-dev, python3-dev)" ON)
+elseif(HANDLEBODY_PYTHON)
   message(FATAL_ERROR "HANDLEBODY_PYTHON needs pybind11-dev and python3-dev, and no sanitizer.")
+else()
+  set(HANDLEBODY_PYTHON OFF)
 endif()
 # For libraries that become part of the module, which is a shared one. Without the second option GCC would not inline
 # across functions of a file, as somebody might put another in their place.

@@ -29,6 +29,10 @@ Seed inWorld(const Seed& voxels, const Grid& grid) {
 Clicks parseClicks(const ClickTexts& texts) {
   if (texts.seeds.empty() && texts.voxelSeeds.empty())
     throw UsageError("segment needs a --seed or --seed-ijk.");
+  return parseFurtherClicks(texts);
+}
+
+Clicks parseFurtherClicks(const ClickTexts& texts) {
   Clicks clicks;
   append(clicks.world, "--seed", texts.seeds, false);
   append(clicks.voxels, "--seed-ijk", texts.voxelSeeds, false);

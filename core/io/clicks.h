@@ -24,6 +24,8 @@ struct Clicks {
 
 //! Throws UsageError that names the option, also if no click is inside the object.
 Clicks parseClicks(const ClickTexts& texts);
+//! The same for clicks that come to others: none of them need be inside.
+Clicks parseFurtherClicks(const ClickTexts& texts);
 
 //! All of them in mm LPS: those inside the object first, and on each side those given in mm first.
 std::vector<Seed> seedsInWorld(const Clicks& clicks, const Grid& grid);

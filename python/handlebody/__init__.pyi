@@ -217,6 +217,34 @@ class Contour:
     ) -> None: ...
     def step(self) -> _Step: ...
     def run(self, max_steps: _t.Optional[int] = None, *, until_leak: bool = False) -> _StopReason: ...
+    def change(
+        self,
+        *,
+        seed: _Clicks = None,
+        seed_ijk: _Clicks = None,
+        background: _Clicks = None,
+        background_ijk: _Clicks = None,
+        object: _t.Optional[_t.Literal["auto", "dark", "bright"]] = None,
+        range: _t.Union[str, _Numbers, None] = None,
+        candidate: _t.Optional[int] = None,
+        smoothing: _t.Union[float, _t.Literal["auto"], None] = None,
+        edge_length: _t.Optional[float] = None,
+        direction: _t.Optional[_t.Literal["outward", "both"]] = None,
+        balloon: _t.Optional[float] = None,
+        curvature: _t.Optional[float] = None,
+        max_iterations: _t.Optional[int] = None,
+        threads: _t.Optional[int] = None,
+        broad_phase: _t.Optional[_t.Literal["hashing", "sorted"]] = None,
+        wall: _Clicks = None,
+        wall_disc: _Clicks = None,
+        walls: _t.Optional[_Path] = None,
+        veto: _t.Union[str, _t.Sequence[str], None] = None,
+        pin: _t.Union[str, _t.Sequence[str], None] = None,
+        edit: _t.Union[str, _t.Sequence[str], None] = None,
+        components: _t.Optional[int] = None,
+        genus: _t.Optional[int] = None,
+        allow: _Clicks = None,
+    ) -> None: ...
     def copy(self) -> Contour: ...
     @property
     def iteration(self) -> int: ...
@@ -237,7 +265,7 @@ class Contour:
     def measure(self) -> _Measures: ...
     def warnings(self) -> list[str]: ...
     def report(self) -> dict[str, _t.Any]: ...
-    def label_map(self) -> _npt.NDArray[_np.uint8]: ...
+    def label_map(self, grid: _t.Union[Grid, Volume, None] = None) -> _npt.NDArray[_np.uint8]: ...
     def save(self, *paths: _Path, space: _Space = "LPS", name: str = "", label: int = 1) -> None: ...
     def save_session(self, path: _Path) -> None: ...
 

@@ -98,6 +98,20 @@ def test_a_copy_goes_its_own_way_to_the_same_mesh(ball, grown):
     np.testing.assert_array_equal(other.vertices, grown.vertices)
 
 
+def test_a_change_that_is_refused_changes_nothing(ball, grown):
+    contour = handlebody.Contour(ball.volume, seed=ball.seed)
+    contour.run(3)
+    for options, error in [({"edge_length": -1}, handlebody.UsageError), ({"walls": "/absent"}, handlebody.InputError),
+                           ({"seed": (1e5, 0, 0)}, handlebody.SeedError), ({"wall": ball.seed}, handlebody.UsageError)]:
+        with pytest.raises(error):
+            contour.change(**options)
+    contour.change(threads=2)
+    with pytest.raises(handlebody.UsageError, match="changed at iteration 3 already"):
+        contour.change(threads=1)
+    contour.run()
+    np.testing.assert_array_equal(contour.vertices, grown.vertices)
+
+
 def test_the_mesh_is_certified_and_measured(ball, grown):
     certificate = grown.certificate()
     assert certificate["closed"] and certificate["manifold"] and certificate["oriented"]
@@ -108,6 +122,9 @@ def test_the_mesh_is_certified_and_measured(ball, grown):
     assert measures["intensity"]["mean"] == pytest.approx(60, abs=10)
     assert grown.mesh().measure()["intensity"] is None
     assert grown.mesh().measure(ball.volume) == measures
+    labels = grown.label_map()
+    np.testing.assert_array_equal(grown.label_map(ball.truth.grid), labels)
+    labels[:] *= 2  # the caller's own
     inside = grown.label_map().sum() * np.prod(ball.volume.grid.spacing)
     assert inside == pytest.approx(certificate["volume_mm3"], rel=0.02)
 

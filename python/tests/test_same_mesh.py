@@ -97,3 +97,21 @@ def test_a_session_is_replayed_to_the_same_mesh(torus_file, tmp_path, cli):
     cli("replay", tmp_path / "session.json", "-o", tmp_path / "cli.obj", "--quiet")
     assert contour.stop_reason == "running"
     assert_same(contour.mesh(), tmp_path / "cli.obj")
+
+
+def test_a_contour_that_was_changed_is_replayed_to_the_same_mesh(torus_file, tmp_path, cli):
+    path, seed = torus_file
+    volume = handlebody.read_volume(path)
+    contour = handlebody.Contour(volume, seed=seed, object="dark")
+    contour.run(20)
+    contour.change(curvature=0.4, background=volume.grid.to_world((2, 2, 2)))
+    contour.run(10)
+    contour.change(edge_length=2.5, wall=(*seed[:2], seed[2] + 25, 3))
+    contour.run()
+    assert contour.parameters["curvature"] == 0.4 and contour.parameters["edge_length"] == 2.5
+    contour.save_session(tmp_path / "session.json")
+    cli("replay", tmp_path / "session.json", "-o", tmp_path / "cli.obj", "--quiet")
+    assert_same(contour.mesh(), tmp_path / "cli.obj")
+    other = handlebody.Contour(volume, seed=seed, object="dark")
+    other.run()
+    assert len(other.vertices) != len(contour.vertices)
