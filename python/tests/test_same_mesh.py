@@ -106,8 +106,11 @@ def test_a_contour_that_was_changed_is_replayed_to_the_same_mesh(torus_file, tmp
     contour.run(20)
     contour.change(curvature=0.4, background=volume.grid.to_world((2, 2, 2)))
     contour.run(10)
-    contour.change(edge_length=2.5, wall=(*seed[:2], seed[2] + 25, 3))
+    middle = np.array(volume.grid.to_world([(n - 1) / 2 for n in volume.grid.size]))
+    across = 2 * middle - seed[:3]  # where the ring would close
+    contour.change(edge_length=2.5, wall=(*across, 15))
     contour.run()
+    assert contour.certificate()["genus"][0] == 0
     assert contour.parameters["curvature"] == 0.4 and contour.parameters["edge_length"] == 2.5
     contour.save_session(tmp_path / "session.json")
     cli("replay", tmp_path / "session.json", "-o", tmp_path / "cli.obj", "--quiet")
