@@ -1,4 +1,4 @@
-"""Runs the tests of this folder; 77 says that they were skipped."""
+"""Runs the tests of this folder, or those of the files named, with arguments for pytest; 77 says that they were skipped."""
 import pathlib
 import sys
 
@@ -8,4 +8,7 @@ try:
 except ImportError as missing:
     print(f"skipped: {missing}")
     sys.exit(77)
-sys.exit(pytest.main(["-q", "-p", "no:cacheprovider", str(pathlib.Path(__file__).parent), *sys.argv[1:]]))
+folder = pathlib.Path(__file__).parent
+files = [str(folder / name) for name in sys.argv[1:] if name.endswith(".py")] or [str(folder)]
+options = [argument for argument in sys.argv[1:] if not argument.endswith(".py")]
+sys.exit(pytest.main(["-q", "-p", "no:cacheprovider", *files, *options]))
