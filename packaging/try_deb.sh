@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs a package in a fresh Debian (debootstrap, as root) and starts both programs there:
+# Installs a package in a fresh Debian (debootstrap, as root) and starts both programs there, and the Python module if its
+# package lies beside it:
 #   packaging/try_deb.sh PACKAGE.deb [RELEASE]     default: the release of this machine
 # Leaves a picture of the window beside the package.
 set -euo pipefail
@@ -18,6 +19,10 @@ debootstrap --variant=minbase "$release" "$folder/debian" "$mirror"
 # The machine's own sources and proxy, so that a local mirror serves here, too.
 cp -rT /etc/apt "$folder/debian/etc/apt"
 cp "$package" "$folder/debian/handlebody.deb"
+for module in "$(dirname "$package")"/python3-handlebody_*.deb; do
+  if [ -e "$module" ]; then cp "$module" "$folder/debian/python3-handlebody.deb"; fi
+done
+cp -r "$here/../docs/examples/python" "$folder/debian/examples"
 cp "$here/../tests/ui/with_display.sh" "$folder/debian/with_display.sh"
 cp /etc/resolv.conf "$folder/debian/etc/resolv.conf" || true
 
@@ -33,6 +38,12 @@ unshare --mount bash -euc '
   run handlebody --version
   run handlebody-cli segment "$sample/cyst.nii.gz" --seed 77,49,85,8 --object dark -o /tmp/cyst.stl --quiet
   run handlebody-cli check /tmp/cyst.stl
+  if [ -e "$folder/debian/python3-handlebody.deb" ]; then
+    run apt-get install -y -q --no-install-recommends /python3-handlebody.deb python3-matplotlib
+    run python3 /examples/sweep.py
+    run python3 /examples/leak_study.py
+    run sh -c "cd /tmp && python3 /examples/plot.py && test -s torus.png"
+  fi
   run apt-get install -y -q --no-install-recommends xvfb libgl1-mesa-dri
   run sh /with_display.sh handlebody "$sample/cyst_session.json" --screenshot /tmp/window.png --iteration 20
   run test -s /tmp/window.png

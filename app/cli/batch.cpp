@@ -13,12 +13,12 @@
 #include "app/cli/command.h"
 #include "app/cli/csv.h"
 #include "app/cli/outputs.h"
-#include "app/cli/parse.h"
 #include "app/cli/slurm.h"
 #include "app/cli/summary.h"
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
 #include "core/io/json.h"
+#include "core/io/parse.h"
 #include "core/threads.h"
 
 namespace handlebody::cli {

@@ -3,9 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <limits>
 
-#include "app/cli/parse.h"
 #include "core/errors.h"
 #include "core/io/json.h"
+#include "core/io/parse.h"
 
 namespace handlebody::cli {
 

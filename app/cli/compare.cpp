@@ -8,10 +8,10 @@
 #include "app/cli/compare_result.h"
 #include "app/cli/label_input.h"
 #include "app/cli/outputs.h"
-#include "app/cli/parse.h"
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
 #include "core/io/mesh_io.h"
+#include "core/io/parse.h"
 
 namespace handlebody::cli {
 
@@ -26,28 +26,6 @@ struct CompareOptions {
   ComparisonOptions how;
   bool json = false;
 };
-
-Solid readMeshSolid(const std::string& path) {
-  Solid solid = solidOf(readMesh(path));
-  if (solid.empty() || !(solid.certificate.area > 0) || !std::isfinite(solid.certificate.area))
-    throw InputError(path + ": its triangles have no area.");
-  return solid;
-}
-
-Solid readLabelSolid(const std::string& path, std::optional<int> label, std::vector<std::string>& warnings) {
-  const LoadedVolume loaded = readLabels(path, warnings);
-  try {
-    return solidOf(maskOf(loaded.volume, label));
-  } catch (const InputError& error) {
-    throw InputError(path + ": it " + error.what() + ".");
-  }
-}
-
-ComparedObject readObject(const std::string& path, std::optional<int> label,
-                          std::vector<std::string>& warnings) {
-  if (isMeshPath(path)) return {path, std::nullopt, readMeshSolid(path)};
-  return {path, label, readLabelSolid(path, label, warnings)};
-}
 
 void checkOptions(const CompareOptions& o) {
   if (o.labelA && isMeshPath(o.a)) throw UsageError("--label-a: " + o.a + " is a mesh.");
@@ -81,10 +59,9 @@ void write(const ComparedPair& pair, const CompareOptions& o) {
 int compare(const CompareOptions& o) {
   checkOptions(o);
   ComparedPair pair;
-  pair.a = readObject(o.a, o.labelA ? o.labelA : o.label, pair.warnings);
-  pair.b = readObject(o.b, o.labelB ? o.labelB : o.label, pair.warnings);
-  pair.found = handlebody::compare(pair.a.solid, pair.b.solid, o.how);
-  pair.warnings.insert(pair.warnings.end(), pair.found.warnings.begin(), pair.found.warnings.end());
+  pair.a = readCompared(o.a, o.labelA ? o.labelA : o.label, pair.warnings);
+  pair.b = readCompared(o.b, o.labelB ? o.labelB : o.label, pair.warnings);
+  handlebody::compare(pair, o.how);
   write(pair, o);
   std::fputs((o.json ? comparisonJson(pair) : comparisonText(pair)).c_str(), stdout);
   return kDone;

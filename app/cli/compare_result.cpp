@@ -1,64 +1,15 @@
 #include "app/cli/compare_result.h"
 
 #include <cstdio>
-#include <numeric>
 
 #include "app/cli/csv.h"
-#include "core/io/json.h"
+#include "core/io/comparison_json.h"
 
 namespace handlebody::cli {
 
 namespace {
 
 constexpr double kMillilitre = 1000;  // mm³
-
-bool hasTopology(const Solid& s) {
-  return s.empty() || (s.certificate.closed && s.certificate.manifold && s.certificate.oriented);
-}
-
-//! Components and cavities are both components of the surface.
-int cavitiesOf(const Solid& s) { return s.empty() ? 0 : s.certificate.cavities; }
-int componentsOf(const Solid& s) { return s.certificate.components - (hasTopology(s) ? cavitiesOf(s) : 0); }
-int genusOf(const Solid& s) {
-  return std::accumulate(s.certificate.genus.begin(), s.certificate.genus.end(), 0);
-}
-
-Json orNull(bool known, const Json& value) { return known ? value : Json(nullptr); }
-
-Json volumeJson(const Solid& s) { return s.isClosed() ? Json(s.volume()) : Json(nullptr); }
-
-Json objectJson(const ComparedObject& o) {
-  const Solid& s = o.solid;
-  Json json = {{"path", o.path}, {"kind", s.mask ? "label map" : "mesh"}};
-  json["label"] = o.label ? Json(*o.label) : Json(nullptr);
-  json["volume_mm3"] = volumeJson(s);
-  json["area_mm2"] = s.certificate.area;
-  json["components"] = componentsOf(s);
-  json["genus"] = orNull(hasTopology(s), genusOf(s));
-  json["cavities"] = orNull(hasTopology(s), cavitiesOf(s));
-  json["closed"] = s.isClosed();
-  return json;
-}
-
-Json directedJson(const DirectedDistances& d) {
-  return {{"mean_mm", d.mean},
-          {"percentile_95_mm", d.percentile95},
-          {"largest_mm", d.largest},
-          {"samples", d.samples}};
-}
-
-Json optionalJson(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-
-std::optional<double> volumeDifference(const ComparedPair& p) {
-  if (!p.a.solid.isClosed() || !p.b.solid.isClosed()) return std::nullopt;
-  return p.a.solid.volume() - p.b.solid.volume();
-}
-
-std::optional<double> volumeDifferencePercent(const ComparedPair& p) {
-  const auto difference = volumeDifference(p);
-  if (!difference || !(p.b.solid.volume() > 0)) return std::nullopt;
-  return 100 * *difference / p.b.solid.volume();
-}
 
 std::string cell(const Json& value) {
   if (value.is_null()) return "";
@@ -71,8 +22,8 @@ std::string number(double value, const char* format = "%.4g") {
   return text;
 }
 
-std::string orNone(const std::optional<double>& value, const char* format) {
-  return value ? number(*value, format) : "-";
+std::string orNone(const Json& value, const char* format, double scale = 1) {
+  return value.is_null() ? "-" : number(value.get<double>() / scale, format);
 }
 
 //! Three columns, the last one ragged.
@@ -91,11 +42,15 @@ std::string objectLine(const char* name, const ComparedObject& o) {
   return text + "\n";
 }
 
-std::string topologyLines(const Solid& a, const Solid& b) {
-  const auto known = [](const Solid& s, int n) { return hasTopology(s) ? std::to_string(n) : "-"; };
-  return line("components", std::to_string(componentsOf(a)), std::to_string(componentsOf(b))) +
-         line("genus", known(a, genusOf(a)), known(b, genusOf(b))) +
-         line("cavities", known(a, cavitiesOf(a)), known(b, cavitiesOf(b)));
+std::string topologyLines(const Json& a, const Json& b) {
+  std::string text;
+  for (const char* name : {"components", "genus", "cavities"}) {
+    const auto known = [name](const Json& object) {
+      return object[name].is_null() ? "-" : std::to_string(object[name].get<int>());
+    };
+    text += line(name, known(a), known(b));
+  }
+  return text;
 }
 
 std::string overlapText(const Overlap& o) {
@@ -119,48 +74,21 @@ std::string distanceLines(const SurfaceDistances& d) {
 }  // namespace
 
 std::string comparisonText(const ComparedPair& p) {
-  const auto millilitres = [](const Solid& s) {
-    return s.isClosed() ? number(s.volume() / kMillilitre, "%.6g") : "-";
+  const Json json = comparisonToJson(p), &a = json["a"], &b = json["b"];
+  const auto millilitres = [](const Json& object) {
+    return orNone(object["volume_mm3"], "%.6g", kMillilitre);
   };
-  const auto difference = volumeDifference(p);
   std::string text =
       objectLine("A", p.a) + objectLine("B", p.b) + line("", "A", "B") +
-      line("volume (ml)", millilitres(p.a.solid), millilitres(p.b.solid)) +
-      line("area (mm2)", number(p.a.solid.certificate.area, "%.6g"),
-           number(p.b.solid.certificate.area, "%.6g")) +
-      topologyLines(p.a.solid, p.b.solid) + line("Dice", orNone(p.found.dice, "%.4f")) +
-      line("IoU", orNone(p.found.iou, "%.4f")) +
-      line("volume difference, A - B (ml)", difference ? number(*difference / kMillilitre) : "-",
-           orNone(volumeDifferencePercent(p), "%.2f %% of B"));
+      line("volume (ml)", millilitres(a), millilitres(b)) +
+      line("area (mm2)", orNone(a["area_mm2"], "%.6g"), orNone(b["area_mm2"], "%.6g")) + topologyLines(a, b) +
+      line("Dice", orNone(json["dice"], "%.4f")) + line("IoU", orNone(json["iou"], "%.4f")) +
+      line("volume difference, A - B (ml)", orNone(json["volume_difference_mm3"], "%.4g", kMillilitre),
+           orNone(json["volume_difference_percent"], "%.2f %% of B"));
   if (p.found.distances) text += distanceLines(*p.found.distances);
   if (p.found.overlap) text += overlapText(*p.found.overlap);
   for (const std::string& warning : p.warnings) text += "warning: " + warning + "\n";
   return text;
-}
-
-std::string comparisonJson(const ComparedPair& p) {
-  Json json = {{"version", HANDLEBODY_VERSION}, {"notice", kNotice}};
-  json["a"] = objectJson(p.a);
-  json["b"] = objectJson(p.b);
-  json["dice"] = optionalJson(p.found.dice);
-  json["iou"] = optionalJson(p.found.iou);
-  json["volume_difference_mm3"] = optionalJson(volumeDifference(p));
-  json["volume_difference_percent"] = optionalJson(volumeDifferencePercent(p));
-  json["overlap"] = nullptr;
-  if (const auto& o = p.found.overlap)
-    json["overlap"] = {{"points", o->onVoxels ? "voxels" : "lattice"},
-                       {"spacing_mm", vectorToJson(o->spacing)},
-                       {"a_mm3", o->a},
-                       {"b_mm3", o->b},
-                       {"both_mm3", o->both}};
-  json["distances"] = nullptr;
-  if (const auto& d = p.found.distances)
-    json["distances"] = {{"mean_symmetric_mm", d->mean()}, {"hausdorff_95_mm", d->percentile95()},
-                         {"hausdorff_mm", d->hausdorff()}, {"smallest_mm", d->smallest()},
-                         {"sampling_mm", d->sampling},     {"a_to_b", directedJson(d->ofA)},
-                         {"b_to_a", directedJson(d->ofB)}};
-  json["warnings"] = p.warnings;
-  return jsonText(json);
 }
 
 std::string comparisonCsv(const ComparedPair& p) {
@@ -169,21 +97,18 @@ std::string comparisonCsv(const ComparedPair& p) {
     names.push_back(name);
     values.push_back(cell(value));
   };
-  const Json a = objectJson(p.a), b = objectJson(p.b);
-  const auto& d = p.found.distances;
+  const Json json = comparisonToJson(p), &a = json["a"], &b = json["b"], &d = json["distances"];
+  const auto distance = [&d](const char* key) { return d.is_null() ? Json() : d[key]; };
+  const auto mean = [&d](const char* way) { return d.is_null() ? Json() : d[way]["mean_mm"]; };
   for (const char* key : {"path", "label"}) {
     add(std::string("a_") + key, a[key]);
     add(std::string("b_") + key, b[key]);
   }
-  add("dice", optionalJson(p.found.dice));
-  add("iou", optionalJson(p.found.iou));
-  add("volume_difference_mm3", optionalJson(volumeDifference(p)));
-  add("volume_difference_percent", optionalJson(volumeDifferencePercent(p)));
-  add("mean_symmetric_mm", d ? Json(d->mean()) : Json());
-  add("hausdorff_95_mm", d ? Json(d->percentile95()) : Json());
-  add("hausdorff_mm", d ? Json(d->hausdorff()) : Json());
-  add("mean_a_to_b_mm", d ? Json(d->ofA.mean) : Json());
-  add("mean_b_to_a_mm", d ? Json(d->ofB.mean) : Json());
+  for (const char* key : {"dice", "iou", "volume_difference_mm3", "volume_difference_percent"})
+    add(key, json[key]);
+  for (const char* key : {"mean_symmetric_mm", "hausdorff_95_mm", "hausdorff_mm"}) add(key, distance(key));
+  add("mean_a_to_b_mm", mean("a_to_b"));
+  add("mean_b_to_a_mm", mean("b_to_a"));
   for (const char* key : {"volume_mm3", "area_mm2", "components", "genus", "cavities", "closed"}) {
     add(std::string("a_") + key, a[key]);
     add(std::string("b_") + key, b[key]);

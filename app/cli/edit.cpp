@@ -7,7 +7,6 @@
 
 #include "app/cli/command.h"
 #include "app/cli/outputs.h"
-#include "app/cli/parse.h"
 #include "app/cli/run.h"
 #include "app/cli/tunnel_text.h"
 #include "core/collision/certify.h"
@@ -16,6 +15,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/edit_json.h"
 #include "core/io/mesh_io.h"
+#include "core/io/parse.h"
 #include "core/io/result.h"
 
 namespace handlebody::cli {

@@ -11,6 +11,7 @@
 #include "app/cli/progress.h"
 #include "core/errors.h"
 #include "core/evolution/history.h"
+#include "core/io/growth_report.h"
 
 namespace handlebody::cli {
 
@@ -38,24 +39,6 @@ void addOnLeak(CLI::App& command, OnLeak& onLeak) {
 }
 
 namespace {
-
-void tellAfter(const ActiveContour& contour, RunReport& report) {
-  if (const auto veto = contour.waitingVeto(); veto && contour.stopReason() != StopReason::running)
-    throw UsageError("The veto of iteration " + std::to_string(veto->iteration) +
-                     " has nothing to forbid: the growth ended at iteration " +
-                     std::to_string(contour.iteration()) + ".");
-  if (const auto pin = contour.waitingPin(); pin && contour.stopReason() != StopReason::running)
-    throw UsageError("The pin " + written(*pin) + " holds nothing: the growth ended at iteration " +
-                     std::to_string(contour.iteration()) + ".");
-  if (const auto edit = contour.waitingEdit(); edit && contour.stopReason() != StopReason::running)
-    throw UsageError("The edit of iteration " + std::to_string(edit->iteration) +
-                     " is never made: the growth ended at iteration " + std::to_string(contour.iteration()) +
-                     ".");
-  report.iterations = contour.iteration();
-  report.stopped = contour.stopReason();
-  report.held = contour.held();
-  report.pinned = contour.pinned();
-}
 
 //! Nothing is kept to go back to.
 ActiveContour goOn(ActiveContour contour, RunReport& report, bool quiet) {
@@ -162,7 +145,8 @@ ActiveContour evolve(ActiveContour contour, RunReport& report, const EvolveSetti
   contour.recordTraces(settings.traces);
   ActiveContour end = settings.onLeak == OnLeak::goOn ? goOn(std::move(contour), report, settings.quiet)
                                                       : watched(std::move(contour), report, settings);
-  tellAfter(end, report);
+  requireNothingWaiting(end);
+  tellState(end, report);
   return end;
 }
 

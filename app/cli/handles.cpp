@@ -3,10 +3,10 @@
 #include <memory>
 
 #include "app/cli/command.h"
-#include "app/cli/parse.h"
 #include "core/errors.h"
 #include "core/handles/handle_enumeration.h"
 #include "core/io/json.h"
+#include "core/io/parse.h"
 
 namespace handlebody::cli {
 

@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "app/cli/command.h"
-#include "app/cli/parse.h"
 #include "core/io/json.h"
+#include "core/io/parse.h"
 #include "core/io/volume_io.h"
 #include "core/volume/intensity_statistics.h"
 

@@ -5,12 +5,12 @@
 #include "app/cli/command.h"
 #include "app/cli/measure_result.h"
 #include "app/cli/outputs.h"
-#include "app/cli/parse.h"
 #include "app/cli/run_objects.h"
 #include "core/collision/certify.h"
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
 #include "core/io/mesh_io.h"
+#include "core/io/parse.h"
 
 namespace handlebody::cli {
 

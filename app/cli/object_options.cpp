@@ -2,8 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/cli/parse.h"
 #include "core/errors.h"
+#include "core/io/parse.h"
 
 namespace handlebody::cli {
 

@@ -9,10 +9,10 @@
 
 #include "app/cli/command.h"
 #include "app/cli/outputs.h"
-#include "app/cli/parse.h"
 #include "core/errors.h"
 #include "core/io/json.h"
 #include "core/io/mesh_io.h"
+#include "core/io/parse.h"
 #include "core/io/volume_io.h"
 
 namespace handlebody::cli {

@@ -10,6 +10,7 @@
 #include "core/errors.h"
 #include "core/evolution/active_contour.h"
 #include "core/io/atomic_file.h"
+#include "core/io/growth_report.h"
 #include "core/io/label_map.h"
 #include "core/io/picture.h"
 #include "core/io/result.h"
@@ -231,29 +232,19 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, const std::str
   const Volume volume = loaded.volume;  // the contour has the same voxels in memory
   ActiveContour contour(std::move(loaded.volume), report.session.seeds, report.session.requested,
                         report.session.constraints);
-  report.session.resolved = contour.parameters();
-  report.candidates = contour.candidates();
-  report.isCloseChoice = contour.isCloseChoice();
+  tellBeginning(contour, report);
   report.seconds.prepare = watch.lap();
 
   contour = evolve(std::move(contour), report, {outputs.onLeak, !outputs.trace.empty(), outputs.quiet});
   report.seconds.evolve = watch.lap();
-  if (report.stopped == StopReason::empty)
-    throw SeedError("The surface vanished after " + std::to_string(report.iterations) +
-                    " iterations: the seeds are not in an object of that kind and range.");
 
-  CertifiedMesh made = certifiedForExport(contour.mesh().compact());
+  CertifiedMesh made = grownMesh(contour);
   report.mesh = made.certificate;
   if (!outputs.report.empty()) report.measures = objectMeasures(made.mesh, &volume);
   report.seconds.exported = watch.lap();
   if (!outputs.report.empty()) report.tunnels = findTunnelsQuickly(made.mesh, made.certificate);
   report.seconds.tunnels = watch.lap();
-  report.doubts = doubts(report, made.mesh);
-  const SurfaceSupport support = contour.support();
-  for (std::string& d : contour.doubts(support)) report.doubts.push_back(std::move(d));
-  for (std::string& d : leakDoubts(report)) report.doubts.push_back(std::move(d));
-  for (std::string& d : pinDoubts(report)) report.doubts.push_back(std::move(d));
-  report.unsupportedSurface = support.withoutEdge;
+  tellDoubts(contour, made.mesh, report);
   const std::string behind = name.empty() ? name : name + ": ";
   for (const std::string& d : report.doubts)
     std::fprintf(stderr, "handlebody-cli: warning: %s%s\n", behind.c_str(), d.c_str());

@@ -5,22 +5,16 @@
 #include <limits>
 #include <memory>
 
-#include "app/cli/clicks.h"
 #include "app/cli/command.h"
 #include "app/cli/object_groups.h"
-#include "app/cli/parse.h"
 #include "app/cli/run_objects.h"
 #include "core/errors.h"
-#include "core/io/parameter_names.h"
+#include "core/io/clicks.h"
+#include "core/io/growth_options.h"
 
 namespace handlebody::cli {
 
 namespace {
-
-constexpr int kAnyCount = std::numeric_limits<int>::max();
-constexpr int kMostCandidates = 5;  // ActiveContour::candidates()
-constexpr int kMostThreads =
-    256;  // far above what helps; keeps a slip of the hand from exhausting the system
 
 struct SegmentOptions {
   Session session;
@@ -30,45 +24,6 @@ struct SegmentOptions {
 };
 
 using Text = const std::string&;
-
-double positive(Text option, Text text) {
-  const double value = parseNumber(option, text);
-  if (!(value > 0) || value == std::numeric_limits<double>::infinity())
-    throw UsageError(option + ": '" + text + "' is not above 0.");
-  return value;
-}
-
-double notNegative(Text option, Text text) {
-  const double value = parseNumber(option, text);
-  if (!(value >= 0) || value == std::numeric_limits<double>::infinity())
-    throw UsageError(option + ": '" + text + "' is below 0 or infinite.");
-  return value;
-}
-
-void setObject(Parameters& p, Text text) {
-  const auto kind = objectKindFromName(text);
-  if (!kind) throw UsageError("--object: '" + text + "' is not auto, dark or bright.");
-  p.object = *kind;
-}
-
-void setDirection(Parameters& p, Text text) {
-  const auto direction = directionFromName(text);
-  if (!direction) throw UsageError("--direction: '" + text + "' is not outward or both.");
-  p.direction = *direction;
-}
-
-void setBroadPhase(Parameters& p, Text text) {
-  const auto phase = broadPhaseFromName(text);
-  if (!phase) throw UsageError("--broad-phase: '" + text + "' is not hashing or sorted.");
-  p.broadPhase = *phase;
-}
-
-void setSmoothing(Parameters& p, Text text) {
-  if (text == "auto")
-    p.smoothing.reset();
-  else
-    p.smoothing = notNegative("--smoothing", text);
-}
 
 void addInput(CLI::App& command, VolumeReference& volume) {
   command.add_option("VOLUME", volume.path, "A file, or a folder with a DICOM series")->required();
@@ -89,94 +44,21 @@ void addClicks(CLI::App& command, ClickTexts& clicks) {
       "The same in voxels; the radius in voxels of mean size");
 }
 
-void addParameters(CLI::App& command, Parameters& p) {
-  const auto add = [&command, &p](Text name, Text type, Text help, void (*set)(Parameters&, Text)) {
-    command
-        .add_option_function<std::string>(
-            name, [&p, set](Text t) { set(p, t); }, help)
-        ->type_name(type);
+//! One of those that Python has, too.
+void addGrowthOption(CLI::App& command, const GrowthOption& option, Session& session) {
+  const auto set = [&](Text text) { option.set(session.requested, session.constraints, text); };
+  if (!option.isRepeated) {
+    command.add_option_function<std::string>(option.name, set, option.help)->type_name(option.type);
+    return;
+  }
+  const auto setAll = [set](const std::vector<std::string>& texts) {
+    for (Text text : texts) set(text);
   };
-  add("--object", "auto|dark|bright", "Against its surroundings", setObject);
-  add("--range", "LO,HI", "Intensities of the object; inf and -inf are allowed",
-      [](Parameters& q, Text t) { q.range = parseRange("--range", t); });
-  add("--candidate", "N",
-      "Which of the objects that the clicks may mean, 1 = the likeliest (default); the report lists them",
-      [](Parameters& q, Text t) { q.candidate = parseInteger("--candidate", t, 1, kMostCandidates); });
-  add("--smoothing", "auto|SIGMA", "Gaussian smoothing of the image, mm", setSmoothing);
-  add("--edge-length", "MM", "Target edge length of the mesh",
-      [](Parameters& q, Text t) { q.edgeLength = positive("--edge-length", t); });
-  add("--direction", "outward|both", "Whether the surface may also shrink", setDirection);
-  add("--balloon", "W", "Weight of the balloon force (default 1)",
-      [](Parameters& q, Text t) { q.balloon = positive("--balloon", t); });
-  add("--curvature", "W", "Weight of the curvature term (default 0.2)",
-      [](Parameters& q, Text t) { q.curvature = notNegative("--curvature", t); });
-  add("--max-iterations", "N", "Stop after so many (exit code 5)",
-      [](Parameters& q, Text t) { q.maxIterations = parseInteger("--max-iterations", t, 1, kAnyCount); });
-  add("--threads", "N", "The mesh does not depend on it (default 1)",
-      [](Parameters& q, Text t) { q.threads = parseInteger("--threads", t, 1, kMostThreads); });
-  add("--broad-phase", "hashing|sorted",
-      "How near vertices are found: the paper's eight hash functions, or one sorted table (default); the "
-      "mesh "
-      "does not depend on it",
-      setBroadPhase);
-}
-
-//! Given as often as one likes.
-void addConstraint(CLI::App& command, Text name, Text type, Text help, std::function<void(Text)> add) {
-  const auto addAll = [add](const std::vector<std::string>& texts) {
-    for (Text text : texts) add(text);
-  };
-  command.add_option_function<std::vector<std::string>>(name, addAll, help)
-      ->type_name(type)
+  command.add_option_function<std::vector<std::string>>(option.name, setAll, option.help)
+      ->type_name(option.type)
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
-}
-
-void addConstraints(CLI::App& command, Constraints& c) {
-  addConstraint(command, "--wall", "X,Y,Z,R",
-                "A ball that the surface may not enter, LPS millimetres; may be given several times",
-                [&c](Text t) { c.walls.balls.push_back(parseWall("--wall", t)); });
-  addConstraint(command, "--wall-disc", "X,Y,Z,NX,NY,NZ,R",
-                "A flat disc, by its middle (LPS millimetres), normal and radius, that the surface may not "
-                "pass; may be given several times",
-                [&c](Text t) { c.walls.discs.push_back(parseWallDisc("--wall-disc", t)); });
-  command
-      .add_option_function<std::string>(
-          "--walls",
-          [&c](Text path) {
-            c.walls.map = WallMap{path, {}, nullptr};
-          },
-          "A label map on the volume's grid: the surface may not enter voxels that are not 0")
-      ->type_name("LABELMAP");
-  addConstraint(
-      command, "--veto", "ITERATION:X,Y,Z",
-      "The change of topology nearest to there in that step does not happen: the fronts rest; may be "
-      "given several times",
-      [&c](Text t) { c.vetoes.push_back(parseVeto("--veto", t)); });
-  addConstraint(
-      command, "--pin", "X,Y,Z,R@ITERATION",
-      "What of the surface lies in that ball (LPS millimetres) at that iteration stays as it is from "
-      "then on; may be given several times",
-      [&c](Text t) { c.pins.push_back(parsePin("--pin", t)); });
-  addConstraint(
-      command, "--edit", "ITERATION:KIND:X,Y,Z",
-      "That step is an edit in place of motion: close-tunnel (fill-tunnel, cut-handle: by which of its "
-      "loops), remove-component, keep-component or fill-cavity, of what is nearest to there; smooth:X,Y,Z,R, "
-      "pull:X,Y,Z,X2,Y2,Z2,R or cut:X,Y,Z,NX,NY,NZ[,R][,SIDE], as in `edit`; may be given several times",
-      [&c](Text t) { c.edits.push_back(parseMeshEdit("--edit", t)); });
-  const auto addLimit = [&command](Text name, int least, std::optional<int>& limit, Text help) {
-    const auto set = [&limit, name, least](Text t) { limit = parseInteger(name, t, least, kAnyCount); };
-    command.add_option_function<std::string>(name, set, help)->type_name("N");
-  };
-  addLimit("--components", 1, c.topology.components,
-           "Never more components than this: changes that would make more are held");
-  addLimit("--genus", 0, c.topology.genus, "Never more tunnels than this (of all components together)");
-  addConstraint(
-      command, "--allow", "X,Y,Z",
-      "A change of topology there may break these limits, LPS millimetres (the report lists what was "
-      "held, and where); may be given several times",
-      [&c](Text t) { c.topology.allowed.push_back(parseVector("--allow", t)); });
 }
 
 int segment(SegmentOptions o) {
@@ -203,8 +85,8 @@ void addRunOptions(CLI::App& command, SegmentOptions& options) {
 //! What each of several objects has of its own.
 void addOwnOptions(CLI::App& command, SegmentOptions& options) {
   addClicks(command, options.clicks);
-  addParameters(command, options.session.requested);
-  addConstraints(command, options.session.constraints);
+  for (const auto* known : {&parameterOptions(), &constraintOptions()})
+    for (const GrowthOption& option : *known) addGrowthOption(command, option, options.session);
   addObjectOptions(command, options.outputs.object);
 }
 

@@ -10,9 +10,9 @@
 #include <map>
 
 #include "app/cli/csv.h"
-#include "app/cli/parse.h"
 #include "app/cli/segment.h"
 #include "core/errors.h"
+#include "core/io/parse.h"
 
 namespace handlebody::cli {
 

@@ -31,16 +31,16 @@ Eigen::Matrix3d polished(const Eigen::Matrix3d& direction) {
 
 void checkSize(const Grid& grid, const std::string& path) {
   for (int n : grid.size)
-    if (n <= 0) refuseInput(path, "the volume has no voxels (a size of 0 in its header)");
+    if (n <= 0) refuseInput(path, "the volume has no voxels (a size of 0)");
   for (int n : grid.size)
     if (n < 2) refuseInput(path, "this is a 2D image, a volume needs at least two slices along each axis");
 }
 
 void checkGeometry(Grid& grid, const std::string& path) {
   if (!grid.spacing.allFinite() || grid.spacing.minCoeff() <= 0)
-    refuseInput(path, "the voxel spacing in its header is zero, negative or not a number");
+    refuseInput(path, "its voxel spacing is zero, negative or not a number");
   if (!grid.origin.allFinite() || !grid.direction.allFinite())
-    refuseInput(path, "the position or the direction in its header is not a number");
+    refuseInput(path, "its position or its direction is not a number");
   const Eigen::Matrix3d product = grid.direction.transpose() * grid.direction;
   const double error = (product - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
   if (error > kOrthonormalTolerance)
@@ -107,11 +107,11 @@ void checkHeader(VolumeHeader& header, const std::string& path) {
   double bytes = static_cast<double>(bytesOf(header.component)) * header.components;
   for (int n : header.grid.size) bytes *= n;
   const double memory = physicalMemory();
+  if (bytes > memory)
+    refuseInput(path, "it declares " + gigabytes(bytes) + " of voxels, more than the " + gigabytes(memory) +
+                          " of memory of this computer");
   if (bytes * header.frames > std::ldexp(1.0, 60))
     refuseInput(path, "the number of its time points is implausible (" + std::to_string(header.frames) + ")");
-  if (bytes > memory)
-    refuseInput(path, "its header declares " + gigabytes(bytes) + " of voxels, more than the " +
-                          gigabytes(memory) + " of memory of this computer");
 }
 
 void checkDataSize(const std::string& path, const std::string& file, std::uint64_t offset,

@@ -186,6 +186,17 @@ Json eventToJson(const Event& event) {
   return json;
 }
 
+Json leakToJson(const Leak& leak) {
+  const Passage& p = leak.passage;
+  return {{"iteration", leak.iteration},
+          {"location", vectorToJson(leak.place)},
+          {"width_mm", p.isSeen ? Json(2 * p.radius) : Json(nullptr)},
+          {"width_before_mm", 2 * p.before},
+          {"width_behind_mm", 2 * p.behind},
+          {"disc", discToJson(leak.disc)},
+          {"option", "--wall-disc " + written(leak.disc)}};
+}
+
 Json traceToJson(const EventTrace& trace) {
   return {{"colliding_faces", trianglesToJson(trace.collidingFaces)},
           {"lambda", polygonsToJson(trace.lambda)},

@@ -50,6 +50,9 @@ Json requestToJson(const Session& session);
 Json resolvedToJson(const ResolvedParameters& parameters);
 //! An event without its trace.
 Json eventToJson(const Event& event);
+//! A leak, without what was done at it: "iteration", "location", widths, "disc" and "option", which closes
+//! it.
+Json leakToJson(const Leak& leak);
 //! The stages of an event: lists of triangles (three points each) and of polygons, mm.
 Json traceToJson(const EventTrace& trace);
 //! As text: two spaces of indentation, flat lists of numbers on one line each, a newline at the end. Bytes

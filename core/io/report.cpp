@@ -91,17 +91,10 @@ Json pinnedToJson(const std::vector<PinnedPart>& parts) {
 Json leaksToJson(const std::vector<ToldLeak>& leaks) {
   Json list = Json::array();
   for (const auto& [leak, answer] : leaks) {
-    const Passage& p = leak.passage;
-    list.push_back({{"iteration", leak.iteration},
-                    {"location", vectorToJson(leak.place)},
-                    {"width_mm", p.isSeen ? Json(2 * p.radius) : Json(nullptr)},
-                    {"width_before_mm", 2 * p.before},
-                    {"width_behind_mm", 2 * p.behind},
-                    {"disc", discToJson(leak.disc)},
-                    {"option", "--wall-disc " + written(leak.disc)},
-                    {"answer", answer == LeakAnswer::wall   ? "wall"
-                               : answer == LeakAnswer::stop ? "stop"
-                                                            : "go-on"}});
+    list.push_back(leakToJson(leak));
+    list.back()["answer"] = answer == LeakAnswer::wall   ? "wall"
+                            : answer == LeakAnswer::stop ? "stop"
+                                                         : "go-on";
   }
   return list;
 }

@@ -103,6 +103,13 @@ Volume readVolume(const std::string& path, const VolumeSelection& selection = {}
 //! Both in one reading. Nothing if it was cancelled.
 std::optional<LoadedVolume> loadVolume(const std::string& path, const VolumeSelection& selection = {},
                                        const ReadControl& control = {});
+//! The grid of a volume that no file holds, with the checks that a file's header gets: sizes, spacing,
+//! direction (made exactly orthonormal), memory. Throws InputError that begins with `name`.
+Grid checkedGrid(const Grid& grid, VoxelType type, const std::string& name);
+//! A volume whose voxels no file holds: `fill` writes grid.voxelCount() values of `type`, x fastest, into
+//! memory that is not cleared. Throws as checkedGrid, and InputError for voxels that are NaN or infinite.
+LoadedVolume fillVolume(const Grid& grid, VoxelType type, const std::string& name,
+                        const std::function<void(void*)>& fill);
 //! The program that decodes DICOM volumes and VTP meshes, and how long it may go without a sign of life.
 struct DicomDecoder {
   //! Started as `program decode-dicom`. Empty: handlebody-cli in the folder of the running program (in a

@@ -153,6 +153,11 @@ std::shared_ptr<void> converted(const VolumeHeader& h, VoxelType type, std::shar
   return result;
 }
 
+void checkFinite(const Volume& volume, const std::string& path) {
+  if (volume.type == VoxelType::float32) checkFinite(volume.data<float>(), volume.grid, path);
+  if (volume.type == VoxelType::float64) checkFinite(volume.data<double>(), volume.grid, path);
+}
+
 LoadedVolume load(const OpenRequest& request, const ReadControl& control) {
   const std::string& path = request.path;
   bool several = false;
@@ -165,8 +170,7 @@ LoadedVolume load(const OpenRequest& request, const ReadControl& control) {
   volume = {h.grid, loaded.info.type, nullptr};
   volume.voxels =
       converted(h, volume.type, source->read(request.selection.frame.value_or(0), path, control), path);
-  if (volume.type == VoxelType::float32) checkFinite(volume.data<float>(), h.grid, path);
-  if (volume.type == VoxelType::float64) checkFinite(volume.data<double>(), h.grid, path);
+  checkFinite(volume, path);
   report(control, 1);
   return loaded;
 }
@@ -194,6 +198,28 @@ VolumeInfo inspectVolume(const std::string& path, const VolumeSelection& selecti
   info.warnings = h.warnings;
   info.warnings.push_back("Nothing is chosen: " + seriesChoice(h.series) + ".");
   return info;
+}
+
+Grid checkedGrid(const Grid& grid, VoxelType type, const std::string& name) {
+  VolumeHeader header;
+  header.grid = grid;
+  header.component = static_cast<Component>(type);
+  checkHeader(header, name);
+  return header.grid;
+}
+
+LoadedVolume fillVolume(const Grid& grid, VoxelType type, const std::string& name,
+                        const std::function<void(void*)>& fill) {
+  VolumeHeader header;
+  header.grid = checkedGrid(grid, type, name);
+  header.component = static_cast<Component>(type);
+  header.sources = {"given", {"given", "given", "given"}, "given", "given"};
+  LoadedVolume loaded{{header.grid, type, nullptr}, infoOf(header, {}, name)};
+  const std::shared_ptr<void> voxels = allocate(header.bytesPerFrame(), name);
+  fill(voxels.get());
+  loaded.volume.voxels = voxels;
+  checkFinite(loaded.volume, name);
+  return loaded;
 }
 
 Volume readVolume(const std::string& path, const VolumeSelection& selection) {

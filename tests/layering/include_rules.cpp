@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array kSourceFolders{"core", "ui", "app", "sample_volumes"};
+constexpr std::array kSourceFolders{"core", "ui", "app", "python", "sample_volumes"};
 
 struct Include {
   std::string name;
@@ -48,6 +48,7 @@ const Layers& layers() {
     add("core/measure", {"core/solid"});
     add("core/io", {"core/evolution", "core/measure"});
     add("sample_volumes", {"core/io"});
+    add("python", {"sample_volumes"});
     add("ui/model", {"core/io"});
     add("ui/view", {"ui/model"});
     add("ui/window", {"ui/view"});
@@ -97,8 +98,8 @@ bool isToolkit(const std::string& name) {
   return startsWith(name, "vtk") || startsWith(name, "itk") || startsWith(name, "gdcm");
 }
 
-// The standard library's headers are the ones without a folder or an extension in lower case; the compiler's own
-// for vector instructions (emmintrin.h …) count with them.
+// The standard library's headers are the ones without a folder or an extension in lower case; the compiler's
+// own for vector instructions (emmintrin.h …) count with them.
 bool isEigenOrStandard(const std::string& name) {
   static const std::regex standard("[a-z_0-9]+|[a-z]+intrin[.]h");
   return startsWith(name, "Eigen/") || std::regex_match(name, standard);

@@ -63,6 +63,15 @@ TEST_CASE("the model does not know its views, nor the views the window") {
   CHECK_FALSE(breaks("app/handlebody/main.cpp", "\"ui/window/b.h\""));
 }
 
+TEST_CASE("the Python module stands on the engine, its files and the phantoms, and nothing on it") {
+  for (const char* under : {"core/evolution/a.h", "core/io/a.h", "sample_volumes/a.h"})
+    CHECK_FALSE(breaks("python/b.cpp", '"' + std::string(under) + '"'));
+  for (const char* beside : {"app/cli/run.h", "ui/model/a.h", "tests/support/catch.h"})
+    CHECK(breaks("python/b.cpp", '"' + std::string(beside) + '"'));
+  for (const char* other : {"core/io/a.cpp", "app/cli/a.cpp", "ui/model/a.cpp", "sample_volumes/a.cpp"})
+    CHECK(breaks(other, "\"python/b.h\""));
+}
+
 TEST_CASE("angle brackets do not get round the rule") {
   CHECK(breaks("core/mesh/a.cpp", "<core/surgery/event.h>"));
   CHECK(breaks("core/mesh/a.cpp", "  <core/surgery/event.h>  // a remark"));

@@ -1,4 +1,4 @@
-#include "app/cli/parse.h"
+#include "core/io/parse.h"
 
 #include <clocale>
 #include <cmath>
@@ -7,7 +7,6 @@
 #include "tests/support/catch.h"
 
 using namespace handlebody;
-using namespace handlebody::cli;
 
 TEST_CASE("numbers are read in every usual way of writing them", "[cli]") {
   CHECK(parseNumber("--x", "-1.5e2") == -150.0);

@@ -1,4 +1,4 @@
-#include "app/cli/parse.h"
+#include "core/io/parse.h"
 
 #include <charconv>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "core/errors.h"
 
-namespace handlebody::cli {
+namespace handlebody {
 
 namespace {
 
@@ -209,4 +209,4 @@ Seed parseSeed(const std::string& option, const std::string& text) {
   return seed;
 }
 
-}  // namespace handlebody::cli
+}  // namespace handlebody

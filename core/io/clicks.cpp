@@ -1,11 +1,11 @@
-#include "app/cli/clicks.h"
+#include "core/io/clicks.h"
 
 #include <algorithm>
 
-#include "app/cli/parse.h"
 #include "core/errors.h"
+#include "core/io/parse.h"
 
-namespace handlebody::cli {
+namespace handlebody {
 
 namespace {
 
@@ -29,6 +29,10 @@ Seed inWorld(const Seed& voxels, const Grid& grid) {
 Clicks parseClicks(const ClickTexts& texts) {
   if (texts.seeds.empty() && texts.voxelSeeds.empty())
     throw UsageError("segment needs a --seed or --seed-ijk.");
+  return parseFurtherClicks(texts);
+}
+
+Clicks parseFurtherClicks(const ClickTexts& texts) {
   Clicks clicks;
   append(clicks.world, "--seed", texts.seeds, false);
   append(clicks.voxels, "--seed-ijk", texts.voxelSeeds, false);
@@ -44,4 +48,4 @@ std::vector<Seed> seedsInWorld(const Clicks& clicks, const Grid& grid) {
   return seeds;
 }
 
-}  // namespace handlebody::cli
+}  // namespace handlebody

@@ -7,7 +7,7 @@
 
 #include "core/evolution/parameters.h"
 
-namespace handlebody::cli {
+namespace handlebody {
 
 //! A number; "inf" and "-inf" count, NaN does not.
 double parseNumber(const std::string& option, const std::string& text);
@@ -40,4 +40,4 @@ MeshEdit parseMeshEdit(const std::string& option, const std::string& text);
 //! X,Y,Z[,R] in any one unit; R > 0.
 Seed parseSeed(const std::string& option, const std::string& text);
 
-}  // namespace handlebody::cli
+}  // namespace handlebody

@@ -8,7 +8,7 @@
 #include "core/evolution/parameters.h"
 #include "core/volume/volume.h"
 
-namespace handlebody::cli {
+namespace handlebody {
 
 //! The values of the options, one for each time that it was given.
 struct ClickTexts {
@@ -24,8 +24,10 @@ struct Clicks {
 
 //! Throws UsageError that names the option, also if no click is inside the object.
 Clicks parseClicks(const ClickTexts& texts);
+//! The same for clicks that come to others: none of them need be inside.
+Clicks parseFurtherClicks(const ClickTexts& texts);
 
 //! All of them in mm LPS: those inside the object first, and on each side those given in mm first.
 std::vector<Seed> seedsInWorld(const Clicks& clicks, const Grid& grid);
 
-}  // namespace handlebody::cli
+}  // namespace handlebody

@@ -1,10 +1,9 @@
-#include "app/cli/clicks.h"
+#include "core/io/clicks.h"
 
 #include "core/errors.h"
 #include "tests/support/catch.h"
 
 using namespace handlebody;
-using namespace handlebody::cli;
 
 namespace {
 

@@ -1,0 +1,82 @@
+#include "python/mesh.h"
+
+#include <filesystem>
+
+#include "core/collision/certify.h"
+#include "core/errors.h"
+#include "core/io/label_map.h"
+
+namespace handlebody::python {
+
+PythonMesh::PythonMesh(TriangleSoup mesh) : soup_(std::make_shared<const TriangleSoup>(std::move(mesh))) {}
+
+PythonMesh::PythonMesh(CertifiedMesh mesh)
+    : soup_(std::make_shared<const TriangleSoup>(std::move(mesh.mesh))),
+      certificate_(std::move(mesh.certificate)) {}
+
+const Certificate& PythonMesh::certificate() const {
+  if (!certificate_) certificate_ = certify(*soup_);
+  return *certificate_;
+}
+
+void PythonMesh::requireBody(const std::string& what) const {
+  if (certificate().boundsBody()) return;
+  throw InputError("The mesh does not bound a body, and has no inside to " + what + "; see its certificate.");
+}
+
+Volume PythonMesh::labelMap(const Grid& grid) const {
+  requireBody("fill");
+  return rasterize(*soup_, grid);
+}
+
+namespace {
+
+void requireKnown(const std::string& path, const VolumeInfo* volume) {
+  if (!isResultPath(path)) throw UsageError(path + ": its ending is unknown: " + resultEndings() + ".");
+  if (isMeshPath(path) || volume) return;
+  if (isLabelMapPath(path)) throw UsageError(path + ": a label map needs the volume whose grid it gets.");
+}
+
+CoordinateSpace spaceOf(const std::string& name) {
+  if (name != "LPS" && name != "RAS") throw UsageError("--space: '" + name + "' is not LPS or RAS.");
+  return name == "RAS" ? CoordinateSpace::ras : CoordinateSpace::lps;
+}
+
+ObjectLabel labelOf(const SaveSettings& settings) {
+  ObjectLabel label;
+  if (!settings.name.empty()) label.name = settings.name;
+  if (const std::string fault = objectNameFault(label.name); !fault.empty())
+    throw UsageError("name: '" + label.name + "' " + fault + ".");
+  label.value = settings.label;
+  if (label.value < 1 || label.value > kLargestLabel)
+    throw UsageError("--label: " + std::to_string(label.value) + " is not a whole number from 1 to " +
+                     std::to_string(kLargestLabel) + ".");
+  return label;
+}
+
+}  // namespace
+
+void requireOther(const std::string& path, const std::string& input) {
+  std::error_code failed;
+  if (!input.empty() && std::filesystem::equivalent(path, input, failed))
+    throw UsageError(path + " is the volume that was read, and is not overwritten.");
+}
+
+void save(const TriangleSoup& mesh, const VolumeInfo* volume, const std::vector<std::string>& paths,
+          const SaveSettings& settings) {
+  ExportContext context;
+  context.space = spaceOf(settings.space);
+  if (volume) {
+    context.grid = volume->grid;
+    context.dicom = volume->dicom;
+  }
+  for (const std::string& path : paths) {
+    requireKnown(path, volume);
+    if (volume) requireOther(path, volume->path);
+    checkResult(path, context);
+  }
+  const ObjectLabel label = labelOf(settings);
+  writeResults({{label, certifiedForExport(mesh).mesh}}, context, paths);
+}
+
+}  // namespace handlebody::python

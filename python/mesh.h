@@ -1,0 +1,48 @@
+#pragma once
+// A mesh as Python has it: it never changes.
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/io/result.h"
+
+namespace handlebody::python {
+
+class PythonMesh {
+ public:
+  explicit PythonMesh(TriangleSoup mesh);
+  //! One that has its certificate already.
+  explicit PythonMesh(CertifiedMesh mesh);
+
+  const std::shared_ptr<const TriangleSoup>& soup() const { return soup_; }
+  //! Worked out once. Not for several threads at once, as all that follows.
+  const Certificate& certificate() const;
+  //! Throws InputError: the mesh has no inside to measure or fill.
+  void requireBody(const std::string& what) const;
+  //! uint8, 1 inside. Throws InputError.
+  Volume labelMap(const Grid& grid) const;
+
+ private:
+  std::shared_ptr<const TriangleSoup> soup_;
+  mutable std::optional<Certificate> certificate_;
+};
+
+//! What a mesh is written with, besides its path.
+struct SaveSettings {
+  std::string space = "LPS";
+  std::string name{};  //!< of the object; empty: the default
+  int label = 1;       //!< of its voxels
+};
+
+//! Throws UsageError if `path` is the file `input`; that may be empty.
+void requireOther(const std::string& path, const std::string& input);
+
+//! Writes the mesh by the ending of each path, rounded to single precision and certified as the command line
+//! does. `volume` gives the grid of label maps and what DICOM files are made for; null: neither is written.
+//! No path may be `input`. Throws UsageError, OutputError, InputError; nothing is written if it fails its
+//! certificate.
+void save(const TriangleSoup& mesh, const VolumeInfo* volume, const std::vector<std::string>& paths,
+          const SaveSettings& settings);
+
+}  // namespace handlebody::python

@@ -1,0 +1,120 @@
+"""The module and the command line make the same mesh, bit for bit."""
+import numpy as np
+import pytest
+
+import handlebody
+
+
+def text(numbers):
+    return ",".join(map(repr, numbers))
+
+
+def assert_same(mesh, path):
+    """.obj keeps every digit and is read without help."""
+    written = handlebody.read_mesh(path)
+    assert mesh.vertices.dtype == np.float64 and mesh.faces.dtype == np.int32
+    np.testing.assert_array_equal(mesh.vertices.view(np.uint64), written.vertices.view(np.uint64))
+    np.testing.assert_array_equal(mesh.faces, written.faces)
+    assert len(mesh.faces) > 500
+
+
+@pytest.mark.parametrize("options", [
+    {},
+    {"object": "dark"},
+    {"range": (-float("inf"), 300.5), "edge_length": 2.9, "curvature": 0.3},
+    {"smoothing": 0.7, "direction": "both", "balloon": 1.1, "max_iterations": 40, "broad_phase": "hashing"},
+])
+def test_options_make_the_mesh_of_the_command_line(torus_file, tmp_path, cli, options):
+    path, seed = torus_file
+    arguments = [word for name, value in options.items()
+                 for word in ("--" + name.replace("_", "-"), value if isinstance(value, (str, int, float)) else text(value))]
+    cli("segment", path, "--seed", text(seed), *arguments, "-o", tmp_path / "cli.obj", "-o", tmp_path / "cli.nii.gz",
+        "-o", tmp_path / "cli.stl", "--quiet")
+    contour = handlebody.Contour(handlebody.read_volume(path), seed=seed, **options)
+    contour.run()
+    assert_same(contour.mesh(), tmp_path / "cli.obj")
+    contour.save(tmp_path / "module.stl")
+    assert (tmp_path / "module.stl").read_bytes() == (tmp_path / "cli.stl").read_bytes()
+    labels = handlebody.read_volume(tmp_path / "cli.nii.gz").array
+    np.testing.assert_array_equal(contour.label_map(), labels)
+
+
+def test_a_bare_click_makes_the_mesh_of_the_command_line(torus_file, tmp_path, cli):
+    path, seed = torus_file
+    cli("segment", path, "--seed", text(seed[:3]), "-o", tmp_path / "cli.obj", "--quiet")
+    volume = handlebody.read_volume(path)
+    contour = handlebody.Contour(volume, seed=seed[:3])
+    contour.run()
+    assert_same(contour.mesh(), tmp_path / "cli.obj")
+    by_voxel = handlebody.Contour(volume, seed_ijk=volume.grid.to_index(seed[:3]))
+    assert by_voxel.parameters["seeds"][0]["centre"] == pytest.approx(seed[:3])
+
+
+def test_several_clicks_and_constraints_are_those_of_the_command_line(torus_file, tmp_path, cli):
+    path, seed = torus_file
+    grid = handlebody.read_volume(path).grid
+    outside = grid.to_world((1, 1, 1))
+    x, y, z = seed[:3]
+    cli("segment", path, "--seed", text(seed), "--background", text(outside), "--wall", text((x + 20, y, z, 3)),
+        "--wall", text((x, y + 20, z, 2.5)), "--genus", 0, "--max-iterations", 60, "-o", tmp_path / "cli.obj", "--quiet")
+    contour = handlebody.Contour(handlebody.read_volume(path), seed=[seed], background=[outside], genus=0,
+                                 wall=[(x + 20, y, z, 3), np.array([x, y + 20, z, 2.5], dtype=np.float32)],
+                                 max_iterations=60)
+    contour.run()
+    assert_same(contour.mesh(), tmp_path / "cli.obj")
+
+
+def test_an_array_makes_the_mesh_of_its_file(torus_file):
+    path, seed = torus_file
+    read = handlebody.read_volume(path)
+    made = handlebody.Volume(read.array, read.grid.spacing, read.grid.origin, read.grid.direction)
+    meshes = []
+    for volume in (read, made):
+        contour = handlebody.Contour(volume, seed=seed)
+        contour.run(30)
+        meshes.append(contour.mesh())
+    np.testing.assert_array_equal(meshes[0].vertices, meshes[1].vertices)
+    np.testing.assert_array_equal(meshes[0].faces, meshes[1].faces)
+
+
+def test_steps_one_by_one_make_the_mesh_of_a_run(torus):
+    run = handlebody.Contour(torus.volume, seed=torus.seed)
+    run.run()
+    stepped = handlebody.Contour(torus.volume, seed=torus.seed)
+    while stepped.stop_reason == "running":
+        stepped.step()
+    assert stepped.iteration == run.iteration > 10
+    np.testing.assert_array_equal(stepped.vertices, run.vertices)
+    np.testing.assert_array_equal(stepped.faces, run.faces)
+    assert stepped.events == run.events
+
+
+def test_a_session_is_replayed_to_the_same_mesh(torus_file, tmp_path, cli):
+    path, seed = torus_file
+    contour = handlebody.Contour(handlebody.read_volume(path), seed=seed, object="dark")
+    contour.run(25)
+    contour.save_session(tmp_path / "session.json")
+    cli("replay", tmp_path / "session.json", "-o", tmp_path / "cli.obj", "--quiet")
+    assert contour.stop_reason == "running"
+    assert_same(contour.mesh(), tmp_path / "cli.obj")
+
+
+def test_a_contour_that_was_changed_is_replayed_to_the_same_mesh(torus_file, tmp_path, cli):
+    path, seed = torus_file
+    volume = handlebody.read_volume(path)
+    contour = handlebody.Contour(volume, seed=seed, object="dark")
+    contour.run(20)
+    contour.change(curvature=0.4, background=volume.grid.to_world((2, 2, 2)))
+    contour.run(10)
+    middle = np.array(volume.grid.to_world([(n - 1) / 2 for n in volume.grid.size]))
+    across = 2 * middle - seed[:3]  # where the ring would close
+    contour.change(edge_length=2.5, wall=(*across, 15))
+    contour.run()
+    assert contour.certificate()["genus"][0] == 0
+    assert contour.parameters["curvature"] == 0.4 and contour.parameters["edge_length"] == 2.5
+    contour.save_session(tmp_path / "session.json")
+    cli("replay", tmp_path / "session.json", "-o", tmp_path / "cli.obj", "--quiet")
+    assert_same(contour.mesh(), tmp_path / "cli.obj")
+    other = handlebody.Contour(volume, seed=seed, object="dark")
+    other.run()
+    assert len(other.vertices) != len(contour.vertices)
