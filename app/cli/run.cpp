@@ -12,6 +12,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/growth_report.h"
 #include "core/io/label_map.h"
+#include "core/io/mesh_io.h"
 #include "core/io/picture.h"
 #include "core/io/result.h"
 #include "core/io/wall_map.h"
@@ -66,6 +67,7 @@ void addRunOutputs(CLI::App& command, RunOutputs& outputs) {
                   "Names and colours of the labels for ITK-SNAP (text)")
       ->type_name("F.txt");
   addContent(command, outputs.content);
+  addSensitivity(command, outputs.sensitivity);
   command.add_flag("--quiet", outputs.quiet, "No progress and no summary");
 }
 
@@ -140,6 +142,7 @@ void checkOutputs(const RunOutputs& outputs, const std::vector<std::string>& inp
     files.push_back({"--picture", outputs.picture});
     checkPictureExtension(files.back());
   }
+  checkSensitivity(outputs.sensitivity, files);
   checkWritable(files, inputs);
 }
 
@@ -191,6 +194,7 @@ void printSummary(const RunReport& report, const std::string& name) {
   for (const PinnedPart& part : report.pinned)
     std::printf("pinned by %s: %d vertices, fronts stopped %d times\n", written(part.pin).c_str(),
                 part.vertices, part.stops);
+  if (report.sensitivity) std::printf("%s\n", sensitivityText(*report.sensitivity).c_str());
 }
 
 namespace {
@@ -229,6 +233,7 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, const std::str
   report.volume = std::move(loaded.info);
   report.seconds.load = loaded.loadSeconds;
   for (const ResultFile& file : outputs.files) checkResult(file.path, contextOf(report, outputs));
+  if (outputs.sensitivity.runs > 0) requireRepeatable(report.session);
   const Volume volume = loaded.volume;  // the contour has the same voxels in memory
   ActiveContour contour(std::move(loaded.volume), report.session.seeds, report.session.requested,
                         report.session.constraints);
@@ -244,7 +249,13 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, const std::str
   report.seconds.exported = watch.lap();
   if (!outputs.report.empty()) report.tunnels = findTunnelsQuickly(made.mesh, made.certificate);
   report.seconds.tunnels = watch.lap();
+  if (outputs.sensitivity.runs > 0)
+    report.sensitivity = sensitivityOf(made.mesh, {volume, contour.request(), contour.parameters()},
+                                       outputs.sensitivity, outputs.quiet);
+  report.seconds.sensitivity = watch.lap();
   tellDoubts(contour, made.mesh, report);
+  if (report.sensitivity)
+    for (std::string& d : sensitivityDoubts(*report.sensitivity)) report.doubts.push_back(std::move(d));
   const std::string behind = name.empty() ? name : name + ": ";
   for (const std::string& d : report.doubts)
     std::fprintf(stderr, "handlebody-cli: warning: %s%s\n", behind.c_str(), d.c_str());
@@ -262,9 +273,11 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
     DeferSignals whole;
     writeObjects({{report.session.label, mesh}}, report, outputs);
     if (shown) writePicture(*shown, mesh, outputs.picture);
+    if (!outputs.sensitivity.surface.empty() && report.sensitivity->grown > 0)
+      writeMeshWithValues(mesh, report.sensitivity->spread, "spread_mm", outputs.sensitivity.surface);
     report.seconds.exported += watch.lap();
     const Timings& s = report.seconds;
-    report.seconds.total = s.load + s.prepare + s.evolve + s.exported + s.tunnels;
+    report.seconds.total = s.load + s.prepare + s.evolve + s.exported + s.tunnels + s.sensitivity;
     writeSideFiles(report, outputs);
   }
   if (!outputs.quiet) printSummary(report);

@@ -8,6 +8,7 @@
 #include "app/cli/evolve.h"
 #include "app/cli/object_options.h"
 #include "app/cli/outputs.h"
+#include "app/cli/sensitivity.h"
 #include "core/io/dicom_writer.h"
 #include "core/io/report.h"
 
@@ -32,9 +33,11 @@ struct RunOutputs {
   DicomContent content;
   OnLeak onLeak = OnLeak::goOn;
   bool quiet = false;
+  SensitivityOptions sensitivity;
 };
 
-//! Adds -o, --report, --session, --trace, --picture, --label-description, --quiet and what DICOM files say.
+//! Adds -o, --report, --session, --trace, --picture, --label-description, --sensitivity, --quiet and what
+//! DICOM files say.
 void addRunOutputs(CLI::App& command, RunOutputs& outputs);
 //! Adds --space; LPS unless given.
 void addSpace(CLI::App& command, std::optional<CoordinateSpace>& space);

@@ -86,6 +86,7 @@ Timings sumOf(const std::vector<GrownObject>& grown) {
     sum.evolve += s.evolve;
     sum.exported += s.exported;
     sum.tunnels += s.tunnels;
+    sum.sensitivity += s.sensitivity;
   }
   return sum;
 }
@@ -126,6 +127,8 @@ void requireDistinct(const std::vector<ObjectLabel>& objects) {
 }
 
 int runObjects(LoadedSession first, std::vector<Session> others, const RunOutputs& outputs) {
+  if (!outputs.sensitivity.surface.empty())
+    throw UsageError("--sensitivity-surface: there are several objects, and it is the surface of one.");
   std::optional<Volume> shown;
   if (!outputs.picture.empty()) shown = first.volume;
   std::vector<GrownObject> grown = growObjects(std::move(first), std::move(others), outputs);
@@ -135,7 +138,7 @@ int runObjects(LoadedSession first, std::vector<Session> others, const RunOutput
   Timings seconds = sumOf(grown);
   for (GrownObject& object : grown) {
     Timings& s = object.report.seconds;
-    s.total = s.load + s.prepare + s.evolve + s.exported + s.tunnels;
+    s.total = s.load + s.prepare + s.evolve + s.exported + s.tunnels + s.sensitivity;
     objects.push_back({object.report.session.label, std::move(object.mesh)});
     reports.push_back(std::move(object.report));
   }
@@ -144,7 +147,8 @@ int runObjects(LoadedSession first, std::vector<Session> others, const RunOutput
     writeObjects(objects, reports[0], outputs);
     if (shown) writePicture(*shown, together(objects), outputs.picture);
     seconds.exported += watch.lap();
-    seconds.total = seconds.load + seconds.prepare + seconds.evolve + seconds.exported + seconds.tunnels;
+    seconds.total = seconds.load + seconds.prepare + seconds.evolve + seconds.exported + seconds.tunnels +
+                    seconds.sensitivity;
     writeSideFiles(reports, seconds, outputs);
   }
   for (const RunReport& report : reports)

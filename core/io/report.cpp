@@ -6,6 +6,7 @@
 #include "core/io/edit_json.h"
 #include "core/io/measures_json.h"
 #include "core/io/parameter_names.h"
+#include "core/io/sensitivity_json.h"
 
 namespace handlebody {
 
@@ -13,7 +14,8 @@ namespace {
 
 Json secondsToJson(const Timings& seconds) {
   return {{"load", seconds.load},       {"prepare", seconds.prepare}, {"evolve", seconds.evolve},
-          {"export", seconds.exported}, {"tunnels", seconds.tunnels}, {"total", seconds.total}};
+          {"export", seconds.exported}, {"tunnels", seconds.tunnels}, {"sensitivity", seconds.sensitivity},
+          {"total", seconds.total}};
 }
 
 Json headToJson(const RunReport& report) {
@@ -162,6 +164,7 @@ void addObject(Json& json, const RunReport& report) {
   json["seconds"] = secondsToJson(report.seconds);
   json["mesh"] = certificateToJson(report.mesh);
   if (report.measures) json["measures"] = measuresToJson(*report.measures);
+  if (report.sensitivity) json["sensitivity"] = sensitivityToJson(*report.sensitivity);
   if (report.tunnels) json["tunnels"] = tunnelsToJson(*report.tunnels);
   if (!report.corrections.empty()) json["corrections"] = correctionsToJson(report.corrections);
   if (!report.held.empty()) json["held"] = heldToJson(report.held);

@@ -15,16 +15,18 @@
 #include "core/mesh/tunnels.h"
 #include "core/mesh/validity.h"
 #include "core/object/candidate.h"
+#include "core/sensitivity/sensitivity.h"
 
 namespace handlebody {
 
 //! Wall-clock seconds.
 struct Timings {
-  double load = 0;      //!< reading and hashing the volume
-  double prepare = 0;   //!< automatic parameters, smoothing, seed spheres
-  double evolve = 0;    //!< all iterations
-  double exported = 0;  //!< certificate and files
-  double tunnels = 0;   //!< listing them, for the report
+  double load = 0;         //!< reading and hashing the volume
+  double prepare = 0;      //!< automatic parameters, smoothing, seed spheres
+  double evolve = 0;       //!< all iterations
+  double exported = 0;     //!< certificate and files
+  double tunnels = 0;      //!< listing them, for the report
+  double sensitivity = 0;  //!< the perturbed runs
   double total = 0;
 };
 
@@ -50,6 +52,7 @@ struct RunReport {
   Certificate mesh;                          //!< of the exported mesh
   std::optional<TunnelList> tunnels{};       //!< of it, where they were looked for
   std::optional<ObjectMeasures> measures{};  //!< the same
+  std::optional<Sensitivity> sensitivity{};  //!< of it, where that was asked for
   std::vector<Event> events;
   std::vector<ToldLeak> leaks{};                //!< in the order in which they came
   bool isStoppedAtLeak = false;                 //!< the mesh is that of before the last of them

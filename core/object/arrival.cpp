@@ -29,24 +29,6 @@ void forBox(const CellGrid& cells, const Cell& centre, int reach, F&& f) {
       for (int x = lo[0]; x <= hi[0]; ++x) f(Cell{x, y, z});
 }
 
-//! Median of the second differences: edges hardly count. In white noise they have 6 times its variance.
-double noiseAround(const CellGrid& cells, const std::vector<float>& raw, const Cell& click, int reach) {
-  std::vector<double> differences;
-  std::size_t step = 1;
-  for (std::size_t a = 0; a < 3; ++a) {
-    const int n = cells.grid.size[a];
-    if (n >= 5)
-      forBox(cells, click, reach, [&](const Cell& c) {
-        if (c[a] < 1 || c[a] > n - 2) return;
-        const std::size_t i = cells.at(c);
-        const double d = static_cast<double>(raw[i - step]) + raw[i + step] - 2.0 * raw[i];
-        if (d != 0) differences.push_back(std::abs(d));  // padding and saturation say nothing
-      });
-    step *= idx(n);
-  }
-  return differences.empty() ? 0 : quantile(std::move(differences), 0.5) / (0.6745 * std::sqrt(6.0));
-}
-
 //! Along which axes each pass of an opening goes: by turns the six and the eighteen nearest, along an axis
 //! only when as much length has gathered as its cells are long.
 std::vector<OpeningPass> passesOf(const CellGrid& cells, const ObjectPolicy& policy) {
@@ -203,6 +185,23 @@ std::vector<ArrivalMap> mapsOfBand(const CellGrid& cells, const RungImage& rungs
 }
 
 }  // namespace
+
+double noiseAround(const CellGrid& cells, const std::vector<float>& raw, const Cell& click, int reach) {
+  std::vector<double> differences;
+  std::size_t step = 1;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const int n = cells.grid.size[a];
+    if (n >= 5)
+      forBox(cells, click, reach, [&](const Cell& c) {
+        if (c[a] < 1 || c[a] > n - 2) return;
+        const std::size_t i = cells.at(c);
+        const double d = static_cast<double>(raw[i - step]) + raw[i + step] - 2.0 * raw[i];
+        if (d != 0) differences.push_back(std::abs(d));  // padding and saturation say nothing
+      });
+    step *= idx(n);
+  }
+  return differences.empty() ? 0 : quantile(std::move(differences), 0.5) / (0.6745 * std::sqrt(6.0));
+}
 
 ClickIntensities readClick(const CellGrid& cells, const std::vector<float>& raw,
                            const std::vector<float>& values, const Cell& click, const ObjectPolicy& policy) {

@@ -22,6 +22,11 @@ struct ClickIntensities {
   double noise = 0;                    //!< standard deviation
   std::array<float, kRungs> ladder{};  //!< ascending distances from `level`
 };
+//! Standard deviation of the noise in a box of `reach` cells to each side of one: from the median of the
+//! second differences, in which edges hardly count. In white noise they have 6 times its variance.
+double noiseAround(const CellGrid& cells, const std::vector<float>& raw, const std::array<int, 3>& click,
+                   int reach);
+
 //! `raw`: before smoothing.
 ClickIntensities readClick(const CellGrid& cells, const std::vector<float>& raw,
                            const std::vector<float>& values, const std::array<int, 3>& click,

@@ -46,7 +46,8 @@ const Layers& layers() {
     add("core/evolution", {"core/surgery", "core/object"});
     add("core/solid", {"core/collision", "core/object"});
     add("core/measure", {"core/solid"});
-    add("core/io", {"core/evolution", "core/measure"});
+    add("core/sensitivity", {"core/evolution", "core/solid"});
+    add("core/io", {"core/measure", "core/sensitivity"});
     add("sample_volumes", {"core/io"});
     add("python", {"sample_volumes"});
     add("ui/model", {"core/io"});
