@@ -75,12 +75,13 @@ LeakAnswer asked(const Leak& leak) {
 }
 
 //! A disc across the passage, and from before the leak on. False where that cannot be: the surface would lie
-//! across it.
+//! across it. Discs that were put up later than where this one leads back to stay: else the surface would
+//! come through their passages again.
 bool wallIn(History& history, const Leak& leak) try {
   const int now = history.iteration();
-  history.goTo(history.lastBefore(leak));
   Request request{history.seeds(), history.parameters(), history.constraints()};
   request.constraints.walls.discs.push_back(leak.disc);
+  history.goTo(history.lastBefore(leak));
   try {
     history.change(request);
   } catch (...) {

@@ -14,10 +14,7 @@ ObjectImage::Reading ObjectImage::read(const Vec3& world) const {
   const Vec3 index = volume_->grid().toIndex(world);
   Reading reading{volume_->sample(index), limitsWithin(index, world, true)};
   if (neck_) reading.limits.most = std::min(reading.limits.most, neck_->barrier->openness(index));
-  if (walls_) {
-    const double voxel = volume_->grid().meanSpacing();
-    reading.limits.most = std::min(reading.limits.most, walls_->room(world, index) / voxel);
-  }
+  if (walls_) reading.limits.most = std::min(reading.limits.most, walls_->room(world, index) / voxel_);
   return reading;
 }
 

@@ -52,6 +52,7 @@ class ObjectImage {
   std::shared_ptr<const ObjectImage> behind(std::shared_ptr<const Walls> walls) const {
     auto image = std::make_shared<ObjectImage>(*this);
     image->walls_ = std::move(walls);
+    image->voxel_ = volume_->grid().meanSpacing();
     return image;
   }
 
@@ -113,6 +114,7 @@ class ObjectImage {
   std::shared_ptr<const FieldOfView> view_;
   RegionLimits region_{};
   std::shared_ptr<const Walls> walls_{};
+  double voxel_ = 1;  // mm, mean; with walls
 };
 
 }  // namespace handlebody

@@ -70,8 +70,7 @@ void WallGuard::setPushing(const WallList& pushing) {
 Forbidden WallGuard::forbidden() const {
   if (!holding_) return {};
   const auto holds = [walls = holding_](const Vec3& a, const Vec3& b, const Vec3& c) {
-    const bool isNear = walls->isNear(a) || walls->isNear(b) || walls->isNear(c);
-    return isNear && !walls->clears(a, b, c);
+    return !walls->clears(a, b, c);
   };
   const auto places = [walls = holding_](const Vec3& low, const Vec3& high) {
     return walls->places((low + high) / 2, (high - low).norm() / 2);
@@ -128,7 +127,7 @@ std::optional<Vec3> WallGuard::broken(const Mesh& mesh, std::span<const unsigned
   for (const Triangle& t : mesh.faces()) {
     if (t[0] < 0 || !(isTouched(t[0]) || isTouched(t[1]) || isTouched(t[2]))) continue;
     const Vec3 &a = mesh.position(t[0]), &b = mesh.position(t[1]), &c = mesh.position(t[2]);
-    if (holding_->isNear(a) && holding_->touches(a, b, c)) return a;
+    if (holding_->touches(a, b, c)) return a;
   }
   for (const Event& e : events)
     if (holding_->isNear(e.location) && enclosesAny(mesh, *holding_, e.location, kSwallows * edgeLength_))

@@ -25,6 +25,7 @@ constexpr double kSmallPart = 4;      // edge lengths: no step carries a front o
 constexpr double kLeastBulge = 0.08;  // voxels of mean size: that edges stand out of a surface that is smooth
 constexpr double kMostBulge = 0.3;    // voxels of mean size: what objects may lie apart is half of one
 constexpr double kObjectCell = 2;     // voxels of mean size
+constexpr double kNotMore = 0.999;    // of what is free: far above the rounding of single precision
 constexpr double kLongestFace = 4.5;  // edge lengths: longer than any edge, three times the paper's bound
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
@@ -60,18 +61,27 @@ void Walls::chooseBricks() {
     bricks_[a] = (grid_.size[a] + brickSize_[a] - 1) / brickSize_[a];
   }
   const std::size_t count = idx(bricks_[0]) * idx(bricks_[1]) * idx(bricks_[2]);
+  const Vec3 bricksPerMm =
+      (grid_.spacing.cwiseProduct(Vec3(brickSize_[0], brickSize_[1], brickSize_[2]))).cwiseInverse();
+  toBricks_ = bricksPerMm.asDiagonal() * grid_.direction.transpose();
+  brickOrigin_ =
+      Vec3(0.5 / brickSize_[0], 0.5 / brickSize_[1], 0.5 / brickSize_[2]) - toBricks_ * grid_.origin;
+  free_.assign(count, static_cast<float>(kNotMore * reach_));
   near_.assign(count, false);
   hasVoxels_.assign(count, false);
   first_.assign(count + 1, 0);
 }
 
-Walls::Index Walls::brickOf(const Vec3& index) const {
+Walls::Index Walls::clampedBrick(const Vec3& bricks) const {
   Index b{};
-  for (std::size_t a = 0; a < 3; ++a) {
-    const double brick = (index[static_cast<int>(a)] + 0.5) / brickSize_[a];
-    b[a] = static_cast<int>(std::clamp(brick, 0.0, bricks_[a] - 1.0));
-  }
+  for (std::size_t a = 0; a < 3; ++a)
+    b[a] = static_cast<int>(std::clamp(bricks[static_cast<int>(a)], 0.0, bricks_[a] - 1.0));
   return b;
+}
+
+Walls::Index Walls::brickOf(const Vec3& index) const {
+  return clampedBrick(
+      {(index[0] + 0.5) / brickSize_[0], (index[1] + 0.5) / brickSize_[1], (index[2] + 0.5) / brickSize_[2]});
 }
 
 Walls::Range Walls::bricksWithin(const Vec3& low, const Vec3& high, double mm) const {
@@ -101,14 +111,30 @@ void forEach(const Range& r, F&& f) {
 
 }  // namespace
 
+//! Places outside of the bricks count as in the nearest one: no two of them come further apart by that, so
+//! what holds from the ball's own nearest place holds for all. `ball`: continuous voxel index of its centre.
+void Walls::limitFree(const Index& b, const Vec3& ball, double guard) {
+  Vec3 away;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const int axis = static_cast<int>(a);
+    const double size = brickSize_[a], low = b[a] * size - 0.5;
+    const double centre = std::clamp(ball[axis], -0.5, bricks_[a] * size - 0.5);
+    away[axis] = std::max({0.0, low - centre, centre - low - size}) * grid_.spacing[axis];
+  }
+  float& free = free_[idx(brickAt(b))];
+  free = std::min(free, static_cast<float>(kNotMore * std::max(0.0, away.norm() - guard)));
+}
+
 void Walls::fillBalls() {
   std::vector<std::vector<int>> held(first_.size() - 1);
   for (std::size_t i = 0; i < list_.balls.size(); ++i) {
     const Vec3 index = grid_.toIndex(list_.balls[i].centre);
     forEach(bricksWithin(index, index, reaches_[i].rest + far_),
             [&](const Index& b) { held[idx(brickAt(b))].push_back(static_cast<int>(i)); });
-    forEach(bricksWithin(index, index, reaches_[i].rest + reach_),
-            [&](const Index& b) { near_[idx(brickAt(b))] = true; });
+    forEach(bricksWithin(index, index, reaches_[i].rest + reach_), [&](const Index& b) {
+      near_[idx(brickAt(b))] = true;
+      limitFree(b, index, reaches_[i].guard);
+    });
   }
   for (std::size_t b = 0; b < held.size(); ++b) {
     balls_.insert(balls_.end(), held[b].begin(), held[b].end());
@@ -129,8 +155,10 @@ void Walls::fillDiscs() {
       low = low.cwiseMin(index);
       high = high.cwiseMax(index);
     }
-    forEach(bricksWithin(low, high, discRest_ + std::max(far_, reach_)),
-            [&](const Index& b) { near_[idx(brickAt(b))] = nearDiscs_[idx(brickAt(b))] = true; });
+    forEach(bricksWithin(low, high, discRest_ + std::max(far_, reach_)), [&](const Index& b) {
+      near_[idx(brickAt(b))] = nearDiscs_[idx(brickAt(b))] = true;
+      free_[idx(brickAt(b))] = 0;
+    });
   }
 }
 
@@ -147,7 +175,10 @@ void Walls::fillMap() {
   dilate(nearVoxels_, margin_ + far_);
   std::vector<bool> around = hasVoxels_;
   dilate(around, margin_ + reach_);
-  for (std::size_t b = 0; b < near_.size(); ++b) near_[b] = near_[b] || around[b];
+  for (std::size_t b = 0; b < near_.size(); ++b) {
+    near_[b] = near_[b] || around[b];
+    if (around[b]) free_[b] = 0;
+  }
 }
 
 void Walls::fillObjects() {
@@ -157,12 +188,17 @@ void Walls::fillObjects() {
     const auto corner = [&](std::size_t i) { return grid_.toIndex(objects_->points()[idx(t[i])]); };
     const Vec3 a = corner(0), b = corner(1), c = corner(2);
     forEach(bricksWithin(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c), clearance_ + reach_),
-            [&](const Index& i) { near_[idx(brickAt(i))] = true; });
+            [&](const Index& i) {
+              near_[idx(brickAt(i))] = true;
+              free_[idx(brickAt(i))] = 0;
+            });
   }
   forEach(Range{{0, 0, 0}, {bricks_[0] - 1, bricks_[1] - 1, bricks_[2] - 1}}, [&](const Index& b) {
     Vec3 middle;
     for (std::size_t a = 0; a < 3; ++a) middle[static_cast<int>(a)] = (b[a] + 0.5) * brickSize_[a] - 0.5;
-    if (objects_->encloses(grid_.toWorld(middle))) near_[idx(brickAt(b))] = true;
+    if (!objects_->encloses(grid_.toWorld(middle))) return;
+    near_[idx(brickAt(b))] = true;
+    free_[idx(brickAt(b))] = 0;
   });
   for (const WallSurface::Part& part : objects_->parts())
     if (part.extent < kSmallPart * edgeLength_) smallParts_.push_back(part.place);
@@ -188,7 +224,7 @@ bool Walls::isWall(const Index& v) const {
   return (*list_.map->voxels)[row * idx(grid_.size[0]) + idx(v[0])];
 }
 
-bool Walls::isNear(const Vec3& world) const { return near_[idx(brickAt(brickOf(grid_.toIndex(world))))]; }
+bool Walls::isNear(const Vec3& world) const { return near_[idx(brickAt(clampedBrick(inBricks(world))))]; }
 
 double Walls::room(const Vec3& world, const Vec3& index) const {
   const std::size_t brick = idx(brickAt(brickOf(index)));
@@ -280,11 +316,13 @@ std::vector<Vec3> Walls::places(const Vec3& world, double within) const {
 
 bool Walls::meets(const Vec3& a, const Vec3& b, const Vec3& c, bool withMargin, Touched* which) const {
   const std::array<Vec3, 3> world{a, b, c};
-  const std::array<Vec3, 3> index{grid_.toIndex(a), grid_.toIndex(b), grid_.toIndex(c)};
-  const Vec3 low = index[0].cwiseMin(index[1]).cwiseMin(index[2]);
-  const Vec3 high = index[0].cwiseMax(index[1]).cwiseMax(index[2]);
-  const Range bricks = bricksWithin(low, high, 0);
-  const bool balls = meetsBalls(world, bricks, withMargin, which);
+  const double size = std::sqrt(std::max((b - a).squaredNorm(), (c - a).squaredNorm()));
+  const Vec3 first = inBricks(a);
+  if (size < static_cast<double>(free_[idx(brickAt(clampedBrick(first)))])) return false;
+  const Vec3 second = inBricks(b), third = inBricks(c);
+  const Range bricks{clampedBrick(first.cwiseMin(second).cwiseMin(third)),
+                     clampedBrick(first.cwiseMax(second).cwiseMax(third))};
+  const bool balls = meetsBalls(world, size, bricks, withMargin, which);
   if (balls && !which) return true;
   const bool discs = !discs_.empty() && meetsDiscs(world, withMargin, which);
   if (discs && !which) return true;
@@ -292,7 +330,8 @@ bool Walls::meets(const Vec3& a, const Vec3& b, const Vec3& c, bool withMargin, 
   if (objects && !which) return true;
   bool voxels = false;
   if (list_.map) forEach(bricks, [&](const Index& v) { voxels = voxels || nearVoxels_[idx(brickAt(v))]; });
-  return (voxels && meetsVoxels(index, withMargin, which)) || balls || discs || objects;
+  if (voxels) voxels = meetsVoxels({grid_.toIndex(a), grid_.toIndex(b), grid_.toIndex(c)}, withMargin, which);
+  return voxels || balls || discs || objects;
 }
 
 bool Walls::meetsDiscs(const std::array<Vec3, 3>& t, bool withMargin, Touched* which) const {
@@ -314,9 +353,8 @@ bool Walls::meetsObjects(const std::array<Vec3, 3>& t, bool withMargin, Touched*
   return true;
 }
 
-bool Walls::meetsBalls(const std::array<Vec3, 3>& t, const Range& bricks, bool withMargin,
+bool Walls::meetsBalls(const std::array<Vec3, 3>& t, double size, const Range& bricks, bool withMargin,
                        Touched* which) const {
-  const double size = std::sqrt(std::max((t[1] - t[0]).squaredNorm(), (t[2] - t[0]).squaredNorm()));
   bool any = false;
   forEach(bricks, [&](const Index& b) {
     const std::size_t brick = idx(brickAt(b));

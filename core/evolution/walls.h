@@ -26,7 +26,8 @@ class Walls {
   double distance(const Vec3& world, double limit) const;
   //! False if no face of usual size with a corner there comes near a wall.
   bool isNear(const Vec3& world) const;
-  //! True if no point of the triangle lies in a wall or within the margin of one.
+  //! True if no point of the triangle lies in a wall or within the margin of one. Costs next to nothing where
+  //! no wall is near.
   bool clears(const Vec3& a, const Vec3& b, const Vec3& c) const { return !meets(a, b, c, true, nullptr); }
 
   //! What of the walls a triangle touches.
@@ -71,12 +72,17 @@ class Walls {
   void fillObjects();
   int brickAt(const Index& b) const { return (b[2] * bricks_[1] + b[1]) * bricks_[0] + b[0]; }
   Index brickOf(const Vec3& index) const;
+  //! Continuous brick index of a place in mm.
+  Vec3 inBricks(const Vec3& world) const { return toBricks_ * world + brickOrigin_; }
+  Index clampedBrick(const Vec3& bricks) const;
+  void limitFree(const Index& b, const Vec3& ball, double guard);
   //! Of all bricks between two continuous indices, widened by mm.
   Range bricksWithin(const Vec3& low, const Vec3& high, double mm) const;
   Range voxelsWithin(const Vec3& low, const Vec3& high, double mm) const;
   void dilate(std::vector<bool>& flags, double mm) const;
   bool meets(const Vec3& a, const Vec3& b, const Vec3& c, bool withMargin, Touched* which) const;
-  bool meetsBalls(const std::array<Vec3, 3>& world, const Range& bricks, bool withMargin,
+  //! `size`: no less than from the first corner to the others, mm.
+  bool meetsBalls(const std::array<Vec3, 3>& world, double size, const Range& bricks, bool withMargin,
                   Touched* which) const;
   bool meetsDiscs(const std::array<Vec3, 3>& world, bool withMargin, Touched* which) const;
   bool meetsObjects(const std::array<Vec3, 3>& world, bool withMargin, Touched* which) const;
@@ -93,6 +99,9 @@ class Walls {
   double reach_ = 0;      // mm: longer than any face
   std::vector<Reach> reaches_;
   std::array<int, 3> brickSize_{1, 1, 1}, bricks_{1, 1, 1};  // voxels; number
+  Eigen::Matrix3d toBricks_;                                 // from mm
+  Vec3 brickOrigin_;
+  std::vector<float> free_;         // per brick: mm from any place in it to the next guarded place, at least
   std::vector<int> first_, balls_;  // which balls a brick holds: first_[b] … first_[b + 1]
   std::vector<DiscShape> discs_;
   double discGuard_ = 0;         // mm: no face nearer to a disc

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "core/collision/self_intersection.h"
+#include "core/geometry/closest_points.h"
 
 namespace handlebody {
 
@@ -46,19 +48,46 @@ Plane planeOf(const TriangleSoup& mesh, int face) {
 
 using Votes = std::map<int, Vec3>;
 
-//! Where the vertices of the pairs should go: to the side of the plane, of the face that their own one meets,
-//! on which they lie. Vertices that are not near that plane are not the cause.
+void voteFor(int vertex, const Vec3& direction, Votes& votes) {
+  votes.emplace(vertex, Vec3::Zero()).first->second += direction;
+}
+
+//! Where the vertices of a face should go: to the side of the plane, of the face that it meets, on which they
+//! lie. Vertices that are not near that plane are not the cause. False if none is.
+bool voteByPlane(const TriangleSoup& exact, int mine, int other, Votes& votes) {
+  const Plane plane = planeOf(exact, other);
+  bool any = false;
+  for (int v : exact.triangles[static_cast<std::size_t>(mine)]) {
+    const Vec3& p = exact.points[static_cast<std::size_t>(v)];
+    const double side = (p - plane.centre).dot(plane.normal);
+    if (std::abs(side) > kMostNudge * unitInLastPlace(p)) continue;
+    voteFor(v, side < 0 ? Vec3(-plane.normal) : plane.normal, votes);
+    any = true;
+  }
+  return any;
+}
+
+//! Two edges that cross close by, with all corners far from the other face's plane: both faces go away from
+//! each other along the shortest way between them.
+void voteByWayBetween(const TriangleSoup& exact, int f, int g, Votes& votes) {
+  const Triangle &s = exact.triangles[static_cast<std::size_t>(f)],
+                 &t = exact.triangles[static_cast<std::size_t>(g)];
+  const auto corners = [&](const Triangle& face) {
+    std::array<Vec3, 3> out;
+    for (std::size_t i = 0; i < 3; ++i) out[i] = exact.points[static_cast<std::size_t>(face[i])];
+    return out;
+  };
+  const auto [p, q] = closestPoints(corners(s), corners(t));
+  const Vec3 apart = (p - q).stableNormalized();
+  for (const int v : s) voteFor(v, apart, votes);
+  for (const int v : t) voteFor(v, -apart, votes);
+}
+
 void vote(const TriangleSoup& exact, const std::vector<FacePair>& pairs, Votes& votes) {
-  for (const auto& [f, g] : pairs)
-    for (const auto& [mine, other] : {std::pair(f, g), std::pair(g, f)}) {
-      const Plane plane = planeOf(exact, other);
-      for (int v : exact.triangles[static_cast<std::size_t>(mine)]) {
-        const Vec3& p = exact.points[static_cast<std::size_t>(v)];
-        const double side = (p - plane.centre).dot(plane.normal);
-        if (std::abs(side) > kMostNudge * unitInLastPlace(p)) continue;
-        votes.emplace(v, Vec3::Zero()).first->second += side < 0 ? Vec3(-plane.normal) : plane.normal;
-      }
-    }
+  for (const auto& [f, g] : pairs) {
+    const bool mine = voteByPlane(exact, f, g, votes), other = voteByPlane(exact, g, f, votes);
+    if (!mine && !other) voteByWayBetween(exact, f, g, votes);
+  }
 }
 
 Vec3 randomDirection(int vertex, int turn) {

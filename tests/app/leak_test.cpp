@@ -1,6 +1,8 @@
 // Discs as walls and the leak alarm on the command line.
 
 #include <algorithm>
+#include <cmath>
+#include <fstream>
 
 #include "tests/app/refusal.h"
 #include "tests/app/run_cli.h"
@@ -30,6 +32,26 @@ Outcome segment(const PhantomFile& phantom, const Arguments& more) {
 nlohmann::json parsed(const std::string& path) { return nlohmann::json::parse(readBytes(path)); }
 
 double volumeIn(const nlohmann::json& report) { return report.at("mesh").at("volume_mm3").get<double>(); }
+
+//! A chamber of 30 mm with a pipe of 20 mm to a second one and a hole, further from the seed, to a third: the
+//! front is in the pipe before it is in the hole, but comes out of it later.
+void writePipeAndHole(const std::string& path) {
+  std::ofstream file(path, std::ios::binary);
+  file << "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
+       << "CompressedData = False\nTransformMatrix = 1 0 0 0 1 0 0 0 1\nOffset = 0 0 0\n"
+       << "ElementSpacing = 1 1 1\nDimSize = 90 72 40\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n";
+  const auto within = [](double a, double low, double high) { return a >= low && a <= high; };
+  for (int z = 0; z < 40; ++z)
+    for (int y = 0; y < 72; ++y)
+      for (int x = 0; x < 90; ++x) {
+        const bool chambers =
+            within(z, 5, 34) && ((within(y, 5, 34) && (within(x, 5, 34) || within(x, 55, 84))) ||
+                                 (within(y, 37, 66) && within(x, 5, 34)));
+        const bool pipe = within(x, 35, 54) && std::hypot(y - 19.5, z - 19.5) < (x < 38 ? 2.2 : 3.3);
+        const bool hole = within(y, 35, 36) && std::hypot(x - 29.0, z - 19.5) < 2.6;
+        file.put(chambers || pipe || hole ? 50 : static_cast<char>(200));
+      }
+}
 
 constexpr double kBothChambers = 1.5 * 40 * 60 * 60;  // mm³; more than one of them holds
 
@@ -102,6 +124,23 @@ TEST_CASE("on-leak wall puts a disc across and goes on, and replay makes the sam
     REQUIRE(runCli({"replay", folder / from, "-o", folder / "b.stl"}).exitCode == 0);
     CHECK(readBytes(folder / "a.stl") == readBytes(folder / "b.stl"));
   }
+}
+
+TEST_CASE("a wall that leads back to before an earlier one keeps that", "[cli][leaks]") {
+  const TempFolder folder;
+  writePipeAndHole(folder / "rooms.mha");
+  const Outcome walled =
+      runCli({"segment", folder / "rooms.mha", "--seed", "19.5,19.5,19.5,4", "--range", "0,120", "--on-leak",
+              "wall", "-o", folder / "a.stl", "--report", folder / "r.json", "--session", folder / "s.json"});
+  CHECK(walled.exitCode == 0);
+  const auto report = parsed(folder / "r.json");
+  CHECK(report.at("stopped") == "converged");
+  CHECK(volumeIn(report) < 1.1 * 30 * 30 * 30);
+  REQUIRE(report.at("leaks").size() == 2);  // and not the first one again
+  const auto& changes = report.at("requested").at("changes");
+  CHECK(changes.back().at("constraints").at("wall_discs").size() == 2);
+  REQUIRE(runCli({"replay", folder / "s.json", "-o", folder / "b.stl"}).exitCode == 0);
+  CHECK(readBytes(folder / "a.stl") == readBytes(folder / "b.stl"));
 }
 
 TEST_CASE("bad discs and choices are refused with one sentence", "[cli][leaks]") {

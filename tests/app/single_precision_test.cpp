@@ -58,6 +58,21 @@ TriangleSoup dentedBlock(double thickness, double turn) {
   return s;
 }
 
+//! Two cubes of 10 mm, each standing on an edge, one upside down above the other: their edges cross, `gap` mm
+//! apart, far from all corners.
+TriangleSoup crossedEdges(double gap, double turn) {
+  TriangleSoup lower = zoo::scaled(zoo::cube(2), 10), upper = lower;
+  const double quarter = std::acos(0.0) / 2, half = 5 * std::sqrt(2.0);
+  for (Vec3& p : lower.points)
+    p = Eigen::AngleAxisd(quarter, Vec3::UnitX()) * (p - Vec3::Constant(5)) - Vec3(0, 0, half);
+  for (Vec3& p : upper.points)
+    p = Eigen::AngleAxisd(quarter, Vec3::UnitY()) * (p - Vec3::Constant(5)) + Vec3(1.9, 2.3, half + gap);
+  TriangleSoup both = zoo::both(lower, upper);
+  for (Vec3& p : both.points)
+    p = Eigen::AngleAxisd(turn, Vec3(1, 2, -1).normalized()) * p + Vec3(80.1, 80.2, 80.3);
+  return both;
+}
+
 }  // namespace
 
 TEST_CASE("a mesh whose rounding keeps it apart is rounded to the nearest, and nothing else") {
@@ -81,6 +96,22 @@ TEST_CASE("sheets that rounding makes touch are moved apart by a few units in th
       CHECK(certifiedForExport(mesh).certificate.passes());
     }
   CHECK(touched > 3);  // the test would be empty if rounding did no harm
+}
+
+TEST_CASE("edges that cross so close that rounding makes them touch are moved apart") {
+  int touched = 0;
+  for (const double gap : {0.02, 0.1, 0.4})
+    for (int i = 0; i < 20; ++i) {
+      const double turn = 0.1 + 0.15 * i;
+      CAPTURE(gap, turn);
+      const TriangleSoup mesh = crossedEdges(gap * kUnit, turn);
+      REQUIRE(certify(mesh).passes());
+      touched += !certify(plainlyRounded(mesh)).passes();
+      const TriangleSoup rounded = roundedToSingle(mesh);
+      CHECK(certify(rounded).passes());
+      CHECK(farthestMove(mesh, rounded) <= (kMostNudge + 1) * kUnit);
+    }
+  CHECK(touched > 10);
 }
 
 TEST_CASE("a part so thin that rounding makes its sides touch keeps them apart") {

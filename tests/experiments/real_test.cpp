@@ -2,8 +2,6 @@
 // whatever the image is like, the mesh that comes out is certified.
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
 #include <iostream>
 #include <numeric>
 #include <string>
@@ -11,8 +9,7 @@
 
 #include "core/collision/certify.h"
 #include "core/evolution/active_contour.h"
-#include "core/io/mesh_io.h"
-#include "core/io/volume_io.h"
+#include "tests/experiments/real_cases.h"
 #include "tests/support/catch.h"
 #include "tests/support/wall_support.h"
 #ifdef HANDLEBODY_WITH_ORACLE
@@ -20,65 +17,15 @@
 #endif
 
 using namespace handlebody;
-using handlebody::testing::clearance;
+using namespace handlebody::testing;
 
 namespace {
-
-struct RealCase {
-  const char* name;
-  const char* volume;
-  Vec3 seedIndex;
-  double radiusVoxels;
-  ObjectKind object;
-  const char* label;  // or null
-};
-
-const RealCase kCases[] = {
-    {"us_vessel", "us_liver_invivo/liver_us_1mm.mha", {148, 101, 84}, 3, ObjectKind::dark, nullptr},
-    {"ventricle", "mr_t1_head/MR.nii.gz", {76, 140, 75}, 2, ObjectKind::dark, nullptr},
-    {"trachea", "ct_thorax_cta/ct_thorax_1p5mm.nii.gz", {44, 65, 140}, 3, ObjectKind::dark, nullptr},
-    {"aorta",
-     "ct_thorax_cta/ct_thorax_1p5mm.nii.gz",
-     {61, 72, 140},
-     3,
-     ObjectKind::bright,
-     "ct_thorax_cta/label_aorta_true_lumen.nii.gz"},
-    {"cord",
-     "mr_spinalcord/t2.nii.gz",
-     {32, 20, 26},
-     2,
-     ObjectKind::dark,
-     "mr_spinalcord/t2_seg-manual.nii.gz"},
-};
-
-std::string folder() {
-  if (const char* set = std::getenv("HANDLEBODY_VOLUMES")) return set;
-  return std::string(HANDLEBODY_SOURCE_DIR) + "/../shared/volumes";
-}
-
-double dice(const TriangleSoup& mesh, const Volume& label) {
-  const Volume mine = rasterize(mesh, label.grid);
-  double both = 0, sum = 0;
-  visitVoxels(label, [&](const auto* truth) {
-    for (std::size_t i = 0; i < label.grid.voxelCount(); ++i) {
-      const bool a = mine.data<std::uint8_t>()[i] != 0, b = truth[i] > 0;
-      both += a && b;
-      sum += static_cast<double>(a) + static_cast<double>(b);
-    }
-  });
-  return 2 * both / sum;
-}
 
 struct RealOutcome {
   double millilitres = 0;
   double dice = 0;  // 0 without a label
   std::vector<std::string> doubts;
 };
-
-const RealCase& caseOf(const std::string& name) {
-  return *std::find_if(std::begin(kCases), std::end(kCases),
-                       [&](const RealCase& r) { return name == r.name; });
-}
 
 ActiveContour begun(const RealCase& c, const Constraints& constraints = {}) {
   Volume volume = readVolume(folder() + "/" + c.volume);
@@ -118,12 +65,6 @@ bool warnsOf(const RealOutcome& o, const char* what) {
 const char* const kNeck = "held at a neck";
 const char* const kWidens = "grows wider than";
 const char* const kNoEdge = "shows no edge";
-
-bool volumesMissing() {
-  if (std::filesystem::exists(folder() + "/cases.json")) return false;
-  std::cout << "SKIPPED: no real volumes at " << folder() << " (set HANDLEBODY_VOLUMES)\n";
-  return true;
-}
 
 }  // namespace
 

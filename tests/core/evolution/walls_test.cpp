@@ -68,6 +68,30 @@ TEST_CASE("which walls a triangle touches is what every wall by itself says", "[
   CHECK((touched > 50 && touched < 950));
 }
 
+TEST_CASE("long faces that come from far away meet the few walls that they touch", "[walls]") {
+  Grid grid = cubicGrid(60);
+  grid.direction = Eigen::AngleAxisd(0.4, Vec3(1, -1, 2).normalized()).toRotationMatrix();
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> u(-2, 61), part(-1, 1);
+  const auto place = [&] { return grid.toWorld(Vec3(u(random), u(random), u(random))); };
+  const auto away = [&](double mm) { return Vec3(mm * Vec3(part(random), part(random), part(random))); };
+  WallList list;
+  for (int i = 0; i < 8; ++i) list.balls.push_back({place(), 1.0 + 0.3 * i});
+  const Walls walls(list, grid, 4, 0.4);
+  int touched = 0, far = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const WallBall& w = list.balls[static_cast<std::size_t>(i) % list.balls.size()];
+    const Vec3 a = w.centre + away(14), b = w.centre + away(w.radius + 2), c = a + away(4);
+    const bool expected = std::any_of(list.balls.begin(), list.balls.end(), [&](const WallBall& ball) {
+      return bruteDistance(ball.centre, a, b, c) <= ball.radius;
+    });
+    CHECK(walls.touches(a, b, c) == expected);
+    touched += expected;
+    far += expected && (a - w.centre).norm() > w.radius + 8;
+  }
+  CHECK((touched > 500 && far > 100));
+}
+
 TEST_CASE("a surface grows around walls, small and large, and never has a point in one", "[walls]") {
   for (const Direction direction : {Direction::outward, Direction::both}) {
     Parameters p;
