@@ -1,0 +1,64 @@
+// How much a result depends on clicks, smoothing and noise, on the command line.
+
+#include "tests/app/refusal.h"
+#include "tests/app/run_cli.h"
+#include "tests/support/catch.h"
+
+using namespace handlebody::test;
+using Catch::Matchers::Contains;
+
+TEST_CASE("segment --sensitivity tells volume and spread, and leaves the result as it is",
+          "[cli][sensitivity]") {
+  const TempFolder folder;
+  const PhantomFile ball = makePhantomFile(folder);
+  const auto segment = [&](const std::string& name, std::vector<std::string> more) {
+    std::vector<std::string> all{"segment",  ball.path,
+                                 "--seed",   ball.seed,
+                                 "-o",       folder / (name + ".stl"),
+                                 "--report", folder / (name + ".json")};
+    all.insert(all.end(), more.begin(), more.end());
+    const Outcome outcome = runCli(all);
+    INFO(outcome.err);
+    REQUIRE(outcome.exitCode == 0);
+    return outcome;
+  };
+  segment("plain", {"--quiet"});
+  const Outcome told = segment(
+      "told", {"--sensitivity", "3", "--sensitivity-surface", folder / "spread.vtp", "--threads", "2"});
+  CHECK(readBytes(folder / "plain.stl") == readBytes(folder / "told.stl"));
+  CHECK_THAT(told.out,
+             Contains("sensitivity: ") && Contains("in 3 of 3 perturbed runs, 3 with the same topology"));
+  CHECK_THAT(told.err, Contains("sensitivity: run 3 of 3"));
+  CHECK_THAT(readBytes(folder / "spread.vtp"), Contains("spread_mm"));
+
+  const auto plain = nlohmann::json::parse(readBytes(folder / "plain.json"));
+  const auto report = nlohmann::json::parse(readBytes(folder / "told.json"));
+  CHECK_FALSE(plain.contains("sensitivity"));
+  const auto& s = report.at("sensitivity");
+  CHECK(s.at("runs").size() == 3);
+  CHECK(s.at("grown") == 3);
+  CHECK(s.at("same_topology") == 3);
+  const double volume = report.at("mesh").at("volume_mm3");
+  CHECK(s.at("volume_mm3").at("mean").get<double>() == Approx(volume).epsilon(0.03));
+  CHECK(s.at("volume_mm3").at("standard_deviation").get<double>() > 0);
+  CHECK(s.at("spread_mm").at("largest").get<double>() > s.at("spread_mm").at("mean").get<double>());
+  CHECK(report.at("seconds").at("sensitivity").get<double>() > 0);
+}
+
+TEST_CASE("a sensitivity that cannot be told is refused before any work", "[cli][sensitivity]") {
+  const TempFolder folder;
+  const PhantomFile ball = makePhantomFile(folder);
+  const auto refused = [&](std::vector<std::string> more, const std::string& named) {
+    std::vector<std::string> all{"segment", ball.path, "--seed", ball.seed, "-o", folder / "out.stl"};
+    all.insert(all.end(), more.begin(), more.end());
+    requireRefusal(folder, all, 2, named);
+  };
+  refused({"--sensitivity", "1"}, "--sensitivity");
+  refused({"--sensitivity", "1001"}, "--sensitivity");
+  refused({"--sensitivity", "many"}, "--sensitivity");
+  refused({"--sensitivity-surface", folder / "s.vtp"}, "--sensitivity-surface");
+  refused({"--sensitivity", "2", "--sensitivity-surface", folder / "s.stl"}, "--sensitivity-surface");
+  refused({"--sensitivity", "2", "--sensitivity-surface", folder / "none/s.vtp"}, "--sensitivity-surface");
+  refused({"--sensitivity", "2", "--pin", "0,0,0,5@3"}, "--sensitivity");
+  refused({"--sensitivity", "2", "--sensitivity-surface", folder / "out.stl"}, "--sensitivity-surface");
+}
