@@ -138,7 +138,8 @@ std::vector<Leak> LeakAlarm::look(const Mesh& mesh, std::span<const int> moving,
   if (!isCovered(mesh, moving)) chart(mesh, scene);
   for (const Entry& entry : enteredBy(mesh, moving)) {
     Leak leak{scene.iteration, map_->passages()[entry.passage], {}, {}};
-    if (!leak.passage.isSeen) leak.passage.place = mesh.position(entry.vertex);
+    // The narrowest place of a space that widens may lie anywhere in it; what has widened begins here.
+    if (!leak.passage.isSeen || leak.passage.isWidening) leak.passage.place = mesh.position(entry.vertex);
     leak.disc = discAcross(scene.image, leak.passage);
     leak.place = leak.disc.centre;
     leaks.push_back(leak);

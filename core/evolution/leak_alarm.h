@@ -1,5 +1,6 @@
 #pragma once
-// The alarm that a growing surface has come through a passage much narrower than what lies on both sides.
+// The alarm that a growing surface has come through a passage much narrower than what lies on both sides, or
+// out of its space into one much wider.
 
 #include <memory>
 #include <optional>

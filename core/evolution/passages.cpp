@@ -82,7 +82,8 @@ PassageMap::PassageMap(const ObjectImage& image, const Walls* walls, const Voxel
       cores[idx(n - 1)].push_back(i);
   for (std::size_t k = 0; k < mergings.size(); ++k) {
     const Merging& m = mergings[k];
-    passages_.push_back({placeOf(m.at), m.level, m.before, m.behind, placeOf(m.peak), m.level > 0});
+    passages_.push_back(
+        {placeOf(m.at), m.level, m.before, m.behind, placeOf(m.peak), m.level > 0, m.isWidening});
     markBehind(k, radius, cores[k], ballOf(m));
   }
 }

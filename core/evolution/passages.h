@@ -20,21 +20,23 @@ struct VoxelBox {
 
 //! A passage between the side of the seeds and what lies behind it. Radii are those of balls, mm.
 struct Passage {
-  Vec3 place{0, 0, 0};   //!< mm, LPS: where it is narrowest; isSeen only
-  double radius = 0;     //!< of the widest ball that passes
-  double before = 0;     //!< of the widest ball on the side of the seeds
-  double behind = 0;     //!< of the widest ball on the other side
-  Vec3 widest{0, 0, 0};  //!< mm, LPS: the middle of that ball
-  bool isSeen = true;    //!< false: the voxels show no way through
+  Vec3 place{0, 0, 0};      //!< mm, LPS: where it is narrowest; isSeen only
+  double radius = 0;        //!< of the widest ball that passes
+  double before = 0;        //!< of the widest ball on the side of the seeds
+  double behind = 0;        //!< of the widest ball on the other side
+  Vec3 widest{0, 0, 0};     //!< mm, LPS: the middle of that ball
+  bool isSeen = true;       //!< false: the voxels show no way through
+  bool isWidening = false;  //!< no narrower than what lies before it, but what lies behind is much wider
 };
 
 //! The passages of a part of the volume.
 //!
 //! Every voxel of the object holds the radius of the largest ball around it. Taken from the widest down, the
 //! voxels make spaces that merge at the passages between them (space_tree.h). Where a space without a seed
-//! merges with that of the seeds, and the passage is much narrower than either, what lies behind is marked as
-//! far as balls reach that are as much wider than the passage. Cavities count as filled: the way around an
-//! island is no narrow one. Neither the volume's border nor that of the box narrows anything.
+//! merges with that of the seeds, and the passage is much narrower than either, or that space is much wider
+//! than all that lies before it, what lies behind is marked as far as balls reach that are as much wider than
+//! the passage. Cavities count as filled: the way around an island is no narrow one. Neither the volume's
+//! border nor that of the box narrows anything.
 class PassageMap {
  public:
   //! `starts`: mm, on the side of the seeds; those that lie outside of the object or the box do not count.

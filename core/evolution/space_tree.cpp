@@ -137,14 +137,23 @@ bool isNarrow(const Merging& m, const NarrowRule& rule) {
          m.behind >= rule.leastPart * m.before;
 }
 
+bool isWidening(const Merging& m, const NarrowRule& rule) {
+  return m.behind >= rule.leastBehind && m.behind >= rule.widening * m.before;
+}
+
 }  // namespace
 
 void SpaceTree::judge(const Border& border, const Space& before, std::uint32_t behind,
                       const NarrowRule& rule) {
   const double level = static_cast<double>(border.level);
-  const Merging m{level, border.at, widestAbove(before.past, rule.above * level),
-                  static_cast<double>(peakOf(spaces_[behind])), spaces_[behind].peak};
-  if (!isNarrow(m, rule) || told_.size() >= kMost) return;
+  Merging m{level, border.at, widestAbove(before.past, rule.above * level),
+            static_cast<double>(peakOf(spaces_[behind])), spaces_[behind].peak};
+  if (!isNarrow(m, rule)) {
+    m.before = std::max(level, widestAbove(before.past, 0));
+    m.isWidening = true;
+    if (!isWidening(m, rule)) return;
+  }
+  if (told_.size() >= kMost) return;
   told_.push_back(m);
   for (std::uint32_t b = 0; b < marks_.size(); ++b)
     if (find(b) == behind) marks_[b] = static_cast<std::uint8_t>(told_.size());

@@ -9,22 +9,25 @@
 
 namespace handlebody {
 
-//! Which passages are told: those much narrower than what lies on both sides. Lengths are those of radii.
+//! Which passages are told: those much narrower than what lies on both sides, and those out of a space into
+//! one much wider than all of it, which no narrowing tells. Lengths are those of radii.
 struct NarrowRule {
   double narrow = 0.4;       //!< the passage is at most this part of the space before it, and of that behind
   double above = 1.25;       //!< before it counts what is this many times as wide as the passage, so that a
                              //!< start in a bar between two spaces has nothing wide before it
   double leastPart = 0.3;    //!< the space behind is at least this part of the one before
   double leastBehind = 2.5;  //!< and at least this wide
+  double widening = 4;       //!< the space behind is this many times as wide as all before it
 };
 
 //! A passage where a space without a start merges with those that have one. Radii are those of balls.
 struct Merging {
-  double level = 0;        //!< radius of the widest ball that passes; 0: there is no way through
-  std::uint32_t at = 0;    //!< the cell where it is narrowest; level > 0 only
-  double before = 0;       //!< radius of the widest ball on the side of the start
-  double behind = 0;       //!< of the widest on the other side
-  std::uint32_t peak = 0;  //!< the cell in whose middle that is
+  double level = 0;         //!< radius of the widest ball that passes; 0: there is no way through
+  std::uint32_t at = 0;     //!< the cell where it is narrowest; level > 0 only
+  double before = 0;        //!< radius of the widest ball on the side of the start
+  double behind = 0;        //!< of the widest on the other side
+  std::uint32_t peak = 0;   //!< the cell in whose middle that is
+  bool isWidening = false;  //!< told for what lies behind: it need not be narrower than what lies before it
 };
 
 //! Cells fall into basins: from each of them steps to the widest of the 26 neighbours lead to the same peak.

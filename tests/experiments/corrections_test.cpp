@@ -17,13 +17,13 @@ using namespace handlebody::testing;
 
 namespace {
 
-//! Some seconds; HANDLEBODY_CORRECTIONS=1000 makes as many sequences, HANDLEBODY_CORRECTIONS_FROM=500 others.
+//! A minute; HANDLEBODY_CORRECTIONS=1000 makes as many sequences, HANDLEBODY_CORRECTIONS_FROM=500 others.
 int number(const char* variable, int otherwise) {
   const char* const text = std::getenv(variable);
   return text ? std::max(0, std::atoi(text)) : otherwise;
 }
 
-constexpr int kSequences = 12;
+constexpr int kSequences = 60;
 constexpr int kCorrections = 12;  // of a sequence
 
 //! A ball with a hollow, three bars that cross, a torus, two balls joined by a bar.

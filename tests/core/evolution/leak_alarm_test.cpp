@@ -73,6 +73,58 @@ TEST_CASE("spaces merge at their passages, and a space before or behind is as wi
   CHECK(tree.merge(left, rule).empty());
 }
 
+TEST_CASE("a space that opens into one four times as wide is told, also where nothing narrows it",
+          "[leaks]") {
+  const std::array<int, 3> size{13, 3, 3};
+  std::vector<float> radius(13 * 9, 0.0f);
+  const std::vector<float> row{1.5f, 1.75f, 1.5f, 1.5f, 3, 5, 6, 7, 6, 4, 2};
+  std::copy(row.begin(), row.end(), radius.begin() + 13 * 4 + 1);
+  const auto cell = [](std::size_t i) { return static_cast<std::uint32_t>(13 * 4 + 1 + i); };
+  SpaceTree tree(size, radius);
+  const std::vector<std::uint32_t> thin{cell(1)}, wide{cell(7)};
+  const std::vector<Merging> found = tree.merge(thin, {});
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].isWidening);
+  CHECK(found[0].before == 1.75);
+  CHECK(found[0].behind == 7);
+  CHECK(tree.behindWhich(cell(7)) == 1);
+  CHECK(tree.merge(wide, {}).empty());
+  NarrowRule rule;
+  rule.widening = 4.1;
+  CHECK(tree.merge(thin, rule).empty());
+}
+
+namespace {
+
+//! A tube of this radius that opens into a box of 30 mm.
+std::vector<Leak> leaksOutOf(double radius) {
+  const auto tubeAndBox = [radius](const Vec3& p) {
+    const Vec3 d = (p - Vec3(40, 20, 20)).cwiseAbs() - Vec3::Constant(15);
+    const double box = d.cwiseMax(0.0).norm() + std::min(0.0, d.maxCoeff());
+    const double tube = std::max(std::hypot(p.y() - 20, p.z() - 20) - radius, std::abs(p.x() - 16) - 12);
+    return std::min(box, tube);
+  };
+  Grid grid = cubicGrid(41);
+  grid.size[0] = 61;
+  Parameters p;
+  p.range = IntensityRange{-1e9, 100};
+  ActiveContour contour(darkObject(grid, tubeAndBox), {Seed{Vec3(10, 20, 20), 2.0}}, p);
+  return leaksOf(contour);
+}
+
+}  // namespace
+
+TEST_CASE("the alarm comes where the surface comes out of a tube into a space more than four times as wide",
+          "[leaks]") {
+  const std::vector<Leak> leaks = leaksOutOf(2.5);
+  REQUIRE(leaks.size() == 1);
+  CHECK(leaks[0].passage.isWidening);
+  CHECK(leaks[0].passage.behind > 13);
+  CHECK(leaks[0].passage.before < 3.5);
+  CHECK(std::abs(leaks[0].place.x() - 25) < 6);  // the box begins at 25 mm
+  CHECK(leaksOutOf(5).empty());
+}
+
 TEST_CASE("the alarm comes when the surface comes out of a hole, tells the passage, and comes once",
           "[leaks]") {
   ActiveContour contour = growing(2.5);

@@ -54,6 +54,15 @@ TEST_CASE("perturbed runs of a ball keep its topology, and their volumes are abo
   CHECK(s.meanSpread < 0.5);
   CHECK(s.spread95 >= s.meanSpread);
   CHECK(s.largestSpread >= s.spread95);
+  std::vector<double> volumes;
+  double distance = 0;  // the spread, a root mean square over the runs, is more than their mean, but not much
+  for (const PerturbedRun& r : s.runs) {
+    volumes.push_back(r.volume);
+    distance += r.distance / 8;
+  }
+  CHECK(s.deviation == Approx(deviationOf(volumes)));
+  CHECK(s.meanSpread >= distance);
+  CHECK(s.meanSpread < 1.6 * distance);
 
   std::vector<double> others;
   for (unsigned seed = 2; seed < 10; ++seed) others.push_back(examine(grow(noisyBall(30, seed)).mesh).volume);
@@ -119,6 +128,9 @@ TEST_CASE("a growth with a constraint that names an iteration is not perturbed")
   CHECK_THROWS_AS(requireRepeatable(pins), UsageError);
   edits.edits.push_back({});
   CHECK_THROWS_AS(requireRepeatable(edits), UsageError);
+  Result result = grow(ballVolume());
+  result.from.request.constraints = vetoes;
+  CHECK_THROWS_AS(sensitivityOf(result.mesh, result.from, 1, 1), UsageError);
 }
 
 TEST_CASE("noise leaves padding as it is, is rounded and clamped to the voxels' type") {
@@ -155,7 +167,7 @@ TEST_CASE("clicks move by a voxel at most and stay in the volume") {
   used.edgeLength = 1.5;
   std::mt19937_64 random(7);
   double furthest = 0;
-  std::set<double> smoothings;
+  std::set<double> smoothings, lows, highs;
   for (int n = 0; n < 200; ++n) {
     const Request p = perturbed(request, used, grid, {1, 0.2, 3}, random);
     for (std::size_t s = 0; s < 2; ++s) {
@@ -172,7 +184,12 @@ TEST_CASE("clicks move by a voxel at most and stay in the volume") {
     CHECK(p.parameters.range->low < p.parameters.range->high);
     CHECK(p.parameters.edgeLength == 1.5);
     smoothings.insert(*p.parameters.smoothing);
+    lows.insert(p.parameters.range->low);
+    highs.insert(p.parameters.range->high);
+    CHECK(std::abs(p.parameters.range->high - 20) <= 3);
   }
   CHECK(furthest > 0.9);
   CHECK(smoothings.size() > 100);
+  CHECK(lows.size() > 100);
+  CHECK(highs.size() > 100);
 }
