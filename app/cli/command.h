@@ -21,8 +21,9 @@ enum ExitCode : int {
   kInput = 3,
   kSeed = 4,
   kMaxIterations = 5,
-  kLeak = 6,       //!< stopped at a leak (--on-leak)
-  kIncomplete = 7  //!< `batch`: some cases have no result; `edit`: some tunnels are still open
+  kLeak = 6,  //!< stopped at a leak (--on-leak)
+  kIncomplete =
+      7  //!< `batch`: some cases have no result; `edit`: some tunnels are still open; `--frames`: some failed
 };
 
 //! What a parsed command line asks for; returns the exit code and throws the errors of core/errors.h.

@@ -6,6 +6,7 @@
 #include "app/cli/command.h"
 #include "core/io/json.h"
 #include "core/io/parse.h"
+#include "core/io/time_axis.h"
 #include "core/io/volume_io.h"
 #include "core/volume/intensity_statistics.h"
 
@@ -57,7 +58,16 @@ Json seriesToJson(const SeriesInfo& s) {
   return json;
 }
 
-Json toJson(const VolumeInfo& info, const std::optional<IntensityStatistics>& statistics) {
+//! "time_ms": null where the file does not say.
+void addTimes(Json& json, const TimeAxis& times) {
+  const bool known = !times.milliseconds.empty();
+  json["time_ms"] = known ? Json(times.milliseconds) : Json(nullptr);
+  json["frame_time_ms"] = evenStep(times) > 0 ? Json(evenStep(times)) : Json(nullptr);
+  if (known) json["sources"]["time"] = times.source;
+}
+
+Json toJson(const VolumeInfo& info, const TimeAxis& times,
+            const std::optional<IntensityStatistics>& statistics) {
   Json json = {
       {"version", HANDLEBODY_VERSION}, {"notice", kNotice}, {"path", info.path}, {"format", info.format}};
   Json& series = json["series"] = Json::array();
@@ -67,6 +77,7 @@ Json toJson(const VolumeInfo& info, const std::optional<IntensityStatistics>& st
   json["orientation"] = orientation(info.grid);
   json["type"] = voxelTypeName(info.type);
   json["frames"] = info.frames;
+  if (info.frames > 1) addTimes(json, times);
   json["intensities"] = nullptr;
   if (statistics) {
     Json percentiles = Json::object();
@@ -101,10 +112,22 @@ void printSeries(const SeriesInfo& s) {
   std::printf(s.note.empty() ? "\n" : "; no volume: %s\n", s.note.c_str());
 }
 
-void printGrid(const VolumeInfo& info) {
+void printTimes(int frames, const TimeAxis& times) {
+  std::printf(", %d time points", frames);
+  if (times.milliseconds.empty())
+    std::printf(" (the file does not say when)");
+  else if (const double step = evenStep(times); step > 0)
+    std::printf(", %g ms apart (from %s)", step, times.source.c_str());
+  else
+    std::printf(", %g to %g ms, unevenly (from %s)", times.milliseconds.front(), times.milliseconds.back(),
+                times.source.c_str());
+}
+
+void printGrid(const VolumeInfo& info, const TimeAxis& times) {
   const Grid& g = info.grid;
   std::printf("%d x %d x %d voxels, %s", g.size[0], g.size[1], g.size[2], voxelTypeName(info.type));
-  std::printf(info.frames == 1 ? "\n" : ", %d time points\n", info.frames);
+  if (info.frames > 1) printTimes(info.frames, times);
+  std::printf("\n");
   std::printf("spacing %g, %g, %g mm; origin %g, %g, %g mm (LPS)\n", g.spacing.x(), g.spacing.y(),
               g.spacing.z(), g.origin.x(), g.origin.y(), g.origin.z());
   printSources(info);
@@ -123,11 +146,12 @@ void printIntensities(const IntensityStatistics& statistics) {
   std::printf("\n");
 }
 
-void printText(const VolumeInfo& info, const std::optional<IntensityStatistics>& statistics) {
+void printText(const VolumeInfo& info, const TimeAxis& times,
+               const std::optional<IntensityStatistics>& statistics) {
   std::printf("%s: %s\n", info.path.c_str(), info.format.c_str());
   for (const SeriesInfo& s : info.series) printSeries(s);
   if (statistics) {
-    printGrid(info);
+    printGrid(info, times);
     printIntensities(*statistics);
   }
   for (const std::string& warning : info.warnings) std::printf("warning: %s\n", warning.c_str());
@@ -136,10 +160,11 @@ void printText(const VolumeInfo& info, const std::optional<IntensityStatistics>&
 int info(const InfoOptions& o) {
   const VolumeInfo found = inspectVolume(o.path, o.selection);
   const auto statistics = intensities(found, o);
+  const TimeAxis times = found.frames > 1 ? readTimeAxis(o.path, o.selection) : TimeAxis{};
   if (o.json)
-    std::fputs(jsonText(toJson(found, statistics)).c_str(), stdout);
+    std::fputs(jsonText(toJson(found, times, statistics)).c_str(), stdout);
   else
-    printText(found, statistics);
+    printText(found, times, statistics);
   return kDone;
 }
 

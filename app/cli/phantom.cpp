@@ -1,4 +1,5 @@
 #include "sample_volumes/phantom.h"
+#include "sample_volumes/beating.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -13,15 +14,20 @@
 #include "core/io/json.h"
 #include "core/io/mesh_io.h"
 #include "core/io/parse.h"
+#include "core/io/sequence_writer.h"
 #include "core/io/volume_io.h"
 
 namespace handlebody::cli {
 
 namespace {
 
+constexpr const char* kBeating = "beating";
+
 struct PhantomCommand {
   std::string name, volume, truth, surface;
   PhantomOptions options;
+  BeatingOptions beating;     //!< without its image
+  std::string beatingOption;  //!< the first that was given of those that only it has
 };
 
 using Text = const std::string&;
@@ -78,12 +84,47 @@ void addShape(CLI::App& command, PhantomOptions& o) {
   });
 }
 
+void addBeating(CLI::App& command, PhantomCommand& c) {
+  const auto add = [&command, &c](Text name, Text type, Text help, void (*set)(BeatingOptions&, Text)) {
+    command
+        .add_option_function<std::string>(
+            name,
+            [&c, name, set](Text t) {
+              if (c.beatingOption.empty()) c.beatingOption = name;
+              set(c.beating, t);
+            },
+            help)
+        ->type_name(type);
+  };
+  add("--frames", "N", "beating: time points of one period (default 20)",
+      [](BeatingOptions& o, Text t) { o.frames = parseInteger("--frames", t, 2, 10000); });
+  add("--ejection", "PERCENT", "beating: ejection fraction (default 60)",
+      [](BeatingOptions& o, Text t) { o.ejection = atLeast("--ejection", t, 0) / 100; });
+  add("--period", "MS", "beating: period (default 1000)",
+      [](BeatingOptions& o, Text t) { o.period = atLeast("--period", t, 0); });
+  add("--torsion", "DEGREES", "beating: between base and apex at end systole (default 20)",
+      [](BeatingOptions& o, Text t) { o.torsion = parseNumber("--torsion", t); });
+  command.add_flag_callback(
+      "--speckle",
+      [&c] {
+        if (c.beatingOption.empty()) c.beatingOption = "--speckle";
+        c.beating.speckle = true;
+      },
+      "beating: speckle as in ultrasound instead of white noise");
+}
+
+void checkVolumeFile(const PhantomCommand& c, const OutputFile& file) {
+  checkVolumeExtension(file);
+  if (c.name == kBeating && !isSequencePath(file.path))
+    throw UsageError(file.option + " " + file.path + ": 4D volumes are written as .nii.gz, .nii or .nrrd.");
+}
+
 void checkFiles(const PhantomCommand& c) {
   std::vector<OutputFile> files{{"-o", c.volume}};
-  checkVolumeExtension(files.back());
+  checkVolumeFile(c, files.back());
   if (!c.truth.empty()) {
     files.push_back({"--truth", c.truth});
-    checkVolumeExtension(files.back());
+    checkVolumeFile(c, files.back());
   }
   if (!c.surface.empty()) {
     files.push_back({"--surface", c.surface});
@@ -92,8 +133,40 @@ void checkFiles(const PhantomCommand& c) {
   checkWritable(files, {});
 }
 
+int beating(PhantomCommand c) {
+  if (!c.surface.empty())
+    throw UsageError("--surface: the phantom beating has a surface per frame; its truth is --truth LABEL.");
+  c.beating.image = c.options;
+  const BeatingPhantom made(c.beating);
+  TimeAxis times;
+  Json frames = Json::array();
+  for (int f = 0; f < c.beating.frames; ++f) {
+    times.milliseconds.push_back(made.time(f));
+    frames.push_back({{"frame", f}, {"time_ms", made.time(f)}, {"volume_ml", made.volume(f) / 1000}});
+  }
+  {
+    DeferSignals whole;
+    writeSequence({made.grid(), c.options.type, c.beating.frames, times}, c.volume,
+                  [&](int f) { return made.image(f); });
+    if (!c.truth.empty())
+      writeSequence({made.grid(), VoxelType::uint8, c.beating.frames, times}, c.truth,
+                    [&](int f) { return made.truth(f); });
+  }
+  const Json json = {{"name", c.name},
+                     {"seed", seedToJson({made.seed()})},
+                     {"components", 1},
+                     {"genus", Json::array({0})},
+                     {"ejection_fraction", made.sampledEjection()},
+                     {"frames", std::move(frames)}};
+  std::fputs(jsonText(json).c_str(), stdout);
+  return kDone;
+}
+
 int phantom(const PhantomCommand& c) {
   checkFiles(c);
+  if (c.name == kBeating) return beating(c);
+  if (!c.beatingOption.empty())
+    throw UsageError(c.beatingOption + " is for the phantom beating; " + c.name + " does not move.");
   const Phantom made = makePhantom(c.name, c.options);
   {
     DeferSignals whole;
@@ -112,7 +185,7 @@ int phantom(const PhantomCommand& c) {
 std::string namesText() {
   std::string names;
   for (const std::string& name : phantomNames()) names += (names.empty() ? "" : " | ") + name;
-  return names;
+  return names + " | " + kBeating;
 }
 
 }  // namespace
@@ -128,6 +201,7 @@ void addPhantom(CLI::App& app, Action& action) {
   command->add_option("--truth", options->truth, "Its label map")->type_name("LABEL");
   command->add_option("--surface", options->surface, "The ideal surface")->type_name("MESH");
   addShape(*command, options->options);
+  addBeating(*command, *options);
   command->callback([&action, options] { action = [options] { return phantom(*options); }; });
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/cli/command.h"
+#include "app/cli/over_time.h"
 #include "app/cli/run_objects.h"
 #include "core/errors.h"
 
@@ -15,6 +16,7 @@ struct ReplayOptions {
   std::optional<std::string> series;
   std::optional<CoordinateSpace> space;
   RunOutputs outputs;
+  OverTimeOptions overTime;
 };
 
 //! Several objects keep the names of their session: an option could mean any of them.
@@ -61,13 +63,20 @@ int replay(ReplayOptions o) {
     for (std::string& path : inputsOf(session)) inputs.push_back(std::move(path));
   }
   assignResults(o.outputs, labelsOf(o.path, sessions, o.outputs.object));
-  checkOutputs(o.outputs, inputs);
+  if (sessions[0].overTime) {
+    chooseFrame(sessions[0]);
+    checkOverTime(sessions[0], o.outputs, o.overTime);
+  } else {
+    if (!o.overTime.curves.empty()) throw UsageError("--curve needs a session that was made with --frames.");
+    checkOutputs(o.outputs, inputs);
+  }
   if (version != HANDLEBODY_VERSION)
     std::cerr << "handlebody-cli: warning: " << o.path << " was made by version " << version << "; this is "
               << HANDLEBODY_VERSION << ", and the mesh may differ." << std::endl;
 
   try {
     LoadedSession first = load(std::move(sessions[0]));
+    if (first.session.overTime) return runOverTime(std::move(first), o.outputs, o.overTime);
     if (sessions.size() == 1) return run(std::move(first), o.outputs);
     sessions.erase(sessions.begin());
     for (Session& session : sessions) session.volume = first.session.volume;
@@ -94,6 +103,7 @@ void addReplay(CLI::App& app, Action& action) {
   addRunOutputs(*command, options->outputs);
   addObjectOptions(*command, options->outputs.object);
   addSpace(*command, options->space);
+  addCurve(*command, options->overTime);
   command->callback([&action, options] { action = [options] { return replay(*options); }; });
 }
 

@@ -197,14 +197,14 @@ void printSummary(const RunReport& report, const std::string& name) {
   if (report.sensitivity) std::printf("%s\n", sensitivityText(*report.sensitivity).c_str());
 }
 
-namespace {
-
 void writeSideFiles(RunReport report, const RunOutputs& outputs) {
   if (outputs.content.anonymous) report = anonymous(std::move(report));
   if (!outputs.session.empty()) writeSession(report.session, outputs.session);
   if (!outputs.trace.empty()) writeTextAtomically(outputs.trace, traceText(report));
   if (!outputs.report.empty()) writeTextAtomically(outputs.report, reportText(report));
 }
+
+namespace {
 
 ExportContext contextOf(const RunReport& report, const RunOutputs& outputs) {
   return {report.volume.grid, report.session.space, report.volume.dicom, outputs.content};

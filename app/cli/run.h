@@ -90,6 +90,8 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, const std::str
 //! Writes every file of -o, and the description of the labels. Throws OutputError, UsageError.
 void writeObjects(const std::vector<ExportedObject>& objects, const RunReport& report,
                   const RunOutputs& outputs);
+//! Writes session, trace and report. Throws OutputError.
+void writeSideFiles(RunReport report, const RunOutputs& outputs);
 //! Of what the reports tell; kLeak goes before kMaxIterations.
 int exitCodeOf(const std::vector<RunReport>& reports);
 

@@ -7,6 +7,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/object_groups.h"
+#include "app/cli/over_time.h"
 #include "app/cli/run_objects.h"
 #include "core/errors.h"
 #include "core/io/clicks.h"
@@ -21,6 +22,7 @@ struct SegmentOptions {
   ClickTexts clicks;
   std::optional<CoordinateSpace> space;
   RunOutputs outputs;
+  OverTimeOptions overTime;
 };
 
 using Text = const std::string&;
@@ -67,10 +69,17 @@ int segment(SegmentOptions o) {
   session.space = o.space.value_or(CoordinateSpace::lps);
   const Clicks clicks = parseClicks(o.clicks);
   assignResults(o.outputs, {chosenLabel(o.outputs.object, session.label)});
-  checkOutputs(o.outputs, inputsOf(session));
+  session.overTime = requestOf(o.overTime);
+  if (session.overTime) {
+    chooseFrame(session);
+    checkOverTime(session, o.outputs, o.overTime);
+  } else {
+    checkOutputs(o.outputs, inputsOf(session));
+  }
 
   LoadedSession loaded = load(std::move(session));
   loaded.session.seeds = seedsInWorld(clicks, loaded.volume.grid);
+  if (loaded.session.overTime) return runOverTime(std::move(loaded), o.outputs, o.overTime);
   return run(std::move(loaded), o.outputs);
 }
 
@@ -80,6 +89,7 @@ void addRunOptions(CLI::App& command, SegmentOptions& options) {
   addRunOutputs(command, options.outputs);
   addSpace(command, options.space);
   addOnLeak(command, options.outputs.onLeak);
+  addOverTime(command, options.overTime);
 }
 
 //! What each of several objects has of its own.
@@ -156,6 +166,8 @@ SeveralObjects parseSeveral(const std::vector<std::string>& arguments) {
   const ObjectGroups groups = groupArguments(arguments, [&](Text name) { return kindOf(known, name); });
   addRunOptions(command, all.run);
   parse(command, groups.run);
+  if (requestOf(all.run.overTime))
+    throw UsageError("--frames carries a single object; grow the others one by one.");
   const SegmentOptions common = parseOwn(groups.common, {});
   if (!common.clicks.seeds.empty() || !common.clicks.voxelSeeds.empty())
     throw UsageError("A seed before the first --object-name belongs to no object.");

@@ -37,10 +37,12 @@ struct CellFault {
   std::string message;
 };
 
-//! Where the results of a case go is the batch's business, and so is what it says.
+//! Where the results of a case go is the batch's business, and so is what it says. A case is one volume: its
+//! outputs have one name each, those over time one per frame.
 bool isForBatch(const std::string& option) {
   static const std::vector<std::string> own{
-      "output", "report", "session", "trace", "picture", "label-description", "quiet"};
+      "output", "report", "session",  "trace",       "picture",    "label-description",
+      "quiet",  "frames", "topology", "drift-check", "frame-time", "curve"};
   return std::find(own.begin(), own.end(), option) != own.end();
 }
 

@@ -258,6 +258,11 @@ ActiveContour ActiveContour::restarted(const Parameters& parameters, const Const
   fresh->start(parameters, constraints);
   return ActiveContour(std::move(fresh));
 }
+void ActiveContour::startFrom(const Mesh& mesh, bool holdTopology) {
+  auto changed = std::make_unique<State>(*state_);
+  changed->startFrom(mesh, holdTopology);
+  state_ = std::move(changed);
+}
 StopReason ActiveContour::stopReason() const { return state_->stop; }
 int ActiveContour::iteration() const { return state_->iteration; }
 const Mesh& ActiveContour::mesh() const { return state_->mesh; }

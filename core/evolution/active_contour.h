@@ -66,6 +66,12 @@ class ActiveContour {
   //! as the constructor.
   ActiveContour restarted(const Parameters& parameters, const Constraints& constraints) const;
 
+  //! Puts `mesh` in the place of the spheres at the seeds: the surface of another time point, say. With
+  //! `holdTopology` no step changes its topology; places that would are held (held()). Preconditions: no step
+  //! was made yet and nothing is pinned; the mesh is closed, oriented, without intersections, and its edges
+  //! are those of this edge length. Throws UsageError if it lies in a wall.
+  void startFrom(const Mesh& mesh, bool holdTopology);
+
   //! StopReason::running while step() would go on.
   StopReason stopReason() const;
   int iteration() const;

@@ -92,6 +92,15 @@ void ActiveContour::State::begin() {
   if (parameters.maxIterations == 0 && !leadsToEdit()) stop = StopReason::maxIterations;
 }
 
+void ActiveContour::State::startFrom(const Mesh& surface, bool holdTopology) {
+  mesh = surface;
+  quiet.assign(idx(mesh.vertexSlots()), 0);
+  topology = topologyNumbers(mesh);
+  held.holdTopology(holdTopology);
+  walls.putUp(mesh, {}, mayShrink());
+  chooseForbidden();
+}
+
 void ActiveContour::State::resolveSeeds(const std::vector<Seed>& inside) {
   parameters.seeds = inside;
   for (Seed s : seedsOfSide(seeds, true)) {

@@ -70,6 +70,7 @@ struct ActiveContour::State {
   void resolve(const Parameters& p);
   void start(const Parameters& p, const Constraints& c);
   void begin();
+  void startFrom(const Mesh& surface, bool holdTopology);
   void change(const Request& to, const State* prepared);
   void chooseWalls();
   void chooseForbidden();

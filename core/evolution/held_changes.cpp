@@ -84,7 +84,16 @@ bool HeldChanges::mayBreakLimits(const Event& event, double longest) {
   return std::any_of(freed_.begin(), freed_.end(), [&](const Place& p) { return p.holds(event); });
 }
 
+//! Of a whole attempt: what it makes and undoes again breaks no limit.
+bool HeldChanges::isOverLimits(const TopologyNumbers& before, const TopologyNumbers& after) const {
+  const TopologyLimits& limits = asked_.topology;
+  if (holdsTopology_ && (after.components != before.components || after.genus != before.genus)) return true;
+  return (limits.components && after.components > std::max(*limits.components, before.components)) ||
+         (limits.genus && after.genus > std::max(*limits.genus, before.genus));
+}
+
 bool HeldChanges::breaksLimit(const Event& e) const {
+  if (holdsTopology_) return e.after.components != e.before.components || e.after.genus != e.before.genus;
   const TopologyLimits& limits = asked_.topology;
   const bool components = limits.components && e.after.components > *limits.components &&
                           e.after.components > e.before.components;
@@ -112,13 +121,7 @@ HeldChange HeldChanges::hold(const Event& event, const std::optional<Veto>& veto
 
 void HeldChanges::holdForLimits(std::span<const Event> events, double longest,
                                 std::vector<HeldChange>& held) {
-  // What an attempt makes and undoes again breaks no limit.
-  const TopologyNumbers &first = events.front().before, &last = events.back().after;
-  const TopologyLimits& limits = asked_.topology;
-  const bool isOver =
-      (limits.components && last.components > std::max(*limits.components, first.components)) ||
-      (limits.genus && last.genus > std::max(*limits.genus, first.genus));
-  if (!isOver) return;
+  if (!isOverLimits(events.front().before, events.back().after)) return;
   for (const Event& e : events)
     if (changesTopology(e.kind) && breaksLimit(e) && !mayBreakLimits(e, longest))
       held.push_back(hold(e, std::nullopt, longest));
@@ -126,7 +129,7 @@ void HeldChanges::holdForLimits(std::span<const Event> events, double longest,
 
 std::vector<HeldChange> HeldChanges::judge(std::span<const Event> events, int iteration, double longest) {
   std::vector<HeldChange> held;
-  if (asked_.empty()) return held;
+  if (asked_.empty() && !holdsTopology_) return held;
   for (const Event& e : events) {
     const Place* near = changesTopology(e.kind) ? vetoedNear(e) : nullptr;
     if (near) held.push_back(hold(e, std::optional<Veto>(near->veto), longest));

@@ -34,6 +34,9 @@ class HeldChanges {
   //! an iteration that is over, unless it has been known in time.
   bool choose(const Constraints& constraints, int iteration);
 
+  //! No change of topology at all may happen from now on, or all that nothing else forbids.
+  void holdTopology(bool on) { holdsTopology_ = on; }
+
   //! Which events of an attempt may not happen; around each of them the surface rests from now on.
   //! Precondition: the attempt would be accepted otherwise. Throws UsageError if a veto of this iteration
   //! finds no change. `longest`: mm, of the mesh's edges.
@@ -61,12 +64,14 @@ class HeldChanges {
   void free(const Vec3& allowed);
   const Place* vetoedNear(const Event& event) const;
   bool mayBreakLimits(const Event& event, double longest);
+  bool isOverLimits(const TopologyNumbers& before, const TopologyNumbers& after) const;
   bool breaksLimit(const Event& event) const;
   void holdForLimits(std::span<const Event> events, double longest, std::vector<HeldChange>& held);
   HeldChange hold(const Event& event, const std::optional<Veto>& veto, double longest);
   const Event* metByVeto(std::span<const Event> events, const Veto& veto) const;
 
   Constraints asked_;  // without walls
+  bool holdsTopology_ = false;
   std::vector<Veto> met_;
   std::vector<Place> places_;
   std::vector<Place> freed_;  // where they were allowed to go on

@@ -154,6 +154,8 @@ Message headerToMessage(const VolumeHeader& h) {
           {"component", static_cast<int>(h.component)},
           {"components", h.components},
           {"frames", h.frames},
+          {"times", h.times.milliseconds},
+          {"time_source", h.times.source},
           {"calibrated", h.calibrated},
           {"sources", {s.size, s.spacing[0], s.spacing[1], s.spacing[2], s.origin, s.direction}},
           {"warnings", h.warnings}};
@@ -172,6 +174,7 @@ VolumeHeader headerFromMessage(const Message& m) {
   const bool colour = h.component == Component::uint8 || h.component == Component::uint16;
   if (h.components != 1 && !(colour && (h.components == 3 || h.components == 4))) m.at("no such voxels");
   h.frames = m.at("frames").get<int>();
+  h.times = {m.at("times").get<std::vector<double>>(), m.at("time_source").get<std::string>()};
   h.calibrated = m.at("calibrated").get<bool>();
   const auto s = m.at("sources").get<std::array<std::string, 6>>();
   h.sources = {s[0], {s[1], s[2], s[3]}, s[4], s[5]};

@@ -79,6 +79,19 @@ std::vector<double> doubles(const DataSet& data, const Tag& tag, std::size_t n) 
   return values;
 }
 
+//! When an image was taken: after the R wave, else by its number among even time points.
+void readTime(const DataSet& data, DicomPlace& place, DicomFile& f) {
+  if (const auto trigger = dicom::number(data, {0x0018, 0x1060}); trigger && std::isfinite(*trigger)) {
+    place.milliseconds = *trigger;
+    f.timeSource = "TriggerTime (0018,1060)";
+    return;
+  }
+  const auto step = dicom::number(data, {0x0020, 0x0110});
+  if (!step || !(*step > 0) || !(place.time > 0)) return;
+  place.milliseconds = *step * (place.time - 1);
+  f.timeSource = "TemporalResolution, TemporalPositionIdentifier (0020,0110; 0020,0100)";
+}
+
 //! The place that a file with one position for all states, in its own data set.
 DicomPlace plainPlace(const DataSet& data, DicomFile& f) {
   DicomPlace place;
@@ -88,6 +101,7 @@ DicomPlace plainPlace(const DataSet& data, DicomFile& f) {
   place.intercept = dicom::number(data, {0x0028, 0x1052}).value_or(0);
   place.slope = dicom::number(data, {0x0028, 0x1053}).value_or(1);
   place.time = whole(data, {0x0020, 0x0100}, 0);
+  readTime(data, place, f);
   if (place.position) f.positionSource = "ImagePositionPatient (0020,0032)";
   if (place.rowDirection) f.orientationSource = "ImageOrientationPatient (0020,0037)";
   if (place.pixelSpacing) f.spacingSource = "PixelSpacing (0028,0030)";
@@ -148,6 +162,18 @@ void readPlane(const Groups& groups, DicomPlace& place, DicomFile& f) {
   groups.visit({0x0020, 0x9111}, [&](const DataSet& data) {
     place.time = dicom::binary<std::uint32_t>(data, {0x0020, 0x9128}).value_or(0);
     place.stack = dicom::text(data, {0x0020, 0x9056});
+  });
+  groups.visit({0x0018, 0x9118}, [&](const DataSet& data) {
+    const auto delay = dicom::binary<double>(data, {0x0020, 0x9153});
+    if (!delay || !std::isfinite(*delay)) return;
+    place.milliseconds = *delay;
+    f.timeSource = "Cardiac Synchronization: NominalCardiacTriggerDelayTime (0020,9153)";
+  });
+  groups.visit({0x0020, 0x9310}, [&](const DataSet& data) {
+    const auto offset = dicom::binary<double>(data, {0x0020, 0x930d});
+    if (!offset || !std::isfinite(*offset)) return;
+    place.milliseconds = 1000 * *offset;
+    f.timeSource = "Temporal Position: TemporalPositionTimeOffset (0020,930D)";
   });
   groups.visit({0x0062, 0x000a}, [&](const DataSet& data) {
     place.segment = dicom::binary<std::uint16_t>(data, {0x0062, 0x000b}).value_or(0);

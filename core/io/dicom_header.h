@@ -19,9 +19,10 @@ struct DicomPlace {
   std::optional<Vec3> columnDirection{};
   std::optional<Vec3> pixelSpacing{};  //!< mm: x between columns, y between rows
   double slope = 1, intercept = 0;
-  double time = 0;      //!< temporal position, or what orders images of one place
-  std::string stack{};  //!< StackID, of a frame
-  int segment = 0;      //!< ReferencedSegmentNumber, of a frame of a segmentation
+  double time = 0;                       //!< temporal position, or what orders images of one place
+  std::optional<double> milliseconds{};  //!< in the cycle or the series, where the header says it
+  std::string stack{};                   //!< StackID, of a frame
+  int segment = 0;                       //!< ReferencedSegmentNumber, of a frame of a segmentation
 
   bool complete() const { return position && rowDirection && columnDirection && pixelSpacing; }
 };
@@ -39,7 +40,7 @@ struct DicomFile {
   bool ownFrameOfReference = false;       //!< positions are in the frame of the ultrasound volume
   std::vector<DicomPlace> places{};       //!< one per frame
   bool placed = false;                    //!< the header says where every frame lies
-  std::string spacingSource{}, positionSource{}, orientationSource{}, distanceSource{};
+  std::string spacingSource{}, positionSource{}, orientationSource{}, distanceSource{}, timeSource{};
   DicomStructure structure{};
 
   bool isImage() const { return rows > 0 && columns > 0; }

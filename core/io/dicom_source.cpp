@@ -75,6 +75,7 @@ class StackSource : public DecodedSource {
 
  private:
   void describe(const Assumed& assumed);
+  void describeTimes();
   void describeOrigin(const Assumed& assumed);
   void readSlice(const DicomSlice& slice, char* to);
   std::string path_;
@@ -102,6 +103,7 @@ StackSource::StackSource(std::string path, DicomSeries series, std::shared_ptr<c
   header_.component = dicomValueType({series_.files.begin(), series_.files.end()});
   header_.warnings = stack_.warnings;
   describe(assumed);
+  describeTimes();
   checkHeader(header_, path_);
   withItk(path_, "its DICOM header cannot be read", [&] { describeOrigin(assumed); });
 }
@@ -124,6 +126,14 @@ void StackSource::describe(const Assumed& assumed) {
        "Positions are in the frame of the ultrasound volume, not of the patient: its axes are taken as LPS.");
   warn(isColour(f), "Colour was turned into luminance (0.2125 R + 0.7154 G + 0.0721 B).");
   warn(f.photometric == "MONOCHROME1", "MONOCHROME1: low values are bright on a display.");
+}
+
+//! Of the first slice of each time point.
+void StackSource::describeTimes() {
+  std::vector<double> times;
+  for (std::size_t i = 0; i < stack_.slices.size(); i += stack_.slicesPerFrame())
+    if (const auto ms = stack_.slices[i].place().milliseconds) times.push_back(*ms);
+  header_.times = checkedTimes(header_.frames, std::move(times), stack_.slices.front().file->timeSource);
 }
 
 void StackSource::describeOrigin(const Assumed& assumed) {

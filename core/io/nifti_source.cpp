@@ -55,6 +55,13 @@ void setScaling(const NiftiHeader& h, VolumeHeader& header) {
   header.intercept = h.intercept;
 }
 
+//! The step of the fourth dimension, where it has a unit of time.
+void setTimes(const NiftiHeader& h, VolumeHeader& header) {
+  const int unit = h.units & 0x38;
+  const double ms = unit == 8 ? 1000 : unit == 16 ? 1 : unit == 24 ? 1e-3 : 0;  // s, ms, µs
+  header.times = evenTimes(header.frames, h.pixdim[4] * ms, "pixdim[4], xyzt_units");
+}
+
 std::string pairOf(const std::string& headerPath) {
   const std::string stem = headerPath.substr(0, headerPath.rfind(".hdr"));
   for (const char* ending : {".img", ".img.gz"})
@@ -85,6 +92,7 @@ NiftiSource::NiftiSource(const std::string& path) : nifti_(readNiftiHeader(path)
   for (std::size_t a = 0; a < 3; ++a) header_.grid.size[a] = static_cast<int>(nifti_.dim[a + 1]);
   header_.frames = nifti_.dim[0] >= 4 ? static_cast<int>(nifti_.dim[4]) : 1;
   setNiftiGeometry(nifti_, header_, path);
+  setTimes(nifti_, header_);
   setScaling(nifti_, header_);
   checkHeader(header_, path);
   if (nifti_.voxOffset < 0) refuseInput(path, "its NIfTI header is damaged (offset)");

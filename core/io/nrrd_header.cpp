@@ -201,6 +201,29 @@ void useOtherAxis(const std::vector<Axis>& axes, std::size_t i, const std::strin
   }
 }
 
+//! Milliseconds in a unit of the header, quoted or not; 0 for one that is no unit of time.
+double millisecondsIn(const std::string& unit) {
+  const auto is = [&](const char* name) { return unit == name || unit == '"' + std::string(name) + '"'; };
+  return is("s") ? 1000 : is("ms") ? 1 : is("us") ? 1e-3 : 0;
+}
+
+//! Times of the axis that is not in space: 3D Slicer's list of values, or an even spacing; only where the
+//! header gives a unit of time for it.
+void setTimes(const NrrdFields& f, const Axis& axis, std::size_t index, VolumeHeader& header) {
+  if (header.frames < 2) return;
+  const std::vector<std::string> units = words(f.value("units"));
+  const double ms = index < units.size() ? millisecondsIn(units[index]) : 0;
+  const auto values = f.keys.find("axis " + std::to_string(index) + " index values");
+  if (values == f.keys.end()) {
+    header.times = evenTimes(header.frames, axis.spacing * ms, "spacings, units");
+    return;
+  }
+  std::vector<double> times;
+  for (const std::string& word : words(values->second))
+    times.push_back(ms * parsed<double>(word).value_or(std::numeric_limits<double>::quiet_NaN()));
+  header.times = checkedTimes(header.frames, std::move(times), values->first + ", units");
+}
+
 //! What makes a direction of the header's space LPS; nothing for a space that is not the patient's.
 std::optional<Vec3> toLps(const std::string& space) {
   const std::string s = lowered(space);
@@ -299,8 +322,9 @@ NrrdFields readNrrdFields(const std::string& path) {
     if (line.empty()) break;
     f.sequence |= isLaterFrame(line);
     if (listed) f.dataFiles.push_back((fs::path(path).parent_path() / line).string());
-    const auto colon = line.find(": ");
-    if (listed || line[0] == '#' || colon == std::string::npos || line.find(":=") < colon) continue;
+    const auto colon = line.find(": "), pair = line.find(":=");
+    if (!listed && line[0] != '#' && pair < colon) f.keys[line.substr(0, pair)] = line.substr(pair + 2);
+    if (listed || line[0] == '#' || colon == std::string::npos || pair < colon) continue;
     f.fields[lowered(trimmed(line.substr(0, colon)))] = trimmed(line.substr(colon + 2));
     listed = f.value("data file") == "LIST" || f.value("datafile") == "LIST";
   }
@@ -338,7 +362,10 @@ NrrdLayout interpretNrrd(const NrrdFields& f, const std::string& path, VolumeHea
     refuseInput(path, "this looks like a 2D image in colour (its first axis has " +
                           std::to_string(axes[0].size) + " values, and the header says nothing of space)");
   NrrdLayout layout;
-  if (axes.size() > 3) useOtherAxis(axes, other, path, header, layout);
+  if (axes.size() > 3) {
+    useOtherAxis(axes, other, path, header, layout);
+    setTimes(f, axes[other], other, header);
+  }
   if (header.frames == 1 || axes.size() == 3) layout.inner = layout.outer = 1;
   setGeometry(f, spatial, path, header);
   checkUnits(f.value("space units"), header);

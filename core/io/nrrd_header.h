@@ -13,6 +13,7 @@ namespace handlebody {
 struct NrrdFields {
   std::map<std::string, std::string> fields{};  //!< lower-case names, without spaces at their ends
   std::vector<std::string> dataFiles{};         //!< paths; empty if the data follow the header
+  std::map<std::string, std::string> keys{};    //!< of the lines "key:=value", as they are
   std::uint64_t end = 0;                        //!< first byte after the header
   bool sequence = false;                        //!< tracked 2D frames
 

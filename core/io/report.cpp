@@ -5,6 +5,7 @@
 #include "core/io/constraints_json.h"
 #include "core/io/edit_json.h"
 #include "core/io/measures_json.h"
+#include "core/io/over_time_json.h"
 #include "core/io/parameter_names.h"
 #include "core/io/sensitivity_json.h"
 
@@ -136,6 +137,7 @@ std::vector<std::string> pinDoubts(const RunReport& report) {
 
 RunReport anonymous(RunReport report) {
   report.session = anonymous(std::move(report.session));
+  if (report.overTime) report.overTime = anonymous(std::move(*report.overTime));
   for (std::string& warning : report.volume.warnings) {
     const auto list = warning.find(": ");
     if (list != std::string::npos) warning = warning.substr(0, list) + ".";
@@ -166,6 +168,7 @@ void addObject(Json& json, const RunReport& report) {
   if (report.measures) json["measures"] = measuresToJson(*report.measures);
   if (report.sensitivity) json["sensitivity"] = sensitivityToJson(*report.sensitivity);
   if (report.tunnels) json["tunnels"] = tunnelsToJson(*report.tunnels);
+  if (report.overTime) json["over_time"] = overTimeToJson(*report.overTime);
   if (!report.corrections.empty()) json["corrections"] = correctionsToJson(report.corrections);
   if (!report.held.empty()) json["held"] = heldToJson(report.held);
   if (!report.pinned.empty()) json["pinned"] = pinnedToJson(report.pinned);

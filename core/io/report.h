@@ -10,6 +10,7 @@
 #include "core/evolution/leak_alarm.h"
 #include "core/evolution/pinned_parts.h"
 #include "core/evolution/step_report.h"
+#include "core/io/over_time_report.h"
 #include "core/io/session.h"
 #include "core/measure/object_measures.h"
 #include "core/mesh/tunnels.h"
@@ -53,6 +54,7 @@ struct RunReport {
   std::optional<TunnelList> tunnels{};       //!< of it, where they were looked for
   std::optional<ObjectMeasures> measures{};  //!< the same
   std::optional<Sensitivity> sensitivity{};  //!< of it, where that was asked for
+  std::optional<OverTimeReport> overTime{};  //!< where it was carried through other frames
   std::vector<Event> events;
   std::vector<ToldLeak> leaks{};                //!< in the order in which they came
   bool isStoppedAtLeak = false;                 //!< the mesh is that of before the last of them

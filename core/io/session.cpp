@@ -10,6 +10,7 @@
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
 #include "core/io/json.h"
+#include "core/io/over_time_json.h"
 
 namespace handlebody {
 
@@ -92,6 +93,10 @@ std::vector<Session> sessionsFromJson(const Json& json, const std::string& path,
     for (const Json& object : json.at("objects")) add(object);
   }
   if (std::none_of(sessions.begin(), sessions.end(), isSeeded)) throw UsageError("it has no seeds.");
+  if (json.contains("over_time")) {
+    if (sessions.size() > 1) throw UsageError("several objects cannot be carried over time.");
+    sessions[0].overTime = overTimeFromJson(json.at("over_time"));
+  }
   if (json.contains("view")) sessions[0].view = json.at("view").dump();
   return sessions;
 }
@@ -130,6 +135,7 @@ void addObject(Json& json, Session session, const std::string& path) {
 void writeSession(const Session& session, const std::string& path) {
   Json json = headToJson(session, path);
   addObject(json, session, path);
+  if (session.overTime) json["over_time"] = overTimeToJson(*session.overTime);
   if (!session.view.empty()) json["view"] = Json::parse(session.view);
   writeTextAtomically(path, jsonText(json));
 }

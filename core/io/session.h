@@ -8,6 +8,7 @@
 #include "core/evolution/parameters.h"
 #include "core/io/exported_object.h"
 #include "core/io/mesh_io.h"
+#include "core/io/over_time_request.h"
 #include "core/io/volume_io.h"
 
 namespace handlebody {
@@ -32,6 +33,8 @@ struct Session {
   std::vector<ParameterChange> changes{};
   //! The iteration whose mesh is meant; none: the one at which the growth ends by itself.
   std::optional<int> stopAt{};
+  //! The other frames of a 4D volume that the surface is carried through; none: it stays in its own.
+  std::optional<OverTimeRequest> overTime{};
   std::string view{};  //!< JSON text that a window keeps here for itself; empty: none
 };
 

@@ -134,7 +134,8 @@ VolumeInfo infoOf(const VolumeHeader& h, const VolumeSelection& selection, const
   info.sources = h.sources;
   info.dicom = originOf(h, selection.frame.value_or(0));
   if (h.frames > 1 && !selection.frame)
-    info.warnings.push_back("There are " + std::to_string(h.frames) + " time points; frame 0 is used.");
+    info.warnings.push_back("There are " + std::to_string(h.frames) +
+                            " time points; frame 0 is used (--frame chooses another).");
   if (!h.calibrated)
     info.warnings.push_back(
         "The volume is uncalibrated: its file does not give the spacing, 1 mm is assumed where it is "

@@ -85,8 +85,9 @@ SourcePointer openFile(const OpenRequest& request, const ReadControl& control, b
 
 SourcePointer openVolume(const OpenRequest& request, const ReadControl& control, bool* several) {
   std::error_code failed;
-  if (fs::is_directory(request.path, failed)) return openDicom(request, control, several);
-  SourcePointer source = openFile(request, control, several);
+  const bool isFolder = fs::is_directory(request.path, failed);
+  SourcePointer source = isFolder ? openVolumeFolder(request.path) : openFile(request, control, several);
+  if (!source) return openDicom(request, control, several);
   if (request.selection.series && source->header().format != "DICOM")
     throw UsageError(request.path + ": --series is for DICOM, this is " + source->header().format + ".");
   return source;

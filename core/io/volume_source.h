@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/io/time_axis.h"
 #include "core/io/volume_io.h"
 
 namespace handlebody {
@@ -50,6 +51,7 @@ struct VolumeHeader {
   Component component = Component::uint8;
   int components = 1;  //!< per voxel: 1, or 3 or 4 for colour
   int frames = 1;
+  TimeAxis times{};  //!< of the time points; empty where the file does not say
   double slope = 1;  //!< value = slope · stored + intercept, applied after reading
   double intercept = 0;
   bool calibrated = true;
@@ -110,6 +112,11 @@ SourcePointer openTiff(const OpenRequest& request, const ReadControl& control);
 //! A folder or a file, in a child process. With several series and none chosen, `several` is set and
 //! the header holds only them.
 SourcePointer openDicom(const OpenRequest& request, const ReadControl& control, bool* several);
+
+//! A folder of 3D volumes as the time points of one, in the order of their names, numbers by value. Null if
+//! it holds other files than volumes that are told by their ending (.nii .nii.gz .nrrd .nhdr .mha .mhd, with
+//! their data files), or none. Throws InputError for volumes that do not go together.
+SourcePointer openVolumeFolder(const std::string& path);
 
 //! Finds the format by content and opens; `several` as for openDicom.
 SourcePointer openVolume(const OpenRequest& request, const ReadControl& control, bool* several);

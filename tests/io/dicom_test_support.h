@@ -28,6 +28,8 @@ struct Slice {
   int acquisition = 0;                 // AcquisitionNumber, if above 0
   bool placed = true;                  // position and orientation
   double frameTime = 0;                // ms
+  double triggerTime = -1;             // ms, if not negative
+  int temporalPosition = 0;            // if above 0, with a resolution of 40 ms
   double sliceDistance = 0;            // mm, SpacingBetweenSlices
   double regionDelta = 0;              // cm, of an ultrasound region
   std::vector<Vec3> framePositions{};  // functional groups
@@ -149,6 +151,7 @@ inline std::string dicomBytes(const Slice& s, const std::string& instance) {
   data.add(8, 0x103e, "LO", "made by hand");
   addMore(0x00180000);
   if (s.sliceDistance > 0) data.add(0x18, 0x88, "DS", list({s.sliceDistance}));
+  if (s.triggerTime >= 0) data.add(0x18, 0x1060, "DS", list({s.triggerTime}));
   if (s.frameTime > 0) data.add(0x18, 0x1063, "DS", list({s.frameTime}));
   if (s.regionDelta > 0) addRegion(s, data);
   data.add(0x20, 0x0d, "UI", "1.2.3");
@@ -161,6 +164,10 @@ inline std::string dicomBytes(const Slice& s, const std::string& instance) {
   const bool plain = s.placed && s.framePositions.empty();
   if (plain) data.add(0x20, 0x32, "DS", list({s.position[0], s.position[1], s.position[2]}));
   if (plain) data.add(0x20, 0x37, "DS", orientation);
+  if (s.temporalPosition > 0) {
+    data.add(0x20, 0x100, "IS", std::to_string(s.temporalPosition));
+    data.add(0x20, 0x110, "DS", "40");
+  }
   data.addShort(0x28, 0x02, 1);
   data.add(0x28, 0x04, "CS", "MONOCHROME2");
   if (s.frames > 1) data.add(0x28, 0x08, "IS", std::to_string(s.frames));

@@ -155,7 +155,7 @@ TEST_CASE("a 4D NIfTI gives the chosen time point, and the first with a warning"
   const VolumeInfo info = inspectVolume(path);
   CHECK(info.frames == 3);
   REQUIRE(info.warnings.size() == 1);
-  CHECK(info.warnings[0] == "There are 3 time points; frame 0 is used.");
+  CHECK(info.warnings[0] == "There are 3 time points; frame 0 is used (--frame chooses another).");
   CHECK(inspectVolume(path, {.frame = 1}).warnings.empty());
   CHECK_THROWS_AS(readVolume(path, {.frame = 3}), UsageError);
   CHECK_THROWS_AS(readVolume(path, {.frame = -1}), UsageError);

@@ -47,7 +47,8 @@ const Layers& layers() {
     add("core/solid", {"core/collision", "core/object"});
     add("core/measure", {"core/solid"});
     add("core/sensitivity", {"core/evolution", "core/solid"});
-    add("core/io", {"core/measure", "core/sensitivity"});
+    add("core/sequence", {"core/evolution", "core/solid"});
+    add("core/io", {"core/measure", "core/sensitivity", "core/sequence"});
     add("sample_volumes", {"core/io"});
     add("python", {"sample_volumes"});
     add("ui/model", {"core/io"});

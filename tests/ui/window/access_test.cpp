@@ -251,7 +251,8 @@ void AccessTest::whatIsAskedWhileNothingIsOpenIsReachedAndNamed() {
   ui::MainWindow window;
   window.resize(1280, 800);
   window.show();
-  QVERIFY(activate(window));
+  window.activateWindow();
+  QVERIFY(QTest::qWaitForWindowActive(&window));
   Q_EMIT window.document().seriesChoiceNeeded(QStringLiteral("/somewhere/scans"), twoSeries());
   window.showStep(Command::stepGrow);
   Q_EMIT window.files().spacingNeeded(QStringLiteral("/somewhere/cine.dcm"), {});
@@ -295,7 +296,8 @@ void AccessTest::itIsSeenThatTheTimelineHasTheFocus() {
   slider.setValue(5);
   slider.resize(300, 24);
   slider.show();
-  QVERIFY(activate(slider));
+  slider.activateWindow();
+  QVERIFY(QTest::qWaitForWindowActive(&slider));
   slider.clearFocus();
   const QImage without = slider.grab().toImage();
   slider.setFocus();
@@ -312,7 +314,7 @@ void AccessTest::keysScrollTheGuideAtOnceAndEscapeClosesIt() {
   QVERIFY(window);
   QTest::keyClick(window.get(), Qt::Key_F1);
   auto* help = window->findChild<ui::HelpWindow*>();
-  QVERIFY(help && activate(*help));
+  QVERIFY(help && QTest::qWaitForWindowActive(help));
   QTRY_VERIFY(help->isAncestorOf(QApplication::focusWidget()));
   QWidget* focus = QApplication::focusWidget();
   QTest::keyClick(focus, Qt::Key_PageDown);

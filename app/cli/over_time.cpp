@@ -1,0 +1,323 @@
+#include "app/cli/over_time.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "app/cli/command.h"
+#include "app/cli/frame_files.h"
+#include "core/errors.h"
+#include "core/io/atomic_file.h"
+#include "core/io/mesh_io.h"
+#include "core/io/over_time_report.h"
+#include "core/io/parse.h"
+#include "core/io/picture.h"
+#include "core/io/result.h"
+#include "core/io/single_precision.h"
+#include "core/mesh/validity.h"
+
+namespace handlebody::cli {
+
+namespace {
+
+using Text = const std::string&;
+
+OverTimeRequest::Range parseRange(Text text) {
+  const auto dash = text.find('-');
+  if (dash == std::string::npos || dash == 0)
+    throw UsageError("--frames: '" + text + "' is neither 'all' nor a range A-B.");
+  const int most = std::numeric_limits<int>::max();
+  const int first = parseInteger("--frames", text.substr(0, dash), 0, most);
+  return {first, parseInteger("--frames", text.substr(dash + 1), first, most)};
+}
+
+template <typename Set>
+void addOther(CLI::App& command, OverTimeOptions& o, Text name, Text type, Text help, Set set) {
+  command
+      .add_option_function<std::string>(
+          name,
+          [&o, name, set](Text text) {
+            if (o.firstOther.empty()) o.firstOther = name;
+            set(o.others, text);
+          },
+          help)
+      ->type_name(type);
+}
+
+void setTopology(OverTimeRequest& r, Text text) {
+  if (text != "held" && text != "free") throw UsageError("--topology: '" + text + "' is not held or free.");
+  r.holdTopology = text == "held";
+}
+
+void setDrift(OverTimeRequest& r, Text text) {
+  if (text == "none")
+    r.drift = DriftCheck::none;
+  else if (text == "back")
+    r.drift = DriftCheck::back;
+  else if (text == "wrap")
+    r.drift = DriftCheck::wrap;
+  else
+    throw UsageError("--drift-check: '" + text + "' is not back, wrap or none.");
+}
+
+void setFrameTime(OverTimeRequest& r, Text text) {
+  r.frameTime = parseNumber("--frame-time", text);
+  if (!(*r.frameTime > 0) || !std::isfinite(*r.frameTime))
+    throw UsageError("--frame-time: '" + text + "' is not a finite number above 0.");
+}
+
+}  // namespace
+
+void addCurve(CLI::App& command, OverTimeOptions& options) {
+  command
+      .add_option(
+          "--curve", options.curves,
+          "Over time: volume of each frame as a table (.csv) or a plot (.svg); may be given several times")
+      ->type_name("F")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
+void addOverTime(CLI::App& command, OverTimeOptions& options) {
+  const auto setFrames = [&options](Text text) {
+    options.request.emplace();
+    if (text != "all") options.request->frames = parseRange(text);
+  };
+  command
+      .add_option_function<std::string>("--frames", setFrames,
+                                        "Of a 4D volume: grow in --frame (default: the first of these) and "
+                                        "carry the surface through all of "
+                                        "them; meshes are numbered, a label map (.nii.gz .nii .nrrd) is 4D")
+      ->type_name("all|A-B");
+  addOther(command, options, "--topology", "held|free",
+           "With --frames: the topology of the first surface is held in all (default), or free", setTopology);
+  addOther(
+      command, options, "--drift-check", "back|wrap|none",
+      "With --frames: carry the surface back from the ends to --frame and tell how far it is off (default), "
+      "or, in a cycle, from the last frame to the first (wrap)",
+      setDrift);
+  addOther(command, options, "--frame-time", "MS",
+           "With --frames: time between frames, for a file that does not say it", setFrameTime);
+  addCurve(command, options);
+}
+
+std::optional<OverTimeRequest> requestOf(const OverTimeOptions& o) {
+  if (!o.request) {
+    if (!o.firstOther.empty()) throw UsageError(o.firstOther + " needs --frames.");
+    if (!o.curves.empty()) throw UsageError("--curve needs --frames.");
+    return std::nullopt;
+  }
+  OverTimeRequest request = o.others;
+  request.frames = o.request->frames;
+  return request;
+}
+
+void chooseFrame(Session& session) {
+  const auto& range = session.overTime->frames;
+  std::optional<int>& frame = session.volume.selection.frame;
+  if (!frame) frame = range ? range->first : 0;
+  if (range && (*frame < range->first || *frame > range->last))
+    throw UsageError("--frame " + std::to_string(*frame) + " is not one of --frames " +
+                     std::to_string(range->first) + "-" + std::to_string(range->last) + ".");
+}
+
+void checkOverTime(const Session& session, const RunOutputs& outputs, const OverTimeOptions& options) {
+  const VolumeInfo info = inspectVolume(session.volume.path, session.volume.selection);
+  const OverTimeRequest::Range range =
+      session.overTime->frames.value_or(OverTimeRequest::Range{0, info.frames - 1});
+  if (info.frames < 2)
+    throw UsageError(session.volume.path + ": --frames is for a 4D volume; this has one time point.");
+  if (range.last >= info.frames)
+    throw UsageError(session.volume.path + ": there is no frame " + std::to_string(range.last) +
+                     "; it has the frames 0 to " + std::to_string(info.frames - 1) + ".");
+  checkFrameFiles(outputs, options.curves, range, inputsOf(session));
+}
+
+namespace {
+
+//! What the session asks for in the end.
+Request finalRequest(const Session& session) {
+  Request request{session.seeds, session.requested, session.constraints};
+  for (const ParameterChange& change : session.changes) request = changed(request, change);
+  return request;
+}
+
+TimeAxis timesOf(const Session& session, int frames) {
+  if (session.overTime->frameTime)
+    return evenTimes(frames, *session.overTime->frameTime, "given by the user");
+  return readTimeAxis(session.volume.path, session.volume.selection);
+}
+
+Volume loadFrame(const VolumeReference& reference, int frame) {
+  VolumeSelection selection = reference.selection;
+  selection.frame = frame;
+  return readVolume(reference.path, selection);
+}
+
+FrameResult grownFrame(const GrownObject& grown) {
+  FrameResult result;
+  result.frame = *grown.report.session.volume.selection.frame;
+  result.mesh = grown.mesh;
+  result.volume = grown.report.mesh.volume;
+  result.components = grown.report.mesh.components;
+  for (const int g : grown.report.mesh.genus) result.genus += g;
+  result.iterations = grown.report.iterations;
+  result.stopped = grown.report.stopped;
+  result.seconds = grown.report.seconds.load + grown.report.seconds.prepare + grown.report.seconds.evolve;
+  for (const ToldLeak& leak : grown.report.leaks)
+    if (leak.answer != LeakAnswer::wall)
+      result.faults.push_back({FrameFault::leaked, "the surface leaked: " + sentence(leak.leak)});
+  return result;
+}
+
+//! The frames of a run, and what comes of them.
+class OverTimeRun {
+ public:
+  OverTimeRun(const GrownObject& grown, OverTimeReport& report, bool quiet)
+      : session_(grown.report.session),
+        report_(report),
+        start_(grownFrame(grown)),
+        edgeLength_(session_.resolved->edgeLength),
+        carrier_({finalRequest(session_), edgeLength_, session_.resolved->smoothing,
+                  session_.overTime->holdTopology},
+                 {[this](int frame) { return loadFrame(session_.volume, frame); },
+                  [](const TriangleSoup& mesh) { return certifiedForExport(mesh).mesh; }}),
+        quiet_(quiet) {}
+
+  void carry() {
+    const auto [first, last] = *report_.request.frames;
+    std::vector<FrameResult> before = carryThrough(carrier_, start_, first, told());
+    std::reverse(before.begin(), before.end());
+    report_.frames = std::move(before);
+    report_.frames.push_back(start_);
+    for (FrameResult& r : carryThrough(carrier_, start_, last, told()))
+      report_.frames.push_back(std::move(r));
+    report_.curve = volumeCurve(points());
+    if (report_.request.drift == DriftCheck::wrap)
+      wrap();
+    else if (report_.request.drift == DriftCheck::back)
+      for (const int end : {first, last})
+        if (end != start_.frame) goBack(end);
+  }
+
+ private:
+  std::function<void(const FrameResult&)> told() const {
+    return [this](const FrameResult& r) {
+      if (quiet_) return;
+      std::fprintf(stderr, "frame %d: %.4g ml, %d iterations from frame %d (%.2f s)%s\n", r.frame,
+                   r.volume / 1000, r.iterations, *r.from, r.seconds, r.isTrusted() ? "" : ", failed");
+    };
+  }
+  std::vector<VolumePoint> points() const {
+    std::vector<VolumePoint> points;
+    for (const FrameResult& r : report_.frames) {
+      VolumePoint p;
+      p.frame = r.frame;
+      const auto at = static_cast<std::size_t>(r.frame);
+      if (at < report_.times.milliseconds.size()) p.time = report_.times.milliseconds[at];
+      if (!r.mesh.triangles.empty()) p.volume = r.volume;
+      p.isTrusted = r.isTrusted();
+      points.push_back(p);
+    }
+    return points;
+  }
+  const FrameResult& at(int frame) const {
+    return report_.frames[static_cast<std::size_t>(frame - report_.request.frames->first)];
+  }
+  void compare(const FrameResult& there, const FrameResult& back, int from) {
+    Drift drift;
+    if (there.isTrusted() && back.isTrusted()) drift = driftBetween(there.mesh, back.mesh, edgeLength_);
+    drift.from = from;
+    drift.at = there.frame;
+    report_.drifts.push_back(drift);
+  }
+  //! From the last frame on that side that is trusted to the one that was grown.
+  void goBack(int end) {
+    const int step = end < start_.frame ? 1 : -1;
+    while (end != start_.frame && !at(end).isTrusted()) end += step;
+    if (end == start_.frame) return;
+    compare(start_, carryThrough(carrier_, at(end), start_.frame).back(), end);
+  }
+  void wrap() {
+    const auto [first, last] = *report_.request.frames;
+    if (first == last) return;
+    if (!at(last).isTrusted()) return report_.drifts.push_back({last, first});
+    // They lie beside each other in a cycle.
+    FrameResult beside = at(last);
+    beside.frame = first - 1;
+    compare(at(first), carrier_.carry(beside, first), last);
+  }
+
+  const Session& session_;
+  OverTimeReport& report_;
+  FrameResult start_;
+  double edgeLength_;
+  FrameCarrier carrier_;
+  bool quiet_;
+};
+
+void printOverTime(const OverTimeReport& report) {
+  const VolumeCurve& c = report.curve;
+  if (c.endDiastole) {
+    const VolumePoint &d = c.points[*c.endDiastole], &s = c.points[*c.endSystole];
+    std::printf(
+        "over %zu frames: end-diastole %.4g ml (frame %d), end-systole %.4g ml (frame %d), stroke volume "
+        "%.4g ml, ejection fraction %.1f %%\n",
+        c.points.size(), *d.volume / 1000, d.frame, *s.volume / 1000, s.frame, c.strokeVolume / 1000,
+        100 * c.ejectionFraction);
+  }
+  for (const Drift& d : report.drifts)
+    if (d.isBack)
+      std::printf(
+          "from frame %d back at frame %d: Dice %.4f, %.3g mm (95 %% of it less than %.3g), volume %+.2f "
+          "%%\n",
+          d.from, d.at, d.dice, d.mean, d.percentile95, 100 * (d.volumeRatio - 1));
+}
+
+int codeOf(const RunReport& report) {
+  const auto& frames = report.overTime->frames;
+  const bool all =
+      std::all_of(frames.begin(), frames.end(), [](const FrameResult& r) { return r.isTrusted(); });
+  return all ? exitCodeOf({report}) : kIncomplete;
+}
+
+}  // namespace
+
+int runOverTime(LoadedSession loaded, const RunOutputs& outputs, const OverTimeOptions& options) {
+  std::optional<Volume> shown;
+  if (!outputs.picture.empty()) shown = loaded.volume;
+  Session& session = loaded.session;
+  session.label = chosenLabel(outputs.object, session.label);
+  const int frames = loaded.info.frames;
+  if (!session.overTime->frames) session.overTime->frames = OverTimeRequest::Range{0, frames - 1};
+  OverTimeReport over{*session.overTime, timesOf(session, frames)};
+  GrownObject grown = grow(std::move(loaded), outputs);
+  Stopwatch watch;
+  OverTimeRun(grown, over, outputs.quiet).carry();
+  for (const std::string& doubt : overTimeDoubts(over))
+    std::fprintf(stderr, "handlebody-cli: warning: %s\n", doubt.c_str());
+  grown.report.seconds.evolve += watch.lap();
+  grown.report.overTime = std::move(over);
+  {
+    DeferSignals whole;
+    writeFrameFiles(grown.report, outputs, options.curves);
+    if (shown) writePicture(*shown, grown.mesh, outputs.picture);
+    if (!outputs.sensitivity.surface.empty() && grown.report.sensitivity->grown > 0)
+      writeMeshWithValues(grown.mesh, grown.report.sensitivity->spread, "spread_mm",
+                          outputs.sensitivity.surface);
+    grown.report.seconds.exported += watch.lap();
+    const Timings& s = grown.report.seconds;
+    grown.report.seconds.total = s.load + s.prepare + s.evolve + s.exported + s.tunnels + s.sensitivity;
+    writeSideFiles(grown.report, outputs);
+  }
+  if (!outputs.quiet) {
+    printSummary(grown.report);
+    printOverTime(*grown.report.overTime);
+  }
+  return codeOf(grown.report);
+}
+
+}  // namespace handlebody::cli

@@ -1,0 +1,94 @@
+#pragma once
+// A surface that was grown in one frame is carried through the others: that of each starts the next
+// (docs/time.md).
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/evolution/active_contour.h"
+#include "core/mesh/mesh.h"
+#include "core/volume/volume.h"
+
+namespace handlebody {
+
+//! What went wrong in a frame.
+enum class FrameFault {
+  unreadable,  //!< its voxels cannot be read
+  noObject,    //!< the image shows no object where the surface is
+  vanished,    //!< the surface collapsed
+  leaked,      //!< it came through a narrow passage (LeakAlarm)
+  jumped,      //!< its volume changed by more than a factor from the frame beside it
+  changed,     //!< its topology is not that of the first (only where it is free)
+  held,        //!< changes of its topology were held back
+  unfinished,  //!< it was still moving at the limit of the iterations, or rests where it would move
+};
+//! "unreadable", "no-object" … as in the report.
+const char* frameFaultName(FrameFault fault);
+//! True where the surface of the frame, if there is one, must not be trusted: it starts no other frame.
+bool isFailure(FrameFault fault);
+
+struct ToldFault {
+  FrameFault fault = FrameFault::unreadable;
+  std::string sentence;  //!< without a full stop
+};
+
+//! What came of one frame.
+struct FrameResult {
+  int frame = 0;
+  std::optional<int> from{};      //!< the frame whose surface it started from; none: grown from the seeds
+  TriangleSoup mesh{};            //!< mm LPS: closed, certified; empty: there is none
+  double volume = 0;              //!< mm³ enclosed
+  int components = 0, genus = 0;  //!< genus: sum over the components
+  int iterations = 0;
+  StopReason stopped = StopReason::running;
+  double seconds = 0;  //!< wall clock, with reading
+  std::vector<ToldFault> faults{};
+  bool isTrusted() const;  //!< none of the faults is a failure, and there is a mesh
+};
+
+//! What is carried, and how.
+struct OverTimeSettings {
+  Request request;           //!< of the frame that was grown, as it was in the end
+  double edgeLength = 1;     //!< mm, as used there
+  double smoothing = 0;      //!< the same
+  bool holdTopology = true;  //!< else it may change from frame to frame
+};
+
+//! A volume that may differ from that of the frame beside it by this factor, either way, is no jump; per
+//! frame between the two. The fastest phase of a heart with an ejection fraction of 70 % in 20 frames changes
+//! it by a third.
+inline constexpr double kJump = 2;
+
+//! Carries surfaces from frame to frame.
+class FrameCarrier {
+ public:
+  //! `load` gives the voxels of a frame; it throws InputError where it cannot. `finish` makes the mesh that
+  //! counts of one that was grown (rounding, certificate), and gives its volume.
+  struct Hooks {
+    std::function<Volume(int frame)> load;
+    std::function<TriangleSoup(const TriangleSoup&)> finish;
+  };
+  FrameCarrier(OverTimeSettings settings, Hooks hooks);
+
+  //! From the surface of `from`, which is trusted, onto another frame. The surface moves in both directions
+  //! through the steps of ActiveContour, in the image of that frame alone; walls and limits of the topology
+  //! stay, vetoes, pins and edits do not: they name an iteration. Faults are told in the result. Throws what
+  //! is no fault of the frame: Cancelled, std::runtime_error of `finish`.
+  FrameResult carry(const FrameResult& from, int frame) const;
+
+ private:
+  ActiveContour prepared(const FrameResult& from, int frame) const;
+  void judge(const FrameResult& from, const ActiveContour& contour, FrameResult& result) const;
+
+  OverTimeSettings settings_;
+  Hooks hooks_;
+};
+
+//! Carries `start` to `last` frame by frame, up or down, without start's own. A frame that fails starts no
+//! other: the one behind it starts from the last one that is trusted. `told` is called with each.
+std::vector<FrameResult> carryThrough(const FrameCarrier& carrier, const FrameResult& start, int last,
+                                      const std::function<void(const FrameResult&)>& told = {});
+
+}  // namespace handlebody

@@ -1,0 +1,204 @@
+// --frames: a surface through the frames of a 4D volume, on the command line.
+
+#include <cmath>
+#include <filesystem>
+
+#include "tests/app/refusal.h"
+#include "tests/app/run_cli.h"
+#include "tests/support/catch.h"
+
+using namespace handlebody::test;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+
+namespace {
+
+//! Four frames of the beating phantom, coarse.
+struct Beating {
+  std::string path, seed;
+  nlohmann::json json;
+};
+
+Beating makeBeating(const TempFolder& folder, const std::string& name = "heart.nii.gz") {
+  Beating made;
+  made.path = folder / name;
+  made.json = runForJson({"phantom", "beating", "-o", made.path, "--frames", "4", "--spacing", "2,2,2"});
+  const auto& centre = made.json.at("seed").at("centre");
+  for (int a = 0; a < 3; ++a)
+    made.seed += (a ? "," : "") + std::to_string(centre.at(static_cast<std::size_t>(a)).get<double>());
+  return made;
+}
+
+Outcome run(std::vector<std::string> arguments, int exitCode = 0) {
+  const Outcome outcome = runCli(arguments);
+  INFO(outcome.err);
+  REQUIRE(outcome.exitCode == exitCode);
+  return outcome;
+}
+
+std::string withText(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+}  // namespace
+
+TEST_CASE("segment --frames writes numbered meshes, a 4D label map, the curve and a report", "[cli][time]") {
+  const TempFolder folder;
+  const Beating heart = makeBeating(folder);
+  const Outcome told = run({"segment",
+                            heart.path,
+                            "--seed",
+                            heart.seed,
+                            "--frame",
+                            "1",
+                            "--frames",
+                            "all",
+                            "-o",
+                            folder / "m.vtp",
+                            "-o",
+                            folder / "m.stl",
+                            "-o",
+                            folder / "labels.nii.gz",
+                            "--curve",
+                            folder / "curve.csv",
+                            "--curve",
+                            folder / "curve.svg",
+                            "--report",
+                            folder / "r.json",
+                            "--drift-check",
+                            "wrap"});
+  CHECK_THAT(told.out, Contains("over 4 frames: end-diastole") && Contains("ejection fraction"));
+  CHECK_THAT(told.out, Contains("from frame 3 back at frame 0: Dice 0.9"));
+  CHECK_THAT(told.err, Contains("frame 2: ") && Contains("iterations from frame 1"));
+  for (const char* name : {"m_0000.vtp", "m_0001.vtp", "m_0002.vtp", "m_0003.vtp", "m_0003.stl", "m.pvd"})
+    CHECK_FALSE(readBytes(folder / name).empty());
+  CHECK_THAT(readBytes(folder / "m.pvd"), Contains("timestep=\"250\" part=\"0\" file=\"m_0001.vtp\""));
+  CHECK_THAT(readBytes(folder / "curve.csv"), StartsWith("frame,time_ms,volume_ml"));
+  CHECK_THAT(readBytes(folder / "curve.svg"), Contains("ejection fraction"));
+
+  const auto labels = runForJson({"info", folder / "labels.nii.gz", "--json"});
+  CHECK(labels.at("frames") == 4);
+  CHECK(labels.at("frame_time_ms").get<double>() == Approx(250).epsilon(1e-6));
+  const auto report = nlohmann::json::parse(readBytes(folder / "r.json"));
+  const auto& over = report.at("over_time");
+  CHECK(over.at("frames") == nlohmann::json::array({0, 3}));
+  CHECK(over.at("results").size() == 4);
+  CHECK(over.at("results").at(1).at("from_frame").is_null());
+  CHECK(over.at("results").at(1).at("volume_mm3") == report.at("mesh").at("volume_mm3"));
+  CHECK(over.at("results").at(3).at("from_frame") == 2);
+  for (std::size_t f = 0; f < 4; ++f) {
+    const double truth = heart.json.at("frames").at(f).at("volume_ml");
+    CHECK(over.at("results").at(f).at("volume_mm3").get<double>() / 1000 == Approx(truth).epsilon(0.04));
+    CHECK(over.at("results").at(f).at("trusted") == true);
+  }
+  const double ejection = heart.json.at("ejection_fraction");
+  CHECK(std::abs(over.at("curve").at("ejection_fraction").get<double>() - ejection) < 0.02);
+  CHECK(over.at("drift").at(0).at("dice").get<double>() > 0.97);
+}
+
+TEST_CASE("the frame that is grown has the mesh of a run on it alone, and replay makes all bit for bit",
+          "[cli][time]") {
+  const TempFolder folder;
+  const Beating heart = makeBeating(folder, "heart.nrrd");
+  run({"segment", heart.path, "--seed", heart.seed, "--frame", "2", "-o", folder / "alone.stl", "--quiet"});
+  run({"segment", heart.path, "--seed", heart.seed, "--frame", "2", "--frames", "1-3", "-o", folder / "m.stl",
+       "--session", folder / "s.json", "--report", folder / "r.json", "--quiet", "--drift-check", "none"});
+  CHECK(readBytes(folder / "alone.stl") == readBytes(folder / "m_0002.stl"));
+  CHECK_FALSE(readBytes(folder / "m_0001.stl").empty());
+  CHECK(readBytes(folder / "m_0000.stl").empty());
+  for (const char* session : {"s.json", "r.json"}) {
+    run({"replay", folder / session, "-o", folder / "again.stl", "--curve", folder / "again.csv", "--quiet"});
+    for (const char* number : {"_0001", "_0002", "_0003"})
+      CHECK(readBytes(folder / ("m" + std::string(number) + ".stl")) ==
+            readBytes(folder / ("again" + std::string(number) + ".stl")));
+  }
+  CHECK_THAT(readBytes(folder / "again.csv"), Contains("\n3,"));
+}
+
+TEST_CASE("a frame that cannot be read is a warning and exit code 7, and the others are written",
+          "[cli][time]") {
+  const TempFolder folder;
+  const std::string frames = folder / "frames";
+  std::filesystem::create_directory(frames);
+  std::string seed;
+  for (const std::string number : {"0", "1", "2"})
+    seed = makePhantomFile(folder, "frames/f" + number + ".nii.gz", {"--random-seed", number}).seed;
+  std::string bytes = readBytes(frames + "/f1.nii.gz");
+  for (std::size_t i = bytes.size() / 2; i < bytes.size() / 2 + 64; ++i)
+    bytes[i] = static_cast<char>(~bytes[i]);
+  writeBytes(frames + "/f1.nii.gz", bytes);
+  const Outcome told = run({"segment", frames, "--seed", seed, "--frames", "all", "-o", folder / "m.vtp",
+                            "-o", folder / "labels.nii", "--report", folder / "r.json"},
+                           7);
+  CHECK_THAT(told.err, Contains("warning: frame 1: ") && Contains("f1.nii.gz"));
+  CHECK_FALSE(readBytes(folder / "m_0002.vtp").empty());
+  CHECK(readBytes(folder / "m_0001.vtp").empty());
+  CHECK_THAT(readBytes(folder / "m.pvd"), !Contains("m_0001.vtp") && Contains("m_0002.vtp"));
+  CHECK(runForJson({"info", folder / "labels.nii", "--json"}).at("frames") == 3);
+  const auto results = nlohmann::json::parse(readBytes(folder / "r.json")).at("over_time").at("results");
+  CHECK(results.at(1).at("faults").at(0).at("kind") == "unreadable");
+  CHECK(results.at(1).at("volume_mm3").is_null());
+  CHECK(results.at(2).at("from_frame") == 0);
+  CHECK(results.at(2).at("trusted") == true);
+}
+
+TEST_CASE("what does not go with --frames is refused before any work", "[cli][time]") {
+  const TempFolder folder;
+  const Beating heart = makeBeating(folder);
+  const PhantomFile ball = makePhantomFile(folder);
+  const auto refused = [&](const std::string& path, const std::string& seed, std::vector<std::string> more,
+                           const std::string& named) {
+    std::vector<std::string> all{"segment", path, "--seed", seed};
+    all.insert(all.end(), more.begin(), more.end());
+    requireRefusal(folder, all, 2, named);
+  };
+  const auto heartRefused = [&](std::vector<std::string> more, const std::string& named) {
+    refused(heart.path, heart.seed, std::move(more), named);
+  };
+  const std::string out = folder / "m.stl";
+  refused(ball.path, ball.seed, {"--frames", "all", "-o", out}, "--frames is for a 4D volume");
+  heartRefused({"--frames", "1-4", "-o", out}, "there is no frame 4");
+  heartRefused({"--frames", "2-1", "-o", out}, "--frames");
+  heartRefused({"--frames", "some", "-o", out}, "--frames");
+  heartRefused({"--frames", "-2", "-o", out}, "--frames");
+  heartRefused({"--frame", "0", "--frames", "1-3", "-o", out}, "--frame 0 is not one of --frames 1-3");
+  heartRefused({"--topology", "free", "-o", out}, "--topology needs --frames");
+  heartRefused({"--frame-time", "20", "-o", out}, "--frame-time needs --frames");
+  heartRefused({"--curve", folder / "c.csv", "-o", out}, "--curve needs --frames");
+  heartRefused({"--frames", "all", "--topology", "loose", "-o", out}, "--topology");
+  heartRefused({"--frames", "all", "--drift-check", "twice", "-o", out}, "--drift-check");
+  heartRefused({"--frames", "all", "--frame-time", "0", "-o", out}, "--frame-time");
+  heartRefused({"--frames", "all", "--curve", folder / "c.png", "-o", out}, "--curve");
+  heartRefused({"--frames", "all", "-o", folder / "m.mha"}, "m.mha: with --frames");
+  heartRefused({"--frames", "all", "-o", folder / "m.seg.nrrd"}, "m.seg.nrrd: with --frames");
+  heartRefused({"--frames", "all", "-o", folder / "m.3mf"}, "m.3mf: with --frames");
+  heartRefused({"--frames", "all", "-o", folder / "none/m.stl"}, "none");
+}
+
+TEST_CASE("info tells when frames were taken, and --frame-time says it for a file that does not",
+          "[cli][time]") {
+  const TempFolder folder;
+  const Beating heart = makeBeating(folder, "heart.nrrd");
+  CHECK_THAT(run({"info", heart.path}).out,
+             Contains("4 time points, 250 ms apart (from axis 3 index values, units)"));
+  const auto known = runForJson({"info", heart.path, "--json"});
+  CHECK(known.at("time_ms") == nlohmann::json::array({0.0, 250.0, 500.0, 750.0}));
+  std::string text = withText(readBytes(heart.path), "units: \"\" \"\" \"\" \"ms\"\n", "");
+  const std::string unknown = folder / "unknown.nrrd";
+  writeBytes(unknown, text);
+  CHECK_THAT(run({"info", unknown}).out, Contains("4 time points (the file does not say when)"));
+  run({"segment", unknown, "--seed", heart.seed, "--frames", "0-1", "--frame-time", "40", "-o",
+       folder / "m.stl", "--curve", folder / "c.csv", "--quiet", "--drift-check", "none"});
+  CHECK_THAT(readBytes(folder / "c.csv"), Contains("\n1,40,"));
+}
+
+TEST_CASE("options of the beating phantom belong to it alone", "[cli][time]") {
+  const TempFolder folder;
+  requireRefusal(folder, {"phantom", "sphere", "-o", folder / "v.nii", "--ejection", "50"}, 2, "--ejection");
+  requireRefusal(folder, {"phantom", "beating", "-o", folder / "v.mha"}, 2, "v.mha");
+  requireRefusal(folder, {"phantom", "beating", "-o", folder / "v.nii", "--ejection", "90"}, 2, "--ejection");
+  requireRefusal(folder, {"phantom", "beating", "-o", folder / "v.nii", "--surface", folder / "s.stl"}, 2,
+                 "--surface");
+}

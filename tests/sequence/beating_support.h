@@ -1,0 +1,64 @@
+#pragma once
+// The beating phantom, grown in one frame and carried through the others.
+
+#include <chrono>
+
+#include "core/io/result.h"
+#include "core/sequence/over_time.h"
+#include "core/sequence/volume_curve.h"
+#include "core/solid/rasterize.h"
+#include "sample_volumes/beating.h"
+
+namespace handlebody::test {
+
+inline double seconds(std::chrono::steady_clock::time_point since) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
+}
+
+//! Grown from the seeds in one frame, as `segment` does.
+struct GrownFrame {
+  FrameResult result;
+  OverTimeSettings settings;
+};
+
+inline GrownFrame growIn(Volume volume, int frame, const Request& request) {
+  const auto begin = std::chrono::steady_clock::now();
+  ActiveContour contour(std::move(volume), request.seeds, request.parameters, request.constraints);
+  while (contour.stopReason() == StopReason::running) contour.step();
+  GrownFrame grown;
+  const CertifiedMesh made = certifiedForExport(contour.mesh().compact());
+  grown.result.mesh = made.mesh;
+  grown.result.frame = frame;
+  grown.result.volume = made.certificate.volume;
+  grown.result.components = made.certificate.components;
+  for (const int g : made.certificate.genus) grown.result.genus += g;
+  grown.result.stopped = contour.stopReason();
+  grown.result.seconds = seconds(begin);
+  grown.settings = {contour.request(), contour.parameters().edgeLength, contour.parameters().smoothing, true};
+  return grown;
+}
+
+inline FrameCarrier::Hooks hooksOf(std::function<Volume(int)> load) {
+  return {std::move(load), [](const TriangleSoup& mesh) { return certifiedForExport(mesh).mesh; }};
+}
+
+//! Dice of a mesh and a label map, on the map's voxels.
+inline double diceOf(const TriangleSoup& mesh, const Volume& truth) {
+  const Volume mine = rasterize(mesh, truth.grid);
+  double a = 0, b = 0, both = 0;
+  for (std::size_t i = 0; i < truth.grid.voxelCount(); ++i) {
+    const bool m = mine.data<std::uint8_t>()[i] != 0, t = truth.data<std::uint8_t>()[i] != 0;
+    a += m;
+    b += t;
+    both += m && t;
+  }
+  return 2 * both / (a + b);
+}
+
+inline VolumeCurve curveOf(const std::vector<FrameResult>& frames) {
+  std::vector<VolumePoint> points;
+  for (const FrameResult& r : frames) points.push_back({r.frame, {}, r.volume, r.isTrusted()});
+  return volumeCurve(points);
+}
+
+}  // namespace handlebody::test

@@ -1,0 +1,187 @@
+// A surface that is carried from frame to frame.
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/collision/certify.h"
+#include "core/errors.h"
+#include "core/mesh/validity.h"
+#include "core/sequence/carried_seeds.h"
+#include "core/sequence/drift.h"
+#include "tests/sequence/beating_support.h"
+#include "tests/support/catch.h"
+
+using namespace handlebody;
+using namespace handlebody::test;
+
+namespace {
+
+//! Dark balls on bright ground, 40 voxels of 1 mm to each side.
+Volume balls(const std::vector<std::pair<Vec3, double>>& all) {
+  Grid grid;
+  grid.size = {40, 40, 40};
+  void* buffer = nullptr;
+  Volume volume = makeVolume(grid, VoxelType::uint8, &buffer);
+  auto* to = static_cast<std::uint8_t*>(buffer);
+  for (int z = 0; z < 40; ++z)
+    for (int y = 0; y < 40; ++y)
+      for (int x = 0; x < 40; ++x) {
+        double d = 1e9;
+        for (const auto& [centre, radius] : all) d = std::min(d, (Vec3(x, y, z) - centre).norm() - radius);
+        *to++ = static_cast<std::uint8_t>(120 + 60 * std::clamp(d, -1.0, 1.0));
+      }
+  return volume;
+}
+
+const Vec3 kMiddle(20, 20, 20);
+
+FrameResult firstOf(const FrameCarrier& carrier, const FrameResult& start) { return carrier.carry(start, 1); }
+
+//! Carried from a ball onto another volume.
+FrameResult carriedOnto(const Volume& next, bool holdTopology = true,
+                        const Volume& first = balls({{kMiddle, 10}}), const Constraints& constraints = {}) {
+  GrownFrame grown = growIn(first, 0, {{{kMiddle}}, {}, constraints});
+  grown.settings.holdTopology = holdTopology;
+  return firstOf(FrameCarrier(grown.settings, hooksOf([&](int) { return next; })), grown.result);
+}
+
+bool has(const FrameResult& r, FrameFault fault) {
+  for (const ToldFault& f : r.faults)
+    if (f.fault == fault) return true;
+  return false;
+}
+
+double ball(double radius) { return 4.0 / 3 * 3.14159265358979 * radius * radius * radius; }
+
+}  // namespace
+
+TEST_CASE("a surface is carried through a beating phantom with its volume, its topology and its place") {
+  BeatingOptions options;
+  options.frames = 5;
+  options.image.spacing = Vec3::Constant(2);
+  const BeatingPhantom phantom(options);
+  const int start = GENERATE(0, 2);
+  const GrownFrame grown = growIn(phantom.image(start), start, {{{phantom.seed()}}, {}, {}});
+  const FrameCarrier carrier(grown.settings, hooksOf([&](int f) { return phantom.image(f); }));
+  std::vector<FrameResult> frames = carryThrough(carrier, grown.result, 0);
+  std::reverse(frames.begin(), frames.end());
+  frames.push_back(grown.result);
+  for (FrameResult& r : carryThrough(carrier, grown.result, 4)) frames.push_back(std::move(r));
+  REQUIRE(frames.size() == 5);
+  for (int f = 0; f < 5; ++f) {
+    const FrameResult& r = frames[static_cast<std::size_t>(f)];
+    INFO("frame " << f << " of " << start);
+    CHECK(r.frame == f);
+    CHECK(r.isTrusted());
+    CHECK(r.faults.empty());
+    CHECK(r.components == 1);
+    CHECK(r.genus == 0);
+    CHECK(certify(r.mesh).boundsBody());
+    CHECK(diceOf(r.mesh, phantom.truth(f)) > 0.97);
+  }
+  CHECK(std::abs(curveOf(frames).ejectionFraction - phantom.sampledEjection()) < 0.02);
+}
+
+TEST_CASE("carrying twice gives the same bits") {
+  const FrameResult a = carriedOnto(balls({{kMiddle, 8}})), b = carriedOnto(balls({{kMiddle, 8}}));
+  CHECK(a.mesh.points == b.mesh.points);
+  CHECK(a.mesh.triangles == b.mesh.triangles);
+}
+
+TEST_CASE("a ball that has grown, shrunk or gone beside is followed both ways") {
+  CHECK(carriedOnto(balls({{kMiddle, 12}})).volume == Approx(ball(12)).epsilon(0.03));
+  CHECK(carriedOnto(balls({{kMiddle, 8.5}})).volume == Approx(ball(8.5)).epsilon(0.03));
+  const FrameResult moved = carriedOnto(balls({{kMiddle + Vec3(4, -3, 0), 10}}));
+  CHECK(moved.volume == Approx(ball(10)).epsilon(0.03));
+  CHECK(diceOf(moved.mesh, rasterize(moved.mesh, balls({}).grid)) == 1);
+  CHECK(moved.isTrusted());
+}
+
+TEST_CASE("an object that comes apart is held together, unless its topology is free") {
+  const Volume whole = balls({{kMiddle - Vec3(6, 0, 0), 8}, {kMiddle + Vec3(6, 0, 0), 8}});
+  const Volume parts = balls({{kMiddle - Vec3(9, 0, 0), 7}, {kMiddle + Vec3(9, 0, 0), 7}});
+  GrownFrame grown = growIn(whole, 0, {{{kMiddle - Vec3(8, 0, 0)}, {kMiddle + Vec3(8, 0, 0)}}, {}, {}});
+  REQUIRE(grown.result.components == 1);
+  const auto carried = [&](bool hold) {
+    grown.settings.holdTopology = hold;
+    return firstOf(FrameCarrier(grown.settings, hooksOf([&](int) { return parts; })), grown.result);
+  };
+  const FrameResult held = carried(true);
+  CHECK(held.components == 1);
+  CHECK(held.genus == 0);
+  CHECK(has(held, FrameFault::held));
+  const FrameResult free = carried(false);
+  CHECK(free.components == 2);
+  CHECK(has(free, FrameFault::changed));
+  CHECK_FALSE(has(free, FrameFault::held));
+}
+
+TEST_CASE("a frame without the object is told, and so is one in which its volume jumps") {
+  const FrameResult none = carriedOnto(balls({}));
+  CHECK_FALSE(none.isTrusted());
+  CHECK(has(none, FrameFault::noObject));
+  CHECK(none.mesh.triangles.empty());
+  const FrameResult small = carriedOnto(balls({{kMiddle, 5}}));
+  CHECK_FALSE(small.isTrusted());
+  CHECK(has(small, FrameFault::jumped));
+  CHECK_FALSE(small.mesh.triangles.empty());
+}
+
+TEST_CASE("a frame that cannot be read starts no other: the next starts from the last that is trusted") {
+  const GrownFrame grown = growIn(balls({{kMiddle, 10}}), 3, {{{kMiddle}}, {}, {}});
+  const auto load = [](int frame) {
+    if (frame == 5) throw InputError("frame 5 is damaged.");
+    return balls({{kMiddle, 10 - 0.4 * (frame - 3)}});
+  };
+  std::vector<int> told;
+  const auto frames = carryThrough(FrameCarrier(grown.settings, hooksOf(load)), grown.result, 7,
+                                   [&](const FrameResult& r) { told.push_back(r.frame); });
+  CHECK(told == std::vector<int>{4, 5, 6, 7});
+  CHECK(frames[0].from == 3);
+  CHECK(has(frames[1], FrameFault::unreadable));
+  CHECK_FALSE(frames[1].isTrusted());
+  CHECK(frames[2].from == 4);
+  CHECK(frames[2].isTrusted());
+  CHECK(frames[3].from == 6);
+  CHECK(frames[3].volume == Approx(ball(8.4)).epsilon(0.03));
+}
+
+TEST_CASE("walls stay where they are in every frame") {
+  Constraints constraints;
+  constraints.walls.balls.push_back({kMiddle + Vec3(12, 0, 0), 4});
+  const FrameResult r = carriedOnto(balls({{kMiddle, 14}}), true, balls({{kMiddle, 10}}), constraints);
+  REQUIRE_FALSE(r.mesh.triangles.empty());
+  for (const Vec3& p : r.mesh.points) CHECK((p - (kMiddle + Vec3(12, 0, 0))).norm() > 3.99);
+  CHECK(r.volume > ball(11));
+}
+
+TEST_CASE("clicks are carried where the surface holds them, and replaced by its deepest place where not") {
+  const GrownFrame grown = growIn(balls({{kMiddle, 10}}), 0, {{{kMiddle}}, {}, {}});
+  const TriangleSoup& mesh = grown.result.mesh;
+  const Seed inside{kMiddle + Vec3(2, 0, 0), 30.0}, far{Vec3(3, 3, 3)}, rim{kMiddle + Vec3(9.5, 0, 0)};
+  Seed outside{Vec3(35, 35, 35)}, swallowed{kMiddle};
+  outside.background = swallowed.background = true;
+  const std::vector<Seed> kept = carriedSeeds({inside, far, rim, outside, swallowed}, mesh, 2);
+  REQUIRE(kept.size() == 2);
+  CHECK(kept[0].centre == inside.centre);
+  CHECK(*kept[0].radius < 8.5);
+  CHECK(kept[1] == outside);
+  const std::vector<Seed> other = carriedSeeds({far}, mesh, 2);
+  REQUIRE(other.size() == 1);
+  CHECK((other[0].centre - kMiddle).norm() < 2);
+}
+
+TEST_CASE("drift is none between equal surfaces, and the shift between shifted ones") {
+  const GrownFrame grown = growIn(balls({{kMiddle, 10}}), 0, {{{kMiddle}}, {}, {}});
+  TriangleSoup shifted = grown.result.mesh;
+  for (Vec3& p : shifted.points) p.x() += 1;
+  const Drift none = driftBetween(grown.result.mesh, grown.result.mesh, 2);
+  CHECK(none.isBack);
+  CHECK(none.dice == 1);
+  CHECK(none.percentile95 < 1e-6);
+  CHECK(none.volumeRatio == Approx(1));
+  const Drift one = driftBetween(grown.result.mesh, shifted, 2);
+  CHECK(one.dice < 0.95);
+  CHECK(one.mean == Approx(0.5).margin(0.1));  // the mean of |cos| over a sphere
+  CHECK(one.percentile95 <= 1.001);
+}

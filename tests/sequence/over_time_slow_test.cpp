@@ -1,0 +1,69 @@
+// The beating phantom as a whole: docs/time.md has its figures.
+
+#include <cstdio>
+#include <map>
+
+#include "core/sequence/drift.h"
+#include "tests/sequence/beating_support.h"
+#include "tests/support/catch.h"
+
+using namespace handlebody;
+using namespace handlebody::test;
+
+namespace {
+
+struct Figures {
+  double leastDice = 1, mostSeconds = 0, single = 0;
+  double ejection = 0;
+  bool sameTopology = true, allTrusted = true;
+};
+
+Figures figuresOf(const BeatingPhantom& phantom) {
+  const int last = phantom.options().frames - 1;
+  const GrownFrame grown = growIn(phantom.image(0), 0, {{{phantom.seed()}}, {}, {}});
+  std::map<int, Volume> images;
+  for (int f = 0; f <= last; ++f) images[f] = phantom.image(f);  // not part of the time
+  const FrameCarrier carrier(grown.settings, hooksOf([&](int f) { return images.at(f); }));
+  std::vector<FrameResult> frames = carryThrough(carrier, grown.result, last);
+  frames.insert(frames.begin(), grown.result);
+  Figures out;
+  out.single = grown.result.seconds;
+  for (const FrameResult& r : frames) {
+    out.allTrusted = out.allTrusted && r.isTrusted();
+    out.sameTopology = out.sameTopology && r.components == 1 && r.genus == 0;
+    out.leastDice = std::min(out.leastDice, diceOf(r.mesh, phantom.truth(r.frame)));
+    if (r.frame > 0) out.mostSeconds = std::max(out.mostSeconds, r.seconds);
+  }
+  out.ejection = curveOf(frames).ejectionFraction;
+  FrameResult beside = frames.back();
+  beside.frame = -1;
+  const FrameResult back = carrier.carry(beside, 0);
+  const Drift drift = driftBetween(grown.result.mesh, back.mesh, grown.settings.edgeLength);
+  std::printf(
+      "ejection %.0f %% %s: found %.2f %%, least Dice %.4f, one frame %.2f s, slowest carried %.2f s, "
+      "around the cycle Dice %.4f, %.3f mm\n",
+      100 * phantom.sampledEjection(), phantom.options().speckle ? "speckle" : "noise", 100 * out.ejection,
+      out.leastDice, out.single, out.mostSeconds, drift.dice, drift.mean);
+  std::fflush(stdout);
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("twenty frames with an ejection fraction of 30 to 70 per cent, in noise and in speckle",
+          "[.][time-slow]") {
+  for (const bool speckle : {false, true})
+    for (const double ejection : {0.3, 0.4, 0.5, 0.6, 0.7}) {
+      BeatingOptions options;
+      options.ejection = ejection;
+      options.speckle = speckle;
+      const BeatingPhantom phantom(options);
+      const Figures f = figuresOf(phantom);
+      INFO("ejection " << ejection << (speckle ? ", speckle" : ", noise"));
+      CHECK(std::abs(f.ejection - ejection) < 0.02);
+      CHECK(f.leastDice >= 0.97);
+      CHECK(f.sameTopology);
+      CHECK(f.allTrusted);
+      CHECK(f.mostSeconds <= 2 * f.single);
+    }
+}
