@@ -6,6 +6,7 @@
 #include "core/io/edit_json.h"
 #include "core/io/measures_json.h"
 #include "core/io/parameter_names.h"
+#include "core/io/polished_export.h"
 #include "core/io/sensitivity_json.h"
 
 namespace handlebody {
@@ -163,6 +164,7 @@ void addObject(Json& json, const RunReport& report) {
   json["unsupported_surface"] = report.unsupportedSurface;
   json["seconds"] = secondsToJson(report.seconds);
   json["mesh"] = certificateToJson(report.mesh);
+  if (report.polish) json["polish"] = polishToJson(*report.polish);
   if (report.measures) json["measures"] = measuresToJson(*report.measures);
   if (report.sensitivity) json["sensitivity"] = sensitivityToJson(*report.sensitivity);
   if (report.tunnels) json["tunnels"] = tunnelsToJson(*report.tunnels);

@@ -15,6 +15,7 @@
 #include "core/mesh/tunnels.h"
 #include "core/mesh/validity.h"
 #include "core/object/candidate.h"
+#include "core/polish/polish.h"
 #include "core/sensitivity/sensitivity.h"
 
 namespace handlebody {
@@ -52,6 +53,7 @@ struct RunReport {
   Certificate mesh;                          //!< of the exported mesh
   std::optional<TunnelList> tunnels{};       //!< of it, where they were looked for
   std::optional<ObjectMeasures> measures{};  //!< the same
+  std::optional<PolishReport> polish{};      //!< what was bettered of it, where that was asked for
   std::optional<Sensitivity> sensitivity{};  //!< of it, where that was asked for
   std::vector<Event> events;
   std::vector<ToldLeak> leaks{};                //!< in the order in which they came
