@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -19,7 +20,8 @@ constexpr int kDirections = 8;
 constexpr int kMostSteps = 24;
 constexpr double kFirstStep = 0.3, kLastStep = 0.015;  // of the mean edge at a point
 constexpr double kOffSurface = 0.5;                    // of the distance allowed: a step along the normal
-constexpr double kWithin = 0.9;                        // of that distance: where a point may go
+//! Of the distance allowed: where points may go. First as far as seems safe; less where that was too far.
+constexpr std::array<double, 2> kReaches{0.85, 0.5};
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
@@ -63,6 +65,66 @@ Vec3 inSingle(const Vec3& p) {
     out[a] = static_cast<double>(single);
   }
   return out;
+}
+
+namespace {
+
+std::array<Vec3, 4> samplesOf(const Corners& c) {
+  return {(c[0] + c[1]) / 2, (c[1] + c[2]) / 2, (c[2] + c[0]) / 2, (c[0] + c[1] + c[2]) / 3};
+}
+
+Corners cornersOf(const Patch& patch, const Triangle& t) {
+  return {patch.points[idx(t[0])], patch.points[idx(t[1])], patch.points[idx(t[2])]};
+}
+
+bool isNearFaces(const Vec3& p, const Patch& patch, double distance) {
+  return std::any_of(patch.faces.begin(), patch.faces.end(), [&](const Triangle& t) {
+    const Corners c = cornersOf(patch, t);
+    return squaredDistance(p, c[0], c[1], c[2]) <= distance * distance;
+  });
+}
+
+}  // namespace
+
+PatchSearch::PatchSearch(const WantedShape& wanted, const Patch& patch, std::span<const Corners> surface,
+                         double distance)
+    : wanted_(wanted), surface_(surface), distance_(distance) {
+  const auto add = [&](const Vec3& p) {
+    if (isNearFaces(p, patch, distance)) covered_.push_back(p);
+  };
+  for (const Corners& c : surface) {
+    for (const Vec3& p : c) add(p);
+    for (const Vec3& p : samplesOf(c)) add(p);
+  }
+}
+
+bool PatchSearch::isFaceNear(const Corners& face) const {
+  const auto samples = samplesOf(face);
+  return std::all_of(samples.begin(), samples.end(),
+                     [&](const Vec3& p) { return distanceFromSurface(p) <= reach_; });
+}
+
+//! What lies at v and at most so far from it.
+bool PatchSearch::staysNear(const Patch& patch, int v, double radius) const {
+  for (const Triangle& t : patch.faces)
+    if ((t[0] == v || t[1] == v || t[2] == v) && !isFaceNear(cornersOf(patch, t))) return false;
+  return std::all_of(covered_.begin(), covered_.end(), [&](const Vec3& p) {
+    return (p - patch.points[idx(v)]).norm() > radius || isNearFaces(p, patch, reach_);
+  });
+}
+
+bool PatchSearch::isNear(const Patch& patch) const {
+  return std::all_of(patch.faces.begin(), patch.faces.end(),
+                     [&](const Triangle& t) { return isFaceNear(cornersOf(patch, t)); }) &&
+         std::all_of(covered_.begin(), covered_.end(),
+                     [&](const Vec3& p) { return isNearFaces(p, patch, reach_); });
+}
+
+void PatchSearch::sortBestFirst(std::vector<Attempt>& attempts) {
+  std::stable_sort(attempts.begin(), attempts.end(), [](const Attempt& x, const Attempt& y) {
+    return x.isNear != y.isNear ? x.isNear : x.badness.sum < y.badness.sum;
+  });
+  if (attempts.size() > kWidth) attempts.erase(attempts.begin() + kWidth, attempts.end());
 }
 
 Vec3 PatchSearch::onSurface(const Vec3& p) const {
@@ -124,17 +186,19 @@ std::vector<Attempt> PatchSearch::changes(const Patch& patch, const std::vector<
       if (isWithin) addSplits(patch, a, b, trials);
     }
   std::stable_sort(trials.begin() + 1, trials.end(), [](const Trial& x, const Trial& y) { return x.sum < y.sum; });
-  if (trials.size() > 2 * kWidth) trials.resize(2 * kWidth);
+  if (trials.size() > 3 * kWidth) trials.erase(trials.begin() + 3 * kWidth, trials.end());
   std::vector<Attempt> attempts;
-  for (Trial& trial : trials) {
-    giveUpIfCancelled();
-    relax(trial);
-    const Badness badness = trial.patch.badness(wanted_);
-    attempts.push_back({std::move(trial.patch), badness});
-  }
-  std::stable_sort(attempts.begin(), attempts.end(),
-                   [](const Attempt& x, const Attempt& y) { return x.badness.sum < y.badness.sum; });
-  if (attempts.size() > kWidth) attempts.resize(kWidth);
+  for (const Trial& trial : trials)
+    for (const double reach : kReaches) {
+      giveUpIfCancelled();
+      reach_ = reach * distance_;
+      Trial relaxed = trial;
+      relax(relaxed);
+      const Badness badness = relaxed.patch.badness(wanted_);
+      const bool isGood = isNear(relaxed.patch);
+      attempts.push_back({std::move(relaxed.patch), badness, isGood});
+    }
+  sortBestFirst(attempts);
   return attempts;
 }
 
@@ -162,9 +226,9 @@ std::vector<Vec3> PatchSearch::places(const Patch& patch, int v, double step) co
     all.push_back(onSurface(from + step * star.edge * (std::cos(turn) * u + std::sin(turn) * w)));
   }
   for (const int n : patch.neighbours(v)) all.push_back(onSurface(from + step * (patch.points[idx(n)] - from)));
-  const double off = std::min(step * star.edge, kOffSurface * distance_);
+  const double off = std::min(step * star.edge, kOffSurface * reach_);
   for (const double way : {off, -off})
-    if (const Vec3 to = from + way * star.normal; distanceFromSurface(to) <= kWithin * distance_)
+    if (const Vec3 to = from + way * star.normal; distanceFromSurface(to) <= reach_)
       all.push_back(to);
   for (Vec3& p : all) p = inSingle(p);
   return all;
@@ -173,13 +237,16 @@ std::vector<Vec3> PatchSearch::places(const Patch& patch, int v, double step) co
 //! To the best of some places at that distance, if it is better than where it is.
 bool PatchSearch::moveByStep(Patch& patch, int v, double step, Badness& now) {
   const Vec3 from = patch.points[idx(v)];
+  double radius = 0;
+  for (const int n : patch.neighbours(v)) radius = std::max(radius, (patch.points[idx(n)] - from).norm());
+  const bool wasNear = staysNear(patch, v, 1.5 * radius);
   Vec3 best = from;
   Badness least = now;
   for (const Vec3& to : places(patch, v, step)) {
     patch.points[idx(v)] = to;
     const Badness there = patch.badnessAt(v, wanted_);
     ++work_;
-    if (!there.isBetterThan(least)) continue;
+    if (!there.isBetterThan(least) || (wasNear && !staysNear(patch, v, 1.5 * radius))) continue;
     least = there;
     best = to;
   }

@@ -15,25 +15,27 @@ namespace handlebody {
 struct Attempt {
   Patch patch;
   Badness badness;
+  bool isNear = false;  //!< by some points of it: it seems to stay within the distance of the first surface
 };
 
 class PatchSearch {
  public:
   //! `surface`: the one that was there at first, around the patch; no point is put farther from it than
-  //! `distance`. Both outlive it.
-  PatchSearch(const WantedShape& wanted, std::span<const Corners> surface, double distance)
-      : wanted_(wanted), surface_(surface), distance_(distance) {}
+  //! `distance`. What is given outlives it.
+  PatchSearch(const WantedShape& wanted, const Patch& patch, std::span<const Corners> surface,
+              double distance);
 
   //! Changes by one operation at the points of `place` (those of a bad face, or of the two of a bad edge), or
   //! by none, with points near by moved as is best: the kWidth best ones, whether better than the patch or
-  //! not.
+  //! not; those that seem to stay near the surface before the others.
   std::vector<Attempt> changes(const Patch& patch, const std::vector<int>& place);
   //! The points of its worst face or edge within; none if nothing is bad.
   std::vector<int> worstPlace(const Patch& patch) const;
   //! Shapes that were looked at, for a budget.
   std::size_t work() const { return work_; }
 
-  static constexpr std::size_t kWidth = 8;
+  static constexpr std::size_t kWidth = 12;
+  static void sortBestFirst(std::vector<Attempt>& attempts);
 
  private:
   struct Trial {
@@ -49,12 +51,17 @@ class PatchSearch {
   void move(Patch& patch, int v);
   std::vector<Vec3> places(const Patch& patch, int v, double step) const;
   bool moveByStep(Patch& patch, int v, double step, Badness& now);
+  bool staysNear(const Patch& patch, int v, double radius) const;
+  bool isNear(const Patch& patch) const;
+  bool isFaceNear(const Corners& face) const;
   Vec3 onSurface(const Vec3& p) const;
   double distanceFromSurface(const Vec3& p) const;
 
   const WantedShape& wanted_;
   std::span<const Corners> surface_;
   double distance_;
+  double reach_ = 0;           // mm, how near points are kept now
+  std::vector<Vec3> covered_;  // points of the first surface that the patch was near to
   std::size_t work_ = 0;
 };
 

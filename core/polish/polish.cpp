@@ -118,7 +118,7 @@ class Polisher {
   bool change(const std::vector<int>& vertices, int pass) {
     const PolishedSurface::Part part = surface_.around(vertices);
     const std::vector<Corners> first = surface_.firstNear(part.patch);
-    PatchSearch search(aim_, first, options_.bounds.distance);
+    PatchSearch search(aim_, part.patch, first, options_.bounds.distance);
     const Badness now = part.patch.badness(aim_);
     std::vector<int> place;  // in the patch
     for (const int v : vertices)
@@ -153,9 +153,7 @@ class Polisher {
       if (const std::vector<int> place = search.worstPlace(patch); !place.empty())
         for (Attempt& a : search.changes(patch, place)) all.push_back(std::move(a));
     }
-    std::stable_sort(all.begin(), all.end(),
-                     [](const Attempt& x, const Attempt& y) { return x.badness.sum < y.badness.sum; });
-    if (all.size() > PatchSearch::kWidth) all.resize(PatchSearch::kWidth);
+    PatchSearch::sortBestFirst(all);
     return all;
   }
 
