@@ -64,10 +64,11 @@ bool isCovered(const Corners& triangle, std::span<const Corners> where, std::spa
     giveUpIfCancelled();
     const Piece piece = left.back();
     left.pop_back();
-    if (!where.empty() && distanceTo(piece.centre, where) > distance + piece.radius) continue;
+    const double there = where.empty() ? 0 : distanceTo(piece.centre, where);
+    if (there > distance + piece.radius) continue;
     const double away = distanceTo(piece.centre, others);
     if (away + piece.radius <= distance) continue;
-    if (away > distance) return false;
+    if (away > distance && there <= distance) return false;
     if (isCoveredByOne(piece, others, distance * distance)) continue;
     if (piece.radius < kSmallest * distance) return false;
     for (const Corners& half : halves(piece.corners)) left.emplace_back(half);

@@ -15,6 +15,7 @@ namespace handlebody {
 
 namespace {
 
+constexpr std::size_t kMostTrials = 36;
 constexpr int kSweeps = 2;
 constexpr int kDirections = 8;
 constexpr int kMostSteps = 24;
@@ -120,7 +121,7 @@ bool PatchSearch::isNear(const Patch& patch) const {
                      [&](const Vec3& p) { return isNearFaces(p, patch, reach_); });
 }
 
-void PatchSearch::sortBestFirst(std::vector<Attempt>& attempts) {
+void PatchSearch::keepBest(std::vector<Attempt>& attempts) {
   std::stable_sort(attempts.begin(), attempts.end(), [](const Attempt& x, const Attempt& y) {
     return x.isNear != y.isNear ? x.isNear : x.badness.sum < y.badness.sum;
   });
@@ -174,7 +175,8 @@ void PatchSearch::addSplits(const Patch& patch, int a, int b, std::vector<Trial>
   if (m >= 0) add(std::move(divided), {m, a, b, c, d}, trials);
 }
 
-std::vector<Attempt> PatchSearch::changes(const Patch& patch, const std::vector<int>& place) {
+//! The likeliest first, but for the patch as it is before all others.
+std::vector<PatchSearch::Trial> PatchSearch::trialsAt(const Patch& patch, const std::vector<int>& place) {
   std::vector<Trial> trials;
   add(patch, place, trials);
   for (const int a : place)
@@ -185,27 +187,33 @@ std::vector<Attempt> PatchSearch::changes(const Patch& patch, const std::vector<
       if (!isWithin) addCollapses(patch, b, a, trials);
       if (isWithin) addSplits(patch, a, b, trials);
     }
-  std::stable_sort(trials.begin() + 1, trials.end(), [](const Trial& x, const Trial& y) { return x.sum < y.sum; });
-  if (trials.size() > 3 * kWidth) trials.erase(trials.begin() + 3 * kWidth, trials.end());
-  std::vector<Attempt> attempts;
-  for (const Trial& trial : trials)
-    for (const double reach : kReaches) {
-      giveUpIfCancelled();
-      reach_ = reach * distance_;
-      Trial relaxed = trial;
-      relax(relaxed);
-      const Badness badness = relaxed.patch.badness(wanted_);
-      const bool isGood = isNear(relaxed.patch);
-      attempts.push_back({std::move(relaxed.patch), badness, isGood});
-    }
-  sortBestFirst(attempts);
-  return attempts;
+  std::stable_sort(trials.begin() + 1, trials.end(),
+                   [](const Trial& x, const Trial& y) { return x.sum < y.sum; });
+  if (trials.size() > kMostTrials) trials.erase(trials.begin() + kMostTrials, trials.end());
+  return trials;
 }
 
-void PatchSearch::relax(Trial& trial) {
+bool PatchSearch::tryChanges(const Patch& patch, const std::vector<int>& place, const Take& take,
+                             std::vector<Attempt>& attempts) {
+  const std::vector<Trial> trials = trialsAt(patch, place);
+  for (const double reach : kReaches)
+    for (const Trial& trial : trials) {
+      giveUpIfCancelled();
+      Attempt attempt = relaxed(trial, reach);
+      if (attempt.isNear && attempt.badness.sum == 0 && take(attempt)) return true;
+      attempts.push_back(std::move(attempt));
+    }
+  return false;
+}
+
+Attempt PatchSearch::relaxed(Trial trial, double reach) {
+  reach_ = reach * distance_;
   for (int sweep = 0; sweep < kSweeps; ++sweep)
     for (const int v : trial.touched)
       if (trial.patch.isFree[idx(v)] && trial.patch.isUsed(v)) move(trial.patch, v);
+  const Badness badness = trial.patch.badness(wanted_);
+  const bool isGood = isNear(trial.patch);
+  return {std::move(trial.patch), badness, isGood};
 }
 
 void PatchSearch::move(Patch& patch, int v) {

@@ -25,17 +25,22 @@ class PatchSearch {
   PatchSearch(const WantedShape& wanted, const Patch& patch, std::span<const Corners> surface,
               double distance);
 
+  //! True if it was what was looked for.
+  using Take = std::function<bool(const Attempt&)>;
   //! Changes by one operation at the points of `place` (those of a bad face, or of the two of a bad edge), or
-  //! by none, with points near by moved as is best: the kWidth best ones, whether better than the patch or
-  //! not; those that seem to stay near the surface before the others.
-  std::vector<Attempt> changes(const Patch& patch, const std::vector<int>& place);
+  //! by none, with points near by moved as is best. Each after which nothing is bad and that seems to stay
+  //! near the surface is offered at once; true, and it ends, if it was taken. Adds the others to `attempts`,
+  //! whether better than the patch or not.
+  bool tryChanges(const Patch& patch, const std::vector<int>& place, const Take& take,
+                  std::vector<Attempt>& attempts);
   //! The points of its worst face or edge within; none if nothing is bad.
   std::vector<int> worstPlace(const Patch& patch) const;
   //! Shapes that were looked at, for a budget.
   std::size_t work() const { return work_; }
 
   static constexpr std::size_t kWidth = 12;
-  static void sortBestFirst(std::vector<Attempt>& attempts);
+  //! The kWidth best ones; those that seem to stay near the surface before the others.
+  static void keepBest(std::vector<Attempt>& attempts);
 
  private:
   struct Trial {
@@ -47,7 +52,8 @@ class PatchSearch {
   void addTurns(const Patch& patch, int a, int b, std::vector<Trial>& trials);
   void addCollapses(const Patch& patch, int a, int b, std::vector<Trial>& trials);
   void addSplits(const Patch& patch, int a, int b, std::vector<Trial>& trials);
-  void relax(Trial& trial);
+  std::vector<Trial> trialsAt(const Patch& patch, const std::vector<int>& place);
+  Attempt relaxed(Trial trial, double reach);
   void move(Patch& patch, int v);
   std::vector<Vec3> places(const Patch& patch, int v, double step) const;
   bool moveByStep(Patch& patch, int v, double step, Badness& now);

@@ -124,36 +124,36 @@ class Polisher {
     for (const int v : vertices)
       place.push_back(static_cast<int>(std::find(part.patch.vertex.begin(), part.patch.vertex.end(), v) -
                                        part.patch.vertex.begin()));
-    std::vector<Attempt> attempts = search.changes(part.patch, place);
-    bool isDone = false;
+    const auto take = [&](const Attempt& attempt) {
+      return attempt.badness.isBetterThan(now) && surface_.accept(part, attempt.patch);
+    };
+    std::vector<Attempt> attempts;
+    bool isDone = search.tryChanges(part.patch, place, take, attempts);
     for (std::size_t depth = 1; !isDone; ++depth) {
-      isDone = acceptAny(part, now, attempts, pass);
+      PatchSearch::keepBest(attempts);
+      isDone = std::any_of(attempts.begin(), attempts.end(), take);
       if (isDone || depth == kMostDepth) break;
-      attempts = next(search, std::move(attempts));
+      attempts = next(search, attempts, take, isDone);
     }
     work_ += search.work();
+    if (isDone) noteChange(part.patch, pass);
     return isDone;
   }
 
-  bool acceptAny(const PolishedSurface::Part& part, const Badness& now, const std::vector<Attempt>& attempts,
-                 int pass) {
-    for (const Attempt& attempt : attempts) {
-      if (!attempt.badness.isBetterThan(now) || !surface_.accept(part, attempt.patch)) continue;
-      changedAt_.resize(surface_.points().size(), pass);
-      for (const int v : part.patch.vertex) changedAt_[idx(v)] = pass;
-      return true;
-    }
-    return false;
+  void noteChange(const Patch& before, int pass) {
+    changedAt_.resize(surface_.points().size(), pass);
+    for (const int v : before.vertex) changedAt_[idx(v)] = pass;
   }
 
-  static std::vector<Attempt> next(PatchSearch& search, std::vector<Attempt> attempts) {
+  //! One more operation after the best of them.
+  static std::vector<Attempt> next(PatchSearch& search, const std::vector<Attempt>& attempts,
+                                   const PatchSearch::Take& take, bool& isDone) {
     std::vector<Attempt> all;
-    for (std::size_t i = 0; i < std::min(kBeam, attempts.size()); ++i) {
+    for (std::size_t i = 0; !isDone && i < std::min(kBeam, attempts.size()); ++i) {
       const Patch& patch = attempts[i].patch;
       if (const std::vector<int> place = search.worstPlace(patch); !place.empty())
-        for (Attempt& a : search.changes(patch, place)) all.push_back(std::move(a));
+        isDone = search.tryChanges(patch, place, take, all);
     }
-    PatchSearch::sortBestFirst(all);
     return all;
   }
 

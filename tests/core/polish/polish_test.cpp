@@ -95,15 +95,16 @@ TriangleSoup withNeedles(const TriangleSoup& soup, int count, unsigned seed) {
   return inSingle(mesh.compact());
 }
 
-//! Edges split in the middle, and that point put next to the one across: caps, with an angle near 180°.
+//! Edges split, and the new point put next to the middle of another edge: caps, with an angle near 180°.
 TriangleSoup withCaps(const TriangleSoup& soup, int count, unsigned seed) {
   Mesh mesh(soup);
   std::mt19937 random(seed);
   for (int i = 0; i < count; ++i) {
     const int h = static_cast<int>(random() % static_cast<unsigned>(3 * mesh.faceSlots()));
-    const Vec3 middle = (mesh.position(mesh.origin(h)) + mesh.position(mesh.target(h))) / 2;
-    const Vec3 apex = mesh.position(mesh.apex(h));
-    mesh.splitEdge(h, middle + 0.04 * (apex - middle));
+    const Vec3 &a = mesh.position(mesh.origin(h)), &b = mesh.position(mesh.target(h)),
+               &c = mesh.position(mesh.apex(h));
+    const Vec3 p = 0.04 * a + 0.48 * (b + c);
+    mesh.splitEdge(h, p);
   }
   return inSingle(mesh.compact());
 }
