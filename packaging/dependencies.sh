@@ -2,7 +2,7 @@
 # shellcheck shell=bash
 
 BUILD_PACKAGES="g++ cmake ninja-build ccache libvtk9-dev libinsighttoolkit5-dev libdcmtk-dev libeigen3-dev libcli11-dev nlohmann-json3-dev libssl-dev zlib1g-dev qt6-base-dev qt6-svg-dev libqt6svg6 pybind11-dev python3-dev"
-TEST_PACKAGES="catch2 libcgal-dev xvfb xauth fonts-dejavu-core python3-numpy python3-pytest python3-matplotlib"
+TEST_PACKAGES="catch2 libcgal-dev xvfb xauth fonts-dejavu-core python3-numpy python3-pytest python3-matplotlib gmsh tetgen"
 PACKAGE_PACKAGES="file dpkg-dev fakeroot"
 RUN_PACKAGES="qt6-qpa-plugins qt6-wayland fonts-dejavu-core libgl1-mesa-dri"
 

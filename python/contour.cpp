@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/errors.h"
+#include "core/io/polished_export.h"
 #include "core/io/wall_map.h"
 
 namespace handlebody::python {
@@ -29,6 +30,7 @@ Contour::Contour(std::shared_ptr<const PythonVolume> volume, Session asked)
       told_(begun(*volume_, std::move(asked))),
       active_(volume_->loaded.volume, told_.session.seeds, told_.session.requested,
               told_.session.constraints) {
+  told_.session.polish = true;
   tellBeginning(active_, told_);
   tellIteration();
 }
@@ -38,7 +40,8 @@ Contour::Contour(const Contour& other)
       told_(other.told_),
       active_(other.active_),
       surface_(other.surface_),
-      mesh_(other.mesh_) {
+      mesh_(other.mesh_),
+      polish_(other.polish_) {
   tellIteration();
 }
 
@@ -106,7 +109,11 @@ std::shared_ptr<const TriangleSoup> Contour::surface() const {
 }
 
 const PythonMesh& Contour::mesh() const {
-  if (!mesh_) mesh_.emplace(grownMesh(active_));
+  if (!mesh_) {
+    CertifiedMesh made = grownMesh(active_);
+    polish_ = polish(made, polishOptions(active_, made.mesh));
+    mesh_.emplace(std::move(made));
+  }
   return *mesh_;
 }
 
@@ -119,6 +126,8 @@ RunReport Contour::report(bool isComplete) const {
     report.measures = objectMeasures(soup, &volume_->loaded.volume);
     report.tunnels = findTunnelsQuickly(soup, report.mesh);
   }
+  report.polish = polish_;
+  if (std::string doubt = polishDoubt(*polish_); !doubt.empty()) report.doubts.push_back(std::move(doubt));
   tellDoubts(active_, soup, report);
   return report;
 }

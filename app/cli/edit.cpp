@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <memory>
@@ -7,6 +8,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/outputs.h"
+#include "app/cli/export_options.h"
 #include "app/cli/run.h"
 #include "app/cli/tunnel_text.h"
 #include "core/collision/certify.h"
@@ -16,11 +18,16 @@
 #include "core/io/edit_json.h"
 #include "core/io/mesh_io.h"
 #include "core/io/parse.h"
+#include "core/io/polished_export.h"
 #include "core/io/result.h"
+#include "core/polish/patch_search.h"
 
 namespace handlebody::cli {
 
 namespace {
+
+//! Which bad triangles are bettered: those that an edit made, all, none.
+enum class Polish { edits, all, off };
 
 struct EditOptions {
   std::string path;
@@ -30,9 +37,12 @@ struct EditOptions {
   TunnelCut cut = TunnelCut::shorter;
   std::optional<CoordinateSpace> space;
   std::vector<std::pair<std::string, MeshEdit>> touches;  // by option and text, in the order given
+  Polish polish = Polish::edits;
   bool keepLargest = false, fillCavities = false, json = false, quiet = false;
 
-  bool edits() const { return !touches.empty() || shorterThan || keepLargest || fillCavities; }
+  bool edits() const {
+    return !touches.empty() || shorterThan || keepLargest || fillCavities || polish == Polish::all;
+  }
 };
 
 //! What there is in a mesh.
@@ -57,6 +67,7 @@ Json contentsToJson(const Contents& c) {
 struct Edited {
   std::vector<Event> edits;
   TunnelsClosed closed;
+  std::optional<PolishReport> polish;
 };
 
 //! Throws UsageError if it is refused.
@@ -85,7 +96,9 @@ Edited edit(Mesh& mesh, const EditOptions& o) {
 
 void printEdits(const Edited& done) {
   for (const Event& e : done.edits) std::printf("%s\n", editText(e).c_str());
-  if (done.edits.empty()) std::printf("nothing to change\n");
+  const std::string polished = done.polish ? polishText(*done.polish) : std::string();
+  if (!polished.empty()) std::printf("%s\n", polished.c_str());
+  if (done.edits.empty() && polished.empty()) std::printf("nothing to change\n");
 }
 
 void printContents(const Contents& c) {
@@ -113,6 +126,7 @@ Json answer(const EditOptions& o, const Contents& before, const Edited& done,
   if (!after) return json;
   Json& edits = json["edits"] = Json::array();
   for (const Event& e : done.edits) edits.push_back(editToJson(e));
+  if (done.polish) json["polish"] = polishToJson(*done.polish);
   Json& open = json["still_open"] = Json::array();
   for (const OpenTunnel& t : done.closed.open) open.push_back(openTunnelToJson(t));
   json["after"] = contentsToJson(*after);
@@ -125,7 +139,7 @@ void checkOptions(const EditOptions& o) {
   if (!o.edits() && !o.results.empty())
     throw UsageError(
         "-o: there is no edit to write; see --close-tunnels, --keep-largest, --fill-cavities, --smooth-here, "
-        "--pull and --cut-plane.");
+        "--pull, --cut-plane and --polish all.");
   if (o.cut != TunnelCut::shorter && !o.shorterThan) throw UsageError("--cut goes with --close-tunnels.");
   std::vector<OutputFile> files;
   for (const std::string& path : o.results) {
@@ -157,6 +171,38 @@ CertifiedMesh certified(const EditOptions& o, const Mesh& mesh, const Certificat
   return certifiedForExport(mesh.compact());
 }
 
+//! Per triangle of the mesh: 1 if the one before had none with the same corners.
+std::vector<char> newTriangles(const TriangleSoup& mesh, const TriangleSoup& before) {
+  using Place = std::array<double, 9>;
+  const auto placeOf = [](const TriangleSoup& of, const Triangle& t) {
+    std::array<std::array<double, 3>, 3> corners{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 p = inSingle(of.points[static_cast<std::size_t>(t[i])]);
+      corners[i] = {p.x(), p.y(), p.z()};
+    }
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    Place place{};
+    for (std::size_t i = 0; i < 9; ++i) place[i] = corners[i / 3][i % 3];
+    return place;
+  };
+  std::vector<Place> known;
+  for (const Triangle& t : before.triangles) known.push_back(placeOf(before, t));
+  std::sort(known.begin(), known.end());
+  std::vector<char> isNew;
+  for (const Triangle& t : mesh.triangles)
+    isNew.push_back(std::binary_search(known.begin(), known.end(), placeOf(mesh, t)) ? 0 : 1);
+  return isNew;
+}
+
+void polish(CertifiedMesh& made, const TriangleSoup& before, const EditOptions& o, Edited& done) {
+  if (o.polish == Polish::off) return;
+  PolishOptions options;
+  options.bounds.distance = polishDistance(before);
+  if (o.polish == Polish::edits) options.isOwn = newTriangles(made.mesh, before);
+  done.polish = handlebody::polish(made, options);
+  warnOfPolish(*done.polish);
+}
+
 int look(const EditOptions& o, const Mesh& mesh, const Certificate& certificate) {
   const Contents contents = contentsOf(mesh, certificate);
   const std::string json = jsonText(answer(o, contents, {}, std::nullopt));
@@ -175,8 +221,10 @@ int editMesh(const EditOptions& o) {
   if (!o.edits()) return look(o, mesh, certificate);
   const bool listed = o.json || !o.report.empty();
   const Contents before = listed ? contentsOf(mesh, certificate) : Contents{certificate, {}, {}};
-  const Edited done = edit(mesh, o);
-  const CertifiedMesh out = certified(o, mesh, certificate);
+  const TriangleSoup input = mesh.compact();
+  Edited done = edit(mesh, o);
+  CertifiedMesh out = certified(o, mesh, certificate);
+  polish(out, input, o, done);
   std::optional<Contents> after;
   if (listed) after = contentsOf(Mesh(out.mesh), out.certificate);
   warn(done);
@@ -221,6 +269,17 @@ void setCut(EditOptions& o, const std::string& text) {
     o.cut = TunnelCut::tunnel;
   else
     throw UsageError("--cut: '" + text + "' is not shorter, handle or tunnel.");
+}
+
+void setPolish(EditOptions& o, const std::string& text) {
+  if (text == "edits")
+    o.polish = Polish::edits;
+  else if (text == "all")
+    o.polish = Polish::all;
+  else if (text == "off")
+    o.polish = Polish::off;
+  else
+    throw UsageError("--polish: '" + text + "' is not edits, all or off.");
 }
 
 struct TouchOption {
@@ -281,6 +340,16 @@ void addEdits(CLI::App& command, EditOptions& o) {
   command.add_flag("--fill-cavities", o.fillCavities, "Remove the cavities, with what lies in them");
 }
 
+void addPolish(CLI::App& command, EditOptions& o) {
+  command
+      .add_option_function<std::string>(
+          "--polish", [&o](const std::string& text) { setPolish(o, text); },
+          "Better triangles with an angle under 15 degrees and edges whose faces meet at less than 20, with "
+          "the surface kept within a tenth of the median edge: those that the edits made (default), all, or "
+          "none")
+      ->type_name("edits|all|off");
+}
+
 }  // namespace
 
 void addEdit(CLI::App& app, Action& action) {
@@ -292,6 +361,7 @@ void addEdit(CLI::App& app, Action& action) {
   command->add_option("MESH", options->path, "A .stl, .vtp, .ply or .obj file that passes `check`");
   addEdits(*command, *options);
   addTouches(*command);
+  addPolish(*command, *options);
   command
       ->add_option("-o,--output", options->results,
                    "The edited mesh: .stl .vtp .ply .obj; may be given several times")

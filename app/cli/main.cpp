@@ -8,6 +8,7 @@
 #include "app/cli/command.h"
 #include "app/cli/object_groups.h"
 #include "app/cli/slurm.h"
+#include "core/cancellation.h"
 #include "core/errors.h"
 #include "core/io/json.h"
 
@@ -37,6 +38,8 @@ int perform(const Action& action) try {
   return fail(error.what(), kInput);
 } catch (const SeedError& error) {
   return fail(error.what(), kSeed);
+} catch (const Cancelled&) {
+  return fail("it was interrupted.", kInternalError);
 } catch (const std::bad_alloc&) {
   return fail("internal error: there is not enough memory.", kInternalError);
 } catch (const std::exception& error) {

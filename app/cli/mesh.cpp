@@ -8,10 +8,13 @@
 #include "app/cli/label_input.h"
 #include "app/cli/object_options.h"
 #include "app/cli/outputs.h"
+#include "app/cli/export_options.h"
+#include "core/cancellation.h"
 #include "core/errors.h"
 #include "core/io/compared.h"
 #include "core/io/json.h"
 #include "core/io/parse.h"
+#include "core/io/polished_export.h"
 #include "core/io/result.h"
 #include "core/solid/label_mesh.h"
 #include "core/solid/simplify.h"
@@ -25,6 +28,8 @@ constexpr int kMostThreads = 1024;
 struct MeshOptions {
   std::string labels;
   std::optional<int> label, genus;
+  std::optional<bool> polish;
+  double mesherSeconds = kMesherSeconds;
   bool keepLargest = false, json = false;
   LabelMeshOptions how;
   std::vector<std::string> results;
@@ -62,9 +67,20 @@ CertifiedMesh meshOf(const MeshOptions& o, const Volume& volume) {
   }
 }
 
-void print(const Certificate& c, const MeshOptions& o) {
+std::optional<PolishReport> polish(CertifiedMesh& made, const Grid& grid, const MeshOptions& o) {
+  if (!o.polish.value_or(true)) return std::nullopt;
+  PolishOptions options;
+  options.bounds.distance = polishDistance(grid);
+  const PolishReport report = handlebody::polish(made, options);
+  warnOfPolish(report);
+  return report;
+}
+
+void print(const Certificate& c, const std::optional<PolishReport>& polish, const MeshOptions& o) {
   if (o.json) {
-    std::fputs(jsonText(certificateToJson(c)).c_str(), stdout);
+    Json json = certificateToJson(c);
+    if (polish) json["polish"] = polishToJson(*polish);
+    std::fputs(jsonText(json).c_str(), stdout);
     return;
   }
   int tunnels = 0;
@@ -73,6 +89,8 @@ void print(const Certificate& c, const MeshOptions& o) {
               plural(c.components - c.cavities, "component").c_str(),
               c.cavities == 1 ? "1 cavity" : (std::to_string(c.cavities) + " cavities").c_str(), tunnels,
               c.volume / 1000, c.vertices, c.faces);
+  if (polish)
+    if (const std::string text = polishText(*polish); !text.empty()) std::printf("%s\n", text.c_str());
 }
 
 int mesh(const MeshOptions& o) {
@@ -88,15 +106,18 @@ int mesh(const MeshOptions& o) {
   const ExportContext context{loaded.volume.grid,
                               o.space == "RAS" ? CoordinateSpace::ras : CoordinateSpace::lps,
                               loaded.info.dicom,
-                              {}};
+                              {},
+                              o.mesherSeconds};
   for (const std::string& path : o.results) checkResult(path, context);
-  const CertifiedMesh made = meshOf(o, loaded.volume);
+  CertifiedMesh made = meshOf(o, loaded.volume);
+  const std::optional<PolishReport> polished = polish(made, loaded.volume.grid, o);
   {
     const DeferSignals whole;
+    const CancelScope scope(DeferSignals::wish());
     writeResults({{chosenLabel(o.object, {}), made.mesh}}, context, o.results);
   }
   for (const std::string& w : warnings) std::fprintf(stderr, "handlebody-cli: warning: %s\n", w.c_str());
-  print(made.certificate, o);
+  print(made.certificate, polished, o);
   return kDone;
 }
 
@@ -143,6 +164,8 @@ void addMesh(CLI::App& app, Action& action) {
       ->required()
       ->allow_extra_args(false);
   addShape(*command, *options);
+  addPolish(*command, options->polish);
+  addMesherSeconds(*command, options->mesherSeconds);
   command->add_flag("--json", options->json, "Print the certificate as JSON");
   addObjectOptions(*command, options->object);
   command->callback([&action, options] { action = [options] { return mesh(*options); }; });

@@ -84,12 +84,18 @@ namespace {
 
 constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
 volatile std::sig_atomic_t receivedSignal = 0;
-void remember(int signal) { receivedSignal = signal; }
+std::atomic<bool> isReceived{false};
+static_assert(std::atomic<bool>::is_always_lock_free);  // a signal's handler sets it
+void remember(int signal) {
+  receivedSignal = signal;
+  isReceived = true;
+}
 
 }  // namespace
 
 DeferSignals::DeferSignals() {
   receivedSignal = 0;
+  isReceived = false;
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
     previous_[i] = std::signal(kSignals[i], remember);
     if (previous_[i] == SIG_IGN) std::signal(kSignals[i], SIG_IGN);  // nohup
@@ -97,6 +103,8 @@ DeferSignals::DeferSignals() {
 }
 
 bool DeferSignals::isPending() { return receivedSignal != 0; }
+
+const std::atomic<bool>& DeferSignals::wish() { return isReceived; }
 
 DeferSignals::~DeferSignals() {
   for (std::size_t i = 0; i < kSignals.size(); ++i) std::signal(kSignals[i], previous_[i]);

@@ -2,6 +2,7 @@
 // The files a run writes: checked before the work, written whole after it.
 
 #include <array>
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,8 @@ class DeferSignals {
   DeferSignals& operator=(const DeferSignals&) = delete;
   //! One came.
   static bool isPending();
+  //! The same, for a CancelScope: work that takes long need not be waited for.
+  static const std::atomic<bool>& wish();
 
  private:
   std::array<void (*)(int), 3> previous_{};

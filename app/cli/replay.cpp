@@ -59,6 +59,7 @@ int replay(ReplayOptions o) {
   for (Session& session : sessions) {
     if (o.series) session.volume.selection.series = o.series;
     if (o.space) session.space = *o.space;
+    if (o.outputs.polish) session.polish = *o.outputs.polish;
     session.version = HANDLEBODY_VERSION;
     for (std::string& path : inputsOf(session)) inputs.push_back(std::move(path));
   }

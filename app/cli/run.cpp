@@ -7,6 +7,8 @@
 #include <stdexcept>
 
 #include "app/cli/command.h"
+#include "app/cli/export_options.h"
+#include "core/cancellation.h"
 #include "core/errors.h"
 #include "core/evolution/active_contour.h"
 #include "core/io/atomic_file.h"
@@ -68,6 +70,8 @@ void addRunOutputs(CLI::App& command, RunOutputs& outputs) {
       ->type_name("F.txt");
   addContent(command, outputs.content);
   addSensitivity(command, outputs.sensitivity);
+  addPolish(command, outputs.polish);
+  addMesherSeconds(command, outputs.mesherSeconds);
   command.add_flag("--quiet", outputs.quiet, "No progress and no summary");
 }
 
@@ -188,6 +192,8 @@ void printSummary(const RunReport& report, const std::string& name) {
   std::printf("%s after %d iterations (%.2f s): components %d, genus %s, %d vertices, %.4g ml, %.4g cm2\n",
               endName(report), report.iterations, report.seconds.total, mesh.components, genus.c_str(),
               mesh.vertices, mesh.volume / 1000.0, mesh.area / 100.0);
+  if (report.polish)
+    if (const std::string text = polishText(*report.polish); !text.empty()) std::printf("%s\n", text.c_str());
   for (const HeldPlace& held : report.held)
     std::printf("held by %s since iteration %d: %s at %.4g,%.4g,%.4g\n", held.isVetoed ? "a veto" : "a limit",
                 held.iteration, eventKindName(held.kind), held.place.x(), held.place.y(), held.place.z());
@@ -207,13 +213,15 @@ void writeSideFiles(RunReport report, const RunOutputs& outputs) {
 namespace {
 
 ExportContext contextOf(const RunReport& report, const RunOutputs& outputs) {
-  return {report.volume.grid, report.session.space, report.volume.dicom, outputs.content};
+  return {report.volume.grid, report.session.space, report.volume.dicom, outputs.content,
+          outputs.mesherSeconds};
 }
 
 }  // namespace
 
 void writeObjects(const std::vector<ExportedObject>& objects, const RunReport& report,
                   const RunOutputs& outputs) {
+  const CancelScope scope(DeferSignals::wish());
   const ExportContext context = contextOf(report, outputs);
   std::vector<std::string> together;
   for (const ResultFile& file : outputs.files)
@@ -226,7 +234,49 @@ void writeObjects(const std::vector<ExportedObject>& objects, const RunReport& r
     writeTextAtomically(outputs.labelDescription, labelDescription(objects));
 }
 
-GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, const std::string& name) {
+namespace {
+
+//! Of the surface as it is written; what takes long, for the report alone.
+void tellSurface(const CertifiedMesh& made, const Volume& volume, const RunOutputs& outputs,
+                 RunReport& report) {
+  Stopwatch watch;
+  report.mesh = made.certificate;
+  if (!outputs.report.empty()) report.measures = objectMeasures(made.mesh, &volume);
+  report.seconds.exported += watch.lap();
+  if (!outputs.report.empty()) report.tunnels = findTunnelsQuickly(made.mesh, made.certificate);
+  report.seconds.tunnels += watch.lap();
+}
+
+void warn(const std::vector<std::string>& doubts, const std::string& name) {
+  const std::string behind = name.empty() ? name : name + ": ";
+  for (const std::string& d : doubts)
+    std::fprintf(stderr, "handlebody-cli: warning: %s%s\n", behind.c_str(), d.c_str());
+}
+
+void tellPolish(const PolishReport& polish, RunReport& report) {
+  report.polish = polish;
+  if (std::string doubt = polishDoubt(polish); !doubt.empty()) report.doubts.push_back(std::move(doubt));
+}
+
+}  // namespace
+
+void polishAmong(GrownObject& object, const std::vector<const TriangleSoup*>& others, const Volume& volume,
+                 const RunOutputs& outputs) {
+  RunReport& report = object.report;
+  if (!report.session.polish) return;
+  Stopwatch watch;
+  object.polish.bounds.obstacles = others;
+  CertifiedMesh made{std::move(object.mesh), report.mesh};
+  const std::size_t told = report.doubts.size();
+  tellPolish(polish(made, object.polish), report);
+  report.seconds.exported += watch.lap();
+  if (report.polish->isChanged()) tellSurface(made, volume, outputs, report);
+  warn({report.doubts.begin() + static_cast<std::ptrdiff_t>(told), report.doubts.end()},
+       report.session.label.name);
+  object.mesh = std::move(made.mesh);
+}
+
+GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, Among among, const std::string& name) {
   Stopwatch watch;
   RunReport report;
   report.session = std::move(loaded.session);
@@ -244,11 +294,12 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, const std::str
   report.seconds.evolve = watch.lap();
 
   CertifiedMesh made = grownMesh(contour);
-  report.mesh = made.certificate;
-  if (!outputs.report.empty()) report.measures = objectMeasures(made.mesh, &volume);
+  PolishOptions polishing;
+  if (report.session.polish) polishing = polishOptions(contour, made.mesh);
+  if (report.session.polish && among == Among::none) tellPolish(polish(made, polishing), report);
   report.seconds.exported = watch.lap();
-  if (!outputs.report.empty()) report.tunnels = findTunnelsQuickly(made.mesh, made.certificate);
-  report.seconds.tunnels = watch.lap();
+  tellSurface(made, volume, outputs, report);
+  watch.lap();
   if (outputs.sensitivity.runs > 0)
     report.sensitivity = sensitivityOf(made.mesh, {volume, contour.request(), contour.parameters()},
                                        outputs.sensitivity, outputs.quiet);
@@ -256,18 +307,16 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, const std::str
   tellDoubts(contour, made.mesh, report);
   if (report.sensitivity)
     for (std::string& d : sensitivityDoubts(*report.sensitivity)) report.doubts.push_back(std::move(d));
-  const std::string behind = name.empty() ? name : name + ": ";
-  for (const std::string& d : report.doubts)
-    std::fprintf(stderr, "handlebody-cli: warning: %s%s\n", behind.c_str(), d.c_str());
+  warn(report.doubts, name);
   report.seconds.exported += watch.lap();
-  return {std::move(report), std::move(made.mesh)};
+  return {std::move(report), std::move(made.mesh), std::move(polishing)};
 }
 
 int run(LoadedSession loaded, const RunOutputs& outputs) {
   std::optional<Volume> shown;  // the voxels are not kept in memory for nothing: a label map needs it
   if (!outputs.picture.empty()) shown = loaded.volume;
   loaded.session.label = chosenLabel(outputs.object, loaded.session.label);
-  auto [report, mesh] = grow(std::move(loaded), outputs);
+  auto [report, mesh, polishing] = grow(std::move(loaded), outputs);
   Stopwatch watch;
   {
     DeferSignals whole;

@@ -10,6 +10,7 @@
 #include "app/cli/outputs.h"
 #include "app/cli/sensitivity.h"
 #include "core/io/dicom_writer.h"
+#include "core/io/polished_export.h"
 #include "core/io/report.h"
 
 namespace CLI {
@@ -32,6 +33,8 @@ struct RunOutputs {
   ObjectOptions object;
   DicomContent content;
   OnLeak onLeak = OnLeak::goOn;
+  double mesherSeconds = kMesherSeconds;
+  std::optional<bool> polish;  //!< none: as the session says
   bool quiet = false;
   SensitivityOptions sensitivity;
 };
@@ -80,12 +83,22 @@ int run(LoadedSession loaded, const RunOutputs& outputs);
 
 //! An object that has been grown and passed its certificate.
 struct GrownObject {
-  RunReport report;   //!< without the seconds of the export, and of all
-  TriangleSoup mesh;  //!< as it is written
+  RunReport report;      //!< without the seconds of the export, and of all
+  TriangleSoup mesh;     //!< as it is written, but for a polish that has yet to come
+  PolishOptions polish;  //!< for that
 };
 
+//! Which of the objects of a run it is.
+enum class Among { none, others };
+
 //! Grows one object; says its doubts on standard error, behind `name` if that is not empty. Throws as run.
-GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, const std::string& name = {});
+//! Among others it is not polished yet: what they grow up to, as walls, is the surface that grew.
+GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, Among among = Among::none,
+                 const std::string& name = {});
+
+//! Betters the mesh of one that was grown among others, which are obstacles, and tells of it as `grow` does.
+void polishAmong(GrownObject& object, const std::vector<const TriangleSoup*>& others, const Volume& volume,
+                 const RunOutputs& outputs);
 
 //! Writes every file of -o, and the description of the labels. Throws OutputError, UsageError.
 void writeObjects(const std::vector<ExportedObject>& objects, const RunReport& report,

@@ -48,6 +48,27 @@ void addWalls(Session& session, const std::vector<WallObject>& finished) {
     if (change.constraints) change.constraints->walls.objects = finished;
 }
 
+std::vector<const TriangleSoup*> meshesBut(const std::vector<GrownObject>& grown, std::size_t without) {
+  std::vector<const TriangleSoup*> meshes;
+  for (std::size_t j = 0; j < grown.size(); ++j)
+    if (j != without) meshes.push_back(&grown[j].mesh);
+  return meshes;
+}
+
+//! One after the other, each with all others as they are by then in its way.
+void polishAll(std::vector<GrownObject>& grown, const Volume& volume, const RunOutputs& outputs) {
+  for (std::size_t i = 0; i < grown.size(); ++i) {
+    const std::string name = grown[i].report.session.label.name;
+    namingErrors(name, [&] { polishAmong(grown[i], meshesBut(grown, i), volume, outputs); });
+  }
+  for (std::size_t i = 0; i < grown.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (bodyContact(grown[j].mesh, grown[i].mesh) != BodyContact::none)
+        throw std::runtime_error("object '" + grown[i].report.session.label.name +
+                                 "': its polished mesh meets that of the object '" +
+                                 grown[j].report.session.label.name + "', and nothing was written.");
+}
+
 }  // namespace
 
 std::vector<GrownObject> growObjects(LoadedSession first, std::vector<Session> others,
@@ -60,7 +81,7 @@ std::vector<GrownObject> growObjects(LoadedSession first, std::vector<Session> o
     const std::string name = loaded.session.label.name;
     addWalls(loaded.session, finished);
     grown.push_back(namingErrors(name, [&] {
-      GrownObject object = grow(std::move(loaded), outputs, name);
+      GrownObject object = grow(std::move(loaded), outputs, Among::others, name);
       requireApart(finished, object.mesh);
       return object;
     }));
@@ -72,6 +93,7 @@ std::vector<GrownObject> growObjects(LoadedSession first, std::vector<Session> o
     loadWalls(session, volume.grid);
     growNext({std::move(session), volume, info, watch.lap()});
   }
+  polishAll(grown, volume, outputs);
   return grown;
 }
 

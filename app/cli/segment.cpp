@@ -67,6 +67,7 @@ int segment(SegmentOptions o) {
   Session& session = o.session;
   session.version = HANDLEBODY_VERSION;
   session.space = o.space.value_or(CoordinateSpace::lps);
+  session.polish = o.outputs.polish.value_or(true);
   const Clicks clicks = parseClicks(o.clicks);
   assignResults(o.outputs, {chosenLabel(o.outputs.object, session.label)});
   session.overTime = requestOf(o.overTime);
@@ -178,6 +179,7 @@ SeveralObjects parseSeveral(const std::vector<std::string>& arguments) {
     Session session = objects[i].session;
     session.version = HANDLEBODY_VERSION;
     session.space = all.run.space.value_or(CoordinateSpace::lps);
+    session.polish = all.run.outputs.polish.value_or(true);
     session.volume = all.run.session.volume;
     session.label = labels[i];
     all.sessions.push_back(std::move(session));

@@ -151,6 +151,7 @@ Json requestToJson(const Session& session) {
   if (!session.changes.empty()) json["changes"] = changesToJson(session.changes);
   if (session.stopAt) json["stop_at"] = *session.stopAt;
   if (!(session.label == ObjectLabel{})) json["label"] = labelToJson(session.label);
+  if (session.polish) json["polish"] = true;
   return json;
 }
 
@@ -400,6 +401,7 @@ void readRequest(const Json& json, Session& session) {
   if (json.contains("stop_at") && !json.at("stop_at").is_null())
     session.stopAt = iterationFromJson(json.at("stop_at"));
   if (json.contains("label")) session.label = labelFromJson(json.at("label"));
+  if (json.contains("polish")) session.polish = json.at("polish").get<bool>();
   session.seeds = clicksFromJson(json.at("seeds"));
 }
 

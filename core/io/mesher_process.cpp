@@ -1,9 +1,6 @@
 #include "core/io/mesher_process.h"
 
-#include <fcntl.h>
-#include <spawn.h>
 #include <stdlib.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -15,8 +12,7 @@
 #include <sstream>
 
 #include "core/errors.h"
-
-extern char** environ;
+#include "core/io/limited_program.h"
 
 namespace handlebody {
 
@@ -46,41 +42,6 @@ class WorkFolder {
   std::string path_;
 };
 
-//! Numbers with a point, whatever the user's language.
-std::vector<std::string> plainEnvironment() {
-  std::vector<std::string> all{"LC_ALL=C"};
-  for (char** e = environ; *e; ++e)
-    if (std::strncmp(*e, "LC_", 3) != 0) all.emplace_back(*e);
-  return all;
-}
-
-std::vector<char*> pointersTo(std::vector<std::string>& texts) {
-  std::vector<char*> pointers;
-  for (std::string& t : texts) pointers.push_back(t.data());
-  pointers.push_back(nullptr);
-  return pointers;
-}
-
-//! Waits for its end; the exit code, minus the signal's number if one ended it, or -1000 if it did not start.
-//! What it says goes to the file `log`.
-int runProgram(std::vector<std::string> command, const std::string& log) {
-  std::vector<std::string> environment = plainEnvironment();
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
-  pid_t child = 0;
-  const int failed = ::posix_spawn(&child, command[0].c_str(), &files, nullptr, pointersTo(command).data(),
-                                   pointersTo(environment).data());
-  posix_spawn_file_actions_destroy(&files);
-  if (failed != 0) return -1000;
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-}
-
 //! The first line that tells of an error, else the last one.
 std::string complaintOf(const std::string& log) {
   std::ifstream in(log);
@@ -96,16 +57,19 @@ std::string complaintOf(const std::string& log) {
   return last;
 }
 
-std::string faultOf(const std::string& name, int ended, const std::string& log) {
-  std::string text = name;
-  if (ended <= -1000)
-    text += " cannot be started";
-  else if (ended < 0)
-    text += " was ended by signal " + std::to_string(-ended);
+std::string faultOf(const std::string& name, const ProgramEnd& end, double seconds, const std::string& log) {
+  std::ostringstream text;
+  text << name;
+  if (!end.isStarted)
+    text << " cannot be started";
+  else if (end.isTooLong)
+    text << " was ended after " << seconds << " s, the time limit";
+  else if (end.signal != 0)
+    text << " was ended by signal " << end.signal;
   else
-    text += " made none (exit code " + std::to_string(ended) + ")";
+    text << " made none (exit code " << end.exitCode << ")";
   const std::string said = complaintOf(log);
-  return said.empty() ? text : text + ", and said: " + said;
+  return said.empty() ? text.str() : text.str() + ", and said: " + said;
 }
 
 void setDigits(std::ofstream& out) {
@@ -237,10 +201,7 @@ MesherOutput readTetgen(const std::string& nodes, const std::string& cells) {
   return out;
 }
 
-MesherOutput orFault(MesherOutput out, const std::string& name, int ended, const std::string& log) {
-  if (ended == 0 && !out.cells.empty()) return out;
-  return {{}, {}, faultOf(name, ended, log)};
-}
+bool isDone(const ProgramEnd& end) { return !end.isTooLong && end.exitCode == 0; }
 
 }  // namespace
 
@@ -254,23 +215,28 @@ std::optional<std::string> findProgram(const std::string& name) {
   return std::nullopt;
 }
 
-MesherOutput runGmsh(const std::string& program, const MesherInput& input) {
+MesherOutput runGmsh(const std::string& program, const MesherInput& input, double seconds) {
   const WorkFolder folder;
   writeGmshSurface(input, folder / "surface.msh");
   writeGmshBodies(input, folder / "surface.msh", folder / "bodies.geo");
-  const int ended = runProgram({program, folder / "bodies.geo", "-3", "-format", "msh22", "-nt", "1", "-v",
-                                "2", "-o", folder / "out.msh"},
-                               folder / "log");
-  return orFault(readGmsh(folder / "out.msh"), "gmsh", ended, folder / "log");
+  const ProgramEnd end = runLimited({program, folder / "bodies.geo", "-3", "-format", "msh22", "-nt", "1",
+                                     "-v", "2", "-o", folder / "out.msh"},
+                                    folder / "log", seconds);
+  MesherOutput out;
+  if (isDone(end)) out = readGmsh(folder / "out.msh");
+  if (out.cells.empty()) out.fault = faultOf("gmsh", end, seconds, folder / "log");
+  return out;
 }
 
-MesherOutput runTetgen(const std::string& program, const MesherInput& input) {
+MesherOutput runTetgen(const std::string& program, const MesherInput& input, double seconds) {
   const WorkFolder folder;
   writeTetgenSurface(input, folder / "surface.poly");
   // The surface as it is (Y), better shapes inside (q), quiet (Q).
-  const int ended = runProgram({program, "-pYqQ", folder / "surface.poly"}, folder / "log");
-  return orFault(readTetgen(folder / "surface.1.node", folder / "surface.1.ele"), "TetGen", ended,
-                 folder / "log");
+  const ProgramEnd end = runLimited({program, "-pYqQ", folder / "surface.poly"}, folder / "log", seconds);
+  MesherOutput out;
+  if (isDone(end)) out = readTetgen(folder / "surface.1.node", folder / "surface.1.ele");
+  if (out.cells.empty()) out.fault = faultOf("TetGen", end, seconds, folder / "log");
+  return out;
 }
 
 }  // namespace handlebody

@@ -27,7 +27,9 @@ struct MesherOutput {
 //! The path of a program in the folders of PATH.
 std::optional<std::string> findProgram(const std::string& name);
 
-MesherOutput runGmsh(const std::string& program, const MesherInput& input);
-MesherOutput runTetgen(const std::string& program, const MesherInput& input);
+//! Each ends the program after so many seconds by the clock. Throws Cancelled (cancellation.h), with the
+//! program ended. Temporary files are removed in any case.
+MesherOutput runGmsh(const std::string& program, const MesherInput& input, double seconds);
+MesherOutput runTetgen(const std::string& program, const MesherInput& input, double seconds);
 
 }  // namespace handlebody

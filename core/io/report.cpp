@@ -7,6 +7,7 @@
 #include "core/io/measures_json.h"
 #include "core/io/over_time_json.h"
 #include "core/io/parameter_names.h"
+#include "core/io/polished_export.h"
 #include "core/io/sensitivity_json.h"
 
 namespace handlebody {
@@ -165,6 +166,7 @@ void addObject(Json& json, const RunReport& report) {
   json["unsupported_surface"] = report.unsupportedSurface;
   json["seconds"] = secondsToJson(report.seconds);
   json["mesh"] = certificateToJson(report.mesh);
+  if (report.polish) json["polish"] = polishToJson(*report.polish);
   if (report.measures) json["measures"] = measuresToJson(*report.measures);
   if (report.sensitivity) json["sensitivity"] = sensitivityToJson(*report.sensitivity);
   if (report.tunnels) json["tunnels"] = tunnelsToJson(*report.tunnels);

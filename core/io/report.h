@@ -16,6 +16,7 @@
 #include "core/mesh/tunnels.h"
 #include "core/mesh/validity.h"
 #include "core/object/candidate.h"
+#include "core/polish/polish.h"
 #include "core/sensitivity/sensitivity.h"
 
 namespace handlebody {
@@ -53,6 +54,7 @@ struct RunReport {
   Certificate mesh;                          //!< of the exported mesh
   std::optional<TunnelList> tunnels{};       //!< of it, where they were looked for
   std::optional<ObjectMeasures> measures{};  //!< the same
+  std::optional<PolishReport> polish{};      //!< what was bettered of it, where that was asked for
   std::optional<Sensitivity> sensitivity{};  //!< of it, where that was asked for
   std::optional<OverTimeReport> overTime{};  //!< where it was carried through other frames
   std::vector<Event> events;

@@ -162,6 +162,10 @@ class Writer {
   Writer(const std::vector<ExportedObject>& objects, const ExportContext& context)
       : objects_(objects), context_(context) {}
 
+  void prepare(const std::string& path) {
+    checkResult(path, context_);
+    tetrahedra(path);
+  }
   void write(const std::string& path) {
     checkResult(path, context_);
     if (isDicomSegmentationPath(path))
@@ -177,7 +181,7 @@ class Writer {
  private:
   const Tetrahedra& tetrahedra(const std::string& path) {
     try {
-      if (!tetrahedra_) tetrahedra_ = fillWithTetrahedra(objects_);
+      if (!tetrahedra_) tetrahedra_ = fillWithTetrahedra(objects_, context_.mesherSeconds);
     } catch (const OutputError& error) {
       throw OutputError(path + ": " + error.what());
     }
@@ -198,6 +202,8 @@ class Writer {
 void writeResults(const std::vector<ExportedObject>& objects, const ExportContext& context,
                   const std::vector<std::string>& paths) {
   Writer writer(objects, context);
+  for (const std::string& path : paths)
+    if (isTetrahedraPath(path)) writer.prepare(path);  // before any file: another program may fail
   for (const std::string& path : paths) writer.write(path);
 }
 

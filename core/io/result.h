@@ -6,6 +6,7 @@
 
 #include "core/io/dicom_writer.h"
 #include "core/io/report.h"
+#include "core/io/tetrahedra.h"
 
 namespace handlebody {
 
@@ -31,6 +32,7 @@ struct ExportContext {
   CoordinateSpace space = CoordinateSpace::lps;  //!< of meshes
   std::shared_ptr<const DicomOrigin> dicom{};    //!< of the volume; what DICOM files are made for
   DicomContent content{};                        //!< of DICOM files
+  double mesherSeconds = kMesherSeconds;         //!< for a program that makes tetrahedra
 };
 
 //! True for every ending that writeResults knows.
@@ -43,7 +45,7 @@ const char* resultEndings();
 void checkResult(const std::string& path, const ExportContext& context);
 
 //! Writes the objects to each path by its ending: their meshes as one, or their label map. Throws
-//! OutputError; UsageError for an unknown ending.
+//! OutputError; UsageError for an unknown ending; Cancelled (cancellation.h) while another program works.
 void writeResults(const std::vector<ExportedObject>& objects, const ExportContext& context,
                   const std::vector<std::string>& paths);
 

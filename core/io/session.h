@@ -29,6 +29,8 @@ struct Session {
   std::optional<ResolvedParameters> resolved{};  //!< as used, for the record; not read back
   CoordinateSpace space = CoordinateSpace::lps;  //!< of the mesh files
   ObjectLabel label{};                           //!< of the object, where it is written
+  //! Bad triangles are bettered before it is written (core/polish); sessions of before there was that say no.
+  bool polish = false;
   //! Other parameters, and other clicks, from some iteration on, in ascending order.
   std::vector<ParameterChange> changes{};
   //! The iteration whose mesh is meant; none: the one at which the growth ends by itself.

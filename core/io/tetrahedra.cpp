@@ -83,17 +83,17 @@ std::string faultOf(MesherOutput& made, const std::string& program, double volum
          std::to_string(volume) + " mm3)";
 }
 
-MesherOutput fill(const ExportedObject& object) {
+MesherOutput fill(const ExportedObject& object, double seconds) {
   const MesherInput input = inputOf(object.mesh);
   const double volume = signedVolume(Mesh(input.mesh));
   std::string faults;
-  using Run = MesherOutput (*)(const std::string&, const MesherInput&);
+  using Run = MesherOutput (*)(const std::string&, const MesherInput&, double);
   const std::array<std::tuple<const char*, const char*, Run>, 2> programs{
       std::tuple{"gmsh", "gmsh", &runGmsh}, std::tuple{"tetgen", "TetGen", &runTetgen}};
   for (const auto& [file, name, run] : programs) {
     const auto program = findProgram(file);
     if (!program) continue;
-    MesherOutput made = run(*program, input);
+    MesherOutput made = run(*program, input, seconds);
     const std::string fault = faultOf(made, name, volume);
     if (fault.empty()) return made;
     faults += (faults.empty() ? "" : "; ") + fault;
@@ -111,10 +111,10 @@ std::string tetrahedraFault() {
          "tetgen)";
 }
 
-Tetrahedra fillWithTetrahedra(const std::vector<ExportedObject>& objects) {
+Tetrahedra fillWithTetrahedra(const std::vector<ExportedObject>& objects, double mesherSeconds) {
   Tetrahedra all;
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    const MesherOutput made = fill(objects[i]);
+    const MesherOutput made = fill(objects[i], mesherSeconds);
     const int first = static_cast<int>(all.points.size());
     all.points.insert(all.points.end(), made.points.begin(), made.points.end());
     for (std::array<int, 4> cell : made.cells) {

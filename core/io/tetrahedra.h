@@ -23,11 +23,15 @@ struct Tetrahedra {
   std::vector<int> object;                //!< per cell, index of the object that it fills
 };
 
+inline constexpr double kMesherSeconds = 1800;
+
 //! Fills every object between its surface and its cavities, without a change of the surface. Each is given to
-//! the programs as a process of its own, to TetGen if gmsh fails. What comes back is looked at: all cells
-//! have a volume, and together that of the object. Throws OutputError, with the object's name and what the
-//! program said, without the name of a file.
-Tetrahedra fillWithTetrahedra(const std::vector<ExportedObject>& objects);
+//! the programs as a process of its own, to TetGen if gmsh fails; a program that takes longer than
+//! `mesherSeconds` is killed with what it has started. What comes back is looked at: all cells have a volume,
+//! and together that of the object. Throws OutputError, with the object's name and what the program said,
+//! without the name of a file; Cancelled (cancellation.h).
+Tetrahedra fillWithTetrahedra(const std::vector<ExportedObject>& objects,
+                              double mesherSeconds = kMesherSeconds);
 
 //! Writes by extension: .msh (gmsh's format 2.2), .vtu (VTK), .inp (Abaqus, C3D4), in mm, objects by name and
 //! label; whole or not at all. Throws OutputError.

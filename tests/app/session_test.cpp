@@ -32,6 +32,7 @@ Session unusualSession(const std::string& volume) {
   s.requested.maxIterations = 17;
   s.requested.threads = 2;
   s.space = CoordinateSpace::ras;
+  s.polish = true;
   Parameters later = s.requested;
   later.range = IntensityRange{-3, kInfinity};
   later.candidate = 2;
@@ -82,6 +83,7 @@ TEST_CASE("a session comes back exactly as it was written", "[session]") {
   CHECK(back.requested.maxIterations == s.requested.maxIterations);
   CHECK(back.requested.threads == s.requested.threads);
   CHECK(back.space == s.space);
+  CHECK(back.polish == s.polish);
   CHECK(back.constraints == s.constraints);
   REQUIRE(back.changes.size() == 4);
   for (std::size_t i = 0; i < 4; ++i) {

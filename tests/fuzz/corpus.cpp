@@ -1,8 +1,11 @@
 #include "tests/fuzz/corpus.h"
 
 #include "core/io/dicom_writer.h"
+#include "core/io/label_map.h"
 #include "core/io/mesh_io.h"
 #include "core/io/session.h"
+#include "core/io/three_mf.h"
+#include "core/io/volume_io.h"
 #include "tests/io/dicom_test_support.h"
 #include "tests/io/mesh_test_support.h"
 
@@ -58,8 +61,8 @@ void addDicom(std::vector<Sample>& corpus) {
   corpus.push_back({"us.dcm", dicomBytes(us, "1.2")});
 }
 
-//! A segmentation of two segments whose frames do not fill whole bytes.
-void addSegmentation(const std::string& folder, std::vector<Sample>& corpus) {
+//! Two segments, in every format that holds some: in DICOM their frames do not fill whole bytes.
+void addSegmentations(const std::string& folder, std::vector<Sample>& corpus) {
   const Grid grid = obliqueGrid();
   void* buffer = nullptr;
   const Volume labels = makeVolume(grid, VoxelType::uint8, &buffer);
@@ -73,7 +76,15 @@ void addSegmentation(const std::string& folder, std::vector<Sample>& corpus) {
   for (int k = 0; k < grid.size[2]; ++k)
     origin.images.push_back({"1.2.840.10008.5.1.4.1.1.4", "1.2.3.4." + std::to_string(k + 1), 0});
   writeDicomSegmentation(labels, objects, origin, {}, folder + "/s.seg.dcm");
-  corpus.push_back({"s.seg.dcm", readBytes(folder + "/s.seg.dcm")});
+  writeSlicerSegmentation(labels, objects, folder + "/s.seg.nrrd");
+  writeVolume(labels, folder + "/s.mha");
+  for (const char* name : {"s.seg.dcm", "s.seg.nrrd", "s.mha"})
+    corpus.push_back({name, readBytes(folder + "/" + name)});
+}
+
+void addPrint(const std::string& folder, std::vector<Sample>& corpus) {
+  writeThreeMf({{{}, sphere(Vec3(1, 2, 3), 4, 1)}}, folder + "/p.3mf", CoordinateSpace::lps);
+  corpus.push_back({"p.3mf", readBytes(folder + "/p.3mf")});
 }
 
 void addMeshes(const std::string& folder, std::vector<Sample>& corpus) {
@@ -104,7 +115,8 @@ std::vector<Sample> fuzzCorpus(const std::string& folder) {
   addMeshes(folder, corpus);
   addSession(folder, corpus);
   addDicom(corpus);
-  addSegmentation(folder, corpus);
+  addSegmentations(folder, corpus);
+  addPrint(folder, corpus);
   return corpus;
 }
 

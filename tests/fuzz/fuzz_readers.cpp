@@ -1,9 +1,10 @@
-// fuzz_readers COUNT [--seed N] [--decoder CLI] [--files FOLDER --cli CLI]
+// fuzz_readers COUNT [--seed N] [--decoder CLI] [--files FOLDER --cli CLI] [--commands --cli CLI]
 // fuzz_readers --corpus FOLDER
 //
 // Damaged files through the readers: they read or throw InputError or UsageError, within ten seconds each.
 // Without --files: the project's own samples, in this process; with --decoder those that a child process
-// reads. With --corpus the samples are written for the libFuzzer targets. With --files: the real files of a
+// reads. With --commands: label maps, segmentations, 3MF and meshes of these through whole runs of `mesh`,
+// `edit` and `compare` of CLI, which write a result or say one sentence. With --corpus the samples are written for the libFuzzer targets. With --files: the real files of a
 // folder, whole `info` and `segment` runs of CLI. A file that breaks something stays behind, and its path is
 // printed.
 
@@ -32,6 +33,7 @@ struct Options {
   std::size_t count = 1000, first = 0;
   std::uint64_t seed = 1;
   std::string decoder, files, cli, corpus;
+  bool commands = false;
 };
 
 struct Tally {
@@ -76,6 +78,47 @@ bool runAll(const std::string& cli, const std::string& path, const std::string& 
   return fine(info) && fine(segment);
 }
 
+//! An error is one line that begins with the program's name, ends with a point, and is not its own fault.
+bool isOneSentence(const std::string& errors) {
+  constexpr std::size_t kLongestSentence = 700;
+  const std::string kName = "handlebody-cli: ";
+  std::ifstream in(errors);
+  std::vector<std::string> said;
+  for (std::string line; std::getline(in, line);)
+    if (line.rfind(kName + "warning: ", 0) != 0) said.push_back(line);
+  return said.size() == 1 && said[0].rfind(kName, 0) == 0 && said[0].ends_with('.') &&
+         said[0].size() < kLongestSentence && said[0].find("internal error") == std::string::npos;
+}
+
+bool runCommands(const std::string& cli, const std::string& path, const std::string& folder, Tally& tally) {
+  const std::string out = folder + "/out.stl", errors = folder + "/errors", whole = folder + "/whole.mha";
+  std::vector<std::vector<std::string>> commands{{cli, "compare", path, whole, "--sampling", "1"},
+                                                 {cli, "compare", whole, path, "--label-b", "1", "--sampling", "1"}};
+  if (isMeshPath(path) || path.ends_with(".3mf"))
+    commands.push_back({cli, "edit", path, "--keep-largest", "--polish", "all", "-o", out});
+  if (!isMeshPath(path)) commands.push_back({cli, "mesh", path, "-o", out});
+  bool isFine = true;
+  for (const std::vector<std::string>& words : commands) {
+    const ProgramEnd end = runProgram(words, kLongest, errors);
+    tally.memory = std::max(tally.memory, end.memory);
+    (end.code == 0 ? tally.read : tally.refused) += 1;
+    const bool isExpected = end.code == 0 || ((end.code == 2 || end.code == 3) && isOneSentence(errors));
+    if (!isExpected) std::cerr << words[1] << " ended with " << end.code << ": " << bytesOf(errors);
+    isFine = isFine && isExpected;
+  }
+  return isFine;
+}
+
+//! What they are for; and a whole label map to compare with.
+std::vector<Sample> samplesOfCommands(std::vector<Sample> all, const std::string& folder) {
+  std::erase_if(all, [](const Sample& s) {
+    return !s.name.starts_with("s.seg.") && s.name != "s.mha" && s.name != "p.3mf" && !isMeshPath(s.name);
+  });
+  for (const Sample& s : all)
+    if (s.name == "s.mha") writeFile(folder + "/whole.mha", s.bytes);
+  return all;
+}
+
 std::vector<Sample> realFiles(const std::string& folder) {
   std::vector<Sample> samples;
   constexpr std::uintmax_t kLargest = 3u << 20;
@@ -87,6 +130,7 @@ std::vector<Sample> realFiles(const std::string& folder) {
 }
 
 bool feed(const Options& o, const std::string& path, const std::string& folder, Tally& tally) try {
+  if (o.commands) return runCommands(o.cli, path, folder, tally);
   if (!o.files.empty()) return runAll(o.cli, path, folder, tally);
   (readAny(path) ? tally.read : tally.refused) += 1;
   return true;
@@ -105,7 +149,7 @@ void one(const Options& o, const std::vector<Sample>& samples, std::size_t i, co
   const bool good = feed(o, path, folder, tally);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   tally.longest = std::max(tally.longest, seconds);
-  if (good && seconds < (o.files.empty() ? kLongest : 2 * kLongest)) {
+  if (good && seconds < (o.commands ? 3 * kLongest : o.files.empty() ? kLongest : 2 * kLongest)) {
     fs::remove(path);
     return;
   }
@@ -142,7 +186,9 @@ int fuzz(const Options& o) {
   std::string folder = (fs::temp_directory_path() / "handlebody-fuzz-XXXXXX").string();
   if (!mkdtemp(folder.data())) return 2;
   std::vector<Sample> samples = o.files.empty() ? fuzzCorpus(folder) : realFiles(o.files);
-  if (o.files.empty())
+  if (o.commands)
+    samples = samplesOfCommands(std::move(samples), folder);
+  else if (o.files.empty())
     std::erase_if(samples, [&](const Sample& s) {
       return (s.name.ends_with(".dcm") || s.name.ends_with(".vtp")) == o.decoder.empty();
     });
@@ -172,6 +218,7 @@ int main(int argc, char** argv) {
   app.add_option("--decoder", o.decoder, "handlebody-cli, whose child processes decode DICOM and VTP");
   app.add_option("--files", o.files, "Folder of real files, for whole runs of --cli");
   app.add_option("--cli", o.cli, "handlebody-cli");
+  app.add_flag("--commands", o.commands, "Whole runs of mesh, edit and compare of --cli");
   app.add_option("--corpus", o.corpus, "Folder to write the samples into");
   CLI11_PARSE(app, argc, argv);
   if (!o.corpus.empty()) return handlebody::test::writeCorpus(o.corpus);

@@ -22,14 +22,17 @@ struct ProgramEnd {
   long memory = 0;  //!< peak, kB
 };
 
-inline ProgramEnd runProgram(std::vector<std::string> words, double seconds) {
+//! `errors`: a file for its standard error.
+inline ProgramEnd runProgram(std::vector<std::string> words, double seconds,
+                             const std::string& errors = "/dev/null") {
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
-  for (int standard : {0, 1, 2})
+  for (int standard : {0, 1})
     posix_spawn_file_actions_addopen(&files, standard, "/dev/null", standard ? O_WRONLY : O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&files, 2, errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   pid_t child = 0;
   const int failed = posix_spawn(&child, argv[0], &files, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&files);

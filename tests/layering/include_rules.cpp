@@ -40,6 +40,7 @@ const Layers& layers() {
     add("core/volume", {"core/geometry"});
     add("core/mesh", {"core/geometry"});
     add("core/collision", {"core/mesh"});
+    add("core/polish", {"core/collision"});
     add("core/handles", {"core/mesh"});
     add("core/surgery", {"core/collision", "core/handles"});
     add("core/object", {"core/volume", "core/mesh"});
@@ -48,7 +49,7 @@ const Layers& layers() {
     add("core/measure", {"core/solid"});
     add("core/sensitivity", {"core/evolution", "core/solid"});
     add("core/sequence", {"core/evolution", "core/solid"});
-    add("core/io", {"core/measure", "core/sensitivity", "core/sequence"});
+    add("core/io", {"core/measure", "core/polish", "core/sensitivity", "core/sequence"});
     add("sample_volumes", {"core/io"});
     add("python", {"sample_volumes"});
     add("ui/model", {"core/io"});

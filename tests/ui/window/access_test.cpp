@@ -251,8 +251,7 @@ void AccessTest::whatIsAskedWhileNothingIsOpenIsReachedAndNamed() {
   ui::MainWindow window;
   window.resize(1280, 800);
   window.show();
-  window.activateWindow();
-  QVERIFY(QTest::qWaitForWindowActive(&window));
+  QVERIFY(activate(window));
   Q_EMIT window.document().seriesChoiceNeeded(QStringLiteral("/somewhere/scans"), twoSeries());
   window.showStep(Command::stepGrow);
   Q_EMIT window.files().spacingNeeded(QStringLiteral("/somewhere/cine.dcm"), {});
@@ -296,8 +295,7 @@ void AccessTest::itIsSeenThatTheTimelineHasTheFocus() {
   slider.setValue(5);
   slider.resize(300, 24);
   slider.show();
-  slider.activateWindow();
-  QVERIFY(QTest::qWaitForWindowActive(&slider));
+  QVERIFY(activate(slider));
   slider.clearFocus();
   const QImage without = slider.grab().toImage();
   slider.setFocus();
@@ -314,7 +312,7 @@ void AccessTest::keysScrollTheGuideAtOnceAndEscapeClosesIt() {
   QVERIFY(window);
   QTest::keyClick(window.get(), Qt::Key_F1);
   auto* help = window->findChild<ui::HelpWindow*>();
-  QVERIFY(help && QTest::qWaitForWindowActive(help));
+  QVERIFY(help && activate(*help));
   QTRY_VERIFY(help->isAncestorOf(QApplication::focusWidget()));
   QWidget* focus = QApplication::focusWidget();
   QTest::keyClick(focus, Qt::Key_PageDown);

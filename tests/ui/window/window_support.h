@@ -41,6 +41,15 @@ inline std::unique_ptr<ui::MainWindow> shownWindow() {
   return QTest::qWaitForWindowExposed(window.get()) ? std::move(window) : nullptr;
 }
 
+//! Asks again until it is: without a window manager a request that comes before the server shows the window
+//! is lost.
+inline bool activate(QWidget& window) {
+  return QTest::qWaitFor([&] {
+    if (!window.isActiveWindow()) window.activateWindow();
+    return window.isActiveWindow();
+  });
+}
+
 inline bool open(ui::MainWindow& window, const QString& path) {
   QSignalSpy opened(&window.document(), &ui::Document::opened);
   window.files().open(path);

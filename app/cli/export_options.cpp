@@ -1,0 +1,43 @@
+#include "app/cli/export_options.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "core/errors.h"
+#include "core/io/parse.h"
+
+namespace handlebody::cli {
+
+void addPolish(CLI::App& command, std::optional<bool>& polish) {
+  const auto set = [&polish](const std::string& text) {
+    if (text != "on" && text != "off") throw UsageError("--polish: '" + text + "' is not on or off.");
+    polish = text == "on";
+  };
+  command
+      .add_option_function<std::string>(
+          "--polish", set,
+          "Better triangles with an angle under 15 degrees and edges whose faces meet at less than 20, with "
+          "the surface kept within a tenth of a voxel; what is good stays bit for bit (default: on; replay: "
+          "as the session says)")
+      ->type_name("on|off");
+}
+
+void addMesherSeconds(CLI::App& command, double& seconds) {
+  const auto set = [&seconds](const std::string& text) {
+    seconds = parseNumber("--mesher-seconds", text);
+    if (!(seconds > 0)) throw UsageError("--mesher-seconds: '" + text + "' is not above 0.");
+  };
+  command
+      .add_option_function<std::string>(
+          "--mesher-seconds", set,
+          "How long gmsh or TetGen may work on an object's tetrahedra before it is killed (default 1800)")
+      ->type_name("S");
+}
+
+void warnOfPolish(const PolishReport& report, const std::string& name) {
+  if (const std::string doubt = polishDoubt(report); !doubt.empty())
+    std::fprintf(stderr, "handlebody-cli: warning: %s%s\n", name.empty() ? "" : (name + ": ").c_str(),
+                 doubt.c_str());
+}
+
+}  // namespace handlebody::cli

@@ -1,0 +1,236 @@
+#include "core/polish/polish.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <tuple>
+
+#include "core/collision/certify.h"
+#include "core/polish/patch_search.h"
+#include "core/polish/polished_surface.h"
+
+namespace handlebody {
+
+namespace {
+
+//! Part of what is wanted that is aimed at, so that what was bettered is above it by more than rounding.
+constexpr double kAim = 1.02;
+constexpr int kMostPasses = 8;
+constexpr int kMostChanges = 6;         // at one place in a pass
+constexpr std::size_t kMostDepth = 3;   // operations, one after the other, that are tried as one
+constexpr std::size_t kBeam = 3;        // attempts that are gone on with
+constexpr std::size_t kMostWork = 12000000;  // shapes of stars, some twenty seconds
+
+std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+//! A bad face, or the two of a bad edge.
+struct Place {
+  double part;  // of what is wanted
+  std::vector<int> vertices;
+};
+
+class Polisher {
+ public:
+  Polisher(const TriangleSoup& mesh, const PolishOptions& options)
+      : options_(options),
+        aim_{kAim * options.wanted.angle, kAim * options.wanted.dihedral},
+        surface_(mesh, options.bounds),
+        changedAt_(mesh.points.size(), 0) {}
+
+  void run() {
+    surface_.prepare();
+    for (int pass = 1; pass <= kMostPasses; ++pass) {
+      bool any = false;
+      for (const Place& place : badPlaces(nullptr))
+        if (isToBeTried(place, pass)) any = better(place, pass) || any;
+      if (!any || work_ > kMostWork) return;
+    }
+  }
+
+  const PolishedSurface& surface() const { return surface_; }
+  bool isCutShort() const { return work_ > kMostWork; }
+
+  //! The worst first.
+  std::vector<Place> badPlaces(PolishCount* count) const {
+    std::vector<Place> places;
+    for (std::size_t f = 0; f < surface_.faces().size(); ++f) {
+      const Triangle& t = surface_.faces()[f];
+      if (t[0] < 0) continue;
+      const double angle = leastAngle(point(t[0]), point(t[1]), point(t[2]));
+      if (count) count->leastAngle = std::min(count->leastAngle, angle);
+      if (angle < options_.wanted.angle && isOwn(f)) {
+        places.push_back({angle / options_.wanted.angle, {t[0], t[1], t[2]}});
+        if (count) ++count->faces;
+      }
+      addBadEdges(f, places, count);
+    }
+    std::stable_sort(places.begin(), places.end(),
+                     [](const Place& a, const Place& b) { return a.part < b.part; });
+    return places;
+  }
+
+ private:
+  const Vec3& point(int v) const { return surface_.points()[idx(v)]; }
+  bool isOwn(std::size_t face) const {
+    return face >= options_.isOwn.size() || options_.isOwn[face] != 0;
+  }
+
+  void addBadEdges(std::size_t face, std::vector<Place>& places, PolishCount* count) const {
+    const Triangle& t = surface_.faces()[face];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int p = t[i], q = t[(i + 1) % 3], c = t[(i + 2) % 3];
+      if (p > q) continue;
+      const int beyond = surface_.faceAt(q, p), d = surface_.apex(q, p);
+      const double angle = dihedralAngle(point(p), point(q), point(c), point(d));
+      if (count) count->leastDihedral = std::min(count->leastDihedral, angle);
+      if (!(angle < options_.wanted.dihedral) || !(isOwn(face) || isOwn(idx(beyond)))) continue;
+      places.push_back({angle / options_.wanted.dihedral, {p, q, c, d}});
+      if (count) ++count->edges;
+    }
+  }
+
+  //! Where nothing has changed since it was tried in vain it is not tried again.
+  bool isToBeTried(const Place& place, int pass) const {
+    if (work_ > kMostWork) return false;
+    return pass == 1 || std::any_of(place.vertices.begin(), place.vertices.end(),
+                                    [&](int v) { return changedAt_[idx(v)] >= pass - 1; });
+  }
+
+  //! Still as it was listed: its face, or its edge with both.
+  bool isThere(const Place& place) const {
+    const auto& v = place.vertices;
+    if (surface_.apex(v[0], v[1]) != v[2]) return false;
+    if (v.size() == 3) return options_.wanted.ofFace(point(v[0]), point(v[1]), point(v[2])) < 1;
+    return surface_.apex(v[1], v[0]) == v[3] &&
+           options_.wanted.ofEdge(point(v[0]), point(v[1]), point(v[2]), point(v[3])) < 1;
+  }
+
+  bool better(const Place& place, int pass) {
+    bool any = false;
+    for (int i = 0; i < kMostChanges && isThere(place); ++i) {
+      if (!change(place.vertices, pass)) break;
+      any = true;
+    }
+    return any;
+  }
+
+  //! Operations are tried alone first, then two and three in a row, the best ones before the others.
+  bool change(const std::vector<int>& vertices, int pass) {
+    const PolishedSurface::Part part = surface_.around(vertices);
+    const std::vector<Corners> first = surface_.firstNear(part.patch);
+    PatchSearch search(aim_, part.patch, first, options_.bounds.distance);
+    const Badness now = part.patch.badness(aim_);
+    std::vector<int> place;  // in the patch
+    for (const int v : vertices)
+      place.push_back(static_cast<int>(std::find(part.patch.vertex.begin(), part.patch.vertex.end(), v) -
+                                       part.patch.vertex.begin()));
+    const auto take = [&](const Attempt& attempt) {
+      return attempt.badness.isBetterThan(now) && surface_.accept(part, attempt.patch);
+    };
+    std::vector<Attempt> attempts;
+    bool isDone = search.tryChanges(part.patch, place, take, attempts);
+    for (std::size_t depth = 1; !isDone; ++depth) {
+      PatchSearch::keepBest(attempts);
+      isDone = std::any_of(attempts.begin(), attempts.end(), take);
+      if (isDone || depth == kMostDepth) break;
+      attempts = next(search, attempts, take, isDone);
+    }
+    work_ += search.work();
+    if (isDone) noteChange(part.patch, pass);
+    return isDone;
+  }
+
+  void noteChange(const Patch& before, int pass) {
+    changedAt_.resize(surface_.points().size(), pass);
+    for (const int v : before.vertex) changedAt_[idx(v)] = pass;
+  }
+
+  //! One more operation after the best of them.
+  static std::vector<Attempt> next(PatchSearch& search, const std::vector<Attempt>& attempts,
+                                   const PatchSearch::Take& take, bool& isDone) {
+    std::vector<Attempt> all;
+    for (std::size_t i = 0; !isDone && i < std::min(kBeam, attempts.size()); ++i) {
+      const Patch& patch = attempts[i].patch;
+      if (const std::vector<int> place = search.worstPlace(patch); !place.empty())
+        isDone = search.tryChanges(patch, place, take, all);
+    }
+    return all;
+  }
+
+  const PolishOptions& options_;
+  WantedShape aim_;
+  PolishedSurface surface_;
+  std::vector<int> changedAt_;  // per vertex, the pass in which something around it was changed
+  std::size_t work_ = 0;
+};
+
+std::vector<int> sortedGenus(const Certificate& c) {
+  std::vector<int> genus = c.genus;
+  std::sort(genus.begin(), genus.end());
+  return genus;
+}
+
+bool isAsGood(const Certificate& before, const Certificate& after) {
+  return after.passes() && after.misplaced == before.misplaced && after.components == before.components &&
+         after.cavities == before.cavities && sortedGenus(after) == sortedGenus(before);
+}
+
+std::vector<Vec3> worstOf(const std::vector<Place>& places, std::span<const Vec3> points) {
+  std::vector<Vec3> worst;
+  for (std::size_t i = 0; i < std::min(kMostLeft, places.size()); ++i) {
+    Vec3 sum = Vec3::Zero();
+    for (const int v : places[i].vertices) sum += points[idx(v)];
+    worst.push_back(sum / static_cast<double>(places[i].vertices.size()));
+  }
+  return worst;
+}
+
+}  // namespace
+
+PolishedMesh polished(const TriangleSoup& mesh, const PolishOptions& options) {
+  PolishedMesh out;
+  out.report.limit = options.bounds.distance;
+  Polisher polisher(mesh, options);
+  const std::vector<Place> bad = polisher.badPlaces(&out.report.before);
+  out.report.after = out.report.before;
+  if (bad.empty()) {
+    out.mesh = mesh;
+    return out;
+  }
+  polisher.run();
+  out.report.isCutShort = polisher.isCutShort();
+  TriangleSoup made = polisher.surface().compact();
+  out.certificate = certify(made);
+  out.report.isRefused = !isAsGood(examine(mesh), out.certificate);
+  out.report.left = worstOf(bad, mesh.points);
+  if (out.report.isRefused) {
+    out.mesh = mesh;
+    return out;
+  }
+  out.mesh = std::move(made);
+  out.report.after = {};
+  const std::vector<Place> left = polisher.badPlaces(&out.report.after);
+  out.report.left = worstOf(left, polisher.surface().points());
+  out.report.changedFaces = polisher.surface().changedFaces();
+  out.report.farthest = polisher.surface().farthest();
+  return out;
+}
+
+std::string polishDoubt(const PolishReport& report) {
+  const PolishCount& left = report.after;
+  if (left.faces == 0 && left.edges == 0) return {};
+  char text[400];
+  const Vec3 at = report.left.empty() ? Vec3(Vec3::Zero()) : report.left.front();
+  std::snprintf(text, sizeof text,
+                "polishing leaves %d thin triangle%s (least angle %.2g degrees) and %d sharp edge%s (least "
+                "dihedral angle %.2g degrees), the worst at %.4g,%.4g,%.4g: %s",
+                left.faces, left.faces == 1 ? "" : "s", left.leastAngle, left.edges,
+                left.edges == 1 ? "" : "s", left.leastDihedral, at.x(), at.y(), at.z(),
+                report.isCutShort  ? "there is too much to be done"
+                : report.isRefused ? "what it made was no valid mesh, and was not kept"
+                                   : "to better them the surface would have to move farther than its limit, "
+                                     "or to meet itself");
+  return text;
+}
+
+}  // namespace handlebody
