@@ -7,13 +7,17 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <locale>
 #include <sstream>
+#include <thread>
 
+#include "core/cancellation.h"
 #include "core/errors.h"
 
 extern char** environ;
@@ -61,6 +65,25 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
   return pointers;
 }
 
+//! What waitpid says of its end; it is killed if nobody wants it any more.
+int statusAtEnd(pid_t child) {
+  constexpr std::chrono::milliseconds kLook(10);
+  int status = 0;
+  try {
+    while (true) {
+      const pid_t ended = ::waitpid(child, &status, WNOHANG);
+      if (ended == child || (ended < 0 && errno != EINTR)) return status;
+      giveUpIfCancelled();
+      std::this_thread::sleep_for(kLook);
+    }
+  } catch (const Cancelled&) {
+    ::kill(child, SIGKILL);
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    throw;
+  }
+}
+
 //! Waits for its end; the exit code, minus the signal's number if one ended it, or -1000 if it did not start.
 //! What it says goes to the file `log`.
 int runProgram(std::vector<std::string> command, const std::string& log) {
@@ -75,9 +98,7 @@ int runProgram(std::vector<std::string> command, const std::string& log) {
                                    pointersTo(environment).data());
   posix_spawn_file_actions_destroy(&files);
   if (failed != 0) return -1000;
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
+  const int status = statusAtEnd(child);
   return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 

@@ -9,6 +9,7 @@
 #include "core/io/exported_object.h"
 #include "core/io/mesh_io.h"
 #include "core/io/volume_io.h"
+#include "core/measure/measurement.h"
 
 namespace handlebody {
 
@@ -33,6 +34,8 @@ struct Session {
   //! The iteration whose mesh is meant; none: the one at which the growth ends by itself.
   std::optional<int> stopAt{};
   std::string view{};  //!< JSON text that a window keeps here for itself; empty: none
+  //! Rulers and angles, of all objects together: those of the first one count.
+  std::vector<Measurement> measurements{};
 };
 
 //! Writes the session, whole or not at all. The volume's path is stored relative to the session file when one
