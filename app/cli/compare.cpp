@@ -5,11 +5,11 @@
 #include <memory>
 
 #include "app/cli/command.h"
-#include "app/cli/compare_result.h"
 #include "app/cli/label_input.h"
 #include "app/cli/outputs.h"
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
+#include "core/io/compared_table.h"
 #include "core/io/mesh_io.h"
 #include "core/io/parse.h"
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/io/csv_line.h"
+
 namespace handlebody::cli {
 
 struct CsvCell {
@@ -28,8 +30,6 @@ std::string shortened(const std::string& text, std::size_t longest);
 //! closed), or the text is UTF-16.
 std::vector<CsvRow> parseCsv(const std::string& text, const std::string& path);
 
-//! One line with its CRLF. Cells that a spreadsheet would take for a formula get an apostrophe in front,
-//! unless they are numbers.
-std::string csvLine(const std::vector<std::string>& cells);
+using handlebody::csvLine;
 
 }  // namespace handlebody::cli

@@ -3,12 +3,12 @@
 #include <memory>
 
 #include "app/cli/command.h"
-#include "app/cli/measure_result.h"
 #include "app/cli/outputs.h"
 #include "app/cli/run_objects.h"
 #include "core/collision/certify.h"
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
+#include "core/io/measured.h"
 #include "core/io/mesh_io.h"
 #include "core/io/parse.h"
 

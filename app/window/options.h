@@ -12,7 +12,7 @@ struct Options {
   QString file;        //!< volume, folder, session or report; empty: none
   QString screenshot;  //!< PNG to write, and then to end; empty: a window for a person
   QString view;        //!< window, all, axial, coronal, sagittal, 3d
-  QString step;        //!< open, seed, tune, grow, correct, export; empty: as the window thinks best
+  QString step;        //!< open, seed, tune, grow, correct, export, measure; empty: as the window thinks best
   QString stage;       //!< collide, open, handle, close: of the event at that iteration; empty: none
   QString appearance;  //!< system, light, dark; empty: as set in the window
   std::optional<int> iteration;  //!< the surface is grown to it

@@ -7,6 +7,8 @@
 #include "ui/view/surface_view.h"
 #include "ui/window/event_inspector.h"
 #include "ui/window/main_window.h"
+#include "ui/window/measures_panel.h"
+#include "ui/window/object_measures_page.h"
 #include "ui/window/view_grid.h"
 
 namespace handlebody::app {
@@ -67,6 +69,7 @@ void Screenshot::continueGrowing() {
 
 void Screenshot::take() {
   growing_ = false;
+  if (options_.step == QStringLiteral("measure")) return measure();
   if (!options_.step.isEmpty()) {
     const QStringList steps{QStringLiteral("open"), QStringLiteral("seed"),    QStringLiteral("tune"),
                             QStringLiteral("grow"), QStringLiteral("correct"), QStringLiteral("export")};
@@ -75,6 +78,21 @@ void Screenshot::take() {
   }
   if (options_.stage.isEmpty() || window_.inspector().event() < 0) return settle();
   showStage();
+}
+
+//! The panel of measures, with its table if there is a surface.
+void Screenshot::measure() {
+  window_.showStep(ui::Command::stepExport);
+  window_.commands()[ui::Command::showMeasures]->trigger();
+  constexpr int kLook = 50;  // ms
+  auto* look = new QTimer(this);
+  connect(look, &QTimer::timeout, this, [this, look] {
+    const auto& table = window_.measures().objects();
+    if (window_.document().iteration() >= 0 && !table.shown()) return;
+    look->stop();
+    settle();
+  });
+  look->start(kLook);
 }
 
 void Screenshot::showStage() {

@@ -25,6 +25,7 @@ class Screenshot : public QObject {
   void grow();
   void continueGrowing();
   void settle();
+  void measure();
   void showStage();
   void take();
   void end(int code, const QString& sentence = {});

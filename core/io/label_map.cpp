@@ -5,6 +5,7 @@
 #include <limits>
 #include <sstream>
 
+#include "core/cancellation.h"
 #include "core/io/mesh_io.h"
 #include "core/io/volume_keys.h"
 
@@ -15,6 +16,7 @@ namespace {
 template <typename T>
 void drawInto(const std::vector<ExportedObject>& objects, const Grid& grid, T* labels) {
   for (const ExportedObject& object : objects) {
+    giveUpIfCancelled();
     const Volume mask = rasterize(object.mesh, grid);
     const auto* inside = mask.data<std::uint8_t>();
     for (std::size_t i = 0, n = grid.voxelCount(); i < n; ++i)

@@ -1,5 +1,7 @@
 #include "core/io/measures_json.h"
 
+#include "core/errors.h"
+
 namespace handlebody {
 
 namespace {
@@ -39,6 +41,34 @@ Json qualityToJson(const MeshQuality& q) {
           {"edges_mm", spreadToJson(q.edges)},
           {"dihedral_angles_degrees", spreadToJson(q.dihedral)},
           {"faces_without_area", q.flat}};
+}
+
+Json measurementsToJson(const std::vector<Measurement>& measurements) {
+  Json list = Json::array();
+  for (const Measurement& m : measurements) {
+    const bool isRuler = m.kind == MeasurementKind::ruler;
+    Json& json = list.emplace_back(Json::object());
+    json["kind"] = isRuler ? "ruler" : "angle";
+    Json& points = json["points"] = Json::array();
+    for (const Vec3& p : m.points) points.push_back(vectorToJson(p));
+    json[isRuler ? "length_mm" : "angle_degrees"] = valueOf(m);
+  }
+  return list;
+}
+
+std::vector<Measurement> measurementsFromJson(const Json& json) {
+  if (!json.is_array()) throw UsageError("its measurements are no list.");
+  std::vector<Measurement> list;
+  for (const Json& one : json) {
+    const auto kind = one.at("kind").get<std::string>();
+    if (kind != "ruler" && kind != "angle") throw UsageError("'" + kind + "' is no kind of measurement.");
+    Measurement& m = list.emplace_back();
+    m.kind = kind == "ruler" ? MeasurementKind::ruler : MeasurementKind::angle;
+    for (const Json& p : one.at("points")) m.points.push_back(vectorFromJson(p));
+    if (m.points.size() != pointsOf(m.kind))
+      throw UsageError("a " + kind + " has too few or too many points.");
+  }
+  return list;
 }
 
 }  // namespace handlebody

@@ -187,6 +187,11 @@ void addTraces(Json& json, const RunReport& report) {
   }
 }
 
+void addMeasurements(Json& json, const RunReport& report) {
+  const std::vector<Measurement>& all = report.session.measurements;
+  if (!all.empty()) json["measurements"] = measurementsToJson(all);
+}
+
 //! A place for an object, with its name.
 Json& addNamed(Json& json, const ObjectLabel& label) {
   Json& object = json["objects"].emplace_back(Json::object());
@@ -202,6 +207,7 @@ Json& addNamed(Json& json, const ObjectLabel& label) {
 std::string reportText(const RunReport& report) {
   Json json = headToJson(report);
   addObject(json, report);
+  addMeasurements(json, report);
   return jsonText(json);
 }
 
@@ -215,6 +221,7 @@ std::string reportText(const std::vector<RunReport>& objects, const Timings& sec
   Json json = headToJson(objects.front());
   for (const RunReport& object : objects) addObject(addNamed(json, object.session.label), object);
   json["seconds"] = secondsToJson(seconds);
+  addMeasurements(json, objects.front());
   return jsonText(json);
 }
 

@@ -10,6 +10,7 @@
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
 #include "core/io/json.h"
+#include "core/io/measures_json.h"
 #include "core/io/over_time_json.h"
 
 namespace handlebody {
@@ -98,6 +99,8 @@ std::vector<Session> sessionsFromJson(const Json& json, const std::string& path,
     sessions[0].overTime = overTimeFromJson(json.at("over_time"));
   }
   if (json.contains("view")) sessions[0].view = json.at("view").dump();
+  if (json.contains("measurements"))  // of each, since the first may be left out where it has no seed
+    for (Session& session : sessions) session.measurements = measurementsFromJson(json.at("measurements"));
   return sessions;
 }
 
@@ -130,13 +133,18 @@ void addObject(Json& json, Session session, const std::string& path) {
   json["seeds"] = seedsToJson(seedsOfSide(session.resolved->seeds, false));
 }
 
+void addWhatAWindowKeeps(Json& json, const Session& session) {
+  if (!session.measurements.empty()) json["measurements"] = measurementsToJson(session.measurements);
+  if (!session.view.empty()) json["view"] = Json::parse(session.view);
+}
+
 }  // namespace
 
 void writeSession(const Session& session, const std::string& path) {
   Json json = headToJson(session, path);
   addObject(json, session, path);
   if (session.overTime) json["over_time"] = overTimeToJson(*session.overTime);
-  if (!session.view.empty()) json["view"] = Json::parse(session.view);
+  addWhatAWindowKeeps(json, session);
   writeTextAtomically(path, jsonText(json));
 }
 
@@ -144,7 +152,7 @@ void writeSessions(const std::vector<Session>& objects, const std::string& path)
   if (objects.size() == 1) return writeSession(objects.front(), path);
   Json json = headToJson(objects.front(), path);
   for (const Session& object : objects) addObject(json["objects"].emplace_back(Json::object()), object, path);
-  if (!objects.front().view.empty()) json["view"] = Json::parse(objects.front().view);
+  addWhatAWindowKeeps(json, objects.front());
   writeTextAtomically(path, jsonText(json));
 }
 

@@ -10,6 +10,7 @@
 #include "core/io/mesh_io.h"
 #include "core/io/over_time_request.h"
 #include "core/io/volume_io.h"
+#include "core/measure/measurement.h"
 
 namespace handlebody {
 
@@ -38,6 +39,8 @@ struct Session {
   //! The other frames of a 4D volume that the surface is carried through; none: it stays in its own.
   std::optional<OverTimeRequest> overTime{};
   std::string view{};  //!< JSON text that a window keeps here for itself; empty: none
+  //! Rulers and angles, of all objects together: those of the first one count.
+  std::vector<Measurement> measurements{};
 };
 
 //! Writes the session, whole or not at all. The volume's path is stored relative to the session file when one

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/cancellation.h"
 #include "core/measure/ball_path.h"
 #include "core/measure/section_area.h"
 #include "core/mesh/topology.h"
@@ -74,6 +75,7 @@ class Line {
     resample();
     smooth();
     for (int round = 0; round < kRounds; ++round) {
+      giveUpIfCancelled();
       resample();
       centre();
       smooth();
@@ -144,6 +146,7 @@ CentreLine lineOf(const TriangleSoup& mesh, const Line& line, InscribedBalls& ba
   CentreLine out;
   const std::vector<Vec3>& points = line.points();
   for (int i = 0; i < static_cast<int>(points.size()); ++i) {
+    giveUpIfCancelled();
     if (i > 0) out.length += (points[idx(i)] - points[idx(i - 1)]).norm();
     CentreLinePoint p;
     p.place = points[idx(i)];

@@ -28,6 +28,7 @@ Document::Private::Private(Document& document) : q(document) {
   active = objects.front();
   undo.setUndoLimit(kMostUndone);
   QObject::connect(&undo, &QUndoStack::cleanChanged, &q, [this] { updateModified(); });
+  QObject::connect(&measurements, &Measurements::changed, &q, [this] { journalNow(); });
 }
 
 // The undo list says that it is clear when it goes, and the growth, which would be asked, goes before it.
@@ -134,6 +135,8 @@ void Document::chooseCandidate(SizeStep step) {
   parameters.candidate = *next;
   setParameters(parameters, step == SizeStep::smaller ? tr("Smaller object") : tr("Larger object"));
 }
+
+Measurements& Document::measurements() const { return d_->measurements; }
 
 QUndoStack* Document::undoStack() const { return &d_->undo; }
 

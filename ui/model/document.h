@@ -18,6 +18,7 @@
 #include "core/evolution/parameters.h"
 #include "core/evolution/pinned_parts.h"
 #include "core/evolution/step_report.h"
+#include "core/io/dicom_writer.h"
 #include "core/io/exported_object.h"
 #include "core/io/mesh_io.h"
 #include "core/io/volume_io.h"
@@ -28,6 +29,9 @@
 class QUndoStack;
 
 namespace handlebody::ui {
+
+class FinishedMesh;
+class Measurements;
 
 //! What a face of the shown mesh is, for colouring.
 enum class FaceState : unsigned char { moving, settled, newHandle, colliding };
@@ -203,6 +207,9 @@ class Document : public QObject {
   void chooseCandidate(SizeStep step);
   QUndoStack* undoStack() const;
 
+  //! Rulers and angles, of all objects together; their changes are undo entries, too.
+  Measurements& measurements() const;
+
   // --- growth ---
   GrowthState state() const;
   StopReason stopReason() const;
@@ -236,13 +243,19 @@ class Document : public QObject {
   void requestTrace(int index);
 
   // --- out ---
-  //! Mesh or label map by extension, of the shown iteration, written on a worker thread: exported() or
-  //! exportFailed().
-  void exportResult(const QString& path, CoordinateSpace space);
+  //! The shown surface of an object as it is written, by whatever thread asks for it first; null without one.
+  std::shared_ptr<const FinishedMesh> finishedMesh(int index) const;
+  //! Why no file of this ending (".msh") can be made of the open volume, as a sentence; empty: it can.
+  QString exportFault(const QString& extension) const;
+  //! Mesh or label map by extension, of the shown iteration, written on a worker thread: exporting(), then
+  //! exported(), exportFailed() or exportCancelled().
+  void exportResult(const QString& path, CoordinateSpace space, const DicomContent& content = {});
   //! The same of all objects that have a surface, in one file; not if two of them meet.
-  void exportObjects(const QString& path, CoordinateSpace space);
-  //! Of all objects that have a surface.
-  void exportReport(const QString& path);
+  void exportObjects(const QString& path, CoordinateSpace space, const DicomContent& content = {});
+  //! Nothing is left of the file that is being written; nothing if there is none.
+  void cancelExport();
+  //! Of all objects that have a surface. `anonymous`: without what may name the patient.
+  void exportReport(const QString& path, bool anonymous = false);
   //! What `handlebody-cli replay` needs to make the shown meshes again. Throws nothing; saveFailed() tells
   //! why.
   void saveSession(const QString& path);
@@ -279,6 +292,8 @@ class Document : public QObject {
   void leaked(int index);            //!< leaks()[index] was found just now
   void leakedElsewhere(int object);  //!< one that is not active came through a narrow passage just now
   void eventTraced(int index, const handlebody::EventTrace& trace);
+  void exporting(const QString& path);
+  void exportCancelled(const QString& path);
   void exported(const QString& path);
   void exportFailed(const QString& sentence);
   void sessionSaved(const QString& path);

@@ -120,6 +120,10 @@ ObjectInfo Document::objectInfo(int index) const {
           object.state(),      object.growth().snapshot(), d_->madeWithEarlier(object)};
 }
 
+std::shared_ptr<const FinishedMesh> Document::finishedMesh(int index) const {
+  return d_->object(index).finished();
+}
+
 QString Document::Private::madeWithEarlier(const ObjectWork& object) const {
   if (!object.isOutOfDate()) return {};
   const std::vector<FinishedWall> now = wallsFor(object), &then = object.grownWith();

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "core/cancellation.h"
 #include "core/collision/body_contact.h"
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
@@ -52,6 +53,7 @@ RunReport completed(PendingReport pending) {
   const MeshSnapshot& shown = *pending.shown;
   const CertifiedMesh mesh = certifiedForExport(shown.mesh);
   made.mesh = mesh.certificate;
+  made.measures = objectMeasures(mesh.mesh, &pending.volume);
   made.doubts = doubts(made, mesh.mesh);
   made.doubts.insert(made.doubts.end(), shown.doubts.begin(), shown.doubts.end());
   made.doubts.insert(made.doubts.end(), known.begin(), known.end());
@@ -92,6 +94,7 @@ std::vector<Session> Document::Private::sessions() const {
     all.back().volume = work->reference;
   }
   all.front().view = viewWithObjects().toStdString();
+  all.front().measurements = measurements.all();
   return all;
 }
 
@@ -127,7 +130,7 @@ void Document::Private::readView() {
 
 // --- results ---
 
-void Document::exportResult(const QString& path, CoordinateSpace space) {
+void Document::exportResult(const QString& path, CoordinateSpace space, const DicomContent& content) {
   const auto shown = snapshot();
   if (!shown)
     Q_EMIT exportFailed(tr("There is no surface to export yet: grow one first."));
@@ -135,20 +138,37 @@ void Document::exportResult(const QString& path, CoordinateSpace space) {
     Q_EMIT exportFailed(
         tr("Nothing is left of the surface at this iteration: step back to one that has some."));
   else
-    d_->exportFiles(path, space, {activeObject()});
+    d_->exportFiles(path, space, content, {activeObject()});
 }
 
-void Document::exportObjects(const QString& path, CoordinateSpace space) {
+void Document::exportObjects(const QString& path, CoordinateSpace space, const DicomContent& content) {
   std::vector<int> which;
   for (int i = 0; i < objectCount(); ++i)
     if (d_->object(i).finished()) which.push_back(i);
   if (which.empty())
     Q_EMIT exportFailed(tr("There is no surface to export yet: grow one first."));
   else
-    d_->exportFiles(path, space, which);
+    d_->exportFiles(path, space, content, which);
 }
 
-void Document::Private::exportFiles(const QString& path, CoordinateSpace space,
+QString Document::exportFault(const QString& extension) const {
+  if (!hasVolume()) return {};
+  return sentenceOf([&] {
+    // It begins with the path, which is none here.
+    try {
+      checkResult("x" + extension.toStdString(), {volume().grid, {}, info().dicom, {}});
+    } catch (const UsageError& error) {
+      const std::string why = error.what();
+      throw UsageError(why.substr(std::min(why.size(), why.find(": ") + 2)));
+    }
+  });
+}
+
+void Document::cancelExport() {
+  if (d_->exportCancelled) *d_->exportCancelled = true;
+}
+
+void Document::Private::exportFiles(const QString& path, CoordinateSpace space, const DicomContent& content,
                                     const std::vector<int>& which) {
   std::vector<FinishedWall> surfaces;
   std::vector<ObjectLabel> labels;
@@ -156,30 +176,45 @@ void Document::Private::exportFiles(const QString& path, CoordinateSpace space,
     labels.push_back(object(i).traits.label);
     surfaces.push_back({QString::fromStdString(labels.back().name), object(i).finished()});
   }
-  files.post([this, path, surfaces, labels,
-              context = ExportContext{work->volume.grid, space, work->info.dicom, {}}] {
+  exportCancelled = std::make_shared<std::atomic<bool>>(false);
+  files.post([this, path, surfaces, labels, stop = exportCancelled,
+              context = ExportContext{work->volume.grid, space, work->info.dicom, content}] {
+    bool gaveUp = false;
     const QString failed = sentenceOf([&] {
-      requireApart(surfaces);
-      std::vector<ExportedObject> made;
-      for (std::size_t i = 0; i < surfaces.size(); ++i)
-        made.push_back({labels[i], surfaces[i].mesh->get().mesh});
-      writeResults(made, context, {fileName(path)});
+      try {
+        const CancelScope scope(*stop);
+        requireApart(surfaces);
+        std::vector<ExportedObject> made;
+        for (std::size_t i = 0; i < surfaces.size(); ++i) {
+          giveUpIfCancelled();
+          made.push_back({labels[i], surfaces[i].mesh->get().mesh});
+        }
+        writeResults(made, context, {fileName(path)});
+      } catch (const Cancelled&) {
+        gaveUp = true;
+      }
     });
     QMetaObject::invokeMethod(
         &q,
-        [this, path, failed] { failed.isEmpty() ? Q_EMIT q.exported(path) : Q_EMIT q.exportFailed(failed); },
+        [this, path, failed, gaveUp] {
+          if (gaveUp)
+            Q_EMIT q.exportCancelled(path);
+          else
+            failed.isEmpty() ? Q_EMIT q.exported(path) : Q_EMIT q.exportFailed(failed);
+        },
         Qt::QueuedConnection);
   });
+  Q_EMIT q.exporting(path);
 }
 
 // --- report ---
 
-void Document::exportReport(const QString& path) {
+void Document::exportReport(const QString& path, bool isAnonymous) {
   const auto made = hasVolume() ? d_->pendingReports() : std::vector<PendingReport>();
   if (made.empty())
     Q_EMIT exportFailed(tr("There is no surface to report on yet: grow one first."));
   else
-    d_->exportReport(path, made);
+    d_->exportReport(path, made, isAnonymous);
 }
 
 //! Of what is known on this thread; the rest is added on the files'.
@@ -195,23 +230,26 @@ std::vector<PendingReport> Document::Private::pendingReports() const {
     r.volume.grid = work->volume.grid;
     if (all.empty()) {
       r.session.view = viewWithObjects().toStdString();
+      r.session.measurements = measurements.all();
       r.seconds.load = work->seconds;
     }
     if (const QString earlier = madeWithEarlier(*object); !earlier.isEmpty())
       r.doubts.push_back("The surface was made with an earlier one of the object '" + earlier.toStdString() +
                          "', and a replay may make another");
-    all.push_back({std::move(r), shown});
+    all.push_back({std::move(r), shown, work->volume});
   }
   return all;
 }
 
-void Document::Private::exportReport(const QString& path, const std::vector<PendingReport>& reports) {
-  files.post([this, path, made = reports, known = hash]() mutable {
+void Document::Private::exportReport(const QString& path, const std::vector<PendingReport>& reports,
+                                     bool isAnonymous) {
+  files.post([this, path, made = reports, known = hash, isAnonymous]() mutable {
     const QString failed = sentenceOf([&] {
       std::vector<RunReport> all;
       for (PendingReport& pending : made) {
         complete(pending.report.session, *known);
         all.push_back(completed(std::move(pending)));
+        if (isAnonymous) all.back() = anonymous(std::move(all.back()));
       }
       writeTextAtomically(fileName(path), textOf(all));
     });

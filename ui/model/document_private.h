@@ -10,6 +10,7 @@
 #include "ui/model/background.h"
 #include "ui/model/document.h"
 #include "ui/model/journal.h"
+#include "ui/model/measurements.h"
 #include "ui/model/object_work.h"
 #include "ui/model/opening.h"
 #include "ui/model/undo_commands.h"
@@ -20,6 +21,7 @@ namespace handlebody::ui {
 struct PendingReport {
   RunReport report;
   std::shared_ptr<const MeshSnapshot> shown;
+  Volume volume;
 };
 
 class Document::Private : public ObjectHost {
@@ -74,8 +76,9 @@ class Document::Private : public ObjectHost {
   std::vector<PendingReport> pendingReports() const;
   QByteArray viewWithObjects() const;
   void readView();
-  void exportFiles(const QString& path, CoordinateSpace space, const std::vector<int>& which);
-  void exportReport(const QString& path, const std::vector<PendingReport>& reports);
+  void exportFiles(const QString& path, CoordinateSpace space, const DicomContent& content,
+                   const std::vector<int>& which);
+  void exportReport(const QString& path, const std::vector<PendingReport>& reports, bool isAnonymous);
   void saveSession(const QString& path);
   void saved(const QString& path, int edit, const std::vector<int>& iterations);
   void journalNow();
@@ -93,6 +96,8 @@ class Document::Private : public ObjectHost {
   std::vector<std::shared_ptr<ObjectWork>> objects;  // one at least
   std::shared_ptr<ObjectWork> active;                // one of them
   QUndoStack undo;
+  Measurements measurements{undo};
+  std::shared_ptr<std::atomic<bool>> exportCancelled;  // of the newest export; null: there was none
   bool wasModified = false;
   int stepsPerFrame = 1;
   bool pausesAtLeaks = false;

@@ -10,10 +10,12 @@
 
 #include "core/mesh/plane_section.h"
 #include "ui/model/document.h"
+#include "ui/view/measure_overlay.h"
 #include "ui/view/other_outlines.h"
 #include "ui/view/overlay.h"
 #include "ui/view/slice_image.h"
 #include "ui/view/slice_interaction.h"
+#include "ui/view/slice_measuring.h"
 #include "ui/view/wall_overlay.h"
 
 namespace handlebody::ui {
@@ -205,6 +207,7 @@ void SliceView::Private::paint(QPainter& painter, double pixelRatio, bool focuse
     const bool marked = isActiveVisible(document) && paintOutline(painter);
     if (isActiveVisible(document)) paintMarkedLoops(painter);
     paintSeeds(painter, interaction.circles(), document.selectedSeed());
+    paintMeasurements(painter, geometry, document, state.measure());
     if (pointer && state.brush().isOn() && !state.windowLevelTool())
       paintBrush(painter, geometry, *pointer, state.brush());
     paintScaleBar(painter, size, geometry.mmPerPixel());
@@ -242,6 +245,7 @@ SliceView::SliceView(Plane plane, Document& document, ViewState& state, QWidget*
   connect(&state, &ViewState::changed, this, follow);
   connect(&state.brush(), &WallBrush::changed, this, follow);
   connect(&state, &ViewState::crosshairChanged, this, &SliceView::followCrosshair);
+  installEventFilter(new SliceMeasuring(document, state, d_->geometry, *this));
   startVolume();
 }
 

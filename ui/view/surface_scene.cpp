@@ -257,6 +257,11 @@ void SurfaceScene::setMesh(const MeshSnapshot* mesh, MeshColouring colouring, co
   d_->updateVisibility();
 }
 
+void SurfaceScene::colourFaces(const std::vector<QColor>& palette,
+                               const std::vector<unsigned char>& entries) {
+  if (d_->hasMesh) d_->mesh.setColours(palette, entries.data(), entries.size());
+}
+
 void SurfaceScene::setOthers(const std::vector<Other>& others) {
   while (d_->others.size() > others.size()) {
     d_->renderer->RemoveActor(d_->others.back().actor.actor());

@@ -42,6 +42,10 @@ struct CameraPose {
 CameraPose between(const CameraPose& from, const CameraPose& to, double share);
 //! From superior (axial), anterior (coronal) or left (sagittal), or from the other side.
 CameraPose lookingFrom(const CameraPose& pose, Plane plane, bool opposite);
+//! From the front, the left and above, as in the pictures of the command line.
+CameraPose obliquePose();
+//! The pose moved so that all of the volume is just in view; `aspect`: width by height of the view.
+CameraPose around(const Grid& grid, CameraPose pose, double aspect);
 
 class SurfaceScene {
  public:
@@ -50,6 +54,8 @@ class SurfaceScene {
 
   //! Null: no mesh. `material`: its colour where `colouring` gives none.
   void setMesh(const MeshSnapshot* mesh, MeshColouring colouring, const QColor& material = plainMaterial());
+  //! Other colours for the faces of the mesh, as indices into a palette, until it is set anew.
+  void colourFaces(const std::vector<QColor>& palette, const std::vector<unsigned char>& entries);
   //! Surfaces besides the mesh, each in one colour.
   struct Other {
     std::shared_ptr<const MeshSnapshot> mesh;

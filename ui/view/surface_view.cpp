@@ -16,11 +16,14 @@
 #include <cmath>
 
 #include "ui/model/document.h"
+#include "ui/view/distance_colours.h"
+#include "ui/view/measure_overlay.h"
 #include "ui/view/offscreen_renderer.h"
 #include "ui/view/other_outlines.h"
 #include "ui/view/other_surfaces.h"
 #include "ui/view/overlay.h"
 #include "ui/view/slice_image.h"
+#include "ui/view/surface_measuring.h"
 #include "ui/view/surface_overlay.h"
 #include "ui/view/surface_scene.h"
 #include "ui/view/surface_style.h"
@@ -31,31 +34,6 @@ namespace {
 
 const QColor kFrame(0x74, 0x83, 0xe6);
 constexpr Plane kPlanes[] = {Plane::axial, Plane::coronal, Plane::sagittal};
-
-//! From the front, the left and above, as in the pictures of the command line.
-CameraPose obliquePose() {
-  CameraPose pose;
-  pose.towardsEye = Vec3(0.62, -1, 0.55).normalized();
-  pose.up = (Vec3::UnitZ() - pose.towardsEye.z() * pose.towardsEye).normalized();
-  return pose;
-}
-
-Vec3 middleOf(const Grid& grid) {
-  return grid.toWorld(Vec3(grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1) / 2);
-}
-
-//! The pose moved so that all of the volume is just in view.
-CameraPose around(const Grid& grid, CameraPose pose, double aspect) {
-  constexpr double kMargin = 1.12;
-  const Vec3 half = Vec3(grid.size[0], grid.size[1], grid.size[2]).cwiseProduct(grid.spacing) / 2;
-  const auto reach = [&](const Vec3& screenAxis) {
-    return (grid.direction.transpose() * screenAxis).cwiseAbs().dot(half);
-  };
-  pose.focus = middleOf(grid);
-  pose.height =
-      std::max(1e-6, kMargin * 2 * std::max(reach(pose.up), reach(pose.up.cross(pose.towardsEye)) / aspect));
-  return pose;
-}
 
 //! A direction from which fronts do not hide each other: across the line between the first two polygons.
 Vec3 acrossFronts(const EventTrace& trace, const Vec3& towardsEye) {
@@ -78,6 +56,11 @@ struct SurfaceView::Private {
   void createOpenGl();
   void startVolume();
   void sync();
+  //! Of the shown mesh; null: none.
+  const DistanceColours* shownDistances() const {
+    const DistanceColours* d = state.distances().get();
+    return d && d->mesh == document.snapshot() && isActiveVisible(document) ? d : nullptr;
+  }
   void syncSeeds();
   void syncWalls();
   void syncSlices();
@@ -164,6 +147,8 @@ void SurfaceView::Private::sync() {
     shownColouring = state.meshColouring();
     scene->setMesh(isActiveVisible(document) ? document.snapshot().get() : nullptr, shownColouring,
                    activeColour(document, plainMaterial()));
+    if (const DistanceColours* d = shownDistances())
+      scene->colourFaces(distancePalette(d->isSigned), paletteEntries(*d));
     scene->setOthers(otherSurfaces(document));
     followMesh();
   }
@@ -280,6 +265,7 @@ void SurfaceView::Private::paint(QPainter& painter, double pixelRatio, bool focu
     if (empty) {
       paintHint(painter, size, tr("The surface grows here"));
     } else {
+      if (stage == EventStage::none) paintMeasurements(painter, size, pose, document, state.measure());
       paintTriad(painter, size, pose);
       paintScaleBar(painter, size, pose.height / std::max(1.0, size.height()));
     }
@@ -289,6 +275,8 @@ void SurfaceView::Private::paint(QPainter& painter, double pixelRatio, bool focu
                 tr("Nothing is left of the surface"), overlayFont());
     if (stage != EventStage::none)
       paintStageCaption(painter, stage);
+    else if (const DistanceColours* d = shownDistances())
+      paintDistanceScale(painter, size, *d);
     else if (mesh && state.meshColouring() == MeshColouring::state)
       paintStateLegend(painter);
     else if (mesh && !mesh->mesh.triangles.empty() && state.meshColouring() == MeshColouring::support)
@@ -327,6 +315,7 @@ SurfaceView::SurfaceView(Document& document, ViewState& state, QWidget* parent)
   connect(&document, &Document::seedsChanged, this, seeds);
   connect(&document, &Document::resolvedChanged, this, seeds);
   connect(&state, &ViewState::markedLoopsChanged, this, [d] { d->draw(d->loopsChanged); });
+  connect(&state, &ViewState::distancesChanged, this, [d] { d->draw(d->meshChanged); });
   for (auto changed : {&Document::snapshotChanged, &Document::objectsChanged})
     connect(&document, changed, this, [d] { d->draw(d->meshChanged); });
   for (auto changed : {&Document::constraintsChanged, &Document::objectsChanged})
@@ -348,6 +337,11 @@ SurfaceView::SurfaceView(Document& document, ViewState& state, QWidget* parent)
     d->slicesChanged = true;
     laterSlices();
   });
+  const auto pose = [d] {
+    const bool any = d->scene && d->stage == EventStage::none && d->document.hasVolume();
+    return any ? std::optional(d->scene->pose()) : std::nullopt;
+  };
+  installEventFilter(new SurfaceMeasuring(document, state, pose, *this));
 }
 
 SurfaceView::~SurfaceView() = default;

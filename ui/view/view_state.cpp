@@ -33,7 +33,9 @@ void ViewState::startWith(const Volume& volume) {
   const Grid& grid = volume.grid;
   setTint(std::nullopt);
   markLoops({});
+  setDistances(nullptr);
   brush_.startWith(grid);
+  measure_.reset();
   setAutomaticWindow(volume);
   // On voxels, so that all three slices pass exactly through it.
   setCrosshair(grid.toWorld(Vec3(grid.size[0] / 2, grid.size[1] / 2, grid.size[2] / 2)));
@@ -56,6 +58,12 @@ void ViewState::markLoops(const std::vector<MarkedLoop>& loops) {
   if (markedLoops_ == loops) return;
   markedLoops_ = loops;
   Q_EMIT markedLoopsChanged();
+}
+
+void ViewState::setDistances(std::shared_ptr<const DistanceColours> distances) {
+  if (distances_ == distances) return;
+  distances_ = std::move(distances);
+  Q_EMIT distancesChanged();
 }
 
 int ViewState::nextGesture() {

@@ -4,12 +4,14 @@
 
 #include <QObject>
 #include <QString>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/evolution/parameters.h"
 #include "core/geometry/vec.h"
 #include "core/volume/volume.h"
+#include "ui/view/measure_tool.h"
 #include "ui/view/wall_brush.h"
 
 namespace handlebody::ui {
@@ -28,6 +30,8 @@ struct MarkedLoop {
   std::vector<Vec3> points;
   bool operator==(const MarkedLoop&) const = default;
 };
+
+struct DistanceColours;
 
 class ViewState : public QObject {
   Q_OBJECT
@@ -61,10 +65,16 @@ class ViewState : public QObject {
 
   WallBrush& brush() { return brush_; }
   const WallBrush& brush() const { return brush_; }
+  MeasureTool& measure() { return measure_; }
+  const MeasureTool& measure() const { return measure_; }
 
   //! Loops of the shown surface that are drawn over it; none at first.
   const std::vector<MarkedLoop>& markedLoops() const { return markedLoops_; }
   void markLoops(const std::vector<MarkedLoop>& loops);
+
+  //! Drawn on the surface that they are of, in place of the colours of meshColouring(); null: none.
+  const std::shared_ptr<const DistanceColours>& distances() const { return distances_; }
+  void setDistances(std::shared_ptr<const DistanceColours> distances);
 
   //! A number for Document::moveSeed() and its like that no other drag has.
   static int nextGesture();
@@ -72,6 +82,7 @@ class ViewState : public QObject {
  Q_SIGNALS:
   void crosshairChanged();
   void markedLoopsChanged();
+  void distancesChanged();
   void changed();  //!< anything else
 
  private:
@@ -87,7 +98,9 @@ class ViewState : public QObject {
   bool slicesIn3d_ = true;
   std::optional<IntensityRange> tint_;
   std::vector<MarkedLoop> markedLoops_;
+  std::shared_ptr<const DistanceColours> distances_;
   WallBrush brush_;
+  MeasureTool measure_;
 };
 
 }  // namespace handlebody::ui

@@ -220,6 +220,21 @@ void addObjectCommands(std::vector<CommandSpec>& t) {
              T("Grow all objects that are not done, in the order of the list"), kPlain, true}});
 }
 
+void addMeasureCommands(std::vector<CommandSpec>& t) {
+  const char* menu = T("&Measure");
+  t.insert(
+      t.end(),
+      {{Command::showMeasures, menu, "", T("&Measures"), "Ctrl+M", "measures",
+        T("Volume, area, diameters, intensities and distances of the objects, as a table"), kPlain, false},
+       {Command::ruler, menu, "", T("&Ruler"), "R", "ruler",
+        T("Click two points in the slices or on the surface: their distance in mm"), kToggle, true},
+       {Command::angle, menu, "", T("&Angle"), "A", "angle",
+        T("Click three points, the second where the legs meet: the angle in degrees"), kToggle, false},
+       {Command::centreLine, menu, "", T("&Centre line"), "L", "centre-line",
+        T("Click two places of an object: the line along its middle and the sections across it"), kToggle,
+        false}});
+}
+
 void addHelpCommands(std::vector<CommandSpec>& t) {
   const char* menu = T("&Help");
   t.insert(t.end(),
@@ -235,8 +250,9 @@ void addHelpCommands(std::vector<CommandSpec>& t) {
 const std::vector<CommandSpec>& Commands::table() {
   static const std::vector<CommandSpec> all = [] {
     std::vector<CommandSpec> t;
-    for (auto add : {addFileCommands, addEditCommands, addViewCommands, addDisplayCommands, addSeedCommands,
-                     addGrowCommands, addCorrectCommands, addObjectCommands, addHelpCommands})
+    for (auto add :
+         {addFileCommands, addEditCommands, addViewCommands, addDisplayCommands, addSeedCommands,
+          addGrowCommands, addCorrectCommands, addObjectCommands, addMeasureCommands, addHelpCommands})
       add(t);
     return t;
   }();

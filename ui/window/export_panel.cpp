@@ -1,12 +1,18 @@
 #include "ui/window/export_panel.h"
 
 #include <QButtonGroup>
+#include <QCheckBox>
 #include <QComboBox>
+#include <QFileInfo>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "core/io/tetrahedra.h"
 #include "core/io/three_mf.h"
 #include "ui/model/document.h"
 #include "ui/window/action_button.h"
@@ -28,7 +34,11 @@ ExportPanel::ExportPanel(Document& document, const Commands& commands, QWidget* 
   for (auto changed : {&Document::objectsChanged, &Document::opened})
     connect(&document_, changed, this, &ExportPanel::showWhatIsWritten);
   for (QComboBox* field : {objects_, format_})
-    connect(field, &QComboBox::currentIndexChanged, this, &ExportPanel::showWhatIsWritten);
+    connect(field, &QComboBox::currentIndexChanged, this, [this] {
+      failed_.clear();
+      showWhatIsWritten();
+    });
+  connectProgress();
   showWhatIsWritten();
 }
 
@@ -43,19 +53,7 @@ void ExportPanel::buildResult(const Commands& commands) {
   ignoreWheelWithoutFocus(objects_);
   form_->addRow(tr("Objects"), objects_);
   format_ = new QComboBox(this);
-  format_->addItem(tr("STL surface, binary"), QStringLiteral(".stl"));
-  format_->addItem(tr("VTP surface (VTK)"), QStringLiteral(".vtp"));
-  format_->addItem(tr("PLY surface, binary"), QStringLiteral(".ply"));
-  format_->addItem(tr("OBJ surface"), QStringLiteral(".obj"));
-  format_->addItem(tr("3MF surface, to print"), QStringLiteral(".3mf"));
-  format_->insertSeparator(format_->count());
-  format_->addItem(tr("NIfTI label map"), QStringLiteral(".nii.gz"));
-  format_->addItem(tr("NRRD label map"), QStringLiteral(".nrrd"));
-  format_->addItem(tr("MetaImage label map"), QStringLiteral(".mha"));
-  format_->addItem(tr("3D Slicer segmentation"), QStringLiteral(".seg.nrrd"));
-  format_->insertSeparator(format_->count());
-  format_->addItem(tr("DICOM segmentation"), QStringLiteral(".seg.dcm"));
-  format_->addItem(tr("DICOM with STL surface"), QStringLiteral(".stl.dcm"));
+  addFormats();
   describe(format_, tr("Format"), tr("A surface keeps all detail; a label map has the voxels of the volume"));
   ignoreWheelWithoutFocus(format_);
   form_->addRow(tr("Format"), format_);
@@ -66,9 +64,100 @@ void ExportPanel::buildResult(const Commands& commands) {
   space_->button(0)->setChecked(true);
   form_->addRow(tr("Coordinates"), spaceRow_);
   static_cast<QVBoxLayout*>(layout())->addLayout(form_);
+  addAnonymous();
+  fault_ = notice(tr("Why nothing is written"), this);
+  layout()->addWidget(fault_);
   numbers_ = value(tr("What is written"), this);
   layout()->addWidget(numbers_);
   layout()->addWidget(new ActionButton(commands[Command::exportResult], this));
+  progress_ = buildProgress();
+  layout()->addWidget(progress_);
+  layout()->addWidget(new ActionButton(commands[Command::showMeasures], this));
+}
+
+void ExportPanel::addFormats() {
+  const auto add = [this](const QString& text, const char* ending) {
+    format_->addItem(text, QString::fromLatin1(ending));
+  };
+  add(tr("STL surface, binary"), ".stl");
+  add(tr("VTP surface (VTK)"), ".vtp");
+  add(tr("PLY surface, binary"), ".ply");
+  add(tr("OBJ surface"), ".obj");
+  add(tr("3MF surface, to print"), ".3mf");
+  format_->insertSeparator(format_->count());
+  add(tr("NIfTI label map"), ".nii.gz");
+  add(tr("NRRD label map"), ".nrrd");
+  add(tr("MetaImage label map"), ".mha");
+  add(tr("3D Slicer segmentation"), ".seg.nrrd");
+  format_->insertSeparator(format_->count());
+  add(tr("DICOM segmentation"), ".seg.dcm");
+  add(tr("DICOM with STL surface"), ".stl.dcm");
+  format_->insertSeparator(format_->count());
+  add(tr("Gmsh tetrahedra"), ".msh");
+  add(tr("VTK tetrahedra"), ".vtu");
+  add(tr("Abaqus tetrahedra"), ".inp");
+}
+
+void ExportPanel::addAnonymous() {
+  anonymous_ = new QCheckBox(tr("Without what names the patient"), this);
+  anonymous_->setFocusPolicy(Qt::TabFocus);
+  describe(
+      anonymous_, tr("Without what names the patient"),
+      tr("DICOM files, report and measures are written without patient, study, dates and names of files, "
+         "and the names that are suggested do not tell the volume's. A session always says where its "
+         "volume lies."));
+  layout()->addWidget(anonymous_);
+  connect(anonymous_, &QCheckBox::toggled, this, &ExportPanel::anonymousChanged);
+}
+
+//! Shown while a file is written.
+QWidget* ExportPanel::buildProgress() {
+  auto* part = new QWidget(this);
+  auto* column = new QVBoxLayout(part);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  writing_ = value(tr("What is being written"), part);
+  column->addWidget(writing_);
+  auto* row = new QHBoxLayout;
+  auto* bar = new QProgressBar(part);
+  bar->setRange(0, 0);  // how long it takes is not known
+  bar->setTextVisible(false);
+  bar->setAccessibleName(tr("A file is being written"));
+  row->addWidget(bar, 1);
+  auto* cancel = new QPushButton(tr("Cancel"), part);
+  cancel->setFocusPolicy(Qt::TabFocus);
+  describe(cancel, tr("Cancel writing"), tr("Nothing is left of the file"));
+  row->addWidget(cancel);
+  column->addLayout(row);
+  connect(cancel, &QPushButton::clicked, &document_, &Document::cancelExport);
+  part->hide();
+  return part;
+}
+
+void ExportPanel::connectProgress() {
+  connect(&document_, &Document::exporting, this, [this](const QString& path) {
+    writing_->setText(tr("Writing %1…").arg(QFileInfo(path).fileName()));
+    failed_.clear();
+    progress_->show();
+    showFault();
+  });
+  const auto end = [this](const QString& failed) {
+    failed_ = failed;
+    progress_->hide();
+    showFault();
+  };
+  connect(&document_, &Document::exported, this, [end] { end({}); });
+  connect(&document_, &Document::exportCancelled, this,
+          [end] { end(tr("It was cancelled: nothing was written.")); });
+  connect(&document_, &Document::exportFailed, this, end);
+}
+
+//! What speaks against the format, or what went wrong.
+void ExportPanel::showFault() {
+  const QString why = document_.exportFault(extension());
+  const QString text = why.isEmpty() ? failed_ : why;
+  fault_->setText(text);
+  fault_->setVisible(!text.isEmpty());
 }
 
 void ExportPanel::buildRest(const Commands& commands) {
@@ -94,6 +183,8 @@ QString ExportPanel::extension() const { return format_->currentData().toString(
 CoordinateSpace ExportPanel::space() const {
   return space_->checkedId() == 1 ? CoordinateSpace::ras : CoordinateSpace::lps;
 }
+
+bool ExportPanel::isAnonymous() const { return anonymous_->isChecked(); }
 
 bool ExportPanel::takesAll() const { return document_.objectCount() > 1 && objects_->currentIndex() == 0; }
 
@@ -131,7 +222,8 @@ void ExportPanel::showAllObjects() {
 
 void ExportPanel::showWhatIsWritten() {
   const std::string example = "x" + extension().toStdString();
-  spaceRow_->setEnabled(isMeshPath(example) || isThreeMfPath(example));
+  spaceRow_->setEnabled(isMeshPath(example) || isThreeMfPath(example) || isTetrahedraPath(example));
+  showFault();
   form_->setRowVisible(objects_, document_.objectCount() > 1);
   if (takesAll()) return showAllObjects();
   const auto snapshot = document_.snapshot();

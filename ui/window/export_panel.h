@@ -8,6 +8,7 @@
 #include "ui/window/view_grid.h"
 
 class QButtonGroup;
+class QCheckBox;
 class QComboBox;
 class QFormLayout;
 class QLabel;
@@ -29,17 +30,30 @@ class ExportPanel : public QWidget {
   CoordinateSpace space() const;
   //! All objects in one file; else the active one.
   bool takesAll() const;
+  //! Nothing that names the patient is to stand in what is written.
+  bool isAnonymous() const;
   //! The view of which a picture is wanted; none: all four.
   std::optional<Cell> pictureOf() const;
 
+ Q_SIGNALS:
+  void anonymousChanged(bool anonymous);
+
  private:
   void buildResult(const Commands& commands);
+  void addFormats();
+  void addAnonymous();
+  QWidget* buildProgress();
+  void connectProgress();
   void buildRest(const Commands& commands);
   void showWhatIsWritten();
   void showAllObjects();
+  void showFault();
 
   Document& document_;
-  QLabel *hint_, *numbers_;
+  QLabel *hint_, *numbers_, *fault_, *writing_;
+  QWidget* progress_;
+  QCheckBox* anonymous_;
+  QString failed_;  //!< what went wrong last with this format
   QComboBox *objects_, *format_, *picture_;
   QFormLayout* form_;
   QWidget* spaceRow_;

@@ -11,6 +11,7 @@
 #include <QWidget>
 #include <utility>
 
+#include "core/io/atomic_file.h"
 #include "ui/model/document.h"
 #include "ui/window/export_panel.h"
 #include "ui/window/message_bar.h"
@@ -204,8 +205,8 @@ void FileWork::saveAs() {
 
 QString FileWork::suggestedBase() const {
   const QString folder = QSettings().value(kFolder, QDir::homePath()).toString();
-  return QDir(folder).filePath(document_.hasVolume() ? baseName(document_.path())
-                                                     : QStringLiteral("handlebody"));
+  const bool isNamed = document_.hasVolume() && !exports_.isAnonymous();
+  return QDir(folder).filePath(isNamed ? baseName(document_.path()) : QStringLiteral("handlebody"));
 }
 
 QString FileWork::askForName(const QString& title, const QString& suggestion, const QString& filter,
@@ -216,20 +217,24 @@ QString FileWork::askForName(const QString& title, const QString& suggestion, co
 }
 
 void FileWork::exportResult() {
+  if (const QString fault = document_.exportFault(exports_.extension()); !fault.isEmpty())
+    return messages_.show(MessageBar::Kind::error, fault);
   const QString extension = exports_.extension();
   const QString path = askForName(tr("Export the result"), suggestedBase() + QStringLiteral("_surface"),
                                   QStringLiteral("*%1").arg(extension), extension);
   if (path.isEmpty()) return;
+  DicomContent content;
+  content.anonymous = exports_.isAnonymous();
   if (exports_.takesAll())
-    document_.exportObjects(path, exports_.space());
+    document_.exportObjects(path, exports_.space(), content);
   else
-    document_.exportResult(path, exports_.space());
+    document_.exportResult(path, exports_.space(), content);
 }
 
 void FileWork::exportReport() {
   const QString path = askForName(tr("Export the report"), suggestedBase() + QStringLiteral("_report"),
                                   QStringLiteral("*.json"), QStringLiteral(".json"));
-  if (!path.isEmpty()) document_.exportReport(path);
+  if (!path.isEmpty()) document_.exportReport(path, exports_.isAnonymous());
 }
 
 void FileWork::exportPicture() {
@@ -243,6 +248,19 @@ void FileWork::exportPicture() {
     messages_.show(MessageBar::Kind::information, tr("%1 is written.").arg(path));
   else
     messages_.show(MessageBar::Kind::error, tr("%1 cannot be written: %2.").arg(path, file.errorString()));
+}
+
+void FileWork::saveText(const QString& title, const QString& what, const QString& extension,
+                        const std::string& text) {
+  const QString path = askForName(title, suggestedBase() + QLatin1Char('_') + what,
+                                  QStringLiteral("*%1").arg(extension), extension);
+  if (path.isEmpty()) return;
+  try {
+    writeTextAtomically(QFile::encodeName(path).toStdString(), text);
+    messages_.show(MessageBar::Kind::information, tr("%1 is written.").arg(path));
+  } catch (const std::exception& error) {
+    messages_.show(MessageBar::Kind::error, QString::fromUtf8(error.what()));
+  }
 }
 
 void FileWork::offerRecovery() {

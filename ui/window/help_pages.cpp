@@ -44,23 +44,29 @@ QString mouseInSlices() {
           row(tr("Arrows; with Shift"), tr("Crosshair by one voxel; by five")) +
           row(tr("Page Up, Page Down"), tr("Next, previous slice")) +
           row(tr("B or E, then left drag; Ctrl+wheel"), tr("Paint or erase walls; radius of the brush")) +
+          row(tr("R, A or L, then clicks"),
+              tr("Ruler, angle, centre line: place points; Return: at the crosshair")) +
+          row(tr("Left drag on the end of a ruler or an angle"), tr("Move it")) +
           row(tr("W, then left drag"), tr("Window (sideways) and level (up and down)")) +
           row(tr("Double click"), tr("This view alone, or all four")));
 }
 
 QString mouseIn3d() {
-  return section(tr("Mouse in the 3D view"), row(tr("Left drag"), tr("Rotate")) +
-                                                 row(tr("Right drag, wheel"), tr("Zoom")) +
-                                                 row(tr("Middle drag, Shift+left drag"), tr("Pan")) +
-                                                 row(tr("Double click"), tr("This view alone, or all four")));
+  return section(
+      tr("Mouse in the 3D view"),
+      row(tr("Left drag"), tr("Rotate")) +
+          row(tr("R, A or L, then clicks on the surface"), tr("Ruler, angle, centre line: place points")) +
+          row(tr("Right drag, wheel"), tr("Zoom")) + row(tr("Middle drag, Shift+left drag"), tr("Pan")) +
+          row(tr("Double click"), tr("This view alone, or all four")));
 }
 
 QString escape() {
   return section(
       tr("Messages"),
       row(QStringLiteral("<b>%1</b>").arg(QKeySequence(Qt::Key_Escape).toString(QKeySequence::NativeText)),
-          tr("Close the message over the views; else give up a stroke, put the brush away, leave window and "
-             "level")));
+          tr("Close the message over the views; else give up a stroke or a point, put brush and ruler away, "
+             "leave "
+             "window and level")));
 }
 
 struct Library {

@@ -54,7 +54,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), commands_(documen
   const OpenMenus menus = buildMenus(*this, commands_);
   recent_ = menus.recent;
   panels_ = menus.panels;
-  for (QDockWidget* dock : {stepsDock_, timelineDock_}) panels_->addAction(dock->toggleViewAction());
+  for (QDockWidget* dock : {stepsDock_, timelineDock_, measuresDock_})
+    panels_->addAction(dock->toggleViewAction());
   buildToolbar(*this, commands_);
   connectFileCommands();
   connectViewCommands();
@@ -63,6 +64,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), commands_(documen
   connectGrowCommands();
   connectCorrectCommands();
   connectObjectCommands();
+  connectMeasureCommands();
   connectHelpCommands();
   connect(&document_, &Document::opened, this, &MainWindow::showOpened);
   connect(&document_, &Document::modifiedChanged, this, &MainWindow::updateTitle);
@@ -81,6 +83,7 @@ MainWindow::~MainWindow() {
   delete centralWidget();
   delete stepsDock_;
   delete timelineDock_;
+  delete measuresDock_;
 }
 
 void MainWindow::buildCentre() {
@@ -124,6 +127,7 @@ void MainWindow::buildDocks() {
   timelineDock_->setObjectName(QStringLiteral("timeline"));
   timelineDock_->setWidget(timeline_);
   addDockWidget(Qt::BottomDockWidgetArea, timelineDock_);
+  buildMeasures();
 }
 
 // The sections stand in the order in which they are added.

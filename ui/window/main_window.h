@@ -20,6 +20,7 @@ class ExportPanel;
 class FileWork;
 class GrowPanel;
 class HelpWindow;
+class MeasuresPanel;
 class MessageBar;
 class OpenPanel;
 class StartPage;
@@ -42,6 +43,7 @@ class MainWindow : public QMainWindow {
   const Commands& commands() const { return commands_; }
   EventInspector& inspector();
   MessageBar& messages() { return *messages_; }
+  MeasuresPanel& measures() { return *measures_; }
 
   void showStep(Command step);
   void setAppearance(Appearance appearance);
@@ -85,6 +87,11 @@ class MainWindow : public QMainWindow {
   void restoreSettings();
   void saveSettings();
   void showOpened();
+  // main_window_measures.cpp
+  void buildMeasures();
+  void connectMeasureCommands();
+  void showMeasures();
+  void updateMeasureCommands();
   // main_window_edits.cpp
   void tellOfEdit();
   // main_window_leaks.cpp
@@ -111,10 +118,11 @@ class MainWindow : public QMainWindow {
   ExportPanel* export_ = nullptr;
   GrowPanel* grow_ = nullptr;
   TimelinePanel* timeline_ = nullptr;
+  MeasuresPanel* measures_ = nullptr;
   StatusFields* status_ = nullptr;
   FileWork* files_ = nullptr;
   HelpWindow* help_ = nullptr;
-  QDockWidget *stepsDock_ = nullptr, *timelineDock_ = nullptr;
+  QDockWidget *stepsDock_ = nullptr, *timelineDock_ = nullptr, *measuresDock_ = nullptr;
   QMenu *recent_ = nullptr, *panels_ = nullptr;
   Appearance appearance_ = Appearance::system;
   bool paintedOver_ = false;   //!< the message bar offers a way out of a wall over the surface

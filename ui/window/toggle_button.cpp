@@ -1,5 +1,6 @@
 #include "ui/window/toggle_button.h"
 
+#include <QAction>
 #include <QPainter>
 
 namespace handlebody::ui {
@@ -48,6 +49,23 @@ void ToggleButton::paintEvent(QPaintEvent*) {
   const bool lit = isEnabled() && isChecked();
   painter.setPen(palette().color(lit ? QPalette::HighlightedText : QPalette::ButtonText));
   painter.drawText(rect(), Qt::AlignCenter, text());
+}
+
+ToggleButton* toggleFor(QAction* action, QWidget* parent) {
+  const QString name = action->text().remove(QLatin1Char('&'));
+  auto* button = new ToggleButton(name, parent);
+  button->setAccessibleName(name);
+  button->setAccessibleDescription(action->statusTip());
+  button->setToolTip(action->toolTip());
+  button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  const auto follow = [button, action] {
+    button->setChecked(action->isChecked());
+    button->setEnabled(action->isEnabled());
+  };
+  QObject::connect(button, &QToolButton::clicked, action, &QAction::trigger);
+  QObject::connect(action, &QAction::changed, button, follow);
+  follow();
+  return button;
 }
 
 }  // namespace handlebody::ui

@@ -4,6 +4,8 @@
 
 #include <QToolButton>
 
+class QAction;
+
 namespace handlebody::ui {
 
 class ToggleButton : public QToolButton {
@@ -23,5 +25,8 @@ class ToggleButton : public QToolButton {
   QColor ground() const;
   QColor rim() const;
 };
+
+//! Pressed and enabled as the action is, which a click triggers.
+ToggleButton* toggleFor(QAction* action, QWidget* parent);
 
 }  // namespace handlebody::ui

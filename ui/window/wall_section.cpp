@@ -1,6 +1,5 @@
 #include "ui/window/wall_section.h"
 
-#include <QAction>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -17,28 +16,6 @@
 
 namespace handlebody::ui {
 
-namespace {
-
-//! Pressed and enabled as the action is.
-ToggleButton* toggle(QAction* action, QWidget* parent) {
-  const QString name = action->text().remove(QLatin1Char('&'));
-  auto* button = new ToggleButton(name, parent);
-  button->setAccessibleName(name);
-  button->setAccessibleDescription(action->statusTip());
-  button->setToolTip(action->toolTip());
-  button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  const auto follow = [button, action] {
-    button->setChecked(action->isChecked());
-    button->setEnabled(action->isEnabled());
-  };
-  QObject::connect(button, &QToolButton::clicked, action, &QAction::trigger);
-  QObject::connect(action, &QAction::changed, button, follow);
-  follow();
-  return button;
-}
-
-}  // namespace
-
 WallSection::WallSection(Document& document, ViewState& state, const Commands& commands, QWidget* parent)
     : QWidget(parent), document_(document), state_(state) {
   auto* layout = new QVBoxLayout(this);
@@ -46,7 +23,7 @@ WallSection::WallSection(Document& document, ViewState& state, const Commands& c
   layout->setSpacing(8);
   auto* row = new QHBoxLayout;
   row->setSpacing(2);
-  for (Command id : {Command::paintWalls, Command::eraseWalls}) row->addWidget(toggle(commands[id], this));
+  for (Command id : {Command::paintWalls, Command::eraseWalls}) row->addWidget(toggleFor(commands[id], this));
   layout->addLayout(row);
   radius_ = new QDoubleSpinBox(this);
   radius_->setDecimals(2);

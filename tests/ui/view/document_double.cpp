@@ -1,6 +1,9 @@
 #include "tests/ui/view/document_double.h"
 
+#include <QUndoStack>
 #include <map>
+
+#include "ui/model/measurements.h"
 
 namespace handlebody::ui {
 namespace {
@@ -26,7 +29,10 @@ std::map<const Document*, State*>& states() {
 
 }  // namespace
 
-struct Document::Private : State {};
+struct Document::Private : State {
+  QUndoStack undo;
+  Measurements measurements{undo};
+};
 
 Document::Document(QObject* parent) : QObject(parent), d_(std::make_unique<Private>()) {
   states()[this] = d_.get();
@@ -71,6 +77,8 @@ void Document::setSeedRadius(int index, std::optional<double> radius, int gestur
   d_->gestures.push_back(gesture);
   Q_EMIT seedsChanged();
 }
+
+Measurements& Document::measurements() const { return d_->measurements; }
 
 void Document::selectSeed(int index) {
   d_->selected = index;

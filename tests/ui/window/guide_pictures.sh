@@ -21,9 +21,24 @@ shot tune --step tune
 shot grow --step grow --iteration 28
 shot event --step grow --iteration 36 --stage handle
 
-# A leak through a hole in a wall: leaked, painted shut, and gone on from before.
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
+
+# Rulers and the table of measures: the session with what is measured in it.
+python3 - "$session" "$work/measured.json" << 'END' || exit 1
+import json, os, sys
+session = json.load(open(sys.argv[1]))
+session["input"]["path"] = os.path.join(os.path.dirname(os.path.abspath(sys.argv[1])), session["input"]["path"])
+session["measurements"] = [
+    {"kind": "ruler", "points": [[60, 41.5, 86], [118, 41.5, 86]]},
+    {"kind": "angle", "points": [[70, 41.5, 105], [80, 41.5, 70], [108, 41.5, 84]]},
+]
+json.dump(session, open(sys.argv[2], "w"))
+END
+session=$work/measured.json
+shot measures --step measure --iteration 1000
+
+# A leak through a hole in a wall: leaked, painted shut, and gone on from before.
 "$(dirname "$program")/handlebody-cli" phantom wall --gap 14 --noise 0.1 -o "$work/wall.nii.gz" > /dev/null || exit 1
 walls=
 for y in 36 40 44; do

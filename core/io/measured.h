@@ -1,5 +1,5 @@
 #pragma once
-// What `measure` found, as text, JSON and CSV.
+// What is measured of objects, as text, JSON and CSV: what `measure` and the window show and write.
 
 #include <optional>
 #include <string>
@@ -11,7 +11,7 @@
 #include "core/measure/wall_thickness.h"
 #include "core/mesh/validity.h"
 
-namespace handlebody::cli {
+namespace handlebody {
 
 struct MeasuredObject {
   std::string name;  //!< of the object in a session, else the mesh's path
@@ -51,7 +51,9 @@ std::string measuredText(const Measured& m);
 std::string measuredJson(const Measured& m);
 //! A line of names, which end in the unit, and one per object.
 std::string measuredCsv(const Measured& m);
+//! The same with another character between the columns, and lines that end in LF.
+std::string measuredColumns(const Measured& m, char separator);
 //! The same of the points of a centre line.
 std::string sectionsCsv(const CentreLine& line);
 
-}  // namespace handlebody::cli
+}  // namespace handlebody

@@ -1,13 +1,13 @@
-#include "app/cli/measure_result.h"
+#include "core/io/measured.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <numeric>
 
-#include "app/cli/csv.h"
+#include "core/io/csv_line.h"
 #include "core/io/measures_json.h"
 
-namespace handlebody::cli {
+namespace handlebody {
 
 namespace {
 
@@ -227,14 +227,38 @@ std::string measuredJson(const Measured& m) {
   return jsonText(json);
 }
 
-std::string measuredCsv(const Measured& m) {
-  std::string text;
+namespace {
+
+std::vector<Row> rowsOf(const Measured& m) {
+  std::vector<Row> rows;
   for (const MeasuredObject& o : m.objects) {
-    Row row = rowOf(m, o);
+    Row& row = rows.emplace_back(rowOf(m, o));
     if (m.wall) addWall(row, *m.wall);
     if (m.line) row.add("centre_line_mm", o.name == m.line->object ? Json(m.line->line.length) : Json());
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string measuredCsv(const Measured& m) {
+  std::string text;
+  for (const Row& row : rowsOf(m)) {
     if (text.empty()) text = csvLine(row.names);
     text += csvLine(row.values);
+  }
+  return text;
+}
+
+std::string measuredColumns(const Measured& m, char separator) {
+  std::string text;
+  const auto add = [&](const std::vector<std::string>& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) text += (i > 0 ? std::string(1, separator) : "") + cells[i];
+    text += '\n';
+  };
+  for (const Row& row : rowsOf(m)) {
+    if (text.empty()) add(row.names);
+    add(row.values);
   }
   return text;
 }
@@ -255,4 +279,4 @@ std::string sectionsCsv(const CentreLine& line) {
   return text;
 }
 
-}  // namespace handlebody::cli
+}  // namespace handlebody

@@ -5,11 +5,11 @@
 
 #include "core/io/compared.h"
 
-namespace handlebody::cli {
+namespace handlebody {
 
 //! A table for the eye, with units.
 std::string comparisonText(const ComparedPair& pair);
 //! A line of names and one of values.
 std::string comparisonCsv(const ComparedPair& pair);
 
-}  // namespace handlebody::cli
+}  // namespace handlebody

@@ -1,11 +1,11 @@
-#include "app/cli/compare_result.h"
+#include "core/io/compared_table.h"
 
 #include <cstdio>
 
-#include "app/cli/csv.h"
+#include "core/io/csv_line.h"
 #include "core/io/comparison_json.h"
 
-namespace handlebody::cli {
+namespace handlebody {
 
 namespace {
 
@@ -119,4 +119,4 @@ std::string comparisonCsv(const ComparedPair& p) {
   return csvLine(names) + csvLine(values);
 }
 
-}  // namespace handlebody::cli
+}  // namespace handlebody

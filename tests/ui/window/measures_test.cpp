@@ -1,0 +1,356 @@
+// The panel Measures by mouse and keys: the table of the objects, rulers and angles, a centre line with its
+// plot, a reference; and what the step Export says of the formats.
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QProgressBar>
+#include <QTableWidget>
+#include <QUndoStack>
+#include <algorithm>
+#include <cmath>
+
+#include "core/io/measured.h"
+#include "core/io/volume_io.h"
+#include "core/mesh/shapes.h"
+#include "tests/support/test_volume.h"
+#include "tests/ui/window/layout_support.h"
+#include "tests/ui/window/window_support.h"
+#include "ui/model/measurements.h"
+#include "ui/view/distance_colours.h"
+#include "ui/window/centre_line_page.h"
+#include "ui/window/compare_page.h"
+#include "ui/window/export_panel.h"
+#include "ui/window/measures_panel.h"
+#include "ui/window/numbers.h"
+#include "ui/window/object_measures_page.h"
+#include "ui/window/section_plot.h"
+
+using namespace handlebody;
+using namespace handlebody::test;
+using ui::Command;
+using ui::GrowthState;
+using ui::MeasuresPanel;
+
+namespace {
+
+constexpr double kRadius = 6;  // of the bar, voxels of 1 mm
+const Vec3 kOneEnd(16, 16, 16), kOtherEnd(40, 16, 16);
+
+//! A dark bar with round ends along x.
+QString writeBar(const QTemporaryDir& folder) {
+  const QString path = folder.filePath("bar.nii.gz");
+  Grid grid = testing::cubicGrid(33);
+  grid.size[0] = 57;
+  const auto intensity = [](int i, int j, int k) {
+    const Vec3 p(i, j, k), nearest(std::clamp(p.x(), kOneEnd.x(), kOtherEnd.x()), 16, 16);
+    const double distance = (p - nearest).norm() - kRadius;
+    // No two voxels are quite alike, so that the background is not taken for padding.
+    return 110 + 90 * std::clamp(distance, -1.0, 1.0) + 0.5 * std::sin(i + 37.1 * j + 1234.5 * k);
+  };
+  writeVolume(testing::volumeByIndex(grid, intensity), path.toStdString());
+  return path;
+}
+
+//! A window in which the bar has grown.
+std::unique_ptr<ui::MainWindow> grownWindow(const QTemporaryDir& folder) {
+  auto window = shownWindow();
+  if (!window || !open(*window, writeBar(folder))) return nullptr;
+  window->document().addSeed({Vec3(28, 16, 16), {}});
+  window->document().run();
+  return waitFor(*window, GrowthState::finished) ? std::move(window) : nullptr;
+}
+
+bool isMeasured(ui::MainWindow& window) {
+  const auto& page = window.measures().objects();
+  return QTest::qWaitFor([&] { return page.shown() && !page.isMeasuring(); }, kPatience);
+}
+
+QTableWidget* tableNamed(ui::MainWindow& window, const char* name) {
+  const auto tables = window.measures().findChildren<QTableWidget*>();
+  for (QTableWidget* table : tables)
+    if (table->accessibleName() == QLatin1String(name)) return table;
+  return nullptr;
+}
+
+//! Of every page of the panel.
+QStringList faultsOfPages(ui::MainWindow& window) {
+  QStringList faults;
+  for (auto page : {MeasuresPanel::Page::objects, MeasuresPanel::Page::rulers,
+                    MeasuresPanel::Page::centreLine, MeasuresPanel::Page::compare}) {
+    window.measures().show(page);
+    QTest::qWait(50);  // layouts settle
+    faults << layoutFaults(window);
+  }
+  return faults;
+}
+
+}  // namespace
+
+class MeasuresTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void theTableHasTheMeasuresOfTheShownSurface();
+  void anotherSurfaceIsMeasuredAnew();
+  void measuringIsCancelled();
+  void aRulerIsPlacedByClicksListedAndDeleted();
+  void theBrushAndTheRulerDoNotHaveTheMouseBoth();
+  void aCentreLineIsPlottedAndPointedAtInTheViews();
+  void aReferenceIsComparedAndItsDistancesAreInColour();
+  void formatsThatCannotBeMadeSayWhy();
+  void nothingIsCutOffInThePanel();
+};
+
+void MeasuresTest::theTableHasTheMeasuresOfTheShownSurface() {
+  const QTemporaryDir folder;
+  auto window = grownWindow(folder);
+  QVERIFY(window);
+  QTest::keyClick(window.get(), Qt::Key_M, Qt::ControlModifier);
+  QVERIFY(window->measures().objects().isVisible());
+  QVERIFY(isMeasured(*window));
+  const Measured& m = *window->measures().objects().shown();
+  QCOMPARE(m.objects.size(), std::size_t(1));
+  const ShapeMeasures& shape = m.objects[0].measures.shape;
+  const double volume = window->document().snapshot()->certificate.volume;
+  QVERIFY(std::abs(shape.volume - volume) < 1e-5 * volume);
+  // Near what it is of, and the length of the bar.
+  QVERIFY(std::abs(shape.largest.distance - (24 + 2 * kRadius)) < 1.5);
+  QTableWidget* table = tableNamed(*window, "Measures of the objects");
+  QVERIFY(table && table->rowCount() == 1);
+  QCOMPARE(table->item(0, 1)->text(), ui::number(shape.volume / 1000));
+  QVERIFY(table->horizontalHeaderItem(1)->text().contains("(ml)"));
+  QVERIFY(shownText(*window, "More about the chosen object").contains("mm"));
+  // The writers are the command line's.
+  QSignalSpy saved(&window->measures(), &MeasuresPanel::saveRequested);
+  buttonSaying(*window, "Save as CSV")->click();
+  QCOMPARE(saved.size(), 1);
+  QCOMPARE(saved[0][3].value<std::string>(), measuredCsv(m));
+  QVERIFY(window->measures().objects().copyText().contains("volume_mm3\tarea_mm2"));
+  QVERIFY(window->measures().objects().json().find("bar.nii.gz") != std::string::npos);
+  window->measures().objects().setAnonymous(true);
+  QVERIFY(window->measures().objects().json().find("bar.nii.gz") == std::string::npos);
+}
+
+void MeasuresTest::anotherSurfaceIsMeasuredAnew() {
+  const QTemporaryDir folder;
+  auto window = grownWindow(folder);
+  QVERIFY(window);
+  QTest::keyClick(window.get(), Qt::Key_M, Qt::ControlModifier);
+  QVERIFY(isMeasured(*window));
+  const double before = window->measures().objects().shown()->objects[0].measures.shape.volume;
+  window->document().goTo(3);
+  const auto hasSmaller = [&] {
+    const Measured* m = window->measures().objects().shown();
+    return m && m->objects[0].measures.shape.volume < 0.9 * before;
+  };
+  QVERIFY(QTest::qWaitFor(hasSmaller, kPatience));
+}
+
+void MeasuresTest::measuringIsCancelled() {
+  const QTemporaryDir folder;
+  auto window = grownWindow(folder);
+  QVERIFY(window);
+  window->measures().show(MeasuresPanel::Page::objects);
+  QTest::keyClick(window.get(), Qt::Key_M, Qt::ControlModifier);
+  auto& page = window->measures().objects();
+  QVERIFY(QTest::qWaitFor([&] { return page.isMeasuring() || page.shown(); }, kPatience));
+  buttonSaying(*window, "Measure")->click();  // anew, or the first time
+  QAbstractButton* cancel = buttonSaying(*window, "Cancel");
+  if (page.isMeasuring()) {
+    QVERIFY(cancel);
+    cancel->click();
+  }
+  QVERIFY(!page.isMeasuring());
+  QTest::qWait(600);
+  QVERIFY(!page.isMeasuring());  // not begun again by itself
+}
+
+void MeasuresTest::aRulerIsPlacedByClicksListedAndDeleted() {
+  const QTemporaryDir folder;
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, writeBar(folder)));
+  QTest::keyClick(window.get(), Qt::Key_M, Qt::ControlModifier);
+  ui::SliceView& slice = window->views().slice(ui::Plane::axial);
+  const Vec3 crosshair = window->viewState().crosshair();
+  QTest::keyClick(window.get(), Qt::Key_R);
+  QVERIFY(window->viewState().measure().isOn());
+  const QPoint from(slice.width() / 2 - 40, slice.height() / 2),
+      to(slice.width() / 2 + 30, slice.height() / 2 + 20);
+  QTest::mouseClick(&slice, Qt::LeftButton, {}, from);
+  QTest::mouseClick(&slice, Qt::LeftButton, {}, to);
+  const auto& list = window->document().measurements();
+  QCOMPARE(list.all().size(), std::size_t(1));
+  QVERIFY(!window->commands()[Command::ruler]->isChecked());
+  QVERIFY(window->viewState().crosshair() == crosshair);
+  QTableWidget* table = tableNamed(*window, "Rulers and angles");
+  QVERIFY(table && table->isVisible() && table->rowCount() == 1);
+  QCOMPARE(table->item(0, 1)->text(), ui::measuredValue(list.all()[0]));
+  QVERIFY(table->item(0, 1)->text().endsWith(" mm"));
+  table->setFocus();
+  QTest::keyClick(table, Qt::Key_Delete);
+  QVERIFY(list.all().empty());
+  QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier);
+  QCOMPARE(list.all().size(), std::size_t(1));
+  QCOMPARE(table->rowCount(), 1);
+  QTest::keyClick(window.get(), Qt::Key_A);
+  for (const QPoint& at : {from, to, QPoint(to.x(), from.y() - 40)})
+    QTest::mouseClick(&slice, Qt::LeftButton, {}, at);
+  QCOMPARE(table->rowCount(), 2);
+  QVERIFY(table->item(1, 1)->text().endsWith("°"));
+}
+
+void MeasuresTest::theBrushAndTheRulerDoNotHaveTheMouseBoth() {
+  const QTemporaryDir folder;
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, writeBar(folder)));
+  QTest::keyClick(window.get(), Qt::Key_B);
+  QVERIFY(window->viewState().brush().isOn());
+  QTest::keyClick(window.get(), Qt::Key_R);
+  QVERIFY(!window->viewState().brush().isOn() && window->viewState().measure().isOn());
+  QTest::keyClick(window.get(), Qt::Key_B);
+  QVERIFY(window->viewState().brush().isOn() && !window->viewState().measure().isOn());
+}
+
+void MeasuresTest::aCentreLineIsPlottedAndPointedAtInTheViews() {
+  const QTemporaryDir folder;
+  auto window = grownWindow(folder);
+  QVERIFY(window);
+  ui::MeasureTool& tool = window->viewState().measure();
+  QTest::keyClick(window.get(), Qt::Key_L);
+  QVERIFY(tool.mode() == ui::MeasureTool::Mode::centreLine);
+  // By keys: the crosshair's places.
+  ui::SliceView& slice = window->views().slice(ui::Plane::axial);
+  slice.setFocus();
+  for (const Vec3& end : {kOneEnd, kOtherEnd}) {
+    window->viewState().setCrosshair(end);
+    QTest::keyClick(&slice, Qt::Key_Return);
+  }
+  auto& page = window->measures().centreLine();
+  QVERIFY(page.isVisible());  // the plot comes up by itself
+  QVERIFY(QTest::qWaitFor([&] { return page.shown() && !page.isSearching(); }, kPatience));
+  const CentreLine& line = page.shown()->line;
+  QVERIFY(line.points.size() > 10);
+  QVERIFY(std::abs(line.length - 24) < 3);
+  const CentreLinePoint& middle = line.points[line.points.size() / 2];
+  QVERIFY(std::abs(middle.equivalentDiameter() - 2 * kRadius) < 1);
+  QCOMPARE(tool.line().size(), line.points.size());
+  // The plot points at a place, which the views mark, and a click takes the crosshair there.
+  auto* plot = window->measures().findChild<ui::SectionPlot*>();
+  QTest::mouseMove(plot, plot->rect().center());
+  QVERIFY(QTest::qWaitFor([&] { return tool.marker().has_value(); }));
+  QVERIFY((tool.marker()->place - line.points[static_cast<std::size_t>(plot->pointed())].place).norm() <
+          1e-12);
+  QVERIFY(std::abs(tool.marker()->radius - kRadius) < 1);
+  QTest::mouseClick(plot, Qt::LeftButton, {}, plot->rect().center());
+  QVERIFY((window->viewState().crosshair() - tool.marker()->place).norm() < 1e-12);
+  QTest::keyClick(plot, Qt::Key_Home);
+  QVERIFY((tool.marker()->place - line.points.front().place).norm() < 1e-12);
+  QTest::keyClick(plot, Qt::Key_Right);
+  QCOMPARE(plot->pointed(), 1);
+  page.find(kOneEnd, Vec3(0, 0, 0));  // not in the object
+  QVERIFY(QTest::qWaitFor([&] { return !page.isSearching(); }, kPatience));
+  QVERIFY(!page.shown() && tool.line().empty());
+  QVERIFY(!shownText(*window, "The centre line").isEmpty());
+}
+
+void MeasuresTest::aReferenceIsComparedAndItsDistancesAreInColour() {
+  const QTemporaryDir folder;
+  auto window = grownWindow(folder);
+  QVERIFY(window);
+  const QString path = folder.filePath("reference.ply");
+  writeMesh(icosphere(Vec3(28, 16, 16), 9, 0.8), path.toStdString());
+  auto& page = window->measures().compare();
+  QTest::keyClick(window.get(), Qt::Key_M, Qt::ControlModifier);
+  window->measures().show(MeasuresPanel::Page::compare);
+  page.compareWith(path);
+  QVERIFY(page.isComparing());
+  QVERIFY(QTest::qWaitFor([&] { return !page.isComparing(); }, kPatience));
+  QVERIFY(page.shown() && page.shown()->found.dice);
+  QTableWidget* table = tableNamed(*window, "The object beside the reference");
+  QVERIFY(table->rowCount() > 8);
+  QCOMPARE(table->item(0, 0)->text(), QString("Dice"));
+  QCOMPARE(table->item(0, 1)->text(), ui::number(*page.shown()->found.dice, 3));
+  const auto colours = window->viewState().distances();
+  QVERIFY(colours && colours->isSigned);
+  // The ends of the bar stick out, its flanks lie within.
+  const auto [least, most] = std::minmax_element(colours->ofFace.begin(), colours->ofFace.end());
+  QVERIFY(*least < -2 && *most > 5);
+  auto* check = window->measures().findChild<QCheckBox*>();
+  check->click();
+  QVERIFY(!window->viewState().distances());
+  check->click();
+  QVERIFY(window->viewState().distances());
+  page.compareWith(folder.filePath("bar.nii.gz"));  // an image, not a label map
+  QVERIFY(QTest::qWaitFor([&] { return !page.isComparing(); }, kPatience));
+  QVERIFY(!page.shown() && !window->viewState().distances());
+  QVERIFY(shownText(*window, "State of the comparison").contains("bar.nii.gz"));
+}
+
+void MeasuresTest::formatsThatCannotBeMadeSayWhy() {
+  const QTemporaryDir folder;
+  auto window = grownWindow(folder);
+  QVERIFY(window);
+  window->showStep(Command::stepExport);
+  auto* panel = window->findChild<ui::ExportPanel*>();
+  QComboBox* format = nullptr;
+  for (QComboBox* box : panel->findChildren<QComboBox*>())
+    if (box->accessibleName() == "Format") format = box;
+  QVERIFY(format);
+  for (const char* ending : {".stl", ".vtp", ".ply", ".obj", ".3mf", ".nii.gz", ".nrrd", ".mha", ".seg.nrrd",
+                             ".seg.dcm", ".stl.dcm", ".msh", ".vtu", ".inp"}) {
+    const int index = format->findData(QString::fromLatin1(ending));
+    QVERIFY2(index >= 0, ending);
+    format->setCurrentIndex(index);
+    const QLabel* fault = shownLabel(*window, "Why nothing is written");
+    QCOMPARE(fault ? fault->text() : QString(), window->document().exportFault(QString::fromLatin1(ending)));
+    QCOMPARE(fault != nullptr, !window->document().exportFault(QString::fromLatin1(ending)).isEmpty());
+    QVERIFY(!QString::fromLatin1(ending).endsWith(".dcm") || fault);  // the volume is no DICOM
+    QTest::qWait(20);
+    const QString faults = layoutFaults(*window).join(QLatin1Char('\n'));
+    QVERIFY2(faults.isEmpty(), qPrintable(faults));
+  }
+  // While a file is written that is shown, with a way out; a failure is told at its place.
+  format->setCurrentIndex(format->findData(".stl"));
+  window->document().exportResult(folder.filePath("no/such/folder/x.stl"), panel->space());
+  const auto bars = panel->findChildren<QProgressBar*>();
+  QVERIFY(std::any_of(bars.begin(), bars.end(), [](const QProgressBar* bar) { return bar->isVisible(); }));
+  QVERIFY(
+      QTest::qWaitFor([&] { return shownLabel(*window, "Why nothing is written") != nullptr; }, kPatience));
+  QVERIFY(std::none_of(bars.begin(), bars.end(), [](const QProgressBar* bar) { return bar->isVisible(); }));
+}
+
+void MeasuresTest::nothingIsCutOffInThePanel() {
+  const QTemporaryDir folder;
+  auto window = grownWindow(folder);
+  QVERIFY(window);
+  QTest::keyClick(window.get(), Qt::Key_M, Qt::ControlModifier);
+  ui::Document& document = window->document();
+  ObjectLabel label = document.objectInfo(0).label;
+  label.name = "Left internal carotid artery, lumen";
+  document.setObjectLabel(0, label, QStringLiteral("Change object"));
+  QVERIFY(isMeasured(*window));
+  document.measurements().add({MeasurementKind::ruler, {Vec3(1, 2, 3), Vec3(40, 30, 20)}});
+  document.measurements().add({MeasurementKind::angle, {Vec3(1, 2, 3), Vec3(9, 9, 9), Vec3(40, 30, 20)}});
+  window->measures().centreLine().find(kOneEnd, kOtherEnd);
+  QVERIFY(QTest::qWaitFor([&] { return !window->measures().centreLine().isSearching(); }, kPatience));
+  window->measures().compare().compareWith(folder.filePath("none.stl"));
+  QVERIFY(QTest::qWaitFor([&] { return !window->measures().compare().isComparing(); }, kPatience));
+  for (auto appearance : {ui::Appearance::light, ui::Appearance::dark}) {
+    window->setAppearance(appearance);
+    for (const QSize& size : {QSize(1280, 800), QSize(1600, 1000)}) {
+      window->resize(size);
+      const QString faults = faultsOfPages(*window).join(QLatin1Char('\n'));
+      QVERIFY2(faults.isEmpty(), qPrintable(faults));
+    }
+  }
+}
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName("Handlebody");
+  QApplication::setApplicationName("handlebody-test");
+  MeasuresTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "measures_test.moc"

@@ -1,0 +1,81 @@
+// Measures, rulers, angles and centre lines in the window.
+
+#include <QDockWidget>
+
+#include "ui/model/measurements.h"
+#include "ui/window/export_panel.h"
+#include "ui/window/file_work.h"
+#include "ui/window/main_window.h"
+#include "ui/window/measures_panel.h"
+#include "ui/window/object_measures_page.h"
+
+namespace handlebody::ui {
+
+namespace {
+
+constexpr int kUsualHeight = 250;  // pixels, of the panel when it is shown first
+
+struct ToolCommand {
+  Command command;
+  MeasureTool::Mode mode;
+};
+constexpr ToolCommand kTools[] = {{Command::ruler, MeasureTool::Mode::ruler},
+                                  {Command::angle, MeasureTool::Mode::angle},
+                                  {Command::centreLine, MeasureTool::Mode::centreLine}};
+
+}  // namespace
+
+// Behind the timeline, and out of the way until it is asked for.
+void MainWindow::buildMeasures() {
+  measures_ = new MeasuresPanel(document_, state_, commands_);
+  measuresDock_ = new QDockWidget(tr("Measures"), this);
+  measuresDock_->setObjectName(QStringLiteral("measures"));
+  measuresDock_->setWidget(measures_);
+  addDockWidget(Qt::BottomDockWidgetArea, measuresDock_);
+  tabifyDockWidget(timelineDock_, measuresDock_);
+  measuresDock_->hide();
+}
+
+//! The first time higher than the timeline, whose place it takes, if that has no room for a table.
+void MainWindow::showMeasures() {
+  const bool isFirst = measuresDock_->isHidden();
+  measuresDock_->show();
+  measuresDock_->raise();
+  if (isFirst && timelineDock_->height() < kUsualHeight && !measuresDock_->isFloating())
+    resizeDocks({measuresDock_}, {kUsualHeight}, Qt::Vertical);
+}
+
+void MainWindow::connectMeasureCommands() {
+  on(Command::showMeasures, [this] {
+    measures_->show(MeasuresPanel::Page::objects);
+    showMeasures();
+  });
+  for (const ToolCommand& tool : kTools)
+    connect(commands_[tool.command], &QAction::triggered, this, [this, mode = tool.mode](bool on) {
+      state_.measure().setMode(on ? mode : MeasureTool::Mode::off);
+      if (!on) return;
+      state_.brush().setMode(WallBrush::Mode::off);  // one tool at a time has the left button
+      state_.setWindowLevelTool(false);
+      measures_->show(mode == MeasureTool::Mode::centreLine ? MeasuresPanel::Page::centreLine
+                                                            : MeasuresPanel::Page::rulers);
+    });
+  connect(&state_.brush(), &WallBrush::changed, this, [this] {
+    if (state_.brush().isOn()) state_.measure().setMode(MeasureTool::Mode::off);
+  });
+  connect(&state_.measure(), &MeasureTool::modeChanged, this, &MainWindow::updateMeasureCommands);
+  connect(measures_, &MeasuresPanel::wanted, this, &MainWindow::showMeasures);
+  connect(measures_, &MeasuresPanel::saveRequested, files_, &FileWork::saveText);
+  connect(export_, &ExportPanel::anonymousChanged, &measures_->objects(), &ObjectMeasuresPage::setAnonymous);
+  updateMeasureCommands();
+}
+
+void MainWindow::updateMeasureCommands() {
+  const bool open = document_.hasVolume();
+  for (const ToolCommand& tool : kTools) {
+    commands_[tool.command]->setEnabled(
+        open && (tool.mode != MeasureTool::Mode::centreLine || !shownSurfaces(document_).empty()));
+    commands_[tool.command]->setChecked(state_.measure().mode() == tool.mode);
+  }
+}
+
+}  // namespace handlebody::ui
