@@ -8,6 +8,14 @@
 
 namespace handlebody::ui {
 
+namespace {
+
+Vec3 middleOf(const Grid& grid) {
+  return grid.toWorld(Vec3(grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1) / 2);
+}
+
+}  // namespace
+
 std::optional<Sight> sightOf(const std::vector<Vec3>& points) {
   if (points.empty()) return std::nullopt;
   Vec3 low = points[0], high = low;
@@ -47,6 +55,37 @@ CameraPose lookingFrom(const CameraPose& pose, Plane plane, bool opposite) {
                       : plane == Plane::coronal ? Vec3(0, -side, 0)
                                                 : Vec3(side, 0, 0);
   return result;
+}
+
+CameraPose obliquePose() {
+  CameraPose pose;
+  pose.towardsEye = Vec3(0.62, -1, 0.55).normalized();
+  pose.up = (Vec3::UnitZ() - pose.towardsEye.z() * pose.towardsEye).normalized();
+  return pose;
+}
+
+CameraPose around(const Grid& grid, CameraPose pose, double aspect) {
+  constexpr double kMargin = 1.12;
+  const Vec3 half = Vec3(grid.size[0], grid.size[1], grid.size[2]).cwiseProduct(grid.spacing) / 2;
+  const auto reach = [&](const Vec3& screenAxis) {
+    return (grid.direction.transpose() * screenAxis).cwiseAbs().dot(half);
+  };
+  pose.focus = middleOf(grid);
+  pose.height =
+      std::max(1e-6, kMargin * 2 * std::max(reach(pose.up), reach(pose.up.cross(pose.towardsEye)) / aspect));
+  return pose;
+}
+
+Vec3 acrossFronts(const EventTrace& trace, const Vec3& towardsEye) {
+  if (trace.boundaryLoops.size() < 2) return towardsEye;
+  const auto middle = [](const std::vector<Vec3>& loop) {
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& p : loop) sum += p;
+    return Vec3(sum / static_cast<double>(std::max<std::size_t>(1, loop.size())));
+  };
+  const Vec3 line = (middle(trace.boundaryLoops[1]) - middle(trace.boundaryLoops[0])).normalized();
+  const Vec3 across = towardsEye - towardsEye.dot(line) * line;
+  return across.norm() > 0.1 ? across.normalized() : line.unitOrthogonal();
 }
 
 }  // namespace handlebody::ui

@@ -117,7 +117,6 @@ class MainWindow : public QMainWindow {
   QDockWidget *stepsDock_ = nullptr, *timelineDock_ = nullptr;
   QMenu *recent_ = nullptr, *panels_ = nullptr;
   Appearance appearance_ = Appearance::system;
-  bool paintedOver_ = false;   //!< the message bar offers a way out of a wall over the surface
   bool seekingEvent_ = false;  //!< N or P was pressed: the views follow to the event that is reached
 };
 

@@ -5,77 +5,38 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include "ui/model/document.h"
 #include "ui/view/view_state.h"
 #include "ui/window/action_button.h"
+#include "ui/window/brush_controls.h"
 #include "ui/window/commands.h"
 #include "ui/window/panel_tools.h"
 #include "ui/window/toggle_button.h"
 
 namespace handlebody::ui {
 
-namespace {
-
-//! Pressed and enabled as the action is.
-ToggleButton* toggle(QAction* action, QWidget* parent) {
-  const QString name = action->text().remove(QLatin1Char('&'));
-  auto* button = new ToggleButton(name, parent);
-  button->setAccessibleName(name);
-  button->setAccessibleDescription(action->statusTip());
-  button->setToolTip(action->toolTip());
-  button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  const auto follow = [button, action] {
-    button->setChecked(action->isChecked());
-    button->setEnabled(action->isEnabled());
-  };
-  QObject::connect(button, &QToolButton::clicked, action, &QAction::trigger);
-  QObject::connect(action, &QAction::changed, button, follow);
-  follow();
-  return button;
-}
-
-}  // namespace
-
 WallSection::WallSection(Document& document, ViewState& state, const Commands& commands, QWidget* parent)
-    : QWidget(parent), document_(document), state_(state) {
+    : QWidget(parent), document_(document) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(8);
   auto* row = new QHBoxLayout;
   row->setSpacing(2);
-  for (Command id : {Command::paintWalls, Command::eraseWalls}) row->addWidget(toggle(commands[id], this));
+  for (Command id : {Command::paintWalls, Command::eraseWalls})
+    row->addWidget(brushToggle(commands[id], commands[id]->text().remove(QLatin1Char('&')), this));
   layout->addLayout(row);
-  radius_ = new QDoubleSpinBox(this);
-  radius_->setDecimals(2);
-  radius_->setSuffix(tr(" mm"));
-  radius_->setKeyboardTracking(false);
-  describe(radius_, tr("Radius of the brush"),
-           tr("Of brush and eraser, which are balls; Ctrl+wheel changes it while one of them is on"));
-  ignoreWheelWithoutFocus(radius_);
   QFormLayout* form = panelForm();
-  form->addRow(tr("Radius"), radius_);
+  form->addRow(tr("Radius"), brushRadius(state.brush(), this));
   layout->addLayout(form);
   walls_ = value(tr("Number of walls"), this);
   layout->addWidget(walls_);
   layout->addWidget(new ActionButton(commands[Command::goOnBeforeWalls], this));
   layout->addWidget(new ActionButton(commands[Command::removeWalls], this));
-  connect(radius_, &QDoubleSpinBox::valueChanged, this, [this](double mm) { state_.brush().setRadius(mm); });
-  connect(&state_.brush(), &WallBrush::changed, this, &WallSection::showBrush);
   for (auto changed : {&Document::constraintsChanged, &Document::opened, &Document::activeObjectChanged})
     connect(&document_, changed, this, &WallSection::showWalls);
-  showBrush();
   showWalls();
-}
-
-void WallSection::showBrush() {
-  const QSignalBlocker quiet(radius_);
-  const WallBrush& brush = state_.brush();
-  radius_->setRange(brush.lowest(), brush.highest());
-  radius_->setSingleStep(brush.lowest());
-  radius_->setValue(brush.radius());
 }
 
 void WallSection::showWalls() {

@@ -21,6 +21,11 @@ void setConstraints(Document& document, const Constraints& constraints);
 //! The last stroke of the brush, and of the eraser.
 const std::vector<WallBall>& painted(const Document& document);
 const std::vector<WallBall>& erased(const Document& document);
+//! The last strokes over the surface.
+const std::vector<WallBall>& pinned(const Document& document);
+const std::vector<WallBall>& unpinned(const Document& document);
+//! All that were asked for.
+const std::vector<MeshEdit>& edits(const Document& document);
 //! The gestures of all calls that moved or sized a seed.
 const std::vector<int>& gestures(const Document& document);
 

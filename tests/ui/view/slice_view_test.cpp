@@ -60,9 +60,9 @@ TEST_CASE("An empty view says how to open a volume and bears events", "[slice_vi
 TEST_CASE("With the brush on, left paints in the slice and the end of the stroke is told once",
           "[slice_view][walls]") {
   OneSlice slice;
-  WallBrush& brush = slice.state.brush();
+  Brush& brush = slice.state.brush();
   brush.setRadius(4);
-  brush.setMode(WallBrush::Mode::paint);
+  brush.setMode(Brush::Mode::paintWalls);
   const Vec3 crosshair = slice.state.crosshair();
   QTest::mousePress(&slice.view, Qt::LeftButton, {}, kPlace);
   const QPoint to = kPlace + QPoint(60, 0);
@@ -80,7 +80,7 @@ TEST_CASE("With the brush on, left paints in the slice and the end of the stroke
     CHECK(ball.radius == 4);
     CHECK(std::abs(slice.geometry.distance(ball.centre)) < 1e-9);
   }
-  brush.setMode(WallBrush::Mode::erase);
+  brush.setMode(Brush::Mode::eraseWalls);
   QTest::mouseClick(&slice.view, Qt::LeftButton, {}, kPlace);
   CHECK(erased(slice.document).size() == 1);
 }
@@ -100,7 +100,7 @@ TEST_CASE("Overlapping walls have one shade, and the eraser shows what would be 
   walls.walls.balls.assign(12, {middle, 5});
   setConstraints(slice.document, walls);
   CHECK(slice.view.picture().pixelColor(kPlace) == one);
-  slice.state.brush().setMode(WallBrush::Mode::erase);
+  slice.state.brush().setMode(Brush::Mode::eraseWalls);
   QTest::mousePress(&slice.view, Qt::LeftButton, {}, kPlace);
   CHECK(countPixels(slice.view.picture(), all, violet) == none);
   slice.state.brush().take();

@@ -140,7 +140,7 @@ void measurePainting(ui::MainWindow& window) {
     walls.walls.balls.push_back({Vec3(3 + 2 * (i % 50), 3 + 0.5 * (i / 50), 85), 2.0});
   document.setConstraints(walls, QStringLiteral("A thousand walls"));
   window.viewState().setCrosshair(Vec3(77, 49, 85));
-  window.viewState().brush().setMode(ui::WallBrush::Mode::paint);
+  window.viewState().brush().setMode(ui::Brush::Mode::paintWalls);
   window.viewState().brush().setRadius(3);
   QTest::qWait(1000);  // the 3D view
   ui::SliceView& view = window.views().slice(ui::Plane::axial);
@@ -171,7 +171,7 @@ void measurePainting(ui::MainWindow& window) {
   QTest::mouseRelease(&view, Qt::LeftButton, {}, at(kMoves));
   std::printf("%-58s %6lld ms (%zu balls, over a surface of %zu triangles)\n", "the end of that stroke",
               static_cast<long long>(timer.elapsed()), balls, document.snapshot()->mesh.triangles.size());
-  window.viewState().brush().setMode(ui::WallBrush::Mode::off);
+  window.viewState().brush().setMode(ui::Brush::Mode::off);
   document.setConstraints({}, QStringLiteral("No walls"));
 }
 

@@ -1,0 +1,58 @@
+#include "ui/window/brush_controls.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QDoubleSpinBox>
+#include <QSignalBlocker>
+
+#include "ui/view/brush.h"
+#include "ui/window/panel_tools.h"
+#include "ui/window/toggle_button.h"
+
+namespace handlebody::ui {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("BrushControls", text); }
+
+}  // namespace
+
+ToggleButton* brushToggle(QAction* action, const QString& text, QWidget* parent) {
+  auto* button = new ToggleButton(text, parent);
+  button->setAccessibleName(action->text().remove(QLatin1Char('&')));
+  button->setAccessibleDescription(action->statusTip());
+  button->setToolTip(action->toolTip());
+  button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  const auto follow = [button, action] {
+    button->setChecked(action->isChecked());
+    button->setEnabled(action->isEnabled());
+  };
+  QObject::connect(button, &QToolButton::clicked, action, &QAction::trigger);
+  QObject::connect(action, &QAction::changed, button, follow);
+  follow();
+  return button;
+}
+
+QDoubleSpinBox* brushRadius(Brush& brush, QWidget* parent) {
+  auto* field = new QDoubleSpinBox(parent);
+  field->setDecimals(2);
+  field->setSuffix(tr(" mm"));
+  field->setKeyboardTracking(false);
+  describe(field, tr("Radius of the brush"),
+           tr("The brush is a ball, the same for walls and for the surface; Ctrl+wheel changes it while it "
+              "is on"));
+  ignoreWheelWithoutFocus(field);
+  const auto follow = [field, &brush] {
+    const QSignalBlocker quiet(field);
+    field->setRange(brush.lowest(), brush.highest());
+    field->setSingleStep(brush.lowest());
+    field->setValue(brush.radius());
+  };
+  QObject::connect(field, &QDoubleSpinBox::valueChanged, &brush,
+                   [&brush](double mm) { brush.setRadius(mm); });
+  QObject::connect(&brush, &Brush::changed, field, follow);
+  follow();
+  return field;
+}
+
+}  // namespace handlebody::ui
