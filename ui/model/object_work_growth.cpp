@@ -171,6 +171,7 @@ void ObjectWork::lookAtWalls(bool tells) {
   tellsAgain_ = tells;
   if (!growth_.exists() || !shown || shown->mesh.triangles.empty() || fresh.empty()) {
     look_.forget();
+    asked_ = {};
     return wallsLookedAt({});
   }
   isLooking_ = true;

@@ -18,6 +18,7 @@ bool mayBeEdited(const Document& document) {
 }
 
 bool BrushHand::isReady() const {
+  if (brush_.isForSurface() && !document_.objectInfo(document_.activeObject()).visible) return false;
   switch (brush_.mode()) {
     case Brush::Mode::off:
       return false;

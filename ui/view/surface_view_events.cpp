@@ -29,8 +29,8 @@ void SurfaceView::mousePressEvent(QMouseEvent* event) {
   if (d_->dragging || (button != Qt::LeftButton && button != Qt::MiddleButton && button != Qt::RightButton))
     return;
   const bool shift = event->modifiers() & Qt::ShiftModifier;
-  if (d_->gl && d_->document.hasVolume() && button == Qt::LeftButton && !shift &&
-      d_->brush.press(d_->eye(), event->position()))
+  const bool isBrushing = d_->gl && d_->document.hasVolume() && d_->stage == EventStage::none;
+  if (isBrushing && button == Qt::LeftButton && !shift && d_->brush.press(d_->eye(), event->position()))
     return d_->followBrush();
   if (d_->brush.isDown()) return;
   d_->dragging = true;

@@ -99,6 +99,7 @@ void MainWindow::keepView() {
   view[QStringLiteral("level")] = state_.level();
   view[QStringLiteral("colourMap")] = static_cast<int>(state_.colourMap());
   view[QStringLiteral("surface")] = static_cast<int>(state_.meshColouring());
+  view[QStringLiteral("slicesIn3d")] = state_.slicesIn3d();
   document_.setView(QJsonDocument(view).toJson(QJsonDocument::Compact));
 }
 
@@ -115,6 +116,7 @@ void MainWindow::restoreView() {
   const int surface = view[QStringLiteral("surface")].toInt(-1);
   if (surface >= 0 && surface <= static_cast<int>(MeshColouring::support))
     state_.setMeshColouring(static_cast<MeshColouring>(surface));
+  state_.setSlicesIn3d(view[QStringLiteral("slicesIn3d")].toBool(state_.slicesIn3d()));
 }
 
 void MainWindow::updateTitle() {

@@ -1,12 +1,11 @@
 // What the surface may not do, in the window's document: undone, saved, opened again.
 
 #include <algorithm>
-
-#include "core/collision/certify.h"
-#include "core/io/session.h"
 #include <set>
 
+#include "core/collision/certify.h"
 #include "core/evolution/painted_walls.h"
+#include "core/io/session.h"
 #include "tests/ui/model/document_support.h"
 
 using namespace handlebody;

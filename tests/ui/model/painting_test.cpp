@@ -179,14 +179,15 @@ TEST_CASE("a growth that runs into a wall that is painted over it pauses there",
   CHECK(document.wallConflict());
 }
 
-TEST_CASE("a wall over the surface that is undone, or erased, stands in nobody's way", "[document][painting]") {
+TEST_CASE("a wall over the surface that is undone, or erased, stands in nobody's way",
+          "[document][painting]") {
   Open open;
   Document& document = open.document;
   REQUIRE(runToEnd(document));
   int told = 0;
   QObject::connect(&document, &Document::wallConflictChanged, [&] { ++told; });
   REQUIRE(document.paintWalls({{kFar, 3}}));
-  document.undoStack()->undo();  // before the answer has come
+  document.undoStack()->undo();                  // before the answer has come
   REQUIRE(document.paintWalls({{kMiddle, 3}}));  // in the hole of the ring
   REQUIRE(document.paintWalls({{kFar, 2}}));
   REQUIRE(open.meetsWall());

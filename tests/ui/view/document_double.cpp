@@ -2,6 +2,8 @@
 
 #include <map>
 
+#include "core/collision/certify.h"
+
 namespace handlebody::ui {
 namespace {
 
@@ -16,7 +18,7 @@ struct State {
   Constraints constraints;
   std::vector<WallBall> painted, erased, pinned, unpinned;  //!< the last stroke of each
   std::vector<MeshEdit> edits;
-  std::vector<ObjectInfo> others;         //!< behind the active one
+  std::vector<ObjectInfo> others;  //!< behind the active one
 };
 
 //! A document's private part is its own; the functions for tests reach its state here.
@@ -109,9 +111,10 @@ void setVolume(Document& document, const Volume& volume) {
 }
 
 void setSnapshot(Document& document, const TriangleSoup& mesh, const std::vector<FaceState>& faceStates,
-                 const SurfaceSupport& support) {
+                 const SurfaceSupport& support, bool certified) {
   auto snapshot = std::make_shared<MeshSnapshot>();
   snapshot->mesh = mesh;
+  if (certified) snapshot->certificate = certify(mesh);
   snapshot->states = faceStates;
   snapshot->states.resize(mesh.triangles.size(), FaceState::moving);
   snapshot->support = support;

@@ -12,8 +12,9 @@ namespace handlebody::ui::testing {
 
 //! As if the volume had just been opened.
 void setVolume(Document& document, const Volume& volume);
+//! `certified`: it bounds a body.
 void setSnapshot(Document& document, const TriangleSoup& mesh, const std::vector<FaceState>& states = {},
-                 const SurfaceSupport& support = {});
+                 const SurfaceSupport& support = {}, bool certified = false);
 //! Objects besides the active one.
 void setOthers(Document& document, const std::vector<ObjectInfo>& others);
 void setGrowthState(Document& document, GrowthState growth);

@@ -11,10 +11,10 @@
 
 using namespace handlebody;
 using namespace handlebody::test;
+using ui::Brush;
 using ui::Command;
 using ui::GrowthState;
 using ui::Plane;
-using ui::Brush;
 
 namespace {
 
@@ -155,7 +155,8 @@ void CorrectTest::aStrokeOverTheSurfaceOffersTheWayBackAndGrowsOn() {
   QTest::keyClick(o.window.get(), Qt::Key_B);
   o.window->viewState().brush().setRadius(4);
   o.drag(kAbove, kBelow);
-  QVERIFY(o.window->messages().text().contains("already where the wall is"));
+  QVERIFY(QTest::qWaitFor([&] { return o.window->messages().text().contains("already where the wall is"); },
+                          kPatience));
   QVERIFY(!o.button("Push it out"));  // it moves outward alone
   QAbstractButton* back = o.button("Go back to before it came in here");
   QVERIFY(back);
