@@ -22,7 +22,7 @@ shot() {
   # The seed is written in mm there; nothing is grown yet.
   "$cli" segment "$volumes/$data" "$@" --max-iterations 1 --session "$session" -o "$work/seed.ply" 2> /dev/null
   test $? = 5 || exit 1
-  sed -i "s|\"max_iterations\": 1,|\"max_iterations\": $until,|; 1s|{|{\"view\": {\"crosshair\": [$crosshair]},|" "$session"
+  sed -i "s|\"max_iterations\": 1,|\"max_iterations\": $until,|; 1s|{|{\"view\": {\"crosshair\": [$crosshair], \"slicesIn3d\": false},|" "$session"
   "$program" "$session" --screenshot "$work/$file.png" --size 1100x820 --view all --iteration "$until" || exit 1
 }
 

@@ -117,6 +117,7 @@ class MainWindow : public QMainWindow {
   QDockWidget *stepsDock_ = nullptr, *timelineDock_ = nullptr;
   QMenu *recent_ = nullptr, *panels_ = nullptr;
   Appearance appearance_ = Appearance::system;
+  bool justOpened_ = false;    //!< the views are as the session says
   bool seekingEvent_ = false;  //!< N or P was pressed: the views follow to the event that is reached
 };
 

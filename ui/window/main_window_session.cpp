@@ -78,6 +78,7 @@ void MainWindow::greet() {
 void MainWindow::showOpened() {
   centre_->setCurrentWidget(views_);
   state_.startWith(document_.volume());
+  justOpened_ = true;
   restoreView();
   showStep(document_.isSeeded() ? Command::stepGrow : Command::stepSeed);
   if (document_.isSeeded()) {

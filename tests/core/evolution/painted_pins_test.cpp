@@ -48,11 +48,11 @@ TEST_CASE("a vertex that came into the ball of an earlier pin later is not held 
 }
 
 TEST_CASE("the eraser takes the pins whose vertices it covers, whole, and no others", "[painted_pins]") {
-  const std::vector<Pin> pins{{{2, 0, 0}, 1, 3}, {{4, 0, 0}, 1, 3}, {{12, 0, 0}, 1, 3}};
+  const std::vector<Pin> pins{{{2, 0, 0}, 1, 3}, {{4, 0, 0}, 1, 3}, {{12, 0, 0}, 1.4, 3}};
   const std::vector<bool> held = heldBy(pins, kLine, kNone, 3);
   CHECK(unpinned(pins, {{{5, 0, 0}, 0.1}}, kLine, held) == std::vector<Pin>{pins[0], pins[2]});
   CHECK(unpinned(pins, {{{3, 0, 0}, 0.1}}, kLine, held) == std::vector<Pin>{pins[2]});  // of both
   // It reaches into the balls, and meets the surface where nothing is held, or nowhere.
-  CHECK(unpinned(pins, {{{13.4, 0, 0}, 0.5}}, kLine, held) == pins);
+  CHECK(unpinned(pins, {{{13.6, 0, 0}, 0.5}}, kLine, held) == pins);
   CHECK(unpinned(pins, {{{4, 0.9, 0}, 0.5}}, kLine, held) == pins);
 }

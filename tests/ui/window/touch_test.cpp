@@ -80,6 +80,7 @@ class TouchTest : public QObject {
   void whatIsRefusedSaysWhyAndChangesNothing();
   void aClickSmoothsUnderTheBrush();
   void theKeysAndTheButtonsTurnItOnAndASurfaceThatGoesTurnsItOff();
+  void aSessionOpensWithItsCrosshairAndWithoutSlicesIn3d();
 };
 
 void TouchTest::aStrokeInASlicePinsWhatItCoversIsListedAndTakenAway() {
@@ -294,6 +295,20 @@ void TouchTest::theKeysAndTheButtonsTurnItOnAndASurfaceThatGoesTurnsItOff() {
   o.keepPicture("brush_on_the_surface");
   o.document().addObject();  // without a surface
   QVERIFY(!brush.isOn());
+}
+
+void TouchTest::aSessionOpensWithItsCrosshairAndWithoutSlicesIn3d() {
+  Opened o;
+  QVERIFY(o.ok);
+  o.document().setView(R"({"crosshair": [21, 20, 23], "slicesIn3d": false})");
+  QSignalSpy saved(&o.document(), &ui::Document::sessionSaved);
+  const QString session = o.folder.filePath("view.json");
+  o.document().saveSession(session);
+  QVERIFY(!saved.isEmpty() || saved.wait(kPatience));
+  QVERIFY(open(*o.window, session));
+  QCOMPARE(o.window->viewState().crosshair(), Vec3(21, 20, 23));
+  QVERIFY(!o.window->viewState().slicesIn3d());
+  QVERIFY(!o.window->commands()[Command::slicesIn3d]->isChecked());
 }
 
 int main(int argc, char** argv) {
