@@ -39,7 +39,7 @@ pair() {
     "png8:$out/leak_$name.png" || exit 1
 }
 
-pair us_vessel us_liver_invivo/liver_us_1mm.mha 100 11.3,-19.6,126.7 \
+pair us_vessel us_liver_invivo/liver_us_1mm.mha 100 -4.7,-3.1,119 \
   "--seed-ijk 148,101,84,3 --object dark --range=-inf,34.17" --wall=11.3,-19.6,126.7,15 --wall=0.5,-5.3,146,18 \
   --wall=-25.5,-5.5,140.1,18 --wall=16.8,-12.3,109.8,10 --wall=-27.3,12,100.7,22
 pair ventricle mr_t1_head/MR.nii.gz 120 312,-39,455.5 \
