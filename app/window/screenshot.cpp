@@ -43,6 +43,7 @@ void Screenshot::start() {
 
 void Screenshot::grow() {
   ui::Document& document = window_.document();
+  if (!document.view().isEmpty()) crosshair_ = window_.viewState().crosshair();
   if (!options_.iteration) return take();
   if (!document.isSeeded()) return end(kSeed, tr("There is no seed to grow from: open a session."));
   growing_ = true;
@@ -69,6 +70,7 @@ void Screenshot::continueGrowing() {
 
 void Screenshot::take() {
   growing_ = false;
+  if (crosshair_) window_.viewState().setCrosshair(*crosshair_);
   if (options_.step == QStringLiteral("measure")) return measure();
   if (!options_.step.isEmpty()) {
     const QStringList steps{QStringLiteral("open"), QStringLiteral("seed"),    QStringLiteral("tune"),

@@ -4,6 +4,7 @@
 #include <QObject>
 
 #include "app/window/options.h"
+#include "core/geometry/vec.h"
 
 namespace handlebody::ui {
 class MainWindow;
@@ -32,6 +33,7 @@ class Screenshot : public QObject {
 
   Options options_;
   ui::MainWindow& window_;
+  std::optional<Vec3> crosshair_;  //!< the session's; the alarm of a leak moves it
   bool growing_ = false;
   int stepped_ = -1;  //!< the iteration from which a step was asked for
   bool ended_ = false;

@@ -279,6 +279,7 @@ std::vector<HeldPlace> ActiveContour::held() const { return state_->held.list();
 const std::vector<ObjectCandidate>& ActiveContour::candidates() const { return state_->object.candidates; }
 bool ActiveContour::isCloseChoice() const { return state_->object.isCloseChoice; }
 bool ActiveContour::isSettled(int vertex) const { return state_->sleeps(vertex); }
+bool ActiveContour::isPinned(int vertex) const { return state_->pins.holds(vertex); }
 std::size_t ActiveContour::memory() const {
   return sizeof(State) + state_->mesh.memory() + state_->quiet.size();
 }

@@ -102,6 +102,8 @@ class ActiveContour {
   bool isCloseChoice() const;
   //! True if the vertex has not moved for a while and sleeps. Precondition: mesh().isVertex(vertex).
   bool isSettled(int vertex) const;
+  //! True if a pin holds the vertex. Precondition: the same.
+  bool isPinned(int vertex) const;
   //! Bytes of a copy that are its own: not the image.
   std::size_t memory() const;
   //! Where the image shows an edge at the surface as it is now, and where none.

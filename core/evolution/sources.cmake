@@ -24,6 +24,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/object_range.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/object_region.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/parameters.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/painted_pins.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/painted_walls.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/passage_disc.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/passages.cpp

@@ -45,6 +45,7 @@ struct MeshSnapshot {
   Certificate certificate;        //!< of this mesh: every frame that is shown has been looked at
   std::vector<HeldPlace> held;    //!< what vetoes and limits of the topology hold back
   std::vector<PinnedPart> pinned;
+  std::vector<bool> pinnedVertices;  //!< one per point of the mesh: some pin holds it
   //! What the image says against the surface, sentences without a full stop; only of a surface at rest.
   std::vector<std::string> doubts;
 };
@@ -66,6 +67,7 @@ struct FoundLeak {
 //! A wall that the growth does not know yet lies where the shown surface is already.
 struct WallConflict {
   bool canBePushedOut = false;  //!< the surface may move both ways and crosses it
+  bool operator==(const WallConflict&) const = default;
 };
 
 enum class GrowthState {
@@ -182,8 +184,15 @@ class Document : public QObject {
   //! refused(), if no vertex lies in the ball or it is pinned already; false, too, without a surface or while
   //! it grows: nothing has changed then.
   bool pin(const Vec3& centre, double radius);
-  //! Between the walls and the shown surface; none: it can go on. Takes milliseconds.
-  std::optional<WallConflict> wallConflict() const;
+  //! The same of the balls of a stroke, as one entry of the undo list; those that hold nothing that is not
+  //! held already are left out.
+  bool pin(const std::vector<WallBall>& stroke);
+  //! Pins that have a vertex of the shown surface in common with one of these balls hold no more from the
+  //! shown iteration on. Nothing without a surface or while it grows.
+  void unpin(const std::vector<WallBall>& eraser);
+  //! Between the walls and the shown surface; none: it can go on. Worked out in the background where walls
+  //! were changed or the growth could not go on, told by wallConflictChanged().
+  const std::optional<WallConflict>& wallConflict() const;
   //! Back to the last iteration at which the surface had not come to the walls that are new to it, or to the
   //! start, and on from there.
   void goOnBeforeWalls();
@@ -281,6 +290,7 @@ class Document : public QObject {
   void selectedSeedChanged(int index);
   void parametersChanged();
   void constraintsChanged();
+  void wallConflictChanged();  //!< a growth that ran into one has paused
   void resolvedChanged();
   void objectsChanged();       //!< the list, or what is told of or drawn for one that is not active
   void activeObjectChanged();  //!< followed by all signals of what is about the active one

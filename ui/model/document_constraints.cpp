@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "core/evolution/painted_pins.h"
 #include "core/evolution/painted_walls.h"
-#include "core/evolution/wall_pieces.h"
 #include "ui/model/document_private.h"
 
 namespace handlebody::ui {
@@ -49,7 +49,6 @@ bool Document::paintWalls(const std::vector<WallBall>& stroke) {
   Constraints after = constraints();
   after.walls = painted(std::move(after.walls), inside);
   setConstraints(after, tr("Paint wall"));
-  if (state() == GrowthState::running && wallConflict()) pause();
   return true;
 }
 
@@ -59,41 +58,49 @@ void Document::eraseWalls(const std::vector<WallBall>& eraser) {
   setConstraints(after, tr("Erase wall"));
 }
 
-std::optional<WallConflict> Document::wallConflict() const {
-  const auto shown = snapshot();
-  if (!shown || shown->mesh.triangles.empty()) return std::nullopt;
-  const WallList fresh = without(constraints().walls, d_->active->growth().request().constraints.walls);
-  if (fresh.empty()) return std::nullopt;
-  const auto& known = d_->active->growth().beginning();
-  const double edge = known.parameters().edgeLength;
-  const Occupied occupied = findOccupied(Mesh(shown->mesh), Walls(fresh, known.grid(), edge, edge));
-  if (occupied.touched.empty() && occupied.enclosed.empty()) return std::nullopt;
-  const bool crossesDisc = std::any_of(occupied.touched.begin(), occupied.touched.end(),
-                                       [](const WallList& wall) { return !wall.discs.empty(); });
-  const bool movesBothWays = parameters().direction == Direction::both;
-  return WallConflict{movesBothWays && occupied.enclosed.empty() && !crossesDisc};
+const std::optional<WallConflict>& Document::wallConflict() const { return d_->active->wallConflict(); }
+
+bool Document::Private::mayPin() {
+  const auto shown = q.snapshot();
+  const bool rests = q.state() != GrowthState::running && q.state() != GrowthState::preparing;
+  if (!shown || !rests || !mayChange()) return false;
+  if (active->growth().isSettled()) return true;
+  Q_EMIT q.refused(tr("The surface has not come to rest yet: nothing is pinned."));
+  return false;
 }
 
-bool Document::pin(const Vec3& centre, double radius) {
-  const auto shown = snapshot();
-  if (!shown || state() == GrowthState::running || state() == GrowthState::preparing || !d_->mayChange())
-    return false;
+bool Document::pin(const Vec3& centre, double radius) { return d_->pin({{centre, radius}}, tr("Pin here")); }
+
+bool Document::pin(const std::vector<WallBall>& stroke) { return d_->pin(stroke, tr("Pin")); }
+
+bool Document::Private::pin(const std::vector<WallBall>& stroke, const QString& undoText) {
+  if (stroke.empty() || !mayPin()) return false;
+  const auto shown = q.snapshot();
   const std::vector<Vec3>& points = shown->mesh.points;
-  const auto isHeld = [&](const Vec3& p) { return (p - centre).squaredNorm() <= radius * radius; };
-  if (std::none_of(points.begin(), points.end(), isHeld)) {
-    Q_EMIT refused(tr("No vertex of the surface lies within %1 mm of %2 mm: nothing is pinned.")
-                       .arg(QString::number(radius, 'g', 4), written(centre)));
+  Constraints after = q.constraints();
+  const auto known = heldBy(after.pins, points, shown->pinnedVertices, shown->iteration);
+  const std::vector<bool> none(points.size(), false);
+  const std::vector<Pin> fresh = pinsOf(stroke, points, known, shown->iteration);
+  if (fresh.empty()) {
+    const bool isAny = !pinsOf(stroke, points, none, shown->iteration).empty();
+    const QString where = written(stroke.front().centre);
+    Q_EMIT q.refused(isAny ? tr("This part of the surface is pinned already.")
+                           : tr("No vertex of the surface lies within %1 mm of %2 mm: nothing is pinned.")
+                                 .arg(QString::number(stroke.front().radius, 'g', 4), where));
     return false;
   }
-  const Pin asked{centre, radius, iteration()};
-  Constraints after = constraints();
-  if (std::find(after.pins.begin(), after.pins.end(), asked) != after.pins.end()) {
-    Q_EMIT refused(tr("This part of the surface is pinned already."));
-    return false;
-  }
-  after.pins.push_back(asked);
-  setConstraints(after, tr("Pin here"));
+  after.pins.insert(after.pins.end(), fresh.begin(), fresh.end());
+  q.setConstraints(after, undoText);
   return true;
+}
+
+void Document::unpin(const std::vector<WallBall>& eraser) {
+  if (!d_->mayPin()) return;
+  const auto shown = snapshot();
+  Constraints after = constraints();
+  const auto held = heldBy(after.pins, shown->mesh.points, shown->pinnedVertices, shown->iteration);
+  after.pins = unpinned(std::move(after.pins), eraser, shown->mesh.points, held);
+  setConstraints(after, tr("Unpin"));
 }
 
 void Document::goOnBeforeWalls() {

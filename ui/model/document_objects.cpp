@@ -33,6 +33,7 @@ void Document::Private::changed(const ObjectWork& object, Part part) {
     if (part == Part::selection) Q_EMIT q.selectedSeedChanged(object.edits().selectedSeed);
     if (part == Part::parameters) Q_EMIT q.parametersChanged();
     if (part == Part::constraints) Q_EMIT q.constraintsChanged();
+    if (part == Part::wallConflict) Q_EMIT q.wallConflictChanged();
     if (part == Part::resolved) Q_EMIT q.resolvedChanged();
     if (part == Part::snapshot) Q_EMIT q.snapshotChanged();
     if (part == Part::summaries) Q_EMIT q.summariesChanged();
@@ -101,6 +102,7 @@ void Document::Private::tellAll() {
   Q_EMIT q.selectedSeedChanged(active->edits().selectedSeed);
   Q_EMIT q.parametersChanged();
   Q_EMIT q.constraintsChanged();
+  Q_EMIT q.wallConflictChanged();
   Q_EMIT q.resolvedChanged();
   Q_EMIT q.summariesChanged();
   Q_EMIT q.snapshotChanged();

@@ -68,6 +68,9 @@ class Document::Private : public ObjectHost {
 
   // --- seeds and parameters ---
   void push(const QString& text, Edits after, int gesture);
+  //! False, and says so, where the active object cannot be pinned now.
+  bool mayPin();
+  bool pin(const std::vector<WallBall>& stroke, const QString& undoText);
   void goOn(Wanted what);
   void updateModified();
 

@@ -40,6 +40,9 @@ void ObjectWork::reset() {
   settle_.stop();
   edits_ = {};
   walls_.clear();
+  look_.forget();
+  conflict_.reset();
+  isLooking_ = false;
   replays_ = isShown_ = false;
   savedIteration_ = -1;
   traits = {};
@@ -72,6 +75,7 @@ void ObjectWork::apply(const Edits& after, EditCommand::Way way) {
   const bool seeds = after.seeds != edits_.seeds, parameters = !(after.parameters == edits_.parameters);
   const bool selection = after.selectedSeed != edits_.selectedSeed;
   const bool constraints = after.constraints != edits_.constraints;
+  const bool walls = after.constraints.walls != edits_.constraints.walls;
   if (!offerSameObjects(edits_, after)) forgetCandidates();
   const Request before = request();
   edits_ = after;
@@ -81,6 +85,7 @@ void ObjectWork::apply(const Edits& after, EditCommand::Way way) {
   if (selection) host_.changed(*this, ObjectHost::Part::selection);
   if (parameters) host_.changed(*this, ObjectHost::Part::parameters);
   if (constraints) host_.changed(*this, ObjectHost::Part::constraints);
+  if (walls) lookAtWalls(true);
   editing_.reset();
   if (constraints && way == EditCommand::Way::redo) makeEdit(before.constraints.edits);
 }
@@ -144,6 +149,7 @@ void ObjectWork::forgetCandidates() {
 //! Seeds or parameters have been at rest for a moment.
 void ObjectWork::preparationDue() {
   if (!host_.openVolume() || !isSeeded() || prepared_ || isPreparing_) return;
+  if (isLooking_) return settle_.start();  // a growth that runs is not to go on into a wall
   if (!growth_.exists()) takeWalls();
   requestPreparation(request());
 }

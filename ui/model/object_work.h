@@ -10,6 +10,7 @@
 #include "ui/model/growth.h"
 #include "ui/model/preparation.h"
 #include "ui/model/undo_commands.h"
+#include "ui/model/wall_look.h"
 
 namespace handlebody::ui {
 
@@ -18,7 +19,17 @@ class ObjectWork;
 //! What objects ask of the document, and tell it.
 class ObjectHost {
  public:
-  enum class Part { seeds, selection, parameters, constraints, resolved, state, snapshot, summaries };
+  enum class Part {
+    seeds,
+    selection,
+    parameters,
+    constraints,
+    wallConflict,
+    resolved,
+    state,
+    snapshot,
+    summaries
+  };
 
   virtual ~ObjectHost() = default;
   //! Null before one is open.
@@ -67,6 +78,7 @@ class ObjectWork : public QObject {
   bool isSeeded() const;
   //! With the walls that the objects before it are.
   Request request() const;
+  const std::optional<WallConflict>& wallConflict() const { return conflict_; }
 
   // --- what is prepared ---
   const std::optional<ResolvedParameters>& resolved() const { return resolved_; }
@@ -117,6 +129,9 @@ class ObjectWork : public QObject {
 
  private:
   void goBackBefore(const Request& undone);
+  void lookAtWalls(bool tells);
+  void lookAgain();
+  void wallsLookedAt(const std::optional<WallConflict>& found);
   void editsChanged(bool seeds);
   void requestPreparation(const Request& request);
   void preparationDone(int number, const Prepared& result);
@@ -155,6 +170,10 @@ class ObjectWork : public QObject {
   QString resolveError_;
   QTimer settle_;  // from the last change to the preparation
 
+  std::optional<WallConflict> conflict_;
+  WallQuestion asked_;  // the last one about walls
+  bool isLooking_ = false, tellsAgain_ = false;
+
   Wanted wanted_ = Wanted::nothing;
   bool goesOnThere_ = false;        // when the iteration that was asked for is shown
   std::optional<Request> editing_;  // asked for the next step to be an edit, which is under way
@@ -170,6 +189,7 @@ class ObjectWork : public QObject {
   // Threads: last, so that they end before what their jobs report to.
   Growth growth_;
   Preparation preparation_;
+  WallLook look_;
 };
 
 }  // namespace handlebody::ui

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "core/evolution/wall_pieces.h"
+
 namespace handlebody::ui {
 
 namespace {
@@ -114,10 +116,12 @@ GrowthState ObjectWork::state() const {
 void ObjectWork::updateState() {
   if (goesOnThere_ && growth_.isSettled()) goOnThere();
   if (editing_ && !isBusy() && growth_.isSettled()) tellOfEdit();
+  if (conflict_ && !growth_.isRunning()) lookAgain();
   const GrowthState now = state();
   const StopReason stop = stopReason();
   const QString failed = error();
   if (now == shownState_ && stop == shownStop_ && failed == shownError_) return;
+  if (!failed.isEmpty() && failed != shownError_) lookAtWalls(true);
   const bool cameToRest = shownState_ == GrowthState::running && now != GrowthState::running;
   if (!isBusy()) replays_ = false;
   shownState_ = now;
@@ -156,6 +160,45 @@ void ObjectWork::goOnBeforeWalls() {
   pause();
   goesOnThere_ = true;
   growth_.goBefore(request().constraints.walls);
+}
+
+//! In the background: large meshes take a while. `tells`: also if the answer is the one that it was.
+void ObjectWork::lookAtWalls(bool tells) {
+  const WallList fresh = without(edits_.constraints.walls, growth_.request().constraints.walls);
+  const auto shown = growth_.snapshot();
+  asked_ = {shown, fresh, edits_.parameters.direction == Direction::both};
+  isLooking_ = false;
+  tellsAgain_ = tells;
+  if (!growth_.exists() || !shown || shown->mesh.triangles.empty() || fresh.empty()) {
+    look_.forget();
+    asked_ = {};
+    return wallsLookedAt({});
+  }
+  isLooking_ = true;
+  const ActiveContour& known = growth_.beginning();
+  look_.ask(asked_, known.grid(), known.parameters().edgeLength, [this](const auto& question, auto found) {
+    QMetaObject::invokeMethod(
+        this,
+        [this, question, found] {
+          if (question == asked_ && isLooking_) wallsLookedAt(found);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+//! The answer may be another one now.
+void ObjectWork::lookAgain() {
+  const bool isSame =
+      asked_.shown == growth_.snapshot() && growth_.request().constraints.walls != edits_.constraints.walls;
+  if (!isSame) lookAtWalls(false);
+}
+
+void ObjectWork::wallsLookedAt(const std::optional<WallConflict>& found) {
+  isLooking_ = false;
+  const bool changed = conflict_ != found;
+  conflict_ = found;
+  if (found && growth_.isRunning()) pause();
+  if (changed || (found && tellsAgain_)) host_.changed(*this, ObjectHost::Part::wallConflict);
 }
 
 //! Only now is it known whether it is the start, from which it begins again.

@@ -76,4 +76,16 @@ CameraPose around(const Grid& grid, CameraPose pose, double aspect) {
   return pose;
 }
 
+Vec3 acrossFronts(const EventTrace& trace, const Vec3& towardsEye) {
+  if (trace.boundaryLoops.size() < 2) return towardsEye;
+  const auto middle = [](const std::vector<Vec3>& loop) {
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& p : loop) sum += p;
+    return Vec3(sum / static_cast<double>(std::max<std::size_t>(1, loop.size())));
+  };
+  const Vec3 line = (middle(trace.boundaryLoops[1]) - middle(trace.boundaryLoops[0])).normalized();
+  const Vec3 across = towardsEye - towardsEye.dot(line) * line;
+  return across.norm() > 0.1 ? across.normalized() : line.unitOrthogonal();
+}
+
 }  // namespace handlebody::ui

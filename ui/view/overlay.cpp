@@ -103,6 +103,8 @@ QColor loopColour(MarkedLoop::Kind kind) {
   return kind == MarkedLoop::Kind::handle ? QColor(0x5e, 0xff, 0x5e) : QColor(0x00, 0xe5, 0xff);
 }
 
+QColor pinColour() { return {0x8c, 0xff, 0xf2}; }
+
 QColor wallColour() { return {0xd8, 0x5c, 0xf0}; }
 
 QColor unsupportedColour() { return {0x6a, 0x7b, 0xff}; }

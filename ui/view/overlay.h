@@ -26,6 +26,8 @@ void paintKey(QPainter& painter, const QPointF& place, const QColor& colour, con
 QColor unsupportedColour();
 //! Of a marked loop, in all views.
 QColor loopColour(MarkedLoop::Kind kind);
+//! Of what the pins hold, in slices and in 3D.
+QColor pinColour();
 //! Of walls, in slices and in 3D.
 QColor wallColour();
 //! A bar of a round length with its mm in the lower right corner.

@@ -9,14 +9,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/closest_points.h"
 #include "ui/model/document.h"
 
 namespace handlebody::ui {
 namespace {
 
 constexpr double kZoomPixels = 150;  // of a drag that zooms by a factor of e
-constexpr double kZoomNotch = 1.2, kBrushNotch = 1.1;
-constexpr int kNotch = 120;  // Qt's angle of one notch of a wheel
+constexpr double kZoomNotch = 1.2;
+constexpr double kReach = 14;  // pixels from the outline at which a pull takes hold of it
+constexpr int kNotch = 120;    // Qt's angle of one notch of a wheel
 
 //! Half black, half white, as on a monitor's contrast knob.
 QCursor contrastCursor() {
@@ -37,7 +39,11 @@ QCursor contrastCursor() {
 }  // namespace
 
 SliceInteraction::SliceInteraction(Document& document, ViewState& state, SliceGeometry& geometry)
-    : document_(document), state_(state), geometry_(geometry), contrast_(contrastCursor()) {}
+    : document_(document),
+      state_(state),
+      geometry_(geometry),
+      hand_(document, state.brush()),
+      contrast_(contrastCursor()) {}
 
 std::vector<SeedCircle> SliceInteraction::circles() const {
   std::vector<Vec3> centres;
@@ -78,8 +84,10 @@ void SliceInteraction::startLeftDrag(const QPointF& pixel) {
     return;
   }
   if (state_.brush().isOn()) {
+    const std::optional<Vec3> place = brushPlace(pixel);
+    if (!place) return;
     drag_ = Drag::brush;
-    state_.brush().drawTo(geometry_.toWorld(pixel));
+    hand_.press(*place, geometry_.toWorld(pixel));
     return;
   }
   const SeedGrab grab = seedAt(circles(), pixel, document_.selectedSeed());
@@ -117,7 +125,7 @@ bool SliceInteraction::move(const QMouseEvent& event) {
       break;
     }
     case Drag::brush:
-      if (state_.brush().isOn()) state_.brush().drawTo(geometry_.toWorld(pixel));
+      hand_.drawTo(geometry_.toWorld(pixel));
       break;
     case Drag::moveSeed:
       moveSeedTo(pixel + seedOffset_);
@@ -134,24 +142,38 @@ bool SliceInteraction::move(const QMouseEvent& event) {
 
 bool SliceInteraction::release(const QMouseEvent&) {
   const bool wasDragging = drag_ != Drag::none;
-  if (drag_ == Drag::brush) endStroke();
+  if (drag_ == Drag::brush) hand_.lift();
   cancel();
   return wasDragging;
 }
 
-//! Only now is anything prepared for the growth.
-void SliceInteraction::endStroke() {
-  const WallBrush::Mode mode = state_.brush().mode();
-  const std::vector<WallBall> stroke = state_.brush().take();
-  if (stroke.empty()) return;  // given up with Escape
-  if (mode == WallBrush::Mode::paint)
-    document_.paintWalls(stroke);
-  else
-    document_.eraseWalls(stroke);
+void SliceInteraction::setOutline(std::function<const std::vector<std::array<Vec3, 2>>&()> outline) {
+  outline_ = std::move(outline);
+}
+
+std::optional<Vec3> SliceInteraction::brushPlace(const QPointF& pixel) const {
+  if (!hand_.isReady()) return std::nullopt;
+  return state_.brush().mode() == Brush::Mode::pull ? nearestOfOutline(pixel)
+                                                    : std::optional(geometry_.toWorld(pixel));
+}
+
+std::optional<Vec3> SliceInteraction::nearestOfOutline(const QPointF& pixel) const {
+  if (!outline_) return std::nullopt;
+  const Vec3 place = geometry_.toWorld(pixel);
+  double least = kReach * geometry_.mmPerPixel();
+  std::optional<Vec3> nearest;
+  for (const auto& [from, to] : outline_()) {
+    const Vec3 on = closestPoint(place, {from, to, to});
+    if (const double distance = (on - place).norm(); distance <= least) {
+      least = distance;
+      nearest = on;
+    }
+  }
+  return nearest;
 }
 
 void SliceInteraction::cancel() {
-  if (drag_ == Drag::brush) state_.brush().take();
+  if (drag_ == Drag::brush) hand_.giveUp();
   drag_ = Drag::none;
   seed_ = -1;
 }
@@ -175,7 +197,7 @@ bool SliceInteraction::wheel(const QWheelEvent& event) {
   if ((event.modifiers() & Qt::ControlModifier) && state_.brush().isOn()) {
     wheelAngle_ = 0;
     const double turned = event.angleDelta().y() / static_cast<double>(kNotch);
-    state_.brush().setRadius(state_.brush().radius() * std::pow(kBrushNotch, turned));
+    state_.brush().turnWheel(turned);
   } else if (event.modifiers() & Qt::ControlModifier) {
     wheelAngle_ = 0;
     geometry_.zoom(std::pow(kZoomNotch, event.angleDelta().y() / static_cast<double>(kNotch)),
@@ -240,7 +262,8 @@ bool SliceInteraction::keyPress(const QKeyEvent& event) {
     return true;
   }
   if (event.key() == Qt::Key_Escape && state_.brush().isOn()) {
-    if (state_.brush().take().empty()) state_.brush().setMode(WallBrush::Mode::off);
+    if (!hand_.isDown()) state_.brush().setMode(Brush::Mode::off);
+    hand_.giveUp();
     drag_ = Drag::none;
     return true;
   }
@@ -315,12 +338,19 @@ Qt::CursorShape SliceInteraction::rimCursor(const SeedGrab& grab, const QPointF&
   return kShapes[static_cast<int>(std::lround(angle / 45)) % 4];
 }
 
+Qt::CursorShape SliceInteraction::brushCursor(const QPointF& pixel) const {
+  if (!hand_.isReady()) return Qt::ForbiddenCursor;
+  if (state_.brush().mode() != Brush::Mode::pull) return Qt::CrossCursor;
+  if (drag_ == Drag::brush) return Qt::ClosedHandCursor;
+  return brushPlace(pixel) ? Qt::OpenHandCursor : Qt::CrossCursor;
+}
+
 QCursor SliceInteraction::cursorAt(const QPointF& pixel) const {
   if (drag_ == Drag::pan) return Qt::ClosedHandCursor;
   if (drag_ == Drag::zoom) return Qt::SizeVerCursor;
   if (drag_ == Drag::moveSeed) return Qt::SizeAllCursor;
   if (state_.windowLevelTool()) return contrast_;
-  if (state_.brush().isOn()) return Qt::CrossCursor;
+  if (state_.brush().isOn()) return brushCursor(pixel);
   if (drag_ == Drag::resizeSeed && seed_ >= 0) return rimCursor({SeedGrab::Part::rim, seed_}, pixel);
   if (drag_ == Drag::crosshair) return Qt::CrossCursor;
   const SeedGrab grab = seedAt(circles(), pixel, document_.selectedSeed());

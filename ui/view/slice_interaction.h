@@ -4,9 +4,12 @@
 #include <QCursor>
 #include <QElapsedTimer>
 #include <QPointF>
+#include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
+#include "ui/view/brush_hand.h"
 #include "ui/view/colour_map.h"
 #include "ui/view/seed_circles.h"
 #include "ui/view/slice_geometry.h"
@@ -31,18 +34,23 @@ class SliceInteraction {
   bool wheel(const QWheelEvent& event);
   bool keyPress(const QKeyEvent& event);
   bool keyRelease(const QKeyEvent& event);
+  //! The outline of the active surface in the slice, mm: what a pull takes hold of.
+  void setOutline(std::function<const std::vector<std::array<Vec3, 2>>&()> outline);
   //! Ends what the mouse has hold of, as when the volume is replaced; a stroke of the brush is not kept.
   void cancel();
 
   //! What the mouse would do at a place, or is doing.
   QCursor cursorAt(const QPointF& pixel) const;
   std::vector<SeedCircle> circles() const;
+  //! Where a brush for the surface would take hold of it, mm: on the outline near a place for a pull, else
+  //! that place. None: nothing is there, or it cannot be used now.
+  std::optional<Vec3> brushPlace(const QPointF& pixel) const;
 
  private:
   enum class Drag { none, crosshair, pan, zoom, window, moveSeed, resizeSeed, brush };
 
   void startLeftDrag(const QPointF& pixel);
-  void endStroke();
+  std::optional<Vec3> nearestOfOutline(const QPointF& pixel) const;
   void setCrosshairAt(const QPointF& pixel);
   void moveSeedTo(const QPointF& pixel);
   void stepCrosshair(int axis, int voxels);
@@ -52,11 +60,14 @@ class SliceInteraction {
   void addSeed(bool outside);
   void changeRadius(double step, bool repeated);
   void windowLevelKey(bool pressed);
+  Qt::CursorShape brushCursor(const QPointF& pixel) const;
   Qt::CursorShape rimCursor(const SeedGrab& grab, const QPointF& pixel) const;
 
   Document& document_;
   ViewState& state_;
   SliceGeometry& geometry_;
+  BrushHand hand_;
+  std::function<const std::vector<std::array<Vec3, 2>>&()> outline_;
   Drag drag_ = Drag::none;
   QPointF start_, last_;
   WindowLevel startWindow_;

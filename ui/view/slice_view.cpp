@@ -10,9 +10,11 @@
 
 #include "core/mesh/plane_section.h"
 #include "ui/model/document.h"
+#include "ui/view/brush_picture.h"
 #include "ui/view/measure_overlay.h"
 #include "ui/view/other_outlines.h"
 #include "ui/view/overlay.h"
+#include "ui/view/pinned_surface.h"
 #include "ui/view/slice_image.h"
 #include "ui/view/slice_interaction.h"
 #include "ui/view/slice_measuring.h"
@@ -23,6 +25,7 @@ namespace {
 
 const QColor kOutline(0xff, 0xb8, 0x1a);
 constexpr double kOutlineWidth = 1.6, kUnsupportedWidth = 2.4, kLoopWidth = 3;  // pixels
+constexpr double kPinnedWidth = 3.2, kPartlyWidth = 1.2;                        // pixels
 
 //! The views whose planes the vertical and the horizontal line of a crosshair are.
 std::pair<Plane, Plane> crossedPlanes(Plane plane) {
@@ -43,18 +46,25 @@ struct ImageKey {
   bool operator==(const ImageKey&) const = default;
 };
 
+//! What stands out of the outline.
+struct Marks {
+  bool unsupported = false, pinned = false;
+};
+
 }  // namespace
 
 struct SliceView::Private {
-  Private(Plane p, Document& d, ViewState& s)
-      : plane(p), document(d), state(s), interaction(d, s, geometry) {}
+  Private(Plane p, Document& d, ViewState& s) : plane(p), document(d), state(s), interaction(d, s, geometry) {
+    interaction.setOutline([this]() -> const auto& { return outline(); });
+  }
 
   const QImage& image(double pixelRatio);
   const std::vector<std::array<Vec3, 2>>& outline();
   void paint(QPainter& painter, double pixelRatio, bool focused);
-  bool paintOutline(QPainter& painter);
+  Marks paintOutline(QPainter& painter);
+  void paintBrushWork(QPainter& painter) const;
   void paintMarkedLoops(QPainter& painter) const;
-  void paintLegend(QPainter& painter) const;
+  void paintLegend(QPainter& painter, const Marks& marks) const;
   void paintCrosshair(QPainter& painter) const;
   void paintTexts(QPainter& painter) const;
 
@@ -73,6 +83,7 @@ struct SliceView::Private {
   std::vector<int> sectionFaces;             // triangles of its segments
   OtherOutlines others;
   WallOverlay walls;
+  PinnedSurface pinned;
   std::optional<QPointF> pointer;  // where the mouse is, if it is in the view
 };
 
@@ -109,21 +120,26 @@ const std::vector<std::array<Vec3, 2>>& SliceView::Private::outline() {
   return section;
 }
 
-//! True if some of it was marked as without an edge in the image.
-bool SliceView::Private::paintOutline(QPainter& painter) {
-  QVector<QLineF> lines, unsupported;
+Marks SliceView::Private::paintOutline(QPainter& painter) {
+  QVector<QLineF> lines, unsupported, held, partly;
   const auto& segments = outline();
   const bool marks = state.meshColouring() == MeshColouring::support && cutMesh &&
                      cutMesh->support.faces.size() == cutMesh->mesh.triangles.size();
+  const bool isPinned = state.showsConstraints() && cutMesh;
+  const auto& parts =
+      pinned.of(cutMesh, isPinned ? pinsWithStroke(document, state.brush()) : std::vector<Pin>{});
   for (std::size_t i = 0; i < segments.size(); ++i) {
-    const auto& [from, to] = segments[i];
-    const bool marked =
-        marks && cutMesh->support.faces[static_cast<std::size_t>(sectionFaces[i])] == FaceSupport::none;
-    (marked ? unsupported : lines).append(QLineF(geometry.worldToScreen(from), geometry.worldToScreen(to)));
+    const auto face = static_cast<std::size_t>(sectionFaces[i]);
+    const QLineF line(geometry.worldToScreen(segments[i][0]), geometry.worldToScreen(segments[i][1]));
+    (marks && cutMesh->support.faces[face] == FaceSupport::none ? unsupported : lines).append(line);
+    if (!parts.empty() && parts[face] != PinnedSurface::none)
+      (parts[face] == PinnedSurface::whole ? held : partly).append(line);
   }
   paintSegments(painter, lines, activeColour(document, kOutline), kOutlineWidth);
   paintSegments(painter, unsupported, unsupportedColour(), kUnsupportedWidth);
-  return !unsupported.isEmpty();
+  paintSegments(painter, partly, pinColour(), kPartlyWidth);
+  paintSegments(painter, held, pinColour(), kPinnedWidth);
+  return {!unsupported.isEmpty(), !held.isEmpty() || !partly.isEmpty()};
 }
 
 //! Where they lie within a slice of this one.
@@ -185,11 +201,34 @@ void SliceView::Private::paintTexts(QPainter& painter) const {
 }
 
 //! Below the place of the slice.
-void SliceView::Private::paintLegend(QPainter& painter) const {
+void SliceView::Private::paintLegend(QPainter& painter, const Marks& marks) const {
   const double line = QFontMetricsF(overlayFont(0.95)).height();
   const auto lines = slicePlace(geometry, plane, state.crosshair()).size();
-  const double y = kOverlayMargin + (1.75 + 1.05 * static_cast<double>(lines)) * line;
-  paintKey(painter, {kOverlayMargin, y}, unsupportedColour(), tr("no edge in the image"));
+  double y = kOverlayMargin + (1.75 + 1.05 * static_cast<double>(lines)) * line;
+  const auto key = [&](const QColor& colour, const QString& text) {
+    paintKey(painter, {kOverlayMargin, y}, colour, text);
+    y += 1.2 * line;
+  };
+  if (marks.unsupported) key(unsupportedColour(), tr("no edge in the image"));
+  if (marks.pinned) key(pinColour(), tr("pinned"));
+}
+
+//! What is being pulled in this slice, and the brush under the mouse.
+void SliceView::Private::paintBrushWork(QPainter& painter) const {
+  const Brush& brush = state.brush();
+  const double radius = brush.radius() / geometry.mmPerPixel();
+  if (const auto& pull = brush.pull()) {
+    const double reach = geometry.grid().spacing[geometry.axes().normal] / 2;
+    if (std::abs(geometry.distance(pull->from)) <= reach)
+      paintPull(painter, geometry.worldToScreen(pull->from), geometry.worldToScreen(pull->to), radius);
+    return;
+  }
+  if (!pointer || !brush.isOn() || state.windowLevelTool()) return;
+  const std::optional<Vec3> place = interaction.brushPlace(*pointer);
+  if (!place) return;
+  const QPointF at = geometry.worldToScreen(*place);
+  paintBrush(painter, at, radius, brush.mode(), false);
+  if (brush.mode() == Brush::Mode::pull) paintGrip(painter, at);
 }
 
 void SliceView::Private::paint(QPainter& painter, double pixelRatio, bool focused) {
@@ -200,19 +239,18 @@ void SliceView::Private::paint(QPainter& painter, double pixelRatio, bool focuse
   } else {
     painter.drawImage(QPointF(0, 0), image(pixelRatio));
     painter.setRenderHint(QPainter::Antialiasing);
-    if (isActiveVisible(document))
+    if (isActiveVisible(document) && state.showsConstraints())
       walls.paint(painter, geometry, pixelRatio, document.constraints().walls, state.brush());
     paintCrosshair(painter);
     others.paint(painter, document, geometry);
-    const bool marked = isActiveVisible(document) && paintOutline(painter);
+    const Marks marks = isActiveVisible(document) ? paintOutline(painter) : Marks{};
     if (isActiveVisible(document)) paintMarkedLoops(painter);
     paintSeeds(painter, interaction.circles(), document.selectedSeed());
     paintMeasurements(painter, geometry, document, state.measure());
-    if (pointer && state.brush().isOn() && !state.windowLevelTool())
-      paintBrush(painter, geometry, *pointer, state.brush());
+    paintBrushWork(painter);
     paintScaleBar(painter, size, geometry.mmPerPixel());
     paintTexts(painter);
-    if (marked) paintLegend(painter);
+    paintLegend(painter, marks);
   }
   paintFrame(painter, size, planeColour(plane), focused);
 }
@@ -226,8 +264,7 @@ SliceView::SliceView(Plane plane, Document& document, ViewState& state, QWidget*
   setAccessibleDescription(tr(
       "Arrows and Page Up or Down move the crosshair, Return adds a seed, Shift and Return a click outside "
       "of the object, W changes window and level. B and E turn the brush for walls on and off, with Shift "
-      "they "
-      "paint and erase at the crosshair."));
+      "they paint and erase at the crosshair; L pins with it, Shift and L unpins, M smooths, U pulls."));
   const auto repaint = [this] { update(); };
   connect(&document, &Document::opened, this, &SliceView::startVolume);
   connect(&document, &Document::seedsChanged, this, repaint);
@@ -237,13 +274,13 @@ SliceView::SliceView(Plane plane, Document& document, ViewState& state, QWidget*
   connect(&document, &Document::objectsChanged, this, repaint);
   connect(&document, &Document::constraintsChanged, this, repaint);
   connect(&state, &ViewState::markedLoopsChanged, this, repaint);
-  connect(&state.brush(), &WallBrush::strokeChanged, this, repaint);
+  connect(&state.brush(), &Brush::strokeChanged, this, repaint);
   const auto follow = [this] {
     update();
     if (d_->document.hasVolume()) setCursor(d_->interaction.cursorAt(mapFromGlobal(QCursor::pos())));
   };
   connect(&state, &ViewState::changed, this, follow);
-  connect(&state.brush(), &WallBrush::changed, this, follow);
+  connect(&state.brush(), &Brush::changed, this, follow);
   connect(&state, &ViewState::crosshairChanged, this, &SliceView::followCrosshair);
   installEventFilter(new SliceMeasuring(document, state, d_->geometry, *this));
   startVolume();

@@ -14,7 +14,7 @@ class Document;
 //! Shift+left pan; right or Ctrl+wheel zoom; wheel slice (Shift: five). Keys, with the focus: arrows and
 //! PgUp/PgDn one voxel (Shift: five), Return adds a seed, Backspace or Delete removes the selected one, + and
 //! - change its radius by half a voxel, W window and level (short press: until the next; held down: as long).
-//! While the brush for walls is on, left paints or erases and Ctrl+wheel changes its radius.
+//! While the brush is on, left does what it is for (brush.h) and Ctrl+wheel changes its radius.
 class SliceView : public QWidget {
   Q_OBJECT
 

@@ -67,7 +67,7 @@ SurfaceMeasuring::SurfaceMeasuring(Document& document, ViewState& state,
 }
 
 bool SurfaceMeasuring::eventFilter(QObject*, QEvent* event) {
-  if (!document_.hasVolume()) return false;
+  if (!document_.hasVolume() || state_.brush().isOn()) return false;  // the brush has the left button
   switch (event->type()) {
     case QEvent::MouseButtonPress:
       return press(*static_cast<QMouseEvent*>(event));

@@ -15,6 +15,8 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("SurfaceView", text); }
 
+constexpr double kPinKey = 100;  // pixels from below: over the triad
+
 double firstLine() { return kOverlayMargin + 2.1 * QFontMetricsF(overlayFont()).height(); }
 double lineHeight() { return 1.2 * QFontMetricsF(overlayFont()).height(); }
 
@@ -75,6 +77,11 @@ void paintSupportLegend(QPainter& painter, const QSizeF& size, const SurfaceSupp
     paintKey(painter, {kOverlayMargin, y}, faceSupportColour(kind), texts[static_cast<int>(kind)]);
     y += lineHeight();
   }
+}
+
+void paintPinLegend(QPainter& painter, const QSizeF& size) {
+  const double line = QFontMetricsF(overlayFont(0.95)).height();
+  paintKey(painter, {kOverlayMargin, size.height() - kPinKey - line / 2}, pinColour(), tr("pinned"));
 }
 
 void paintStageCaption(QPainter& painter, EventStage stage) {

@@ -15,6 +15,8 @@ void paintStateLegend(QPainter& painter);
 //! What the colours of the support by the image mean, under the title, with the part without an edge; shorter
 //! in a narrow view.
 void paintSupportLegend(QPainter& painter, const QSizeF& size, const SurfaceSupport& support);
+//! What the colour of pinned faces means, over the triad.
+void paintPinLegend(QPainter& painter, const QSizeF& size);
 //! What a stage of an event shows.
 void paintStageCaption(QPainter& painter, EventStage stage);
 

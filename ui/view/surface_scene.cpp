@@ -159,13 +159,13 @@ struct SurfaceScene::Private {
   void updateVisibility();
 
   vtkRenderer* renderer = nullptr;
-  TriangleActor mesh, seeds, around, red, handle, walls;
+  TriangleActor mesh, pinned, seeds, around, red, handle, walls;
   LineActor outside, loops, lambda, box;
   std::array<LineActor, 2> marked;  // by MarkedLoop::Kind
   std::array<SliceActor, 3> slices;
   std::list<Shown> others;
-  bool hasMesh = false, hasSeeds = false, hasWalls = false, hasOutside = false, hasVolume = false,
-       slicesOn = false;
+  bool hasMesh = false, hasPinned = false, hasSeeds = false, hasWalls = false, hasOutside = false,
+       hasVolume = false, slicesOn = false;
   EventStage stage = EventStage::none;
 };
 
@@ -179,7 +179,7 @@ SurfaceScene::SurfaceScene(vtkRenderer* renderer) : d_(std::make_unique<Private>
   addLight(renderer, Vec3(0.85, -0.1, 0.5), 0.30);
   addLight(renderer, Vec3(-0.1, -0.9, 0.4), 0.22);
   renderer->GetActiveCamera()->ParallelProjectionOn();
-  for (TriangleActor* part : {&d_->mesh, &d_->seeds, &d_->around, &d_->red, &d_->handle})
+  for (TriangleActor* part : {&d_->mesh, &d_->pinned, &d_->seeds, &d_->around, &d_->red, &d_->handle})
     renderer->AddActor(part->actor());
   for (LineActor* part : {&d_->outside, &d_->loops, &d_->lambda, &d_->box}) renderer->AddActor(part->actor);
   for (LineActor& part : d_->marked) {
@@ -198,7 +198,7 @@ SurfaceScene::SurfaceScene(vtkRenderer* renderer) : d_(std::make_unique<Private>
   d_->walls.actor()->GetProperty()->SetOpacity(kWallOpacity);
   d_->walls.actor()->ForceOpaqueOn();  // as the slices
   for (TriangleActor* part : {&d_->around, &d_->red, &d_->handle}) part->setEdges(true);
-  for (TriangleActor* part : {&d_->red, &d_->handle}) part->setInFront();
+  for (TriangleActor* part : {&d_->pinned, &d_->red, &d_->handle}) part->setInFront();
   d_->seeds.setColour(kSeedBall);
   const QColor outside = outsideColour();
   d_->outside.setColour(outside.redF(), outside.greenF(), outside.blueF());
@@ -219,6 +219,7 @@ void SurfaceScene::Private::updateVisibility() {
   const bool staged = stage != EventStage::none;
   const bool open = stage == EventStage::opened || stage == EventStage::handle;
   mesh.actor()->SetVisibility(hasMesh && !staged);
+  pinned.actor()->SetVisibility(hasMesh && hasPinned && !staged);
   seeds.actor()->SetVisibility(hasSeeds && !hasMesh && !staged);
   outside.actor->SetVisibility(hasOutside && !hasMesh && !staged);
   for (Shown& other : others) other.actor.actor()->SetVisibility(!staged);
@@ -260,6 +261,25 @@ void SurfaceScene::setMesh(const MeshSnapshot* mesh, MeshColouring colouring, co
 void SurfaceScene::colourFaces(const std::vector<QColor>& palette,
                                const std::vector<unsigned char>& entries) {
   if (d_->hasMesh) d_->mesh.setColours(palette, entries.data(), entries.size());
+}
+
+void SurfaceScene::setPinned(const TriangleSoup& mesh, const std::vector<PinnedSurface::Part>& parts) {
+  const QColor& whole = pinColour();
+  const QColor partly((whole.red() + kMaterial.red()) / 2, (whole.green() + kMaterial.green()) / 2,
+                      (whole.blue() + kMaterial.blue()) / 2);
+  TriangleSoup held{mesh.points, {}};
+  std::vector<unsigned char> colours;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i] == PinnedSurface::none) continue;
+    held.triangles.push_back(mesh.triangles[i]);
+    colours.push_back(parts[i] == PinnedSurface::whole ? 1 : 0);
+  }
+  d_->hasPinned = !colours.empty();
+  if (d_->hasPinned) {
+    d_->pinned.setMesh(held, true);
+    d_->pinned.setColours({partly, whole}, colours.data(), colours.size());
+  }
+  d_->updateVisibility();
 }
 
 void SurfaceScene::setOthers(const std::vector<Other>& others) {

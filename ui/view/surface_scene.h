@@ -12,6 +12,7 @@
 #include "core/evolution/parameters.h"
 #include "core/surgery/event.h"
 #include "core/volume/volume.h"
+#include "ui/view/pinned_surface.h"
 #include "ui/view/surface_view.h"
 
 class vtkRenderer;
@@ -44,8 +45,10 @@ CameraPose between(const CameraPose& from, const CameraPose& to, double share);
 CameraPose lookingFrom(const CameraPose& pose, Plane plane, bool opposite);
 //! From the front, the left and above, as in the pictures of the command line.
 CameraPose obliquePose();
-//! The pose moved so that all of the volume is just in view; `aspect`: width by height of the view.
+//! The pose moved so that all of the volume is just in a view of this width per height.
 CameraPose around(const Grid& grid, CameraPose pose, double aspect);
+//! A direction from which fronts do not hide each other: across the line between the first two polygons.
+Vec3 acrossFronts(const EventTrace& trace, const Vec3& towardsEye);
 
 class SurfaceScene {
  public:
@@ -66,6 +69,8 @@ class SurfaceScene {
   void setSeeds(const std::vector<Seed>& seeds);
   //! Translucent; where it is empty there are none.
   void setWalls(const TriangleSoup& walls);
+  //! Faces of the mesh that the pins hold, one entry per triangle of it; empty: none.
+  void setPinned(const TriangleSoup& mesh, const std::vector<PinnedSurface::Part>& parts);
   //! Seen through the surface.
   void setLoops(const std::vector<MarkedLoop>& loops);
   //! The volume's edges; null: none.

@@ -1,33 +1,22 @@
-#include "ui/view/surface_view.h"
+#include "ui/view/surface_view_private.h"
 
 #include <vtkGenericRenderWindowInteractor.h>
 #include <vtkNew.h>
 
 #include <Eigen/Geometry>
 #include <QElapsedTimer>
-#include <QKeyEvent>
-#include <QMouseEvent>
-#include <QPainter>
 #include <QStyle>
-#include <QTimer>
-#include <QVariantAnimation>
-#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 
-#include "ui/model/document.h"
 #include "ui/view/distance_colours.h"
 #include "ui/view/measure_overlay.h"
-#include "ui/view/offscreen_renderer.h"
 #include "ui/view/other_outlines.h"
 #include "ui/view/other_surfaces.h"
 #include "ui/view/overlay.h"
-#include "ui/view/slice_image.h"
 #include "ui/view/surface_measuring.h"
 #include "ui/view/surface_overlay.h"
-#include "ui/view/surface_scene.h"
 #include "ui/view/surface_style.h"
-#include "ui/view/wall_shapes.h"
 
 namespace handlebody::ui {
 namespace {
@@ -35,75 +24,7 @@ namespace {
 const QColor kFrame(0x74, 0x83, 0xe6);
 constexpr Plane kPlanes[] = {Plane::axial, Plane::coronal, Plane::sagittal};
 
-//! A direction from which fronts do not hide each other: across the line between the first two polygons.
-Vec3 acrossFronts(const EventTrace& trace, const Vec3& towardsEye) {
-  if (trace.boundaryLoops.size() < 2) return towardsEye;
-  const auto middle = [](const std::vector<Vec3>& loop) {
-    Vec3 sum = Vec3::Zero();
-    for (const Vec3& p : loop) sum += p;
-    return Vec3(sum / static_cast<double>(std::max<std::size_t>(1, loop.size())));
-  };
-  const Vec3 line = (middle(trace.boundaryLoops[1]) - middle(trace.boundaryLoops[0])).normalized();
-  const Vec3 across = towardsEye - towardsEye.dot(line) * line;
-  return across.norm() > 0.1 ? across.normalized() : line.unitOrthogonal();
-}
-
 }  // namespace
-
-struct SurfaceView::Private {
-  Private(SurfaceView& v, Document& d, ViewState& s) : view(v), document(d), state(s) {}
-
-  void createOpenGl();
-  void startVolume();
-  void sync();
-  //! Of the shown mesh; null: none.
-  const DistanceColours* shownDistances() const {
-    const DistanceColours* d = state.distances().get();
-    return d && d->mesh == document.snapshot() && isActiveVisible(document) ? d : nullptr;
-  }
-  void syncSeeds();
-  void syncWalls();
-  void syncSlices();
-  void followMesh();
-  double aspect() const {
-    return std::max(1, view.width()) / std::max(1.0, static_cast<double>(view.height()));
-  }
-  double heightFor(const Sight& sight, double margin) const;
-  void flyTo(const CameraPose& pose);
-  const QImage& frame(double pixelRatio);
-  void paint(QPainter& painter, double pixelRatio, bool focused);
-  void tell(const QPointF& pixel, Qt::KeyboardModifiers modifiers, unsigned long event);
-  void draw(bool& part) {
-    part = true;
-    view.update();
-  }
-
-  SurfaceView& view;
-  Document& document;
-  ViewState& state;
-  bool triedOpenGl = false;
-  std::unique_ptr<OffscreenRenderer> gl;  // null where there is none
-  std::unique_ptr<SurfaceScene> scene;
-  QImage shown;
-  bool meshChanged = true, seedsChanged = true, slicesChanged = true, coloursChanged = true,
-       poseChanged = true, wallsChanged = true, loopsChanged = true;
-  std::array<SliceImage, 3> slices;
-  std::array<int, 3> shownSlices{-1, -1, -1};
-  bool slicesShown = false;
-  MeshColouring shownColouring = MeshColouring::plain;
-  WallList shownWalls;
-  bool wallsShown = false;
-  bool follows = true;  // the mesh, until the camera is moved by hand
-  bool dragging = false;
-  EventStage stage = EventStage::none;
-  std::optional<Sight> stageSight;
-  CameraPose beforeStage;
-  QVariantAnimation flight;
-  CameraPose flightFrom, flightTo;
-  int flightTime = -1;
-  QTimer sliceDelay;      // slices that are scrolled are not held up by this view
-  qint64 renderTime = 0;  // ms, of the last picture
-};
 
 // --- scene ---
 
@@ -123,8 +44,9 @@ void SurfaceView::Private::createOpenGl() {
 }
 
 void SurfaceView::Private::startVolume() {
-  meshChanged = seedsChanged = slicesChanged = coloursChanged = poseChanged = wallsChanged = loopsChanged =
-      true;
+  brush.giveUp();
+  meshChanged = pinsChanged = seedsChanged = slicesChanged = coloursChanged = poseChanged = wallsChanged =
+      loopsChanged = true;
   shownSlices = {-1, -1, -1};
   slices = {};  // the volume before is let go
   follows = true;
@@ -152,20 +74,39 @@ void SurfaceView::Private::sync() {
     scene->setOthers(otherSurfaces(document));
     followMesh();
   }
+  if (meshChanged || pinsChanged) syncPins();
   if (seedsChanged) syncSeeds();
   if (wallsChanged) syncWalls();
   if (loopsChanged) scene->setLoops(state.markedLoops());
   if (slicesChanged || coloursChanged) syncSlices();
-  loopsChanged = meshChanged = seedsChanged = slicesChanged = coloursChanged = wallsChanged = false;
+  loopsChanged = meshChanged = pinsChanged = seedsChanged = slicesChanged = coloursChanged = wallsChanged =
+      false;
 }
 
+void SurfaceView::Private::syncPins() {
+  const auto mesh = document.snapshot();
+  const bool shows = mesh && isActiveVisible(document) && state.showsConstraints();
+  const auto& parts = pinned.of(mesh, shows ? document.constraints().pins : std::vector<Pin>{});
+  hasPins = !parts.empty();
+  scene->setPinned(hasPins ? mesh->mesh : TriangleSoup{}, parts);
+}
+
+//! Asked for here; they come later.
 void SurfaceView::Private::syncWalls() {
-  const bool any = document.hasVolume() && isActiveVisible(document);
+  const bool any = document.hasVolume() && isActiveVisible(document) && state.showsConstraints();
   const WallList walls = any ? document.constraints().walls : WallList{};
   if (walls == shownWalls && wallsShown) return;
-  scene->setWalls(any ? shapesOf(walls, document.volume().grid) : TriangleSoup{});
+  wallSurfaces.request(walls, any ? document.volume().grid : Grid{});
   shownWalls = walls;
   wallsShown = true;
+}
+
+void SurfaceView::Private::takeWalls() {
+  if (waitsForWalls) wallSurfaces.finish();
+  const std::optional<TriangleSoup> made = wallSurfaces.take();
+  if (!made) return;
+  scene->setWalls(*made);
+  poseChanged = true;
 }
 
 void SurfaceView::Private::syncSeeds() {
@@ -233,6 +174,7 @@ void SurfaceView::Private::flyTo(const CameraPose& pose) {
 
 const QImage& SurfaceView::Private::frame(double pixelRatio) {
   sync();
+  takeWalls();
   const QSize size = (QSizeF(view.size()) * pixelRatio).toSize();
   if (!poseChanged && shown.size() == size) return shown;
   QElapsedTimer timer;
@@ -256,35 +198,57 @@ void SurfaceView::Private::paint(QPainter& painter, double pixelRatio, bool focu
         tr("This machine offers no OpenGL 3.2: the surface cannot be shown in 3D. Slices, growth and export "
            "work all the same."));
   } else {
-    if (meshChanged || seedsChanged || slicesChanged || coloursChanged || wallsChanged || loopsChanged)
+    if (meshChanged || pinsChanged || seedsChanged || slicesChanged || coloursChanged || wallsChanged ||
+        loopsChanged)
       poseChanged = true;
     painter.drawImage(QPointF(0, 0), frame(pixelRatio));
     painter.setRenderHint(QPainter::Antialiasing);
-    const CameraPose pose = scene->pose();
-    const bool empty = !document.hasVolume();
-    if (empty) {
-      paintHint(painter, size, tr("The surface grows here"));
-    } else {
-      if (stage == EventStage::none) paintMeasurements(painter, size, pose, document, state.measure());
-      paintTriad(painter, size, pose);
-      paintScaleBar(painter, size, pose.height / std::max(1.0, size.height()));
-    }
-    const std::shared_ptr<const MeshSnapshot> mesh = document.snapshot();
-    if (mesh && mesh->mesh.triangles.empty())
-      paintText(painter, {size.width() / 2, kOverlayMargin}, Qt::AlignHCenter | Qt::AlignTop,
-                tr("Nothing is left of the surface"), overlayFont());
-    if (stage != EventStage::none)
-      paintStageCaption(painter, stage);
-    else if (const DistanceColours* d = shownDistances())
-      paintDistanceScale(painter, size, *d);
-    else if (mesh && state.meshColouring() == MeshColouring::state)
-      paintStateLegend(painter);
-    else if (mesh && !mesh->mesh.triangles.empty() && state.meshColouring() == MeshColouring::support)
-      paintSupportLegend(painter, size, mesh->support);
+    paintOver(painter, size);
   }
   paintText(painter, {kOverlayMargin, kOverlayMargin}, Qt::AlignLeft | Qt::AlignTop, tr("3D"),
             overlayFont(1.05, true), kFrame.lighter(130));
   paintFrame(painter, size, kFrame, focused);
+}
+
+//! What does not need a new picture of the scene.
+void SurfaceView::Private::paintOver(QPainter& painter, const QSizeF& size) {
+  const CameraPose pose = scene->pose();
+  const bool empty = !document.hasVolume();
+  if (empty) {
+    paintHint(painter, size, tr("The surface grows here"));
+  } else {
+    if (stage == EventStage::none) paintMeasurements(painter, size, pose, document, state.measure());
+    paintTriad(painter, size, pose);
+    paintScaleBar(painter, size, pose.height / std::max(1.0, size.height()));
+  }
+  const std::shared_ptr<const MeshSnapshot> mesh = document.snapshot();
+  if (mesh && mesh->mesh.triangles.empty())
+    paintText(painter, {size.width() / 2, kOverlayMargin}, Qt::AlignHCenter | Qt::AlignTop,
+              tr("Nothing is left of the surface"), overlayFont());
+  if (stage != EventStage::none) return paintStageCaption(painter, stage);
+  if (const DistanceColours* d = shownDistances())
+    paintDistanceScale(painter, size, *d);
+  else if (mesh && state.meshColouring() == MeshColouring::state)
+    paintStateLegend(painter);
+  else if (mesh && !mesh->mesh.triangles.empty() && state.meshColouring() == MeshColouring::support)
+    paintSupportLegend(painter, size, mesh->support);
+  if (hasPins) paintPinLegend(painter, size);
+  if (!empty) brush.paint(painter, eye());
+}
+
+void SurfaceView::Private::followBrush() {
+  if (!gl || !document.hasVolume()) return;
+  if (state.brush().isForSurface())
+    view.setCursor(brush.cursor(eye()));
+  else
+    view.unsetCursor();
+  view.update();
+}
+
+//! First the stroke is given up, if there is one.
+void SurfaceView::Private::putBrushAway() {
+  if (!brush.isDown()) state.brush().setMode(Brush::Mode::off);
+  brush.giveUp();
 }
 
 // --- widget ---
@@ -292,9 +256,12 @@ void SurfaceView::Private::paint(QPainter& painter, double pixelRatio, bool focu
 SurfaceView::SurfaceView(Document& document, ViewState& state, QWidget* parent)
     : QWidget(parent), d_(std::make_unique<Private>(*this, document, state)) {
   setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);  // the brush follows the mouse
   setAttribute(Qt::WA_OpaquePaintEvent);
   setAccessibleName(tr("3D view"));
-  setAccessibleDescription(tr("Home, End and Page Down look from superior, anterior and left."));
+  setAccessibleDescription(tr(
+      "Home, End and Page Down look from superior, anterior and left. With the brush on, left pins, unpins, "
+      "smooths or pulls the surface."));
   Private* d = d_.get();
   d->flight.setStartValue(0.0);
   d->flight.setEndValue(1.0);
@@ -319,7 +286,12 @@ SurfaceView::SurfaceView(Document& document, ViewState& state, QWidget* parent)
   for (auto changed : {&Document::snapshotChanged, &Document::objectsChanged})
     connect(&document, changed, this, [d] { d->draw(d->meshChanged); });
   for (auto changed : {&Document::constraintsChanged, &Document::objectsChanged})
-    connect(&document, changed, this, [d] { d->draw(d->wallsChanged); });
+    connect(&document, changed, this, [d] {
+      d->draw(d->pinsChanged);
+      d->draw(d->wallsChanged);
+    });
+  for (auto changed : {&Brush::changed, &Brush::strokeChanged})
+    connect(&state.brush(), changed, this, [d] { d->followBrush(); });
   connect(&document, &Document::stateChanged, this, [d] {
     if (d->document.state() == GrowthState::finished) d->draw(d->meshChanged);  // it may be seen from nearer
   });
@@ -327,6 +299,11 @@ SurfaceView::SurfaceView(Document& document, ViewState& state, QWidget* parent)
     if (!d->sliceDelay.isActive()) d->sliceDelay.start(static_cast<int>(2 * d->renderTime));
   };
   connect(&state, &ViewState::changed, this, [d, laterSlices] {
+    if (d->state.showsConstraints() != d->constraintsShown) {
+      d->constraintsShown = d->state.showsConstraints();
+      d->draw(d->pinsChanged);
+      d->draw(d->wallsChanged);
+    }
     if (d->state.meshColouring() != d->shownColouring) d->draw(d->meshChanged);
     if (!d->state.slicesIn3d() && !d->slicesShown) return;
     d->coloursChanged = true;
@@ -342,6 +319,12 @@ SurfaceView::SurfaceView(Document& document, ViewState& state, QWidget* parent)
     return any ? std::optional(d->scene->pose()) : std::nullopt;
   };
   installEventFilter(new SurfaceMeasuring(document, state, pose, *this));
+}
+
+//! Of the shown mesh; null: none.
+const DistanceColours* SurfaceView::Private::shownDistances() const {
+  const DistanceColours* d = state.distances().get();
+  return d && d->mesh == document.snapshot() && isActiveVisible(document) ? d : nullptr;
 }
 
 SurfaceView::~SurfaceView() = default;
@@ -407,7 +390,9 @@ QImage SurfaceView::picture() {
   QImage image((QSizeF(size()) * devicePixelRatioF()).toSize(), QImage::Format_RGB32);
   image.setDevicePixelRatio(devicePixelRatioF());
   QPainter painter(&image);
+  d_->waitsForWalls = true;
   d_->paint(painter, devicePixelRatioF(), false);
+  d_->waitsForWalls = false;
   return image;
 }
 
@@ -418,75 +403,5 @@ void SurfaceView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   d_->paint(painter, devicePixelRatioF(), hasFocus());
 }
-
-// --- events ---
-
-void SurfaceView::Private::tell(const QPointF& pixel, Qt::KeyboardModifiers modifiers, unsigned long event) {
-  if (!gl || !document.hasVolume()) return;
-  const QPointF device = pixel * view.devicePixelRatioF();
-  gl->interactor()->SetEventInformationFlipY(static_cast<int>(device.x()), static_cast<int>(device.y()),
-                                             modifiers & Qt::ControlModifier ? 1 : 0,
-                                             modifiers & Qt::ShiftModifier ? 1 : 0);
-  if (event != vtkCommand::MouseMoveEvent) {
-    flight.stop();
-    follows = false;
-  }
-  gl->interactor()->InvokeEvent(event);
-}
-
-void SurfaceView::mousePressEvent(QMouseEvent* event) {
-  const auto button = event->button();
-  if (d_->dragging || (button != Qt::LeftButton && button != Qt::MiddleButton && button != Qt::RightButton))
-    return;
-  d_->dragging = true;
-  d_->tell(event->position(), event->modifiers(),
-           button == Qt::LeftButton     ? vtkCommand::LeftButtonPressEvent
-           : button == Qt::MiddleButton ? vtkCommand::MiddleButtonPressEvent
-                                        : vtkCommand::RightButtonPressEvent);
-}
-
-void SurfaceView::mouseMoveEvent(QMouseEvent* event) {
-  if (d_->dragging) d_->tell(event->position(), event->modifiers(), vtkCommand::MouseMoveEvent);
-}
-
-void SurfaceView::mouseReleaseEvent(QMouseEvent* event) {
-  if (!d_->dragging || event->buttons() != Qt::NoButton) return;
-  d_->dragging = false;
-  // All of them: a drag that began with one button may end with another.
-  for (auto release : {vtkCommand::LeftButtonReleaseEvent, vtkCommand::MiddleButtonReleaseEvent,
-                       vtkCommand::RightButtonReleaseEvent})
-    d_->tell(event->position(), event->modifiers(), release);
-}
-
-void SurfaceView::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) Q_EMIT maximiseRequested();
-}
-
-void SurfaceView::wheelEvent(QWheelEvent* event) {
-  if (!hasOpenGl() || !d_->document.hasVolume()) return;
-  constexpr double kZoomNotch = 1.2, kNotch = 120;
-  d_->flight.stop();
-  d_->follows = false;
-  CameraPose pose = d_->scene->pose();
-  pose.height /= std::pow(kZoomNotch, event->angleDelta().y() / kNotch);
-  d_->scene->setPose(pose);
-  d_->draw(d_->poseChanged);
-  event->accept();
-}
-
-void SurfaceView::keyPressEvent(QKeyEvent* event) {
-  const bool opposite = event->modifiers() & Qt::ShiftModifier;
-  if (event->key() == Qt::Key_Home)
-    lookFrom(Plane::axial, opposite);
-  else if (event->key() == Qt::Key_End)
-    lookFrom(Plane::coronal, opposite);
-  else if (event->key() == Qt::Key_PageDown)
-    lookFrom(Plane::sagittal, opposite);
-  else
-    QWidget::keyPressEvent(event);
-}
-
-void SurfaceView::focusInEvent(QFocusEvent*) { update(); }
-void SurfaceView::focusOutEvent(QFocusEvent*) { update(); }
 
 }  // namespace handlebody::ui

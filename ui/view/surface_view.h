@@ -14,9 +14,10 @@ class Document;
 //! Which stage of an event is shown (the paper's Figures 1 and 7).
 enum class EventStage { none, colliding, opened, handle, closed };
 
-//! Parallel projection. Mouse: left rotates, right or wheel zooms, middle or Shift+left pans. Keys, with the
-//! focus: Home, End, PgDn look from superior, anterior, left (Shift: from the other side). Until the camera
-//! is moved by hand it follows the mesh. Without a growth the seeds are shown.
+//! Parallel projection. Mouse: left rotates, right or wheel zooms, middle or Shift+left pans. With the brush
+//! for the surface on, left does there what it is for (brush.h), and rotates beside it; Ctrl+wheel changes
+//! its radius. Keys, with the focus: Home, End, PgDn look from superior, anterior, left (Shift: from the
+//! other side). Until the camera is moved by hand it follows the mesh. Without a growth the seeds are shown.
 class SurfaceView : public QWidget {
   Q_OBJECT
 
@@ -53,6 +54,7 @@ class SurfaceView : public QWidget {
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void leaveEvent(QEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
 

@@ -46,6 +46,8 @@ void ViewState::setColourMap(ColourMap map) { change(colourMap_, map); }
 void ViewState::setMeshColouring(MeshColouring colouring) { change(meshColouring_, colouring); }
 void ViewState::setSlicesIn3d(bool on) { change(slicesIn3d_, on); }
 
+void ViewState::setShowsConstraints(bool on) { change(showsConstraints_, on); }
+
 void ViewState::setTint(const std::optional<IntensityRange>& range) {
   if (tint_.has_value() == range.has_value() &&
       (!range || (tint_->low == range->low && tint_->high == range->high)))

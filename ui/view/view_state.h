@@ -11,8 +11,8 @@
 #include "core/evolution/parameters.h"
 #include "core/geometry/vec.h"
 #include "core/volume/volume.h"
+#include "ui/view/brush.h"
 #include "ui/view/measure_tool.h"
-#include "ui/view/wall_brush.h"
 
 namespace handlebody::ui {
 
@@ -59,12 +59,15 @@ class ViewState : public QObject {
   void setMeshColouring(MeshColouring colouring);
   bool slicesIn3d() const { return slicesIn3d_; }
   void setSlicesIn3d(bool on);
+  //! Walls and pins are drawn.
+  bool showsConstraints() const { return showsConstraints_; }
+  void setShowsConstraints(bool on);
   //! Voxels of these intensities are tinted on the slices; none: no tint.
   const std::optional<IntensityRange>& tint() const { return tint_; }
   void setTint(const std::optional<IntensityRange>& range);
 
-  WallBrush& brush() { return brush_; }
-  const WallBrush& brush() const { return brush_; }
+  Brush& brush() { return brush_; }
+  const Brush& brush() const { return brush_; }
   MeasureTool& measure() { return measure_; }
   const MeasureTool& measure() const { return measure_; }
 
@@ -96,10 +99,11 @@ class ViewState : public QObject {
   ColourMap colourMap_ = ColourMap::grey;
   MeshColouring meshColouring_ = MeshColouring::plain;
   bool slicesIn3d_ = true;
+  bool showsConstraints_ = true;
   std::optional<IntensityRange> tint_;
   std::vector<MarkedLoop> markedLoops_;
   std::shared_ptr<const DistanceColours> distances_;
-  WallBrush brush_;
+  Brush brush_;
   MeasureTool measure_;
 };
 

@@ -9,21 +9,21 @@
 #include <Eigen/Geometry>
 
 #include "core/evolution/painted_walls.h"
+#include "ui/view/brush.h"
 #include "ui/view/other_outlines.h"
 #include "ui/view/overlay.h"
 #include "ui/view/seed_circles.h"
-#include "ui/view/wall_brush.h"
 
 namespace handlebody::ui {
 
 namespace {
 
-const QColor kRim(0xf4, 0xb8, 0xff), kShadow(0, 0, 0, 150);
+const QColor kRim(0xf4, 0xb8, 0xff);
 constexpr double kOpacity = 0.5, kRimWidth = 1.6, kDiscWidth = 3;  // pixels
 
-std::vector<WallBall> shownBalls(const WallList& walls, const WallBrush& brush) {
-  if (brush.stroke().empty()) return walls.balls;
-  if (brush.mode() == WallBrush::Mode::erase) return erased({walls.balls, {}, {}, {}}, brush.stroke()).balls;
+std::vector<WallBall> shownBalls(const WallList& walls, const Brush& brush) {
+  if (brush.stroke().empty() || !brush.isForWalls()) return walls.balls;
+  if (brush.mode() == Brush::Mode::eraseWalls) return erased({walls.balls, {}, {}, {}}, brush.stroke()).balls;
   std::vector<WallBall> all = walls.balls;
   all.insert(all.end(), brush.stroke().begin(), brush.stroke().end());
   return all;
@@ -140,7 +140,7 @@ void WallOverlay::paintMap(QPainter& painter, const SliceGeometry& geometry, con
 }
 
 void WallOverlay::paint(QPainter& painter, const SliceGeometry& geometry, double pixelRatio,
-                        const WallList& walls, const WallBrush& brush) {
+                        const WallList& walls, const Brush& brush) {
   const Key key{geometry.size(), geometry.toScreen(Vec3::Zero()), geometry.toScreen(Vec3::Ones()),
                 geometry.slice(), pixelRatio};
   const std::vector<WallBall> balls = shownBalls(walls, brush);
@@ -158,17 +158,6 @@ void WallOverlay::paint(QPainter& painter, const SliceGeometry& geometry, double
     painter.setOpacity(1);
   }
   for (const WallDisc& disc : walls.discs) paintDisc(painter, geometry, disc);
-}
-
-void paintBrush(QPainter& painter, const SliceGeometry& geometry, const QPointF& pixel,
-                const WallBrush& brush) {
-  const double radius = brush.radius() / geometry.mmPerPixel();
-  const bool erases = brush.mode() == WallBrush::Mode::erase;
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(kShadow, 3.6));
-  painter.drawEllipse(pixel, radius, radius);
-  painter.setPen(QPen(erases ? QColor(Qt::white) : kRim, 1.6, erases ? Qt::DashLine : Qt::SolidLine));
-  painter.drawEllipse(pixel, radius, radius);
 }
 
 }  // namespace handlebody::ui

@@ -12,7 +12,7 @@
 
 namespace handlebody::ui {
 
-class WallBrush;
+class Brush;
 
 //! Balls and voxels filled as one, however they overlap; discs as the line in which the slice cuts them, or
 //! whole where they lie in it. Balls are drawn into a picture of their own, to which a stroke adds: what a
@@ -21,7 +21,7 @@ class WallOverlay {
  public:
   //! `brush`: with the stroke that is being drawn, as it would be kept.
   void paint(QPainter& painter, const SliceGeometry& geometry, double pixelRatio, const WallList& walls,
-             const WallBrush& brush);
+             const Brush& brush);
 
  private:
   struct Key {
@@ -41,9 +41,5 @@ class WallOverlay {
   int mapSlice_ = -1;
   QImage mapPicture_;  // a pixel per voxel
 };
-
-//! The brush under the mouse.
-void paintBrush(QPainter& painter, const SliceGeometry& geometry, const QPointF& pixel,
-                const WallBrush& brush);
 
 }  // namespace handlebody::ui

@@ -28,6 +28,13 @@ std::vector<T> without(std::vector<T> list, std::size_t index) {
   return list;
 }
 
+//! Balls that hold nothing of their own are left out of a stroke, so that there may be gaps in it.
+bool isOneStroke(const Pin& a, const Pin& b) {
+  constexpr double kNear = 2;  // radii
+  return a.iteration == b.iteration && a.radius == b.radius &&
+         (a.centre - b.centre).norm() <= kNear * a.radius;
+}
+
 }  // namespace
 
 HeldSection::HeldSection(Document& document, ViewState& state, QWidget* parent)
@@ -95,14 +102,20 @@ void HeldSection::addTopology(std::vector<Row>& rows) const {
   }
 }
 
+//! The balls of a stroke are one row.
 void HeldSection::addPins(std::vector<Row>& rows) const {
   const Constraints& now = document_.constraints();
-  for (std::size_t i = 0; i < now.pins.size(); ++i) {
+  for (std::size_t begin = 0; begin < now.pins.size();) {
+    std::size_t end = begin + 1;
+    while (end < now.pins.size() && isOneStroke(now.pins[end - 1], now.pins[end])) ++end;
     Constraints after = now;
-    after.pins = without(now.pins, i);
-    const Pin& pin = now.pins[i];
-    rows.push_back({tr("Pin at iteration %1").arg(pin.iteration), pin.centre, tr("Lift"),
-                    [this, after] { document_.setConstraints(after, tr("Lift the pin")); }});
+    after.pins.erase(after.pins.begin() + static_cast<std::ptrdiff_t>(begin),
+                     after.pins.begin() + static_cast<std::ptrdiff_t>(end));
+    const QString one = tr("Pin at iteration %1").arg(now.pins[begin].iteration);
+    const auto balls = static_cast<int>(end - begin);
+    rows.push_back({balls == 1 ? one : tr("%1, %2 balls").arg(one).arg(balls), now.pins[begin].centre,
+                    tr("Lift"), [this, after] { document_.setConstraints(after, tr("Lift the pin")); }});
+    begin = end;
   }
 }
 

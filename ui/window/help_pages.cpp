@@ -44,9 +44,12 @@ QString mouseInSlices() {
           row(tr("Arrows; with Shift"), tr("Crosshair by one voxel; by five")) +
           row(tr("Page Up, Page Down"), tr("Next, previous slice")) +
           row(tr("B or E, then left drag; Ctrl+wheel"), tr("Paint or erase walls; radius of the brush")) +
-          row(tr("R, A or L, then clicks"),
+          row(tr("R, A or C, then clicks"),
               tr("Ruler, angle, centre line: place points; Return: at the crosshair")) +
           row(tr("Left drag on the end of a ruler or an angle"), tr("Move it")) +
+          row(tr("L or Shift+L, then left drag"), tr("Pin or unpin the surface under the brush")) +
+          row(tr("M, then left click"), tr("Smooth the surface under the brush")) +
+          row(tr("U, then left drag from the outline"), tr("Pull the surface by that point")) +
           row(tr("W, then left drag"), tr("Window (sideways) and level (up and down)")) +
           row(tr("Double click"), tr("This view alone, or all four")));
 }
@@ -55,7 +58,9 @@ QString mouseIn3d() {
   return section(
       tr("Mouse in the 3D view"),
       row(tr("Left drag"), tr("Rotate")) +
-          row(tr("R, A or L, then clicks on the surface"), tr("Ruler, angle, centre line: place points")) +
+          row(tr("L, Shift+L, M or U, then left on the surface"),
+              tr("Pin, unpin, smooth, pull; beside it: rotate")) +
+          row(tr("R, A or C, then clicks on the surface"), tr("Ruler, angle, centre line: place points")) +
           row(tr("Right drag, wheel"), tr("Zoom")) + row(tr("Middle drag, Shift+left drag"), tr("Pan")) +
           row(tr("Double click"), tr("This view alone, or all four")));
 }

@@ -12,6 +12,7 @@
 
 #include "core/surgery/kept_side.h"
 #include "ui/model/document.h"
+#include "ui/view/brush_hand.h"
 #include "ui/view/slice_geometry.h"
 #include "ui/window/action_button.h"
 #include "ui/window/choice_row.h"
@@ -138,14 +139,9 @@ void LocalSection::startWithVolume() {
 }
 
 void LocalSection::updateCommands() {
-  const auto shown = document_.snapshot();
-  const GrowthState now = document_.state();
-  const bool isThere = shown && !shown->mesh.triangles.empty() &&
-                       (now == GrowthState::paused || now == GrowthState::finished) &&
-                       !document_.objectInfo(document_.activeObject()).locked;
-  commands_[Command::pinHere]->setEnabled(isThere);
+  commands_[Command::pinHere]->setEnabled(mayBePinned(document_));
   for (Command id : {Command::smoothHere, Command::pullHere, Command::cutHere})
-    commands_[id]->setEnabled(isThere && shown->certificate.boundsBody());
+    commands_[id]->setEnabled(mayBeEdited(document_));
 }
 
 void LocalSection::pin() {

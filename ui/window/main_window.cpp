@@ -34,6 +34,7 @@
 #include "ui/window/status_fields.h"
 #include "ui/window/steps_panel.h"
 #include "ui/window/timeline_panel.h"
+#include "ui/window/touch_section.h"
 #include "ui/window/tune_panel.h"
 #include "ui/window/tunnels_list.h"
 #include "ui/window/view_grid.h"
@@ -137,6 +138,11 @@ void MainWindow::buildCorrectPanel() {
                     tr("Paint in the slices where the surface may not go, from the shown iteration on. "
                        "Ctrl+wheel changes the radius."),
                     new WallSection(document_, state_, commands_));
+  panel->addSection(
+      tr("On the surface"),
+      tr("With the brush, in the slices and in 3D: drag to pin or unpin, click to smooth, drag a "
+         "point to pull it. The radius is the same."),
+      new TouchSection(document_, state_, commands_));
   panel->addSection(
       tr("Held back"),
       tr("Limits, vetoes, pins and discs. The crosshair goes to the chosen one; lifted, it holds no more "

@@ -125,7 +125,7 @@ class MainWindow : public QMainWindow {
   QDockWidget *stepsDock_ = nullptr, *timelineDock_ = nullptr, *measuresDock_ = nullptr;
   QMenu *recent_ = nullptr, *panels_ = nullptr;
   Appearance appearance_ = Appearance::system;
-  bool paintedOver_ = false;   //!< the message bar offers a way out of a wall over the surface
+  bool justOpened_ = false;    //!< the views are as the session says
   bool seekingEvent_ = false;  //!< N or P was pressed: the views follow to the event that is reached
 };
 

@@ -100,6 +100,7 @@ void MainWindow::showLayout() {
 void MainWindow::connectDisplayCommands() {
   connect(commands_[Command::windowLevelTool], &QAction::toggled, &state_, &ViewState::setWindowLevelTool);
   connect(commands_[Command::slicesIn3d], &QAction::toggled, &state_, &ViewState::setSlicesIn3d);
+  connect(commands_[Command::wallsAndPins], &QAction::toggled, &state_, &ViewState::setShowsConstraints);
   on(Command::autoWindow, [this] { state_.setAutomaticWindow(document_.volume()); });
   for (const WindowPreset& preset : kPresets)
     on(preset.command, [this, preset] { state_.setWindowLevel(preset.window, preset.level); });
@@ -116,6 +117,7 @@ void MainWindow::connectDisplayCommands() {
 void MainWindow::showViewState() {
   commands_[Command::windowLevelTool]->setChecked(state_.windowLevelTool());
   commands_[Command::slicesIn3d]->setChecked(state_.slicesIn3d());
+  commands_[Command::wallsAndPins]->setChecked(state_.showsConstraints());
   for (const auto& map : kMaps)
     if (map.value == state_.colourMap()) commands_[map.command]->setChecked(true);
   for (const auto& c : kColourings)

@@ -54,12 +54,12 @@ void MainWindow::connectMeasureCommands() {
     connect(commands_[tool.command], &QAction::triggered, this, [this, mode = tool.mode](bool on) {
       state_.measure().setMode(on ? mode : MeasureTool::Mode::off);
       if (!on) return;
-      state_.brush().setMode(WallBrush::Mode::off);  // one tool at a time has the left button
+      state_.brush().setMode(Brush::Mode::off);  // one tool at a time has the left button
       state_.setWindowLevelTool(false);
       measures_->show(mode == MeasureTool::Mode::centreLine ? MeasuresPanel::Page::centreLine
                                                             : MeasuresPanel::Page::rulers);
     });
-  connect(&state_.brush(), &WallBrush::changed, this, [this] {
+  connect(&state_.brush(), &Brush::changed, this, [this] {
     if (state_.brush().isOn()) state_.measure().setMode(MeasureTool::Mode::off);
   });
   connect(&state_.measure(), &MeasureTool::modeChanged, this, &MainWindow::updateMeasureCommands);

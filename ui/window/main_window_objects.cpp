@@ -37,9 +37,10 @@ void MainWindow::connectObjectCommands() {
           [this](const QString& sentence) { messages_->show(MessageBar::Kind::warning, sentence); });
 }
 
-//! The crosshair goes to a seed of it, so that the slices show it.
+//! The crosshair goes to a seed of it, so that the slices show it; of work that was just opened it stays.
 void MainWindow::showObject() {
   seekingEvent_ = false;
+  if (std::exchange(justOpened_, false)) return;
   if (document_.seeds().empty()) return;
   if (document_.selectedSeed() < 0) document_.selectSeed(0);
   state_.setCrosshair(document_.seeds()[static_cast<std::size_t>(document_.selectedSeed())].centre);
@@ -67,16 +68,31 @@ void MainWindow::updateObjectCommands() {
   commands_[Command::objectVisible]->setChecked(info.visible);
   commands_[Command::objectLocked]->setChecked(info.locked);
   if (!info.locked) return;
-  for (Command id : {Command::addSeed,          Command::addOutside,
-                     Command::deleteSeed,       Command::growSeed,
-                     Command::shrinkSeed,       Command::smallerObject,
-                     Command::largerObject,     Command::paintWalls,
-                     Command::eraseWalls,       Command::wallAtCrosshair,
-                     Command::eraseAtCrosshair, Command::removeWalls,
-                     Command::goOnBeforeWalls,  Command::run,
-                     Command::stepForward,      Command::stepBack,
-                     Command::nextEvent,        Command::previousEvent,
-                     Command::toStart,          Command::toEnd,
+  for (Command id : {Command::addSeed,
+                     Command::addOutside,
+                     Command::deleteSeed,
+                     Command::growSeed,
+                     Command::shrinkSeed,
+                     Command::smallerObject,
+                     Command::largerObject,
+                     Command::paintWalls,
+                     Command::eraseWalls,
+                     Command::wallAtCrosshair,
+                     Command::eraseAtCrosshair,
+                     Command::removeWalls,
+                     Command::pinByBrush,
+                     Command::unpinByBrush,
+                     Command::smoothByBrush,
+                     Command::pullByDragging,
+                     Command::removePins,
+                     Command::goOnBeforeWalls,
+                     Command::run,
+                     Command::stepForward,
+                     Command::stepBack,
+                     Command::nextEvent,
+                     Command::previousEvent,
+                     Command::toStart,
+                     Command::toEnd,
                      Command::deleteObject})
     enable(id, false);
 }

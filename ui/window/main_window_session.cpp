@@ -78,6 +78,7 @@ void MainWindow::greet() {
 void MainWindow::showOpened() {
   centre_->setCurrentWidget(views_);
   state_.startWith(document_.volume());
+  justOpened_ = true;
   restoreView();
   showStep(document_.isSeeded() ? Command::stepGrow : Command::stepSeed);
   if (document_.isSeeded()) {
@@ -99,6 +100,7 @@ void MainWindow::keepView() {
   view[QStringLiteral("level")] = state_.level();
   view[QStringLiteral("colourMap")] = static_cast<int>(state_.colourMap());
   view[QStringLiteral("surface")] = static_cast<int>(state_.meshColouring());
+  view[QStringLiteral("slicesIn3d")] = state_.slicesIn3d();
   document_.setView(QJsonDocument(view).toJson(QJsonDocument::Compact));
 }
 
@@ -115,6 +117,7 @@ void MainWindow::restoreView() {
   const int surface = view[QStringLiteral("surface")].toInt(-1);
   if (surface >= 0 && surface <= static_cast<int>(MeshColouring::support))
     state_.setMeshColouring(static_cast<MeshColouring>(surface));
+  state_.setSlicesIn3d(view[QStringLiteral("slicesIn3d")].toBool(state_.slicesIn3d()));
 }
 
 void MainWindow::updateTitle() {

@@ -1,20 +1,31 @@
-// What the commands of walls do, and the ways out of a wall over the surface.
+// What the commands of the brush do, and the ways out of a wall over the surface.
 
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
 
 namespace handlebody::ui {
 
+namespace {
+
+constexpr std::pair<Command, Brush::Mode> kTouching[] = {{Command::pinByBrush, Brush::Mode::pin},
+                                                         {Command::unpinByBrush, Brush::Mode::unpin},
+                                                         {Command::smoothByBrush, Brush::Mode::smooth},
+                                                         {Command::pullByDragging, Brush::Mode::pull}};
+
+}  // namespace
+
 void MainWindow::connectCorrectCommands() {
-  const auto use = [this](Command id, WallBrush::Mode mode) {
-    connect(commands_[id], &QAction::triggered, this,
-            [this, mode](bool on) { state_.brush().setMode(on ? mode : WallBrush::Mode::off); });
+  const auto use = [this](Command id, Brush::Mode mode) {
+    connect(commands_[id], &QAction::triggered, this, [this, mode](bool on) {
+      if (on) state_.setShowsConstraints(true);  // what it does is to be seen
+      state_.brush().setMode(on ? mode : Brush::Mode::off);
+    });
   };
-  use(Command::paintWalls, WallBrush::Mode::paint);
-  use(Command::eraseWalls, WallBrush::Mode::erase);
-  constexpr double kTenth = 1.1;
-  on(Command::largerBrush, [this] { state_.brush().setRadius(state_.brush().radius() * kTenth); });
-  on(Command::smallerBrush, [this] { state_.brush().setRadius(state_.brush().radius() / kTenth); });
+  use(Command::paintWalls, Brush::Mode::paintWalls);
+  use(Command::eraseWalls, Brush::Mode::eraseWalls);
+  for (const auto& [id, mode] : kTouching) use(id, mode);
+  on(Command::largerBrush, [this] { state_.brush().turnWheel(1); });
+  on(Command::smallerBrush, [this] { state_.brush().turnWheel(-1); });
   on(Command::wallAtCrosshair, [this] { brushAtCrosshair(false); });
   on(Command::eraseAtCrosshair, [this] { brushAtCrosshair(true); });
   on(Command::goOnBeforeWalls, [this] { document_.goOnBeforeWalls(); });
@@ -23,12 +34,14 @@ void MainWindow::connectCorrectCommands() {
     after.walls.balls.clear();
     document_.setConstraints(after, tr("Remove all walls"));
   });
-  connect(&state_.brush(), &WallBrush::changed, this, &MainWindow::updateWallCommands);
-  connect(&document_, &Document::constraintsChanged, this, &MainWindow::updateCommands);
-  connect(&document_, &Document::constraintsChanged, this, &MainWindow::showWallConflict);
-  connect(&document_, &Document::stateChanged, this, [this] {
-    if (!document_.growthError().isEmpty()) showWallConflict();
+  on(Command::removePins, [this] {
+    Constraints after = document_.constraints();
+    after.pins.clear();
+    document_.setConstraints(after, tr("Remove all pins"));
   });
+  connect(&state_.brush(), &Brush::changed, this, &MainWindow::updateWallCommands);
+  connect(&document_, &Document::constraintsChanged, this, &MainWindow::updateCommands);
+  connect(&document_, &Document::wallConflictChanged, this, &MainWindow::showWallConflict);
 }
 
 void MainWindow::brushAtCrosshair(bool erases) {
@@ -41,9 +54,10 @@ void MainWindow::brushAtCrosshair(bool erases) {
 
 //! After a change of the walls, or where the growth could not go on with them.
 void MainWindow::showWallConflict() {
-  const auto conflict = document_.wallConflict();
+  const auto& conflict = document_.wallConflict();
+  const QString text = tr("The surface is already where the wall is.");
   if (!conflict) {
-    if (std::exchange(paintedOver_, false)) messages_->dismiss();  // undone, or gone back
+    if (messages_->text() == text) messages_->dismiss();  // undone, or gone back
     return;
   }
   const auto back = [this] {
@@ -52,12 +66,11 @@ void MainWindow::showWallConflict() {
   const auto push = [this] { document_.run(); };
   std::vector<MessageBar::Answer> answers{{tr("Go back to before it came in here"), back}};
   if (conflict->canBePushedOut) answers.push_back({tr("Push it out"), push});
-  messages_->show(MessageBar::Kind::warning, tr("The surface is already where the wall is."), answers);
-  paintedOver_ = true;
+  messages_->show(MessageBar::Kind::warning, text, answers);
 }
 
 void MainWindow::updateWallCommands() {
-  const WallBrush& brush = state_.brush();
+  const Brush& brush = state_.brush();
   const bool open = document_.hasVolume();
   const WallList& walls = document_.constraints().walls;
   for (Command id : {Command::paintWalls, Command::eraseWalls, Command::largerBrush, Command::smallerBrush,
@@ -66,8 +79,16 @@ void MainWindow::updateWallCommands() {
   commands_[Command::eraseAtCrosshair]->setEnabled(open && !(walls.balls.empty() && walls.discs.empty()));
   commands_[Command::removeWalls]->setEnabled(open && !walls.balls.empty());
   commands_[Command::goOnBeforeWalls]->setEnabled(open && document_.iteration() > 0 && !walls.empty());
-  commands_[Command::paintWalls]->setChecked(brush.mode() == WallBrush::Mode::paint);
-  commands_[Command::eraseWalls]->setChecked(brush.mode() == WallBrush::Mode::erase);
+  const auto shown = document_.snapshot();
+  const bool hasSurface = open && shown && !shown->mesh.triangles.empty();
+  if (!hasSurface && state_.brush().isForSurface()) state_.brush().setMode(Brush::Mode::off);
+  for (const auto& [id, mode] : kTouching) {
+    commands_[id]->setEnabled(hasSurface);
+    commands_[id]->setChecked(brush.mode() == mode);
+  }
+  commands_[Command::removePins]->setEnabled(open && !document_.constraints().pins.empty());
+  commands_[Command::paintWalls]->setChecked(brush.mode() == Brush::Mode::paintWalls);
+  commands_[Command::eraseWalls]->setChecked(brush.mode() == Brush::Mode::eraseWalls);
 }
 
 }  // namespace handlebody::ui

@@ -51,9 +51,9 @@ void ToggleButton::paintEvent(QPaintEvent*) {
   painter.drawText(rect(), Qt::AlignCenter, text());
 }
 
-ToggleButton* toggleFor(QAction* action, QWidget* parent) {
+ToggleButton* toggleFor(QAction* action, QWidget* parent, const QString& text) {
   const QString name = action->text().remove(QLatin1Char('&'));
-  auto* button = new ToggleButton(name, parent);
+  auto* button = new ToggleButton(text.isEmpty() ? name : text, parent);
   button->setAccessibleName(name);
   button->setAccessibleDescription(action->statusTip());
   button->setToolTip(action->toolTip());

@@ -4,12 +4,12 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include "ui/model/document.h"
 #include "ui/view/view_state.h"
 #include "ui/window/action_button.h"
+#include "ui/window/brush_controls.h"
 #include "ui/window/commands.h"
 #include "ui/window/panel_tools.h"
 #include "ui/window/toggle_button.h"
@@ -17,7 +17,7 @@
 namespace handlebody::ui {
 
 WallSection::WallSection(Document& document, ViewState& state, const Commands& commands, QWidget* parent)
-    : QWidget(parent), document_(document), state_(state) {
+    : QWidget(parent), document_(document) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(8);
@@ -25,34 +25,16 @@ WallSection::WallSection(Document& document, ViewState& state, const Commands& c
   row->setSpacing(2);
   for (Command id : {Command::paintWalls, Command::eraseWalls}) row->addWidget(toggleFor(commands[id], this));
   layout->addLayout(row);
-  radius_ = new QDoubleSpinBox(this);
-  radius_->setDecimals(2);
-  radius_->setSuffix(tr(" mm"));
-  radius_->setKeyboardTracking(false);
-  describe(radius_, tr("Radius of the brush"),
-           tr("Of brush and eraser, which are balls; Ctrl+wheel changes it while one of them is on"));
-  ignoreWheelWithoutFocus(radius_);
   QFormLayout* form = panelForm();
-  form->addRow(tr("Radius"), radius_);
+  form->addRow(tr("Radius"), brushRadius(state.brush(), this));
   layout->addLayout(form);
   walls_ = value(tr("Number of walls"), this);
   layout->addWidget(walls_);
   layout->addWidget(new ActionButton(commands[Command::goOnBeforeWalls], this));
   layout->addWidget(new ActionButton(commands[Command::removeWalls], this));
-  connect(radius_, &QDoubleSpinBox::valueChanged, this, [this](double mm) { state_.brush().setRadius(mm); });
-  connect(&state_.brush(), &WallBrush::changed, this, &WallSection::showBrush);
   for (auto changed : {&Document::constraintsChanged, &Document::opened, &Document::activeObjectChanged})
     connect(&document_, changed, this, &WallSection::showWalls);
-  showBrush();
   showWalls();
-}
-
-void WallSection::showBrush() {
-  const QSignalBlocker quiet(radius_);
-  const WallBrush& brush = state_.brush();
-  radius_->setRange(brush.lowest(), brush.highest());
-  radius_->setSingleStep(brush.lowest());
-  radius_->setValue(brush.radius());
 }
 
 void WallSection::showWalls() {

@@ -3,7 +3,6 @@
 
 #include <QWidget>
 
-class QDoubleSpinBox;
 class QLabel;
 
 namespace handlebody::ui {
@@ -20,11 +19,8 @@ class WallSection : public QWidget {
 
  private:
   void showWalls();
-  void showBrush();
 
   Document& document_;
-  ViewState& state_;
-  QDoubleSpinBox* radius_;
   QLabel* walls_;
 };
 

@@ -1,8 +1,10 @@
 // What the surface may not do, in the window's document: undone, saved, opened again.
 
 #include <algorithm>
+#include <set>
 
 #include "core/collision/certify.h"
+#include "core/evolution/painted_walls.h"
 #include "core/io/session.h"
 #include "tests/ui/model/document_support.h"
 
@@ -106,6 +108,65 @@ TEST_CASE("a part is pinned as it is shown, kept in a session, and freed by undo
   CHECK(isSame(document.snapshot()->mesh, before));
   REQUIRE(runToEnd(document));
   CHECK(held(document.snapshot()->mesh) < all);
+}
+
+TEST_CASE("a stroke over the surface is one entry of the undo list, holds what it covers, and is replayed",
+          "[document][pins]") {
+  Grown grown;
+  Document& document = grown.document;
+  const int middle = document.lastIteration() / 2;
+  REQUIRE(showIteration(document, middle));
+  const TriangleSoup before = document.snapshot()->mesh;
+  const auto nearest = [&](const Vec3& place) {
+    return *std::min_element(before.points.begin(), before.points.end(), [&](const Vec3& a, const Vec3& b) {
+      return (a - place).squaredNorm() < (b - place).squaredNorm();
+    });
+  };
+  const Vec3 from = before.points.front(), to = nearest(from + Vec3(4, 4, 0));
+  std::vector<WallBall> stroke;
+  for (const Vec3& p : {from, to, Vec3(to + Vec3(0, 0, 40))}) drawTo(stroke, p, 2);  // and off it
+  const int entries = document.undoStack()->count();
+  REQUIRE(document.pin(stroke));
+  CHECK(document.undoStack()->count() == entries + 1);
+  CHECK(document.undoStack()->undoText() == "Pin");
+  const std::vector<Pin> pins = document.constraints().pins;
+  CHECK(pins.size() > 1);
+  CHECK(pins.size() < stroke.size());  // those in the air hold nothing
+  std::set<std::array<double, 3>> covered;
+  for (const Vec3& p : before.points)
+    if (std::any_of(stroke.begin(), stroke.end(),
+                    [&](const WallBall& b) { return (p - b.centre).norm() <= b.radius; }))
+      covered.insert({p.x(), p.y(), p.z()});
+  REQUIRE(runToEnd(document));
+  CHECK(document.lastIteration() > middle);
+  // Exactly those are held, bit for bit, and the snapshot tells which.
+  const MeshSnapshot& end = *document.snapshot();
+  REQUIRE(end.pinnedVertices.size() == end.mesh.points.size());
+  std::set<std::array<double, 3>> held;
+  for (std::size_t v = 0; v < end.mesh.points.size(); ++v) {
+    const Vec3& p = end.mesh.points[v];
+    if (end.pinnedVertices[v]) held.insert({p.x(), p.y(), p.z()});
+  }
+  CHECK(held == covered);
+
+  const QString path = grown.torus.file("strokes.json");
+  REQUIRE(grown.save(path));
+  Document again;
+  REQUIRE(openAndWait(again, path));
+  REQUIRE(waitFor([&] { return again.iteration() == document.iteration() && isAtRest(again); }));
+  CHECK(again.constraints().pins == pins);
+  CHECK(isSame(again.snapshot()->mesh, document.snapshot()->mesh));
+
+  // The eraser takes those whose vertices it covers.
+  document.unpin({{to, 0.5}});
+  CHECK(document.undoStack()->undoText() == "Unpin");
+  CHECK(document.constraints().pins.size() < pins.size());
+  CHECK(document.constraints().pins.front() == pins.front());
+  document.undoStack()->undo();
+  CHECK(document.constraints().pins == pins);
+  const int known = document.undoStack()->count();
+  document.unpin({{testing::kMiddle, 0.5}});  // meets nothing: no entry
+  CHECK(document.undoStack()->count() == known);
 }
 
 TEST_CASE("a pin that would hold nothing, is there already, or is of a locked object is refused",

@@ -36,6 +36,10 @@ struct Open {
   double clearance() const {
     return testing::clearance(Mesh(document.snapshot()->mesh), document.constraints().walls.balls);
   }
+  //! What is found in the background.
+  bool meetsWall() {
+    return waitFor([this] { return document.wallConflict().has_value(); });
+  }
   int genus() const { return document.snapshot()->certificate.genus.at(0); }
   void expectMended() const {
     CHECK(document.snapshot()->certificate.passes());
@@ -111,7 +115,8 @@ TEST_CASE("painted over the surface it goes on from before it came in there", "[
   REQUIRE(open.genus() == 1);
   const int end = document.iteration();
   REQUIRE(document.paintWalls(strokeAcross(kFar, 7)));
-  REQUIRE(document.wallConflict());
+  CHECK_FALSE(document.wallConflict());  // nothing waits for that
+  REQUIRE(open.meetsWall());
   CHECK_FALSE(document.wallConflict()->canBePushedOut);  // outward alone
   CHECK(document.iteration() == end);
 
@@ -141,7 +146,7 @@ TEST_CASE("a wall over the ball that it began with begins again beside it", "[do
   // The seed's ball has 3 mm: the wall reaches into it, not to its middle.
   const Vec3 beside = open.torus.seed.centre + Vec3(0, 0, 3.5);
   REQUIRE(document.paintWalls({{beside, 1.5}}));
-  REQUIRE(document.wallConflict());
+  REQUIRE(open.meetsWall());
   document.goOnBeforeWalls();
   REQUIRE(waitFor([&] { return document.state() == GrowthState::finished && !document.wallConflict(); }));
   CHECK(open.clearance() > 0);
@@ -155,7 +160,7 @@ TEST_CASE("a surface that may shrink is pushed out of a wall that crosses it", "
   document.setParameters(p, QStringLiteral("Direction"));
   REQUIRE(runToEnd(document));
   REQUIRE(document.paintWalls({{kFar + Vec3(0, 0, 5), 2.5}}));  // from outside through the tube's wall
-  REQUIRE(document.wallConflict());
+  REQUIRE(open.meetsWall());
   CHECK(document.wallConflict()->canBePushedOut);
   REQUIRE(runToEnd(document));
   CHECK_FALSE(document.wallConflict());
@@ -172,6 +177,25 @@ TEST_CASE("a growth that runs into a wall that is painted over it pauses there",
   REQUIRE(document.paintWalls({{place, 3}}));
   REQUIRE(waitFor([&] { return isAtRest(document); }));
   CHECK(document.wallConflict());
+}
+
+TEST_CASE("a wall over the surface that is undone, or erased, stands in nobody's way",
+          "[document][painting]") {
+  Open open;
+  Document& document = open.document;
+  REQUIRE(runToEnd(document));
+  int told = 0;
+  QObject::connect(&document, &Document::wallConflictChanged, [&] { ++told; });
+  REQUIRE(document.paintWalls({{kFar, 3}}));
+  document.undoStack()->undo();                  // before the answer has come
+  REQUIRE(document.paintWalls({{kMiddle, 3}}));  // in the hole of the ring
+  REQUIRE(document.paintWalls({{kFar, 2}}));
+  REQUIRE(open.meetsWall());
+  CHECK(told == 1);
+  document.eraseWalls({{kFar, 1}});
+  CHECK(waitFor([&] { return !document.wallConflict(); }));
+  CHECK(told == 2);
+  CHECK(document.constraints().walls.balls.size() == 1);
 }
 
 TEST_CASE("the eraser takes what it touches, and undo brings it back", "[document][painting]") {

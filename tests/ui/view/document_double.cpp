@@ -3,6 +3,7 @@
 #include <QUndoStack>
 #include <map>
 
+#include "core/collision/certify.h"
 #include "ui/model/measurements.h"
 
 namespace handlebody::ui {
@@ -17,8 +18,9 @@ struct State {
   GrowthState growth = GrowthState::none;
   std::vector<int> gestures;
   Constraints constraints;
-  std::vector<WallBall> painted, erased;  //!< the last stroke of each
-  std::vector<ObjectInfo> others;         //!< behind the active one
+  std::vector<WallBall> painted, erased, pinned, unpinned;  //!< the last stroke of each
+  std::vector<MeshEdit> edits;
+  std::vector<ObjectInfo> others;  //!< behind the active one
 };
 
 //! A document's private part is its own; the functions for tests reach its state here.
@@ -93,6 +95,13 @@ bool Document::paintWalls(const std::vector<WallBall>& stroke) {
 }
 void Document::eraseWalls(const std::vector<WallBall>& eraser) { d_->erased = eraser; }
 
+bool Document::pin(const std::vector<WallBall>& stroke) {
+  d_->pinned = stroke;
+  return true;
+}
+void Document::unpin(const std::vector<WallBall>& eraser) { d_->unpinned = eraser; }
+void Document::editMesh(MeshEdit edit) { d_->edits.push_back(edit); }
+
 double Document::shownRadius(int index) const {
   constexpr double kFitting = 6;  // mm
   return d_->seeds.at(static_cast<std::size_t>(index)).radius.value_or(kFitting);
@@ -109,9 +118,10 @@ void setVolume(Document& document, const Volume& volume) {
 }
 
 void setSnapshot(Document& document, const TriangleSoup& mesh, const std::vector<FaceState>& faceStates,
-                 const SurfaceSupport& support) {
+                 const SurfaceSupport& support, bool certified) {
   auto snapshot = std::make_shared<MeshSnapshot>();
   snapshot->mesh = mesh;
+  if (certified) snapshot->certificate = certify(mesh);
   snapshot->states = faceStates;
   snapshot->states.resize(mesh.triangles.size(), FaceState::moving);
   snapshot->support = support;
@@ -137,6 +147,10 @@ void setConstraints(Document& document, const Constraints& constraints) {
 
 const std::vector<WallBall>& painted(const Document& document) { return states().at(&document)->painted; }
 const std::vector<WallBall>& erased(const Document& document) { return states().at(&document)->erased; }
+
+const std::vector<WallBall>& pinned(const Document& document) { return states().at(&document)->pinned; }
+const std::vector<WallBall>& unpinned(const Document& document) { return states().at(&document)->unpinned; }
+const std::vector<MeshEdit>& edits(const Document& document) { return states().at(&document)->edits; }
 
 const std::vector<int>& gestures(const Document& document) { return states().at(&document)->gestures; }
 

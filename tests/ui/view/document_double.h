@@ -12,8 +12,9 @@ namespace handlebody::ui::testing {
 
 //! As if the volume had just been opened.
 void setVolume(Document& document, const Volume& volume);
+//! `certified`: it bounds a body.
 void setSnapshot(Document& document, const TriangleSoup& mesh, const std::vector<FaceState>& states = {},
-                 const SurfaceSupport& support = {});
+                 const SurfaceSupport& support = {}, bool certified = false);
 //! Objects besides the active one.
 void setOthers(Document& document, const std::vector<ObjectInfo>& others);
 void setGrowthState(Document& document, GrowthState growth);
@@ -21,6 +22,11 @@ void setConstraints(Document& document, const Constraints& constraints);
 //! The last stroke of the brush, and of the eraser.
 const std::vector<WallBall>& painted(const Document& document);
 const std::vector<WallBall>& erased(const Document& document);
+//! The last strokes over the surface.
+const std::vector<WallBall>& pinned(const Document& document);
+const std::vector<WallBall>& unpinned(const Document& document);
+//! All that were asked for.
+const std::vector<MeshEdit>& edits(const Document& document);
 //! The gestures of all calls that moved or sized a seed.
 const std::vector<int>& gestures(const Document& document);
 

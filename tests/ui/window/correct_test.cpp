@@ -11,10 +11,10 @@
 
 using namespace handlebody;
 using namespace handlebody::test;
+using ui::Brush;
 using ui::Command;
 using ui::GrowthState;
 using ui::Plane;
-using ui::WallBrush;
 
 namespace {
 
@@ -70,16 +70,16 @@ void CorrectTest::aStrokeBecomesAWallThatTheSurfaceStaysOutOf() {
 void CorrectTest::theKeysTurnTheBrushOnAndOffAndEscapeGivesUpAStroke() {
   Opened o;
   QVERIFY(o.ok);
-  WallBrush& brush = o.window->viewState().brush();
+  Brush& brush = o.window->viewState().brush();
   const ui::Commands& commands = o.window->commands();
   QTest::keyClick(o.window.get(), Qt::Key_B);
-  QVERIFY(brush.mode() == WallBrush::Mode::paint);
+  QVERIFY(brush.mode() == Brush::Mode::paintWalls);
   QVERIFY(commands[Command::paintWalls]->isChecked());
   QTest::keyClick(o.window.get(), Qt::Key_E);
-  QVERIFY(brush.mode() == WallBrush::Mode::erase);
+  QVERIFY(brush.mode() == Brush::Mode::eraseWalls);
   QVERIFY(commands[Command::eraseWalls]->isChecked() && !commands[Command::paintWalls]->isChecked());
   QTest::mouseClick(o.button("Paint walls"), Qt::LeftButton);
-  QVERIFY(brush.mode() == WallBrush::Mode::paint);
+  QVERIFY(brush.mode() == Brush::Mode::paintWalls);
   const Vec3 crosshair = o.window->viewState().crosshair();
   QTest::mousePress(&o.axial(), Qt::LeftButton, {}, o.pixel(kNeck));
   QVERIFY(!brush.stroke().empty());
@@ -98,7 +98,7 @@ void CorrectTest::theKeysTurnTheBrushOnAndOffAndEscapeGivesUpAStroke() {
 void CorrectTest::theRadiusFollowsTheWheelTheKeysAndTheField() {
   Opened o;
   QVERIFY(o.ok);
-  WallBrush& brush = o.window->viewState().brush();
+  Brush& brush = o.window->viewState().brush();
   auto* field = o.window->findChild<ui::WallSection*>()->findChild<QDoubleSpinBox*>();
   QVERIFY(field && field->isVisible());
   QCOMPARE(brush.radius(), 3.0);
@@ -155,7 +155,8 @@ void CorrectTest::aStrokeOverTheSurfaceOffersTheWayBackAndGrowsOn() {
   QTest::keyClick(o.window.get(), Qt::Key_B);
   o.window->viewState().brush().setRadius(4);
   o.drag(kAbove, kBelow);
-  QVERIFY(o.window->messages().text().contains("already where the wall is"));
+  QVERIFY(QTest::qWaitFor([&] { return o.window->messages().text().contains("already where the wall is"); },
+                          kPatience));
   QVERIFY(!o.button("Push it out"));  // it moves outward alone
   QAbstractButton* back = o.button("Go back to before it came in here");
   QVERIFY(back);

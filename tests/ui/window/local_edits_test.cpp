@@ -48,7 +48,7 @@ void LocalEditsTest::aPinIsPutDownByKeyListedFoundAndLifted() {
   QCOMPARE(o.document().undoStack()->count(), entries);
 
   o.window->viewState().setCrosshair(place);
-  QTest::mouseClick(o.button("Pin"), Qt::LeftButton);
+  QTest::mouseClick(o.choice("Pin"), Qt::LeftButton);
   QVERIFY(o.window->messages().text().startsWith("The surface is pinned here"));
   QVERIFY(o.document().constraints().pins == std::vector<Pin>({{place, 2, iteration}}));
   QCOMPARE(o.document().undoStack()->undoText(), QString("Pin here"));

@@ -216,7 +216,7 @@ void MeasuresTest::aCentreLineIsPlottedAndPointedAtInTheViews() {
   auto window = grownWindow(folder);
   QVERIFY(window);
   ui::MeasureTool& tool = window->viewState().measure();
-  QTest::keyClick(window.get(), Qt::Key_L);
+  QTest::keyClick(window.get(), Qt::Key_C);
   QVERIFY(tool.mode() == ui::MeasureTool::Mode::centreLine);
   // By keys: the crosshair's places.
   ui::SliceView& slice = window->views().slice(ui::Plane::axial);

@@ -20,6 +20,7 @@
 #include <string>
 
 #include "tests/ui/window/window_support.h"
+#include "ui/view/slice_geometry.h"
 
 using namespace handlebody;
 using namespace handlebody::test;
@@ -66,7 +67,7 @@ class Monkey {
   }
 
   void act() {
-    switch (below(6)) {
+    switch (below(7)) {
       case 0:
       case 1:
         return oneOf(below(1000) == 0 ? colours_ : commands_)->trigger();
@@ -76,6 +77,8 @@ class Monkey {
         return key();
       case 4:
         return drag();
+      case 5:
+        return touch();
       default:
         return wheel();
     }
@@ -126,14 +129,41 @@ class Monkey {
     QWidget* widget = target(at);
     if (opensDialog(widget)) return;
     constexpr Qt::MouseButton buttons[] = {Qt::LeftButton, Qt::RightButton, Qt::MiddleButton};
-    const Qt::MouseButton button = buttons[below(3)];
-    QTest::mousePress(widget, button, {}, at);
+    strokeFrom(*widget, at, buttons[below(3)]);
+  }
+
+  void strokeFrom(QWidget& widget, QPoint at, Qt::MouseButton button) {
+    QTest::mousePress(&widget, button, {}, at);
     for (int i = 0; i < 4; ++i) {
       at += QPoint(below(41) - 20, below(41) - 20);
-      QMouseEvent move(QEvent::MouseMove, at, widget->mapToGlobal(at), button, button, Qt::NoModifier);
-      QApplication::sendEvent(widget, &move);
+      QMouseEvent move(QEvent::MouseMove, at, widget.mapToGlobal(at), button, button, Qt::NoModifier);
+      QApplication::sendEvent(&widget, &move);
     }
-    QTest::mouseRelease(widget, button, {}, at);
+    QTest::mouseRelease(&widget, button, {}, at);
+  }
+
+  //! The brush over the surface, where random places seldom lie: a vertex near the slice, or in 3D the
+  //! middle.
+  void touch() {
+    constexpr Command modes[] = {Command::pinByBrush,     Command::unpinByBrush, Command::smoothByBrush,
+                                 Command::pullByDragging, Command::paintWalls,   Command::eraseWalls};
+    window_.commands()[modes[below(std::size(modes))]]->trigger();
+    const auto shown = window_.document().snapshot();
+    if (!shown || shown->mesh.points.empty()) return;
+    constexpr ui::Plane planes[] = {ui::Plane::axial, ui::Plane::coronal, ui::Plane::sagittal};
+    const ui::Plane plane = planes[below(3)];
+    const Vec3 place =
+        shown->mesh.points[static_cast<std::size_t>(below(static_cast<int>(shown->mesh.points.size())))];
+    QWidget* view = &window_.views().surface();
+    QPoint at = view->rect().center() + QPoint(below(81) - 40, below(81) - 40);
+    if (below(3) != 0) {
+      window_.viewState().setCrosshair(place);
+      view = &window_.views().slice(plane);
+      ui::SliceGeometry geometry(window_.document().volume().grid, plane, view->size());
+      at = geometry.worldToScreen(place).toPoint();
+    }
+    if (!view->isVisible()) return;
+    strokeFrom(*view, at, Qt::LeftButton);
   }
 
   void wheel() {
@@ -177,21 +207,24 @@ double usedMegabytes() {
 
 //! What was done since the sample was opened, to see that the engine had its share.
 struct Done {
-  int iterations = 0, changes = 0, undo = 0;
+  int iterations = 0, changes = 0, undo = 0, pins = 0, edits = 0;
 
   void look(const ui::Document& document) {
     iterations = std::max(iterations, document.lastIteration());
     changes = std::max(changes, static_cast<int>(document.events().size()));
     undo = std::max(undo, document.undoStack()->count());
+    pins = std::max(pins, static_cast<int>(document.constraints().pins.size()));
+    edits = std::max(edits, static_cast<int>(document.constraints().edits.size()));
   }
 };
 
 void tell(qint64 milliseconds, int actions, const Done& done) {
   qInfo(
-      "%4lld s, %d actions: up to %d iterations, %d events, %d entries to undo; sample anew: %.0f MB "
+      "%4lld s, %d actions: up to %d iterations, %d events, %d pins, %d edits, %d entries to undo; sample "
+      "anew: %.0f MB "
       "resident, %.1f MB in use",
-      static_cast<long long>(milliseconds / 1000), actions, done.iterations, done.changes, done.undo,
-      residentMegabytes(), usedMegabytes());
+      static_cast<long long>(milliseconds / 1000), actions, done.iterations, done.changes, done.pins,
+      done.edits, done.undo, residentMegabytes(), usedMegabytes());
 }
 
 //! As a user who answers "discard", with the views as they were at first: a view that fills the window keeps

@@ -140,7 +140,7 @@ void measurePainting(ui::MainWindow& window) {
     walls.walls.balls.push_back({Vec3(3 + 2 * (i % 50), 3 + 0.5 * (i / 50), 85), 2.0});
   document.setConstraints(walls, QStringLiteral("A thousand walls"));
   window.viewState().setCrosshair(Vec3(77, 49, 85));
-  window.viewState().brush().setMode(ui::WallBrush::Mode::paint);
+  window.viewState().brush().setMode(ui::Brush::Mode::paintWalls);
   window.viewState().brush().setRadius(3);
   QTest::qWait(1000);  // the 3D view
   ui::SliceView& view = window.views().slice(ui::Plane::axial);
@@ -168,11 +168,63 @@ void measurePainting(ui::MainWindow& window) {
               static_cast<long long>(paints.longest));
   const auto balls = window.viewState().brush().stroke().size();
   timer.start();
+  const double ending = busyMilliseconds();
   QTest::mouseRelease(&view, Qt::LeftButton, {}, at(kMoves));
+  const double ended = busyMilliseconds() - ending;
   std::printf("%-58s %6lld ms (%zu balls, over a surface of %zu triangles)\n", "the end of that stroke",
               static_cast<long long>(timer.elapsed()), balls, document.snapshot()->mesh.triangles.size());
-  window.viewState().brush().setMode(ui::WallBrush::Mode::off);
+  // What comes after it: the longest that one event keeps the window.
+  double longest = 0;
+  while (timer.elapsed() < 2000) {
+    const double before = busyMilliseconds();
+    QCoreApplication::processEvents();
+    longest = std::max(longest, busyMilliseconds() - before);
+  }
+  std::printf("%-58s %6.1f ms of processor (%.1f ms for the end itself)\n",
+              "the longest after it, in two seconds", longest, ended);
+  window.viewState().brush().setMode(ui::Brush::Mode::off);
   document.setConstraints({}, QStringLiteral("No walls"));
+}
+
+//! The same on the surface: at the outline of a slice, and over the 3D view.
+void measureTouching(ui::MainWindow& window) {
+  ui::Document& document = window.document();
+  if (!document.snapshot()) return;
+  window.viewState().brush().setMode(ui::Brush::Mode::pin);
+  window.viewState().brush().setRadius(3);
+  QTest::qWait(500);
+  QWidget* views[] = {&window.views().slice(ui::Plane::axial), &window.views().surface()};
+  const char* names[] = {"moves of the brush that pins, in a slice", "moves of the brush that pins, in 3D"};
+  for (int which = 0; which < 2; ++which) {
+    QWidget& view = *views[which];
+    Paints paints(view);
+    constexpr int kMoves = 100;
+    const auto at = [&](int i) {
+      const double t = 2 * 3.14159265 * i / kMoves;
+      return QPoint(static_cast<int>(view.width() * (0.5 + 0.15 * std::cos(t))),
+                    static_cast<int>(view.height() * (0.5 + 0.15 * std::sin(t))));
+    };
+    QTest::mousePress(&view, Qt::LeftButton, {}, at(0));
+    QElapsedTimer timer;
+    timer.start();
+    paints.restart();
+    const double busy = busyMilliseconds();
+    for (int i = 1; i <= kMoves; ++i) {
+      QMouseEvent move(QEvent::MouseMove, at(i), view.mapToGlobal(at(i)), Qt::NoButton, Qt::LeftButton, {});
+      QApplication::sendEvent(&view, &move);
+      const int before = paints.count;
+      while (paints.count == before && timer.elapsed() < kPatience) QCoreApplication::processEvents();
+    }
+    const auto balls = window.viewState().brush().stroke().size();
+    std::printf("%-58s %6.1f per second (%.1f ms of processor each; longest %lld ms; %zu balls)\n",
+                names[which], 1000.0 * kMoves / double(timer.elapsed()), (busyMilliseconds() - busy) / kMoves,
+                static_cast<long long>(paints.longest), balls);
+    const double end = busyMilliseconds();
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, at(kMoves));
+    std::printf("%-58s %6.1f ms of processor\n", "the end of that stroke", busyMilliseconds() - end);
+  }
+  window.viewState().brush().setMode(ui::Brush::Mode::off);
+  document.setConstraints({}, QStringLiteral("No pins"));
 }
 
 //! From the command to the last step that the worker still does.
@@ -251,6 +303,7 @@ int main(int argc, char** argv) {
   measureStart(window, cyst);
   measureGrowth(window);
   measurePainting(window);
+  measureTouching(window);
   measurePause(window);
   measureScroll(window, QFileInfo(cyst).dir().filePath("large.nii"));
   return 0;

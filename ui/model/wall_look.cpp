@@ -1,0 +1,31 @@
+#include "ui/model/wall_look.h"
+
+#include <algorithm>
+
+#include "core/evolution/wall_pieces.h"
+
+namespace handlebody::ui {
+
+namespace {
+
+std::optional<WallConflict> conflictOf(const WallQuestion& question, const Grid& grid, double edge) {
+  const Occupied occupied = findOccupied(Mesh(question.shown->mesh), Walls(question.fresh, grid, edge, edge));
+  if (occupied.touched.empty() && occupied.enclosed.empty()) return std::nullopt;
+  const bool crossesDisc = std::any_of(occupied.touched.begin(), occupied.touched.end(),
+                                       [](const WallList& wall) { return !wall.discs.empty(); });
+  return WallConflict{question.movesBothWays && occupied.enclosed.empty() && !crossesDisc};
+}
+
+}  // namespace
+
+void WallLook::ask(const WallQuestion& question, const Grid& grid, double edge, Done done) {
+  if (!background_) background_ = std::make_unique<Background>();
+  background_->postInstead(
+      [question, grid, edge, done = std::move(done)] { done(question, conflictOf(question, grid, edge)); });
+}
+
+void WallLook::forget() {
+  if (background_) background_->postInstead([] {});
+}
+
+}  // namespace handlebody::ui
