@@ -34,6 +34,19 @@ void measure(FrameResult& result) {
   result.genus = std::accumulate(c.genus.begin(), c.genus.end(), 0);
 }
 
+//! Of the candidates but the one that was asked for (from 1) that whose volume is nearest, if it is no jump.
+std::optional<int> nearestOther(const std::vector<ObjectCandidate>& candidates, int asked, double volume) {
+  std::optional<int> nearest;
+  double least = std::log(kJump);
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const double apart = std::abs(std::log(candidates[i].volume / volume));
+    if (static_cast<int>(i) + 1 == asked || !(apart < least)) continue;
+    least = apart;
+    nearest = static_cast<int>(i) + 1;
+  }
+  return nearest;
+}
+
 bool isJump(double before, double now, int frames) {
   const double ratio = now > before ? now / before : before / now;
   return !(ratio <= std::pow(kJump, frames));
@@ -55,6 +68,8 @@ const char* frameFaultName(FrameFault fault) {
       return "jumped";
     case FrameFault::changed:
       return "topology-changed";
+    case FrameFault::otherObject:
+      return "other-object";
     case FrameFault::held:
       return "topology-held";
     default:
@@ -84,37 +99,58 @@ FrameCarrier::FrameCarrier(OverTimeSettings settings, Hooks hooks)
   r.constraints.edits.clear();
 }
 
-//! A contour in that frame, with the surface put into it.
-ActiveContour FrameCarrier::prepared(const FrameResult& from, int frame) const {
-  const Request& r = settings_.request;
-  ActiveContour contour(hooks_.load(frame), carriedSeeds(r.seeds, from.mesh, settings_.edgeLength),
-                        r.parameters, r.constraints);
-  contour.startFrom(Mesh(from.mesh), settings_.holdTopology);
-  return contour;
-}
-
-FrameResult FrameCarrier::carry(const FrameResult& from, int frame) const {
-  const auto begin = std::chrono::steady_clock::now();
+FrameResult FrameCarrier::attempt(const FrameResult& from, int frame, const Volume& volume, int candidate,
+                                  std::vector<ObjectCandidate>& candidates) const {
   FrameResult result;
   result.frame = frame;
   result.from = from.frame;
-  const auto fail = [&](FrameFault fault, const std::exception& error) {
-    result.faults.push_back({fault, error.what()});
-  };
+  const Request& r = settings_.request;
+  Parameters parameters = r.parameters;
+  parameters.candidate = candidate;
   try {
-    ActiveContour contour = prepared(from, frame);
+    ActiveContour contour(volume, carriedSeeds(r.seeds, from.mesh, settings_.edgeLength), parameters,
+                          r.constraints);
+    candidates = contour.candidates();
+    contour.startFrom(Mesh(from.mesh), settings_.holdTopology);
     while (contour.stopReason() == StopReason::running) {
       const StepReport step = contour.step();
       for (const Leak& leak : step.leaks)
         result.faults.push_back({FrameFault::leaked, "the surface leaked: " + sentence(leak)});
     }
     judge(from, contour, result);
-  } catch (const InputError& error) {
-    fail(FrameFault::unreadable, error);
   } catch (const SeedError& error) {
-    fail(FrameFault::noObject, error);
+    result.faults.push_back({FrameFault::noObject, error.what()});
   } catch (const UsageError& error) {  // a wall or a range that does not go with this frame
-    fail(FrameFault::noObject, error);
+    result.faults.push_back({FrameFault::noObject, error.what()});
+  }
+  return result;
+}
+
+FrameResult FrameCarrier::tried(const FrameResult& from, int frame) const {
+  const int asked = settings_.request.parameters.candidate;
+  const Volume volume = hooks_.load(frame);
+  std::vector<ObjectCandidate> candidates;
+  FrameResult result = attempt(from, frame, volume, asked, candidates);
+  if (result.isTrusted()) return result;
+  const std::optional<int> other = nearestOther(candidates, asked, from.volume);
+  if (!other) return result;
+  FrameResult second = attempt(from, frame, volume, *other, candidates);
+  if (!second.isTrusted()) return result;
+  second.faults.push_back({FrameFault::otherObject, "another object is likelier there, but it fails (" +
+                                                        result.faults.front().sentence + "); candidate " +
+                                                        std::to_string(*other) + " was taken"});
+  return second;
+}
+
+FrameResult FrameCarrier::carry(const FrameResult& from, int frame) const {
+  const auto begin = std::chrono::steady_clock::now();
+  FrameResult result;
+  try {
+    result = tried(from, frame);
+  } catch (const InputError& error) {
+    result.frame = frame;
+    result.from = from.frame;
+    result.faults.push_back({FrameFault::unreadable, error.what()});
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;

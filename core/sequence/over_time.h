@@ -15,14 +15,15 @@ namespace handlebody {
 
 //! What went wrong in a frame.
 enum class FrameFault {
-  unreadable,  //!< its voxels cannot be read
-  noObject,    //!< the image shows no object where the surface is
-  vanished,    //!< the surface collapsed
-  leaked,      //!< it came through a narrow passage (LeakAlarm)
-  jumped,      //!< its volume changed by more than a factor from the frame beside it
-  changed,     //!< its topology is not that of the first (only where it is free)
-  held,        //!< changes of its topology were held back
-  unfinished,  //!< it was still moving at the limit of the iterations, or rests where it would move
+  unreadable,   //!< its voxels cannot be read
+  noObject,     //!< the image shows no object where the surface is
+  vanished,     //!< the surface collapsed
+  leaked,       //!< it came through a narrow passage (LeakAlarm)
+  jumped,       //!< its volume changed by more than a factor from the frame beside it
+  changed,      //!< its topology is not that of the first (only where it is free)
+  otherObject,  //!< the likeliest object there failed; the candidate that is nearest in volume did not
+  held,         //!< changes of its topology were held back
+  unfinished,   //!< it was still moving at the limit of the iterations, or rests where it would move
 };
 //! "unreadable", "no-object" … as in the report.
 const char* frameFaultName(FrameFault fault);
@@ -74,12 +75,16 @@ class FrameCarrier {
 
   //! From the surface of `from`, which is trusted, onto another frame. The surface moves in both directions
   //! through the steps of ActiveContour, in the image of that frame alone; walls and limits of the topology
-  //! stay, vetoes, pins and edits do not: they name an iteration. Faults are told in the result. Throws what
-  //! is no fault of the frame: Cancelled, std::runtime_error of `finish`.
+  //! stay, vetoes, pins and edits do not: they name an iteration. Where that fails, once more with the
+  //! candidate whose volume is nearest to that of `from`. Faults are told in the result. Throws what is no
+  //! fault of the frame: Cancelled, std::runtime_error of `finish`.
   FrameResult carry(const FrameResult& from, int frame) const;
 
  private:
-  ActiveContour prepared(const FrameResult& from, int frame) const;
+  //! The same with one of the objects that the clicks may mean there; `candidates` gets all of them.
+  FrameResult attempt(const FrameResult& from, int frame, const Volume& volume, int candidate,
+                      std::vector<ObjectCandidate>& candidates) const;
+  FrameResult tried(const FrameResult& from, int frame) const;
   void judge(const FrameResult& from, const ActiveContour& contour, FrameResult& result) const;
 
   OverTimeSettings settings_;

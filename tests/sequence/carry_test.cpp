@@ -127,6 +127,22 @@ TEST_CASE("a frame without the object is told, and so is one in which its volume
   CHECK_FALSE(small.mesh.triangles.empty());
 }
 
+TEST_CASE("where the likeliest object is another one, the candidate that is nearest in volume is taken") {
+  // A core that is darker than the rest of the ball: a click there means the core.
+  const Volume whole = balls({{kMiddle, 12}}), inner = balls({{kMiddle, 5}});
+  void* buffer = nullptr;
+  const Volume image = makeVolume(whole.grid, VoxelType::uint8, &buffer);
+  for (std::size_t i = 0; i < whole.grid.voxelCount(); ++i)  // 200 outside, 150 in the ball, 90 in the core
+    static_cast<std::uint8_t*>(buffer)[i] = static_cast<std::uint8_t>(
+        200 - (180 - whole.data<std::uint8_t>()[i]) * 50 / 120 - (180 - inner.data<std::uint8_t>()[i]) / 2);
+  const GrownFrame alone = growIn(image, 1, {{{kMiddle}}, {}, {}});
+  REQUIRE(alone.result.volume == Approx(ball(5)).epsilon(0.1));
+  const FrameResult r = carriedOnto(image, true, balls({{kMiddle, 11}}));
+  CHECK(r.isTrusted());
+  CHECK(has(r, FrameFault::otherObject));
+  CHECK(r.volume == Approx(ball(12)).epsilon(0.05));
+}
+
 TEST_CASE("a frame that cannot be read starts no other: the next starts from the last that is trusted") {
   const GrownFrame grown = growIn(balls({{kMiddle, 10}}), 3, {{{kMiddle}}, {}, {}});
   const auto load = [](int frame) {
