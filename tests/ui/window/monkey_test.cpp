@@ -149,7 +149,8 @@ class Monkey {
                                  Command::pullByDragging, Command::paintWalls,   Command::eraseWalls};
     window_.commands()[modes[below(std::size(modes))]]->trigger();
     const auto shown = window_.document().snapshot();
-    if (!shown || shown->mesh.points.empty()) return;
+    if (!shown || shown->mesh.points.empty()) return window_.document().stepForward();
+    if (window_.document().state() == ui::GrowthState::running) window_.document().pause();
     constexpr ui::Plane planes[] = {ui::Plane::axial, ui::Plane::coronal, ui::Plane::sagittal};
     const ui::Plane plane = planes[below(3)];
     const Vec3 place =
@@ -227,6 +228,15 @@ void tell(qint64 milliseconds, int actions, const Done& done) {
       done.edits, done.undo, residentMegabytes(), usedMegabytes());
 }
 
+//! A surface, for the brush.
+bool growALittle(ui::MainWindow& window) {
+  constexpr int kIterations = 10;
+  window.document().run();
+  const bool done = QTest::qWaitFor([&] { return window.document().iteration() >= kIterations; }, kPatience);
+  window.document().pause();
+  return done;
+}
+
 //! As a user who answers "discard", with the views as they were at first: a view that fills the window keeps
 //! larger buffers. Qt keeps up to 10 MB of pixels of what styles and views painted, in any number of small
 //! pixmaps: random events fill that for most of an hour, so it is emptied.
@@ -234,7 +244,8 @@ bool openAnew(ui::MainWindow& window, const QString& path) {
   QSignalSpy opened(&window.document(), &ui::Document::opened);
   window.document().open(path);
   const bool done = (!opened.isEmpty() || opened.wait(kPatience)) &&
-                    QTest::qWaitFor([&] { return window.document().resolved().has_value(); }, kPatience);
+                    QTest::qWaitFor([&] { return window.document().resolved().has_value(); }, kPatience) &&
+                    growALittle(window);
   for (Command id : {Command::fourViews, Command::resetViews, Command::stepSeed})
     window.commands()[id]->trigger();
   QTest::qWait(100);
@@ -269,7 +280,7 @@ void MonkeyTest::randomEventsDoNoHarm() {
   const int seconds = fromEnvironment("HANDLEBODY_MONKEY_SECONDS", 60);
   qInfo("HANDLEBODY_MONKEY_SEED=%u", seed);
   auto window = shownWindow();
-  QVERIFY(window && open(*window, sample("cyst_session.json")));
+  QVERIFY(window && open(*window, sample("cyst_session.json")) && growALittle(*window));
   QTimer closer;  // a dialog that waits in a loop of its own
   connect(&closer, &QTimer::timeout, this, closePopups);
   closer.start(200);
