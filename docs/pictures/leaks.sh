@@ -47,6 +47,6 @@ pair ventricle mr_t1_head/MR.nii.gz 120 312,-39,455.5 \
 pair trachea ct_thorax_cta/ct_thorax_1p5mm.nii.gz 235 61,-146.2,703.1 \
   "--seed-ijk 44,65,140,3 --object dark --range=-inf,-760" --wall=61,-146.2,703.1,8 --wall=-45.5,-156,725.3,6 \
   --wall=-46,-141,726.4,8
-pair aorta ct_thorax_cta/ct_thorax_1p5mm.nii.gz 120 21.3,-183.7,654.2 \
+pair aorta ct_thorax_cta/ct_thorax_1p5mm.nii.gz 180 -17.7,-168.7,708.2 \
   "--seed-ijk 61,72,140,3 --object bright --range=355.06,inf" --wall=21.3,-183.7,654.2,12 \
   --wall=-17.7,-168.7,708.2,12 --wall=-11.7,-174.7,747.2,6

@@ -78,7 +78,7 @@ void addViewCommands(std::vector<CommandSpec>& t) {
         T("3D view: look from the patient's left; with the 3D view in focus"), kPlain, false},
        {Command::slicesIn3d, menu, "", T("Slices &in 3D"), "Ctrl+D", "",
         T("Show the three slices in the 3D view"), kToggle, false},
-       {Command::wallsAndPins, menu, "", T("Walls and &pins"), "Ctrl+Shift+H", "",
+       {Command::wallsAndPins, menu, "", T("Walls a&nd pins"), "Ctrl+Shift+H", "",
         T("Draw the active object's walls, and what of its surface is pinned"), kToggle, false}});
 }
 

@@ -36,14 +36,15 @@ struct Grown : Opened {
   const Vec3 end = kLeft - Vec3(8, 0, 0);  // of the left ball, on its surface
 
   bool isNear(const Vec3& p, const Vec3& place, double mm) const { return (p - place).norm() <= mm; }
-  //! In the 3D view, as a hand does.
-  void drag3d(const QPoint& from, const QPoint& to) {
+  //! In the 3D view, as a hand does. `picture`: kept of it under way.
+  void drag3d(const QPoint& from, const QPoint& to, const QString& picture = {}) {
     QTest::mousePress(&surface(), Qt::LeftButton, {}, from);
     for (int i = 1; i <= 8; ++i) {
       const QPoint at = from + (to - from) * i / 8;
       QMouseEvent move(QEvent::MouseMove, at, surface().mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
       QCoreApplication::sendEvent(&surface(), &move);
     }
+    if (!picture.isEmpty()) keepPicture(picture);
     QTest::mouseRelease(&surface(), Qt::LeftButton, {}, to);
   }
   //! Seen from the front, all of it in view.
@@ -131,7 +132,7 @@ void TouchTest::aStrokeIn3dPinsTheSideThatIsSeen() {
   o.window->viewState().brush().setRadius(2);
   QTest::keyClick(o.window.get(), Qt::Key_L);
   const QPoint middle = o.middle3d();
-  o.drag3d(middle - QPoint(15, 0), middle + QPoint(15, 0));  // over the bar
+  o.drag3d(middle - QPoint(15, 0), middle + QPoint(15, 0), "pinning_in_3d");  // over the bar
   const std::vector<Pin> pins = o.document().constraints().pins;
   QVERIFY(!pins.empty());
   for (const Pin& pin : pins) QVERIFY(pin.centre.y() < kNeck.y());  // anterior
@@ -229,7 +230,7 @@ void TouchTest::theSurfaceIsPulledIn3d() {
   o.lookFromFront();
   const int iteration = o.document().iteration();
   QTest::keyClick(o.window.get(), Qt::Key_U);
-  QVERIFY(o.edited([&] { o.drag3d(o.middle3d(), o.middle3d() - QPoint(0, 12)); }));
+  QVERIFY(o.edited([&] { o.drag3d(o.middle3d(), o.middle3d() - QPoint(0, 12), "pulling_in_3d"); }));
   const MeshEdit edit = o.document().constraints().edits.at(0);
   QVERIFY(edit.vector.z() > edit.place.z());  // up is superior
   QVERIFY(std::abs(edit.vector.y() - edit.place.y()) < 1e-9);
