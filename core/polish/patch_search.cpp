@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <tuple>
 
 #include "core/cancellation.h"
 #include "core/geometry/closest_points.h"
@@ -15,7 +16,7 @@ namespace handlebody {
 
 namespace {
 
-constexpr std::size_t kMostTrials = 36;
+constexpr std::size_t kMostTrials = 40;
 constexpr int kSweeps = 2;
 constexpr int kDirections = 8;
 constexpr int kMostSteps = 24;
@@ -78,10 +79,18 @@ Corners cornersOf(const Patch& patch, const Triangle& t) {
   return {patch.points[idx(t[0])], patch.points[idx(t[1])], patch.points[idx(t[2])]};
 }
 
+bool isOutside(const Vec3& p, const Corners& c, double distance) {
+  for (int a = 0; a < 3; ++a)
+    if (std::min({c[0][a], c[1][a], c[2][a]}) - distance > p[a] ||
+        std::max({c[0][a], c[1][a], c[2][a]}) + distance < p[a])
+      return true;
+  return false;
+}
+
 bool isNearFaces(const Vec3& p, const Patch& patch, double distance) {
   return std::any_of(patch.faces.begin(), patch.faces.end(), [&](const Triangle& t) {
     const Corners c = cornersOf(patch, t);
-    return squaredDistance(p, c[0], c[1], c[2]) <= distance * distance;
+    return !isOutside(p, c, distance) && squaredDistance(p, c[0], c[1], c[2]) <= distance * distance;
   });
 }
 
@@ -90,13 +99,17 @@ bool isNearFaces(const Vec3& p, const Patch& patch, double distance) {
 PatchSearch::PatchSearch(const WantedShape& wanted, const Patch& patch, std::span<const Corners> surface,
                          double distance)
     : wanted_(wanted), surface_(surface), distance_(distance) {
-  const auto add = [&](const Vec3& p) {
-    if (isNearFaces(p, patch, distance)) covered_.push_back(p);
-  };
   for (const Corners& c : surface) {
-    for (const Vec3& p : c) add(p);
-    for (const Vec3& p : samplesOf(c)) add(p);
+    const auto samples = samplesOf(c);
+    covered_.insert(covered_.end(), c.begin(), c.end());
+    covered_.insert(covered_.end(), samples.begin(), samples.end());
+    const Vec3& centre = samples.back();
+    balls_.push_back({centre, std::max({(c[0] - centre).norm(), (c[1] - centre).norm(), (c[2] - centre).norm()})});
   }
+  const auto tuple = [](const Vec3& p) { return std::tuple(p.x(), p.y(), p.z()); };
+  std::sort(covered_.begin(), covered_.end(), [&](const Vec3& a, const Vec3& b) { return tuple(a) < tuple(b); });
+  covered_.erase(std::unique(covered_.begin(), covered_.end()), covered_.end());
+  std::erase_if(covered_, [&](const Vec3& p) { return !isNearFaces(p, patch, distance); });
 }
 
 bool PatchSearch::isFaceNear(const Corners& face) const {
@@ -131,9 +144,11 @@ void PatchSearch::keepBest(std::vector<Attempt>& attempts) {
 Vec3 PatchSearch::onSurface(const Vec3& p) const {
   double least = std::numeric_limits<double>::infinity();
   Vec3 nearest = p;
-  for (const Corners& t : surface_) {
-    const Vec3 q = closestPoint(p, t);
-    if (const double d = (q - p).squaredNorm(); d < least) {
+  for (std::size_t i = 0; i < surface_.size(); ++i) {
+    const double reach = least + balls_[i].radius;
+    if ((balls_[i].centre - p).squaredNorm() > reach * reach) continue;
+    const Vec3 q = closestPoint(p, surface_[i]);
+    if (const double d = (q - p).norm(); d < least) {
       least = d;
       nearest = q;
     }

@@ -67,6 +67,11 @@ class PatchSearch {
   std::span<const Corners> surface_;
   double distance_;
   double reach_ = 0;           // mm, how near points are kept now
+  struct Ball {
+    Vec3 centre;
+    double radius;
+  };
+  std::vector<Ball> balls_;    // around each triangle of the first surface
   std::vector<Vec3> covered_;  // points of the first surface that the patch was near to
   std::size_t work_ = 0;
 };

@@ -15,9 +15,10 @@ namespace {
 
 //! Part of what is wanted that is aimed at, so that what was bettered is above it by more than rounding.
 constexpr double kAim = 1.02;
-constexpr int kMostPasses = 8;
+constexpr int kMostPasses = 6;
 constexpr int kMostChanges = 6;         // at one place in a pass
-constexpr std::size_t kMostDepth = 3;   // operations, one after the other, that are tried as one
+//! Operations, one after the other, that are tried as one; more for the few that are left at last.
+constexpr std::size_t kDepth = 2, kLastDepth = 4;
 constexpr std::size_t kBeam = 3;        // attempts that are gone on with
 constexpr std::size_t kMostWork = 12000000;  // shapes of stars, some twenty seconds
 
@@ -43,7 +44,8 @@ class Polisher {
       bool any = false;
       for (const Place& place : badPlaces(nullptr))
         if (isToBeTried(place, pass)) any = better(place, pass) || any;
-      if (!any || work_ > kMostWork) return;
+      if (work_ > kMostWork || (!any && isLast_)) return;
+      isLast_ = isLast_ || !any;
     }
   }
 
@@ -92,7 +94,7 @@ class Polisher {
   //! Where nothing has changed since it was tried in vain it is not tried again.
   bool isToBeTried(const Place& place, int pass) const {
     if (work_ > kMostWork) return false;
-    return pass == 1 || std::any_of(place.vertices.begin(), place.vertices.end(),
+    return pass == 1 || isLast_ || std::any_of(place.vertices.begin(), place.vertices.end(),
                                     [&](int v) { return changedAt_[idx(v)] >= pass - 1; });
   }
 
@@ -114,7 +116,7 @@ class Polisher {
     return any;
   }
 
-  //! Operations are tried alone first, then two and three in a row, the best ones before the others.
+  //! Operations are tried alone first, then some in a row, the best ones before the others.
   bool change(const std::vector<int>& vertices, int pass) {
     const PolishedSurface::Part part = surface_.around(vertices);
     const std::vector<Corners> first = surface_.firstNear(part.patch);
@@ -132,7 +134,7 @@ class Polisher {
     for (std::size_t depth = 1; !isDone; ++depth) {
       PatchSearch::keepBest(attempts);
       isDone = std::any_of(attempts.begin(), attempts.end(), take);
-      if (isDone || depth == kMostDepth) break;
+      if (isDone || depth == (isLast_ ? kLastDepth : kDepth)) break;
       attempts = next(search, attempts, take, isDone);
     }
     work_ += search.work();
@@ -162,6 +164,7 @@ class Polisher {
   PolishedSurface surface_;
   std::vector<int> changedAt_;  // per vertex, the pass in which something around it was changed
   std::size_t work_ = 0;
+  bool isLast_ = false;  // what is left is looked at longer
 };
 
 std::vector<int> sortedGenus(const Certificate& c) {
@@ -222,10 +225,10 @@ std::string polishDoubt(const PolishReport& report) {
   char text[400];
   const Vec3 at = report.left.empty() ? Vec3(Vec3::Zero()) : report.left.front();
   std::snprintf(text, sizeof text,
-                "polishing leaves %d thin triangle%s (least angle %.2g degrees) and %d sharp edge%s (least "
-                "dihedral angle %.2g degrees), the worst at %.4g,%.4g,%.4g: %s",
-                left.faces, left.faces == 1 ? "" : "s", left.leastAngle, left.edges,
-                left.edges == 1 ? "" : "s", left.leastDihedral, at.x(), at.y(), at.z(),
+                "polishing leaves %d thin triangle%s and %d sharp edge%s (least angle of the mesh %.2g degrees, "
+                "least dihedral angle %.2g), the worst at %.4g,%.4g,%.4g: %s",
+                left.faces, left.faces == 1 ? "" : "s", left.edges, left.edges == 1 ? "" : "s",
+                left.leastAngle, left.leastDihedral, at.x(), at.y(), at.z(),
                 report.isCutShort  ? "there is too much to be done"
                 : report.isRefused ? "what it made was no valid mesh, and was not kept"
                                    : "to better them the surface would have to move farther than its limit, "

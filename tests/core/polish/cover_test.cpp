@@ -70,7 +70,9 @@ TEST_CASE("what lies far from a place need not be covered there", "[polish]") {
   const Corners cover{Vec3(-1, -1, -0.1), Vec3(4, -1, -0.1), Vec3(-1, 4, -0.1)};
   CHECK_FALSE(isCovered(wide, std::vector{cover}, 0.3));
   CHECK(isCovered(wide, std::vector{here}, std::vector{cover}, 0.3));
-  CHECK_FALSE(isCovered(wide, std::vector{here}, std::vector{cover}, 0.05));
+  const Corners far{Vec3(-1, -1, -0.4), Vec3(4, -1, -0.4), Vec3(-1, 4, -0.4)};
+  CHECK_FALSE(isCovered(wide, std::vector{here}, std::vector{far}, 0.3));
+  CHECK(isCovered(wide, std::vector{here}, std::vector{far}, 0.05));  // nothing of it lies there
 }
 
 TEST_CASE("no face near a box is missed, while faces come and go", "[polish]") {
