@@ -36,8 +36,8 @@ std::vector<int> Patch::neighbours(int v) const {
 }
 
 int Patch::valence(int v) const {
-  return outerFaces[idx(v)] +
-         static_cast<int>(std::count_if(faces.begin(), faces.end(), [v](const Triangle& t) { return holds(t, v); }));
+  return outerFaces[idx(v)] + static_cast<int>(std::count_if(faces.begin(), faces.end(),
+                                                             [v](const Triangle& t) { return holds(t, v); }));
 }
 
 bool Patch::isUsed(int v) const {

@@ -104,10 +104,12 @@ PatchSearch::PatchSearch(const WantedShape& wanted, const Patch& patch, std::spa
     covered_.insert(covered_.end(), c.begin(), c.end());
     covered_.insert(covered_.end(), samples.begin(), samples.end());
     const Vec3& centre = samples.back();
-    balls_.push_back({centre, std::max({(c[0] - centre).norm(), (c[1] - centre).norm(), (c[2] - centre).norm()})});
+    balls_.push_back(
+        {centre, std::max({(c[0] - centre).norm(), (c[1] - centre).norm(), (c[2] - centre).norm()})});
   }
   const auto tuple = [](const Vec3& p) { return std::tuple(p.x(), p.y(), p.z()); };
-  std::sort(covered_.begin(), covered_.end(), [&](const Vec3& a, const Vec3& b) { return tuple(a) < tuple(b); });
+  std::sort(covered_.begin(), covered_.end(),
+            [&](const Vec3& a, const Vec3& b) { return tuple(a) < tuple(b); });
   covered_.erase(std::unique(covered_.begin(), covered_.end()), covered_.end());
   std::erase_if(covered_, [&](const Vec3& p) { return !isNearFaces(p, patch, distance); });
 }
@@ -238,8 +240,8 @@ void PatchSearch::move(Patch& patch, int v) {
     if (!moveByStep(patch, v, step, now)) step /= 2;
 }
 
-//! Where a point may go with a step: along the surface in all directions and along its edges (which may lie on
-//! a ridge), and off it.
+//! Where a point may go with a step: along the surface in all directions and along its edges (which may lie
+//! on a ridge), and off it.
 std::vector<Vec3> PatchSearch::places(const Patch& patch, int v, double step) const {
   const Star star = starOf(patch, v);
   const Vec3 from = patch.points[idx(v)], u = across(star.normal), w = star.normal.cross(u);
@@ -248,11 +250,11 @@ std::vector<Vec3> PatchSearch::places(const Patch& patch, int v, double step) co
     const double turn = 2 * std::numbers::pi * i / kDirections;
     all.push_back(onSurface(from + step * star.edge * (std::cos(turn) * u + std::sin(turn) * w)));
   }
-  for (const int n : patch.neighbours(v)) all.push_back(onSurface(from + step * (patch.points[idx(n)] - from)));
+  for (const int n : patch.neighbours(v))
+    all.push_back(onSurface(from + step * (patch.points[idx(n)] - from)));
   const double off = std::min(step * star.edge, kOffSurface * reach_);
   for (const double way : {off, -off})
-    if (const Vec3 to = from + way * star.normal; distanceFromSurface(to) <= reach_)
-      all.push_back(to);
+    if (const Vec3 to = from + way * star.normal; distanceFromSurface(to) <= reach_) all.push_back(to);
   for (Vec3& p : all) p = inSingle(p);
   return all;
 }

@@ -1,5 +1,6 @@
 #pragma once
-// Ways to better a patch: edges turned, short ones collapsed, long ones split, points moved along the surface.
+// Ways to better a patch: edges turned, short ones collapsed, long ones split, points moved along the
+// surface.
 
 #include <cstddef>
 #include <functional>
@@ -66,7 +67,7 @@ class PatchSearch {
   const WantedShape& wanted_;
   std::span<const Corners> surface_;
   double distance_;
-  double reach_ = 0;           // mm, how near points are kept now
+  double reach_ = 0;  // mm, how near points are kept now
   struct Ball {
     Vec3 centre;
     double radius;

@@ -16,10 +16,10 @@ namespace {
 //! Part of what is wanted that is aimed at, so that what was bettered is above it by more than rounding.
 constexpr double kAim = 1.02;
 constexpr int kMostPasses = 6;
-constexpr int kMostChanges = 6;         // at one place in a pass
+constexpr int kMostChanges = 6;  // at one place in a pass
 //! Operations, one after the other, that are tried as one; more for the few that are left at last.
 constexpr std::size_t kDepth = 2, kLastDepth = 4;
-constexpr std::size_t kBeam = 3;        // attempts that are gone on with
+constexpr std::size_t kBeam = 3;             // attempts that are gone on with
 constexpr std::size_t kMostWork = 12000000;  // shapes of stars, some twenty seconds
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
@@ -73,9 +73,7 @@ class Polisher {
 
  private:
   const Vec3& point(int v) const { return surface_.points()[idx(v)]; }
-  bool isOwn(std::size_t face) const {
-    return face >= options_.isOwn.size() || options_.isOwn[face] != 0;
-  }
+  bool isOwn(std::size_t face) const { return face >= options_.isOwn.size() || options_.isOwn[face] != 0; }
 
   void addBadEdges(std::size_t face, std::vector<Place>& places, PolishCount* count) const {
     const Triangle& t = surface_.faces()[face];
@@ -94,8 +92,9 @@ class Polisher {
   //! Where nothing has changed since it was tried in vain it is not tried again.
   bool isToBeTried(const Place& place, int pass) const {
     if (work_ > kMostWork) return false;
-    return pass == 1 || isLast_ || std::any_of(place.vertices.begin(), place.vertices.end(),
-                                    [&](int v) { return changedAt_[idx(v)] >= pass - 1; });
+    return pass == 1 || isLast_ || std::any_of(place.vertices.begin(), place.vertices.end(), [&](int v) {
+             return changedAt_[idx(v)] >= pass - 1;
+           });
   }
 
   //! Still as it was listed: its face, or its edge with both.
@@ -224,15 +223,16 @@ std::string polishDoubt(const PolishReport& report) {
   if (left.faces == 0 && left.edges == 0) return {};
   char text[400];
   const Vec3 at = report.left.empty() ? Vec3(Vec3::Zero()) : report.left.front();
-  std::snprintf(text, sizeof text,
-                "polishing leaves %d thin triangle%s and %d sharp edge%s (least angle of the mesh %.2g degrees, "
-                "least dihedral angle %.2g), the worst at %.4g,%.4g,%.4g: %s",
-                left.faces, left.faces == 1 ? "" : "s", left.edges, left.edges == 1 ? "" : "s",
-                left.leastAngle, left.leastDihedral, at.x(), at.y(), at.z(),
-                report.isCutShort  ? "there is too much to be done"
-                : report.isRefused ? "what it made was no valid mesh, and was not kept"
-                                   : "to better them the surface would have to move farther than its limit, "
-                                     "or to meet itself");
+  std::snprintf(
+      text, sizeof text,
+      "polishing leaves %d thin triangle%s and %d sharp edge%s (least angle of the mesh %.2g degrees, "
+      "least dihedral angle %.2g), the worst at %.4g,%.4g,%.4g: %s",
+      left.faces, left.faces == 1 ? "" : "s", left.edges, left.edges == 1 ? "" : "s", left.leastAngle,
+      left.leastDihedral, at.x(), at.y(), at.z(),
+      report.isCutShort  ? "there is too much to be done"
+      : report.isRefused ? "what it made was no valid mesh, and was not kept"
+                         : "to better them the surface would have to move farther than its limit, "
+                           "or to meet itself");
   return text;
 }
 

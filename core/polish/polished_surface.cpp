@@ -99,7 +99,8 @@ PolishedSurface::Part PolishedSurface::around(std::span<const int> vertices) con
     for (const int f : facesAt_[idx(v)])
       for (const int w : faces_[idx(f)]) addUnique(inner, w);
   Part part;
-  for (const int v : inner) part.faces.insert(part.faces.end(), facesAt_[idx(v)].begin(), facesAt_[idx(v)].end());
+  for (const int v : inner)
+    part.faces.insert(part.faces.end(), facesAt_[idx(v)].begin(), facesAt_[idx(v)].end());
   std::sort(part.faces.begin(), part.faces.end());
   part.faces.erase(std::unique(part.faces.begin(), part.faces.end()), part.faces.end());
   Patch& patch = part.patch;
@@ -169,8 +170,7 @@ PolishedSurface::Change PolishedSurface::changeOf(const Part& before, const Patc
     }
   }
   std::map<Triangle, int> kept;
-  for (std::size_t i = 0; i < old.faces.size(); ++i)
-    kept.emplace(fromLowest(old.faces[i]), before.faces[i]);
+  for (std::size_t i = 0; i < old.faces.size(); ++i) kept.emplace(fromLowest(old.faces[i]), before.faces[i]);
   for (const Triangle& t : after.faces) {
     const bool isNew = isMoved[idx(t[0])] || isMoved[idx(t[1])] || isMoved[idx(t[2])];
     if (!isNew && kept.erase(fromLowest(t)) > 0) continue;
@@ -270,9 +270,8 @@ TriangleSoup PolishedSurface::compact() const {
 }
 
 int PolishedSurface::changedFaces() const {
-  return static_cast<int>(
-      std::count_if(faces_.begin() + static_cast<std::ptrdiff_t>(first_.triangles.size()), faces_.end(),
-                    [](const Triangle& t) { return t[0] >= 0; }));
+  return static_cast<int>(std::count_if(faces_.begin() + static_cast<std::ptrdiff_t>(first_.triangles.size()),
+                                        faces_.end(), [](const Triangle& t) { return t[0] >= 0; }));
 }
 
 double PolishedSurface::farthest() const {
