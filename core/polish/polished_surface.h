@@ -63,7 +63,10 @@ class PolishedSurface {
  private:
   struct Change;
   Corners cornersOf(const Triangle& t) const;
-  bool isHeld(int v) const { return static_cast<std::size_t>(v) < bounds_.isHeld.size() && bounds_.isHeld[static_cast<std::size_t>(v)] != 0; }
+  bool isHeld(int v) const {
+    return static_cast<std::size_t>(v) < bounds_.isHeld.size() &&
+           bounds_.isHeld[static_cast<std::size_t>(v)] != 0;
+  }
   bool breaksHeld(const Change& change) const;
   Change changeOf(const Part& before, const Patch& after) const;
   bool isNear(const Change& change) const;

@@ -174,10 +174,10 @@ TEST_CASE("what the shape forces stays and is told", "[polish]") {
   TriangleSoup mesh;
   mesh.points = {{0, 0, 0}, {0, 10, 0}, {20, 0, 1.4}, {20, 10, 1.4}, {20, 0, -1.4}, {20, 10, -1.4}};
   mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {0, 5, 4}, {0, 1, 5}, {0, 4, 2}, {1, 3, 5}, {2, 4, 5}, {2, 5, 3}};
-  mesh = inSingle(mesh);
+  mesh = inSingle(zoo::scaled(mesh, 0.25));
   REQUIRE(certify(mesh).passes());
-  const PolishedMesh done = polished(mesh, within(0.1));
-  expectPolished(mesh, done, 0.1);
+  const PolishedMesh done = polished(mesh, within(0.05));
+  expectPolished(mesh, done, 0.05);
   CHECK(done.report.after.edges > 0);
   CHECK_FALSE(done.report.left.empty());
   CHECK_THAT(polishDoubt(done.report), Contains("sharp edge"));
@@ -200,7 +200,7 @@ TEST_CASE("a sheet close by is not run into", "[polish]") {
 }
 
 TEST_CASE("where no face may lie none is put, and what is held stays", "[polish]") {
-  const TriangleSoup mesh = withNeedles(zoo::sphere(8), 40, 31);
+  const TriangleSoup mesh = withNeedles(zoo::sphere(6), 8, 31);
   PolishOptions options = within(0.1 * meanEdge(mesh));
   options.bounds.forbids = [](const Vec3& a, const Vec3& b, const Vec3& c) { return (a + b + c).x() > 0; };
   options.bounds.isHeld.assign(mesh.points.size(), 0);
@@ -238,7 +238,7 @@ TEST_CASE("where no face may lie none is put, and what is held stays", "[polish]
 }
 
 TEST_CASE("only its own bad triangles are bettered where that is asked for", "[polish]") {
-  const TriangleSoup mesh = withNeedles(zoo::sphere(10), 30, 41);
+  const TriangleSoup mesh = withNeedles(zoo::sphere(6), 12, 41);
   PolishOptions options = within(0.1 * meanEdge(mesh));
   for (const Triangle& t : mesh.triangles)
     options.isOwn.push_back(mesh.points[static_cast<std::size_t>(t[0])].z() > 0.5 ? 1 : 0);
@@ -251,7 +251,7 @@ TEST_CASE("only its own bad triangles are bettered where that is asked for", "[p
 }
 
 TEST_CASE("the same mesh is polished to the same bits, and what was polished stays", "[polish]") {
-  const TriangleSoup mesh = withCaps(withNeedles(zoo::torus(36, 14, 3, 1), 25, 51), 25, 52);
+  const TriangleSoup mesh = withCaps(withNeedles(zoo::torus(24, 10, 3, 1), 6, 51), 6, 52);
   const PolishOptions options = within(0.1 * meanEdge(mesh));
   const PolishedMesh one = polished(mesh, options), two = polished(mesh, options);
   CHECK(one.mesh.points == two.mesh.points);
