@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "app/cli/command.h"
-#include "app/cli/outputs.h"
 #include "app/cli/export_options.h"
+#include "app/cli/outputs.h"
 #include "app/cli/run.h"
 #include "app/cli/tunnel_text.h"
 #include "core/collision/certify.h"

@@ -5,10 +5,10 @@
 #include <memory>
 
 #include "app/cli/command.h"
+#include "app/cli/export_options.h"
 #include "app/cli/label_input.h"
 #include "app/cli/object_options.h"
 #include "app/cli/outputs.h"
-#include "app/cli/export_options.h"
 #include "core/cancellation.h"
 #include "core/errors.h"
 #include "core/io/compared.h"

@@ -11,7 +11,8 @@ namespace handlebody {
 using Corners = std::array<Vec3, 3>;
 
 //! True only if every point of `triangle` lies within `distance` of one of `others`; false also if that is
-//! not shown, which happens where the distance comes within a few per cent of the limit. Pieces are halved
+//! not shown, which happens where the distance comes within a few per cent of the limit, or the triangle is a
+//! hundred times as large. Pieces are halved
 //! until one of `others` is near to all three corners (the distance from a convex set is convex, so it is
 //! then near to all between them) or the centre is near by more than the piece is large.
 bool isCovered(const Corners& triangle, std::span<const Corners> others, double distance);

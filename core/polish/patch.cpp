@@ -12,19 +12,19 @@ bool holds(const Triangle& t, int v) { return t[0] == v || t[1] == v || t[2] == 
 
 }  // namespace
 
-int Patch::apex(int from, int to) const {
+int PolishPatch::apex(int from, int to) const {
   for (const Triangle& t : faces)
     for (std::size_t i = 0; i < 3; ++i)
       if (t[i] == from && t[(i + 1) % 3] == to) return t[(i + 2) % 3];
   return -1;
 }
 
-bool Patch::hasEdge(int a, int b) const {
+bool PolishPatch::hasEdge(int a, int b) const {
   return apex(a, b) >= 0 || apex(b, a) >= 0 ||
          std::find(outer.begin(), outer.end(), std::pair(std::min(a, b), std::max(a, b))) != outer.end();
 }
 
-std::vector<int> Patch::neighbours(int v) const {
+std::vector<int> PolishPatch::neighbours(int v) const {
   std::vector<int> all;
   for (const Triangle& t : faces)
     if (holds(t, v))
@@ -35,16 +35,16 @@ std::vector<int> Patch::neighbours(int v) const {
   return all;
 }
 
-int Patch::valence(int v) const {
-  return outerFaces[idx(v)] +
-         static_cast<int>(std::count_if(faces.begin(), faces.end(), [v](const Triangle& t) { return holds(t, v); }));
+int PolishPatch::valence(int v) const {
+  return outerFaces[idx(v)] + static_cast<int>(std::count_if(faces.begin(), faces.end(),
+                                                             [v](const Triangle& t) { return holds(t, v); }));
 }
 
-bool Patch::isUsed(int v) const {
+bool PolishPatch::isUsed(int v) const {
   return std::any_of(faces.begin(), faces.end(), [v](const Triangle& t) { return holds(t, v); });
 }
 
-bool Patch::flip(int a, int b) {
+bool PolishPatch::flip(int a, int b) {
   const int c = apex(a, b), d = apex(b, a);
   if (c < 0 || d < 0 || c == d || hasEdge(c, d) || valence(a) <= 3 || valence(b) <= 3) return false;
   for (Triangle& t : faces) {
@@ -57,7 +57,7 @@ bool Patch::flip(int a, int b) {
 }
 
 // The link condition: a and b have no common neighbours but the two apexes.
-bool Patch::collapse(int a, int b, const Vec3& place) {
+bool PolishPatch::collapse(int a, int b, const Vec3& place) {
   const int c = apex(a, b), d = apex(b, a);
   if (c < 0 || d < 0 || c == d || !isFree[idx(a)]) return false;
   if (!isFree[idx(b)] && place != points[idx(b)]) return false;
@@ -72,7 +72,7 @@ bool Patch::collapse(int a, int b, const Vec3& place) {
   return true;
 }
 
-int Patch::split(int a, int b, const Vec3& place) {
+int PolishPatch::split(int a, int b, const Vec3& place) {
   const int c = apex(a, b), d = apex(b, a);
   if (c < 0 || d < 0) return -1;
   const int m = static_cast<int>(points.size());
@@ -86,7 +86,7 @@ int Patch::split(int a, int b, const Vec3& place) {
 }
 
 //! Edges of one face: each is met once, from the side that runs from its lower point, but for the border's.
-void Patch::addEdges(const Triangle& t, const WantedShape& wanted, int onlyAt, Badness& sum) const {
+void PolishPatch::addEdges(const Triangle& t, const WantedShape& wanted, int onlyAt, Badness& sum) const {
   for (std::size_t i = 0; i < 3; ++i) {
     const int p = t[i], q = t[(i + 1) % 3], c = t[(i + 2) % 3];
     if (onlyAt < 0 && p > q) continue;
@@ -97,7 +97,7 @@ void Patch::addEdges(const Triangle& t, const WantedShape& wanted, int onlyAt, B
   }
 }
 
-Badness Patch::badness(const WantedShape& wanted) const {
+Badness PolishPatch::badness(const WantedShape& wanted) const {
   Badness sum;
   for (const Triangle& t : faces) {
     sum.add(wanted.ofFace(points[idx(t[0])], points[idx(t[1])], points[idx(t[2])]));
@@ -109,7 +109,7 @@ Badness Patch::badness(const WantedShape& wanted) const {
   return sum;
 }
 
-Badness Patch::badnessAt(int v, const WantedShape& wanted) const {
+Badness PolishPatch::badnessAt(int v, const WantedShape& wanted) const {
   Badness sum;
   for (const Triangle& t : faces) {
     if (!holds(t, v)) continue;

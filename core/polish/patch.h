@@ -16,7 +16,7 @@ struct BorderEdge {
   Vec3 beyond;   //!< the third corner of the face beyond it
 };
 
-class Patch {
+class PolishPatch {
  public:
   std::vector<Vec3> points;
   std::vector<int> vertex;      //!< per point: of the mesh; -1: a new one

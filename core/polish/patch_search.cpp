@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <tuple>
 
 #include "core/cancellation.h"
 #include "core/geometry/closest_points.h"
@@ -15,7 +16,7 @@ namespace handlebody {
 
 namespace {
 
-constexpr std::size_t kMostTrials = 36;
+constexpr std::size_t kMostTrials = 40;
 constexpr int kSweeps = 2;
 constexpr int kDirections = 8;
 constexpr int kMostSteps = 24;
@@ -31,7 +32,7 @@ struct Star {
   double edge = 0;  // mean
 };
 
-Star starOf(const Patch& patch, int v) {
+Star starOf(const PolishPatch& patch, int v) {
   Star star;
   int n = 0;
   for (const Triangle& t : patch.faces)
@@ -74,29 +75,43 @@ std::array<Vec3, 4> samplesOf(const Corners& c) {
   return {(c[0] + c[1]) / 2, (c[1] + c[2]) / 2, (c[2] + c[0]) / 2, (c[0] + c[1] + c[2]) / 3};
 }
 
-Corners cornersOf(const Patch& patch, const Triangle& t) {
+Corners cornersOf(const PolishPatch& patch, const Triangle& t) {
   return {patch.points[idx(t[0])], patch.points[idx(t[1])], patch.points[idx(t[2])]};
 }
 
-bool isNearFaces(const Vec3& p, const Patch& patch, double distance) {
+bool isOutside(const Vec3& p, const Corners& c, double distance) {
+  for (int a = 0; a < 3; ++a)
+    if (std::min({c[0][a], c[1][a], c[2][a]}) - distance > p[a] ||
+        std::max({c[0][a], c[1][a], c[2][a]}) + distance < p[a])
+      return true;
+  return false;
+}
+
+bool isNearFaces(const Vec3& p, const PolishPatch& patch, double distance) {
   return std::any_of(patch.faces.begin(), patch.faces.end(), [&](const Triangle& t) {
     const Corners c = cornersOf(patch, t);
-    return squaredDistance(p, c[0], c[1], c[2]) <= distance * distance;
+    return !isOutside(p, c, distance) && squaredDistance(p, c[0], c[1], c[2]) <= distance * distance;
   });
 }
 
 }  // namespace
 
-PatchSearch::PatchSearch(const WantedShape& wanted, const Patch& patch, std::span<const Corners> surface,
-                         double distance)
+PatchSearch::PatchSearch(const WantedShape& wanted, const PolishPatch& patch,
+                         std::span<const Corners> surface, double distance)
     : wanted_(wanted), surface_(surface), distance_(distance) {
-  const auto add = [&](const Vec3& p) {
-    if (isNearFaces(p, patch, distance)) covered_.push_back(p);
-  };
   for (const Corners& c : surface) {
-    for (const Vec3& p : c) add(p);
-    for (const Vec3& p : samplesOf(c)) add(p);
+    const auto samples = samplesOf(c);
+    covered_.insert(covered_.end(), c.begin(), c.end());
+    covered_.insert(covered_.end(), samples.begin(), samples.end());
+    const Vec3& centre = samples.back();
+    balls_.push_back(
+        {centre, std::max({(c[0] - centre).norm(), (c[1] - centre).norm(), (c[2] - centre).norm()})});
   }
+  const auto tuple = [](const Vec3& p) { return std::tuple(p.x(), p.y(), p.z()); };
+  std::sort(covered_.begin(), covered_.end(),
+            [&](const Vec3& a, const Vec3& b) { return tuple(a) < tuple(b); });
+  covered_.erase(std::unique(covered_.begin(), covered_.end()), covered_.end());
+  std::erase_if(covered_, [&](const Vec3& p) { return !isNearFaces(p, patch, distance); });
 }
 
 bool PatchSearch::isFaceNear(const Corners& face) const {
@@ -106,7 +121,7 @@ bool PatchSearch::isFaceNear(const Corners& face) const {
 }
 
 //! What lies at v and at most so far from it.
-bool PatchSearch::staysNear(const Patch& patch, int v, double radius) const {
+bool PatchSearch::staysNear(const PolishPatch& patch, int v, double radius) const {
   for (const Triangle& t : patch.faces)
     if ((t[0] == v || t[1] == v || t[2] == v) && !isFaceNear(cornersOf(patch, t))) return false;
   return std::all_of(covered_.begin(), covered_.end(), [&](const Vec3& p) {
@@ -114,7 +129,7 @@ bool PatchSearch::staysNear(const Patch& patch, int v, double radius) const {
   });
 }
 
-bool PatchSearch::isNear(const Patch& patch) const {
+bool PatchSearch::isNear(const PolishPatch& patch) const {
   return std::all_of(patch.faces.begin(), patch.faces.end(),
                      [&](const Triangle& t) { return isFaceNear(cornersOf(patch, t)); }) &&
          std::all_of(covered_.begin(), covered_.end(),
@@ -131,9 +146,11 @@ void PatchSearch::keepBest(std::vector<Attempt>& attempts) {
 Vec3 PatchSearch::onSurface(const Vec3& p) const {
   double least = std::numeric_limits<double>::infinity();
   Vec3 nearest = p;
-  for (const Corners& t : surface_) {
-    const Vec3 q = closestPoint(p, t);
-    if (const double d = (q - p).squaredNorm(); d < least) {
+  for (std::size_t i = 0; i < surface_.size(); ++i) {
+    const double reach = least + balls_[i].radius;
+    if ((balls_[i].centre - p).squaredNorm() > reach * reach) continue;
+    const Vec3 q = closestPoint(p, surface_[i]);
+    if (const double d = (q - p).norm(); d < least) {
       least = d;
       nearest = q;
     }
@@ -143,32 +160,32 @@ Vec3 PatchSearch::onSurface(const Vec3& p) const {
 
 double PatchSearch::distanceFromSurface(const Vec3& p) const { return (onSurface(p) - p).norm(); }
 
-void PatchSearch::add(Patch patch, std::vector<int> touched, std::vector<Trial>& trials) {
+void PatchSearch::add(PolishPatch patch, std::vector<int> touched, std::vector<Trial>& trials) {
   work_ += patch.faces.size();
   const double sum = patch.badness(wanted_).sum;
   trials.push_back({std::move(patch), std::move(touched), sum});
 }
 
-void PatchSearch::addTurns(const Patch& patch, int a, int b, std::vector<Trial>& trials) {
+void PatchSearch::addTurns(const PolishPatch& patch, int a, int b, std::vector<Trial>& trials) {
   if (a > b) return;
-  Patch turned = patch;
+  PolishPatch turned = patch;
   const int c = patch.apex(a, b), d = patch.apex(b, a);
   if (turned.flip(a, b)) add(std::move(turned), {a, b, c, d}, trials);
 }
 
-void PatchSearch::addCollapses(const Patch& patch, int a, int b, std::vector<Trial>& trials) {
+void PatchSearch::addCollapses(const PolishPatch& patch, int a, int b, std::vector<Trial>& trials) {
   std::vector<int> touched = patch.neighbours(a);
-  Patch at = patch;
+  PolishPatch at = patch;
   if (!at.collapse(a, b, patch.points[idx(b)])) return;
   add(std::move(at), touched, trials);
-  Patch between = patch;
+  PolishPatch between = patch;
   const Vec3 middle = inSingle(onSurface((patch.points[idx(a)] + patch.points[idx(b)]) / 2));
   if (a < b && between.collapse(a, b, middle)) add(std::move(between), touched, trials);
 }
 
-void PatchSearch::addSplits(const Patch& patch, int a, int b, std::vector<Trial>& trials) {
+void PatchSearch::addSplits(const PolishPatch& patch, int a, int b, std::vector<Trial>& trials) {
   if (a > b) return;
-  Patch divided = patch;
+  PolishPatch divided = patch;
   const int c = patch.apex(a, b), d = patch.apex(b, a);
   const Vec3 middle = inSingle(onSurface((patch.points[idx(a)] + patch.points[idx(b)]) / 2));
   const int m = divided.split(a, b, middle);
@@ -176,7 +193,8 @@ void PatchSearch::addSplits(const Patch& patch, int a, int b, std::vector<Trial>
 }
 
 //! The likeliest first, but for the patch as it is before all others.
-std::vector<PatchSearch::Trial> PatchSearch::trialsAt(const Patch& patch, const std::vector<int>& place) {
+std::vector<PatchSearch::Trial> PatchSearch::trialsAt(const PolishPatch& patch,
+                                                      const std::vector<int>& place) {
   std::vector<Trial> trials;
   add(patch, place, trials);
   for (const int a : place)
@@ -193,7 +211,7 @@ std::vector<PatchSearch::Trial> PatchSearch::trialsAt(const Patch& patch, const 
   return trials;
 }
 
-bool PatchSearch::tryChanges(const Patch& patch, const std::vector<int>& place, const Take& take,
+bool PatchSearch::tryChanges(const PolishPatch& patch, const std::vector<int>& place, const Take& take,
                              std::vector<Attempt>& attempts) {
   const std::vector<Trial> trials = trialsAt(patch, place);
   for (const double reach : kReaches)
@@ -216,16 +234,16 @@ Attempt PatchSearch::relaxed(Trial trial, double reach) {
   return {std::move(trial.patch), badness, isGood};
 }
 
-void PatchSearch::move(Patch& patch, int v) {
+void PatchSearch::move(PolishPatch& patch, int v) {
   Badness now = patch.badnessAt(v, wanted_);
   double step = kFirstStep;
   for (int i = 0; i < kMostSteps && now.sum > 0 && step > kLastStep; ++i)
     if (!moveByStep(patch, v, step, now)) step /= 2;
 }
 
-//! Where a point may go with a step: along the surface in all directions and along its edges (which may lie on
-//! a ridge), and off it.
-std::vector<Vec3> PatchSearch::places(const Patch& patch, int v, double step) const {
+//! Where a point may go with a step: along the surface in all directions and along its edges (which may lie
+//! on a ridge), and off it.
+std::vector<Vec3> PatchSearch::places(const PolishPatch& patch, int v, double step) const {
   const Star star = starOf(patch, v);
   const Vec3 from = patch.points[idx(v)], u = across(star.normal), w = star.normal.cross(u);
   std::vector<Vec3> all;
@@ -233,17 +251,17 @@ std::vector<Vec3> PatchSearch::places(const Patch& patch, int v, double step) co
     const double turn = 2 * std::numbers::pi * i / kDirections;
     all.push_back(onSurface(from + step * star.edge * (std::cos(turn) * u + std::sin(turn) * w)));
   }
-  for (const int n : patch.neighbours(v)) all.push_back(onSurface(from + step * (patch.points[idx(n)] - from)));
+  for (const int n : patch.neighbours(v))
+    all.push_back(onSurface(from + step * (patch.points[idx(n)] - from)));
   const double off = std::min(step * star.edge, kOffSurface * reach_);
   for (const double way : {off, -off})
-    if (const Vec3 to = from + way * star.normal; distanceFromSurface(to) <= reach_)
-      all.push_back(to);
+    if (const Vec3 to = from + way * star.normal; distanceFromSurface(to) <= reach_) all.push_back(to);
   for (Vec3& p : all) p = inSingle(p);
   return all;
 }
 
 //! To the best of some places at that distance, if it is better than where it is.
-bool PatchSearch::moveByStep(Patch& patch, int v, double step, Badness& now) {
+bool PatchSearch::moveByStep(PolishPatch& patch, int v, double step, Badness& now) {
   const Vec3 from = patch.points[idx(v)];
   double radius = 0;
   for (const int n : patch.neighbours(v)) radius = std::max(radius, (patch.points[idx(n)] - from).norm());
@@ -263,7 +281,7 @@ bool PatchSearch::moveByStep(Patch& patch, int v, double step, Badness& now) {
   return best != from;
 }
 
-std::vector<int> PatchSearch::worstPlace(const Patch& patch) const {
+std::vector<int> PatchSearch::worstPlace(const PolishPatch& patch) const {
   std::vector<int> place;
   double worst = 1;
   const auto p = [&](int v) -> const Vec3& { return patch.points[idx(v)]; };

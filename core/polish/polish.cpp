@@ -15,11 +15,12 @@ namespace {
 
 //! Part of what is wanted that is aimed at, so that what was bettered is above it by more than rounding.
 constexpr double kAim = 1.02;
-constexpr int kMostPasses = 8;
-constexpr int kMostChanges = 6;         // at one place in a pass
-constexpr std::size_t kMostDepth = 3;   // operations, one after the other, that are tried as one
-constexpr std::size_t kBeam = 3;        // attempts that are gone on with
-constexpr std::size_t kMostWork = 12000000;  // shapes of stars, some twenty seconds
+constexpr int kMostPasses = 6;
+constexpr int kMostChanges = 6;  // at one place in a pass
+//! Operations, one after the other, that are tried as one; more for the few that are left at last.
+constexpr std::size_t kDepth = 2, kLastDepth = 4;
+constexpr std::size_t kBeam = 3;            // attempts that are gone on with
+constexpr std::size_t kMostWork = 5000000;  // shapes of stars, some twenty-five seconds
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
@@ -43,7 +44,8 @@ class Polisher {
       bool any = false;
       for (const Place& place : badPlaces(nullptr))
         if (isToBeTried(place, pass)) any = better(place, pass) || any;
-      if (!any || work_ > kMostWork) return;
+      if (work_ > kMostWork || (!any && isLast_)) return;
+      isLast_ = isLast_ || !any;
     }
   }
 
@@ -71,9 +73,7 @@ class Polisher {
 
  private:
   const Vec3& point(int v) const { return surface_.points()[idx(v)]; }
-  bool isOwn(std::size_t face) const {
-    return face >= options_.isOwn.size() || options_.isOwn[face] != 0;
-  }
+  bool isOwn(std::size_t face) const { return face >= options_.isOwn.size() || options_.isOwn[face] != 0; }
 
   void addBadEdges(std::size_t face, std::vector<Place>& places, PolishCount* count) const {
     const Triangle& t = surface_.faces()[face];
@@ -92,8 +92,9 @@ class Polisher {
   //! Where nothing has changed since it was tried in vain it is not tried again.
   bool isToBeTried(const Place& place, int pass) const {
     if (work_ > kMostWork) return false;
-    return pass == 1 || std::any_of(place.vertices.begin(), place.vertices.end(),
-                                    [&](int v) { return changedAt_[idx(v)] >= pass - 1; });
+    return pass == 1 || isLast_ || std::any_of(place.vertices.begin(), place.vertices.end(), [&](int v) {
+             return changedAt_[idx(v)] >= pass - 1;
+           });
   }
 
   //! Still as it was listed: its face, or its edge with both.
@@ -114,7 +115,7 @@ class Polisher {
     return any;
   }
 
-  //! Operations are tried alone first, then two and three in a row, the best ones before the others.
+  //! Operations are tried alone first, then some in a row, the best ones before the others.
   bool change(const std::vector<int>& vertices, int pass) {
     const PolishedSurface::Part part = surface_.around(vertices);
     const std::vector<Corners> first = surface_.firstNear(part.patch);
@@ -132,7 +133,7 @@ class Polisher {
     for (std::size_t depth = 1; !isDone; ++depth) {
       PatchSearch::keepBest(attempts);
       isDone = std::any_of(attempts.begin(), attempts.end(), take);
-      if (isDone || depth == kMostDepth) break;
+      if (isDone || depth == (isLast_ ? kLastDepth : kDepth)) break;
       attempts = next(search, attempts, take, isDone);
     }
     work_ += search.work();
@@ -140,7 +141,7 @@ class Polisher {
     return isDone;
   }
 
-  void noteChange(const Patch& before, int pass) {
+  void noteChange(const PolishPatch& before, int pass) {
     changedAt_.resize(surface_.points().size(), pass);
     for (const int v : before.vertex) changedAt_[idx(v)] = pass;
   }
@@ -150,7 +151,7 @@ class Polisher {
                                    const PatchSearch::Take& take, bool& isDone) {
     std::vector<Attempt> all;
     for (std::size_t i = 0; !isDone && i < std::min(kBeam, attempts.size()); ++i) {
-      const Patch& patch = attempts[i].patch;
+      const PolishPatch& patch = attempts[i].patch;
       if (const std::vector<int> place = search.worstPlace(patch); !place.empty())
         isDone = search.tryChanges(patch, place, take, all);
     }
@@ -162,6 +163,7 @@ class Polisher {
   PolishedSurface surface_;
   std::vector<int> changedAt_;  // per vertex, the pass in which something around it was changed
   std::size_t work_ = 0;
+  bool isLast_ = false;  // what is left is looked at longer
 };
 
 std::vector<int> sortedGenus(const Certificate& c) {
@@ -221,15 +223,16 @@ std::string polishDoubt(const PolishReport& report) {
   if (left.faces == 0 && left.edges == 0) return {};
   char text[400];
   const Vec3 at = report.left.empty() ? Vec3(Vec3::Zero()) : report.left.front();
-  std::snprintf(text, sizeof text,
-                "polishing leaves %d thin triangle%s (least angle %.2g degrees) and %d sharp edge%s (least "
-                "dihedral angle %.2g degrees), the worst at %.4g,%.4g,%.4g: %s",
-                left.faces, left.faces == 1 ? "" : "s", left.leastAngle, left.edges,
-                left.edges == 1 ? "" : "s", left.leastDihedral, at.x(), at.y(), at.z(),
-                report.isCutShort  ? "there is too much to be done"
-                : report.isRefused ? "what it made was no valid mesh, and was not kept"
-                                   : "to better them the surface would have to move farther than its limit, "
-                                     "or to meet itself");
+  std::snprintf(
+      text, sizeof text,
+      "polishing leaves %d thin triangle%s and %d sharp edge%s (least angle of the mesh %.2g degrees, "
+      "least dihedral angle %.2g), the worst at %.4g,%.4g,%.4g: %s",
+      left.faces, left.faces == 1 ? "" : "s", left.edges, left.edges == 1 ? "" : "s", left.leastAngle,
+      left.leastDihedral, at.x(), at.y(), at.z(),
+      report.isCutShort  ? "there is too much to be done"
+      : report.isRefused ? "what it made was no valid mesh, and was not kept"
+                         : "to better them the surface would have to move farther than its limit, "
+                           "or to meet itself");
   return text;
 }
 

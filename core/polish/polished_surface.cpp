@@ -99,10 +99,11 @@ PolishedSurface::Part PolishedSurface::around(std::span<const int> vertices) con
     for (const int f : facesAt_[idx(v)])
       for (const int w : faces_[idx(f)]) addUnique(inner, w);
   Part part;
-  for (const int v : inner) part.faces.insert(part.faces.end(), facesAt_[idx(v)].begin(), facesAt_[idx(v)].end());
+  for (const int v : inner)
+    part.faces.insert(part.faces.end(), facesAt_[idx(v)].begin(), facesAt_[idx(v)].end());
   std::sort(part.faces.begin(), part.faces.end());
   part.faces.erase(std::unique(part.faces.begin(), part.faces.end()), part.faces.end());
-  Patch& patch = part.patch;
+  PolishPatch& patch = part.patch;
   std::map<int, int> place;  // of a vertex in the patch
   const auto pointOf = [&](int v) {
     const auto [at, isNew] = place.emplace(v, static_cast<int>(patch.points.size()));
@@ -149,12 +150,12 @@ std::vector<Corners> PolishedSurface::cornersNear(const FaceGrid& grid, const Tr
   return near;
 }
 
-std::vector<Corners> PolishedSurface::firstNear(const Patch& patch) const {
+std::vector<Corners> PolishedSurface::firstNear(const PolishPatch& patch) const {
   return cornersNear(firstGrid_, first_, boxAround(patch.points, bounds_.distance));
 }
 
-PolishedSurface::Change PolishedSurface::changeOf(const Part& before, const Patch& after) const {
-  const Patch& old = before.patch;
+PolishedSurface::Change PolishedSurface::changeOf(const Part& before, const PolishPatch& after) const {
+  const PolishPatch& old = before.patch;
   Change change;
   std::vector<int> vertex = after.vertex;
   std::vector<char> isMoved(after.points.size(), 0);
@@ -169,8 +170,7 @@ PolishedSurface::Change PolishedSurface::changeOf(const Part& before, const Patc
     }
   }
   std::map<Triangle, int> kept;
-  for (std::size_t i = 0; i < old.faces.size(); ++i)
-    kept.emplace(fromLowest(old.faces[i]), before.faces[i]);
+  for (std::size_t i = 0; i < old.faces.size(); ++i) kept.emplace(fromLowest(old.faces[i]), before.faces[i]);
   for (const Triangle& t : after.faces) {
     const bool isNew = isMoved[idx(t[0])] || isMoved[idx(t[1])] || isMoved[idx(t[2])];
     if (!isNew && kept.erase(fromLowest(t)) > 0) continue;
@@ -230,7 +230,7 @@ bool PolishedSurface::isFree(const Change& change) const {
   return true;
 }
 
-bool PolishedSurface::accept(const Part& before, const Patch& after) {
+bool PolishedSurface::accept(const Part& before, const PolishPatch& after) {
   const Change change = changeOf(before, after);
   if (breaksHeld(change) || !isNear(change)) return false;
   std::vector<std::pair<int, Vec3>> were;
@@ -270,9 +270,8 @@ TriangleSoup PolishedSurface::compact() const {
 }
 
 int PolishedSurface::changedFaces() const {
-  return static_cast<int>(
-      std::count_if(faces_.begin() + static_cast<std::ptrdiff_t>(first_.triangles.size()), faces_.end(),
-                    [](const Triangle& t) { return t[0] >= 0; }));
+  return static_cast<int>(std::count_if(faces_.begin() + static_cast<std::ptrdiff_t>(first_.triangles.size()),
+                                        faces_.end(), [](const Triangle& t) { return t[0] >= 0; }));
 }
 
 double PolishedSurface::farthest() const {

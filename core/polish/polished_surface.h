@@ -39,18 +39,18 @@ class PolishedSurface {
   int apex(int from, int to) const;
 
   struct Part {
-    Patch patch;
+    PolishPatch patch;
     std::vector<int> faces;  //!< per face of the patch
   };
   //! The faces at these vertices and at their neighbours.
   Part around(std::span<const int> vertices) const;
   //! The surface of the beginning within the distance of the patch, and some more of it.
-  std::vector<Corners> firstNear(const Patch& patch) const;
+  std::vector<Corners> firstNear(const PolishPatch& patch) const;
 
   //! Makes the patch what it is to be, if that may be: all that is new lies within the distance of the first
   //! surface, all of that which was near to what goes lies within the distance of the new one, and no face
   //! intersects another or an obstacle. Else false, and nothing is changed.
-  bool accept(const Part& before, const Patch& after);
+  bool accept(const Part& before, const PolishPatch& after);
 
   //! Without what is gone; faces that were not changed keep their order.
   TriangleSoup compact() const;
@@ -63,9 +63,12 @@ class PolishedSurface {
  private:
   struct Change;
   Corners cornersOf(const Triangle& t) const;
-  bool isHeld(int v) const { return static_cast<std::size_t>(v) < bounds_.isHeld.size() && bounds_.isHeld[static_cast<std::size_t>(v)] != 0; }
+  bool isHeld(int v) const {
+    return static_cast<std::size_t>(v) < bounds_.isHeld.size() &&
+           bounds_.isHeld[static_cast<std::size_t>(v)] != 0;
+  }
   bool breaksHeld(const Change& change) const;
-  Change changeOf(const Part& before, const Patch& after) const;
+  Change changeOf(const Part& before, const PolishPatch& after) const;
   bool isNear(const Change& change) const;
   bool isFree(const Change& change) const;
   void put(int face);

@@ -1,14 +1,21 @@
 // Tetrahedra by gmsh and TetGen, where they are installed.
 
+#include <signal.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <sstream>
+#include <thread>
 
+#include "core/cancellation.h"
 #include "core/errors.h"
 #include "core/io/mesher_process.h"
 #include "core/io/tetrahedra.h"
@@ -142,6 +149,91 @@ TEST_CASE("without a program one sentence says which ones there are", "[cli][tet
   requireRefusal(folder, {"segment", phantom.path, "--seed", phantom.seed, "-o", folder / "o.msh"}, 2,
                  "gmsh");
   CHECK_THROWS_AS(fillWithTetrahedra({{{}, nested()}}), OutputError);
+}
+
+namespace {
+
+//! A program that never ends, with a child that does not either, whose number goes to the file "child".
+class HangingGmsh {
+ public:
+  HangingGmsh() : before_(std::getenv("PATH")) {
+    const char* temporary = std::getenv("TMPDIR");
+    if (temporary) temporary_ = temporary;
+    std::filesystem::create_directory(folder_ / "bin");
+    std::filesystem::create_directory(folder_ / "tmp");
+    writeBytes(folder_ / "bin/gmsh",
+               "#!/bin/sh\n/bin/sleep 600 &\necho $! > " + (folder_ / "child") + "\nwait\n");
+    std::filesystem::permissions(folder_ / "bin/gmsh", std::filesystem::perms::owner_all);
+    setenv("PATH", (folder_ / "bin").c_str(), 1);
+    setenv("TMPDIR", (folder_ / "tmp").c_str(), 1);
+  }
+  ~HangingGmsh() {
+    setenv("PATH", before_.c_str(), 1);
+    temporary_ ? setenv("TMPDIR", temporary_->c_str(), 1) : unsetenv("TMPDIR");
+  }
+  HangingGmsh(const HangingGmsh&) = delete;
+  HangingGmsh& operator=(const HangingGmsh&) = delete;
+
+  bool hasBegun() const {
+    return std::filesystem::exists(folder_ / "child") && !readBytes(folder_ / "child").empty();
+  }
+  //! Neither its child nor a file of its is left.
+  bool isGone() const {
+    const std::string child = "/proc/" + std::to_string(std::stoi(readBytes(folder_ / "child")));
+    for (int i = 0; i < 200 && std::filesystem::exists(child); ++i) {
+      const std::string state = readBytes(child + "/stat");
+      if (state.find(") Z ") != std::string::npos) break;  // ended, and nobody has asked how
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    const bool isRunning =
+        std::filesystem::exists(child) && readBytes(child + "/stat").find(") Z ") == std::string::npos;
+    return !isRunning && std::filesystem::is_empty(folder_ / "tmp");
+  }
+
+ private:
+  TempFolder folder_;
+  std::string before_;
+  std::optional<std::string> temporary_;
+};
+
+}  // namespace
+
+TEST_CASE("a program that hangs is killed at the time limit, with its children and files", "[tetrahedra]") {
+  const HangingGmsh gmsh;
+  std::string said;
+  try {
+    fillWithTetrahedra({{{}, nested()}}, 1.0);
+  } catch (const OutputError& error) {
+    said = error.what();
+  }
+  CHECK_THAT(said, Contains("gmsh was ended after 1 s, the time limit"));
+  REQUIRE(gmsh.hasBegun());
+  CHECK(gmsh.isGone());
+}
+
+TEST_CASE("a program that hangs is killed when somebody cancels", "[tetrahedra]") {
+  const HangingGmsh gmsh;
+  std::atomic<bool> cancelled{false};
+  std::jthread wish([&] {
+    while (!gmsh.hasBegun()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    cancelled = true;
+  });
+  const CancelScope scope(cancelled);
+  CHECK_THROWS_AS(fillWithTetrahedra({{{}, nested()}}, 600), Cancelled);
+  CHECK(gmsh.isGone());
+}
+
+TEST_CASE("an interrupt ends a run whose mesher hangs, and nothing is written", "[cli][tetrahedra]") {
+  const HangingGmsh gmsh;
+  const TempFolder folder;
+  const PhantomFile phantom = makePhantomFile(folder);
+  RunningCli run({"segment", phantom.path, "--seed", phantom.seed, "-o", folder / "m.stl", "-o",
+                  folder / "m.msh", "--edge-length", "4", "--quiet"});
+  while (!gmsh.hasBegun()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  ::kill(run.process(), SIGINT);
+  CHECK(run.wait().exitCode == -SIGINT);
+  CHECK(gmsh.isGone());
+  CHECK_FALSE(std::filesystem::exists(folder / "m.stl"));
 }
 
 TEST_CASE("a program that fails is named with what it said", "[tetrahedra]") {

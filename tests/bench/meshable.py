@@ -175,12 +175,9 @@ def one(cli, group, name, words, tally, polish_switch):
 
 def phantoms(cli, tally, switch):
     text = " ".join(subprocess.run([cli, "phantom", "--help"], capture_output=True, text=True).stdout.split())
-    names = text.split("phantom NAME:")[-1] if "phantom NAME:" in text else text
-    for name in sorted(set(w for w in names.replace("|", " ").split() if w.isidentifier() or "-" in w)):
+    for name in text.split("NAME TEXT REQUIRED")[1].split("Options:")[0].replace("|", " ").split():
         with tempfile.TemporaryDirectory() as folder:
             made = subprocess.run([cli, "phantom", name, "-o", folder + "/v.nrrd"], capture_output=True, text=True)
-            if made.returncode != 0:
-                continue  # a word of the help
             seed = json.loads(made.stdout)["seed"]
             centre = ",".join(str(x) for x in seed["centre"])
             one(cli, "phantoms", name, ["segment", folder + "/v.nrrd", "--seed", f"{centre},{seed['radius']}"], tally, switch)

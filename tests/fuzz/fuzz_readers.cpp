@@ -4,9 +4,9 @@
 // Damaged files through the readers: they read or throw InputError or UsageError, within ten seconds each.
 // Without --files: the project's own samples, in this process; with --decoder those that a child process
 // reads. With --commands: label maps, segmentations, 3MF and meshes of these through whole runs of `mesh`,
-// `edit` and `compare` of CLI, which write a result or say one sentence. With --corpus the samples are written for the libFuzzer targets. With --files: the real files of a
-// folder, whole `info` and `segment` runs of CLI. A file that breaks something stays behind, and its path is
-// printed.
+// `edit` and `compare` of CLI, which write a result or say one sentence. With --corpus the samples are
+// written for the libFuzzer targets. With --files: the real files of a folder, whole `info` and `segment`
+// runs of CLI. A file that breaks something stays behind, and its path is printed.
 
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -92,8 +92,9 @@ bool isOneSentence(const std::string& errors) {
 
 bool runCommands(const std::string& cli, const std::string& path, const std::string& folder, Tally& tally) {
   const std::string out = folder + "/out.stl", errors = folder + "/errors", whole = folder + "/whole.mha";
-  std::vector<std::vector<std::string>> commands{{cli, "compare", path, whole, "--sampling", "1"},
-                                                 {cli, "compare", whole, path, "--label-b", "1", "--sampling", "1"}};
+  std::vector<std::vector<std::string>> commands{
+      {cli, "compare", path, whole, "--sampling", "1"},
+      {cli, "compare", whole, path, "--label-b", "1", "--sampling", "1"}};
   if (isMeshPath(path) || path.ends_with(".3mf"))
     commands.push_back({cli, "edit", path, "--keep-largest", "--polish", "all", "-o", out});
   if (!isMeshPath(path)) commands.push_back({cli, "mesh", path, "-o", out});

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/geometry/triangle_distance.h"
+#include "core/mesh/quality.h"
 #include "core/polish/face_grid.h"
 #include "core/polish/shape.h"
-#include "core/mesh/quality.h"
 #include "tests/support/catch.h"
 #include "tests/support/mesh_zoo.h"
 
@@ -70,7 +70,9 @@ TEST_CASE("what lies far from a place need not be covered there", "[polish]") {
   const Corners cover{Vec3(-1, -1, -0.1), Vec3(4, -1, -0.1), Vec3(-1, 4, -0.1)};
   CHECK_FALSE(isCovered(wide, std::vector{cover}, 0.3));
   CHECK(isCovered(wide, std::vector{here}, std::vector{cover}, 0.3));
-  CHECK_FALSE(isCovered(wide, std::vector{here}, std::vector{cover}, 0.05));
+  const Corners far{Vec3(-1, -1, -0.4), Vec3(4, -1, -0.4), Vec3(-1, 4, -0.4)};
+  CHECK_FALSE(isCovered(wide, std::vector{here}, std::vector{far}, 0.3));
+  CHECK(isCovered(wide, std::vector{here}, std::vector{far}, 0.05));  // nothing of it lies there
 }
 
 TEST_CASE("no face near a box is missed, while faces come and go", "[polish]") {
@@ -107,12 +109,14 @@ TEST_CASE("shapes are measured as check measures them", "[polish]") {
     const Mesh structure(mesh);
     for (int f = 0; f < structure.faceSlots(); ++f) {
       const Triangle& t = structure.face(f);
-      angle = std::min(angle, leastAngle(structure.position(t[0]), structure.position(t[1]), structure.position(t[2])));
+      angle = std::min(
+          angle, leastAngle(structure.position(t[0]), structure.position(t[1]), structure.position(t[2])));
       for (int h = 3 * f; h < 3 * f + 3; ++h)
-        dihedral = std::min(dihedral, dihedralAngle(structure.position(structure.origin(h)),
-                                                    structure.position(structure.target(h)),
-                                                    structure.position(structure.apex(h)),
-                                                    structure.position(structure.apex(structure.opposite(h)))));
+        dihedral =
+            std::min(dihedral, dihedralAngle(structure.position(structure.origin(h)),
+                                             structure.position(structure.target(h)),
+                                             structure.position(structure.apex(h)),
+                                             structure.position(structure.apex(structure.opposite(h)))));
     }
     CHECK(angle == Approx(quality.angles.least));
     CHECK(dihedral == Approx(quality.dihedral.least));
