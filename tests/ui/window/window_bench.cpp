@@ -201,8 +201,8 @@ void measureTouching(ui::MainWindow& window) {
     constexpr int kMoves = 100;
     const auto at = [&](int i) {
       const double t = 2 * 3.14159265 * i / kMoves;
-      return QPoint(static_cast<int>(view.width() * (0.5 + 0.15 * std::cos(t))),
-                    static_cast<int>(view.height() * (0.5 + 0.15 * std::sin(t))));
+      return QPoint(static_cast<int>(view.width() * (0.5 + 0.05 * std::cos(t))),
+                    static_cast<int>(view.height() * (0.5 + 0.05 * std::sin(t))));
     };
     QTest::mousePress(&view, Qt::LeftButton, {}, at(0));
     QElapsedTimer timer;
