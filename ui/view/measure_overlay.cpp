@@ -98,10 +98,11 @@ class Painter {
     painter_.drawEllipse(to_.toScreen(p), kHandle, kHandle);
   }
 
-  //! Beside the middle of what is seen.
+  //! Beside the middle of what is seen, if that is most of it: where a slice only crosses a ruler no length
+  //! is to be read.
   void label(const Vec3& a, const Vec3& b, const QString& text, const QColor& colour) {
     const auto part = to_.clipped(a, b);
-    if (!part) return;
+    if (!part || 2 * ((*part)[1] - (*part)[0]).norm() < (b - a).norm()) return;
     const QPointF from = to_.toScreen((*part)[0]), to = to_.toScreen((*part)[1]);
     // To the right of a steep line, above one that lies.
     const bool isSteep = std::abs(to.y() - from.y()) > std::abs(to.x() - from.x());

@@ -30,8 +30,8 @@ import json, os, sys
 session = json.load(open(sys.argv[1]))
 session["input"]["path"] = os.path.join(os.path.dirname(os.path.abspath(sys.argv[1])), session["input"]["path"])
 session["measurements"] = [
-    {"kind": "ruler", "points": [[60, 41.5, 86], [118, 41.5, 86]]},
-    {"kind": "angle", "points": [[70, 41.5, 105], [80, 41.5, 70], [108, 41.5, 84]]},
+    {"kind": "ruler", "points": [[45, 49, 85], [150, 49, 85]]},
+    {"kind": "angle", "points": [[77, 30, 95], [77, 48, 70], [77, 68, 92]]},
 ]
 json.dump(session, open(sys.argv[2], "w"))
 END

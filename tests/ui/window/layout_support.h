@@ -4,11 +4,14 @@
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLayout>
 #include <QLineEdit>
+#include <QMainWindow>
 #include <QScrollArea>
+#include <QTabBar>
 #include <QTableView>
 #include <QWidget>
 
@@ -32,13 +35,19 @@ inline bool isInner(const QWidget& widget) {
   return widget.inherits("QHeaderView") || widget.inherits("QTableCornerButton");
 }
 
+//! Docks that lie behind others, and the tabs of docks where there are none, are kept by Qt out of sight.
+inline bool isParked(const QWidget& widget) {
+  return (qobject_cast<const QDockWidget*>(&widget) || qobject_cast<const QTabBar*>(&widget)) &&
+         qobject_cast<const QMainWindow*>(widget.parentWidget()) && widget.visibleRegion().isEmpty();
+}
+
 //! A widget reaches out of its parent, or of the part of the scroll area that is seen (sideways only: one may
 //! scroll down).
 inline QString faultOfPlace(const QWidget& widget) {
   const QWidget* parent = widget.parentWidget();
   const bool scrolls = parent->objectName() == QLatin1String("qt_scrollarea_viewport");
   const QRect room = scrolls ? QRect(0, -100'000, parent->width(), 200'000) : parent->rect();
-  if (room.contains(widget.geometry())) return {};
+  if (room.contains(widget.geometry()) || isParked(widget)) return {};
   return QStringLiteral("%1 reaches out of its parent").arg(nameOf(widget));
 }
 
