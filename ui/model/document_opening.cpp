@@ -57,6 +57,7 @@ void Document::Private::adopt(const QString& path, OpenedWork opened) {
   sessionPath.clear();
   view.clear();
   hashInBackground();
+  overTime = sessions.empty() ? std::nullopt : sessions.front().overTime;
   measurements.startWith(sessions.empty() ? std::vector<Measurement>() : sessions.front().measurements);
   if (!sessions.empty()) adoptObjects(path, sessions);
   Q_EMIT q.opened();

@@ -95,6 +95,7 @@ std::vector<Session> Document::Private::sessions() const {
   }
   all.front().view = viewWithObjects().toStdString();
   all.front().measurements = measurements.all();
+  if (all.size() == 1) all.front().overTime = overTime;  // several objects are not carried
   return all;
 }
 

@@ -100,6 +100,7 @@ class Document::Private : public ObjectHost {
   std::shared_ptr<ObjectWork> active;                // one of them
   QUndoStack undo;
   Measurements measurements{undo};
+  std::optional<OverTimeRequest> overTime;  // of the session that was opened: kept for the command line
   std::shared_ptr<std::atomic<bool>> exportCancelled;  // of the newest export; null: there was none
   bool wasModified = false;
   int stepsPerFrame = 1;

@@ -1,5 +1,6 @@
 // What the Document writes: the same files as the command line's, sessions that come back, journals.
 
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 
@@ -253,6 +254,33 @@ TEST_CASE("a session keeps seeds, parameters and the window's view", "[document]
   CHECK(other.sessionPath() == session);
   CHECK_FALSE(other.isModified());
   CHECK(other.state() == GrowthState::none);
+}
+
+TEST_CASE("what a session says of frames of a 4D volume is kept, though the window shows one", "[document]") {
+  Work work;
+  const QString session = work.torus.file("session.json"), again = work.torus.file("again.json");
+  REQUIRE(work.saveTo(session));
+  QFile file(session);
+  REQUIRE(file.open(QIODevice::ReadWrite));
+  QJsonObject json = QJsonDocument::fromJson(file.readAll()).object();
+  CHECK_FALSE(json.contains("over_time"));
+  const QJsonObject over{{"frames", QJsonArray{0, 0}}, {"topology", "free"}, {"drift_check", "none"}};
+  json["over_time"] = over;
+  file.resize(0);
+  file.write(QJsonDocument(json).toJson());
+  file.close();
+  REQUIRE(openAndWait(work.document, session));
+  REQUIRE(work.saveTo(again));
+  QFile saved(again);
+  REQUIRE(saved.open(QIODevice::ReadOnly));
+  const QJsonObject kept = QJsonDocument::fromJson(saved.readAll()).object()["over_time"].toObject();
+  for (const QString& key : over.keys()) CHECK(kept[key] == over[key]);
+  REQUIRE(openAndWait(work.document, work.torus.path));  // another volume is not over time
+  work.document.addSeed(work.torus.seed);
+  REQUIRE(work.saveTo(again));
+  QFile other(again);
+  REQUIRE(other.open(QIODevice::ReadOnly));
+  CHECK_FALSE(QJsonDocument::fromJson(other.readAll()).object().contains("over_time"));
 }
 
 TEST_CASE("a session whose volume has changed is refused", "[document]") {
