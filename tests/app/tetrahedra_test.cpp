@@ -187,10 +187,18 @@ class HangingGmsh {
     }
     const bool isRunning =
         std::filesystem::exists(child) && readBytes(child + "/stat").find(") Z ") == std::string::npos;
-    return !isRunning && std::filesystem::is_empty(folder_ / "tmp");
+    return !isRunning && files() == 0;
   }
 
  private:
+  //! Temporary ones, besides the tests' own folders.
+  int files() const {
+    int count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_ / "tmp"))
+      count += entry.path().filename().string().rfind("handlebody-test-", 0) != 0;
+    return count;
+  }
+
   TempFolder folder_;
   std::string before_;
   std::optional<std::string> temporary_;

@@ -224,9 +224,11 @@ TEST_CASE(
     } catch (const InputError& error) {
       line = error.what();
       INFO(line);
-      CHECK(line.rfind(path + ": ", 0) == 0);
+      // The file itself, or of a folder over time the one that does not go with the others.
+      const auto named = line.substr(0, line.find(": "));
+      CHECK((named == path || std::filesystem::path(named).parent_path() == path));
       CHECK(line.find('\n') == std::string::npos);
-      line = line.substr(path.size() + 2);
+      line = line.substr(std::min(line.size(), named.size() + 2));
       CHECK(line.size() > 10);
       ++refused;
     }

@@ -42,7 +42,7 @@ void ObjectWork::reset() {
   walls_.clear();
   look_.forget();
   conflict_.reset();
-  isLooking_ = false;
+  isLooking_ = looksWhenSettled_ = false;
   replays_ = isShown_ = false;
   savedIteration_ = -1;
   traits = {};

@@ -130,6 +130,7 @@ class ObjectWork : public QObject {
  private:
   void goBackBefore(const Request& undone);
   void lookAtWalls(bool tells);
+  bool isOutdated(const WallQuestion& question) const;
   void lookAgain();
   void wallsLookedAt(const std::optional<WallConflict>& found);
   void editsChanged(bool seeds);
@@ -172,7 +173,7 @@ class ObjectWork : public QObject {
 
   std::optional<WallConflict> conflict_;
   WallQuestion asked_;  // the last one about walls
-  bool isLooking_ = false, tellsAgain_ = false;
+  bool isLooking_ = false, tellsAgain_ = false, looksWhenSettled_ = false;
 
   Wanted wanted_ = Wanted::nothing;
   bool goesOnThere_ = false;        // when the iteration that was asked for is shown

@@ -116,7 +116,10 @@ GrowthState ObjectWork::state() const {
 void ObjectWork::updateState() {
   if (goesOnThere_ && growth_.isSettled()) goOnThere();
   if (editing_ && !isBusy() && growth_.isSettled()) tellOfEdit();
-  if (conflict_ && !growth_.isRunning()) lookAgain();
+  if (looksWhenSettled_ && growth_.isSettled())
+    lookAtWalls(tellsAgain_);
+  else if (conflict_ && !growth_.isRunning())
+    lookAgain();
   const GrowthState now = state();
   const StopReason stop = stopReason();
   const QString failed = error();
@@ -167,7 +170,7 @@ void ObjectWork::lookAtWalls(bool tells) {
   const WallList fresh = without(edits_.constraints.walls, growth_.request().constraints.walls);
   const auto shown = growth_.snapshot();
   asked_ = {shown, fresh, edits_.parameters.direction == Direction::both};
-  isLooking_ = false;
+  isLooking_ = looksWhenSettled_ = false;
   tellsAgain_ = tells;
   if (!growth_.exists() || !shown || shown->mesh.triangles.empty() || fresh.empty()) {
     look_.forget();
@@ -180,10 +183,25 @@ void ObjectWork::lookAtWalls(bool tells) {
     QMetaObject::invokeMethod(
         this,
         [this, question, found] {
-          if (question == asked_ && isLooking_) wallsLookedAt(found);
+          if (!isLooking_ || question != asked_) return;
+          if (!growth_.isRunning() && !growth_.isSettled()) {  // it is on its way to another iteration
+            isLooking_ = false;
+            looksWhenSettled_ = true;
+            return;
+          }
+          isOutdated(question) ? lookAtWalls(tellsAgain_) : wallsLookedAt(found);
         },
         Qt::QueuedConnection);
   });
+}
+
+//! The growth has gone back meanwhile, or knows the walls now. Where it only went on, the surface has not
+//! left them.
+bool ObjectWork::isOutdated(const WallQuestion& question) const {
+  const auto now = growth_.snapshot();
+  if (!now || now->iteration < question.shown->iteration) return true;
+  if (!growth_.isRunning() && now != question.shown) return true;
+  return without(edits_.constraints.walls, growth_.request().constraints.walls) != question.fresh;
 }
 
 //! The answer may be another one now.

@@ -1,6 +1,7 @@
 #pragma once
 // The brush: a ball that paints and erases walls in the slices, pins and smooths the surface, in slices and
-// in 3D, and pulls it by a point. All views share it, so that a stroke is seen in each while it is drawn.
+// in 3D, pulls it by a point, and cuts it along a line drawn in a slice. All views share it, so that a stroke
+// is seen in each while it is drawn.
 
 #include <QObject>
 #include <optional>
@@ -16,8 +17,8 @@ class Brush : public QObject {
  public:
   using QObject::QObject;
 
-  enum class Mode { off, paintWalls, eraseWalls, pin, unpin, smooth, pull };
-  //! A point of the surface that is being pulled, and where to; mm LPS.
+  enum class Mode { off, paintWalls, eraseWalls, pin, unpin, smooth, pull, cut };
+  //! A point of the surface that is being pulled, and where to, or the ends of the line of a cut; mm LPS.
   struct Pull {
     Vec3 from, to;
   };
@@ -29,6 +30,8 @@ class Brush : public QObject {
   bool isForWalls() const { return mode_ == Mode::paintWalls || mode_ == Mode::eraseWalls; }
   //! On, and not for walls.
   bool isForSurface() const { return isOn() && !isForWalls(); }
+  //! On, and of use in 3D.
+  bool isFor3d() const { return isForSurface() && mode_ != Mode::cut; }
   double radius() const { return radius_; }  //!< mm
   //! Within lowest() and highest().
   void setRadius(double radius);

@@ -33,10 +33,18 @@ bool BrushHand::isReady() const {
   }
 }
 
-void BrushHand::press(const Vec3& place, const Vec3& pointer) {
+namespace {
+
+//! What is dragged is an arrow or a line, no stroke.
+bool isLine(Brush::Mode mode) { return mode == Brush::Mode::pull || mode == Brush::Mode::cut; }
+
+}  // namespace
+
+void BrushHand::press(const Vec3& place, const Vec3& pointer, const Vec3& sight) {
   isDown_ = true;
   offset_ = place - pointer;
-  if (brush_.mode() == Brush::Mode::pull)
+  sight_ = sight;
+  if (isLine(brush_.mode()))
     brush_.setPull(Brush::Pull{place, place});
   else
     brush_.drawTo(place);
@@ -44,7 +52,7 @@ void BrushHand::press(const Vec3& place, const Vec3& pointer) {
 
 void BrushHand::drawTo(const Vec3& pointer, bool joined) {
   if (!isDown_ || !brush_.isOn() || brush_.mode() == Brush::Mode::smooth) return;
-  if (brush_.mode() == Brush::Mode::pull) {
+  if (isLine(brush_.mode())) {
     if (brush_.pull()) brush_.setPull(Brush::Pull{brush_.pull()->from, pointer + offset_});
   } else if (joined) {
     brush_.drawTo(pointer);
@@ -55,7 +63,7 @@ void BrushHand::drawTo(const Vec3& pointer, bool joined) {
 
 void BrushHand::lift() {
   isDown_ = false;
-  if (brush_.mode() == Brush::Mode::pull) return pull();
+  if (isLine(brush_.mode())) return pull();
   const Brush::Mode mode = brush_.mode();
   const std::vector<WallBall> stroke = brush_.take();
   if (stroke.empty() || !isReady()) return;  // given up with Escape; the growth was started by a key
@@ -85,7 +93,18 @@ void BrushHand::edit(const Vec3& place) const {
   document_.editMesh(smoothing);
 }
 
-//! A click whose mouse trembles is no pull.
+//! Of the sections of the plane through the line those that come between its ends, or hold its middle; both
+//! parts stay.
+void BrushHand::cut(const Vec3& from, const Vec3& to) const {
+  MeshEdit edit;
+  edit.kind = MeshEditKind::cut;
+  edit.place = (from + to) / 2;
+  edit.vector = (to - from).cross(sight_).normalized();
+  edit.radius = (to - from).norm() / 2;
+  document_.editMesh(edit);
+}
+
+//! A click whose mouse trembles is neither a pull nor a cut.
 void BrushHand::pull() const {
   const std::optional<Brush::Pull> pulled = brush_.pull();
   brush_.setPull(std::nullopt);
@@ -93,6 +112,7 @@ void BrushHand::pull() const {
   constexpr double kTremble = 0.1;  // voxels
   const double voxel = document_.volume().grid.meanSpacing();
   if ((pulled->to - pulled->from).norm() < kTremble * voxel) return;
+  if (brush_.mode() == Brush::Mode::cut) return cut(pulled->from, pulled->to);
   MeshEdit edit;
   edit.kind = MeshEditKind::pull;
   edit.place = pulled->from;

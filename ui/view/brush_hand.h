@@ -21,8 +21,9 @@ class BrushHand {
   bool isReady() const;
   bool isDown() const { return isDown_; }
   //! All places are mm LPS. `pointer`: where the mouse is, if that is not at the place: a pull keeps the
-  //! distance. Precondition: isReady(); for a pull the place lies on the surface.
-  void press(const Vec3& place, const Vec3& pointer);
+  //! distance. `sight`: across the slice, a unit vector; a cut lies along it. Precondition: isReady(); for a
+  //! pull the place lies on the surface.
+  void press(const Vec3& place, const Vec3& pointer, const Vec3& sight = Vec3::Zero());
   //! `joined`: with what lies between.
   void drawTo(const Vec3& pointer, bool joined = true);
   //! Only now is anything done: one entry of the undo list.
@@ -33,11 +34,13 @@ class BrushHand {
  private:
   void edit(const Vec3& place) const;
   void pull() const;
+  void cut(const Vec3& from, const Vec3& to) const;
 
   Document& document_;
   Brush& brush_;
   bool isDown_ = false;
   Vec3 offset_{0, 0, 0};  // from the mouse to what it has hold of
+  Vec3 sight_{0, 0, 0};
 };
 
 }  // namespace handlebody::ui

@@ -70,4 +70,13 @@ void paintPull(QPainter& painter, const QPointF& from, const QPointF& to, double
   paintGrip(painter, from);
 }
 
+void paintCut(QPainter& painter, const QPointF& from, const QPointF& to) {
+  painter.setPen(QPen(kShadow, 4, Qt::SolidLine, Qt::RoundCap));
+  painter.drawLine(from, to);
+  painter.setPen(QPen(kEditRim, 1.8, Qt::DashLine, Qt::RoundCap));
+  painter.drawLine(from, to);
+  paintGrip(painter, from);
+  paintGrip(painter, to);
+}
+
 }  // namespace handlebody::ui

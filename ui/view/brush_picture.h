@@ -15,5 +15,7 @@ void paintBrush(QPainter& painter, const QPointF& pixel, double radius, Brush::M
 void paintGrip(QPainter& painter, const QPointF& pixel);
 //! From where to where the surface is pulled, and how far around it moves with it (pixels).
 void paintPull(QPainter& painter, const QPointF& from, const QPointF& to, double radius);
+//! The line of a cut.
+void paintCut(QPainter& painter, const QPointF& from, const QPointF& to);
 
 }  // namespace handlebody::ui

@@ -87,7 +87,7 @@ void SliceInteraction::startLeftDrag(const QPointF& pixel) {
     const std::optional<Vec3> place = brushPlace(pixel);
     if (!place) return;
     drag_ = Drag::brush;
-    hand_.press(*place, geometry_.toWorld(pixel));
+    hand_.press(*place, geometry_.toWorld(pixel), geometry_.grid().direction.col(geometry_.axes().normal));
     return;
   }
   const SeedGrab grab = seedAt(circles(), pixel, document_.selectedSeed());

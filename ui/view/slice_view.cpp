@@ -219,11 +219,13 @@ void SliceView::Private::paintBrushWork(QPainter& painter) const {
   const double radius = brush.radius() / geometry.mmPerPixel();
   if (const auto& pull = brush.pull()) {
     const double reach = geometry.grid().spacing[geometry.axes().normal] / 2;
-    if (std::abs(geometry.distance(pull->from)) <= reach)
-      paintPull(painter, geometry.worldToScreen(pull->from), geometry.worldToScreen(pull->to), radius);
-    return;
+    const bool isLine = brush.mode() == Brush::Mode::cut;  // it lies in one slice
+    if (std::abs(geometry.distance(pull->from)) > reach) return;
+    if (isLine && std::abs(geometry.distance(pull->to)) > reach) return;
+    const QPointF from = geometry.worldToScreen(pull->from), to = geometry.worldToScreen(pull->to);
+    return isLine ? paintCut(painter, from, to) : paintPull(painter, from, to, radius);
   }
-  if (!pointer || !brush.isOn() || state.windowLevelTool()) return;
+  if (!pointer || !brush.isOn() || brush.mode() == Brush::Mode::cut || state.windowLevelTool()) return;
   const std::optional<Vec3> place = interaction.brushPlace(*pointer);
   if (!place) return;
   const QPointF at = geometry.worldToScreen(*place);

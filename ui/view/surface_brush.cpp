@@ -84,7 +84,7 @@ std::optional<Vec3> SurfaceBrush::placeUnder(const Eye& eye, const QPointF& pixe
 
 bool SurfaceBrush::press(const Eye& eye, const QPointF& pixel) {
   pointer_ = pixel;
-  if (!state_.brush().isForSurface()) return false;
+  if (!state_.brush().isFor3d()) return false;
   last_ = placeUnder(eye, pixel);
   if (last_) hand_.press(*last_, *last_);
   return last_.has_value();
@@ -113,7 +113,7 @@ void SurfaceBrush::lift() { hand_.lift(); }
 void SurfaceBrush::giveUp() { hand_.giveUp(); }
 
 Qt::CursorShape SurfaceBrush::cursor(const Eye& eye) const {
-  if (!pointer_ || !state_.brush().isForSurface()) return Qt::ArrowCursor;
+  if (!pointer_ || !state_.brush().isFor3d()) return Qt::ArrowCursor;
   if (!hand_.isReady()) return Qt::ForbiddenCursor;
   const bool pulls = state_.brush().mode() == Brush::Mode::pull;
   if (hand_.isDown()) return pulls ? Qt::ClosedHandCursor : Qt::CrossCursor;
@@ -124,9 +124,9 @@ Qt::CursorShape SurfaceBrush::cursor(const Eye& eye) const {
 void SurfaceBrush::paint(QPainter& painter, const Eye& eye) const {
   const Brush& brush = state_.brush();
   const double radius = brush.radius() / eye.mmPerPixel();
-  if (const auto& pull = brush.pull())
+  if (const auto& pull = brush.pull(); pull && brush.isFor3d())
     return paintPull(painter, eye.toScreen(pull->from), eye.toScreen(pull->to), radius);
-  if (!brush.isForSurface()) return;
+  if (!brush.isFor3d()) return;
   QPainterPath stroke;
   stroke.setFillRule(Qt::WindingFill);
   for (const WallBall& ball : brush.stroke()) {

@@ -238,7 +238,7 @@ void SurfaceView::Private::paintOver(QPainter& painter, const QSizeF& size) {
 
 void SurfaceView::Private::followBrush() {
   if (!gl || !document.hasVolume()) return;
-  if (state.brush().isForSurface())
+  if (state.brush().isFor3d())
     view.setCursor(brush.cursor(eye()));
   else
     view.unsetCursor();

@@ -42,7 +42,7 @@ void SurfaceView::mousePressEvent(QMouseEvent* event) {
 
 void SurfaceView::mouseMoveEvent(QMouseEvent* event) {
   if (d_->dragging) return d_->tell(event->position(), event->modifiers(), vtkCommand::MouseMoveEvent);
-  if (!d_->gl || !d_->document.hasVolume() || !d_->state.brush().isForSurface()) return;
+  if (!d_->gl || !d_->document.hasVolume() || !d_->state.brush().isFor3d()) return;
   d_->brush.move(d_->eye(), event->position());
   d_->followBrush();
 }
@@ -68,7 +68,7 @@ void SurfaceView::wheelEvent(QWheelEvent* event) {
   if (!hasOpenGl() || !d_->document.hasVolume()) return;
   constexpr double kZoomNotch = 1.2, kNotch = 120;
   event->accept();
-  if (d_->state.brush().isForSurface() && (event->modifiers() & Qt::ControlModifier))
+  if (d_->state.brush().isFor3d() && (event->modifiers() & Qt::ControlModifier))
     return d_->state.brush().turnWheel(event->angleDelta().y() / kNotch);
   d_->flight.stop();
   d_->follows = false;
@@ -86,7 +86,7 @@ void SurfaceView::keyPressEvent(QKeyEvent* event) {
     lookFrom(Plane::coronal, opposite);
   else if (event->key() == Qt::Key_PageDown)
     lookFrom(Plane::sagittal, opposite);
-  else if (event->key() == Qt::Key_Escape && d_->state.brush().isForSurface())
+  else if (event->key() == Qt::Key_Escape && d_->state.brush().isFor3d())
     d_->putBrushAway();
   else
     QWidget::keyPressEvent(event);
@@ -94,7 +94,7 @@ void SurfaceView::keyPressEvent(QKeyEvent* event) {
 
 void SurfaceView::leaveEvent(QEvent*) {
   d_->brush.leave();
-  if (d_->state.brush().isForSurface()) update();
+  if (d_->state.brush().isFor3d()) update();
 }
 
 void SurfaceView::focusInEvent(QFocusEvent*) { update(); }

@@ -200,6 +200,11 @@ void addCorrectCommands(std::vector<CommandSpec>& t) {
         T("Drag a point of the surface, in a slice or in 3D: it goes there, and what lies within the brush's "
           "radius less and less, as the next step"),
         kToggle, false},
+       {Command::cutByLine, menu, "", T("Cut alon&g a line"), "X", "cut",
+        T("Draw a line across the surface in a slice: it is cut there at right angles to the slice, and "
+          "closed on "
+          "both sides, as the next step"),
+        kToggle, false},
        {Command::removePins, menu, "", T("Remove &all pins"), "Ctrl+Shift+L", "",
         T("Nothing of the surface is pinned any more"), kPlain, false},
        {Command::pinHere, menu, "", T("Pi&n here"), "Shift+P", "pin",

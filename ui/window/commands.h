@@ -86,6 +86,7 @@ enum class Command {
   unpinByBrush,
   smoothByBrush,
   pullByDragging,
+  cutByLine,
   removePins,
   pinHere,
   smoothHere,

@@ -50,6 +50,7 @@ QString mouseInSlices() {
           row(tr("L or Shift+L, then left drag"), tr("Pin or unpin the surface under the brush")) +
           row(tr("M, then left click"), tr("Smooth the surface under the brush")) +
           row(tr("U, then left drag from the outline"), tr("Pull the surface by that point")) +
+          row(tr("X, then left drag across the outline"), tr("Cut the surface along that line")) +
           row(tr("W, then left drag"), tr("Window (sideways) and level (up and down)")) +
           row(tr("Double click"), tr("This view alone, or all four")));
 }

@@ -141,7 +141,7 @@ void MainWindow::buildCorrectPanel() {
   panel->addSection(
       tr("On the surface"),
       tr("With the brush, in the slices and in 3D: drag to pin or unpin, click to smooth, drag a "
-         "point to pull it. The radius is the same."),
+         "point to pull it. The radius is the same. A line drawn across it in a slice cuts it."),
       new TouchSection(document_, state_, commands_));
   panel->addSection(
       tr("Held back"),

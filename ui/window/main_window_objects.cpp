@@ -68,32 +68,14 @@ void MainWindow::updateObjectCommands() {
   commands_[Command::objectVisible]->setChecked(info.visible);
   commands_[Command::objectLocked]->setChecked(info.locked);
   if (!info.locked) return;
-  for (Command id : {Command::addSeed,
-                     Command::addOutside,
-                     Command::deleteSeed,
-                     Command::growSeed,
-                     Command::shrinkSeed,
-                     Command::smallerObject,
-                     Command::largerObject,
-                     Command::paintWalls,
-                     Command::eraseWalls,
-                     Command::wallAtCrosshair,
-                     Command::eraseAtCrosshair,
-                     Command::removeWalls,
-                     Command::pinByBrush,
-                     Command::unpinByBrush,
-                     Command::smoothByBrush,
-                     Command::pullByDragging,
-                     Command::removePins,
-                     Command::goOnBeforeWalls,
-                     Command::run,
-                     Command::stepForward,
-                     Command::stepBack,
-                     Command::nextEvent,
-                     Command::previousEvent,
-                     Command::toStart,
-                     Command::toEnd,
-                     Command::deleteObject})
+  for (Command id :
+       {Command::addSeed,     Command::addOutside,      Command::deleteSeed,       Command::growSeed,
+        Command::shrinkSeed,  Command::smallerObject,   Command::largerObject,     Command::paintWalls,
+        Command::eraseWalls,  Command::wallAtCrosshair, Command::eraseAtCrosshair, Command::removeWalls,
+        Command::pinByBrush,  Command::unpinByBrush,    Command::smoothByBrush,    Command::pullByDragging,
+        Command::cutByLine,   Command::removePins,      Command::goOnBeforeWalls,  Command::run,
+        Command::stepForward, Command::stepBack,        Command::nextEvent,        Command::previousEvent,
+        Command::toStart,     Command::toEnd,           Command::deleteObject})
     enable(id, false);
 }
 

@@ -10,7 +10,8 @@ namespace {
 constexpr std::pair<Command, Brush::Mode> kTouching[] = {{Command::pinByBrush, Brush::Mode::pin},
                                                          {Command::unpinByBrush, Brush::Mode::unpin},
                                                          {Command::smoothByBrush, Brush::Mode::smooth},
-                                                         {Command::pullByDragging, Brush::Mode::pull}};
+                                                         {Command::pullByDragging, Brush::Mode::pull},
+                                                         {Command::cutByLine, Brush::Mode::cut}};
 
 }  // namespace
 

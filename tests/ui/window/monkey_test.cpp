@@ -90,7 +90,8 @@ class Monkey {
   //! middle.
   void touch() {
     constexpr Command modes[] = {Command::pinByBrush,     Command::unpinByBrush, Command::smoothByBrush,
-                                 Command::pullByDragging, Command::paintWalls,   Command::eraseWalls};
+                                 Command::pullByDragging, Command::cutByLine,    Command::paintWalls,
+                                 Command::eraseWalls};
     window_.commands()[modes[below(std::size(modes))]]->trigger();
     const auto shown = window_.document().snapshot();
     if (!shown || shown->mesh.points.empty()) return window_.document().stepForward();

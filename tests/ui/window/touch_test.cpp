@@ -78,6 +78,7 @@ class TouchTest : public QObject {
   void pinsAreDrawnInSlicesAndIn3dAndHidden();
   void theOutlineIsPulledByAPointAndUndoTakesItBack();
   void theSurfaceIsPulledIn3d();
+  void aLineAcrossTheOutlineCutsThere();
   void whatIsRefusedSaysWhyAndChangesNothing();
   void aClickSmoothsUnderTheBrush();
   void theKeysAndTheButtonsTurnItOnAndASurfaceThatGoesTurnsItOff();
@@ -236,6 +237,32 @@ void TouchTest::theSurfaceIsPulledIn3d() {
   QVERIFY(std::abs(edit.vector.y() - edit.place.y()) < 1e-9);
   QVERIFY(o.document().snapshot()->certificate.passes());
   QVERIFY(o.undone(iteration));
+}
+
+void TouchTest::aLineAcrossTheOutlineCutsThere() {
+  Grown o;
+  QVERIFY(o.ready);
+  const int iteration = o.document().iteration(),
+            components = o.document().snapshot()->certificate.components;
+  const double volume = o.document().snapshot()->certificate.volume;
+  QTest::keyClick(o.window.get(), Qt::Key_X);
+  const Vec3 middle = kLeft - Vec3(3, 0, 0);
+  QVERIFY(o.edited([&] { o.drag(middle - Vec3(0, 12, 0), middle + Vec3(0, 12, 0)); }));
+  const ui::Document& document = o.document();
+  QCOMPARE(document.snapshot()->certificate.components, components + 1);
+  QVERIFY(document.snapshot()->certificate.passes());
+  QVERIFY(std::abs(document.snapshot()->certificate.volume / volume - 1) < 0.01);
+  const MeshEdit edit = document.constraints().edits.at(0);
+  QVERIFY(edit.kind == MeshEditKind::cut && edit.keep == KeptSide::both);
+  QVERIFY(o.isNear(edit.place, middle, 1));
+  QVERIFY(std::abs(edit.vector.x()) > 0.99 && std::abs(edit.vector.norm() - 1) < 1e-9);
+  QVERIFY(std::abs(edit.radius - 12) < 1);
+  o.keepPicture("cut_along_a_line");
+  QVERIFY(o.undone(iteration));
+  QCOMPARE(document.snapshot()->certificate.components, components);
+  QSignalSpy made(&o.document(), &ui::Document::meshEdited);
+  o.drag(middle, middle);  // a click is no cut
+  QVERIFY(!made.wait(200));
 }
 
 void TouchTest::whatIsRefusedSaysWhyAndChangesNothing() {
