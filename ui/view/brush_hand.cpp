@@ -1,5 +1,7 @@
 #include "ui/view/brush_hand.h"
 
+#include <Eigen/Geometry>
+
 #include "ui/model/document.h"
 #include "ui/view/brush.h"
 
