@@ -27,7 +27,7 @@ TouchSection::TouchSection(Document& document, ViewState& state, const Commands&
   row->addWidget(toggleFor(commands[Command::unpinByBrush], this, tr("Unpin")));
   row->addWidget(toggleFor(commands[Command::smoothByBrush], this, tr("Smooth")));
   row->addWidget(toggleFor(commands[Command::pullByDragging], this, tr("Pull")));
-  row->addWidget(toggleFor(commands[Command::cutByLine], this, tr("Cut")));
+  row->addWidget(toggleFor(commands[Command::cutByLine], this, tr("Cut line")));
   layout->addLayout(row);
   QFormLayout* form = panelForm();
   form->addRow(tr("Radius"), brushRadius(state.brush(), this));

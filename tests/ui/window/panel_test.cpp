@@ -2,6 +2,7 @@
 
 #include <QProgressBar>
 #include <QSpinBox>
+#include <QStatusBar>
 #include <QTableView>
 #include <QTableWidget>
 #include <QUndoStack>
@@ -136,7 +137,7 @@ void PanelTest::whatCannotGrowIsNotSaidToBeReady() {
 void PanelTest::itIsSeenThatTheImageIsPrepared() {
   auto window = shownWindow();
   QVERIFY(window && open(*window, sample("cyst_session.json")));
-  const auto* progress = window->findChild<QProgressBar*>();
+  const auto* progress = window->statusBar()->findChild<QProgressBar*>();
   QVERIFY(progress && !progress->isVisible());
   window->document().run();
   QVERIFY(window->document().state() == GrowthState::preparing);
