@@ -10,10 +10,10 @@ using namespace handlebody::testing;
 
 namespace {
 
-//! A fifth of the runs takes a minute; HANDLEBODY_LEAK_RUNS=100 makes those that docs/leaks.md tells of.
+//! A tenth of the runs takes half a minute; HANDLEBODY_LEAK_RUNS=100 makes those that docs/leaks.md tells of.
 int wantedRuns() {
   const char* const text = std::getenv("HANDLEBODY_LEAK_RUNS");
-  return text ? std::max(1, std::atoi(text)) : 20;
+  return text ? std::max(1, std::atoi(text)) : 11;
 }
 constexpr int kWithin = 5;  // iterations between the break-through and the alarm
 

@@ -1,5 +1,6 @@
 // Any seeds and parameters: never an invalid mesh, a crash or a hang.
 
+#include <cstdlib>
 #include <map>
 #include <random>
 
@@ -93,12 +94,15 @@ TEST_CASE("random seeds and parameters never leave an invalid mesh", "[random]")
   phantoms.emplace("cyst", makePhantom("cyst", coarse));
   phantoms.emplace("cube", makePhantom("cube", coarse));
   for (const char* name : {"genus3", "torus"}) phantoms.emplace(name, makePhantom(name));
+  // Half of the seeds take two minutes; HANDLEBODY_RANDOM_RUNS=50 makes them all.
+  const char* const wanted = std::getenv("HANDLEBODY_RANDOM_RUNS");
+  const int runs = wanted ? std::atoi(wanted) : 25;
   int grown = 0;
-  for (int i = 0; i < 50; ++i) {
+  for (int i = 0; i < runs; ++i) {
     const unsigned seed = static_cast<unsigned>(50 * part + i);
     const auto& [name, phantom] = *std::next(phantoms.begin(), i % 4);
     INFO("random seed " << seed << " on " << name);
     grown += runCertified(phantom, randomRun(phantom, seed));
   }
-  CHECK(grown > 20);  // the test would be empty if most seeds were refused
+  CHECK(grown > 2 * runs / 5);  // the test would be empty if most seeds were refused
 }

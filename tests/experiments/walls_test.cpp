@@ -121,7 +121,7 @@ struct Cost {
 //! In turn, so that what else the machine does falls on all of them.
 std::vector<Cost> costsOf(const Phantom& phantom, const std::vector<std::vector<WallBall>>& walls) {
   std::vector<Cost> costs(walls.size());
-  for (int repeat = 0; repeat < 5; ++repeat)
+  for (int repeat = 0; repeat < 3; ++repeat)
     for (std::size_t i = 0; i < walls.size(); ++i) {
       Constraints constraints;
       constraints.walls.balls = walls[i];
