@@ -65,6 +65,7 @@ StepReport Contour::step() {
   mesh_.reset();
   told_.events.insert(told_.events.end(), step.events.begin(), step.events.end());
   for (const Leak& leak : step.leaks) told_.leaks.push_back({leak, LeakAnswer::goOn});
+  told_.questions.insert(told_.questions.end(), step.questions.begin(), step.questions.end());
   tellIteration();
   return step;
 }

@@ -21,7 +21,7 @@ enum ExitCode : int {
   kInput = 3,
   kSeed = 4,
   kMaxIterations = 5,
-  kLeak = 6,  //!< stopped at a leak (--on-leak)
+  kLeak = 6,  //!< stopped at a leak (--on-leak), or for somebody to decide (--on-held)
   kIncomplete =
       7  //!< `batch`: some cases have no result; `edit`: some tunnels are still open; `--frames`: some failed
 };

@@ -38,6 +38,32 @@ void addOnLeak(CLI::App& command, OnLeak& onLeak) {
       ->type_name("go-on|pause|stop|wall");
 }
 
+void addOnHeld(CLI::App& command, OnHeld& onHeld) {
+  const auto set = [&onHeld](const std::string& text) {
+    if (text == "hold")
+      onHeld = OnHeld::hold;
+    else if (text == "pause")
+      onHeld = OnHeld::pause;
+    else if (text == "stop")
+      onHeld = OnHeld::stop;
+    else
+      throw UsageError("--on-held: '" + text + "' is not hold, pause or stop.");
+  };
+  command
+      .add_option_function<std::string>(
+          "--on-held", set,
+          "When a change of topology comes that would break --components or --genus: hold (default) holds "
+          "and lists it; stop ends with the mesh of before (exit code 6) and says which --allow or --hold "
+          "answers; pause asks at the terminal each time, and is stop where there is none")
+      ->type_name("hold|pause|stop");
+}
+
+bool letAsk(OnHeld onHeld, Constraints& constraints) {
+  TopologyLimits& limits = constraints.topology;
+  if (onHeld != OnHeld::hold && (limits.components || limits.genus)) limits.asks = true;
+  return limits.asks;
+}
+
 namespace {
 
 //! Nothing is kept to go back to.
@@ -57,21 +83,48 @@ ActiveContour goOn(ActiveContour contour, RunReport& report, bool quiet) {
     progress.show(step);
     std::move(step.events.begin(), step.events.end(), std::back_inserter(report.events));
     for (const Leak& leak : step.leaks) report.leaks.push_back({leak, LeakAnswer::goOn});
+    report.questions.insert(report.questions.end(), step.questions.begin(), step.questions.end());
   }
   return contour;
 }
 
-LeakAnswer asked(const Leak& leak) {
-  if (::isatty(STDIN_FILENO) != 1 || ::isatty(STDERR_FILENO) != 1) return LeakAnswer::stop;
-  std::fprintf(stderr, "A leak at iteration %d: %s.\n", leak.iteration, sentence(leak).c_str());
+bool isAtTerminal() { return ::isatty(STDIN_FILENO) == 1 && ::isatty(STDERR_FILENO) == 1; }
+
+//! The letter that a person chooses; the last of them where nobody answers.
+char letterOf(const char* question, const std::string& letters) {
   for (;;) {
-    std::fputs("[w]all here, [s]top before it, [g]o on? ", stderr);
+    std::fputs(question, stderr);
     std::string line;
-    if (!std::getline(std::cin, line)) return LeakAnswer::stop;
-    if (line == "w") return LeakAnswer::wall;
-    if (line == "s") return LeakAnswer::stop;
-    if (line == "g") return LeakAnswer::goOn;
+    if (!std::getline(std::cin, line)) return letters.back();
+    if (line.size() == 1 && letters.find(line[0]) != std::string::npos) return line[0];
   }
+}
+
+LeakAnswer asked(const Leak& leak) {
+  if (!isAtTerminal()) return LeakAnswer::stop;
+  std::fprintf(stderr, "A leak at iteration %d: %s.\n", leak.iteration, sentence(leak).c_str());
+  const char letter = letterOf("[w]all here, [g]o on, [s]top before it? ", "wgs");
+  return letter == 'w' ? LeakAnswer::wall : letter == 'g' ? LeakAnswer::goOn : LeakAnswer::stop;
+}
+
+//! Nothing: that is to be decided later.
+std::optional<HeldAnswer> asked(const HeldPlace& held) {
+  if (!isAtTerminal()) return std::nullopt;
+  std::fprintf(stderr, "Held at iteration %d: %s.\n", held.iteration, sentence(held).c_str());
+  const char letter = letterOf("[l]et it happen, [h]old it, [s]top here? ", "lhs");
+  if (letter == 's') return std::nullopt;
+  return letter == 'l' ? HeldAnswer::allow : HeldAnswer::hold;
+}
+
+//! False if it is to end here.
+bool decide(History& history, const HeldPlace& held, OnHeld onHeld) {
+  const std::optional<HeldAnswer> answer = onHeld == OnHeld::pause ? asked(held) : std::nullopt;
+  if (!answer) return false;
+  Request request{history.seeds(), history.parameters(), history.constraints()};
+  TopologyLimits& limits = request.constraints.topology;
+  (*answer == HeldAnswer::allow ? limits.allowed : limits.kept).push_back(held.place);
+  history.change(request);
+  return true;
 }
 
 //! A disc across the passage, and from before the leak on. False where that cannot be: the surface would lie
@@ -111,6 +164,27 @@ LeakAnswer answerTo(History& history, const Leak& leak, OnLeak onLeak) {
   return answer;
 }
 
+//! What the step just made has told. True if it is to end at the shown iteration.
+bool isStoppedByLeak(History& history, RunReport& report, OnLeak onLeak) {
+  const std::vector<Leak> leaks = history.steps().back().leaks;
+  for (const Leak& leak : leaks) {
+    const LeakAnswer answer = onLeak == OnLeak::goOn ? LeakAnswer::goOn : answerTo(history, leak, onLeak);
+    report.leaks.push_back({leak, answer});
+    // The others are behind the shown iteration now.
+    if (answer != LeakAnswer::goOn) return answer == LeakAnswer::stop;
+  }
+  return false;
+}
+
+bool isStoppedToAsk(History& history, RunReport& report, OnHeld onHeld) {
+  const std::vector<HeldPlace> questions = history.steps().back().questions;
+  for (const HeldPlace& held : questions) {
+    report.questions.push_back(held);
+    if (onHeld != OnHeld::hold && !decide(history, held, onHeld)) return true;
+  }
+  return false;
+}
+
 ActiveContour watched(ActiveContour contour, RunReport& report, const EvolveSettings& settings) {
   Progress progress(settings.quiet);
   History history(std::move(contour));
@@ -118,23 +192,21 @@ ActiveContour watched(ActiveContour contour, RunReport& report, const EvolveSett
   while (!isStopped && history.stopReason() == StopReason::running) {
     history.advance();
     progress.show(history.steps().back());
-    const std::vector<Leak> leaks = history.steps().back().leaks;
-    for (const Leak& leak : leaks) {
-      progress.clear();
-      const LeakAnswer answer = answerTo(history, leak, settings.onLeak);
-      report.leaks.push_back({leak, answer});
-      isStopped = answer == LeakAnswer::stop;
-      if (answer != LeakAnswer::goOn) break;  // the others are behind the shown iteration now
-    }
+    const int made = history.iteration();
+    const StepReport& step = history.steps().back();
+    if (!step.leaks.empty() || !step.questions.empty()) progress.clear();
+    isStopped = report.isStoppedAtLeak = isStoppedByLeak(history, report, settings.onLeak);
+    if (!isStopped && history.iteration() == made)  // else what it asked is not there any more
+      isStopped = report.isStoppedToAsk = isStoppedToAsk(history, report, settings.onHeld);
   }
   const int end = history.iteration();
+  std::erase_if(report.questions, [&](const HeldPlace& h) { return h.iteration > end; });
   for (const Event& e : history.events())
     if (e.iteration <= end) report.events.push_back(e);
   report.session.changes = history.changes();
   if (isStopped) {
     std::erase_if(report.session.changes, [&](const ParameterChange& c) { return c.iteration >= end; });
     report.session.stopAt = end;
-    report.isStoppedAtLeak = true;
   }
   return history.shown();
 }
@@ -144,8 +216,9 @@ ActiveContour watched(ActiveContour contour, RunReport& report, const EvolveSett
 ActiveContour evolve(ActiveContour contour, RunReport& report, const EvolveSettings& settings) {
   // Traces are kept only when they will be written: they can be many times larger than the mesh.
   contour.recordTraces(settings.traces);
-  ActiveContour end = settings.onLeak == OnLeak::goOn ? goOn(std::move(contour), report, settings.quiet)
-                                                      : watched(std::move(contour), report, settings);
+  const bool watches = settings.onLeak != OnLeak::goOn || settings.onHeld != OnHeld::hold;
+  ActiveContour end = watches ? watched(std::move(contour), report, settings)
+                              : goOn(std::move(contour), report, settings.quiet);
   requireNothingWaiting(end);
   tellState(end, report);
   return end;

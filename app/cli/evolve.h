@@ -1,5 +1,6 @@
 #pragma once
-// The iterations of a run, and what is done at a leak (docs/leaks.md).
+// The iterations of a run, and what is done at a leak (docs/leaks.md) or
+// where a change of topology is held.
 
 #include "core/evolution/active_contour.h"
 #include "core/io/report.h"
@@ -21,8 +22,22 @@ enum class OnLeak {
 //! Adds --on-leak.
 void addOnLeak(CLI::App& command, OnLeak& onLeak);
 
+//! What happens when a limit of the topology begins to hold a change (docs/constraints.md).
+enum class OnHeld {
+  hold,   //!< it is held and listed
+  pause,  //!< a person at the terminal is asked; where there is none: stop
+  stop    //!< it ends there
+};
+
+//! Adds --on-held.
+void addOnHeld(CLI::App& command, OnHeld& onHeld);
+
+//! Has the limits of the object ask, if that is wanted and it has any. True if it asks.
+bool letAsk(OnHeld onHeld, Constraints& constraints);
+
 struct EvolveSettings {
   OnLeak onLeak = OnLeak::goOn;
+  OnHeld onHeld = OnHeld::hold;
   bool traces = false;
   bool quiet = false;
 };

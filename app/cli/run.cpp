@@ -179,7 +179,7 @@ LoadedSession load(Session session) {
 
 int exitCodeOf(const std::vector<RunReport>& reports) {
   const auto any = [&](auto&& is) { return std::any_of(reports.begin(), reports.end(), is); };
-  if (any([](const RunReport& r) { return r.isStoppedAtLeak; })) return kLeak;
+  if (any([](const RunReport& r) { return r.isStoppedAtLeak || r.isStoppedToAsk; })) return kLeak;
   const bool isCut = any([](const RunReport& r) { return r.stopped == StopReason::maxIterations; });
   return isCut ? kMaxIterations : kDone;
 }
@@ -290,7 +290,9 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, Among among, c
   tellBeginning(contour, report);
   report.seconds.prepare = watch.lap();
 
-  contour = evolve(std::move(contour), report, {outputs.onLeak, !outputs.trace.empty(), outputs.quiet});
+  const OnHeld onHeld = report.session.constraints.topology.asks ? outputs.onHeld : OnHeld::hold;
+  contour =
+      evolve(std::move(contour), report, {outputs.onLeak, onHeld, !outputs.trace.empty(), outputs.quiet});
   report.seconds.evolve = watch.lap();
 
   CertifiedMesh made = grownMesh(contour);

@@ -33,6 +33,7 @@ struct RunOutputs {
   ObjectOptions object;
   DicomContent content;
   OnLeak onLeak = OnLeak::goOn;
+  OnHeld onHeld = OnHeld::hold;
   double mesherSeconds = kMesherSeconds;
   std::optional<bool> polish;  //!< none: as the session says
   bool quiet = false;

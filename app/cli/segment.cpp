@@ -63,14 +63,21 @@ void addGrowthOption(CLI::App& command, const GrowthOption& option, Session& ses
       ->allow_extra_args(false);
 }
 
+[[noreturn]] void refuseToAsk() {
+  throw UsageError("--on-held has no limit to hold: give --components or --genus.");
+}
+
 int segment(SegmentOptions o) {
   Session& session = o.session;
+  if (!letAsk(o.outputs.onHeld, session.constraints) && o.outputs.onHeld != OnHeld::hold) refuseToAsk();
   session.version = HANDLEBODY_VERSION;
   session.space = o.space.value_or(CoordinateSpace::lps);
   session.polish = o.outputs.polish.value_or(true);
   const Clicks clicks = parseClicks(o.clicks);
   assignResults(o.outputs, {chosenLabel(o.outputs.object, session.label)});
   session.overTime = requestOf(o.overTime);
+  if (session.overTime && o.outputs.onHeld != OnHeld::hold)
+    throw UsageError("--on-held pause and stop are for a single frame: --frames asks nobody.");
   if (session.overTime) {
     chooseFrame(session);
     checkOverTime(session, o.outputs, o.overTime);
@@ -90,6 +97,7 @@ void addRunOptions(CLI::App& command, SegmentOptions& options) {
   addRunOutputs(command, options.outputs);
   addSpace(command, options.space);
   addOnLeak(command, options.outputs.onLeak);
+  addOnHeld(command, options.outputs.onHeld);
   addOverTime(command, options.overTime);
 }
 
@@ -175,6 +183,10 @@ SeveralObjects parseSeveral(const std::vector<std::string>& arguments) {
   std::vector<SegmentOptions> objects;
   for (const auto& group : groups.objects) objects.push_back(parseOwn(group, common));
   const std::vector<ObjectLabel> labels = labelsOf(objects);
+  bool isAsking = all.run.outputs.onHeld == OnHeld::hold;
+  for (SegmentOptions& o : objects)
+    if (letAsk(all.run.outputs.onHeld, o.session.constraints)) isAsking = true;
+  if (!isAsking) refuseToAsk();
   for (std::size_t i = 0; i < objects.size(); ++i) {
     Session session = objects[i].session;
     session.version = HANDLEBODY_VERSION;

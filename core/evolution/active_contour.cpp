@@ -95,7 +95,10 @@ void ActiveContour::State::deleteCollapsed(Attempt& a) {
 
 //! The changes that may not happen, each with an event.
 std::vector<HeldChange> ActiveContour::State::judge(const Attempt& a, StepReport& report) {
-  std::vector<HeldChange> changes = held.judge(a.events, iteration, limits.longest);
+  const auto measure = [&](const Event& e) {
+    return heldSize(e, transaction.before(), mesh, limits.longest);
+  };
+  std::vector<HeldChange> changes = held.judge(a.events, iteration, limits.longest, measure);
   for (const HeldChange& h : changes) {
     report.events.push_back(rolledBack(h.place, h.reason));
     report.events.back().held = h.kind;
@@ -211,6 +214,7 @@ StepReport ActiveContour::State::step() {
   // Of the mesh that is left, also when all of the step was rolled back.
   report.settledVertices = std::max(0, mesh.vertexCount() - report.movedVertices);
   report.volume = transaction.volume();
+  report.questions = held.questions(iteration);
   watch(last, report);
   decideStop(report);
   takePins();

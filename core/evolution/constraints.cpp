@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "core/errors.h"
 #include "core/evolution/edit_step.h"
@@ -50,6 +51,22 @@ void requireSensible(const WallList& walls, const Grid& grid) {
   if (!walls.map->voxels) throw UsageError("The label map of the walls has not been read.");
   if (walls.map->voxels->size() != grid.voxelCount())
     throw UsageError("The label map of the walls has not the volume's size.");
+}
+
+//! What is answered to the limits needs one, and lies in the volume.
+void requireSensiblePlaces(const TopologyLimits& limits, const Grid& grid) {
+  const bool isAny = limits.components || limits.genus;
+  if (!isAny && !limits.allowed.empty())
+    throw UsageError("An allowed place has nothing to allow: the components and the genus have no limit.");
+  if (!isAny && !limits.kept.empty())
+    throw UsageError("A place to hold has nothing to hold: the components and the genus have no limit.");
+  if (!isAny && limits.asks)
+    throw UsageError("There is nothing to ask about: the components and the genus have no limit.");
+  for (const auto& [places, name] :
+       {std::pair(&limits.allowed, "allowed place "), std::pair(&limits.kept, "place to hold ")})
+    for (const Vec3& p : *places)
+      if (!p.allFinite() || outside(grid, p) > 0)
+        throw UsageError("The " + std::string(name) + written(p) + " lies outside of the volume.");
 }
 
 //! A step is one edit, and nothing else happens in it.
@@ -111,12 +128,7 @@ void requireSensible(const Constraints& constraints, const Grid& grid) {
   if (constraints.topology.components.value_or(1) < 1)
     throw UsageError("The number of components must be at least 1.");
   if (constraints.topology.genus.value_or(0) < 0) throw UsageError("The genus must be at least 0.");
-  if (constraints.topology.allowed.empty()) return;
-  if (!constraints.topology.components && !constraints.topology.genus)
-    throw UsageError("An allowed place has nothing to allow: the components and the genus have no limit.");
-  for (const Vec3& p : constraints.topology.allowed)
-    if (!p.allFinite() || outside(grid, p) > 0)
-      throw UsageError("The allowed place " + written(p) + " lies outside of the volume.");
+  requireSensiblePlaces(constraints.topology, grid);
 }
 
 }  // namespace handlebody

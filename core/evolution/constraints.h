@@ -70,7 +70,10 @@ struct TopologyLimits {
   std::optional<int> components{};
   std::optional<int> genus{};
   std::vector<Vec3> allowed{};  //!< mm, LPS: changes at these places may break the limits
-  bool empty() const { return !components && !genus && allowed.empty(); }
+  //! Each change that is held is put to somebody (StepReport::questions). The mesh is the same either way.
+  bool asks = false;
+  std::vector<Vec3> kept{};  //!< mm, LPS: held on, as somebody has answered
+  bool empty() const { return !components && !genus && allowed.empty() && kept.empty() && !asks; }
   bool operator==(const TopologyLimits&) const = default;
 };
 

@@ -1,6 +1,7 @@
 #include "core/evolution/held_changes.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <numeric>
 
 #include "core/errors.h"
@@ -22,6 +23,22 @@ bool contains(const std::vector<Veto>& list, const Veto& veto) {
 }
 
 }  // namespace
+
+std::string sentence(const HeldPlace& held) {
+  char place[96], size[96] = "";
+  std::snprintf(place, sizeof place, "at %.1f,%.1f,%.1f", held.place.x(), held.place.y(), held.place.z());
+  const HeldSize& s = held.size;
+  const bool isPart = s.part > 0;
+  if (isPart)
+    std::snprintf(size, sizeof size, "%s of %.3g ml", s.isCavity ? "a cavity" : "a part", s.part / 1000);
+  else if (s.tunnel > 0)
+    std::snprintf(size, sizeof size, " and make a tunnel %.3g mm around", s.tunnel);
+  const std::string at = place;
+  if (isPart && s.isCavity) return "it would enclose " + std::string(size) + " " + at;
+  if (isPart) return std::string(size) + " would come off " + at;
+  if (held.kind == EventKind::handleInserted) return "its fronts would meet " + at + size;
+  return std::string("a change of its topology (") + eventKindName(held.kind) + ") would happen " + at + size;
+}
 
 bool HeldChanges::choose(const Constraints& constraints, int iteration) {
   for (const Veto& v : constraints.vetoes)
@@ -103,7 +120,8 @@ bool HeldChanges::breaksLimit(const Event& e) const {
 
 //! A new place, or, in the middle of one that did not suffice, that one made larger: so everything near
 //! rests in the end.
-HeldChange HeldChanges::hold(const Event& event, const std::optional<Veto>& veto, double longest) {
+HeldChange HeldChanges::hold(const Event& event, const std::optional<Veto>& veto, double longest,
+                             const Measure& measure) {
   const auto known = std::find_if(places_.begin(), places_.end(), [&](const Place& p) {
     return p.veto == veto && (p.centre - event.location).norm() < kSmallest / 2 * longest;
   });
@@ -112,29 +130,33 @@ HeldChange HeldChanges::hold(const Event& event, const std::optional<Veto>& veto
     known->reach += kGrowth * longest;
     ++known->told.times;
   } else {
-    const HeldPlace told{event.kind, event.iteration, event.location, veto.has_value(), 1};
+    const bool isFirst = std::none_of(places_.begin(), places_.end(),
+                                      [&](const Place& p) { return p.veto == veto && p.holds(event); });
+    const HeldSize size = measure && isFirst ? measure(event) : HeldSize();
+    const HeldPlace told{event.kind, event.iteration, event.location, veto.has_value(), 1, size};
     places_.push_back({event.location, kSmallest * longest, kSameChange * longest, veto, told});
   }
   return {event.kind, event.location,
           veto ? "kept apart here, as asked" : "held: it would break the limit of the topology"};
 }
 
-void HeldChanges::holdForLimits(std::span<const Event> events, double longest,
+void HeldChanges::holdForLimits(std::span<const Event> events, double longest, const Measure& measure,
                                 std::vector<HeldChange>& held) {
   if (!isOverLimits(events.front().before, events.back().after)) return;
   for (const Event& e : events)
     if (changesTopology(e.kind) && breaksLimit(e) && !mayBreakLimits(e, longest))
-      held.push_back(hold(e, std::nullopt, longest));
+      held.push_back(hold(e, std::nullopt, longest, measure));
 }
 
-std::vector<HeldChange> HeldChanges::judge(std::span<const Event> events, int iteration, double longest) {
+std::vector<HeldChange> HeldChanges::judge(std::span<const Event> events, int iteration, double longest,
+                                           const Measure& measure) {
   std::vector<HeldChange> held;
   if (asked_.empty() && !holdsTopology_) return held;
   for (const Event& e : events) {
     const Place* near = changesTopology(e.kind) ? vetoedNear(e) : nullptr;
     if (near) held.push_back(hold(e, std::optional<Veto>(near->veto), longest));
   }
-  if (held.empty() && !events.empty()) holdForLimits(events, longest, held);
+  if (held.empty() && !events.empty()) holdForLimits(events, longest, measure, held);
   if (!held.empty()) return held;
   // One at a time, in the order in which they were asked for: each was chosen in what the others left.
   const auto veto = std::find_if(asked_.vetoes.begin(), asked_.vetoes.end(), [&](const Veto& v) {
@@ -177,8 +199,26 @@ std::vector<HeldPlace> HeldChanges::list() const {
     } else {
       out[row[group[i]]].times += places_[i].told.times;
     }
+    if (isDecided(places_[i])) out[row[group[i]]].isDecided = true;
   }
   return out;
+}
+
+bool HeldChanges::isDecided(const Place& place) const {
+  const std::vector<Vec3>& kept = asked_.topology.kept;
+  return !place.veto && std::any_of(kept.begin(), kept.end(),
+                                    [&](const Vec3& p) { return (place.centre - p).norm() < place.reach; });
+}
+
+std::vector<HeldPlace> HeldChanges::questions(int iteration) const {
+  const bool isAny = asked_.topology.asks && std::any_of(places_.begin(), places_.end(), [&](const Place& p) {
+                       return p.told.iteration == iteration;
+                     });
+  if (!isAny) return {};
+  std::vector<HeldPlace> all = list();
+  std::erase_if(all,
+                [&](const HeldPlace& h) { return h.isVetoed || h.isDecided || h.iteration != iteration; });
+  return all;
 }
 
 std::vector<std::string> HeldChanges::doubts() const {

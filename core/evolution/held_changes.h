@@ -2,12 +2,14 @@
 // Changes of topology that are not to happen: those that were vetoed, and those that would break a limit. The
 // fronts rest there.
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/evolution/constraints.h"
+#include "core/evolution/held_size.h"
 #include "core/surgery/event.h"
 
 namespace handlebody {
@@ -26,7 +28,14 @@ struct HeldPlace {
   Vec3 place{0, 0, 0};                         //!< mm; the same
   bool isVetoed = false;                       //!< false: for a limit
   int times = 0;                               //!< how often a change was held there
+  HeldSize size{};                             //!< of the first; nothing is measured for a veto
+  bool isDecided = false;                      //!< somebody has answered that it is held
+  bool operator==(const HeldPlace&) const = default;
 };
+
+//! "its fronts would meet at 1,2,3 and make a tunnel 84 mm around": what the held change would do, without a
+//! full stop.
+std::string sentence(const HeldPlace& held);
 
 class HeldChanges {
  public:
@@ -39,13 +48,18 @@ class HeldChanges {
 
   //! Which events of an attempt may not happen; around each of them the surface rests from now on.
   //! Precondition: the attempt would be accepted otherwise. Throws UsageError if a veto of this iteration
-  //! finds no change. `longest`: mm, of the mesh's edges.
-  std::vector<HeldChange> judge(std::span<const Event> events, int iteration, double longest);
+  //! finds no change. `longest`: mm, of the mesh's edges. `measure`: tells how large that is which a limit
+  //! holds, asked for the first of what hangs together; empty: it is not known.
+  std::vector<HeldChange> judge(std::span<const Event> events, int iteration, double longest,
+                                const std::function<HeldSize(const Event&)>& measure = {});
 
   //! True where the surface rests for good.
   bool rests(const Vec3& p) const;
   //! In the order in which they came.
   std::vector<HeldPlace> list() const;
+  //! Of the list what a limit has held since this iteration's step and nobody has answered yet; none unless
+  //! the limits ask.
+  std::vector<HeldPlace> questions(int iteration) const;
   //! Of allowed places at which nothing has come that a limit would have held: sentences without a full stop.
   std::vector<std::string> doubts() const;
   //! The first veto whose iteration has not come yet.
@@ -66,8 +80,12 @@ class HeldChanges {
   bool mayBreakLimits(const Event& event, double longest);
   bool isOverLimits(const TopologyNumbers& before, const TopologyNumbers& after) const;
   bool breaksLimit(const Event& event) const;
-  void holdForLimits(std::span<const Event> events, double longest, std::vector<HeldChange>& held);
-  HeldChange hold(const Event& event, const std::optional<Veto>& veto, double longest);
+  using Measure = std::function<HeldSize(const Event&)>;
+  void holdForLimits(std::span<const Event> events, double longest, const Measure& measure,
+                     std::vector<HeldChange>& held);
+  HeldChange hold(const Event& event, const std::optional<Veto>& veto, double longest,
+                  const Measure& measure = {});
+  bool isDecided(const Place& place) const;
   const Event* metByVeto(std::span<const Event> events, const Veto& veto) const;
 
   Constraints asked_;  // without walls

@@ -12,6 +12,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/edit_step.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/growth_level.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/held_changes.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/held_size.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/history.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/image_doubts.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/leak_alarm.cpp

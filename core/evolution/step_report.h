@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/evolution/held_changes.h"
 #include "core/evolution/leak_alarm.h"
 #include "core/surgery/event.h"
 
@@ -16,6 +17,9 @@ struct StepReport {
   double largestMove = 0;  //!< mm
   std::vector<Event> events;
   std::vector<Leak> leaks{};  //!< passages that it came through in this iteration; nearly always none
+  //! Changes that a limit of the topology has begun to hold in it, where the limits ask; each is held until
+  //! somebody lets it happen.
+  std::vector<HeldPlace> questions{};
 };
 
 //! Why an evolution ended.

@@ -103,6 +103,8 @@ Json constraintsToJson(const Constraints& c) {
   if (c.topology.components) json["components"] = *c.topology.components;
   if (c.topology.genus) json["genus"] = *c.topology.genus;
   for (const Vec3& p : c.topology.allowed) json["allowed"].push_back(vectorToJson(p));
+  if (c.topology.asks) json["asks"] = true;
+  for (const Vec3& p : c.topology.kept) json["kept"].push_back(vectorToJson(p));
   for (const Pin& p : c.pins)
     json["pins"].push_back(
         {{"centre", vectorToJson(p.centre)}, {"radius", p.radius}, {"iteration", p.iteration}});
@@ -128,6 +130,9 @@ Constraints constraintsFromJson(const Json& json) {
   if (json.contains("genus")) c.topology.genus = countFromJson(json.at("genus"), 0);
   if (json.contains("allowed"))
     for (const Json& place : json.at("allowed")) c.topology.allowed.push_back(vectorFromJson(place));
+  if (json.contains("asks")) c.topology.asks = json.at("asks").get<bool>();
+  if (json.contains("kept"))
+    for (const Json& place : json.at("kept")) c.topology.kept.push_back(vectorFromJson(place));
   if (json.contains("pins"))
     for (const Json& pin : json.at("pins")) c.pins.push_back(pinFromJson(pin));
   if (json.contains("edits"))

@@ -11,9 +11,9 @@ namespace handlebody {
 Json discToJson(const WallDisc& disc);
 
 //! {"walls": [{"centre", "radius"}], "wall_discs": [as above], "wall_map": {"path", "sha256"}, "vetoes":
-//! [{"iteration", "place"}], "components", "genus", "allowed": [place], "pins": [{"centre", "radius",
-//! "iteration"}], "edits": [{"iteration", "kind", "place"}], with "loop" for a tunnel, "radius", "to" or
-//! "normal" and "keep"}, each only where there are any; the path is null if anonymous.
+//! [{"iteration", "place"}], "components", "genus", "allowed": [place], "asks", "kept": [place], "pins":
+//! [{"centre", "radius", "iteration"}], "edits": [{"iteration", "kind", "place"}], with "loop" for a tunnel,
+//! "radius", "to" or "normal" and "keep"}, each only where there are any; the path is null if anonymous.
 Json constraintsToJson(const Constraints& constraints);
 
 //! The inverse; the voxels of the label map are not read. Throws Json::exception and UsageError.

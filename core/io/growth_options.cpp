@@ -140,6 +140,10 @@ std::vector<GrowthOption> changeOptions() {
                "A change of topology there may break these limits, LPS millimetres (the report lists what "
                "was held, and where); may be given several times",
                [](Constraints& c, Text t) { c.topology.allowed.push_back(parseVector("--allow", t)); }),
+      repeated("--hold", "X,Y,Z",
+               "What is held there for these limits is held on, and --on-held does not ask about it, LPS "
+               "millimetres; may be given several times",
+               [](Constraints& c, Text t) { c.topology.kept.push_back(parseVector("--hold", t)); }),
   };
 }
 

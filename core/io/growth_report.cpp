@@ -47,6 +47,7 @@ void tellDoubts(const ActiveContour& contour, const TriangleSoup& mesh, RunRepor
   const SurfaceSupport support = contour.support();
   add(contour.doubts(support));
   add(leakDoubts(report));
+  add(questionDoubts(report));
   add(pinDoubts(report));
   report.unsupportedSurface = support.withoutEdge;
 }

@@ -69,15 +69,40 @@ Json correctionsToJson(const std::vector<RecordedCorrection>& corrections) {
   return list;
 }
 
-//! The changes of topology that the constraints hold back in the end, each where it first would have come.
+//! A change of topology that the constraints hold back, where it first would have come.
+Json heldToJson(const HeldPlace& held) {
+  Json json = {{"kind", eventKindName(held.kind)},
+               {"iteration", held.iteration},
+               {"location", vectorToJson(held.place)}};
+  if (held.size.tunnel > 0) json["tunnel_mm"] = held.size.tunnel;
+  if (held.size.part > 0) json[held.size.isCavity ? "cavity_mm3" : "part_mm3"] = held.size.part;
+  return json;
+}
+
 Json heldToJson(const std::vector<HeldPlace>& places) {
   Json list = Json::array();
-  for (const HeldPlace& held : places)
-    list.push_back({{"kind", eventKindName(held.kind)},
-                    {"iteration", held.iteration},
-                    {"location", vectorToJson(held.place)},
-                    {"why", held.isVetoed ? "veto" : "limit"},
-                    {"times", held.times}});
+  for (const HeldPlace& held : places) {
+    list.push_back(heldToJson(held));
+    list.back()["why"] = held.isVetoed ? "veto" : "limit";
+    list.back()["times"] = held.times;
+  }
+  return list;
+}
+
+std::string allowOption(const HeldPlace& held) { return "--allow=" + written(held.place); }
+std::string holdOption(const HeldPlace& held) { return "--hold=" + written(held.place); }
+
+Json questionsToJson(const RunReport& report) {
+  Json list = Json::array();
+  for (const HeldPlace& held : report.questions) {
+    const HeldAnswer answer = answerTo(held, report.session);
+    list.push_back(heldToJson(held));
+    list.back()["sentence"] = sentence(held);
+    list.back()["options"] = {{"allow", allowOption(held)}, {"hold", holdOption(held)}};
+    list.back()["answer"] = answer == HeldAnswer::allow  ? "allow"
+                            : answer == HeldAnswer::hold ? "hold"
+                                                         : "none";
+  }
   return list;
 }
 
@@ -105,8 +130,36 @@ Json leaksToJson(const std::vector<ToldLeak>& leaks) {
 
 }  // namespace
 
+HeldAnswer answerTo(const HeldPlace& question, const Session& session) {
+  const auto isIn = [&](const std::vector<Vec3>& places) {
+    return std::find(places.begin(), places.end(), question.place) != places.end();
+  };
+  HeldAnswer answer = HeldAnswer::none;
+  const auto look = [&](const Constraints& c) {
+    if (isIn(c.topology.allowed))
+      answer = HeldAnswer::allow;
+    else if (isIn(c.topology.kept))
+      answer = HeldAnswer::hold;
+  };
+  look(session.constraints);
+  for (const ParameterChange& change : session.changes)
+    if (change.constraints) look(*change.constraints);
+  return answer;
+}
+
+std::vector<std::string> questionDoubts(const RunReport& report) {
+  std::vector<std::string> doubts;
+  for (const HeldPlace& held : report.questions)
+    if (answerTo(held, report.session) == HeldAnswer::none)
+      doubts.push_back("at iteration " + std::to_string(held.iteration) +
+                       " a limit of the topology holds: " + sentence(held) + "; " + allowOption(held) +
+                       " lets it happen, " + holdOption(held) + " holds it without asking again");
+  return doubts;
+}
+
 const char* endName(const RunReport& report) {
   if (report.isStoppedAtLeak) return "leak";
+  if (report.isStoppedToAsk) return "held";
   return report.stopped == StopReason::running ? "stop-at" : stopReasonName(report.stopped);
 }
 
@@ -174,6 +227,7 @@ void addObject(Json& json, const RunReport& report) {
   if (!report.corrections.empty()) json["corrections"] = correctionsToJson(report.corrections);
   if (!report.held.empty()) json["held"] = heldToJson(report.held);
   if (!report.pinned.empty()) json["pinned"] = pinnedToJson(report.pinned);
+  if (!report.questions.empty()) json["questions"] = questionsToJson(report);
   if (!report.leaks.empty()) json["leaks"] = leaksToJson(report.leaks);
   Json& events = json["events"] = Json::array();
   for (const Event& event : report.events) events.push_back(eventToJson(event));

@@ -60,17 +60,28 @@ struct RunReport {
   std::vector<Event> events;
   std::vector<ToldLeak> leaks{};                //!< in the order in which they came
   bool isStoppedAtLeak = false;                 //!< the mesh is that of before the last of them
+  std::vector<HeldPlace> questions{};           //!< what was held and asked about, in the order of coming
+  bool isStoppedToAsk = false;                  //!< the last of them was for somebody to answer
   std::vector<HeldPlace> held;                  //!< in the end
   std::vector<PinnedPart> pinned;               //!< the same
   std::vector<RecordedCorrection> corrections;  //!< what came of clicks that were changed on the way
 };
 
-//! Why a growth ended, as in the report: stopReasonName, "leak" where it stopped before one, and "stop-at"
-//! where it was asked to end there.
+//! What somebody has answered where a change was held: it may happen, it stays held, or nothing.
+enum class HeldAnswer { none, allow, hold };
+
+//! As the session tells, in its first request or a change on the way.
+HeldAnswer answerTo(const HeldPlace& question, const Session& session);
+
+//! Why a growth ended, as in the report: stopReasonName, "leak" where it stopped before one, "held" where it
+//! stopped for somebody to decide, and "stop-at" where it was asked to end there.
 const char* endName(const RunReport& report);
 
 //! A sentence without a full stop for every leak.
 std::vector<std::string> leakDoubts(const RunReport& report);
+
+//! The same for every question without an answer, with the options that answer it.
+std::vector<std::string> questionDoubts(const RunReport& report);
 
 //! The same for every pin whose iteration was never reached.
 std::vector<std::string> pinDoubts(const RunReport& report);

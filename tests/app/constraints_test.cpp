@@ -131,6 +131,43 @@ TEST_CASE("vetoes and limits of the topology stand in session and report, and re
   CHECK_FALSE(allowed.contains("held"));
 }
 
+TEST_CASE("on-held stop ends with exit code 6 and a question that an option answers", "[cli][constraints]") {
+  const TempFolder folder;
+  const PhantomFile torus = makePhantomFile(folder, "torus.mha", {}, "torus");
+  const auto segment = [&](const std::vector<std::string>& options, int exitCode) {
+    std::vector<std::string> arguments{
+        "segment", torus.path,       "--seed",    torus.seed,        "--genus",  "0",
+        "-o",      folder / "a.stl", "--session", folder / "s.json", "--report", folder / "r.json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = runCli(arguments);
+    INFO(outcome.err);
+    REQUIRE(outcome.exitCode == exitCode);
+    REQUIRE(runCli({"replay", folder / "s.json", "-o", folder / "b.stl"}).exitCode == 0);
+    CHECK(readBytes(folder / "a.stl") == readBytes(folder / "b.stl"));
+    return std::pair(nlohmann::json::parse(readBytes(folder / "r.json")), outcome.err);
+  };
+  for (const char* choice : {"stop", "pause"}) {  // there is no terminal
+    const auto [report, told] = segment({"--on-held", choice}, 6);
+    CHECK(report.at("stopped") == "held");
+    const auto& question = report.at("questions").at(0);
+    CHECK(question.at("iteration") == report.at("iterations"));
+    CHECK(question.at("answer") == "none");
+    CHECK(question.at("tunnel_mm").get<double>() > 60);
+    CHECK(report.at("held").at(0).at("location") == question.at("location"));
+    CHECK_THAT(told, Contains("fronts would meet at ") && Contains("--allow=") && Contains("--hold="));
+  }
+  const auto options =
+      nlohmann::json::parse(readBytes(folder / "r.json")).at("questions").at(0).at("options");
+  const auto held = segment({"--on-held", "stop", options.at("hold")}, 0).first;
+  CHECK(held.at("mesh").at("genus").at(0) == 0);
+  CHECK_FALSE(held.contains("questions"));
+  const std::string heldMesh = readBytes(folder / "a.stl");
+  CHECK(segment({}, 0).first.at("stopped") == "converged");
+  CHECK(readBytes(folder / "a.stl") == heldMesh);  // as if nobody had asked
+  const auto allowed = segment({"--on-held", "stop", options.at("allow")}, 0).first;
+  CHECK(allowed.at("mesh").at("genus").at(0) == 1);
+}
+
 TEST_CASE("vetoes and limits without sense are refused with one sentence", "[cli][constraints]") {
   const TempFolder folder;
   const PhantomFile phantom = makePhantomFile(folder);
@@ -142,6 +179,9 @@ TEST_CASE("vetoes and limits without sense are refused with one sentence", "[cli
   requireRefusal(folder, phantom, {"--genus", "-1"}, 2, "--genus");
   requireRefusal(folder, phantom, {"--components", "0"}, 2, "--components");
   requireRefusal(folder, phantom, {"--allow", there}, 2, "no limit");
+  requireRefusal(folder, phantom, {"--hold", there}, 2, "no limit");
+  requireRefusal(folder, phantom, {"--on-held", "stop"}, 2, "--on-held");
+  requireRefusal(folder, phantom, {"--genus", "0", "--on-held", "maybe"}, 2, "--on-held");
   requireRefusal(folder, phantom, {"--genus", "0", "--allow", "1e5,0,0"}, 2, "outside of the volume");
 }
 

@@ -136,6 +136,7 @@ class Sequence {
       const TriangleSoup soup = mesh().compact();
       if (!soup.triangles.empty()) REQUIRE(certify(soup).boundsBody());
       REQUIRE(mesh().vertexCount() < 20000);
+      if (history_.iteration() == history_.lastIteration()) answer();
     }
     // The surface never has a point in a wall, unless it is being pushed out of it.
     if (history_.parameters().direction == Direction::outward)
@@ -228,11 +229,23 @@ class Sequence {
   }
   void limit() {
     Request request = now();
-    request.constraints.topology.components.reset();
-    request.constraints.topology.genus.reset();
-    if (random_() % 2) request.constraints.topology.components = 1 + static_cast<int>(random_() % 3);
-    if (random_() % 2) request.constraints.topology.genus = static_cast<int>(random_() % 3);
+    TopologyLimits& limits = request.constraints.topology = {};
+    if (random_() % 2) limits.components = 1 + static_cast<int>(random_() % 3);
+    if (random_() % 2) limits.genus = static_cast<int>(random_() % 3);
+    limits.asks = (limits.components || limits.genus) && random_() % 4 != 0;
     change("limit", request);
+  }
+  //! What the step just made has asked, if it has: let happen, held on, or left open.
+  void answer() {
+    const std::vector<HeldPlace> questions = history_.steps().back().questions;
+    for (const HeldPlace& held : questions) {
+      const auto which = random_() % 3;
+      if (which == 2) continue;
+      Request request = now();
+      TopologyLimits& limits = request.constraints.topology;
+      (which == 0 ? limits.allowed : limits.kept).push_back(held.place);
+      change(which == 0 ? "let happen" : "held on", request);
+    }
   }
   void takeAway() {
     Request request = now();

@@ -64,6 +64,12 @@ struct FoundLeak {
   int before = 0;  //!< the last iteration at which the passage was free
 };
 
+//! What somebody has asked for on the way: the surface went on with it from that iteration.
+struct ChangeMark {
+  int iteration = 0;
+  QStringList what;  //!< "Walls", "Pins" …
+};
+
 //! A wall that the growth does not know yet lies where the shown surface is already.
 struct WallConflict {
   bool canBePushedOut = false;  //!< the surface may move both ways and crosses it
@@ -174,6 +180,11 @@ class Document : public QObject {
   //! What of the shown snapshot's list is held may happen from the shown iteration on: the veto is lifted, or
   //! the place allowed to break the limits.
   void allow(const HeldPlace& held);
+  //! It stays held from the shown iteration on, and nobody is asked about it any more.
+  void keepHeld(const HeldPlace& held);
+  //! What the limits of the topology hold in the shown iteration, if they ask, and nobody has answered yet;
+  //! the earliest first.
+  std::vector<HeldPlace> openQuestions() const;
   //! The balls of a stroke are walls from the shown iteration on (painted_walls.h); what lies outside of the
   //! volume is left out. False, with refused(), if nothing of it lies within or a seed would have no room:
   //! nothing has changed then. A growth that runs pauses if the surface is there already (wallConflict()).
@@ -247,6 +258,8 @@ class Document : public QObject {
   const std::vector<IterationSummary>& summaries() const;  //!< index = iteration
   //! How the surface went on with other clicks, where it did.
   const std::vector<RecordedCorrection>& corrections() const;
+  //! Where somebody has changed or corrected the growth on its way, in order.
+  std::vector<ChangeMark> changeMarks() const;
   const std::vector<Event>& events() const;  //!< of all iterations, in order, without traces
   //! Works out the stages of events()[index] in the background, told by eventTraced(index, trace).
   void requestTrace(int index);
@@ -301,6 +314,8 @@ class Document : public QObject {
   void meshEdited();                 //!< the shown iteration is an edit that was just made
   void leaked(int index);            //!< leaks()[index] was found just now
   void leakedElsewhere(int object);  //!< one that is not active came through a narrow passage just now
+  void asked();                      //!< openQuestions() has one that was found just now: the growth paused
+  void askedElsewhere(int object);   //!< the same of one that is not active
   void eventTraced(int index, const handlebody::EventTrace& trace);
   void exporting(const QString& path);
   void exportCancelled(const QString& path);

@@ -142,4 +142,27 @@ void Document::allow(const HeldPlace& held) {
   d_->push(tr("Let it happen"), std::move(after), -1);
 }
 
+void Document::keepHeld(const HeldPlace& held) {
+  Edits after = d_->active->edits();
+  after.constraints.topology.kept.push_back(held.place);
+  d_->push(tr("Hold it"), std::move(after), -1);
+}
+
+std::vector<HeldPlace> Document::openQuestions() const {
+  const auto shown = snapshot();
+  const TopologyLimits& limits = constraints().topology;
+  if (!shown || !limits.asks) return {};
+  const auto isIn = [](const std::vector<Vec3>& places, const Vec3& place) {
+    return std::find(places.begin(), places.end(), place) != places.end();
+  };
+  std::vector<HeldPlace> open;
+  for (const HeldPlace& held : shown->held)
+    if (!held.isVetoed && !held.isDecided && !isIn(limits.kept, held.place) &&
+        !isIn(limits.allowed, held.place))
+      open.push_back(held);
+  std::stable_sort(open.begin(), open.end(),
+                   [](const HeldPlace& a, const HeldPlace& b) { return a.iteration < b.iteration; });
+  return open;
+}
+
 }  // namespace handlebody::ui

@@ -59,6 +59,13 @@ void Document::Private::leaked(const ObjectWork& object, int index) {
     Q_EMIT q.leakedElsewhere(at);
 }
 
+void Document::Private::asked(const ObjectWork& object) {
+  if (&object == active.get())
+    Q_EMIT q.asked();
+  else if (const int at = indexOf(object); at >= 0)
+    Q_EMIT q.askedElsewhere(at);
+}
+
 //! Those after it may have waited for it, or have been made with what it was before.
 void Document::Private::pokeAfter(const ObjectWork& object) {
   const auto now = objects;  // what they tell may change the list

@@ -39,6 +39,7 @@ class Document::Private : public ObjectHost {
   void worthKeeping(const ObjectWork& object) override;
   void traced(const ObjectWork& object, int index, const EventTrace& trace) override;
   void leaked(const ObjectWork& object, int index) override;
+  void asked(const ObjectWork& object) override;
   void edited(const ObjectWork& object) override;
   void editRefused(const ObjectWork& object, const Request& asked, const QString& why) override;
 

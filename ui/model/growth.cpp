@@ -41,6 +41,7 @@ void Growth::clear() {
   summaries_.clear();
   events_.clear();
   leaks_.clear();
+  questions_.clear();
   changes_.clear();
   corrections_.clear();
   seconds_ = 0;
@@ -108,6 +109,7 @@ void Growth::collect() {
   changes_ = std::move(update.changes);
   corrections_ = std::move(update.corrections);
   leaks_ = std::move(update.leaks);
+  questions_ = std::move(update.questions);
   const bool leaked = update.leaked && !leaks_.empty();
   seconds_ = update.seconds;
   stopReason_ = update.stopReason;
@@ -120,6 +122,7 @@ void Growth::collect() {
   if (shownChanged) listener_.snapshotChanged();
   for (const auto& [index, trace] : update.traces) listener_.traced(index, trace);
   listener_.stateChanged();
+  if (update.asked) listener_.asked();
   if (leaked) listener_.leaked(static_cast<int>(leaks_.size()) - 1);
 }
 

@@ -17,6 +17,7 @@ class Growth {
     std::function<void()> summariesChanged;
     std::function<void(int, const EventTrace&)> traced;
     std::function<void(int)> leaked;
+    std::function<void()> asked;
   };
   Growth(QObject* context, Listener listener);
 
@@ -52,6 +53,8 @@ class Growth {
   const std::vector<IterationSummary>& summaries() const { return summaries_; }
   const std::vector<Event>& events() const { return events_; }
   const std::vector<FoundLeak>& leaks() const { return leaks_; }
+  //! What was held and asked about, in all recorded iterations.
+  const std::vector<HeldPlace>& questions() const { return questions_; }
   //! What the next step from the shown iteration is done with, as recorded.
   const Request& request() const { return request_; }
   const std::vector<ParameterChange>& changes() const { return changes_; }
@@ -75,6 +78,7 @@ class Growth {
   std::vector<IterationSummary> summaries_;
   std::vector<Event> events_;
   std::vector<FoundLeak> leaks_;
+  std::vector<HeldPlace> questions_;
   Request request_;
   std::vector<ParameterChange> changes_;
   std::vector<RecordedCorrection> corrections_;

@@ -39,6 +39,7 @@ void GrowthWorker::start(std::shared_ptr<const ActiveContour> contour) {
         seconds_ = 0;
         framed_ = kept_ = -1;
         leaks_.clear();
+        questions_.clear();
         history_.emplace(*contour);
       },
       Urgency::endsStep);
@@ -135,7 +136,7 @@ GrowthUpdate GrowthWorker::collect() {
   knownEvents_ = events_.size();
   update_.snapshot.reset();
   update_.traces.clear();
-  update_.leaked = false;
+  update_.leaked = update_.asked = false;
   notified_ = false;
   return out;
 }
@@ -199,6 +200,7 @@ void GrowthWorker::change(const Request& request, const ActiveContour* prepared)
   history_->change(request, prepared);
   kept_ = std::min(kept_, history_->lastIteration());
   std::erase_if(leaks_, [&](const FoundLeak& f) { return f.leak.iteration > history_->lastIteration(); });
+  std::erase_if(questions_, [&](const HeldPlace& h) { return h.iteration > history_->lastIteration(); });
 }
 
 void GrowthWorker::goOn(const Request& request, const ActiveContour* prepared, Mode mode) {
@@ -234,7 +236,13 @@ void GrowthWorker::stepOnce() {
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   const bool isNew = history_->lastIteration() > last;
   if (isNew) seconds_ += spent.count();
-  if ((isNew && noticeLeaks() && mode_ != Mode::replay) || hasReached()) mode_ = Mode::idle;
+  if ((isNew && isToPause() && mode_ != Mode::replay) || hasReached()) mode_ = Mode::idle;
+}
+
+//! For what the step just made has told.
+bool GrowthWorker::isToPause() {
+  const bool atLeak = noticeLeaks(), atQuestion = noticeQuestions();
+  return atLeak || atQuestion;
 }
 
 //! Of the step just made. True if the growth is to pause at them.
@@ -244,6 +252,15 @@ bool GrowthWorker::noticeLeaks() {
   const std::lock_guard lock(mutex_);
   update_.leaked = update_.leaked || !found.empty();
   return pausesAtLeaks_ && !found.empty();
+}
+
+//! The same of what a limit that asks has begun to hold.
+bool GrowthWorker::noticeQuestions() {
+  const std::vector<HeldPlace>& found = history_->steps().back().questions;
+  questions_.insert(questions_.end(), found.begin(), found.end());
+  const std::lock_guard lock(mutex_);
+  update_.asked = update_.asked || !found.empty();
+  return !found.empty();
 }
 
 //! The change that the session recorded here, if any. False if the replay ends here.
@@ -309,6 +326,7 @@ void GrowthWorker::publish(std::shared_ptr<const MeshSnapshot> frame) {
       update_.resolved = history_->resolved();
       update_.changes = history_->changes();
       update_.leaks = leaks_;
+      update_.questions = questions_;
       update_.corrections = history_->corrections();
     }
   }

@@ -30,9 +30,11 @@ struct GrowthUpdate {
   std::size_t eventsFrom = 0;
   std::vector<Event> events;
   std::vector<std::pair<int, EventTrace>> traces;
-  std::vector<FoundLeak> leaks;  //!< all that are recorded
-  bool leaked = false;           //!< the last of them is new
-  Request request;               //!< what the next step from the shown iteration is done with
+  std::vector<FoundLeak> leaks;      //!< all that are recorded
+  bool leaked = false;               //!< the last of them is new
+  std::vector<HeldPlace> questions;  //!< all that are recorded
+  bool asked = false;                //!< the last of them is new
+  Request request;                   //!< what the next step from the shown iteration is done with
   std::optional<ResolvedParameters> resolved;
   std::vector<ParameterChange> changes;
   std::vector<RecordedCorrection> corrections;
@@ -102,6 +104,8 @@ class GrowthWorker {
   bool goToRecordedEvent();
   void stepOnce();
   bool noticeLeaks();
+  bool noticeQuestions();
+  bool isToPause();
   bool replayChange();
   bool hasReached() const;
   Request nextRequest() const;
@@ -128,6 +132,7 @@ class GrowthWorker {
   double seconds_ = 0;
   QString error_;
   std::vector<FoundLeak> leaks_;
+  std::vector<HeldPlace> questions_;
 
   // Shared.
   std::mutex mutex_;

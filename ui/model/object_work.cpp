@@ -24,7 +24,7 @@ ObjectWork::ObjectWork(ObjectHost& host)
       growth_(this, {[this] { updateState(); }, [this] { host_.changed(*this, ObjectHost::Part::snapshot); },
                      [this] { host_.changed(*this, ObjectHost::Part::summaries); },
                      [this](int index, const EventTrace& trace) { host_.traced(*this, index, trace); },
-                     [this](int index) { host_.leaked(*this, index); }}) {
+                     [this](int index) { host_.leaked(*this, index); }, [this] { host_.asked(*this); }}) {
   settle_.setSingleShot(true);
   settle_.setInterval(kSettleMilliseconds);
   connect(&settle_, &QTimer::timeout, this, [this] { preparationDue(); });

@@ -44,6 +44,8 @@ class ObjectHost {
   virtual void traced(const ObjectWork& object, int index, const EventTrace& trace) = 0;
   //! The last of its growth's leaks was found just now: `index`.
   virtual void leaked(const ObjectWork& object, int index) = 0;
+  //! A limit of the topology has just begun to hold something that somebody is to decide.
+  virtual void asked(const ObjectWork& object) = 0;
   //! The shown iteration is an edit that was just made.
   virtual void edited(const ObjectWork& object) = 0;
   //! The edit that was asked for by `asked` could not be made.

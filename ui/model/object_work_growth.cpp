@@ -309,6 +309,8 @@ RunReport ObjectWork::report() const {
     if (event.iteration <= r.iterations) r.events.push_back(event);
   for (const FoundLeak& found : growth_.leaks())
     if (found.leak.iteration <= r.iterations) r.leaks.push_back({found.leak, LeakAnswer::goOn});
+  for (const HeldPlace& held : growth_.questions())
+    if (held.iteration <= r.iterations) r.questions.push_back(held);
   for (const RecordedCorrection& correction : growth_.corrections())
     if (correction.iteration < r.iterations) r.corrections.push_back(correction);
   if (const auto shown = growth_.snapshot()) {

@@ -17,6 +17,7 @@
 #include "ui/window/numbers.h"
 #include "ui/window/panel_tools.h"
 #include "ui/window/sentences.h"
+#include "ui/window/topology_section.h"
 
 namespace handlebody::ui {
 
@@ -189,6 +190,8 @@ QWidget* GrowPanel::buildButtons(const Commands& commands) {
   pauses->setChecked(true);
   connect(pauses, &QCheckBox::toggled, this, [this](bool on) { document_.setPausesAtLeaks(on); });
   layout->addWidget(pauses);
+  topology_ = new TopologySection(document_, part);
+  layout->addWidget(topology_);
   return part;
 }
 

@@ -12,6 +12,7 @@ class Commands;
 class Document;
 class EventInspector;
 class SurfaceView;
+class TopologySection;
 
 class GrowPanel : public QWidget {
   Q_OBJECT
@@ -20,6 +21,7 @@ class GrowPanel : public QWidget {
   GrowPanel(Document& document, SurfaceView& surface, const Commands& commands, QWidget* parent = nullptr);
 
   EventInspector& inspector() const { return *inspector_; }
+  TopologySection& topology() const { return *topology_; }
 
  private:
   QWidget* buildButtons(const Commands& commands);
@@ -34,6 +36,7 @@ class GrowPanel : public QWidget {
   QWidget* numbers_;
   QLabel *components_, *genus_, *euler_, *vertices_, *area_, *volume_;
   EventInspector* inspector_;
+  TopologySection* topology_;
 };
 
 //! "Running", "Finished: converged" … with the iteration.

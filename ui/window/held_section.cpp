@@ -28,6 +28,11 @@ std::vector<T> without(std::vector<T> list, std::size_t index) {
   return list;
 }
 
+//! Without limits there is nothing left to allow, to hold or to ask about.
+void clearUnlimited(TopologyLimits& limits) {
+  if (!limits.components && !limits.genus) limits = {};
+}
+
 //! Balls that hold nothing of their own are left out of a stroke, so that there may be gaps in it.
 bool isOneStroke(const Pin& a, const Pin& b) {
   constexpr double kNear = 2;  // radii
@@ -80,19 +85,24 @@ void HeldSection::addTopology(std::vector<Row>& rows) const {
   if (now.topology.components) {
     Constraints after = now;
     after.topology.components.reset();
-    if (!after.topology.genus) after.topology.allowed.clear();  // nothing is left to allow
+    clearUnlimited(after.topology);
     add(tr("At most %1 components").arg(*now.topology.components), {}, tr("Lift the limit"), after);
   }
   if (now.topology.genus) {
     Constraints after = now;
     after.topology.genus.reset();
-    if (!after.topology.components) after.topology.allowed.clear();
+    clearUnlimited(after.topology);
     add(tr("Genus at most %1").arg(*now.topology.genus), {}, tr("Lift the limit"), after);
   }
   for (std::size_t i = 0; i < now.topology.allowed.size(); ++i) {
     Constraints after = now;
     after.topology.allowed = without(now.topology.allowed, i);
     add(tr("May break the limits"), now.topology.allowed[i], tr("Allow no more"), after);
+  }
+  for (std::size_t i = 0; i < now.topology.kept.size(); ++i) {
+    Constraints after = now;
+    after.topology.kept = without(now.topology.kept, i);
+    add(tr("Held, as you decided"), now.topology.kept[i], tr("Decide again"), after);
   }
   for (std::size_t i = 0; i < now.vetoes.size(); ++i) {
     Constraints after = now;
@@ -142,9 +152,15 @@ void HeldSection::addWalls(std::vector<Row>& rows) const {
 void HeldSection::addHeld(std::vector<Row>& rows) const {
   const auto shown = document_.snapshot();
   if (!shown) return;
-  for (const HeldPlace& held : shown->held)
-    rows.push_back({tr("Held: %1").arg(eventName(held.kind)), held.place, tr("Let it happen"),
-                    [this, held] { document_.allow(held); }});
+  const std::vector<HeldPlace> open = document_.openQuestions();
+  for (const HeldPlace& held : shown->held) {
+    const bool isOpen = std::find(open.begin(), open.end(), held) != open.end();
+    QString text = (isOpen ? tr("To decide: %1") : tr("Held: %1")).arg(eventName(held.kind));
+    if (held.size.part > 0) text += QStringLiteral(", ") + millilitres(held.size.part);
+    if (held.size.tunnel > 0)
+      text += QStringLiteral(", ") + tr("%1 around").arg(millimetres(held.size.tunnel));
+    rows.push_back({text, held.place, tr("Let it happen"), [this, held] { document_.allow(held); }});
+  }
 }
 
 std::vector<HeldSection::Row> HeldSection::rowsNow() const {

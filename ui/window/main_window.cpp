@@ -34,6 +34,7 @@
 #include "ui/window/status_fields.h"
 #include "ui/window/steps_panel.h"
 #include "ui/window/timeline_panel.h"
+#include "ui/window/topology_section.h"
 #include "ui/window/touch_section.h"
 #include "ui/window/tune_panel.h"
 #include "ui/window/tunnels_list.h"
@@ -124,6 +125,9 @@ void MainWindow::buildDocks() {
   connect(timeline_, &TimelinePanel::eventChosen, this, &MainWindow::goToEvent);
   connect(&document_, &Document::leaked, this, &MainWindow::showLeak);
   connect(&document_, &Document::leakedElsewhere, this, &MainWindow::tellLeakOf);
+  connect(&document_, &Document::asked, this, &MainWindow::showQuestion);
+  connect(&document_, &Document::askedElsewhere, this, &MainWindow::tellQuestionOf);
+  connect(&grow_->topology(), &TopologySection::answered, this, &MainWindow::answerQuestion);
   timelineDock_ = new QDockWidget(tr("Timeline"), this);
   timelineDock_->setObjectName(QStringLiteral("timeline"));
   timelineDock_->setWidget(timeline_);

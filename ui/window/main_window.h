@@ -96,6 +96,10 @@ class MainWindow : public QMainWindow {
   void tellOfEdit();
   // main_window_leaks.cpp
   void showLeak(int index);
+  void showQuestion();
+  void answerQuestion(const HeldPlace& held, bool allows);
+  void tellQuestionOf(int object);
+  void offerObject(int object, const QString& text, const std::function<void()>& show);
   // main_window_walls.cpp
   void connectCorrectCommands();
   void brushAtCrosshair(bool erases);

@@ -14,8 +14,10 @@ namespace handlebody::ui {
 
 namespace {
 
-const QColor kVolume(0x3B, 0x82, 0xC4), kMoving(0xE0, 0x8A, 0x1E), kLeak(0xC8, 0x32, 0x32);
+const QColor kVolume(0x3B, 0x82, 0xC4), kMoving(0xE0, 0x8A, 0x1E), kLeak(0xC8, 0x32, 0x32),
+    kChange(0x9B, 0x59, 0xD0);
 constexpr double kTop = 18;  // pixels for the legend
+constexpr double kMark = 5;  // pixels, half of the width of a mark
 
 double mostVolume(const std::vector<IterationSummary>& summaries) {
   double most = 0;
@@ -29,6 +31,17 @@ QString leakText(const Document& document, int iteration) {
       return QLatin1Char('\n') +
              TimelinePlot::tr("Leak: %1").arg(QString::fromStdString(sentence(found.leak)));
   return {};
+}
+
+//! A mark covers some iterations beside its own.
+QString changesText(const Document& document, const TimelineAxis& axis, int iteration) {
+  QString text;
+  for (const ChangeMark& mark : document.changeMarks())
+    if (std::abs(axis.toX(mark.iteration) - axis.toX(iteration)) <= kMark)
+      text +=
+          QLatin1Char('\n') + TimelinePlot::tr("Changed at %1: %2")
+                                  .arg(QString::number(mark.iteration), mark.what.join(QStringLiteral(", ")));
+  return text;
 }
 
 }  // namespace
@@ -61,7 +74,7 @@ bool TimelinePlot::event(QEvent* event) {
                      tr("Iteration %1: %2, %3 % of the vertices moving, %4")
                              .arg(QString::number(s.iteration), millilitres(s.volume),
                                   number(100 * s.movingShare, 2), tr("events: %1").arg(s.events)) +
-                         leakText(document_, s.iteration));
+                         leakText(document_, s.iteration) + changesText(document_, axis(), s.iteration));
   return true;
 }
 
@@ -74,6 +87,18 @@ void TimelinePlot::paintCurve(QPainter& painter, double most, double IterationSu
     line << QPointF(a.toX(s.iteration), area().bottom() - area().height() * (s.*number) / most);
   painter.setPen(QPen(colour, 1.6));
   painter.drawPolyline(line);
+}
+
+//! A triangle on the lower rim for each.
+void TimelinePlot::paintChanges(QPainter& painter) const {
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(kChange);
+  const double bottom = area().bottom();
+  for (const ChangeMark& mark : document_.changeMarks()) {
+    const double x = axis().toX(mark.iteration);
+    painter.drawPolygon(QPolygonF{{x - kMark, bottom}, {x + kMark, bottom}, {x, bottom - 1.6 * kMark}});
+  }
+  painter.setBrush(Qt::NoBrush);
 }
 
 void TimelinePlot::paintLegend(QPainter& painter, double most) const {
@@ -115,6 +140,7 @@ void TimelinePlot::paintEvent(QPaintEvent*) {
   const double most = mostVolume(document_.summaries());
   paintCurve(painter, 1, &IterationSummary::movingShare, kMoving);
   paintCurve(painter, most, &IterationSummary::volume, kVolume);
+  paintChanges(painter);
   if (document_.iteration() >= 0) {
     painter.setPen(QPen(palette().color(QPalette::WindowText), 1));
     const double x = a.toX(document_.iteration());

@@ -34,6 +34,7 @@ class TimelinePlot : public QWidget {
   QRectF area() const;
   void paintCurve(QPainter& painter, double most, double IterationSummary::*number,
                   const QColor& colour) const;
+  void paintChanges(QPainter& painter) const;
   void paintLegend(QPainter& painter, double mostVolume) const;
 
   Document& document_;

@@ -53,6 +53,31 @@ Event firstChange(const Volume& volume, const std::vector<Seed>& seeds, const Pa
   return {};
 }
 
+Constraints asking(std::optional<int> components, std::optional<int> genus) {
+  Constraints c = limited(components, genus);
+  c.topology.asks = true;
+  return c;
+}
+
+//! Up to the first step that asks something.
+HeldPlace firstQuestion(ActiveContour& contour) {
+  while (contour.stopReason() == StopReason::running)
+    if (const StepReport step = contour.step(); !step.questions.empty()) {
+      CHECK(step.questions.size() == 1);
+      CHECK(step.questions[0].iteration == contour.iteration());
+      return step.questions[0];
+    }
+  FAIL("nothing was asked");
+  return {};
+}
+
+//! How often somebody is asked from here to the end.
+std::size_t countQuestions(ActiveContour& contour) {
+  std::size_t n = 0;
+  while (contour.stopReason() == StopReason::running) n += contour.step().questions.size();
+  return n;
+}
+
 int countHeld(const std::vector<StepReport>& reports) {
   int n = 0;
   for (const StepReport& r : reports)
@@ -219,4 +244,92 @@ TEST_CASE("a limit of the components keeps a cavity open to the outside", "[veto
   const auto reports = runCertified(contour);
   CHECK(countHeld(reports) >= 1);
   CHECK(certify(contour.mesh().compact()).components == 1);
+}
+
+TEST_CASE("limits that ask tell each change once, with the length of the tunnel, and change no mesh",
+          "[veto][ask]") {
+  ActiveContour told(torusVolume(), {kTorusSeed}, {}, limited({}, 0)),
+      asked(torusVolume(), {kTorusSeed}, {}, asking({}, 0));
+  CHECK(countQuestions(told) == 0);
+  const HeldPlace question = firstQuestion(asked);
+  CHECK(question.kind == EventKind::handleInserted);
+  // Around the hole, along edges.
+  CHECK(question.size.tunnel > 2 * M_PI * (kTorusR - kTorusr));
+  CHECK(question.size.tunnel < 2 * M_PI * (kTorusR + kTorusr));
+  CHECK_THAT(sentence(question), Contains("fronts would meet at ") && Contains(" mm around"));
+  CHECK_FALSE(question.isDecided);
+  CHECK(countQuestions(asked) == 0);
+  CHECK(isSame(told.mesh(), asked.mesh()));
+  CHECK(asked.held() == told.held());
+}
+
+TEST_CASE("an answer lets a held change happen, or holds it for good without another question",
+          "[veto][ask][history]") {
+  History history(ActiveContour(torusVolume(), {kTorusSeed}, {}, asking({}, 0)));
+  while (history.steps().back().questions.empty()) history.advance();
+  const HeldPlace question = history.steps().back().questions[0];
+  Constraints answer = asking({}, 0);
+  SECTION("held") {
+    answer.topology.kept = {question.place};
+    history.change({{kTorusSeed}, {}, answer});
+    while (history.stopReason() == StopReason::running) {
+      history.advance();
+      CHECK(history.steps().back().questions.empty());
+    }
+    REQUIRE(history.shown().held().size() == 1);
+    CHECK(history.shown().held()[0].isDecided);
+    ActiveContour unasked(torusVolume(), {kTorusSeed}, {}, limited({}, 0));
+    run(unasked);
+    CHECK(isSame(history.shown().mesh(), unasked.mesh()));
+    // Known from the start it is not asked at all.
+    ActiveContour known(torusVolume(), {kTorusSeed}, {}, answer);
+    CHECK(countQuestions(known) == 0);
+    CHECK(isSame(known.mesh(), unasked.mesh()));
+  }
+  SECTION("let happen") {
+    answer.topology.allowed = {question.place};
+    history.change({{kTorusSeed}, {}, answer});
+    while (history.stopReason() == StopReason::running) history.advance();
+    CHECK(certify(history.shown().mesh().compact()).genus == std::vector<int>{1});
+    CHECK(history.shown().held().empty());
+  }
+  // The way there is gone again, bit for bit.
+  const Mesh end = history.shown().mesh();
+  ActiveContour again(torusVolume(), {kTorusSeed}, {}, asking({}, 0));
+  while (again.iteration() < question.iteration) again.step();
+  again.change({{kTorusSeed}, {}, answer});
+  run(again);
+  CHECK(isSame(again.mesh(), end));
+}
+
+TEST_CASE("what would come off is told with what it encloses, a cavity as one", "[veto][ask]") {
+  const TwoBalls balls;
+  ActiveContour split(balls.volume, balls.seeds, bothWays(), asking(1, {}));
+  const HeldPlace part = firstQuestion(split);
+  CHECK(part.kind == EventKind::split);
+  CHECK(part.size.part == Approx(kBallVolume).epsilon(0.4));  // both are larger yet
+  CHECK_FALSE(part.size.isCavity);
+  CHECK_THAT(sentence(part), Contains(" ml would come off at "));
+
+  const double inner = 4;
+  const auto shell = [&](const Vec3& p) {
+    const double r = (p - kMiddle).norm();
+    return std::max(r - 13, inner - r);
+  };
+  ActiveContour closing(darkObject(cubicGrid(41), shell), {Seed{kMiddle + Vec3(8.5, 0, 0), 2.5}}, {},
+                        asking(1, {}));
+  const HeldPlace cavity = firstQuestion(closing);
+  CHECK(cavity.size.isCavity);
+  CHECK(cavity.size.part > 4.0 / 3 * M_PI * std::pow(inner, 3) * 0.8);
+  CHECK(cavity.size.part < 4.0 / 3 * M_PI * std::pow(2 * inner, 3));
+  CHECK(sentence(cavity).rfind("it would enclose a cavity of ", 0) == 0);
+}
+
+TEST_CASE("asking and holding need a limit", "[veto][ask]") {
+  const auto message = [](const TopologyLimits& limits) {
+    return messageOf([&] { requireSensible(Constraints{{}, {}, limits}, torusVolume().grid); });
+  };
+  CHECK(message({{}, {}, {}, true}).find("nothing to ask about") != std::string::npos);
+  CHECK(message({{}, {}, {}, false, {kMiddle}}).find("nothing to hold") != std::string::npos);
+  CHECK(message({{}, 0, {}, true, {Vec3(-9, 0, 0)}}).find("outside of the volume") != std::string::npos);
 }

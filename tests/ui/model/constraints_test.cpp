@@ -5,6 +5,7 @@
 
 #include "core/collision/certify.h"
 #include "core/evolution/painted_walls.h"
+#include "core/io/report.h"
 #include "core/io/session.h"
 #include "tests/ui/model/document_support.h"
 
@@ -207,6 +208,84 @@ TEST_CASE("what was held may happen from the shown iteration on", "[document]") 
   REQUIRE(runToEnd(document));
   CHECK(grown.genus() == 1);
   CHECK(document.snapshot()->held.empty());
+}
+
+namespace {
+
+Constraints asking() {
+  Constraints c;
+  c.topology.genus = 0;
+  c.topology.asks = true;
+  return c;
+}
+
+QStringList marksAt(const Document& document, int iteration) {
+  for (const ChangeMark& mark : document.changeMarks())
+    if (mark.iteration == iteration) return mark.what;
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("the growth pauses where a limit that asks holds something, and goes on with the answer",
+          "[document][ask]") {
+  const bool allows = GENERATE(true, false);
+  const TorusFile torus;
+  Document document;
+  REQUIRE(openAndWait(document, torus.path));
+  document.addSeed(torus.seed);
+  document.setConstraints(asking(), "Ask");
+  int told = 0;
+  QObject::connect(&document, &Document::asked, [&] { ++told; });
+  document.run();
+  REQUIRE(waitFor([&] { return told > 0 && isAtRest(document); }));
+  CHECK(document.state() == GrowthState::paused);
+  REQUIRE(document.openQuestions().size() == 1);
+  const HeldPlace question = document.openQuestions()[0];
+  CHECK(question.iteration == document.iteration());
+
+  allows ? document.allow(question) : document.keepHeld(question);
+  CHECK(document.undoStack()->undoText() == (allows ? "Let it happen" : "Hold it"));
+  CHECK(document.openQuestions().empty());
+  document.undoStack()->undo();
+  CHECK(document.openQuestions().size() == 1);
+  document.undoStack()->redo();
+  REQUIRE(runToEnd(document));
+  CHECK(told == 1);
+  CHECK(document.openQuestions().empty());
+  CHECK(document.snapshot()->certificate.genus.at(0) == (allows ? 1 : 0));
+  CHECK(marksAt(document, question.iteration) ==
+        QStringList(allows ? "Decided: let it happen" : "Decided: hold it"));
+
+  // The session has the answer, and making it again asks nobody.
+  const QString path = torus.file("asked.json");
+  bool saved = false;
+  QObject::connect(&document, &Document::sessionSaved, [&] { saved = true; });
+  document.saveSession(path);
+  REQUIRE(waitFor([&] { return saved; }));
+  const Session session = readSession(path.toStdString());
+  REQUIRE(session.changes.size() == 1);
+  CHECK(session.changes[0].iteration == question.iteration);
+  CHECK(answerTo(question, session) == (allows ? HeldAnswer::allow : HeldAnswer::hold));
+  Document again;
+  QObject::connect(&again, &Document::asked, [&] { ++told; });
+  REQUIRE(openAndWait(again, path));
+  REQUIRE(waitFor([&] { return again.iteration() == document.iteration() && isAtRest(again); }));
+  CHECK(isSame(again.snapshot()->mesh, document.snapshot()->mesh));
+}
+
+TEST_CASE("gone on without an answer a change stays held and undecided", "[document][ask]") {
+  const TorusFile torus;
+  Document document;
+  REQUIRE(openAndWait(document, torus.path));
+  document.addSeed(torus.seed);
+  document.setConstraints(asking(), "Ask");
+  document.run();
+  REQUIRE(waitFor([&] { return !document.openQuestions().empty() && isAtRest(document); }));
+  REQUIRE(document.state() == GrowthState::paused);
+  REQUIRE(runToEnd(document));
+  CHECK(document.snapshot()->certificate.genus.at(0) == 0);
+  CHECK(document.openQuestions().size() == 1);
 }
 
 TEST_CASE("a session with vetoes, limits and walls comes back as it was, and nothing of it is lost",

@@ -202,7 +202,7 @@ void PanelTest::whatAnEventDidCanBeForbiddenAndAllowedAgain() {
 
   document.goTo(iteration);
   QVERIFY(isShown(iteration));
-  QVERIFY(QTest::qWaitFor([&] { return buttonSaying(*window, "Let it happen") != nullptr; }, kPatience));
+  QVERIFY(QTest::qWaitFor([&] { return buttonSaying(*window, "Let it happen")->isVisible(); }, kPatience));
   QAbstractButton* allow = buttonSaying(*window, "Let it happen");
   QVERIFY(allow->isVisible());
   allow->click();

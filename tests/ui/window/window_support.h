@@ -80,11 +80,16 @@ inline const QDoubleSpinBox* numberField(ui::MainWindow& window, const QString& 
   return nullptr;
 }
 
+//! One that is seen, if there is one.
 inline QAbstractButton* buttonSaying(ui::MainWindow& window, const char* text) {
+  QAbstractButton* hidden = nullptr;
   const auto buttons = window.findChildren<QAbstractButton*>();
-  for (QAbstractButton* button : buttons)
-    if (button->text().contains(QLatin1String(text))) return button;
-  return nullptr;
+  for (QAbstractButton* button : buttons) {
+    if (!button->text().contains(QLatin1String(text))) continue;
+    if (button->isVisible()) return button;
+    if (!hidden) hidden = button;
+  }
+  return hidden;
 }
 
 inline int firstHandle(const ui::Document& document) {
