@@ -10,6 +10,7 @@
 #include "core/collision/near_faces.h"
 #include "core/collision/near_points.h"
 #include "core/collision/star_test.h"
+#include "core/collision/vertex_levels.h"
 #include "core/collision/vertex_pairs.h"
 #include "core/collision/vertex_stars.h"
 
@@ -20,6 +21,8 @@ std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 // Room for rounding in distances that only reject: their relative errors are below 2^-48.
 constexpr double kRounding = 1 + 0x1p-40;
+// A star is measured as larger than its longest edge by no more than this (StarSize, squared).
+constexpr double kMeasured = 1 + 0x1p-8;
 
 Box boxOf(std::span<const Vec3> points, const Triangle& t) {
   const Vec3& a = points[idx(t[0])];
@@ -76,7 +79,11 @@ struct CollisionDetector::Tables {
   VertexStars stars;
   StarTest starTest;
   VertexPairs nearPairs;
+  LevelPairs levelPairs;           //!< instead, where the sizes of the stars differ much
+  std::vector<double> starSizes;   //!< squared, of `vertices`: see sizeSquared
+  std::vector<double> mostAround;  //!< per vertex: squared longest edge of its faces, opposite ones included
   NearPoints near;
+  NearLevels nearLevels;
   BoxTree tree;
   MarkedCells cells;
   std::vector<Box> boxes;
@@ -93,7 +100,10 @@ struct CollisionDetector::Tables {
   void listMovedFaces(std::span<const unsigned char> moved);
   void listFacesOfMoved(std::span<const unsigned char> moved);
   void addNear();
-  double reach() const { return std::sqrt(longestSquared * (7.0 / 12.0)) * kRounding; }
+  void addNearOfLevels();
+  void addResting(int v);
+  bool areLevelsWorth();
+  double reach() const { return std::sqrt(longestSquared * VertexLevels::kReachSquared) * kRounding; }
   void sortPairs();
   void testStar(int v);
   void testStarPairs(int v);
@@ -102,6 +112,10 @@ struct CollisionDetector::Tables {
   double reachSquared(int u, int v) const {
     return (sizes[idx(u)].circle + sizes[idx(v)].spoke * 0.25) * kRounding;
   }
+  //! A size s of a star such that its spokes are not longer than s and its circles not larger than s/√3.
+  double sizeSquared(int v) const { return std::max(sizes[idx(v)].spoke, 3 * sizes[idx(v)].circle); }
+  bool testPairs();
+  void testPair(int u, int v, double distanceSquared);
   void testNear(int u, int v, double distanceSquared);
   bool isFirstNear(int u, const Triangle& t, int v) const;
   void testFan(int f, int v);
@@ -200,14 +214,43 @@ void CollisionDetector::Tables::addNear() {
   }
   // Where nearly all are active, looking which of the others are near costs more than it saves.
   const bool nearlyAll = vertices.size() > points.size() / 4 * 3;
+  if (!nearlyAll && areLevelsWorth()) return addNearOfLevels();
   if (!nearlyAll) near.build(points, vertices, reach());
-  for (int v = 0; v < static_cast<int>(points.size()); ++v) {
-    if (active[idx(v)] != 0 || !(nearlyAll || near.mayBeNear(points[idx(v)]))) continue;
-    stars.need(v);
-    if (stars.corners(v).empty()) continue;  // free, or without a face
-    sizes[idx(v)] = measureStar(points, v, stars.corners(v));
-    vertices.push_back(v);
+  for (int v = 0; v < static_cast<int>(points.size()); ++v)
+    if (active[idx(v)] == 0 && (nearlyAll || near.mayBeNear(points[idx(v)]))) addResting(v);
+}
+
+void CollisionDetector::Tables::addResting(int v) {
+  stars.need(v);
+  if (stars.corners(v).empty()) return;  // free, or without a face
+  sizes[idx(v)] = measureStar(points, v, stars.corners(v));
+  vertices.push_back(v);
+}
+
+//! By the sizes of the stars listed so far.
+bool CollisionDetector::Tables::areLevelsWorth() {
+  starSizes.clear();
+  for (const int v : vertices) {
+    starSizes.push_back(sizeSquared(v));
+    longestSquared = std::max(longestSquared, starSizes.back());
   }
+  return VertexLevels::areWorth(starSizes, longestSquared);
+}
+
+//! Each of the others by its own size, as its faces tell it.
+void CollisionDetector::Tables::addNearOfLevels() {
+  mostAround.assign(points.size(), 0);
+  for (const Triangle& t : faces) {
+    if (t[0] < 0) continue;
+    const Vec3 &a = points[idx(t[0])], &b = points[idx(t[1])], &c = points[idx(t[2])];
+    const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    for (const int v : t) mostAround[idx(v)] = std::max(mostAround[idx(v)], longest);
+  }
+  nearLevels.build(points, vertices, starSizes, longestSquared * kMeasured);
+  for (int v = 0; v < static_cast<int>(points.size()); ++v)
+    if (active[idx(v)] == 0 && mostAround[idx(v)] > 0 &&
+        nearLevels.mayBeNear(points[idx(v)], mostAround[idx(v)] * kMeasured))
+      addResting(v);
 }
 
 void CollisionDetector::Tables::testStar(int v) {
@@ -238,17 +281,32 @@ void CollisionDetector::Tables::testStarPairs(int v) {
 //! of the mesh for PP' and t, this proves Theorem 4 for sqrt(7/12)·s, which is sharp, instead of sqrt(2/3)·s.
 //! It says more, too: P is within |PP'|/2 of T, which hardly any neighbour is. So what is looked for are
 //! pairs of a vertex P and a triangle T.
+//! No edge of the mesh but those of the two triangles is in the proof, so it holds for graded meshes place by
+//! place: with a size s(v) of each star, not below its edges at v and √3 times its circles,
+//!   |P-Ti|² ≤ s(P)²/4 + s(Ti)²/3 ≤ 7/12 · max(s(P), s(Ti))²
+//! and levels of vertices by the octave of s(v) find all such pairs (vertex_levels.h).
 void CollisionDetector::Tables::testSeparate() {
   if (vertices.empty()) return;  // nothing moved
-  if (!nearPairs.build(points, vertices, reach())) {
-    testSeparateByTree();
-    return;
+  if (!testPairs()) testSeparateByTree();
+}
+
+//! False if the vertices are too crowded.
+bool CollisionDetector::Tables::testPairs() {
+  const auto test = [this](int u, int v, double distanceSquared) { testPair(u, v, distanceSquared); };
+  if (areLevelsWorth()) {
+    if (!levelPairs.build(points, vertices, starSizes, longestSquared)) return false;
+    levelPairs.forEachPair(test);
+  } else {
+    if (!nearPairs.build(points, vertices, reach())) return false;
+    nearPairs.forEachPair(test);
   }
-  nearPairs.forEachPair([&](int u, int v, double distanceSquared) {
-    const bool mayBeWanted = all || (active[idx(u)] | active[idx(v)]) != 0;
-    if (mayBeWanted && distanceSquared <= reachSquared(u, v)) testNear(u, v, distanceSquared);
-    if (mayBeWanted && distanceSquared <= reachSquared(v, u)) testNear(v, u, distanceSquared);
-  });
+  return true;
+}
+
+void CollisionDetector::Tables::testPair(int u, int v, double distanceSquared) {
+  if (!all && (active[idx(u)] | active[idx(v)]) == 0) return;
+  if (distanceSquared <= reachSquared(u, v)) testNear(u, v, distanceSquared);
+  if (distanceSquared <= reachSquared(v, u)) testNear(v, u, distanceSquared);
 }
 
 //! The faces T at u against the faces at P = v.
@@ -325,7 +383,10 @@ CollisionDetector::~CollisionDetector() = default;
 CollisionDetector::CollisionDetector(CollisionDetector&&) noexcept = default;
 CollisionDetector& CollisionDetector::operator=(CollisionDetector&&) noexcept = default;
 
-void CollisionDetector::use(BroadPhase phase) { tables_->nearPairs.use(phase); }
+void CollisionDetector::use(BroadPhase phase) {
+  tables_->nearPairs.use(phase);
+  tables_->levelPairs.use(phase);
+}
 
 const std::vector<FacePair>& CollisionDetector::detectAll(std::span<const Vec3> points,
                                                           std::span<const Triangle> faces) {

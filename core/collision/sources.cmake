@@ -10,4 +10,5 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/collision/sorted_boxes.cpp
   ${CMAKE_SOURCE_DIR}/core/collision/spatial_hash.cpp
   ${CMAKE_SOURCE_DIR}/core/collision/star_test.cpp
+  ${CMAKE_SOURCE_DIR}/core/collision/vertex_levels.cpp
   ${CMAKE_SOURCE_DIR}/core/collision/vertex_stars.cpp)

@@ -78,7 +78,7 @@ Attempt ActiveContour::State::attempt() {
 
 void ActiveContour::State::adapt(Attempt& a) {
   AdaptationSettings settings{!mayShrink(), traces, iteration, topology, {}, limits.forbidden, &work};
-  settings.cameBack = [this](const Vec3& p) { return resting.cameBack(p, limits.longest); };
+  settings.cameBack = [this](const Vec3& p) { return resting.cameBack(p, longestAt(p)); };
   detector.use(parameters.broadPhase);
   adaptInRounds(mesh, detector, std::move(settings), limits.longest, a);
 }
@@ -121,7 +121,7 @@ void ActiveContour::State::accept(Attempt& a, StepReport& report) {
 void ActiveContour::State::restRepeated(StepReport& report) {
   for (std::size_t i = 0, n = report.events.size(); i < n; ++i) {
     const Event& e = report.events[i];
-    if (e.kind != EventKind::rolledBack && resting.repeats(e.location, limits.longest))
+    if (e.kind != EventKind::rolledBack && resting.repeats(e.location, longestAt(e.location)))
       report.events.push_back(
           rolledBack(e.location, "the same place changed again and again, and rests from now on"));
   }
@@ -199,7 +199,7 @@ StepReport ActiveContour::State::step() {
     if (t.atPin)
       pins.stop(mesh, t.centre, t.radius, limits.longest);
     else
-      resting.add(t.centre, t.radius + 0.5 * limits.longest, iteration, t.waits);
+      resting.add(t.centre, sizeAt(t.centre) * (t.radius + 0.5 * limits.longest), iteration, t.waits);
   };
   Attempt last = transaction.run({mesh, topology, limits.longest, [this] { return attempt(); },
                                   [&](const Attempt& a) { return judge(a, report); }, rollBack});

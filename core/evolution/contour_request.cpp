@@ -1,9 +1,11 @@
 // What a contour is asked for: at first, and when it is changed on the way.
 
+#include "core/collision/certify.h"
 #include "core/errors.h"
 #include "core/evolution/contour_state.h"
 #include "core/evolution/image_doubts.h"
 #include "core/evolution/seeds.h"
+#include "core/mesh/structure.h"
 
 namespace handlebody {
 
@@ -46,6 +48,7 @@ void ActiveContour::State::resolve(const Parameters& p) {
   parameters.maxIterations = p.maxIterations;
   parameters.threads = p.threads;
   parameters.broadPhase = p.broadPhase;
+  parameters.resolution = p.resolution;
 
   motion.balloon = p.balloon;
   motion.curvature = p.curvature;
@@ -53,7 +56,8 @@ void ActiveContour::State::resolve(const Parameters& p) {
   motion.largestStep = std::min(kStep * edge, kStepVoxels * volume.grid.spacing.minCoeff());
   motion.outwardOnly = p.direction == Direction::outward;
   motion.threads = p.threads;
-  limits = {kLongest * edge, kShortest * edge};
+  limits.longest = kLongest * edge;
+  limits.shortest = kShortest * edge;
   chooseWalls();
 }
 
@@ -66,6 +70,37 @@ void ActiveContour::State::chooseWalls() {
 void ActiveContour::State::chooseForbidden() {
   limits.forbidden = walls.forbidden();
   limits.forbidden.pinned = pins.mask();
+}
+
+//! Of a mesh with longer edges than from now on. If it would not be valid then, it stays as it is, and the
+//! steps that follow split them where it moves.
+void ActiveContour::State::splitLongEdges() {
+  Mesh split = mesh;
+  std::vector<unsigned char> active(idx(mesh.vertexSlots()), kActive);
+  for (int v = 0; v < mesh.vertexSlots(); ++v)
+    if (!mesh.isVertex(v) || pins.holds(v)) active[idx(v)] = kAtRest;
+  regulate(split, {limits.longest, 0, {}, limits.forbidden}, active);
+  if (findStructureFault(split) || !certify(split.compact()).boundsBody()) return;
+  mesh = std::move(split);
+  quiet.resize(idx(mesh.vertexSlots()), 0);
+}
+
+//! Walls and pins rest on edges that are nowhere longer than the target: with any, the sizes are uniform.
+void ActiveContour::State::chooseSizes(const std::vector<Seed>& inside, bool anew) {
+  const bool isUniform = requested.resolution == Resolution::uniform || walls.all() || !constraints.pins.empty();
+  if (isUniform) {
+    const bool wasLonger = motion.sizes != nullptr;
+    motion.sizes = nullptr;
+    limits.size = nullptr;
+    if (wasLonger) splitLongEdges();
+    return;
+  }
+  if (anew || !motion.sizes) {
+    std::vector<Vec3> starts;
+    for (const Seed& s : inside) starts.push_back(s.centre);
+    motion.sizes = std::make_shared<const SizeField>(*object.image, starts, parameters.edgeLength);
+  }
+  limits.size = [sizes = motion.sizes](const Vec3& p) { return sizes->at(p); };
 }
 
 //! Precondition: volume, seeds and object are chosen.
@@ -85,7 +120,8 @@ void ActiveContour::State::begin() {
   std::vector<Seed> inside =
       fitSeeds(*object.image, asked, parameters.edgeLength, parameters.direction == Direction::both);
   if (walls.all()) inside = clearOfWalls(inside, asked, *walls.all(), limits.shortest);
-  mesh = seedMesh(inside, parameters.edgeLength);
+  chooseSizes(inside, true);
+  mesh = seedMesh(inside, parameters.edgeLength, motion.sizes.get());
   resolveSeeds(inside);
   quiet.assign(idx(mesh.vertexSlots()), 0);
   topology = topologyNumbers(mesh);
@@ -129,11 +165,14 @@ void ActiveContour::State::change(const Request& to, const State* prepared) {
   else if (otherImage)
     object = findClickedObject(volume, seeds, to.parameters);
   if (otherImage && !otherClicks) chooseEdge();
+  const double edge = parameters.edgeLength;
   resolve(to.parameters);
+  const bool isOtherEdge = parameters.edgeLength != edge;
   if (wake) forgetRest();
   if (wake && !sleepsOn) quiet.assign(idx(mesh.vertexSlots()), 0);
   if (otherClicks) correct();
   if (otherClicks || otherImage || otherWalls) alarm.forget();
+  chooseSizes(seedsOfSide(parameters.seeds, false), otherImage || isOtherEdge);
   walls.putUp(mesh, known, mayShrink());
   chooseForbidden();
   if (stop == StopReason::maxIterations || (wake && mesh.faceCount() > 0)) stop = StopReason::running;

@@ -74,6 +74,11 @@ struct ActiveContour::State {
   void change(const Request& to, const State* prepared);
   void chooseWalls();
   void chooseForbidden();
+  void splitLongEdges();
+  void chooseSizes(const std::vector<Seed>& inside, bool anew);
+  //! Of edges, in parts of the target.
+  double sizeAt(const Vec3& p) const { return motion.sizes ? motion.sizes->at(p) : 1; }
+  double longestAt(const Vec3& p) const { return sizeAt(p) * limits.longest; }
   void forgetRest();
   void correct();
   void beginAnew();

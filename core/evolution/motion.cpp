@@ -27,23 +27,30 @@ struct Attempt {
   Vec3 tangential;
   Vec3 from;     // where the image is asked
   double force;  // along the normal, in parts of the largest step
+  double size;   // of the edges here, in parts of the target
+  bool isDeep;   // the object goes on farther than any step
 };
 
 Attempt attemptOf(const Mesh& mesh, const MotionSettings& s, RingHeights& heights, int v) {
   const Ring ring = examineRing(mesh, v);
   const double height = ring.height();
   heights.set(v, height);
+  const double most = s.sizes ? s.sizes->at(mesh.position(v)) : 1;
+  // The step follows the edges as they are: a front that has just come into a wide inside, or a small seed,
+  // is still fine.
+  const double size = most > 1 ? std::clamp(std::sqrt(ring.meanSquare) / s.edgeLength, 1.0, most) : 1;
+  const double edge = size * s.edgeLength;
   // Mean curvature from the umbrella: a ring at distance h on a sphere of radius r lies h²/(2r) below its
   // middle.
   const double curvature = ring.meanSquare > 0 ? -2 * height / ring.meanSquare : 0.0;
-  const double force = s.balloon - s.curvature * s.edgeLength * curvature;
+  const double force = s.balloon - s.curvature * edge * curvature;
   // On a curved boundary the flat faces lie inside of their corners. The image is asked where the faces lie
   // on the mean, a quarter of the ring's height below the vertex (mean sagitta of a triangle: e²/8r, of the
   // ring: e²/2r), so that surface and volume come out right, not the corners alone.
-  const double limit = kLargestSagitta * s.edgeLength;
+  const double limit = kLargestSagitta * edge;
   return {ring.normal, ring.umbrella - height * ring.normal,
           mesh.position(v) + std::clamp(0.25 * height, -limit, limit) * ring.normal,
-          std::clamp(force / s.balloon, s.outwardOnly ? 0.0 : -1.0, 1.0)};
+          std::clamp(force / s.balloon, s.outwardOnly ? 0.0 : -1.0, 1.0), size, most > 1};
 }
 
 //! Signed distance along the normal.
@@ -60,8 +67,9 @@ double normalStep(NormalProfile& profile, double force, double reach) {
 }
 
 Vec3 displacement(NormalProfile profile, const Attempt& a, const MotionSettings& s) {
-  const double along = normalStep(profile, a.force, s.largestStep);
-  const double moving = std::min(1.0, 4 * std::abs(along) / s.largestStep);
+  const double reach = a.size * s.largestStep;
+  const double along = a.isDeep ? a.force * reach : normalStep(profile, a.force, reach);
+  const double moving = std::min(1.0, 4 * std::abs(along) / reach);
   return along * a.normal + kTangential * moving * a.tangential;
 }
 
@@ -71,6 +79,7 @@ void computeSome(const Mesh& mesh, const ObjectImage& image, const MotionSetting
   std::array<Attempt, kTogether> attempts;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     attempts[i] = attemptOf(mesh, s, heights, vertices[i]);
+    if (attempts[i].isDeep) continue;
     image.prefetch(attempts[i].from);
     image.prefetch(attempts[i].from + s.largestStep * attempts[i].normal);
   }

@@ -26,6 +26,21 @@ bool ObjectImage::holds(const std::array<int, 3>& voxel) const {
   return limits.inside(static_cast<double>(volume_->at(voxel[0], voxel[1], voxel[2]))) > 0;
 }
 
+bool ObjectImage::holdsBox(const std::array<int, 3>& low, const std::array<int, 3>& high) const {
+  float least = std::numeric_limits<float>::infinity(), most = -least;
+  for (int k = low[2]; k <= high[2]; ++k)
+    for (int j = low[1]; j <= high[1]; ++j)
+      for (int i = low[0]; i <= high[0]; ++i) {
+        const float value = volume_->at(i, j, k);
+        least = std::min(least, value);
+        most = std::max(most, value);
+      }
+  const Vec3 middle(0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]), 0.5 * (low[2] + high[2]));
+  Limits limits = limitsWithin(middle, volume_->grid().toWorld(middle), true);
+  if (neck_) limits.most = std::min(limits.most, neck_->barrier->openness(middle));
+  return limits.inside(static_cast<double>(least)) > 0 && limits.inside(static_cast<double>(most)) > 0;
+}
+
 ObjectImage::Limits ObjectImage::limitsWithin(const Vec3& index, const Vec3& world, bool held) const {
   const Grid& grid = volume_->grid();
   Limits limits{range_.low, range_.high, scale_, 1};

@@ -66,6 +66,9 @@ class ObjectImage {
   //! inside() > 0 at the centre of a voxel of the grid; walls do not count. Quick where only the intensity
   //! decides.
   bool holds(const std::array<int, 3>& voxel) const;
+  //! The same for all voxels of a box, its corners included, with the limits of an intensity as they are in
+  //! its middle.
+  bool holdsBox(const std::array<int, 3>& low, const std::array<int, 3>& high) const;
   //! Smoothed; outside the volume that of its border. World mm.
   double intensity(const Vec3& world) const { return volume_->sample(volume_->grid().toIndex(world)); }
   //! What makes an intensity one of the object at a place.

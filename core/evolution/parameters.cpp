@@ -40,7 +40,7 @@ bool moveAlike(Parameters a, const Parameters& b) {
 
 bool haveSameForces(const Parameters& a, const Parameters& b) {
   return a.edgeLength == b.edgeLength && a.direction == b.direction && a.balloon == b.balloon &&
-         a.curvature == b.curvature;
+         a.curvature == b.curvature && a.resolution == b.resolution;
 }
 
 // What does not matter to the image is listed here, so that a parameter that nobody thought of does.
@@ -49,6 +49,7 @@ bool chooseSameImage(Parameters a, const Parameters& b) {
   a.direction = b.direction;
   a.balloon = b.balloon;
   a.curvature = b.curvature;
+  a.resolution = b.resolution;
   return moveAlike(a, b);
 }
 

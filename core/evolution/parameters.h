@@ -23,6 +23,9 @@ std::vector<Seed> seedsOfSide(const std::vector<Seed>& seeds, bool background);
 
 enum class ObjectKind { automatic, dark, bright };
 enum class Direction { outward, both };
+//! How the target edge length depends on the place: everywhere the same, or longer where the image shows no
+//! boundary near by (size_field.h).
+enum class Resolution { uniform, adaptive };
 
 //! Intensities of the object, both ends included; infinite ends are allowed.
 struct IntensityRange {
@@ -45,6 +48,7 @@ struct Parameters {
   int maxIterations = 3000;
   int threads = 1;
   BroadPhase broadPhase = BroadPhase::sorted;  //!< of the detection; the mesh does not depend on it
+  Resolution resolution = Resolution::uniform;
   bool operator==(const Parameters&) const = default;
 };
 
@@ -93,6 +97,7 @@ struct ResolvedParameters {
   int maxIterations = 3000;
   int threads = 1;
   BroadPhase broadPhase = BroadPhase::sorted;
+  Resolution resolution = Resolution::uniform;
   std::vector<Seed> seeds;  //!< with their radii as used
 };
 

@@ -17,6 +17,7 @@ constexpr double kLargestSeed =
     4.0;  // edge lengths; a larger seed saves little time and may reach over a thin wall
 constexpr int kLookAround = 4, kPlaces = 26;  // voxels from a click, and places at each distance
 constexpr double kPassage = 0.75;             // edge lengths: radius of a passage that a front surely passes
+constexpr double kRound = 0.5;                // edge length of a sphere, in parts of its radius
 constexpr double kSmallestSeed = 0.7;         // edge lengths: a smaller sphere would be collapsed at once
 
 //! Evenly spread directions (Fibonacci lattice).
@@ -136,11 +137,13 @@ TriangleSoup seedSphere(const Seed& seed, double edgeLength) {
   return icosphere(seed.centre, *seed.radius, 1.2 * edgeLength);
 }
 
-Mesh seedMesh(const std::vector<Seed>& seeds, double edgeLength) {
+Mesh seedMesh(const std::vector<Seed>& seeds, double edgeLength, const SizeField* sizes) {
   requireManageable(seeds, edgeLength);
   TriangleSoup all;
   for (const Seed& s : seeds) {
-    const TriangleSoup sphere = seedSphere(s, edgeLength);
+    const double round = kRound * *s.radius / edgeLength;
+    const double size = sizes ? std::clamp(round, 1.0, sizes->leastWithin(s.centre, *s.radius)) : 1;
+    const TriangleSoup sphere = seedSphere(s, size * edgeLength);
     const int shift = static_cast<int>(all.points.size());
     all.points.insert(all.points.end(), sphere.points.begin(), sphere.points.end());
     for (Triangle t : sphere.triangles) {

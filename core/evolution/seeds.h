@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/evolution/object_image.h"
+#include "core/evolution/size_field.h"
 #include "core/mesh/mesh.h"
 
 namespace handlebody {
@@ -36,7 +37,8 @@ std::optional<Seed> fitBall(const ObjectImage& image, const Seed& asked, double 
 TriangleSoup seedSphere(const Seed& seed, double edgeLength);
 
 //! The spheres of the seeds as one mesh. Throws UsageError if it would have over two million triangles.
-//! Precondition: every seed has a radius.
-Mesh seedMesh(const std::vector<Seed>& seeds, double edgeLength);
+//! Precondition: every seed has a radius. Edges are longer where `sizes` has it so (null: nowhere), but for
+//! small spheres, which stay round.
+Mesh seedMesh(const std::vector<Seed>& seeds, double edgeLength, const SizeField* sizes = nullptr);
 
 }  // namespace handlebody

@@ -37,6 +37,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/seed_statistics.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/seeds.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/shown_object.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/size_field.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/space_tree.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/step_check.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/stillness.cpp

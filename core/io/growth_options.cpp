@@ -49,6 +49,12 @@ void setBroadPhase(Parameters& p, Text text) {
   p.broadPhase = *phase;
 }
 
+void setResolution(Parameters& p, Text text) {
+  const auto resolution = resolutionFromName(text);
+  if (!resolution) throw UsageError("--resolution: '" + text + "' is not adaptive or uniform.");
+  p.resolution = *resolution;
+}
+
 void setSmoothing(Parameters& p, Text text) {
   if (text == "auto")
     p.smoothing.reset();
@@ -96,6 +102,10 @@ std::vector<GrowthOption> makeParameterOptions() {
                 "How near vertices are found: the paper's eight hash functions, or one sorted table "
                 "(default); the mesh does not depend on it",
                 setBroadPhase),
+      parameter("--resolution", "adaptive|uniform",
+                "adaptive: edges and steps up to four times as long where the image shows no boundary near "
+                "by; uniform (default): the same everywhere",
+                setResolution),
   };
 }
 

@@ -106,9 +106,11 @@ void addSources(Json& object, const VolumeInfo& info) {
 namespace {
 
 // Sessions without these are those of earlier versions, to the letter.
-void addRare(Json& json, int candidate, BroadPhase phase) {
-  if (candidate != 1) json["candidate"] = candidate;
-  if (phase != BroadPhase::sorted) json["broad_phase"] = broadPhaseName(phase);
+template <typename AnyParameters>
+void addRare(Json& json, const AnyParameters& p) {
+  if (p.candidate != 1) json["candidate"] = p.candidate;
+  if (p.broadPhase != BroadPhase::sorted) json["broad_phase"] = broadPhaseName(p.broadPhase);
+  if (p.resolution != Resolution::uniform) json["resolution"] = resolutionName(p.resolution);
 }
 
 Json requestedToJson(const Parameters& parameters) {
@@ -121,7 +123,7 @@ Json requestedToJson(const Parameters& parameters) {
                {"curvature", parameters.curvature},
                {"max_iterations", parameters.maxIterations},
                {"threads", parameters.threads}};
-  addRare(json, parameters.candidate, parameters.broadPhase);
+  addRare(json, parameters);
   return json;
 }
 
@@ -165,7 +167,7 @@ Json resolvedToJson(const ResolvedParameters& parameters) {
                {"curvature", parameters.curvature},
                {"max_iterations", parameters.maxIterations},
                {"threads", parameters.threads}};
-  addRare(json, parameters.candidate, parameters.broadPhase);
+  addRare(json, parameters);
   return json;
 }
 
@@ -335,6 +337,7 @@ std::vector<Seed> seededClicksFromJson(const Json& json) {
 
 Parameters parametersFromJson(const Json& json) {
   Parameters p;
+  p.resolution = Resolution::uniform;
   if (json.contains("object")) p.object = wordFromJson(json.at("object"), objectKindFromName);
   if (json.contains("range") && !json.at("range").is_null()) p.range = rangeFromJson(json.at("range"));
   if (json.contains("candidate")) p.candidate = candidateFromJson(json.at("candidate"));
@@ -346,6 +349,7 @@ Parameters parametersFromJson(const Json& json) {
   if (json.contains("max_iterations")) p.maxIterations = integerFromJson(json.at("max_iterations"));
   if (json.contains("threads")) p.threads = integerFromJson(json.at("threads"));
   if (json.contains("broad_phase")) p.broadPhase = wordFromJson(json.at("broad_phase"), broadPhaseFromName);
+  if (json.contains("resolution")) p.resolution = wordFromJson(json.at("resolution"), resolutionFromName);
   return p;
 }
 

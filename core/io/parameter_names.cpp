@@ -29,6 +29,16 @@ std::optional<Direction> directionFromName(std::string_view name) {
   return std::nullopt;
 }
 
+const char* resolutionName(Resolution resolution) {
+  return resolution == Resolution::uniform ? "uniform" : "adaptive";
+}
+
+std::optional<Resolution> resolutionFromName(std::string_view name) {
+  for (Resolution resolution : {Resolution::uniform, Resolution::adaptive})
+    if (name == resolutionName(resolution)) return resolution;
+  return std::nullopt;
+}
+
 const char* broadPhaseName(BroadPhase phase) { return phase == BroadPhase::sorted ? "sorted" : "hashing"; }
 
 std::optional<BroadPhase> broadPhaseFromName(std::string_view name) {

@@ -18,6 +18,11 @@ const char* directionName(Direction direction);
 //! None for any other word.
 std::optional<Direction> directionFromName(std::string_view name);
 
+//! "uniform", "adaptive".
+const char* resolutionName(Resolution resolution);
+//! None for any other word.
+std::optional<Resolution> resolutionFromName(std::string_view name);
+
 //! "sorted", "hashing".
 const char* broadPhaseName(BroadPhase phase);
 //! None for any other word.

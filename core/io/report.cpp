@@ -206,6 +206,7 @@ void addObject(Json& json, const RunReport& report) {
   const ResolvedParameters& resolved = report.session.resolved.value();
   json["parameters"] = resolvedToJson(resolved);
   json["parameters"]["broad_phase"] = broadPhaseName(resolved.broadPhase);
+  json["parameters"]["resolution"] = resolutionName(resolved.resolution);
   json["parameters"]["candidate"] = resolved.candidate;
   json["requested"] = requestToJson(report.session);
   json["seeds"] = seedsToJson(seedsOfSide(resolved.seeds, false));

@@ -19,6 +19,7 @@ class Regulator {
   Regulator(Mesh& mesh, const RemeshLimits& limits, std::vector<unsigned char>& active)
       : mesh_(mesh), limits_(limits), active_(active) {
     active_.resize(idx(mesh.vertexSlots()), 0);
+    if (limits.size) sizes_.assign(idx(mesh.vertexSlots()), kUnknown);
   }
 
   void run() {
@@ -37,6 +38,7 @@ class Regulator {
   static constexpr double kFarTooLong = 1.5;
   // Where it may not be split, the other two are left as soon as they are a little above that 2L/3.
   static constexpr double kBesideFixed = 0.75;
+  static constexpr double kUnknown = -1;
 
   bool isActive(int v) const { return active_[idx(v)] == kActive; }
   bool isActiveFace(int face) const {
@@ -45,6 +47,24 @@ class Regulator {
   }
   double squaredLength(int h) const {
     return (mesh_.position(mesh_.target(h)) - mesh_.position(mesh_.origin(h))).squaredNorm();
+  }
+  //! What squared limits are multiplied by between two vertices.
+  double squaredSize(int a, int b) const {
+    if (!limits_.size) return 1;
+    const double s = std::min(sizeAt(a), sizeAt(b));
+    return s * s;
+  }
+  double squaredSizeOf(int h) const { return squaredSize(mesh_.origin(h), mesh_.target(h)); }
+  double sizeAt(int v) const {
+    double& s = sizes_[idx(v)];
+    if (s == kUnknown) s = limits_.size(mesh_.position(v));
+    return s;
+  }
+  //! The vertex is new, or was put elsewhere.
+  void forgetSize(int v) {
+    if (!limits_.size) return;
+    if (idx(v) >= sizes_.size()) sizes_.resize(idx(v) + 1, kUnknown);
+    sizes_[idx(v)] = kUnknown;
   }
   using SquaredLengths = std::array<double, 3>;
   SquaredLengths squaredLengths(int face) const {
@@ -79,8 +99,9 @@ class Regulator {
       if (!mesh_.isFace(face) || !anyLonger(face, limit) || !isActiveFace(face)) continue;
       for (int h = 3 * face; h < 3 * face + 3; ++h) {
         const int g = mesh_.opposite(h);
-        if (squaredLength(h) > limit && !isActive(mesh_.origin(h)) && !isActive(mesh_.target(h)) &&
-            (h < g || !isActiveFace(Mesh::faceOf(g))) && !isFixed(h))
+        if (!isActive(mesh_.origin(h)) && !isActive(mesh_.target(h)) &&
+            squaredLength(h) > limit * squaredSizeOf(h) && (h < g || !isActiveFace(Mesh::faceOf(g))) &&
+            !isFixed(h))
           f(h);
       }
     }
@@ -132,7 +153,7 @@ class Regulator {
     std::vector<std::pair<double, int>> edges;
     const auto isCandidate = [&](int face) { return anyLonger(face, limit); };
     forEachActiveEdge(faces, isCandidate, [&](int h) {
-      if (squaredLength(h) > limit && !isBesideFixed(h)) edges.emplace_back(-squaredLength(h), h);
+      if (isTooLong(h) && !isBesideFixed(h)) edges.emplace_back(-squaredLength(h), h);
     });
     forEachRestingEdge(faces, kFarTooLong * kFarTooLong * limit,
                        [&](int h) { edges.emplace_back(-squaredLength(h), h); });
@@ -140,14 +161,19 @@ class Regulator {
     std::sort(edges.begin(), edges.end());
     std::vector<int> fresh;
     for (const auto& [length, h] : edges) {
-      if (squaredLength(h) <= limit || isBesideFixed(h)) continue;
+      if (!isTooLong(h) || isBesideFixed(h)) continue;
       const int m =
           mesh_.splitEdge(h, (mesh_.position(mesh_.origin(h)) + mesh_.position(mesh_.target(h))) / 2);
       if (idx(m) >= active_.size()) active_.resize(idx(m) + 1, 0);
       active_[idx(m)] = kActive;
+      forgetSize(m);
       fresh.push_back(m);
     }
     return facesAround(fresh);
+  }
+
+  bool isTooLong(int h) const {
+    return squaredLength(h) > limits_.longest * limits_.longest * squaredSizeOf(h);
   }
 
   //! The faces at these vertices, and those across an edge of one: one of the two holds the half-edge of
@@ -169,22 +195,31 @@ class Regulator {
   //! others are done with quickly.
   bool anyShorter(int face, double limit) const {
     const SquaredLengths l = squaredLengths(face);
-    return !(l[0] >= limit && l[1] >= limit && l[2] >= limit);
+    const SquaredLengths s = squaredSizes(face);
+    return !(l[0] >= limit * s[0] && l[1] >= limit * s[1] && l[2] >= limit * s[2]);
   }
   bool anyLonger(int face, double limit) const {
     const SquaredLengths l = squaredLengths(face);
-    return l[0] > limit || l[1] > limit || l[2] > limit;
+    const SquaredLengths s = squaredSizes(face);
+    return l[0] > limit * s[0] || l[1] > limit * s[1] || l[2] > limit * s[2];
+  }
+  SquaredLengths squaredSizes(int face) const {
+    if (!limits_.size) return {1, 1, 1};
+    const Triangle& t = mesh_.face(face);
+    return {squaredSize(t[0], t[1]), squaredSize(t[1], t[2]), squaredSize(t[2], t[0])};
   }
 
   void collapseShortEdges() {
     const double limit = limits_.shortest * limits_.shortest;
     const auto isCandidate = [&](int face) { return anyShorter(face, limit); };
     forEachActiveEdge(faces_, isCandidate, [&](int h) {
-      if (squaredLength(h) >= limit) return;
+      if (squaredLength(h) >= limit * squaredSizeOf(h)) return;
       const int a = mesh_.origin(h), b = mesh_.target(h);
       if (isActive(a) && isActive(b)) {
         const Vec3 middle = (mesh_.position(a) + mesh_.position(b)) / 2;
-        if (collapseAllowed(h, middle)) mesh_.collapseEdge(h, middle);
+        if (!collapseAllowed(h, middle)) return;
+        mesh_.collapseEdge(h, middle);
+        forgetSize(a);
         return;
       }
       // The vertex that rests stays where it is; but its faces are new ones.
@@ -192,6 +227,7 @@ class Regulator {
       const int resting = mesh_.origin(e);
       if (!collapseAllowed(e, mesh_.position(resting))) return;
       mesh_.collapseEdge(e, mesh_.position(resting));
+      forgetSize(resting);
       active_[idx(resting)] = kTouched;
     });
   }
@@ -205,14 +241,18 @@ class Regulator {
   //! v goes to p.
   bool starStaysFlat(int v, int other, const Vec3& p) const {
     bool ok = true;
+    const double size = limits_.size ? limits_.size(p) : 1;
+    const auto staysShort = [&](int b) {
+      const double s = limits_.size ? std::min(size, sizeAt(b)) : 1;
+      return (mesh_.position(b) - p).squaredNorm() < limits_.longest * limits_.longest * (s * s);
+    };
     mesh_.forEachOutgoing(v, [&](int h) {
       const int b = mesh_.target(h), c = mesh_.apex(h);
       if (!ok || b == other || c == other) return;
       const Vec3 before = normal(mesh_.position(v), mesh_.position(b), mesh_.position(c));
       const Vec3 after = normal(p, mesh_.position(b), mesh_.position(c));
-      const double limit = limits_.longest * limits_.longest;
-      ok = before.dot(after) > kFlatEnough && (mesh_.position(b) - p).squaredNorm() < limit &&
-           (mesh_.position(c) - p).squaredNorm() < limit && allows(p, mesh_.position(b), mesh_.position(c));
+      ok = before.dot(after) > kFlatEnough && staysShort(b) && staysShort(c) &&
+           allows(p, mesh_.position(b), mesh_.position(c));
     });
     return ok;
   }
@@ -255,7 +295,7 @@ class Regulator {
     };
     const double sum = cosine(pc, pa, pb) + cosine(pd, pa, pb);
     if (!(sum < -0.1)) return false;
-    if ((pc - pd).squaredNorm() > limits_.longest * limits_.longest) return false;
+    if ((pc - pd).squaredNorm() > limits_.longest * limits_.longest * squaredSize(c, d)) return false;
     const Vec3 n0 = normal(pa, pb, pc), n1 = normal(pb, pa, pd);
     const Vec3 m0 = normal(pd, pc, pa), m1 = normal(pc, pd, pb);
     return n0.dot(n1) > kFlatEnough && m0.dot(m1) > kFlatEnough && m0.dot(n0) > kFlatEnough &&
@@ -271,6 +311,7 @@ class Regulator {
   std::vector<unsigned char>& active_;
   std::vector<int> faces_;             // that hold an active vertex, ascending
   std::vector<unsigned char> obtuse_;  // per half-edge: the angle that faces it
+  mutable std::vector<double> sizes_;  // per vertex, kUnknown until asked for; with limits_.size
 };
 
 }  // namespace

@@ -96,6 +96,23 @@ TEST_CASE("the mesh is the same bit for bit with one and two threads and in two 
   CHECK(readBytes(run.folder / "a.vtp") == readBytes(run.folder / "c.vtp"));
 }
 
+TEST_CASE("an adaptive surface takes fewer iterations, is told by the report, and is replayed bit for bit",
+          "[cli][segment]") {
+  const SphereRun run;
+  run.requireSuccess({"-o", run.folder / "u.vtp", "--report", run.folder / "u.json"});
+  run.requireSuccess({"-o", run.folder / "a.vtp", "--resolution", "adaptive", "--report",
+                      run.folder / "a.json", "--session", run.folder / "s.json"});
+  CHECK(run.json("u.json").at("parameters").at("resolution") == "uniform");
+  CHECK(run.json("a.json").at("parameters").at("resolution") == "adaptive");
+  CHECK(run.json("s.json").at("requested").at("resolution") == "adaptive");
+  CHECK(run.json("a.json").at("iterations") < run.json("u.json").at("iterations"));
+  REQUIRE(runCli({"replay", run.folder / "s.json", "-o", run.folder / "r.vtp"}).exitCode == 0);
+  CHECK(readBytes(run.folder / "a.vtp") == readBytes(run.folder / "r.vtp"));
+  const Outcome refused = runCli(run.arguments({"--resolution", "coarse", "-o", run.folder / "d.vtp"}));
+  CHECK(refused.exitCode == 2);
+  CHECK_THAT(refused.err, Contains("--resolution: 'coarse' is not adaptive or uniform."));
+}
+
 TEST_CASE("the paper's hashing gives the same mesh, is told by the report and kept by the session",
           "[cli][segment]") {
   const SphereRun run;

@@ -289,6 +289,7 @@ TEST_CASE("what is not a session is an input error that names the file", "[sessi
       [](nlohmann::json& j) { j["requested"]["threads"] = 1e12; },
       [](nlohmann::json& j) { j["requested"]["broad_phase"] = "guessing"; },
       [](nlohmann::json& j) { j["requested"]["broad_phase"] = 1; },
+      [](nlohmann::json& j) { j["requested"]["resolution"] = "fine"; },
       [](nlohmann::json& j) { j["requested"]["threads"] = 4294967297; },
       [](nlohmann::json& j) { j["requested"]["stop_at"] = -1; },
       [](nlohmann::json& j) { j["requested"]["stop_at"] = "end"; },

@@ -2,6 +2,7 @@
 
 #include "tests/collision_oracle/oracle.h"
 #include "tests/support/catch.h"
+#include "tests/support/graded_mesh.h"
 #include "tests/support/mesh_zoo.h"
 
 using namespace handlebody;
@@ -69,6 +70,23 @@ TEST_CASE("stars of all kinds agree with CGAL") {
     for (Vec3& p : s.points) p += noise * Vec3(unit(), unit(), unit());
     agreesWithCgal(s);
   }
+}
+
+TEST_CASE("graded meshes, whose edges differ up to twelvefold, give CGAL's pairs") {
+  std::size_t all = 0;
+  for (unsigned seed = 1; seed <= 6; ++seed)
+    for (const double noise : {0.0, 0.004, 0.02}) {
+      TriangleSoup s = zoo::graded(zoo::sphere(10 + static_cast<int>(seed)));
+      const TriangleSoup other = rotated(zoo::graded(zoo::sphere(12)), 0.4 * seed, Vec3(1, -2, seed));
+      const int shift = static_cast<int>(s.points.size());
+      for (const Vec3& p : other.points) s.points.push_back(p + Vec3(0.3, 0.1 * seed, 0.2));
+      for (Triangle t : other.triangles) {
+        for (int& v : t) v += shift;
+        s.triangles.push_back(t);
+      }
+      all += agreesWithCgal(zoo::perturbed(s, noise, seed));
+    }
+  CHECK(all > 3000);
 }
 
 TEST_CASE("meshes with very uneven edges take another way to the same answer") {

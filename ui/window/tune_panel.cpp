@@ -175,6 +175,17 @@ QWidget* TunePanel::buildExpert() {
   layout->addWidget(heading(tr("Expert"), part));
   QFormLayout* form = panelForm();
   form->addRow(
+      tr("Edges"),
+      choiceRow(tr("Edges"), {tr("Uniform"), tr("Adaptive")},
+                {tr("The target edge length is the same everywhere"),
+                 tr("Edges and steps are up to four times as long where the image shows no boundary near by: "
+                    "fewer iterations")},
+                resolution_, part));
+  connect(resolution_, &QButtonGroup::idClicked, this, [this](int id) {
+    apply(tr("Change edges"), -1,
+          [id](Parameters& p) { p.resolution = id == 0 ? Resolution::uniform : Resolution::adaptive; });
+  });
+  form->addRow(
       tr("Collisions"),
       choiceRow(tr("Collisions"), {tr("Sorted"), tr("Hashing")},
                 {tr("Near vertices are found in one sorted table. The surface does not depend on it"),
@@ -246,6 +257,7 @@ void TunePanel::show() {
   object_->button(2)->setText(
       !used ? tr("Auto") : (used->object == ObjectKind::dark ? tr("Auto (dark)") : tr("Auto (bright)")));
   direction_->button(p.direction == Direction::outward ? 0 : 1)->setChecked(true);
+  resolution_->button(p.resolution == Resolution::uniform ? 0 : 1)->setChecked(true);
   broadPhase_->button(p.broadPhase == BroadPhase::sorted ? 0 : 1)->setChecked(true);
   smoothing_->show(p.smoothing, used ? std::optional(used->smoothing) : std::nullopt);
   edgeLength_->show(p.edgeLength, used ? std::optional(used->edgeLength) : std::nullopt);

@@ -51,7 +51,7 @@ class TunePanel : public QWidget {
   QLabel *hint_, *error_;
   QWidget* body_;
   HistogramView* histogram_;
-  QButtonGroup *object_, *direction_, *broadPhase_;
+  QButtonGroup *object_, *direction_, *resolution_, *broadPhase_;
   IntensityField *low_, *high_;
   QToolButton* automaticRange_;
   QCheckBox* keepTint_;

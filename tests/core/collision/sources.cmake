@@ -1,6 +1,7 @@
 target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/collision/marked_cells_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/collision/closest_point_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/collision/vertex_levels_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/collision/vertex_pairs_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/collision/star_test_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/collision/broad_phase_test.cpp

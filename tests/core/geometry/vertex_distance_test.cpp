@@ -56,3 +56,40 @@ TEST_CASE(
   CHECK(std::sqrt(7.0 / 12.0) < std::sqrt(2.0 / 3.0));
   CHECK(worst > 0.75);
 }
+
+TEST_CASE("triangles of very different sizes have vertices as near as the edge of one and the other allow") {
+  std::mt19937 random(21);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> octaves(-4, 0);
+  int met = 0;
+  for (int i = 0; i < 200000; ++i) {
+    // A large triangle about the origin, and a smaller one near a point of it.
+    Pair p;
+    for (std::size_t k = 0; k < 3; ++k) p[k] = Vec3(normal(random), normal(random), normal(random));
+    const double size = std::exp2(octaves(random)), a = std::abs(normal(random)), b = std::abs(normal(random)),
+                 c = std::abs(normal(random));
+    const Vec3 at = (a * p[0] + b * p[1] + c * p[2]) / (a + b + c);
+    for (std::size_t k = 3; k < 6; ++k) p[k] = at + size * Vec3(normal(random), normal(random), normal(random));
+    if (!intersect(p)) continue;
+    ++met;
+    // Some vertex of one and some of the other: |PT|² <= (longest edge at P)²/4 + (longest edge of T)²/3.
+    const auto longest = [&](std::size_t first) {
+      double s = 0;
+      for (std::size_t k = 0; k < 3; ++k)
+        s = std::max(s, (p[first + k] - p[first + (k + 1) % 3]).squaredNorm());
+      return s;
+    };
+    const auto atVertex = [&](std::size_t first, std::size_t k) {
+      return std::max((p[first + k] - p[first + (k + 1) % 3]).squaredNorm(),
+                      (p[first + k] - p[first + (k + 2) % 3]).squaredNorm());
+    };
+    double best = 1e300;  // of |PT|² less what is allowed
+    for (const std::size_t first : {0u, 3u})
+      for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t j = 0; j < 3; ++j)
+          best = std::min(best, (p[first + k] - p[3 - first + j]).squaredNorm() - atVertex(first, k) / 4 -
+                                    longest(3 - first) / 3);
+    REQUIRE(best <= 1e-9);
+  }
+  CHECK(met > 20000);
+}

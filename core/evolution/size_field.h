@@ -1,0 +1,37 @@
+#pragma once
+// How long the edges of the surface may be, place by place: longer where the image shows no boundary near by.
+
+#include <array>
+#include <vector>
+
+#include "core/evolution/object_image.h"
+#include "core/geometry/vec.h"
+
+namespace handlebody {
+
+//! Edge lengths in parts of the target edge length: 1 near everything that ends the object (its boundary,
+//! specks of noise, thin parts, the border of the volume) and wherever nothing is known; up to kLongest in
+//! its wide inside. From place to place it changes by no more than kGrade times the distance, so that edges
+//! side by side differ by a bounded ratio. Where it is above 1, the object goes on for more than an edge
+//! length of that place in every direction.
+class SizeField {
+ public:
+  static constexpr double kLongest = 4;
+  static constexpr double kGrade = 0.4;  //!< edge length won per length of the distance to the boundary
+
+  //! Of the part of the object that hangs together with the starts (mm) by whole cells, each of about one
+  //! edge length (mm): a look at each of its voxels once, and a distance map of the cells.
+  SizeField(const ObjectImage& image, const std::vector<Vec3>& starts, double edgeLength);
+
+  //! At a world point, mm.
+  double at(const Vec3& world) const;
+  //! The least within a ball.
+  double leastWithin(const Vec3& centre, double radius) const;
+  std::size_t memory() const { return sizes_.size() * sizeof(float); }
+
+ private:
+  Grid grid_;                 // of the cells in the box of that part, and one more on every side
+  std::vector<float> sizes_;  // at their centres
+};
+
+}  // namespace handlebody
