@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/errors.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
@@ -26,8 +26,8 @@ bool contains(const std::vector<Veto>& list, const Veto& veto) {
 bool HeldChanges::choose(const Constraints& constraints, int iteration) {
   for (const Veto& v : constraints.vetoes)
     if (v.iteration <= iteration && !contains(met_, v))
-      throw UsageError("The veto of iteration " + std::to_string(v.iteration) +
-                       " comes too late: the surface is at iteration " + std::to_string(iteration) + ".");
+      throw Told<UsageError>(
+          Finding(FindingKind::vetoTooLate, {{"iteration", v.iteration}, {"now", iteration}}));
   const std::size_t before = places_.size();
   const TopologyLimits &old = asked_.topology, &limits = constraints.topology;
   const bool sameLimits = limits.components == old.components && limits.genus == old.genus;
@@ -115,8 +115,7 @@ HeldChange HeldChanges::hold(const Event& event, const std::optional<Veto>& veto
     const HeldPlace told{event.kind, event.iteration, event.location, veto.has_value(), 1};
     places_.push_back({event.location, kSmallest * longest, kSameChange * longest, veto, told});
   }
-  return {event.kind, event.location,
-          veto ? "kept apart here, as asked" : "held: it would break the limit of the topology"};
+  return {event.kind, event.location, veto ? FindingKind::keptApart : FindingKind::overLimit};
 }
 
 void HeldChanges::holdForLimits(std::span<const Event> events, double longest,
@@ -142,9 +141,7 @@ std::vector<HeldChange> HeldChanges::judge(std::span<const Event> events, int it
   });
   if (veto == asked_.vetoes.end()) return held;
   const Event* met = metByVeto(events, *veto);
-  if (!met)
-    throw UsageError("The veto of iteration " + std::to_string(iteration) +
-                     " has nothing to forbid: no change of topology happens there.");
+  if (!met) throw Told<UsageError>(Finding(FindingKind::vetoFindsNothing, {{"iteration", iteration}}));
   met_.push_back(*veto);
   held.push_back(hold(*met, *veto, longest));
   return held;
@@ -181,12 +178,11 @@ std::vector<HeldPlace> HeldChanges::list() const {
   return out;
 }
 
-std::vector<std::string> HeldChanges::doubts() const {
-  std::vector<std::string> doubts;
+std::vector<Finding> HeldChanges::doubts() const {
+  std::vector<Finding> doubts;
   for (const Vec3& p : asked_.topology.allowed)
     if (std::find(used_.begin(), used_.end(), p) == used_.end())
-      doubts.push_back("at the allowed place " + written(p) +
-                       " nothing came that a limit of the topology would have held");
+      doubts.push_back({FindingKind::nothingAllowed, {{"place", placeValue(p)}}});
   return doubts;
 }
 

@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "core/evolution/constraints.h"
@@ -16,7 +15,7 @@ namespace handlebody {
 struct HeldChange {
   EventKind kind = EventKind::handleInserted;
   Vec3 place{0, 0, 0};  //!< mm
-  const char* reason = "";
+  FindingKind reason = FindingKind::none;
 };
 
 //! Where fronts are kept from a change now: one for all places that hang together.
@@ -46,8 +45,8 @@ class HeldChanges {
   bool rests(const Vec3& p) const;
   //! In the order in which they came.
   std::vector<HeldPlace> list() const;
-  //! Of allowed places at which nothing has come that a limit would have held: sentences without a full stop.
-  std::vector<std::string> doubts() const;
+  //! Allowed places at which nothing has come that a limit would have held.
+  std::vector<Finding> doubts() const;
   //! The first veto whose iteration has not come yet.
   std::optional<Veto> waiting() const;
 

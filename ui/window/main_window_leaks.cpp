@@ -1,5 +1,6 @@
 // The leak alarm in the window: what is said, shown and offered where the surface came through a passage.
 
+#include "ui/model/finding_text.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
 
@@ -10,8 +11,7 @@ void MainWindow::showLeak(int index) {
   const FoundLeak found = document_.leaks()[static_cast<std::size_t>(index)];
   state_.setCrosshair(found.leak.place);
   const QString text = tr("A leak at iteration %1: %2.")
-                           .arg(QString::number(found.leak.iteration),
-                                QString::fromStdString(handlebody::sentence(found.leak)));
+                           .arg(QString::number(found.leak.iteration), findingText(findingOf(found.leak)));
   const auto isStill = [this, index, found] {
     const auto& all = document_.leaks();
     return index < static_cast<int>(all.size()) &&
