@@ -1,10 +1,10 @@
 # Sourced by run.sh and test.sh: installs the Debian packages that are missing (Debian 12 and 13).
 # shellcheck shell=bash
 
-BUILD_PACKAGES="g++ cmake ninja-build ccache libvtk9-dev libinsighttoolkit5-dev libdcmtk-dev libeigen3-dev libcli11-dev nlohmann-json3-dev libssl-dev zlib1g-dev qt6-base-dev qt6-svg-dev libqt6svg6 pybind11-dev python3-dev"
-TEST_PACKAGES="catch2 libcgal-dev xvfb xauth fonts-dejavu-core python3-numpy python3-pytest python3-matplotlib gmsh tetgen"
+BUILD_PACKAGES="g++ cmake ninja-build ccache libvtk9-dev libinsighttoolkit5-dev libdcmtk-dev libeigen3-dev libcli11-dev nlohmann-json3-dev libssl-dev zlib1g-dev qt6-base-dev qt6-svg-dev qt6-l10n-tools libqt6svg6 pybind11-dev python3-dev"
+TEST_PACKAGES="catch2 libcgal-dev xvfb xauth fonts-dejavu-core fonts-droid-fallback qt6-translations-l10n python3-numpy python3-pytest python3-matplotlib gmsh tetgen"
 PACKAGE_PACKAGES="file dpkg-dev fakeroot"
-RUN_PACKAGES="qt6-qpa-plugins qt6-wayland fonts-dejavu-core libgl1-mesa-dri"
+RUN_PACKAGES="qt6-qpa-plugins qt6-wayland qt6-translations-l10n fonts-dejavu-core libgl1-mesa-dri"
 
 # The packages of the groups named ("build", "test", "package", "run"), on this release of Debian.
 wanted_packages() {

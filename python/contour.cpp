@@ -128,7 +128,7 @@ RunReport Contour::report(bool isComplete) const {
     report.tunnels = findTunnelsQuickly(soup, report.mesh);
   }
   report.polish = polish_;
-  if (std::string doubt = polishDoubt(*polish_); !doubt.empty()) report.doubts.push_back(std::move(doubt));
+  if (Finding doubt = polishDoubt(*polish_); doubt.any()) report.doubts.push_back(std::move(doubt));
   tellDoubts(active_, soup, report);
   return report;
 }

@@ -12,7 +12,6 @@
 #include "app/cli/run.h"
 #include "app/cli/tunnel_text.h"
 #include "core/collision/certify.h"
-#include "core/errors.h"
 #include "core/evolution/edit_step.h"
 #include "core/io/atomic_file.h"
 #include "core/io/edit_json.h"
@@ -21,6 +20,7 @@
 #include "core/io/polished_export.h"
 #include "core/io/result.h"
 #include "core/polish/patch_search.h"
+#include "core/told_error.h"
 
 namespace handlebody::cli {
 
@@ -73,7 +73,11 @@ struct Edited {
 //! Throws UsageError if it is refused.
 Event touch(Mesh& mesh, const std::string& option, const MeshEdit& edit) {
   TouchedMesh done = touched(mesh, edit);
-  if (!done.isDone()) throw UsageError(option + ": " + done.refusal);
+  if (!done.isDone()) {
+    std::string why = sentence(done.refusal);
+    why[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(why[0])));
+    throw Told<UsageError>(Finding(done.refusal), option + ": " + why + ".");
+  }
   mesh = std::move(done.mesh);
   return eventOf(edit, done);
 }

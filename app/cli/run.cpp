@@ -247,15 +247,15 @@ void tellSurface(const CertifiedMesh& made, const Volume& volume, const RunOutpu
   report.seconds.tunnels += watch.lap();
 }
 
-void warn(const std::vector<std::string>& doubts, const std::string& name) {
+void warn(const std::vector<Finding>& doubts, const std::string& name) {
   const std::string behind = name.empty() ? name : name + ": ";
-  for (const std::string& d : doubts)
-    std::fprintf(stderr, "handlebody-cli: warning: %s%s\n", behind.c_str(), d.c_str());
+  for (const Finding& d : doubts)
+    std::fprintf(stderr, "handlebody-cli: warning: %s%s\n", behind.c_str(), sentence(d).c_str());
 }
 
 void tellPolish(const PolishReport& polish, RunReport& report) {
   report.polish = polish;
-  if (std::string doubt = polishDoubt(polish); !doubt.empty()) report.doubts.push_back(std::move(doubt));
+  if (Finding doubt = polishDoubt(polish); doubt.any()) report.doubts.push_back(std::move(doubt));
 }
 
 }  // namespace
@@ -308,7 +308,7 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, Among among, c
   report.seconds.sensitivity = watch.lap();
   tellDoubts(contour, made.mesh, report);
   if (report.sensitivity)
-    for (std::string& d : sensitivityDoubts(*report.sensitivity)) report.doubts.push_back(std::move(d));
+    for (Finding& d : sensitivityDoubts(*report.sensitivity)) report.doubts.push_back(std::move(d));
   warn(report.doubts, name);
   report.seconds.exported += watch.lap();
   return {std::move(report), std::move(made.mesh), std::move(polishing)};

@@ -1,6 +1,7 @@
 // The window: `handlebody [FILE]`.
 
 #include <QApplication>
+#include <clocale>
 #include <cstdlib>
 #include <iostream>
 #include <optional>
@@ -8,6 +9,7 @@
 #include "app/window/options.h"
 #include "app/window/screenshot.h"
 #include "ui/window/file_work.h"
+#include "ui/window/language.h"
 #include "ui/window/main_window.h"
 
 namespace handlebody::app {
@@ -70,5 +72,9 @@ int main(int argc, char** argv) {
   QApplication::setApplicationName(QStringLiteral("handlebody"));
   QApplication::setApplicationVersion(QStringLiteral(HANDLEBODY_VERSION));
   QApplication::setDesktopFileName(QStringLiteral("org.handlebody.Handlebody"));
+  // QApplication has set the C library to the user's locale; what is written to files has a point in its
+  // numbers in every language.
+  std::setlocale(LC_NUMERIC, "C");
+  handlebody::ui::useLanguage(handlebody::ui::languageToUse(options.language));
   return handlebody::app::showWindow(options);
 }

@@ -23,7 +23,7 @@ QSize sizeFrom(const std::string& text) {
 }
 
 struct Texts {
-  std::string file, session, screenshot, view = "window", stage, step, appearance, size;
+  std::string file, session, screenshot, view = "window", stage, step, appearance, language, size;
 };
 
 void addOptions(CLI::App& app, Texts& texts, Options& options) {
@@ -51,6 +51,8 @@ void addOptions(CLI::App& app, Texts& texts, Options& options) {
       ->check(CLI::IsMember({"open", "seed", "tune", "grow", "correct", "export", "measure"}));
   app.add_option("--appearance", texts.appearance, "Colours of the window")
       ->check(CLI::IsMember({"system", "light", "dark"}));
+  app.add_option("--language", texts.language, "Language of the window (default: as set there)")
+      ->check(CLI::IsMember({"system", "en", "de", "fr", "es", "zh_CN"}));
 }
 
 }  // namespace
@@ -76,6 +78,7 @@ std::optional<int> readOptions(int argc, char** argv, Options& options) {
   options.stage = QString::fromStdString(texts.stage);
   options.step = QString::fromStdString(texts.step);
   options.appearance = QString::fromStdString(texts.appearance);
+  options.language = QString::fromStdString(texts.language);
   if (!texts.size.empty()) options.size = sizeFrom(texts.size);
   return std::nullopt;
 }

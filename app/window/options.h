@@ -15,6 +15,7 @@ struct Options {
   QString step;        //!< open, seed, tune, grow, correct, export, measure; empty: as the window thinks best
   QString stage;       //!< collide, open, handle, close: of the event at that iteration; empty: none
   QString appearance;  //!< system, light, dark; empty: as set in the window
+  QString language;    //!< system, en, de, fr, es, zh_CN; empty: HANDLEBODY_LANGUAGE, or as set in the window
   std::optional<int> iteration;  //!< the surface is grown to it
   QSize size{1280, 800};
 };

@@ -70,7 +70,7 @@ Attempt ActiveContour::State::attempt() {
   giveUpIfCancelled();
   if (a.troubles.empty()) deleteCollapsed(a);
   if (const auto place = walls.broken(mesh, a.touched, a.events); a.troubles.empty() && place)
-    a.troubles.push_back({*place, 2 * limits.longest, "the surface would have entered a wall"});
+    a.troubles.push_back({*place, 2 * limits.longest, FindingKind::entersWall});
   if (a.troubles.empty()) stopBeforeFlat(a);
   if (a.troubles.empty()) lookAtPins(a);
   return a;
@@ -122,18 +122,17 @@ void ActiveContour::State::restRepeated(StepReport& report) {
   for (std::size_t i = 0, n = report.events.size(); i < n; ++i) {
     const Event& e = report.events[i];
     if (e.kind != EventKind::rolledBack && resting.repeats(e.location, longestAt(e.location)))
-      report.events.push_back(
-          rolledBack(e.location, "the same place changed again and again, and rests from now on"));
+      report.events.push_back(rolledBack(e.location, FindingKind::changesAgain));
   }
 }
 
-Event ActiveContour::State::rolledBack(const Vec3& place, const char* reason) const {
+Event ActiveContour::State::rolledBack(const Vec3& place, Finding reason) const {
   Event event;
   event.kind = EventKind::rolledBack;
   event.iteration = iteration;
   event.location = place;
   event.before = event.after = topology;
-  event.reason = reason;
+  event.reasons = {std::move(reason)};
   return event;
 }
 
@@ -206,7 +205,7 @@ StepReport ActiveContour::State::step() {
   if (last.isKept())
     accept(last, report);
   else
-    rollBack({last.place(), 1e3 * parameters.edgeLength, "no part of the step could be kept"});
+    rollBack({last.place(), 1e3 * parameters.edgeLength, FindingKind::nothingKept});
   if (walls.isPushing()) {
     walls.release(mesh);
     chooseForbidden();
@@ -288,11 +287,12 @@ std::size_t ActiveContour::memory() const {
   return sizeof(State) + state_->mesh.memory() + state_->quiet.size();
 }
 SurfaceSupport ActiveContour::support() const { return surfaceSupport(state_->mesh, *state_->object.image); }
-std::vector<std::string> ActiveContour::doubts(const SurfaceSupport& support) const {
-  std::vector<std::string> doubts = imageDoubts(state_->mesh, *state_->object.image, support);
-  if (state_->walls.isPushing()) doubts.push_back("the surface still lies in a wall that was put over it");
-  for (std::string& d : state_->held.doubts()) doubts.push_back(std::move(d));
-  if (state_->object.neckRadius > 0) doubts.push_back(heldAtPassages(state_->object.neckRadius));
+std::vector<Finding> ActiveContour::doubts(const SurfaceSupport& support) const {
+  std::vector<Finding> doubts = imageDoubts(state_->mesh, *state_->object.image, support);
+  if (state_->walls.isPushing()) doubts.push_back(FindingKind::liesInWall);
+  for (Finding& d : state_->held.doubts()) doubts.push_back(std::move(d));
+  if (state_->object.neckRadius > 0)
+    doubts.push_back({FindingKind::heldAtPassages, {{"radius_mm", state_->object.neckRadius}}});
   return doubts;
 }
 void ActiveContour::recordTraces(bool on) { state_->traces = on; }

@@ -108,9 +108,9 @@ class ActiveContour {
   std::size_t memory() const;
   //! Where the image shows an edge at the surface as it is now, and where none.
   SurfaceSupport support() const;
-  //! What in the image speaks against the surface as it is now: sentences without a full stop
-  //! (image_doubts.h). `support`: of the surface as it is now.
-  std::vector<std::string> doubts(const SurfaceSupport& support) const;
+  //! What in the image speaks against the surface as it is now (image_doubts.h). `support`: of the surface as
+  //! it is now.
+  std::vector<Finding> doubts(const SurfaceSupport& support) const;
   //! Traces of events are recorded from the next step on. Off by default.
   void recordTraces(bool on);
 

@@ -6,10 +6,10 @@
 #include <limits>
 #include <numbers>
 
-#include "core/errors.h"
 #include "core/evolution/object_range.h"
 #include "core/evolution/region_levels.h"
 #include "core/object/region_field.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
@@ -82,14 +82,14 @@ std::shared_ptr<const ObjectImage> imageOf(const Volume& volume, const ObjectMod
 //! The strongest boundary around the seeds, or why there is none.
 struct Boundary {
   std::optional<ObjectChoice> choice;
-  std::string why;
+  Finding why;
 };
 
 Boundary strongestBoundary(const Volume& volume, const std::vector<Seed>& seeds, const Parameters& p) {
   try {
     return {chooseObject(volume, seeds, p), {}};
   } catch (const SeedError& error) {
-    return {{}, error.what()};
+    return {{}, findingOf(error)};
   }
 }
 
@@ -176,9 +176,7 @@ void takeBoundary(ClickedObject& out, const ObjectChoice& choice, std::shared_pt
 void requireClicksInside(const Grid& grid, const std::vector<Seed>& clicks) {
   for (const Seed& s : clicks)
     if (s.background && !grid.contains(grid.toIndex(s.centre)))
-      throw SeedError("The click outside of the object at (" + std::to_string(s.centre[0]) + ", " +
-                      std::to_string(s.centre[1]) + ", " + std::to_string(s.centre[2]) +
-                      ") mm lies outside the volume.");
+      throw Told<SeedError>(Finding(FindingKind::clickOutside, {{"place", placeValue(s.centre)}}));
 }
 
 }  // namespace
@@ -188,10 +186,7 @@ ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& c
   requireClicksInside(volume.grid, clicks);
   ClickedObject out;
   if (p.range) {
-    if (seeds.size() != clicks.size())
-      throw UsageError(
-          "Clicks outside of the object and a given range do not go together: the range alone says "
-          "where the object ends.");
+    if (seeds.size() != clicks.size()) throw Told<UsageError>(Finding(FindingKind::rangeAndBackground));
     const ObjectChoice choice = chooseObject(volume, seeds, p);
     takeBoundary(out, choice, imageOf(choice));
     out.smoothing = out.image->volume().sigma();
@@ -207,7 +202,7 @@ ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& c
     boundary = strongestBoundary(volume, seeds, p);
   else if (isItselfABoundary(*model))
     boundary.choice = boundaryNextTo(*model, volume, seeds, p);
-  if (!model && !boundary.choice) throw SeedError(boundary.why);
+  if (!model && !boundary.choice) throw Told<SeedError>(boundary.why);
   if (model) {
     out.candidates = model->candidates;
     out.candidate = model->chosen;

@@ -1,7 +1,7 @@
 // Edits by hand as steps.
 
-#include "core/errors.h"
 #include "core/evolution/contour_state.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
@@ -10,15 +10,14 @@ namespace {
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! More components or tunnels than there were, and than may be.
-const char* limitBroken(const TopologyLimits& limits, const TopologyNumbers& before,
+FindingKind limitBroken(const TopologyLimits& limits, const TopologyNumbers& before,
                         const TopologyNumbers& after) {
   const auto isBroken = [](const std::optional<int>& limit, int was, int is) {
     return limit && is > *limit && is > was;
   };
-  if (isBroken(limits.components, before.components, after.components))
-    return "there would be more components than may be";
-  if (isBroken(limits.genus, before.genus, after.genus)) return "there would be more tunnels than may be";
-  return nullptr;
+  if (isBroken(limits.components, before.components, after.components)) return FindingKind::tooManyComponents;
+  if (isBroken(limits.genus, before.genus, after.genus)) return FindingKind::tooManyTunnels;
+  return FindingKind::none;
 }
 
 }  // namespace
@@ -39,10 +38,11 @@ Attempt ActiveContour::State::editAttempt(const MeshEdit& edit) {
   for (const int v : done.touched)
     if (v < mesh.vertexSlots()) a.touched[idx(v)] = 1;
   if (const auto place = walls.brokenAnywhere(mesh))
-    a.troubles.push_back({*place, 0, "the surface would come into a wall or around it"});
+    a.troubles.push_back({*place, 0, FindingKind::editIntoWall});
   else if (const auto pinned = pins.broken(transaction.before(), mesh))
-    a.troubles.push_back({*pinned, 0, "a pinned part would change"});
-  else if (const char* broken = limitBroken(constraints.topology, topology, a.events.back().after))
+    a.troubles.push_back({*pinned, 0, FindingKind::editOfPinned});
+  else if (const FindingKind broken = limitBroken(constraints.topology, topology, a.events.back().after);
+           broken != FindingKind::none)
     a.troubles.push_back({edit.place, 0, broken});
   return a;
 }
@@ -63,8 +63,8 @@ StepReport ActiveContour::State::editStep(const MeshEdit& edit) {
   Attempt made =
       transaction.runOnce({mesh, topology, limits.longest, [&] { return editAttempt(edit); }, anything, {}});
   if (!made.isKept())
-    throw UsageError("The edit of iteration " + std::to_string(edit.iteration) +
-                     " cannot be made: " + made.troubles[0].reason + ".");
+    throw Told<UsageError>(
+        Finding(FindingKind::editRefused, {{"iteration", edit.iteration}}, made.troubles[0].reason));
   StepReport report;
   report.iteration = ++iteration;
   edits.setMade(edit);

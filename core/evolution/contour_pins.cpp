@@ -31,8 +31,8 @@ void ActiveContour::State::stopBeforeFlat(Attempt& a) const {
   for (int c = 0; c < parts.count(); ++c) {
     const bool isFlat = std::abs(parts.volume[idx(c)]) < least;
     if (!isFlat || isPinned[idx(c)] == 0 || moving[idx(c)] < 0) continue;
-    a.troubles.push_back({mesh.position(moving[idx(c)]), parts.extent[idx(c)],
-                          "the surface would close over a pinned part, and stops before it"});
+    a.troubles.push_back(
+        {mesh.position(moving[idx(c)]), parts.extent[idx(c)], FindingKind::closesOverPinned});
     a.troubles.back().atPin = true;
   }
 }
@@ -41,7 +41,7 @@ void ActiveContour::State::stopBeforeFlat(Attempt& a) const {
 void ActiveContour::State::lookAtPins(Attempt& a) const {
   const auto place = pins.broken(transaction.before(), mesh);
   if (!place) return;
-  constexpr const char* kReason = "a pinned part would have changed";
+  constexpr FindingKind kReason = FindingKind::pinnedWouldChange;
   a.troubles.push_back({*place, 2 * limits.longest, kReason});
   for (const Event& e : a.events) a.troubles.push_back({e.location, 2 * limits.longest, kReason});
 }

@@ -1,11 +1,11 @@
 // What a contour is asked for: at first, and when it is changed on the way.
 
 #include "core/collision/certify.h"
-#include "core/errors.h"
 #include "core/evolution/contour_state.h"
 #include "core/evolution/image_doubts.h"
 #include "core/evolution/seeds.h"
 #include "core/mesh/structure.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
@@ -195,11 +195,7 @@ void ActiveContour::State::correct() {
   correction = correctComponents(mesh, *object.image, seeds, parameters.edgeLength, limits.longest, fronts,
                                  pins.any() ? isPinned : std::function<bool(int)>());
   if (correction->beganAnew) {
-    if (pins.any())
-      throw UsageError(
-          "The clicks have so little in common with the surface that it would begin anew, but a part of it "
-          "is "
-          "pinned: take the pins away first.");
+    if (pins.any()) throw Told<UsageError>(Finding(FindingKind::clicksVersusPins));
     beginAnew();
     return;
   }

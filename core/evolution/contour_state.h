@@ -94,7 +94,7 @@ struct ActiveContour::State {
   void accept(Attempt& a, StepReport& report);
   std::vector<HeldChange> judge(const Attempt& a, StepReport& report);
   void restRepeated(StepReport& report);
-  Event rolledBack(const Vec3& place, const char* reason) const;
+  Event rolledBack(const Vec3& place, Finding reason) const;
   void watch(const Attempt& kept, StepReport& report);
   void decideStop(const StepReport& report);
   StopReason restReason() const;

@@ -1,17 +1,16 @@
 #include "core/evolution/edit_step.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
 
 #include "core/cancellation.h"
-#include "core/errors.h"
 #include "core/mesh/topology.h"
 #include "core/surgery/local_smoothing.h"
 #include "core/surgery/mesh_edits.h"
 #include "core/surgery/plane_cut.h"
 #include "core/surgery/pulling.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
@@ -23,8 +22,8 @@ bool contains(const std::vector<MeshEdit>& list, const MeshEdit& edit) {
   return std::find(list.begin(), list.end(), edit) != list.end();
 }
 
-[[noreturn]] void refuse(const MeshEdit& edit, const std::string& what) {
-  throw UsageError("The edit of iteration " + std::to_string(edit.iteration) + " " + what + ".");
+[[noreturn]] void refuse(const MeshEdit& edit, FindingKind why) {
+  throw Told<UsageError>(Finding(why, {{"iteration", edit.iteration}, {"place", placeValue(edit.place)}}));
 }
 
 double distanceTo(const Mesh& mesh, const SurfaceLoop& loop, const Vec3& place) {
@@ -49,9 +48,9 @@ const Tunnel* tunnelAt(const Mesh& mesh, const std::vector<Tunnel>& tunnels, con
 EditOutcome closeTunnelAt(Mesh& mesh, const MeshEdit& edit) {
   const TunnelList list = findTunnels(mesh);
   const Tunnel* tunnel = tunnelAt(mesh, list.tunnels, edit.place);
-  if (tunnel == nullptr) refuse(edit, "finds no tunnel at " + written(edit.place));
+  if (tunnel == nullptr) refuse(edit, FindingKind::editFindsNoTunnel);
   auto closed = closeOneTunnel(mesh, *tunnel, edit.cut);
-  if (!closed) refuse(edit, "cannot be made: no cap fits into the tunnel at " + written(edit.place));
+  if (!closed) refuse(edit, FindingKind::editWithoutCap);
   EditOutcome out;
   out.events.push_back(std::move(closed->event));
   out.touched = std::move(closed->touched);
@@ -76,8 +75,8 @@ int componentAt(const Mesh& mesh, const Components& parts, const Vec3& place, bo
 
 //! No face is new: what is left has not been touched.
 EditOutcome removal(const MeshEdit& edit, std::vector<Event> events) {
-  if (events.empty()) refuse(edit, "finds nothing to remove: there is nothing beside that component");
-  if (events.back().after.components == 0) refuse(edit, "would leave nothing of the surface");
+  if (events.empty()) refuse(edit, FindingKind::editRemovesNothing);
+  if (events.back().after.components == 0) refuse(edit, FindingKind::editLeavesNothing);
   return {std::move(events), {}};
 }
 
@@ -85,8 +84,7 @@ EditOutcome editComponentAt(Mesh& mesh, const MeshEdit& edit) {
   const bool isCavity = edit.kind == MeshEditKind::fillCavity;
   const int component = componentAt(mesh, findComponents(mesh), edit.place, isCavity);
   if (component < 0)
-    refuse(edit,
-           std::string("finds no ") + (isCavity ? "cavity" : "component") + " at " + written(edit.place));
+    refuse(edit, isCavity ? FindingKind::editFindsNoCavity : FindingKind::editFindsNoComponent);
   return removal(edit, edit.kind == MeshEditKind::keepComponent ? keepBodyOf(mesh, component)
                                                                 : removeComponent(mesh, component));
 }
@@ -94,12 +92,8 @@ EditOutcome editComponentAt(Mesh& mesh, const MeshEdit& edit) {
 //! All faces may be others: the whole mesh has been certified.
 EditOutcome touchAt(Mesh& mesh, const MeshEdit& edit) {
   TouchedMesh done = touched(mesh, edit);
-  if (!done.isDone()) {
-    std::string why = done.refusal;
-    why.pop_back();
-    why[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(why[0])));
-    refuse(edit, "cannot be made: " + why);
-  }
+  if (!done.isDone())
+    throw Told<UsageError>(Finding(FindingKind::editRefused, {{"iteration", edit.iteration}}, done.refusal));
   EditOutcome out;
   out.events.push_back(eventOf(edit, done));
   mesh = std::move(done.mesh);
@@ -206,8 +200,8 @@ EditOutcome makeEdit(Mesh& mesh, const MeshEdit& edit) {
 void EditSchedule::choose(const std::vector<MeshEdit>& edits, int iteration) {
   for (const MeshEdit& e : edits)
     if (e.iteration <= iteration && !contains(made_, e))
-      throw UsageError("The edit of iteration " + std::to_string(e.iteration) +
-                       " comes too late: the surface is at iteration " + std::to_string(iteration) + ".");
+      throw Told<UsageError>(
+          Finding(FindingKind::editTooLate, {{"iteration", e.iteration}, {"now", iteration}}));
   std::erase_if(made_, [&](const MeshEdit& e) { return !contains(edits, e); });
   asked_ = edits;
 }

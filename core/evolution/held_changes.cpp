@@ -1,10 +1,9 @@
 #include "core/evolution/held_changes.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <numeric>
 
-#include "core/errors.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
@@ -24,27 +23,23 @@ bool contains(const std::vector<Veto>& list, const Veto& veto) {
 
 }  // namespace
 
-std::string sentence(const HeldPlace& held) {
-  char place[96], size[96] = "";
-  std::snprintf(place, sizeof place, "at %.1f,%.1f,%.1f", held.place.x(), held.place.y(), held.place.z());
+Finding findingOf(const HeldPlace& held) {
+  const auto place = placeValue(held.place);
   const HeldSize& s = held.size;
-  const bool isPart = s.part > 0;
-  if (isPart)
-    std::snprintf(size, sizeof size, "%s of %.3g ml", s.isCavity ? "a cavity" : "a part", s.part / 1000);
-  else if (s.tunnel > 0)
-    std::snprintf(size, sizeof size, " and make a tunnel %.3g mm around", s.tunnel);
-  const std::string at = place;
-  if (isPart && s.isCavity) return "it would enclose " + std::string(size) + " " + at;
-  if (isPart) return std::string(size) + " would come off " + at;
-  if (held.kind == EventKind::handleInserted) return "its fronts would meet " + at + size;
-  return std::string("a change of its topology (") + eventKindName(held.kind) + ") would happen " + at + size;
+  if (s.part > 0)
+    return {s.isCavity ? FindingKind::wouldEnclose : FindingKind::wouldComeOff,
+            {{"ml", s.part / 1000}, {"place", place}}};
+  if (held.kind != EventKind::handleInserted)
+    return {FindingKind::wouldChange, {{"event", std::string(eventKindName(held.kind))}, {"place", place}}};
+  if (s.tunnel > 0) return {FindingKind::wouldMakeTunnel, {{"place", place}, {"around_mm", s.tunnel}}};
+  return {FindingKind::frontsWouldMeet, {{"place", place}}};
 }
 
 bool HeldChanges::choose(const Constraints& constraints, int iteration) {
   for (const Veto& v : constraints.vetoes)
     if (v.iteration <= iteration && !contains(met_, v))
-      throw UsageError("The veto of iteration " + std::to_string(v.iteration) +
-                       " comes too late: the surface is at iteration " + std::to_string(iteration) + ".");
+      throw Told<UsageError>(
+          Finding(FindingKind::vetoTooLate, {{"iteration", v.iteration}, {"now", iteration}}));
   const std::size_t before = places_.size();
   const TopologyLimits &old = asked_.topology, &limits = constraints.topology;
   const bool sameLimits = limits.components == old.components && limits.genus == old.genus;
@@ -136,8 +131,7 @@ HeldChange HeldChanges::hold(const Event& event, const std::optional<Veto>& veto
     const HeldPlace told{event.kind, event.iteration, event.location, veto.has_value(), 1, size};
     places_.push_back({event.location, kSmallest * longest, kSameChange * longest, veto, told});
   }
-  return {event.kind, event.location,
-          veto ? "kept apart here, as asked" : "held: it would break the limit of the topology"};
+  return {event.kind, event.location, veto ? FindingKind::keptApart : FindingKind::overLimit};
 }
 
 void HeldChanges::holdForLimits(std::span<const Event> events, double longest, const Measure& measure,
@@ -164,9 +158,7 @@ std::vector<HeldChange> HeldChanges::judge(std::span<const Event> events, int it
   });
   if (veto == asked_.vetoes.end()) return held;
   const Event* met = metByVeto(events, *veto);
-  if (!met)
-    throw UsageError("The veto of iteration " + std::to_string(iteration) +
-                     " has nothing to forbid: no change of topology happens there.");
+  if (!met) throw Told<UsageError>(Finding(FindingKind::vetoFindsNothing, {{"iteration", iteration}}));
   met_.push_back(*veto);
   held.push_back(hold(*met, *veto, longest));
   return held;
@@ -221,12 +213,11 @@ std::vector<HeldPlace> HeldChanges::questions(int iteration) const {
   return all;
 }
 
-std::vector<std::string> HeldChanges::doubts() const {
-  std::vector<std::string> doubts;
+std::vector<Finding> HeldChanges::doubts() const {
+  std::vector<Finding> doubts;
   for (const Vec3& p : asked_.topology.allowed)
     if (std::find(used_.begin(), used_.end(), p) == used_.end())
-      doubts.push_back("at the allowed place " + written(p) +
-                       " nothing came that a limit of the topology would have held");
+      doubts.push_back({FindingKind::nothingAllowed, {{"place", placeValue(p)}}});
   return doubts;
 }
 

@@ -5,11 +5,11 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "core/evolution/constraints.h"
 #include "core/evolution/held_size.h"
+#include "core/finding.h"
 #include "core/surgery/event.h"
 
 namespace handlebody {
@@ -18,7 +18,7 @@ namespace handlebody {
 struct HeldChange {
   EventKind kind = EventKind::handleInserted;
   Vec3 place{0, 0, 0};  //!< mm
-  const char* reason = "";
+  FindingKind reason = FindingKind::none;
 };
 
 //! Where fronts are kept from a change now: one for all places that hang together.
@@ -33,9 +33,9 @@ struct HeldPlace {
   bool operator==(const HeldPlace&) const = default;
 };
 
-//! "its fronts would meet at 1,2,3 and make a tunnel 84 mm around": what the held change would do, without a
-//! full stop.
-std::string sentence(const HeldPlace& held);
+//! What the held change would do: wouldEnclose, wouldComeOff, frontsWouldMeet, wouldMakeTunnel or wouldChange.
+Finding findingOf(const HeldPlace& held);
+inline std::string sentence(const HeldPlace& held) { return sentence(findingOf(held)); }
 
 class HeldChanges {
  public:
@@ -60,8 +60,8 @@ class HeldChanges {
   //! Of the list what a limit has held since this iteration's step and nobody has answered yet; none unless
   //! the limits ask.
   std::vector<HeldPlace> questions(int iteration) const;
-  //! Of allowed places at which nothing has come that a limit would have held: sentences without a full stop.
-  std::vector<std::string> doubts() const;
+  //! Allowed places at which nothing has come that a limit would have held.
+  std::vector<Finding> doubts() const;
   //! The first veto whose iteration has not come yet.
   std::optional<Veto> waiting() const;
 

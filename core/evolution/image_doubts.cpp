@@ -1,7 +1,5 @@
 #include "core/evolution/image_doubts.h"
 
-#include <cstdio>
-
 #include "core/evolution/object_image.h"
 
 namespace handlebody {
@@ -11,17 +9,6 @@ namespace {
 constexpr double kNoEdge = 0.25;      // of the step from the object to its boundary
 constexpr double kMuch = 0.1;         // of the surface
 constexpr double kMuchBorder = 0.15;  // of the volume, or of the field of view
-
-template <typename... Numbers>
-std::string sentence(const char* format, Numbers... numbers) {
-  char text[400];
-  std::snprintf(text, sizeof text, format, numbers...);
-  return text;
-}
-
-}  // namespace
-
-namespace {
 
 //! Calls f(middle, outward normal, size) for every face, in order; size is twice the area (mm²), and without
 //! one the normal is zero.
@@ -79,42 +66,22 @@ double partAtPadding(const Mesh& mesh, const ObjectImage& image) {
   return all > 0 ? at / all : 0;
 }
 
-std::vector<std::string> imageDoubts(const Mesh& mesh, const ObjectImage& image,
-                                     const SurfaceSupport& support) {
-  std::vector<std::string> out;
+std::vector<Finding> imageDoubts(const Mesh& mesh, const ObjectImage& image, const SurfaceSupport& support) {
+  std::vector<Finding> out;
   if (const NeckCut* neck = image.neck())
-    out.push_back(sentence(
-        "the surface is held %s %.3g mm%s: behind it the same intensities go on for at least %.3g ml, in "
-        "front "
-        "of it they fill %.3g ml; where that belongs to the object, put a seed there too, or give --range, "
-        "which holds nothing back",
-        neck->widens ? "where its structure grows wider than a radius of"
-        : neck->hole ? "at a hole of radius"
-                     : "at a neck of radius",
-        neck->neckRadius, neck->hole ? " in a thin wall" : "", neck->cutVolume / 1000,
-        neck->keptVolume / 1000));
-  if (support.withoutEdge > kMuch)
-    out.push_back(
-        sentence("%.0f %% of the surface lies where the image shows no edge: the object may go on "
-                 "there, or the surface leaked",
-                 100 * support.withoutEdge));
-  const auto doubtBorder = [&](double part, const char* of) {
-    if (part > kMuchBorder)
-      out.push_back(
-          sentence("%.0f %% of the surface lies on the border of the %s: the object is cut off there, or the "
-                   "surface leaked",
-                   100 * part, of));
+    out.push_back({neck->widens ? FindingKind::heldWhereItWidens
+                   : neck->hole ? FindingKind::heldAtHole
+                                : FindingKind::heldAtNeck,
+                   {{"radius_mm", neck->neckRadius},
+                    {"behind_ml", neck->cutVolume / 1000},
+                    {"in_front_ml", neck->keptVolume / 1000}}});
+  const auto tell = [&out](FindingKind kind, double part, double least) {
+    if (part > least) out.push_back({kind, {{"percent", 100 * part}}});
   };
-  doubtBorder(support.atBorder, "volume");
-  doubtBorder(partAtPadding(mesh, image), "field of view");
+  tell(FindingKind::noEdge, support.withoutEdge, kMuch);
+  tell(FindingKind::atVolumeBorder, support.atBorder, kMuchBorder);
+  tell(FindingKind::atViewBorder, partAtPadding(mesh, image), kMuchBorder);
   return out;
-}
-
-std::string heldAtPassages(double neckRadius) {
-  return sentence(
-      "the surface is held at passages narrower than a radius of %.3g mm; where what lies behind them "
-      "belongs to the object, put a seed there too, or take a larger candidate",
-      neckRadius);
 }
 
 }  // namespace handlebody

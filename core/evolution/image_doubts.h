@@ -1,9 +1,9 @@
 #pragma once
 // What the image says against a surface.
 
-#include <string>
 #include <vector>
 
+#include "core/finding.h"
 #include "core/mesh/mesh.h"
 
 namespace handlebody {
@@ -31,12 +31,8 @@ SurfaceSupport surfaceSupport(const Mesh& mesh, const ObjectImage& image);
 //! before the padding around the image.
 double partAtPadding(const Mesh& mesh, const ObjectImage& image);
 
-//! Sentences without a full stop: the object was cut off at a neck; much of the surface shows no edge; much
-//! of it lies on the border of the volume or of the field of view. `support`: of the same mesh and image.
-std::vector<std::string> imageDoubts(const Mesh& mesh, const ObjectImage& image,
-                                     const SurfaceSupport& support);
-
-//! Of an object that is cut where its passages have radii below `neckRadius` (mm).
-std::string heldAtPassages(double neckRadius);
+//! The object was cut off at a neck; much of the surface shows no edge; much of it lies on the border of the
+//! volume or of the field of view. `support`: of the same mesh and image.
+std::vector<Finding> imageDoubts(const Mesh& mesh, const ObjectImage& image, const SurfaceSupport& support);
 
 }  // namespace handlebody

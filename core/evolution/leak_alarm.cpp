@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <mutex>
 
 #include "core/evolution/passage_disc.h"
@@ -47,15 +46,12 @@ VoxelBox boxAround(const Grid& grid, const Mesh& mesh) {
 
 }  // namespace
 
-std::string sentence(const Leak& leak) {
+Finding findingOf(const Leak& leak) {
   const Passage& p = leak.passage;
-  char wide[64] = "too narrow for the voxels to show", text[320];
-  if (p.isSeen) std::snprintf(wide, sizeof wide, "%.1f mm wide", 2 * p.radius);
-  std::snprintf(text, sizeof text,
-                "it came through a passage %s at %.1f,%.1f,%.1f from a space %.0f mm wide into one %.0f mm "
-                "wide",
-                wide, leak.place.x(), leak.place.y(), leak.place.z(), 2 * p.before, 2 * p.behind);
-  return text;
+  Finding out(p.isSeen ? FindingKind::passage : FindingKind::passageTooNarrow,
+              {{"place", placeValue(leak.place)}, {"before_mm", 2 * p.before}, {"behind_mm", 2 * p.behind}});
+  if (p.isSeen) out.values.emplace_back("width_mm", 2 * p.radius);
+  return out;
 }
 
 //! Maps that some copy still goes by.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/evolution/passages.h"
+#include "core/finding.h"
 #include "core/mesh/mesh.h"
 
 namespace handlebody {
@@ -21,9 +22,11 @@ struct Leak {
   WallDisc disc{};      //!< closes it
 };
 
+//! Of what kind the passage is, where it is and how wide (FindingKind::passage, passageTooNarrow).
+Finding findingOf(const Leak& leak);
 //! "it came through a passage 3.0 mm wide at 50.0,39.5,39.5 from a space 39 mm wide into one 39 mm wide":
-//! without a full stop.
-std::string sentence(const Leak& leak);
+//! in English, without a full stop.
+inline std::string sentence(const Leak& leak) { return sentence(findingOf(leak)); }
 
 //! Looks at the surface once per iteration. Passages are found in the image (passages.h), in a box around the
 //! surface that is widened as it grows, so that a volume that is not reached costs nothing. A passage is told

@@ -5,15 +5,14 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <string>
 
-#include "core/errors.h"
 #include "core/evolution/growth_level.h"
 #include "core/evolution/object_boundary.h"
 #include "core/evolution/object_image.h"
 #include "core/evolution/object_region.h"
 #include "core/evolution/seed_statistics.h"
 #include "core/evolution/seeds.h"
+#include "core/told_error.h"
 #include "core/volume/intensity_statistics.h"
 
 namespace handlebody {
@@ -91,16 +90,14 @@ std::optional<GrowthLevel> searchLevel(const SmoothedVolume& volume, const std::
   return strongestLevel(growRegion(volume, indicesOf(volume.grid(), seeds), sign, from, to));
 }
 
-std::string notInObject(ObjectKind asked) {
-  const std::string kind = asked == ObjectKind::bright ? "bright"
-                           : asked == ObjectKind::dark ? "dark"
-                                                       : "dark or bright";
-  return "The seed is not in a " + kind + " object: the image has no clear boundary of that kind around it.";
+FindingKind notInObject(ObjectKind asked) {
+  return asked == ObjectKind::bright ? FindingKind::noBrightObject
+         : asked == ObjectKind::dark ? FindingKind::noDarkObject
+                                     : FindingKind::noObject;
 }
 
 void requireVoxelsInRange(const Volume& volume, const IntensityRange& range) {
-  if (!(range.low <= range.high))
-    throw UsageError("The range is empty: its lower end is above its upper end.");
+  if (!(range.low <= range.high)) throw Told<UsageError>(Finding(FindingKind::rangeEmpty));
   bool any = false;
   double low = std::numeric_limits<double>::infinity(), high = -low;
   visitVoxels(volume, [&](const auto* v) {
@@ -112,9 +109,9 @@ void requireVoxelsInRange(const Volume& volume, const IntensityRange& range) {
     }
   });
   if (!any)
-    throw UsageError("The range " + std::to_string(range.low) + " to " + std::to_string(range.high) +
-                     " holds no voxel of the volume, whose values run from " + std::to_string(low) + " to " +
-                     std::to_string(high) + ".");
+    throw Told<UsageError>(
+        Finding(FindingKind::rangeWithoutVoxels,
+                {{"low", range.low}, {"high", range.high}, {"least", low}, {"most", high}}));
 }
 
 //! By the median of the nearest voxels: one of them may be noise.
@@ -135,11 +132,10 @@ const Seed* seedOutOfRange(const ObjectChoice& choice, const std::vector<Seed>& 
 void requireSeedsInRange(const ObjectChoice& choice, const std::vector<Seed>& seeds) {
   const Seed* s = seedOutOfRange(choice, seeds);
   if (!s) return;
-  throw SeedError("The seed at (" + std::to_string(s->centre[0]) + ", " + std::to_string(s->centre[1]) +
-                  ", " + std::to_string(s->centre[2]) +
-                  ") mm is not in the object: the smoothed intensity there is " +
-                  std::to_string(intensityAt(*choice.volume, *s)) + ", the object's range is " +
-                  std::to_string(choice.range.low) + " to " + std::to_string(choice.range.high) + ".");
+  throw Told<SeedError>(Finding(FindingKind::seedNotInRange, {{"place", placeValue(s->centre)},
+                                                              {"intensity", intensityAt(*choice.volume, *s)},
+                                                              {"low", choice.range.low},
+                                                              {"high", choice.range.high}}));
 }
 
 //! Radius (mm) of the balls around the seeds in which the noise is measured: as far as the object goes.
@@ -334,25 +330,20 @@ bool fillsView(const ObjectChoice& choice, const std::vector<Vec3>& seeds) {
 
 void requireNotAllOfView(const ObjectChoice& choice, const std::vector<Seed>& seeds) {
   if (!fillsView(choice, indicesOf(choice.volume->grid(), seeds))) return;
-  throw SeedError(
-      "The seed is not in an object with a boundary of its own: what grows from it fills the field of view, "
-      "up to the padding around the image. Where that is meant, say whether it is dark or bright, or give "
-      "--range.");
+  throw Told<SeedError>(Finding(FindingKind::fillsView));
 }
 
 }  // namespace
 
 void requireSeedsInside(const Grid& grid, const std::vector<Seed>& seeds) {
-  if (seeds.empty()) throw UsageError("No seed was given: at least one is needed.");
+  if (seeds.empty()) throw Told<UsageError>(Finding(FindingKind::noSeed));
   for (const Seed& s : seeds) {
     if (s.radius && !(*s.radius > 0 && std::isfinite(*s.radius)))
-      throw UsageError("The radius of a seed must be a number of mm above 0.");
+      throw Told<UsageError>(Finding(FindingKind::seedRadius));
     const Vec3 i = grid.toIndex(s.centre);
     if (!grid.contains(i))
-      throw SeedError("The seed at (" + std::to_string(s.centre[0]) + ", " + std::to_string(s.centre[1]) +
-                      ", " + std::to_string(s.centre[2]) + ") mm lies outside the volume (voxel " +
-                      std::to_string(i[0]) + ", " + std::to_string(i[1]) + ", " + std::to_string(i[2]) +
-                      ").");
+      throw Told<SeedError>(
+          Finding(FindingKind::seedOutside, {{"place", placeValue(s.centre)}, {"voxel", placeValue(i)}}));
   }
 }
 
@@ -399,7 +390,7 @@ ObjectChoice chooseObject(const Volume& volume, const std::vector<Seed>& seeds, 
     if (used > first) sigma = std::max(sigma, used);  // it was found with that much only
     if (sigma > used) found = chooseLevel(choice, volume, sigma, view, seeds, whole, p.object);
   }
-  if (!found) throw SeedError(notInObject(p.object));
+  if (!found) throw Told<SeedError>(Finding(notInObject(p.object)));
   setImage(choice, volume, sigma, view);
   requireSeedsInRange(choice, seeds);
   setBoundary(choice, seeds, *found);

@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "core/errors.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
@@ -38,8 +38,7 @@ const PinnedParts::Part* PinnedParts::partOf(const Pin& pin) const {
 bool PinnedParts::choose(const std::vector<Pin>& pins, int iteration) {
   for (const Pin& p : pins)
     if (p.iteration < iteration && !partOf(p))
-      throw UsageError("The pin " + written(p) + " comes too late: the surface is at iteration " +
-                       std::to_string(iteration) + ".");
+      throw Told<UsageError>(Finding(FindingKind::pinTooLate, {{"pin", written(p)}, {"now", iteration}}));
   const std::size_t before = parts_.size();
   std::erase_if(parts_, [&](const Part& p) { return !contains(pins, p.pin); });
   asked_ = pins;
@@ -57,8 +56,8 @@ void PinnedParts::take(const Mesh& mesh, int iteration) {
     if (p.iteration != iteration || partOf(p)) continue;
     taken.push_back({p, verticesIn(mesh, p), 0});
     if (taken.back().vertices.empty())
-      throw UsageError("The pin " + written(p) + " holds nothing: no vertex of the surface lies there at " +
-                       "iteration " + std::to_string(iteration) + ".");
+      throw Told<UsageError>(
+          Finding(FindingKind::pinHoldsNothing, {{"pin", written(p)}, {"now", iteration}}));
   }
   if (taken.empty()) return;
   for (Part& part : taken)

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
-#include "core/errors.h"
 #include "core/mesh/shapes.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
@@ -40,11 +39,7 @@ void requireManageable(const std::vector<Seed>& seeds, double edgeLength) {
     triangles += 16 * kPi / std::sqrt(3.0) * ratio * ratio;
   }
   if (triangles <= kMostTriangles) return;
-  std::ostringstream text;
-  text << "The edge length of " << edgeLength
-       << " mm is too short for the seeds: their surface alone would have over "
-       << "two million triangles.";
-  throw UsageError(text.str());
+  throw Told<UsageError>(Finding(FindingKind::edgeTooShort, {{"edge_mm", edgeLength}}));
 }
 
 }  // namespace

@@ -28,12 +28,12 @@ bool isTouched(const StepResult& step, int v) {
   return idx(v) < step.touched.size() && step.touched[idx(v)] != 0;
 }
 
-Trouble troubleAt(const StepResult& step, const Vec3& place, const char* reason) {
+Trouble troubleAt(const StepResult& step, const Vec3& place, FindingKind reason) {
   return {place, kAround * step.longest, reason};
 }
 
 //! Where the vertex was when all was well, or else where it is.
-Trouble troubleAt(const StepResult& step, int vertex, const char* reason) {
+Trouble troubleAt(const StepResult& step, int vertex, FindingKind reason) {
   if (has(step.before, vertex)) return troubleAt(step, step.before.position(vertex), reason);
   if (has(step.mesh, vertex)) return troubleAt(step, step.mesh.position(vertex), reason);
   int any = 0;
@@ -42,7 +42,7 @@ Trouble troubleAt(const StepResult& step, int vertex, const char* reason) {
 }
 
 //! A fault of the numbers shows nowhere: all that the step has changed on purpose is taken back.
-std::vector<Trouble> troubleAtEvents(const StepResult& step, const char* reason) {
+std::vector<Trouble> troubleAtEvents(const StepResult& step, FindingKind reason) {
   std::vector<Trouble> out;
   for (const Event& e : step.events) {
     Trouble t = troubleAt(step, e.location, reason);
@@ -69,9 +69,8 @@ std::vector<Trouble> nestingFaults(const StepResult& step, const Components& par
   for (const int c : misplacedComponents(labelled(step.mesh, parts))) {
     const auto at = std::find(parts.ofVertex.begin(), parts.ofVertex.end(), c);
     const Vec3 place = step.mesh.position(static_cast<int>(at - parts.ofVertex.begin()));
-    out.push_back(
-        {place, parts.extent[idx(c)] + kAround * step.longest,
-         parts.volume[idx(c)] < 0 ? "a cavity lies outside of any body" : "a body lies directly in another"});
+    out.push_back({place, parts.extent[idx(c)] + kAround * step.longest,
+                   parts.volume[idx(c)] < 0 ? FindingKind::cavityOutside : FindingKind::bodyInBody});
   }
   return out;
 }
@@ -79,16 +78,15 @@ std::vector<Trouble> nestingFaults(const StepResult& step, const Components& par
 //! Without an event nothing can have joined or parted, and the Euler number is known from the counts.
 std::vector<Trouble> topologyFaults(const StepResult& step) {
   const std::optional<TopologyNumbers> expected = predicted(step);
-  if (!expected) return troubleAtEvents(step, "the events of the step do not follow from each other");
+  if (!expected) return troubleAtEvents(step, FindingKind::eventsDisagree);
   const int euler = step.mesh.vertexCount() - step.mesh.faceCount() / 2;  // E = 3F / 2 on a closed mesh
-  if (euler != expected->euler)
-    return troubleAtEvents(step, "the Euler number is not the one that the events predict");
+  if (euler != expected->euler) return troubleAtEvents(step, FindingKind::otherEuler);
   if (step.events.empty()) return {};
   const bool areSeveral = expected->components > 1;
   const Components parts = areSeveral ? findComponents(step.mesh) : Components();
   const int components = areSeveral ? parts.count() : countComponents(step.mesh);
   if (components != expected->components || expected->genus != (2 * components - euler) / 2)
-    return troubleAtEvents(step, "the components are not those that the events predict");
+    return troubleAtEvents(step, FindingKind::otherComponents);
   return areSeveral ? nestingFaults(step, parts) : std::vector<Trouble>();
 }
 
@@ -108,7 +106,7 @@ std::vector<Trouble> StepCheck::structureFaults(const StepResult& step) {
 
 //! Precondition: the structure has been examined.
 std::vector<Trouble> StepCheck::coverageFaults(const StepResult& step) const {
-  constexpr const char* kUnseen = "a part of the surface has changed that detection had not looked at";
+  constexpr FindingKind kUnseen = FindingKind::unseenChange;
   for (const int f : structure_.newFaces()) {
     const Triangle& t = step.mesh.face(f);
     if (!isTouched(step, t[0]) && !isTouched(step, t[1]) && !isTouched(step, t[2]))
@@ -135,7 +133,7 @@ std::vector<Trouble> StepCheck::faultsOf(const StepResult& step) {
   if (!faults.empty()) return faults;
   volume_ = signedVolume(step.mesh);
   if (step.mesh.faceCount() > 0 && !(std::isfinite(volume_) && volume_ > 0))
-    return troubleAtEvents(step, "the surface does not enclose a volume");
+    return troubleAtEvents(step, FindingKind::enclosesNothing);
   if constexpr (kChecksWhole) certifyWhole(step.mesh);
   return {};
 }

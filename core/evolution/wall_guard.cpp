@@ -4,10 +4,10 @@
 #include <array>
 #include <utility>
 
-#include "core/errors.h"
 #include "core/evolution/wall_pieces.h"
 #include "core/mesh/nesting.h"
 #include "core/mesh/topology.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
@@ -37,23 +37,17 @@ void WallGuard::putUp(const Mesh& mesh, const WallList& known, bool mayPush) {
   if (!isTouched && fresh.empty()) return;
   const Walls judged(isTouched ? all_->list() : fresh, all_->grid(), edgeLength_, largestStep_);
   const Occupied occupied = findOccupied(mesh, judged);
-  const auto refuse = [&](const WallList& wall, const char* why) {
-    throw UsageError("The wall at " + written(placeOf(wall, all_->grid())) + " mm lies " + why);
+  const auto refuse = [&](const WallList& wall, FindingKind why) {
+    throw Told<UsageError>(Finding(why, {{"place", placeValue(placeOf(wall, all_->grid()))}}));
   };
   for (const WallList& wall : occupied.touched)
     for (const WallObject& object : wall.objects)
-      throw UsageError("The object '" + object.name +
-                       "' lies over surface that is already there: go back to before it came in there.");
+      throw Told<UsageError>(Finding(FindingKind::objectOver, {{"object", object.name}}));
   if (!occupied.enclosed.empty() && !without(occupied.enclosed[0], known).empty())
-    refuse(occupied.enclosed[0],
-           "within the surface, which cannot be pushed out of it: go back to before it came in there.");
+    refuse(occupied.enclosed[0], FindingKind::wallWithin);
   for (const WallList& wall : occupied.touched)
-    if (!wall.discs.empty())
-      refuse(wall, "across surface that is already there: go back to before it came in there.");
-  if (!occupied.touched.empty() && !mayPush)
-    refuse(occupied.touched[0],
-           "over surface that is already there: go back to before it came in there, or let the surface move "
-           "in both directions.");
+    if (!wall.discs.empty()) refuse(wall, FindingKind::wallAcross);
+  if (!occupied.touched.empty() && !mayPush) refuse(occupied.touched[0], FindingKind::wallOver);
   setPushing(together(occupied.touched));
 }
 
@@ -160,10 +154,11 @@ void requireFree(const std::vector<Seed>& asked, const Walls& walls) {
   for (const Seed& s : asked) {
     const int object = walls.objects() ? walls.objects()->objectAt(s.centre) : -1;
     if (object >= 0)
-      throw SeedError("The seed at " + written(s.centre) + " mm lies in the object '" +
-                      walls.list().objects[idx(object)].name + "', which is done already.");
+      throw Told<SeedError>(
+          Finding(FindingKind::seedInObject,
+                  {{"place", placeValue(s.centre)}, {"object", walls.list().objects[idx(object)].name}}));
     if (walls.distance(s.centre, 1) <= 0)
-      throw SeedError("A wall lies over the seed at " + written(s.centre) + " mm.");
+      throw Told<SeedError>(Finding(FindingKind::wallOverSeed, {{"place", placeValue(s.centre)}}));
   }
 }
 
@@ -185,7 +180,7 @@ std::vector<Seed> clearOfWalls(std::vector<Seed> fitted, const std::vector<Seed>
     const double needed = *s.radius + clearance, free = walls.distance(s.centre, needed);
     const double room = free < needed ? free - clearance : *s.radius;
     if (!reached || room < std::min(*s.radius, smallest))
-      throw SeedError("A wall leaves the seed at " + written(s.centre) + " mm no room.");
+      throw Told<SeedError>(Finding(FindingKind::wallLeavesNoRoom, {{"place", placeValue(s.centre)}}));
     s.radius = std::min(*s.radius, room);
   }
   return fitted;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/errors.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
@@ -34,14 +34,13 @@ void requireNothingWaiting(const ActiveContour& contour) {
 
 CertifiedMesh grownMesh(const ActiveContour& contour) {
   if (contour.stopReason() == StopReason::empty)
-    throw SeedError("The surface vanished after " + std::to_string(contour.iteration()) +
-                    " iterations: the seeds are not in an object of that kind and range.");
+    throw Told<SeedError>(Finding(FindingKind::surfaceVanished, {{"iterations", contour.iteration()}}));
   return certifiedForExport(contour.mesh().compact());
 }
 
 void tellDoubts(const ActiveContour& contour, const TriangleSoup& mesh, RunReport& report) {
-  const auto add = [&report](std::vector<std::string> sentences) {
-    std::move(sentences.begin(), sentences.end(), std::back_inserter(report.doubts));
+  const auto add = [&report](std::vector<Finding> found) {
+    std::move(found.begin(), found.end(), std::back_inserter(report.doubts));
   };
   add(doubts(report, mesh));
   const SurfaceSupport support = contour.support();

@@ -171,6 +171,32 @@ Json resolvedToJson(const ResolvedParameters& parameters) {
   return json;
 }
 
+namespace {
+
+Json findingToJson(const Finding& finding) {
+  Json json = {{"kind", findingName(finding.kind)}};
+  for (const auto& [name, value] : finding.values) {
+    Json& entry = json[std::string(name)];
+    if (const auto* x = std::get_if<double>(&value))
+      entry = std::isfinite(*x) ? Json(*x) : Json(nullptr);
+    else if (const auto* place = std::get_if<std::array<double, 3>>(&value))
+      entry = Json(*place);
+    else
+      entry = std::get<std::string>(value);
+  }
+  if (!finding.causes.empty()) json["cause"] = findingToJson(finding.causes.front());
+  json["sentence"] = sentence(finding);
+  return json;
+}
+
+}  // namespace
+
+Json findingsToJson(const std::vector<Finding>& findings) {
+  Json list = Json::array();
+  for (const Finding& f : findings) list.push_back(findingToJson(f));
+  return list;
+}
+
 Json eventToJson(const Event& event) {
   Json json = {{"kind", eventKindName(event.kind)},
                {"iteration", event.iteration},
@@ -179,7 +205,8 @@ Json eventToJson(const Event& event) {
                {"loop_sizes", event.loopSizes},
                {"before", topologyToJson(event.before)},
                {"after", topologyToJson(event.after)},
-               {"reason", event.reason}};
+               {"reason", sentence(event.reasons)}};
+  if (!event.reasons.empty()) json["reasons"] = findingsToJson(event.reasons);
   if (event.edit) {
     json["edit"] = {{"volume_before_ml", event.edit->volumeBefore / 1000},
                     {"volume_after_ml", event.edit->volumeAfter / 1000}};

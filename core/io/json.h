@@ -49,6 +49,8 @@ Json requestToJson(const Session& session);
 //! Every parameter as used; seeds apart. The candidate stands there if it is not the first.
 Json resolvedToJson(const ResolvedParameters& parameters);
 //! An event without its trace.
+//! Each with its kind, its numbers and the English sentence.
+Json findingsToJson(const std::vector<Finding>& findings);
 Json eventToJson(const Event& event);
 //! A leak, without what was done at it: "iteration", "location", widths, "disc" and "option", which closes
 //! it.

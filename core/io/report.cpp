@@ -147,13 +147,14 @@ HeldAnswer answerTo(const HeldPlace& question, const Session& session) {
   return answer;
 }
 
-std::vector<std::string> questionDoubts(const RunReport& report) {
-  std::vector<std::string> doubts;
+std::vector<Finding> questionDoubts(const RunReport& report) {
+  std::vector<Finding> doubts;
   for (const HeldPlace& held : report.questions)
     if (answerTo(held, report.session) == HeldAnswer::none)
-      doubts.push_back("at iteration " + std::to_string(held.iteration) +
-                       " a limit of the topology holds: " + sentence(held) + "; " + allowOption(held) +
-                       " lets it happen, " + holdOption(held) + " holds it without asking again");
+      doubts.push_back(
+          {FindingKind::undecided,
+           {{"iteration", held.iteration}, {"allow", allowOption(held)}, {"hold", holdOption(held)}},
+           findingOf(held)});
   return doubts;
 }
 
@@ -163,29 +164,26 @@ const char* endName(const RunReport& report) {
   return report.stopped == StopReason::running ? "stop-at" : stopReasonName(report.stopped);
 }
 
-std::vector<std::string> leakDoubts(const RunReport& report) {
-  std::vector<std::string> doubts;
+std::vector<Finding> leakDoubts(const RunReport& report) {
+  std::vector<Finding> doubts;
   for (const auto& [leak, answer] : report.leaks) {
-    const std::string what =
-        "the surface leaked at iteration " + std::to_string(leak.iteration) + ": " + sentence(leak) + "; ";
-    const std::string option = "--wall-disc " + written(leak.disc);
-    if (answer == LeakAnswer::wall)
-      doubts.push_back(what + "a wall was put there (" + option + ")");
-    else if (answer == LeakAnswer::stop)
-      doubts.push_back(what + "the mesh is that of iteration " + std::to_string(report.iterations) +
-                       ", before it came there; " + option + " closes the passage");
-    else
-      doubts.push_back(what + option + " closes the passage");
+    const FindingKind kind = answer == LeakAnswer::wall   ? FindingKind::leakWalled
+                             : answer == LeakAnswer::stop ? FindingKind::leakStopped
+                                                          : FindingKind::leaked;
+    doubts.push_back(
+        {kind,
+         {{"iteration", leak.iteration}, {"mesh_iteration", report.iterations}, {"disc", written(leak.disc)}},
+         findingOf(leak)});
   }
   return doubts;
 }
 
-std::vector<std::string> pinDoubts(const RunReport& report) {
-  std::vector<std::string> doubts;
+std::vector<Finding> pinDoubts(const RunReport& report) {
+  std::vector<Finding> doubts;
   for (const PinnedPart& p : report.pinned)
     if (p.vertices == 0)
-      doubts.push_back("the pin " + written(p.pin) + " holds nothing: the mesh is that of iteration " +
-                       std::to_string(report.iterations) + ", and its iteration never came");
+      doubts.push_back(
+          {FindingKind::pinNotReached, {{"pin", written(p.pin)}, {"mesh_iteration", report.iterations}}});
   return doubts;
 }
 
@@ -216,7 +214,8 @@ void addObject(Json& json, const RunReport& report) {
   json["close_choice"] = report.isCloseChoice;
   json["iterations"] = report.iterations;
   json["stopped"] = endName(report);
-  json["warnings"] = report.doubts;
+  json["warnings"] = sentences(report.doubts);
+  json["findings"] = findingsToJson(report.doubts);
   json["unsupported_surface"] = report.unsupportedSurface;
   json["seconds"] = secondsToJson(report.seconds);
   json["mesh"] = certificateToJson(report.mesh);

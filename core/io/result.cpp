@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 
 #include "core/collision/certify.h"
@@ -29,30 +27,21 @@ void requirePass(const Certificate& c) {
                            ", misplaced components: " + std::to_string(c.misplaced) + ").");
 }
 
-//! Why a surface that is at rest may not be the object's all the same; empty if there is no such reason.
-std::string unfinished(const RunReport& report) {
-  if (report.stopped == StopReason::stuck)
-    return "the surface got stuck: no part of a step could be kept, again and again (see the rolled back "
-           "events "
-           "of the report); another --edge-length may help";
-  if (report.stopped != StopReason::frozen) return {};
-  return "the surface rests at places that would still move, because changes there failed or repeated again "
-         "and "
-         "again (see the rolled back events of the report); another --edge-length or --smoothing may help";
+//! Why a surface that is at rest may not be the object's all the same; none if there is no such reason.
+Finding unfinished(const RunReport& report) {
+  if (report.stopped == StopReason::stuck) return FindingKind::stuck;
+  if (report.stopped == StopReason::frozen) return FindingKind::frozen;
+  return FindingKind::none;
 }
 
-//! The sentence for a surface that is still where its seeds were. A front of less radius than curvature times
-//! edge length over balloon stands still.
-std::string hardlyGrown(const ResolvedParameters& p) {
+//! Of a surface that is still where its seeds were. A front of less radius than curvature times edge length
+//! over balloon stands still.
+Finding hardlyGrown(const ResolvedParameters& p) {
   const double held = p.curvature * p.edgeLength / p.balloon;
   const std::vector<Seed> seeds = seedsOfSide(p.seeds, false);
   const bool small = std::any_of(seeds.begin(), seeds.end(), [&](const Seed& s) { return *s.radius < held; });
-  const std::string text = "the surface hardly grew beyond its seed: ";
-  if (!small) return text + "look at --object and --range";
-  std::ostringstream radius;
-  radius << std::setprecision(3) << held;
-  return text + "--curvature holds every front of a radius below " + radius.str() +
-         " mm, and the seed is smaller; give it a larger radius, or lower --curvature";
+  if (!small) return FindingKind::hardlyGrown;
+  return {FindingKind::heldByCurvature, {{"radius_mm", held}}};
 }
 
 //! The surface is still where the seeds were: no vertex has gone further than kHardlyMoved of a radius.
@@ -65,28 +54,16 @@ bool atItsSeeds(const RunReport& report, const TriangleSoup& mesh) {
   });
 }
 
-//! Three digits, none of them lost before the point.
-std::string millilitres(double volume) {
-  const double ml = volume / 1000;
-  std::ostringstream text;
-  if (ml >= 100)
-    text << std::fixed << std::setprecision(0) << ml;
-  else
-    text << std::setprecision(3) << ml;
-  return text.str() + " ml";
-}
-
-//! The sentence for an object that another one nearly outranks; empty where the choice is clear, or has been
-//! made by asking for a later candidate.
-std::string closeChoice(const RunReport& report) {
+//! Of an object that another one nearly outranks; none where the choice is clear, or has been made by asking
+//! for a later candidate.
+Finding closeChoice(const RunReport& report) {
   const std::vector<ObjectCandidate>& all = report.candidates;
   if (!report.isCloseChoice || all.size() < 2 || report.session.resolved->candidate != 1) return {};
-  std::ostringstream expected;
-  expected << std::setprecision(2) << all[0].score;
-  return "the choice among " + std::to_string(all.size()) +
-         " objects is close (expected overlap with the one that is meant: Dice " + expected.str() +
-         "): the next candidate holds " + millilitres(all[1].volume) + " where this one holds " +
-         millilitres(all[0].volume) + "; see --candidate";
+  return {FindingKind::closeChoice,
+          {{"objects", all.size()},
+           {"dice", all[0].score},
+           {"next_ml", all[1].volume / 1000},
+           {"this_ml", all[0].volume / 1000}}};
 }
 
 }  // namespace
@@ -98,11 +75,11 @@ CertifiedMesh certifiedForExport(const TriangleSoup& mesh) {
   return out;
 }
 
-std::vector<std::string> doubts(const RunReport& report, const TriangleSoup& mesh) {
-  std::vector<std::string> out;
-  if (std::string why = unfinished(report); !why.empty()) out.push_back(std::move(why));
+std::vector<Finding> doubts(const RunReport& report, const TriangleSoup& mesh) {
+  std::vector<Finding> out;
+  if (Finding why = unfinished(report); why.any()) out.push_back(std::move(why));
   if (atItsSeeds(report, mesh)) out.push_back(hardlyGrown(*report.session.resolved));
-  if (std::string choice = closeChoice(report); !choice.empty()) out.push_back(std::move(choice));
+  if (Finding choice = closeChoice(report); choice.any()) out.push_back(std::move(choice));
   return out;
 }
 

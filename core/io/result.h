@@ -22,9 +22,9 @@ struct CertifiedMesh {
 CertifiedMesh certifiedForExport(const TriangleSoup& mesh);
 
 //! What a user should look at before trusting the result, besides what the image says against it
-//! (ActiveContour::doubts); sentences without a full stop. Uses the session's resolved seeds, the candidates
+//! (ActiveContour::doubts). Uses the session's resolved seeds, the candidates
 //! and why the growth stopped.
-std::vector<std::string> doubts(const RunReport& report, const TriangleSoup& mesh);
+std::vector<Finding> doubts(const RunReport& report, const TriangleSoup& mesh);
 
 //! What the objects are written with.
 struct ExportContext {

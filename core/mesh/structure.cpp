@@ -61,20 +61,20 @@ void StructureCheck::listChanges(const Mesh& before, const Mesh& mesh) {
 
 std::optional<StructureFault> StructureCheck::examineHalfedge(const Mesh& mesh, int h) const {
   const int v = mesh.origin(h), g = mesh.opposite(h);
-  if (g < 0) return StructureFault{"an edge has only one face", v};
+  if (g < 0) return StructureFault{FindingKind::edgeWithOneFace, v};
   if (!hasFace(mesh, Mesh::faceOf(g)) || mesh.opposite(g) != h)
-    return StructureFault{"two faces disagree about their common edge", v};
+    return StructureFault{FindingKind::facesDisagree, v};
   if (mesh.origin(g) != mesh.target(h) || mesh.target(g) != v)
-    return StructureFault{"the two faces of an edge run in the same direction or have other ends", v};
-  if (mesh.apex(h) == mesh.apex(g)) return StructureFault{"two faces have the same three vertices", v};
+    return StructureFault{FindingKind::facesOpposed, v};
+  if (mesh.apex(h) == mesh.apex(g)) return StructureFault{FindingKind::facesTwice, v};
   return std::nullopt;
 }
 
 std::optional<StructureFault> StructureCheck::examineFace(const Mesh& mesh, int f) const {
   const Triangle& t = mesh.face(f);
   for (const int v : t)
-    if (!hasVertex(mesh, v)) return StructureFault{"a face has a vertex that was removed", -1};
-  if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return StructureFault{"a face has a vertex twice", t[0]};
+    if (!hasVertex(mesh, v)) return StructureFault{FindingKind::removedVertex, -1};
+  if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return StructureFault{FindingKind::vertexTwice, t[0]};
   for (int h = 3 * f; h < 3 * f + 3; ++h)
     if (auto fault = examineHalfedge(mesh, h)) return fault;
   return std::nullopt;
@@ -105,9 +105,9 @@ std::optional<StructureFault> StructureCheck::examineFaces(const Mesh& before, c
 //! The link of v as its fan shows it: its neighbours, all different.
 std::optional<StructureFault> StructureCheck::examineLink(const Mesh& mesh, int v) {
   const int start = mesh.outgoing(v);
-  if (start < 0) return StructureFault{"a vertex has no face", v};
+  if (start < 0) return StructureFault{FindingKind::vertexWithoutFace, v};
   if (!hasFace(mesh, Mesh::faceOf(start)) || mesh.origin(start) != v)
-    return StructureFault{"a vertex names a half-edge that does not leave it", v};
+    return StructureFault{FindingKind::wrongHalfedge, v};
   ++links_;
   bool isTwice = false;
   mesh.forEachOutgoing(v, [&](int h) {
@@ -116,7 +116,7 @@ std::optional<StructureFault> StructureCheck::examineLink(const Mesh& mesh, int 
     seen = links_;
     ++is_.fans;
   });
-  if (isTwice) return StructureFault{"two edges join the same two vertices", v};
+  if (isTwice) return StructureFault{FindingKind::edgesTwice, v};
   return std::nullopt;
 }
 
@@ -150,10 +150,10 @@ std::optional<StructureFault> StructureCheck::examineVertices(const Mesh& before
     if (auto fault = examineLink(mesh, v)) return fault;
   }
   if (is_.fans - was_.fans != is_.corners - was_.corners)
-    return StructureFault{"the faces around a vertex form more than one fan", vertexWithFans(mesh)};
+    return StructureFault{FindingKind::severalFans, vertexWithFans(mesh)};
   if (mesh.vertexCount() - before.vertexCount() != is_.vertices - was_.vertices ||
       mesh.faceCount() - before.faceCount() != is_.faces - was_.faces)
-    return StructureFault{"the counts of the mesh are not those of its elements", -1};
+    return StructureFault{FindingKind::wrongCounts, -1};
   return std::nullopt;
 }
 

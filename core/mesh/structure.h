@@ -6,14 +6,15 @@
 #include <span>
 #include <vector>
 
+#include "core/finding.h"
 #include "core/mesh/mesh.h"
 
 namespace handlebody {
 
 //! What is wrong with a mesh, and where.
 struct StructureFault {
-  const char* what = "";  //!< a sentence without a full stop
-  int vertex = -1;        //!< a vertex slot there; -1 where there is none
+  FindingKind what = FindingKind::none;
+  int vertex = -1;  //!< a vertex slot there; -1 where there is none
 };
 
 //! Keeps its arrays between calls. One thread at a time.

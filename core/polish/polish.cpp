@@ -19,7 +19,7 @@ constexpr int kMostPasses = 6;
 constexpr int kMostChanges = 6;  // at one place in a pass
 //! Operations, one after the other, that are tried as one; more for the few that are left at last.
 constexpr std::size_t kDepth = 2, kLastDepth = 4;
-constexpr std::size_t kBeam = 3;            // attempts that are gone on with
+constexpr std::size_t kBeam = 3;           // attempts that are gone on with
 constexpr std::size_t kMostWork = 600000;  // shapes of stars, some three seconds
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
@@ -218,7 +218,7 @@ PolishedMesh polished(const TriangleSoup& mesh, const PolishOptions& options) {
   return out;
 }
 
-std::string polishDoubt(const PolishReport& report) {
+Finding polishDoubt(const PolishReport& report) {
   const PolishCount& left = report.after;
   if (left.faces == 0 && left.edges == 0) return {};
   char text[400];
@@ -233,7 +233,11 @@ std::string polishDoubt(const PolishReport& report) {
       : report.isRefused ? "what it made was no valid mesh, and was not kept"
                          : "to better them the surface would have to move farther than its limit, "
                            "or to meet itself");
-  return text;
+  return {FindingKind::polishLeaves,
+          {{"thin_faces", left.faces},
+           {"sharp_edges", left.edges},
+           {"place", placeValue(at)},
+           {"text", std::string(text)}}};
 }
 
 }  // namespace handlebody

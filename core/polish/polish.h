@@ -3,9 +3,9 @@
 // leaving the surface. What is good stays bit for bit.
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
+#include "core/finding.h"
 #include "core/mesh/validity.h"
 #include "core/polish/polished_surface.h"
 #include "core/polish/shape.h"
@@ -62,7 +62,7 @@ struct PolishedMesh {
 //! Precondition: `mesh` passes the certificate, every point belongs to a face, and it meets no obstacle.
 PolishedMesh polished(const TriangleSoup& mesh, const PolishOptions& options);
 
-//! A sentence without a full stop on what is left, or empty: how many, the least angles, why.
-std::string polishDoubt(const PolishReport& report);
+//! What is left, or none: how many, the least angles, why.
+Finding polishDoubt(const PolishReport& report);
 
 }  // namespace handlebody

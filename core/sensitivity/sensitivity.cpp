@@ -83,19 +83,15 @@ void summarizeSpread(Sensitivity& s, const std::vector<Grown>& all, std::size_t 
 
 }  // namespace
 
-std::vector<std::string> sensitivityDoubts(const Sensitivity& s) {
-  std::vector<std::string> out;
-  const auto of = [&s](int n) { return std::to_string(n) + " of " + std::to_string(s.runs.size()); };
+std::vector<Finding> sensitivityDoubts(const Sensitivity& s) {
+  std::vector<Finding> out;
   const int count = static_cast<int>(s.runs.size());
   if (s.grown < count)
-    out.push_back("With clicks, smoothing and noise a little different, " + of(count - s.grown) +
-                  " runs leave no surface");
+    out.push_back({FindingKind::runsWithoutSurface, {{"runs", count - s.grown}, {"of", count}}});
   if (s.sameTopology < s.grown)
-    out.push_back("With clicks, smoothing and noise a little different, " + of(s.grown - s.sameTopology) +
-                  " runs have another topology");
+    out.push_back({FindingKind::otherTopology, {{"runs", s.grown - s.sameTopology}, {"of", count}}});
   if (s.deviation > kMuch * s.mean)
-    out.push_back("The volume depends on where exactly is clicked, on smoothing or noise: it changes by " +
-                  std::to_string(static_cast<int>(std::lround(100 * s.deviation / s.mean))) + " %");
+    out.push_back({FindingKind::volumeVaries, {{"percent", std::round(100 * s.deviation / s.mean)}}});
   return out;
 }
 

@@ -31,9 +31,9 @@ struct Sensitivity {
   double meanSpread = 0, spread95 = 0, largestSpread = 0;  //!< mm, over the vertices
 };
 
-//! What is doubtful about a result, a sentence without a full stop each: runs that left no surface, another
-//! topology, a volume that changes by more than a tenth.
-std::vector<std::string> sensitivityDoubts(const Sensitivity& s);
+//! What is doubtful about a result: runs that left no surface, another topology, a volume that changes by
+//! more than a tenth.
+std::vector<Finding> sensitivityDoubts(const Sensitivity& s);
 
 //! What is grown again.
 struct GrownFrom {

@@ -3,9 +3,9 @@
 
 #include <array>
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "core/finding.h"
 #include "core/geometry/vec.h"
 #include "core/mesh/topology.h"
 
@@ -58,7 +58,7 @@ struct Event {
   //! What the change predicts (predicted_change.h). A step that ends with other numbers, counted on its mesh,
   //! is rolled back: in an event of a step that was kept these are the true ones.
   TopologyNumbers after;
-  std::string reason;                  //!< why it was rolled back, or what did not fit before this
+  std::vector<Finding> reasons;        //!< why it was rolled back, or what did not fit before this
   std::optional<EventKind> held{};     //!< rolled back: the change that may not happen, as the user asked
   std::optional<EditMeasures> edit{};  //!< it is an edit, no change that the surface made by itself
   EventTrace trace;                    //!< empty unless traces are recorded

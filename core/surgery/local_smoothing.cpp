@@ -99,7 +99,7 @@ void restoreVolume(Mesh& mesh, const std::vector<WeightedVertex>& vertices, cons
 
 TouchedMesh smoothedHere(const Mesh& mesh, const Vec3& centre, double radius) {
   const std::vector<WeightedVertex> vertices = verticesIn(mesh, centre, radius);
-  if (vertices.empty()) return refused(mesh, "No vertex of the surface lies in the ball.");
+  if (vertices.empty()) return refused(mesh, FindingKind::noVertexInBall);
   const std::vector<int> faces = facesAround(mesh, vertices);
   const double wanted = volumeOver(mesh, faces, centre);
   Mesh smooth = mesh;

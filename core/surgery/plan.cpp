@@ -56,7 +56,7 @@ std::vector<int> oneOfEach(const Loops& loops) {
 class Planner {
  public:
   Planner(const Mesh& mesh, const FaceBlocks& blocks, Plan& plan, const PlanSettings& settings,
-          const char*& reason)
+          FindingKind& reason)
       : mesh_(mesh),
         plan_(plan),
         settings_(settings),
@@ -76,7 +76,7 @@ class Planner {
   const Mesh& mesh_;
   Plan& plan_;
   const PlanSettings& settings_;
-  const char*& reason_;
+  FindingKind& reason_;
   Surroundings surroundings_;
 };
 
@@ -108,7 +108,7 @@ bool Planner::joinFronts(std::span<const Opening> openings) {
     plan_.fronts = static_cast<int>(openings.size());
     return true;
   }
-  reason_ = inward && !tried ? "the fronts meet through the inside of the object" : "no handle fits";
+  reason_ = inward && !tried ? FindingKind::meetInside : FindingKind::noHandle;
   return false;
 }
 
@@ -165,7 +165,7 @@ bool Planner::closeOne(const Opening& opening) {
       plan_.joined = std::move(c.joined);
       return true;
     }
-  reason_ = "no patch fits";
+  reason_ = FindingKind::noPatch;
   return false;
 }
 
@@ -192,7 +192,7 @@ std::vector<ClosingChoice> Planner::capsFor(const Opening& opening) const {
 bool Planner::deleteAll() {
   plan_.kind = EventKind::componentDeleted;
   if (!surroundings_.sweepsOver(plan_.patch)) return true;
-  reason_ = "the component encloses a place where no surface may go";
+  reason_ = FindingKind::enclosesForbidden;
   return false;
 }
 
@@ -203,14 +203,14 @@ bool isTooLarge(const Opening& o, std::size_t longest) {
 
 //! Looks for what closes the openings of the plan.
 bool closeAll(const Mesh& mesh, const FaceBlocks& blocks, Plan& plan, const PlanSettings& settings,
-              const char*& reason) {
+              FindingKind& reason) {
   // Whole components in Λ come first: they have no boundary.
   const auto open = std::stable_partition(plan.openings.begin(), plan.openings.end(),
                                           [](const Opening& o) { return o.loops.empty(); });
   const std::span<const Opening> opened(open, plan.openings.end());
   const std::size_t longest = opened.size() == 2 ? kLongestOfTwo : kLongestLoop;
   if (std::any_of(opened.begin(), opened.end(), [&](const Opening& o) { return isTooLarge(o, longest); })) {
-    reason = "the opening is too large";
+    reason = FindingKind::openingTooLarge;
     return false;
   }
   plan.patch.firstNew = mesh.vertexSlots();
@@ -222,7 +222,7 @@ bool closeAll(const Mesh& mesh, const FaceBlocks& blocks, Plan& plan, const Plan
 }  // namespace
 
 std::optional<Plan> planFor(Mesh& mesh, FaceBlocks& blocks, const std::vector<std::vector<int>>& sets,
-                            const PlanSettings& settings, const char*& reason) {
+                            const PlanSettings& settings, FindingKind& reason) {
   Plan plan;
   // Refinement that led to nothing would make the next try refine what has been refined: after a few rings
   // faces a millionth of a millimetre thin.
@@ -240,7 +240,7 @@ std::optional<Plan> planFor(Mesh& mesh, FaceBlocks& blocks, const std::vector<st
   const bool isPinned = std::any_of(plan.openings.begin(), plan.openings.end(), [&](const Opening& o) {
     return settings.forbidden.isAnyPinned(o.lambda);
   });
-  if (isPinned) reason = "a pinned part lies there";
+  if (isPinned) reason = FindingKind::pinnedThere;
   if (!isPinned && closeAll(mesh, blocks, plan, settings, reason)) return plan;
   if (unrefined) mesh = *std::move(unrefined);
   return std::nullopt;

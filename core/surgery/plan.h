@@ -41,6 +41,6 @@ inline constexpr std::size_t kMaxFronts = 4;
 //! openings have a boundary, caps or a band if one has, nothing if none has. The mesh is refined where an
 //! opening needs it, and its blocks with it. None, with the reason and the mesh as it was, if nothing fits.
 std::optional<Plan> planFor(Mesh& mesh, FaceBlocks& blocks, const std::vector<std::vector<int>>& sets,
-                            const PlanSettings& settings, const char*& reason);
+                            const PlanSettings& settings, FindingKind& reason);
 
 }  // namespace handlebody

@@ -56,7 +56,7 @@ class Cut {
   void mergeRims(Mesh& mesh, Rims& rims) const;
   static bool staysFlat(const Mesh& mesh, int v, int other, const Vec3& p);
   Mesh evened(const Mesh& raw, Rims& rims) const;
-  std::string dropOtherSide(Mesh& mesh, const Rims& rims) const;
+  FindingKind dropOtherSide(Mesh& mesh, const Rims& rims) const;
 
   const Mesh& mesh_;
   const PlaneCut& cut_;
@@ -304,9 +304,9 @@ Mesh Cut::evened(const Mesh& raw, Rims& rims) const {
   return mesh;
 }
 
-//! What lies on the other side goes. A sentence if it cannot.
-std::string Cut::dropOtherSide(Mesh& mesh, const Rims& rims) const {
-  if (cut_.keep == KeptSide::both) return "";
+//! What lies on the other side goes. The reason if it cannot.
+FindingKind Cut::dropOtherSide(Mesh& mesh, const Rims& rims) const {
+  if (cut_.keep == KeptSide::both) return FindingKind::none;
   const Components parts = findComponents(mesh);
   std::vector<unsigned char> isLow(idx(parts.count()), 0), isHigh(idx(parts.count()), 0);
   for (const int v : rims.low) isLow[idx(parts.ofVertex[idx(v)])] = 1;
@@ -317,8 +317,7 @@ std::string Cut::dropOtherSide(Mesh& mesh, const Rims& rims) const {
   const std::vector<int> around = surroundingComponents(mesh, parts);
   std::vector<unsigned char> goes(idx(parts.count()), 0);
   for (int c = 0; c < parts.count(); ++c) {
-    if (isLow[idx(c)] != 0 && isHigh[idx(c)] != 0)
-      return "The cut does not part the body there: both of its sides hang together.";
+    if (isLow[idx(c)] != 0 && isHigh[idx(c)] != 0) return FindingKind::cutPartsNothing;
     const bool isCut = isLow[idx(c)] != 0 || isHigh[idx(c)] != 0;
     const double side = (mesh.position(anyVertex[idx(c)]) - cut_.point).dot(normal_) - offset_;
     const bool isUp = isCut ? isHigh[idx(c)] != 0 : side >= 0;
@@ -329,7 +328,7 @@ std::string Cut::dropOtherSide(Mesh& mesh, const Rims& rims) const {
       if (goes[idx(o)] != 0) goes[idx(c)] = 1;
   for (int c = 0; c < parts.count(); ++c)
     if (goes[idx(c)] != 0) deleteComponent(mesh, anyVertex[idx(c)]);
-  return "";
+  return FindingKind::none;
 }
 
 TouchedMesh Cut::run() {
@@ -338,25 +337,24 @@ TouchedMesh Cut::run() {
   std::vector<std::vector<std::size_t>> chosen = regions();
   std::erase_if(chosen, [this](const auto& region) { return !isNear(region); });
   if (chosen.empty())
-    return refused(mesh_, cut_.radius ? "The plane does not meet the surface near that place."
-                                      : "The plane does not meet the surface.");
-  constexpr const char* kNoCap = "No flat cap fits the cut.";
-  if (!divide(chosen)) return refused(mesh_, kNoCap);
+    return refused(mesh_, cut_.radius ? FindingKind::planeMissesNear : FindingKind::planeMisses);
+  if (!divide(chosen)) return refused(mesh_, FindingKind::noFlatCap);
   soup_.triangles.insert(soup_.triangles.end(), caps_.begin(), caps_.end());
   Mesh raw(soup_);
   for (int v = 0; v < mesh_.vertexSlots(); ++v)
     if (!mesh_.isVertex(v)) raw.removeVertex(v);
   if (!certifiedEdit(mesh_, raw).isDone() || topologyNumbers(raw).euler != predicted_)
-    return refused(mesh_, kNoCap);
+    return refused(mesh_, FindingKind::noFlatCap);
   for (const bool isEven : {true, false}) {
     Rims rims = rims_;
     Mesh done = isEven ? evened(raw, rims) : raw;
     if (topologyNumbers(done).euler != predicted_) continue;
-    if (std::string why = dropOtherSide(done, rims); !why.empty()) return refused(mesh_, std::move(why));
+    if (const FindingKind why = dropOtherSide(done, rims); why != FindingKind::none)
+      return refused(mesh_, why);
     TouchedMesh out = certifiedEdit(mesh_, std::move(done));
     if (out.isDone() || !isEven) return out;
   }
-  return refused(mesh_, kNoCap);
+  return refused(mesh_, FindingKind::noFlatCap);
 }
 
 }  // namespace

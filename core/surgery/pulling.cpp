@@ -202,7 +202,7 @@ TouchedMesh pulled(const Mesh& mesh, const Vec3& from, const Vec3& to, double ra
   Mesh start = mesh;
   const int handle = handleAt(start, from);
   const Vec3 by = to - start.position(handle);
-  if (by.norm() > kFurthestPull * radius) return refused(mesh, "The pull goes too far for its radius.");
+  if (by.norm() > kFurthestPull * radius) return refused(mesh, FindingKind::pullTooFar);
   TouchedMesh out;
   for (const int pulls : kPulls) {
     Mesh some = start;

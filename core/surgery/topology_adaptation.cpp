@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <string>
 
 #include "core/mesh/nesting.h"
 #include "core/mesh/topology.h"
@@ -44,7 +43,7 @@ class Adaptation {
     const std::vector<Gathering> places = gatherFronts(mesh_, groupCollisions(mesh_, pairs), kReach);
     if (places.size() >= kManyPlaces) blocks_.sortByPlace(mesh_);
     for (const Gathering& g : places) {
-      std::string before;
+      std::vector<Finding> before;
       if (!g.parts.empty() && joinGathered(g.whole, before)) continue;
       if (g.parts.empty()) treat(g.whole, before);
       for (const CollisionGroup& part : g.parts) treat(part, before);
@@ -62,22 +61,22 @@ class Adaptation {
   }
 
   //! Joins fronts that were found in several groups at once; if that fails, `before` says why.
-  bool joinGathered(const CollisionGroup& group, std::string& before) {
+  bool joinGathered(const CollisionGroup& group, std::vector<Finding>& before) {
     if (isStale(group) || isPinned(group)) return false;
-    const char* reason = "";
+    FindingKind reason = FindingKind::none;
     const auto fronts = mostColliding(mesh_, group, kMaxFronts);
     if (close(group, fronts, kManyEnlargements, waiting(group, fronts.size()), reason)) return true;
-    before = notAtOnce(fronts.size(), reason);
+    before = {notAtOnce(fronts.size(), reason)};
     return false;
   }
-  static std::string notAtOnce(std::size_t fronts, const char* reason) {
-    return std::to_string(fronts) + " fronts could not be joined at once: " + reason;
+  static Finding notAtOnce(std::size_t fronts, FindingKind reason) {
+    return {FindingKind::frontsNotJoined, {{"fronts", fronts}}, reason};
   }
 
-  static std::string waiting(const CollisionGroup& group, std::size_t fronts) {
-    if (group.lambda.size() == fronts) return "";
-    return "of " + std::to_string(group.lambda.size()) + " fronts " +
-           std::to_string(group.lambda.size() - fronts) + " left for the next round";
+  static std::vector<Finding> waiting(const CollisionGroup& group, std::size_t fronts) {
+    if (group.lambda.size() == fronts) return {};
+    return {
+        {FindingKind::frontsWait, {{"fronts", group.lambda.size()}, {"left", group.lambda.size() - fronts}}}};
   }
 
   bool isPinned(const CollisionGroup& group) const {
@@ -88,11 +87,11 @@ class Adaptation {
   //! A fold beside them is smoothed as far as it may be; whatever else meets pinned vertices stops there.
   void treatPinned(const CollisionGroup& group) {
     if (smoothed(group)) return;
-    giveUp(group, "the surface came to a pinned part, and stops before it");
+    giveUp(group, FindingKind::meetsPinned);
     result_.troubles.back().atPin = true;
   }
 
-  void treat(const CollisionGroup& group, std::string before) {
+  void treat(const CollisionGroup& group, std::vector<Finding> before) {
     if (isStale(group)) return;
     if (isPinned(group)) return treatPinned(group);
     if (isSpent()) return wait(group);
@@ -100,22 +99,21 @@ class Adaptation {
     // A collar that closes behind an enclosed part can be smoothed again and again: it has to be cut.
     const bool cutFirst = settings_.cameBack && settings_.cameBack(middle(group));
     if (!cutFirst && smoothed(group)) return;
-    const char* reason = "";
+    FindingKind reason = FindingKind::none;
     if (group.lambda.size() > 2) {
       const auto fronts = mostColliding(mesh_, group, kMaxFronts);
       if (close(group, fronts, kManyEnlargements, waiting(group, fronts.size()), reason)) return;
-      before = notAtOnce(fronts.size(), reason);
+      before = {notAtOnce(fronts.size(), reason)};
     }
     if (close(group, mostColliding(mesh_, group, 2), kEnlargements, before, reason)) return;
     if (isSpent() && hadWork < settings_.work->all() / 2) return wait(group);
-    if (!cutFirst || !smoothed(group))
-      giveUp(group, isSpent() ? "to close the place would take too much work" : reason);
+    if (!cutFirst || !smoothed(group)) giveUp(group, isSpent() ? FindingKind::tooMuchWork : reason);
   }
 
   //! Closes the openings around the sets, or around more and more rings of them.
   bool close(const CollisionGroup& group, std::vector<std::vector<int>> sets, int enlargements,
-             const std::string& before, const char*& reason) {
-    std::string why = before;
+             const std::vector<Finding>& before, FindingKind& reason) {
+    std::vector<Finding> why = before;
     for (int ring = 0; ring <= enlargements && !isSpent(); ++ring) {
       for (const auto& lambda : sets) spend(kPlaceWork * lambda.size());
       colliding_.resize(idx(mesh_.faceSlots()), 0);
@@ -127,9 +125,10 @@ class Adaptation {
         apply(group, *plan, why);
         return true;
       }
-      if (deletes) reason = "nothing of the component would be left";
-      why = before + (before.empty() ? "" : "; ") + std::to_string(ring + 1) +
-            (ring == 0 ? " ring" : " rings") + " added: " + reason;
+      if (deletes) reason = FindingKind::nothingLeft;
+      why = before;
+      why.push_back(ring == 0 ? Finding(FindingKind::ringAdded, {}, reason)
+                              : Finding(FindingKind::ringsAdded, {{"rings", ring + 1}}, reason));
       for (auto& lambda : sets) lambda = enlarge(mesh_, lambda);
       mergeTouching(mesh_, sets);
     }
@@ -145,11 +144,10 @@ class Adaptation {
     return true;
   }
 
-  void apply(const CollisionGroup& group, const Plan& plan, const std::string& why) {
+  void apply(const CollisionGroup& group, const Plan& plan, const std::vector<Finding>& why) {
     Event event = describe(group, plan);
-    event.reason = why;
-    if (!plan.shortest)
-      event.reason += (why.empty() ? "" : "; ") + std::string("there may be a shorter handle");
+    event.reasons = why;
+    if (!plan.shortest) event.reasons.push_back(FindingKind::maybeShorter);
     std::vector<int> faces, vertices;
     for (const Opening& o : plan.openings) {
       faces.insert(faces.end(), o.faces.begin(), o.faces.end());
@@ -287,11 +285,11 @@ class Adaptation {
   }
 
   void wait(const CollisionGroup& group) {
-    giveUp(group, "the work that a step may take is done: the place waits");
+    giveUp(group, FindingKind::workIsDone);
     result_.troubles.back().waits = true;
   }
 
-  void giveUp(const CollisionGroup& group, const char* reason) {
+  void giveUp(const CollisionGroup& group, FindingKind reason) {
     Trouble t{middle(group), 0, reason};
     for (const auto& lambda : group.lambda)
       for (int v : enlarge(mesh_, lambda))

@@ -32,7 +32,7 @@ struct AdaptationSettings {
 struct Trouble {
   Vec3 centre{0, 0, 0};  //!< mm
   double radius = 0;     //!< mm; holds all colliding vertices and the patches that were tried
-  const char* reason = "";
+  Finding reason{};
   bool waits = false;  //!< nothing is wrong there: others have spent the work of the step
   bool atPin = false;  //!< nothing is wrong there: a front has met pinned vertices
 };

@@ -5,21 +5,20 @@
 
 namespace handlebody {
 
-TouchedMesh refused(const Mesh& mesh, std::string why) {
-  TouchedMesh out{mesh, std::move(why), topologyNumbers(mesh), {}, signedVolume(mesh), 0};
+TouchedMesh refused(const Mesh& mesh, FindingKind why) {
+  TouchedMesh out{mesh, why, topologyNumbers(mesh), {}, signedVolume(mesh), 0};
   out.after = out.before;
   out.volumeAfter = out.volumeBefore;
   return out;
 }
 
 TouchedMesh certifiedEdit(const Mesh& before, Mesh edited) {
-  if (edited.faceCount() == 0) return refused(before, "Nothing of the surface would be left.");
-  constexpr const char* kMeetsItself = "The surface would meet itself there.";
-  if (findStructureFault(edited)) return refused(before, kMeetsItself);
+  if (edited.faceCount() == 0) return refused(before, FindingKind::nothingWouldBeLeft);
+  if (findStructureFault(edited)) return refused(before, FindingKind::meetsItself);
   const Certificate c = certify(edited.compact());
   if (!c.passes() || (c.misplaced > 0 && c.misplaced > examine(before).misplaced))
-    return refused(before, kMeetsItself);
-  TouchedMesh out = refused(before, "");
+    return refused(before, FindingKind::meetsItself);
+  TouchedMesh out = refused(before, FindingKind::none);
   out.mesh = std::move(edited);
   out.after = topologyNumbers(out.mesh);
   out.volumeAfter = c.volume;

@@ -60,6 +60,25 @@ TEST_CASE("a report holds every field of the contract", "[report]") {
   for (const char* key : {"components", "genus", "euler"}) CHECK(json["events"][0]["before"].contains(key));
 }
 
+TEST_CASE("what is told of a result and of an event has a kind, its numbers and a sentence", "[report]") {
+  RunReport report = smallReport();
+  report.doubts = {{FindingKind::noEdge, {{"percent", 45.4}}}, FindingKind::liesInWall};
+  report.events[0].reasons = {{FindingKind::ringsAdded, {{"rings", 2}}, FindingKind::noHandle},
+                              FindingKind::maybeShorter};
+  const auto json = nlohmann::json::parse(reportText(report));
+  const auto& findings = json.at("findings");
+  REQUIRE(findings.size() == 2);
+  CHECK(findings[0].at("kind") == "no-edge");
+  CHECK(findings[0].at("percent") == 45.4);
+  CHECK(findings[1].at("kind") == "lies-in-wall");
+  for (std::size_t i = 0; i < 2; ++i) CHECK(findings[i].at("sentence") == json.at("warnings").at(i));
+  const auto& event = json.at("events").at(0);
+  CHECK(event.at("reason") == "2 rings added: no handle fits; there may be a shorter handle");
+  CHECK(event.at("reasons").at(0).at("cause").at("kind") == "no-handle");
+  CHECK(event.at("reasons").at(0).at("rings") == 2);
+  CHECK(event.at("reasons").at(1).at("kind") == "maybe-shorter");
+}
+
 TEST_CASE("a report says what was used and what was asked for", "[report]") {
   const auto json = nlohmann::json::parse(reportText(smallReport()));
   CHECK(json["parameters"]["range"] == nlohmann::json::array({"-inf", 0.1}));

@@ -25,14 +25,8 @@ RunReport reportOf(StopReason stopped) {
 
 TriangleSoup sphere(double radius) { return zoo::moved(zoo::scaled(zoo::sphere(4), radius), kCentre); }
 
-std::string all(const std::vector<std::string>& sentences) {
-  std::string text;
-  for (const std::string& s : sentences) text += s + "\n";
-  return text;
-}
-
-bool mentions(const std::vector<std::string>& sentences, const char* word) {
-  return all(sentences).find(word) != std::string::npos;
+bool mentions(const std::vector<Finding>& findings, const char* word) {
+  return sentence(findings).find(word) != std::string::npos;
 }
 
 }  // namespace
@@ -78,7 +72,7 @@ TEST_CASE("a close choice is doubted, with what the next candidate holds") {
   report.candidates[1].volume = 1234567;
   CHECK(doubts(report, sphere(20)).empty());
   report.isCloseChoice = true;
-  CHECK(doubts(report, sphere(20)) ==
+  CHECK(sentences(doubts(report, sphere(20))) ==
         std::vector<std::string>{
             "the choice among 3 objects is close (expected overlap with the one that is meant: "
             "Dice 0.62): the next candidate holds 1235 ml where this one holds 4.51 ml; "

@@ -391,7 +391,10 @@ TEST_CASE("a surface that the curvature holds at its seed comes with a warning",
   CHECK(outcome.exitCode == 0);
   CHECK_THAT(outcome.err, Contains("hardly grew"));
   // Held in the middle of the object, it also lies where the image has no boundary.
-  CHECK_THAT(run.json("r.json").at("warnings").dump(), Contains("hardly grew"));
+  const auto report = run.json("r.json");
+  CHECK_THAT(report.at("warnings").dump(), Contains("hardly grew"));
+  CHECK(report.at("findings").at(0).at("kind") == "held-by-curvature");
+  CHECK(report.at("findings").at(0).at("radius_mm").get<double>() > 5);
   run.requireSuccess({"-o", run.folder / "m.stl", "--report", run.folder / "r.json"});
   CHECK(run.json("r.json").at("warnings").empty());
 }

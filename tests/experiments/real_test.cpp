@@ -47,7 +47,7 @@ RealOutcome expectCertified(const std::string& name) {
 #ifdef HANDLEBODY_WITH_ORACLE
   CHECK(oracle::selfIntersections(mesh).empty());
 #endif
-  RealOutcome out{certificate.volume / 1000, 0, contour.doubts(contour.support())};
+  RealOutcome out{certificate.volume / 1000, 0, sentences(contour.doubts(contour.support()))};
   if (c.label) out.dice = dice(mesh, readVolume(folder() + "/" + c.label));
   std::cout << c.name << ": iterations " << contour.iteration() << ", vertices " << certificate.vertices
             << ", components " << certificate.components << ", volume " << out.millilitres << " ml";

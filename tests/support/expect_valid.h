@@ -12,7 +12,7 @@ namespace handlebody {
 //! Closed, manifold, consistently oriented: by the mesh's own structure, and by its triangles alone.
 inline void expectValid(const Mesh& mesh) {
   const auto fault = findStructureFault(mesh);
-  if (fault) FAIL("the mesh is not valid: " << fault->what << " at vertex " << fault->vertex);
+  if (fault) FAIL("the mesh is not valid: " << sentence(fault->what) << " at vertex " << fault->vertex);
   const Certificate c = examine(mesh.compact());
   CHECK(c.closed);
   CHECK(c.manifold);

@@ -46,8 +46,8 @@ struct MeshSnapshot {
   std::vector<HeldPlace> held;    //!< what vetoes and limits of the topology hold back
   std::vector<PinnedPart> pinned;
   std::vector<bool> pinnedVertices;  //!< one per point of the mesh: some pin holds it
-  //! What the image says against the surface, sentences without a full stop; only of a surface at rest.
-  std::vector<std::string> doubts;
+  //! What the image says against the surface; only of a surface at rest.
+  std::vector<Finding> doubts;
 };
 
 //! One row of the timeline, cheap to copy; iteration 0 is the seed surface.

@@ -1,5 +1,6 @@
 // What the surface may not do: walls, vetoes, pins, and what is allowed again.
 
+#include <QLocale>
 #include <algorithm>
 
 #include "core/evolution/painted_pins.h"
@@ -19,7 +20,7 @@ double leastRoom(const Document& document) {
 }
 
 QString written(const Vec3& place) {
-  const auto number = [](double value) { return QString::number(value, 'f', 1); };
+  const auto number = [](double value) { return QLocale().toString(value, 'f', 1); };
   return QStringLiteral("%1, %2, %3").arg(number(place.x()), number(place.y()), number(place.z()));
 }
 
@@ -86,7 +87,7 @@ bool Document::Private::pin(const std::vector<WallBall>& stroke, const QString& 
     const QString where = written(stroke.front().centre);
     Q_EMIT q.refused(isAny ? tr("This part of the surface is pinned already.")
                            : tr("No vertex of the surface lies within %1 mm of %2 mm: nothing is pinned.")
-                                 .arg(QString::number(stroke.front().radius, 'g', 4), where));
+                                 .arg(QLocale().toString(stroke.front().radius, 'g', 4), where));
     return false;
   }
   after.pins.insert(after.pins.end(), fresh.begin(), fresh.end());

@@ -49,7 +49,7 @@ void requireApart(const std::vector<FinishedWall>& surfaces) {
 RunReport completed(PendingReport pending) {
   const auto start = std::chrono::steady_clock::now();
   RunReport made = std::move(pending.report);
-  const std::vector<std::string> known = std::move(made.doubts);
+  const std::vector<Finding> known = std::move(made.doubts);
   const MeshSnapshot& shown = *pending.shown;
   const CertifiedMesh mesh = certifiedForExport(shown.mesh);
   made.mesh = mesh.certificate;
@@ -57,7 +57,7 @@ RunReport completed(PendingReport pending) {
   made.doubts = doubts(made, mesh.mesh);
   made.doubts.insert(made.doubts.end(), shown.doubts.begin(), shown.doubts.end());
   made.doubts.insert(made.doubts.end(), known.begin(), known.end());
-  for (std::string& d : pinDoubts(made)) made.doubts.push_back(std::move(d));
+  for (Finding& d : pinDoubts(made)) made.doubts.push_back(std::move(d));
   made.unsupportedSurface = shown.support.withoutEdge;
   Timings& s = made.seconds;
   s.exported = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -235,8 +235,7 @@ std::vector<PendingReport> Document::Private::pendingReports() const {
       r.seconds.load = work->seconds;
     }
     if (const QString earlier = madeWithEarlier(*object); !earlier.isEmpty())
-      r.doubts.push_back("The surface was made with an earlier one of the object '" + earlier.toStdString() +
-                         "', and a replay may make another");
+      r.doubts.push_back({FindingKind::madeWithEarlier, {{"object", earlier.toStdString()}}});
     all.push_back({std::move(r), shown, work->volume});
   }
   return all;

@@ -1,15 +1,20 @@
 #include "ui/model/error_sentence.h"
 
-#include <QCoreApplication>
 #include <new>
 
-#include "core/errors.h"
+#include "core/told_error.h"
+#include "ui/model/finding_text.h"
+#include "ui/model/translate.h"
 
 namespace handlebody::ui {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("errors", text); }
+//! The readers and writers of files speak English alone: in another language a headline stands before that.
+QString headed(const char* headline, const std::exception& error) {
+  const QString detail = QString::fromUtf8(error.what()).simplified(), own = tr(headline);
+  return own == QLatin1String(headline) ? detail : own + QLatin1Char(' ') + detail;
+}
 
 QString closed(QString text) {
   text = text.simplified();
@@ -20,11 +25,15 @@ QString closed(QString text) {
 }  // namespace
 
 QString errorSentence() try {
-  throw;
+  try {
+    throw;
+  } catch (const CarriesFinding& e) {
+    return findingSentence(e.finding());
+  }
 } catch (const InputError& e) {  // these begin with the file's name: no capital letter
-  return QString::fromUtf8(e.what()).simplified();
+  return headed(QT_TR_NOOP("The file cannot be read."), e);
 } catch (const OutputError& e) {
-  return QString::fromUtf8(e.what()).simplified();
+  return headed(QT_TR_NOOP("The file cannot be written."), e);
 } catch (const std::bad_alloc&) {
   return tr("There is not enough memory for this.");
 } catch (const std::exception& e) {

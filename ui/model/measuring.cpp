@@ -1,15 +1,12 @@
 #include "ui/model/measuring.h"
 
-#include <QCoreApplication>
-
 #include "core/collision/closest_point.h"
 #include "ui/model/cancellable.h"
+#include "ui/model/translate.h"
 
 namespace handlebody::ui {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("Measuring", text); }
 
 MeasuredObject measuredOf(const MeasuredSurface& surface, const Volume& volume) {
   const CertifiedMesh& mesh = surface.mesh->get();

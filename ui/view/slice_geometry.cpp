@@ -1,8 +1,10 @@
 #include "ui/view/slice_geometry.h"
 
-#include <QCoreApplication>
+#include <QLocale>
 #include <algorithm>
 #include <cmath>
+
+#include "ui/model/translate.h"
 
 namespace handlebody::ui {
 namespace {
@@ -111,8 +113,10 @@ SliceGeometry wholeSlice(const Grid& grid, Plane plane, double longest) {
 }
 
 QStringList slicePlace(const SliceGeometry& geometry, Plane plane, const Vec3& crosshair) {
-  const auto tr = [](const char* text) { return QCoreApplication::translate("SliceView", text); };
-  const auto place = [](int w, double mm) { return QString::fromStdString(anatomicalPlace(w, mm)); };
+  const auto place = [](int w, double mm) {  // "R 12.5", in the user's locale
+    return QStringLiteral("%1 %2").arg(QString(QLatin1Char(anatomicalLetter(w, mm >= 0))),
+                                       QLocale().toString(std::abs(mm), 'f', 1));
+  };
   const QString number = tr("Slice %1 of %2").arg(geometry.slice() + 1).arg(geometry.slices());
   if (isOblique(geometry.grid()))
     return {number,

@@ -2,6 +2,7 @@
 
 #include <QKeyEvent>
 #include <QLineF>
+#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QVector>
@@ -194,8 +195,10 @@ void SliceView::Private::paintTexts(QPainter& painter) const {
     paintText(painter, {kOverlayMargin, y}, Qt::AlignLeft | Qt::AlignTop, text, small);
     y += 1.05 * line;
   }
+  QLocale plain;
+  plain.setNumberOptions(QLocale::OmitGroupSeparator);
   const QString window =
-      tr("W %1  L %2").arg(QString::number(state.window(), 'g', 4), QString::number(state.level(), 'g', 4));
+      tr("W %1  L %2").arg(plain.toString(state.window(), 'g', 4), plain.toString(state.level(), 'g', 4));
   paintText(painter, {kOverlayMargin, height - kOverlayMargin}, Qt::AlignLeft | Qt::AlignBottom, window,
             small, state.windowLevelTool() ? QColor(0xff, 0xd5, 0x4f) : QColor(0xb8, 0xbf, 0xc7));
 }

@@ -1,19 +1,17 @@
 #include "ui/view/surface_overlay.h"
 
-#include <QCoreApplication>
 #include <QFontMetricsF>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "ui/model/translate.h"
 #include "ui/view/overlay.h"
 
 #include <Eigen/Geometry>
 
 namespace handlebody::ui {
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("SurfaceView", text); }
 
 constexpr double kPinKey = 100;  // pixels from below: over the triad
 

@@ -1,19 +1,13 @@
 #include "ui/window/brush_controls.h"
 
-#include <QCoreApplication>
 #include <QDoubleSpinBox>
 #include <QSignalBlocker>
 
+#include "ui/model/translate.h"
 #include "ui/view/brush.h"
 #include "ui/window/panel_tools.h"
 
 namespace handlebody::ui {
-
-namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("BrushControls", text); }
-
-}  // namespace
 
 QDoubleSpinBox* brushRadius(Brush& brush, QWidget* parent) {
   auto* field = new QDoubleSpinBox(parent);

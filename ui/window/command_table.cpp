@@ -6,7 +6,8 @@ namespace handlebody::ui {
 
 namespace {
 
-#define T(text) QT_TRANSLATE_NOOP("Commands", text)
+// For lupdate, which is told that it is QT_TR_NOOP (resources/translations/CMakeLists.txt).
+#define T(text) text
 
 constexpr auto kPlain = CommandSpec::plain;
 constexpr auto kToggle = CommandSpec::toggle;
@@ -88,43 +89,53 @@ void addDisplayCommands(std::vector<CommandSpec>& t) {
   const char* maps = T("C&olour map");
   const char* mesh = T("Sur&face");
   const char* colours = T("&Appearance");
-  t.insert(t.end(),
-           {{Command::windowLevelTool, menu, "", T("&Window and level by dragging"), "W", "window-level",
-             T("Drag in a slice: sideways for the window (contrast), up and down for the level (brightness)"),
-             kToggle, true},
-            {Command::autoWindow, menu, "", T("Au&to window"), "Ctrl+J", "auto-window",
-             T("Window and level from the intensities of the volume"), kPlain, false},
-            {Command::windowSoftTissue, menu, presets, T("&Soft tissue (400 / 40 HU)"), "", "",
-             T("Window 400, level 40"), kPlain, false},
-            {Command::windowLung, menu, presets, T("&Lung (1500 / −600 HU)"), "", "",
-             T("Window 1500, level −600"), kPlain, false},
-            {Command::windowBone, menu, presets, T("&Bone (1800 / 400 HU)"), "", "",
-             T("Window 1800, level 400"), kPlain, false},
-            {Command::windowBrain, menu, presets, T("B&rain (80 / 40 HU)"), "", "", T("Window 80, level 40"),
-             kPlain, false},
-            {Command::windowVessels, menu, presets, T("&Vessels (600 / 170 HU)"), "", "",
-             T("Window 600, level 170"), kPlain, false},
-            {Command::mapGrey, menu, maps, T("&Grey"), "", "", T("Black to white"), kChoice, false},
-            {Command::mapInverted, menu, maps, T("&Inverted"), "", "", T("White to black"), kChoice, false},
-            {Command::mapHot, menu, maps, T("&Hot"), "", "", T("Black over red and yellow to white"), kChoice,
-             false},
-            {Command::mapContrast, menu, maps, T("&Contrast-enhancing"), "", "",
-             T("Dark intensities spread over many colours, for ultrasound"), kChoice, false},
-            {Command::meshPlain, menu, mesh, T("&Plain"), "", "", T("One colour, shaded"), kChoice, false},
-            {Command::meshEdges, menu, mesh, T("With &edges"), "", "", T("The triangles' edges are drawn"),
-             kChoice, false},
-            {Command::meshState, menu, mesh, T("By &state"), "", "",
-             T("Moving, settled, new handle and colliding faces in their colours"), kChoice, false},
-            {Command::meshSupport, menu, mesh, T("Support by the &image"), "", "",
-             T("Blue where the image shows no edge, in 3D and on the slices"), kChoice, false},
-            {Command::coloursOfSystem, menu, colours, T("As the &system"), "", "",
-             T("Light or dark as the desktop"), kChoice, false},
-            {Command::coloursLight, menu, colours, T("&Light"), "", "", T("Dark text on light ground"),
-             kChoice, false},
-            {Command::coloursDark, menu, colours, T("&Dark"), "", "", T("Light text on dark ground"), kChoice,
-             false},
-            {Command::fullScreen, menu, "", T("F&ull screen"), "F11", "", T("The window fills the screen"),
-             kToggle, true}});
+  const char* language = T("Langua&ge");
+  const char* languageTip = T("Language of the texts and numbers in the window, from the next start on");
+  t.insert(
+      t.end(),
+      {{Command::windowLevelTool, menu, "", T("&Window and level by dragging"), "W", "window-level",
+        T("Drag in a slice: sideways for the window (contrast), up and down for the level (brightness)"),
+        kToggle, true},
+       {Command::autoWindow, menu, "", T("Au&to window"), "Ctrl+J", "auto-window",
+        T("Window and level from the intensities of the volume"), kPlain, false},
+       {Command::windowSoftTissue, menu, presets, T("&Soft tissue (400 / 40 HU)"), "", "",
+        T("Window 400, level 40"), kPlain, false},
+       {Command::windowLung, menu, presets, T("&Lung (1500 / −600 HU)"), "", "", T("Window 1500, level −600"),
+        kPlain, false},
+       {Command::windowBone, menu, presets, T("&Bone (1800 / 400 HU)"), "", "", T("Window 1800, level 400"),
+        kPlain, false},
+       {Command::windowBrain, menu, presets, T("B&rain (80 / 40 HU)"), "", "", T("Window 80, level 40"),
+        kPlain, false},
+       {Command::windowVessels, menu, presets, T("&Vessels (600 / 170 HU)"), "", "",
+        T("Window 600, level 170"), kPlain, false},
+       {Command::mapGrey, menu, maps, T("&Grey"), "", "", T("Black to white"), kChoice, false},
+       {Command::mapInverted, menu, maps, T("&Inverted"), "", "", T("White to black"), kChoice, false},
+       {Command::mapHot, menu, maps, T("&Hot"), "", "", T("Black over red and yellow to white"), kChoice,
+        false},
+       {Command::mapContrast, menu, maps, T("&Contrast-enhancing"), "", "",
+        T("Dark intensities spread over many colours, for ultrasound"), kChoice, false},
+       {Command::meshPlain, menu, mesh, T("&Plain"), "", "", T("One colour, shaded"), kChoice, false},
+       {Command::meshEdges, menu, mesh, T("With &edges"), "", "", T("The triangles' edges are drawn"),
+        kChoice, false},
+       {Command::meshState, menu, mesh, T("By &state"), "", "",
+        T("Moving, settled, new handle and colliding faces in their colours"), kChoice, false},
+       {Command::meshSupport, menu, mesh, T("Support by the &image"), "", "",
+        T("Blue where the image shows no edge, in 3D and on the slices"), kChoice, false},
+       {Command::coloursOfSystem, menu, colours, T("As the &system"), "", "",
+        T("Light or dark as the desktop"), kChoice, false},
+       {Command::coloursLight, menu, colours, T("&Light"), "", "", T("Dark text on light ground"), kChoice,
+        false},
+       {Command::coloursDark, menu, colours, T("&Dark"), "", "", T("Light text on dark ground"), kChoice,
+        false},
+       {Command::languageOfSystem, menu, language, T("As the &system"), "", "", languageTip, kChoice, false},
+       // Each in its own language.
+       {Command::languageEnglish, menu, language, "English", "", "", languageTip, kChoice, false},
+       {Command::languageGerman, menu, language, "Deutsch", "", "", languageTip, kChoice, false},
+       {Command::languageFrench, menu, language, "Français", "", "", languageTip, kChoice, false},
+       {Command::languageSpanish, menu, language, "Español", "", "", languageTip, kChoice, false},
+       {Command::languageChinese, menu, language, "简体中文", "", "", languageTip, kChoice, false},
+       {Command::fullScreen, menu, "", T("F&ull screen"), "F11", "", T("The window fills the screen"),
+        kToggle, true}});
 }
 
 void addSeedCommands(std::vector<CommandSpec>& t) {

@@ -1,9 +1,9 @@
 #include "ui/window/commands.h"
 
 #include <QActionGroup>
-#include <QCoreApplication>
 #include <QUndoStack>
 
+#include "ui/model/translate.h"
 #include "ui/window/icons.h"
 
 namespace handlebody::ui {
@@ -55,7 +55,7 @@ void Commands::exclude(const CommandSpec& spec, QAction* action) {
   group->addAction(action);
 }
 
-QString Commands::translated(const char* text) { return QCoreApplication::translate("Commands", text); }
+QString Commands::translated(const char* text) { return ui::tr(text); }
 
 QString Commands::keysText(const QAction& action) {
   return action.shortcut().toString(QKeySequence::NativeText);

@@ -17,6 +17,7 @@
 #include "core/io/compared_table.h"
 #include "core/io/mesh_io.h"
 #include "ui/model/document.h"
+#include "ui/model/translate.h"
 #include "ui/view/distance_colours.h"
 #include "ui/view/view_state.h"
 #include "ui/window/numbers.h"
@@ -44,7 +45,6 @@ struct Row {
 };
 
 std::vector<Row> rowsOf(const ComparedPair& pair) {
-  const auto tr = [](const char* text) { return ComparePage::tr(text); };
   const Solid &a = pair.a.solid, &b = pair.b.solid;
   const auto count = [](const Solid& s) {
     return QString::number(s.certificate.components - std::max(0, s.certificate.cavities));

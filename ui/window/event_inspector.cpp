@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "ui/model/document.h"
+#include "ui/model/finding_text.h"
 #include "ui/window/choice_row.h"
 #include "ui/window/numbers.h"
 #include "ui/window/panel_tools.h"
@@ -167,7 +168,7 @@ void EventInspector::showText() {
   }
   if (event.fronts > 0) lines << tr("Fronts joined: %1").arg(event.fronts);
   if (!event.loopSizes.empty()) lines << tr("Boundary polygons of %1 vertices").arg(loopsText(event));
-  if (!event.reason.empty()) lines << QString::fromStdString(event.reason);
+  if (!event.reasons.empty()) lines << findingText(event.reasons);
   text_->setText(lines.join(QLatin1Char('\n')));
 }
 

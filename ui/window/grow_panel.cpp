@@ -11,12 +11,12 @@
 #include <algorithm>
 
 #include "ui/model/document.h"
+#include "ui/model/finding_text.h"
 #include "ui/window/action_button.h"
 #include "ui/window/commands.h"
 #include "ui/window/event_inspector.h"
 #include "ui/window/numbers.h"
 #include "ui/window/panel_tools.h"
-#include "ui/window/sentences.h"
 #include "ui/window/topology_section.h"
 
 namespace handlebody::ui {
@@ -65,10 +65,8 @@ QString finishedText(StopReason reason) {
   }
 }
 
-QString doubtText(const std::string& doubt) {
-  QString text = inWordsOfWindow(QString::fromStdString(doubt));
-  if (!text.isEmpty()) text[0] = text[0].toUpper();
-  return QStringLiteral("<p style='margin: 4px 0 0 0'>%1.</p>").arg(text.toHtmlEscaped());
+QString doubtText(const Finding& doubt) {
+  return QStringLiteral("<p style='margin: 4px 0 0 0'>%1</p>").arg(findingSentence(doubt).toHtmlEscaped());
 }
 
 // Only what came to its end is judged: on the way much of a surface lies where there is no edge.
@@ -78,7 +76,7 @@ QString doubtsOf(const Document& document) {
       document.state() == GrowthState::finished && document.iteration() == document.lastIteration();
   if (!ended || !snapshot || snapshot->doubts.empty()) return {};
   QString text = QStringLiteral("<p style='margin: 0'><b>%1</b></p>").arg(GrowPanel::tr("⚠ Worth a look"));
-  for (const std::string& doubt : snapshot->doubts) text += doubtText(doubt);
+  for (const Finding& doubt : snapshot->doubts) text += doubtText(doubt);
   return text;
 }
 

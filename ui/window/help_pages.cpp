@@ -1,16 +1,14 @@
 #include "ui/window/help_pages.h"
 
-#include <QCoreApplication>
 #include <QKeySequence>
 
+#include "ui/model/translate.h"
 #include "ui/window/commands.h"
 #include "ui/window/help_window.h"
 
 namespace handlebody::ui {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("HelpPages", text); }
 
 // The first column is as wide in every section, so that the second stands in one line down the page.
 QString row(const QString& left, const QString& right) {
@@ -82,14 +80,14 @@ struct Library {
 };
 
 constexpr Library kLibraries[] = {
-    {"Qt 6", "LGPL-3.0", QT_TRANSLATE_NOOP("HelpPages", "window")},
-    {"VTK", "BSD-3-Clause", QT_TRANSLATE_NOOP("HelpPages", "3D view, mesh files, pictures")},
-    {"ITK, GDCM", "Apache-2.0, BSD", QT_TRANSLATE_NOOP("HelpPages", "reading and writing volumes")},
-    {"Eigen", "MPL-2.0", QT_TRANSLATE_NOOP("HelpPages", "linear algebra")},
-    {"OpenSSL", "Apache-2.0", QT_TRANSLATE_NOOP("HelpPages", "SHA-256 of volumes")},
-    {"zlib", "Zlib", QT_TRANSLATE_NOOP("HelpPages", "compressed files")},
-    {"nlohmann-json", "MIT", QT_TRANSLATE_NOOP("HelpPages", "sessions and reports")},
-    {"CLI11", "BSD-3-Clause", QT_TRANSLATE_NOOP("HelpPages", "command line")},
+    {"Qt 6", "LGPL-3.0", QT_TRANSLATE_NOOP("handlebody::ui", "window")},
+    {"VTK", "BSD-3-Clause", QT_TRANSLATE_NOOP("handlebody::ui", "3D view, mesh files, pictures")},
+    {"ITK, GDCM", "Apache-2.0, BSD", QT_TRANSLATE_NOOP("handlebody::ui", "reading and writing volumes")},
+    {"Eigen", "MPL-2.0", QT_TRANSLATE_NOOP("handlebody::ui", "linear algebra")},
+    {"OpenSSL", "Apache-2.0", QT_TRANSLATE_NOOP("handlebody::ui", "SHA-256 of volumes")},
+    {"zlib", "Zlib", QT_TRANSLATE_NOOP("handlebody::ui", "compressed files")},
+    {"nlohmann-json", "MIT", QT_TRANSLATE_NOOP("handlebody::ui", "sessions and reports")},
+    {"CLI11", "BSD-3-Clause", QT_TRANSLATE_NOOP("handlebody::ui", "command line")},
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "ui/window/help_pages.h"
 #include "ui/window/icons.h"
+#include "ui/window/language.h"
 
 namespace handlebody::ui {
 
@@ -47,8 +48,7 @@ HelpWindow::HelpWindow(QWidget* parent) : QWidget(parent, Qt::Window), tabs_(new
   guide_ = addPage(tr("Guide"));
   addPage(tr("Keyboard and mouse"))->setHtml(shortcutsPage());
   addPage(tr("About"))->setHtml(aboutPage());
-  icon(QStringLiteral("help"));  // registers the resources that the guide lies in
-  guide_->setSource(QUrl(QStringLiteral("qrc:/handlebody/guide/guide.html")));
+  guide_->setSource(QUrl(QStringLiteral("qrc:") + guideFile()));
   for (const char* keys : {"Esc", "Ctrl+W"})
     connect(new QShortcut(QKeySequence(QString::fromLatin1(keys)), this), &QShortcut::activated, this,
             &QWidget::close);

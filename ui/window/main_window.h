@@ -68,6 +68,7 @@ class MainWindow : public QMainWindow {
   void connectFileCommands();
   void connectViewCommands();
   void connectDisplayCommands();
+  void connectLanguageCommands();
   void connectSeedCommands();
   void connectGrowCommands();
   void connectHelpCommands();

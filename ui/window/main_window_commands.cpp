@@ -9,6 +9,7 @@
 #include "ui/window/grow_panel.h"
 #include "ui/window/help_window.h"
 #include "ui/window/icons.h"
+#include "ui/window/language.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/open_panel.h"
@@ -27,6 +28,10 @@ struct Choice {
   Value value;
 };
 
+constexpr Choice<const char*> kLanguages[] = {
+    {Command::languageOfSystem, "system"}, {Command::languageEnglish, "en"},
+    {Command::languageGerman, "de"},       {Command::languageFrench, "fr"},
+    {Command::languageSpanish, "es"},      {Command::languageChinese, "zh_CN"}};
 constexpr Choice<ColourMap> kMaps[] = {{Command::mapGrey, ColourMap::grey},
                                        {Command::mapInverted, ColourMap::inverted},
                                        {Command::mapHot, ColourMap::hot},
@@ -110,8 +115,24 @@ void MainWindow::connectDisplayCommands() {
   on(Command::coloursOfSystem, [this] { setAppearance(Appearance::system); });
   on(Command::coloursLight, [this] { setAppearance(Appearance::light); });
   on(Command::coloursDark, [this] { setAppearance(Appearance::dark); });
+  connectLanguageCommands();
   connect(&state_, &ViewState::changed, this, &MainWindow::showViewState);
   showViewState();
+}
+
+//! The window is not built anew: what is chosen holds from the next start on.
+void MainWindow::connectLanguageCommands() {
+  const QString chosen = chosenLanguage();
+  for (const auto& [command, code] : kLanguages) {
+    const QString language = QString::fromLatin1(code);
+    if (language == chosen) commands_[command]->setChecked(true);
+    on(command, [this, language] {
+      chooseLanguage(language);
+      if (languageToUse(language) != languageInUse())
+        messages_->show(MessageBar::Kind::information,
+                        tr("The language changes when the program is started again."));
+    });
+  }
 }
 
 void MainWindow::showViewState() {

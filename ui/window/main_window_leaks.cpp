@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "ui/model/finding_text.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/topology_section.h"
@@ -14,8 +15,7 @@ void MainWindow::showLeak(int index) {
   const FoundLeak found = document_.leaks()[static_cast<std::size_t>(index)];
   state_.setCrosshair(found.leak.place);
   const QString text = tr("A leak at iteration %1: %2.")
-                           .arg(QString::number(found.leak.iteration),
-                                QString::fromStdString(handlebody::sentence(found.leak)));
+                           .arg(QString::number(found.leak.iteration), findingText(findingOf(found.leak)));
   const auto isStill = [this, index, found] {
     const auto& all = document_.leaks();
     return index < static_cast<int>(all.size()) &&

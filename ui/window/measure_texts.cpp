@@ -1,16 +1,14 @@
 #include "ui/window/measure_texts.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <numeric>
 
+#include "ui/model/translate.h"
 #include "ui/window/numbers.h"
 
 namespace handlebody::ui {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("Measures", text); }
 
 QString nameOf(const std::string& name) { return QString::fromStdString(name); }
 

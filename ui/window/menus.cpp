@@ -1,19 +1,17 @@
 #include "ui/window/menus.h"
 
-#include <QCoreApplication>
 #include <QMenu>
 #include <QMenuBar>
 #include <QToolBar>
 #include <map>
 
+#include "ui/model/translate.h"
 #include "ui/window/commands.h"
 #include "ui/window/icons.h"
 
 namespace handlebody::ui {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("Menus", text); }
 
 constexpr int kIcon = 20;  // logical pixels
 

@@ -8,6 +8,7 @@
 #include <QToolTip>
 #include <algorithm>
 
+#include "ui/model/finding_text.h"
 #include "ui/window/numbers.h"
 
 namespace handlebody::ui {
@@ -28,8 +29,7 @@ double mostVolume(const std::vector<IterationSummary>& summaries) {
 QString leakText(const Document& document, int iteration) {
   for (const FoundLeak& found : document.leaks())
     if (found.leak.iteration == iteration)
-      return QLatin1Char('\n') +
-             TimelinePlot::tr("Leak: %1").arg(QString::fromStdString(sentence(found.leak)));
+      return QLatin1Char('\n') + TimelinePlot::tr("Leak: %1").arg(findingText(findingOf(found.leak)));
   return {};
 }
 

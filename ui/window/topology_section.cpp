@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "ui/model/document.h"
+#include "ui/model/finding_text.h"
 #include "ui/window/panel_tools.h"
 
 namespace handlebody::ui {
@@ -24,7 +25,7 @@ constexpr int kComponents = 1, kGenus = 0;
 
 QString questionText(const HeldPlace& held) {
   return TopologySection::tr("Held at iteration %1: %2.")
-      .arg(QString::number(held.iteration), QString::fromStdString(sentence(held)));
+      .arg(QString::number(held.iteration), findingText(findingOf(held)));
 }
 
 TopologySection::TopologySection(Document& document, QWidget* parent) : QWidget(parent), document_(document) {

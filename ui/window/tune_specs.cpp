@@ -1,16 +1,9 @@
 #include "ui/window/tune_specs.h"
 
-#include <QCoreApplication>
-
 #include "core/evolution/parameters.h"
+#include "ui/model/translate.h"
 
 namespace handlebody::ui {
-
-namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("TunePanel", text); }
-
-}  // namespace
 
 ValueSpec smoothingSpec() {
   return {tr("Smoothing"),

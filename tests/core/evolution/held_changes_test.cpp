@@ -229,7 +229,7 @@ TEST_CASE("what a limit holds may happen at an allowed place, known from the sta
   ActiveContour elsewhere(torusVolume(), {kTorusSeed}, {}, limited({}, 0, {kTorusSeed.centre}));
   run(elsewhere);
   CHECK(certify(elsewhere.mesh().compact()).genus == std::vector<int>{0});
-  const auto doubts = elsewhere.doubts(elsewhere.support());
+  const auto doubts = sentences(elsewhere.doubts(elsewhere.support()));
   CHECK(std::any_of(doubts.begin(), doubts.end(),
                     [](const std::string& d) { return d.find("allowed place") != std::string::npos; }));
 }

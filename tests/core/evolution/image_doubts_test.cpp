@@ -60,7 +60,7 @@ double partWithoutEdge(const Mesh& mesh, const ObjectImage& image) {
 }
 
 std::vector<std::string> doubtsOf(const Mesh& mesh, const ObjectImage& image) {
-  return imageDoubts(mesh, image, surfaceSupport(mesh, image));
+  return sentences(imageDoubts(mesh, image, surfaceSupport(mesh, image)));
 }
 
 //! Calls f(middle, area, support) for each face of a surface in an image.
@@ -256,7 +256,7 @@ TEST_CASE("a surface that ends at the border of the field of view is doubted") {
   });
   ActiveContour contour(cut, {Seed{Vec3(20, 20, 14), 4.0}}, {});
   while (contour.stopReason() == StopReason::running) contour.step();
-  const std::vector<std::string> doubts = contour.doubts(contour.support());
+  const std::vector<std::string> doubts = sentences(contour.doubts(contour.support()));
   REQUIRE(doubts.size() == 1);
   CHECK_THAT(doubts[0], Contains("border of the field of view"));
 }

@@ -77,7 +77,7 @@ void expectCaught(const Scene& scene, const char* reason, const Tamper& tamper) 
   CHECK_FALSE(never.isKept);
   REQUIRE(never.taken.size() >= static_cast<std::size_t>(Transaction::kAttempts));
   for (const Trouble& t : never.taken) {
-    CHECK_THAT(t.reason, Catch::Matchers::Contains(reason));
+    CHECK_THAT(sentence(t.reason), Catch::Matchers::Contains(reason));
     CHECK(t.centre.allFinite());
     CHECK(t.radius > 0);
   }

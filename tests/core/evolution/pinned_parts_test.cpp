@@ -180,7 +180,7 @@ TEST_CASE("fronts stop before what is pinned, and go on when it is free", "[pin]
   int told = 0;
   for (const StepReport& r : reports)
     for (const Event& e : r.events)
-      told += e.kind == EventKind::rolledBack && e.reason.find("pinned") != std::string::npos;
+      told += e.kind == EventKind::rolledBack && sentence(e.reasons).find("pinned") != std::string::npos;
   CHECK(told >= contour.pinned()[0].stops);
 
   contour.change({seeds, {}, {}});

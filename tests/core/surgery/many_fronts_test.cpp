@@ -58,7 +58,10 @@ TEST_CASE("of five fronts four are joined at once, and an event says that one wa
   const auto handles = handlesOf(result);
   REQUIRE_FALSE(handles.empty());
   CHECK(handles[0]->fronts == 4);
-  CHECK(handles[0]->reason.find("of 5 fronts 1 left") != std::string::npos);
+  REQUIRE_FALSE(handles[0]->reasons.empty());
+  CHECK(handles[0]->reasons[0].kind == FindingKind::frontsWait);
+  CHECK(handles[0]->reasons[0].number("left") == 1);
+  CHECK(sentence(handles[0]->reasons).find("of 5 fronts 1 left") != std::string::npos);
   if (result.troubles.empty()) CHECK(intersections(mesh).empty());
   // The fifth may touch nothing any more.
   CHECK(topologyNumbers(mesh).components <= 2);

@@ -14,7 +14,7 @@ namespace {
 struct PlanTrial {
   Mesh before{zoo::sphere(8)}, mesh = before;
   std::optional<Plan> plan;
-  const char* reason = "";
+  FindingKind reason = FindingKind::none;
 
   //! For a front whose polygon is not simple, and one on the far side of the same sphere.
   explicit PlanTrial(bool outwardOnly) {
@@ -38,7 +38,7 @@ TEST_CASE("a plan refines the mesh where an opening needs it") {
 TEST_CASE("where no plan is found the mesh is as it was") {
   const PlanTrial trial(true);  // these fronts face each other through the inside
   REQUIRE_FALSE(trial.plan);
-  CHECK(std::string(trial.reason) == "the fronts meet through the inside of the object");
+  CHECK(trial.reason == FindingKind::meetInside);
   CHECK(trial.mesh.vertexSlots() == trial.before.vertexSlots());
   CHECK(std::equal(trial.mesh.faces().begin(), trial.mesh.faces().end(), trial.before.faces().begin(),
                    trial.before.faces().end()));

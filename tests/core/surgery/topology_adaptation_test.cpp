@@ -113,7 +113,7 @@ TEST_CASE(
   const AdaptationResult result = adaptOnce(mesh, intersections(mesh), settings, touched);
   CHECK(result.events.empty());
   REQUIRE(result.troubles.size() == 1);
-  CHECK(std::string(result.troubles[0].reason) == "the fronts meet through the inside of the object");
+  CHECK(result.troubles[0].reason.kind == FindingKind::meetInside);
   CHECK(areaOf(mesh) == Approx(area).epsilon(1e-9));
   CHECK(volumeOf(mesh) == Approx(volume).epsilon(1e-9));
   expectValid(mesh);
@@ -163,7 +163,7 @@ TEST_CASE("a place where nothing fits is reported and the surface stays where it
   CHECK(result.events.empty());
   REQUIRE(result.troubles.size() == 1);
   CHECK(result.troubles[0].radius > 0.8);  // holds the circle in which they meet
-  CHECK(std::string(result.troubles[0].reason) == "the opening is too large");
+  CHECK(result.troubles[0].reason.kind == FindingKind::openingTooLarge);
   for (int v = 0; v < before.vertexSlots(); ++v) REQUIRE(mesh.position(v) == before.position(v));
   CHECK(volumeOf(mesh) == Approx(volumeOf(before)).epsilon(1e-9));
   expectValid(mesh);

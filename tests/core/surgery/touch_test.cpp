@@ -129,7 +129,7 @@ TEST_CASE("smoothing a smooth ball hardly moves it", "[touch]") {
 TEST_CASE("smoothing where there is no surface is refused and changes nothing", "[touch]") {
   const Mesh mesh = noisyBall(1);
   const TouchedMesh out = smoothedHere(mesh, Vec3(0, 0, 0), 5);
-  CHECK(out.refusal == "No vertex of the surface lies in the ball.");
+  CHECK(out.refusal == FindingKind::noVertexInBall);
   CHECK(isSame(out.mesh, mesh));
 }
 
@@ -158,9 +158,9 @@ TEST_CASE("a place of the surface is pulled out, or pressed in, and lies where i
 TEST_CASE("a pull through the other side is refused and changes nothing", "[touch]") {
   const Mesh mesh(zoo::scaled(zoo::sphere(10), 10));
   const TouchedMesh through = pulled(mesh, Vec3(0, 0, 10), Vec3(0, 0, -14), 4);
-  CHECK(through.refusal == "The surface would meet itself there.");
+  CHECK(through.refusal == FindingKind::meetsItself);
   CHECK(isSame(through.mesh, mesh));
-  CHECK(pulled(mesh, Vec3(0, 0, 10), Vec3(0, 0, 200), 4).refusal == "The pull goes too far for its radius.");
+  CHECK(pulled(mesh, Vec3(0, 0, 10), Vec3(0, 0, 200), 4).refusal == FindingKind::pullTooFar);
 }
 
 TEST_CASE("what lies close by in space but not along the surface is not pulled along", "[touch]") {
@@ -223,7 +223,7 @@ TEST_CASE("a torus that is cut in one place has no tunnel any more", "[touch]") 
   PlaneCut half = side;
   half.keep = KeptSide::positive;
   const TouchedMesh none = cutByPlane(mesh, half);
-  CHECK(none.refusal == "The cut does not part the body there: both of its sides hang together.");
+  CHECK(none.refusal == FindingKind::cutPartsNothing);
   CHECK(isSame(none.mesh, mesh));
 
   half.radius = std::nullopt;
@@ -262,9 +262,9 @@ TEST_CASE("a hollow ball is cut open: its cavity is no more", "[touch]") {
 
 TEST_CASE("a plane beside the surface is refused", "[touch]") {
   const Mesh mesh(zoo::sphere(5));
-  CHECK(cutByPlane(mesh, {Vec3(0, 0, 3), Vec3(0, 0, 1)}).refusal == "The plane does not meet the surface.");
+  CHECK(cutByPlane(mesh, {Vec3(0, 0, 3), Vec3(0, 0, 1)}).refusal == FindingKind::planeMisses);
   const TouchedMesh far = cutByPlane(mesh, {Vec3(9, 0, 0), Vec3(0, 0, 1), KeptSide::both, 1.0});
-  CHECK(far.refusal == "The plane does not meet the surface near that place.");
+  CHECK(far.refusal == FindingKind::planeMissesNear);
   CHECK(isSame(far.mesh, mesh));
 }
 

@@ -1,0 +1,91 @@
+#include "core/finding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace handlebody {
+
+const FindingValue* Finding::find(std::string_view name) const {
+  const auto at = std::find_if(values.begin(), values.end(), [&](const auto& v) { return v.first == name; });
+  return at == values.end() ? nullptr : &at->second;
+}
+
+double Finding::number(std::string_view name) const {
+  const FindingValue* value = find(name);
+  if (!value || !std::holds_alternative<double>(*value))
+    throw std::logic_error("A finding has no number of that name.");
+  return std::get<double>(*value);
+}
+
+std::string filled(std::string_view text, const Finding& finding, const ValueWriter& written) {
+  std::string out;
+  while (!text.empty()) {
+    const auto open = text.find('{'), close = text.find('}', open);
+    out += text.substr(0, open);
+    if (open == std::string_view::npos || close == std::string_view::npos) break;
+    const std::string_view hole = text.substr(open + 1, close - open - 1);
+    const auto colon = hole.find(':');
+    const std::string_view name = hole.substr(0, colon);
+    const std::string_view format = colon == std::string_view::npos ? "" : hole.substr(colon + 1);
+    if (const FindingValue* value = finding.find(name))
+      out += written(name, *value, format);
+    else
+      out += text.substr(open, close - open + 1);
+    text.remove_prefix(close + 1);
+  }
+  return out;
+}
+
+namespace {
+
+std::string number(double value, const std::string& format) {
+  char text[400];  // of the largest double without an exponent
+  if (format.empty())
+    std::snprintf(text, sizeof text, "%.6g", value);
+  else if (format.back() == 'm')
+    std::snprintf(text, sizeof text, std::abs(value) >= 100 ? "%.0f" : "%.3g", value);
+  else if (format.back() == 'f')
+    std::snprintf(text, sizeof text, "%.*f", std::stoi(format), value);
+  else
+    std::snprintf(text, sizeof text, "%.*g", std::stoi(format), value);
+  return text;
+}
+
+std::string inEnglish(const FindingValue& value, std::string_view format) {
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  if (const auto* x = std::get_if<double>(&value)) return number(*x, std::string(format));
+  const auto& place = std::get<std::array<double, 3>>(value);
+  const bool isWide = !format.empty() && format.front() == ' ';
+  const std::string each(format.substr(isWide ? 1 : 0)), comma = isWide ? ", " : ",";
+  return number(place[0], each) + comma + number(place[1], each) + comma + number(place[2], each);
+}
+
+}  // namespace
+
+std::string sentence(const Finding& finding) {
+  std::string text = filled(findingText(finding.kind), finding,
+                            [](std::string_view, const FindingValue& value, std::string_view format) {
+                              return inEnglish(value, format);
+                            });
+  constexpr std::string_view kCause = "{cause}";
+  const auto at = text.find(kCause);
+  if (at != std::string::npos && !finding.causes.empty())
+    text.replace(at, kCause.size(), sentence(finding.causes.front()));
+  return text;
+}
+
+std::string sentence(const std::vector<Finding>& findings) {
+  std::string text;
+  for (const Finding& f : findings) text += (text.empty() ? "" : "; ") + sentence(f);
+  return text;
+}
+
+std::vector<std::string> sentences(const std::vector<Finding>& findings) {
+  std::vector<std::string> all;
+  for (const Finding& f : findings) all.push_back(sentence(f));
+  return all;
+}
+
+}  // namespace handlebody

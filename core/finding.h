@@ -1,0 +1,205 @@
+#pragma once
+// What is to be told a person, as a kind with numbers: a warning about a result, a refusal, the reason of an
+// event. Code looks at the kind and the numbers; the words are in finding_words.cpp (English, for reports and
+// the command line) and in the window (translated), and nothing reads them.
+
+#include <array>
+#include <functional>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace handlebody {
+
+enum class FindingKind {
+  none,
+  other,  //!< told in words that have no kind yet (the value "text")
+
+  // About a surface that has come to an end.
+  heldAtNeck,         //!< radius_mm, behind_ml, in_front_ml
+  heldAtHole,         //!< the same
+  heldWhereItWidens,  //!< the same
+  noEdge,             //!< percent
+  atVolumeBorder,     //!< percent
+  atViewBorder,       //!< percent
+  liesInWall,
+  nothingAllowed,  //!< place
+  heldAtPassages,  //!< radius_mm
+  stuck,
+  frozen,
+  hardlyGrown,
+  heldByCurvature,     //!< radius_mm
+  closeChoice,         //!< objects, dice, next_ml, this_ml
+  leaked,              //!< iteration, disc; cause: passage
+  leakWalled,          //!< the same
+  leakStopped,         //!< the same; mesh_iteration
+  passage,             //!< width_mm, place, before_mm, behind_mm
+  passageTooNarrow,    //!< place, before_mm, behind_mm
+  pinNotReached,       //!< pin, mesh_iteration
+  undecided,           //!< iteration, allow, hold; cause: one of the next
+  wouldEnclose,        //!< ml, place
+  wouldComeOff,        //!< ml, place
+  frontsWouldMeet,     //!< place
+  wouldMakeTunnel,     //!< place, around_mm
+  wouldChange,         //!< event, place
+  runsWithoutSurface,  //!< runs, of
+  otherTopology,       //!< runs, of
+  volumeVaries,        //!< percent
+  polishLeaves,        //!< thin_faces, sharp_edges, place; text (polish.h)
+  madeWithEarlier,     //!< object
+
+  // Why a place was rolled back, a change was held, or what did not fit before the one that was made.
+  keptApart,
+  overLimit,
+  changesAgain,
+  nothingKept,
+  frontsNotJoined,  //!< fronts; cause
+  frontsWait,       //!< fronts, left
+  ringAdded,        //!< cause
+  ringsAdded,       //!< rings; cause
+  maybeShorter,
+  meetsPinned,
+  tooMuchWork,
+  workIsDone,
+  meetInside,
+  noHandle,
+  noPatch,
+  enclosesForbidden,
+  openingTooLarge,
+  pinnedThere,
+  nothingLeft,
+  entersWall,
+  unseenChange,
+  eventsDisagree,
+  otherEuler,
+  otherComponents,
+  cavityOutside,
+  bodyInBody,
+  stillIntersects,
+  enclosesNothing,
+  closesOverPinned,
+  pinnedWouldChange,
+  editOfPinned,
+  editIntoWall,
+  tooManyComponents,
+  tooManyTunnels,
+  edgeWithOneFace,
+  facesDisagree,
+  facesOpposed,
+  facesTwice,
+  removedVertex,
+  vertexTwice,
+  vertexWithoutFace,
+  wrongHalfedge,
+  edgesTwice,
+  severalFans,
+  wrongCounts,
+
+  // Why an edit by hand was refused.
+  noVertexInBall,
+  planeMisses,
+  planeMissesNear,
+  noFlatCap,
+  cutPartsNothing,
+  pullTooFar,
+  nothingWouldBeLeft,
+  meetsItself,
+
+  // What was asked for has no meaning, or not there.
+  noSeed,
+  seedRadius,
+  seedOutside,     //!< place, voxel
+  clickOutside,    //!< place
+  seedNotInRange,  //!< place, intensity, low, high
+  noDarkObject,
+  noBrightObject,
+  noObject,
+  fillsView,
+  rangeEmpty,
+  rangeWithoutVoxels,  //!< low, high, least, most
+  rangeAndBackground,
+  edgeTooShort,      //!< edge_mm
+  seedInObject,      //!< place, object
+  wallOverSeed,      //!< place
+  wallLeavesNoRoom,  //!< place
+  wallWithin,        //!< place
+  wallAcross,        //!< place
+  wallOver,          //!< place
+  objectOver,        //!< object
+  clicksVersusPins,
+  vetoTooLate,           //!< iteration, now
+  vetoFindsNothing,      //!< iteration
+  pinTooLate,            //!< pin, now
+  pinHoldsNothing,       //!< pin, now
+  editTooLate,           //!< iteration, now
+  editRefused,           //!< iteration; cause
+  editFindsNoTunnel,     //!< iteration, place
+  editFindsNoComponent,  //!< iteration, place
+  editFindsNoCavity,     //!< iteration, place
+  editWithoutCap,        //!< iteration, place
+  editRemovesNothing,    //!< iteration
+  editLeavesNothing,     //!< iteration
+  surfaceVanished,       //!< iterations
+};
+inline constexpr int kFindingKinds = static_cast<int>(FindingKind::surfaceVanished) + 1;
+
+//! A number, a place (mm, LPS) or the name of something.
+class FindingValue : public std::variant<double, std::array<double, 3>, std::string> {
+ public:
+  // NOLINTBEGIN(google-explicit-constructor): values are listed as they are
+  template <typename Number, typename = std::enable_if_t<std::is_arithmetic_v<Number>>>
+  FindingValue(Number n) : variant(static_cast<double>(n)) {}
+  FindingValue(const std::array<double, 3>& place) : variant(place) {}
+  FindingValue(std::string name) : variant(std::move(name)) {}
+  // NOLINTEND(google-explicit-constructor)
+};
+
+struct Finding {
+  using Values = std::vector<std::pair<std::string_view, FindingValue>>;
+
+  FindingKind kind = FindingKind::none;
+  Values values{};                //!< the names are literals
+  std::vector<Finding> causes{};  //!< one at most
+
+  Finding() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor): a kind alone is a finding
+  Finding(FindingKind k, Values v = {}) : kind(k), values(std::move(v)) {}
+  Finding(FindingKind k, Values v, Finding cause) : kind(k), values(std::move(v)), causes{std::move(cause)} {}
+
+  bool any() const { return kind != FindingKind::none; }
+  //! Null if there is none of that name.
+  const FindingValue* find(std::string_view name) const;
+  //! Precondition: there is a number of that name.
+  double number(std::string_view name) const;
+};
+
+//! For places: anything with three coordinates.
+template <typename V>
+std::array<double, 3> placeValue(const V& v) {
+  return {v[0], v[1], v[2]};
+}
+
+//! "held-at-neck": what reports and programs go by. Never changes.
+const char* findingName(FindingKind kind);
+
+//! The English words, with {name} or {name:FORMAT} where a value goes; FORMAT is the digits and f or g as for
+//! printf. {cause} is the words of what caused it. No capital letter and no full stop unless it is a whole
+//! sentence.
+const char* findingText(FindingKind kind);
+
+//! The text with its values filled in by `written`, which is given name, value and FORMAT ("" for none).
+//! What is no value of the finding stays as it is.
+using ValueWriter =
+    std::function<std::string(std::string_view name, const FindingValue&, std::string_view format)>;
+std::string filled(std::string_view text, const Finding& finding, const ValueWriter& written);
+
+//! In English.
+std::string sentence(const Finding& finding);
+std::string sentence(const std::vector<Finding>& findings);  //!< with "; " between
+std::vector<std::string> sentences(const std::vector<Finding>& findings);
+
+}  // namespace handlebody

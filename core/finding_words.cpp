@@ -1,0 +1,341 @@
+// The names and the English words of findings: of all that the engine has to tell, nothing else in it is
+// words. The window translates them, or has words of its own where these name an option of the command line.
+
+#include <algorithm>
+#include <iterator>
+
+#include "core/finding.h"
+
+// What lupdate looks for; Qt itself is not needed. Not marked: what the window has words of its own for
+// (ui/model/finding_text.cpp).
+#define QT_TRANSLATE_NOOP(context, text) text
+
+namespace handlebody {
+
+namespace {
+
+using K = FindingKind;
+
+struct Words {
+  FindingKind kind;
+  const char* name;
+  const char* text;
+};
+
+constexpr Words kWords[] = {
+    {K::none, "none", ""},
+    {K::other, "other", "{text}"},
+    {K::heldAtNeck, "held-at-neck",
+     "the surface is held at a neck of radius {radius_mm:3g} mm: behind it the same "
+     "intensities go on for at least {behind_ml:3g} ml, in front of it they fill "
+     "{in_front_ml:3g} ml; where that belongs to the object, put a seed there too, or give "
+     "--range, which holds nothing back"},
+    {K::heldAtHole, "held-at-hole",
+     "the surface is held at a hole of radius {radius_mm:3g} mm in a thin wall: behind it "
+     "the same intensities go on for at least {behind_ml:3g} ml, in front of it they fill "
+     "{in_front_ml:3g} ml; where that belongs to the object, put a seed there too, or give "
+     "--range, which holds nothing back"},
+    {K::heldWhereItWidens, "held-where-it-widens",
+     "the surface is held where its structure grows wider than a radius of {radius_mm:3g} "
+     "mm: behind it the same intensities go on for at least {behind_ml:3g} ml, in front of "
+     "it they fill {in_front_ml:3g} ml; where that belongs to the object, put a seed there "
+     "too, or give --range, which holds nothing back"},
+    {K::noEdge, "no-edge",
+     QT_TRANSLATE_NOOP("Findings",
+                       "{percent:0f} % of the surface lies where the image shows no edge: the object may go "
+                       "on there, or the surface leaked")},
+    {K::atVolumeBorder, "at-volume-border",
+     QT_TRANSLATE_NOOP("Findings",
+                       "{percent:0f} % of the surface lies on the border of the volume: the object is cut "
+                       "off there, or the surface leaked")},
+    {K::atViewBorder, "at-view-border",
+     QT_TRANSLATE_NOOP("Findings",
+                       "{percent:0f} % of the surface lies on the border of the field of view: the object is "
+                       "cut off there, or the surface leaked")},
+    {K::liesInWall, "lies-in-wall",
+     QT_TRANSLATE_NOOP("Findings", "the surface still lies in a wall that was put over it")},
+    {K::nothingAllowed, "nothing-allowed",
+     QT_TRANSLATE_NOOP("Findings",
+                       "at the allowed place {place} nothing came that a limit of the topology would have "
+                       "held")},
+    {K::heldAtPassages, "held-at-passages",
+     QT_TRANSLATE_NOOP("Findings",
+                       "the surface is held at passages narrower than a radius of {radius_mm:3g} mm; where "
+                       "what lies behind them belongs to the object, put a seed there too, or take a larger "
+                       "candidate")},
+    {K::stuck, "stuck",
+     "the surface got stuck: no part of a step could be kept, again and again (see the "
+     "rolled back events of the report); another --edge-length may help"},
+    {K::frozen, "frozen",
+     "the surface rests at places that would still move, because changes there failed or "
+     "repeated again and again (see the rolled back events of the report); another "
+     "--edge-length or --smoothing may help"},
+    {K::hardlyGrown, "hardly-grown", "the surface hardly grew beyond its seed: look at --object and --range"},
+    {K::heldByCurvature, "held-by-curvature",
+     "the surface hardly grew beyond its seed: --curvature holds every front of a radius "
+     "below {radius_mm:3g} mm, and the seed is smaller; give it a larger radius, or lower "
+     "--curvature"},
+    {K::closeChoice, "close-choice",
+     "the choice among {objects} objects is close (expected overlap with the one that is "
+     "meant: Dice {dice:2g}): the next candidate holds {next_ml:3m} ml where this one "
+     "holds {this_ml:3m} ml; see --candidate"},
+    {K::leaked, "leaked",
+     "the surface leaked at iteration {iteration}: {cause}; --wall-disc {disc} closes the "
+     "passage"},
+    {K::leakWalled, "leak-walled",
+     "the surface leaked at iteration {iteration}: {cause}; a wall was put there "
+     "(--wall-disc {disc})"},
+    {K::leakStopped, "leak-stopped",
+     "the surface leaked at iteration {iteration}: {cause}; the mesh is that of iteration "
+     "{mesh_iteration}, before it came there; --wall-disc {disc} closes the passage"},
+    {K::passage, "passage",
+     QT_TRANSLATE_NOOP("Findings",
+                       "it came through a passage {width_mm:1f} mm wide at {place:1f} from a space "
+                       "{before_mm:0f} mm wide into one {behind_mm:0f} mm wide")},
+    {K::passageTooNarrow, "passage-too-narrow",
+     QT_TRANSLATE_NOOP("Findings",
+                       "it came through a passage too narrow for the voxels to show at {place:1f} from a "
+                       "space {before_mm:0f} mm wide into one {behind_mm:0f} mm wide")},
+    {K::pinNotReached, "pin-not-reached",
+     QT_TRANSLATE_NOOP("Findings",
+                       "the pin {pin} holds nothing: the mesh is that of iteration {mesh_iteration}, and its "
+                       "iteration never came")},
+    {K::undecided, "undecided",
+     QT_TRANSLATE_NOOP("Findings",
+                       "at iteration {iteration} a limit of the topology holds: {cause}; {allow} lets it happen, "
+                       "{hold} holds it without asking again")},
+    {K::wouldEnclose, "would-enclose",
+     QT_TRANSLATE_NOOP("Findings", "it would enclose a cavity of {ml:3g} ml at {place:1f}")},
+    {K::wouldComeOff, "would-come-off",
+     QT_TRANSLATE_NOOP("Findings", "a part of {ml:3g} ml would come off at {place:1f}")},
+    {K::frontsWouldMeet, "fronts-would-meet",
+     QT_TRANSLATE_NOOP("Findings", "its fronts would meet at {place:1f}")},
+    {K::wouldMakeTunnel, "would-make-tunnel",
+     QT_TRANSLATE_NOOP("Findings",
+                       "its fronts would meet at {place:1f} and make a tunnel {around_mm:3g} mm around")},
+    {K::wouldChange, "would-change",
+     QT_TRANSLATE_NOOP("Findings", "a change of its topology ({event}) would happen at {place:1f}")},
+    {K::runsWithoutSurface, "runs-without-surface",
+     QT_TRANSLATE_NOOP("Findings",
+                       "With clicks, smoothing and noise a little different, {runs} of {of} runs leave no "
+                       "surface")},
+    {K::otherTopology, "other-topology",
+     QT_TRANSLATE_NOOP("Findings",
+                       "With clicks, smoothing and noise a little different, {runs} of {of} runs have "
+                       "another topology")},
+    {K::volumeVaries, "volume-varies",
+     QT_TRANSLATE_NOOP("Findings",
+                       "The volume depends on where exactly is clicked, on smoothing or noise: it changes by "
+                       "{percent:0f} %")},
+    {K::polishLeaves, "polish-leaves", "{text}"},
+    {K::madeWithEarlier, "made-with-earlier",
+     QT_TRANSLATE_NOOP("Findings",
+                       "The surface was made with an earlier one of the object '{object}', and a replay may "
+                       "make another")},
+
+    {K::keptApart, "kept-apart", QT_TRANSLATE_NOOP("Findings", "kept apart here, as asked")},
+    {K::overLimit, "over-limit",
+     QT_TRANSLATE_NOOP("Findings", "held: it would break the limit of the topology")},
+    {K::changesAgain, "changes-again",
+     QT_TRANSLATE_NOOP("Findings", "the same place changed again and again, and rests from now on")},
+    {K::nothingKept, "nothing-kept", QT_TRANSLATE_NOOP("Findings", "no part of the step could be kept")},
+    {K::frontsNotJoined, "fronts-not-joined",
+     QT_TRANSLATE_NOOP("Findings", "{fronts} fronts could not be joined at once: {cause}")},
+    {K::frontsWait, "fronts-wait",
+     QT_TRANSLATE_NOOP("Findings", "of {fronts} fronts {left} left for the next round")},
+    {K::ringAdded, "ring-added", QT_TRANSLATE_NOOP("Findings", "1 ring added: {cause}")},
+    {K::ringsAdded, "rings-added", QT_TRANSLATE_NOOP("Findings", "{rings} rings added: {cause}")},
+    {K::maybeShorter, "maybe-shorter", QT_TRANSLATE_NOOP("Findings", "there may be a shorter handle")},
+    {K::meetsPinned, "meets-pinned",
+     QT_TRANSLATE_NOOP("Findings", "the surface came to a pinned part, and stops before it")},
+    {K::tooMuchWork, "too-much-work",
+     QT_TRANSLATE_NOOP("Findings", "to close the place would take too much work")},
+    {K::workIsDone, "work-is-done",
+     QT_TRANSLATE_NOOP("Findings", "the work that a step may take is done: the place waits")},
+    {K::meetInside, "meet-inside",
+     QT_TRANSLATE_NOOP("Findings", "the fronts meet through the inside of the object")},
+    {K::noHandle, "no-handle", QT_TRANSLATE_NOOP("Findings", "no handle fits")},
+    {K::noPatch, "no-patch", QT_TRANSLATE_NOOP("Findings", "no patch fits")},
+    {K::enclosesForbidden, "encloses-forbidden",
+     QT_TRANSLATE_NOOP("Findings", "the component encloses a place where no surface may go")},
+    {K::openingTooLarge, "opening-too-large", QT_TRANSLATE_NOOP("Findings", "the opening is too large")},
+    {K::pinnedThere, "pinned-there", QT_TRANSLATE_NOOP("Findings", "a pinned part lies there")},
+    {K::nothingLeft, "nothing-left", QT_TRANSLATE_NOOP("Findings", "nothing of the component would be left")},
+    {K::entersWall, "enters-wall", QT_TRANSLATE_NOOP("Findings", "the surface would have entered a wall")},
+    {K::unseenChange, "unseen-change",
+     QT_TRANSLATE_NOOP("Findings", "a part of the surface has changed that detection had not looked at")},
+    {K::eventsDisagree, "events-disagree",
+     QT_TRANSLATE_NOOP("Findings", "the events of the step do not follow from each other")},
+    {K::otherEuler, "other-euler",
+     QT_TRANSLATE_NOOP("Findings", "the Euler number is not the one that the events predict")},
+    {K::otherComponents, "other-components",
+     QT_TRANSLATE_NOOP("Findings", "the components are not those that the events predict")},
+    {K::cavityOutside, "cavity-outside", QT_TRANSLATE_NOOP("Findings", "a cavity lies outside of any body")},
+    {K::bodyInBody, "body-in-body", QT_TRANSLATE_NOOP("Findings", "a body lies directly in another")},
+    {K::stillIntersects, "still-intersects",
+     QT_TRANSLATE_NOOP("Findings", "the surface still intersected itself after several changes")},
+    {K::enclosesNothing, "encloses-nothing",
+     QT_TRANSLATE_NOOP("Findings", "the surface does not enclose a volume")},
+    {K::closesOverPinned, "closes-over-pinned",
+     QT_TRANSLATE_NOOP("Findings", "the surface would close over a pinned part, and stops before it")},
+    {K::pinnedWouldChange, "pinned-would-change",
+     QT_TRANSLATE_NOOP("Findings", "a pinned part would have changed")},
+    {K::editIntoWall, "edit-into-wall",
+     QT_TRANSLATE_NOOP("Findings", "the surface would come into a wall or around it")},
+    {K::editOfPinned, "edit-of-pinned", QT_TRANSLATE_NOOP("Findings", "a pinned part would change")},
+    {K::tooManyComponents, "too-many-components",
+     QT_TRANSLATE_NOOP("Findings", "there would be more components than may be")},
+    {K::tooManyTunnels, "too-many-tunnels",
+     QT_TRANSLATE_NOOP("Findings", "there would be more tunnels than may be")},
+    {K::edgeWithOneFace, "edge-with-one-face", QT_TRANSLATE_NOOP("Findings", "an edge has only one face")},
+    {K::facesDisagree, "faces-disagree",
+     QT_TRANSLATE_NOOP("Findings", "two faces disagree about their common edge")},
+    {K::facesOpposed, "faces-opposed",
+     QT_TRANSLATE_NOOP("Findings", "the two faces of an edge run in the same direction or have other ends")},
+    {K::facesTwice, "faces-twice", QT_TRANSLATE_NOOP("Findings", "two faces have the same three vertices")},
+    {K::removedVertex, "removed-vertex",
+     QT_TRANSLATE_NOOP("Findings", "a face has a vertex that was removed")},
+    {K::vertexTwice, "vertex-twice", QT_TRANSLATE_NOOP("Findings", "a face has a vertex twice")},
+    {K::vertexWithoutFace, "vertex-without-face", QT_TRANSLATE_NOOP("Findings", "a vertex has no face")},
+    {K::wrongHalfedge, "wrong-half-edge",
+     QT_TRANSLATE_NOOP("Findings", "a vertex names a half-edge that does not leave it")},
+    {K::edgesTwice, "edges-twice", QT_TRANSLATE_NOOP("Findings", "two edges join the same two vertices")},
+    {K::severalFans, "several-fans",
+     QT_TRANSLATE_NOOP("Findings", "the faces around a vertex form more than one fan")},
+    {K::wrongCounts, "wrong-counts",
+     QT_TRANSLATE_NOOP("Findings", "the counts of the mesh are not those of its elements")},
+
+    {K::noVertexInBall, "no-vertex-in-ball",
+     QT_TRANSLATE_NOOP("Findings", "no vertex of the surface lies in the ball")},
+    {K::planeMisses, "plane-misses", QT_TRANSLATE_NOOP("Findings", "the plane does not meet the surface")},
+    {K::planeMissesNear, "plane-misses-near",
+     QT_TRANSLATE_NOOP("Findings", "the plane does not meet the surface near that place")},
+    {K::noFlatCap, "no-flat-cap", QT_TRANSLATE_NOOP("Findings", "no flat cap fits the cut")},
+    {K::cutPartsNothing, "cut-parts-nothing",
+     QT_TRANSLATE_NOOP("Findings", "the cut does not part the body there: both of its sides hang together")},
+    {K::pullTooFar, "pull-too-far", QT_TRANSLATE_NOOP("Findings", "the pull goes too far for its radius")},
+    {K::nothingWouldBeLeft, "nothing-would-be-left",
+     QT_TRANSLATE_NOOP("Findings", "nothing of the surface would be left")},
+    {K::meetsItself, "meets-itself", QT_TRANSLATE_NOOP("Findings", "the surface would meet itself there")},
+
+    {K::noSeed, "no-seed", QT_TRANSLATE_NOOP("Findings", "No seed was given: at least one is needed.")},
+    {K::seedRadius, "seed-radius",
+     QT_TRANSLATE_NOOP("Findings", "The radius of a seed must be a number of mm above 0.")},
+    {K::seedOutside, "seed-outside",
+     "The seed at ({place: 6f}) mm lies outside the volume (voxel {voxel: 6f})."},
+    {K::clickOutside, "click-outside",
+     "The click outside of the object at ({place: 6f}) mm lies outside the volume."},
+    {K::seedNotInRange, "seed-not-in-range",
+     "The seed at ({place: 6f}) mm is not in the object: the smoothed intensity there is "
+     "{intensity:6f}, the object's range is {low:6f} to {high:6f}."},
+    {K::noDarkObject, "no-dark-object",
+     QT_TRANSLATE_NOOP("Findings",
+                       "The seed is not in a dark object: the image has no clear boundary of that kind "
+                       "around it.")},
+    {K::noBrightObject, "no-bright-object",
+     QT_TRANSLATE_NOOP("Findings",
+                       "The seed is not in a bright object: the image has no clear boundary of that kind "
+                       "around it.")},
+    {K::noObject, "no-object",
+     QT_TRANSLATE_NOOP("Findings",
+                       "The seed is not in a dark or bright object: the image has no clear boundary of that "
+                       "kind around it.")},
+    {K::fillsView, "fills-view",
+     "The seed is not in an object with a boundary of its own: what grows from it fills "
+     "the field of view, up to the padding around the image. Where that is meant, say "
+     "whether it is dark or bright, or give --range."},
+    {K::rangeEmpty, "range-empty",
+     QT_TRANSLATE_NOOP("Findings", "The range is empty: its lower end is above its upper end.")},
+    {K::rangeWithoutVoxels, "range-without-voxels",
+     "The range {low:6f} to {high:6f} holds no voxel of the volume, whose values run from "
+     "{least:6f} to {most:6f}."},
+    {K::rangeAndBackground, "range-and-background",
+     QT_TRANSLATE_NOOP("Findings",
+                       "Clicks outside of the object and a given range do not go together: the range alone "
+                       "says where the object ends.")},
+    {K::edgeTooShort, "edge-too-short",
+     QT_TRANSLATE_NOOP("Findings",
+                       "The edge length of {edge_mm} mm is too short for the seeds: their surface alone "
+                       "would have over two million triangles.")},
+    {K::seedInObject, "seed-in-object",
+     QT_TRANSLATE_NOOP("Findings",
+                       "The seed at {place} mm lies in the object '{object}', which is done already.")},
+    {K::wallOverSeed, "wall-over-seed",
+     QT_TRANSLATE_NOOP("Findings", "A wall lies over the seed at {place} mm.")},
+    {K::wallLeavesNoRoom, "wall-leaves-no-room",
+     QT_TRANSLATE_NOOP("Findings", "A wall leaves the seed at {place} mm no room.")},
+    {K::wallWithin, "wall-within",
+     QT_TRANSLATE_NOOP("Findings",
+                       "The wall at {place} mm lies within the surface, which cannot be pushed out of it: "
+                       "go back to before it came in there.")},
+    {K::wallAcross, "wall-across",
+     QT_TRANSLATE_NOOP("Findings",
+                       "The wall at {place} mm lies across surface that is already there: go back to before "
+                       "it came in there.")},
+    {K::wallOver, "wall-over",
+     QT_TRANSLATE_NOOP("Findings",
+                       "The wall at {place} mm lies over surface that is already there: go back to before it "
+                       "came in there, or let the surface move in both directions.")},
+    {K::objectOver, "object-over",
+     QT_TRANSLATE_NOOP("Findings",
+                       "The object '{object}' lies over surface that is already there: go back to before it "
+                       "came in there.")},
+    {K::clicksVersusPins, "clicks-versus-pins",
+     QT_TRANSLATE_NOOP("Findings",
+                       "The clicks have so little in common with the surface that it would begin anew, but a "
+                       "part of it is pinned: take the pins away first.")},
+    {K::vetoTooLate, "veto-too-late",
+     QT_TRANSLATE_NOOP("Findings",
+                       "The veto of iteration {iteration} comes too late: the surface is at iteration "
+                       "{now}.")},
+    {K::vetoFindsNothing, "veto-finds-nothing",
+     QT_TRANSLATE_NOOP("Findings",
+                       "The veto of iteration {iteration} has nothing to forbid: no change of topology "
+                       "happens there.")},
+    {K::pinTooLate, "pin-too-late",
+     QT_TRANSLATE_NOOP("Findings", "The pin {pin} comes too late: the surface is at iteration {now}.")},
+    {K::pinHoldsNothing, "pin-holds-nothing",
+     QT_TRANSLATE_NOOP("Findings",
+                       "The pin {pin} holds nothing: no vertex of the surface lies there at iteration "
+                       "{now}.")},
+    {K::editTooLate, "edit-too-late",
+     QT_TRANSLATE_NOOP("Findings",
+                       "The edit of iteration {iteration} comes too late: the surface is at iteration "
+                       "{now}.")},
+    {K::editRefused, "edit-refused",
+     QT_TRANSLATE_NOOP("Findings", "The edit of iteration {iteration} cannot be made: {cause}.")},
+    {K::editFindsNoTunnel, "edit-finds-no-tunnel",
+     QT_TRANSLATE_NOOP("Findings", "The edit of iteration {iteration} finds no tunnel at {place}.")},
+    {K::editFindsNoComponent, "edit-finds-no-component",
+     QT_TRANSLATE_NOOP("Findings", "The edit of iteration {iteration} finds no component at {place}.")},
+    {K::editFindsNoCavity, "edit-finds-no-cavity",
+     QT_TRANSLATE_NOOP("Findings", "The edit of iteration {iteration} finds no cavity at {place}.")},
+    {K::editWithoutCap, "edit-without-cap",
+     QT_TRANSLATE_NOOP("Findings",
+                       "The edit of iteration {iteration} cannot be made: no cap fits into the tunnel at "
+                       "{place}.")},
+    {K::editRemovesNothing, "edit-removes-nothing",
+     QT_TRANSLATE_NOOP("Findings",
+                       "The edit of iteration {iteration} finds nothing to remove: there is nothing beside "
+                       "that component.")},
+    {K::editLeavesNothing, "edit-leaves-nothing",
+     QT_TRANSLATE_NOOP("Findings", "The edit of iteration {iteration} would leave nothing of the surface.")},
+    {K::surfaceVanished, "surface-vanished",
+     QT_TRANSLATE_NOOP("Findings",
+                       "The surface vanished after {iterations} iterations: the seeds are not in an object "
+                       "of that kind and range.")},
+};
+
+const Words& wordsOf(FindingKind kind) {
+  const auto at =
+      std::find_if(std::begin(kWords), std::end(kWords), [kind](const Words& w) { return w.kind == kind; });
+  return at == std::end(kWords) ? kWords[0] : *at;
+}
+
+}  // namespace
+
+const char* findingName(FindingKind kind) { return wordsOf(kind).name; }
+
+const char* findingText(FindingKind kind) { return wordsOf(kind).text; }
+
+}  // namespace handlebody

@@ -1,0 +1,4745 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE" sourcelanguage="en">
+<context>
+    <name>Findings</name>
+    <message>
+        <source>the surface is held at a neck of radius {radius_mm:3g} mm: behind it the same intensities go on for at least {behind_ml:3g} ml, in front of it they fill {in_front_ml:3g} ml; where that belongs to the object, put a seed there too, or set the range in step 3, Tune, which holds nothing back</source>
+        <translation>die Oberfläche wird an einer Engstelle von {radius_mm:3g} mm Radius gehalten: dahinter setzen sich dieselben Intensitäten über mindestens {behind_ml:3g} ml fort, davor füllen sie {in_front_ml:3g} ml; wenn das zum Objekt gehört, setzen Sie auch dort einen Startpunkt oder geben Sie den Bereich in Schritt 3, Anpassen, vor, der nichts zurückhält</translation>
+    </message>
+    <message>
+        <source>the surface is held at a hole of radius {radius_mm:3g} mm in a thin wall: behind it the same intensities go on for at least {behind_ml:3g} ml, in front of it they fill {in_front_ml:3g} ml; where that belongs to the object, put a seed there too, or set the range in step 3, Tune, which holds nothing back</source>
+        <translation>die Oberfläche wird an einem Loch von {radius_mm:3g} mm Radius in einer dünnen Wand gehalten: dahinter setzen sich dieselben Intensitäten über mindestens {behind_ml:3g} ml fort, davor füllen sie {in_front_ml:3g} ml; wenn das zum Objekt gehört, setzen Sie auch dort einen Startpunkt oder geben Sie den Bereich in Schritt 3, Anpassen, vor, der nichts zurückhält</translation>
+    </message>
+    <message>
+        <source>the surface is held where its structure grows wider than a radius of {radius_mm:3g} mm: behind it the same intensities go on for at least {behind_ml:3g} ml, in front of it they fill {in_front_ml:3g} ml; where that belongs to the object, put a seed there too, or set the range in step 3, Tune, which holds nothing back</source>
+        <translation>die Oberfläche wird dort gehalten, wo ihre Struktur über einen Radius von {radius_mm:3g} mm hinaus weiter wird: dahinter setzen sich dieselben Intensitäten über mindestens {behind_ml:3g} ml fort, davor füllen sie {in_front_ml:3g} ml; wenn das zum Objekt gehört, setzen Sie auch dort einen Startpunkt oder geben Sie den Bereich in Schritt 3, Anpassen, vor, der nichts zurückhält</translation>
+    </message>
+    <message>
+        <source>the surface got stuck: no part of a step could be kept, again and again; another edge length may help</source>
+        <translation>die Oberfläche steckt fest: immer wieder konnte kein Teil eines Schritts beibehalten werden; eine andere Kantenlänge kann helfen</translation>
+    </message>
+    <message>
+        <source>the surface rests at places that would still move, because changes there failed or repeated again and again; another edge length or smoothing may help</source>
+        <translation>die Oberfläche ruht an Stellen, die sich noch bewegen würden, weil Änderungen dort immer wieder fehlschlugen oder sich wiederholten; eine andere Kantenlänge oder Glättung kann helfen</translation>
+    </message>
+    <message>
+        <source>the surface hardly grew beyond its seed: look at the kind of object and the range in step 3, Tune</source>
+        <translation>die Oberfläche ist kaum über ihren Startpunkt hinausgewachsen: prüfen Sie die Art des Objekts und den Bereich in Schritt 3, Anpassen</translation>
+    </message>
+    <message>
+        <source>the surface hardly grew beyond its seed: the curvature weight holds every front of a radius below {radius_mm:3g} mm, and the seed is smaller; give it a larger radius, or lower the weight</source>
+        <translation>die Oberfläche ist kaum über ihren Startpunkt hinausgewachsen: das Krümmungsgewicht hält jede Front mit einem Radius unter {radius_mm:3g} mm, und der Startpunkt ist kleiner; geben Sie ihm einen größeren Radius oder senken Sie das Gewicht</translation>
+    </message>
+    <message>
+        <source>the choice among {objects} objects is close (expected overlap with the one that is meant: Dice {dice:2g}): the next candidate holds {next_ml:3m} ml where this one holds {this_ml:3m} ml; another one can be chosen in step 2, Seed</source>
+        <translation>die Wahl unter {objects} Objekten ist knapp (erwartete Überlappung mit dem gemeinten: Dice {dice:2g}): der nächste Kandidat fasst {next_ml:3m} ml, dieser {this_ml:3m} ml; ein anderer lässt sich in Schritt 2, Punkte, wählen</translation>
+    </message>
+    <message>
+        <source>the surface leaked at iteration {iteration}: {cause}</source>
+        <translation>die Oberfläche ist bei Iteration {iteration} ausgelaufen: {cause}</translation>
+    </message>
+    <message>
+        <source>the surface leaked at iteration {iteration}: {cause}; a wall was put there</source>
+        <translation>die Oberfläche ist bei Iteration {iteration} ausgelaufen: {cause}; dort wurde eine Wand gesetzt</translation>
+    </message>
+    <message>
+        <source>the surface leaked at iteration {iteration}: {cause}; the mesh is that of iteration {mesh_iteration}, before it came there</source>
+        <translation>die Oberfläche ist bei Iteration {iteration} ausgelaufen: {cause}; das Netz ist das von Iteration {mesh_iteration}, bevor sie dorthin kam</translation>
+    </message>
+    <message>
+        <source>The seed is not in an object with a boundary of its own: what grows from it fills the field of view, up to the padding around the image. Where that is meant, say whether it is dark or bright, or set the range in step 3, Tune.</source>
+        <translation>Der Startpunkt liegt nicht in einem Objekt mit eigenem Rand: was von ihm aus wächst, füllt das Bildfeld bis zum Füllbereich um das Bild. Ist das gemeint, wählen Sie dunkel oder hell oder geben Sie den Bereich in Schritt 3, Anpassen, vor.</translation>
+    </message>
+    <message>
+        <source>The seed at {place:1f} mm lies outside the volume.</source>
+        <translation>Der Startpunkt bei {place:1f} mm liegt außerhalb des Bildvolumens.</translation>
+    </message>
+    <message>
+        <source>The click outside of the object at {place:1f} mm lies outside the volume.</source>
+        <translation>Der Außenpunkt bei {place:1f} mm liegt außerhalb des Bildvolumens.</translation>
+    </message>
+    <message>
+        <source>The seed at {place:1f} mm is not in the object: the smoothed intensity there is {intensity:4g}, the object&apos;s range is {low:4g} to {high:4g}.</source>
+        <translation>Der Startpunkt bei {place:1f} mm liegt nicht im Objekt: die geglättete Intensität ist dort {intensity:4g}, der Bereich des Objekts reicht von {low:4g} bis {high:4g}.</translation>
+    </message>
+    <message>
+        <source>The range {low:4g} to {high:4g} holds no voxel of the volume, whose values run from {least:4g} to {most:4g}.</source>
+        <translation>Im Bereich {low:4g} bis {high:4g} liegt kein Voxel des Bildvolumens, dessen Werte von {least:4g} bis {most:4g} reichen.</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>{percent:0f} % of the surface lies where the image shows no edge: the object may go on there, or the surface leaked</source>
+        <translation>{percent:0f} % der Oberfläche liegen dort, wo das Bild keine Kante zeigt: das Objekt setzt sich dort womöglich fort, oder die Oberfläche ist ausgelaufen</translation>
+    </message>
+    <message>
+        <source>{percent:0f} % of the surface lies on the border of the volume: the object is cut off there, or the surface leaked</source>
+        <translation>{percent:0f} % der Oberfläche liegen auf dem Rand des Bildvolumens: das Objekt ist dort abgeschnitten, oder die Oberfläche ist ausgelaufen</translation>
+    </message>
+    <message>
+        <source>{percent:0f} % of the surface lies on the border of the field of view: the object is cut off there, or the surface leaked</source>
+        <translation>{percent:0f} % der Oberfläche liegen auf dem Rand des Bildfelds: das Objekt ist dort abgeschnitten, oder die Oberfläche ist ausgelaufen</translation>
+    </message>
+    <message>
+        <source>the surface still lies in a wall that was put over it</source>
+        <translation>die Oberfläche liegt noch in einer Wand, die über sie gelegt wurde</translation>
+    </message>
+    <message>
+        <source>at the allowed place {place} nothing came that a limit of the topology would have held</source>
+        <translation>an der erlaubten Stelle {place} kam nichts, was eine Grenze der Topologie gehalten hätte</translation>
+    </message>
+    <message>
+        <source>the surface is held at passages narrower than a radius of {radius_mm:3g} mm; where what lies behind them belongs to the object, put a seed there too, or take a larger candidate</source>
+        <translation>die Oberfläche wird an Durchgängen gehalten, die enger sind als {radius_mm:3g} mm Radius; wenn das, was dahinter liegt, zum Objekt gehört, setzen Sie auch dort einen Startpunkt oder nehmen Sie einen größeren Kandidaten</translation>
+    </message>
+    <message>
+        <source>it came through a passage {width_mm:1f} mm wide at {place:1f} from a space {before_mm:0f} mm wide into one {behind_mm:0f} mm wide</source>
+        <translation>sie kam durch einen {width_mm:1f} mm weiten Durchgang bei {place:1f} aus einem {before_mm:0f} mm weiten Raum in einen {behind_mm:0f} mm weiten</translation>
+    </message>
+    <message>
+        <source>it came through a passage too narrow for the voxels to show at {place:1f} from a space {before_mm:0f} mm wide into one {behind_mm:0f} mm wide</source>
+        <translation>sie kam bei {place:1f} durch einen Durchgang, der enger ist, als die Voxel zeigen können, aus einem {before_mm:0f} mm weiten Raum in einen {behind_mm:0f} mm weiten</translation>
+    </message>
+    <message>
+        <source>the pin {pin} holds nothing: the mesh is that of iteration {mesh_iteration}, and its iteration never came</source>
+        <translation>die Fixierung {pin} hält nichts: das Netz ist das von Iteration {mesh_iteration}, und ihre Iteration kam nie</translation>
+    </message>
+    <message>
+        <source>With clicks, smoothing and noise a little different, {runs} of {of} runs leave no surface</source>
+        <translation>Mit etwas anderen Punkten, anderer Glättung und anderem Rauschen lassen {runs} von {of} Läufen keine Oberfläche übrig</translation>
+    </message>
+    <message>
+        <source>With clicks, smoothing and noise a little different, {runs} of {of} runs have another topology</source>
+        <translation>Mit etwas anderen Punkten, anderer Glättung und anderem Rauschen haben {runs} von {of} Läufen eine andere Topologie</translation>
+    </message>
+    <message>
+        <source>The volume depends on where exactly is clicked, on smoothing or noise: it changes by {percent:0f} %</source>
+        <translation>Das Volumen hängt davon ab, wo genau geklickt wird, von Glättung oder Rauschen: es ändert sich um {percent:0f} %</translation>
+    </message>
+    <message>
+        <source>The surface was made with an earlier one of the object &apos;{object}&apos;, and a replay may make another</source>
+        <translation>Die Oberfläche wurde mit einer früheren des Objekts „{object}“ gemacht, und eine Wiederholung ergibt womöglich eine andere</translation>
+    </message>
+    <message>
+        <source>kept apart here, as asked</source>
+        <translation>hier wie gewünscht getrennt gehalten</translation>
+    </message>
+    <message>
+        <source>held: it would break the limit of the topology</source>
+        <translation>gehalten: es würde die Grenze der Topologie überschreiten</translation>
+    </message>
+    <message>
+        <source>the same place changed again and again, and rests from now on</source>
+        <translation>dieselbe Stelle änderte sich immer wieder und ruht von nun an</translation>
+    </message>
+    <message>
+        <source>no part of the step could be kept</source>
+        <translation>kein Teil des Schritts konnte beibehalten werden</translation>
+    </message>
+    <message>
+        <source>{fronts} fronts could not be joined at once: {cause}</source>
+        <translation>{fronts} Fronten konnten nicht auf einmal verbunden werden: {cause}</translation>
+    </message>
+    <message>
+        <source>of {fronts} fronts {left} left for the next round</source>
+        <translation>von {fronts} Fronten bleiben {left} für die nächste Runde</translation>
+    </message>
+    <message>
+        <source>1 ring added: {cause}</source>
+        <translation>1 Ring dazu: {cause}</translation>
+    </message>
+    <message>
+        <source>{rings} rings added: {cause}</source>
+        <translation>{rings} Ringe dazu: {cause}</translation>
+    </message>
+    <message>
+        <source>there may be a shorter handle</source>
+        <translation>es gibt womöglich einen kürzeren Henkel</translation>
+    </message>
+    <message>
+        <source>the surface came to a pinned part, and stops before it</source>
+        <translation>die Oberfläche kam an einen fixierten Teil und hält davor</translation>
+    </message>
+    <message>
+        <source>to close the place would take too much work</source>
+        <translation>die Stelle zu schließen wäre zu aufwendig</translation>
+    </message>
+    <message>
+        <source>the work that a step may take is done: the place waits</source>
+        <translation>die Arbeit, die ein Schritt leisten darf, ist getan: die Stelle wartet</translation>
+    </message>
+    <message>
+        <source>the fronts meet through the inside of the object</source>
+        <translation>die Fronten treffen sich durch das Innere des Objekts</translation>
+    </message>
+    <message>
+        <source>no handle fits</source>
+        <translation>kein Henkel passt</translation>
+    </message>
+    <message>
+        <source>no patch fits</source>
+        <translation>kein Flicken passt</translation>
+    </message>
+    <message>
+        <source>the component encloses a place where no surface may go</source>
+        <translation>die Komponente umschließt eine Stelle, an die keine Oberfläche darf</translation>
+    </message>
+    <message>
+        <source>the opening is too large</source>
+        <translation>die Öffnung ist zu groß</translation>
+    </message>
+    <message>
+        <source>a pinned part lies there</source>
+        <translation>dort liegt ein fixierter Teil</translation>
+    </message>
+    <message>
+        <source>nothing of the component would be left</source>
+        <translation>von der Komponente bliebe nichts übrig</translation>
+    </message>
+    <message>
+        <source>the surface would have entered a wall</source>
+        <translation>die Oberfläche wäre in eine Wand geraten</translation>
+    </message>
+    <message>
+        <source>a part of the surface has changed that detection had not looked at</source>
+        <translation>ein Teil der Oberfläche hat sich geändert, den die Erkennung nicht betrachtet hat</translation>
+    </message>
+    <message>
+        <source>the events of the step do not follow from each other</source>
+        <translation>die Ereignisse des Schritts folgen nicht auseinander</translation>
+    </message>
+    <message>
+        <source>the Euler number is not the one that the events predict</source>
+        <translation>die Euler-Zahl ist nicht die, die aus den Ereignissen folgt</translation>
+    </message>
+    <message>
+        <source>the components are not those that the events predict</source>
+        <translation>die Komponenten sind nicht die, die aus den Ereignissen folgen</translation>
+    </message>
+    <message>
+        <source>a cavity lies outside of any body</source>
+        <translation>ein Hohlraum liegt außerhalb jedes Körpers</translation>
+    </message>
+    <message>
+        <source>a body lies directly in another</source>
+        <translation>ein Körper liegt unmittelbar in einem anderen</translation>
+    </message>
+    <message>
+        <source>the surface still intersected itself after several changes</source>
+        <translation>die Oberfläche schnitt sich nach mehreren Änderungen noch immer selbst</translation>
+    </message>
+    <message>
+        <source>the surface does not enclose a volume</source>
+        <translation>die Oberfläche umschließt kein Volumen</translation>
+    </message>
+    <message>
+        <source>the surface would close over a pinned part, and stops before it</source>
+        <translation>die Oberfläche würde sich über einem fixierten Teil schließen und hält davor</translation>
+    </message>
+    <message>
+        <source>a pinned part would have changed</source>
+        <translation>ein fixierter Teil hätte sich geändert</translation>
+    </message>
+    <message>
+        <source>the surface would come into a wall or around it</source>
+        <translation>die Oberfläche geriete in eine Wand oder um sie herum</translation>
+    </message>
+    <message>
+        <source>a pinned part would change</source>
+        <translation>ein fixierter Teil würde sich ändern</translation>
+    </message>
+    <message>
+        <source>there would be more components than may be</source>
+        <translation>es gäbe mehr Komponenten als erlaubt</translation>
+    </message>
+    <message>
+        <source>there would be more tunnels than may be</source>
+        <translation>es gäbe mehr Tunnel als erlaubt</translation>
+    </message>
+    <message>
+        <source>an edge has only one face</source>
+        <translation>eine Kante hat nur eine Fläche</translation>
+    </message>
+    <message>
+        <source>two faces disagree about their common edge</source>
+        <translation>zwei Flächen sind sich über ihre gemeinsame Kante uneins</translation>
+    </message>
+    <message>
+        <source>the two faces of an edge run in the same direction or have other ends</source>
+        <translation>die beiden Flächen einer Kante laufen in dieselbe Richtung oder haben andere Enden</translation>
+    </message>
+    <message>
+        <source>two faces have the same three vertices</source>
+        <translation>zwei Flächen haben dieselben drei Ecken</translation>
+    </message>
+    <message>
+        <source>a face has a vertex that was removed</source>
+        <translation>eine Fläche hat eine Ecke, die entfernt wurde</translation>
+    </message>
+    <message>
+        <source>a face has a vertex twice</source>
+        <translation>eine Fläche hat eine Ecke doppelt</translation>
+    </message>
+    <message>
+        <source>a vertex has no face</source>
+        <translation>eine Ecke hat keine Fläche</translation>
+    </message>
+    <message>
+        <source>a vertex names a half-edge that does not leave it</source>
+        <translation>eine Ecke nennt eine Halbkante, die nicht von ihr ausgeht</translation>
+    </message>
+    <message>
+        <source>two edges join the same two vertices</source>
+        <translation>zwei Kanten verbinden dieselben zwei Ecken</translation>
+    </message>
+    <message>
+        <source>the faces around a vertex form more than one fan</source>
+        <translation>die Flächen um eine Ecke bilden mehr als einen Fächer</translation>
+    </message>
+    <message>
+        <source>the counts of the mesh are not those of its elements</source>
+        <translation>die Anzahlen des Netzes sind nicht die seiner Elemente</translation>
+    </message>
+    <message>
+        <source>no vertex of the surface lies in the ball</source>
+        <translation>keine Ecke der Oberfläche liegt in der Kugel</translation>
+    </message>
+    <message>
+        <source>the plane does not meet the surface</source>
+        <translation>die Ebene trifft die Oberfläche nicht</translation>
+    </message>
+    <message>
+        <source>the plane does not meet the surface near that place</source>
+        <translation>die Ebene trifft die Oberfläche nicht in der Nähe dieser Stelle</translation>
+    </message>
+    <message>
+        <source>no flat cap fits the cut</source>
+        <translation>kein ebener Deckel passt auf den Schnitt</translation>
+    </message>
+    <message>
+        <source>the cut does not part the body there: both of its sides hang together</source>
+        <translation>der Schnitt teilt den Körper dort nicht: seine beiden Seiten hängen zusammen</translation>
+    </message>
+    <message>
+        <source>the pull goes too far for its radius</source>
+        <translation>der Zug geht für seinen Radius zu weit</translation>
+    </message>
+    <message>
+        <source>nothing of the surface would be left</source>
+        <translation>von der Oberfläche bliebe nichts übrig</translation>
+    </message>
+    <message>
+        <source>the surface would meet itself there</source>
+        <translation>die Oberfläche würde dort auf sich selbst treffen</translation>
+    </message>
+    <message>
+        <source>No seed was given: at least one is needed.</source>
+        <translation>Es wurde kein Startpunkt gegeben: mindestens einer wird gebraucht.</translation>
+    </message>
+    <message>
+        <source>The radius of a seed must be a number of mm above 0.</source>
+        <translation>Der Radius eines Startpunkts muss eine Zahl von mm über 0 sein.</translation>
+    </message>
+    <message>
+        <source>The seed is not in a dark object: the image has no clear boundary of that kind around it.</source>
+        <translation>Der Startpunkt liegt nicht in einem dunklen Objekt: das Bild hat um ihn keinen klaren Rand dieser Art.</translation>
+    </message>
+    <message>
+        <source>The seed is not in a bright object: the image has no clear boundary of that kind around it.</source>
+        <translation>Der Startpunkt liegt nicht in einem hellen Objekt: das Bild hat um ihn keinen klaren Rand dieser Art.</translation>
+    </message>
+    <message>
+        <source>The seed is not in a dark or bright object: the image has no clear boundary of that kind around it.</source>
+        <translation>Der Startpunkt liegt nicht in einem dunklen oder hellen Objekt: das Bild hat um ihn keinen klaren Rand dieser Art.</translation>
+    </message>
+    <message>
+        <source>The range is empty: its lower end is above its upper end.</source>
+        <translation>Der Bereich ist leer: sein unteres Ende liegt über dem oberen.</translation>
+    </message>
+    <message>
+        <source>Clicks outside of the object and a given range do not go together: the range alone says where the object ends.</source>
+        <translation>Außenpunkte und ein vorgegebener Bereich gehen nicht zusammen: der Bereich allein sagt, wo das Objekt endet.</translation>
+    </message>
+    <message>
+        <source>The edge length of {edge_mm} mm is too short for the seeds: their surface alone would have over two million triangles.</source>
+        <translation>Die Kantenlänge von {edge_mm} mm ist zu kurz für die Startpunkte: ihre Oberfläche allein hätte über zwei Millionen Dreiecke.</translation>
+    </message>
+    <message>
+        <source>The seed at {place} mm lies in the object &apos;{object}&apos;, which is done already.</source>
+        <translation>Der Startpunkt bei {place} mm liegt im Objekt „{object}“, das schon fertig ist.</translation>
+    </message>
+    <message>
+        <source>A wall lies over the seed at {place} mm.</source>
+        <translation>Über dem Startpunkt bei {place} mm liegt eine Wand.</translation>
+    </message>
+    <message>
+        <source>A wall leaves the seed at {place} mm no room.</source>
+        <translation>Eine Wand lässt dem Startpunkt bei {place} mm keinen Platz.</translation>
+    </message>
+    <message>
+        <source>The wall at {place} mm lies within the surface, which cannot be pushed out of it: go back to before it came in there.</source>
+        <translation>Die Wand bei {place} mm liegt innerhalb der Oberfläche, die nicht aus ihr herausgeschoben werden kann: gehen Sie zurück vor die Stelle, an der sie dorthin kam.</translation>
+    </message>
+    <message>
+        <source>The wall at {place} mm lies across surface that is already there: go back to before it came in there.</source>
+        <translation>Die Wand bei {place} mm liegt quer durch Oberfläche, die schon da ist: gehen Sie zurück vor die Stelle, an der sie dorthin kam.</translation>
+    </message>
+    <message>
+        <source>The wall at {place} mm lies over surface that is already there: go back to before it came in there, or let the surface move in both directions.</source>
+        <translation>Die Wand bei {place} mm liegt über Oberfläche, die schon da ist: gehen Sie zurück vor die Stelle, an der sie dorthin kam, oder lassen Sie die Oberfläche sich in beide Richtungen bewegen.</translation>
+    </message>
+    <message>
+        <source>The object &apos;{object}&apos; lies over surface that is already there: go back to before it came in there.</source>
+        <translation>Das Objekt „{object}“ liegt über Oberfläche, die schon da ist: gehen Sie zurück vor die Stelle, an der sie dorthin kam.</translation>
+    </message>
+    <message>
+        <source>The clicks have so little in common with the surface that it would begin anew, but a part of it is pinned: take the pins away first.</source>
+        <translation>Die Punkte haben so wenig mit der Oberfläche gemein, dass sie neu begänne, aber ein Teil von ihr ist fixiert: nehmen Sie zuerst die Fixierungen weg.</translation>
+    </message>
+    <message>
+        <source>The veto of iteration {iteration} comes too late: the surface is at iteration {now}.</source>
+        <translation>Das Veto für Iteration {iteration} kommt zu spät: die Oberfläche ist bei Iteration {now}.</translation>
+    </message>
+    <message>
+        <source>The veto of iteration {iteration} has nothing to forbid: no change of topology happens there.</source>
+        <translation>Das Veto für Iteration {iteration} hat nichts zu verbieten: dort ändert sich die Topologie nicht.</translation>
+    </message>
+    <message>
+        <source>The pin {pin} comes too late: the surface is at iteration {now}.</source>
+        <translation>Die Fixierung {pin} kommt zu spät: die Oberfläche ist bei Iteration {now}.</translation>
+    </message>
+    <message>
+        <source>The pin {pin} holds nothing: no vertex of the surface lies there at iteration {now}.</source>
+        <translation>Die Fixierung {pin} hält nichts: bei Iteration {now} liegt dort keine Ecke der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration} comes too late: the surface is at iteration {now}.</source>
+        <translation>Die Bearbeitung für Iteration {iteration} kommt zu spät: die Oberfläche ist bei Iteration {now}.</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration} cannot be made: {cause}.</source>
+        <translation>Die Bearbeitung für Iteration {iteration} ist nicht möglich: {cause}.</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration} finds no tunnel at {place}.</source>
+        <translation>Die Bearbeitung für Iteration {iteration} findet keinen Tunnel bei {place}.</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration} finds no component at {place}.</source>
+        <translation>Die Bearbeitung für Iteration {iteration} findet keine Komponente bei {place}.</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration} finds no cavity at {place}.</source>
+        <translation>Die Bearbeitung für Iteration {iteration} findet keinen Hohlraum bei {place}.</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration} cannot be made: no cap fits into the tunnel at {place}.</source>
+        <translation>Die Bearbeitung für Iteration {iteration} ist nicht möglich: kein Deckel passt in den Tunnel bei {place}.</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration} finds nothing to remove: there is nothing beside that component.</source>
+        <translation>Die Bearbeitung für Iteration {iteration} findet nichts zu entfernen: neben dieser Komponente gibt es nichts.</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration} would leave nothing of the surface.</source>
+        <translation>Die Bearbeitung für Iteration {iteration} ließe nichts von der Oberfläche übrig.</translation>
+    </message>
+    <message>
+        <source>The surface vanished after {iterations} iterations: the seeds are not in an object of that kind and range.</source>
+        <translation>Die Oberfläche verschwand nach {iterations} Iterationen: die Startpunkte liegen nicht in einem Objekt dieser Art und dieses Bereichs.</translation>
+    </message>
+</context>
+<context>
+    <name>Sentences</name>
+    <message>
+        <source>set the range in step 3, Tune</source>
+        <translation>geben Sie den Bereich in Schritt 3, Anpassen, vor</translation>
+    </message>
+    <message>
+        <source>until it is entered in step 1, Open</source>
+        <translation>bis sie in Schritt 1, Öffnen, eingegeben ist</translation>
+    </message>
+    <message>
+        <source>enter their spacing in step 1, Open</source>
+        <translation>geben Sie ihren Abstand in Schritt 1, Öffnen, ein</translation>
+    </message>
+    <message>
+        <source>stack %1</source>
+        <translation>Stapel %1</translation>
+    </message>
+    <message>
+        <source> More in the step Open.</source>
+        <translation> Mehr im Schritt Öffnen.</translation>
+    </message>
+</context>
+<context>
+    <name>SliceView</name>
+    <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Koronal</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittal</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>SurfaceView</name>
+    <message>
+        <source>%1 mm or more</source>
+        <translation>%1 mm oder mehr</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>outside: %1</source>
+        <translation>außen: %1</translation>
+    </message>
+    <message>
+        <source>inside: %1</source>
+        <translation>innen: %1</translation>
+    </message>
+    <message>
+        <source>on the reference: 0 mm</source>
+        <translation>auf der Referenz: 0 mm</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::app::Screenshot</name>
+    <message>
+        <source>There is no seed to grow from: open a session.</source>
+        <translation>Es gibt keinen Startpunkt: öffnen Sie eine Sitzung.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation>%1 kann nicht geschrieben werden.</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui</name>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>Dafür reicht der Speicher nicht.</translation>
+    </message>
+    <message>
+        <source>Something went wrong that has no name.</source>
+        <translation>Etwas ohne Namen ist schiefgegangen.</translation>
+    </message>
+    <message>
+        <source>“%1” has no cavity, and so no wall around one.</source>
+        <translation>„%1“ hat keinen Hohlraum und daher keine Wand um einen.</translation>
+    </message>
+    <message>
+        <source>There is no surface yet: grow one first.</source>
+        <translation>Es gibt noch keine Oberfläche: lassen Sie zuerst eine wachsen.</translation>
+    </message>
+    <message>
+        <source>There is no centre line in “%1”: %2.</source>
+        <translation>In „%1“ gibt es keine Mittellinie: %2.</translation>
+    </message>
+    <message>
+        <source>The first place lies in none of the objects.</source>
+        <translation>Die erste Stelle liegt in keinem der Objekte.</translation>
+    </message>
+    <message>
+        <source>Slice %1 of %2</source>
+        <translation>Schicht %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1  %2  %3 mm</source>
+        <translation>%1  %2  %3 mm</translation>
+    </message>
+    <message>
+        <source>%1, %2 mm</source>
+        <translation>%1, %2 mm</translation>
+    </message>
+    <message>
+        <source>less than 1 %</source>
+        <translation>weniger als 1 %</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>bewegt sich</translation>
+    </message>
+    <message>
+        <source>settled</source>
+        <translation>ruht</translation>
+    </message>
+    <message>
+        <source>new handle</source>
+        <translation>neuer Henkel</translation>
+    </message>
+    <message>
+        <source>colliding</source>
+        <translation>kollidiert</translation>
+    </message>
+    <message>
+        <source>no edge in the image: %1 of the surface</source>
+        <translation>keine Kante im Bild: %1 der Oberfläche</translation>
+    </message>
+    <message>
+        <source>edge in the image</source>
+        <translation>Kante im Bild</translation>
+    </message>
+    <message>
+        <source>no edge: %1</source>
+        <translation>keine Kante: %1</translation>
+    </message>
+    <message>
+        <source>border of the volume</source>
+        <translation>Rand des Bildvolumens</translation>
+    </message>
+    <message>
+        <source>pinned</source>
+        <translation>fixiert</translation>
+    </message>
+    <message>
+        <source>colliding triangles</source>
+        <translation>kollidierende Dreiecke</translation>
+    </message>
+    <message>
+        <source>vertices that are taken out</source>
+        <translation>Ecken, die herausgenommen werden</translation>
+    </message>
+    <message>
+        <source>boundary polygons</source>
+        <translation>Randpolygone</translation>
+    </message>
+    <message>
+        <source>handle</source>
+        <translation>Henkel</translation>
+    </message>
+    <message>
+        <source>closed mesh</source>
+        <translation>geschlossenes Netz</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Radius of the brush</source>
+        <translation>Pinselradius</translation>
+    </message>
+    <message>
+        <source>The brush is a ball, the same for walls and for the surface; Ctrl+wheel changes it while it is on</source>
+        <translation>Der Pinsel ist eine Kugel, dieselbe für Wände und für die Oberfläche; Strg+Mausrad ändert sie, solange er an ist</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Open file…</source>
+        <translation>&amp;Datei öffnen…</translation>
+    </message>
+    <message>
+        <source>Open a volume (NIfTI, NRRD, MetaImage, TIFF, DICOM) or a session</source>
+        <translation>Ein Bildvolumen (NIfTI, NRRD, MetaImage, TIFF, DICOM) oder eine Sitzung öffnen</translation>
+    </message>
+    <message>
+        <source>Open &amp;folder…</source>
+        <translation>&amp;Ordner öffnen…</translation>
+    </message>
+    <message>
+        <source>Open a folder with a DICOM series</source>
+        <translation>Einen Ordner mit einer DICOM-Serie öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save session</source>
+        <translation>&amp;Sitzung speichern</translation>
+    </message>
+    <message>
+        <source>Save volume reference, seeds and parameters, to go on later or to replay</source>
+        <translation>Verweis auf das Bildvolumen, Startpunkte und Parameter speichern, um später weiterzumachen oder zu wiederholen</translation>
+    </message>
+    <message>
+        <source>Save session &amp;as…</source>
+        <translation>Sitzung speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>Save the session under another name</source>
+        <translation>Die Sitzung unter einem anderen Namen speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Export result…</source>
+        <translation>&amp;Ergebnis exportieren…</translation>
+    </message>
+    <message>
+        <source>Write the surface or its label map to a file</source>
+        <translation>Die Oberfläche oder ihre Labelkarte in eine Datei schreiben</translation>
+    </message>
+    <message>
+        <source>Export repor&amp;t…</source>
+        <translation>&amp;Bericht exportieren…</translation>
+    </message>
+    <message>
+        <source>Write parameters, numbers and events as JSON</source>
+        <translation>Parameter, Zahlen und Ereignisse als JSON schreiben</translation>
+    </message>
+    <message>
+        <source>Export &amp;picture…</source>
+        <translation>Bild ex&amp;portieren…</translation>
+    </message>
+    <message>
+        <source>Write what the views show as PNG</source>
+        <translation>Was die Ansichten zeigen, als PNG schreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>Bee&amp;nden</translation>
+    </message>
+    <message>
+        <source>Close the program</source>
+        <translation>Das Programm beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take back the last change</source>
+        <translation>Die letzte Änderung zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Do again what was taken back</source>
+        <translation>Das Zurückgenommene wieder tun</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Layout</source>
+        <translation>&amp;Anordnung</translation>
+    </message>
+    <message>
+        <source>&amp;Step</source>
+        <translation>&amp;Schritt</translation>
+    </message>
+    <message>
+        <source>3D &amp;camera</source>
+        <translation>&amp;3D-Kamera</translation>
+    </message>
+    <message>
+        <source>All &amp;four</source>
+        <translation>&amp;Alle vier</translation>
+    </message>
+    <message>
+        <source>Axial, 3D, coronal and sagittal view together</source>
+        <translation>Axiale, 3D-, koronale und sagittale Ansicht zusammen</translation>
+    </message>
+    <message>
+        <source>&amp;Axial only</source>
+        <translation>&amp;Nur axial</translation>
+    </message>
+    <message>
+        <source>Only the axial slice</source>
+        <translation>Nur die axiale Schicht</translation>
+    </message>
+    <message>
+        <source>&amp;Coronal only</source>
+        <translation>Nur &amp;koronal</translation>
+    </message>
+    <message>
+        <source>Only the coronal slice</source>
+        <translation>Nur die koronale Schicht</translation>
+    </message>
+    <message>
+        <source>&amp;Sagittal only</source>
+        <translation>Nur &amp;sagittal</translation>
+    </message>
+    <message>
+        <source>Only the sagittal slice</source>
+        <translation>Nur die sagittale Schicht</translation>
+    </message>
+    <message>
+        <source>&amp;3D only</source>
+        <translation>Nur &amp;3D</translation>
+    </message>
+    <message>
+        <source>Only the surface in 3D</source>
+        <translation>Nur die Oberfläche in 3D</translation>
+    </message>
+    <message>
+        <source>1 &amp;Open</source>
+        <translation>&amp;1 Öffnen</translation>
+    </message>
+    <message>
+        <source>Choose a volume</source>
+        <translation>Ein Bildvolumen wählen</translation>
+    </message>
+    <message>
+        <source>2 &amp;Seed</source>
+        <translation>2 &amp;Punkte</translation>
+    </message>
+    <message>
+        <source>Place seeds in the object</source>
+        <translation>Startpunkte ins Objekt setzen</translation>
+    </message>
+    <message>
+        <source>3 &amp;Tune</source>
+        <translation>&amp;3 Anpassen</translation>
+    </message>
+    <message>
+        <source>Set range and forces</source>
+        <translation>Bereich und Kräfte einstellen</translation>
+    </message>
+    <message>
+        <source>4 &amp;Grow</source>
+        <translation>&amp;4 Wachsen</translation>
+    </message>
+    <message>
+        <source>Grow the surface and watch it</source>
+        <translation>Die Oberfläche wachsen lassen und zusehen</translation>
+    </message>
+    <message>
+        <source>5 &amp;Correct</source>
+        <translation>&amp;5 Korrektur</translation>
+    </message>
+    <message>
+        <source>Walls, and what is held back: mend what has grown wrong</source>
+        <translation>Wände und was gehalten wird: in Ordnung bringen, was falsch gewachsen ist</translation>
+    </message>
+    <message>
+        <source>6 &amp;Export</source>
+        <translation>6 &amp;Export</translation>
+    </message>
+    <message>
+        <source>Write the results</source>
+        <translation>Die Ergebnisse schreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Reset views</source>
+        <translation>Ansichten &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Whole slices, camera from the front</source>
+        <translation>Ganze Schichten, Kamera von vorn</translation>
+    </message>
+    <message>
+        <source>From &amp;above (superior)</source>
+        <translation>&amp;Von oben (superior)</translation>
+    </message>
+    <message>
+        <source>3D view: look from superior; with the 3D view in focus</source>
+        <translation>3D-Ansicht: von superior; wenn die 3D-Ansicht den Fokus hat</translation>
+    </message>
+    <message>
+        <source>From the &amp;front (anterior)</source>
+        <translation>V&amp;on vorn (anterior)</translation>
+    </message>
+    <message>
+        <source>3D view: look from anterior; with the 3D view in focus</source>
+        <translation>3D-Ansicht: von anterior; wenn die 3D-Ansicht den Fokus hat</translation>
+    </message>
+    <message>
+        <source>From the &amp;left</source>
+        <translation>Von &amp;links</translation>
+    </message>
+    <message>
+        <source>3D view: look from the patient&apos;s left; with the 3D view in focus</source>
+        <translation>3D-Ansicht: von der linken Seite des Patienten; wenn die 3D-Ansicht den Fokus hat</translation>
+    </message>
+    <message>
+        <source>Slices &amp;in 3D</source>
+        <translation>Schichten &amp;in 3D</translation>
+    </message>
+    <message>
+        <source>Show the three slices in the 3D view</source>
+        <translation>Die drei Schichten in der 3D-Ansicht zeigen</translation>
+    </message>
+    <message>
+        <source>Walls a&amp;nd pins</source>
+        <translation>&amp;Wände und Fixierungen</translation>
+    </message>
+    <message>
+        <source>Draw the active object&apos;s walls, and what of its surface is pinned</source>
+        <translation>Die Wände des aktiven Objekts zeichnen und was von seiner Oberfläche fixiert ist</translation>
+    </message>
+    <message>
+        <source>CT pr&amp;esets</source>
+        <translation>&amp;CT-Vorgaben</translation>
+    </message>
+    <message>
+        <source>C&amp;olour map</source>
+        <translation>&amp;Farbtabelle</translation>
+    </message>
+    <message>
+        <source>Sur&amp;face</source>
+        <translation>&amp;Oberfläche</translation>
+    </message>
+    <message>
+        <source>&amp;Appearance</source>
+        <translation>&amp;Erscheinungsbild</translation>
+    </message>
+    <message>
+        <source>Langua&amp;ge</source>
+        <translation>S&amp;prache</translation>
+    </message>
+    <message>
+        <source>Language of the texts and numbers in the window, from the next start on</source>
+        <translation>Sprache der Texte und Zahlen im Fenster, ab dem nächsten Start</translation>
+    </message>
+    <message>
+        <source>&amp;Window and level by dragging</source>
+        <translation>Fensterung &amp;durch Ziehen</translation>
+    </message>
+    <message>
+        <source>Drag in a slice: sideways for the window (contrast), up and down for the level (brightness)</source>
+        <translation>In einer Schicht ziehen: seitwärts für das Fenster (Kontrast), auf und ab für die Lage (Helligkeit)</translation>
+    </message>
+    <message>
+        <source>Au&amp;to window</source>
+        <translation>Au&amp;tomatische Fensterung</translation>
+    </message>
+    <message>
+        <source>Window and level from the intensities of the volume</source>
+        <translation>Fenster und Lage aus den Intensitäten des Bildvolumens</translation>
+    </message>
+    <message>
+        <source>&amp;Soft tissue (400 / 40 HU)</source>
+        <translation>&amp;Weichteile (400 / 40 HU)</translation>
+    </message>
+    <message>
+        <source>Window 400, level 40</source>
+        <translation>Fenster 400, Lage 40</translation>
+    </message>
+    <message>
+        <source>&amp;Lung (1500 / −600 HU)</source>
+        <translation>&amp;Lunge (1500 / −600 HU)</translation>
+    </message>
+    <message>
+        <source>Window 1500, level −600</source>
+        <translation>Fenster 1500, Lage −600</translation>
+    </message>
+    <message>
+        <source>&amp;Bone (1800 / 400 HU)</source>
+        <translation>&amp;Knochen (1800 / 400 HU)</translation>
+    </message>
+    <message>
+        <source>Window 1800, level 400</source>
+        <translation>Fenster 1800, Lage 400</translation>
+    </message>
+    <message>
+        <source>B&amp;rain (80 / 40 HU)</source>
+        <translation>&amp;Gehirn (80 / 40 HU)</translation>
+    </message>
+    <message>
+        <source>Window 80, level 40</source>
+        <translation>Fenster 80, Lage 40</translation>
+    </message>
+    <message>
+        <source>&amp;Vessels (600 / 170 HU)</source>
+        <translation>Gefäße (600 / &amp;170 HU)</translation>
+    </message>
+    <message>
+        <source>Window 600, level 170</source>
+        <translation>Fenster 600, Lage 170</translation>
+    </message>
+    <message>
+        <source>&amp;Grey</source>
+        <translation>&amp;Grau</translation>
+    </message>
+    <message>
+        <source>Black to white</source>
+        <translation>Schwarz bis weiß</translation>
+    </message>
+    <message>
+        <source>&amp;Inverted</source>
+        <translation>&amp;Invertiert</translation>
+    </message>
+    <message>
+        <source>White to black</source>
+        <translation>Weiß bis schwarz</translation>
+    </message>
+    <message>
+        <source>&amp;Hot</source>
+        <translation>G&amp;lut</translation>
+    </message>
+    <message>
+        <source>Black over red and yellow to white</source>
+        <translation>Schwarz über Rot und Gelb bis Weiß</translation>
+    </message>
+    <message>
+        <source>&amp;Contrast-enhancing</source>
+        <translation>&amp;Kontrastverstärkend</translation>
+    </message>
+    <message>
+        <source>Dark intensities spread over many colours, for ultrasound</source>
+        <translation>Dunkle Intensitäten über viele Farben gespreizt, für Ultraschall</translation>
+    </message>
+    <message>
+        <source>&amp;Plain</source>
+        <translation>&amp;Schlicht</translation>
+    </message>
+    <message>
+        <source>One colour, shaded</source>
+        <translation>Eine Farbe, schattiert</translation>
+    </message>
+    <message>
+        <source>With &amp;edges</source>
+        <translation>&amp;Mit Kanten</translation>
+    </message>
+    <message>
+        <source>The triangles&apos; edges are drawn</source>
+        <translation>Die Kanten der Dreiecke werden gezeichnet</translation>
+    </message>
+    <message>
+        <source>By &amp;state</source>
+        <translation>&amp;Nach Zustand</translation>
+    </message>
+    <message>
+        <source>Moving, settled, new handle and colliding faces in their colours</source>
+        <translation>Bewegte, ruhende, neue und kollidierende Flächen in ihren Farben</translation>
+    </message>
+    <message>
+        <source>Support by the &amp;image</source>
+        <translation>Stütze &amp;durch das Bild</translation>
+    </message>
+    <message>
+        <source>Blue where the image shows no edge, in 3D and on the slices</source>
+        <translation>Blau, wo das Bild keine Kante zeigt, in 3D und auf den Schichten</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>Wie das &amp;System</translation>
+    </message>
+    <message>
+        <source>Light or dark as the desktop</source>
+        <translation>Hell oder dunkel wie die Arbeitsumgebung</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>Dark text on light ground</source>
+        <translation>Dunkler Text auf hellem Grund</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>Light text on dark ground</source>
+        <translation>Heller Text auf dunklem Grund</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>&amp;Vollbild</translation>
+    </message>
+    <message>
+        <source>The window fills the screen</source>
+        <translation>Das Fenster füllt den Bildschirm</translation>
+    </message>
+    <message>
+        <source>&amp;Seed</source>
+        <translation>&amp;Startpunkt</translation>
+    </message>
+    <message>
+        <source>&amp;Add at the crosshair</source>
+        <translation>&amp;Am Fadenkreuz setzen</translation>
+    </message>
+    <message>
+        <source>Place a seed where the crosshair is</source>
+        <translation>Einen Startpunkt an das Fadenkreuz setzen</translation>
+    </message>
+    <message>
+        <source>Add &amp;outside of the object</source>
+        <translation>Außerhalb des &amp;Objekts setzen</translation>
+    </message>
+    <message>
+        <source>Place a click outside of the object where the crosshair is</source>
+        <translation>Einen Außenpunkt an das Fadenkreuz setzen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Delete the selected seed or click outside</source>
+        <translation>Den gewählten Start- oder Außenpunkt löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Larger radius</source>
+        <translation>&amp;Größerer Radius</translation>
+    </message>
+    <message>
+        <source>Radius of the selected seed half a voxel larger</source>
+        <translation>Radius des gewählten Startpunkts ein halbes Voxel größer</translation>
+    </message>
+    <message>
+        <source>&amp;Smaller radius</source>
+        <translation>&amp;Kleinerer Radius</translation>
+    </message>
+    <message>
+        <source>Radius of the selected seed half a voxel smaller</source>
+        <translation>Radius des gewählten Startpunkts ein halbes Voxel kleiner</translation>
+    </message>
+    <message>
+        <source>Select the &amp;next</source>
+        <translation>Den &amp;nächsten wählen</translation>
+    </message>
+    <message>
+        <source>Select the next seed and move the crosshair there</source>
+        <translation>Den nächsten Startpunkt wählen und das Fadenkreuz dorthin setzen</translation>
+    </message>
+    <message>
+        <source>S&amp;maller object</source>
+        <translation>Kl&amp;eineres Objekt</translation>
+    </message>
+    <message>
+        <source>Take the next smaller of the objects that the clicks may mean</source>
+        <translation>Das nächstkleinere der Objekte nehmen, die gemeint sein können</translation>
+    </message>
+    <message>
+        <source>La&amp;rger object</source>
+        <translation>G&amp;rößeres Objekt</translation>
+    </message>
+    <message>
+        <source>Take the next larger of the objects that the clicks may mean</source>
+        <translation>Das nächstgrößere der Objekte nehmen, die gemeint sein können</translation>
+    </message>
+    <message>
+        <source>&amp;Grow</source>
+        <translation>&amp;Wachsen</translation>
+    </message>
+    <message>
+        <source>&amp;Start</source>
+        <translation>&amp;Start</translation>
+    </message>
+    <message>
+        <source>Grow the surface, or pause</source>
+        <translation>Die Oberfläche wachsen lassen oder anhalten</translation>
+    </message>
+    <message>
+        <source>One step &amp;forward</source>
+        <translation>&amp;Ein Schritt vor</translation>
+    </message>
+    <message>
+        <source>One iteration forward</source>
+        <translation>Eine Iteration vor</translation>
+    </message>
+    <message>
+        <source>One step &amp;back</source>
+        <translation>Ein Schritt &amp;zurück</translation>
+    </message>
+    <message>
+        <source>One iteration back, exactly</source>
+        <translation>Eine Iteration zurück, genau</translation>
+    </message>
+    <message>
+        <source>&amp;Next event</source>
+        <translation>&amp;Nächstes Ereignis</translation>
+    </message>
+    <message>
+        <source>To the next change of topology; grows until there is one</source>
+        <translation>Zur nächsten Änderung der Topologie; wächst, bis eine kommt</translation>
+    </message>
+    <message>
+        <source>&amp;Previous event</source>
+        <translation>&amp;Voriges Ereignis</translation>
+    </message>
+    <message>
+        <source>To the previous change of topology</source>
+        <translation>Zur vorigen Änderung der Topologie</translation>
+    </message>
+    <message>
+        <source>Back to the s&amp;tart</source>
+        <translation>Zurück zum &amp;Anfang</translation>
+    </message>
+    <message>
+        <source>To the seed spheres</source>
+        <translation>Zu den Startkugeln</translation>
+    </message>
+    <message>
+        <source>To the &amp;last step</source>
+        <translation>Zum &amp;letzten Schritt</translation>
+    </message>
+    <message>
+        <source>To the last iteration that was worked out</source>
+        <translation>Zur letzten berechneten Iteration</translation>
+    </message>
+    <message>
+        <source>&amp;Correct</source>
+        <translation>&amp;Korrigieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paint walls</source>
+        <translation>&amp;Wände malen</translation>
+    </message>
+    <message>
+        <source>Drag in a slice: the surface may not go where it is painted</source>
+        <translation>In einer Schicht ziehen: wo gemalt ist, darf die Oberfläche nicht hin</translation>
+    </message>
+    <message>
+        <source>&amp;Erase walls</source>
+        <translation>Wände &amp;radieren</translation>
+    </message>
+    <message>
+        <source>Drag in a slice: what the eraser touches is no wall any more</source>
+        <translation>In einer Schicht ziehen: was der Radierer berührt, ist keine Wand mehr</translation>
+    </message>
+    <message>
+        <source>&amp;Larger brush</source>
+        <translation>&amp;Größerer Pinsel</translation>
+    </message>
+    <message>
+        <source>Radius of the brush a tenth larger</source>
+        <translation>Pinselradius ein Zehntel größer</translation>
+    </message>
+    <message>
+        <source>S&amp;maller brush</source>
+        <translation>&amp;Kleinerer Pinsel</translation>
+    </message>
+    <message>
+        <source>Radius of the brush a tenth smaller</source>
+        <translation>Pinselradius ein Zehntel kleiner</translation>
+    </message>
+    <message>
+        <source>&amp;Wall at the crosshair</source>
+        <translation>Wand &amp;am Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>A wall as large as the brush where the crosshair is</source>
+        <translation>Eine Wand so groß wie der Pinsel am Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>E&amp;rase at the crosshair</source>
+        <translation>Am &amp;Fadenkreuz radieren</translation>
+    </message>
+    <message>
+        <source>No walls where the eraser would touch them at the crosshair</source>
+        <translation>Keine Wände, wo der Radierer sie am Fadenkreuz berührt</translation>
+    </message>
+    <message>
+        <source>Go &amp;on from before the walls</source>
+        <translation>Weiter &amp;von vor den Wänden</translation>
+    </message>
+    <message>
+        <source>Back to before the surface came to the new walls, and on from there</source>
+        <translation>Zurück, bevor die Oberfläche an die neuen Wände kam, und von dort weiter</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve all walls</source>
+        <translation>Alle Wände &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Nothing that was painted is a wall any more</source>
+        <translation>Nichts Gemaltes ist mehr eine Wand</translation>
+    </message>
+    <message>
+        <source>Pin &amp;by brush</source>
+        <translation>&amp;Mit dem Pinsel fixieren</translation>
+    </message>
+    <message>
+        <source>Drag over the surface, in a slice or in 3D: what the brush covers stays as it is from the shown iteration on</source>
+        <translation>Über die Oberfläche ziehen, in einer Schicht oder in 3D: was der Pinsel bedeckt, bleibt ab der gezeigten Iteration, wie es ist</translation>
+    </message>
+    <message>
+        <source>Unp&amp;in by brush</source>
+        <translation>Mit &amp;dem Pinsel lösen</translation>
+    </message>
+    <message>
+        <source>Drag over the surface, in a slice or in 3D: pins that the brush touches hold no more</source>
+        <translation>Über die Oberfläche ziehen, in einer Schicht oder in 3D: Fixierungen, die der Pinsel berührt, halten nicht mehr</translation>
+    </message>
+    <message>
+        <source>Smoot&amp;h by brush</source>
+        <translation>Mit dem &amp;Pinsel glätten</translation>
+    </message>
+    <message>
+        <source>Click on the surface, in a slice or in 3D: it is smoothed under the brush, as the next step</source>
+        <translation>Auf die Oberfläche klicken, in einer Schicht oder in 3D: sie wird unter dem Pinsel geglättet, als nächster Schritt</translation>
+    </message>
+    <message>
+        <source>Pull by &amp;dragging</source>
+        <translation>Durch &amp;Ziehen verformen</translation>
+    </message>
+    <message>
+        <source>Drag a point of the surface, in a slice or in 3D: it goes there, and what lies within the brush&apos;s radius less and less, as the next step</source>
+        <translation>Einen Punkt der Oberfläche ziehen, in einer Schicht oder in 3D: er geht dorthin, und was im Pinselradius liegt, immer weniger mit, als nächster Schritt</translation>
+    </message>
+    <message>
+        <source>Cut alon&amp;g a line</source>
+        <translation>Entlang einer &amp;Linie schneiden</translation>
+    </message>
+    <message>
+        <source>Draw a line across the surface in a slice: it is cut there at right angles to the slice, and closed on both sides, as the next step</source>
+        <translation>In einer Schicht eine Linie quer über die Oberfläche ziehen: dort wird sie senkrecht zur Schicht geschnitten und auf beiden Seiten geschlossen, als nächster Schritt</translation>
+    </message>
+    <message>
+        <source>Remove &amp;all pins</source>
+        <translation>Alle F&amp;ixierungen entfernen</translation>
+    </message>
+    <message>
+        <source>Nothing of the surface is pinned any more</source>
+        <translation>Nichts von der Oberfläche ist mehr fixiert</translation>
+    </message>
+    <message>
+        <source>Pi&amp;n here</source>
+        <translation>&amp;Hier fixieren</translation>
+    </message>
+    <message>
+        <source>The surface around the crosshair stays as it is from the shown iteration on</source>
+        <translation>Die Oberfläche um das Fadenkreuz bleibt ab der gezeigten Iteration, wie sie ist</translation>
+    </message>
+    <message>
+        <source>&amp;Smooth here</source>
+        <translation>Hier glä&amp;tten</translation>
+    </message>
+    <message>
+        <source>Smooth the surface around its point nearest to the crosshair, as the next step</source>
+        <translation>Die Oberfläche um ihren dem Fadenkreuz nächsten Punkt glätten, als nächster Schritt</translation>
+    </message>
+    <message>
+        <source>P&amp;ull here</source>
+        <translation>Hierher ziehe&amp;n</translation>
+    </message>
+    <message>
+        <source>Pull the point of the surface nearest to the crosshair there, as the next step</source>
+        <translation>Den dem Fadenkreuz nächsten Punkt der Oberfläche dorthin ziehen, als nächster Schritt</translation>
+    </message>
+    <message>
+        <source>&amp;Cut here</source>
+        <translation>Hier &amp;schneiden</translation>
+    </message>
+    <message>
+        <source>Cut along the chosen plane through the crosshair, as the next step</source>
+        <translation>Entlang der gewählten Ebene durch das Fadenkreuz schneiden, als nächster Schritt</translation>
+    </message>
+    <message>
+        <source>&amp;Objects</source>
+        <translation>&amp;Objekte</translation>
+    </message>
+    <message>
+        <source>&amp;Add object</source>
+        <translation>&amp;Objekt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Another object in this volume; the surfaces before it are walls for it</source>
+        <translation>Ein weiteres Objekt in diesem Bildvolumen; die Oberflächen davor sind Wände für es</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation>&amp;Duplizieren</translation>
+    </message>
+    <message>
+        <source>Another object with the same seeds and parameters</source>
+        <translation>Ein weiteres Objekt mit denselben Startpunkten und Parametern</translation>
+    </message>
+    <message>
+        <source>D&amp;elete object</source>
+        <translation>Objekt &amp;löschen</translation>
+    </message>
+    <message>
+        <source>Delete the active object with its seeds and surface</source>
+        <translation>Das aktive Objekt mit seinen Startpunkten und seiner Oberfläche löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Properties…</source>
+        <translation>&amp;Eigenschaften…</translation>
+    </message>
+    <message>
+        <source>Name, colour, label value and term of the active object</source>
+        <translation>Name, Farbe, Labelwert und Begriff des aktiven Objekts</translation>
+    </message>
+    <message>
+        <source>Move &amp;up</source>
+        <translation>&amp;Nach oben</translation>
+    </message>
+    <message>
+        <source>The active object earlier in the list: what two claim belongs to the first</source>
+        <translation>Das aktive Objekt früher in der Liste: was zwei beanspruchen, gehört dem ersten</translation>
+    </message>
+    <message>
+        <source>Move do&amp;wn</source>
+        <translation>Nach &amp;unten</translation>
+    </message>
+    <message>
+        <source>The active object later in the list</source>
+        <translation>Das aktive Objekt später in der Liste: was zwei beanspruchen, gehört dem ersten</translation>
+    </message>
+    <message>
+        <source>&amp;Next object</source>
+        <translation>Nä&amp;chstes Objekt</translation>
+    </message>
+    <message>
+        <source>The next object of the list is active</source>
+        <translation>Das nächste Objekt der Liste wird aktiv</translation>
+    </message>
+    <message>
+        <source>P&amp;revious object</source>
+        <translation>&amp;Voriges Objekt</translation>
+    </message>
+    <message>
+        <source>The object before it in the list is active</source>
+        <translation>Das Objekt davor in der Liste wird aktiv</translation>
+    </message>
+    <message>
+        <source>&amp;Visible</source>
+        <translation>&amp;Sichtbar</translation>
+    </message>
+    <message>
+        <source>Draw the surface of the active object</source>
+        <translation>Die Oberfläche des aktiven Objekts zeichnen</translation>
+    </message>
+    <message>
+        <source>&amp;Locked</source>
+        <translation>&amp;Gesperrt</translation>
+    </message>
+    <message>
+        <source>Change nothing of the active object</source>
+        <translation>Am aktiven Objekt nichts ändern</translation>
+    </message>
+    <message>
+        <source>&amp;Grow all</source>
+        <translation>&amp;Alle wachsen lassen</translation>
+    </message>
+    <message>
+        <source>Grow all objects that are not done, in the order of the list</source>
+        <translation>Alle Objekte wachsen lassen, die nicht fertig sind, in der Reihenfolge der Liste</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>&amp;Measures</source>
+        <translation>&amp;Messwerte</translation>
+    </message>
+    <message>
+        <source>Volume, area, diameters, intensities and distances of the objects, as a table</source>
+        <translation>Volumen, Fläche, Durchmesser, Intensitäten und Abstände der Objekte als Tabelle</translation>
+    </message>
+    <message>
+        <source>&amp;Ruler</source>
+        <translation>&amp;Lineal</translation>
+    </message>
+    <message>
+        <source>Click two points in the slices or on the surface: their distance in mm</source>
+        <translation>Zwei Punkte in den Schichten oder auf der Oberfläche anklicken: ihr Abstand in mm</translation>
+    </message>
+    <message>
+        <source>&amp;Angle</source>
+        <translation>&amp;Winkel</translation>
+    </message>
+    <message>
+        <source>Click three points, the second where the legs meet: the angle in degrees</source>
+        <translation>Drei Punkte anklicken, den zweiten, wo sich die Schenkel treffen: der Winkel in Grad</translation>
+    </message>
+    <message>
+        <source>&amp;Centre line</source>
+        <translation>M&amp;ittellinie</translation>
+    </message>
+    <message>
+        <source>Click two places of an object: the line along its middle and the sections across it</source>
+        <translation>Zwei Stellen eines Objekts anklicken: die Linie durch seine Mitte und die Querschnitte</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Guide</source>
+        <translation>&amp;Anleitung</translation>
+    </message>
+    <message>
+        <source>How to use the program</source>
+        <translation>Wie das Programm benutzt wird</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard and mouse</source>
+        <translation>&amp;Tastatur und Maus</translation>
+    </message>
+    <message>
+        <source>All keys and mouse buttons</source>
+        <translation>Alle Tasten und Maustasten</translation>
+    </message>
+    <message>
+        <source>&amp;About Handlebody</source>
+        <translation>Über &amp;Handlebody</translation>
+    </message>
+    <message>
+        <source>Version, purpose, licences</source>
+        <translation>Version, Zweck, Lizenzen</translation>
+    </message>
+    <message>
+        <source>Dice</source>
+        <translation>Dice</translation>
+    </message>
+    <message>
+        <source>IoU</source>
+        <translation>IoU</translation>
+    </message>
+    <message>
+        <source>Mean distance of the surfaces, ASSD (mm)</source>
+        <translation>Mittlerer Abstand der Oberflächen, ASSD (mm)</translation>
+    </message>
+    <message>
+        <source>95 % Hausdorff distance (mm)</source>
+        <translation>95-%-Hausdorff-Abstand (mm)</translation>
+    </message>
+    <message>
+        <source>Hausdorff distance (mm)</source>
+        <translation>Hausdorff-Abstand (mm)</translation>
+    </message>
+    <message>
+        <source>Volume (ml)</source>
+        <translation>Volumen (ml)</translation>
+    </message>
+    <message>
+        <source>Volume, difference (ml)</source>
+        <translation>Volumen, Differenz (ml)</translation>
+    </message>
+    <message>
+        <source>Area (cm²)</source>
+        <translation>Fläche (cm²)</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>Komponenten</translation>
+    </message>
+    <message>
+        <source>Tunnels</source>
+        <translation>Tunnel</translation>
+    </message>
+    <message>
+        <source>Cavities</source>
+        <translation>Hohlräume</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> oder </translation>
+    </message>
+    <message>
+        <source>Mouse and keys in a slice</source>
+        <translation>Maus und Tasten in einer Schicht</translation>
+    </message>
+    <message>
+        <source>Left click</source>
+        <translation>Linksklick</translation>
+    </message>
+    <message>
+        <source>Crosshair</source>
+        <translation>Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Return; with Shift</source>
+        <translation>Eingabe; mit Umschalt</translation>
+    </message>
+    <message>
+        <source>Seed at the crosshair; click outside of the object</source>
+        <translation>Startpunkt am Fadenkreuz; Außenpunkt</translation>
+    </message>
+    <message>
+        <source>Left drag on a seed, on its rim</source>
+        <translation>Links auf einem Startpunkt, auf seinem Rand ziehen</translation>
+    </message>
+    <message>
+        <source>Move it, change its radius</source>
+        <translation>Verschieben, Radius ändern</translation>
+    </message>
+    <message>
+        <source>Wheel; with Shift</source>
+        <translation>Mausrad; mit Umschalt</translation>
+    </message>
+    <message>
+        <source>Next slice; five slices</source>
+        <translation>Nächste Schicht; fünf Schichten</translation>
+    </message>
+    <message>
+        <source>Right drag, Ctrl+wheel</source>
+        <translation>Rechts ziehen, Strg+Mausrad</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Middle drag, Shift+left drag</source>
+        <translation>Mitte ziehen, Umschalt+links ziehen</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Arrows; with Shift</source>
+        <translation>Pfeile; mit Umschalt</translation>
+    </message>
+    <message>
+        <source>Crosshair by one voxel; by five</source>
+        <translation>Fadenkreuz um ein Voxel; um fünf</translation>
+    </message>
+    <message>
+        <source>Page Up, Page Down</source>
+        <translation>Bild auf, Bild ab</translation>
+    </message>
+    <message>
+        <source>Next, previous slice</source>
+        <translation>Nächste, vorige Schicht</translation>
+    </message>
+    <message>
+        <source>B or E, then left drag; Ctrl+wheel</source>
+        <translation>B oder E, dann links ziehen; Strg+Mausrad</translation>
+    </message>
+    <message>
+        <source>Paint or erase walls; radius of the brush</source>
+        <translation>Wände malen oder radieren; Pinselradius</translation>
+    </message>
+    <message>
+        <source>R, A or C, then clicks</source>
+        <translation>R, A oder C, dann Klicks</translation>
+    </message>
+    <message>
+        <source>Ruler, angle, centre line: place points; Return: at the crosshair</source>
+        <translation>Lineal, Winkel, Mittellinie: Punkte setzen; Eingabe: am Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Left drag on the end of a ruler or an angle</source>
+        <translation>Links am Ende eines Lineals oder Winkels ziehen</translation>
+    </message>
+    <message>
+        <source>Move it</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>L or Shift+L, then left drag</source>
+        <translation>L oder Umschalt+L, dann links ziehen</translation>
+    </message>
+    <message>
+        <source>Pin or unpin the surface under the brush</source>
+        <translation>Die Oberfläche unter dem Pinsel fixieren oder lösen</translation>
+    </message>
+    <message>
+        <source>M, then left click</source>
+        <translation>M, dann Linksklick</translation>
+    </message>
+    <message>
+        <source>Smooth the surface under the brush</source>
+        <translation>Die Oberfläche unter dem Pinsel glätten</translation>
+    </message>
+    <message>
+        <source>U, then left drag from the outline</source>
+        <translation>U, dann links vom Umriss ziehen</translation>
+    </message>
+    <message>
+        <source>Pull the surface by that point</source>
+        <translation>Die Oberfläche an diesem Punkt ziehen</translation>
+    </message>
+    <message>
+        <source>X, then left drag across the outline</source>
+        <translation>X, dann links quer über den Umriss ziehen</translation>
+    </message>
+    <message>
+        <source>Cut the surface along that line</source>
+        <translation>Die Oberfläche entlang dieser Linie schneiden</translation>
+    </message>
+    <message>
+        <source>W, then left drag</source>
+        <translation>W, dann links ziehen</translation>
+    </message>
+    <message>
+        <source>Window (sideways) and level (up and down)</source>
+        <translation>Fenster (seitwärts) und Lage (auf und ab)</translation>
+    </message>
+    <message>
+        <source>Double click</source>
+        <translation>Doppelklick</translation>
+    </message>
+    <message>
+        <source>This view alone, or all four</source>
+        <translation>Diese Ansicht allein oder alle vier</translation>
+    </message>
+    <message>
+        <source>Mouse in the 3D view</source>
+        <translation>Maus in der 3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>Left drag</source>
+        <translation>Links ziehen</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>L, Shift+L, M or U, then left on the surface</source>
+        <translation>L, Umschalt+L, M oder U, dann links auf der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Pin, unpin, smooth, pull; beside it: rotate</source>
+        <translation>Fixieren, lösen, glätten, ziehen; daneben: drehen</translation>
+    </message>
+    <message>
+        <source>R, A or C, then clicks on the surface</source>
+        <translation>R, A oder C, dann Klicks auf die Oberfläche</translation>
+    </message>
+    <message>
+        <source>Ruler, angle, centre line: place points</source>
+        <translation>Lineal, Winkel, Mittellinie: Punkte setzen</translation>
+    </message>
+    <message>
+        <source>Right drag, wheel</source>
+        <translation>Rechts ziehen, Mausrad</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Close the message over the views; else give up a stroke or a point, put brush and ruler away, leave window and level</source>
+        <translation>Die Meldung über den Ansichten schließen; sonst einen Strich oder Punkt aufgeben, Pinsel und Lineal weglegen, die Fensterung verlassen</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>3D view, mesh files, pictures</source>
+        <translation>3D-Ansicht, Netzdateien, Bilder</translation>
+    </message>
+    <message>
+        <source>reading and writing volumes</source>
+        <translation>Bildvolumen lesen und schreiben</translation>
+    </message>
+    <message>
+        <source>linear algebra</source>
+        <translation>lineare Algebra</translation>
+    </message>
+    <message>
+        <source>SHA-256 of volumes</source>
+        <translation>SHA-256 der Bildvolumen</translation>
+    </message>
+    <message>
+        <source>compressed files</source>
+        <translation>komprimierte Dateien</translation>
+    </message>
+    <message>
+        <source>sessions and reports</source>
+        <translation>Sitzungen und Berichte</translation>
+    </message>
+    <message>
+        <source>command line</source>
+        <translation>Befehlszeile</translation>
+    </message>
+    <message>
+        <source>Keyboard and mouse</source>
+        <translation>Tastatur und Maus</translation>
+    </message>
+    <message>
+        <source>Grows a certified surface from a point in a medical volume; the surface may change its topology on the way.</source>
+        <translation>Lässt von einem Punkt in einem medizinischen Bildvolumen aus eine zertifizierte Oberfläche wachsen, deren Topologie sich unterwegs ändern darf.</translation>
+    </message>
+    <message>
+        <source>Apache License 2.0. The method is that of the paper “A Combinatorial Method for Topology Adaptations in 3D Deformable Models”.</source>
+        <translation>Apache-Lizenz 2.0. Das Verfahren ist das des Artikels „A Combinatorial Method for Topology Adaptations in 3D Deformable Models“.</translation>
+    </message>
+    <message>
+        <source>Libraries</source>
+        <translation>Bibliotheken</translation>
+    </message>
+    <message>
+        <source>Qt is linked dynamically and can be replaced by another version of it.</source>
+        <translation>Qt ist dynamisch gebunden und kann durch eine andere Version ersetzt werden.</translation>
+    </message>
+    <message>
+        <source>For research use only. Handlebody is not a medical device; do not use it for diagnosis or treatment.</source>
+        <translation>Nur für Forschungszwecke. Handlebody ist kein Medizinprodukt; verwenden Sie es nicht für Diagnose oder Behandlung.</translation>
+    </message>
+    <message>
+        <source>they meet</source>
+        <translation>sie treffen sich</translation>
+    </message>
+    <message>
+        <source>%1, one within the other</source>
+        <translation>%1, eins im anderen</translation>
+    </message>
+    <message>
+        <source>  from %1: mean %2, least %3, 95 % up to %4, largest %5</source>
+        <translation>  von %1: Mittel %2, kleinster %3, 95 % bis %4, größter %5</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Volume
+(ml)</source>
+        <translation>Volumen
+(ml)</translation>
+    </message>
+    <message>
+        <source>Area
+(cm²)</source>
+        <translation>Fläche
+(cm²)</translation>
+    </message>
+    <message>
+        <source>Largest
+Ø (mm)</source>
+        <translation>Größter
+Ø (mm)</translation>
+    </message>
+    <message>
+        <source>Intensity
+mean ± SD</source>
+        <translation>Intensität
+Mittel ± SA</translation>
+    </message>
+    <message>
+        <source>Nearest object
+(mm)</source>
+        <translation>Nächstes Objekt
+(mm)</translation>
+    </message>
+    <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Along its axes: %1 mm</source>
+        <translation>Entlang seiner Achsen: %1 mm</translation>
+    </message>
+    <message>
+        <source>Along x, y, z: %1 mm</source>
+        <translation>Entlang x, y, z: %1 mm</translation>
+    </message>
+    <message>
+        <source>Largest Ø from %1 to %2</source>
+        <translation>Größter Ø von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Centroid: %1 LPS</source>
+        <translation>Schwerpunkt: %1 LPS</translation>
+    </message>
+    <message>
+        <source>Intensity %1 to %2, %3 voxels</source>
+        <translation>Intensität %1 bis %2, %3 Voxel</translation>
+    </message>
+    <message>
+        <source>Components %1, cavities %2, tunnels %3</source>
+        <translation>Komponenten %1, Hohlräume %2, Tunnel %3</translation>
+    </message>
+    <message>
+        <source>Distance to “%1”: %2</source>
+        <translation>Abstand zu „%1“: %2</translation>
+    </message>
+    <message>
+        <source>Wall thickness</source>
+        <translation>Wanddicke</translation>
+    </message>
+    <message>
+        <source>Length %1, in “%2”</source>
+        <translation>Länge %1, in „%2“</translation>
+    </message>
+    <message>
+        <source>Least section: %1</source>
+        <translation>Kleinster Querschnitt: %1</translation>
+    </message>
+    <message>
+        <source>Largest: %1</source>
+        <translation>Größter: %1</translation>
+    </message>
+    <message>
+        <source>at %1: no section</source>
+        <translation>bei %1: kein Querschnitt</translation>
+    </message>
+    <message>
+        <source>at %1: %2 mm², Ø %3</source>
+        <translation>bei %1: %2 mm², Ø %3</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Bedienfelder</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the Gaussian that smooths the image ahead. More for more speckle; 0 for none.</source>
+        <translation>Standardabweichung der Gauß-Funktion, die das Bild vorab glättet. Mehr bei mehr Speckle; 0 für keine.</translation>
+    </message>
+    <message>
+        <source>Edge length</source>
+        <translation>Kantenlänge</translation>
+    </message>
+    <message>
+        <source>Length that the edges of the mesh are kept near. Shorter shows finer detail and takes longer.</source>
+        <translation>Länge, nahe der die Kanten des Netzes gehalten werden. Kürzere zeigen feinere Einzelheiten und dauern länger.</translation>
+    </message>
+    <message>
+        <source>Balloon</source>
+        <translation>Ballon</translation>
+    </message>
+    <message>
+        <source>Weight of the force that drives the surface outward. Less keeps it from leaking.</source>
+        <translation>Gewicht der Kraft, die die Oberfläche nach außen treibt. Weniger verhindert Auslaufen.</translation>
+    </message>
+    <message>
+        <source>Curvature</source>
+        <translation>Krümmung</translation>
+    </message>
+    <message>
+        <source>Weight of smoothness. More closes narrow leaks and rounds the surface off.</source>
+        <translation>Gewicht der Glattheit. Mehr schließt enge Lecks und rundet die Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Iteration limit</source>
+        <translation>Iterationsgrenze</translation>
+    </message>
+    <message>
+        <source>The growth stops after so many iterations, finished or not.</source>
+        <translation>Das Wachstum endet nach so vielen Iterationen, fertig oder nicht.</translation>
+    </message>
+    <message>
+        <source>The file cannot be read.</source>
+        <translation>Die Datei kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The file cannot be written.</source>
+        <translation>Die Datei kann nicht geschrieben werden.</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::CentreLinePage</name>
+    <message>
+        <source>The centre line</source>
+        <translation>Die Mittellinie</translation>
+    </message>
+    <message>
+        <source>Save as CSV…</source>
+        <translation>Als CSV speichern…</translation>
+    </message>
+    <message>
+        <source>Save as CSV</source>
+        <translation>Als CSV speichern</translation>
+    </message>
+    <message>
+        <source>The same table as “handlebody-cli measure --sections” writes</source>
+        <translation>Dieselbe Tabelle, die „handlebody-cli measure --sections“ schreibt</translation>
+    </message>
+    <message>
+        <source>Save the sections</source>
+        <translation>Die Querschnitte speichern</translation>
+    </message>
+    <message>
+        <source>Between two places in an object, along its middle.</source>
+        <translation>Zwischen zwei Stellen in einem Objekt, entlang seiner Mitte.</translation>
+    </message>
+    <message>
+        <source>Click in the object or on its surface where the line begins, or press Return for the crosshair.</source>
+        <translation>Klicken Sie ins Objekt oder auf seine Oberfläche, wo die Linie beginnt, oder drücken Sie die Eingabetaste für das Fadenkreuz.</translation>
+    </message>
+    <message>
+        <source>Click where it ends. Escape takes the beginning back.</source>
+        <translation>Klicken Sie, wo sie endet. Escape nimmt den Anfang zurück.</translation>
+    </message>
+    <message>
+        <source>Searching for the middle of the object…</source>
+        <translation>Die Mitte des Objekts wird gesucht…</translation>
+    </message>
+    <message>
+        <source>Pointed at: %1</source>
+        <translation>Gezeigt auf: %1</translation>
+    </message>
+    <message>
+        <source>It was made in an earlier surface.</source>
+        <translation>Sie wurde in einer früheren Oberfläche gemacht.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Search no longer</source>
+        <translation>Nicht weiter suchen</translation>
+    </message>
+    <message>
+        <source>Draw the line no more</source>
+        <translation>Die Linie nicht mehr zeichnen</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::ComparePage</name>
+    <message>
+        <source>Figure</source>
+        <translation>Kennzahl</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>The object beside the reference</source>
+        <translation>Das Objekt neben der Referenz</translation>
+    </message>
+    <message>
+        <source>Save the comparison</source>
+        <translation>Den Vergleich speichern</translation>
+    </message>
+    <message>
+        <source>Choose reference…</source>
+        <translation>Referenz wählen…</translation>
+    </message>
+    <message>
+        <source>A mesh or a label map to compare the active object with</source>
+        <translation>Ein Netz oder eine Labelkarte, mit der das aktive Objekt verglichen wird</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Compare the shown surface with the reference</source>
+        <translation>Die gezeigte Oberfläche mit der Referenz vergleichen</translation>
+    </message>
+    <message>
+        <source>Save as CSV…</source>
+        <translation>Als CSV speichern…</translation>
+    </message>
+    <message>
+        <source>The same table as “handlebody-cli compare --csv” writes</source>
+        <translation>Dieselbe Tabelle, die „handlebody-cli compare --csv“ schreibt</translation>
+    </message>
+    <message>
+        <source>Save as JSON…</source>
+        <translation>Als JSON speichern…</translation>
+    </message>
+    <message>
+        <source>The same as “handlebody-cli compare --report” writes</source>
+        <translation>Dasselbe, was „handlebody-cli compare --report“ schreibt</translation>
+    </message>
+    <message>
+        <source>The reference</source>
+        <translation>Die Referenz</translation>
+    </message>
+    <message>
+        <source>State of the comparison</source>
+        <translation>Stand des Vergleichs</translation>
+    </message>
+    <message>
+        <source>all but 0</source>
+        <translation>alle außer 0</translation>
+    </message>
+    <message>
+        <source>Label value of the reference</source>
+        <translation>Labelwert der Referenz</translation>
+    </message>
+    <message>
+        <source>Which voxels of a label map are the reference</source>
+        <translation>Welche Voxel einer Labelkarte die Referenz sind</translation>
+    </message>
+    <message>
+        <source>Distances in colour on the surface</source>
+        <translation>Abstände farbig auf der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Blue inside of the reference, red outside of it</source>
+        <translation>Blau innerhalb der Referenz, rot außerhalb</translation>
+    </message>
+    <message>
+        <source>The objects are compared</source>
+        <translation>Die Objekte werden verglichen</translation>
+    </message>
+    <message>
+        <source>Label value</source>
+        <translation>Labelwert</translation>
+    </message>
+    <message>
+        <source>Choose the reference</source>
+        <translation>Die Referenz wählen</translation>
+    </message>
+    <message>
+        <source>Meshes and label maps (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.mha *.mhd *.dcm);;All files (*)</source>
+        <translation>Netze und Labelkarten (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.mha *.mhd *.dcm);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>No reference is chosen.</source>
+        <translation>Es ist keine Referenz gewählt.</translation>
+    </message>
+    <message>
+        <source>There is no surface to compare yet: grow one first.</source>
+        <translation>Es gibt noch keine Oberfläche zum Vergleichen: lassen Sie zuerst eine wachsen.</translation>
+    </message>
+    <message>
+        <source>Comparing…</source>
+        <translation>Es wird verglichen…</translation>
+    </message>
+    <message>
+        <source>These are figures of an earlier surface, or of another object.</source>
+        <translation>Dies sind Kennzahlen einer früheren Oberfläche oder eines anderen Objekts.</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::Document</name>
+    <message>
+        <source>“%1” is locked: unlock it to change it.</source>
+        <translation>„%1“ ist gesperrt: entsperren Sie es, um es zu ändern.</translation>
+    </message>
+    <message>
+        <source>Add click outside</source>
+        <translation>Außenpunkt setzen</translation>
+    </message>
+    <message>
+        <source>Add seed</source>
+        <translation>Startpunkt setzen</translation>
+    </message>
+    <message>
+        <source>Delete click outside</source>
+        <translation>Außenpunkt löschen</translation>
+    </message>
+    <message>
+        <source>Delete seed</source>
+        <translation>Startpunkt löschen</translation>
+    </message>
+    <message>
+        <source>Move click outside</source>
+        <translation>Außenpunkt verschieben</translation>
+    </message>
+    <message>
+        <source>Move seed</source>
+        <translation>Startpunkt verschieben</translation>
+    </message>
+    <message>
+        <source>Change radius of click outside</source>
+        <translation>Radius des Außenpunkts ändern</translation>
+    </message>
+    <message>
+        <source>Change seed radius</source>
+        <translation>Radius des Startpunkts ändern</translation>
+    </message>
+    <message>
+        <source>Smaller object</source>
+        <translation>Kleineres Objekt</translation>
+    </message>
+    <message>
+        <source>Larger object</source>
+        <translation>Größeres Objekt</translation>
+    </message>
+    <message>
+        <source>The wall would lie outside of the volume: it is not kept.</source>
+        <translation>Die Wand läge außerhalb des Bildvolumens: sie wird nicht behalten.</translation>
+    </message>
+    <message>
+        <source>The wall would lie over the seed at %1 mm: it is not kept.</source>
+        <translation>Die Wand läge über dem Startpunkt bei %1 mm: sie wird nicht behalten.</translation>
+    </message>
+    <message>
+        <source>Paint wall</source>
+        <translation>Wand malen</translation>
+    </message>
+    <message>
+        <source>Erase wall</source>
+        <translation>Wand radieren</translation>
+    </message>
+    <message>
+        <source>The surface has not come to rest yet: nothing is pinned.</source>
+        <translation>Die Oberfläche ist noch nicht zur Ruhe gekommen: nichts wird fixiert.</translation>
+    </message>
+    <message>
+        <source>Pin here</source>
+        <translation>Hier fixieren</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Fixieren</translation>
+    </message>
+    <message>
+        <source>This part of the surface is pinned already.</source>
+        <translation>Dieser Teil der Oberfläche ist schon fixiert.</translation>
+    </message>
+    <message>
+        <source>No vertex of the surface lies within %1 mm of %2 mm: nothing is pinned.</source>
+        <translation>Im Umkreis von %1 mm um %2 mm liegt keine Ecke der Oberfläche: nichts wird fixiert.</translation>
+    </message>
+    <message>
+        <source>Unpin</source>
+        <translation>Lösen</translation>
+    </message>
+    <message>
+        <source>Keep apart</source>
+        <translation>Getrennt halten</translation>
+    </message>
+    <message>
+        <source>Keep as it is</source>
+        <translation>So lassen</translation>
+    </message>
+    <message>
+        <source>Wall here</source>
+        <translation>Wand hier</translation>
+    </message>
+    <message>
+        <source>Let it happen</source>
+        <translation>Zulassen</translation>
+    </message>
+    <message>
+        <source>Remove component</source>
+        <translation>Komponente entfernen</translation>
+    </message>
+    <message>
+        <source>Keep only one component</source>
+        <translation>Nur eine Komponente behalten</translation>
+    </message>
+    <message>
+        <source>Fill cavity</source>
+        <translation>Hohlraum füllen</translation>
+    </message>
+    <message>
+        <source>Smooth here</source>
+        <translation>Hier glätten</translation>
+    </message>
+    <message>
+        <source>Pull here</source>
+        <translation>Hierher ziehen</translation>
+    </message>
+    <message>
+        <source>Cut here</source>
+        <translation>Hier schneiden</translation>
+    </message>
+    <message>
+        <source>Cut handle</source>
+        <translation>Henkel durchschneiden</translation>
+    </message>
+    <message>
+        <source>Fill tunnel</source>
+        <translation>Tunnel füllen</translation>
+    </message>
+    <message>
+        <source>Close tunnel</source>
+        <translation>Tunnel schließen</translation>
+    </message>
+    <message>
+        <source>Leave out an edit</source>
+        <translation>Bearbeitung auslassen</translation>
+    </message>
+    <message>
+        <source>Object %1</source>
+        <translation>Objekt %1</translation>
+    </message>
+    <message>
+        <source>Add object</source>
+        <translation>Objekt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Duplicate object</source>
+        <translation>Objekt duplizieren</translation>
+    </message>
+    <message>
+        <source>“%1” is locked: unlock it first.</source>
+        <translation>„%1“ ist gesperrt: entsperren Sie es zuerst.</translation>
+    </message>
+    <message>
+        <source>Delete object</source>
+        <translation>Objekt löschen</translation>
+    </message>
+    <message>
+        <source>Move object in the list</source>
+        <translation>Objekt in der Liste verschieben</translation>
+    </message>
+    <message>
+        <source>The name “%1” %2.</source>
+        <translation>Der Name „%1“ %2.</translation>
+    </message>
+    <message>
+        <source>Another object is called “%1”.</source>
+        <translation>Ein anderes Objekt heißt „%1“.</translation>
+    </message>
+    <message>
+        <source>“%1” has the label value %2.</source>
+        <translation>„%1“ hat den Labelwert %2.</translation>
+    </message>
+    <message>
+        <source>Show object</source>
+        <translation>Objekt zeigen</translation>
+    </message>
+    <message>
+        <source>Hide object</source>
+        <translation>Objekt ausblenden</translation>
+    </message>
+    <message>
+        <source>Lock object</source>
+        <translation>Objekt sperren</translation>
+    </message>
+    <message>
+        <source>Unlock object</source>
+        <translation>Objekt entsperren</translation>
+    </message>
+    <message>
+        <source>“%1” meets “%2”, and nothing was written: grow it anew, so that it keeps clear.</source>
+        <translation>„%1“ trifft auf „%2“, und nichts wurde geschrieben: lassen Sie es neu wachsen, damit es Abstand hält.</translation>
+    </message>
+    <message>
+        <source>There is no surface to export yet: grow one first.</source>
+        <translation>Es gibt noch keine Oberfläche zum Exportieren: lassen Sie zuerst eine wachsen.</translation>
+    </message>
+    <message>
+        <source>Nothing is left of the surface at this iteration: step back to one that has some.</source>
+        <translation>Bei dieser Iteration ist von der Oberfläche nichts übrig: gehen Sie zu einer zurück, bei der es etwas gibt.</translation>
+    </message>
+    <message>
+        <source>There is no surface to report on yet: grow one first.</source>
+        <translation>Es gibt noch keine Oberfläche, über die zu berichten wäre: lassen Sie zuerst eine wachsen.</translation>
+    </message>
+    <message>
+        <source>There is nothing to save yet: open a volume first.</source>
+        <translation>Es gibt noch nichts zu speichern: öffnen Sie zuerst ein Bildvolumen.</translation>
+    </message>
+    <message>
+        <source>A session needs a seed: place one inside the object first.</source>
+        <translation>Eine Sitzung braucht einen Startpunkt: setzen Sie zuerst einen ins Objekt.</translation>
+    </message>
+    <message>
+        <source>There is no seed yet: place one inside the object first.</source>
+        <translation>Es gibt noch keinen Startpunkt: setzen Sie zuerst einen ins Objekt.</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::EventInspector</name>
+    <message>
+        <source>Stage 1 of 4: the triangles that run into each other.</source>
+        <translation>Stufe 1 von 4: die Dreiecke, die ineinanderlaufen.</translation>
+    </message>
+    <message>
+        <source>Stage 2 of 4: the mesh without them, and the polygons that bound the openings.</source>
+        <translation>Stufe 2 von 4: das Netz ohne sie und die Polygone, die die Öffnungen begrenzen.</translation>
+    </message>
+    <message>
+        <source>Stage 3 of 4: the handle, or the caps, that close the openings.</source>
+        <translation>Stufe 3 von 4: der Henkel oder die Deckel, die die Öffnungen schließen.</translation>
+    </message>
+    <message>
+        <source>Stage 4 of 4: the mesh with the handle in place.</source>
+        <translation>Stufe 4 von 4: das Netz mit dem Henkel darin.</translation>
+    </message>
+    <message>
+        <source>Handle inserted</source>
+        <translation>Henkel eingesetzt</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translation>Teilung</translation>
+    </message>
+    <message>
+        <source>Enclosed part cut off</source>
+        <translation>Umschlossener Teil abgetrennt</translation>
+    </message>
+    <message>
+        <source>Tunnel closed</source>
+        <translation>Tunnel geschlossen</translation>
+    </message>
+    <message>
+        <source>Component deleted</source>
+        <translation>Komponente gelöscht</translation>
+    </message>
+    <message>
+        <source>Handle cut</source>
+        <translation>Henkel durchschnitten</translation>
+    </message>
+    <message>
+        <source>Component removed</source>
+        <translation>Komponente entfernt</translation>
+    </message>
+    <message>
+        <source>Cavity filled</source>
+        <translation>Hohlraum gefüllt</translation>
+    </message>
+    <message>
+        <source>Fold smoothed</source>
+        <translation>Falte geglättet</translation>
+    </message>
+    <message>
+        <source>Cut by a plane</source>
+        <translation>Mit einer Ebene geschnitten</translation>
+    </message>
+    <message>
+        <source>Smoothed by hand</source>
+        <translation>Von Hand geglättet</translation>
+    </message>
+    <message>
+        <source>Pulled</source>
+        <translation>Gezogen</translation>
+    </message>
+    <message>
+        <source>Rolled back</source>
+        <translation>Zurückgenommen</translation>
+    </message>
+    <message>
+        <source>Held: %1</source>
+        <translation>Gehalten: %1</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>Ereignis</translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>Collide</source>
+        <translation>Treffen</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Handle</source>
+        <translation>Henkel</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zu</translation>
+    </message>
+    <message>
+        <source>Show the whole surface</source>
+        <translation>Die ganze Oberfläche zeigen</translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Event: %1</source>
+        <translation>Ereignis: %1</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>bei %1</translation>
+    </message>
+    <message>
+        <source>Genus %1, components %2</source>
+        <translation>Geschlecht %1, Komponenten %2</translation>
+    </message>
+    <message>
+        <source>Edit by hand: %1 → %2</source>
+        <translation>Bearbeitung von Hand: %1 → %2</translation>
+    </message>
+    <message>
+        <source>Loop of %1</source>
+        <translation>Schleife von %1</translation>
+    </message>
+    <message>
+        <source>Fronts joined: %1</source>
+        <translation>Verbundene Fronten: %1</translation>
+    </message>
+    <message>
+        <source>Boundary polygons of %1 vertices</source>
+        <translation>Randpolygone mit %1 Ecken</translation>
+    </message>
+    <message>
+        <source>Let it happen</source>
+        <translation>Zulassen</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Auslassen</translation>
+    </message>
+    <message>
+        <source>Keep apart here</source>
+        <translation>Hier getrennt halten</translation>
+    </message>
+    <message>
+        <source>Goes back to the step before this edit, and on without it</source>
+        <translation>Geht zurück zum Schritt vor dieser Bearbeitung und ohne sie weiter</translation>
+    </message>
+    <message>
+        <source>Goes back to the step before; grown on from there, this does not happen</source>
+        <translation>Geht zurück zum Schritt davor; von dort weitergewachsen, geschieht dies nicht</translation>
+    </message>
+    <message>
+        <source>From the shown step on, what is held here may happen</source>
+        <translation>Ab dem gezeigten Schritt darf geschehen, was hier gehalten wird</translation>
+    </message>
+    <message>
+        <source>The step is worked out again…</source>
+        <translation>Der Schritt wird noch einmal berechnet…</translation>
+    </message>
+    <message>
+        <source>The mesh was not opened here: there are no stages to show.</source>
+        <translation>Das Netz wurde hier nicht geöffnet: es gibt keine Stufen zu zeigen.</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::EventTable</name>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>Ereignis</translation>
+    </message>
+    <message>
+        <source>Place (LPS)</source>
+        <translation>Ort (LPS)</translation>
+    </message>
+    <message>
+        <source>Genus</source>
+        <translation>Geschlecht</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::ExportPanel</name>
+    <message>
+        <source>Surface or label map</source>
+        <translation>Oberfläche oder Labelkarte</translation>
+    </message>
+    <message>
+        <source>Nothing has grown yet. Place a seed and start the growth first.</source>
+        <translation>Noch ist nichts gewachsen. Setzen Sie zuerst einen Startpunkt und starten Sie das Wachstum.</translation>
+    </message>
+    <message>
+        <source>All objects in one file</source>
+        <translation>Alle Objekte in einer Datei</translation>
+    </message>
+    <message>
+        <source>The active object</source>
+        <translation>Das aktive Objekt</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>Objekte</translation>
+    </message>
+    <message>
+        <source>What the file holds: names and colours stay apart where it can</source>
+        <translation>Was die Datei enthält: Namen und Farben bleiben getrennt, wo das geht</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>A surface keeps all detail; a label map has the voxels of the volume</source>
+        <translation>Eine Oberfläche behält alle Einzelheiten; eine Labelkarte hat die Voxel des Bildvolumens</translation>
+    </message>
+    <message>
+        <source>Coordinates</source>
+        <translation>Koordinaten</translation>
+    </message>
+    <message>
+        <source>LPS</source>
+        <translation>LPS</translation>
+    </message>
+    <message>
+        <source>RAS</source>
+        <translation>RAS</translation>
+    </message>
+    <message>
+        <source>x to the patient&apos;s left, y to the back, as in DICOM and ITK</source>
+        <translation>x zur linken Seite des Patienten, y nach hinten, wie in DICOM und ITK</translation>
+    </message>
+    <message>
+        <source>x to the patient&apos;s right, y to the front, as in NIfTI and 3D Slicer</source>
+        <translation>x zur rechten Seite des Patienten, y nach vorn, wie in NIfTI und 3D Slicer</translation>
+    </message>
+    <message>
+        <source>Why nothing is written</source>
+        <translation>Warum nichts geschrieben wird</translation>
+    </message>
+    <message>
+        <source>What is written</source>
+        <translation>Was geschrieben wird</translation>
+    </message>
+    <message>
+        <source>STL surface, binary</source>
+        <translation>STL-Oberfläche, binär</translation>
+    </message>
+    <message>
+        <source>VTP surface (VTK)</source>
+        <translation>VTP-Oberfläche (VTK)</translation>
+    </message>
+    <message>
+        <source>PLY surface, binary</source>
+        <translation>PLY-Oberfläche, binär</translation>
+    </message>
+    <message>
+        <source>OBJ surface</source>
+        <translation>OBJ-Oberfläche</translation>
+    </message>
+    <message>
+        <source>3MF surface, to print</source>
+        <translation>3MF-Oberfläche zum Drucken</translation>
+    </message>
+    <message>
+        <source>NIfTI label map</source>
+        <translation>NIfTI-Labelkarte</translation>
+    </message>
+    <message>
+        <source>NRRD label map</source>
+        <translation>NRRD-Labelkarte</translation>
+    </message>
+    <message>
+        <source>MetaImage label map</source>
+        <translation>MetaImage-Labelkarte</translation>
+    </message>
+    <message>
+        <source>3D Slicer segmentation</source>
+        <translation>3D-Slicer-Segmentierung</translation>
+    </message>
+    <message>
+        <source>DICOM segmentation</source>
+        <translation>DICOM-Segmentierung</translation>
+    </message>
+    <message>
+        <source>DICOM with STL surface</source>
+        <translation>DICOM mit STL-Oberfläche</translation>
+    </message>
+    <message>
+        <source>Gmsh tetrahedra</source>
+        <translation>Gmsh-Tetraeder</translation>
+    </message>
+    <message>
+        <source>VTK tetrahedra</source>
+        <translation>VTK-Tetraeder</translation>
+    </message>
+    <message>
+        <source>Abaqus tetrahedra</source>
+        <translation>Abaqus-Tetraeder</translation>
+    </message>
+    <message>
+        <source>Without what names the patient</source>
+        <translation>Ohne Angaben zum Patienten</translation>
+    </message>
+    <message>
+        <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume&apos;s. A session always says where its volume lies.</source>
+        <translation>DICOM-Dateien, Bericht und Messwerte werden ohne Patient, Untersuchung, Daten und Dateinamen geschrieben, und die vorgeschlagenen Namen verraten den des Bildvolumens nicht. Eine Sitzung nennt immer den Ort ihres Bildvolumens.</translation>
+    </message>
+    <message>
+        <source>What is being written</source>
+        <translation>Was gerade geschrieben wird</translation>
+    </message>
+    <message>
+        <source>A file is being written</source>
+        <translation>Eine Datei wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancel writing</source>
+        <translation>Schreiben abbrechen</translation>
+    </message>
+    <message>
+        <source>Nothing is left of the file</source>
+        <translation>Von der Datei bleibt nichts</translation>
+    </message>
+    <message>
+        <source>Writing %1…</source>
+        <translation>%1 wird geschrieben…</translation>
+    </message>
+    <message>
+        <source>It was cancelled: nothing was written.</source>
+        <translation>Abgebrochen: nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>All four views</source>
+        <translation>Alle vier Ansichten</translation>
+    </message>
+    <message>
+        <source>%1 view</source>
+        <translation>Ansicht %1</translation>
+    </message>
+    <message>
+        <source>Picture of</source>
+        <translation>Bild von</translation>
+    </message>
+    <message>
+        <source>Which view is written as PNG</source>
+        <translation>Welche Ansicht als PNG geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Report and session</source>
+        <translation>Bericht und Sitzung</translation>
+    </message>
+    <message>
+        <source>The report holds every parameter, number and event. A session opens here again, and “handlebody-cli replay” makes the same mesh of it.</source>
+        <translation>Der Bericht enthält alle Parameter, Zahlen und Ereignisse. Eine Sitzung öffnet sich hier wieder, und „handlebody-cli replay“ macht daraus dasselbe Netz.</translation>
+    </message>
+    <message>
+        <source>Objects: %1; %2 together.</source>
+        <translation>Objekte: %1; zusammen %2.</translation>
+    </message>
+    <message>
+        <source>Without a surface: %1.</source>
+        <translation>Ohne Oberfläche: %1.</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Made with earlier surfaces: %1. Nothing is written if any of them meet.</source>
+        <translation>Mit früheren Oberflächen gemacht: %1. Nichts wird geschrieben, wenn sich welche treffen.</translation>
+    </message>
+    <message>
+        <source>Nothing is left of the surface at this iteration.</source>
+        <translation>Bei dieser Iteration ist von der Oberfläche nichts übrig.</translation>
+    </message>
+    <message>
+        <source>Iteration %1: %2, %3</source>
+        <translation>Iteration %1: %2, %3</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::FileWork</name>
+    <message>
+        <source>Volumes and sessions (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.tif *.tiff *.dcm *.json);;All files (*)</source>
+        <translation>Bildvolumen und Sitzungen (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.tif *.tiff *.dcm *.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>%1 is written.</source>
+        <translation>%1 ist geschrieben.</translation>
+    </message>
+    <message>
+        <source>The session is saved as %1.</source>
+        <translation>Die Sitzung ist als %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>A replay grows anew: %1.</source>
+        <translation>Eine Wiederholung lässt neu wachsen: %1.</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Open a volume or a session</source>
+        <translation>Ein Bildvolumen oder eine Sitzung öffnen</translation>
+    </message>
+    <message>
+        <source>Open a folder with a DICOM series</source>
+        <translation>Einen Ordner mit einer DICOM-Serie öffnen</translation>
+    </message>
+    <message>
+        <source>Enter the spacing</source>
+        <translation>Abstand eingeben</translation>
+    </message>
+    <message>
+        <source>The sample is not installed with this program.</source>
+        <translation>Das Beispiel ist mit diesem Programm nicht installiert.</translation>
+    </message>
+    <message>
+        <source>Unsaved work</source>
+        <translation>Ungespeicherte Arbeit</translation>
+    </message>
+    <message>
+        <source>Save the seeds and parameters first?</source>
+        <translation>Zuerst Startpunkte und Parameter speichern?</translation>
+    </message>
+    <message>
+        <source>They are kept in a session, from which the same surface can be grown again.</source>
+        <translation>Sie stehen in einer Sitzung, aus der dieselbe Oberfläche wieder wachsen kann.</translation>
+    </message>
+    <message>
+        <source>Save the session</source>
+        <translation>Die Sitzung speichern</translation>
+    </message>
+    <message>
+        <source>Sessions (*.json)</source>
+        <translation>Sitzungen (*.json)</translation>
+    </message>
+    <message>
+        <source>Export the result</source>
+        <translation>Das Ergebnis exportieren</translation>
+    </message>
+    <message>
+        <source>Export the report</source>
+        <translation>Den Bericht exportieren</translation>
+    </message>
+    <message>
+        <source>Export a picture</source>
+        <translation>Ein Bild exportieren</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2.</source>
+        <translation>%1 kann nicht geschrieben werden: %2.</translation>
+    </message>
+    <message>
+        <source>The program ended unexpectedly last time. Its seeds and parameters were kept.</source>
+        <translation>Das Programm endete beim letzten Mal unerwartet. Seine Startpunkte und Parameter wurden aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::GrowPanel</name>
+    <message>
+        <source>not closed</source>
+        <translation>nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>not manifold</source>
+        <translation>nicht mannigfaltig</translation>
+    </message>
+    <message>
+        <source>not oriented</source>
+        <translation>nicht orientiert</translation>
+    </message>
+    <message>
+        <source>self-intersections: %1</source>
+        <translation>Selbstschnitte: %1</translation>
+    </message>
+    <message>
+        <source>parts that lie wrongly in each other: %1</source>
+        <translation>Teile, die falsch ineinander liegen: %1</translation>
+    </message>
+    <message>
+        <source>self-intersections not checked</source>
+        <translation>Selbstschnitte nicht geprüft</translation>
+    </message>
+    <message>
+        <source>Finished: the surface is at rest</source>
+        <translation>Fertig: die Oberfläche ruht</translation>
+    </message>
+    <message>
+        <source>Stopped at the iteration limit</source>
+        <translation>An der Iterationsgrenze angehalten</translation>
+    </message>
+    <message>
+        <source>Finished: nothing is left of the surface</source>
+        <translation>Fertig: von der Oberfläche ist nichts übrig</translation>
+    </message>
+    <message>
+        <source>At rest, but parts that could not be mended would still move</source>
+        <translation>Ruht, aber Teile, die nicht in Ordnung zu bringen waren, würden sich noch bewegen</translation>
+    </message>
+    <message>
+        <source>Stuck: no part of a step could be kept</source>
+        <translation>Steckt fest: kein Teil eines Schritts konnte beibehalten werden</translation>
+    </message>
+    <message>
+        <source>Finished</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>⚠ Worth a look</source>
+        <translation>⚠ Bitte ansehen</translation>
+    </message>
+    <message>
+        <source>iteration %1 of %2</source>
+        <translation>Iteration %1 von %2</translation>
+    </message>
+    <message>
+        <source>Preparing the image…</source>
+        <translation>Das Bild wird vorbereitet…</translation>
+    </message>
+    <message>
+        <source>Growing</source>
+        <translation>Wächst</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>No seed yet</source>
+        <translation>Noch kein Startpunkt</translation>
+    </message>
+    <message>
+        <source>Ready to grow</source>
+        <translation>Bereit zu wachsen</translation>
+    </message>
+    <message>
+        <source>Nothing grew</source>
+        <translation>Nichts ist gewachsen</translation>
+    </message>
+    <message>
+        <source>These clicks mean another object: begun anew at iteration %1</source>
+        <translation>Diese Punkte meinen ein anderes Objekt: bei Iteration %1 neu begonnen</translation>
+    </message>
+    <message>
+        <source>Clicks changed at iteration %1: gone on from there</source>
+        <translation>Punkte bei Iteration %1 geändert: von dort weiter</translation>
+    </message>
+    <message>
+        <source>Start grows the surface from the seeds. You may pause, go back exactly, change a click or a parameter and go on from there at any time.</source>
+        <translation>Start lässt die Oberfläche von den Startpunkten aus wachsen. Sie können jederzeit anhalten, genau zurückgehen, einen Punkt oder Parameter ändern und von dort weitermachen.</translation>
+    </message>
+    <message>
+        <source>State of the growth</source>
+        <translation>Stand des Wachstums</translation>
+    </message>
+    <message>
+        <source>Why it did not grow</source>
+        <translation>Warum es nicht wuchs</translation>
+    </message>
+    <message>
+        <source>Doubts about the surface</source>
+        <translation>Zweifel an der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Steps per frame</source>
+        <translation>Schritte je Bild</translation>
+    </message>
+    <message>
+        <source>How many iterations the surface goes on between two pictures of it</source>
+        <translation>Wie viele Iterationen die Oberfläche zwischen zwei Bildern weitergeht</translation>
+    </message>
+    <message>
+        <source>Pause at a leak</source>
+        <translation>Bei einem Leck anhalten</translation>
+    </message>
+    <message>
+        <source>The growth pauses where the surface has come through a passage much narrower than what lies on both sides of it</source>
+        <translation>Das Wachstum hält an, wo die Oberfläche durch einen Durchgang kam, der viel enger ist als das, was auf beiden Seiten liegt</translation>
+    </message>
+    <message>
+        <source>Surface now</source>
+        <translation>Oberfläche jetzt</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Zertifikat</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Volume enclosed by the surface</source>
+        <translation>Von der Oberfläche umschlossenes Volumen</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Area of the surface</source>
+        <translation>Flächeninhalt der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>Komponenten</translation>
+    </message>
+    <message>
+        <source>Connected parts of the surface</source>
+        <translation>Zusammenhängende Teile der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Genus</source>
+        <translation>Geschlecht</translation>
+    </message>
+    <message>
+        <source>Holes as in a ring: in all, and of each component</source>
+        <translation>Löcher wie in einem Ring: insgesamt und je Komponente</translation>
+    </message>
+    <message>
+        <source>Euler number</source>
+        <translation>Euler-Zahl</translation>
+    </message>
+    <message>
+        <source>Vertices minus edges plus faces</source>
+        <translation>Ecken minus Kanten plus Flächen</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>Vertices of the mesh</source>
+        <translation>Ecken des Netzes</translation>
+    </message>
+    <message>
+        <source>Nothing is left of the surface</source>
+        <translation>Von der Oberfläche ist nichts übrig</translation>
+    </message>
+    <message>
+        <source>✓ Closed, manifold, free of self-intersections</source>
+        <translation>✓ Geschlossen, mannigfaltig, ohne Selbstschnitte</translation>
+    </message>
+    <message>
+        <source>✗ %1</source>
+        <translation>✗ %1</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::HeldSection</name>
+    <message>
+        <source>What is held back</source>
+        <translation>Was gehalten wird</translation>
+    </message>
+    <message>
+        <source>Nothing is held back.</source>
+        <translation>Nichts wird gehalten.</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Where (mm LPS)</source>
+        <translation>Wo (mm LPS)</translation>
+    </message>
+    <message>
+        <source>What is held back, each with its place</source>
+        <translation>Was gehalten wird, jeweils mit seinem Ort</translation>
+    </message>
+    <message>
+        <source>Lift</source>
+        <translation>Aufheben</translation>
+    </message>
+    <message>
+        <source>At most %1 components</source>
+        <translation>Höchstens %1 Komponenten</translation>
+    </message>
+    <message>
+        <source>Lift the limit</source>
+        <translation>Die Grenze aufheben</translation>
+    </message>
+    <message>
+        <source>Genus at most %1</source>
+        <translation>Geschlecht höchstens %1</translation>
+    </message>
+    <message>
+        <source>May break the limits</source>
+        <translation>Darf die Grenzen überschreiten</translation>
+    </message>
+    <message>
+        <source>Allow no more</source>
+        <translation>Nicht mehr erlauben</translation>
+    </message>
+    <message>
+        <source>Veto at iteration %1</source>
+        <translation>Veto bei Iteration %1</translation>
+    </message>
+    <message>
+        <source>Lift the veto</source>
+        <translation>Das Veto aufheben</translation>
+    </message>
+    <message>
+        <source>Pin at iteration %1</source>
+        <translation>Fixierung bei Iteration %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 balls</source>
+        <translation>%1, %2 Kugeln</translation>
+    </message>
+    <message>
+        <source>Lift the pin</source>
+        <translation>Die Fixierung aufheben</translation>
+    </message>
+    <message>
+        <source>Disc, radius %1</source>
+        <translation>Scheibe, Radius %1</translation>
+    </message>
+    <message>
+        <source>Lift the disc</source>
+        <translation>Die Scheibe aufheben</translation>
+    </message>
+    <message>
+        <source>Walls of %1</source>
+        <translation>Wände aus %1</translation>
+    </message>
+    <message>
+        <source>Lift the map of walls</source>
+        <translation>Die Karte der Wände aufheben</translation>
+    </message>
+    <message>
+        <source>Held: %1</source>
+        <translation>Gehalten: %1</translation>
+    </message>
+    <message>
+        <source>Let it happen</source>
+        <translation>Zulassen</translation>
+    </message>
+    <message>
+        <source>From the shown iteration on the chosen one holds nothing back</source>
+        <translation>Ab der gezeigten Iteration hält das Gewählte nichts mehr</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::HelpWindow</name>
+    <message>
+        <source>Handlebody: help</source>
+        <translation>Handlebody: Hilfe</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Anleitung</translation>
+    </message>
+    <message>
+        <source>Keyboard and mouse</source>
+        <translation>Tastatur und Maus</translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation>Über</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::HistogramView</name>
+    <message>
+        <source>Histogram with the object&apos;s range</source>
+        <translation>Histogramm mit dem Bereich des Objekts</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;How often each intensity occurs (square root). Drag the ends of the object&apos;s range; with the keyboard: Up and Down choose an end, Left and Right move it.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Wie oft jede Intensität vorkommt (Quadratwurzel). Ziehen Sie die Enden des Objektbereichs; mit der Tastatur: Auf und Ab wählen ein Ende, Links und Rechts bewegen es.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>From %1 to %2</source>
+        <translation>Von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>No range yet</source>
+        <translation>Noch kein Bereich</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::LocalSection</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Radius at the crosshair</source>
+        <translation>Radius am Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Of the ball in which the surface is pinned or smoothed, and how far along it a pull reaches</source>
+        <translation>Der Kugel, in der die Oberfläche fixiert oder geglättet wird, und wie weit ein Zug an ihr entlang reicht</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Fixieren</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Pull</source>
+        <translation>Ziehen</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Koronal</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittal</translation>
+    </message>
+    <message>
+        <source>Cut as the axial slices lie</source>
+        <translation>Schneiden, wie die axialen Schichten liegen</translation>
+    </message>
+    <message>
+        <source>Cut as the coronal slices lie</source>
+        <translation>Schneiden, wie die koronalen Schichten liegen</translation>
+    </message>
+    <message>
+        <source>Cut as the sagittal slices lie</source>
+        <translation>Schneiden, wie die sagittalen Schichten liegen</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Beide</translation>
+    </message>
+    <message>
+        <source>Superior</source>
+        <translation>Superior</translation>
+    </message>
+    <message>
+        <source>Inferior</source>
+        <translation>Inferior</translation>
+    </message>
+    <message>
+        <source>Both sides of the cut stay</source>
+        <translation>Beide Seiten des Schnitts bleiben</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Posterior</source>
+        <translation>Posterior</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Anterior</source>
+        <translation>Anterior</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Keep: %1</source>
+        <translation>Behalten: %1</translation>
+    </message>
+    <message>
+        <source>Only what lies on this side of the plane stays</source>
+        <translation>Nur was auf dieser Seite der Ebene liegt, bleibt</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::MainWindow</name>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Walls</source>
+        <translation>Wände</translation>
+    </message>
+    <message>
+        <source>Paint in the slices where the surface may not go, from the shown iteration on. Ctrl+wheel changes the radius.</source>
+        <translation>Malen Sie in den Schichten, wohin die Oberfläche ab der gezeigten Iteration nicht darf. Strg+Mausrad ändert den Radius.</translation>
+    </message>
+    <message>
+        <source>On the surface</source>
+        <translation>Auf der Oberfläche</translation>
+    </message>
+    <message>
+        <source>With the brush, in the slices and in 3D: drag to pin or unpin, click to smooth, drag a point to pull it. The radius is the same. A line drawn across it in a slice cuts it.</source>
+        <translation>Mit dem Pinsel, in den Schichten und in 3D: ziehen zum Fixieren oder Lösen, klicken zum Glätten, einen Punkt ziehen zum Verformen. Der Radius ist derselbe. Eine Linie quer darüber in einer Schicht schneidet sie.</translation>
+    </message>
+    <message>
+        <source>Held back</source>
+        <translation>Gehalten</translation>
+    </message>
+    <message>
+        <source>Limits, vetoes, pins and discs. The crosshair goes to the chosen one; lifted, it holds no more from the shown iteration on.</source>
+        <translation>Grenzen, Vetos, Fixierungen und Scheiben. Das Fadenkreuz geht zum Gewählten; aufgehoben, hält es ab der gezeigten Iteration nicht mehr.</translation>
+    </message>
+    <message>
+        <source>At the crosshair</source>
+        <translation>Am Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>A pin holds the surface in a ball. To smooth, pull and cut is the next step.</source>
+        <translation>Eine Fixierung hält die Oberfläche in einer Kugel. Glätten, Ziehen und Schneiden sind der nächste Schritt.</translation>
+    </message>
+    <message>
+        <source>The surface is pinned here from iteration %1 on.</source>
+        <translation>Die Oberfläche ist hier ab Iteration %1 fixiert.</translation>
+    </message>
+    <message>
+        <source>Tunnels and pieces</source>
+        <translation>Tunnel und Teile</translation>
+    </message>
+    <message>
+        <source>What the shown surface holds, and what can be done to it: each edit is the next step.</source>
+        <translation>Was die gezeigte Oberfläche enthält und was mit ihr getan werden kann: jede Bearbeitung ist der nächste Schritt.</translation>
+    </message>
+    <message>
+        <source>Several files were dropped; the first one is opened. For a DICOM series drop its folder.</source>
+        <translation>Mehrere Dateien wurden abgelegt; die erste wird geöffnet. Für eine DICOM-Serie legen Sie ihren Ordner ab.</translation>
+    </message>
+    <message>
+        <source>The language changes when the program is started again.</source>
+        <translation>Die Sprache wechselt, wenn das Programm neu gestartet wird.</translation>
+    </message>
+    <message>
+        <source>P&amp;ause</source>
+        <translation>An&amp;halten</translation>
+    </message>
+    <message>
+        <source>&amp;Go on</source>
+        <translation>&amp;Weiter</translation>
+    </message>
+    <message>
+        <source>&amp;Start</source>
+        <translation>&amp;Start</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1: %2, was %3.</source>
+        <translation>%1: %2, war %3.</translation>
+    </message>
+    <message>
+        <source>A leak at iteration %1: %2.</source>
+        <translation>Ein Leck bei Iteration %1: %2.</translation>
+    </message>
+    <message>
+        <source>Wall here</source>
+        <translation>Wand hier</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>“%1” came through a narrow passage.</source>
+        <translation>„%1“ kam durch einen engen Durchgang.</translation>
+    </message>
+    <message>
+        <source>Show it</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Measures</source>
+        <translation>Messwerte</translation>
+    </message>
+    <message>
+        <source>Handlebody</source>
+        <translation>Handlebody</translation>
+    </message>
+    <message>
+        <source>%1[*] – Handlebody</source>
+        <translation>%1[*] – Handlebody</translation>
+    </message>
+    <message>
+        <source>Handlebody[*]</source>
+        <translation>Handlebody[*]</translation>
+    </message>
+    <message>
+        <source>Remove all walls</source>
+        <translation>Alle Wände entfernen</translation>
+    </message>
+    <message>
+        <source>Remove all pins</source>
+        <translation>Alle Fixierungen entfernen</translation>
+    </message>
+    <message>
+        <source>The surface is already where the wall is.</source>
+        <translation>Die Oberfläche ist schon dort, wo die Wand ist.</translation>
+    </message>
+    <message>
+        <source>Go back to before it came in here</source>
+        <translation>Zurück, bevor sie dorthin kam</translation>
+    </message>
+    <message>
+        <source>Push it out</source>
+        <translation>Hinausschieben</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::Measurements</name>
+    <message>
+        <source>Ruler %1</source>
+        <translation>Lineal %1</translation>
+    </message>
+    <message>
+        <source>Angle %1</source>
+        <translation>Winkel %1</translation>
+    </message>
+    <message>
+        <source>Add ruler</source>
+        <translation>Lineal hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add angle</source>
+        <translation>Winkel hinzufügen</translation>
+    </message>
+    <message>
+        <source>Move ruler</source>
+        <translation>Lineal verschieben</translation>
+    </message>
+    <message>
+        <source>Move angle</source>
+        <translation>Winkel verschieben</translation>
+    </message>
+    <message>
+        <source>Delete ruler</source>
+        <translation>Lineal löschen</translation>
+    </message>
+    <message>
+        <source>Delete angle</source>
+        <translation>Winkel löschen</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::MeasuresPanel</name>
+    <message>
+        <source>What is measured</source>
+        <translation>Was gemessen wird</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>Objekte</translation>
+    </message>
+    <message>
+        <source>Rulers and angles</source>
+        <translation>Lineale und Winkel</translation>
+    </message>
+    <message>
+        <source>Centre line</source>
+        <translation>Mittellinie</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::MessageBar</name>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Information</source>
+        <translation>Information</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>Close the message</source>
+        <translation>Die Meldung schließen</translation>
+    </message>
+    <message>
+        <source>Close the message (Esc)</source>
+        <translation>Die Meldung schließen (Esc)</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::ObjectChoice</name>
+    <message>
+        <source>The only one: %1</source>
+        <translation>Das einzige: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 by size: %3</source>
+        <translation>%1 von %2 nach Größe: %3</translation>
+    </message>
+    <message>
+        <source>%1 (likeliest)</source>
+        <translation>%1 (am wahrscheinlichsten)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Which object is taken</source>
+        <translation>Welches Objekt genommen wird</translation>
+    </message>
+    <message>
+        <source>Whether the choice is sure</source>
+        <translation>Ob die Wahl sicher ist</translation>
+    </message>
+    <message>
+        <source>A close choice: look at the others, too.</source>
+        <translation>Eine knappe Wahl: sehen Sie sich auch die anderen an.</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>Kleiner</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Größer</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::ObjectDialog</name>
+    <message>
+        <source>Properties of the object</source>
+        <translation>Eigenschaften des Objekts</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>What the object is called in the list and in files that hold names</source>
+        <translation>Wie das Objekt in der Liste heißt und in Dateien, die Namen enthalten</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Of its surface and outlines, and in files that hold colours</source>
+        <translation>Seiner Oberfläche und Umrisse, und in Dateien, die Farben enthalten</translation>
+    </message>
+    <message>
+        <source>&amp;Colour</source>
+        <translation>&amp;Farbe</translation>
+    </message>
+    <message>
+        <source>Term</source>
+        <translation>Begriff</translation>
+    </message>
+    <message>
+        <source>What it is, as a code of SNOMED CT; gives the colour, too</source>
+        <translation>Was es ist, als Code von SNOMED CT; gibt auch die Farbe</translation>
+    </message>
+    <message>
+        <source>&amp;Term</source>
+        <translation>&amp;Begriff</translation>
+    </message>
+    <message>
+        <source>Label value</source>
+        <translation>Labelwert</translation>
+    </message>
+    <message>
+        <source>Of its voxels in a label map</source>
+        <translation>Seiner Voxel in einer Labelkarte</translation>
+    </message>
+    <message>
+        <source>&amp;Label value</source>
+        <translation>&amp;Labelwert</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>Was nicht stimmt</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Colour of the object</source>
+        <translation>Farbe des Objekts</translation>
+    </message>
+    <message>
+        <source>Change object</source>
+        <translation>Objekt ändern</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::ObjectMeasuresPage</name>
+    <message>
+        <source>Measures of the objects</source>
+        <translation>Messwerte der Objekte</translation>
+    </message>
+    <message>
+        <source>More about the chosen object</source>
+        <translation>Mehr über das gewählte Objekt</translation>
+    </message>
+    <message>
+        <source>State of the measures</source>
+        <translation>Stand der Messung</translation>
+    </message>
+    <message>
+        <source>Wall thickness</source>
+        <translation>Wanddicke</translation>
+    </message>
+    <message>
+        <source>The distance of two surfaces over their area: of two objects, or of an object and its own cavities</source>
+        <translation>Der Abstand zweier Oberflächen über ihre Fläche: zweier Objekte oder eines Objekts und seiner Hohlräume</translation>
+    </message>
+    <message>
+        <source>How much is measured</source>
+        <translation>Wie viel gemessen ist</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Measure the surfaces as they are shown</source>
+        <translation>Die Oberflächen messen, wie sie gezeigt sind</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the table, to paste it into a spreadsheet</source>
+        <translation>Die Tabelle kopieren, um sie in eine Tabellenkalkulation einzufügen</translation>
+    </message>
+    <message>
+        <source>Save as CSV…</source>
+        <translation>Als CSV speichern…</translation>
+    </message>
+    <message>
+        <source>The same table as “handlebody-cli measure --csv” writes</source>
+        <translation>Dieselbe Tabelle, die „handlebody-cli measure --csv“ schreibt</translation>
+    </message>
+    <message>
+        <source>Save as JSON…</source>
+        <translation>Als JSON speichern…</translation>
+    </message>
+    <message>
+        <source>The same as “handlebody-cli measure --json” writes</source>
+        <translation>Dasselbe, was „handlebody-cli measure --json“ schreibt</translation>
+    </message>
+    <message>
+        <source>Save the measures</source>
+        <translation>Die Messwerte speichern</translation>
+    </message>
+    <message>
+        <source>No wall thickness</source>
+        <translation>Keine Wanddicke</translation>
+    </message>
+    <message>
+        <source>Wall of “%1” around its cavities</source>
+        <translation>Wand von „%1“ um seine Hohlräume</translation>
+    </message>
+    <message>
+        <source>Wall from “%1” to “%2”</source>
+        <translation>Wand von „%1“ bis „%2“</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>There is no surface to measure yet: grow one first.</source>
+        <translation>Es gibt noch keine Oberfläche zum Messen: lassen Sie zuerst eine wachsen.</translation>
+    </message>
+    <message>
+        <source>Measuring. What is shown is of earlier surfaces.</source>
+        <translation>Es wird gemessen. Gezeigt sind Werte früherer Oberflächen.</translation>
+    </message>
+    <message>
+        <source>Measuring.</source>
+        <translation>Es wird gemessen.</translation>
+    </message>
+    <message>
+        <source>These are measures of earlier surfaces.</source>
+        <translation>Dies sind Messwerte früherer Oberflächen.</translation>
+    </message>
+    <message>
+        <source>Nothing is measured yet.</source>
+        <translation>Noch ist nichts gemessen.</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::ObjectsPanel</name>
+    <message>
+        <source>preparing</source>
+        <translation>wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>not grown</source>
+        <translation>nicht gewachsen</translation>
+    </message>
+    <message>
+        <source>no seed</source>
+        <translation>kein Startpunkt</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>Objekte</translation>
+    </message>
+    <message>
+        <source>What the active object is made with</source>
+        <translation>Woraus das aktive Objekt gemacht ist</translation>
+    </message>
+    <message>
+        <source>%1, label value %2</source>
+        <translation>%1, Labelwert %2</translation>
+    </message>
+    <message>
+        <source>Made with an earlier “%1”</source>
+        <translation>Mit einem früheren „%1“ gemacht</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>%1 ausblenden</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>Its surface is drawn: hide it</source>
+        <translation>Seine Oberfläche wird gezeichnet: ausblenden</translation>
+    </message>
+    <message>
+        <source>Its surface is hidden: show it</source>
+        <translation>Seine Oberfläche ist ausgeblendet: zeigen</translation>
+    </message>
+    <message>
+        <source>Unlock %1</source>
+        <translation>%1 entsperren</translation>
+    </message>
+    <message>
+        <source>Lock %1</source>
+        <translation>%1 sperren</translation>
+    </message>
+    <message>
+        <source>Nothing of it is changed: unlock it</source>
+        <translation>An ihm wird nichts geändert: entsperren</translation>
+    </message>
+    <message>
+        <source>Let nothing of it be changed</source>
+        <translation>Nichts an ihm ändern lassen</translation>
+    </message>
+    <message>
+        <source>Waits for “%1”, which comes before it and grows.</source>
+        <translation>Wartet auf „%1“, das davor kommt und wächst.</translation>
+    </message>
+    <message>
+        <source>Made with an earlier “%1”. Start grows it anew.</source>
+        <translation>Mit einem früheren „%1“ gemacht. Start lässt es neu wachsen.</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::OpenPanel</name>
+    <message>
+        <source>along the patient&apos;s axes</source>
+        <translation>entlang der Achsen des Patienten</translation>
+    </message>
+    <message>
+        <source>oblique: slices follow the volume&apos;s own axes</source>
+        <translation>schräg: die Schichten folgen den Achsen des Bildvolumens</translation>
+    </message>
+    <message>
+        <source>Open a CT, MR or ultrasound volume, a DICOM folder or a saved session; files can also be dropped on the window.</source>
+        <translation>Öffnen Sie ein CT-, MR- oder Ultraschallvolumen, einen DICOM-Ordner oder eine gespeicherte Sitzung; Dateien lassen sich auch auf dem Fenster ablegen.</translation>
+    </message>
+    <message>
+        <source>Series and stacks: choose one</source>
+        <translation>Serien und Stapel: wählen Sie</translation>
+    </message>
+    <message>
+        <source>Open this series</source>
+        <translation>Diese Serie öffnen</translation>
+    </message>
+    <message>
+        <source>Open now</source>
+        <translation>Jetzt offen</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Voxels</source>
+        <translation>Voxel</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Extent</source>
+        <translation>Ausdehnung</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Warnungen</translation>
+    </message>
+    <message>
+        <source>Time point</source>
+        <translation>Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>The volume has several time points; one is shown and segmented</source>
+        <translation>Das Bildvolumen hat mehrere Zeitpunkte; einer wird gezeigt und segmentiert</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Laden</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>  (0 to %1)</source>
+        <translation>  (0 bis %1)</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::RulersPage</name>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Delete the chosen ruler or angle</source>
+        <translation>Das gewählte Lineal oder den gewählten Winkel löschen</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Begins at (LPS)</source>
+        <translation>Beginnt bei (LPS)</translation>
+    </message>
+    <message>
+        <source>Rulers and angles</source>
+        <translation>Lineale und Winkel</translation>
+    </message>
+    <message>
+        <source>Places points in the slices or on the surface in 3D. Their ends can be dragged.</source>
+        <translation>Setzt Punkte in den Schichten oder auf der Oberfläche in 3D. Ihre Enden lassen sich ziehen.</translation>
+    </message>
+    <message>
+        <source>Click where the ruler begins, or press Return for the crosshair.</source>
+        <translation>Klicken Sie, wo das Lineal beginnt, oder drücken Sie die Eingabetaste für das Fadenkreuz.</translation>
+    </message>
+    <message>
+        <source>Click where it ends. Escape takes the beginning back.</source>
+        <translation>Klicken Sie, wo sie endet. Escape nimmt den Anfang zurück.</translation>
+    </message>
+    <message>
+        <source>Click the end of one leg, or press Return for the crosshair.</source>
+        <translation>Klicken Sie auf das Ende eines Schenkels, oder drücken Sie die Eingabetaste für das Fadenkreuz.</translation>
+    </message>
+    <message>
+        <source>Click where the legs meet. Escape takes the last point back.</source>
+        <translation>Klicken Sie, wo sich die Schenkel treffen. Escape nimmt den letzten Punkt zurück.</translation>
+    </message>
+    <message>
+        <source>Click the end of the other leg. Escape takes the last point back.</source>
+        <translation>Klicken Sie auf das Ende des anderen Schenkels. Escape nimmt den letzten Punkt zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::SectionPlot</name>
+    <message>
+        <source>Area and equivalent diameter along the centre line</source>
+        <translation>Fläche und äquivalenter Durchmesser entlang der Mittellinie</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Area (mm²)</source>
+        <translation>Fläche (mm²)</translation>
+    </message>
+    <message>
+        <source>Equivalent diameter (mm)</source>
+        <translation>Äquivalenter Durchmesser (mm)</translation>
+    </message>
+    <message>
+        <source>Area and equivalent diameter are plotted here along the line.</source>
+        <translation>Fläche und äquivalenter Durchmesser entlang der Linie werden hier gezeichnet.</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::SeedPanel</name>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Radius of the selected seed. Automatic: the largest ball that fits into the object; outside of it, as the image allows</source>
+        <translation>Radius des gewählten Startpunkts. Automatisch: die größte Kugel, die ins Objekt passt; außerhalb davon, wie das Bild es erlaubt</translation>
+    </message>
+    <message>
+        <source>%1 (auto)</source>
+        <translation>%1 (auto)</translation>
+    </message>
+    <message>
+        <source>None yet: it takes a seed inside.</source>
+        <translation>Noch keins: ein Startpunkt innerhalb wird gebraucht.</translation>
+    </message>
+    <message>
+        <source>Given by the range in step 3, Tune.</source>
+        <translation>Durch den Bereich in Schritt 3, Anpassen, gegeben.</translation>
+    </message>
+    <message>
+        <source>Looking for it…</source>
+        <translation>Wird gesucht…</translation>
+    </message>
+    <message>
+        <source>Click into the structure in any slice, then press Return: a ball is placed there, from which the surface grows. One seed is often enough. Shift+Return marks a place outside. Drag a seed to move it, its rim to resize it.</source>
+        <translation>Klicken Sie in einer Schicht in die Struktur und drücken Sie die Eingabetaste: dort entsteht eine Kugel, aus der die Oberfläche wächst. Oft genügt ein Startpunkt. Umschalt+Eingabe markiert einen Ort außerhalb. Ziehen Sie einen Startpunkt, um ihn zu verschieben, seinen Rand, um seine Größe zu ändern.</translation>
+    </message>
+    <message>
+        <source>What is wrong with the seeds</source>
+        <translation>Was mit den Startpunkten nicht stimmt</translation>
+    </message>
+    <message>
+        <source>Centre (mm LPS)</source>
+        <translation>Mittelpunkt (mm LPS)</translation>
+    </message>
+    <message>
+        <source>Radius (mm)</source>
+        <translation>Radius (mm)</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Seeds</source>
+        <translation>Startpunkte</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>außen</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>innen</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::SeriesList</name>
+    <message>
+        <source>, stack %1</source>
+        <translation>, Stapel %1</translation>
+    </message>
+    <message>
+        <source>No volume: %1</source>
+        <translation>Kein Bildvolumen: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 mm</source>
+        <translation>%1, %2 mm</translation>
+    </message>
+    <message>
+        <source>Slices: %1</source>
+        <translation>Schichten: %1</translation>
+    </message>
+    <message>
+        <source>Files: %1</source>
+        <translation>Dateien: %1</translation>
+    </message>
+    <message>
+        <source> · time points: %1</source>
+        <translation> · Zeitpunkte: %1</translation>
+    </message>
+    <message>
+        <source>Series in the folder</source>
+        <translation>Serien im Ordner</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::SliceView</name>
+    <message>
+        <source>%1, oblique</source>
+        <translation>%1, schräg</translation>
+    </message>
+    <message>
+        <source>W %1  L %2</source>
+        <translation>F %1  L %2</translation>
+    </message>
+    <message>
+        <source>no edge in the image</source>
+        <translation>keine Kante im Bild</translation>
+    </message>
+    <message>
+        <source>pinned</source>
+        <translation>fixiert</translation>
+    </message>
+    <message>
+        <source>Open a volume: Ctrl+O,
+or drop a file here</source>
+        <translation>Bildvolumen öffnen: Strg+O,
+oder eine Datei hier ablegen</translation>
+    </message>
+    <message>
+        <source>%1 slice</source>
+        <translation>Schicht %1</translation>
+    </message>
+    <message>
+        <source>Arrows and Page Up or Down move the crosshair, Return adds a seed, Shift and Return a click outside of the object, W changes window and level. B and E turn the brush for walls on and off, with Shift they paint and erase at the crosshair; L pins with it, Shift and L unpins, M smooths, U pulls.</source>
+        <translation>Pfeile und Bild auf oder ab bewegen das Fadenkreuz, Eingabe setzt einen Startpunkt, Umschalt und Eingabe einen Außenpunkt, W ändert die Fensterung. B und E schalten den Pinsel für Wände an und aus, mit Umschalt malen und radieren sie am Fadenkreuz; L fixiert damit, Umschalt und L löst, M glättet, U zieht.</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::SpacingEntry</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Distance between the middles of neighbouring voxels</source>
+        <translation>Abstand der Mitten benachbarter Voxel</translation>
+    </message>
+    <message>
+        <source>Size of a voxel</source>
+        <translation>Größe eines Voxels</translation>
+    </message>
+    <message>
+        <source>The file does not give it. Lengths and volumes are right only with the true spacing along columns, rows and slices.</source>
+        <translation>Die Datei gibt sie nicht an. Längen und Volumen stimmen nur mit dem wahren Abstand entlang der Spalten, Zeilen und Schichten.</translation>
+    </message>
+    <message>
+        <source>Spacing of columns</source>
+        <translation>Abstand der Spalten</translation>
+    </message>
+    <message>
+        <source>Spacing of rows</source>
+        <translation>Abstand der Zeilen</translation>
+    </message>
+    <message>
+        <source>Spacing of slices</source>
+        <translation>Abstand der Schichten</translation>
+    </message>
+    <message>
+        <source>Open with this spacing</source>
+        <translation>Mit diesem Abstand öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::StartPage</name>
+    <message>
+        <source>Open a volume to begin</source>
+        <translation>Öffnen Sie ein Bildvolumen</translation>
+    </message>
+    <message>
+        <source>Drop a CT, MR or ultrasound volume here, or choose one.</source>
+        <translation>Legen Sie hier ein CT-, MR- oder Ultraschallvolumen ab, oder wählen Sie eines.</translation>
+    </message>
+    <message>
+        <source>Try the ultrasound sample</source>
+        <translation>Das Ultraschallbeispiel ausprobieren</translation>
+    </message>
+    <message>
+        <source>A simulated cyst with a needle through it, with its seed placed</source>
+        <translation>Eine simulierte Zyste mit einer Nadel hindurch, mit gesetztem Startpunkt</translation>
+    </message>
+    <message>
+        <source>Opened before</source>
+        <translation>Früher geöffnet</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::StatusFields</name>
+    <message>
+        <source>Position of the mouse, mm LPS</source>
+        <translation>Ort der Maus, mm LPS</translation>
+    </message>
+    <message>
+        <source>Voxel under the mouse</source>
+        <translation>Voxel unter der Maus</translation>
+    </message>
+    <message>
+        <source>Voxel %1</source>
+        <translation>Voxel %1</translation>
+    </message>
+    <message>
+        <source>Intensity of the voxel</source>
+        <translation>Intensität des Voxels</translation>
+    </message>
+    <message>
+        <source>Intensity %1</source>
+        <translation>Intensität %1</translation>
+    </message>
+    <message>
+        <source>Uncalibrated</source>
+        <translation>Nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>State of the growth</source>
+        <translation>Stand des Wachstums</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop reading the volume; what is open stays open</source>
+        <translation>Das Lesen des Bildvolumens abbrechen; was offen ist, bleibt offen</translation>
+    </message>
+    <message>
+        <source>The file does not give the size of a voxel: lengths, areas and volumes mean nothing until it is entered in step 1, Open</source>
+        <translation>Die Datei gibt die Größe eines Voxels nicht an: Längen, Flächen und Volumen bedeuten nichts, bis sie in Schritt 1, Öffnen, eingegeben ist</translation>
+    </message>
+    <message>
+        <source>Nothing is open</source>
+        <translation>Nichts ist geöffnet</translation>
+    </message>
+    <message>
+        <source>Reading %1…</source>
+        <translation>%1 wird gelesen…</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::StepsPanel</name>
+    <message>
+        <source>Step %1</source>
+        <translation>Schritt %1</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::SurfaceView</name>
+    <message>
+        <source>This machine offers no OpenGL 3.2: the surface cannot be shown in 3D. Slices, growth and export work all the same.</source>
+        <translation>Dieser Rechner bietet kein OpenGL 3.2: die Oberfläche kann nicht in 3D gezeigt werden. Schichten, Wachstum und Export gehen trotzdem.</translation>
+    </message>
+    <message>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>The surface grows here</source>
+        <translation>Hier wächst die Oberfläche</translation>
+    </message>
+    <message>
+        <source>Nothing is left of the surface</source>
+        <translation>Von der Oberfläche ist nichts übrig</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>Home, End and Page Down look from superior, anterior and left. With the brush on, left pins, unpins, smooths or pulls the surface.</source>
+        <translation>Pos1, Ende und Bild ab blicken von oben, vorn und links. Bei eingeschaltetem Pinsel fixiert, löst, glättet oder zieht die linke Taste die Oberfläche.</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::TimelinePanel</name>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Changes of topology are listed here.</source>
+        <translation>Änderungen der Topologie stehen hier.</translation>
+    </message>
+    <message>
+        <source>Show repairs of the mesh, too</source>
+        <translation>Auch Reparaturen des Netzes zeigen</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Folds that were smoothed away, and parts of the surface whose step would have left an invalid mesh and that returned to where they were. The topology is the same before and after.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Falten, die geglättet wurden, und Teile der Oberfläche, deren Schritt ein ungültiges Netz hinterlassen hätte und die zurückkehrten. Die Topologie ist davor und danach dieselbe.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::TimelinePlot</name>
+    <message>
+        <source>Leak: %1</source>
+        <translation>Leck: %1</translation>
+    </message>
+    <message>
+        <source>Volume and moving share over the iterations</source>
+        <translation>Volumen und bewegter Anteil über die Iterationen</translation>
+    </message>
+    <message>
+        <source>Iteration %1: %2, %3 % of the vertices moving, %4</source>
+        <translation>Iteration %1: %2, %3 % der Ecken in Bewegung, %4</translation>
+    </message>
+    <message>
+        <source>events: %1</source>
+        <translation>Ereignisse: %1</translation>
+    </message>
+    <message>
+        <source>Volume, up to %1</source>
+        <translation>Volumen, bis %1</translation>
+    </message>
+    <message>
+        <source>Moving, 0 to 100 %</source>
+        <translation>Bewegt, 0 bis 100 %</translation>
+    </message>
+    <message>
+        <source>Volume and motion are plotted here while the surface grows.</source>
+        <translation>Volumen und Bewegung werden hier gezeichnet, während die Oberfläche wächst.</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::TimelineSlider</name>
+    <message>
+        <source>Iteration</source>
+        <translation>Iteration</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Iterations; diamonds are changes of topology. Click or drag to go there.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Iterationen; Rauten sind Änderungen der Topologie. Klicken oder ziehen, um dorthin zu gehen.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::TouchSection</name>
+    <message>
+        <source>Pin</source>
+        <translation>Fixieren</translation>
+    </message>
+    <message>
+        <source>Unpin</source>
+        <translation>Lösen</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Pull</source>
+        <translation>Ziehen</translation>
+    </message>
+    <message>
+        <source>Cut line</source>
+        <translation>Linie schneiden</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Number of pins</source>
+        <translation>Anzahl der Fixierungen</translation>
+    </message>
+    <message>
+        <source>Nothing is pinned.</source>
+        <translation>Nichts ist fixiert.</translation>
+    </message>
+    <message>
+        <source>Balls pinned: %1</source>
+        <translation>Fixierte Kugeln: %1</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::TunePanel</name>
+    <message>
+        <source>What is wrong with the parameters</source>
+        <translation>Was mit den Parametern nicht stimmt</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Bright</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Auto</source>
+        <translation>Auto</translation>
+    </message>
+    <message>
+        <source>The object is darker than its surroundings</source>
+        <translation>Das Objekt ist dunkler als seine Umgebung</translation>
+    </message>
+    <message>
+        <source>The object is brighter than its surroundings</source>
+        <translation>Das Objekt ist heller als seine Umgebung</translation>
+    </message>
+    <message>
+        <source>Found out from the image around the seeds</source>
+        <translation>Aus dem Bild um die Startpunkte ermittelt</translation>
+    </message>
+    <message>
+        <source>Change object</source>
+        <translation>Objekt ändern</translation>
+    </message>
+    <message>
+        <source>Intensities from the lower to the upper end belong to the object</source>
+        <translation>Intensitäten vom unteren bis zum oberen Ende gehören zum Objekt</translation>
+    </message>
+    <message>
+        <source>Intensities of the object</source>
+        <translation>Intensitäten des Objekts</translation>
+    </message>
+    <message>
+        <source>Lowest intensity of the object</source>
+        <translation>Kleinste Intensität des Objekts</translation>
+    </message>
+    <message>
+        <source>Highest intensity of the object</source>
+        <translation>Größte Intensität des Objekts</translation>
+    </message>
+    <message>
+        <source>Range: automatic</source>
+        <translation>Bereich: automatisch</translation>
+    </message>
+    <message>
+        <source>Chosen from the image around the seeds</source>
+        <translation>Aus dem Bild um die Startpunkte gewählt</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Tint these voxels in the slices</source>
+        <translation>Diese Voxel in den Schichten tönen</translation>
+    </message>
+    <message>
+        <source>They are tinted for a moment after every change; with this on, all the time</source>
+        <translation>Sie werden nach jeder Änderung kurz getönt; hiermit immer</translation>
+    </message>
+    <message>
+        <source>Change range</source>
+        <translation>Bereich ändern</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Change smoothing</source>
+        <translation>Glättung ändern</translation>
+    </message>
+    <message>
+        <source>Change edge length</source>
+        <translation>Kantenlänge ändern</translation>
+    </message>
+    <message>
+        <source>Change balloon</source>
+        <translation>Ballon ändern</translation>
+    </message>
+    <message>
+        <source>Change curvature</source>
+        <translation>Krümmung ändern</translation>
+    </message>
+    <message>
+        <source>Change iteration limit</source>
+        <translation>Iterationsgrenze ändern</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Outward</source>
+        <translation>Auswärts</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Beide</translation>
+    </message>
+    <message>
+        <source>The surface only grows</source>
+        <translation>Die Oberfläche wächst nur</translation>
+    </message>
+    <message>
+        <source>The surface may also shrink</source>
+        <translation>Die Oberfläche darf auch schrumpfen</translation>
+    </message>
+    <message>
+        <source>Change direction</source>
+        <translation>Richtung ändern</translation>
+    </message>
+    <message>
+        <source>Expert</source>
+        <translation>Experten</translation>
+    </message>
+    <message>
+        <source>Collisions</source>
+        <translation>Kollisionen</translation>
+    </message>
+    <message>
+        <source>Sorted</source>
+        <translation>Sortiert</translation>
+    </message>
+    <message>
+        <source>Hashing</source>
+        <translation>Hash</translation>
+    </message>
+    <message>
+        <source>Near vertices are found in one sorted table. The surface does not depend on it</source>
+        <translation>Nahe Ecken werden in einer sortierten Tabelle gefunden. Die Oberfläche hängt nicht davon ab</translation>
+    </message>
+    <message>
+        <source>Near vertices are found by the paper&apos;s eight hash functions: slower, the same surface</source>
+        <translation>Nahe Ecken werden mit den acht Hashfunktionen des Artikels gefunden: langsamer, dieselbe Oberfläche</translation>
+    </message>
+    <message>
+        <source>Change search for collisions</source>
+        <translation>Suche nach Kollisionen ändern</translation>
+    </message>
+    <message>
+        <source>%1 everything here is then chosen from the image. Change it only if the surface leaks or stops early.</source>
+        <translation>%1 alles hier wird dann aus dem Bild gewählt. Ändern Sie es nur, wenn die Oberfläche ausläuft oder früh anhält.</translation>
+    </message>
+    <message>
+        <source>Place a seed:</source>
+        <translation>Setzen Sie einen Startpunkt:</translation>
+    </message>
+    <message>
+        <source>Open a volume and place a seed:</source>
+        <translation>Öffnen Sie ein Bildvolumen und setzen Sie einen Startpunkt:</translation>
+    </message>
+    <message>
+        <source>Auto (dark)</source>
+        <translation>Auto (dunkel)</translation>
+    </message>
+    <message>
+        <source>Auto (bright)</source>
+        <translation>Auto (hell)</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::TunnelsList</name>
+    <message>
+        <source>Component removed</source>
+        <translation>Komponente entfernt</translation>
+    </message>
+    <message>
+        <source>One component kept</source>
+        <translation>Eine Komponente behalten</translation>
+    </message>
+    <message>
+        <source>Cavity filled</source>
+        <translation>Hohlraum gefüllt</translation>
+    </message>
+    <message>
+        <source>Smoothed</source>
+        <translation>Geglättet</translation>
+    </message>
+    <message>
+        <source>Pulled</source>
+        <translation>Gezogen</translation>
+    </message>
+    <message>
+        <source>Cut by a plane</source>
+        <translation>Mit einer Ebene geschnitten</translation>
+    </message>
+    <message>
+        <source>Handle cut</source>
+        <translation>Henkel durchschnitten</translation>
+    </message>
+    <message>
+        <source>Tunnel filled</source>
+        <translation>Tunnel gefüllt</translation>
+    </message>
+    <message>
+        <source>Tunnel closed</source>
+        <translation>Tunnel geschlossen</translation>
+    </message>
+    <message>
+        <source>What the surface holds</source>
+        <translation>Was die Oberfläche enthält</translation>
+    </message>
+    <message>
+        <source>The chosen row</source>
+        <translation>Die gewählte Zeile</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Tunnels, components and cavities, each with its size</source>
+        <translation>Tunnel, Komponenten und Hohlräume, jeweils mit Größe</translation>
+    </message>
+    <message>
+        <source>Cut handle</source>
+        <translation>Henkel durchschneiden</translation>
+    </message>
+    <message>
+        <source>Cuts along the loop around the handle, which goes; both ends get a cap</source>
+        <translation>Schneidet entlang der Schleife um den Henkel, der verschwindet; beide Enden bekommen einen Deckel</translation>
+    </message>
+    <message>
+        <source>Fill tunnel</source>
+        <translation>Tunnel füllen</translation>
+    </message>
+    <message>
+        <source>Cuts along the loop round the tunnel: a membrane closes it on both sides</source>
+        <translation>Schneidet entlang der Schleife um den Tunnel: eine Membran schließt ihn auf beiden Seiten</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Removes this component with all that lies in it</source>
+        <translation>Entfernt diese Komponente mit allem, was darin liegt</translation>
+    </message>
+    <message>
+        <source>Keep only this</source>
+        <translation>Nur dies behalten</translation>
+    </message>
+    <message>
+        <source>Removes everything but this component and its cavities</source>
+        <translation>Entfernt alles außer dieser Komponente und ihren Hohlräumen</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>Füllen</translation>
+    </message>
+    <message>
+        <source>Fills this cavity, with all that lies in it</source>
+        <translation>Füllt diesen Hohlraum mit allem, was darin liegt</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Auslassen</translation>
+    </message>
+    <message>
+        <source>Goes back to the step before this edit, and on without it</source>
+        <translation>Geht zurück zum Schritt vor dieser Bearbeitung und ohne sie weiter</translation>
+    </message>
+    <message>
+        <source>Tunnel</source>
+        <translation>Tunnel</translation>
+    </message>
+    <message>
+        <source>%1 around its handle, %2 round the tunnel</source>
+        <translation>%1 um den Henkel, %2 um den Tunnel</translation>
+    </message>
+    <message>
+        <source>; knotted</source>
+        <translation>; verknotet</translation>
+    </message>
+    <message>
+        <source>Cavity</source>
+        <translation>Hohlraum</translation>
+    </message>
+    <message>
+        <source>Component</source>
+        <translation>Komponente</translation>
+    </message>
+    <message>
+        <source>%1 mm, genus %2</source>
+        <translation>%1 mm, Geschlecht %2</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>Schritt %1</translation>
+    </message>
+    <message>
+        <source>At %1</source>
+        <translation>Bei %1</translation>
+    </message>
+    <message>
+        <source>Looking…</source>
+        <translation>Wird gesucht…</translation>
+    </message>
+    <message>
+        <source>Tunnels: %1</source>
+        <translation>Tunnel: %1</translation>
+    </message>
+    <message>
+        <source>components: %1</source>
+        <translation>Komponenten: %1</translation>
+    </message>
+    <message>
+        <source>cavities: %1</source>
+        <translation>Hohlräume: %1</translation>
+    </message>
+    <message>
+        <source>tunnels without loops: %1</source>
+        <translation>Tunnel ohne Schleifen: %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Find tunnels and pieces</source>
+        <translation>Tunnel und Teile suchen</translation>
+    </message>
+    <message>
+        <source>Lists the tunnels, components and cavities of the shown surface</source>
+        <translation>Listet Tunnel, Komponenten und Hohlräume der gezeigten Oberfläche</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::ValueField</name>
+    <message>
+        <source>Reset %1</source>
+        <translation>%1 zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Back to the usual value, %1</source>
+        <translation>Zurück zum üblichen Wert, %1</translation>
+    </message>
+    <message>
+        <source>Auto</source>
+        <translation>Auto</translation>
+    </message>
+    <message>
+        <source>%1: automatic</source>
+        <translation>%1: automatisch</translation>
+    </message>
+    <message>
+        <source>The value is chosen from the image around the seeds</source>
+        <translation>Der Wert wird aus dem Bild um die Startpunkte gewählt</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::ViewFrame</name>
+    <message>
+        <source>Show all four views (double click)</source>
+        <translation>Alle vier Ansichten zeigen (Doppelklick)</translation>
+    </message>
+    <message>
+        <source>Let this view fill the window (double click)</source>
+        <translation>Diese Ansicht füllt das Fenster (Doppelklick)</translation>
+    </message>
+    <message>
+        <source>Show all four views</source>
+        <translation>Alle vier Ansichten zeigen</translation>
+    </message>
+    <message>
+        <source>Maximise the %1 view</source>
+        <translation>Ansicht %1 maximieren</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::ViewGrid</name>
+    <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Koronal</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittal</translation>
+    </message>
+    <message>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>%1 view</source>
+        <translation>Ansicht %1</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::WallSection</name>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Number of walls</source>
+        <translation>Anzahl der Wände</translation>
+    </message>
+    <message>
+        <source>Nothing is painted.</source>
+        <translation>Nichts ist gemalt.</translation>
+    </message>
+    <message>
+        <source>Balls painted: %1</source>
+        <translation>Gemalte Kugeln: %1</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,4745 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN" sourcelanguage="en">
+<context>
+    <name>Findings</name>
+    <message>
+        <source>the surface is held at a neck of radius {radius_mm:3g} mm: behind it the same intensities go on for at least {behind_ml:3g} ml, in front of it they fill {in_front_ml:3g} ml; where that belongs to the object, put a seed there too, or set the range in step 3, Tune, which holds nothing back</source>
+        <translation>表面被挡在半径 {radius_mm:3g} mm 的狭窄处：其后相同强度至少延续 {behind_ml:3g} ml，其前填充 {in_front_ml:3g} ml；如果那里属于目标，请在那里也放一个种子点，或在第 3 步“调整”中设置范围（不会阻挡任何部分）</translation>
+    </message>
+    <message>
+        <source>the surface is held at a hole of radius {radius_mm:3g} mm in a thin wall: behind it the same intensities go on for at least {behind_ml:3g} ml, in front of it they fill {in_front_ml:3g} ml; where that belongs to the object, put a seed there too, or set the range in step 3, Tune, which holds nothing back</source>
+        <translation>表面被挡在薄壁上半径 {radius_mm:3g} mm 的孔处：其后相同强度至少延续 {behind_ml:3g} ml，其前填充 {in_front_ml:3g} ml；如果那里属于目标，请在那里也放一个种子点，或在第 3 步“调整”中设置范围（不会阻挡任何部分）</translation>
+    </message>
+    <message>
+        <source>the surface is held where its structure grows wider than a radius of {radius_mm:3g} mm: behind it the same intensities go on for at least {behind_ml:3g} ml, in front of it they fill {in_front_ml:3g} ml; where that belongs to the object, put a seed there too, or set the range in step 3, Tune, which holds nothing back</source>
+        <translation>表面被挡在结构半径超过 {radius_mm:3g} mm 的变宽处：其后相同强度至少延续 {behind_ml:3g} ml，其前填充 {in_front_ml:3g} ml；如果那里属于目标，请在那里也放一个种子点，或在第 3 步“调整”中设置范围（不会阻挡任何部分）</translation>
+    </message>
+    <message>
+        <source>the surface got stuck: no part of a step could be kept, again and again; another edge length may help</source>
+        <translation>表面已卡住：多次无法保留一步中的任何部分；更换边长可能有帮助</translation>
+    </message>
+    <message>
+        <source>the surface rests at places that would still move, because changes there failed or repeated again and again; another edge length or smoothing may help</source>
+        <translation>表面停在仍会移动的位置，因为那里的变化反复失败或重复；更换边长或平滑可能有帮助</translation>
+    </message>
+    <message>
+        <source>the surface hardly grew beyond its seed: look at the kind of object and the range in step 3, Tune</source>
+        <translation>表面几乎没有超出种子点：请检查第 3 步“调整”中的目标类型和范围</translation>
+    </message>
+    <message>
+        <source>the surface hardly grew beyond its seed: the curvature weight holds every front of a radius below {radius_mm:3g} mm, and the seed is smaller; give it a larger radius, or lower the weight</source>
+        <translation>表面几乎没有超出种子点：曲率权重阻止半径小于 {radius_mm:3g} mm 的前沿，而种子点更小；请加大其半径或降低权重</translation>
+    </message>
+    <message>
+        <source>the choice among {objects} objects is close (expected overlap with the one that is meant: Dice {dice:2g}): the next candidate holds {next_ml:3m} ml where this one holds {this_ml:3m} ml; another one can be chosen in step 2, Seed</source>
+        <translation>{objects} 个目标之间难以取舍（与所指目标的预期重叠：Dice {dice:2g}）：下一个候选为 {next_ml:3m} ml，当前为 {this_ml:3m} ml；可在第 2 步“种子点”中另选</translation>
+    </message>
+    <message>
+        <source>the surface leaked at iteration {iteration}: {cause}</source>
+        <translation>表面在第 {iteration} 次迭代时泄漏：{cause}</translation>
+    </message>
+    <message>
+        <source>the surface leaked at iteration {iteration}: {cause}; a wall was put there</source>
+        <translation>表面在第 {iteration} 次迭代时泄漏：{cause}；已在那里设置屏障</translation>
+    </message>
+    <message>
+        <source>the surface leaked at iteration {iteration}: {cause}; the mesh is that of iteration {mesh_iteration}, before it came there</source>
+        <translation>表面在第 {iteration} 次迭代时泄漏：{cause}；网格取自到达那里之前的第 {mesh_iteration} 次迭代</translation>
+    </message>
+    <message>
+        <source>The seed is not in an object with a boundary of its own: what grows from it fills the field of view, up to the padding around the image. Where that is meant, say whether it is dark or bright, or set the range in step 3, Tune.</source>
+        <translation>种子点不在有自身边界的目标内：由它生长的部分会填满视野直至图像周围的填充区。如果确实如此，请指定暗或亮，或在第 3 步“调整”中设置范围。</translation>
+    </message>
+    <message>
+        <source>The seed at {place:1f} mm lies outside the volume.</source>
+        <translation>位于 {place:1f} mm 的种子点在体数据之外。</translation>
+    </message>
+    <message>
+        <source>The click outside of the object at {place:1f} mm lies outside the volume.</source>
+        <translation>位于 {place:1f} mm 的外部点在体数据之外。</translation>
+    </message>
+    <message>
+        <source>The seed at {place:1f} mm is not in the object: the smoothed intensity there is {intensity:4g}, the object&apos;s range is {low:4g} to {high:4g}.</source>
+        <translation>位于 {place:1f} mm 的种子点不在目标内：该处平滑后的强度为 {intensity:4g}，目标范围为 {low:4g} 至 {high:4g}。</translation>
+    </message>
+    <message>
+        <source>The range {low:4g} to {high:4g} holds no voxel of the volume, whose values run from {least:4g} to {most:4g}.</source>
+        <translation>范围 {low:4g} 至 {high:4g} 内没有体素，体数据的取值为 {least:4g} 至 {most:4g}。</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1。</translation>
+    </message>
+    <message>
+        <source>{percent:0f} % of the surface lies where the image shows no edge: the object may go on there, or the surface leaked</source>
+        <translation>{percent:0f} % 的表面位于图像没有边缘的地方：目标可能在那里延续，或表面已泄漏</translation>
+    </message>
+    <message>
+        <source>{percent:0f} % of the surface lies on the border of the volume: the object is cut off there, or the surface leaked</source>
+        <translation>{percent:0f} % 的表面位于体数据边界：目标在那里被截断，或表面已泄漏</translation>
+    </message>
+    <message>
+        <source>{percent:0f} % of the surface lies on the border of the field of view: the object is cut off there, or the surface leaked</source>
+        <translation>{percent:0f} % 的表面位于视野边界：目标在那里被截断，或表面已泄漏</translation>
+    </message>
+    <message>
+        <source>the surface still lies in a wall that was put over it</source>
+        <translation>表面仍位于盖在其上的屏障内</translation>
+    </message>
+    <message>
+        <source>at the allowed place {place} nothing came that a limit of the topology would have held</source>
+        <translation>在允许的位置 {place} 没有出现会被拓扑限制阻挡的变化</translation>
+    </message>
+    <message>
+        <source>the surface is held at passages narrower than a radius of {radius_mm:3g} mm; where what lies behind them belongs to the object, put a seed there too, or take a larger candidate</source>
+        <translation>表面被挡在半径小于 {radius_mm:3g} mm 的通道处；如果其后部分属于目标，请在那里也放一个种子点或选取更大的候选</translation>
+    </message>
+    <message>
+        <source>it came through a passage {width_mm:1f} mm wide at {place:1f} from a space {before_mm:0f} mm wide into one {behind_mm:0f} mm wide</source>
+        <translation>它在 {place:1f} 处穿过宽 {width_mm:1f} mm 的通道，从宽 {before_mm:0f} mm 的空间进入宽 {behind_mm:0f} mm 的空间</translation>
+    </message>
+    <message>
+        <source>it came through a passage too narrow for the voxels to show at {place:1f} from a space {before_mm:0f} mm wide into one {behind_mm:0f} mm wide</source>
+        <translation>它在 {place:1f} 处穿过体素无法显示的狭窄通道，从宽 {before_mm:0f} mm 的空间进入宽 {behind_mm:0f} mm 的空间</translation>
+    </message>
+    <message>
+        <source>the pin {pin} holds nothing: the mesh is that of iteration {mesh_iteration}, and its iteration never came</source>
+        <translation>固定 {pin} 未起作用：网格取自第 {mesh_iteration} 次迭代，从未到达其迭代</translation>
+    </message>
+    <message>
+        <source>With clicks, smoothing and noise a little different, {runs} of {of} runs leave no surface</source>
+        <translation>略微改变点击位置、平滑和噪声后，{of} 次运行中有 {runs} 次没有留下表面</translation>
+    </message>
+    <message>
+        <source>With clicks, smoothing and noise a little different, {runs} of {of} runs have another topology</source>
+        <translation>略微改变点击位置、平滑和噪声后，{of} 次运行中有 {runs} 次拓扑不同</translation>
+    </message>
+    <message>
+        <source>The volume depends on where exactly is clicked, on smoothing or noise: it changes by {percent:0f} %</source>
+        <translation>体积取决于确切的点击位置、平滑或噪声：变化 {percent:0f} %</translation>
+    </message>
+    <message>
+        <source>The surface was made with an earlier one of the object &apos;{object}&apos;, and a replay may make another</source>
+        <translation>该表面是用目标“{object}”的较早表面生成的，重放可能得到不同结果</translation>
+    </message>
+    <message>
+        <source>kept apart here, as asked</source>
+        <translation>按要求在此保持分离</translation>
+    </message>
+    <message>
+        <source>held: it would break the limit of the topology</source>
+        <translation>已阻止：会超出拓扑限制</translation>
+    </message>
+    <message>
+        <source>the same place changed again and again, and rests from now on</source>
+        <translation>同一位置反复变化，从现在起静止</translation>
+    </message>
+    <message>
+        <source>no part of the step could be kept</source>
+        <translation>这一步的任何部分都无法保留</translation>
+    </message>
+    <message>
+        <source>{fronts} fronts could not be joined at once: {cause}</source>
+        <translation>{fronts} 个前沿无法同时连接：{cause}</translation>
+    </message>
+    <message>
+        <source>of {fronts} fronts {left} left for the next round</source>
+        <translation>{fronts} 个前沿中有 {left} 个留待下一轮</translation>
+    </message>
+    <message>
+        <source>1 ring added: {cause}</source>
+        <translation>增加 1 环：{cause}</translation>
+    </message>
+    <message>
+        <source>{rings} rings added: {cause}</source>
+        <translation>增加 {rings} 环：{cause}</translation>
+    </message>
+    <message>
+        <source>there may be a shorter handle</source>
+        <translation>可能存在更短的环柄</translation>
+    </message>
+    <message>
+        <source>the surface came to a pinned part, and stops before it</source>
+        <translation>表面到达固定部分并停在其前</translation>
+    </message>
+    <message>
+        <source>to close the place would take too much work</source>
+        <translation>闭合该处的计算量过大</translation>
+    </message>
+    <message>
+        <source>the work that a step may take is done: the place waits</source>
+        <translation>一步允许的工作量已用完：该处等待</translation>
+    </message>
+    <message>
+        <source>the fronts meet through the inside of the object</source>
+        <translation>前沿穿过目标内部相遇</translation>
+    </message>
+    <message>
+        <source>no handle fits</source>
+        <translation>没有合适的环柄</translation>
+    </message>
+    <message>
+        <source>no patch fits</source>
+        <translation>没有合适的补片</translation>
+    </message>
+    <message>
+        <source>the component encloses a place where no surface may go</source>
+        <translation>该连通分量包围了表面不得进入的位置</translation>
+    </message>
+    <message>
+        <source>the opening is too large</source>
+        <translation>开口过大</translation>
+    </message>
+    <message>
+        <source>a pinned part lies there</source>
+        <translation>那里有固定部分</translation>
+    </message>
+    <message>
+        <source>nothing of the component would be left</source>
+        <translation>该连通分量将不复存在</translation>
+    </message>
+    <message>
+        <source>the surface would have entered a wall</source>
+        <translation>表面会进入屏障</translation>
+    </message>
+    <message>
+        <source>a part of the surface has changed that detection had not looked at</source>
+        <translation>表面有一部分发生变化而未经检测</translation>
+    </message>
+    <message>
+        <source>the events of the step do not follow from each other</source>
+        <translation>这一步的事件前后不一致</translation>
+    </message>
+    <message>
+        <source>the Euler number is not the one that the events predict</source>
+        <translation>欧拉数与事件预测不符</translation>
+    </message>
+    <message>
+        <source>the components are not those that the events predict</source>
+        <translation>连通分量与事件预测不符</translation>
+    </message>
+    <message>
+        <source>a cavity lies outside of any body</source>
+        <translation>有空腔位于所有实体之外</translation>
+    </message>
+    <message>
+        <source>a body lies directly in another</source>
+        <translation>一个实体直接位于另一个之内</translation>
+    </message>
+    <message>
+        <source>the surface still intersected itself after several changes</source>
+        <translation>多次更改后表面仍自相交</translation>
+    </message>
+    <message>
+        <source>the surface does not enclose a volume</source>
+        <translation>表面未围成体积</translation>
+    </message>
+    <message>
+        <source>the surface would close over a pinned part, and stops before it</source>
+        <translation>表面会在固定部分上闭合，已停在其前</translation>
+    </message>
+    <message>
+        <source>a pinned part would have changed</source>
+        <translation>固定部分本会改变</translation>
+    </message>
+    <message>
+        <source>the surface would come into a wall or around it</source>
+        <translation>表面会进入或包围屏障</translation>
+    </message>
+    <message>
+        <source>a pinned part would change</source>
+        <translation>固定部分会改变</translation>
+    </message>
+    <message>
+        <source>there would be more components than may be</source>
+        <translation>连通分量数会超过允许值</translation>
+    </message>
+    <message>
+        <source>there would be more tunnels than may be</source>
+        <translation>隧道数会超过允许值</translation>
+    </message>
+    <message>
+        <source>an edge has only one face</source>
+        <translation>有一条边只属于一个面</translation>
+    </message>
+    <message>
+        <source>two faces disagree about their common edge</source>
+        <translation>两个面的公共边不一致</translation>
+    </message>
+    <message>
+        <source>the two faces of an edge run in the same direction or have other ends</source>
+        <translation>一条边的两个面方向相同或端点不同</translation>
+    </message>
+    <message>
+        <source>two faces have the same three vertices</source>
+        <translation>两个面的三个顶点相同</translation>
+    </message>
+    <message>
+        <source>a face has a vertex that was removed</source>
+        <translation>有面使用了已删除的顶点</translation>
+    </message>
+    <message>
+        <source>a face has a vertex twice</source>
+        <translation>有面重复使用同一顶点</translation>
+    </message>
+    <message>
+        <source>a vertex has no face</source>
+        <translation>有顶点不属于任何面</translation>
+    </message>
+    <message>
+        <source>a vertex names a half-edge that does not leave it</source>
+        <translation>有顶点指向并非从它出发的半边</translation>
+    </message>
+    <message>
+        <source>two edges join the same two vertices</source>
+        <translation>两条边连接相同的两个顶点</translation>
+    </message>
+    <message>
+        <source>the faces around a vertex form more than one fan</source>
+        <translation>一个顶点周围的面构成多个扇形</translation>
+    </message>
+    <message>
+        <source>the counts of the mesh are not those of its elements</source>
+        <translation>网格计数与其元素不符</translation>
+    </message>
+    <message>
+        <source>no vertex of the surface lies in the ball</source>
+        <translation>球内没有表面顶点</translation>
+    </message>
+    <message>
+        <source>the plane does not meet the surface</source>
+        <translation>平面不与表面相交</translation>
+    </message>
+    <message>
+        <source>the plane does not meet the surface near that place</source>
+        <translation>平面在该处附近不与表面相交</translation>
+    </message>
+    <message>
+        <source>no flat cap fits the cut</source>
+        <translation>没有适合切口的平盖</translation>
+    </message>
+    <message>
+        <source>the cut does not part the body there: both of its sides hang together</source>
+        <translation>切割未分开该处实体：两侧仍相连</translation>
+    </message>
+    <message>
+        <source>the pull goes too far for its radius</source>
+        <translation>拉动距离相对其半径过大</translation>
+    </message>
+    <message>
+        <source>nothing of the surface would be left</source>
+        <translation>表面将不复存在</translation>
+    </message>
+    <message>
+        <source>the surface would meet itself there</source>
+        <translation>表面会在那里与自身相遇</translation>
+    </message>
+    <message>
+        <source>No seed was given: at least one is needed.</source>
+        <translation>没有种子点：至少需要一个。</translation>
+    </message>
+    <message>
+        <source>The radius of a seed must be a number of mm above 0.</source>
+        <translation>种子点半径必须大于 0 mm。</translation>
+    </message>
+    <message>
+        <source>The seed is not in a dark object: the image has no clear boundary of that kind around it.</source>
+        <translation>种子点不在暗目标内：图像在其周围没有此类清晰边界。</translation>
+    </message>
+    <message>
+        <source>The seed is not in a bright object: the image has no clear boundary of that kind around it.</source>
+        <translation>种子点不在亮目标内：图像在其周围没有此类清晰边界。</translation>
+    </message>
+    <message>
+        <source>The seed is not in a dark or bright object: the image has no clear boundary of that kind around it.</source>
+        <translation>种子点不在暗或亮目标内：图像在其周围没有此类清晰边界。</translation>
+    </message>
+    <message>
+        <source>The range is empty: its lower end is above its upper end.</source>
+        <translation>范围为空：下限高于上限。</translation>
+    </message>
+    <message>
+        <source>Clicks outside of the object and a given range do not go together: the range alone says where the object ends.</source>
+        <translation>外部点与给定范围不能并用：目标边界仅由范围决定。</translation>
+    </message>
+    <message>
+        <source>The edge length of {edge_mm} mm is too short for the seeds: their surface alone would have over two million triangles.</source>
+        <translation>边长 {edge_mm} mm 对种子点过短：仅其表面就会有超过两百万个三角形。</translation>
+    </message>
+    <message>
+        <source>The seed at {place} mm lies in the object &apos;{object}&apos;, which is done already.</source>
+        <translation>位于 {place} mm 的种子点在已完成的目标“{object}”内。</translation>
+    </message>
+    <message>
+        <source>A wall lies over the seed at {place} mm.</source>
+        <translation>位于 {place} mm 的种子点被屏障覆盖。</translation>
+    </message>
+    <message>
+        <source>A wall leaves the seed at {place} mm no room.</source>
+        <translation>屏障使位于 {place} mm 的种子点没有空间。</translation>
+    </message>
+    <message>
+        <source>The wall at {place} mm lies within the surface, which cannot be pushed out of it: go back to before it came in there.</source>
+        <translation>位于 {place} mm 的屏障在表面内部，无法将表面推出：请退回到表面到达那里之前。</translation>
+    </message>
+    <message>
+        <source>The wall at {place} mm lies across surface that is already there: go back to before it came in there.</source>
+        <translation>位于 {place} mm 的屏障横穿已有表面：请退回到表面到达那里之前。</translation>
+    </message>
+    <message>
+        <source>The wall at {place} mm lies over surface that is already there: go back to before it came in there, or let the surface move in both directions.</source>
+        <translation>位于 {place} mm 的屏障盖在已有表面上：请退回到表面到达那里之前，或允许表面双向移动。</translation>
+    </message>
+    <message>
+        <source>The object &apos;{object}&apos; lies over surface that is already there: go back to before it came in there.</source>
+        <translation>目标“{object}”盖在已有表面上：请退回到表面到达那里之前。</translation>
+    </message>
+    <message>
+        <source>The clicks have so little in common with the surface that it would begin anew, but a part of it is pinned: take the pins away first.</source>
+        <translation>点击与表面几乎没有共同之处，表面会重新开始，但其中一部分已固定：请先取消固定。</translation>
+    </message>
+    <message>
+        <source>The veto of iteration {iteration} comes too late: the surface is at iteration {now}.</source>
+        <translation>第 {iteration} 次迭代的否决来得太晚：表面已在第 {now} 次迭代。</translation>
+    </message>
+    <message>
+        <source>The veto of iteration {iteration} has nothing to forbid: no change of topology happens there.</source>
+        <translation>第 {iteration} 次迭代的否决无可禁止：那里没有拓扑变化。</translation>
+    </message>
+    <message>
+        <source>The pin {pin} comes too late: the surface is at iteration {now}.</source>
+        <translation>固定 {pin} 来得太晚：表面已在第 {now} 次迭代。</translation>
+    </message>
+    <message>
+        <source>The pin {pin} holds nothing: no vertex of the surface lies there at iteration {now}.</source>
+        <translation>固定 {pin} 未起作用：第 {now} 次迭代时那里没有表面顶点。</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration} comes too late: the surface is at iteration {now}.</source>
+        <translation>第 {iteration} 次迭代的编辑来得太晚：表面已在第 {now} 次迭代。</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration} cannot be made: {cause}.</source>
+        <translation>第 {iteration} 次迭代的编辑无法进行：{cause}。</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration} finds no tunnel at {place}.</source>
+        <translation>第 {iteration} 次迭代的编辑在 {place} 处未找到隧道。</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration} finds no component at {place}.</source>
+        <translation>第 {iteration} 次迭代的编辑在 {place} 处未找到连通分量。</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration} finds no cavity at {place}.</source>
+        <translation>第 {iteration} 次迭代的编辑在 {place} 处未找到空腔。</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration} cannot be made: no cap fits into the tunnel at {place}.</source>
+        <translation>第 {iteration} 次迭代的编辑无法进行：没有适合 {place} 处隧道的盖。</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration} finds nothing to remove: there is nothing beside that component.</source>
+        <translation>第 {iteration} 次迭代的编辑没有可移除的部分：除该连通分量外别无其他。</translation>
+    </message>
+    <message>
+        <source>The edit of iteration {iteration} would leave nothing of the surface.</source>
+        <translation>第 {iteration} 次迭代的编辑会使表面完全消失。</translation>
+    </message>
+    <message>
+        <source>The surface vanished after {iterations} iterations: the seeds are not in an object of that kind and range.</source>
+        <translation>表面在 {iterations} 次迭代后消失：种子点不在该类型和范围的目标内。</translation>
+    </message>
+</context>
+<context>
+    <name>Sentences</name>
+    <message>
+        <source>set the range in step 3, Tune</source>
+        <translation>在第 3 步“调整”中设置范围</translation>
+    </message>
+    <message>
+        <source>until it is entered in step 1, Open</source>
+        <translation>直到在第 1 步“打开”中输入</translation>
+    </message>
+    <message>
+        <source>enter their spacing in step 1, Open</source>
+        <translation>在第 1 步“打开”中输入其间距</translation>
+    </message>
+    <message>
+        <source>stack %1</source>
+        <translation>堆栈 %1</translation>
+    </message>
+    <message>
+        <source> More in the step Open.</source>
+        <translation> 更多信息见“打开”步骤。</translation>
+    </message>
+</context>
+<context>
+    <name>SliceView</name>
+    <message>
+        <source>Axial</source>
+        <translation>轴位</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>冠状位</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>矢状位</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>SurfaceView</name>
+    <message>
+        <source>%1 mm or more</source>
+        <translation>%1 mm 或以上</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>outside: %1</source>
+        <translation>外侧：%1</translation>
+    </message>
+    <message>
+        <source>inside: %1</source>
+        <translation>内侧：%1</translation>
+    </message>
+    <message>
+        <source>on the reference: 0 mm</source>
+        <translation>在参考上：0 mm</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::app::Screenshot</name>
+    <message>
+        <source>There is no seed to grow from: open a session.</source>
+        <translation>没有可供生长的种子点：请打开会话。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation>无法写入 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui</name>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>内存不足。</translation>
+    </message>
+    <message>
+        <source>Something went wrong that has no name.</source>
+        <translation>发生了未知错误。</translation>
+    </message>
+    <message>
+        <source>“%1” has no cavity, and so no wall around one.</source>
+        <translation>“%1”没有空腔，因此没有腔壁。</translation>
+    </message>
+    <message>
+        <source>There is no surface yet: grow one first.</source>
+        <translation>还没有表面：请先生长一个。</translation>
+    </message>
+    <message>
+        <source>There is no centre line in “%1”: %2.</source>
+        <translation>“%1”中没有中心线：%2。</translation>
+    </message>
+    <message>
+        <source>The first place lies in none of the objects.</source>
+        <translation>第一个位置不在任何目标内。</translation>
+    </message>
+    <message>
+        <source>Slice %1 of %2</source>
+        <translation>第 %1 层，共 %2 层</translation>
+    </message>
+    <message>
+        <source>%1  %2  %3 mm</source>
+        <translation>%1  %2  %3 mm</translation>
+    </message>
+    <message>
+        <source>%1, %2 mm</source>
+        <translation>%1, %2 mm</translation>
+    </message>
+    <message>
+        <source>less than 1 %</source>
+        <translation>小于 1 %</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>移动中</translation>
+    </message>
+    <message>
+        <source>settled</source>
+        <translation>已静止</translation>
+    </message>
+    <message>
+        <source>new handle</source>
+        <translation>新环柄</translation>
+    </message>
+    <message>
+        <source>colliding</source>
+        <translation>碰撞</translation>
+    </message>
+    <message>
+        <source>no edge in the image: %1 of the surface</source>
+        <translation>图像无边缘：占表面 %1</translation>
+    </message>
+    <message>
+        <source>edge in the image</source>
+        <translation>图像有边缘</translation>
+    </message>
+    <message>
+        <source>no edge: %1</source>
+        <translation>无边缘：%1</translation>
+    </message>
+    <message>
+        <source>border of the volume</source>
+        <translation>体数据边界</translation>
+    </message>
+    <message>
+        <source>pinned</source>
+        <translation>已固定</translation>
+    </message>
+    <message>
+        <source>colliding triangles</source>
+        <translation>碰撞三角形</translation>
+    </message>
+    <message>
+        <source>vertices that are taken out</source>
+        <translation>移除的顶点</translation>
+    </message>
+    <message>
+        <source>boundary polygons</source>
+        <translation>边界多边形</translation>
+    </message>
+    <message>
+        <source>handle</source>
+        <translation>环柄</translation>
+    </message>
+    <message>
+        <source>closed mesh</source>
+        <translation>闭合网格</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Radius of the brush</source>
+        <translation>画笔半径</translation>
+    </message>
+    <message>
+        <source>The brush is a ball, the same for walls and for the surface; Ctrl+wheel changes it while it is on</source>
+        <translation>画笔是球形，屏障和表面共用；启用时用 Ctrl+滚轮改变大小</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Open file…</source>
+        <translation>打开文件(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open a volume (NIfTI, NRRD, MetaImage, TIFF, DICOM) or a session</source>
+        <translation>打开体数据（NIfTI、NRRD、MetaImage、TIFF、DICOM）或会话</translation>
+    </message>
+    <message>
+        <source>Open &amp;folder…</source>
+        <translation>打开文件夹(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Open a folder with a DICOM series</source>
+        <translation>打开含 DICOM 序列的文件夹</translation>
+    </message>
+    <message>
+        <source>&amp;Save session</source>
+        <translation>保存会话(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save volume reference, seeds and parameters, to go on later or to replay</source>
+        <translation>保存体数据引用、种子点和参数，以便以后继续或重放</translation>
+    </message>
+    <message>
+        <source>Save session &amp;as…</source>
+        <translation>会话另存为(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Save the session under another name</source>
+        <translation>以其他名称保存会话</translation>
+    </message>
+    <message>
+        <source>&amp;Export result…</source>
+        <translation>导出结果(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Write the surface or its label map to a file</source>
+        <translation>将表面或其标签图写入文件</translation>
+    </message>
+    <message>
+        <source>Export repor&amp;t…</source>
+        <translation>导出报告(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Write parameters, numbers and events as JSON</source>
+        <translation>将参数、数值和事件写为 JSON</translation>
+    </message>
+    <message>
+        <source>Export &amp;picture…</source>
+        <translation>导出图片(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Write what the views show as PNG</source>
+        <translation>将视图内容写为 PNG</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>退出(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Close the program</source>
+        <translation>关闭程序</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>编辑(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Take back the last change</source>
+        <translation>撤销上一次更改</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>Do again what was taken back</source>
+        <translation>恢复被撤销的更改</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Layout</source>
+        <translation>布局(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Step</source>
+        <translation>步骤(&amp;S)</translation>
+    </message>
+    <message>
+        <source>3D &amp;camera</source>
+        <translation>3D 相机(&amp;C)</translation>
+    </message>
+    <message>
+        <source>All &amp;four</source>
+        <translation>全部四个(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Axial, 3D, coronal and sagittal view together</source>
+        <translation>同时显示轴位、3D、冠状位和矢状位视图</translation>
+    </message>
+    <message>
+        <source>&amp;Axial only</source>
+        <translation>仅轴位(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Only the axial slice</source>
+        <translation>仅显示轴位切面</translation>
+    </message>
+    <message>
+        <source>&amp;Coronal only</source>
+        <translation>仅冠状位(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Only the coronal slice</source>
+        <translation>仅显示冠状位切面</translation>
+    </message>
+    <message>
+        <source>&amp;Sagittal only</source>
+        <translation>仅矢状位(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Only the sagittal slice</source>
+        <translation>仅显示矢状位切面</translation>
+    </message>
+    <message>
+        <source>&amp;3D only</source>
+        <translation>仅 3D(&amp;3)</translation>
+    </message>
+    <message>
+        <source>Only the surface in 3D</source>
+        <translation>仅显示 3D 表面</translation>
+    </message>
+    <message>
+        <source>1 &amp;Open</source>
+        <translation>&amp;1 打开</translation>
+    </message>
+    <message>
+        <source>Choose a volume</source>
+        <translation>选择体数据</translation>
+    </message>
+    <message>
+        <source>2 &amp;Seed</source>
+        <translation>&amp;2 种子点</translation>
+    </message>
+    <message>
+        <source>Place seeds in the object</source>
+        <translation>在目标内放置种子点</translation>
+    </message>
+    <message>
+        <source>3 &amp;Tune</source>
+        <translation>&amp;3 调整</translation>
+    </message>
+    <message>
+        <source>Set range and forces</source>
+        <translation>设置范围和力</translation>
+    </message>
+    <message>
+        <source>4 &amp;Grow</source>
+        <translation>&amp;4 生长</translation>
+    </message>
+    <message>
+        <source>Grow the surface and watch it</source>
+        <translation>使表面生长并观察</translation>
+    </message>
+    <message>
+        <source>5 &amp;Correct</source>
+        <translation>&amp;5 修正</translation>
+    </message>
+    <message>
+        <source>Walls, and what is held back: mend what has grown wrong</source>
+        <translation>屏障与被阻止的变化：修正生长错误之处</translation>
+    </message>
+    <message>
+        <source>6 &amp;Export</source>
+        <translation>&amp;6 导出</translation>
+    </message>
+    <message>
+        <source>Write the results</source>
+        <translation>写出结果</translation>
+    </message>
+    <message>
+        <source>&amp;Reset views</source>
+        <translation>重置视图(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Whole slices, camera from the front</source>
+        <translation>完整切面，相机正面</translation>
+    </message>
+    <message>
+        <source>From &amp;above (superior)</source>
+        <translation>从上方（头侧）(&amp;A)</translation>
+    </message>
+    <message>
+        <source>3D view: look from superior; with the 3D view in focus</source>
+        <translation>3D 视图：从头侧观察；需 3D 视图获得焦点</translation>
+    </message>
+    <message>
+        <source>From the &amp;front (anterior)</source>
+        <translation>从前方（腹侧）(&amp;F)</translation>
+    </message>
+    <message>
+        <source>3D view: look from anterior; with the 3D view in focus</source>
+        <translation>3D 视图：从前方观察；需 3D 视图获得焦点</translation>
+    </message>
+    <message>
+        <source>From the &amp;left</source>
+        <translation>从左侧(&amp;L)</translation>
+    </message>
+    <message>
+        <source>3D view: look from the patient&apos;s left; with the 3D view in focus</source>
+        <translation>3D 视图：从患者左侧观察；需 3D 视图获得焦点</translation>
+    </message>
+    <message>
+        <source>Slices &amp;in 3D</source>
+        <translation>3D 中显示切面(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Show the three slices in the 3D view</source>
+        <translation>在 3D 视图中显示三个切面</translation>
+    </message>
+    <message>
+        <source>Walls a&amp;nd pins</source>
+        <translation>屏障与固定(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Draw the active object&apos;s walls, and what of its surface is pinned</source>
+        <translation>绘制当前目标的屏障及其表面的固定部分</translation>
+    </message>
+    <message>
+        <source>CT pr&amp;esets</source>
+        <translation>CT 预设(&amp;E)</translation>
+    </message>
+    <message>
+        <source>C&amp;olour map</source>
+        <translation>颜色映射(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Sur&amp;face</source>
+        <translation>表面(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Appearance</source>
+        <translation>外观(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Langua&amp;ge</source>
+        <translation>语言(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Language of the texts and numbers in the window, from the next start on</source>
+        <translation>窗口文字和数字的语言，下次启动时生效</translation>
+    </message>
+    <message>
+        <source>&amp;Window and level by dragging</source>
+        <translation>拖动调节窗宽窗位(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Drag in a slice: sideways for the window (contrast), up and down for the level (brightness)</source>
+        <translation>在切面中拖动：左右调节窗宽（对比度），上下调节窗位（亮度）</translation>
+    </message>
+    <message>
+        <source>Au&amp;to window</source>
+        <translation>自动窗宽窗位(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Window and level from the intensities of the volume</source>
+        <translation>根据体数据强度设定窗宽窗位</translation>
+    </message>
+    <message>
+        <source>&amp;Soft tissue (400 / 40 HU)</source>
+        <translation>软组织 (400 / 40 HU)(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Window 400, level 40</source>
+        <translation>窗宽 400，窗位 40</translation>
+    </message>
+    <message>
+        <source>&amp;Lung (1500 / −600 HU)</source>
+        <translation>肺 (1500 / −600 HU)(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Window 1500, level −600</source>
+        <translation>窗宽 1500，窗位 −600</translation>
+    </message>
+    <message>
+        <source>&amp;Bone (1800 / 400 HU)</source>
+        <translation>骨 (1800 / 400 HU)(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Window 1800, level 400</source>
+        <translation>窗宽 1800，窗位 400</translation>
+    </message>
+    <message>
+        <source>B&amp;rain (80 / 40 HU)</source>
+        <translation>脑 (80 / 40 HU)(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Window 80, level 40</source>
+        <translation>窗宽 80，窗位 40</translation>
+    </message>
+    <message>
+        <source>&amp;Vessels (600 / 170 HU)</source>
+        <translation>血管 (600 / 170 HU)(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Window 600, level 170</source>
+        <translation>窗宽 600，窗位 170</translation>
+    </message>
+    <message>
+        <source>&amp;Grey</source>
+        <translation>灰度(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Black to white</source>
+        <translation>从黑到白</translation>
+    </message>
+    <message>
+        <source>&amp;Inverted</source>
+        <translation>反转(&amp;I)</translation>
+    </message>
+    <message>
+        <source>White to black</source>
+        <translation>从白到黑</translation>
+    </message>
+    <message>
+        <source>&amp;Hot</source>
+        <translation>热色(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Black over red and yellow to white</source>
+        <translation>由黑经红、黄到白</translation>
+    </message>
+    <message>
+        <source>&amp;Contrast-enhancing</source>
+        <translation>对比增强(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Dark intensities spread over many colours, for ultrasound</source>
+        <translation>将暗强度展开为多种颜色，用于超声</translation>
+    </message>
+    <message>
+        <source>&amp;Plain</source>
+        <translation>普通(&amp;P)</translation>
+    </message>
+    <message>
+        <source>One colour, shaded</source>
+        <translation>单色着色</translation>
+    </message>
+    <message>
+        <source>With &amp;edges</source>
+        <translation>显示边(&amp;E)</translation>
+    </message>
+    <message>
+        <source>The triangles&apos; edges are drawn</source>
+        <translation>绘制三角形的边</translation>
+    </message>
+    <message>
+        <source>By &amp;state</source>
+        <translation>按状态(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Moving, settled, new handle and colliding faces in their colours</source>
+        <translation>以不同颜色显示移动、静止、新环柄和碰撞的面</translation>
+    </message>
+    <message>
+        <source>Support by the &amp;image</source>
+        <translation>图像支持度(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Blue where the image shows no edge, in 3D and on the slices</source>
+        <translation>在 3D 和切面中以蓝色显示图像无边缘处</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>跟随系统(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Light or dark as the desktop</source>
+        <translation>明暗与桌面一致</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>浅色(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Dark text on light ground</source>
+        <translation>浅底深字</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>深色(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Light text on dark ground</source>
+        <translation>深底浅字</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>全屏(&amp;U)</translation>
+    </message>
+    <message>
+        <source>The window fills the screen</source>
+        <translation>窗口铺满屏幕</translation>
+    </message>
+    <message>
+        <source>&amp;Seed</source>
+        <translation>种子点(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Add at the crosshair</source>
+        <translation>在十字线处添加(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Place a seed where the crosshair is</source>
+        <translation>在十字线处放置种子点</translation>
+    </message>
+    <message>
+        <source>Add &amp;outside of the object</source>
+        <translation>在目标外添加(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Place a click outside of the object where the crosshair is</source>
+        <translation>在十字线处放置外部点</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>删除(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Delete the selected seed or click outside</source>
+        <translation>删除所选种子点或外部点</translation>
+    </message>
+    <message>
+        <source>&amp;Larger radius</source>
+        <translation>增大半径(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Radius of the selected seed half a voxel larger</source>
+        <translation>所选种子点半径增大半个体素</translation>
+    </message>
+    <message>
+        <source>&amp;Smaller radius</source>
+        <translation>减小半径(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Radius of the selected seed half a voxel smaller</source>
+        <translation>所选种子点半径减小半个体素</translation>
+    </message>
+    <message>
+        <source>Select the &amp;next</source>
+        <translation>选择下一个(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Select the next seed and move the crosshair there</source>
+        <translation>选择下一个种子点并将十字线移到那里</translation>
+    </message>
+    <message>
+        <source>S&amp;maller object</source>
+        <translation>更小的目标(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Take the next smaller of the objects that the clicks may mean</source>
+        <translation>选取可能目标中较小的下一个</translation>
+    </message>
+    <message>
+        <source>La&amp;rger object</source>
+        <translation>更大的目标(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Take the next larger of the objects that the clicks may mean</source>
+        <translation>选取可能目标中较大的下一个</translation>
+    </message>
+    <message>
+        <source>&amp;Grow</source>
+        <translation>生长(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Start</source>
+        <translation>开始</translation>
+    </message>
+    <message>
+        <source>Grow the surface, or pause</source>
+        <translation>使表面生长或暂停</translation>
+    </message>
+    <message>
+        <source>One step &amp;forward</source>
+        <translation>前进一步(&amp;F)</translation>
+    </message>
+    <message>
+        <source>One iteration forward</source>
+        <translation>前进一次迭代</translation>
+    </message>
+    <message>
+        <source>One step &amp;back</source>
+        <translation>后退一步(&amp;B)</translation>
+    </message>
+    <message>
+        <source>One iteration back, exactly</source>
+        <translation>精确后退一次迭代</translation>
+    </message>
+    <message>
+        <source>&amp;Next event</source>
+        <translation>下一事件(&amp;N)</translation>
+    </message>
+    <message>
+        <source>To the next change of topology; grows until there is one</source>
+        <translation>到下一次拓扑变化；生长直到出现</translation>
+    </message>
+    <message>
+        <source>&amp;Previous event</source>
+        <translation>上一事件(&amp;P)</translation>
+    </message>
+    <message>
+        <source>To the previous change of topology</source>
+        <translation>到上一次拓扑变化</translation>
+    </message>
+    <message>
+        <source>Back to the s&amp;tart</source>
+        <translation>回到起点(&amp;T)</translation>
+    </message>
+    <message>
+        <source>To the seed spheres</source>
+        <translation>回到种子球</translation>
+    </message>
+    <message>
+        <source>To the &amp;last step</source>
+        <translation>到最后一步(&amp;L)</translation>
+    </message>
+    <message>
+        <source>To the last iteration that was worked out</source>
+        <translation>到已计算的最后一次迭代</translation>
+    </message>
+    <message>
+        <source>&amp;Correct</source>
+        <translation>修正(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Paint walls</source>
+        <translation>绘制屏障(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Drag in a slice: the surface may not go where it is painted</source>
+        <translation>在切面中拖动：表面不得进入所绘区域</translation>
+    </message>
+    <message>
+        <source>&amp;Erase walls</source>
+        <translation>擦除屏障(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Drag in a slice: what the eraser touches is no wall any more</source>
+        <translation>在切面中拖动：被擦到的不再是屏障</translation>
+    </message>
+    <message>
+        <source>&amp;Larger brush</source>
+        <translation>增大画笔(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Radius of the brush a tenth larger</source>
+        <translation>画笔半径增大十分之一</translation>
+    </message>
+    <message>
+        <source>S&amp;maller brush</source>
+        <translation>减小画笔(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Radius of the brush a tenth smaller</source>
+        <translation>画笔半径减小十分之一</translation>
+    </message>
+    <message>
+        <source>&amp;Wall at the crosshair</source>
+        <translation>在十字线处设屏障(&amp;W)</translation>
+    </message>
+    <message>
+        <source>A wall as large as the brush where the crosshair is</source>
+        <translation>在十字线处设置画笔大小的屏障</translation>
+    </message>
+    <message>
+        <source>E&amp;rase at the crosshair</source>
+        <translation>在十字线处擦除(&amp;R)</translation>
+    </message>
+    <message>
+        <source>No walls where the eraser would touch them at the crosshair</source>
+        <translation>擦除十字线处橡皮触及的屏障</translation>
+    </message>
+    <message>
+        <source>Go &amp;on from before the walls</source>
+        <translation>从屏障之前继续(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Back to before the surface came to the new walls, and on from there</source>
+        <translation>退回到表面到达新屏障之前并由此继续</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve all walls</source>
+        <translation>移除所有屏障(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Nothing that was painted is a wall any more</source>
+        <translation>所绘内容不再是屏障</translation>
+    </message>
+    <message>
+        <source>Pin &amp;by brush</source>
+        <translation>用画笔固定(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Drag over the surface, in a slice or in 3D: what the brush covers stays as it is from the shown iteration on</source>
+        <translation>在切面或 3D 中沿表面拖动：画笔覆盖的部分从所示迭代起保持不变</translation>
+    </message>
+    <message>
+        <source>Unp&amp;in by brush</source>
+        <translation>用画笔取消固定(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Drag over the surface, in a slice or in 3D: pins that the brush touches hold no more</source>
+        <translation>在切面或 3D 中沿表面拖动：画笔触及的固定失效</translation>
+    </message>
+    <message>
+        <source>Smoot&amp;h by brush</source>
+        <translation>用画笔平滑(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Click on the surface, in a slice or in 3D: it is smoothed under the brush, as the next step</source>
+        <translation>在切面或 3D 中点击表面：画笔下的部分被平滑，作为下一步</translation>
+    </message>
+    <message>
+        <source>Pull by &amp;dragging</source>
+        <translation>拖动拉伸(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Drag a point of the surface, in a slice or in 3D: it goes there, and what lies within the brush&apos;s radius less and less, as the next step</source>
+        <translation>在切面或 3D 中拖动表面一点：该点移到那里，画笔半径内的部分随之递减移动，作为下一步</translation>
+    </message>
+    <message>
+        <source>Cut alon&amp;g a line</source>
+        <translation>沿线切割(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Draw a line across the surface in a slice: it is cut there at right angles to the slice, and closed on both sides, as the next step</source>
+        <translation>在切面中横过表面画线：在该处垂直于切面切开并封闭两侧，作为下一步</translation>
+    </message>
+    <message>
+        <source>Remove &amp;all pins</source>
+        <translation>移除所有固定(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Nothing of the surface is pinned any more</source>
+        <translation>表面不再有固定部分</translation>
+    </message>
+    <message>
+        <source>Pi&amp;n here</source>
+        <translation>在此固定(&amp;N)</translation>
+    </message>
+    <message>
+        <source>The surface around the crosshair stays as it is from the shown iteration on</source>
+        <translation>十字线周围的表面从所示迭代起保持不变</translation>
+    </message>
+    <message>
+        <source>&amp;Smooth here</source>
+        <translation>在此平滑(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Smooth the surface around its point nearest to the crosshair, as the next step</source>
+        <translation>平滑表面上离十字线最近点的周围，作为下一步</translation>
+    </message>
+    <message>
+        <source>P&amp;ull here</source>
+        <translation>拉到此处(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Pull the point of the surface nearest to the crosshair there, as the next step</source>
+        <translation>将表面上离十字线最近的点拉到那里，作为下一步</translation>
+    </message>
+    <message>
+        <source>&amp;Cut here</source>
+        <translation>在此切割(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Cut along the chosen plane through the crosshair, as the next step</source>
+        <translation>沿经过十字线的所选平面切割，作为下一步</translation>
+    </message>
+    <message>
+        <source>&amp;Objects</source>
+        <translation>目标(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Add object</source>
+        <translation>添加目标(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Another object in this volume; the surfaces before it are walls for it</source>
+        <translation>在此体数据中另加目标；之前的表面对它是屏障</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation>复制(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Another object with the same seeds and parameters</source>
+        <translation>以相同种子点和参数另加目标</translation>
+    </message>
+    <message>
+        <source>D&amp;elete object</source>
+        <translation>删除目标(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Delete the active object with its seeds and surface</source>
+        <translation>删除当前目标及其种子点和表面</translation>
+    </message>
+    <message>
+        <source>&amp;Properties…</source>
+        <translation>属性(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Name, colour, label value and term of the active object</source>
+        <translation>当前目标的名称、颜色、标签值和术语</translation>
+    </message>
+    <message>
+        <source>Move &amp;up</source>
+        <translation>上移(&amp;U)</translation>
+    </message>
+    <message>
+        <source>The active object earlier in the list: what two claim belongs to the first</source>
+        <translation>将当前目标前移：重叠部分归排在前面者</translation>
+    </message>
+    <message>
+        <source>Move do&amp;wn</source>
+        <translation>下移(&amp;W)</translation>
+    </message>
+    <message>
+        <source>The active object later in the list</source>
+        <translation>将当前目标后移：重叠部分归排在前面者</translation>
+    </message>
+    <message>
+        <source>&amp;Next object</source>
+        <translation>下一目标(&amp;N)</translation>
+    </message>
+    <message>
+        <source>The next object of the list is active</source>
+        <translation>激活列表中的下一个目标</translation>
+    </message>
+    <message>
+        <source>P&amp;revious object</source>
+        <translation>上一目标(&amp;R)</translation>
+    </message>
+    <message>
+        <source>The object before it in the list is active</source>
+        <translation>激活列表中的上一个目标</translation>
+    </message>
+    <message>
+        <source>&amp;Visible</source>
+        <translation>可见(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Draw the surface of the active object</source>
+        <translation>绘制当前目标的表面</translation>
+    </message>
+    <message>
+        <source>&amp;Locked</source>
+        <translation>锁定(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Change nothing of the active object</source>
+        <translation>不更改当前目标</translation>
+    </message>
+    <message>
+        <source>&amp;Grow all</source>
+        <translation>全部生长(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Grow all objects that are not done, in the order of the list</source>
+        <translation>按列表顺序使所有未完成目标生长</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>测量(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Measures</source>
+        <translation>测量值(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Volume, area, diameters, intensities and distances of the objects, as a table</source>
+        <translation>以表格列出目标的体积、面积、直径、强度和距离</translation>
+    </message>
+    <message>
+        <source>&amp;Ruler</source>
+        <translation>标尺(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Click two points in the slices or on the surface: their distance in mm</source>
+        <translation>在切面或表面上点击两点：其距离（mm）</translation>
+    </message>
+    <message>
+        <source>&amp;Angle</source>
+        <translation>角度(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Click three points, the second where the legs meet: the angle in degrees</source>
+        <translation>点击三点，第二点为顶点：角度（度）</translation>
+    </message>
+    <message>
+        <source>&amp;Centre line</source>
+        <translation>中心线(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Click two places of an object: the line along its middle and the sections across it</source>
+        <translation>点击目标的两处：沿其中部的线及横截面</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Guide</source>
+        <translation>指南(&amp;G)</translation>
+    </message>
+    <message>
+        <source>How to use the program</source>
+        <translation>如何使用本程序</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard and mouse</source>
+        <translation>键盘和鼠标(&amp;K)</translation>
+    </message>
+    <message>
+        <source>All keys and mouse buttons</source>
+        <translation>所有按键和鼠标键</translation>
+    </message>
+    <message>
+        <source>&amp;About Handlebody</source>
+        <translation>关于 Handlebody(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Version, purpose, licences</source>
+        <translation>版本、用途、许可证</translation>
+    </message>
+    <message>
+        <source>Dice</source>
+        <translation>Dice</translation>
+    </message>
+    <message>
+        <source>IoU</source>
+        <translation>IoU</translation>
+    </message>
+    <message>
+        <source>Mean distance of the surfaces, ASSD (mm)</source>
+        <translation>表面平均距离 ASSD (mm)</translation>
+    </message>
+    <message>
+        <source>95 % Hausdorff distance (mm)</source>
+        <translation>95 % Hausdorff 距离 (mm)</translation>
+    </message>
+    <message>
+        <source>Hausdorff distance (mm)</source>
+        <translation>Hausdorff 距离 (mm)</translation>
+    </message>
+    <message>
+        <source>Volume (ml)</source>
+        <translation>体积 (ml)</translation>
+    </message>
+    <message>
+        <source>Volume, difference (ml)</source>
+        <translation>体积差 (ml)</translation>
+    </message>
+    <message>
+        <source>Area (cm²)</source>
+        <translation>面积 (cm²)</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>连通分量</translation>
+    </message>
+    <message>
+        <source>Tunnels</source>
+        <translation>隧道</translation>
+    </message>
+    <message>
+        <source>Cavities</source>
+        <translation>空腔</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> 或 </translation>
+    </message>
+    <message>
+        <source>Mouse and keys in a slice</source>
+        <translation>切面中的鼠标和按键</translation>
+    </message>
+    <message>
+        <source>Left click</source>
+        <translation>左键单击</translation>
+    </message>
+    <message>
+        <source>Crosshair</source>
+        <translation>十字线</translation>
+    </message>
+    <message>
+        <source>Return; with Shift</source>
+        <translation>回车；加 Shift</translation>
+    </message>
+    <message>
+        <source>Seed at the crosshair; click outside of the object</source>
+        <translation>十字线处的种子点；外部点</translation>
+    </message>
+    <message>
+        <source>Left drag on a seed, on its rim</source>
+        <translation>左键拖动种子点、其边缘</translation>
+    </message>
+    <message>
+        <source>Move it, change its radius</source>
+        <translation>移动，改变半径</translation>
+    </message>
+    <message>
+        <source>Wheel; with Shift</source>
+        <translation>滚轮；加 Shift</translation>
+    </message>
+    <message>
+        <source>Next slice; five slices</source>
+        <translation>下一层；五层</translation>
+    </message>
+    <message>
+        <source>Right drag, Ctrl+wheel</source>
+        <translation>右键拖动，Ctrl+滚轮</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>Middle drag, Shift+left drag</source>
+        <translation>中键拖动，Shift+左键拖动</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>平移</translation>
+    </message>
+    <message>
+        <source>Arrows; with Shift</source>
+        <translation>方向键；加 Shift</translation>
+    </message>
+    <message>
+        <source>Crosshair by one voxel; by five</source>
+        <translation>十字线移动一个体素；五个</translation>
+    </message>
+    <message>
+        <source>Page Up, Page Down</source>
+        <translation>Page Up、Page Down</translation>
+    </message>
+    <message>
+        <source>Next, previous slice</source>
+        <translation>下一层、上一层</translation>
+    </message>
+    <message>
+        <source>B or E, then left drag; Ctrl+wheel</source>
+        <translation>B 或 E，再左键拖动；Ctrl+滚轮</translation>
+    </message>
+    <message>
+        <source>Paint or erase walls; radius of the brush</source>
+        <translation>绘制或擦除屏障；画笔半径</translation>
+    </message>
+    <message>
+        <source>R, A or C, then clicks</source>
+        <translation>R、A 或 C，再点击</translation>
+    </message>
+    <message>
+        <source>Ruler, angle, centre line: place points; Return: at the crosshair</source>
+        <translation>标尺、角度、中心线：放置点；回车：在十字线处</translation>
+    </message>
+    <message>
+        <source>Left drag on the end of a ruler or an angle</source>
+        <translation>左键拖动标尺或角度的端点</translation>
+    </message>
+    <message>
+        <source>Move it</source>
+        <translation>移动它</translation>
+    </message>
+    <message>
+        <source>L or Shift+L, then left drag</source>
+        <translation>L 或 Shift+L，再左键拖动</translation>
+    </message>
+    <message>
+        <source>Pin or unpin the surface under the brush</source>
+        <translation>固定或取消固定画笔下的表面</translation>
+    </message>
+    <message>
+        <source>M, then left click</source>
+        <translation>M，再左键单击</translation>
+    </message>
+    <message>
+        <source>Smooth the surface under the brush</source>
+        <translation>平滑画笔下的表面</translation>
+    </message>
+    <message>
+        <source>U, then left drag from the outline</source>
+        <translation>U，再从轮廓左键拖动</translation>
+    </message>
+    <message>
+        <source>Pull the surface by that point</source>
+        <translation>拉动表面上的该点</translation>
+    </message>
+    <message>
+        <source>X, then left drag across the outline</source>
+        <translation>X，再左键横过轮廓拖动</translation>
+    </message>
+    <message>
+        <source>Cut the surface along that line</source>
+        <translation>沿该线切割表面</translation>
+    </message>
+    <message>
+        <source>W, then left drag</source>
+        <translation>W，再左键拖动</translation>
+    </message>
+    <message>
+        <source>Window (sideways) and level (up and down)</source>
+        <translation>窗宽（左右）和窗位（上下）</translation>
+    </message>
+    <message>
+        <source>Double click</source>
+        <translation>双击</translation>
+    </message>
+    <message>
+        <source>This view alone, or all four</source>
+        <translation>仅此视图，或全部四个</translation>
+    </message>
+    <message>
+        <source>Mouse in the 3D view</source>
+        <translation>3D 视图中的鼠标</translation>
+    </message>
+    <message>
+        <source>Left drag</source>
+        <translation>左键拖动</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>L, Shift+L, M or U, then left on the surface</source>
+        <translation>L、Shift+L、M 或 U，再在表面上按左键</translation>
+    </message>
+    <message>
+        <source>Pin, unpin, smooth, pull; beside it: rotate</source>
+        <translation>固定、取消固定、平滑、拉动；在旁边：旋转</translation>
+    </message>
+    <message>
+        <source>R, A or C, then clicks on the surface</source>
+        <translation>R、A 或 C，再点击表面</translation>
+    </message>
+    <message>
+        <source>Ruler, angle, centre line: place points</source>
+        <translation>标尺、角度、中心线：放置点</translation>
+    </message>
+    <message>
+        <source>Right drag, wheel</source>
+        <translation>右键拖动，滚轮</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>消息</translation>
+    </message>
+    <message>
+        <source>Close the message over the views; else give up a stroke or a point, put brush and ruler away, leave window and level</source>
+        <translation>关闭视图上方的消息；否则放弃笔画或点，收起画笔和标尺，退出窗宽窗位</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>窗口</translation>
+    </message>
+    <message>
+        <source>3D view, mesh files, pictures</source>
+        <translation>3D 视图、网格文件、图片</translation>
+    </message>
+    <message>
+        <source>reading and writing volumes</source>
+        <translation>读写体数据</translation>
+    </message>
+    <message>
+        <source>linear algebra</source>
+        <translation>线性代数</translation>
+    </message>
+    <message>
+        <source>SHA-256 of volumes</source>
+        <translation>体数据的 SHA-256</translation>
+    </message>
+    <message>
+        <source>compressed files</source>
+        <translation>压缩文件</translation>
+    </message>
+    <message>
+        <source>sessions and reports</source>
+        <translation>会话和报告</translation>
+    </message>
+    <message>
+        <source>command line</source>
+        <translation>命令行</translation>
+    </message>
+    <message>
+        <source>Keyboard and mouse</source>
+        <translation>键盘和鼠标</translation>
+    </message>
+    <message>
+        <source>Grows a certified surface from a point in a medical volume; the surface may change its topology on the way.</source>
+        <translation>从医学体数据中的一点生长出经认证的表面；其拓扑在过程中可以改变。</translation>
+    </message>
+    <message>
+        <source>Apache License 2.0. The method is that of the paper “A Combinatorial Method for Topology Adaptations in 3D Deformable Models”.</source>
+        <translation>Apache 许可证 2.0。方法出自论文“A Combinatorial Method for Topology Adaptations in 3D Deformable Models”。</translation>
+    </message>
+    <message>
+        <source>Libraries</source>
+        <translation>程序库</translation>
+    </message>
+    <message>
+        <source>Qt is linked dynamically and can be replaced by another version of it.</source>
+        <translation>Qt 为动态链接，可替换为其他版本。</translation>
+    </message>
+    <message>
+        <source>For research use only. Handlebody is not a medical device; do not use it for diagnosis or treatment.</source>
+        <translation>仅供研究使用。Handlebody 不是医疗器械；请勿用于诊断或治疗。</translation>
+    </message>
+    <message>
+        <source>they meet</source>
+        <translation>相接触</translation>
+    </message>
+    <message>
+        <source>%1, one within the other</source>
+        <translation>%1，一个在另一个内</translation>
+    </message>
+    <message>
+        <source>  from %1: mean %2, least %3, 95 % up to %4, largest %5</source>
+        <translation>  从 %1：平均 %2，最小 %3，95 % 不超过 %4，最大 %5</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Volume
+(ml)</source>
+        <translation>体积
+(ml)</translation>
+    </message>
+    <message>
+        <source>Area
+(cm²)</source>
+        <translation>面积
+(cm²)</translation>
+    </message>
+    <message>
+        <source>Largest
+Ø (mm)</source>
+        <translation>最大
+Ø (mm)</translation>
+    </message>
+    <message>
+        <source>Intensity
+mean ± SD</source>
+        <translation>强度
+均值 ± SD</translation>
+    </message>
+    <message>
+        <source>Nearest object
+(mm)</source>
+        <translation>最近目标
+(mm)</translation>
+    </message>
+    <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Along its axes: %1 mm</source>
+        <translation>沿自身轴：%1 mm</translation>
+    </message>
+    <message>
+        <source>Along x, y, z: %1 mm</source>
+        <translation>沿 x、y、z：%1 mm</translation>
+    </message>
+    <message>
+        <source>Largest Ø from %1 to %2</source>
+        <translation>最大 Ø 从 %1 到 %2</translation>
+    </message>
+    <message>
+        <source>Centroid: %1 LPS</source>
+        <translation>质心：%1 LPS</translation>
+    </message>
+    <message>
+        <source>Intensity %1 to %2, %3 voxels</source>
+        <translation>强度 %1 至 %2，%3 个体素</translation>
+    </message>
+    <message>
+        <source>Components %1, cavities %2, tunnels %3</source>
+        <translation>连通分量 %1，空腔 %2，隧道 %3</translation>
+    </message>
+    <message>
+        <source>Distance to “%1”: %2</source>
+        <translation>到“%1”的距离：%2</translation>
+    </message>
+    <message>
+        <source>Wall thickness</source>
+        <translation>壁厚</translation>
+    </message>
+    <message>
+        <source>Length %1, in “%2”</source>
+        <translation>长度 %1，在“%2”中</translation>
+    </message>
+    <message>
+        <source>Least section: %1</source>
+        <translation>最小截面：%1</translation>
+    </message>
+    <message>
+        <source>Largest: %1</source>
+        <translation>最大：%1</translation>
+    </message>
+    <message>
+        <source>at %1: no section</source>
+        <translation>%1 处：无截面</translation>
+    </message>
+    <message>
+        <source>at %1: %2 mm², Ø %3</source>
+        <translation>%1 处：%2 mm²，Ø %3</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>最近打开(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>面板(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the Gaussian that smooths the image ahead. More for more speckle; 0 for none.</source>
+        <translation>预先平滑图像的高斯标准差。散斑越多取值越大；0 为不平滑。</translation>
+    </message>
+    <message>
+        <source>Edge length</source>
+        <translation>边长</translation>
+    </message>
+    <message>
+        <source>Length that the edges of the mesh are kept near. Shorter shows finer detail and takes longer.</source>
+        <translation>网格边长的目标值。越短细节越多，耗时越长。</translation>
+    </message>
+    <message>
+        <source>Balloon</source>
+        <translation>气球力</translation>
+    </message>
+    <message>
+        <source>Weight of the force that drives the surface outward. Less keeps it from leaking.</source>
+        <translation>向外推动表面的力的权重。较小可防止泄漏。</translation>
+    </message>
+    <message>
+        <source>Curvature</source>
+        <translation>曲率</translation>
+    </message>
+    <message>
+        <source>Weight of smoothness. More closes narrow leaks and rounds the surface off.</source>
+        <translation>光滑性的权重。较大可封闭狭窄泄漏并使表面圆滑。</translation>
+    </message>
+    <message>
+        <source>Iteration limit</source>
+        <translation>迭代上限</translation>
+    </message>
+    <message>
+        <source>The growth stops after so many iterations, finished or not.</source>
+        <translation>达到此迭代次数后停止生长，无论是否完成。</translation>
+    </message>
+    <message>
+        <source>The file cannot be read.</source>
+        <translation>无法读取文件。</translation>
+    </message>
+    <message>
+        <source>The file cannot be written.</source>
+        <translation>无法写入文件。</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::CentreLinePage</name>
+    <message>
+        <source>The centre line</source>
+        <translation>中心线</translation>
+    </message>
+    <message>
+        <source>Save as CSV…</source>
+        <translation>保存为 CSV…</translation>
+    </message>
+    <message>
+        <source>Save as CSV</source>
+        <translation>保存为 CSV</translation>
+    </message>
+    <message>
+        <source>The same table as “handlebody-cli measure --sections” writes</source>
+        <translation>与“handlebody-cli measure --sections”写出的表格相同</translation>
+    </message>
+    <message>
+        <source>Save the sections</source>
+        <translation>保存截面</translation>
+    </message>
+    <message>
+        <source>Between two places in an object, along its middle.</source>
+        <translation>在目标内两处之间，沿其中部。</translation>
+    </message>
+    <message>
+        <source>Click in the object or on its surface where the line begins, or press Return for the crosshair.</source>
+        <translation>在目标内或其表面点击线的起点，或按回车使用十字线。</translation>
+    </message>
+    <message>
+        <source>Click where it ends. Escape takes the beginning back.</source>
+        <translation>点击终点。Esc 取消起点。</translation>
+    </message>
+    <message>
+        <source>Searching for the middle of the object…</source>
+        <translation>正在寻找目标的中部…</translation>
+    </message>
+    <message>
+        <source>Pointed at: %1</source>
+        <translation>指向：%1</translation>
+    </message>
+    <message>
+        <source>It was made in an earlier surface.</source>
+        <translation>它是在较早的表面中生成的。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Search no longer</source>
+        <translation>停止寻找</translation>
+    </message>
+    <message>
+        <source>Draw the line no more</source>
+        <translation>不再绘制该线</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::ComparePage</name>
+    <message>
+        <source>Figure</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>参考</translation>
+    </message>
+    <message>
+        <source>The object beside the reference</source>
+        <translation>目标与参考对照</translation>
+    </message>
+    <message>
+        <source>Save the comparison</source>
+        <translation>保存比较</translation>
+    </message>
+    <message>
+        <source>Choose reference…</source>
+        <translation>选择参考…</translation>
+    </message>
+    <message>
+        <source>A mesh or a label map to compare the active object with</source>
+        <translation>用于与当前目标比较的网格或标签图</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>Compare the shown surface with the reference</source>
+        <translation>将所示表面与参考比较</translation>
+    </message>
+    <message>
+        <source>Save as CSV…</source>
+        <translation>保存为 CSV…</translation>
+    </message>
+    <message>
+        <source>The same table as “handlebody-cli compare --csv” writes</source>
+        <translation>与“handlebody-cli compare --csv”写出的表格相同</translation>
+    </message>
+    <message>
+        <source>Save as JSON…</source>
+        <translation>保存为 JSON…</translation>
+    </message>
+    <message>
+        <source>The same as “handlebody-cli compare --report” writes</source>
+        <translation>与“handlebody-cli compare --report”写出的相同</translation>
+    </message>
+    <message>
+        <source>The reference</source>
+        <translation>参考</translation>
+    </message>
+    <message>
+        <source>State of the comparison</source>
+        <translation>比较状态</translation>
+    </message>
+    <message>
+        <source>all but 0</source>
+        <translation>除 0 以外全部</translation>
+    </message>
+    <message>
+        <source>Label value of the reference</source>
+        <translation>参考的标签值</translation>
+    </message>
+    <message>
+        <source>Which voxels of a label map are the reference</source>
+        <translation>标签图中哪些体素作为参考</translation>
+    </message>
+    <message>
+        <source>Distances in colour on the surface</source>
+        <translation>以颜色在表面显示距离</translation>
+    </message>
+    <message>
+        <source>Blue inside of the reference, red outside of it</source>
+        <translation>参考内为蓝，参考外为红</translation>
+    </message>
+    <message>
+        <source>The objects are compared</source>
+        <translation>正在比较目标</translation>
+    </message>
+    <message>
+        <source>Label value</source>
+        <translation>标签值</translation>
+    </message>
+    <message>
+        <source>Choose the reference</source>
+        <translation>选择参考</translation>
+    </message>
+    <message>
+        <source>Meshes and label maps (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.mha *.mhd *.dcm);;All files (*)</source>
+        <translation>网格和标签图 (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.mha *.mhd *.dcm);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>No reference is chosen.</source>
+        <translation>未选择参考。</translation>
+    </message>
+    <message>
+        <source>There is no surface to compare yet: grow one first.</source>
+        <translation>还没有可比较的表面：请先生长一个。</translation>
+    </message>
+    <message>
+        <source>Comparing…</source>
+        <translation>正在比较…</translation>
+    </message>
+    <message>
+        <source>These are figures of an earlier surface, or of another object.</source>
+        <translation>这些指标属于较早的表面或其他目标。</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::Document</name>
+    <message>
+        <source>“%1” is locked: unlock it to change it.</source>
+        <translation>“%1”已锁定：解锁后才能更改。</translation>
+    </message>
+    <message>
+        <source>Add click outside</source>
+        <translation>添加外部点</translation>
+    </message>
+    <message>
+        <source>Add seed</source>
+        <translation>添加种子点</translation>
+    </message>
+    <message>
+        <source>Delete click outside</source>
+        <translation>删除外部点</translation>
+    </message>
+    <message>
+        <source>Delete seed</source>
+        <translation>删除种子点</translation>
+    </message>
+    <message>
+        <source>Move click outside</source>
+        <translation>移动外部点</translation>
+    </message>
+    <message>
+        <source>Move seed</source>
+        <translation>移动种子点</translation>
+    </message>
+    <message>
+        <source>Change radius of click outside</source>
+        <translation>更改外部点半径</translation>
+    </message>
+    <message>
+        <source>Change seed radius</source>
+        <translation>更改种子点半径</translation>
+    </message>
+    <message>
+        <source>Smaller object</source>
+        <translation>更小的目标</translation>
+    </message>
+    <message>
+        <source>Larger object</source>
+        <translation>更大的目标</translation>
+    </message>
+    <message>
+        <source>The wall would lie outside of the volume: it is not kept.</source>
+        <translation>屏障会位于体数据之外：不予保留。</translation>
+    </message>
+    <message>
+        <source>The wall would lie over the seed at %1 mm: it is not kept.</source>
+        <translation>屏障会盖住位于 %1 mm 的种子点：不予保留。</translation>
+    </message>
+    <message>
+        <source>Paint wall</source>
+        <translation>绘制屏障</translation>
+    </message>
+    <message>
+        <source>Erase wall</source>
+        <translation>擦除屏障</translation>
+    </message>
+    <message>
+        <source>The surface has not come to rest yet: nothing is pinned.</source>
+        <translation>表面尚未静止：不固定任何部分。</translation>
+    </message>
+    <message>
+        <source>Pin here</source>
+        <translation>在此固定</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>固定</translation>
+    </message>
+    <message>
+        <source>This part of the surface is pinned already.</source>
+        <translation>这部分表面已固定。</translation>
+    </message>
+    <message>
+        <source>No vertex of the surface lies within %1 mm of %2 mm: nothing is pinned.</source>
+        <translation>在 %2 mm 周围 %1 mm 内没有表面顶点：不固定任何部分。</translation>
+    </message>
+    <message>
+        <source>Unpin</source>
+        <translation>取消固定</translation>
+    </message>
+    <message>
+        <source>Keep apart</source>
+        <translation>保持分离</translation>
+    </message>
+    <message>
+        <source>Keep as it is</source>
+        <translation>保持原样</translation>
+    </message>
+    <message>
+        <source>Wall here</source>
+        <translation>在此设屏障</translation>
+    </message>
+    <message>
+        <source>Let it happen</source>
+        <translation>允许发生</translation>
+    </message>
+    <message>
+        <source>Remove component</source>
+        <translation>移除连通分量</translation>
+    </message>
+    <message>
+        <source>Keep only one component</source>
+        <translation>只保留一个连通分量</translation>
+    </message>
+    <message>
+        <source>Fill cavity</source>
+        <translation>填充空腔</translation>
+    </message>
+    <message>
+        <source>Smooth here</source>
+        <translation>在此平滑</translation>
+    </message>
+    <message>
+        <source>Pull here</source>
+        <translation>拉到此处</translation>
+    </message>
+    <message>
+        <source>Cut here</source>
+        <translation>在此切割</translation>
+    </message>
+    <message>
+        <source>Cut handle</source>
+        <translation>切断环柄</translation>
+    </message>
+    <message>
+        <source>Fill tunnel</source>
+        <translation>填充隧道</translation>
+    </message>
+    <message>
+        <source>Close tunnel</source>
+        <translation>封闭隧道</translation>
+    </message>
+    <message>
+        <source>Leave out an edit</source>
+        <translation>略去一次编辑</translation>
+    </message>
+    <message>
+        <source>Object %1</source>
+        <translation>目标 %1</translation>
+    </message>
+    <message>
+        <source>Add object</source>
+        <translation>添加目标</translation>
+    </message>
+    <message>
+        <source>Duplicate object</source>
+        <translation>复制目标</translation>
+    </message>
+    <message>
+        <source>“%1” is locked: unlock it first.</source>
+        <translation>“%1”已锁定：请先解锁。</translation>
+    </message>
+    <message>
+        <source>Delete object</source>
+        <translation>删除目标</translation>
+    </message>
+    <message>
+        <source>Move object in the list</source>
+        <translation>在列表中移动目标</translation>
+    </message>
+    <message>
+        <source>The name “%1” %2.</source>
+        <translation>名称“%1”%2。</translation>
+    </message>
+    <message>
+        <source>Another object is called “%1”.</source>
+        <translation>另一个目标已叫“%1”。</translation>
+    </message>
+    <message>
+        <source>“%1” has the label value %2.</source>
+        <translation>“%1”的标签值为 %2。</translation>
+    </message>
+    <message>
+        <source>Show object</source>
+        <translation>显示目标</translation>
+    </message>
+    <message>
+        <source>Hide object</source>
+        <translation>隐藏目标</translation>
+    </message>
+    <message>
+        <source>Lock object</source>
+        <translation>锁定目标</translation>
+    </message>
+    <message>
+        <source>Unlock object</source>
+        <translation>解锁目标</translation>
+    </message>
+    <message>
+        <source>“%1” meets “%2”, and nothing was written: grow it anew, so that it keeps clear.</source>
+        <translation>“%1”与“%2”相接触，未写入任何内容：请重新生长使其保持距离。</translation>
+    </message>
+    <message>
+        <source>There is no surface to export yet: grow one first.</source>
+        <translation>还没有可导出的表面：请先生长一个。</translation>
+    </message>
+    <message>
+        <source>Nothing is left of the surface at this iteration: step back to one that has some.</source>
+        <translation>此次迭代时表面已不存在：请退回到尚有表面的迭代。</translation>
+    </message>
+    <message>
+        <source>There is no surface to report on yet: grow one first.</source>
+        <translation>还没有可报告的表面：请先生长一个。</translation>
+    </message>
+    <message>
+        <source>There is nothing to save yet: open a volume first.</source>
+        <translation>还没有可保存的内容：请先打开体数据。</translation>
+    </message>
+    <message>
+        <source>A session needs a seed: place one inside the object first.</source>
+        <translation>会话需要种子点：请先在目标内放置一个。</translation>
+    </message>
+    <message>
+        <source>There is no seed yet: place one inside the object first.</source>
+        <translation>还没有种子点：请先在目标内放置一个。</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::EventInspector</name>
+    <message>
+        <source>Stage 1 of 4: the triangles that run into each other.</source>
+        <translation>阶段 1/4：相互碰撞的三角形。</translation>
+    </message>
+    <message>
+        <source>Stage 2 of 4: the mesh without them, and the polygons that bound the openings.</source>
+        <translation>阶段 2/4：去除它们后的网格及开口的边界多边形。</translation>
+    </message>
+    <message>
+        <source>Stage 3 of 4: the handle, or the caps, that close the openings.</source>
+        <translation>阶段 3/4：封闭开口的环柄或盖。</translation>
+    </message>
+    <message>
+        <source>Stage 4 of 4: the mesh with the handle in place.</source>
+        <translation>阶段 4/4：装上环柄后的网格。</translation>
+    </message>
+    <message>
+        <source>Handle inserted</source>
+        <translation>插入环柄</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translation>分裂</translation>
+    </message>
+    <message>
+        <source>Enclosed part cut off</source>
+        <translation>切除被包围部分</translation>
+    </message>
+    <message>
+        <source>Tunnel closed</source>
+        <translation>隧道闭合</translation>
+    </message>
+    <message>
+        <source>Component deleted</source>
+        <translation>删除连通分量</translation>
+    </message>
+    <message>
+        <source>Handle cut</source>
+        <translation>切断环柄</translation>
+    </message>
+    <message>
+        <source>Component removed</source>
+        <translation>移除连通分量</translation>
+    </message>
+    <message>
+        <source>Cavity filled</source>
+        <translation>填充空腔</translation>
+    </message>
+    <message>
+        <source>Fold smoothed</source>
+        <translation>褶皱已平滑</translation>
+    </message>
+    <message>
+        <source>Cut by a plane</source>
+        <translation>平面切割</translation>
+    </message>
+    <message>
+        <source>Smoothed by hand</source>
+        <translation>手动平滑</translation>
+    </message>
+    <message>
+        <source>Pulled</source>
+        <translation>已拉动</translation>
+    </message>
+    <message>
+        <source>Rolled back</source>
+        <translation>已回退</translation>
+    </message>
+    <message>
+        <source>Held: %1</source>
+        <translation>已阻止：%1</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation>阶段</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>Collide</source>
+        <translation>碰撞</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Handle</source>
+        <translation>环柄</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>闭合</translation>
+    </message>
+    <message>
+        <source>Show the whole surface</source>
+        <translation>显示整个表面</translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation>保留</translation>
+    </message>
+    <message>
+        <source>Event: %1</source>
+        <translation>事件：%1</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>位于 %1</translation>
+    </message>
+    <message>
+        <source>Genus %1, components %2</source>
+        <translation>亏格 %1，连通分量 %2</translation>
+    </message>
+    <message>
+        <source>Edit by hand: %1 → %2</source>
+        <translation>手动编辑：%1 → %2</translation>
+    </message>
+    <message>
+        <source>Loop of %1</source>
+        <translation>环长 %1</translation>
+    </message>
+    <message>
+        <source>Fronts joined: %1</source>
+        <translation>连接的前沿：%1</translation>
+    </message>
+    <message>
+        <source>Boundary polygons of %1 vertices</source>
+        <translation>边界多边形顶点数：%1</translation>
+    </message>
+    <message>
+        <source>Let it happen</source>
+        <translation>允许发生</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>略去</translation>
+    </message>
+    <message>
+        <source>Keep apart here</source>
+        <translation>在此保持分离</translation>
+    </message>
+    <message>
+        <source>Goes back to the step before this edit, and on without it</source>
+        <translation>退回到此编辑之前的一步并不经它继续</translation>
+    </message>
+    <message>
+        <source>Goes back to the step before; grown on from there, this does not happen</source>
+        <translation>退回到前一步；由此继续生长则不会发生</translation>
+    </message>
+    <message>
+        <source>From the shown step on, what is held here may happen</source>
+        <translation>从所示步起，此处被阻止的变化可以发生</translation>
+    </message>
+    <message>
+        <source>The step is worked out again…</source>
+        <translation>正在重新计算该步…</translation>
+    </message>
+    <message>
+        <source>The mesh was not opened here: there are no stages to show.</source>
+        <translation>网格未在此处打开：没有可显示的阶段。</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::EventTable</name>
+    <message>
+        <source>Step</source>
+        <translation>步</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>Place (LPS)</source>
+        <translation>位置 (LPS)</translation>
+    </message>
+    <message>
+        <source>Genus</source>
+        <translation>亏格</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>部分</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::ExportPanel</name>
+    <message>
+        <source>Surface or label map</source>
+        <translation>表面或标签图</translation>
+    </message>
+    <message>
+        <source>Nothing has grown yet. Place a seed and start the growth first.</source>
+        <translation>尚未生长。请先放置种子点并开始生长。</translation>
+    </message>
+    <message>
+        <source>All objects in one file</source>
+        <translation>所有目标写入一个文件</translation>
+    </message>
+    <message>
+        <source>The active object</source>
+        <translation>当前目标</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>What the file holds: names and colours stay apart where it can</source>
+        <translation>文件内容：在可行时保留各自的名称和颜色</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>格式</translation>
+    </message>
+    <message>
+        <source>A surface keeps all detail; a label map has the voxels of the volume</source>
+        <translation>表面保留全部细节；标签图使用体数据的体素</translation>
+    </message>
+    <message>
+        <source>Coordinates</source>
+        <translation>坐标</translation>
+    </message>
+    <message>
+        <source>LPS</source>
+        <translation>LPS</translation>
+    </message>
+    <message>
+        <source>RAS</source>
+        <translation>RAS</translation>
+    </message>
+    <message>
+        <source>x to the patient&apos;s left, y to the back, as in DICOM and ITK</source>
+        <translation>x 指向患者左侧，y 指向背侧，与 DICOM 和 ITK 一致</translation>
+    </message>
+    <message>
+        <source>x to the patient&apos;s right, y to the front, as in NIfTI and 3D Slicer</source>
+        <translation>x 指向患者右侧，y 指向腹侧，与 NIfTI 和 3D Slicer 一致</translation>
+    </message>
+    <message>
+        <source>Why nothing is written</source>
+        <translation>为何未写入</translation>
+    </message>
+    <message>
+        <source>What is written</source>
+        <translation>写入的内容</translation>
+    </message>
+    <message>
+        <source>STL surface, binary</source>
+        <translation>STL 表面（二进制）</translation>
+    </message>
+    <message>
+        <source>VTP surface (VTK)</source>
+        <translation>VTP 表面 (VTK)</translation>
+    </message>
+    <message>
+        <source>PLY surface, binary</source>
+        <translation>PLY 表面（二进制）</translation>
+    </message>
+    <message>
+        <source>OBJ surface</source>
+        <translation>OBJ 表面</translation>
+    </message>
+    <message>
+        <source>3MF surface, to print</source>
+        <translation>3MF 表面（用于打印）</translation>
+    </message>
+    <message>
+        <source>NIfTI label map</source>
+        <translation>NIfTI 标签图</translation>
+    </message>
+    <message>
+        <source>NRRD label map</source>
+        <translation>NRRD 标签图</translation>
+    </message>
+    <message>
+        <source>MetaImage label map</source>
+        <translation>MetaImage 标签图</translation>
+    </message>
+    <message>
+        <source>3D Slicer segmentation</source>
+        <translation>3D Slicer 分割</translation>
+    </message>
+    <message>
+        <source>DICOM segmentation</source>
+        <translation>DICOM 分割</translation>
+    </message>
+    <message>
+        <source>DICOM with STL surface</source>
+        <translation>含 STL 表面的 DICOM</translation>
+    </message>
+    <message>
+        <source>Gmsh tetrahedra</source>
+        <translation>Gmsh 四面体</translation>
+    </message>
+    <message>
+        <source>VTK tetrahedra</source>
+        <translation>VTK 四面体</translation>
+    </message>
+    <message>
+        <source>Abaqus tetrahedra</source>
+        <translation>Abaqus 四面体</translation>
+    </message>
+    <message>
+        <source>Without what names the patient</source>
+        <translation>不含患者信息</translation>
+    </message>
+    <message>
+        <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume&apos;s. A session always says where its volume lies.</source>
+        <translation>写出的 DICOM 文件、报告和测量值不含患者、检查、日期和文件名，建议的名称也不透露体数据的名称。会话始终记录其体数据的位置。</translation>
+    </message>
+    <message>
+        <source>What is being written</source>
+        <translation>正在写入的内容</translation>
+    </message>
+    <message>
+        <source>A file is being written</source>
+        <translation>正在写入文件</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Cancel writing</source>
+        <translation>取消写入</translation>
+    </message>
+    <message>
+        <source>Nothing is left of the file</source>
+        <translation>文件不会保留</translation>
+    </message>
+    <message>
+        <source>Writing %1…</source>
+        <translation>正在写入 %1…</translation>
+    </message>
+    <message>
+        <source>It was cancelled: nothing was written.</source>
+        <translation>已取消：未写入任何内容。</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>图片</translation>
+    </message>
+    <message>
+        <source>All four views</source>
+        <translation>全部四个视图</translation>
+    </message>
+    <message>
+        <source>%1 view</source>
+        <translation>%1视图</translation>
+    </message>
+    <message>
+        <source>Picture of</source>
+        <translation>图片内容</translation>
+    </message>
+    <message>
+        <source>Which view is written as PNG</source>
+        <translation>哪个视图写为 PNG</translation>
+    </message>
+    <message>
+        <source>Report and session</source>
+        <translation>报告和会话</translation>
+    </message>
+    <message>
+        <source>The report holds every parameter, number and event. A session opens here again, and “handlebody-cli replay” makes the same mesh of it.</source>
+        <translation>报告包含所有参数、数值和事件。会话可在此重新打开，“handlebody-cli replay”可由其生成相同网格。</translation>
+    </message>
+    <message>
+        <source>Objects: %1; %2 together.</source>
+        <translation>目标：%1；共 %2。</translation>
+    </message>
+    <message>
+        <source>Without a surface: %1.</source>
+        <translation>无表面：%1。</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>Made with earlier surfaces: %1. Nothing is written if any of them meet.</source>
+        <translation>用较早的表面生成：%1。如有相接触则不写入。</translation>
+    </message>
+    <message>
+        <source>Nothing is left of the surface at this iteration.</source>
+        <translation>此次迭代时表面已不存在。</translation>
+    </message>
+    <message>
+        <source>Iteration %1: %2, %3</source>
+        <translation>第 %1 次迭代：%2，%3</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::FileWork</name>
+    <message>
+        <source>Volumes and sessions (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.tif *.tiff *.dcm *.json);;All files (*)</source>
+        <translation>体数据和会话 (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.tif *.tiff *.dcm *.json);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>%1 is written.</source>
+        <translation>已写入 %1。</translation>
+    </message>
+    <message>
+        <source>The session is saved as %1.</source>
+        <translation>会话已保存为 %1。</translation>
+    </message>
+    <message>
+        <source>A replay grows anew: %1.</source>
+        <translation>重放会重新生长：%1。</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>Open a volume or a session</source>
+        <translation>打开体数据或会话</translation>
+    </message>
+    <message>
+        <source>Open a folder with a DICOM series</source>
+        <translation>打开含 DICOM 序列的文件夹</translation>
+    </message>
+    <message>
+        <source>Enter the spacing</source>
+        <translation>输入间距</translation>
+    </message>
+    <message>
+        <source>The sample is not installed with this program.</source>
+        <translation>本程序未安装示例。</translation>
+    </message>
+    <message>
+        <source>Unsaved work</source>
+        <translation>未保存的工作</translation>
+    </message>
+    <message>
+        <source>Save the seeds and parameters first?</source>
+        <translation>是否先保存种子点和参数？</translation>
+    </message>
+    <message>
+        <source>They are kept in a session, from which the same surface can be grown again.</source>
+        <translation>它们保存在会话中，可由此再次生长出相同的表面。</translation>
+    </message>
+    <message>
+        <source>Save the session</source>
+        <translation>保存会话</translation>
+    </message>
+    <message>
+        <source>Sessions (*.json)</source>
+        <translation>会话 (*.json)</translation>
+    </message>
+    <message>
+        <source>Export the result</source>
+        <translation>导出结果</translation>
+    </message>
+    <message>
+        <source>Export the report</source>
+        <translation>导出报告</translation>
+    </message>
+    <message>
+        <source>Export a picture</source>
+        <translation>导出图片</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2.</source>
+        <translation>无法写入 %1：%2。</translation>
+    </message>
+    <message>
+        <source>The program ended unexpectedly last time. Its seeds and parameters were kept.</source>
+        <translation>程序上次意外结束，其种子点和参数已保留。</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>丢弃</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::GrowPanel</name>
+    <message>
+        <source>not closed</source>
+        <translation>未闭合</translation>
+    </message>
+    <message>
+        <source>not manifold</source>
+        <translation>非流形</translation>
+    </message>
+    <message>
+        <source>not oriented</source>
+        <translation>未定向</translation>
+    </message>
+    <message>
+        <source>self-intersections: %1</source>
+        <translation>自相交：%1</translation>
+    </message>
+    <message>
+        <source>parts that lie wrongly in each other: %1</source>
+        <translation>嵌套错误的部分：%1</translation>
+    </message>
+    <message>
+        <source>self-intersections not checked</source>
+        <translation>未检查自相交</translation>
+    </message>
+    <message>
+        <source>Finished: the surface is at rest</source>
+        <translation>完成：表面已静止</translation>
+    </message>
+    <message>
+        <source>Stopped at the iteration limit</source>
+        <translation>已达迭代上限</translation>
+    </message>
+    <message>
+        <source>Finished: nothing is left of the surface</source>
+        <translation>完成：表面已不存在</translation>
+    </message>
+    <message>
+        <source>At rest, but parts that could not be mended would still move</source>
+        <translation>已静止，但无法修复的部分仍会移动</translation>
+    </message>
+    <message>
+        <source>Stuck: no part of a step could be kept</source>
+        <translation>已卡住：无法保留一步中的任何部分</translation>
+    </message>
+    <message>
+        <source>Finished</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>⚠ Worth a look</source>
+        <translation>⚠ 值得查看</translation>
+    </message>
+    <message>
+        <source>iteration %1 of %2</source>
+        <translation>迭代 %1 / %2</translation>
+    </message>
+    <message>
+        <source>Preparing the image…</source>
+        <translation>正在准备图像…</translation>
+    </message>
+    <message>
+        <source>Growing</source>
+        <translation>生长中</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>已暂停</translation>
+    </message>
+    <message>
+        <source>No seed yet</source>
+        <translation>还没有种子点</translation>
+    </message>
+    <message>
+        <source>Ready to grow</source>
+        <translation>可以生长</translation>
+    </message>
+    <message>
+        <source>Nothing grew</source>
+        <translation>没有生长</translation>
+    </message>
+    <message>
+        <source>These clicks mean another object: begun anew at iteration %1</source>
+        <translation>这些点击指向另一目标：在第 %1 次迭代重新开始</translation>
+    </message>
+    <message>
+        <source>Clicks changed at iteration %1: gone on from there</source>
+        <translation>第 %1 次迭代更改了点击：由此继续</translation>
+    </message>
+    <message>
+        <source>Start grows the surface from the seeds. You may pause, go back exactly, change a click or a parameter and go on from there at any time.</source>
+        <translation>“开始”使表面从种子点生长。可随时暂停、精确后退、更改点击或参数并由此继续。</translation>
+    </message>
+    <message>
+        <source>State of the growth</source>
+        <translation>生长状态</translation>
+    </message>
+    <message>
+        <source>Why it did not grow</source>
+        <translation>为何没有生长</translation>
+    </message>
+    <message>
+        <source>Doubts about the surface</source>
+        <translation>对表面的疑问</translation>
+    </message>
+    <message>
+        <source>Steps per frame</source>
+        <translation>每帧步数</translation>
+    </message>
+    <message>
+        <source>How many iterations the surface goes on between two pictures of it</source>
+        <translation>两帧之间表面前进的迭代数</translation>
+    </message>
+    <message>
+        <source>Pause at a leak</source>
+        <translation>泄漏时暂停</translation>
+    </message>
+    <message>
+        <source>The growth pauses where the surface has come through a passage much narrower than what lies on both sides of it</source>
+        <translation>当表面穿过比两侧窄得多的通道时生长暂停</translation>
+    </message>
+    <message>
+        <source>Surface now</source>
+        <translation>当前表面</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>认证</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>体积</translation>
+    </message>
+    <message>
+        <source>Volume enclosed by the surface</source>
+        <translation>表面所围体积</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>面积</translation>
+    </message>
+    <message>
+        <source>Area of the surface</source>
+        <translation>表面面积</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>连通分量</translation>
+    </message>
+    <message>
+        <source>Connected parts of the surface</source>
+        <translation>表面的连通部分</translation>
+    </message>
+    <message>
+        <source>Genus</source>
+        <translation>亏格</translation>
+    </message>
+    <message>
+        <source>Holes as in a ring: in all, and of each component</source>
+        <translation>环形孔数：总数及各分量</translation>
+    </message>
+    <message>
+        <source>Euler number</source>
+        <translation>欧拉数</translation>
+    </message>
+    <message>
+        <source>Vertices minus edges plus faces</source>
+        <translation>顶点数减边数加面数</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>顶点</translation>
+    </message>
+    <message>
+        <source>Vertices of the mesh</source>
+        <translation>网格顶点数</translation>
+    </message>
+    <message>
+        <source>Nothing is left of the surface</source>
+        <translation>表面已不存在</translation>
+    </message>
+    <message>
+        <source>✓ Closed, manifold, free of self-intersections</source>
+        <translation>✓ 闭合、流形、无自相交</translation>
+    </message>
+    <message>
+        <source>✗ %1</source>
+        <translation>✗ %1</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::HeldSection</name>
+    <message>
+        <source>What is held back</source>
+        <translation>被阻止的变化</translation>
+    </message>
+    <message>
+        <source>Nothing is held back.</source>
+        <translation>没有被阻止的变化。</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>内容</translation>
+    </message>
+    <message>
+        <source>Where (mm LPS)</source>
+        <translation>位置 (mm LPS)</translation>
+    </message>
+    <message>
+        <source>What is held back, each with its place</source>
+        <translation>被阻止的变化及其位置</translation>
+    </message>
+    <message>
+        <source>Lift</source>
+        <translation>解除</translation>
+    </message>
+    <message>
+        <source>At most %1 components</source>
+        <translation>最多 %1 个连通分量</translation>
+    </message>
+    <message>
+        <source>Lift the limit</source>
+        <translation>解除限制</translation>
+    </message>
+    <message>
+        <source>Genus at most %1</source>
+        <translation>亏格最多 %1</translation>
+    </message>
+    <message>
+        <source>May break the limits</source>
+        <translation>可超出限制</translation>
+    </message>
+    <message>
+        <source>Allow no more</source>
+        <translation>不再允许</translation>
+    </message>
+    <message>
+        <source>Veto at iteration %1</source>
+        <translation>第 %1 次迭代的否决</translation>
+    </message>
+    <message>
+        <source>Lift the veto</source>
+        <translation>解除否决</translation>
+    </message>
+    <message>
+        <source>Pin at iteration %1</source>
+        <translation>第 %1 次迭代的固定</translation>
+    </message>
+    <message>
+        <source>%1, %2 balls</source>
+        <translation>%1，%2 个球</translation>
+    </message>
+    <message>
+        <source>Lift the pin</source>
+        <translation>解除固定</translation>
+    </message>
+    <message>
+        <source>Disc, radius %1</source>
+        <translation>圆盘，半径 %1</translation>
+    </message>
+    <message>
+        <source>Lift the disc</source>
+        <translation>解除圆盘</translation>
+    </message>
+    <message>
+        <source>Walls of %1</source>
+        <translation>来自 %1 的屏障</translation>
+    </message>
+    <message>
+        <source>Lift the map of walls</source>
+        <translation>解除屏障图</translation>
+    </message>
+    <message>
+        <source>Held: %1</source>
+        <translation>已阻止：%1</translation>
+    </message>
+    <message>
+        <source>Let it happen</source>
+        <translation>允许发生</translation>
+    </message>
+    <message>
+        <source>From the shown iteration on the chosen one holds nothing back</source>
+        <translation>从所示迭代起所选项不再阻止</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::HelpWindow</name>
+    <message>
+        <source>Handlebody: help</source>
+        <translation>Handlebody：帮助</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>指南</translation>
+    </message>
+    <message>
+        <source>Keyboard and mouse</source>
+        <translation>键盘和鼠标</translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation>关于</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::HistogramView</name>
+    <message>
+        <source>Histogram with the object&apos;s range</source>
+        <translation>带目标范围的直方图</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;How often each intensity occurs (square root). Drag the ends of the object&apos;s range; with the keyboard: Up and Down choose an end, Left and Right move it.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;各强度出现的频度（平方根）。拖动目标范围的两端；键盘：上下键选择一端，左右键移动。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>From %1 to %2</source>
+        <translation>从 %1 到 %2</translation>
+    </message>
+    <message>
+        <source>No range yet</source>
+        <translation>还没有范围</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::LocalSection</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Radius at the crosshair</source>
+        <translation>十字线处半径</translation>
+    </message>
+    <message>
+        <source>Of the ball in which the surface is pinned or smoothed, and how far along it a pull reaches</source>
+        <translation>固定或平滑表面的球的半径，以及拉动的影响范围</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>固定</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>Pull</source>
+        <translation>拉动</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>平面</translation>
+    </message>
+    <message>
+        <source>Axial</source>
+        <translation>轴位</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>冠状位</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>矢状位</translation>
+    </message>
+    <message>
+        <source>Cut as the axial slices lie</source>
+        <translation>沿轴位切面方向切割</translation>
+    </message>
+    <message>
+        <source>Cut as the coronal slices lie</source>
+        <translation>沿冠状位切面方向切割</translation>
+    </message>
+    <message>
+        <source>Cut as the sagittal slices lie</source>
+        <translation>沿矢状位切面方向切割</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保留</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>两侧</translation>
+    </message>
+    <message>
+        <source>Superior</source>
+        <translation>上侧</translation>
+    </message>
+    <message>
+        <source>Inferior</source>
+        <translation>下侧</translation>
+    </message>
+    <message>
+        <source>Both sides of the cut stay</source>
+        <translation>切口两侧均保留</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>切割</translation>
+    </message>
+    <message>
+        <source>Posterior</source>
+        <translation>后侧</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>Anterior</source>
+        <translation>前侧</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>Keep: %1</source>
+        <translation>保留：%1</translation>
+    </message>
+    <message>
+        <source>Only what lies on this side of the plane stays</source>
+        <translation>只保留平面此侧的部分</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::MainWindow</name>
+    <message>
+        <source>Steps</source>
+        <translation>步骤</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>时间线</translation>
+    </message>
+    <message>
+        <source>Walls</source>
+        <translation>屏障</translation>
+    </message>
+    <message>
+        <source>Paint in the slices where the surface may not go, from the shown iteration on. Ctrl+wheel changes the radius.</source>
+        <translation>在切面中绘制从所示迭代起表面不得进入的区域。Ctrl+滚轮改变半径。</translation>
+    </message>
+    <message>
+        <source>On the surface</source>
+        <translation>在表面上</translation>
+    </message>
+    <message>
+        <source>With the brush, in the slices and in 3D: drag to pin or unpin, click to smooth, drag a point to pull it. The radius is the same. A line drawn across it in a slice cuts it.</source>
+        <translation>用画笔在切面和 3D 中：拖动以固定或取消固定，点击以平滑，拖动一点以拉伸。半径相同。在切面中横过表面画线可切割。</translation>
+    </message>
+    <message>
+        <source>Held back</source>
+        <translation>被阻止</translation>
+    </message>
+    <message>
+        <source>Limits, vetoes, pins and discs. The crosshair goes to the chosen one; lifted, it holds no more from the shown iteration on.</source>
+        <translation>限制、否决、固定和圆盘。十字线移到所选项；解除后从所示迭代起不再阻止。</translation>
+    </message>
+    <message>
+        <source>At the crosshair</source>
+        <translation>在十字线处</translation>
+    </message>
+    <message>
+        <source>A pin holds the surface in a ball. To smooth, pull and cut is the next step.</source>
+        <translation>固定使球内的表面保持不变。平滑、拉动和切割作为下一步。</translation>
+    </message>
+    <message>
+        <source>The surface is pinned here from iteration %1 on.</source>
+        <translation>表面从第 %1 次迭代起在此固定。</translation>
+    </message>
+    <message>
+        <source>Tunnels and pieces</source>
+        <translation>隧道和部分</translation>
+    </message>
+    <message>
+        <source>What the shown surface holds, and what can be done to it: each edit is the next step.</source>
+        <translation>所示表面的内容及可做的操作：每次编辑为下一步。</translation>
+    </message>
+    <message>
+        <source>Several files were dropped; the first one is opened. For a DICOM series drop its folder.</source>
+        <translation>拖入了多个文件；打开第一个。DICOM 序列请拖入其文件夹。</translation>
+    </message>
+    <message>
+        <source>The language changes when the program is started again.</source>
+        <translation>重新启动程序后语言生效。</translation>
+    </message>
+    <message>
+        <source>P&amp;ause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>&amp;Go on</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>&amp;Start</source>
+        <translation>开始</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1: %2, was %3.</source>
+        <translation>%1：%2，原为 %3。</translation>
+    </message>
+    <message>
+        <source>A leak at iteration %1: %2.</source>
+        <translation>第 %1 次迭代发生泄漏：%2。</translation>
+    </message>
+    <message>
+        <source>Wall here</source>
+        <translation>在此设屏障</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>“%1” came through a narrow passage.</source>
+        <translation>“%1”穿过了狭窄通道。</translation>
+    </message>
+    <message>
+        <source>Show it</source>
+        <translation>显示</translation>
+    </message>
+    <message>
+        <source>Measures</source>
+        <translation>测量值</translation>
+    </message>
+    <message>
+        <source>Handlebody</source>
+        <translation>Handlebody</translation>
+    </message>
+    <message>
+        <source>%1[*] – Handlebody</source>
+        <translation>%1[*] – Handlebody</translation>
+    </message>
+    <message>
+        <source>Handlebody[*]</source>
+        <translation>Handlebody[*]</translation>
+    </message>
+    <message>
+        <source>Remove all walls</source>
+        <translation>移除所有屏障</translation>
+    </message>
+    <message>
+        <source>Remove all pins</source>
+        <translation>移除所有固定</translation>
+    </message>
+    <message>
+        <source>The surface is already where the wall is.</source>
+        <translation>表面已在屏障所在之处。</translation>
+    </message>
+    <message>
+        <source>Go back to before it came in here</source>
+        <translation>退回到进入之前</translation>
+    </message>
+    <message>
+        <source>Push it out</source>
+        <translation>推出</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::Measurements</name>
+    <message>
+        <source>Ruler %1</source>
+        <translation>标尺 %1</translation>
+    </message>
+    <message>
+        <source>Angle %1</source>
+        <translation>角度 %1</translation>
+    </message>
+    <message>
+        <source>Add ruler</source>
+        <translation>添加标尺</translation>
+    </message>
+    <message>
+        <source>Add angle</source>
+        <translation>添加角度</translation>
+    </message>
+    <message>
+        <source>Move ruler</source>
+        <translation>移动标尺</translation>
+    </message>
+    <message>
+        <source>Move angle</source>
+        <translation>移动角度</translation>
+    </message>
+    <message>
+        <source>Delete ruler</source>
+        <translation>删除标尺</translation>
+    </message>
+    <message>
+        <source>Delete angle</source>
+        <translation>删除角度</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::MeasuresPanel</name>
+    <message>
+        <source>What is measured</source>
+        <translation>测量内容</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Rulers and angles</source>
+        <translation>标尺和角度</translation>
+    </message>
+    <message>
+        <source>Centre line</source>
+        <translation>中心线</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比较</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::MessageBar</name>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>Information</source>
+        <translation>信息</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>消息</translation>
+    </message>
+    <message>
+        <source>Close the message</source>
+        <translation>关闭消息</translation>
+    </message>
+    <message>
+        <source>Close the message (Esc)</source>
+        <translation>关闭消息 (Esc)</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::ObjectChoice</name>
+    <message>
+        <source>The only one: %1</source>
+        <translation>唯一：%1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 by size: %3</source>
+        <translation>按大小第 %1 / %2：%3</translation>
+    </message>
+    <message>
+        <source>%1 (likeliest)</source>
+        <translation>%1（最可能）</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Which object is taken</source>
+        <translation>选取哪个目标</translation>
+    </message>
+    <message>
+        <source>Whether the choice is sure</source>
+        <translation>选择是否可靠</translation>
+    </message>
+    <message>
+        <source>A close choice: look at the others, too.</source>
+        <translation>难以取舍：也请查看其他目标。</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>更小</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>更大</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::ObjectDialog</name>
+    <message>
+        <source>Properties of the object</source>
+        <translation>目标属性</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>What the object is called in the list and in files that hold names</source>
+        <translation>目标在列表和含名称的文件中的名称</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>名称(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Of its surface and outlines, and in files that hold colours</source>
+        <translation>其表面和轮廓的颜色，以及含颜色的文件中的颜色</translation>
+    </message>
+    <message>
+        <source>&amp;Colour</source>
+        <translation>颜色(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Term</source>
+        <translation>术语</translation>
+    </message>
+    <message>
+        <source>What it is, as a code of SNOMED CT; gives the colour, too</source>
+        <translation>其类别（SNOMED CT 代码）；同时决定颜色</translation>
+    </message>
+    <message>
+        <source>&amp;Term</source>
+        <translation>术语(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Label value</source>
+        <translation>标签值</translation>
+    </message>
+    <message>
+        <source>Of its voxels in a label map</source>
+        <translation>其体素在标签图中的值</translation>
+    </message>
+    <message>
+        <source>&amp;Label value</source>
+        <translation>标签值(&amp;L)</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>问题所在</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Colour of the object</source>
+        <translation>目标颜色</translation>
+    </message>
+    <message>
+        <source>Change object</source>
+        <translation>更改目标</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::ObjectMeasuresPage</name>
+    <message>
+        <source>Measures of the objects</source>
+        <translation>目标的测量值</translation>
+    </message>
+    <message>
+        <source>More about the chosen object</source>
+        <translation>所选目标的更多信息</translation>
+    </message>
+    <message>
+        <source>State of the measures</source>
+        <translation>测量状态</translation>
+    </message>
+    <message>
+        <source>Wall thickness</source>
+        <translation>壁厚</translation>
+    </message>
+    <message>
+        <source>The distance of two surfaces over their area: of two objects, or of an object and its own cavities</source>
+        <translation>两个表面之间的距离：两个目标之间，或目标与其空腔之间</translation>
+    </message>
+    <message>
+        <source>How much is measured</source>
+        <translation>测量进度</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>Measure the surfaces as they are shown</source>
+        <translation>测量当前显示的表面</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Copy the table, to paste it into a spreadsheet</source>
+        <translation>复制表格以粘贴到电子表格</translation>
+    </message>
+    <message>
+        <source>Save as CSV…</source>
+        <translation>保存为 CSV…</translation>
+    </message>
+    <message>
+        <source>The same table as “handlebody-cli measure --csv” writes</source>
+        <translation>与“handlebody-cli measure --csv”写出的表格相同</translation>
+    </message>
+    <message>
+        <source>Save as JSON…</source>
+        <translation>保存为 JSON…</translation>
+    </message>
+    <message>
+        <source>The same as “handlebody-cli measure --json” writes</source>
+        <translation>与“handlebody-cli measure --json”写出的相同</translation>
+    </message>
+    <message>
+        <source>Save the measures</source>
+        <translation>保存测量值</translation>
+    </message>
+    <message>
+        <source>No wall thickness</source>
+        <translation>不测壁厚</translation>
+    </message>
+    <message>
+        <source>Wall of “%1” around its cavities</source>
+        <translation>“%1”空腔周围的壁</translation>
+    </message>
+    <message>
+        <source>Wall from “%1” to “%2”</source>
+        <translation>从“%1”到“%2”的壁</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>There is no surface to measure yet: grow one first.</source>
+        <translation>还没有可测量的表面：请先生长一个。</translation>
+    </message>
+    <message>
+        <source>Measuring. What is shown is of earlier surfaces.</source>
+        <translation>正在测量。所示为较早表面的数值。</translation>
+    </message>
+    <message>
+        <source>Measuring.</source>
+        <translation>正在测量。</translation>
+    </message>
+    <message>
+        <source>These are measures of earlier surfaces.</source>
+        <translation>这些是较早表面的测量值。</translation>
+    </message>
+    <message>
+        <source>Nothing is measured yet.</source>
+        <translation>尚未测量。</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::ObjectsPanel</name>
+    <message>
+        <source>preparing</source>
+        <translation>准备中</translation>
+    </message>
+    <message>
+        <source>not grown</source>
+        <translation>未生长</translation>
+    </message>
+    <message>
+        <source>no seed</source>
+        <translation>无种子点</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>What the active object is made with</source>
+        <translation>当前目标的生成依据</translation>
+    </message>
+    <message>
+        <source>%1, label value %2</source>
+        <translation>%1，标签值 %2</translation>
+    </message>
+    <message>
+        <source>Made with an earlier “%1”</source>
+        <translation>用较早的“%1”生成</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>隐藏 %1</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>显示 %1</translation>
+    </message>
+    <message>
+        <source>Its surface is drawn: hide it</source>
+        <translation>其表面已绘制：点击隐藏</translation>
+    </message>
+    <message>
+        <source>Its surface is hidden: show it</source>
+        <translation>其表面已隐藏：点击显示</translation>
+    </message>
+    <message>
+        <source>Unlock %1</source>
+        <translation>解锁 %1</translation>
+    </message>
+    <message>
+        <source>Lock %1</source>
+        <translation>锁定 %1</translation>
+    </message>
+    <message>
+        <source>Nothing of it is changed: unlock it</source>
+        <translation>不可更改：点击解锁</translation>
+    </message>
+    <message>
+        <source>Let nothing of it be changed</source>
+        <translation>禁止更改</translation>
+    </message>
+    <message>
+        <source>Waits for “%1”, which comes before it and grows.</source>
+        <translation>等待排在前面且正在生长的“%1”。</translation>
+    </message>
+    <message>
+        <source>Made with an earlier “%1”. Start grows it anew.</source>
+        <translation>用较早的“%1”生成。“开始”将重新生长。</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::OpenPanel</name>
+    <message>
+        <source>along the patient&apos;s axes</source>
+        <translation>沿患者轴向</translation>
+    </message>
+    <message>
+        <source>oblique: slices follow the volume&apos;s own axes</source>
+        <translation>倾斜：切面沿体数据自身的轴</translation>
+    </message>
+    <message>
+        <source>Open a CT, MR or ultrasound volume, a DICOM folder or a saved session; files can also be dropped on the window.</source>
+        <translation>打开 CT、MR 或超声体数据、DICOM 文件夹或已保存的会话；也可将文件拖到窗口。</translation>
+    </message>
+    <message>
+        <source>Series and stacks: choose one</source>
+        <translation>序列和堆栈：请选择</translation>
+    </message>
+    <message>
+        <source>Open this series</source>
+        <translation>打开此序列</translation>
+    </message>
+    <message>
+        <source>Open now</source>
+        <translation>当前打开</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>格式</translation>
+    </message>
+    <message>
+        <source>Voxels</source>
+        <translation>体素</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>间距</translation>
+    </message>
+    <message>
+        <source>Extent</source>
+        <translation>范围</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>轴</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Time point</source>
+        <translation>时间点</translation>
+    </message>
+    <message>
+        <source>The volume has several time points; one is shown and segmented</source>
+        <translation>体数据有多个时间点；显示并分割其中一个</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>载入</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>  (0 to %1)</source>
+        <translation>  （0 至 %1）</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::RulersPage</name>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Delete the chosen ruler or angle</source>
+        <translation>删除所选标尺或角度</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>内容</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>Begins at (LPS)</source>
+        <translation>起点 (LPS)</translation>
+    </message>
+    <message>
+        <source>Rulers and angles</source>
+        <translation>标尺和角度</translation>
+    </message>
+    <message>
+        <source>Places points in the slices or on the surface in 3D. Their ends can be dragged.</source>
+        <translation>在切面或 3D 表面上放置点。端点可拖动。</translation>
+    </message>
+    <message>
+        <source>Click where the ruler begins, or press Return for the crosshair.</source>
+        <translation>点击标尺起点，或按回车使用十字线。</translation>
+    </message>
+    <message>
+        <source>Click where it ends. Escape takes the beginning back.</source>
+        <translation>点击终点。Esc 取消起点。</translation>
+    </message>
+    <message>
+        <source>Click the end of one leg, or press Return for the crosshair.</source>
+        <translation>点击一条边的端点，或按回车使用十字线。</translation>
+    </message>
+    <message>
+        <source>Click where the legs meet. Escape takes the last point back.</source>
+        <translation>点击两边的交点。Esc 取消上一点。</translation>
+    </message>
+    <message>
+        <source>Click the end of the other leg. Escape takes the last point back.</source>
+        <translation>点击另一条边的端点。Esc 取消上一点。</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::SectionPlot</name>
+    <message>
+        <source>Area and equivalent diameter along the centre line</source>
+        <translation>沿中心线的面积和等效直径</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Area (mm²)</source>
+        <translation>面积 (mm²)</translation>
+    </message>
+    <message>
+        <source>Equivalent diameter (mm)</source>
+        <translation>等效直径 (mm)</translation>
+    </message>
+    <message>
+        <source>Area and equivalent diameter are plotted here along the line.</source>
+        <translation>此处绘制沿线的面积和等效直径。</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::SeedPanel</name>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Radius of the selected seed. Automatic: the largest ball that fits into the object; outside of it, as the image allows</source>
+        <translation>所选种子点的半径。自动：能放入目标的最大球；目标外则视图像而定</translation>
+    </message>
+    <message>
+        <source>%1 (auto)</source>
+        <translation>%1（自动）</translation>
+    </message>
+    <message>
+        <source>None yet: it takes a seed inside.</source>
+        <translation>还没有：需要一个内部种子点。</translation>
+    </message>
+    <message>
+        <source>Given by the range in step 3, Tune.</source>
+        <translation>由第 3 步“调整”中的范围给定。</translation>
+    </message>
+    <message>
+        <source>Looking for it…</source>
+        <translation>正在寻找…</translation>
+    </message>
+    <message>
+        <source>Click into the structure in any slice, then press Return: a ball is placed there, from which the surface grows. One seed is often enough. Shift+Return marks a place outside. Drag a seed to move it, its rim to resize it.</source>
+        <translation>在任一切面点击结构内部，然后按回车：在那里放置一个球，表面由此生长。通常一个种子点即可。Shift+回车标记外部位置。拖动种子点可移动，拖动边缘可改变大小。</translation>
+    </message>
+    <message>
+        <source>What is wrong with the seeds</source>
+        <translation>种子点的问题</translation>
+    </message>
+    <message>
+        <source>Centre (mm LPS)</source>
+        <translation>中心 (mm LPS)</translation>
+    </message>
+    <message>
+        <source>Radius (mm)</source>
+        <translation>半径 (mm)</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Seeds</source>
+        <translation>种子点</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>外部</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>内部</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::SeriesList</name>
+    <message>
+        <source>, stack %1</source>
+        <translation>，堆栈 %1</translation>
+    </message>
+    <message>
+        <source>No volume: %1</source>
+        <translation>无体数据：%1</translation>
+    </message>
+    <message>
+        <source>%1, %2 mm</source>
+        <translation>%1, %2 mm</translation>
+    </message>
+    <message>
+        <source>Slices: %1</source>
+        <translation>层数：%1</translation>
+    </message>
+    <message>
+        <source>Files: %1</source>
+        <translation>文件：%1</translation>
+    </message>
+    <message>
+        <source> · time points: %1</source>
+        <translation> · 时间点：%1</translation>
+    </message>
+    <message>
+        <source>Series in the folder</source>
+        <translation>文件夹中的序列</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::SliceView</name>
+    <message>
+        <source>%1, oblique</source>
+        <translation>%1，倾斜</translation>
+    </message>
+    <message>
+        <source>W %1  L %2</source>
+        <translation>窗宽 %1  窗位 %2</translation>
+    </message>
+    <message>
+        <source>no edge in the image</source>
+        <translation>图像无边缘</translation>
+    </message>
+    <message>
+        <source>pinned</source>
+        <translation>已固定</translation>
+    </message>
+    <message>
+        <source>Open a volume: Ctrl+O,
+or drop a file here</source>
+        <translation>打开体数据：Ctrl+O，
+或将文件拖到此处</translation>
+    </message>
+    <message>
+        <source>%1 slice</source>
+        <translation>%1切面</translation>
+    </message>
+    <message>
+        <source>Arrows and Page Up or Down move the crosshair, Return adds a seed, Shift and Return a click outside of the object, W changes window and level. B and E turn the brush for walls on and off, with Shift they paint and erase at the crosshair; L pins with it, Shift and L unpins, M smooths, U pulls.</source>
+        <translation>方向键和 Page Up/Down 移动十字线，回车添加种子点，Shift+回车添加外部点，W 调节窗宽窗位。B 和 E 开关屏障画笔，加 Shift 在十字线处绘制和擦除；L 固定，Shift+L 取消固定，M 平滑，U 拉动。</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::SpacingEntry</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Distance between the middles of neighbouring voxels</source>
+        <translation>相邻体素中心的距离</translation>
+    </message>
+    <message>
+        <source>Size of a voxel</source>
+        <translation>体素大小</translation>
+    </message>
+    <message>
+        <source>The file does not give it. Lengths and volumes are right only with the true spacing along columns, rows and slices.</source>
+        <translation>文件未给出。只有输入列、行和层的真实间距，长度和体积才正确。</translation>
+    </message>
+    <message>
+        <source>Spacing of columns</source>
+        <translation>列间距</translation>
+    </message>
+    <message>
+        <source>Spacing of rows</source>
+        <translation>行间距</translation>
+    </message>
+    <message>
+        <source>Spacing of slices</source>
+        <translation>层间距</translation>
+    </message>
+    <message>
+        <source>Open with this spacing</source>
+        <translation>以此间距打开</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::StartPage</name>
+    <message>
+        <source>Open a volume to begin</source>
+        <translation>打开体数据以开始</translation>
+    </message>
+    <message>
+        <source>Drop a CT, MR or ultrasound volume here, or choose one.</source>
+        <translation>将 CT、MR 或超声体数据拖到此处，或选择一个。</translation>
+    </message>
+    <message>
+        <source>Try the ultrasound sample</source>
+        <translation>试用超声示例</translation>
+    </message>
+    <message>
+        <source>A simulated cyst with a needle through it, with its seed placed</source>
+        <translation>模拟囊肿，有针穿过，已放置种子点</translation>
+    </message>
+    <message>
+        <source>Opened before</source>
+        <translation>曾打开</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>打开 %1</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::StatusFields</name>
+    <message>
+        <source>Position of the mouse, mm LPS</source>
+        <translation>鼠标位置，mm LPS</translation>
+    </message>
+    <message>
+        <source>Voxel under the mouse</source>
+        <translation>鼠标下的体素</translation>
+    </message>
+    <message>
+        <source>Voxel %1</source>
+        <translation>体素 %1</translation>
+    </message>
+    <message>
+        <source>Intensity of the voxel</source>
+        <translation>体素强度</translation>
+    </message>
+    <message>
+        <source>Intensity %1</source>
+        <translation>强度 %1</translation>
+    </message>
+    <message>
+        <source>Uncalibrated</source>
+        <translation>未校准</translation>
+    </message>
+    <message>
+        <source>State of the growth</source>
+        <translation>生长状态</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Stop reading the volume; what is open stays open</source>
+        <translation>停止读取体数据；已打开的保持不变</translation>
+    </message>
+    <message>
+        <source>The file does not give the size of a voxel: lengths, areas and volumes mean nothing until it is entered in step 1, Open</source>
+        <translation>文件未给出体素大小：在第 1 步“打开”中输入之前，长度、面积和体积没有意义</translation>
+    </message>
+    <message>
+        <source>Nothing is open</source>
+        <translation>未打开任何内容</translation>
+    </message>
+    <message>
+        <source>Reading %1…</source>
+        <translation>正在读取 %1…</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::StepsPanel</name>
+    <message>
+        <source>Step %1</source>
+        <translation>步骤 %1</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::SurfaceView</name>
+    <message>
+        <source>This machine offers no OpenGL 3.2: the surface cannot be shown in 3D. Slices, growth and export work all the same.</source>
+        <translation>本机不支持 OpenGL 3.2：无法以 3D 显示表面。切面、生长和导出仍可使用。</translation>
+    </message>
+    <message>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>The surface grows here</source>
+        <translation>表面在此生长</translation>
+    </message>
+    <message>
+        <source>Nothing is left of the surface</source>
+        <translation>表面已不存在</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>3D 视图</translation>
+    </message>
+    <message>
+        <source>Home, End and Page Down look from superior, anterior and left. With the brush on, left pins, unpins, smooths or pulls the surface.</source>
+        <translation>Home、End 和 Page Down 从上、前、左观察。启用画笔时，左键固定、取消固定、平滑或拉动表面。</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::TimelinePanel</name>
+    <message>
+        <source>Events</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>Changes of topology are listed here.</source>
+        <translation>此处列出拓扑变化。</translation>
+    </message>
+    <message>
+        <source>Show repairs of the mesh, too</source>
+        <translation>也显示网格修复</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Folds that were smoothed away, and parts of the surface whose step would have left an invalid mesh and that returned to where they were. The topology is the same before and after.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;已平滑的褶皱，以及因会产生无效网格而退回原位的表面部分。前后拓扑相同。&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::TimelinePlot</name>
+    <message>
+        <source>Leak: %1</source>
+        <translation>泄漏：%1</translation>
+    </message>
+    <message>
+        <source>Volume and moving share over the iterations</source>
+        <translation>体积和移动比例随迭代的变化</translation>
+    </message>
+    <message>
+        <source>Iteration %1: %2, %3 % of the vertices moving, %4</source>
+        <translation>第 %1 次迭代：%2，%3 % 的顶点移动，%4</translation>
+    </message>
+    <message>
+        <source>events: %1</source>
+        <translation>事件：%1</translation>
+    </message>
+    <message>
+        <source>Volume, up to %1</source>
+        <translation>体积，至 %1</translation>
+    </message>
+    <message>
+        <source>Moving, 0 to 100 %</source>
+        <translation>移动，0 至 100 %</translation>
+    </message>
+    <message>
+        <source>Volume and motion are plotted here while the surface grows.</source>
+        <translation>表面生长时在此绘制体积和移动。</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::TimelineSlider</name>
+    <message>
+        <source>Iteration</source>
+        <translation>迭代</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Iterations; diamonds are changes of topology. Click or drag to go there.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;迭代；菱形为拓扑变化。点击或拖动以到达。&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::TouchSection</name>
+    <message>
+        <source>Pin</source>
+        <translation>固定</translation>
+    </message>
+    <message>
+        <source>Unpin</source>
+        <translation>取消固定</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>Pull</source>
+        <translation>拉动</translation>
+    </message>
+    <message>
+        <source>Cut line</source>
+        <translation>沿线切割</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>Number of pins</source>
+        <translation>固定数</translation>
+    </message>
+    <message>
+        <source>Nothing is pinned.</source>
+        <translation>没有固定。</translation>
+    </message>
+    <message>
+        <source>Balls pinned: %1</source>
+        <translation>固定的球：%1</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::TunePanel</name>
+    <message>
+        <source>What is wrong with the parameters</source>
+        <translation>参数的问题</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>暗</translation>
+    </message>
+    <message>
+        <source>Bright</source>
+        <translation>亮</translation>
+    </message>
+    <message>
+        <source>Auto</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>The object is darker than its surroundings</source>
+        <translation>目标比周围暗</translation>
+    </message>
+    <message>
+        <source>The object is brighter than its surroundings</source>
+        <translation>目标比周围亮</translation>
+    </message>
+    <message>
+        <source>Found out from the image around the seeds</source>
+        <translation>由种子点周围的图像确定</translation>
+    </message>
+    <message>
+        <source>Change object</source>
+        <translation>更改目标</translation>
+    </message>
+    <message>
+        <source>Intensities from the lower to the upper end belong to the object</source>
+        <translation>下限到上限之间的强度属于目标</translation>
+    </message>
+    <message>
+        <source>Intensities of the object</source>
+        <translation>目标强度</translation>
+    </message>
+    <message>
+        <source>Lowest intensity of the object</source>
+        <translation>目标最低强度</translation>
+    </message>
+    <message>
+        <source>Highest intensity of the object</source>
+        <translation>目标最高强度</translation>
+    </message>
+    <message>
+        <source>Range: automatic</source>
+        <translation>范围：自动</translation>
+    </message>
+    <message>
+        <source>Chosen from the image around the seeds</source>
+        <translation>由种子点周围的图像选取</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>至</translation>
+    </message>
+    <message>
+        <source>Tint these voxels in the slices</source>
+        <translation>在切面中着色这些体素</translation>
+    </message>
+    <message>
+        <source>They are tinted for a moment after every change; with this on, all the time</source>
+        <translation>每次更改后短暂着色；开启后始终着色</translation>
+    </message>
+    <message>
+        <source>Change range</source>
+        <translation>更改范围</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>表面</translation>
+    </message>
+    <message>
+        <source>Change smoothing</source>
+        <translation>更改平滑</translation>
+    </message>
+    <message>
+        <source>Change edge length</source>
+        <translation>更改边长</translation>
+    </message>
+    <message>
+        <source>Change balloon</source>
+        <translation>更改气球力</translation>
+    </message>
+    <message>
+        <source>Change curvature</source>
+        <translation>更改曲率</translation>
+    </message>
+    <message>
+        <source>Change iteration limit</source>
+        <translation>更改迭代上限</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Outward</source>
+        <translation>仅向外</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>两侧</translation>
+    </message>
+    <message>
+        <source>The surface only grows</source>
+        <translation>表面只生长</translation>
+    </message>
+    <message>
+        <source>The surface may also shrink</source>
+        <translation>表面也可收缩</translation>
+    </message>
+    <message>
+        <source>Change direction</source>
+        <translation>更改方向</translation>
+    </message>
+    <message>
+        <source>Expert</source>
+        <translation>专家</translation>
+    </message>
+    <message>
+        <source>Collisions</source>
+        <translation>碰撞</translation>
+    </message>
+    <message>
+        <source>Sorted</source>
+        <translation>排序</translation>
+    </message>
+    <message>
+        <source>Hashing</source>
+        <translation>散列</translation>
+    </message>
+    <message>
+        <source>Near vertices are found in one sorted table. The surface does not depend on it</source>
+        <translation>在一张排序表中查找邻近顶点。不影响表面</translation>
+    </message>
+    <message>
+        <source>Near vertices are found by the paper&apos;s eight hash functions: slower, the same surface</source>
+        <translation>用论文中的八个散列函数查找邻近顶点：较慢，表面相同</translation>
+    </message>
+    <message>
+        <source>Change search for collisions</source>
+        <translation>更改碰撞搜索</translation>
+    </message>
+    <message>
+        <source>%1 everything here is then chosen from the image. Change it only if the surface leaks or stops early.</source>
+        <translation>%1此处的一切将由图像自动选取。仅当表面泄漏或过早停止时才更改。</translation>
+    </message>
+    <message>
+        <source>Place a seed:</source>
+        <translation>放置种子点：</translation>
+    </message>
+    <message>
+        <source>Open a volume and place a seed:</source>
+        <translation>打开体数据并放置种子点：</translation>
+    </message>
+    <message>
+        <source>Auto (dark)</source>
+        <translation>自动（暗）</translation>
+    </message>
+    <message>
+        <source>Auto (bright)</source>
+        <translation>自动（亮）</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::TunnelsList</name>
+    <message>
+        <source>Component removed</source>
+        <translation>移除连通分量</translation>
+    </message>
+    <message>
+        <source>One component kept</source>
+        <translation>保留一个连通分量</translation>
+    </message>
+    <message>
+        <source>Cavity filled</source>
+        <translation>填充空腔</translation>
+    </message>
+    <message>
+        <source>Smoothed</source>
+        <translation>已平滑</translation>
+    </message>
+    <message>
+        <source>Pulled</source>
+        <translation>已拉动</translation>
+    </message>
+    <message>
+        <source>Cut by a plane</source>
+        <translation>平面切割</translation>
+    </message>
+    <message>
+        <source>Handle cut</source>
+        <translation>切断环柄</translation>
+    </message>
+    <message>
+        <source>Tunnel filled</source>
+        <translation>隧道已填充</translation>
+    </message>
+    <message>
+        <source>Tunnel closed</source>
+        <translation>隧道闭合</translation>
+    </message>
+    <message>
+        <source>What the surface holds</source>
+        <translation>表面的内容</translation>
+    </message>
+    <message>
+        <source>The chosen row</source>
+        <translation>所选行</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>内容</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>Tunnels, components and cavities, each with its size</source>
+        <translation>隧道、连通分量和空腔及其大小</translation>
+    </message>
+    <message>
+        <source>Cut handle</source>
+        <translation>切断环柄</translation>
+    </message>
+    <message>
+        <source>Cuts along the loop around the handle, which goes; both ends get a cap</source>
+        <translation>沿绕环柄的环切割，环柄消失；两端加盖</translation>
+    </message>
+    <message>
+        <source>Fill tunnel</source>
+        <translation>填充隧道</translation>
+    </message>
+    <message>
+        <source>Cuts along the loop round the tunnel: a membrane closes it on both sides</source>
+        <translation>沿绕隧道的环切割：膜从两侧封闭隧道</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Removes this component with all that lies in it</source>
+        <translation>移除该连通分量及其内部的一切</translation>
+    </message>
+    <message>
+        <source>Keep only this</source>
+        <translation>仅保留此项</translation>
+    </message>
+    <message>
+        <source>Removes everything but this component and its cavities</source>
+        <translation>移除除该连通分量及其空腔外的一切</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>填充</translation>
+    </message>
+    <message>
+        <source>Fills this cavity, with all that lies in it</source>
+        <translation>填充该空腔及其内部的一切</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>略去</translation>
+    </message>
+    <message>
+        <source>Goes back to the step before this edit, and on without it</source>
+        <translation>退回到此编辑之前的一步并不经它继续</translation>
+    </message>
+    <message>
+        <source>Tunnel</source>
+        <translation>隧道</translation>
+    </message>
+    <message>
+        <source>%1 around its handle, %2 round the tunnel</source>
+        <translation>绕环柄 %1，绕隧道 %2</translation>
+    </message>
+    <message>
+        <source>; knotted</source>
+        <translation>；打结</translation>
+    </message>
+    <message>
+        <source>Cavity</source>
+        <translation>空腔</translation>
+    </message>
+    <message>
+        <source>Component</source>
+        <translation>连通分量</translation>
+    </message>
+    <message>
+        <source>%1 mm, genus %2</source>
+        <translation>%1 mm，亏格 %2</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>第 %1 步</translation>
+    </message>
+    <message>
+        <source>At %1</source>
+        <translation>位于 %1</translation>
+    </message>
+    <message>
+        <source>Looking…</source>
+        <translation>正在寻找…</translation>
+    </message>
+    <message>
+        <source>Tunnels: %1</source>
+        <translation>隧道：%1</translation>
+    </message>
+    <message>
+        <source>components: %1</source>
+        <translation>连通分量：%1</translation>
+    </message>
+    <message>
+        <source>cavities: %1</source>
+        <translation>空腔：%1</translation>
+    </message>
+    <message>
+        <source>tunnels without loops: %1</source>
+        <translation>无环隧道：%1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Find tunnels and pieces</source>
+        <translation>查找隧道和部分</translation>
+    </message>
+    <message>
+        <source>Lists the tunnels, components and cavities of the shown surface</source>
+        <translation>列出所示表面的隧道、连通分量和空腔</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::ValueField</name>
+    <message>
+        <source>Reset %1</source>
+        <translation>重置%1</translation>
+    </message>
+    <message>
+        <source>Back to the usual value, %1</source>
+        <translation>恢复常用值 %1</translation>
+    </message>
+    <message>
+        <source>Auto</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>%1: automatic</source>
+        <translation>%1：自动</translation>
+    </message>
+    <message>
+        <source>The value is chosen from the image around the seeds</source>
+        <translation>该值由种子点周围的图像选取</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::ViewFrame</name>
+    <message>
+        <source>Show all four views (double click)</source>
+        <translation>显示全部四个视图（双击）</translation>
+    </message>
+    <message>
+        <source>Let this view fill the window (double click)</source>
+        <translation>此视图铺满窗口（双击）</translation>
+    </message>
+    <message>
+        <source>Show all four views</source>
+        <translation>显示全部四个视图</translation>
+    </message>
+    <message>
+        <source>Maximise the %1 view</source>
+        <translation>最大化%1视图</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::ViewGrid</name>
+    <message>
+        <source>Axial</source>
+        <translation>轴位</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>冠状位</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>矢状位</translation>
+    </message>
+    <message>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>%1 view</source>
+        <translation>%1视图</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::WallSection</name>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>Number of walls</source>
+        <translation>屏障数</translation>
+    </message>
+    <message>
+        <source>Nothing is painted.</source>
+        <translation>没有绘制。</translation>
+    </message>
+    <message>
+        <source>Balls painted: %1</source>
+        <translation>绘制的球：%1</translation>
+    </message>
+</context>
+</TS>

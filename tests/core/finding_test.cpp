@@ -1,0 +1,57 @@
+#include "core/finding.h"
+
+#include <regex>
+#include <set>
+#include <string>
+
+#include "core/told_error.h"
+#include "tests/support/catch.h"
+
+using namespace handlebody;
+
+TEST_CASE("every kind of finding has a name of its own and words", "[finding]") {
+  std::set<std::string> names;
+  for (int k = 0; k < kFindingKinds; ++k) {
+    const auto kind = static_cast<FindingKind>(k);
+    CAPTURE(k, findingName(kind));
+    CHECK(names.insert(findingName(kind)).second);
+    CHECK((kind == FindingKind::none || *findingText(kind) != 0));
+    CHECK(std::regex_match(findingName(kind), std::regex("[a-z]+(-[a-z]+)*")));
+  }
+}
+
+TEST_CASE("what stands in braces in the words of a finding is a name with a format", "[finding]") {
+  const std::regex hole(R"(\{[a-z_]+(: ?[0-9][fgm])?\})");
+  for (int k = 0; k < kFindingKinds; ++k) {
+    const std::string text = findingText(static_cast<FindingKind>(k));
+    CAPTURE(text);
+    CHECK(std::regex_replace(text, hole, "").find_first_of("{}") == std::string::npos);
+  }
+}
+
+TEST_CASE("a finding is told in English with its numbers", "[finding]") {
+  CHECK(sentence(Finding(FindingKind::noEdge, {{"percent", 45.4}})).rfind("45 % of the surface", 0) == 0);
+  CHECK(sentence(Finding(FindingKind::wallOverSeed, {{"place", std::array{1.5, -2.0, 3.25}}})) ==
+        "A wall lies over the seed at 1.5,-2,3.25 mm.");
+  CHECK(sentence(Finding(FindingKind::seedOutside,
+                         {{"place", std::array{1.0, 2.0, 3.0}}, {"voxel", std::array{4.0, 5.0, 6.0}}})) ==
+        "The seed at (1.000000, 2.000000, 3.000000) mm lies outside the volume (voxel 4.000000, 5.000000, "
+        "6.000000).");
+}
+
+TEST_CASE("the cause of a finding is told within it", "[finding]") {
+  const Finding rings(FindingKind::ringsAdded, {{"rings", 2}}, FindingKind::noHandle);
+  CHECK(sentence(rings) == "2 rings added: no handle fits");
+  CHECK(sentence(std::vector<Finding>{rings, FindingKind::maybeShorter}) ==
+        "2 rings added: no handle fits; there may be a shorter handle");
+}
+
+TEST_CASE("an error says its finding and keeps it", "[finding]") {
+  const Told<UsageError> error(Finding(FindingKind::vetoTooLate, {{"iteration", 3}, {"now", 7}}));
+  CHECK(std::string(error.what()) ==
+        "The veto of iteration 3 comes too late: the surface is at iteration 7.");
+  CHECK(error.finding().kind == FindingKind::vetoTooLate);
+  CHECK(error.finding().number("now") == 7);
+  CHECK(findingOf(static_cast<const UsageError&>(error)).kind == FindingKind::vetoTooLate);
+  CHECK_FALSE(findingOf(UsageError("words alone")).any());
+}

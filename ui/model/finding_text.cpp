@@ -1,0 +1,152 @@
+#include "ui/model/finding_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace handlebody::ui {
+
+namespace {
+
+using K = FindingKind;
+
+struct Words {
+  FindingKind kind;
+  const char* text;
+};
+
+// Where the English words of the engine name an option of the command line.
+constexpr Words kWords[] = {
+    {K::heldAtNeck,
+     QT_TRANSLATE_NOOP("Findings",
+                       "the surface is held at a neck of radius {radius_mm:3g} mm: behind it the same "
+                       "intensities go on for at least {behind_ml:3g} ml, in front of it they fill "
+                       "{in_front_ml:3g} ml; where that belongs to the object, put a seed there too, or set "
+                       "the range in step 3, Tune, which holds nothing back")},
+    {K::heldAtHole,
+     QT_TRANSLATE_NOOP("Findings",
+                       "the surface is held at a hole of radius {radius_mm:3g} mm in a thin wall: behind it "
+                       "the same intensities go on for at least {behind_ml:3g} ml, in front of it they fill "
+                       "{in_front_ml:3g} ml; where that belongs to the object, put a seed there too, or set "
+                       "the range in step 3, Tune, which holds nothing back")},
+    {K::heldWhereItWidens,
+     QT_TRANSLATE_NOOP("Findings",
+                       "the surface is held where its structure grows wider than a radius of {radius_mm:3g} "
+                       "mm: behind it the same intensities go on for at least {behind_ml:3g} ml, in front of "
+                       "it they fill {in_front_ml:3g} ml; where that belongs to the object, put a seed there "
+                       "too, or set the range in step 3, Tune, which holds nothing back")},
+    {K::stuck, QT_TRANSLATE_NOOP("Findings",
+                                 "the surface got stuck: no part of a step could be kept, again and again; "
+                                 "another edge length may help")},
+    {K::frozen, QT_TRANSLATE_NOOP("Findings",
+                                  "the surface rests at places that would still move, because changes there "
+                                  "failed or repeated again and again; another edge length or smoothing may "
+                                  "help")},
+    {K::hardlyGrown,
+     QT_TRANSLATE_NOOP("Findings",
+                       "the surface hardly grew beyond its seed: look at the kind of object and the range in "
+                       "step 3, Tune")},
+    {K::heldByCurvature,
+     QT_TRANSLATE_NOOP("Findings",
+                       "the surface hardly grew beyond its seed: the curvature weight holds every front of a "
+                       "radius below {radius_mm:3g} mm, and the seed is smaller; give it a larger radius, or "
+                       "lower the weight")},
+    {K::closeChoice,
+     QT_TRANSLATE_NOOP("Findings",
+                       "the choice among {objects} objects is close (expected overlap with the one that is "
+                       "meant: Dice {dice:2g}): the next candidate holds {next_ml:3m} ml where this one "
+                       "holds {this_ml:3m} ml; another one can be chosen in step 2, Seed")},
+    {K::leaked, QT_TRANSLATE_NOOP("Findings", "the surface leaked at iteration {iteration}: {cause}")},
+    {K::leakWalled,
+     QT_TRANSLATE_NOOP("Findings",
+                       "the surface leaked at iteration {iteration}: {cause}; a wall was put there")},
+    {K::leakStopped,
+     QT_TRANSLATE_NOOP("Findings",
+                       "the surface leaked at iteration {iteration}: {cause}; the mesh is that of iteration "
+                       "{mesh_iteration}, before it came there")},
+    {K::undecided,
+     QT_TRANSLATE_NOOP("Findings",
+                       "at iteration {iteration} a limit of the topology holds: {cause}; step 4, Grow, asks "
+                       "whether it may happen")},
+    {K::fillsView,
+     QT_TRANSLATE_NOOP("Findings",
+                       "The seed is not in an object with a boundary of its own: what grows from it fills "
+                       "the field of view, up to the padding around the image. Where that is meant, say "
+                       "whether it is dark or bright, or set the range in step 3, Tune.")},
+    {K::seedOutside, QT_TRANSLATE_NOOP("Findings", "The seed at {place:1f} mm lies outside the volume.")},
+    {K::clickOutside,
+     QT_TRANSLATE_NOOP("Findings",
+                       "The click outside of the object at {place:1f} mm lies outside the volume.")},
+    {K::seedNotInRange,
+     QT_TRANSLATE_NOOP("Findings",
+                       "The seed at {place:1f} mm is not in the object: the smoothed intensity there is "
+                       "{intensity:4g}, the object's range is {low:4g} to {high:4g}.")},
+    {K::rangeWithoutVoxels,
+     QT_TRANSLATE_NOOP("Findings",
+                       "The range {low:4g} to {high:4g} holds no voxel of the volume, whose values run from "
+                       "{least:4g} to {most:4g}.")},
+};
+
+const char* sourceOf(FindingKind kind) {
+  const auto at =
+      std::find_if(std::begin(kWords), std::end(kWords), [kind](const Words& w) { return w.kind == kind; });
+  return at == std::end(kWords) ? findingText(kind) : at->text;
+}
+
+QString number(double value, const std::string& format) {
+  if (std::isinf(value)) return value < 0 ? QStringLiteral("−∞") : QStringLiteral("∞");
+  const QLocale locale;
+  const int digits = format.empty() || format.back() == 'm' ? (format.empty() ? 6 : 3) : std::stoi(format);
+  if (!format.empty() && format.back() == 'f') return locale.toString(value, 'f', digits);
+  const int magnitude = value == 0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value))));
+  const double scale = std::pow(10.0, std::clamp(digits - 1 - magnitude, 0, digits));
+  return locale.toString(std::round(value * scale) / scale, 'f', QLocale::FloatingPointShortest);
+}
+
+QString written(const FindingValue& value, std::string_view format) {
+  if (const auto* text = std::get_if<std::string>(&value)) return QString::fromStdString(*text);
+  if (const auto* x = std::get_if<double>(&value)) return number(*x, std::string(format));
+  const auto& place = std::get<std::array<double, 3>>(value);
+  const std::string each(format.substr(format.starts_with(' ') ? 1 : 0));
+  QStringList parts;
+  for (const double x : place) parts << number(x, each);
+  // Where the comma parts the decimals it cannot part the numbers as well.
+  return parts.join(QLocale().decimalPoint() == QLatin1String(",") ? QStringLiteral("; ")
+                                                                   : QStringLiteral(", "));
+}
+
+}  // namespace
+
+QString findingText(const Finding& finding) {
+  if (!finding.any()) return {};
+  const std::string source =
+      finding.kind == K::polishLeaves || finding.kind == K::other
+          ? std::string("{text}")
+          : QCoreApplication::translate("Findings", sourceOf(finding.kind)).toStdString();
+  QString text = QString::fromStdString(
+      filled(source, finding, [](std::string_view, const FindingValue& value, std::string_view format) {
+        return written(value, format).toStdString();
+      }));
+  if (!finding.causes.empty()) text.replace(QLatin1String("{cause}"), findingText(finding.causes.front()));
+  return text;
+}
+
+QString findingText(const std::vector<Finding>& findings) {
+  QStringList all;
+  for (const Finding& f : findings) all << findingText(f);
+  return all.join(QStringLiteral("; "));
+}
+
+QString findingSentence(const Finding& finding) {
+  QString text = findingText(finding);
+  if (text.isEmpty()) return text;
+  text[0] = text[0].toUpper();
+  const QChar last = text.back();
+  if (last == QLatin1Char('.') || last == QChar(0x3002)) return text;
+  return QCoreApplication::translate("Findings", "%1.").arg(text);
+}
+
+}  // namespace handlebody::ui
