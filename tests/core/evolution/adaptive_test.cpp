@@ -45,7 +45,7 @@ TEST_CASE("edges may be longer only where no boundary is near, and change slowly
   const ObjectImage image(std::make_shared<SmoothedVolume>(volume, 0), {-1e300, 110}, 90);
   constexpr double kEdge = 2;
   const SizeField sizes(image, {kCentre}, kEdge);
-  CHECK(sizes.at(kCentre - Vec3(10, 0, 0)) == Catch::Approx(SizeField::kLongest));
+  CHECK(sizes.at(kCentre - Vec3(10, 0, 0)) == Approx(SizeField::kLongest));
   CHECK(sizes.at(kCentre - Vec3(kRadius - 1, 0, 0)) == 1);
   CHECK(sizes.at(kCentre + Vec3(8.5, 0, 0)) == 1);  // beside the needle
   CHECK(sizes.at(kCentre + Vec3(100, 0, 0)) == 1);
@@ -56,7 +56,7 @@ TEST_CASE("edges may be longer only where no boundary is near, and change slowly
     const double x = unit(random), y = unit(random), z = unit(random);
     const Vec3 p(x, y, z), q = p + Vec3(z - 40, x - 40, y - 40).normalized() * (0.2 + 0.05 * x);
     const double size = sizes.at(p);
-    if (size > 1) REQUIRE(piercedBall(p) < -size * kEdge);
+    if (size > 1) REQUIRE(piercedBall(p) < -0.3 * size * kEdge);  // more than a step
     longer += size > 1;
     REQUIRE(std::abs(size - sizes.at(q)) <= 1.2 * SizeField::kGrade * (p - q).norm() / kEdge + 1e-6);
   }
@@ -75,7 +75,7 @@ TEST_CASE("an adaptive surface ends where a uniform one does, as fine and as eve
     CHECK(meanDistance(adaptive.mesh(), distance) < 1.1 * meanDistance(uniform.mesh(), distance));
     const MeshQuality a = meshQuality(adaptive.mesh().compact()), u = meshQuality(uniform.mesh().compact());
     CHECK(a.edges.largest <= 1.02 * u.edges.largest);
-    CHECK(a.edges.median == Catch::Approx(u.edges.median).epsilon(0.06));
+    CHECK(a.edges.median == Approx(u.edges.median).epsilon(0.06));
     CHECK(a.angles.percent5 > u.angles.percent5 - 2);
     CHECK(std::abs(adaptive.mesh().vertexCount() - uniform.mesh().vertexCount()) <
           0.1 * uniform.mesh().vertexCount());
