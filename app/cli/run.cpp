@@ -287,7 +287,7 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, Among among, c
   const Volume volume = loaded.volume;  // the contour has the same voxels in memory
   ActiveContour contour(std::move(loaded.volume), report.session.seeds, report.session.requested,
                         report.session.constraints);
-  tellBeginning(contour, report);
+  tellBeginning(contour, report, !outputs.report.empty());
   report.seconds.prepare = watch.lap();
 
   const OnHeld onHeld = report.session.constraints.topology.asks ? outputs.onHeld : OnHeld::hold;

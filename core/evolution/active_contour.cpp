@@ -279,8 +279,11 @@ std::vector<PinnedPart> ActiveContour::pinned() const { return state_->pins.list
 std::optional<Pin> ActiveContour::waitingPin() const { return state_->pins.waiting(); }
 std::optional<MeshEdit> ActiveContour::waitingEdit() const { return state_->edits.waiting(); }
 std::vector<HeldPlace> ActiveContour::held() const { return state_->held.list(); }
-const std::vector<ObjectCandidate>& ActiveContour::candidates() const { return state_->object.candidates; }
-bool ActiveContour::isCloseChoice() const { return state_->object.isCloseChoice; }
+const std::vector<ObjectCandidate>& ActiveContour::candidates() const {
+  return state_->object.choices->get().candidates;
+}
+bool ActiveContour::isCloseChoice() const { return state_->object.choices->get().isCloseChoice; }
+bool ActiveContour::knowsCandidates() const { return state_->object.choices->areKnown(); }
 bool ActiveContour::isSettled(int vertex) const { return state_->sleeps(vertex); }
 bool ActiveContour::isPinned(int vertex) const { return state_->pins.holds(vertex); }
 std::size_t ActiveContour::memory() const {

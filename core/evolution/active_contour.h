@@ -96,10 +96,13 @@ class ActiveContour {
   //! What it goes on with.
   Request request() const { return {requestedSeeds(), requested(), constraints()}; }
   //! The objects that the clicks may mean, the likeliest first; at most five. `parameters().candidate` is the
-  //! one that grows. Empty with a given range.
+  //! one that grows. Empty with a given range. Where a seed with a radius or the kind of object says what is
+  //! meant, they are looked for when they are first asked for: that takes longer than everything before.
   const std::vector<ObjectCandidate>& candidates() const;
   //! True if the first candidate is hardly likelier than another one.
   bool isCloseChoice() const;
+  //! False if candidates() and isCloseChoice() would have to look for them.
+  bool knowsCandidates() const;
   //! True if the vertex has not moved for a while and sleeps. Precondition: mesh().isVertex(vertex).
   bool isSettled(int vertex) const;
   //! True if a pin holds the vertex. Precondition: the same.

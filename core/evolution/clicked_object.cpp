@@ -179,7 +179,41 @@ void requireClicksInside(const Grid& grid, const std::vector<Seed>& clicks) {
       throw Told<SeedError>(Finding(FindingKind::clickOutside, {{"place", placeValue(s.centre)}}));
 }
 
+//! What else clicks may mean that mean a boundary. The choice among the candidates is close only if the
+//! boundary is that of the first: else it was not the candidates that were chosen from.
+ObjectChoices choicesBeside(const Volume& volume, const std::vector<Seed>& clicks, const Parameters& p,
+                            const ObjectChoice& meant, const FieldOfView* view) {
+  const std::optional<ObjectModel> model = findObject(volume, queryOf(clicks, p), view);
+  if (!model) return {};
+  return {model->candidates,
+          model->isCloseChoice && isItselfABoundary(*model) && isSameObject(volume, meant, clicks, *model)};
+}
+
+ClickedObject meantObject(const Volume& volume, const std::vector<Seed>& clicks, const Parameters& p,
+                          const ObjectChoice& meant, std::shared_ptr<const FieldOfView> view) {
+  ClickedObject out;
+  takeBoundary(out, meant, imageOf(meant));
+  out.choices = std::make_shared<const AskedChoices>(
+      [=] { return choicesBeside(volume, clicks, p, meant, view.get()); });
+  out.smoothing = out.image->volume().sigma();
+  return out;
+}
+
 }  // namespace
+
+const ObjectChoices& AskedChoices::get() const {
+  const std::lock_guard lock(guard_);
+  if (!found_) {
+    found_ = find_();
+    find_ = nullptr;  // and what it holds
+  }
+  return *found_;
+}
+
+bool AskedChoices::areKnown() const {
+  const std::lock_guard lock(guard_);
+  return found_.has_value();
+}
 
 ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& clicks, const Parameters& p) {
   const std::vector<Seed> seeds = seedsOfSide(clicks, false);
@@ -189,37 +223,39 @@ ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& c
     if (seeds.size() != clicks.size()) throw Told<UsageError>(Finding(FindingKind::rangeAndBackground));
     const ObjectChoice choice = chooseObject(volume, seeds, p);
     takeBoundary(out, choice, imageOf(choice));
+    out.choices = std::make_shared<const AskedChoices>(ObjectChoices{});
     out.smoothing = out.image->volume().sigma();
     return out;
   }
   requireSeedsInside(volume.grid, seeds);
   std::shared_ptr<const FieldOfView> view = FieldOfView::find(volume);
   if (view && view->isPaddingNear(volume.grid.toIndex(seeds[0].centre))) view = nullptr;
+  if (isMeantByBoundary(clicks, p))
+    if (const Boundary meant = strongestBoundary(volume, seeds, p); meant.choice)
+      return meantObject(volume, clicks, p, *meant.choice, std::move(view));
   const std::optional<ObjectModel> model = findObject(volume, queryOf(clicks, p), view.get());
-  const bool isMeant = !model || isMeantByBoundary(clicks, p);
   Boundary boundary;
-  if (isMeant)
+  if (!model)
     boundary = strongestBoundary(volume, seeds, p);
-  else if (isItselfABoundary(*model))
+  else if (isItselfABoundary(*model) && !isMeantByBoundary(clicks, p))
     boundary.choice = boundaryNextTo(*model, volume, seeds, p);
   if (!model && !boundary.choice) throw Told<SeedError>(boundary.why);
+  ObjectChoices choices;
   if (model) {
-    out.candidates = model->candidates;
+    choices = {model->candidates, model->isCloseChoice};
     out.candidate = model->chosen;
-    out.isCloseChoice = model->isCloseChoice;
   }
-  const bool isSame = boundary.choice && model && isItselfABoundary(*model) &&
-                      isSameObject(volume, *boundary.choice, clicks, *model);
-  if (boundary.choice && (isMeant || isSame)) {
-    out.isCloseChoice = out.isCloseChoice && isSame;  // else it was not the candidates that were chosen from
+  const bool isSame = model && boundary.choice && isSameObject(volume, *boundary.choice, clicks, *model);
+  if (boundary.choice && (!model || isSame)) {
     takeBoundary(out, *boundary.choice,
-                 isMeant ? imageOf(*boundary.choice) : imageOf(*boundary.choice, *model));
+                 model ? imageOf(*boundary.choice, *model) : imageOf(*boundary.choice));
   } else {
     out.image = imageOf(volume, *model, p, std::move(view));
     out.kind = model->rise > 0 ? ObjectKind::dark : ObjectKind::bright;
     out.range = {model->low, model->high};
     out.neckRadius = model->neckRadius;
   }
+  out.choices = std::make_shared<const AskedChoices>(std::move(choices));
   out.smoothing = out.image->volume().sigma();
   return out;
 }

@@ -1,7 +1,9 @@
 #pragma once
 // What the clicks mean (core/object), as the contour sees it.
 
+#include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -10,6 +12,28 @@
 
 namespace handlebody {
 
+//! What the clicks may mean, whichever of it grows.
+struct ObjectChoices {
+  std::vector<ObjectCandidate> candidates;  //!< the likeliest first
+  bool isCloseChoice = false;
+};
+
+//! The same, looked for when it is first asked for: where a boundary is meant, it takes most of the time of a
+//! preparation, and the object does not depend on it. Any number of threads may ask.
+class AskedChoices {
+ public:
+  explicit AskedChoices(ObjectChoices known) : found_(std::move(known)) {}
+  explicit AskedChoices(std::function<ObjectChoices()> find) : find_(std::move(find)) {}
+  //! Throws Cancelled (cancellation.h); it may be asked again then.
+  const ObjectChoices& get() const;
+  bool areKnown() const;
+
+ private:
+  mutable std::mutex guard_;
+  mutable std::function<ObjectChoices()> find_;
+  mutable std::optional<ObjectChoices> found_;
+};
+
 //! The image term of an object and what is told of it.
 struct ClickedObject {
   std::shared_ptr<const ObjectImage> image;
@@ -17,9 +41,8 @@ struct ClickedObject {
   IntensityRange range{};
   double smoothing = 0;   //!< mm
   double neckRadius = 0;  //!< mm: passages narrower than this are cut; 0 = none
-  std::vector<ObjectCandidate> candidates;
+  std::shared_ptr<const AskedChoices> choices;
   int candidate = 1;
-  bool isCloseChoice = false;
 };
 
 //! From clicks to the object: the strongest boundary around the seeds (object_range.h) where it is that of

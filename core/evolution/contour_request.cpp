@@ -87,7 +87,8 @@ void ActiveContour::State::splitLongEdges() {
 
 //! Walls and pins rest on edges that are nowhere longer than the target: with any, the sizes are uniform.
 void ActiveContour::State::chooseSizes(const std::vector<Seed>& inside, bool anew) {
-  const bool isUniform = requested.resolution == Resolution::uniform || walls.all() || !constraints.pins.empty();
+  const bool isUniform =
+      requested.resolution == Resolution::uniform || walls.all() || !constraints.pins.empty();
   if (isUniform) {
     const bool wasLonger = motion.sizes != nullptr;
     motion.sizes = nullptr;

@@ -48,9 +48,12 @@ Attempt attemptOf(const Mesh& mesh, const MotionSettings& s, RingHeights& height
   // on the mean, a quarter of the ring's height below the vertex (mean sagitta of a triangle: e²/8r, of the
   // ring: e²/2r), so that surface and volume come out right, not the corners alone.
   const double limit = kLargestSagitta * edge;
-  return {ring.normal, ring.umbrella - height * ring.normal,
+  return {ring.normal,
+          ring.umbrella - height * ring.normal,
           mesh.position(v) + std::clamp(0.25 * height, -limit, limit) * ring.normal,
-          std::clamp(force / s.balloon, s.outwardOnly ? 0.0 : -1.0, 1.0), size, most > 1};
+          std::clamp(force / s.balloon, s.outwardOnly ? 0.0 : -1.0, 1.0),
+          size,
+          most > 1};
 }
 
 //! Signed distance along the normal.

@@ -25,9 +25,9 @@ struct MotionSettings {
 
 //! Displacements (mm) of the listed vertices, in the same order. Along the normal a vertex goes no further
 //! than the object's boundary, as the image has it at the vertex and on the surface around
-//! (normal_profile.h); a vertex outside the object goes back to it. Where the field of sizes says that none is
-//! near, the image is not asked. Every vertex depends on the mesh as it
-//! is, not on the others' displacements, so the result does not depend on the number of threads.
+//! (normal_profile.h); a vertex outside the object goes back to it. Where the field of sizes says that none
+//! is near, the image is not asked. Every vertex depends on the mesh as it is, not on the others'
+//! displacements, so the result does not depend on the number of threads.
 std::vector<Vec3> computeMotion(const Mesh& mesh, const ObjectImage& image, const MotionSettings& settings,
                                 std::span<const int> vertices);
 

@@ -8,6 +8,8 @@ namespace handlebody {
 namespace {
 // The surface ends a little within the outer faces of the border voxels, so that their centres are inside.
 constexpr double kBorder = 0.49;  // voxels
+// Units of the scale: what is nearer to a level is compared with the level of the place.
+constexpr double kNear = 1e-6;
 }  // namespace
 
 ObjectImage::Reading ObjectImage::read(const Vec3& world) const {
@@ -18,12 +20,30 @@ ObjectImage::Reading ObjectImage::read(const Vec3& world) const {
   return reading;
 }
 
+//! Most voxels are beyond all levels.
+void ObjectImage::findBounds() {
+  surely_ = maybe_ = range_;
+  if (levels_ && std::isfinite(range_.high)) {
+    surely_.high = levels_->lowest();
+    maybe_.high = levels_->highest();
+  } else if (levels_) {
+    surely_.low = levels_->highest();
+    maybe_.low = levels_->lowest();
+  }
+  const double near = kNear * scale_;
+  surely_ = {surely_.low + near, surely_.high - near};
+  maybe_ = {maybe_.low - near, maybe_.high + near};
+}
+
 bool ObjectImage::holds(const std::array<int, 3>& voxel) const {
+  const auto value = static_cast<double>(volume_->at(voxel[0], voxel[1], voxel[2]));
+  if (value < maybe_.low || value > maybe_.high) return false;
+  if (!neck_ && value > surely_.low && value < surely_.high) return true;
   const Vec3 index(voxel[0], voxel[1], voxel[2]);
   Limits limits{range_.low, range_.high, scale_, 1};
   if (region_.field || levels_) limits = limitsWithin(index, volume_->grid().toWorld(index), true);
   if (neck_) limits.most = std::min(limits.most, neck_->barrier->openness(index));
-  return limits.inside(static_cast<double>(volume_->at(voxel[0], voxel[1], voxel[2]))) > 0;
+  return limits.inside(value) > 0;
 }
 
 bool ObjectImage::holdsBox(const std::array<int, 3>& low, const std::array<int, 3>& high) const {

@@ -46,7 +46,9 @@ class ObjectImage {
         scale_(scale),
         levels_(std::move(levels)),
         neck_(std::move(neck)),
-        view_(std::move(view)) {}
+        view_(std::move(view)) {
+    findBounds();
+  }
 
   //! The same object with these walls, which are outside of it; null: with none.
   std::shared_ptr<const ObjectImage> behind(std::shared_ptr<const Walls> walls) const {
@@ -107,6 +109,7 @@ class ObjectImage {
   const FieldOfView* view() const { return view_.get(); }
 
  private:
+  void findBounds();
   Limits limitsWithin(const Vec3& index, const Vec3& world, bool held) const;  // without the neck
 
   std::shared_ptr<const SmoothedVolume> volume_;
@@ -118,6 +121,9 @@ class ObjectImage {
   RegionLimits region_{};
   std::shared_ptr<const Walls> walls_{};
   double voxel_ = 1;  // mm, mean; with walls
+  // Whatever the levels of the place: intensities that are of the object, and that may be; of no region.
+  IntensityRange surely_{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  IntensityRange maybe_{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
 };
 
 }  // namespace handlebody

@@ -14,10 +14,13 @@ namespace {
 using Cell = std::array<int, 3>;
 
 constexpr int kMostVoxels = 8;  // of a cell, along an axis
-// The boundary lies anywhere in a cell that is not wholly in the object: up to half its diagonal from the
-// middle, from which distances are measured.
-constexpr double kHalfDiagonal = 0.87;
-constexpr double kNear = 1.0;  // edge lengths from the boundary to which edges are not longer
+// The boundary lies less than a voxel's diagonal beside a voxel that is not of the object, and that within
+// its cell: from the cell's middle half a diagonal of each. Between the middles of cells distances are up to
+// a quarter of a cell too large.
+constexpr double kHalfDiagonal = 0.87, kTooLarge = 0.25;
+// Edge lengths from the boundary up to which edges are not longer: more than a step, and than what the mean
+// over the surface around moves the boundary.
+constexpr double kNear = 0.5;
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
@@ -42,8 +45,7 @@ class CellFlood {
     const Vec3 index = cells_.toIndex(world);
     Cell c;
     for (int a = 0; a < 3; ++a)
-      c[idx(a)] =
-          static_cast<int>(std::clamp<double>(std::round(index[a]), 0, cells_.size[idx(a)] - 1.0));
+      c[idx(a)] = static_cast<int>(std::clamp<double>(std::round(index[a]), 0, cells_.size[idx(a)] - 1.0));
     visit(c);
     while (!front_.empty()) {
       if (front_.size() % 4096 == 0) giveUpIfCancelled();
@@ -125,7 +127,8 @@ SizeField::SizeField(const ObjectImage& image, const std::vector<Vec3>& starts, 
   if (flood.isEmpty()) return;
   grid_ = flood.box();
   sizes_ = distanceTo(grid_.size, grid_.spacing, flood.ends());
-  const double toBoundary = kHalfDiagonal * grid_.spacing.maxCoeff();
+  const double toBoundary = (kHalfDiagonal + kTooLarge) * grid_.spacing.maxCoeff() +
+                            kHalfDiagonal * image.volume().grid().spacing.maxCoeff();
   for (float& s : sizes_) {
     const double more = kGrade * ((static_cast<double>(s) - toBoundary) / edgeLength - kNear);
     s = static_cast<float>(std::clamp(1 + more, 1.0, kLongest));

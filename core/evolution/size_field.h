@@ -12,12 +12,12 @@ namespace handlebody {
 //! Edge lengths in parts of the target edge length: 1 near everything that ends the object (its boundary,
 //! specks of noise, thin parts, the border of the volume) and wherever nothing is known; up to kLongest in
 //! its wide inside. From place to place it changes by no more than kGrade times the distance, so that edges
-//! side by side differ by a bounded ratio. Where it is above 1, the object goes on for more than an edge
-//! length of that place in every direction.
+//! side by side differ by a bounded ratio. Where it is above 1, the object goes on for more than a
+//! step of that place in every direction.
 class SizeField {
  public:
   static constexpr double kLongest = 4;
-  static constexpr double kGrade = 0.4;  //!< edge length won per length of the distance to the boundary
+  static constexpr double kGrade = 0.6;  //!< edge length won per length of the distance to the boundary
 
   //! Of the part of the object that hangs together with the starts (mm) by whole cells, each of about one
   //! edge length (mm): a look at each of its voxels once, and a distance map of the cells.

@@ -7,8 +7,9 @@
 
 namespace handlebody {
 
-void tellBeginning(const ActiveContour& contour, RunReport& report) {
+void tellBeginning(const ActiveContour& contour, RunReport& report, bool looksForCandidates) {
   report.session.resolved = contour.parameters();
+  if (!looksForCandidates && !contour.knowsCandidates()) return;
   report.candidates = contour.candidates();
   report.isCloseChoice = contour.isCloseChoice();
 }

@@ -6,8 +6,9 @@
 
 namespace handlebody {
 
-//! Of the contour as it was made: parameters as used, candidates.
-void tellBeginning(const ActiveContour& contour, RunReport& report);
+//! Of the contour as it was made: parameters as used, candidates. Those are not looked for only for this,
+//! unless `looksForCandidates`.
+void tellBeginning(const ActiveContour& contour, RunReport& report, bool looksForCandidates = true);
 
 //! Of the contour as it is now: iterations, why it stopped, what the constraints hold.
 void tellState(const ActiveContour& contour, RunReport& report);

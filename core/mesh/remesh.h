@@ -12,8 +12,8 @@ namespace handlebody {
 struct RemeshLimits {
   double longest = 0;   //!< mm; longer edges are split
   double shortest = 0;  //!< mm; shorter edges are collapsed
-  //! Both are multiplied by this, place by place (mm); on an edge by the lesser of its ends. None: by 1. It may
-  //! not change so quickly that the halves of an edge that is too long are too short.
+  //! Both are multiplied by this, place by place (mm); on an edge by the lesser of its ends. None: by 1. It
+  //! may not change so quickly that the halves of an edge that is too long are too short.
   std::function<double(const Vec3&)> size{};
   //! Where no face may lie that was not part of one before, and which vertices are pinned.
   //! Precondition: no pinned vertex is active.

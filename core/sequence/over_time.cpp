@@ -107,10 +107,10 @@ FrameResult FrameCarrier::attempt(const FrameResult& from, int frame, const Volu
   const Request& r = settings_.request;
   Parameters parameters = r.parameters;
   parameters.candidate = candidate;
+  std::optional<ActiveContour> made;
   try {
-    ActiveContour contour(volume, carriedSeeds(r.seeds, from.mesh, settings_.edgeLength), parameters,
-                          r.constraints);
-    candidates = contour.candidates();
+    ActiveContour& contour = made.emplace(volume, carriedSeeds(r.seeds, from.mesh, settings_.edgeLength),
+                                          parameters, r.constraints);
     contour.startFrom(Mesh(from.mesh), settings_.holdTopology);
     while (contour.stopReason() == StopReason::running) {
       const StepReport step = contour.step();
@@ -123,6 +123,7 @@ FrameResult FrameCarrier::attempt(const FrameResult& from, int frame, const Volu
   } catch (const UsageError& error) {  // a wall or a range that does not go with this frame
     result.faults.push_back({FrameFault::noObject, error.what()});
   }
+  if (made && !result.isTrusted()) candidates = made->candidates();
   return result;
 }
 

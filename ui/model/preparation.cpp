@@ -24,6 +24,7 @@ Prepared Preparation::prepare(const Volume& volume, const Request& request) {
   if (!known_.empty() && known_.front().volume.voxels != volume.voxels) known_.clear();
   Prepared prepared;
   prepared.contour = std::make_shared<const ActiveContour>(make(volume, request));
+  prepared.contour->candidates();  // here, and not on the window's thread, which shows them
   prepared.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   known_.push_front({volume, prepared.contour});
   if (known_.size() > kMostKnown) known_.pop_back();

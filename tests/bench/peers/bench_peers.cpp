@@ -57,7 +57,7 @@ const std::pair<std::string, Peer> kPeers[] = {{"level set, threshold", Peer::th
                                                {"level set, geodesic", Peer::geodesicLevelSet},
                                                {"region growing", Peer::regionGrowing}};
 
-//! Our engine with nothing told, and with each value that was asked for, one at a time.
+//! Our engine with nothing told, adaptive, and with each value that was asked for, one at a time.
 std::vector<Row> oursOn(const Phantom& phantom, const PhantomOptions& options, const Options& o,
                         int threads) {
   Parameters untold;
@@ -69,6 +69,9 @@ std::vector<Row> oursOn(const Phantom& phantom, const PhantomOptions& options, c
     std::snprintf(label, sizeof label, "  with %s %g", what, value);
     rows.push_back({label, runOurs(phantom, options, told, o.repeat)});
   };
+  Parameters adaptive = untold;
+  adaptive.resolution = Resolution::adaptive;
+  rows.push_back({"  adaptive", runOurs(phantom, options, adaptive, o.repeat)});
   for (double weight : o.curvatures) add("curvature", weight, {.curvature = weight});
   for (double sigma : o.smoothings) add("smoothing", sigma, {.smoothing = sigma});
   for (double edge : o.edges) {

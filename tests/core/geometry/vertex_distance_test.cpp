@@ -66,10 +66,11 @@ TEST_CASE("triangles of very different sizes have vertices as near as the edge o
     // A large triangle about the origin, and a smaller one near a point of it.
     Pair p;
     for (std::size_t k = 0; k < 3; ++k) p[k] = Vec3(normal(random), normal(random), normal(random));
-    const double size = std::exp2(octaves(random)), a = std::abs(normal(random)), b = std::abs(normal(random)),
-                 c = std::abs(normal(random));
+    const double size = std::exp2(octaves(random)), a = std::abs(normal(random)),
+                 b = std::abs(normal(random)), c = std::abs(normal(random));
     const Vec3 at = (a * p[0] + b * p[1] + c * p[2]) / (a + b + c);
-    for (std::size_t k = 3; k < 6; ++k) p[k] = at + size * Vec3(normal(random), normal(random), normal(random));
+    for (std::size_t k = 3; k < 6; ++k)
+      p[k] = at + size * Vec3(normal(random), normal(random), normal(random));
     if (!intersect(p)) continue;
     ++met;
     // Some vertex of one and some of the other: |PT|² <= (longest edge at P)²/4 + (longest edge of T)²/3.
