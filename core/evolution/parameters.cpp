@@ -69,6 +69,8 @@ const char* stopReasonName(StopReason reason) {
       return "frozen";
     case StopReason::stuck:
       return "stuck";
+    case StopReason::given:
+      return "given";
     default:
       return "running";
   }
