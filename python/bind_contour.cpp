@@ -27,7 +27,8 @@ ContourPointer contourFrom(const VolumePointer& volume, const py::kwargs& option
   Asked asked;
   readOptions(options, asked);
   Session session;
-  session.seeds = seedsInWorld(parseClicks(asked.clicks), volume->loaded.volume.grid);
+  session.seeds = seedsInWorld(parseClicks(asked.clicks, asked.constraints.start.has_value()),
+                               volume->loaded.volume.grid);
   session.requested = asked.parameters;
   session.constraints = std::move(asked.constraints);
   ContourPointer contour;

@@ -6,6 +6,7 @@
 
 #include "core/errors.h"
 #include "core/io/polished_export.h"
+#include "core/io/start_surface.h"
 #include "core/io/wall_map.h"
 
 namespace handlebody::python {
@@ -18,6 +19,7 @@ RunReport begun(const PythonVolume& volume, Session asked) {
   asked.version = HANDLEBODY_VERSION;
   asked.volume = volume.reference;
   loadWalls(asked, volume.loaded.volume.grid);
+  loadStarts(asked);
   report.session = std::move(asked);
   report.volume = volume.loaded.info;
   return report;
@@ -87,6 +89,7 @@ void Contour::change(ParameterChange what) {
   Session walls;
   walls.constraints = std::move(*what.constraints);
   loadWalls(walls, active_.grid());
+  loadStarts(walls);
   what.constraints = std::move(walls.constraints);
   if (what.seeds) {
     std::vector<Seed> all = active_.requestedSeeds();

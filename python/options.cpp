@@ -78,7 +78,7 @@ void readOption(const std::string& key, py::handle value, Asked& asked) {
     throw py::type_error("there is no option '" + key +
                          "'; those of `handlebody-cli segment` are meant, "
                          "with underscores, as edge_length.");
-  if (option->type == "LABELMAP")
+  if (option->type.ends_with("LABELMAP"))
     return option->set(asked.parameters, asked.constraints,
                        pathOf(py::reinterpret_borrow<py::object>(value)));
   for (const std::string& text : textsOf(key, value, option->isRepeated))

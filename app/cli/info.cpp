@@ -23,9 +23,12 @@ struct InfoOptions {
 constexpr std::array kPercents{0.1, 1.0, 5.0, 25.0, 50.0, 75.0, 95.0, 99.0, 99.9};
 
 // A folder with several series holds no one volume, and no frame, until one is chosen.
-std::optional<IntensityStatistics> intensities(const VolumeInfo& info, const InfoOptions& o) {
+//! What only the voxels tell of the volume is told by its warnings, too.
+std::optional<IntensityStatistics> intensities(VolumeInfo& info, const InfoOptions& o) {
   if (info.frames == 0) return std::nullopt;
-  return intensityStatistics(readVolume(o.path, o.selection), kPercents);
+  const LoadedVolume loaded = loadVolume(o.path, o.selection).value();  // nobody cancels it
+  info.warnings = loaded.info.warnings;
+  return intensityStatistics(loaded.volume, kPercents);
 }
 
 std::string percentText(double percent) {
@@ -158,7 +161,7 @@ void printText(const VolumeInfo& info, const TimeAxis& times,
 }
 
 int info(const InfoOptions& o) {
-  const VolumeInfo found = inspectVolume(o.path, o.selection);
+  VolumeInfo found = inspectVolume(o.path, o.selection);
   const auto statistics = intensities(found, o);
   const TimeAxis times = found.frames > 1 ? readTimeAxis(o.path, o.selection) : TimeAxis{};
   if (o.json)

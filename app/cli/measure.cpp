@@ -59,7 +59,7 @@ std::vector<OutputFile> outputsOf(const MeasureOptions& o) {
 
 //! Grows the objects of a session again.
 void measureSession(const MeasureOptions& o, Measured& m) {
-  std::vector<Session> sessions = readSessions(o.path, o.volume);
+  std::vector<Session> sessions = readSessions(o.path, {o.volume, {}, {}});
   std::erase_if(sessions, [](const Session& session) { return !isSeeded(session); });
   if (o.selection.series) sessions[0].volume.selection.series = o.selection.series;
   m.volume = sessions[0].volume.path;

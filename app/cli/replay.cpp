@@ -12,7 +12,8 @@ namespace handlebody::cli {
 namespace {
 
 struct ReplayOptions {
-  std::string path, volume, walls;
+  std::string path;
+  InputPaths inputs;
   std::optional<std::string> series;
   std::optional<CoordinateSpace> space;
   RunOutputs outputs;
@@ -52,7 +53,7 @@ void leaveOutUnseeded(std::vector<Session>& sessions) {
 }
 
 int replay(ReplayOptions o) {
-  std::vector<Session> sessions = readSessions(o.path, o.volume, o.walls);
+  std::vector<Session> sessions = readSessions(o.path, o.inputs);
   leaveOutUnseeded(sessions);
   std::vector<std::string> inputs{o.path};
   const std::string version = sessions[0].version;
@@ -94,12 +95,17 @@ void addReplay(CLI::App& app, Action& action) {
   auto options = std::make_shared<ReplayOptions>();
   command->add_option("SESSION", options->path, "Session or report (JSON)")->required();
   command
-      ->add_option("--volume", options->volume, "Its volume, if the session does not say where that is now")
+      ->add_option("--volume", options->inputs.volume,
+                   "Its volume, if the session does not say where that is now")
       ->type_name("PATH");
   command
-      ->add_option("--walls", options->walls,
+      ->add_option("--walls", options->inputs.walls,
                    "The label map of its walls, if the session does not say where that is now")
       ->type_name("LABELMAP");
+  command
+      ->add_option("--start", options->inputs.start,
+                   "The mesh or label map that it begins with, if the session does not say where that is now")
+      ->type_name("MESH|LABELMAP");
   command->add_option("--series", options->series, "The DICOM series of that volume")->type_name("UID");
   addRunOutputs(*command, options->outputs);
   addObjectOptions(*command, options->outputs.object);

@@ -17,6 +17,7 @@
 #include "core/io/mesh_io.h"
 #include "core/io/picture.h"
 #include "core/io/result.h"
+#include "core/io/start_surface.h"
 #include "core/io/wall_map.h"
 
 namespace handlebody::cli {
@@ -48,7 +49,7 @@ void addRunOutputs(CLI::App& command, RunOutputs& outputs) {
   command
       .add_option(
           "-o,--output", outputs.results,
-          "What to write, by extension: .stl .vtp .ply .obj .3mf = the mesh; .nii.gz .nii .nrrd .mha = its "
+          "What to write, by extension: .stl .vtp .ply .obj .3mf .gltf = the mesh; .nii.gz .nii .nrrd .mha = its "
           "label map on the input grid; .seg.nrrd = the same as 3D Slicer's segmentation; for a volume read "
           "from DICOM, too: .seg.dcm = a DICOM Segmentation, .stl.dcm = the mesh as DICOM Encapsulated STL; "
           "where gmsh or TetGen is installed: .msh .vtu .inp = tetrahedra for a solver; "
@@ -91,6 +92,7 @@ std::vector<std::string> inputsOf(const Session& session) {
   for (const ParameterChange& change : session.changes)
     if (change.constraints && change.constraints->walls.map)
       inputs.push_back(change.constraints->walls.map->path);
+  if (session.constraints.start) inputs.push_back(session.constraints.start->path);
   return inputs;
 }
 
@@ -253,6 +255,8 @@ void warn(const std::vector<Finding>& doubts, const std::string& name) {
     std::fprintf(stderr, "handlebody-cli: warning: %s%s\n", behind.c_str(), sentence(d).c_str());
 }
 
+bool isPolished(const Session& session) { return session.polish && !isMeshAsItIs(session.constraints); }
+
 void tellPolish(const PolishReport& polish, RunReport& report) {
   report.polish = polish;
   if (Finding doubt = polishDoubt(polish); doubt.any()) report.doubts.push_back(std::move(doubt));
@@ -263,7 +267,7 @@ void tellPolish(const PolishReport& polish, RunReport& report) {
 void polishAmong(GrownObject& object, const std::vector<const TriangleSoup*>& others, const Volume& volume,
                  const RunOutputs& outputs) {
   RunReport& report = object.report;
-  if (!report.session.polish) return;
+  if (!isPolished(report.session)) return;
   Stopwatch watch;
   object.polish.bounds.obstacles = others;
   CertifiedMesh made{std::move(object.mesh), report.mesh};
@@ -297,8 +301,8 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, Among among, c
 
   CertifiedMesh made = grownMesh(contour);
   PolishOptions polishing;
-  if (report.session.polish) polishing = polishOptions(contour, made.mesh);
-  if (report.session.polish && among == Among::none) tellPolish(polish(made, polishing), report);
+  if (isPolished(report.session)) polishing = polishOptions(contour, made.mesh);
+  if (isPolished(report.session) && among == Among::none) tellPolish(polish(made, polishing), report);
   report.seconds.exported = watch.lap();
   tellSurface(made, volume, outputs, report);
   watch.lap();
@@ -318,6 +322,7 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
   std::optional<Volume> shown;  // the voxels are not kept in memory for nothing: a label map needs it
   if (!outputs.picture.empty()) shown = loaded.volume;
   loaded.session.label = chosenLabel(outputs.object, loaded.session.label);
+  loadStarts(loaded.session);
   auto [report, mesh, polishing] = grow(std::move(loaded), outputs);
   Stopwatch watch;
   {

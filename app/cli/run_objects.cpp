@@ -9,6 +9,7 @@
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture.h"
+#include "core/io/start_surface.h"
 #include "core/io/wall_map.h"
 
 namespace handlebody::cli {
@@ -75,6 +76,9 @@ std::vector<GrownObject> growObjects(LoadedSession first, std::vector<Session> o
                                      const RunOutputs& outputs) {
   const Volume volume = first.volume;
   const VolumeInfo info = first.info;
+  std::vector<Session*> all{&first.session};
+  for (Session& session : others) all.push_back(&session);
+  loadStarts(all);
   std::vector<GrownObject> grown;
   std::vector<WallObject> finished;
   const auto growNext = [&](LoadedSession loaded) {

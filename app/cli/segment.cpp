@@ -27,6 +27,15 @@ struct SegmentOptions {
 
 using Text = const std::string&;
 
+//! Throws UsageError; a surface to begin with is as good as a seed.
+Clicks clicksOf(const SegmentOptions& o) {
+  const auto& start = o.session.constraints.start;
+  if (start && start->path.empty())
+    throw UsageError(
+        "--start-label says which voxels of a label map are meant: give that with --start or --given.");
+  return parseClicks(o.clicks, start.has_value());
+}
+
 void addInput(CLI::App& command, VolumeReference& volume) {
   command.add_option("VOLUME", volume.path, "A file, or a folder with a DICOM series")->required();
   addSelection(command, volume.selection);
@@ -73,12 +82,14 @@ int segment(SegmentOptions o) {
   session.version = HANDLEBODY_VERSION;
   session.space = o.space.value_or(CoordinateSpace::lps);
   session.polish = o.outputs.polish.value_or(true);
-  const Clicks clicks = parseClicks(o.clicks);
+  const Clicks clicks = clicksOf(o);
   assignResults(o.outputs, {chosenLabel(o.outputs.object, session.label)});
   session.overTime = requestOf(o.overTime);
   if (session.overTime && o.outputs.onHeld != OnHeld::hold)
     throw UsageError("--on-held pause and stop are for a single frame: --frames asks nobody.");
   if (session.overTime) {
+    if (session.constraints.start)
+      throw UsageError("--frames carries what has grown from seeds, not a surface of --start or --given.");
     chooseFrame(session);
     checkOverTime(session, o.outputs, o.overTime);
   } else {
@@ -180,6 +191,8 @@ SeveralObjects parseSeveral(const std::vector<std::string>& arguments) {
   const SegmentOptions common = parseOwn(groups.common, {});
   if (!common.clicks.seeds.empty() || !common.clicks.voxelSeeds.empty())
     throw UsageError("A seed before the first --object-name belongs to no object.");
+  if (common.session.constraints.start && common.session.constraints.start->label)
+    throw UsageError("--start-label before the first --object-name belongs to no object.");
   std::vector<SegmentOptions> objects;
   for (const auto& group : groups.objects) objects.push_back(parseOwn(group, common));
   const std::vector<ObjectLabel> labels = labelsOf(objects);
@@ -196,7 +209,7 @@ SeveralObjects parseSeveral(const std::vector<std::string>& arguments) {
     session.label = labels[i];
     all.sessions.push_back(std::move(session));
     try {
-      all.clicks.push_back(parseClicks(objects[i].clicks));
+      all.clicks.push_back(clicksOf(objects[i]));
     } catch (const UsageError& error) {
       throw UsageError("object '" + labels[i].name + "': " + error.what());
     }
@@ -240,7 +253,7 @@ void checkSegmentArguments(const std::vector<std::string>& arguments) {
   SegmentOptions options;
   addOptions(command, options);
   parse(command, arguments);
-  parseClicks(options.clicks);
+  clicksOf(options);
   for (const std::string& path : options.outputs.results) checkResultExtension({"--output", path});
 }
 

@@ -154,6 +154,8 @@ void ActiveContour::State::decideStop(const StepReport& report) {
     stop = StopReason::empty;
   else if (leadsToEdit())
     stop = StopReason::running;
+  else if (isDone())
+    stop = StopReason::given;
   else if (stillness.isAtRest())
     stop = restReason();
   else if (iteration >= parameters.maxIterations)
@@ -227,7 +229,7 @@ ActiveContour::ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters 
   requireSensible(constraints, volume.grid);
   state_->volume = std::move(volume);
   state_->seeds = std::move(seeds);
-  state_->object = findClickedObject(state_->volume, state_->seeds, parameters);
+  state_->object = objectOf(state_->volume, state_->seeds, parameters, constraints.start);
   state_->start(parameters, constraints);
 }
 ActiveContour::ActiveContour(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -250,7 +252,7 @@ void ActiveContour::change(const ActiveContour& prepared) {
 }
 const std::optional<Correction>& ActiveContour::correction() const { return state_->correction; }
 ActiveContour ActiveContour::restarted(const Parameters& parameters, const Constraints& constraints) const {
-  if (!chooseSameImage(parameters, requested()))
+  if (!chooseSameImage(parameters, requested()) || constraints.start != this->constraints().start)
     return {state_->volume, state_->seeds, parameters, constraints};
   requireSensible(parameters);
   requireSensible(constraints, grid());
@@ -289,9 +291,14 @@ bool ActiveContour::isPinned(int vertex) const { return state_->pins.holds(verte
 std::size_t ActiveContour::memory() const {
   return sizeof(State) + state_->mesh.memory() + state_->quiet.size();
 }
-SurfaceSupport ActiveContour::support() const { return surfaceSupport(state_->mesh, *state_->object.image); }
+SurfaceSupport ActiveContour::support() const {
+  if (!state_->isDone()) return surfaceSupport(state_->mesh, *state_->object.image);
+  return {std::vector<FaceSupport>(static_cast<std::size_t>(state_->mesh.faceCount()), FaceSupport::edge), 0,
+          0};
+}
 std::vector<Finding> ActiveContour::doubts(const SurfaceSupport& support) const {
-  std::vector<Finding> doubts = imageDoubts(state_->mesh, *state_->object.image, support);
+  std::vector<Finding> doubts;
+  if (!state_->isDone()) doubts = imageDoubts(state_->mesh, *state_->object.image, support);
   if (state_->walls.isPushing()) doubts.push_back(FindingKind::liesInWall);
   for (Finding& d : state_->held.doubts()) doubts.push_back(std::move(d));
   if (state_->object.neckRadius > 0)

@@ -21,9 +21,10 @@ namespace handlebody {
 //! same mesh, bit for bit, with any number of threads.
 class ActiveContour {
  public:
-  //! Resolves the automatic parameters from the image around the seeds and makes the seed spheres.
+  //! Resolves the automatic parameters from the image around the seeds and makes the seed spheres, or takes
+  //! the surface of Constraints::start in their place; without a seed the image around a place within it.
   //! Throws SeedError (seed outside the volume or not in an object), UsageError (a parameter without meaning,
-  //! a range without voxels, a wall outside of the volume, a pin of iteration 0 without a vertex), Cancelled
+  //! a range without voxels, a wall outside of the volume, a start in a wall or that meets an object of them, a pin of iteration 0 without a vertex), Cancelled
   //! (cancellation.h).
   ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters parameters, Constraints constraints = {});
   ~ActiveContour();

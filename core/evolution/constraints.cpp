@@ -69,6 +69,13 @@ void requireSensiblePlaces(const TopologyLimits& limits, const Grid& grid) {
         throw UsageError("The " + std::string(name) + written(p) + " lies outside of the volume.");
 }
 
+void requireSensible(const StartSurface& start, const Grid& grid) {
+  if (!start.mesh || start.mesh->triangles.empty())
+    throw UsageError("The surface to begin with, " + start.path + ", has not been read.");
+  if (outside(grid, start.inside) > 0)
+    throw UsageError("The surface to begin with, " + start.path + ", lies outside of the volume.");
+}
+
 //! A step is one edit, and nothing else happens in it.
 void requireSensibleEdits(const Constraints& c) {
   std::vector<int> taken;
@@ -111,6 +118,14 @@ std::string written(const Pin& p) {
   return text.str();
 }
 
+bool StartSurface::operator==(const StartSurface& other) const {
+  if (isDone != other.isDone) return false;
+  if (mesh && other.mesh)
+    return mesh == other.mesh ||
+           (mesh->points == other.mesh->points && mesh->triangles == other.mesh->triangles);
+  return path == other.path && sha256 == other.sha256 && label == other.label && among == other.among;
+}
+
 bool WallMap::operator==(const WallMap& other) const {
   if (voxels == other.voxels && voxels) return true;
   if (voxels && other.voxels) return *voxels == *other.voxels;
@@ -119,6 +134,7 @@ bool WallMap::operator==(const WallMap& other) const {
 
 void requireSensible(const Constraints& constraints, const Grid& grid) {
   requireSensible(constraints.walls, grid);
+  if (constraints.start) requireSensible(*constraints.start, grid);
   for (const Pin& p : constraints.pins) requireSensible(p, grid);
   for (const Veto& v : constraints.vetoes) {
     if (v.iteration < 1 || !v.place.allFinite())

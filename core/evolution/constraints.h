@@ -1,6 +1,7 @@
 #pragma once
 // What a user forbids the surface: places where it may not go, changes of topology that are not to happen,
-// parts of it that are to stay as they are; and what is to be done to it by hand.
+// parts of it that are to stay as they are; what is to be done to it by hand; and a surface that is there
+// already.
 
 #include <array>
 #include <memory>
@@ -86,14 +87,31 @@ struct Pin {
   bool operator==(const Pin&) const = default;
 };
 
+//! A surface from a file: what the growth begins with in place of spheres, or the object itself.
+struct StartSurface {
+  std::string path{};          //!< of a mesh or a label map
+  std::string sha256{};        //!< of that file; empty: not known
+  std::optional<int> label{};  //!< of the voxels that are meant; none: all that are not 0
+  //! Labels of the same map that become surfaces together, so that no two of them meet; empty: this one
+  //! alone.
+  std::vector<int> among{};
+  bool isDone = false;  //!< it is the object as it is: nothing grows
+  //! mm LPS, in single precision, passes the certificate; null: not read yet (loadStarts).
+  std::shared_ptr<const TriangleSoup> mesh{};
+  Vec3 inside{0, 0, 0};  //!< mm LPS, a place deep inside: the click where there is none
+  //! The same surface, or what is to be read from the same file.
+  bool operator==(const StartSurface& other) const;
+};
+
 struct Constraints {
   WallList walls{};
   std::vector<Veto> vetoes{};
   TopologyLimits topology{};
   std::vector<Pin> pins{};
   std::vector<MeshEdit> edits{};
+  std::optional<StartSurface> start{};  //!< the same at all iterations
   bool empty() const {
-    return walls.empty() && vetoes.empty() && topology.empty() && pins.empty() && edits.empty();
+    return walls.empty() && vetoes.empty() && topology.empty() && pins.empty() && edits.empty() && !start;
   }
   bool operator==(const Constraints&) const = default;
 };
@@ -108,7 +126,8 @@ std::string written(const WallDisc& disc);
 std::string written(const Pin& pin);
 
 //! Throws UsageError if one has no meaning: a wall or a pin without a radius or (a disc) without a normal, or
-//! outside of the volume, a label map of another size, a veto or an edit before the first step,
+//! outside of the volume, a label map of another size, a start that has not been read or lies outside of the
+//! volume, a veto or an edit before the first step,
 //! two edits of one step or a veto of an edit's step, a limit that no surface keeps.
 void requireSensible(const Constraints& constraints, const Grid& grid);
 

@@ -1,6 +1,10 @@
 // What a contour is asked for: at first, and when it is changed on the way.
 
+#include <limits>
+
+#include "core/collision/body_contact.h"
 #include "core/collision/certify.h"
+#include "core/errors.h"
 #include "core/evolution/contour_state.h"
 #include "core/evolution/image_doubts.h"
 #include "core/evolution/seeds.h"
@@ -28,8 +32,7 @@ void ActiveContour::State::chooseEdge() {
   const double voxel = volume.grid.meanSpacing();
   const auto image = object.image->behind(nullptr);
   double fit = 0;
-  for (const Seed& s : seedsOfSide(seeds, false))
-    fit = std::max(fit, fittingRadius(*image, s.centre, 8 * voxel));
+  for (const Seed& s : seedsInside()) fit = std::max(fit, fittingRadius(*image, s.centre, 8 * voxel));
   automaticEdge = std::clamp(0.6 * fit / voxel, 1.0, 2.0) * voxel;
 }
 
@@ -88,7 +91,7 @@ void ActiveContour::State::splitLongEdges() {
 //! Walls and pins rest on edges that are nowhere longer than the target: with any, the sizes are uniform.
 void ActiveContour::State::chooseSizes(const std::vector<Seed>& inside, bool anew) {
   const bool isUniform =
-      requested.resolution == Resolution::uniform || walls.all() || !constraints.pins.empty();
+      requested.resolution == Resolution::uniform || isDone() || walls.all() || !constraints.pins.empty();
   if (isUniform) {
     const bool wasLonger = motion.sizes != nullptr;
     motion.sizes = nullptr;
@@ -112,21 +115,69 @@ void ActiveContour::State::start(const Parameters& p, const Constraints& c) {
   constraints = c;
   chooseEdge();
   resolve(p);
-  begin();
+  begin(true);
   takePins();
 }
 
-void ActiveContour::State::begin() {
-  const std::vector<Seed> asked = seedsOfSide(seeds, false);
-  std::vector<Seed> inside =
-      fitSeeds(*object.image, asked, parameters.edgeLength, parameters.direction == Direction::both);
-  if (walls.all()) inside = clearOfWalls(inside, asked, *walls.all(), limits.shortest);
-  chooseSizes(inside, true);
-  mesh = seedMesh(inside, parameters.edgeLength, motion.sizes.get());
-  resolveSeeds(inside);
+std::vector<Seed> ActiveContour::State::seedsInside() const {
+  std::vector<Seed> inside = seedsOfSide(seeds, false);
+  if (inside.empty() && constraints.start) inside.push_back({constraints.start->inside, {}, false});
+  return inside;
+}
+
+void ActiveContour::State::begin(bool withStart) {
+  if (withStart && constraints.start) {
+    beginWithStart();
+  } else {
+    const std::vector<Seed> asked = seedsInside();
+    std::vector<Seed> inside =
+        fitSeeds(*object.image, asked, parameters.edgeLength, parameters.direction == Direction::both);
+    if (walls.all()) inside = clearOfWalls(inside, asked, *walls.all(), limits.shortest);
+    chooseSizes(inside, true);
+    mesh = seedMesh(inside, parameters.edgeLength, motion.sizes.get());
+    resolveSeeds(inside);
+  }
   quiet.assign(idx(mesh.vertexSlots()), 0);
   topology = topologyNumbers(mesh);
-  if (parameters.maxIterations == 0 && !leadsToEdit()) stop = StopReason::maxIterations;
+  if (parameters.maxIterations == 0) stop = StopReason::maxIterations;
+  if (isDone()) stop = StopReason::given;
+  if (leadsToEdit()) stop = StopReason::running;
+}
+
+//! Its vertices and edges are as they were given until the first step regulates them.
+void ActiveContour::State::beginWithStart() {
+  const StartSurface& start = *constraints.start;
+  for (const WallObject& other : constraints.walls.objects)
+    if (bodyContact(*other.mesh, *start.mesh) != BodyContact::none)
+      throw UsageError("The surface to begin with, " + start.path + ", meets the object '" + other.name +
+                       "', which comes before it.");
+  mesh = Mesh(*start.mesh);
+  std::vector<Seed> inside;
+  if (!isDone()) {
+    inside = fitSeeds(*object.image, seedsInside(), parameters.edgeLength,
+                      parameters.direction == Direction::both);
+    chooseSizes(inside, true);
+    walls.putUp(mesh, {}, mayShrink());
+    chooseForbidden();
+  }
+  resolveSeeds(inside);
+}
+
+//! Where nothing is to grow the image is not asked.
+ClickedObject objectOf(const Volume& volume, std::vector<Seed> seeds, const Parameters& parameters,
+                       const std::optional<StartSurface>& start) {
+  if (!start) return findClickedObject(volume, seeds, parameters);
+  if (!start->isDone) {
+    if (seedsOfSide(seeds, false).empty()) seeds.push_back({start->inside, {}, false});
+    return findClickedObject(volume, seeds, parameters);
+  }
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  ClickedObject object;
+  object.range = {-kInfinity, kInfinity};
+  object.choices = std::make_shared<const AskedChoices>(ObjectChoices{});
+  object.image =
+      std::make_shared<ObjectImage>(std::make_shared<SmoothedVolume>(volume, 0.0), object.range, 1.0);
+  return object;
 }
 
 void ActiveContour::State::startFrom(const Mesh& surface, bool holdTopology) {
@@ -149,6 +200,8 @@ void ActiveContour::State::resolveSeeds(const std::vector<Seed>& inside) {
 void ActiveContour::State::change(const Request& to, const State* prepared) {
   requireSensible(to.parameters);
   requireSensible(to.constraints, volume.grid);
+  if (to.constraints.start != constraints.start)
+    throw UsageError("The surface to begin with cannot become another one on the way: begin again.");
   const WallList known = constraints.walls;
   const bool otherWalls = to.constraints.walls != known;
   const bool otherClicks = to.seeds != seeds;
@@ -164,14 +217,14 @@ void ActiveContour::State::change(const Request& to, const State* prepared) {
   if (prepared)
     object = prepared->object;
   else if (otherImage)
-    object = findClickedObject(volume, seeds, to.parameters);
+    object = objectOf(volume, seeds, to.parameters, constraints.start);
   if (otherImage && !otherClicks) chooseEdge();
   const double edge = parameters.edgeLength;
   resolve(to.parameters);
   const bool isOtherEdge = parameters.edgeLength != edge;
   if (wake) forgetRest();
   if (wake && !sleepsOn) quiet.assign(idx(mesh.vertexSlots()), 0);
-  if (otherClicks) correct();
+  if (otherClicks && !isDone()) correct();
   if (otherClicks || otherImage || otherWalls) alarm.forget();
   chooseSizes(seedsOfSide(parameters.seeds, false), otherImage || isOtherEdge);
   walls.putUp(mesh, known, mayShrink());
@@ -179,6 +232,7 @@ void ActiveContour::State::change(const Request& to, const State* prepared) {
   if (stop == StopReason::maxIterations || (wake && mesh.faceCount() > 0)) stop = StopReason::running;
   if (stop == StopReason::running && iteration >= to.parameters.maxIterations)
     stop = StopReason::maxIterations;
+  if (isDone()) stop = StopReason::given;
   if (leadsToEdit()) stop = StopReason::running;
 }
 
@@ -215,7 +269,7 @@ void ActiveContour::State::beginAnew() {
   chooseEdge();
   resolve(requested);
   orderedVertices = kFitsIntoCache;
-  begin();
+  begin(false);
 }
 
 }  // namespace handlebody

@@ -32,6 +32,10 @@ namespace handlebody {
 inline constexpr std::size_t kStepWork = 120'000'000;
 inline constexpr int kFitsIntoCache = 3000;  // vertices: any order of them will do
 
+//! What the clicks mean; where there are none inside, what a start encloses.
+ClickedObject objectOf(const Volume& volume, std::vector<Seed> seeds, const Parameters& parameters,
+                       const std::optional<StartSurface>& start);
+
 struct ActiveContour::State {
   Mesh mesh;
   Scratch<Transaction> transaction;
@@ -69,7 +73,12 @@ struct ActiveContour::State {
   void chooseEdge();
   void resolve(const Parameters& p);
   void start(const Parameters& p, const Constraints& c);
-  void begin();
+  //! `withStart`: with the surface that was given, if one was; else with spheres at the seeds.
+  void begin(bool withStart);
+  void beginWithStart();
+  //! The object is a surface that was given, and nothing grows.
+  bool isDone() const { return constraints.start && constraints.start->isDone; }
+  std::vector<Seed> seedsInside() const;
   void startFrom(const Mesh& surface, bool holdTopology);
   void change(const Request& to, const State* prepared);
   void chooseWalls();

@@ -70,6 +70,8 @@ const char* stopReasonName(StopReason reason) {
       return "frozen";
     case StopReason::stuck:
       return "stuck";
+    case StopReason::given:
+      return "given";
     default:
       return "running";
   }

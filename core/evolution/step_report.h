@@ -30,8 +30,9 @@ enum class StopReason {
   empty,          //!< nothing is left
   frozen,         //!< nothing moves any more, but places that rest for good would
   stuck,          //!< no part of a step could be kept, again and again: everything rests
+  given,          //!< the surface was there already, and nothing is to grow (StartSurface::isDone)
 };
-//! "converged", "max-iterations", "empty", "frozen", "stuck", "running".
+//! "converged", "max-iterations", "empty", "frozen", "stuck", "given", "running".
 const char* stopReasonName(StopReason reason);
 
 }  // namespace handlebody

@@ -26,8 +26,8 @@ Seed inWorld(const Seed& voxels, const Grid& grid) {
 
 }  // namespace
 
-Clicks parseClicks(const ClickTexts& texts) {
-  if (texts.seeds.empty() && texts.voxelSeeds.empty())
+Clicks parseClicks(const ClickTexts& texts, bool hasStart) {
+  if (texts.seeds.empty() && texts.voxelSeeds.empty() && !hasStart)
     throw UsageError("segment needs a --seed or --seed-ijk.");
   return parseFurtherClicks(texts);
 }

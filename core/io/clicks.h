@@ -22,8 +22,9 @@ struct Clicks {
   std::vector<Seed> voxels;  //!< continuous indices; the radius in voxels of mean size
 };
 
-//! Throws UsageError that names the option, also if no click is inside the object.
-Clicks parseClicks(const ClickTexts& texts);
+//! Throws UsageError that names the option, also if no click is inside the object, unless a surface to begin
+//! with is (`hasStart`).
+Clicks parseClicks(const ClickTexts& texts, bool hasStart = false);
 //! The same for clicks that come to others: none of them need be inside.
 Clicks parseFurtherClicks(const ClickTexts& texts);
 

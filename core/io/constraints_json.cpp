@@ -82,6 +82,33 @@ MeshEdit meshEditFromJson(const Json& json) {
   return edit;
 }
 
+Json startToJson(const StartSurface& s) {
+  Json json = {{"path", nullptr}};
+  if (!s.path.empty()) json["path"] = s.path;
+  if (!s.sha256.empty()) json["sha256"] = s.sha256;
+  if (s.label) json["label"] = *s.label;
+  if (!s.among.empty()) json["among"] = s.among;
+  if (s.isDone) json["done"] = true;
+  return json;
+}
+
+int labelFromJson(const Json& json) {
+  const int label = integerFromJson(json);
+  if (label == 0) throw UsageError("a label of the surface to begin with is 0.");
+  return label;
+}
+
+StartSurface startFromJson(const Json& json) {
+  StartSurface start;
+  if (!json.at("path").is_null()) start.path = json.at("path").get<std::string>();
+  start.sha256 = json.value("sha256", std::string());
+  if (json.contains("label")) start.label = labelFromJson(json.at("label"));
+  if (json.contains("among"))
+    for (const Json& label : json.at("among")) start.among.push_back(labelFromJson(label));
+  if (json.contains("done")) start.isDone = json.at("done").get<bool>();
+  return start;
+}
+
 }  // namespace
 
 Json discToJson(const WallDisc& w) {
@@ -109,6 +136,7 @@ Json constraintsToJson(const Constraints& c) {
     json["pins"].push_back(
         {{"centre", vectorToJson(p.centre)}, {"radius", p.radius}, {"iteration", p.iteration}});
   for (const MeshEdit& e : c.edits) json["edits"].push_back(meshEditToJson(e));
+  if (c.start) json["start"] = startToJson(*c.start);
   return json;
 }
 
@@ -137,6 +165,7 @@ Constraints constraintsFromJson(const Json& json) {
     for (const Json& pin : json.at("pins")) c.pins.push_back(pinFromJson(pin));
   if (json.contains("edits"))
     for (const Json& edit : json.at("edits")) c.edits.push_back(meshEditFromJson(edit));
+  if (json.contains("start")) c.start = startFromJson(json.at("start"));
   return c;
 }
 

@@ -126,6 +126,36 @@ std::vector<GrowthOption> wallOptions() {
   };
 }
 
+//! --start and --given exclude each other; --start-label may stand before or behind them.
+void setStart(Constraints& c, Text option, Text path, bool isDone) {
+  if (c.start && !c.start->path.empty() && c.start->isDone != isDone)
+    throw UsageError(option + ": an object begins with one surface (--start) or is one (--given), not both.");
+  StartSurface start;
+  start.path = path;
+  start.isDone = isDone;
+  if (c.start && !c.start->mesh) start.label = c.start->label;
+  c.start = std::move(start);
+}
+
+std::vector<GrowthOption> startOptions() {
+  return {
+      {"--start", "MESH|LABELMAP",
+       "The surface begins as this one in place of a sphere, and grows onto the image from there; with "
+       "--direction both it gives ground, too; needs no --seed",
+       false, [](Parameters&, Constraints& c, Text t) { setStart(c, "--start", t, false); }},
+      {"--given", "MESH|LABELMAP",
+       "The object is this surface as it is: a wall for the objects after it, written with them; needs no "
+       "--seed",
+       false, [](Parameters&, Constraints& c, Text t) { setStart(c, "--given", t, true); }},
+      {"--start-label", "N", "The voxels of that label map that are meant (default: all that are not 0)",
+       false,
+       [](Parameters&, Constraints& c, Text t) {
+         if (!c.start) c.start.emplace();
+         c.start->label = parseInteger("--start-label", t, 1, kAnyCount);
+       }},
+  };
+}
+
 std::vector<GrowthOption> changeOptions() {
   return {
       repeated("--veto", "ITERATION:X,Y,Z",
@@ -159,7 +189,8 @@ std::vector<GrowthOption> changeOptions() {
 
 std::vector<GrowthOption> makeConstraintOptions() {
   std::vector<GrowthOption> all = wallOptions();
-  for (GrowthOption& option : changeOptions()) all.push_back(std::move(option));
+  for (auto* more : {&startOptions, &changeOptions})
+    for (GrowthOption& option : more()) all.push_back(std::move(option));
   return all;
 }
 

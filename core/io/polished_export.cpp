@@ -12,17 +12,21 @@ double polishDistance(const Grid& grid) { return kPolishVoxels * grid.spacing.mi
 
 double polishDistance(const TriangleSoup& mesh) { return kPolishVoxels * meshQuality(mesh).edges.median; }
 
-PolishOptions polishOptions(const ActiveContour& contour, const TriangleSoup& mesh) {
+GrownUnder grownUnder(const ActiveContour& contour) {
+  return {contour.grid(), contour.constraints().walls, contour.parameters().edgeLength, contour.pinned()};
+}
+
+PolishOptions polishOptions(const GrownUnder& grown, const TriangleSoup& mesh) {
   PolishOptions options;
-  options.bounds.distance = polishDistance(contour.grid());
-  const double edge = contour.parameters().edgeLength;
-  if (const WallList& list = contour.constraints().walls; !list.empty()) {
-    const auto walls = std::make_shared<const Walls>(list, contour.grid(), edge, edge);
+  options.bounds.distance = polishDistance(grown.grid);
+  const double edge = grown.edgeLength;
+  if (!grown.walls.empty()) {
+    const auto walls = std::make_shared<const Walls>(grown.walls, grown.grid, edge, edge);
     options.bounds.forbids = [walls](const Vec3& a, const Vec3& b, const Vec3& c) {
       return walls->touches(a, b, c);
     };
   }
-  for (const PinnedPart& part : contour.pinned()) {
+  for (const PinnedPart& part : grown.pinned) {
     if (part.vertices == 0) continue;
     options.bounds.isHeld.resize(mesh.points.size(), 0);
     for (std::size_t v = 0; v < mesh.points.size(); ++v)

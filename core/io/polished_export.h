@@ -15,8 +15,20 @@ double polishDistance(const Grid& grid);
 //! The same for a mesh without a grid: a part of its median edge.
 double polishDistance(const TriangleSoup& mesh);
 
+//! What of a growth binds the polish of its surface.
+struct GrownUnder {
+  Grid grid;
+  WallList walls;
+  double edgeLength = 0;  //!< mm
+  std::vector<PinnedPart> pinned;
+};
+GrownUnder grownUnder(const ActiveContour& contour);
+
 //! What the constraints of the growth leave to polishing: no face in a wall, nothing of what is pinned.
-PolishOptions polishOptions(const ActiveContour& contour, const TriangleSoup& mesh);
+PolishOptions polishOptions(const GrownUnder& grown, const TriangleSoup& mesh);
+inline PolishOptions polishOptions(const ActiveContour& contour, const TriangleSoup& mesh) {
+  return polishOptions(grownUnder(contour), mesh);
+}
 
 //! Betters bad triangles of a mesh of certifiedForExport; its certificate is that of the new mesh. A mesh
 //! without any stays as it is.

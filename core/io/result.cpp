@@ -7,6 +7,7 @@
 
 #include "core/collision/certify.h"
 #include "core/errors.h"
+#include "core/io/gltf.h"
 #include "core/io/label_map.h"
 #include "core/io/single_precision.h"
 #include "core/io/tetrahedra.h"
@@ -78,7 +79,7 @@ CertifiedMesh certifiedForExport(const TriangleSoup& mesh) {
 std::vector<Finding> doubts(const RunReport& report, const TriangleSoup& mesh) {
   std::vector<Finding> out;
   if (Finding why = unfinished(report); why.any()) out.push_back(std::move(why));
-  if (atItsSeeds(report, mesh)) out.push_back(hardlyGrown(*report.session.resolved));
+  if (!report.session.constraints.start && atItsSeeds(report, mesh)) out.push_back(hardlyGrown(*report.session.resolved));
   if (Finding choice = closeChoice(report); choice.any()) out.push_back(std::move(choice));
   return out;
 }
@@ -90,7 +91,7 @@ bool isDicomResult(const std::string& path) { return isDicomSegmentationPath(pat
 }  // namespace
 
 bool isResultPath(const std::string& path) {
-  return isMeshPath(path) || isLabelMapPath(path) || isThreeMfPath(path) || isDicomResult(path) ||
+  return isMeshPath(path) || isLabelMapPath(path) || isThreeMfPath(path) || isGltfPath(path) || isDicomResult(path) ||
          isTetrahedraPath(path);
 }
 
@@ -104,7 +105,7 @@ void checkResult(const std::string& path, const ExportContext& context) {
 }
 
 const char* resultEndings() {
-  return "a mesh is .stl, .vtp, .ply, .obj, .3mf or .stl.dcm, tetrahedra are .msh, .vtu or .inp, a label map "
+  return "a mesh is .stl, .vtp, .ply, .obj, .3mf, .gltf or .stl.dcm, tetrahedra are .msh, .vtu or .inp, a label map "
          ".seg.nrrd, .seg.dcm, .nii, "
          ".nii.gz, .nrrd or .mha";
 }
@@ -149,6 +150,7 @@ class Writer {
       return writeDicomSegmentation(labels(), objects_, *context_.dicom, context_.content, path);
     if (isDicomStlPath(path)) return writeDicomStl(objects_, *context_.dicom, context_.content, path);
     if (isThreeMfPath(path)) return writeThreeMf(objects_, path, context_.space);
+    if (isGltfPath(path)) return writeGltf(objects_, path);
     if (isTetrahedraPath(path)) return writeTetrahedra(tetrahedra(path), objects_, path, context_.space);
     if (isMeshPath(path)) return writeMesh(together(objects_), path, context_.space, partsOf(objects_));
     if (isSlicerSegmentationPath(path)) return writeSlicerSegmentation(labels(), objects_, path);

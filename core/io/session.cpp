@@ -50,6 +50,24 @@ void forEachWallMap(Session& session, F&& f) {
     if (change.constraints && change.constraints->walls.map) f(*change.constraints->walls.map);
 }
 
+template <typename F>
+void forEachStart(Session& session, F&& f) {
+  if (session.constraints.start) f(*session.constraints.start);
+  for (ParameterChange& change : session.changes)
+    if (change.constraints && change.constraints->start) f(*change.constraints->start);
+}
+
+//! `start`: where the file of the surface to begin with is now; empty: where the session says.
+void locateStarts(Session& session, const std::string& path, const std::string& start) {
+  forEachStart(session, [&](StartSurface& s) {
+    if (s.path.empty() && start.empty())
+      throw UsageError(
+          "it does not name the file of the surface to begin with, as it is anonymous; say which with replay "
+          "--start.");
+    s.path = start.empty() ? openablePath(s.path, path) : start;
+  });
+}
+
 //! `walls`: where the label map of the walls is now; empty: where the session says.
 void locateWalls(Session& session, const std::string& path, const std::string& walls) {
   forEachWallMap(session, [&](WallMap& map) {
@@ -77,14 +95,14 @@ Session headFromJson(const Json& json, const std::string& path, const std::strin
   return session;
 }
 
-std::vector<Session> sessionsFromJson(const Json& json, const std::string& path, const std::string& volume,
-                                      const std::string& walls) {
-  const Session head = headFromJson(json, path, volume);
+std::vector<Session> sessionsFromJson(const Json& json, const std::string& path, const InputPaths& inputs) {
+  const Session head = headFromJson(json, path, inputs.volume);
   std::vector<Session> sessions;
   const auto add = [&](const Json& object) {
     sessions.push_back(head);
     readRequest(object.at("requested"), sessions.back());
-    locateWalls(sessions.back(), path, walls);
+    locateWalls(sessions.back(), path, inputs.walls);
+    locateStarts(sessions.back(), path, inputs.start);
   };
   if (!json.contains("objects")) {
     add(json);
@@ -127,6 +145,9 @@ void addObject(Json& json, Session session, const std::string& path) {
   forEachWallMap(session, [&](WallMap& map) {
     if (!map.path.empty()) map.path = storedPath(map.path, path);
   });
+  forEachStart(session, [&](StartSurface& s) {
+    if (!s.path.empty()) s.path = storedPath(s.path, path);
+  });
   json["requested"] = requestToJson(session);
   if (!session.resolved) return;
   json["parameters"] = resolvedToJson(*session.resolved);
@@ -156,29 +177,31 @@ void writeSessions(const std::vector<Session>& objects, const std::string& path)
   writeTextAtomically(path, jsonText(json));
 }
 
-bool isSeeded(const Session& session) { return !seedsOfSide(session.seeds, false).empty(); }
+bool isSeeded(const Session& session) {
+  return session.constraints.start || !seedsOfSide(session.seeds, false).empty();
+}
 
 Session anonymous(Session session) {
   session.volume.path.clear();
   session.volume.selection.series.reset();
   session.view.clear();
   forEachWallMap(session, [](WallMap& map) { map.path.clear(); });
+  forEachStart(session, [](StartSurface& s) { s.path.clear(); });
   return session;
 }
 
-Session readSession(const std::string& path, const std::string& volume, const std::string& walls) {
-  std::vector<Session> sessions = readSessions(path, volume, walls);
+Session readSession(const std::string& path, const InputPaths& inputs) {
+  std::vector<Session> sessions = readSessions(path, inputs);
   if (sessions.size() > 1)
     throw InputError(path + " holds " + std::to_string(sessions.size()) +
                      " objects, where one is needed; handlebody-cli replay makes them all.");
   return std::move(sessions[0]);
 }
 
-std::vector<Session> readSessions(const std::string& path, const std::string& volume,
-                                  const std::string& walls) {
+std::vector<Session> readSessions(const std::string& path, const InputPaths& inputs) {
   const std::string text = readText(path);
   try {
-    return sessionsFromJson(Json::parse(text), path, volume, walls);
+    return sessionsFromJson(Json::parse(text), path, inputs);
   } catch (const Json::parse_error&) {
     throw InputError(path + " is not a JSON file.");
   } catch (const std::exception& error) {

@@ -22,11 +22,11 @@ struct VolumeReference {
 };
 
 struct Session {
-  std::string version;                           //!< of the program that wrote it
-  VolumeReference volume;                        //!< in memory, the path is as the caller would open it
-  std::vector<Seed> seeds;                       //!< as asked for at the beginning, mm LPS
-  Parameters requested;                          //!< the same
-  Constraints constraints{};                     //!< the same; readSession reads no label map (loadWalls)
+  std::string version;        //!< of the program that wrote it
+  VolumeReference volume;     //!< in memory, the path is as the caller would open it
+  std::vector<Seed> seeds;    //!< as asked for at the beginning, mm LPS
+  Parameters requested;       //!< the same
+  Constraints constraints{};  //!< the same; readSession reads no files (loadWalls, loadStarts)
   std::optional<ResolvedParameters> resolved{};  //!< as used, for the record; not read back
   CoordinateSpace space = CoordinateSpace::lps;  //!< of the mesh files
   ObjectLabel label{};                           //!< of the object, where it is written
@@ -54,20 +54,26 @@ void writeSession(const Session& session, const std::string& path);
 //! volume and space.
 void writeSessions(const std::vector<Session>& objects, const std::string& path);
 
-//! True if one of its clicks is inside of the object: else there is nothing to grow from.
+//! True if one of its clicks is inside of the object, or it begins with a surface: else there is nothing to
+//! grow from.
 bool isSeeded(const Session& session);
 
-//! Without what may name the patient: the paths of the volume and of the label map of walls, the series, and
-//! what a window keeps. Such a session says null for the paths.
+//! Without what may name the patient: the paths of the volume, of the label map of walls and of the surface
+//! to begin with, the series, and what a window keeps. Such a session says null for the paths.
 Session anonymous(Session session);
 
-//! Reads a session or a report, with `volume` as the path of its volume unless that is empty, and `walls` as
-//! that of the label map of its walls. A relative path is looked for beside the file first, then from the
-//! current folder. Throws InputError that names the file, also for one that names no volume, or not the label
-//! map, or one that holds several objects.
-Session readSession(const std::string& path, const std::string& volume = {}, const std::string& walls = {});
+//! Where the files that a session names are now; empty: where it says.
+struct InputPaths {
+  std::string volume{};
+  std::string walls{};  //!< the label map of its walls
+  std::string start{};  //!< the mesh or label map that it begins with
+};
+
+//! Reads a session or a report. A relative path is looked for beside the file first, then from the current
+//! folder. Throws InputError that names the file, also for one that names no volume, or not one of the other
+//! files, or one that holds several objects.
+Session readSession(const std::string& path, const InputPaths& inputs = {});
 //! The same, with all objects of a session or report that holds several: one of them is seeded at least.
-std::vector<Session> readSessions(const std::string& path, const std::string& volume = {},
-                                  const std::string& walls = {});
+std::vector<Session> readSessions(const std::string& path, const InputPaths& inputs = {});
 
 }  // namespace handlebody

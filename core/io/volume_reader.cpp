@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <memory>
 
 #include "core/errors.h"
 #include "core/io/volume_io.h"
 #include "core/io/volume_source.h"
+#include "core/volume/not_a_number.h"
 
 namespace handlebody {
 namespace {
@@ -56,17 +58,33 @@ void convertInto(const VolumeHeader& h, const void* from, VoxelType type, void* 
   }
 }
 
+//! How many are not a number: they get one below the least of the others.
 template <typename T>
-void checkFinite(const T* values, const Grid& grid, const std::string& path) {
-  std::size_t bad = 0, first = 0;
-  for (std::size_t i = 0, n = grid.voxelCount(); i < n; ++i)
-    if (!std::isfinite(values[i]) && bad++ == 0) first = i;
-  if (bad == 0) return;
+std::size_t fillNotANumber(T* values, const Grid& grid, const std::string& path) {
+  const std::size_t n = grid.voxelCount();
+  std::size_t none = 0, infinite = 0, first = 0;
+  T least = std::numeric_limits<T>::max();
+  for (std::size_t i = 0; i < n; ++i) {
+    const T v = values[i];
+    if (std::isnan(v))
+      ++none;
+    else if (std::isinf(v) && infinite++ == 0)
+      first = i;
+    else
+      least = std::min(least, v);
+  }
   const auto nx = static_cast<std::size_t>(grid.size[0]), ny = static_cast<std::size_t>(grid.size[1]);
-  refuseInput(path, std::to_string(bad) +
-                        " of its voxels are not a number or infinite, the first at index (" +
-                        std::to_string(first % nx) + ", " + std::to_string(first / nx % ny) + ", " +
-                        std::to_string(first / (nx * ny)) + ")");
+  if (infinite > 0)
+    refuseInput(path, std::to_string(infinite) + " of its voxels are infinite, the first at index (" +
+                          std::to_string(first % nx) + ", " + std::to_string(first / nx % ny) + ", " +
+                          std::to_string(first / (nx * ny)) + ")");
+  if (none == n) refuseInput(path, "none of its voxels is a number");
+  if (none == 0) return 0;
+  const T below = notANumberBelow(least);
+  if (!std::isfinite(below)) refuseInput(path, "its voxels are as low as numbers go");
+  for (std::size_t i = 0; i < n; ++i)
+    if (std::isnan(values[i])) values[i] = below;
+  return none;
 }
 
 void checkFrame(const VolumeSelection& selection, int frames, const std::string& path) {
@@ -154,9 +172,15 @@ std::shared_ptr<void> converted(const VolumeHeader& h, VoxelType type, std::shar
   return result;
 }
 
-void checkFinite(const Volume& volume, const std::string& path) {
-  if (volume.type == VoxelType::float32) checkFinite(volume.data<float>(), volume.grid, path);
-  if (volume.type == VoxelType::float64) checkFinite(volume.data<double>(), volume.grid, path);
+//! `voxels`: of the volume, before anybody else has them.
+void fillNotANumber(void* voxels, LoadedVolume& loaded, const std::string& path) {
+  const Volume& v = loaded.volume;
+  std::size_t none = 0;
+  if (v.type == VoxelType::float32) none = fillNotANumber(static_cast<float*>(voxels), v.grid, path);
+  if (v.type == VoxelType::float64) none = fillNotANumber(static_cast<double*>(voxels), v.grid, path);
+  if (none > 0)
+    loaded.info.warnings.push_back(std::to_string(none) + " of " + std::to_string(v.grid.voxelCount()) +
+                                   " voxels are not a number: they count as outside of the field of view.");
 }
 
 LoadedVolume load(const OpenRequest& request, const ReadControl& control) {
@@ -169,9 +193,10 @@ LoadedVolume load(const OpenRequest& request, const ReadControl& control) {
   LoadedVolume loaded{{}, infoOf(h, request.selection, path)};
   Volume& volume = loaded.volume;
   volume = {h.grid, loaded.info.type, nullptr};
-  volume.voxels =
+  const std::shared_ptr<void> voxels =
       converted(h, volume.type, source->read(request.selection.frame.value_or(0), path, control), path);
-  checkFinite(volume, path);
+  fillNotANumber(voxels.get(), loaded, path);
+  volume.voxels = voxels;
   report(control, 1);
   return loaded;
 }
@@ -218,8 +243,8 @@ LoadedVolume fillVolume(const Grid& grid, VoxelType type, const std::string& nam
   LoadedVolume loaded{{header.grid, type, nullptr}, infoOf(header, {}, name)};
   const std::shared_ptr<void> voxels = allocate(header.bytesPerFrame(), name);
   fill(voxels.get());
+  fillNotANumber(voxels.get(), loaded, name);
   loaded.volume.voxels = voxels;
-  checkFinite(loaded.volume, name);
   return loaded;
 }
 

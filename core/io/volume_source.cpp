@@ -9,6 +9,7 @@
 
 #include "core/errors.h"
 #include "core/io/byte_stream.h"
+#include "core/io/gipl_source.h"
 
 namespace handlebody {
 namespace {
@@ -45,6 +46,11 @@ bool looksLikeTiff(const Start& s) {
          beginsWith(s, std::string("II+\0", 4)) || beginsWith(s, std::string("MM\0+", 4));
 }
 
+//! Its magic number, or that of before it.
+bool looksLikeGipl(const Start& s) {
+  return beginsWith(s, "\x2a\xe3\x89\xb8", 252) || beginsWith(s, "\xef\xff\xe9\xb0", 252);
+}
+
 //! DICOM without its preamble begins with a tag of group 2 or 8.
 bool looksLikeDicom(const Start& s) {
   if (beginsWith(s, "DICM", 128)) return true;
@@ -67,18 +73,20 @@ SourcePointer openFile(const OpenRequest& request, const ReadControl& control, b
   const Start start = startOf(path, false);
   if (beginsWith(start, "version https://git-lfs"))
     refuseInput(path, "this is a Git LFS pointer, not the file it stands for");
+  if (looksLikeGipl(start)) return openGipl(path);
   if (looksLikeDicom(start) && !looksLikeNifti(start)) return openDicom(request, control, several);
   if (beginsWith(start, "NRRD0")) return openNrrd(path);
   if (looksLikeTiff(start)) return openTiff(request, control);
   if (looksLikeNifti(start) || path.ends_with(".img") || path.ends_with(".img.gz")) return openNifti(path);
   if (isGzip(path)) {
     const Start inside = startOf(path, true);
+    if (looksLikeGipl(inside)) return openGipl(path);
     if (looksLikeNifti(inside)) return openNifti(path);
     if (looksLikeDicom(inside))
       refuseInput(path, "this is a compressed DICOM file; unpack it first (gunzip)");
   }
   if (looksLikeMetaImage(start)) return openMetaImage(path);
-  refuseInput(path, "it is not a volume in a known format (NIfTI, NRRD, MetaImage, DICOM, TIFF)");
+  refuseInput(path, "it is not a volume in a known format (NIfTI, NRRD, MetaImage, DICOM, TIFF, GIPL)");
 }
 
 }  // namespace

@@ -2,176 +2,40 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <deque>
 #include <numeric>
 #include <stdexcept>
 
+#include "core/cancellation.h"
 #include "core/collision/certify.h"
-#include "core/collision/closest_point.h"
+#include "core/collision/self_intersection.h"
+#include "core/errors.h"
 #include "core/mesh/topology.h"
-#include "core/solid/blurred_mask.h"
 #include "core/solid/guarded_mesh.h"
 #include "core/solid/mask_surface.h"
+#include "core/solid/smooth_surface.h"
 #include "core/threads.h"
 
 namespace handlebody {
 
 namespace {
 
-constexpr int kLevelPasses = 20;  // of the mean over neighbours: a radius of some three voxels
-constexpr int kFirstMoves = 10;   // before the first look at the edges
+constexpr int kFirstMoves = 10;  // before the first look at the edges
 constexpr int kRegulations = 5;
 constexpr int kMovesBetween = 3;
 constexpr double kTangential = 0.5;                // of the way to the neighbours' mean
-constexpr double kLongestStep = 0.25;              // voxels, towards the level
 constexpr double kLongest = 1.5, kShortest = 0.6;  // of the edge length that is wanted
-//! Voxels: how far a vertex may go between two looks at the edges. What is thin would draw back without end.
-struct Reach {
-  double along;  // the normal
-  double any;    // in any direction
-};
 constexpr Reach kFirstReach{0.75, 0.8}, kLaterReach{0.15, 0.3};
-constexpr double kSameWay = 0.3;     // cosine; steps of voxels are within 55° of the surface meant
 constexpr double kMostOffset = 0.3;  // of the smallest spacing, to keep the volume
 constexpr std::size_t kChunk = 1024;
+// Objects that become meshes together, voxels: how far their surfaces, which coincide where they touch, are
+// drawn back at first (where that is not enough, the next), and how far they keep from each other.
+constexpr std::array kDrawnBack{0.05, 0.1, 0.2, 0.3};
+constexpr double kKeptApart = 0.1;
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
-
-TriangleSoup onGrid(TriangleSoup mesh, const Grid& grid) {
-  for (Vec3& p : mesh.points) p = grid.toIndex(p);
-  return mesh;
-}
-
-//! Midway between two voxels.
-bool isCrossing(const Vec3& index) {
-  int halves = 0;
-  for (int a = 0; a < 3; ++a) {
-    const double twice = 2 * index[a], whole = std::round(twice);
-    if (std::abs(twice - whole) > 1e-6) return false;
-    halves += static_cast<long>(whole) % 2 != 0;
-  }
-  return halves == 1;
-}
-
-//! The place nearest to `index` along the normal, and then on the way from the anchor, that it may go to.
-//! Voxels.
-Vec3 withinReach(const Vec3& anchor, const Vec3& index, const Vec3& normal, const Reach& reach) {
-  Vec3 way = index - anchor;
-  const double along = way.dot(normal);
-  way += (std::clamp(along, -reach.along, reach.along) - along) * normal;
-  const double length = way.norm();
-  return anchor + (length > reach.any ? reach.any / length : 1.0) * way;
-}
-
-//! The smooth surface that is meant: where the blurred mask has the mean value that it has around there on
-//! the surface between the voxels. Half way on a plane; on what is thin or curved, another one, so that it
-//! keeps its size.
-class SmoothSurface {
- public:
-  SmoothSurface(const Mask& mask, const TriangleSoup& surface, const Vec3& sigma)
-      : grid_(mask.grid),
-        blurred_(mask, sigma),
-        inVoxels_(onGrid(surface, mask.grid)),
-        nearest_(inVoxels_),
-        levels_(meanLevels(Mesh(surface))) {}
-
-  //! Where a vertex is, and what it is to do.
-  struct Place {
-    Vec3 from, to;  //!< mm
-    Vec3 normal;    //!< of the mesh, of any length
-    double offset;  //!< mm, outside of the surface that is meant
-    Vec3 anchor;    //!< mm
-    Reach reach;    //!< from there
-  };
-
-  //! From `to` towards the surface. Never farther than kMostMove from the voxels' surface, and only to where
-  //! that faces the same way: else what is as thin as a voxel would draw back along itself.
-  Vec3 towards(const Place& place, int& hint) const {
-    const Vec3 start = grid_.toIndex(place.from);
-    Vec3 index = grid_.toIndex(place.to);
-    if (hint < 0) nearest_.distance(index, &hint);
-    const Triangle& t = inVoxels_.triangles[idx(hint)];
-    const double level = (levels_[idx(t[0])] + levels_[idx(t[1])] + levels_[idx(t[2])]) / 3;
-    index += step(index, level);
-    index += step(index, level);
-    index += outwards(index, place.offset);
-    const Vec3 normal = normalInVoxels(place.normal);
-    index = withinReach(grid_.toIndex(place.anchor), index, normal, place.reach);
-    for (int i = 0; i < 4; ++i, index = (index + start) / 2)
-      if (nearest_.distance(index, &hint) <= kMostMove && facesLike(normal, hint))
-        return grid_.toWorld(index);
-    return place.from;
-  }
-  //! From the voxels' surface, in voxels.
-  double distance(const Vec3& p) const { return nearest_.distance(grid_.toIndex(p)); }
-
- private:
-  //! Normals go the other way than points: a plane stays a plane.
-  Vec3 normalInVoxels(const Vec3& normal) const {
-    const double turned = grid_.direction.determinant() < 0 ? -1 : 1;
-    return (turned * (grid_.direction.transpose() * normal).cwiseProduct(grid_.spacing)).normalized();
-  }
-  bool facesLike(const Vec3& normal, int triangle) const {
-    const Triangle& t = inVoxels_.triangles[idx(triangle)];
-    const Vec3& a = inVoxels_.points[idx(t[0])];
-    const Vec3 there = (inVoxels_.points[idx(t[1])] - a).cross(inVoxels_.points[idx(t[2])] - a);
-    return normal.dot(there) > kSameWay * there.norm();
-  }
-
-  Vec3 step(const Vec3& index, double level) const {
-    const Vec3 g = blurred_.gradient(index);
-    const double squared = g.squaredNorm();
-    if (squared < 1e-6) return Vec3::Zero();
-    const Vec3 s = (level - blurred_.at(index)) / squared * g;
-    const double length = s.norm();
-    return length > kLongestStep ? s * (kLongestStep / length) : s;
-  }
-
-  //! Only where an edge of the grid crosses the surface is its place known without bias: what fills corners
-  //! begins with the mean of its neighbours.
-  double firstLevel(const Mesh& mesh, int v) const {
-    if (isCrossing(inVoxels_.points[idx(v)])) return blurred_.at(inVoxels_.points[idx(v)]);
-    double sum = 0;
-    int n = 0;
-    mesh.forEachNeighbour(v, [&](int w) {
-      sum += blurred_.at(inVoxels_.points[idx(w)]);
-      ++n;
-    });
-    return sum / n;
-  }
-
-  //! A way of `offset` mm, in voxels.
-  Vec3 outwards(const Vec3& index, double offset) const {
-    const Vec3 g = blurred_.gradient(index).cwiseQuotient(grid_.spacing);  // per mm
-    const double length = g.norm();
-    if (offset == 0 || !(length > 0)) return Vec3::Zero();
-    return (-offset / length * g).cwiseQuotient(grid_.spacing);
-  }
-
-  std::vector<double> meanLevels(const Mesh& mesh) const {
-    std::vector<double> level(inVoxels_.points.size()), next(level.size());
-    for (std::size_t v = 0; v < level.size(); ++v) level[v] = firstLevel(mesh, static_cast<int>(v));
-    for (int pass = 0; pass < kLevelPasses; ++pass) {
-      for (int v = 0; v < mesh.vertexSlots(); ++v) {
-        double sum = level[idx(v)];
-        int n = 1;
-        mesh.forEachNeighbour(v, [&](int w) {
-          sum += level[idx(w)];
-          ++n;
-        });
-        next[idx(v)] = sum / n;
-      }
-      level.swap(next);
-    }
-    return level;
-  }
-
-  Grid grid_;
-  BlurredMask blurred_;
-  TriangleSoup inVoxels_;
-  ClosestPoint nearest_;
-  std::vector<double> levels_;
-};
 
 //! To the mean of the neighbours, as far as it lies in the tangent plane.
 SmoothSurface::Place evened(const Mesh& mesh, int v) {
@@ -225,11 +89,63 @@ class Offsets {
   double most_;
 };
 
+//! Voxels of an object that have one of another object beside them, or are one.
+class Crowd {
+ public:
+  Crowd(const std::vector<Mask>& masks, std::size_t which) : grid_(masks[which].grid) {
+    if (masks.size() < 2) return;
+    beside_.assign(masks[which].inside.size(), 0);
+    for (std::size_t other = 0; other < masks.size(); ++other)
+      if (other != which) add(masks[other]);
+  }
+  bool isBeside(const Vec3& world) const {
+    if (beside_.empty()) return false;
+    const Vec3 index = grid_.toIndex(world);
+    std::array<int, 3> at{};
+    for (int a = 0; a < 3; ++a)
+      at[idx(a)] = std::clamp(static_cast<int>(std::lround(index[a])), 0, grid_.size[idx(a)] - 1);
+    return beside_[place(at[0], at[1], at[2])] != 0;
+  }
+
+ private:
+  std::size_t place(int x, int y, int z) const {
+    return (idx(z) * idx(grid_.size[1]) + idx(y)) * idx(grid_.size[0]) + idx(x);
+  }
+  void add(const Mask& other) {
+    const Vec3 shift = other.grid.toIndex(grid_.toWorld(Vec3::Zero()));  // both are cut from one grid
+    const int dx = static_cast<int>(std::lround(shift.x())), dy = static_cast<int>(std::lround(shift.y())),
+              dz = static_cast<int>(std::lround(shift.z()));
+    for (int z = 0; z < grid_.size[2]; ++z)
+      for (int y = 0; y < grid_.size[1]; ++y)
+        for (int x = 0; x < grid_.size[0]; ++x)
+          if (beside_[place(x, y, z)] == 0 && anyAround(other, x + dx, y + dy, z + dz))
+            beside_[place(x, y, z)] = 1;
+  }
+  static bool anyAround(const Mask& mask, int x, int y, int z) {
+    for (int k = z - 1; k <= z + 1; ++k)
+      for (int j = y - 1; j <= y + 1; ++j)
+        for (int i = x - 1; i <= x + 1; ++i)
+          if (mask.holds(i, j, k)) return true;
+    return false;
+  }
+
+  Grid grid_;
+  std::vector<std::uint8_t> beside_;
+};
+
+//! What a component is to become.
+struct Meant {
+  const SmoothSurface* surface;
+  const Crowd* crowd;
+  double apart;  //!< mm, that it keeps from half of the gap to others
+};
+
 //! Moves all vertices towards the surface that is meant.
 class Moves {
  public:
-  Moves(GuardedMesh& guarded, const SmoothSurface& surface, const Offsets& offsets, int threads)
-      : guarded_(guarded), surface_(surface), offsets_(offsets), threads_(threads) {}
+  //! `meant`: per component.
+  Moves(GuardedMesh& guarded, const std::vector<Meant>& meant, const Offsets& offsets, int threads)
+      : guarded_(guarded), meant_(meant), offsets_(offsets), threads_(threads) {}
 
   //! None goes farther than `reach` from where it is now.
   void make(int count, const Reach& reach) {
@@ -240,6 +156,7 @@ class Moves {
 
  private:
   void make(const Reach& reach) {
+    giveUpIfCancelled();
     const Mesh& mesh = guarded_.mesh();
     std::vector<Vec3> targets(anchors_.size());
     forEachOnThreads((targets.size() + kChunk - 1) / kChunk, threads_, [&](std::size_t chunk) {
@@ -247,17 +164,19 @@ class Moves {
       for (int v = static_cast<int>(chunk * kChunk); v < end; ++v) {
         if (!mesh.isVertex(v)) continue;
         SmoothSurface::Place place = evened(mesh, v);
+        const Meant& meant = meant_[idx(guarded_.component(v))];
         place.offset = offsets_.of(guarded_.component(v));
+        if (meant.crowd->isBeside(place.from)) place.offset -= meant.apart;
         place.anchor = anchors_[idx(v)];
         place.reach = reach;
-        targets[idx(v)] = surface_.towards(place, hints_[idx(v)]);
+        targets[idx(v)] = meant.surface->towards(place, hints_[idx(v)]);
       }
     });
     guarded_.move(targets);
   }
 
   GuardedMesh& guarded_;
-  const SmoothSurface& surface_;
+  const std::vector<Meant>& meant_;
   const Offsets& offsets_;
   int threads_;
   std::vector<Vec3> anchors_;
@@ -275,42 +194,193 @@ bool isSameTopology(const Certificate& a, const Certificate& b) {
   return a.components == b.components && a.cavities == b.cavities && sortedGenus(a) == sortedGenus(b);
 }
 
-void smoothAndRegulate(GuardedMesh& guarded, const SmoothSurface& surface, Offsets& offsets, double edge,
-                       int threads) {
+void append(TriangleSoup& all, const TriangleSoup& more) {
+  const int first = static_cast<int>(all.points.size());
+  all.points.insert(all.points.end(), more.points.begin(), more.points.end());
+  for (const Triangle& t : more.triangles)
+    all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+}
+
+//! Objects whose surfaces become smooth together, in one mesh that does not intersect itself.
+class Together {
+ public:
+  Together(const std::vector<Mask>& masks, const LabelMeshOptions& options)
+      : masks_(masks), options_(options) {
+    for (const Mask& mask : masks) {
+      voxels_.push_back(maskSurface(mask));
+      counted_.push_back(examine(Mesh(voxels_.back())));
+    }
+  }
+
+  //! With steps and all, where they are not to be smooth.
+  std::vector<LabelMesh> made() {
+    if (options_.smoothing != 0 || masks_.size() > 1) return smoothed();
+    LabelMesh one;
+    one.mesh = voxels_[0];
+    one.certificate = certify(one.mesh);
+    return {std::move(one)};
+  }
+
+ private:
+  std::vector<LabelMesh> smoothed();
+  TriangleSoup apart() const;
+  TriangleSoup drawnBack(std::size_t object, double voxels) const;
+  void choose(const GuardedMesh& guarded);
+  void smoothAndRegulate(GuardedMesh& guarded, Offsets& offsets) const;
+  LabelMesh taken(const GuardedMesh& guarded, std::size_t object) const;
+  double distance(const Vec3& p) const;
+
+  const std::vector<Mask>& masks_;
+  const LabelMeshOptions& options_;
+  std::vector<TriangleSoup> voxels_;  // surfaces between the voxels, which may coincide
+  std::vector<Certificate> counted_;
+  std::deque<SmoothSurface> surfaces_;  // none is moved
+  std::vector<Crowd> crowds_;
+  std::vector<std::size_t> objectOf_;  // per component
+  std::vector<Meant> meant_;
+  std::vector<double> volumes_;
+};
+
+//! Towards the voxels that are inside; what fills corners goes with its neighbours.
+TriangleSoup Together::drawnBack(std::size_t object, double voxels) const {
+  const Mask& mask = masks_[object];
+  TriangleSoup out = voxels_[object];
+  std::vector<Vec3> shift(out.points.size(), Vec3::Zero());
+  std::vector<char> isKnown(out.points.size(), 0);
+  for (std::size_t v = 0; v < out.points.size(); ++v) {
+    const Vec3 index = mask.grid.toIndex(out.points[v]);
+    if (!isCrossing(index)) continue;
+    isKnown[v] = 1;
+    for (int a = 0; a < 3; ++a) {
+      const double low = std::floor(index[a] + 0.25);
+      if (std::abs(index[a] - low - 0.5) > 0.25) continue;
+      std::array<int, 3> at{static_cast<int>(std::lround(index.x())),
+                            static_cast<int>(std::lround(index.y())),
+                            static_cast<int>(std::lround(index.z()))};
+      at[idx(a)] = static_cast<int>(low);
+      shift[v][a] = mask.holds(at[0], at[1], at[2]) ? -voxels : voxels;
+    }
+  }
+  const Mesh mesh(out);
+  for (std::size_t v = 0; v < shift.size(); ++v) {
+    if (isKnown[v] != 0) continue;
+    int n = 0;
+    mesh.forEachNeighbour(static_cast<int>(v), [&](int w) {
+      if (isKnown[idx(w)] == 0) return;
+      shift[v] += shift[idx(w)];
+      ++n;
+    });
+    if (n > 0) shift[v] /= n;
+  }
+  for (std::size_t v = 0; v < shift.size(); ++v)
+    out.points[v] = mask.grid.toWorld(mask.grid.toIndex(out.points[v]) + shift[v]);
+  return out;
+}
+
+//! All of them in one mesh. Those that touch are drawn back until no two meet.
+TriangleSoup Together::apart() const {
+  if (masks_.size() == 1) return voxels_[0];
+  for (const double voxels : kDrawnBack) {
+    TriangleSoup all;
+    for (std::size_t i = 0; i < masks_.size(); ++i) append(all, drawnBack(i, voxels));
+    if (findSelfIntersections(all.points, all.triangles).empty()) return all;
+  }
+  throw InputError("has labels that lie in each other so finely that their surfaces cannot be kept apart");
+}
+
+//! What the components of the mesh, in which the objects lie one behind the other, are to become.
+void Together::choose(const GuardedMesh& guarded) {
+  const auto count = guarded.measures().size();
+  objectOf_.assign(count, 0);
+  volumes_.assign(count, 0);
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < masks_.size(); ++i) {
+    const std::vector<double> volumes = voxelVolumes(masks_[i], voxels_[i]);
+    const Components parts = findComponents(Mesh(voxels_[i]));
+    for (std::size_t v = 0; v < voxels_[i].points.size(); ++v) {
+      const auto c = idx(guarded.component(static_cast<int>(first + v)));
+      objectOf_[c] = i;
+      volumes_[c] = volumes[idx(parts.ofVertex[v])];
+    }
+    first += voxels_[i].points.size();
+  }
+  for (std::size_t c = 0; c < count; ++c) {
+    const std::size_t i = objectOf_[c];
+    meant_.push_back({&surfaces_[i], &crowds_[i], kKeptApart * masks_[i].grid.spacing.minCoeff()});
+  }
+}
+
+//! Voxels, from the nearest surface between voxels that is near enough, or from the last one.
+double Together::distance(const Vec3& p) const {
+  double nearest = 0;
+  for (const SmoothSurface& surface : surfaces_)
+    if ((nearest = surface.distance(p)) <= kMostApart) break;
+  return nearest;
+}
+
+void Together::smoothAndRegulate(GuardedMesh& guarded, Offsets& offsets) const {
+  const double edge = options_.edgeLength > 0 ? options_.edgeLength : masks_[0].grid.meanSpacing();
   const RemeshLimits limits{kLongest * edge, kShortest * edge};
-  Moves moves(guarded, surface, offsets, threads);
+  Moves moves(guarded, meant_, offsets, options_.threads);
   moves.make(kFirstMoves, kFirstReach);
   for (int i = 0; i < kRegulations; ++i) {
     offsets.update(guarded);
-    guarded.regulate(limits, [&](const Vec3& p) { return surface.distance(p) <= kMostApart; });
+    guarded.regulate(limits, [&](const Vec3& p) { return distance(p) <= kMostApart; });
     moves.make(kMovesBetween, kLaterReach);
   }
+}
+
+LabelMesh Together::taken(const GuardedMesh& guarded, std::size_t object) const {
+  LabelMesh result;
+  const TriangleSoup all = guarded.mesh().compact();
+  std::vector<int> number(all.points.size(), -1);
+  for (const Triangle& t : all.triangles) {
+    if (objectOf_[idx(guarded.component(t[0]))] != object) continue;
+    Triangle mine = t;
+    for (int& v : mine) {
+      if (number[idx(v)] < 0) {
+        number[idx(v)] = static_cast<int>(result.mesh.points.size());
+        result.mesh.points.push_back(all.points[idx(v)]);
+      }
+      v = number[idx(v)];
+    }
+    result.mesh.triangles.push_back(mine);
+  }
+  if (masks_.size() == 1) result.mesh = all;
+  result.certificate = certify(result.mesh);
+  if (!result.certificate.boundsBody() || !isSameTopology(result.certificate, counted_[object]))
+    throw std::logic_error("the mesh of a label map has lost its topology");
+  for (const Vec3& p : result.mesh.points)
+    result.farthest = std::max(result.farthest, surfaces_[object].distance(p));
+  return result;
+}
+
+std::vector<LabelMesh> Together::smoothed() {
+  for (std::size_t i = 0; i < masks_.size(); ++i) {
+    const Vec3 sigma = options_.smoothing < 0
+                           ? Vec3::Ones()
+                           : Vec3(Vec3::Constant(options_.smoothing).cwiseQuotient(masks_[i].grid.spacing));
+    surfaces_.emplace_back(masks_[i], voxels_[i], sigma);
+    crowds_.emplace_back(masks_, i);
+  }
+  GuardedMesh guarded{Mesh(apart())};
+  choose(guarded);
+  Offsets offsets(volumes_, kMostOffset * masks_[0].grid.spacing.minCoeff());
+  if (options_.smoothing != 0) smoothAndRegulate(guarded, offsets);
+  std::vector<LabelMesh> meshes;
+  for (std::size_t i = 0; i < masks_.size(); ++i) meshes.push_back(taken(guarded, i));
+  return meshes;
 }
 
 }  // namespace
 
 LabelMesh meshOf(const Mask& mask, const LabelMeshOptions& options) {
-  LabelMesh result;
-  result.mesh = maskSurface(mask);
-  if (options.smoothing == 0) {
-    result.certificate = certify(result.mesh);
-    return result;
-  }
-  const Vec3 sigma = options.smoothing < 0
-                         ? Vec3::Ones()
-                         : Vec3(Vec3::Constant(options.smoothing).cwiseQuotient(mask.grid.spacing));
-  const double edge = options.edgeLength > 0 ? options.edgeLength : mask.grid.meanSpacing();
-  const SmoothSurface surface(mask, result.mesh, sigma);
-  const Certificate counted = examine(Mesh(result.mesh));
-  GuardedMesh guarded{Mesh(result.mesh)};
-  Offsets offsets(voxelVolumes(mask, result.mesh), kMostOffset * mask.grid.spacing.minCoeff());
-  smoothAndRegulate(guarded, surface, offsets, edge, options.threads);
-  result.mesh = guarded.mesh().compact();
-  result.certificate = certify(result.mesh);
-  if (!result.certificate.boundsBody() || !isSameTopology(result.certificate, counted))
-    throw std::logic_error("the mesh of a label map has lost its topology");
-  for (const Vec3& p : result.mesh.points) result.farthest = std::max(result.farthest, surface.distance(p));
-  return result;
+  const std::vector<Mask> one{mask};
+  return std::move(Together(one, options).made()[0]);
+}
+
+std::vector<LabelMesh> meshesOf(const std::vector<Mask>& masks, const LabelMeshOptions& options) {
+  return masks.empty() ? std::vector<LabelMesh>() : Together(masks, options).made();
 }
 
 }  // namespace handlebody

@@ -9,5 +9,6 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/solid/overlap.cpp
   ${CMAKE_SOURCE_DIR}/core/solid/rasterize.cpp
   ${CMAKE_SOURCE_DIR}/core/solid/simplify.cpp
+  ${CMAKE_SOURCE_DIR}/core/solid/smooth_surface.cpp
   ${CMAKE_SOURCE_DIR}/core/solid/solid.cpp
   ${CMAKE_SOURCE_DIR}/core/solid/surface_distance.cpp)

@@ -3,7 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
+#include <optional>
+#include <type_traits>
 #include <unordered_map>
+
+#include "core/volume/not_a_number.h"
 
 namespace handlebody {
 
@@ -65,6 +70,38 @@ std::vector<bool> findPadding(const T* voxels, const Size& n, double& paddingVal
   return padding;
 }
 
+//! The value that stands for voxels that are not a number, if there are any.
+template <typename T>
+std::optional<T> notANumberIn(const T* voxels, std::size_t count) {
+  if constexpr (std::is_floating_point_v<T>) {
+    T least = std::numeric_limits<T>::infinity(), next = least;
+    for (std::size_t i = 0; i < count; ++i) {
+      const T v = voxels[i];
+      if (v < least) {
+        next = least;
+        least = v;
+      } else if (v > least && v < next) {
+        next = v;
+      }
+    }
+    if (std::isfinite(next) && least == notANumberBelow(next)) return least;
+  }
+  return std::nullopt;
+}
+
+//! Voxels that are not a number are padding wherever they lie.
+template <typename T>
+std::vector<bool> withNotANumber(const T* voxels, const Size& n, std::vector<bool> padding, double& value) {
+  const std::size_t count = n.x * n.y * n.z;
+  const std::optional<T> none = notANumberIn(voxels, count);
+  if (!none) return padding;
+  padding.resize(count, false);
+  for (std::size_t v = 0; v < count; ++v)
+    if (voxels[v] == *none) padding[v] = true;
+  value = static_cast<double>(*none);
+  return padding;
+}
+
 }  // namespace
 
 std::shared_ptr<const FieldOfView> FieldOfView::find(const Volume& volume) {
@@ -72,8 +109,9 @@ std::shared_ptr<const FieldOfView> FieldOfView::find(const Volume& volume) {
                static_cast<std::size_t>(volume.grid.size[2])};
   auto found = std::make_shared<FieldOfView>();
   found->size_ = volume.grid.size;
-  found->padding_ =
-      visitVoxels(volume, [&](const auto* voxels) { return findPadding(voxels, n, found->value_); });
+  found->padding_ = visitVoxels(volume, [&](const auto* voxels) {
+    return withNotANumber(voxels, n, findPadding(voxels, n, found->value_), found->value_);
+  });
   return found->padding_.empty() ? nullptr : found;
 }
 

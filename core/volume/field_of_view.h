@@ -10,10 +10,12 @@
 namespace handlebody {
 
 //! Marks the padding of a volume: voxels of the one value that is commonest on the border of the grid,
-//! connected with the border. One bit per voxel.
+//! connected with the border; and of those that are not a number in their file, which are read as a number
+//! below the least of the others (volume_io.h), wherever they lie. One bit per voxel.
 class FieldOfView {
  public:
-  //! Null if there is no padding: fewer than kLeastPadding of the border voxels have the same value.
+  //! Null if there is no padding: fewer than kLeastPadding of the border voxels have the same value, and all
+  //! are numbers.
   static std::shared_ptr<const FieldOfView> find(const Volume& volume);
 
   bool isPadding(std::size_t voxel) const { return padding_[voxel]; }

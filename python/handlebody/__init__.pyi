@@ -28,7 +28,7 @@ __all__ = [
 _Path = _t.Union[str, bytes, "os.PathLike[str]"]
 _Numbers = _t.Union[_t.Sequence[float], _npt.NDArray[_t.Any]]
 _Clicks = _t.Union[str, _Numbers, _t.Sequence[_t.Union[str, _Numbers]], None]
-_StopReason = _t.Literal["running", "converged", "max-iterations", "empty", "frozen", "stuck"]
+_StopReason = _t.Literal["running", "converged", "max-iterations", "empty", "frozen", "stuck", "given"]
 _Space = _t.Literal["LPS", "RAS"]
 
 class _Topology(_t.TypedDict):
@@ -209,6 +209,9 @@ class Contour:
         wall: _Clicks = None,
         wall_disc: _Clicks = None,
         walls: _t.Optional[_Path] = None,
+        start: _t.Optional[_Path] = None,
+        given: _t.Optional[_Path] = None,
+        start_label: _t.Optional[int] = None,
         veto: _t.Union[str, _t.Sequence[str], None] = None,
         pin: _t.Union[str, _t.Sequence[str], None] = None,
         edit: _t.Union[str, _t.Sequence[str], None] = None,
@@ -241,6 +244,9 @@ class Contour:
         wall: _Clicks = None,
         wall_disc: _Clicks = None,
         walls: _t.Optional[_Path] = None,
+        start: _t.Optional[_Path] = None,
+        given: _t.Optional[_Path] = None,
+        start_label: _t.Optional[int] = None,
         veto: _t.Union[str, _t.Sequence[str], None] = None,
         pin: _t.Union[str, _t.Sequence[str], None] = None,
         edit: _t.Union[str, _t.Sequence[str], None] = None,

@@ -37,6 +37,8 @@ void addVolumes(const std::string& folder, std::vector<Sample>& corpus) {
        "0\nElementSpacing = 1 1 2\nDimSize = 2 3 4\nElementNumberOfChannels = 3\nElementType = "
        "MET_UCHAR\nElementDataFile = LOCAL\n" +
            voxels});
+  corpus.push_back(
+      {"v.gipl", giplBytes({2, 3, 4}, Vec3(1, 1, 2), Vec3::Zero(), std::vector<std::int16_t>(24, 5))});
   std::string second(544, '\0');  // NIfTI-2
   patch(second, 0, std::int32_t{540});
   second.replace(4, 3, "n+2");

@@ -1,8 +1,12 @@
 // --anonymous: nothing that names the patient is in any file.
 
+#include <zlib.h>
+
 #include <cstdlib>
 #include <set>
 
+#include "core/io/mesh_io.h"
+#include "core/mesh/shapes.h"
 #include "tests/io/dicom_test_support.h"
 
 using namespace handlebody;
@@ -36,8 +40,9 @@ std::vector<Slice> bright() {
   return slices;
 }
 
-const std::vector<std::string> kOutputs{"a.stl",  "a.vtp", "a.ply",      "a.obj",     "a.3mf",    "a.nii",
-                                        "a.nrrd", "a.mha", "a.seg.nrrd", "a.seg.dcm", "a.stl.dcm"};
+const std::vector<std::string> kOutputs{"a.stl", "a.vtp",      "a.ply",     "a.obj",
+                                        "a.3mf", "a.nii",      "a.nii.gz",  "a.nrrd",
+                                        "a.mha", "a.seg.nrrd", "a.seg.dcm", "a.stl.dcm"};
 
 //! Segments the series into `to`; every kind of file. Returns the exit code.
 int run(const TemporaryFolder& folder, const std::string& to, const std::string& more) {
@@ -59,11 +64,43 @@ std::set<std::string> telling(const std::string& folder) {
   return all;
 }
 
+//! The deflated data that begin at `at`; `bits` as zlib's windowBits. Nothing if they are none.
+std::string inflated(const std::string& bytes, std::size_t at, int bits) {
+  z_stream stream{};
+  if (inflateInit2(&stream, bits) != Z_OK) return {};
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data() + at));
+  stream.avail_in = static_cast<uInt>(bytes.size() - at);
+  std::string all;
+  std::vector<char> part(1 << 16);
+  int state = Z_OK;
+  while (state == Z_OK) {
+    stream.next_out = reinterpret_cast<Bytef*>(part.data());
+    stream.avail_out = static_cast<uInt>(part.size());
+    state = inflate(&stream, Z_NO_FLUSH);
+    all.append(part.data(), part.size() - stream.avail_out);
+  }
+  inflateEnd(&stream);
+  return all;
+}
+
+//! The file, and what is packed in it (gzip, the entries of a zip archive).
+std::string unpacked(const std::string& bytes) {
+  std::string all = bytes;
+  for (auto at = bytes.find("PK\3\4"); at != std::string::npos; at = bytes.find("PK\3\4", at + 4)) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[at + i]); };
+    if (at + 30 < bytes.size())
+      all += inflated(bytes, at + 30 + (byte(26) | byte(27) << 8) + (byte(28) | byte(29) << 8), -15);
+  }
+  for (auto at = bytes.find("\x1f\x8b\x08"); at != std::string::npos; at = bytes.find("\x1f\x8b\x08", at + 3))
+    all += inflated(bytes, at, 31);
+  return all;
+}
+
 std::set<std::string> found(const TemporaryFolder& folder, const std::string& in,
                             const std::set<std::string>& values) {
   std::set<std::string> hits;
   for (const auto& entry : fs::directory_iterator(folder / in)) {
-    const std::string bytes = readBytes(entry.path().string());
+    const std::string bytes = unpacked(readBytes(entry.path().string()));
     for (const std::string& value : values)
       if (bytes.find(value) != std::string::npos) hits.insert(value);
   }
@@ -99,4 +136,30 @@ TEST_CASE("no value of the source is in any file that is written anonymously") {
   const std::string volume = " --volume '" + (folder / kFolder) + "' --series " + kSeries + " 2> /dev/null";
   REQUIRE(std::system((replay + volume).c_str()) == 0);
   CHECK(readBytes(folder / "again.stl") == readBytes(folder / "open/a.stl"));
+}
+
+TEST_CASE("nor of several objects, one of them from a file that names the patient") {
+  const TemporaryFolder folder;
+  writeSeries(folder / kFolder, bright());
+  const Volume volume = readVolume(folder / kFolder);
+  const Vec3 corner = volume.grid.toWorld(Vec3(6, 6, 4));
+  writeMesh(icosphere(corner, 6, 2), folder / "DOE_JANE_old.stl");
+  std::set<std::string> values = telling(folder / kFolder);
+  values.insert("DOE_JANE_old");
+  const auto segment = [&](const std::string& to, const std::string& more) {
+    fs::create_directories(folder / to);
+    std::string command = std::string(HANDLEBODY_CLI) + " segment '" + (folder / kFolder) + "' --quiet " +
+                          more + " --object-name old --given '" + (folder / "DOE_JANE_old.stl") +
+                          "' --object-name new --seed-ijk 19,19,11";
+    for (const std::string& name : kOutputs) command += " -o '" + (folder / to) + "/" + name + "'";
+    for (const std::string& name : kOutputs) command += " -o 'old=" + (folder / to) + "/old." + name + "'";
+    command += " --report '" + (folder / to) + "/r.json' --session '" + (folder / to) + "/s.json' --trace '" +
+               (folder / to) + "/t.json' --picture '" + (folder / to) + "/p.png' --label-description '" +
+               (folder / to) + "/l.txt' 2> /dev/null";
+    return std::system(command.c_str());
+  };
+  REQUIRE(segment("open", "") == 0);
+  CHECK(found(folder, "open", values).count("DOE_JANE_old") == 1);
+  REQUIRE(segment("hidden", "--anonymous") == 0);
+  CHECK(found(folder, "hidden", values) == std::set<std::string>{});
 }

@@ -1,5 +1,6 @@
 // NIfTI-2, NRRD with a time axis at any place and with numbered data files, and where geometry comes from.
 
+#include "core/volume/field_of_view.h"
 #include "tests/io/io_test_support.h"
 
 using namespace handlebody;
@@ -182,4 +183,52 @@ TEST_CASE("a spacing given by the user replaces the file's, and is said") {
   CHECK_THAT(info.warnings[0], Contains("given by the user"));
   given.spacing = Vec3(1, 0, 3);
   CHECK_THROWS_AS(readVolume(folder / "v.nrrd", given), UsageError);
+}
+
+TEST_CASE("a GIPL file is read with its voxels, sizes, spacing and origin, plain or packed") {
+  const TemporaryFolder folder;
+  std::vector<std::int16_t> voxels;
+  for (int i = 0; i < 3 * 4 * 5; ++i) voxels.push_back(static_cast<std::int16_t>(1000 - 37 * i));
+  const std::string bytes = giplBytes({3, 4, 5}, Vec3(0.5, 0.75, 2), Vec3(-10, 20.25, 3), voxels);
+  writeBytes(folder / "v.gipl", bytes);
+  REQUIRE(std::system(("gzip -k '" + (folder / "v.gipl") + "'").c_str()) == 0);
+  for (const char* name : {"v.gipl", "v.gipl.gz"}) {
+    const Volume volume = readVolume(folder / name);
+    CHECK(inspectVolume(folder / name).format == "GIPL");
+    CHECK(volume.grid.size == std::array<int, 3>{3, 4, 5});
+    CHECK(volume.grid.spacing == Vec3(0.5, 0.75, 2));
+    CHECK(volume.grid.origin == Vec3(-10, 20.25, 3));
+    REQUIRE(volume.type == VoxelType::int16);
+    CHECK(std::equal(voxels.begin(), voxels.end(), volume.data<std::int16_t>()));
+  }
+  writeBytes(folder / "short.gipl", bytes.substr(0, bytes.size() - 1));
+  expectInputError(folder / "short.gipl", "truncated");
+  std::string text = bytes;
+  text[9] = 3;
+  writeBytes(folder / "type.gipl", text);
+  expectInputError(folder / "type.gipl", "voxel type (3) is not supported");
+}
+
+TEST_CASE("voxels that are not a number are read below all others, with a warning") {
+  const TemporaryFolder folder;
+  std::vector<float> voxels(8 * 8 * 8, 3.0F);
+  for (std::size_t i = 0; i < 100; ++i) voxels[5 * i] = std::numeric_limits<float>::quiet_NaN();
+  voxels[1] = -7;
+  std::string bytes(voxels.size() * sizeof(float), '\0');
+  std::memcpy(bytes.data(), voxels.data(), bytes.size());
+  writeBytes(folder / "v.mha",
+             "ObjectType = Image\nNDims = 3\nBinaryData = True\nDimSize = 8 8 8\nElementType = "
+             "MET_FLOAT\nElementDataFile = LOCAL\n" +
+                 bytes);
+  const LoadedVolume loaded = *loadVolume(folder / "v.mha");
+  const auto* values = loaded.volume.data<float>();
+  for (std::size_t i = 0; i < voxels.size(); ++i)
+    REQUIRE((std::isnan(voxels[i]) ? values[i] < -7 && values[i] > -7.01F : values[i] == voxels[i]));
+  const auto& told = loaded.info.warnings;
+  CHECK(std::any_of(told.begin(), told.end(), [](const std::string& w) {
+    return w == "100 of 512 voxels are not a number: they count as outside of the field of view.";
+  }));
+  const auto view = FieldOfView::find(loaded.volume);
+  REQUIRE(view != nullptr);
+  for (std::size_t i = 0; i < voxels.size(); ++i) REQUIRE(view->isPadding(i) == std::isnan(voxels[i]));
 }

@@ -107,4 +107,30 @@ inline void expectInputError(const std::string& path, const std::string& cause, 
   if (!onlyReading) CHECK_THROWS_AS(inspectVolume(path), InputError);
 }
 
+//! A GIPL file of 16-bit voxels: everything in it is big-endian.
+inline std::string giplBytes(const std::array<int, 3>& size, const Vec3& spacing, const Vec3& origin,
+                             const std::vector<std::int16_t>& voxels) {
+  std::string bytes(256, '\0');
+  const auto put = [&bytes](std::size_t at, auto value) {
+    std::memcpy(bytes.data() + at, &value, sizeof value);
+    std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(at),
+                 bytes.begin() + static_cast<std::ptrdiff_t>(at + sizeof value));
+  };
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto i = static_cast<Eigen::Index>(a);
+    put(2 * a, static_cast<std::uint16_t>(size[a]));
+    put(10 + 4 * a, static_cast<float>(spacing[i]));
+    put(204 + 8 * a, origin[i]);
+  }
+  put(6, std::uint16_t{1});
+  put(8, std::uint16_t{15});
+  put(252, std::uint32_t{719555000});
+  for (const std::int16_t v : voxels) {
+    const std::size_t at = bytes.size();
+    bytes.resize(at + 2);
+    put(at, v);
+  }
+  return bytes;
+}
+
 }  // namespace handlebody::test

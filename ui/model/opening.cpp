@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/errors.h"
+#include "core/io/start_surface.h"
 #include "core/io/wall_map.h"
 #include "ui/model/error_sentence.h"
 
@@ -39,6 +40,9 @@ OpeningResult read(const QString& path, const VolumeSelection& selection,
   if (!loaded) return OpeningFailed{};
   work.volume = std::move(loaded->volume);
   for (Session& session : work.sessions) loadWalls(session, work.volume.grid);
+  std::vector<Session*> all;
+  for (Session& session : work.sessions) all.push_back(&session);
+  loadStarts(all);
   work.info = std::move(loaded->info);
   work.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return work;

@@ -58,6 +58,8 @@ QString finishedText(StopReason reason) {
       return GrowPanel::tr("Finished: nothing is left of the surface");
     case StopReason::frozen:
       return GrowPanel::tr("At rest, but parts that could not be mended would still move");
+    case StopReason::given:
+      return GrowPanel::tr("As it was opened: nothing grows");
     case StopReason::stuck:
       return GrowPanel::tr("Stuck: no part of a step could be kept");
     default:

@@ -1,5 +1,6 @@
 #include "core/volume/field_of_view.h"
 
+#include "core/volume/not_a_number.h"
 #include "tests/support/catch.h"
 #include "tests/support/test_volume.h"
 
@@ -96,4 +97,31 @@ TEST_CASE("padding is found in integer volumes and in volumes of one slice") {
   const auto view = FieldOfView::find(volume);
   REQUIRE(view != nullptr);
   for (std::size_t v = 0; v < 64; ++v) CHECK(view->isPadding(v) == (v < 16));
+}
+
+TEST_CASE("voxels that were not a number are padding wherever they lie, and no others") {
+  const Grid grid = cubicGrid(20);
+  const auto wasNone = [](int i, int j, int k) { return (i == 10 && j == 10) || k == 3; };
+  for (const float least : {1.0F, 0.0F, -1024.0F, 3e-44F}) {
+    const float below = notANumberBelow(least);
+    REQUIRE(below < least);
+    const Volume volume = volumeByIndex(grid, [&](int i, int j, int k) {
+      if (wasNone(i, j, k)) return below;
+      return i == 0 && j == 0 && k == 0 ? least : least + 2 + static_cast<float>(unique(i, j, k));
+    });
+    const auto view = FieldOfView::find(volume);
+    REQUIRE(view != nullptr);
+    for (int k = 0; k < 20; ++k)
+      for (int j = 0; j < 20; ++j)
+        for (int i = 0; i < 20; ++i) REQUIRE(view->isPadding(indexOf(grid, i, j, k)) == wasNone(i, j, k));
+  }
+}
+
+TEST_CASE("a least value next to the second one is no padding") {
+  const Grid grid = cubicGrid(20);
+  const float least = 1000, next = std::nextafter(least, 2000.0F);
+  CHECK(FieldOfView::find(volumeByIndex(grid, [&](int i, int j, int k) {
+          if (i == 5) return least;
+          return i == 6 ? next : 2000 + static_cast<float>(unique(i, j, k));
+        })) == nullptr);
 }

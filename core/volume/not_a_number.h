@@ -1,0 +1,33 @@
+#pragma once
+// Voxels that are not a number in their file are read as a number below all others, which is known again by
+// its digits.
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+namespace handlebody {
+
+//! The largest number below `least`, that of all voxels that are numbers, whose last bits are a mark. May be
+//! infinite. T is float or double.
+template <typename T>
+T notANumberBelow(T least) {
+  using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+  constexpr Bits kLast = 0xfff, kMark = 0xa5c, kSign = Bits{1} << (8 * sizeof(T) - 1);
+  const T below = std::nextafter(least, -std::numeric_limits<T>::infinity());
+  const Bits bits = std::bit_cast<Bits>(below), size = bits & ~kSign;
+  Bits marked = (size & ~kLast) | kMark;
+  if (below > 0) {
+    if (marked > size) {
+      if (marked <= kLast) return std::bit_cast<T>(kSign | kMark);  // there is none above 0
+      marked -= kLast + 1;
+    }
+    return std::bit_cast<T>(marked);
+  }
+  if (marked < size) marked += kLast + 1;
+  return std::bit_cast<T>(kSign | marked);
+}
+
+}  // namespace handlebody

@@ -1,0 +1,212 @@
+// --start and --given: surfaces that are there before anything has grown.
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+#include "core/collision/body_contact.h"
+#include "core/collision/certify.h"
+#include "core/io/mesh_io.h"
+#include "core/io/volume_io.h"
+#include "core/mesh/shapes.h"
+#include "tests/app/refusal.h"
+#include "tests/app/run_cli.h"
+#include "tests/support/catch.h"
+#include "tests/support/test_volume.h"
+
+using namespace handlebody;
+using namespace handlebody::testing;
+using namespace handlebody::test;
+
+namespace {
+
+const Vec3 kMiddle(20, 20, 20);
+constexpr double kRadius = 10;
+
+//! A dark ball of 10 mm in 41³ voxels of 1 mm.
+std::string ballVolume(const TempFolder& folder) {
+  const Volume volume = volumeByIndex(cubicGrid(41), [](int i, int j, int k) {
+    const double in = std::clamp(kRadius + 0.5 - (Vec3(i, j, k) - kMiddle).norm(), 0.0, 1.0);
+    return 200 - 180 * in + 0.5 * std::sin(i + 37.1 * j + 1234.5 * k);
+  });
+  writeVolume(volume, folder / "v.nrrd");
+  return folder / "v.nrrd";
+}
+
+std::string ballMesh(const TempFolder& folder, const char* name, double radius, double edge = 1.5,
+                     const Vec3& centre = kMiddle) {
+  writeMesh(icosphere(centre, radius, edge), folder / name);
+  return folder / name;
+}
+
+//! Label 1: the half of a ball below its middle, 2: the other half, 3: a small ball in that.
+std::string halves(const TempFolder& folder) {
+  const Volume labels = volumeByIndex(cubicGrid(41), [](int i, int j, int k) {
+    const Vec3 p(i, j, k);
+    if ((p - Vec3(20, 20, 25)).norm() < 2.5) return 3.0;
+    if ((p - kMiddle).norm() > 12) return 0.0;
+    return k <= 20 ? 1.0 : 2.0;
+  });
+  writeVolume(labels, folder / "labels.nrrd");
+  return folder / "labels.nrrd";
+}
+
+double volumeOf(const std::string& mesh) { return certify(readMesh(mesh)).volume; }
+
+std::vector<int> valuesOf(const std::string& path) {
+  std::vector<int> values;
+  const Volume labels = readVolume(path);
+  visitVoxels(labels, [&](const auto* v) {
+    for (std::size_t i = 0; i < labels.grid.voxelCount(); ++i) values.push_back(static_cast<int>(v[i]));
+  });
+  return values;
+}
+
+std::string bytes(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void require(const std::vector<std::string>& arguments) {
+  const Outcome outcome = runCli(arguments);
+  INFO(outcome.err);
+  REQUIRE(outcome.exitCode == 0);
+}
+
+}  // namespace
+
+TEST_CASE("a start within the object grows to it, one around it gives ground, and both end where a seed does",
+          "[cli][start]") {
+  const TempFolder folder;
+  const std::string volume = ballVolume(folder);
+  require({"segment", volume, "--seed", "20,20,20,3", "-o", folder / "seed.stl"});
+  const double meant = volumeOf(folder / "seed.stl");
+  const std::string small = ballMesh(folder, "small.stl", 5), large = ballMesh(folder, "large.ply", 13);
+  require({"segment", volume, "--start", small, "-o", folder / "grown.stl"});
+  CHECK(volumeOf(folder / "grown.stl") == Approx(meant).epsilon(0.02));
+  require({"segment", volume, "--start", large, "--direction", "both", "-o", folder / "shrunk.stl"});
+  CHECK(volumeOf(folder / "shrunk.stl") == Approx(meant).epsilon(0.02));
+  SECTION("also from a label map, and from a mesh of a few long edges") {
+    const std::string labels = halves(folder);
+    require({"segment", volume, "--start", labels, "--direction", "both", "-o", folder / "labels.stl"});
+    CHECK(volumeOf(folder / "labels.stl") == Approx(meant).epsilon(0.02));
+    const std::string coarse = ballMesh(folder, "coarse.obj", 9, 20);
+    require({"segment", volume, "--start", coarse, "--direction", "both", "-o", folder / "coarse.stl"});
+    CHECK(volumeOf(folder / "coarse.stl") == Approx(meant).epsilon(0.02));
+  }
+}
+
+TEST_CASE("a given object is written as it is and is a wall for the next, and a replay makes the same files",
+          "[cli][start]") {
+  const TempFolder folder;
+  const std::string volume = ballVolume(folder),
+                    given = ballMesh(folder, "given.stl", 5, 1.5, Vec3(27, 20, 20));
+  require({"segment",
+           volume,
+           "--object-name",
+           "lesion",
+           "--given",
+           given,
+           "--object-name",
+           "organ",
+           "--seed",
+           "15,20,20,3",
+           "-o",
+           folder / "all.seg.nrrd",
+           "-o",
+           "lesion=" + (folder / "lesion.stl"),
+           "-o",
+           "organ=" + (folder / "organ.vtp"),
+           "--session",
+           folder / "s.json",
+           "--report",
+           folder / "r.json"});
+  CHECK(readMesh(folder / "lesion.stl").points == readMesh(given).points);
+  const TriangleSoup lesion = readMesh(folder / "lesion.stl"), organ = readMesh(folder / "organ.vtp");
+  CHECK(bodyContact(lesion, organ) == BodyContact::none);
+  CHECK(certify(organ).volume < 4.0 / 3 * 3.1416 * kRadius * kRadius * kRadius - 300);
+  const auto report = nlohmann::json::parse(bytes(folder / "r.json"));
+  CHECK(report.at("objects")[0].at("stopped") == "given");
+  for (const std::string source : {"s.json", "r.json"}) {
+    require({"replay", folder / source, "-o", folder / "again.seg.nrrd", "-o",
+             "organ=" + (folder / "again.vtp")});
+    CHECK(bytes(folder / "again.seg.nrrd") == bytes(folder / "all.seg.nrrd"));
+    CHECK(bytes(folder / "again.vtp") == bytes(folder / "organ.vtp"));
+  }
+}
+
+TEST_CASE("a start is replayed bit for bit, and another file in its place is refused", "[cli][start]") {
+  const TempFolder folder;
+  const std::string volume = ballVolume(folder), start = ballMesh(folder, "start.stl", 13);
+  require({"segment", volume, "--start", start, "--direction", "both", "-o", folder / "a.stl", "--session",
+           folder / "s.json", "--threads", "2"});
+  require({"replay", folder / "s.json", "-o", folder / "b.stl"});
+  CHECK(bytes(folder / "a.stl") == bytes(folder / "b.stl"));
+  ballMesh(folder, "start.stl", 12);
+  requireRefusal(folder, {"replay", folder / "s.json", "-o", folder / "c.stl"}, 3, "SHA-256");
+  SECTION("an anonymous session is told where it is") {
+    ballMesh(folder, "start.stl", 13);
+    require({"segment", volume, "--start", start, "--direction", "both", "-o", folder / "a.stl", "--session",
+             folder / "n.json", "--anonymous"});
+    CHECK(bytes(folder / "n.json").find("start.stl") == std::string::npos);
+    requireRefusal(folder, {"replay", folder / "n.json", "--volume", volume, "-o", folder / "c.stl"}, 3,
+                   "replay --start");
+    require({"replay", folder / "n.json", "--volume", volume, "--start", start, "-o", folder / "d.stl"});
+    CHECK(bytes(folder / "a.stl") == bytes(folder / "d.stl"));
+  }
+}
+
+TEST_CASE("the labels of a map become objects that do not meet, one within another too", "[cli][start]") {
+  const TempFolder folder;
+  const std::string volume = ballVolume(folder), labels = halves(folder);
+  std::vector<std::string> arguments{"segment", volume};
+  for (const std::string label : {"1", "2", "3"})
+    for (const std::string& word : {std::string("--object-name"), "part" + label, std::string("--given"),
+                                    labels, std::string("--start-label"), label, std::string("-o"),
+                                    "part" + label + "=" + (folder / ("part" + label + ".stl"))})
+      arguments.push_back(word);
+  for (const std::string& word :
+       {std::string("-o"), folder / "all.nrrd", std::string("--session"), folder / "s.json"})
+    arguments.push_back(word);
+  require(arguments);
+  std::vector<TriangleSoup> parts;
+  for (const std::string label : {"1", "2", "3"})
+    parts.push_back(readMesh(folder / ("part" + label + ".stl")));
+  CHECK(bodyContact(parts[0], parts[1]) == BodyContact::none);
+  CHECK(bodyContact(parts[1], parts[2]) == BodyContact::none);
+  CHECK(certify(parts[1]).cavities == 1);
+  const std::vector<int> before = valuesOf(labels), after = valuesOf(folder / "all.nrrd");
+  double changed = 0, all = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    all += before[i] != 0;
+    changed += before[i] != after[i];
+  }
+  CHECK(changed < 0.02 * all);
+  require({"replay", folder / "s.json", "-o", folder / "again.nrrd"});
+  CHECK(bytes(folder / "again.nrrd") == bytes(folder / "all.nrrd"));
+}
+
+TEST_CASE("what cannot be a start is refused with its file and why", "[cli][start]") {
+  const TempFolder folder;
+  const std::string volume = ballVolume(folder), labels = halves(folder);
+  TriangleSoup open = icosphere(kMiddle, 5, 1.5);
+  open.triangles.pop_back();
+  writeMesh(open, folder / "open.ply");
+  TriangleSoup crossing = icosphere(kMiddle, 5, 1.5);
+  crossing.points[0] = 2 * kMiddle - crossing.points[0] - Vec3(0.1, 3, 3);
+  writeMesh(crossing, folder / "crossing.ply");
+  const std::string ball = ballMesh(folder, "ball.stl", 5),
+                    far = ballMesh(folder, "far.stl", 5, 1.5, Vec3(200, 20, 20));
+  const auto refuse = [&](std::vector<std::string> more, int code, const std::string& named) {
+    more.insert(more.begin(), {"segment", volume, "-o", folder / "x.stl"});
+    requireRefusal(folder, more, code, named);
+  };
+  refuse({"--start", folder / "open.ply"}, 3, "open.ply cannot be a surface to begin with: it is not closed");
+  refuse({"--given", folder / "crossing.ply"}, 3, "intersects itself");
+  refuse({"--start", folder / "none.stl"}, 3, "none.stl");
+  refuse({"--start", labels, "--start-label", "7"}, 3, "no voxel of the value 7");
+  refuse({"--start", ball, "--start-label", "1"}, 3, "has no labels");
+  refuse({"--start", far}, 2, "far.stl, lies outside of the volume");
+  refuse({"--start", ball, "--given", ball}, 2, "not both");
+  refuse({"--start-label", "1", "--seed", "20,20,20"}, 2, "--start-label");
+  refuse({"--object-name", "a", "--given", ball, "--object-name", "b", "--given", ball}, 2, "'a'");
+}
