@@ -175,12 +175,12 @@ TEST_CASE("the labels of a map become objects that do not meet, one within anoth
   CHECK(bodyContact(parts[1], parts[2]) == BodyContact::none);
   CHECK(certify(parts[1]).cavities == 1);
   const std::vector<int> before = valuesOf(labels), after = valuesOf(folder / "all.nrrd");
-  double changed = 0, all = 0;
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    all += before[i] != 0;
-    changed += before[i] != after[i];
-  }
-  CHECK(changed < 0.02 * all);
+  double changed = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) changed += before[i] != after[i];
+  // A gap of a fifth of a voxel, and what smoothing rounds off.
+  double area = 0;
+  for (const TriangleSoup& part : parts) area += certify(part).area;
+  CHECK(changed < 0.2 * area);
   require({"replay", folder / "s.json", "-o", folder / "again.nrrd"});
   CHECK(bytes(folder / "again.nrrd") == bytes(folder / "all.nrrd"));
 }

@@ -46,7 +46,7 @@ def run(cli, *words):
 def read_nrrd(path):
     data = open(path, "rb").read()
     head, body = data.split(b"\n\n", 1)
-    fields = dict(re.split(r":=|: ", line, maxsplit=1) for line in head.decode().splitlines() if ":" in line)
+    fields = dict(re.split(r":=|: ", line, maxsplit=1) for line in head.decode().splitlines()[1:] if re.search(":=|: ", line) and line[0] != "#")
     if fields["encoding"] == "gzip":
         body = gzip.decompress(body)
     kind = {"uint8": "u1", "uchar": "u1", "unsigned char": "u1", "uint16": "<u2", "unsigned short": "<u2"}[fields["type"]]

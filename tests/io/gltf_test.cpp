@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/errors.h"
+#include "core/mesh/shapes.h"
 #include "tests/io/io_test_support.h"
-#include "tests/support/mesh_zoo.h"
 
 using namespace handlebody;
 using namespace handlebody::test;
@@ -48,7 +48,7 @@ std::vector<ExportedObject> twoObjects() {
   liver.name = "Left ä liver";
   liver.colour = {255, 0, 128};
   cyst.name = "Cyst";
-  return {{liver, sphere(Vec3(10, 20, 30), 5, 2)}, {cyst, sphere(Vec3(-40, 0, 7), 3, 1)}};
+  return {{liver, icosphere(Vec3(10, 20, 30), 5, 2)}, {cyst, icosphere(Vec3(-40, 0, 7), 3, 1)}};
 }
 
 }  // namespace
