@@ -44,6 +44,7 @@ void Growth::clear() {
   changes_.clear();
   corrections_.clear();
   seconds_ = 0;
+  resolved_.reset();
   listener_.summariesChanged();
   listener_.snapshotChanged();
   listener_.stateChanged();
@@ -107,6 +108,7 @@ void Growth::collect() {
   request_ = std::move(update.request);
   changes_ = std::move(update.changes);
   corrections_ = std::move(update.corrections);
+  resolved_ = std::move(update.resolved);
   leaks_ = std::move(update.leaks);
   const bool leaked = update.leaked && !leaks_.empty();
   seconds_ = update.seconds;
