@@ -9,8 +9,8 @@ namespace {
 
 //! Three coarse frames of the beating phantom; its seed as a cell.
 std::string makeHeart(const Study& study) {
-  const auto json = runForJson(
-      {"phantom", "beating", "-o", study.folder / "heart.nii.gz", "--frames", "3", "--spacing", "3,3,3"});
+  const auto json = runForJson({"phantom", "beating", "-o", study.folder / "heart.nii.gz", "--frames", "3",
+                                "--ejection", "30", "--spacing", "3,3,3"});
   const auto& centre = json.at("seed").at("centre");
   std::string seed;
   for (std::size_t a = 0; a < 3; ++a) seed += (a ? "," : "") + std::to_string(centre.at(a).get<double>());
