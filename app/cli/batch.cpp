@@ -165,7 +165,7 @@ class Batch {
     row.measures = readMeasures(folder_.absolute(folder));
     row.thumbnail = readFile(folder_.absolute(folder) + "/thumbnail.png");
     row.folder = folder;
-    row.files = cases_[i].outputs;
+    row.files = BatchFolder::resultsOf(cases_[i], folder_.absolute(folder));
     row.files.insert(row.files.end(), {"report.json", "session.json", "log.txt"});
     row.message.clear();
     row.log.clear();
@@ -199,6 +199,9 @@ class Batch {
     for (const char* file : {"report.json", "session.json"})
       arguments.push_back("--" + std::string(file, 0, std::string(file).find('.')) + "=" + folder + "/" +
                           file);
+    if (c.isOverTime())
+      for (const char* file : {"curve.csv", "curve.svg"})
+        arguments.push_back("--curve=" + folder + "/" + file);
     arguments.push_back("--picture=" + folder + "/picture.png");
     return std::make_unique<CaseProcess>(arguments, folder + "/log.txt", c.limits);
   }
@@ -219,7 +222,9 @@ class Batch {
   }
 
   void settle(std::size_t i, const CaseEnd& end) {
-    if (end.exitCode == kDone || end.exitCode == kMaxIterations || end.exitCode == kLeak)
+    // Of a case over time in which frames failed there are results, and the summary says which.
+    const bool isIncomplete = end.exitCode == kIncomplete && cases_[i].isOverTime();
+    if (isIncomplete || end.exitCode == kDone || end.exitCode == kMaxIterations || end.exitCode == kLeak)
       finish(i, end);
     else
       fail(i, failureSentence(end, cases_[i].limits, folder_.logOfWork(cases_[i])));

@@ -14,8 +14,11 @@
 
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
+#include "core/io/frame_files.h"
 #include "core/io/json.h"
+#include "core/io/mesh_io.h"
 #include "core/io/picture.h"
+#include "core/io/sequence_writer.h"
 #include "core/io/volume_io.h"
 
 namespace handlebody::cli {
@@ -73,15 +76,23 @@ Json hashesIn(const Json& report, const StudyCase& c) {
   return hashes;
 }
 
-std::vector<std::string> filesOf(const StudyCase& c) {
-  std::vector<std::string> files = c.outputs;
+//! Frames that have a surface. Throws what the JSON library throws.
+std::vector<int> framesOf(const Json& report) {
+  std::vector<int> frames;
+  for (const Json& result : report.at("over_time").at("results"))
+    if (!result.at("volume_mm3").is_null()) frames.push_back(result.at("frame").get<int>());
+  return frames;
+}
+
+std::vector<std::string> filesOf(const StudyCase& c, const std::string& folder) {
+  std::vector<std::string> files = BatchFolder::resultsOf(c, folder);
   files.insert(files.end(), {"report.json", "session.json", "picture.png", "thumbnail.png"});
   return files;
 }
 
 Json sizesOf(const StudyCase& c, const std::string& folder) {
   Json sizes = Json::object();
-  for (const std::string& file : filesOf(c)) {
+  for (const std::string& file : filesOf(c, folder)) {
     std::error_code failed;
     const auto size = fs::file_size(folder + "/" + file, failed);
     if (failed) throw InputError(file + ": it was not written.");
@@ -121,6 +132,26 @@ int lockedFile(const std::string& path, int how) {
 }
 
 }  // namespace
+
+std::vector<std::string> BatchFolder::resultsOf(const StudyCase& c, const std::string& folder) {
+  if (!c.isOverTime()) return c.outputs;
+  std::vector<std::string> files{"curve.csv", "curve.svg"};
+  std::vector<int> frames;
+  try {
+    frames = framesOf(readJson(folder + "/report.json"));
+  } catch (const Json::exception&) {
+    throw InputError("report.json: it was not written.");
+  }
+  for (const std::string& file : c.outputs) {
+    if (!isMeshPath(file)) {
+      files.push_back(file);
+      continue;
+    }
+    if (hasCollection(file)) files.push_back(collectionPath(file));
+    for (const int frame : frames) files.push_back(numberedPath(file, frame));
+  }
+  return files;
+}
 
 CaseHold::CaseHold(const std::string& path) : file_(lockedFile(path, LOCK_EX)) {}
 CaseHold::~CaseHold() {

@@ -45,6 +45,9 @@ class BatchFolder {
   static std::string logOf(const StudyCase& c) { return "failed/" + c.name + ".txt"; }
   std::string absolute(const std::string& relative) const { return path_ + "/" + relative; }
 
+  //! The names of the result files in the folder: of a case over time as its report there says which frames
+  //! have a surface.
+  static std::vector<std::string> resultsOf(const StudyCase& c, const std::string& folder);
   //! There are results, of these inputs or of others.
   bool hasResults(const StudyCase& c) const;
   //! There are results, by this version of the program from the same voxels and options, and no file of them

@@ -8,6 +8,9 @@
 
 namespace handlebody::cli {
 
+//! Throws UsageError, which names the option, for a file that can hold no surface over time.
+void checkFrameFile(const std::string& option, const std::string& path);
+
 //! Throws UsageError for files of -o and --curve that cannot hold frames, or as checkOutputs, for each file
 //! of each frame.
 void checkFrameFiles(const RunOutputs& outputs, const std::vector<std::string>& curves,

@@ -17,6 +17,7 @@
 #include "core/io/result.h"
 #include "core/io/single_precision.h"
 #include "core/mesh/validity.h"
+#include "core/sequence/cycle_check.h"
 
 namespace handlebody::cli {
 
@@ -182,7 +183,7 @@ class OverTimeRun {
         start_(grownFrame(grown)),
         edgeLength_(session_.resolved->edgeLength),
         carrier_({finalRequest(session_), edgeLength_, session_.resolved->smoothing,
-                  session_.overTime->holdTopology},
+                  session_.overTime->holdTopology, start_.frame, session_.overTime->corrections},
                  {[this](int frame) { return loadFrame(session_.volume, frame); },
                   [](const TriangleSoup& mesh) { return certifiedForExport(mesh).mesh; }}),
         quiet_(quiet) {}
@@ -195,12 +196,8 @@ class OverTimeRun {
     report_.frames.push_back(start_);
     for (FrameResult& r : carryThrough(carrier_, start_, last, told()))
       report_.frames.push_back(std::move(r));
-    report_.curve = volumeCurve(points());
-    if (report_.request.drift == DriftCheck::wrap)
-      wrap();
-    else if (report_.request.drift == DriftCheck::back)
-      for (const int end : {first, last})
-        if (end != start_.frame) goBack(end);
+    report_.curve = curveOf(report_.frames, report_.times);
+    report_.drifts = checkCycle(carrier_, report_.frames, start_, report_.request.drift, edgeLength_);
   }
 
  private:
@@ -210,45 +207,6 @@ class OverTimeRun {
       std::fprintf(stderr, "frame %d: %.4g ml, %d iterations from frame %d (%.2f s)%s\n", r.frame,
                    r.volume / 1000, r.iterations, *r.from, r.seconds, r.isTrusted() ? "" : ", failed");
     };
-  }
-  std::vector<VolumePoint> points() const {
-    std::vector<VolumePoint> points;
-    for (const FrameResult& r : report_.frames) {
-      VolumePoint p;
-      p.frame = r.frame;
-      const auto at = static_cast<std::size_t>(r.frame);
-      if (at < report_.times.milliseconds.size()) p.time = report_.times.milliseconds[at];
-      if (!r.mesh.triangles.empty()) p.volume = r.volume;
-      p.isTrusted = r.isTrusted();
-      points.push_back(p);
-    }
-    return points;
-  }
-  const FrameResult& at(int frame) const {
-    return report_.frames[static_cast<std::size_t>(frame - report_.request.frames->first)];
-  }
-  void compare(const FrameResult& there, const FrameResult& back, int from) {
-    Drift drift;
-    if (there.isTrusted() && back.isTrusted()) drift = driftBetween(there.mesh, back.mesh, edgeLength_);
-    drift.from = from;
-    drift.at = there.frame;
-    report_.drifts.push_back(drift);
-  }
-  //! From the last frame on that side that is trusted to the one that was grown.
-  void goBack(int end) {
-    const int step = end < start_.frame ? 1 : -1;
-    while (end != start_.frame && !at(end).isTrusted()) end += step;
-    if (end == start_.frame) return;
-    compare(start_, carryThrough(carrier_, at(end), start_.frame).back(), end);
-  }
-  void wrap() {
-    const auto [first, last] = *report_.request.frames;
-    if (first == last) return;
-    if (!at(last).isTrusted()) return report_.drifts.push_back({last, first});
-    // They lie beside each other in a cycle.
-    FrameResult beside = at(last);
-    beside.frame = first - 1;
-    compare(at(first), carrier_.carry(beside, first), last);
   }
 
   const Session& session_;

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/cli/command.h"
+#include "app/cli/frame_files.h"
 #include "app/cli/object_groups.h"
 #include "app/cli/over_time.h"
 #include "app/cli/run_objects.h"
@@ -254,7 +255,12 @@ void checkSegmentArguments(const std::vector<std::string>& arguments) {
   addOptions(command, options);
   parse(command, arguments);
   clicksOf(options);
-  for (const std::string& path : options.outputs.results) checkResultExtension({"--output", path});
+  const bool isOverTime = requestOf(options.overTime).has_value();
+  for (const std::string& path : options.outputs.results)
+    if (isOverTime)
+      checkFrameFile("--output", path);
+    else
+      checkResultExtension({"--output", path});
 }
 
 Action segmentSeveralObjects(const std::vector<std::string>& arguments) {

@@ -37,12 +37,10 @@ struct CellFault {
   std::string message;
 };
 
-//! Where the results of a case go is the batch's business, and so is what it says. A case is one volume: its
-//! outputs have one name each, those over time one per frame.
+//! Where the results of a case go is the batch's business, and so is what it says.
 bool isForBatch(const std::string& option) {
   static const std::vector<std::string> own{
-      "output", "report", "session",  "trace",       "picture",    "label-description",
-      "quiet",  "frames", "topology", "drift-check", "frame-time", "curve"};
+      "output", "report", "session", "trace", "picture", "label-description", "quiet", "curve"};
   return std::find(own.begin(), own.end(), option) != own.end();
 }
 
@@ -126,7 +124,8 @@ std::string nameFault(const std::string& name) {
 
 bool isOurs(const std::string& file) {
   return file == "report.json" || file == "session.json" || file == "picture.png" ||
-         file == "thumbnail.png" || file == "log.txt" || file == "case.json";
+         file == "thumbnail.png" || file == "log.txt" || file == "case.json" || file == "curve.csv" ||
+         file == "curve.svg";
 }
 
 //! Path of an input; throws UsageError unless it can be read.
@@ -321,6 +320,11 @@ void refuseNamesakes(std::vector<StudyCase>& cases) {
 }
 
 }  // namespace
+
+bool StudyCase::isOverTime() const {
+  return std::any_of(options.begin(), options.end(),
+                     [](const std::string& option) { return option.rfind("--frames=", 0) == 0; });
+}
 
 std::string studyColumns() {
   std::string text =

@@ -21,7 +21,8 @@ struct StudyCase {
   std::vector<std::string> options;   //!< of `segment`, --NAME=VALUE, without volume, walls and outputs
   std::vector<std::string> outputs;   //!< names of files in its folder
   CaseLimits limits;
-  std::string fault;  //!< a sentence with line and column why it cannot run; empty: it can
+  bool isOverTime() const;  //!< a surface is carried through the frames of a 4D volume
+  std::string fault;        //!< a sentence with line and column why it cannot run; empty: it can
 };
 
 //! The names of the columns, for messages and help.

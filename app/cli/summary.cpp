@@ -27,6 +27,28 @@ std::string joined(const List& list, Text&& textOf) {
   return all;
 }
 
+Json orNull(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+//! What was wrong in a frame becomes a warning.
+TimeMeasures timeMeasures(const Json& overTime, std::vector<std::string>& warnings) {
+  constexpr double kMillilitre = 1000;  // mm³
+  TimeMeasures m;
+  for (const Json& result : overTime.at("results")) {
+    ++m.frames;
+    m.failed += result.at("trusted").get<bool>() ? 0 : 1;
+    for (const Json& fault : result.at("faults"))
+      warnings.push_back("frame " + std::to_string(result.at("frame").get<int>()) + ": " +
+                         fault.at("text").get<std::string>());
+  }
+  const Json& curve = overTime.at("curve");
+  if (curve.is_null()) return m;
+  m.endDiastole = kMillilitre * curve.at("end_diastole").at("volume_ml").get<double>();
+  m.endSystole = kMillilitre * curve.at("end_systole").at("volume_ml").get<double>();
+  m.strokeVolume = kMillilitre * curve.at("stroke_volume_ml").get<double>();
+  m.ejectionFraction = curve.at("ejection_fraction").get<double>();
+  return m;
+}
+
 //! In the order of the table's columns, with units in the names.
 Json measuresToJson(const CaseMeasures& m) {
   return {{"volume_mm3", m.volume},
@@ -43,7 +65,13 @@ Json measuresToJson(const CaseMeasures& m) {
           {"unsupported_surface", m.unsupportedSurface},
           {"seconds", m.seconds},
           {"peak_memory_mb", m.peakMegabytes},
-          {"warnings", m.warnings}};
+          {"warnings", m.warnings},
+          {"frames", m.overTime ? Json(m.overTime->frames) : Json()},
+          {"frames_failed", m.overTime ? Json(m.overTime->failed) : Json()},
+          {"end_diastole_mm3", m.overTime ? orNull(m.overTime->endDiastole) : Json()},
+          {"end_systole_mm3", m.overTime ? orNull(m.overTime->endSystole) : Json()},
+          {"stroke_volume_mm3", m.overTime ? orNull(m.overTime->strokeVolume) : Json()},
+          {"ejection_fraction", m.overTime ? orNull(m.overTime->ejectionFraction) : Json()}};
 }
 
 std::string cellOf(const Json& value) {
@@ -130,6 +158,7 @@ CaseMeasures readMeasures(const std::string& folder) try {
   record.at("peak_memory_mb").get_to(m.peakMegabytes);
   m.warnings = report.at("input").at("warnings").get<std::vector<std::string>>();
   for (const Json& warning : report.at("warnings")) m.warnings.push_back(warning.get<std::string>());
+  if (report.contains("over_time")) m.overTime = timeMeasures(report.at("over_time"), m.warnings);
   return m;
 } catch (const Json::exception& error) {
   throw InputError(folder + ": its report lacks a number (" + error.what() + ").");

@@ -11,6 +11,13 @@ enum class CaseStatus { done, failed, refused, notRun };
 //! done, failed, refused, not run
 const char* statusName(CaseStatus status);
 
+//! Of a case that was carried through the frames of a 4D volume.
+struct TimeMeasures {
+  int frames = 0, failed = 0;
+  //! mm³, and 0 to 1; none if fewer than two frames can be trusted.
+  std::optional<double> endDiastole{}, endSystole{}, strokeVolume{}, ejectionFraction{};
+};
+
 //! The numbers of a result.
 struct CaseMeasures {
   double volume = 0;                    //!< mm³
@@ -26,6 +33,7 @@ struct CaseMeasures {
   double seconds = 0;             //!< by the clock
   double peakMegabytes = 0;
   std::vector<std::string> warnings;  //!< of the volume and of the result
+  std::optional<TimeMeasures> overTime{};
 };
 
 struct SummaryRow {

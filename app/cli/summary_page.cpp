@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <string>
 
 #include "app/cli/summary.h"
 #include "core/io/json.h"
@@ -172,7 +174,19 @@ std::string measureCells(const std::optional<CaseMeasures>& m) {
   return cells + number(m->seconds, 1) + number(m->peakMegabytes, 0);
 }
 
-std::string rowOf(const SummaryRow& row) {
+//! Only where some case is carried over time.
+constexpr std::array kTimeColumns{"Stroke volume, ml", "Ejection fraction, %", "Frames failed"};
+
+std::string timeCells(const std::optional<CaseMeasures>& m) {
+  const auto& time = m ? m->overTime : std::nullopt;
+  if (!time) return cell("", "") + cell("", "") + cell("", "");
+  const std::string failed = std::to_string(time->failed) + " of " + std::to_string(time->frames);
+  return (time->strokeVolume ? number(*time->strokeVolume / 1000, 1) : cell("", "")) +
+         (time->ejectionFraction ? number(100 * *time->ejectionFraction, 1) : cell("", "")) +
+         cell(failed, std::to_string(time->failed));
+}
+
+std::string rowOf(const SummaryRow& row, bool hasTime) {
   std::vector<std::string> notes;
   if (!row.message.empty()) notes.push_back(row.message);
   if (row.measures) notes.insert(notes.end(), row.measures->warnings.begin(), row.measures->warnings.end());
@@ -180,7 +194,8 @@ std::string rowOf(const SummaryRow& row) {
   const std::string status = statusName(row.status);
   return "<tr class=\"" + status + "\">" + pictureCell(row) + cell(escaped(row.name), row.name) +
          number(row.line, 0) + cell(status, status) + measureCells(row.measures) +
-         cell(listed(notes), count) + cell(linksOf(row), count) + "</tr>\n";
+         (hasTime ? timeCells(row.measures) : "") + cell(listed(notes), count) + cell(linksOf(row), count) +
+         "</tr>\n";
 }
 
 std::string counts(const Summary& summary) {
@@ -198,10 +213,18 @@ std::string summaryPage(const Summary& summary) {
   page += "<title>" + study + "</title>\n</head>\n<body>\n<h1>" + study + "</h1>\n<p>" + counts(summary) +
           ". handlebody-cli " + escaped(summary.version) + ".</p>\n<p class=\"notice\">" + kNotice +
           "</p>\n<table>\n<thead><tr>";
-  for (const char* column : kColumns)
+  const bool hasTime = std::any_of(summary.rows.begin(), summary.rows.end(), [](const SummaryRow& row) {
+    return row.measures && row.measures->overTime;
+  });
+  const auto head = [&page](const char* column) {
     page += std::string("<th scope=\"col\"><button>") + column + "</button></th>";
+  };
+  const auto notes = std::find(kColumns.begin(), kColumns.end(), std::string("Notes"));
+  std::for_each(kColumns.begin(), notes, head);
+  if (hasTime) std::for_each(kTimeColumns.begin(), kTimeColumns.end(), head);
+  std::for_each(notes, kColumns.end(), head);
   page += "</tr></thead>\n<tbody>\n";
-  for (const SummaryRow& row : summary.rows) page += rowOf(row);
+  for (const SummaryRow& row : summary.rows) page += rowOf(row, hasTime);
   return page + "</tbody>\n</table>\n" + kScript + "</body>\n</html>\n";
 }
 

@@ -47,8 +47,9 @@ void addOptions(CLI::App& app, Texts& texts, Options& options) {
   app.add_option("--size", texts.size, "Of the window in logical pixels")
       ->type_name("WxH")
       ->check(faultOfSize);
-  app.add_option("--step", texts.step, "The step to begin with, or the panel of measures")
-      ->check(CLI::IsMember({"open", "seed", "tune", "grow", "correct", "export", "measure"}));
+  app.add_option("--step", texts.step, "The step to begin with, or a panel: measures, sensitivity, over time")
+      ->check(CLI::IsMember(
+          {"open", "seed", "tune", "grow", "correct", "export", "measure", "sensitivity", "time"}));
   app.add_option("--appearance", texts.appearance, "Colours of the window")
       ->check(CLI::IsMember({"system", "light", "dark"}));
   app.add_option("--language", texts.language, "Language of the window (default: as set there)")

@@ -4,11 +4,13 @@
 #include <QTimer>
 #include <iostream>
 
+#include "ui/model/time_series.h"
 #include "ui/view/surface_view.h"
 #include "ui/window/event_inspector.h"
 #include "ui/window/main_window.h"
 #include "ui/window/measures_panel.h"
 #include "ui/window/object_measures_page.h"
+#include "ui/window/sensitivity_page.h"
 #include "ui/window/view_grid.h"
 
 namespace handlebody::app {
@@ -72,6 +74,8 @@ void Screenshot::take() {
   growing_ = false;
   if (crosshair_) window_.viewState().setCrosshair(*crosshair_);
   if (options_.step == QStringLiteral("measure")) return measure();
+  if (options_.step == QStringLiteral("sensitivity")) return tellSensitivity();
+  if (options_.step == QStringLiteral("time")) return carry();
   if (!options_.step.isEmpty()) {
     const QStringList steps{QStringLiteral("open"), QStringLiteral("seed"),    QStringLiteral("tune"),
                             QStringLiteral("grow"), QStringLiteral("correct"), QStringLiteral("export")};
@@ -86,15 +90,37 @@ void Screenshot::take() {
 void Screenshot::measure() {
   window_.showStep(ui::Command::stepExport);
   window_.commands()[ui::Command::showMeasures]->trigger();
+  settleWhen([this] { return window_.document().iteration() < 0 || window_.measures().objects().shown(); });
+}
+
+void Screenshot::settleWhen(std::function<bool()> isDone) {
   constexpr int kLook = 50;  // ms
   auto* look = new QTimer(this);
-  connect(look, &QTimer::timeout, this, [this, look] {
-    const auto& table = window_.measures().objects();
-    if (window_.document().iteration() >= 0 && !table.shown()) return;
+  connect(look, &QTimer::timeout, this, [this, look, isDone = std::move(isDone)] {
+    if (!isDone()) return;
     look->stop();
     settle();
   });
   look->start(kLook);
+}
+
+void Screenshot::tellSensitivity() {
+  window_.showStep(ui::Command::stepExport);
+  window_.commands()[ui::Command::sensitivity]->trigger();
+  settleWhen([this] { return !window_.measures().sensitivity().isAsking(); });
+}
+
+//! The surface carried through the frames, if there are some; one in their middle is shown.
+void Screenshot::carry() {
+  window_.showStep(ui::Command::stepGrow);
+  window_.commands()[ui::Command::carryOverTime]->trigger();
+  window_.commands()[ui::Command::showOverTime]->trigger();
+  ui::TimeSeries& time = window_.document().time();
+  settleWhen([&time] {
+    if (time.isCarrying()) return false;
+    time.show(time.frameCount() / 3);
+    return time.shownFrame() == time.wantedFrame();
+  });
 }
 
 void Screenshot::showStage() {

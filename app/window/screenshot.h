@@ -2,6 +2,7 @@
 // Takes a picture of the window without a person at it.
 
 #include <QObject>
+#include <functional>
 
 #include "app/window/options.h"
 #include "core/geometry/vec.h"
@@ -27,6 +28,9 @@ class Screenshot : public QObject {
   void continueGrowing();
   void settle();
   void measure();
+  void tellSensitivity();
+  void carry();
+  void settleWhen(std::function<bool()> isDone);
   void showStage();
   void take();
   void end(int code, const QString& sentence = {});

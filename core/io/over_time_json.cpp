@@ -1,6 +1,7 @@
 #include "core/io/over_time_json.h"
 
 #include "core/errors.h"
+#include "core/io/session.h"
 
 namespace handlebody {
 
@@ -53,6 +54,31 @@ Json driftToJson(const Drift& d) {
   return json;
 }
 
+//! As "requested" of a session, with the frame.
+Json correctionToJson(const FrameCorrection& c) {
+  Session session;
+  session.seeds = c.request.seeds;
+  session.requested = c.request.parameters;
+  session.constraints = c.request.constraints;
+  session.changes = c.changes;
+  session.stopAt = c.stopAt;
+  Json json = requestToJson(session);
+  json.erase("space");
+  json["frame"] = c.frame;
+  return json;
+}
+
+FrameCorrection correctionFromJson(const Json& json) {
+  Session session;
+  readRequest(json, session);
+  FrameCorrection c;
+  c.frame = integerFromJson(json.at("frame"));
+  c.request = {session.seeds, session.requested, session.constraints};
+  c.changes = session.changes;
+  c.stopAt = session.stopAt;
+  return c;
+}
+
 }  // namespace
 
 const char* driftCheckName(DriftCheck check) {
@@ -71,6 +97,7 @@ Json overTimeToJson(const OverTimeRequest& r) {
   json["topology"] = r.holdTopology ? "held" : "free";
   json["drift_check"] = driftCheckName(r.drift);
   if (r.frameTime) json["given_frame_time_ms"] = *r.frameTime;
+  for (const FrameCorrection& c : r.corrections) json["corrections"].push_back(correctionToJson(c));
   return json;
 }
 
@@ -93,6 +120,14 @@ OverTimeRequest overTimeFromJson(const Json& json) {
     r.frameTime = json.at("given_frame_time_ms").get<double>();
     if (!(*r.frameTime > 0)) throw UsageError("the time between frames is not above 0.");
   }
+  if (json.contains("corrections"))
+    for (const Json& entry : json.at("corrections")) {
+      r.corrections.push_back(correctionFromJson(entry));
+      const auto count = r.corrections.size();
+      if (r.corrections.back().frame < 0 ||
+          (count > 1 && r.corrections[count - 2].frame >= r.corrections.back().frame))
+        throw UsageError("the corrected frames are not in ascending order.");
+    }
   return r;
 }
 

@@ -30,6 +30,20 @@ std::string faultsText(const FrameResult& r) {
 
 }  // namespace
 
+VolumeCurve curveOf(const std::vector<FrameResult>& frames, const TimeAxis& times) {
+  std::vector<VolumePoint> points;
+  for (const FrameResult& r : frames) {
+    VolumePoint p;
+    p.frame = r.frame;
+    const auto at = static_cast<std::size_t>(r.frame);
+    if (at < times.milliseconds.size()) p.time = times.milliseconds[at];
+    if (!r.mesh.triangles.empty()) p.volume = r.volume;
+    p.isTrusted = r.isTrusted();
+    points.push_back(p);
+  }
+  return volumeCurve(std::move(points));
+}
+
 std::vector<std::string> overTimeDoubts(const OverTimeReport& report) {
   std::vector<std::string> doubts;
   for (const FrameResult& r : report.frames)

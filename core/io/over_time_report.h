@@ -20,6 +20,9 @@ struct OverTimeReport {
   std::vector<Drift> drifts{};
 };
 
+//! The volumes of these frames, each with its time where that is known.
+VolumeCurve curveOf(const std::vector<FrameResult>& frames, const TimeAxis& times);
+
 //! Sentences without a full stop, "frame 3: …": every fault, a surface that was lost on its way back.
 std::vector<std::string> overTimeDoubts(const OverTimeReport& report);
 

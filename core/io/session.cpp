@@ -44,10 +44,18 @@ std::string openablePath(const std::string& stored, const std::string& session) 
 }
 
 template <typename F>
-void forEachWallMap(Session& session, F&& f) {
-  if (session.constraints.walls.map) f(*session.constraints.walls.map);
-  for (ParameterChange& change : session.changes)
+void forEachWallMap(Constraints& first, std::vector<ParameterChange>& changes, F&& f) {
+  if (first.walls.map) f(*first.walls.map);
+  for (ParameterChange& change : changes)
     if (change.constraints && change.constraints->walls.map) f(*change.constraints->walls.map);
+}
+
+template <typename F>
+void forEachWallMap(Session& session, F&& f) {
+  forEachWallMap(session.constraints, session.changes, f);
+  if (!session.overTime) return;
+  for (FrameCorrection& c : session.overTime->corrections)
+    forEachWallMap(c.request.constraints, c.changes, f);
 }
 
 template <typename F>

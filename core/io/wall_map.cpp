@@ -61,6 +61,12 @@ void loadWalls(Session& session, const Grid& grid) {
   load(session.constraints, grid, known);
   for (ParameterChange& change : session.changes)
     if (change.constraints) load(*change.constraints, grid, known);
+  if (!session.overTime) return;
+  for (FrameCorrection& c : session.overTime->corrections) {
+    load(c.request.constraints, grid, known);
+    for (ParameterChange& change : c.changes)
+      if (change.constraints) load(*change.constraints, grid, known);
+  }
 }
 
 }  // namespace handlebody

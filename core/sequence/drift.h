@@ -5,6 +5,13 @@
 
 namespace handlebody {
 
+//! How it is found out whether the surface drifts.
+enum class DriftCheck {
+  none,
+  back,  //!< carried back from each end to the frame that was grown
+  wrap   //!< the sequence is a cycle: carried from the last frame to the first
+};
+
 struct Drift {
   int from = 0;             //!< frame from which it came back
   int at = 0;               //!< frame to which it came

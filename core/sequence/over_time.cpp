@@ -1,8 +1,10 @@
 #include "core/sequence/over_time.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <numeric>
 
 #include "core/errors.h"
@@ -88,15 +90,86 @@ bool FrameResult::isTrusted() const {
   return !mesh.triangles.empty();
 }
 
-FrameCarrier::FrameCarrier(OverTimeSettings settings, Hooks hooks)
-    : settings_(std::move(settings)), hooks_(std::move(hooks)) {
-  Request& r = settings_.request;
-  r.parameters.edgeLength = settings_.edgeLength;
-  r.parameters.smoothing = settings_.smoothing;
+bool FrameCorrection::operator==(const FrameCorrection& o) const {
+  const auto areAlike = [](const ParameterChange& a, const ParameterChange& b) {
+    return a.iteration == b.iteration && a.parameters == b.parameters && a.seeds == b.seeds &&
+           a.constraints == b.constraints;
+  };
+  return frame == o.frame && request == o.request && stopAt == o.stopAt &&
+         std::equal(changes.begin(), changes.end(), o.changes.begin(), o.changes.end(), areAlike);
+}
+
+Request finalRequest(const FrameCorrection& correction) {
+  Request request = correction.request;
+  for (const ParameterChange& change : correction.changes) request = changed(request, change);
+  return request;
+}
+
+Request carriedRequest(const OverTimeSettings& settings, int frame) {
+  const FrameCorrection* nearest = nullptr;  // between the grown frame and this one
+  const int home = settings.grownFrame;
+  for (const FrameCorrection& c : settings.corrections) {
+    const bool isBetween =
+        frame > home ? c.frame > home && c.frame <= frame : c.frame < home && c.frame >= frame;
+    if (isBetween && (!nearest || std::abs(c.frame - home) > std::abs(nearest->frame - home))) nearest = &c;
+  }
+  Request r = settings.request;
+  if (nearest) {
+    const Request last = finalRequest(*nearest);
+    r.seeds = last.seeds;
+    r.constraints = last.constraints;
+    r.parameters.candidate = last.parameters.candidate;
+  }
+  r.parameters.edgeLength = settings.edgeLength;
+  r.parameters.smoothing = settings.smoothing;
   r.parameters.direction = Direction::both;
   r.constraints.vetoes.clear();
   r.constraints.pins.clear();
   r.constraints.edits.clear();
+  return r;
+}
+
+FrameCarrier::FrameCarrier(OverTimeSettings settings, Hooks hooks)
+    : settings_(std::move(settings)), hooks_(std::move(hooks)) {}
+
+//! Only on the way out: what comes back from the ends starts from other surfaces.
+const FrameCorrection* FrameCarrier::correctionOf(int from, int frame) const {
+  const int home = settings_.grownFrame;
+  const bool isOut = (frame > from) == (frame > home) && (frame > from ? from >= home : from <= home);
+  for (const FrameCorrection& c : settings_.corrections)
+    if (isOut && c.frame == frame) return &c;
+  return nullptr;
+}
+
+FrameResult FrameCarrier::corrected(const FrameCorrection& correction, const FrameResult& from) const {
+  FrameResult result;
+  result.frame = correction.frame;
+  result.from = from.frame;
+  const Volume volume = hooks_.load(correction.frame);
+  const Request& r = correction.request;
+  try {
+    ActiveContour contour(volume, r.seeds, r.parameters, r.constraints);
+    contour.startFrom(Mesh(from.mesh), settings_.holdTopology);
+    auto change = correction.changes.begin();
+    while (contour.iteration() < correction.stopAt.value_or(std::numeric_limits<int>::max())) {
+      if (change != correction.changes.end() && change->iteration == contour.iteration()) {
+        contour.change(changed(contour.request(), *change));
+        ++change;
+      }
+      if (contour.stopReason() != StopReason::running) break;
+      for (const Leak& leak : contour.step().leaks)
+        result.faults.push_back({FrameFault::leaked, "the surface leaked: " + sentence(leak)});
+    }
+    judge(from, contour, result);
+    // Where it was stopped by hand that is what was meant.
+    if (correction.stopAt)
+      std::erase_if(result.faults, [](const ToldFault& f) { return f.fault == FrameFault::unfinished; });
+  } catch (const SeedError& error) {
+    result.faults.push_back({FrameFault::noObject, error.what()});
+  } catch (const UsageError& error) {
+    result.faults.push_back({FrameFault::noObject, error.what()});
+  }
+  return result;
 }
 
 FrameResult FrameCarrier::attempt(const FrameResult& from, int frame, const Volume& volume, int candidate,
@@ -104,7 +177,7 @@ FrameResult FrameCarrier::attempt(const FrameResult& from, int frame, const Volu
   FrameResult result;
   result.frame = frame;
   result.from = from.frame;
-  const Request& r = settings_.request;
+  const Request r = carriedRequest(settings_, frame);
   Parameters parameters = r.parameters;
   parameters.candidate = candidate;
   std::optional<ActiveContour> made;
@@ -128,7 +201,7 @@ FrameResult FrameCarrier::attempt(const FrameResult& from, int frame, const Volu
 }
 
 FrameResult FrameCarrier::tried(const FrameResult& from, int frame) const {
-  const int asked = settings_.request.parameters.candidate;
+  const int asked = carriedRequest(settings_, frame).parameters.candidate;
   const Volume volume = hooks_.load(frame);
   std::vector<ObjectCandidate> candidates;
   FrameResult result = attempt(from, frame, volume, asked, candidates);
@@ -147,7 +220,8 @@ FrameResult FrameCarrier::carry(const FrameResult& from, int frame) const {
   const auto begin = std::chrono::steady_clock::now();
   FrameResult result;
   try {
-    result = tried(from, frame);
+    const FrameCorrection* correction = correctionOf(from.frame, frame);
+    result = correction ? corrected(*correction, from) : tried(from, frame);
   } catch (const InputError& error) {
     result.frame = frame;
     result.from = from.frame;

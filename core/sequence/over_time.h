@@ -49,13 +49,33 @@ struct FrameResult {
   bool isTrusted() const;  //!< none of the faults is a failure, and there is a mesh
 };
 
+//! A frame that was corrected by hand. Its surface starts from that of the frame beside it, as a carried one,
+//! and is grown as this says; the frames beyond it, seen from the one that was grown, start from it, with its
+//! clicks, walls and limits.
+struct FrameCorrection {
+  int frame = 0;
+  Request request;                         //!< at the beginning
+  std::vector<ParameterChange> changes{};  //!< on the way, in ascending order
+  std::optional<int> stopAt{};             //!< the iteration whose surface is meant; none: the last
+  bool operator==(const FrameCorrection& other) const;
+};
+
+//! What the clicks, walls and limits of a correction are in the end.
+Request finalRequest(const FrameCorrection& correction);
+
 //! What is carried, and how.
 struct OverTimeSettings {
-  Request request;           //!< of the frame that was grown, as it was in the end
-  double edgeLength = 1;     //!< mm, as used there
-  double smoothing = 0;      //!< the same
-  bool holdTopology = true;  //!< else it may change from frame to frame
+  Request request;                             //!< of the frame that was grown, as it was in the end
+  double edgeLength = 1;                       //!< mm, as used there
+  double smoothing = 0;                        //!< the same
+  bool holdTopology = true;                    //!< else it may change from frame to frame
+  int grownFrame = 0;                          //!< in which `request` was grown
+  std::vector<FrameCorrection> corrections{};  //!< at most one of a frame
 };
+
+//! What is asked for in a frame that is carried to, with the edge length and smoothing of the frame that was
+//! grown: nothing of it names an iteration.
+Request carriedRequest(const OverTimeSettings& settings, int frame);
 
 //! A volume that may differ from that of the frame beside it by this factor, either way, is no jump; per
 //! frame between the two. The fastest phase of a heart with an ejection fraction of 70 % in 20 frames changes
@@ -81,6 +101,8 @@ class FrameCarrier {
   FrameResult carry(const FrameResult& from, int frame) const;
 
  private:
+  const FrameCorrection* correctionOf(int from, int frame) const;
+  FrameResult corrected(const FrameCorrection& correction, const FrameResult& from) const;
   //! The same with one of the objects that the clicks may mean there; `candidates` gets all of them.
   FrameResult attempt(const FrameResult& from, int frame, const Volume& volume, int candidate,
                       std::vector<ObjectCandidate>& candidates) const;

@@ -28,6 +28,12 @@ Document::Private::Private(Document& document) : q(document) {
   active = objects.front();
   undo.setUndoLimit(kMostUndone);
   QObject::connect(&undo, &QUndoStack::cleanChanged, &q, [this] { updateModified(); });
+  QObject::connect(&time, &TimeSeries::shownChanged, &q, [this] { shownFrameChanged(); });
+  QObject::connect(&time, &TimeSeries::carriedChanged, &q, [this] {
+    if (time.showsWorkFrame()) return;
+    Q_EMIT q.objectsChanged();
+    Q_EMIT q.snapshotChanged();
+  });
   QObject::connect(&measurements, &Measurements::changed, &q, [this] { journalNow(); });
 }
 
@@ -42,8 +48,14 @@ Document::~Document() = default;
 
 // --- seeds and parameters ---
 
-bool Document::Private::mayChange() {
-  if (!active->traits.locked) return true;
+bool Document::Private::mayGoOn() {
+  if (!active->traits.locked) {
+    if (isGrown())
+      time.show(time.workFrame());
+    else
+      growInShown();
+    return true;
+  }
   Q_EMIT q.refused(
       tr("“%1” is locked: unlock it to change it.").arg(QString::fromStdString(active->traits.label.name)));
   Q_EMIT q.seedsChanged();  // fields show again what holds
@@ -51,12 +63,15 @@ bool Document::Private::mayChange() {
   return false;
 }
 
+bool Document::Private::mayChange() { return active->traits.locked ? mayGoOn() : isInGrownFrame(); }
+
 void Document::Private::push(const QString& text, Edits after, int gesture) {
   if (!mayChange()) return;
   if (meanOthers(active->edits(), after)) after.parameters.candidate = 1;
   undo.push(new EditCommand(text, active->edits(), std::move(after), gesture,
                             [this, object = active](const Edits& e, EditCommand::Way way) {
                               activate(object);
+                              if (isGrown()) time.show(time.workFrame());
                               object->apply(e, way);
                             }));
 }

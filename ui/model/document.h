@@ -21,8 +21,10 @@
 #include "core/io/dicom_writer.h"
 #include "core/io/exported_object.h"
 #include "core/io/mesh_io.h"
+#include "core/io/over_time_request.h"
 #include "core/io/volume_io.h"
 #include "core/mesh/validity.h"
+#include "core/sensitivity/sensitivity.h"
 #include "core/volume/volume.h"
 #include "ui/model/candidate_choice.h"
 
@@ -32,6 +34,7 @@ namespace handlebody::ui {
 
 class FinishedMesh;
 class Measurements;
+class TimeSeries;
 
 //! What a face of the shown mesh is, for colouring.
 enum class FaceState : unsigned char { moving, settled, newHandle, colliding };
@@ -112,7 +115,8 @@ class Document : public QObject {
   void cancelOpening();
   bool isOpening() const;
   bool hasVolume() const;
-  const Volume& volume() const;    //!< precondition: hasVolume()
+  //! Of several time points the shown one. Precondition: hasVolume()
+  const Volume& volume() const;
   const VolumeInfo& info() const;  //!< precondition: hasVolume()
   QString path() const;            //!< of the volume
   //! How the volume was read: series, time point, spacing. Precondition: hasVolume()
@@ -230,6 +234,31 @@ class Document : public QObject {
   //! Rulers and angles, of all objects together; their changes are undo entries, too.
   Measurements& measurements() const;
 
+  // --- time: of a volume with several time points (time_series.h) ---
+  // Volume, surface and numbers are those of the shown frame. What is changed is the growth in its own frame,
+  // which must be shown for that; the first click in another frame makes that the one it is grown in.
+  TimeSeries& time() const;
+  //! Moves the clicks to the shown frame; what was grown is gone.
+  void growInShownFrame();
+  //! Carries the surface through the other frames, in the background. Nothing where carryFault() says why.
+  void carryOverTime();
+  //! Why the surface cannot be carried now, as a sentence; empty: it can.
+  QString carryFault() const;
+  //! What was carried started from the surface that is shown in the frame it is grown in.
+  bool isCarriedCurrent() const;
+  //! The shown frame, to which the surface was carried, becomes the one that is changed, with its own clicks,
+  //! walls and edits; it is grown again from the surface of the frame beside it. Nothing where
+  //! correctionFault() says why.
+  void correctShownFrame();
+  QString correctionFault() const;
+  std::optional<int> correctedFrame() const;  //!< that is being corrected
+  //! Back to the grown frame. `keeps`: the correction counts, and the frames beyond it are carried again.
+  void endCorrection(bool keeps);
+  //! As an entry of the undo list.
+  void setOverTime(const OverTimeRequest& request, const QString& undoText, int gesture = -1);
+  //! The surfaces of all frames, as numbered meshes or a 4D label map by extension; told as exportResult().
+  void exportFrames(const QString& path, CoordinateSpace space);
+
   // --- growth ---
   GrowthState state() const;
   StopReason stopReason() const;
@@ -263,6 +292,9 @@ class Document : public QObject {
   const std::vector<Event>& events() const;  //!< of all iterations, in order, without traces
   //! Works out the stages of events()[index] in the background, told by eventTraced(index, trace).
   void requestTrace(int index);
+
+  //! What the active object's shown iteration was made of; none without a growth.
+  std::optional<GrownFrom> grownFrom() const;
 
   // --- out ---
   //! The shown surface of an object as it is written, by whatever thread asks for it first; null without one.
@@ -305,6 +337,7 @@ class Document : public QObject {
   void constraintsChanged();
   void wallConflictChanged();  //!< a growth that ran into one has paused
   void resolvedChanged();
+  void frameShown();           //!< another time point is shown, or grown in; followed by snapshotChanged()
   void objectsChanged();       //!< the list, or what is told of or drawn for one that is not active
   void activeObjectChanged();  //!< followed by all signals of what is about the active one
   void refused(const QString& sentence);

@@ -9,7 +9,7 @@ StopReason Document::stopReason() const { return d_->active->stopReason(); }
 QString Document::growthError() const { return d_->active->error(); }
 
 void Document::Private::goOn(Wanted what) {
-  if (mayChange()) active->goOn(what);
+  if (mayGoOn()) active->goOn(what);
 }
 
 void Document::run() { d_->goOn(Private::Wanted::run); }
@@ -18,13 +18,13 @@ void Document::goToNextEvent() { d_->goOn(Private::Wanted::toEvent); }
 void Document::pause() { d_->active->pause(); }
 
 void Document::goTo(int iteration) {
-  if (d_->mayChange()) d_->active->goTo(iteration);
+  if (d_->mayGoOn()) d_->active->goTo(iteration);
 }
 void Document::stepBack() {
-  if (d_->mayChange()) d_->active->stepBack();
+  if (d_->mayGoOn()) d_->active->stepBack();
 }
 void Document::goToPreviousEvent() {
-  if (d_->mayChange()) d_->active->goToPreviousEvent();
+  if (d_->mayGoOn()) d_->active->goToPreviousEvent();
 }
 void Document::goToStart() { goTo(0); }
 
@@ -42,12 +42,17 @@ const std::vector<FoundLeak>& Document::leaks() const { return d_->active->growt
 
 int Document::iteration() const { return d_->active->growth().iteration(); }
 int Document::lastIteration() const { return static_cast<int>(summaries().size()) - 1; }
-std::shared_ptr<const MeshSnapshot> Document::snapshot() const { return d_->active->growth().snapshot(); }
+std::shared_ptr<const MeshSnapshot> Document::snapshot() const { return d_->shownOf(*d_->active); }
 const std::vector<IterationSummary>& Document::summaries() const { return d_->active->growth().summaries(); }
 const std::vector<RecordedCorrection>& Document::corrections() const {
   return d_->active->growth().corrections();
 }
 const std::vector<Event>& Document::events() const { return d_->active->growth().events(); }
+std::optional<GrownFrom> Document::grownFrom() const {
+  const Growth& growth = d_->active->growth();
+  if (!d_->work || !growth.snapshot() || !growth.resolved()) return std::nullopt;
+  return GrownFrom{d_->work->volume, d_->active->request(), *growth.resolved()};
+}
 void Document::requestTrace(int index) {
   if (d_->active->growth().exists()) d_->active->growth().trace(index);
 }

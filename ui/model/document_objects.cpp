@@ -43,6 +43,7 @@ void Document::Private::changed(const ObjectWork& object, Part part) {
   }
   if (part != Part::snapshot && part != Part::state) return;
   updateModified();
+  if (part == Part::state) carryAfterReplay();
   if (!object.isBusy()) pokeAfter(object);
 }
 
@@ -95,6 +96,9 @@ int Document::Private::indexOf(const ObjectWork& object) const {
 }
 
 void Document::Private::activate(const std::shared_ptr<ObjectWork>& object) {
+  if (object == home) return leaveCorrection();
+  for (const Correcting& c : correcting)
+    if (c.object == object && object != active) return enter(c);
   if (object == active || indexOf(*object) < 0) return;
   active->beHidden();
   active = object;
@@ -125,12 +129,15 @@ void Document::setActiveObject(int index) {
 
 ObjectInfo Document::objectInfo(int index) const {
   const ObjectWork& object = d_->object(index);
-  return {object.traits.label, object.traits.visible,      object.traits.locked,       object.isSeeded(),
-          object.state(),      object.growth().snapshot(), d_->madeWithEarlier(object)};
+  return {object.traits.label, object.traits.visible, object.traits.locked,       object.isSeeded(),
+          object.state(),      d_->shownOf(object),   d_->madeWithEarlier(object)};
 }
 
 std::shared_ptr<const FinishedMesh> Document::finishedMesh(int index) const {
-  return d_->object(index).finished();
+  if (d_->home && d_->time.showsGrownFrame()) return d_->home->finished();
+  if (d_->time.showsWorkFrame()) return d_->object(index).finished();
+  const CarriedFrame* carried = objectCount() == 1 ? d_->time.carriedTo(d_->time.shownFrame()) : nullptr;
+  return carried ? carried->finished : nullptr;
 }
 
 QString Document::Private::madeWithEarlier(const ObjectWork& object) const {
@@ -161,6 +168,11 @@ ObjectList Document::Private::list() const {
 
 void Document::Private::pushList(const QString& text, ObjectList after, int gesture) {
   if (after.entries == list().entries) return;
+  if (home) {
+    Q_EMIT q.refused(tr("A frame is being corrected: end that first."));
+    Q_EMIT q.objectsChanged();  // fields show again what holds
+    return;
+  }
   undo.push(new ListCommand(text, list(), std::move(after), gesture,
                             [this](const ObjectList& l) { applyList(l); }));
 }

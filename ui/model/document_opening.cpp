@@ -1,5 +1,7 @@
 // How the Document comes to its volume and objects.
 
+#include <QSignalBlocker>
+
 #include "ui/model/document_private.h"
 
 namespace handlebody::ui {
@@ -10,6 +12,7 @@ void Document::Private::open(const QString& path, const VolumeSelection& selecti
   *cancelled = true;
   cancelled = std::make_shared<std::atomic<bool>>(false);
   isOpening = true;
+  time.store().rest();
   const int number = ++openings;
   Q_EMIT q.opening(path, 0);
   files.post([this, number, path, selection, stop = cancelled] {
@@ -57,13 +60,25 @@ void Document::Private::adopt(const QString& path, OpenedWork opened) {
   sessionPath.clear();
   view.clear();
   hashInBackground();
-  overTime = sessions.empty() ? std::nullopt : sessions.front().overTime;
+  growsIn = -1;
+  home.reset();
+  homeVolume = {};
+  correcting.clear();
+  carriesLater = false;
   measurements.startWith(sessions.empty() ? std::vector<Measurement>() : sessions.front().measurements);
   if (!sessions.empty()) adoptObjects(path, sessions);
+  {
+    const QSignalBlocker quiet(time);  // opened() says it
+    time.start(*work);
+    if (!sessions.empty())
+      time.setRequest(sessions.front().overTime.value_or(OverTimeRequest{}),
+                      sessions.front().overTime.has_value());
+  }
   Q_EMIT q.opened();
   tellAll();
   for (const auto& object : objects) object->begin();
   active->beShown();
+  carriesLater = time.isAsked() && objects.size() == 1 && active->isReplaying();
   updateModified();
 }
 
@@ -95,7 +110,9 @@ void Document::Private::hashInBackground() {
 
 bool Document::isOpening() const { return d_->isOpening; }
 bool Document::hasVolume() const { return d_->work.has_value(); }
-const Volume& Document::volume() const { return d_->work->volume; }
+const Volume& Document::volume() const {
+  return d_->time.showsWorkFrame() ? d_->work->volume : d_->time.volume();
+}
 const VolumeInfo& Document::info() const { return d_->work->info; }
 QString Document::path() const {
   return d_->work ? QString::fromStdString(d_->work->reference.path) : QString();

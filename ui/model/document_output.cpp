@@ -88,14 +88,18 @@ void complete(Session& session, std::string& hash) {
 
 std::vector<Session> Document::Private::sessions() const {
   std::vector<Session> all;
-  for (const auto& object : objects) {
+  const auto grown = home ? std::vector{home} : objects;
+  for (const auto& object : grown) {
     all.push_back(object->session());
     all.back().version = HANDLEBODY_VERSION;
     all.back().volume = work->reference;
   }
   all.front().view = viewWithObjects().toStdString();
   all.front().measurements = measurements.all();
-  if (all.size() == 1) all.front().overTime = overTime;  // several objects are not carried
+  if (all.size() == 1 && time.isAsked()) {  // several are not carried
+    all.front().overTime = time.request();
+    all.front().overTime->corrections = corrections();
+  }
   return all;
 }
 
@@ -145,7 +149,7 @@ void Document::exportResult(const QString& path, CoordinateSpace space, const Di
 void Document::exportObjects(const QString& path, CoordinateSpace space, const DicomContent& content) {
   std::vector<int> which;
   for (int i = 0; i < objectCount(); ++i)
-    if (d_->object(i).finished()) which.push_back(i);
+    if (finishedMesh(i)) which.push_back(i);
   if (which.empty())
     Q_EMIT exportFailed(tr("There is no surface to export yet: grow one first."));
   else
@@ -175,7 +179,7 @@ void Document::Private::exportFiles(const QString& path, CoordinateSpace space, 
   std::vector<ObjectLabel> labels;
   for (const int i : which) {
     labels.push_back(object(i).traits.label);
-    surfaces.push_back({QString::fromStdString(labels.back().name), object(i).finished()});
+    surfaces.push_back({QString::fromStdString(labels.back().name), q.finishedMesh(i)});
   }
   exportCancelled = std::make_shared<std::atomic<bool>>(false);
   files.post([this, path, surfaces, labels, stop = exportCancelled,
@@ -211,6 +215,10 @@ void Document::Private::exportFiles(const QString& path, CoordinateSpace space, 
 // --- report ---
 
 void Document::exportReport(const QString& path, bool isAnonymous) {
+  if (d_->home) {
+    Q_EMIT exportFailed(tr("A frame is being corrected: end that first."));
+    return;
+  }
   const auto made = hasVolume() ? d_->pendingReports() : std::vector<PendingReport>();
   if (made.empty())
     Q_EMIT exportFailed(tr("There is no surface to report on yet: grow one first."));
@@ -236,6 +244,7 @@ std::vector<PendingReport> Document::Private::pendingReports() const {
     }
     if (const QString earlier = madeWithEarlier(*object); !earlier.isEmpty())
       r.doubts.push_back({FindingKind::madeWithEarlier, {{"object", earlier.toStdString()}}});
+    if (objects.size() == 1 && q.isCarriedCurrent()) r.overTime = overTimeReport();
     all.push_back({std::move(r), shown, work->volume});
   }
   return all;

@@ -13,6 +13,7 @@
 #include "ui/model/measurements.h"
 #include "ui/model/object_work.h"
 #include "ui/model/opening.h"
+#include "ui/model/time_series.h"
 #include "ui/model/undo_commands.h"
 
 namespace handlebody::ui {
@@ -64,8 +65,36 @@ class Document::Private : public ObjectHost {
   void pokeAfter(const ObjectWork& object);
   ObjectLabel freshLabel() const;
   QString madeWithEarlier(const ObjectWork& object) const;
-  //! False, and says so, if the active object is locked.
+  //! False, and says so, if the active object is locked, or another frame is shown than it is grown in.
   bool mayChange();
+  //! False, and says so, if it is locked. Shows the frame that it is grown in.
+  bool mayGoOn();
+
+  // --- time ---
+  bool isGrown() const;
+  bool isInGrownFrame();
+  void growInShown();
+  void setGrownFrame(int frame);
+  void shownFrameChanged();
+  std::shared_ptr<const MeshSnapshot> shownOf(const ObjectWork& object) const;
+  void carryAgain(const std::optional<int>& again = {});
+  OverTimeSettings carrySettings() const;
+  //! A frame that is or was being corrected: what was done there can be undone.
+  struct Correcting {
+    int frame = 0;
+    std::shared_ptr<ObjectWork> object;
+    Volume volume;
+  };
+  void enter(const Correcting& correction);
+  void leaveCorrection();
+  void forgetCorrections();
+  std::shared_ptr<ObjectWork> newCorrection(int frame);
+  //! What of a session belongs to the grown frame, also while another one is corrected.
+  const std::shared_ptr<ObjectWork>& base() const { return home ? home : active; }
+  std::vector<FrameCorrection> corrections() const;
+  void carryAfterReplay();
+  OverTimeReport overTimeReport() const;
+  void exportFrames(const QString& path, CoordinateSpace space);
 
   // --- seeds and parameters ---
   void push(const QString& text, Edits after, int gesture);
@@ -101,7 +130,12 @@ class Document::Private : public ObjectHost {
   std::shared_ptr<ObjectWork> active;                // one of them
   QUndoStack undo;
   Measurements measurements{undo};
-  std::optional<OverTimeRequest> overTime;  // of the session that was opened: kept for the command line
+  TimeSeries time;
+  int growsIn = -1;                    // frame in which to grow when it is shown; -1: none
+  std::vector<Correcting> correcting;  // those that can be gone back to
+  std::shared_ptr<ObjectWork> home;    // of the grown frame, while another one is corrected; else null
+  Volume homeVolume;                   // the same
+  bool carriesLater = false;           // when what a session says has been grown
   std::shared_ptr<std::atomic<bool>> exportCancelled;  // of the newest export; null: there was none
   bool wasModified = false;
   int stepsPerFrame = 1;

@@ -45,6 +45,7 @@ void Growth::clear() {
   changes_.clear();
   corrections_.clear();
   seconds_ = 0;
+  resolved_.reset();
   listener_.summariesChanged();
   listener_.snapshotChanged();
   listener_.stateChanged();
@@ -108,6 +109,7 @@ void Growth::collect() {
   request_ = std::move(update.request);
   changes_ = std::move(update.changes);
   corrections_ = std::move(update.corrections);
+  resolved_ = std::move(update.resolved);
   leaks_ = std::move(update.leaks);
   questions_ = std::move(update.questions);
   const bool leaked = update.leaked && !leaks_.empty();

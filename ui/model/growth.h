@@ -60,6 +60,8 @@ class Growth {
   const std::vector<ParameterChange>& changes() const { return changes_; }
   const std::vector<RecordedCorrection>& corrections() const { return corrections_; }
   double seconds() const { return seconds_; }
+  //! As used at the shown iteration; none before it is known.
+  const std::optional<ResolvedParameters>& resolved() const { return resolved_; }
 
  private:
   void collect();
@@ -83,6 +85,7 @@ class Growth {
   std::vector<ParameterChange> changes_;
   std::vector<RecordedCorrection> corrections_;
   double seconds_ = 0;
+  std::optional<ResolvedParameters> resolved_;
   GrowthWorker worker_;  // last: its thread ends before the rest
 };
 

@@ -39,6 +39,7 @@ void ObjectWork::reset() {
   preparation_.forget();
   settle_.stop();
   edits_ = {};
+  start_.reset();
   walls_.clear();
   look_.forget();
   conflict_.reset();
@@ -59,6 +60,17 @@ void ObjectWork::adopt(const Session& session) {
   replay_ = {session.changes, session.stopAt};
   replays_ = session.stopAt || !session.changes.empty();
   savedIteration_ = session.stopAt.value_or(-1);
+}
+
+void ObjectWork::volumeReplaced() {
+  pause();
+  dropGrowth();
+  forgetPreparation();
+  forgetCandidates();
+  preparation_.forget();
+  if (isShown_) settle_.start();
+  host_.changed(*this, ObjectHost::Part::resolved);
+  updateState();
 }
 
 void ObjectWork::begin() {
@@ -160,7 +172,7 @@ void ObjectWork::requestPreparation(const Request& request) {
   if (isWaiting_) return;
   isPreparing_ = true;
   const int number = ++preparations_;
-  preparation_.request(*host_.openVolume(), request, walls_, [this, number](const Prepared& result) {
+  preparation_.request(*host_.openVolume(), request, walls_, start_, [this, number](const Prepared& result) {
     QMetaObject::invokeMethod(
         this, [this, number, result] { preparationDone(number, result); }, Qt::QueuedConnection);
   });

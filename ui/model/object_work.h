@@ -67,12 +67,16 @@ class ObjectWork : public QObject {
   void reset();
   //! Takes over what a session holds of an object, without its growth (begin()).
   void adopt(const Session& session);
+  //! Another time point of the volume is the one it is grown in: the growth goes, the clicks stay.
+  void volumeReplaced();
   //! Grows again as the session says, if it says; else prepares.
   void begin();
 
   // --- clicks, parameters, constraints ---
   const Edits& edits() const { return edits_; }
   void apply(const Edits& after, EditCommand::Way way);
+  //! For one that is new: it grows from that surface in place of its seeds.
+  void startFrom(std::shared_ptr<const CarriedStart> surface) { start_ = std::move(surface); }
   //! For one that is new, without a word.
   void start(Edits edits) { edits_ = std::move(edits); }
   //! False if it is selected already.
@@ -159,6 +163,8 @@ class ObjectWork : public QObject {
   std::vector<FinishedWall> walls_;      // that a growth is begun with
   std::vector<FinishedWall> grownWith_;  // that it was begun with
   mutable std::shared_ptr<const FinishedMesh> finished_;
+
+  std::shared_ptr<const CarriedStart> start_;  // null: from its seeds
 
   int preparations_ = 0;  // number of the newest that was asked for
   bool isShown_ = false;

@@ -21,6 +21,18 @@ void verifyHash(const VolumeReference& reference) {
                    " is not the volume that the session was made from: its SHA-256 differs.");
 }
 
+//! When its time points were taken, if it has several; it need not say so.
+TimeAxis timesOf(const OpenedWork& work) {
+  if (work.info.frames < 2) return {};
+  const auto& over = work.sessions.empty() ? std::nullopt : work.sessions.front().overTime;
+  if (over && over->frameTime) return evenTimes(work.info.frames, *over->frameTime, "given by the user");
+  try {
+    return readTimeAxis(work.reference.path, work.reference.selection);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
 // The voxels come last: everything that can be wrong cheaply is found before them.
 OpeningResult read(const QString& path, const VolumeSelection& selection,
                    const std::function<void(double)>& progress, const std::atomic<bool>& cancelled) {
@@ -36,6 +48,7 @@ OpeningResult read(const QString& path, const VolumeSelection& selection,
   progress(-1);
   if (!work.sessions.empty()) verifyHash(work.reference);
   if (cancelled) return OpeningFailed{};
+  const std::lock_guard lock(readingVolumes());
   auto loaded = loadVolume(work.reference.path, work.reference.selection, {progress, &cancelled});
   if (!loaded) return OpeningFailed{};
   work.volume = std::move(loaded->volume);
@@ -44,11 +57,17 @@ OpeningResult read(const QString& path, const VolumeSelection& selection,
   for (Session& session : work.sessions) all.push_back(&session);
   loadStarts(all);
   work.info = std::move(loaded->info);
+  work.times = timesOf(work);
   work.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return work;
 }
 
 }  // namespace
+
+std::mutex& readingVolumes() {
+  static std::mutex mutex;
+  return mutex;
+}
 
 bool isSessionPath(const QString& path) { return path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive); }
 

@@ -4,10 +4,12 @@
 #include <QString>
 #include <atomic>
 #include <functional>
+#include <mutex>
 #include <variant>
 #include <vector>
 
 #include "core/io/session.h"
+#include "core/io/time_axis.h"
 #include "core/io/volume_io.h"
 
 namespace handlebody::ui {
@@ -19,6 +21,7 @@ struct OpenedWork {
   VolumeReference reference;      //!< the hash is empty unless a session gave it
   std::vector<Session> sessions;  //!< one per object; empty: it was a volume
   double seconds = 0;             //!< that reading took
+  TimeAxis times{};               //!< of a volume with several time points
 };
 
 //! A folder of several series of which none was chosen.
@@ -31,6 +34,9 @@ struct OpeningFailed {
 };
 
 using OpeningResult = std::variant<OpenedWork, SeriesChoice, OpeningFailed>;
+
+//! To be held while a volume is read: the libraries below are not for several threads at once.
+std::mutex& readingVolumes();
 
 //! True for the ending of sessions and reports.
 bool isSessionPath(const QString& path);

@@ -3,13 +3,26 @@
 #include <chrono>
 
 #include "core/cancellation.h"
+#include "core/errors.h"
 #include "ui/model/error_sentence.h"
 
 namespace handlebody::ui {
 
 namespace {
 constexpr std::size_t kMostKnown = 4;
+
+//! Throws UsageError.
+std::shared_ptr<const ActiveContour> startedFrom(const ActiveContour& made, const Request& request,
+                                                 const CarriedStart& surface) {
+  for (const Pin& pin : request.constraints.pins)
+    if (pin.iteration == 0)
+      throw UsageError("A pin cannot be set before the first step of a correction: make a step first.");
+  auto contour = std::make_shared<ActiveContour>(made);
+  contour->startFrom(Mesh(surface.mesh), surface.holdTopology);
+  return contour;
 }
+
+}  // namespace
 
 ActiveContour Preparation::make(const Volume& volume, const Request& request) const {
   const auto& [seeds, parameters, constraints] = request;
@@ -19,14 +32,15 @@ ActiveContour Preparation::make(const Volume& volume, const Request& request) co
   return {volume, seeds, parameters, constraints};
 }
 
-Prepared Preparation::prepare(const Volume& volume, const Request& request) {
+Prepared Preparation::prepare(const Volume& volume, const Request& request, const CarriedStart* surface) {
   const auto start = std::chrono::steady_clock::now();
   if (!known_.empty() && known_.front().volume.voxels != volume.voxels) known_.clear();
   Prepared prepared;
-  prepared.contour = std::make_shared<const ActiveContour>(make(volume, request));
+  const auto made = std::make_shared<const ActiveContour>(make(volume, request));
+  prepared.contour = surface ? startedFrom(*made, request, *surface) : made;
   prepared.contour->candidates();  // here, and not on the window's thread, which shows them
   prepared.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  known_.push_front({volume, prepared.contour});
+  known_.push_front({volume, made});
   if (known_.size() > kMostKnown) known_.pop_back();
   return prepared;
 }
@@ -41,14 +55,16 @@ void Preparation::forget() {
 }
 
 void Preparation::request(const Volume& volume, const Request& request,
-                          const std::vector<FinishedWall>& walls, std::function<void(Prepared)> done) {
+                          const std::vector<FinishedWall>& walls,
+                          const std::shared_ptr<const CarriedStart>& start,
+                          std::function<void(Prepared)> done) {
   cancel();
   cancelled_ = std::make_shared<std::atomic<bool>>(false);
   background_.postInstead([=, this, stop = cancelled_, done = std::move(done)] {
     const CancelScope scope(*stop);
     try {
       for (const FinishedWall& wall : walls) wall.mesh->get();
-      done(prepare(volume, request));
+      done(prepare(volume, request, start.get()));
     } catch (const Cancelled&) {  // nobody waits for it
     } catch (...) {
       done({nullptr, errorSentence(), 0});

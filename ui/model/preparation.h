@@ -20,14 +20,21 @@ struct Prepared {
   double seconds = 0;
 };
 
+//! A surface that a growth starts from in place of spheres at its seeds: that of the frame beside.
+struct CarriedStart {
+  TriangleSoup mesh;
+  bool holdTopology = true;
+};
+
 //! One at a time; calls come from one thread.
 class Preparation {
  public:
   ~Preparation();
   //! `done` is called on the worker thread. Of several requests only the newest is answered; what is under
   //! way for an older one is given up. `walls` are the objects among the request's, which are made first.
+  //! `start`: null where it grows from its seeds.
   void request(const Volume& volume, const Request& request, const std::vector<FinishedWall>& walls,
-               std::function<void(Prepared)> done);
+               const std::shared_ptr<const CarriedStart>& start, std::function<void(Prepared)> done);
   void cancel();
   //! Lets go of what was prepared lately: its images are large.
   void forget();
@@ -39,7 +46,7 @@ class Preparation {
     Volume volume;
     std::shared_ptr<const ActiveContour> contour;
   };
-  Prepared prepare(const Volume& volume, const Request& request);
+  Prepared prepare(const Volume& volume, const Request& request, const CarriedStart* surface);
   ActiveContour make(const Volume& volume, const Request& request) const;
 
   std::deque<Known> known_;  // the worker's

@@ -99,6 +99,8 @@ void paintDistanceScale(QPainter& painter, const QSizeF& size, const DistanceCol
   const auto label = [&](double y, const QString& text) {
     paintText(painter, {bar.left() - 6, y}, Qt::AlignRight | Qt::AlignVCenter, text, font);
   };
+  if (!colours.title.isEmpty())
+    paintText(painter, {bar.right(), bar.top() - 8}, Qt::AlignRight | Qt::AlignBottom, colours.title, font);
   const QString end = millimetresOf(colours.end, true);
   label(bar.top(),
         colours.isSigned ? QCoreApplication::translate("SurfaceView", "outside: %1").arg(end) : end);

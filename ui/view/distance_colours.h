@@ -3,6 +3,7 @@
 
 #include <QColor>
 #include <QPainter>
+#include <QString>
 #include <memory>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct DistanceColours {
   std::vector<double> ofFace;                //!< mm; negative inside of the reference
   bool isSigned = true;                      //!< false: the reference has no inside, all are positive
   double end = 1;                            //!< mm, of the scale: what is farther has its last colour
+  QString title{};                           //!< over the scale; empty: none
 };
 
 //! From the distances of the mesh's points. The scale ends at a round number that 98 % of the faces are not

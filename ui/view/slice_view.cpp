@@ -272,6 +272,11 @@ SliceView::SliceView(Plane plane, Document& document, ViewState& state, QWidget*
       "they paint and erase at the crosshair; L pins with it, Shift and L unpins, M smooths, U pulls."));
   const auto repaint = [this] { update(); };
   connect(&document, &Document::opened, this, &SliceView::startVolume);
+  connect(&document, &Document::frameShown, this, [this] {
+    d_->slice = {};
+    d_->shownKey = {};
+    update();
+  });
   connect(&document, &Document::seedsChanged, this, repaint);
   connect(&document, &Document::selectedSeedChanged, this, repaint);
   connect(&document, &Document::resolvedChanged, this, repaint);

@@ -278,6 +278,10 @@ SurfaceView::SurfaceView(Document& document, ViewState& state, QWidget* parent)
     d->startVolume();
     d->view.update();
   });
+  connect(&document, &Document::frameShown, this, [d] {
+    d->slices = {};
+    d->draw(d->coloursChanged);
+  });
   const auto seeds = [d] { d->draw(d->seedsChanged); };
   connect(&document, &Document::seedsChanged, this, seeds);
   connect(&document, &Document::resolvedChanged, this, seeds);

@@ -255,6 +255,42 @@ void addObjectCommands(std::vector<CommandSpec>& t) {
              T("Grow all objects that are not done, in the order of the list"), kPlain, true}});
 }
 
+void addTimeCommands(std::vector<CommandSpec>& t) {
+  const char* menu = T("&Time");
+  t.insert(
+      t.end(),
+      {{Command::playFrames, menu, "", T("&Play"), "T", "play", T("Play the frames of the volume, or stop"),
+        kPlain, false},
+       {Command::previousFrame, menu, "", T("Pre&vious frame"), "Alt+Left", "frame-back",
+        T("The frame before the shown one"), kPlain, false},
+       {Command::nextFrame, menu, "", T("&Next frame"), "Alt+Right", "frame-forward",
+        T("The frame after the shown one"), kPlain, false},
+       {Command::toGrownFrame, menu, "", T("&Back to where it is grown"), "Alt+Down", "",
+        T("The frame in which the surface is grown"), kPlain, false},
+       {Command::growHere, menu, "", T("&Grow in this frame"), "Ctrl+G", "grow",
+        T("Grow in the shown frame with the same clicks; what was grown in the other one is gone"), kPlain,
+        true},
+       {Command::carryOverTime, menu, "", T("&Over time"), "Ctrl+T", "over-time",
+        T("Carry the surface from its frame through the others, both ways, in the background"), kPlain,
+        false},
+       {Command::correctFrame, menu, "", T("&Correct this frame"), "Ctrl+Shift+G", "correct",
+        T("Change the surface of the shown frame with clicks, walls and edits, from that of the frame beside "
+          "it "
+          "on"),
+        kPlain, true},
+       {Command::endCorrection, menu, "", T("Carry o&n from here"), "", "over-time",
+        T("The correction counts: the frames beyond this one are carried again from it"), kPlain, false},
+       {Command::leaveCorrection, menu, "", T("&Drop the correction"), "", "close",
+        T("Back to the frame that is grown; what was carried stays as it was"), kPlain, false},
+       {Command::showOverTime, menu, "", T("&Volume over time"), "Ctrl+Shift+T", "measures",
+        T("The volume of every frame, ejection fraction, and what went wrong in which frame"), kPlain, true},
+       {Command::exportFrameMeshes, menu, "", T("Export &meshes of all frames…"), "", "export",
+        T("Write the surface of every frame, numbered, with a list for ParaView (.pvd) beside .vtp"), kPlain,
+        true},
+       {Command::exportFrameLabels, menu, "", T("Export 4D &label map…"), "", "export",
+        T("Write the surfaces of all frames as one label map with four dimensions"), kPlain, false}});
+}
+
 void addMeasureCommands(std::vector<CommandSpec>& t) {
   const char* menu = T("&Measure");
   t.insert(
@@ -267,7 +303,11 @@ void addMeasureCommands(std::vector<CommandSpec>& t) {
         T("Click three points, the second where the legs meet: the angle in degrees"), kToggle, false},
        {Command::centreLine, menu, "", T("&Centre line"), "C", "centre-line",
         T("Click two places of an object: the line along its middle and the sections across it"), kToggle,
-        false}});
+        false},
+       {Command::sensitivity, menu, "", T("&Sensitivity"), "Ctrl+Shift+M", "sensitivity",
+        T("Grow it again with clicks, smoothing and noise a little different: how much do volume and surface "
+          "change?"),
+        kPlain, true}});
 }
 
 void addHelpCommands(std::vector<CommandSpec>& t) {
@@ -285,9 +325,9 @@ void addHelpCommands(std::vector<CommandSpec>& t) {
 const std::vector<CommandSpec>& Commands::table() {
   static const std::vector<CommandSpec> all = [] {
     std::vector<CommandSpec> t;
-    for (auto add :
-         {addFileCommands, addEditCommands, addViewCommands, addDisplayCommands, addSeedCommands,
-          addGrowCommands, addCorrectCommands, addObjectCommands, addMeasureCommands, addHelpCommands})
+    for (auto add : {addFileCommands, addEditCommands, addViewCommands, addDisplayCommands, addSeedCommands,
+                     addGrowCommands, addCorrectCommands, addObjectCommands, addTimeCommands,
+                     addMeasureCommands, addHelpCommands})
       add(t);
     return t;
   }();

@@ -9,6 +9,7 @@
 #include <QSaveFile>
 #include <QSettings>
 #include <QWidget>
+#include <algorithm>
 #include <utility>
 
 #include "core/io/atomic_file.h"
@@ -229,6 +230,24 @@ void FileWork::exportResult() {
     document_.exportObjects(path, exports_.space(), content);
   else
     document_.exportResult(path, exports_.space(), content);
+}
+
+void FileWork::exportFrames(bool asLabels) {
+  const QStringList endings = asLabels ? QStringList{QStringLiteral(".nii.gz"), QStringLiteral(".nrrd")}
+                                       : QStringList{QStringLiteral(".vtp"), QStringLiteral(".stl"),
+                                                     QStringLiteral(".ply"), QStringLiteral(".obj")};
+  QStringList filters;
+  for (const QString& ending : endings) filters << QStringLiteral("*%1 (*%1)").arg(ending);
+  QString chosen = filters.front();
+  const QString base = suggestedBase() + (asLabels ? QStringLiteral("_labels") : QStringLiteral("_frame"));
+  QString path = QFileDialog::getSaveFileName(
+      window_, asLabels ? tr("Export a 4D label map") : tr("Export the meshes of all frames"),
+      base + endings.front(), filters.join(QStringLiteral(";;")), &chosen);
+  if (path.isEmpty()) return;
+  const auto isEnding = [&](const QString& ending) { return path.endsWith(ending, Qt::CaseInsensitive); };
+  if (std::none_of(endings.begin(), endings.end(), isEnding))
+    path += endings[std::max<qsizetype>(0, filters.indexOf(chosen))];
+  document_.exportFrames(path, exports_.space());
 }
 
 void FileWork::exportReport() {

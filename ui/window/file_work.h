@@ -33,6 +33,8 @@ class FileWork : public QObject {
   void exportResult();
   void exportReport();
   void exportPicture();
+  //! Of all frames that the surface was carried through: numbered meshes, or a 4D label map.
+  void exportFrames(bool asLabels);
   //! Asks for a name that begins as the volume's and ends in `what`, and writes the text there.
   void saveText(const QString& title, const QString& what, const QString& extension, const std::string& text);
   //! True if the window may close now. Else it asks about unsaved work, and closes the window when the answer

@@ -33,6 +33,7 @@
 #include "ui/window/start_page.h"
 #include "ui/window/status_fields.h"
 #include "ui/window/steps_panel.h"
+#include "ui/window/time_bar.h"
 #include "ui/window/timeline_panel.h"
 #include "ui/window/topology_section.h"
 #include "ui/window/touch_section.h"
@@ -56,7 +57,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), commands_(documen
   const OpenMenus menus = buildMenus(*this, commands_);
   recent_ = menus.recent;
   panels_ = menus.panels;
-  for (QDockWidget* dock : {stepsDock_, timelineDock_, measuresDock_})
+  for (QDockWidget* dock : {stepsDock_, timelineDock_, overTimeDock_, measuresDock_})
     panels_->addAction(dock->toggleViewAction());
   buildToolbar(*this, commands_);
   connectFileCommands();
@@ -66,6 +67,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), commands_(documen
   connectGrowCommands();
   connectCorrectCommands();
   connectObjectCommands();
+  connectTimeCommands();
   connectMeasureCommands();
   connectHelpCommands();
   connect(&document_, &Document::opened, this, &MainWindow::showOpened);
@@ -85,6 +87,7 @@ MainWindow::~MainWindow() {
   delete centralWidget();
   delete stepsDock_;
   delete timelineDock_;
+  delete overTimeDock_;
   delete measuresDock_;
 }
 
@@ -98,7 +101,8 @@ void MainWindow::buildCentre() {
   views_ = new ViewGrid(document_, state_, centre_);
   centre_->addWidget(start_);
   centre_->addWidget(views_);
-  layout->addWidget(centre_);
+  layout->addWidget(centre_, 1);
+  layout->addWidget(new TimeBar(document_, commands_, centre));
   messages_ = new MessageBar(centre);
   setCentralWidget(centre);
 }
@@ -132,6 +136,7 @@ void MainWindow::buildDocks() {
   timelineDock_->setObjectName(QStringLiteral("timeline"));
   timelineDock_->setWidget(timeline_);
   addDockWidget(Qt::BottomDockWidgetArea, timelineDock_);
+  buildTime();
   buildMeasures();
 }
 

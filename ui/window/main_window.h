@@ -23,6 +23,7 @@ class HelpWindow;
 class MeasuresPanel;
 class MessageBar;
 class OpenPanel;
+class OverTimePanel;
 class StartPage;
 class StatusFields;
 class StepsPanel;
@@ -44,6 +45,7 @@ class MainWindow : public QMainWindow {
   EventInspector& inspector();
   MessageBar& messages() { return *messages_; }
   MeasuresPanel& measures() { return *measures_; }
+  OverTimePanel& overTime() { return *overTime_; }
 
   void showStep(Command step);
   void setAppearance(Appearance appearance);
@@ -93,6 +95,11 @@ class MainWindow : public QMainWindow {
   void connectMeasureCommands();
   void showMeasures();
   void updateMeasureCommands();
+  // main_window_time.cpp
+  void buildTime();
+  void connectTimeCommands();
+  void showOverTime();
+  void updateTimeCommands();
   // main_window_edits.cpp
   void tellOfEdit();
   // main_window_leaks.cpp
@@ -124,10 +131,12 @@ class MainWindow : public QMainWindow {
   GrowPanel* grow_ = nullptr;
   TimelinePanel* timeline_ = nullptr;
   MeasuresPanel* measures_ = nullptr;
+  OverTimePanel* overTime_ = nullptr;
   StatusFields* status_ = nullptr;
   FileWork* files_ = nullptr;
   HelpWindow* help_ = nullptr;
-  QDockWidget *stepsDock_ = nullptr, *timelineDock_ = nullptr, *measuresDock_ = nullptr;
+  QDockWidget *stepsDock_ = nullptr, *timelineDock_ = nullptr, *measuresDock_ = nullptr,
+              *overTimeDock_ = nullptr;
   QMenu *recent_ = nullptr, *panels_ = nullptr;
   Appearance appearance_ = Appearance::system;
   bool justOpened_ = false;    //!< the views are as the session says

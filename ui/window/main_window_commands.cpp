@@ -268,6 +268,7 @@ void MainWindow::updateCommands() {
   run->setText(running ? tr("P&ause") : (grown && !isOld ? tr("&Go on") : tr("&Start")));
   run->setIcon(icon(running ? QStringLiteral("pause") : QStringLiteral("run")));
   updateWallCommands();
+  updateTimeCommands();
   updateMeasureCommands();
   updateObjectCommands();
 }

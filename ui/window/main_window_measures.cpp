@@ -8,6 +8,7 @@
 #include "ui/window/main_window.h"
 #include "ui/window/measures_panel.h"
 #include "ui/window/object_measures_page.h"
+#include "ui/window/sensitivity_page.h"
 
 namespace handlebody::ui {
 
@@ -50,6 +51,11 @@ void MainWindow::connectMeasureCommands() {
     measures_->show(MeasuresPanel::Page::objects);
     showMeasures();
   });
+  on(Command::sensitivity, [this] {
+    measures_->show(MeasuresPanel::Page::sensitivity);
+    showMeasures();
+    measures_->sensitivity().start();
+  });
   for (const ToolCommand& tool : kTools)
     connect(commands_[tool.command], &QAction::triggered, this, [this, mode = tool.mode](bool on) {
       state_.measure().setMode(on ? mode : MeasureTool::Mode::off);
@@ -71,6 +77,7 @@ void MainWindow::connectMeasureCommands() {
 
 void MainWindow::updateMeasureCommands() {
   const bool open = document_.hasVolume();
+  commands_[Command::sensitivity]->setEnabled(sensitivityFault(document_).isEmpty());
   for (const ToolCommand& tool : kTools) {
     commands_[tool.command]->setEnabled(
         open && (tool.mode != MeasureTool::Mode::centreLine || !shownSurfaces(document_).empty()));

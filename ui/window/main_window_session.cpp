@@ -12,6 +12,7 @@
 #include <QStackedWidget>
 #include <algorithm>
 
+#include "ui/model/time_series.h"
 #include "ui/window/file_work.h"
 #include "ui/window/help_window.h"
 #include "ui/window/main_window.h"
@@ -101,6 +102,8 @@ void MainWindow::keepView() {
   view[QStringLiteral("colourMap")] = static_cast<int>(state_.colourMap());
   view[QStringLiteral("surface")] = static_cast<int>(state_.meshColouring());
   view[QStringLiteral("slicesIn3d")] = state_.slicesIn3d();
+  if (const TimeSeries& time = document_.time(); time.hasTime() && !time.showsGrownFrame())
+    view[QStringLiteral("frame")] = time.shownFrame();
   document_.setView(QJsonDocument(view).toJson(QJsonDocument::Compact));
 }
 
@@ -117,6 +120,7 @@ void MainWindow::restoreView() {
   const int surface = view[QStringLiteral("surface")].toInt(-1);
   if (surface >= 0 && surface <= static_cast<int>(MeshColouring::support))
     state_.setMeshColouring(static_cast<MeshColouring>(surface));
+  if (const int frame = view[QStringLiteral("frame")].toInt(-1); frame >= 0) document_.time().show(frame);
   state_.setSlicesIn3d(view[QStringLiteral("slicesIn3d")].toBool(state_.slicesIn3d()));
 }
 

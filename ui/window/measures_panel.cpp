@@ -8,6 +8,7 @@
 #include "ui/window/compare_page.h"
 #include "ui/window/object_measures_page.h"
 #include "ui/window/rulers_page.h"
+#include "ui/window/sensitivity_page.h"
 
 namespace handlebody::ui {
 
@@ -17,7 +18,8 @@ MeasuresPanel::MeasuresPanel(Document& document, ViewState& state, const Command
       objects_(new ObjectMeasuresPage(document, state, tabs_)),
       rulers_(new RulersPage(document, state, commands, tabs_)),
       line_(new CentreLinePage(document, state, commands, tabs_)),
-      compare_(new ComparePage(document, state, tabs_)) {
+      compare_(new ComparePage(document, state, tabs_)),
+      sensitivity_(new SensitivityPage(document, state, tabs_)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   tabs_->setDocumentMode(true);
@@ -26,6 +28,7 @@ MeasuresPanel::MeasuresPanel(Document& document, ViewState& state, const Command
   tabs_->addTab(rulers_, tr("Rulers and angles"));
   tabs_->addTab(line_, tr("Centre line"));
   tabs_->addTab(compare_, tr("Compare"));
+  tabs_->addTab(sensitivity_, tr("Sensitivity"));
   layout->addWidget(tabs_);
   connect(objects_, &ObjectMeasuresPage::saveRequested, this,
           [this](const QString& title, const QString& extension, const std::string& text) {
@@ -38,6 +41,10 @@ MeasuresPanel::MeasuresPanel(Document& document, ViewState& state, const Command
   connect(compare_, &ComparePage::saveRequested, this,
           [this](const QString& title, const QString& extension, const std::string& text) {
             Q_EMIT saveRequested(title, QStringLiteral("comparison"), extension, text);
+          });
+  connect(sensitivity_, &SensitivityPage::saveRequested, this,
+          [this](const QString& title, const QString& extension, const std::string& text) {
+            Q_EMIT saveRequested(title, QStringLiteral("sensitivity"), extension, text);
           });
   connect(line_, &CentreLinePage::lineAsked, this, [this] {
     show(Page::centreLine);

@@ -14,13 +14,14 @@ class ComparePage;
 class Document;
 class ObjectMeasuresPage;
 class RulersPage;
+class SensitivityPage;
 class ViewState;
 
 class MeasuresPanel : public QWidget {
   Q_OBJECT
 
  public:
-  enum class Page { objects, rulers, centreLine, compare };
+  enum class Page { objects, rulers, centreLine, compare, sensitivity };
 
   MeasuresPanel(Document& document, ViewState& state, const Commands& commands, QWidget* parent = nullptr);
 
@@ -29,6 +30,7 @@ class MeasuresPanel : public QWidget {
   ObjectMeasuresPage& objects() { return *objects_; }
   CentreLinePage& centreLine() { return *line_; }
   ComparePage& compare() { return *compare_; }
+  SensitivityPage& sensitivity() { return *sensitivity_; }
 
  Q_SIGNALS:
   //! `what`: what the file's name says of it, "measures".
@@ -42,6 +44,7 @@ class MeasuresPanel : public QWidget {
   RulersPage* rulers_;
   CentreLinePage* line_;
   ComparePage* compare_;
+  SensitivityPage* sensitivity_;
 };
 
 }  // namespace handlebody::ui

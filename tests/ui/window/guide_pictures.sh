@@ -38,6 +38,18 @@ END
 session=$work/measured.json
 shot measures --step measure --iteration 1000
 
+# A beating heart, carried through its frames.
+"$(dirname "$program")/handlebody-cli" phantom beating --frames 20 -o "$work/heart.nii.gz" > "$work/heart.json" || exit 1
+python3 - "$work" << 'END' || exit 1
+import json, sys
+seed = json.load(open(sys.argv[1] + "/heart.json"))["seed"]["centre"]
+json.dump({"version": "0.1.0", "input": {"path": "heart.nii.gz", "sha256": None}, "requested": {"seeds": [{"centre": seed}]}},
+          open(sys.argv[1] + "/heart_session.json", "w"))
+END
+session=$work/heart_session.json
+shot time --step time --iteration 1000
+session=$work/measured.json
+
 # A leak through a hole in a wall: leaked, painted shut, and gone on from before.
 "$(dirname "$program")/handlebody-cli" phantom wall --gap 14 --noise 0.1 -o "$work/wall.nii.gz" > /dev/null || exit 1
 walls=

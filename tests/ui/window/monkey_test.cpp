@@ -1,8 +1,9 @@
 // Random events on the window: nothing may crash, hang or leave an invalid surface. A minute, or as many
 // seconds as HANDLEBODY_MONKEY_SECONDS says; HANDLEBODY_MONKEY_SEED repeats a run. It fails when an action
 // takes over 5 seconds, and tells those over one second. Left alone the events soon lead to seeds from which
-// nothing grows; so the sample is opened anew every half minute, and the memory told then: the window is each
-// time in the same state, and whatever grows from one time to the next is kept for nothing.
+// nothing grows; so the sample is opened anew every half minute, every other time one with time points, and
+// the memory told then: the window is each time in the same state, and whatever grows from one time to the
+// next is kept for nothing.
 
 #include <malloc.h>
 #include <unistd.h>
@@ -19,7 +20,7 @@
 #include <sstream>
 #include <string>
 
-#include "tests/ui/window/window_support.h"
+#include "tests/ui/window/time_window_support.h"
 #include "ui/view/slice_geometry.h"
 
 using namespace handlebody;
@@ -44,6 +45,8 @@ bool isSafe(Command id) {
     case Command::exportResult:
     case Command::exportReport:
     case Command::exportPicture:
+    case Command::exportFrameMeshes:
+    case Command::exportFrameLabels:
     case Command::quit:
     case Command::fullScreen:
       return false;
@@ -285,6 +288,8 @@ void MonkeyTest::randomEventsDoNoHarm() {
   const int seconds = fromEnvironment("HANDLEBODY_MONKEY_SECONDS", 60);
   qInfo("HANDLEBODY_MONKEY_SEED=%u", seed);
   auto window = shownWindow();
+  BeatingSample beating;
+  QVERIFY(beating.make());
   QVERIFY(window && open(*window, sample("cyst_session.json")) && growALittle(*window));
   QTimer closer;  // a dialog that waits in a loop of its own
   connect(&closer, &QTimer::timeout, this, closePopups);
@@ -305,9 +310,11 @@ void MonkeyTest::randomEventsDoNoHarm() {
   };
   touch();
   qint64 nextOpened = kAnew;
+  bool isBeating = false;
   for (; clock.elapsed() < seconds * 1000LL; ++actions) {
     if (clock.elapsed() > nextOpened) {
-      QVERIFY(openAnew(*window, sample("cyst_session.json")));
+      isBeating = !isBeating;
+      QVERIFY(openAnew(*window, isBeating ? beating.session : sample("cyst_session.json")));
       tell(clock.elapsed(), actions, done);
       done = {};
       nextOpened += kAnew;

@@ -1,0 +1,322 @@
+// The frames of a 4D volume in a document: shown, grown in, carried through.
+
+#include "core/errors.h"
+#include "core/sequence/over_time.h"
+#include "tests/ui/model/time_support.h"
+
+using namespace handlebody;
+using namespace handlebody::ui;
+
+TEST_CASE("another frame is shown with its own voxels, and the growth stays where it is",
+          "[document][time]") {
+  const BeatingFile heart;
+  Document document;
+  REQUIRE(growInFrame(document, heart));
+  const auto surface = document.snapshot();
+  REQUIRE(showFrame(document, 2));
+  VolumeSelection second;
+  second.frame = 2;
+  const Volume there = readVolume(heart.path.toStdString(), second);
+  const std::size_t bytes = there.grid.voxelCount() * bytesPerVoxel(there.type);
+  REQUIRE(document.volume().grid.size == there.grid.size);
+  CHECK(std::memcmp(document.volume().voxels.get(), there.voxels.get(), bytes) == 0);
+  CHECK(document.time().grownFrame() == 0);
+  CHECK(document.snapshot() == nullptr);  // it has not been carried there
+  REQUIRE(showFrame(document, 0));
+  CHECK(document.snapshot() == surface);
+}
+
+TEST_CASE("the times of the frames are those of the file", "[document][time]") {
+  const BeatingFile heart;
+  Document document;
+  REQUIRE(openAndWait(document, heart.path));
+  REQUIRE(document.time().frameCount() == BeatingFile::kFrames);
+  for (int f = 0; f < BeatingFile::kFrames; ++f) {
+    REQUIRE(document.time().timeOf(f).has_value());
+    CHECK(std::abs(*document.time().timeOf(f) - 200 * f) < 1e-3);
+  }
+}
+
+TEST_CASE("frames are kept within a bound of memory", "[document][time]") {
+  const BeatingFile heart;
+  Document document;
+  REQUIRE(openAndWait(document, heart.path));
+  const Volume& v = document.volume();
+  const double frame = static_cast<double>(v.grid.voxelCount() * bytesPerVoxel(v.type));
+  document.time().store().setBound(3.5 * frame);
+  for (int i = 0; i < 2 * BeatingFile::kFrames; ++i) {
+    REQUIRE(showFrame(document, (2 * i) % BeatingFile::kFrames));
+    CHECK(document.time().store().bytes() <= 3.5 * frame);
+  }
+}
+
+TEST_CASE("playing shows one frame after the other, round to the first", "[document][time]") {
+  const BeatingFile heart;
+  Document document;
+  REQUIRE(openAndWait(document, heart.path));
+  std::vector<int> shown;
+  QObject::connect(&document.time(), &TimeSeries::shownChanged,
+                   [&] { shown.push_back(document.time().shownFrame()); });
+  document.time().play(true);
+  REQUIRE(waitFor([&] { return shown.size() >= 6; }));
+  document.time().play(false);
+  for (std::size_t i = 0; i < 6; ++i) CHECK(shown[i] == static_cast<int>(i + 1) % BeatingFile::kFrames);
+  const std::size_t seen = shown.size();
+  waitMilliseconds(500);
+  CHECK(shown.size() <= seen + 1);  // one was on its way
+}
+
+TEST_CASE("a frame that cannot be read says why, and the shown one stays", "[document][time]") {
+  const BeatingFile heart;
+  Document document;
+  REQUIRE(openAndWait(document, heart.path));
+  QFile::remove(heart.path);
+  document.time().show(3);
+  REQUIRE(waitFor([&] { return !document.time().error().isEmpty(); }));
+  CHECK(document.time().error().contains("heart.nii.gz"));
+  CHECK(document.time().shownFrame() == 0);
+}
+
+TEST_CASE("the first click in another frame makes that the one it is grown in", "[document][time]") {
+  const BeatingFile heart;
+  Document document;
+  REQUIRE(growInFrame(document, heart, 3));
+  CHECK(document.time().grownFrame() == 3);
+  CHECK(document.selection().frame == 3);
+}
+
+TEST_CASE("what is changed is what is seen: in another frame than the growth's edits are refused",
+          "[document][time]") {
+  const BeatingFile heart;
+  Document document;
+  QString said;
+  QObject::connect(&document, &Document::refused, [&](const QString& why) { said = why; });
+  REQUIRE(growInFrame(document, heart));
+  REQUIRE(showFrame(document, 2));
+  document.addSeed({heart.seed + Vec3(3, 0, 0), {}});
+  CHECK(document.seeds().size() == 1);
+  CHECK(said.contains("Frame 2"));
+  document.goTo(1);  // but the timeline of the growth leads back to its frame
+  CHECK(document.time().shownFrame() == 0);
+  CHECK(waitFor([&] { return document.iteration() == 1; }));
+}
+
+TEST_CASE("growing in another frame moves the clicks there, and can be undone", "[document][time]") {
+  const BeatingFile heart;
+  Document document;
+  REQUIRE(growInFrame(document, heart));
+  const TriangleSoup there = document.snapshot()->mesh;
+  REQUIRE(showFrame(document, 2));
+  document.growInShownFrame();
+  CHECK(document.time().grownFrame() == 2);
+  CHECK(document.state() != GrowthState::finished);
+  REQUIRE(runToEnd(document));
+  CHECK_FALSE(isSame(document.snapshot()->mesh, there));
+  document.undoStack()->undo();
+  REQUIRE(waitFor([&] { return document.time().grownFrame() == 0; }));
+  REQUIRE(runToEnd(document));
+  CHECK(isSame(document.snapshot()->mesh, there));
+}
+
+TEST_CASE("the surface is carried both ways as the command line does it, bit for bit", "[document][time]") {
+  const BeatingFile heart;
+  Document document;
+  QStringList written;
+  QObject::connect(&document, &Document::exported, [&](const QString& path) { written << path; });
+  QObject::connect(&document, &Document::sessionSaved, [&](const QString& path) { written << path; });
+  REQUIRE(growInFrame(document, heart, 2));
+  REQUIRE(carryAll(document));
+  CHECK(document.time().isComplete());
+  CHECK(document.time().curve().endDiastole.has_value());
+  REQUIRE(document.time().drifts().size() == 2);
+  CHECK(document.time().drifts()[0].dice > 0.97);
+  REQUIRE(showFrame(document, 4));
+  REQUIRE(document.snapshot() != nullptr);
+  CHECK(document.snapshot()->certificate.passes());
+  document.exportFrames(heart.file("window.ply"), CoordinateSpace::lps);
+  document.exportFrames(heart.file("window.nii"), CoordinateSpace::lps);
+  document.saveSession(heart.file("session.json"));
+  REQUIRE(waitFor([&] { return written.size() == 3; }));
+  REQUIRE(runCli({"replay", heart.file("session.json"), "-o", heart.file("cli.ply"), "-o",
+                  heart.file("cli.nii"), "--quiet"}) == 0);
+  for (int f = 0; f < BeatingFile::kFrames; ++f) {
+    const QString number = QStringLiteral("_%1.ply").arg(f, 4, 10, QLatin1Char('0'));
+    CHECK(bytesOf(heart.folder.filePath("window" + number)) ==
+          bytesOf(heart.folder.filePath("cli" + number)));
+    CHECK_FALSE(bytesOf(heart.folder.filePath("cli" + number)).isEmpty());
+  }
+  CHECK(bytesOf(heart.file("window.nii")) == bytesOf(heart.file("cli.nii")));
+}
+
+TEST_CASE("a frame in which it fails is told with its sentence, and the others are carried on",
+          "[document][time]") {
+  const BeatingFile heart(3);
+  Document document;
+  REQUIRE(growInFrame(document, heart));
+  REQUIRE(carryAll(document));
+  const FrameResult* failed = document.time().resultOf(3);
+  REQUIRE(failed != nullptr);
+  CHECK_FALSE(failed->isTrusted());
+  REQUIRE_FALSE(failed->faults.empty());
+  CHECK_FALSE(failed->faults.front().sentence.empty());
+  REQUIRE(document.time().resultOf(4) != nullptr);
+  CHECK(document.time().resultOf(4)->isTrusted());
+  CHECK(document.time().resultOf(4)->from == 2);
+}
+
+TEST_CASE("what is carried can be cancelled, and what there was is kept", "[document][time]") {
+  const BeatingFile heart;
+  Document document;
+  REQUIRE(growInFrame(document, heart));
+  document.carryOverTime();
+  REQUIRE(waitFor([&] { return document.time().carried().size() >= 2; }));
+  document.time().cancel();
+  CHECK_FALSE(document.time().isCarrying());
+  const std::size_t kept = document.time().carried().size();
+  waitMilliseconds(1000);
+  CHECK(document.time().carried().size() == kept);
+  CHECK_FALSE(document.time().isComplete());
+}
+
+TEST_CASE("another surface in its frame makes what was carried out of date", "[document][time]") {
+  const BeatingFile heart;
+  Document document;
+  REQUIRE(growInFrame(document, heart));
+  REQUIRE(carryAll(document));
+  CHECK(document.isCarriedCurrent());
+  REQUIRE(showIteration(document, 2));
+  CHECK_FALSE(document.isCarriedCurrent());
+  REQUIRE(showIteration(document, document.lastIteration()));
+  CHECK(document.isCarriedCurrent());
+}
+
+TEST_CASE("a session over time opens as it was and is carried again", "[document][time]") {
+  const BeatingFile heart;
+  std::vector<double> volumes;
+  {
+    Document document;
+    bool saved = false;
+    QObject::connect(&document, &Document::sessionSaved, [&] { saved = true; });
+    REQUIRE(growInFrame(document, heart, 1));
+    OverTimeRequest request;
+    request.drift = DriftCheck::none;
+    request.frames = OverTimeRequest::Range{1, 3};
+    document.setOverTime(request, "Range");
+    REQUIRE(carryAll(document));
+    for (const auto& [frame, carried] : document.time().carried()) volumes.push_back(carried.result.volume);
+    REQUIRE(volumes.size() == 2);
+    document.saveSession(heart.file("session.json"));
+    REQUIRE(waitFor([&] { return saved; }));
+  }
+  Document document;
+  REQUIRE(openAndWait(document, heart.file("session.json")));
+  REQUIRE(waitFor([&] { return document.time().isComplete() && !document.time().isCarrying(); }, 120));
+  CHECK(document.time().grownFrame() == 1);
+  std::vector<double> again;
+  for (const auto& [frame, carried] : document.time().carried()) again.push_back(carried.result.volume);
+  CHECK(again == volumes);
+  CHECK(document.time().request().drift == DriftCheck::none);
+}
+
+TEST_CASE("how it is carried is an entry of the undo list", "[document][time]") {
+  const BeatingFile heart;
+  Document document;
+  REQUIRE(openAndWait(document, heart.path));
+  OverTimeRequest request;
+  request.holdTopology = false;
+  document.setOverTime(request, "Topology over time");
+  CHECK(document.isModified());
+  CHECK_FALSE(document.time().request().holdTopology);
+  document.undoStack()->undo();
+  CHECK(document.time().request().holdTopology);
+  CHECK_FALSE(document.time().isAsked());
+}
+
+TEST_CASE("several objects, or none, are not carried, and it says why", "[document][time]") {
+  const BeatingFile heart;
+  Document document;
+  REQUIRE(openAndWait(document, heart.path));
+  CHECK(document.carryFault().contains("no surface"));
+  REQUIRE(growInFrame(document, heart));
+  CHECK(document.carryFault().isEmpty());
+  document.addObject();
+  CHECK(document.carryFault().contains("Several"));
+  document.carryOverTime();
+  CHECK_FALSE(document.time().isCarrying());
+}
+
+namespace {
+
+//! Frame 2 of a surface that was grown in frame 0, with a wall in it.
+bool correct(Document& document, const BeatingFile& heart) {
+  if (!showFrame(document, 2)) return false;
+  document.correctShownFrame();
+  if (!waitFor([&] { return document.state() == GrowthState::finished; }, 120)) return false;
+  return document.paintWalls({{heart.seed + Vec3(0, 0, 14), 8}}) && runToEnd(document);  // it is pushed out
+}
+
+}  // namespace
+
+TEST_CASE("a corrected frame starts as it was carried", "[document][time]") {
+  const BeatingFile heart;
+  Document document;
+  REQUIRE(growInFrame(document, heart));
+  REQUIRE(carryAll(document));
+  REQUIRE(showFrame(document, 3));
+  const double carried = document.snapshot()->certificate.volume;
+  document.correctShownFrame();
+  CHECK(document.correctedFrame() == 3);
+  REQUIRE(waitFor([&] { return document.state() == GrowthState::finished; }, 120));
+  CHECK(std::abs(document.snapshot()->certificate.volume / carried - 1) < 1e-4);  // but for the rounding
+  document.endCorrection(false);
+  CHECK_FALSE(document.correctedFrame());
+  CHECK(document.isCarriedCurrent());
+  CHECK(document.time().request().corrections.empty());
+}
+
+TEST_CASE("a frame is corrected, those beyond it start from it, and a replay makes the same bits",
+          "[document][time]") {
+  const BeatingFile heart;
+  Document document;
+  QStringList written;
+  QObject::connect(&document, &Document::exported, [&](const QString& path) { written << path; });
+  QObject::connect(&document, &Document::sessionSaved, [&](const QString& path) { written << path; });
+  REQUIRE(growInFrame(document, heart));
+  REQUIRE(carryAll(document));
+  std::vector<double> before;
+  for (int f = 0; f < BeatingFile::kFrames; ++f) before.push_back(document.time().resultOf(f)->volume);
+  REQUIRE(correct(document, heart));
+  document.endCorrection(true);
+  CHECK_FALSE(document.correctedFrame());
+  REQUIRE(waitFor([&] { return !document.time().isCarrying(); }, 200));
+  CHECK(document.time().resultOf(1)->volume == before[1]);
+  CHECK(document.time().resultOf(2)->volume < before[2]);
+  CHECK(document.time().resultOf(4)->volume != before[4]);
+  document.exportFrames(heart.file("window.ply"), CoordinateSpace::lps);
+  document.saveSession(heart.file("session.json"));
+  REQUIRE(waitFor([&] { return written.size() == 2; }));
+  REQUIRE(runCli({"replay", heart.file("session.json"), "-o", heart.file("cli.ply"), "--quiet"}) == 0);
+  for (int f = 0; f < BeatingFile::kFrames; ++f) {
+    const QString number = QStringLiteral("_%1.ply").arg(f, 4, 10, QLatin1Char('0'));
+    CHECK(bytesOf(heart.folder.filePath("window" + number)) ==
+          bytesOf(heart.folder.filePath("cli" + number)));
+  }
+}
+
+TEST_CASE("undo leads back into the corrected frame", "[document][time]") {
+  const BeatingFile heart;
+  Document document;
+  REQUIRE(growInFrame(document, heart));
+  REQUIRE(carryAll(document));
+  REQUIRE(correct(document, heart));
+  document.endCorrection(true);
+  REQUIRE(waitFor([&] { return !document.time().isCarrying(); }, 200));
+  REQUIRE(showFrame(document, 0));
+  document.undoStack()->undo();  // the wall
+  CHECK(document.correctedFrame() == 2);
+  CHECK(document.constraints().walls.empty());
+  CHECK(document.time().shownFrame() == 2);
+  document.endCorrection(false);
+  CHECK(document.seeds().size() == 1);
+  CHECK(document.time().workFrame() == 0);
+}

@@ -1,0 +1,169 @@
+// Time in the window by mouse and keys: the bar under the views, the surface carried on, the volume over
+// time, a frame corrected; and the sensitivity at one button.
+
+#include <QTableWidget>
+
+#include "tests/ui/window/layout_support.h"
+#include "tests/ui/window/time_window_support.h"
+#include "ui/model/time_series.h"
+#include "ui/view/distance_colours.h"
+#include "ui/window/frame_slider.h"
+#include "ui/window/measures_panel.h"
+#include "ui/window/over_time_panel.h"
+#include "ui/window/sensitivity_page.h"
+#include "ui/window/timeline_axis.h"
+#include "ui/window/volume_plot.h"
+
+using namespace handlebody;
+using namespace handlebody::test;
+using ui::Command;
+using ui::GrowthState;
+
+namespace {
+
+ui::FrameSlider* slider(ui::MainWindow& window) { return window.findChild<ui::FrameSlider*>(); }
+
+bool shows(ui::MainWindow& window, int frame) {
+  return QTest::qWaitFor([&] { return window.document().time().shownFrame() == frame; }, kPatience);
+}
+
+//! A window in which the heart has grown in frame 0.
+std::unique_ptr<ui::MainWindow> grownWindow(const BeatingSample& sample) {
+  auto window = shownWindow();
+  if (!window || !open(*window, sample.session)) return nullptr;
+  window->document().run();
+  return waitFor(*window, GrowthState::finished) ? std::move(window) : nullptr;
+}
+
+bool carry(ui::MainWindow& window) {
+  window.commands()[Command::carryOverTime]->trigger();
+  return QTest::qWaitFor([&] { return !window.document().time().isCarrying(); }, kPatience) &&
+         window.document().time().isComplete();
+}
+
+}  // namespace
+
+class TimeWindowTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() { QVERIFY(sample_.make()); }
+  void theBarIsForVolumesWithTimeOnly();
+  void mouseAndKeysGoThroughTime();
+  void aClickInThePlotGoesToTheFrame();
+  void aFrameIsCorrectedAndTheRestIsCarriedAgain();
+  void oneButtonTellsTheSensitivity();
+  void nothingIsCutOff();
+
+ private:
+  BeatingSample sample_;
+};
+
+void TimeWindowTest::theBarIsForVolumesWithTimeOnly() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample("cyst_session.json")));
+  QVERIFY(!slider(*window)->isVisible());
+  QVERIFY(!window->commands()[Command::playFrames]->isEnabled());
+  QVERIFY(open(*window, sample_.volume));
+  QVERIFY(slider(*window)->isVisible());
+  QVERIFY(window->commands()[Command::playFrames]->isEnabled());
+}
+
+void TimeWindowTest::mouseAndKeysGoThroughTime() {
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample_.volume) && activate(*window));
+  const QImage before = window->views().slice(ui::Plane::axial).picture();
+  ui::FrameSlider* bar = slider(*window);
+  const ui::TimelineAxis axis{bar->width(), bar->maximum()};
+  QTest::mouseClick(bar, Qt::LeftButton, {}, QPoint(static_cast<int>(axis.toX(2)), bar->height() / 2));
+  QVERIFY(shows(*window, 2));
+  QVERIFY(window->views().slice(ui::Plane::axial).picture() != before);  // other voxels
+  QVERIFY(shownText(*window, "Shown frame").contains("Frame 2"));
+  QVERIFY(shownText(*window, "Shown frame").contains("ms"));
+  QWidget& view = window->views().slice(ui::Plane::axial);
+  view.setFocus();
+  QTest::keyClick(&view, Qt::Key_Right, Qt::AltModifier);
+  QVERIFY(shows(*window, 3));
+  QTest::keyClick(&view, Qt::Key_T);
+  QVERIFY(window->document().time().isPlaying());
+  QVERIFY(shows(*window, 1));
+  QTest::keyClick(&view, Qt::Key_T);
+  QVERIFY(!window->document().time().isPlaying());
+}
+
+void TimeWindowTest::aClickInThePlotGoesToTheFrame() {
+  auto window = grownWindow(sample_);
+  QVERIFY(window && carry(*window));
+  ui::VolumePlot& plot = window->overTime().plot();
+  QVERIFY(plot.isVisible());
+  int x = 0;
+  while (x < plot.width() && plot.frameAt(QPointF(x, 10)) != 3) ++x;
+  QTest::mouseClick(&plot, Qt::LeftButton, {}, QPoint(x + 2, plot.height() / 2));
+  QVERIFY(shows(*window, 3));
+  QVERIFY(window->document().snapshot());
+  QVERIFY(shownText(*window, "Figures over time").contains("ejection fraction"));
+  const auto* table = window->overTime().findChild<QTableWidget*>();
+  QCOMPARE(table->rowCount(), BeatingSample::kFrames);
+  QVERIFY(table->item(3, 3)->text().contains("carried"));
+}
+
+void TimeWindowTest::aFrameIsCorrectedAndTheRestIsCarriedAgain() {
+  auto window = grownWindow(sample_);
+  QVERIFY(window && carry(*window));
+  ui::Document& document = window->document();
+  const double before = document.time().resultOf(1)->volume, beyond = document.time().resultOf(2)->volume;
+  const double other = document.time().resultOf(4)->volume;
+  document.time().show(2);
+  QVERIFY(shows(*window, 2));
+  window->commands()[Command::correctFrame]->trigger();
+  QCOMPARE(document.correctedFrame().value_or(-1), 2);
+  QVERIFY(waitFor(*window, GrowthState::finished));
+  QVERIFY(std::abs(document.snapshot()->certificate.volume / beyond - 1) < 1e-3);  // as it was carried
+  // A wall through its middle takes a part of it away.
+  const Vec3 wall = sample_.seed + Vec3(0, 0, 12);
+  QVERIFY(document.paintWalls({{wall, 12}}));
+  window->commands()[Command::run]->trigger();
+  QVERIFY(waitFor(*window, GrowthState::finished));
+  window->commands()[Command::endCorrection]->trigger();
+  QVERIFY(!document.correctedFrame());
+  QVERIFY(QTest::qWaitFor([&] { return !document.time().isCarrying(); }, kPatience));
+  QVERIFY(document.time().resultOf(2)->volume < beyond);
+  QCOMPARE(document.time().resultOf(1)->volume, before);
+  QVERIFY(document.time().resultOf(4)->volume != other);  // it has the wall, too
+  QCOMPARE(document.time().request().corrections.size(), std::size_t(1));
+}
+
+void TimeWindowTest::oneButtonTellsTheSensitivity() {
+  auto window = grownWindow(sample_);
+  QVERIFY(window);
+  window->commands()[Command::sensitivity]->trigger();
+  ui::SensitivityPage& page = window->measures().sensitivity();
+  QVERIFY(page.isVisible() && page.isAsking());
+  QVERIFY(QTest::qWaitFor([&] { return !page.isAsking(); }, kPatience));
+  QVERIFY(page.shown() && page.shown()->grown > 0);
+  QVERIFY(shownText(*window, "Volume with its spread").contains(QChar(0xB1)));
+  QVERIFY(window->viewState().distances() != nullptr);
+  QVERIFY(!window->viewState().distances()->isSigned);
+}
+
+void TimeWindowTest::nothingIsCutOff() {
+  auto window = grownWindow(sample_);
+  QVERIFY(window && carry(*window));
+  QTest::qWait(50);
+  const QString faults = layoutFaults(*window).join(QLatin1Char('\n'));
+  QVERIFY2(faults.isEmpty(), qPrintable(faults));
+  window->commands()[Command::sensitivity]->trigger();
+  QTest::qWait(50);
+  const QString more = layoutFaults(*window).join(QLatin1Char('\n'));
+  QVERIFY2(more.isEmpty(), qPrintable(more));
+}
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName("Handlebody");
+  QApplication::setApplicationName("handlebody-test");
+  TimeWindowTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "time_window_test.moc"

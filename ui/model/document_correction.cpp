@@ -1,0 +1,156 @@
+// A frame to which the surface was carried, corrected with the tools of any growth: its own clicks, walls and
+// edits, from the surface of the frame beside it on.
+
+#include <QUndoStack>
+#include <algorithm>
+
+#include "core/sequence/carried_seeds.h"
+#include "ui/model/document_private.h"
+
+namespace handlebody::ui {
+
+namespace {
+
+//! Of a correction, as a session of its own.
+Session asSession(const FrameCorrection& c) {
+  Session session;
+  session.seeds = c.request.seeds;
+  session.requested = c.request.parameters;
+  session.constraints = c.request.constraints;
+  session.changes = c.changes;
+  session.stopAt = c.stopAt;
+  return session;
+}
+
+FrameCorrection asCorrection(const Session& s, int frame) {
+  return {frame, {s.seeds, s.requested, s.constraints}, s.changes, s.stopAt};
+}
+
+void put(std::vector<FrameCorrection>& corrections, FrameCorrection made) {
+  std::erase_if(corrections, [&](const FrameCorrection& c) { return c.frame == made.frame; });
+  const auto behind = [&](const FrameCorrection& c) { return c.frame > made.frame; };
+  corrections.insert(std::find_if(corrections.begin(), corrections.end(), behind), std::move(made));
+}
+
+//! The frame from whose surface it starts: the nearest towards the grown one that can be trusted.
+int startOf(const TimeSeries& time, int frame) {
+  const int step = frame > time.grownFrame() ? -1 : 1;
+  for (frame += step; frame != time.grownFrame(); frame += step)
+    if (const FrameResult* r = time.resultOf(frame); r && r->isTrusted()) break;
+  return frame;
+}
+
+}  // namespace
+
+std::optional<int> Document::correctedFrame() const {
+  return d_->home ? std::optional(d_->time.workFrame()) : std::nullopt;
+}
+
+QString Document::correctionFault() const {
+  const TimeSeries& time = d_->time;
+  if (!hasVolume() || !time.hasTime()) return tr("The volume has one time point only.");
+  if (d_->home) return tr("Frame %1 is being corrected: end that first.").arg(time.workFrame());
+  if (time.showsGrownFrame()) return tr("In this frame the surface is grown: change it there as ever.");
+  if (time.isCarrying()) return tr("The surface is being carried: wait until that is done, or cancel it.");
+  if (!time.resultOf(time.shownFrame()) || !isCarriedCurrent())
+    return tr("The surface has not been carried to this frame yet.");
+  return {};
+}
+
+void Document::correctShownFrame() {
+  if (!correctionFault().isEmpty() || (d_->active->traits.locked && !d_->mayGoOn())) return;
+  d_->time.play(false);
+  const int frame = d_->time.shownFrame();
+  auto& all = d_->correcting;
+  const auto known = std::find_if(all.begin(), all.end(), [&](const auto& c) { return c.frame == frame; });
+  const bool isNew = known == all.end();
+  if (isNew) all.push_back({frame, d_->newCorrection(frame), d_->time.volume()});
+  const Private::Correcting now = isNew ? all.back() : *known;
+  d_->enter(now);
+  if (isNew && now.object->isReplaying())
+    now.object->begin();
+  else if (isNew)
+    now.object->goOn(ObjectWork::Wanted::run);
+}
+
+//! As it would be carried there, or as it was corrected before.
+std::shared_ptr<ObjectWork> Document::Private::newCorrection(int frame) {
+  const OverTimeSettings settings = carrySettings();
+  const int from = startOf(time, frame);
+  auto start = std::make_shared<CarriedStart>();
+  start->mesh =
+      from == time.grownFrame() ? time.carriedFrom()->get().mesh : time.carriedTo(from)->result.mesh;
+  start->holdTopology = settings.holdTopology;
+  auto object = newObject();
+  object->traits.label = base()->traits.label;
+  const std::vector<FrameCorrection>& recorded = settings.corrections;
+  const auto before =
+      std::find_if(recorded.begin(), recorded.end(), [&](const auto& c) { return c.frame == frame; });
+  if (before != recorded.end()) {
+    Session session = asSession(*before);
+    session.label = base()->traits.label;
+    object->adopt(session);
+  } else {
+    const Request r = carriedRequest(settings, frame);
+    object->start({carriedSeeds(r.seeds, start->mesh, settings.edgeLength), r.parameters, r.constraints});
+  }
+  object->startFrom(std::move(start));
+  return object;
+}
+
+void Document::Private::enter(const Correcting& correction) {
+  if (!home) {
+    home = active;
+    homeVolume = work->volume;
+  }
+  active->pause();
+  active->beHidden();
+  objects = {correction.object};
+  active = correction.object;
+  work->volume = correction.volume;
+  time.setWorkFrame(correction.frame, correction.volume);
+  time.show(correction.frame);
+  tellAll();
+  active->beShown();
+}
+
+void Document::Private::leaveCorrection() {
+  if (!home) return;
+  active->pause();
+  active->beHidden();
+  active = std::exchange(home, nullptr);
+  objects = {active};
+  work->volume = std::exchange(homeVolume, {});
+  time.setWorkFrame(time.grownFrame(), work->volume);
+  tellAll();
+  active->beShown();
+}
+
+//! Their growths start from surfaces that are carried anew; what is recorded of them stays.
+void Document::Private::forgetCorrections() { correcting.clear(); }
+
+//! With what is being corrected now, if something of it was grown.
+std::vector<FrameCorrection> Document::Private::corrections() const {
+  std::vector<FrameCorrection> all = time.request().corrections;
+  if (home && active->growth().exists()) put(all, asCorrection(active->session(), time.workFrame()));
+  return all;
+}
+
+void Document::endCorrection(bool keeps) {
+  if (!d_->home) return;
+  const int frame = d_->time.workFrame();
+  if (keeps && (d_->active->isBusy() || !d_->active->finished())) {
+    Q_EMIT refused(tr("The correction has no surface at rest yet: let it grow, or pause it."));
+    return;
+  }
+  OverTimeRequest request = d_->time.request();
+  if (keeps) request.corrections = d_->corrections();
+  d_->leaveCorrection();
+  if (!keeps) return;
+  d_->time.setRequest(request, true);
+  d_->undo.resetClean();
+  d_->carryAgain(frame);
+  d_->journalNow();
+}
+
+}  // namespace handlebody::ui

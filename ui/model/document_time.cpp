@@ -1,0 +1,233 @@
+// The Document's time points: which of them is grown in, and the surface carried through the others.
+
+#include <QFile>
+#include <QUndoCommand>
+#include <algorithm>
+
+#include "core/io/frame_files.h"
+#include "core/io/sequence_writer.h"
+#include "ui/model/document_private.h"
+#include "ui/model/error_sentence.h"
+
+namespace handlebody::ui {
+
+namespace {
+
+constexpr int kOverTimeId = 0x7135;
+
+//! Does `job`; its error as a sentence, or nothing.
+template <typename Job>
+QString sentenceOf(Job&& job) try {
+  job();
+  return {};
+} catch (...) {
+  return errorSentence();
+}
+
+class GrownFrameCommand : public QUndoCommand {
+ public:
+  using Set = std::function<void(int)>;
+  GrownFrameCommand(const QString& text, int before, int after, Set set)
+      : QUndoCommand(text), before_(before), after_(after), set_(std::move(set)) {}
+  void undo() override { set_(before_); }
+  void redo() override { set_(after_); }
+
+ private:
+  int before_, after_;
+  Set set_;
+};
+
+class OverTimeCommand : public QUndoCommand {
+ public:
+  OverTimeCommand(const QString& text, TimeSeries& time, OverTimeRequest after, int gesture)
+      : QUndoCommand(text),
+        time_(time),
+        before_(time.request()),
+        after_(std::move(after)),
+        wasAsked_(time.isAsked()),
+        gesture_(gesture) {}
+  int id() const override { return gesture_ >= 0 ? kOverTimeId : -1; }
+  bool mergeWith(const QUndoCommand* other) override {
+    const auto* next = static_cast<const OverTimeCommand*>(other);
+    if (next->gesture_ != gesture_ || next->text() != text()) return false;
+    after_ = next->after_;
+    return true;
+  }
+  void undo() override { time_.setRequest(before_, wasAsked_); }
+  void redo() override { time_.setRequest(after_, true); }
+
+ private:
+  TimeSeries& time_;
+  OverTimeRequest before_, after_;
+  bool wasAsked_;
+  int gesture_;
+};
+
+}  // namespace
+
+TimeSeries& Document::time() const { return d_->time; }
+
+// --- which frame ---
+
+bool Document::Private::isGrown() const {
+  return std::any_of(objects.begin(), objects.end(),
+                     [](const auto& object) { return object->growth().exists() || object->isBusy(); });
+}
+
+bool Document::Private::isInGrownFrame() {
+  if (time.showsWorkFrame()) return true;
+  if (!isGrown()) {
+    growInShown();
+    return true;
+  }
+  Q_EMIT q.refused(tr("Frame %1 is shown, and the surface is grown in frame %2: go there to change it.")
+                       .arg(time.shownFrame())
+                       .arg(time.grownFrame()));
+  Q_EMIT q.seedsChanged();  // fields show again what holds
+  Q_EMIT q.parametersChanged();
+  return false;
+}
+
+void Document::Private::growInShown() {
+  if (!work || time.showsWorkFrame()) return;
+  work->volume = time.volume();
+  work->reference.selection.frame = time.shownFrame();
+  time.setGrownFrame();
+  const auto now = objects;
+  for (const auto& object : now) object->volumeReplaced();
+  journalNow();
+  updateModified();
+}
+
+void Document::Private::setGrownFrame(int frame) {
+  growsIn = frame;
+  if (time.shownFrame() == frame)
+    shownFrameChanged();
+  else
+    time.show(frame);
+}
+
+void Document::Private::shownFrameChanged() {
+  if (!work) return;
+  if (growsIn == time.shownFrame()) {
+    growsIn = -1;
+    growInShown();
+  }
+  Q_EMIT q.frameShown();
+  Q_EMIT q.objectsChanged();
+  Q_EMIT q.snapshotChanged();
+}
+
+std::shared_ptr<const MeshSnapshot> Document::Private::shownOf(const ObjectWork& object) const {
+  if (home && time.showsGrownFrame()) return home->growth().snapshot();
+  if (time.showsWorkFrame()) return object.growth().snapshot();
+  const CarriedFrame* carried = objects.size() == 1 ? time.carriedTo(time.shownFrame()) : nullptr;
+  return carried ? carried->snapshot : nullptr;
+}
+
+void Document::growInShownFrame() {
+  if (!hasVolume() || d_->home || d_->time.showsWorkFrame()) return;
+  if (d_->active->traits.locked) {
+    d_->mayChange();
+    return;
+  }
+  d_->undo.push(new GrownFrameCommand(tr("Grow in frame %1").arg(d_->time.shownFrame()),
+                                      d_->time.grownFrame(), d_->time.shownFrame(),
+                                      [this](int frame) { d_->setGrownFrame(frame); }));
+}
+
+// --- over time ---
+
+QString Document::carryFault() const {
+  if (!hasVolume() || !d_->time.hasTime()) return tr("The volume has one time point only.");
+  if (correctedFrame()) return tr("Frame %1 is being corrected: end that first.").arg(*correctedFrame());
+  if (objectCount() > 1)
+    return tr("Several objects are not carried over time: open the volume with one of them.");
+  if (d_->active->isBusy()) return tr("The surface still grows: wait until it is at rest.");
+  if (!d_->active->finished() || !d_->active->growth().resolved())
+    return tr("There is no surface yet: grow one in a frame first.");
+  return {};
+}
+
+bool Document::isCarriedCurrent() const {
+  const auto& from = d_->time.carriedFrom();
+  const auto now = d_->base()->growth().snapshot();
+  return from && now && objectCount() == 1 && from->isOf(*now);
+}
+
+void Document::carryOverTime() {
+  if (!carryFault().isEmpty()) return;
+  if (!d_->time.isAsked()) setOverTime(d_->time.request(), tr("Over time"));
+  d_->forgetCorrections();
+  d_->carryAgain();
+}
+
+OverTimeSettings Document::Private::carrySettings() const {
+  const Growth& growth = base()->growth();
+  return {base()->request(),
+          growth.resolved()->edgeLength,
+          growth.resolved()->smoothing,
+          time.request().holdTopology,
+          time.grownFrame(),
+          time.request().corrections};
+}
+
+void Document::Private::carryAgain(const std::optional<int>& again) {
+  const Growth& growth = base()->growth();
+  CarryOrder order;
+  order.again = again;
+  order.surface = base()->finished();
+  order.start.frame = time.grownFrame();
+  order.start.iterations = growth.iteration();
+  order.start.stopped = growth.stopReason();
+  order.start.seconds = growth.seconds();
+  for (const FoundLeak& found : growth.leaks())
+    if (found.leak.iteration <= growth.iteration())
+      order.start.faults.push_back({FrameFault::leaked, "the surface leaked: " + sentence(found.leak)});
+  order.settings = carrySettings();
+  time.carry(std::move(order));
+}
+
+void Document::Private::carryAfterReplay() {
+  if (!carriesLater || active->isBusy() || active->isReplaying()) return;
+  carriesLater = false;
+  if (q.carryFault().isEmpty()) carryAgain();
+}
+
+void Document::setOverTime(const OverTimeRequest& request, const QString& undoText, int gesture) {
+  if (request == d_->time.request() && d_->time.isAsked()) return;
+  d_->undo.push(new OverTimeCommand(undoText, d_->time, request, gesture));
+}
+
+OverTimeReport Document::Private::overTimeReport() const { return time.report(); }
+
+void Document::exportFrames(const QString& path, CoordinateSpace space) {
+  if (!isCarriedCurrent() || d_->time.isCarrying()) {
+    Q_EMIT exportFailed(
+        tr("There are no surfaces over time of what is shown: carry it through the frames first."));
+    return;
+  }
+  d_->exportFrames(path, space);
+}
+
+void Document::Private::exportFrames(const QString& path, CoordinateSpace space) {
+  files.post([this, path, space, over = overTimeReport(), from = time.carriedFrom(),
+              grown = time.grownFrame(), label = active->traits.label, grid = work->volume.grid]() mutable {
+    const QString failed = sentenceOf([&] {
+      for (FrameResult& r : over.frames)
+        if (r.frame == grown) r.mesh = from->get().mesh;
+      const std::string file = QFile::encodeName(path).toStdString();
+      if (isMeshPath(file))
+        writeFrameMeshes(over, space, file);
+      else
+        writeFrameLabels(over, label, grid, file);
+    });
+    QMetaObject::invokeMethod(
+        &q,
+        [this, path, failed] { failed.isEmpty() ? Q_EMIT q.exported(path) : Q_EMIT q.exportFailed(failed); },
+        Qt::QueuedConnection);
+  });
+  Q_EMIT q.exporting(path);
+}
+
+}  // namespace handlebody::ui

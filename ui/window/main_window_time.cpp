@@ -1,0 +1,92 @@
+// Time in the window: the bar under the views, what is carried over it, its commands.
+
+#include <QDockWidget>
+
+#include "ui/model/time_series.h"
+#include "ui/window/export_panel.h"
+#include "ui/window/file_work.h"
+#include "ui/window/icons.h"
+#include "ui/window/main_window.h"
+#include "ui/window/over_time_panel.h"
+
+namespace handlebody::ui {
+
+namespace {
+
+constexpr int kUsualHeight = 250;  // pixels, of the panel when it is shown first
+
+}  // namespace
+
+// Behind the timeline, and out of the way until it is asked for.
+void MainWindow::buildTime() {
+  overTime_ = new OverTimePanel(document_, commands_);
+  overTimeDock_ = new QDockWidget(tr("Over time"), this);
+  overTimeDock_->setObjectName(QStringLiteral("overTime"));
+  overTimeDock_->setWidget(overTime_);
+  addDockWidget(Qt::BottomDockWidgetArea, overTimeDock_);
+  tabifyDockWidget(timelineDock_, overTimeDock_);
+  overTimeDock_->hide();
+}
+
+void MainWindow::showOverTime() {
+  const bool isFirst = overTimeDock_->isHidden();
+  overTimeDock_->show();
+  overTimeDock_->raise();
+  if (isFirst && timelineDock_->height() < kUsualHeight && !overTimeDock_->isFloating())
+    resizeDocks({overTimeDock_}, {kUsualHeight}, Qt::Vertical);
+}
+
+void MainWindow::connectTimeCommands() {
+  TimeSeries& time = document_.time();
+  on(Command::playFrames, [&time] { time.play(!time.isPlaying()); });
+  on(Command::previousFrame, [&time] { time.show(time.wantedFrame() - 1); });
+  on(Command::nextFrame, [&time] { time.show(time.wantedFrame() + 1); });
+  on(Command::toGrownFrame, [&time] { time.show(time.grownFrame()); });
+  on(Command::growHere, [this] { document_.growInShownFrame(); });
+  on(Command::correctFrame, [this] {
+    document_.correctShownFrame();
+    showStep(Command::stepCorrect);
+  });
+  on(Command::endCorrection, [this] { document_.endCorrection(true); });
+  on(Command::leaveCorrection, [this] { document_.endCorrection(false); });
+  on(Command::showOverTime, [this] { showOverTime(); });
+  on(Command::carryOverTime, [this, &time] {
+    showOverTime();
+    if (time.isCarrying())
+      time.cancel();
+    else
+      document_.carryOverTime();
+  });
+  on(Command::exportFrameMeshes, [this] { files_->exportFrames(false); });
+  on(Command::exportFrameLabels, [this] { files_->exportFrames(true); });
+  connect(overTime_, &OverTimePanel::saveRequested, files_, &FileWork::saveText);
+  for (auto changed : {&TimeSeries::shownChanged, &TimeSeries::wantedChanged, &TimeSeries::playingChanged,
+                       &TimeSeries::carriedChanged, &TimeSeries::carryingChanged})
+    connect(&time, changed, this, &MainWindow::updateTimeCommands);
+  updateTimeCommands();
+}
+
+void MainWindow::updateTimeCommands() {
+  const TimeSeries& time = document_.time();
+  const bool open = document_.hasVolume() && time.hasTime();
+  QAction* play = commands_[Command::playFrames];
+  play->setEnabled(open);
+  play->setText(time.isPlaying() ? tr("&Stop playing") : tr("&Play"));
+  play->setIcon(icon(time.isPlaying() ? QStringLiteral("pause") : QStringLiteral("play")));
+  commands_[Command::previousFrame]->setEnabled(open && time.wantedFrame() > 0);
+  commands_[Command::nextFrame]->setEnabled(open && time.wantedFrame() < time.frameCount() - 1);
+  commands_[Command::toGrownFrame]->setEnabled(open && time.wantedFrame() != time.grownFrame());
+  const bool corrects = document_.correctedFrame().has_value();
+  commands_[Command::growHere]->setEnabled(open && !corrects && !time.showsGrownFrame());
+  commands_[Command::correctFrame]->setEnabled(open && document_.correctionFault().isEmpty());
+  commands_[Command::endCorrection]->setEnabled(corrects);
+  commands_[Command::leaveCorrection]->setEnabled(corrects);
+  QAction* carry = commands_[Command::carryOverTime];
+  carry->setEnabled(open && (time.isCarrying() || document_.carryFault().isEmpty()));
+  carry->setText(time.isCarrying() ? tr("&Cancel") : tr("&Over time"));
+  const bool whole = open && !time.isCarrying() && document_.isCarriedCurrent();
+  commands_[Command::exportFrameMeshes]->setEnabled(whole);
+  commands_[Command::exportFrameLabels]->setEnabled(whole);
+}
+
+}  // namespace handlebody::ui
