@@ -44,7 +44,8 @@ CarriedFrame shownAs(FrameResult result) {
   snapshot->mesh = mesh;
   snapshot->states.assign(mesh.triangles.size(), FaceState::settled);
   snapshot->certificate = certify(mesh);
-  for (const ToldFault& f : frame.result.faults) snapshot->doubts.push_back(f.sentence);
+  for (const ToldFault& f : frame.result.faults)
+    snapshot->doubts.push_back({FindingKind::other, {{"text", f.sentence}}});
   frame.snapshot = std::move(snapshot);
   frame.finished = std::make_shared<const FinishedMesh>(frame.snapshot);
   return frame;
