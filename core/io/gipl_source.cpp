@@ -75,7 +75,8 @@ class GiplSource : public VolumeSource {
     if (header_.grid.size[2] <= 1) refuseInput(path, "this is a 2D image, a volume is needed");
     header_.sources = {"sizes", {"pixdim", "pixdim", "pixdim"}, "origin", "assumed"};
     checkHeader(header_, path);
-    checkDataSize(path, path, kHeaderBytes, header_.bytesPerFrame() * frames(), isCompressed_);
+    checkDataSize(path, path, isCompressed_ ? 0 : kHeaderBytes, header_.bytesPerFrame() * frames(),
+                  isCompressed_);
   }
 
  protected:

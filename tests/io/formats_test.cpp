@@ -212,6 +212,7 @@ TEST_CASE("a GIPL file is read with its voxels, sizes, spacing and origin, plain
 TEST_CASE("voxels that are not a number are read below all others, with a warning") {
   const TemporaryFolder folder;
   std::vector<float> voxels(8 * 8 * 8, 3.0F);
+  for (std::size_t i = 0; i < voxels.size(); ++i) voxels[i] += 0.01F * static_cast<float>(i);
   for (std::size_t i = 0; i < 100; ++i) voxels[5 * i] = std::numeric_limits<float>::quiet_NaN();
   voxels[1] = -7;
   std::string bytes(voxels.size() * sizeof(float), '\0');
