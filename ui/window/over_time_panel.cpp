@@ -26,7 +26,7 @@ namespace handlebody::ui {
 
 namespace {
 
-constexpr int kTools = 330, kTable = 400;  // pixels
+constexpr int kTools = 320, kTable = 290;  // pixels
 const QString kNone = QStringLiteral("–");
 
 QString stateOf(const TimeSeries& time, int frame) {

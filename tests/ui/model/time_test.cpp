@@ -252,7 +252,9 @@ bool correct(Document& document, const BeatingFile& heart) {
   if (!showFrame(document, 2)) return false;
   document.correctShownFrame();
   if (!waitFor([&] { return document.state() == GrowthState::finished; }, 120)) return false;
-  return document.paintWalls({{heart.seed + Vec3(0, 0, 14), 8}}) && runToEnd(document);  // it is pushed out
+  if (!document.paintWalls({{heart.seed + Vec3(0, 0, 14), 8}})) return false;
+  waitFor([&] { return document.wallConflict().has_value(); }, 10);  // else it would pause the run
+  return runToEnd(document);                                         // it is pushed out
 }
 
 }  // namespace
