@@ -58,8 +58,11 @@ void Document::Private::adopt(const QString& path, OpenedWork opened) {
   view.clear();
   hashInBackground();
   overTime = sessions.empty() ? std::nullopt : sessions.front().overTime;
+  polishes = sessions.empty() || sessions.front().polish;
+  space = sessions.empty() ? CoordinateSpace::lps : sessions.front().space;
   measurements.startWith(sessions.empty() ? std::vector<Measurement>() : sessions.front().measurements);
   if (!sessions.empty()) adoptObjects(path, sessions);
+  Q_EMIT q.polishesChanged();
   Q_EMIT q.opened();
   tellAll();
   for (const auto& object : objects) object->begin();
