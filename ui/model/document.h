@@ -47,6 +47,7 @@ struct MeshSnapshot {
   SurfaceSupport support;         //!< its faces are the triangles
   Certificate certificate;        //!< of this mesh: every frame that is shown has been looked at
   std::vector<HeldPlace> held;    //!< what vetoes and limits of the topology hold back
+  double edgeLength = 0;          //!< mm, the target of its growth
   std::vector<PinnedPart> pinned;
   std::vector<bool> pinnedVertices;  //!< one per point of the mesh: some pin holds it
   //! What the image says against the surface; only of a surface at rest.
@@ -100,6 +101,12 @@ struct ObjectInfo {
   QString madeWithEarlier;
 };
 
+//! What becomes of a surface that is opened as an object.
+enum class OpenAs {
+  done,  //!< it is the object as it is: locked, and a wall for the objects after it
+  start  //!< it grows onto the image from there, or gives ground
+};
+
 class Document : public QObject {
   Q_OBJECT
 
@@ -135,6 +142,12 @@ class Document : public QObject {
   void setActiveObject(int index);
   //! Behind the others, and active. Name, colour and label value are such as no other has.
   void addObject();
+  //! What is in a mesh (.stl .vtp .ply .obj) or a label map of any format as objects, in one undo entry:
+  //! those that are done before the first object that has no surface yet, so that they are walls for it; else
+  //! behind the others, the first of them active. Read and made on a worker thread: openingObjects(), then
+  //! objectsOpened(), openingObjectsFailed() or openingObjectsCancelled(). Nothing without a volume.
+  void openObjects(const QString& path, OpenAs as);
+  void cancelOpeningObjects();
   //! Behind it, and active: seeds, parameters and constraints, without the growth and the vetoes, pins
   //! and edits of its steps.
   void duplicateObject(int index);
@@ -301,6 +314,12 @@ class Document : public QObject {
   std::shared_ptr<const FinishedMesh> finishedMesh(int index) const;
   //! Why no file of this ending (".msh") can be made of the open volume, as a sentence; empty: it can.
   QString exportFault(const QString& extension) const;
+  //! Thin triangles of what is written are bettered (core/polish), in files and report alike. True at first,
+  //! as on the command line; a session keeps it.
+  bool polishes() const;
+  void setPolishes(bool on);
+  //! Of the mesh files: what the last one was written in; a session keeps it.
+  CoordinateSpace space() const;
   //! Mesh or label map by extension, of the shown iteration, written on a worker thread: exporting(), then
   //! exported(), exportFailed() or exportCancelled().
   void exportResult(const QString& path, CoordinateSpace space, const DicomContent& content = {});
@@ -308,7 +327,8 @@ class Document : public QObject {
   void exportObjects(const QString& path, CoordinateSpace space, const DicomContent& content = {});
   //! Nothing is left of the file that is being written; nothing if there is none.
   void cancelExport();
-  //! Of all objects that have a surface. `anonymous`: without what may name the patient.
+  //! Of all objects that have a surface; tells as exportResult(). `anonymous`: without what may name the
+  //! patient.
   void exportReport(const QString& path, bool anonymous = false);
   //! What `handlebody-cli replay` needs to make the shown meshes again. Throws nothing; saveFailed() tells
   //! why.
@@ -330,6 +350,10 @@ class Document : public QObject {
   void opening(const QString& path, double progress);  //!< 0 … 1, negative: unknown
   void opened();
   void openFailed(const QString& sentence);
+  void openingObjects(const QString& path);
+  void objectsOpened(const QString& path, const QStringList& names);
+  void openingObjectsFailed(const QString& sentence);
+  void openingObjectsCancelled();
   void seriesChoiceNeeded(const QString& path, const std::vector<handlebody::SeriesInfo>& series);
   void seedsChanged();
   void selectedSeedChanged(int index);
@@ -351,6 +375,9 @@ class Document : public QObject {
   void askedElsewhere(int object);   //!< the same of one that is not active
   void eventTraced(int index, const handlebody::EventTrace& trace);
   void exporting(const QString& path);
+  void exportPolishes(const QString& object);  //!< its surface is polished now
+  void polished(const QString& sentences);     //!< what that did, before exported(); not if nothing was bad
+  void polishesChanged();
   void exportCancelled(const QString& path);
   void exported(const QString& path);
   void exportFailed(const QString& sentence);

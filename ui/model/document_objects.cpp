@@ -209,17 +209,19 @@ void Document::Private::applyList(const ObjectList& after) {
   updateModified();
 }
 
-ObjectLabel Document::Private::freshLabel() const {
+ObjectLabel Document::Private::freshLabel(const std::vector<ObjectLabel>& more) const {
+  std::vector<ObjectLabel> known = more;
+  for (const auto& object : objects) known.push_back(object->traits.label);
   std::set<std::string> names;
   std::vector<int> values;
   std::vector<Colour> colours;
-  for (const auto& object : objects) {
-    names.insert(object->traits.label.name);
-    values.push_back(object->traits.label.value);
-    colours.push_back(object->traits.label.colour);
+  for (const ObjectLabel& other : known) {
+    names.insert(other.name);
+    values.push_back(other.value);
+    colours.push_back(other.colour);
   }
   ObjectLabel label;
-  int number = static_cast<int>(objects.size()) + 1;
+  int number = static_cast<int>(known.size()) + 1;
   do label.name = tr("Object %1").arg(number++).toStdString();
   while (names.count(label.name) != 0);
   label.value = freeLabelValue(values);
@@ -228,7 +230,7 @@ ObjectLabel Document::Private::freshLabel() const {
     return std::find(colours.begin(), colours.end(), c) == colours.end();
   };
   const auto free = std::find_if(all.begin(), all.end(), isFree);
-  label.colour = free != all.end() ? *free : all[objects.size() % all.size()];
+  label.colour = free != all.end() ? *free : all[known.size() % all.size()];
   return label;
 }
 

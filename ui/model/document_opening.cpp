@@ -65,6 +65,8 @@ void Document::Private::adopt(const QString& path, OpenedWork opened) {
   homeVolume = {};
   correcting.clear();
   carriesLater = false;
+  polishes = sessions.empty() || sessions.front().polish;
+  space = sessions.empty() ? CoordinateSpace::lps : sessions.front().space;
   measurements.startWith(sessions.empty() ? std::vector<Measurement>() : sessions.front().measurements);
   if (!sessions.empty()) adoptObjects(path, sessions);
   {
@@ -74,6 +76,7 @@ void Document::Private::adopt(const QString& path, OpenedWork opened) {
       time.setRequest(sessions.front().overTime.value_or(OverTimeRequest{}),
                       sessions.front().overTime.has_value());
   }
+  Q_EMIT q.polishesChanged();
   Q_EMIT q.opened();
   tellAll();
   for (const auto& object : objects) object->begin();

@@ -8,10 +8,10 @@
 #include <chrono>
 
 #include "core/cancellation.h"
-#include "core/collision/body_contact.h"
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
 #include "core/io/result.h"
+#include "core/io/start_surface.h"
 #include "ui/model/document_private.h"
 #include "ui/model/error_sentence.h"
 
@@ -33,28 +33,19 @@ QString sentenceOf(Job&& job) try {
 const QString kObjectsKey = QStringLiteral("objects"), kActiveKey = QStringLiteral("activeObject"),
               kVisibleKey = QStringLiteral("visible"), kLockedKey = QStringLiteral("locked");
 
-//! The guarantee of several objects in one file, looked at on the meshes as they are written. Throws
-//! OutputError.
-void requireApart(const std::vector<FinishedWall>& surfaces) {
-  for (std::size_t j = 1; j < surfaces.size(); ++j)
-    for (std::size_t i = 0; i < j; ++i)
-      if (bodyContact(surfaces[i].mesh->get().mesh, surfaces[j].mesh->get().mesh) != BodyContact::none)
-        throw OutputError(
-            Document::tr("“%1” meets “%2”, and nothing was written: grow it anew, so that it keeps clear.")
-                .arg(surfaces[j].name, surfaces[i].name)
-                .toStdString());
-}
-
-//! What takes time: the certificate of the mesh as it is written, and doubts.
-RunReport completed(PendingReport pending) {
+//! What takes time: measures, and doubts.
+RunReport completed(PendingReport pending, const WrittenMesh& mesh, const Volume& volume) {
   const auto start = std::chrono::steady_clock::now();
   RunReport made = std::move(pending.report);
   const std::vector<Finding> known = std::move(made.doubts);
-  const MeshSnapshot& shown = *pending.shown;
-  const CertifiedMesh mesh = certifiedForExport(shown.mesh);
-  made.mesh = mesh.certificate;
-  made.measures = objectMeasures(mesh.mesh, &pending.volume);
-  made.doubts = doubts(made, mesh.mesh);
+  const MeshSnapshot& shown = *pending.object.surface->shown();
+  made.mesh = mesh.made.certificate;
+  made.measures = objectMeasures(mesh.made.mesh, &volume);
+  made.polish = mesh.polish;
+  made.doubts = doubts(made, mesh.made.mesh);
+  if (mesh.polish)
+    if (Finding doubt = polishDoubt(*mesh.polish); doubt.any())
+      made.doubts.push_back(std::move(doubt));
   made.doubts.insert(made.doubts.end(), shown.doubts.begin(), shown.doubts.end());
   made.doubts.insert(made.doubts.end(), known.begin(), known.end());
   for (Finding& d : pinDoubts(made)) made.doubts.push_back(std::move(d));
@@ -93,6 +84,8 @@ std::vector<Session> Document::Private::sessions() const {
     all.push_back(object->session());
     all.back().version = HANDLEBODY_VERSION;
     all.back().volume = work->reference;
+    all.back().polish = polishes;
+    all.back().space = space;
   }
   all.front().view = viewWithObjects().toStdString();
   all.front().measurements = measurements.all();
@@ -173,43 +166,81 @@ void Document::cancelExport() {
   if (d_->exportCancelled) *d_->exportCancelled = true;
 }
 
-void Document::Private::exportFiles(const QString& path, CoordinateSpace space, const DicomContent& content,
-                                    const std::vector<int>& which) {
-  std::vector<FinishedWall> surfaces;
-  std::vector<ObjectLabel> labels;
-  for (const int i : which) {
-    labels.push_back(object(i).traits.label);
-    surfaces.push_back({QString::fromStdString(labels.back().name), q.finishedMesh(i)});
+bool Document::polishes() const { return d_->polishes; }
+CoordinateSpace Document::space() const { return d_->space; }
+
+void Document::setPolishes(bool on) {
+  if (on == d_->polishes) return;
+  d_->polishes = on;
+  d_->journalNow();
+  Q_EMIT polishesChanged();
+}
+
+WrittenObject Document::Private::objectToWrite(const ObjectWork& object) const {
+  return {object.traits.label, object.finished(), object.request().constraints.walls, true,
+          isMeshAsItIs(object.edits().constraints)};
+}
+
+//! All that have a surface; those that are not among `which` are not wanted.
+std::vector<WrittenObject> Document::Private::writtenObjects(const std::vector<int>& which) const {
+  std::vector<WrittenObject> all;
+  for (int i = 0; i < q.objectCount(); ++i) {
+    if (!object(i).finished()) continue;
+    all.push_back(objectToWrite(object(i)));
+    all.back().isWanted = std::find(which.begin(), which.end(), i) != which.end();
   }
+  return all;
+}
+
+void Document::Private::write(const QString& path, std::function<QString()> job) {
   exportCancelled = std::make_shared<std::atomic<bool>>(false);
-  files.post([this, path, surfaces, labels, stop = exportCancelled,
-              context = ExportContext{work->volume.grid, space, work->info.dicom, content}] {
+  files.post([this, path, stop = exportCancelled, job = std::move(job)] {
     bool gaveUp = false;
+    QString told;
     const QString failed = sentenceOf([&] {
       try {
         const CancelScope scope(*stop);
-        requireApart(surfaces);
-        std::vector<ExportedObject> made;
-        for (std::size_t i = 0; i < surfaces.size(); ++i) {
-          giveUpIfCancelled();
-          made.push_back({labels[i], surfaces[i].mesh->get().mesh});
-        }
-        writeResults(made, context, {fileName(path)});
+        told = job();
       } catch (const Cancelled&) {
         gaveUp = true;
       }
     });
     QMetaObject::invokeMethod(
         &q,
-        [this, path, failed, gaveUp] {
-          if (gaveUp)
+        [this, path, failed, gaveUp, told] {
+          if (gaveUp) {
             Q_EMIT q.exportCancelled(path);
-          else
-            failed.isEmpty() ? Q_EMIT q.exported(path) : Q_EMIT q.exportFailed(failed);
+            return;
+          }
+          if (failed.isEmpty() && !told.isEmpty()) Q_EMIT q.polished(told);
+          failed.isEmpty() ? Q_EMIT q.exported(path) : Q_EMIT q.exportFailed(failed);
         },
         Qt::QueuedConnection);
   });
   Q_EMIT q.exporting(path);
+}
+
+void Document::Private::exportFiles(const QString& path, CoordinateSpace coordinates,
+                                    const DicomContent& content, const std::vector<int>& which) {
+  space = coordinates;
+  write(path, [this, path, betters = polishes, toWrite = writtenObjects(which),
+               context = ExportContext{work->volume.grid, coordinates, work->info.dicom, content}] {
+    const auto meshes = writtenMeshes(toWrite, context.grid, betters, polishing());
+    requireApart(toWrite, meshes);
+    std::vector<ExportedObject> made;
+    for (std::size_t i = 0; i < meshes.size(); ++i)
+      if (toWrite[i].isWanted) made.push_back({toWrite[i].label, meshes[i].made.mesh});
+    giveUpIfCancelled();
+    writeResults(made, context, {fileName(path)});
+    return polishTexts(toWrite, meshes);
+  });
+}
+
+std::function<void(const std::string&)> Document::Private::polishing() {
+  return [this](const std::string& name) {
+    QMetaObject::invokeMethod(
+        &q, [this, name] { Q_EMIT q.exportPolishes(QString::fromStdString(name)); }, Qt::QueuedConnection);
+  };
 }
 
 // --- report ---
@@ -231,10 +262,12 @@ std::vector<PendingReport> Document::Private::pendingReports() const {
   std::vector<PendingReport> all;
   for (const auto& object : objects) {
     const auto shown = object->growth().snapshot();
-    if (!shown || (objects.size() > 1 && !object->finished())) continue;
+    if (!shown || !object->finished()) continue;
     RunReport r = object->report();
     r.session.version = HANDLEBODY_VERSION;
     r.session.volume = work->reference;
+    r.session.polish = polishes;
+    r.session.space = space;
     r.volume = work->info;
     r.volume.grid = work->volume.grid;
     if (all.empty()) {
@@ -245,27 +278,27 @@ std::vector<PendingReport> Document::Private::pendingReports() const {
     if (const QString earlier = madeWithEarlier(*object); !earlier.isEmpty())
       r.doubts.push_back({FindingKind::madeWithEarlier, {{"object", earlier.toStdString()}}});
     if (objects.size() == 1 && q.isCarriedCurrent()) r.overTime = overTimeReport();
-    all.push_back({std::move(r), shown, work->volume});
+    all.push_back({std::move(r), objectToWrite(*object)});
   }
   return all;
 }
 
 void Document::Private::exportReport(const QString& path, const std::vector<PendingReport>& reports,
                                      bool isAnonymous) {
-  files.post([this, path, made = reports, known = hash, isAnonymous]() mutable {
-    const QString failed = sentenceOf([&] {
-      std::vector<RunReport> all;
-      for (PendingReport& pending : made) {
-        complete(pending.report.session, *known);
-        all.push_back(completed(std::move(pending)));
-        if (isAnonymous) all.back() = anonymous(std::move(all.back()));
-      }
-      writeTextAtomically(fileName(path), textOf(all));
-    });
-    QMetaObject::invokeMethod(
-        &q,
-        [this, path, failed] { failed.isEmpty() ? Q_EMIT q.exported(path) : Q_EMIT q.exportFailed(failed); },
-        Qt::QueuedConnection);
+  write(path, [this, path, made = reports, known = hash, isAnonymous, betters = polishes,
+               volume = work->volume]() mutable {
+    std::vector<WrittenObject> told;
+    for (const PendingReport& pending : made) told.push_back(pending.object);
+    const auto meshes = writtenMeshes(told, volume.grid, betters, polishing());
+    std::vector<RunReport> all;
+    for (std::size_t i = 0; i < made.size(); ++i) {
+      complete(made[i].report.session, *known);
+      all.push_back(completed(std::move(made[i]), meshes[i], volume));
+      if (isAnonymous) all.back() = anonymous(std::move(all.back()));
+      giveUpIfCancelled();
+    }
+    writeTextAtomically(fileName(path), textOf(all));
+    return polishTexts(told, meshes);
   });
 }
 

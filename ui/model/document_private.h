@@ -15,14 +15,14 @@
 #include "ui/model/opening.h"
 #include "ui/model/time_series.h"
 #include "ui/model/undo_commands.h"
+#include "ui/model/written_meshes.h"
 
 namespace handlebody::ui {
 
 //! What is told of an object but what takes time.
 struct PendingReport {
   RunReport report;
-  std::shared_ptr<const MeshSnapshot> shown;
-  Volume volume;
+  WrittenObject object;
 };
 
 class Document::Private : public ObjectHost {
@@ -63,7 +63,10 @@ class Document::Private : public ObjectHost {
   void pushList(const QString& text, ObjectList after, int gesture = -1);
   void applyList(const ObjectList& after);
   void pokeAfter(const ObjectWork& object);
-  ObjectLabel freshLabel() const;
+  //! Such as none of the objects has, nor any of `more`.
+  ObjectLabel freshLabel(const std::vector<ObjectLabel>& more = {}) const;
+  ObjectLabel labelFor(const ObjectLabel& wanted, const std::vector<ObjectLabel>& more) const;
+  void addOpened(const QString& path, OpenAs as, const std::vector<Session>& opened);
   QString madeWithEarlier(const ObjectWork& object) const;
   //! False, and says so, if the active object is locked, or another frame is shown than it is grown in.
   bool mayChange();
@@ -109,6 +112,12 @@ class Document::Private : public ObjectHost {
   std::vector<PendingReport> pendingReports() const;
   QByteArray viewWithObjects() const;
   void readView();
+  WrittenObject objectToWrite(const ObjectWork& object) const;
+  std::vector<WrittenObject> writtenObjects(const std::vector<int>& which) const;
+  //! Tells on the GUI thread what is being polished.
+  std::function<void(const std::string&)> polishing();
+  //! On the files' thread: has `job` done until it is cancelled, and tells how it ended.
+  void write(const QString& path, std::function<QString()> job);
   void exportFiles(const QString& path, CoordinateSpace space, const DicomContent& content,
                    const std::vector<int>& which);
   void exportReport(const QString& path, const std::vector<PendingReport>& reports, bool isAnonymous);
@@ -137,6 +146,9 @@ class Document::Private : public ObjectHost {
   Volume homeVolume;                   // the same
   bool carriesLater = false;           // when what a session says has been grown
   std::shared_ptr<std::atomic<bool>> exportCancelled;  // of the newest export; null: there was none
+  bool polishes = true;
+  CoordinateSpace space = CoordinateSpace::lps;
+  std::shared_ptr<std::atomic<bool>> objectsCancelled;  // of the newest opening of objects
   bool wasModified = false;
   int stepsPerFrame = 1;
   bool pausesAtLeaks = false;

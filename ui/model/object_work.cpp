@@ -133,7 +133,8 @@ bool ObjectWork::select(int seed) {
 }
 
 bool ObjectWork::isSeeded() const {
-  return std::any_of(edits_.seeds.begin(), edits_.seeds.end(), [](const Seed& s) { return !s.background; });
+  return edits_.constraints.start ||
+         std::any_of(edits_.seeds.begin(), edits_.seeds.end(), [](const Seed& s) { return !s.background; });
 }
 
 Request ObjectWork::request() const {

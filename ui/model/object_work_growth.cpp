@@ -253,7 +253,11 @@ std::shared_ptr<const FinishedMesh> ObjectWork::finished() const {
   return finished_;
 }
 
-bool ObjectWork::isOutOfDate() const { return growth_.exists() && host_.wallsFor(*this) != grownWith_; }
+//! What was opened as it is does not depend on the others.
+bool ObjectWork::isOutOfDate() const {
+  const auto& start = edits_.constraints.start;
+  return growth_.exists() && !(start && start->isDone) && host_.wallsFor(*this) != grownWith_;
+}
 
 // --- out ---
 

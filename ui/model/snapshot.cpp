@@ -70,6 +70,7 @@ std::shared_ptr<const MeshSnapshot> makeSnapshot(const History& history, Checkin
   }
   snapshot->support = contour.support();
   snapshot->held = contour.held();
+  snapshot->edgeLength = contour.parameters().edgeLength;
   snapshot->pinned = contour.pinned();
   for (int v = 0; v < contour.mesh().vertexSlots(); ++v)  // in the order of compact()
     if (contour.mesh().isVertex(v)) snapshot->pinnedVertices.push_back(contour.isPinned(v));

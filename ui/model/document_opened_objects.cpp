@@ -1,0 +1,94 @@
+// Objects from files in the Document's list.
+
+#include <QFile>
+#include <algorithm>
+
+#include "core/cancellation.h"
+#include "ui/model/document_private.h"
+#include "ui/model/error_sentence.h"
+#include "ui/model/opened_objects.h"
+
+namespace handlebody::ui {
+
+void Document::openObjects(const QString& path, OpenAs as) {
+  if (!hasVolume()) return;
+  cancelOpeningObjects();
+  d_->objectsCancelled = std::make_shared<std::atomic<bool>>(false);
+  Q_EMIT openingObjects(path);
+  d_->files.post([this, path, as, grid = volume().grid, stop = d_->objectsCancelled, opening = d_->openings] {
+    auto opened = std::make_shared<std::vector<Session>>();
+    QString failed;
+    try {
+      const CancelScope scope(*stop);
+      *opened = readObjects(path, as, grid);
+    } catch (const Cancelled&) {
+    } catch (...) {
+      failed = errorSentence();
+    }
+    QMetaObject::invokeMethod(
+        this,
+        [this, path, as, opened, failed, stop, opening] {
+          if (*stop || opening != d_->openings)
+            Q_EMIT openingObjectsCancelled();
+          else if (!failed.isEmpty())
+            Q_EMIT openingObjectsFailed(failed);
+          else
+            d_->addOpened(path, as, *opened);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void Document::cancelOpeningObjects() {
+  if (d_->objectsCancelled) *d_->objectsCancelled = true;
+}
+
+//! With name and value of the file where they are free.
+ObjectLabel Document::Private::labelFor(const ObjectLabel& wanted,
+                                        const std::vector<ObjectLabel>& more) const {
+  std::vector<ObjectLabel> known = more;
+  for (const auto& object : objects) known.push_back(object->traits.label);
+  const auto isTaken = [&](const std::string& name) {
+    return std::any_of(known.begin(), known.end(), [&](const ObjectLabel& o) { return o.name == name; });
+  };
+  ObjectLabel label = freshLabel(more);
+  if (std::none_of(known.begin(), known.end(),
+                   [&](const ObjectLabel& o) { return o.value == wanted.value; }) &&
+      wanted.value >= 1 && wanted.value <= kLargestLabel)
+    label.value = wanted.value;
+  for (int n = 1;; ++n) {
+    const std::string name = n == 1 ? wanted.name : wanted.name + " (" + std::to_string(n) + ")";
+    if (!objectNameFault(name).empty()) break;  // too long with a number
+    if (isTaken(name)) continue;
+    label.name = name;
+    break;
+  }
+  return label;
+}
+
+void Document::Private::addOpened(const QString& path, OpenAs as, const std::vector<Session>& opened) {
+  ObjectList after = list();
+  auto place = after.entries.end();
+  if (as == OpenAs::done)
+    place = std::find_if(after.entries.begin(), after.entries.end(), [](const ObjectList::Entry& entry) {
+      return !entry.object->growth().exists() && !entry.object->isBusy();
+    });
+  std::vector<ObjectLabel> labels;
+  std::vector<ObjectList::Entry> fresh;
+  QStringList names;
+  for (Session session : opened) {
+    session.label = labelFor(session.label, labels);
+    labels.push_back(session.label);
+    names << QString::fromStdString(session.label.name);
+    auto object = newObject();
+    object->adopt(session);
+    fresh.push_back({object, {session.label, true, as == OpenAs::done}});
+  }
+  after.entries.insert(place, fresh.begin(), fresh.end());
+  if (as == OpenAs::start) after.active = fresh.front().object;
+  pushList(fresh.size() == 1 ? tr("Open object") : tr("Open objects"), std::move(after));
+  for (const ObjectList::Entry& entry : fresh) entry.object->begin();
+  Q_EMIT q.objectsOpened(path, names);
+}
+
+}  // namespace handlebody::ui

@@ -1,0 +1,81 @@
+#include "ui/model/opened_objects.h"
+
+#include <QFile>
+#include <QFileInfo>
+
+#include "core/cancellation.h"
+#include "core/errors.h"
+#include "core/io/start_surface.h"
+
+namespace handlebody::ui {
+
+namespace {
+
+//! A name that no format refuses.
+std::string named(const QString& wanted) {
+  const std::string name = wanted.toStdString();
+  return objectNameFault(name).empty() ? name : Document::tr("Object").toStdString();
+}
+
+// A file name without ".nii.gz" and its like.
+QString baseName(const QString& path) {
+  const QString name = QFileInfo(path).fileName();
+  const auto dot = name.indexOf(QLatin1Char('.'), 1);
+  return dot < 0 ? name : name.left(dot);
+}
+
+Session objectOf(const std::string& file, OpenAs as) {
+  Session session;
+  session.constraints.start.emplace();
+  session.constraints.start->path = file;
+  session.constraints.start->isDone = as == OpenAs::done;
+  session.requested.direction = Direction::both;
+  session.stopAt = 0;
+  return session;
+}
+
+std::vector<Session> labelled(const QString& path, const std::string& file, OpenAs as) {
+  std::vector<Session> objects;
+  const std::vector<NamedLabel> labels = labelsIn(file);
+  for (const NamedLabel& label : labels) {
+    objects.push_back(objectOf(file, as));
+    Session& object = objects.back();
+    object.constraints.start->label = label.value;
+    object.label.value = label.value;
+    const QString plain =
+        labels.size() == 1 ? baseName(path) : Document::tr("%1 %2").arg(baseName(path)).arg(label.value);
+    object.label.name = named(label.name.empty() ? plain : QString::fromStdString(label.name));
+  }
+  return objects;
+}
+
+bool isWithin(const Grid& grid, const Vec3& world) {
+  const Vec3 index = grid.toIndex(world);
+  for (int a = 0; a < 3; ++a)
+    if (!(index[a] >= -0.5 && index[a] <= grid.size[static_cast<std::size_t>(a)] - 0.5)) return false;
+  return true;
+}
+
+}  // namespace
+
+std::vector<Session> readObjects(const QString& path, OpenAs as, const Grid& grid) {
+  const std::string file = QFile::encodeName(path).toStdString();
+  std::vector<Session> objects;
+  if (isMeshPath(file)) {
+    objects.push_back(objectOf(file, as));
+    objects.back().label.name = named(baseName(path));
+  } else {
+    objects = labelled(path, file, as);
+  }
+  giveUpIfCancelled();
+  std::vector<Session*> all;
+  for (Session& object : objects) all.push_back(&object);
+  loadStarts(all);
+  for (const Session& object : objects)
+    if (!isWithin(grid, object.constraints.start->inside))
+      throw InputError(file + " does not belong to this volume: a surface in it (" + object.label.name +
+                       ") lies outside of it.");
+  return objects;
+}
+
+}  // namespace handlebody::ui

@@ -1,0 +1,18 @@
+#pragma once
+// Objects from a mesh or a label map: what the Document adds to its list.
+
+#include <QString>
+#include <vector>
+
+#include "core/io/session.h"
+#include "core/volume/volume.h"
+#include "ui/model/document.h"
+
+namespace handlebody::ui {
+
+//! One for a mesh, one for each value of a label map, by the names that the file has for them. They show the
+//! surface as it is read, and go no farther by themselves. Takes long: not on the GUI thread. Throws
+//! InputError; Cancelled (cancellation.h).
+std::vector<Session> readObjects(const QString& path, OpenAs as, const Grid& grid);
+
+}  // namespace handlebody::ui

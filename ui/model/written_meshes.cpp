@@ -1,0 +1,77 @@
+#include "ui/model/written_meshes.h"
+
+#include "core/cancellation.h"
+#include "core/collision/body_contact.h"
+#include "core/errors.h"
+
+namespace handlebody::ui {
+
+namespace {
+
+bool meet(const WrittenMesh& a, const WrittenMesh& b) {
+  return bodyContact(a.made.mesh, b.made.mesh) != BodyContact::none;
+}
+
+QString nameOf(const WrittenObject& object) { return QString::fromStdString(object.label.name); }
+
+PolishOptions optionsFor(const WrittenObject& object, const TriangleSoup& mesh, const Grid& grid) {
+  const MeshSnapshot& shown = *object.surface->shown();
+  return polishOptions({grid, object.walls, shown.edgeLength, shown.pinned}, mesh);
+}
+
+}  // namespace
+
+std::vector<WrittenMesh> writtenMeshes(const std::vector<WrittenObject>& objects, const Grid& grid,
+                                       bool polishes,
+                                       const std::function<void(const std::string&)>& polishing) {
+  std::vector<WrittenMesh> meshes;
+  std::size_t end = 0;  // behind the last that is wanted
+  for (const WrittenObject& object : objects) {
+    giveUpIfCancelled();
+    meshes.push_back({object.surface->get(), {}});
+    if (object.isWanted) end = meshes.size();
+  }
+  for (std::size_t i = 0; polishes && i < end; ++i) {
+    if (objects[i].isAsItIs) continue;
+    if (polishing) polishing(objects[i].label.name);
+    PolishOptions options = optionsFor(objects[i], meshes[i].made.mesh, grid);
+    std::vector<const TriangleSoup*> others;
+    for (std::size_t j = 0; j < meshes.size(); ++j)  // one that it meets already is no obstacle
+      if (j != i && !meet(meshes[i], meshes[j])) others.push_back(&meshes[j].made.mesh);
+    options.bounds.obstacles = others;
+    meshes[i].polish = polish(meshes[i].made, options);
+  }
+  return meshes;
+}
+
+void requireApart(const std::vector<WrittenObject>& objects, const std::vector<WrittenMesh>& meshes) {
+  for (std::size_t j = 1; j < objects.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i)
+      if (objects[i].isWanted && objects[j].isWanted && meet(meshes[i], meshes[j]))
+        throw OutputError(
+            Document::tr("“%1” meets “%2”, and nothing was written: grow it anew, so that it keeps clear.")
+                .arg(nameOf(objects[j]), nameOf(objects[i]))
+                .toStdString());
+}
+
+QString polishTexts(const std::vector<WrittenObject>& objects, const std::vector<WrittenMesh>& meshes) {
+  QString all;
+  const auto add = [&](const QString& sentence) {
+    if (!all.isEmpty()) all += QLatin1Char(' ');
+    all += sentence;
+  };
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const auto& done = meshes[i].polish;
+    if (!done || !objects[i].isWanted || done->before.faces + done->before.edges == 0) continue;
+    const auto counted = [](const PolishCount& c) { return QString::number(c.faces + c.edges); };
+    const auto degrees = [](double angle) { return QString::number(angle, 'f', 1); };
+    const QString text = Document::tr("polished: %1 bad places, now %2; least angle %3°, was %4°.")
+                             .arg(counted(done->before), counted(done->after),
+                                  degrees(done->after.leastAngle), degrees(done->before.leastAngle));
+    add(objects.size() > 1 ? Document::tr("“%1” %2").arg(nameOf(objects[i]), text)
+                           : text.left(1).toUpper() + text.mid(1));
+  }
+  return all;
+}
+
+}  // namespace handlebody::ui
