@@ -176,8 +176,9 @@ void Document::setPolishes(bool on) {
   Q_EMIT polishesChanged();
 }
 
-WrittenObject Document::Private::objectToWrite(const ObjectWork& object) const {
-  return {object.traits.label, object.finished(), object.request().constraints.walls, true,
+WrittenObject Document::Private::objectToWrite(const ObjectWork& object,
+                                               std::shared_ptr<const FinishedMesh> surface) const {
+  return {object.traits.label, std::move(surface), object.request().constraints.walls, true,
           isMeshAsItIs(object.edits().constraints)};
 }
 
@@ -185,8 +186,9 @@ WrittenObject Document::Private::objectToWrite(const ObjectWork& object) const {
 std::vector<WrittenObject> Document::Private::writtenObjects(const std::vector<int>& which) const {
   std::vector<WrittenObject> all;
   for (int i = 0; i < q.objectCount(); ++i) {
-    if (!object(i).finished()) continue;
-    all.push_back(objectToWrite(object(i)));
+    auto surface = q.finishedMesh(i);  // of the frame that is shown
+    if (!surface) continue;
+    all.push_back(objectToWrite(object(i), std::move(surface)));
     all.back().isWanted = std::find(which.begin(), which.end(), i) != which.end();
   }
   return all;
@@ -278,7 +280,7 @@ std::vector<PendingReport> Document::Private::pendingReports() const {
     if (const QString earlier = madeWithEarlier(*object); !earlier.isEmpty())
       r.doubts.push_back({FindingKind::madeWithEarlier, {{"object", earlier.toStdString()}}});
     if (objects.size() == 1 && q.isCarriedCurrent()) r.overTime = overTimeReport();
-    all.push_back({std::move(r), objectToWrite(*object)});
+    all.push_back({std::move(r), objectToWrite(*object, object->finished())});
   }
   return all;
 }

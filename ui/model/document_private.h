@@ -112,7 +112,7 @@ class Document::Private : public ObjectHost {
   std::vector<PendingReport> pendingReports() const;
   QByteArray viewWithObjects() const;
   void readView();
-  WrittenObject objectToWrite(const ObjectWork& object) const;
+  WrittenObject objectToWrite(const ObjectWork& object, std::shared_ptr<const FinishedMesh> surface) const;
   std::vector<WrittenObject> writtenObjects(const std::vector<int>& which) const;
   //! Tells on the GUI thread what is being polished.
   std::function<void(const std::string&)> polishing();

@@ -17,9 +17,13 @@ void addFileCommands(std::vector<CommandSpec>& t) {
   const char* menu = T("&File");
   t.insert(t.end(),
            {{Command::openFile, menu, "", T("&Open file…"), "Ctrl+O", "open",
-             T("Open a volume (NIfTI, NRRD, MetaImage, TIFF, DICOM) or a session"), kPlain, false},
+             T("Open a volume (NIfTI, NRRD, MetaImage, GIPL, TIFF, DICOM) or a session"), kPlain, false},
             {Command::openFolder, menu, "", T("Open &folder…"), "Ctrl+Shift+O", "folder",
              T("Open a folder with a DICOM series"), kPlain, false},
+            {Command::openObjects, menu, "", T("Open o&bjects…"), "", "",
+             T("Take surfaces of a mesh (STL, VTP, PLY, OBJ) or a label map (DICOM, 3D Slicer, NIfTI, NRRD, "
+               "MetaImage) as objects: as they are, or to grow from"),
+             kPlain, false},
             {Command::saveSession, menu, "", T("&Save session"), "Ctrl+S", "save",
              T("Save volume reference, seeds and parameters, to go on later or to replay"), kPlain, true},
             {Command::saveSessionAs, menu, "", T("Save session &as…"), "Ctrl+Shift+S", "session",

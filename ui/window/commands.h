@@ -15,6 +15,7 @@ namespace handlebody::ui {
 enum class Command {
   openFile,
   openFolder,
+  openObjects,
   saveSession,
   saveSessionAs,
   exportResult,

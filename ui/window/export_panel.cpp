@@ -64,6 +64,7 @@ void ExportPanel::buildResult(const Commands& commands) {
   space_->button(0)->setChecked(true);
   form_->addRow(tr("Coordinates"), spaceRow_);
   static_cast<QVBoxLayout*>(layout())->addLayout(form_);
+  addPolish();
   addAnonymous();
   fault_ = notice(tr("Why nothing is written"), this);
   layout()->addWidget(fault_);
@@ -72,6 +73,9 @@ void ExportPanel::buildResult(const Commands& commands) {
   layout()->addWidget(new ActionButton(commands[Command::exportResult], this));
   progress_ = buildProgress();
   layout()->addWidget(progress_);
+  polished_ = value(tr("What was bettered"), this);
+  polished_->hide();
+  layout()->addWidget(polished_);
   layout()->addWidget(new ActionButton(commands[Command::showMeasures], this));
 }
 
@@ -84,6 +88,7 @@ void ExportPanel::addFormats() {
   add(tr("PLY surface, binary"), ".ply");
   add(tr("OBJ surface"), ".obj");
   add(tr("3MF surface, to print"), ".3mf");
+  add(tr("glTF scene, to view"), ".gltf");
   format_->insertSeparator(format_->count());
   add(tr("NIfTI label map"), ".nii.gz");
   add(tr("NRRD label map"), ".nrrd");
@@ -96,6 +101,28 @@ void ExportPanel::addFormats() {
   add(tr("Gmsh tetrahedra"), ".msh");
   add(tr("VTK tetrahedra"), ".vtu");
   add(tr("Abaqus tetrahedra"), ".inp");
+}
+
+//! On at first: a surface that a solver takes is a better surface for all others, too, and the same one that
+//! the command line writes.
+void ExportPanel::addPolish() {
+  polish_ = new QCheckBox(tr("Better thin triangles"), this);
+  polish_->setFocusPolicy(Qt::TabFocus);
+  describe(
+      polish_, tr("Better thin triangles"),
+      tr("Triangles with an angle under 15° and edges sharper than 20°, which a solver cannot use, are made "
+         "better in what is written; the surface goes no farther than a tenth of a voxel. The session "
+         "keeps this choice."));
+  layout()->addWidget(polish_);
+  connect(polish_, &QCheckBox::clicked, &document_, &Document::setPolishes);
+  for (auto changed : {&Document::polishesChanged, &Document::opened})
+    connect(&document_, changed, this, &ExportPanel::showManner);
+  showManner();
+}
+
+void ExportPanel::showManner() {
+  polish_->setChecked(document_.polishes());
+  space_->button(document_.space() == CoordinateSpace::ras ? 1 : 0)->setChecked(true);
 }
 
 void ExportPanel::addAnonymous() {
@@ -138,9 +165,19 @@ void ExportPanel::connectProgress() {
   connect(&document_, &Document::exporting, this, [this](const QString& path) {
     writing_->setText(tr("Writing %1…").arg(QFileInfo(path).fileName()));
     failed_.clear();
+    polished_->hide();
     progress_->show();
     showFault();
   });
+  connect(&document_, &Document::exportPolishes, this, [this](const QString& object) {
+    writing_->setText(document_.objectCount() > 1 ? tr("Bettering the triangles of “%1”…").arg(object)
+                                                  : tr("Bettering the triangles…"));
+  });
+  connect(&document_, &Document::polished, this, [this](const QString& text) {
+    polished_->setText(text);
+    polished_->show();
+  });
+  connect(&document_, &Document::opened, polished_, &QWidget::hide);
   const auto end = [this](const QString& failed) {
     failed_ = failed;
     progress_->hide();

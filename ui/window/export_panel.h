@@ -42,6 +42,8 @@ class ExportPanel : public QWidget {
   void buildResult(const Commands& commands);
   void addFormats();
   void addAnonymous();
+  void addPolish();
+  void showManner();
   QWidget* buildProgress();
   void connectProgress();
   void buildRest(const Commands& commands);
@@ -50,9 +52,9 @@ class ExportPanel : public QWidget {
   void showFault();
 
   Document& document_;
-  QLabel *hint_, *numbers_, *fault_, *writing_;
+  QLabel *hint_, *numbers_, *fault_, *writing_, *polished_;
   QWidget* progress_;
-  QCheckBox* anonymous_;
+  QCheckBox *anonymous_, *polish_;
   QString failed_;  //!< what went wrong last with this format
   QComboBox *objects_, *format_, *picture_;
   QFormLayout* form_;

@@ -6,6 +6,8 @@
 #include <QFileInfo>
 #include <QImageWriter>
 #include <QMessageBox>
+#include <QProgressDialog>
+#include <QPushButton>
 #include <QSaveFile>
 #include <QSettings>
 #include <QWidget>
@@ -13,6 +15,9 @@
 #include <utility>
 
 #include "core/io/atomic_file.h"
+#include "core/io/dicom_writer.h"
+#include "core/io/label_map.h"
+#include "core/io/mesh_io.h"
 #include "ui/model/document.h"
 #include "ui/window/export_panel.h"
 #include "ui/window/message_bar.h"
@@ -24,12 +29,19 @@ namespace handlebody::ui {
 namespace {
 
 constexpr int kMostRecent = 10;
+constexpr int kBeforeProgress = 400;  // ms: what is quicker shows none
 const QString kRecent = QStringLiteral("recent");
 const QString kFolder = QStringLiteral("folder");
 
 QString volumeFilter() {
   return FileWork::tr(
-      "Volumes and sessions (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.tif *.tiff *.dcm *.json);;"
+      "Volumes and sessions (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.tif *.tiff *.dcm *.json);;"
+      "All files (*)");
+}
+
+QString objectFilter() {
+  return FileWork::tr(
+      "Meshes and label maps (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm);;"
       "All files (*)");
 }
 
@@ -64,6 +76,7 @@ FileWork::FileWork(Document& document, ViewGrid& views, ExportPanel& exports, Me
       messages_(messages),
       window_(window) {
   connectMessages();
+  connectObjects();
 }
 
 void FileWork::connectMessages() {
@@ -78,8 +91,12 @@ void FileWork::connectMessages() {
     next_ = nullptr;
     failed(text);
   });
-  connect(&document_, &Document::exported, this,
-          [said](const QString& path) { said(tr("%1 is written.").arg(path)); });
+  connect(&document_, &Document::exporting, this, [this] { polished_.clear(); });
+  connect(&document_, &Document::polished, this, [this](const QString& text) { polished_ = text; });
+  connect(&document_, &Document::exported, this, [this, said](const QString& path) {
+    const QString written = tr("%1 is written.").arg(path);
+    said(polished_.isEmpty() ? written : written + QLatin1Char(' ') + polished_);
+  });
   connect(&document_, &Document::sessionSaved, this, [this, said](const QString& path) {
     const QStringList anew = document_.notReplayed();
     said(tr("The session is saved as %1.").arg(path) +
@@ -128,7 +145,64 @@ void FileWork::chooseFolder() {
   if (!path.isEmpty()) open(path);
 }
 
+void FileWork::chooseObjects() {
+  const QString path = QFileDialog::getOpenFileName(window_, tr("Open a mesh or a label map"),
+                                                    QSettings().value(kFolder).toString(), objectFilter(),
+                                                    nullptr, QFileDialog::HideNameFilterDetails);
+  if (!path.isEmpty()) openObjects(path);
+}
+
+void FileWork::openObjects(const QString& path) {
+  QMessageBox question(QMessageBox::Question, tr("Open objects"),
+                       tr("What are the surfaces of “%1”?").arg(QFileInfo(path).fileName()),
+                       QMessageBox::Cancel, window_);
+  question.setInformativeText(tr(
+      "Objects that are done stay as they are: locked, written with the others, and walls for objects that "
+      "grow after them.\n\nOthers are where objects begin: they grow from there onto the image, or give "
+      "ground."));
+  const auto* done = question.addButton(tr("&Done"), QMessageBox::AcceptRole);
+  const auto* start = question.addButton(tr("To &grow from"), QMessageBox::AcceptRole);
+  question.exec();
+  if (question.clickedButton() == done) document_.openObjects(path, OpenAs::done);
+  if (question.clickedButton() == start) document_.openObjects(path, OpenAs::start);
+}
+
+//! How long it takes is not known.
+void FileWork::connectObjects() {
+  auto* progress = new QProgressDialog(window_);
+  progress->setRange(0, 0);
+  progress->setAutoClose(false);
+  progress->setMinimumDuration(kBeforeProgress);
+  progress->setWindowModality(Qt::NonModal);
+  progress->setWindowTitle(tr("Open objects"));
+  progress->reset();
+  connect(progress, &QProgressDialog::canceled, &document_, &Document::cancelOpeningObjects);
+  connect(&document_, &Document::openingObjects, progress, [progress](const QString& path) {
+    progress->setLabelText(tr("Making surfaces of %1…").arg(QFileInfo(path).fileName()));
+    progress->setValue(0);
+  });
+  const auto end = [this, progress](MessageBar::Kind kind, const QString& text) {
+    progress->reset();
+    if (!text.isEmpty()) messages_.show(kind, text);
+  };
+  connect(&document_, &Document::objectsOpened, progress,
+          [end](const QString& path, const QStringList& names) {
+            end(MessageBar::Kind::information,
+                tr("%1 is open as: %2.").arg(QFileInfo(path).fileName(), names.join(tr(", "))));
+          });
+  connect(&document_, &Document::openingObjectsFailed, progress,
+          [end](const QString& text) { end(MessageBar::Kind::error, inWordsOfWindow(text)); });
+  connect(&document_, &Document::openingObjectsCancelled, progress, [end] { end({}, {}); });
+}
+
 void FileWork::open(const QString& path, const VolumeSelection& selection) {
+  const std::string name = QFile::encodeName(path).toStdString();
+  if (isMeshPath(name) && !document_.hasVolume())
+    return messages_.show(MessageBar::Kind::error,
+                          tr("%1 is a surface: open the volume first that it lies in.").arg(path));
+  if (isMeshPath(name) ||
+      (document_.hasVolume() && (isSlicerSegmentationPath(name) || isDicomSegmentationPath(name))))
+    return openObjects(path);
   whenSaved([this, path, selection] {
     begin(path, selection);
     remembered_ = path;

@@ -24,7 +24,12 @@ class FileWork : public QObject {
 
   void chooseFile();
   void chooseFolder();
-  //! Asks about unsaved work first.
+  //! Of a mesh or label map that is asked for.
+  void chooseObjects();
+  //! Asks what is to become of them.
+  void openObjects(const QString& path);
+  //! Asks about unsaved work first. What can only be the surface of something is opened as an object of the
+  //! volume that is open.
   void open(const QString& path, const VolumeSelection& selection = {});
   //! The ultrasound sample with its seed. To save it asks for a name: the sample itself stays as it is.
   void openSample();
@@ -62,6 +67,7 @@ class FileWork : public QObject {
                      const QString& extension);
   QString suggestedBase() const;
   void connectMessages();
+  void connectObjects();
   void sayOpenFailed(const QString& sentence);
 
   Document& document_;
@@ -72,6 +78,7 @@ class FileWork : public QObject {
   std::function<void()> next_;      //!< what waits for the session to be saved
   QString asked_;                   //!< what was to be opened last
   VolumeSelection askedSelection_;  //!< and how
+  QString polished_;                //!< what polishing did to the file that is being written
   QString remembered_;              //!< stands among the recent ones once it is open; empty: does not
   bool closing_ = false;
 };

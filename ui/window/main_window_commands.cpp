@@ -65,6 +65,7 @@ void MainWindow::on(Command id, std::function<void()> action) {
 void MainWindow::connectFileCommands() {
   on(Command::openFile, [this] { files_->chooseFile(); });
   on(Command::openFolder, [this] { files_->chooseFolder(); });
+  on(Command::openObjects, [this] { files_->chooseObjects(); });
   on(Command::saveSession, [this] { files_->save(); });
   on(Command::saveSessionAs, [this] { files_->saveAs(); });
   on(Command::exportResult, [this] { files_->exportResult(); });
@@ -239,9 +240,10 @@ void MainWindow::updateCommands() {
   const bool running =
       document_.state() == GrowthState::running || document_.state() == GrowthState::preparing;
   const bool seeded = open && document_.isSeeded();
-  enable({Command::saveSession, Command::saveSessionAs, Command::exportPicture, Command::addSeed,
-          Command::addOutside, Command::autoWindow, Command::windowSoftTissue, Command::windowLung,
-          Command::windowBone, Command::windowBrain, Command::windowVessels, Command::resetViews},
+  enable({Command::openObjects, Command::saveSession, Command::saveSessionAs, Command::exportPicture,
+          Command::addSeed, Command::addOutside, Command::autoWindow, Command::windowSoftTissue,
+          Command::windowLung, Command::windowBone, Command::windowBrain, Command::windowVessels,
+          Command::resetViews},
          open);
   enable({Command::deleteSeed, Command::growSeed, Command::shrinkSeed},
          open && document_.selectedSeed() >= 0);

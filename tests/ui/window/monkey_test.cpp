@@ -40,6 +40,7 @@ bool isSafe(Command id) {
   switch (id) {
     case Command::openFile:
     case Command::openFolder:
+    case Command::openObjects:
     case Command::saveSession:
     case Command::saveSessionAs:
     case Command::exportResult:

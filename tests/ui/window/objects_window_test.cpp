@@ -1,15 +1,22 @@
 // The list of objects in the window: by mouse and keys, drawn, exported, and out of the way with one object.
 
+#include <QCheckBox>
 #include <QComboBox>
+#include <QDropEvent>
 #include <QLineEdit>
+#include <QMessageBox>
+#include <QMimeData>
 #include <QTableWidget>
+#include <QTimer>
 #include <QToolButton>
 #include <QUndoStack>
 #include <algorithm>
 #include <set>
 
 #include "core/collision/body_contact.h"
+#include "core/io/mesh_io.h"
 #include "core/io/volume_io.h"
+#include "core/mesh/shapes.h"
 #include "tests/support/test_volume.h"
 #include "tests/ui/window/window_support.h"
 #include "ui/window/export_panel.h"
@@ -90,6 +97,8 @@ class ObjectsWindowTest : public QObject {
   void theListIsDrivenByMouseAndKeys();
   void propertiesAreChangedInADialog();
   void allAreExportedTogether();
+  void aDroppedMeshIsAskedAboutAndBecomesAnObject();
+  void whatIsBetteredIsChosenAndTold();
 };
 
 void ObjectsWindowTest::withOneObjectTheListIsOutOfTheWay() {
@@ -220,6 +229,79 @@ void ObjectsWindowTest::allAreExportedTogether() {
     for (std::size_t i = 0; i < map.grid.voxelCount(); ++i) values.insert(static_cast<int>(voxels[i]));
   });
   QCOMPARE(values, (std::set<int>{0, 1, 2}));
+}
+
+//! Answers the question that is asked next by the button of this text.
+void answerNext(const char* text) {
+  QTimer::singleShot(0, [text] {
+    QTRY_VERIFY(QApplication::activeModalWidget() != nullptr);
+    auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    QVERIFY(question != nullptr);
+    const auto buttons = question->buttons();
+    for (QAbstractButton* button : buttons)
+      if (button->text().contains(QLatin1String(text))) return QTest::mouseClick(button, Qt::LeftButton);
+    question->reject();
+  });
+}
+
+void ObjectsWindowTest::aDroppedMeshIsAskedAboutAndBecomesAnObject() {
+  const QTemporaryDir folder;
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, writeBalls(folder)));
+  const QString path = folder.filePath("old lesion.stl");
+  writeMesh(icosphere(kRight, 4, 1.2), path.toStdString());
+  QSignalSpy opened(&window->document(), &ui::Document::objectsOpened);
+  answerNext("Done");
+  QMimeData mime;
+  mime.setUrls({QUrl::fromLocalFile(path)});
+  QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(window.get(), &drop);
+  QVERIFY(!opened.isEmpty() || opened.wait(kPatience));
+  QCOMPARE(window->document().objectCount(), 2);
+  QVERIFY(panelOf(*window)->isVisible());
+  QCOMPARE(tableOf(*window)->item(0, 0)->text(), QString("old lesion"));
+  QVERIFY(QTest::qWaitFor([&] { return window->document().objectInfo(0).snapshot != nullptr; }, kPatience));
+  QVERIFY(window->document().objectInfo(0).locked);
+  QVERIFY(window->findChild<ui::MessageBar*>()->isVisible());
+  QCOMPARE(window->document().undoStack()->undoText(), QString("Open object"));
+  answerNext("grow from");
+  window->files().openObjects(path);
+  QVERIFY(QTest::qWaitFor([&] { return opened.size() == 2; }, kPatience));
+  QCOMPARE(window->document().objectCount(), 3);
+  QCOMPARE(window->document().activeObject(), 2);
+  answerNext("Cancel");
+  window->files().openObjects(path);
+  QCOMPARE(window->document().objectCount(), 3);
+}
+
+void ObjectsWindowTest::whatIsBetteredIsChosenAndTold() {
+  const QTemporaryDir folder;
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, writeBalls(folder)));
+  window->viewState().setCrosshair(kLeft);
+  QTest::keyClick(window.get(), Qt::Key_Return);
+  QTest::keyClick(window.get(), Qt::Key_Space);
+  QVERIFY(waitFor(*window, GrowthState::finished));
+  window->showStep(Command::stepExport);
+  auto* choice = qobject_cast<QCheckBox*>(buttonSaying(*window, "Better thin triangles"));
+  QVERIFY(choice && choice->isVisible() && choice->isChecked());
+  ui::Document& document = window->document();
+  QTest::mouseClick(choice, Qt::LeftButton, {}, QPoint(8, choice->height() / 2));
+  QVERIFY(!document.polishes());
+  document.setPolishes(true);
+  QVERIFY(choice->isChecked());
+  // A cut leaves thin triangles at its rim.
+  QSignalSpy edited(&document, &ui::Document::meshEdited);
+  MeshEdit cut{0, MeshEditKind::cut, kLeft + Vec3(0.3, 0.2, 1.7)};
+  cut.vector = Vec3(1, 2, 9);
+  cut.keep = KeptSide::negative;
+  document.editMesh(cut);
+  QVERIFY(!edited.isEmpty() || edited.wait(kPatience));
+  QSignalSpy exported(&document, &ui::Document::exported), polished(&document, &ui::Document::polished);
+  document.exportResult(folder.filePath("cut.stl"), CoordinateSpace::lps);
+  QVERIFY(!exported.isEmpty() || exported.wait(kPatience));
+  QCOMPARE(polished.size(), 1);
+  QVERIFY(shownText(*window, "What was bettered").contains("Polished"));
 }
 
 int main(int argc, char** argv) {
