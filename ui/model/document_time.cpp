@@ -210,15 +210,15 @@ void Document::exportFrames(const QString& path, CoordinateSpace space) {
   d_->exportFrames(path, space);
 }
 
-void Document::Private::exportFrames(const QString& path, CoordinateSpace space) {
-  files.post([this, path, space, over = overTimeReport(), from = time.carriedFrom(),
+void Document::Private::exportFrames(const QString& path, CoordinateSpace coordinates) {
+  files.post([this, path, coordinates, over = overTimeReport(), from = time.carriedFrom(),
               grown = time.grownFrame(), label = active->traits.label, grid = work->volume.grid]() mutable {
     const QString failed = sentenceOf([&] {
       for (FrameResult& r : over.frames)
         if (r.frame == grown) r.mesh = from->get().mesh;
       const std::string file = QFile::encodeName(path).toStdString();
       if (isMeshPath(file))
-        writeFrameMeshes(over, space, file);
+        writeFrameMeshes(over, coordinates, file);
       else
         writeFrameLabels(over, label, grid, file);
     });
