@@ -1,5 +1,6 @@
 // What a contour is asked for: at first, and when it is changed on the way.
 
+#include <algorithm>
 #include <limits>
 
 #include "core/collision/body_contact.h"
@@ -16,7 +17,8 @@ namespace handlebody {
 namespace {
 
 // Lengths as parts of the target edge length.
-constexpr double kLongest = 1.4;  // the paper's bound s
+constexpr double kLongest = 1.4;    // the paper's bound s
+constexpr double kStartBall = 0.8;  // of the depth of a place in a surface to begin with
 constexpr double kShortest = 0.55;
 constexpr double kStep =
     0.28;  // largest move along the normal: two fronts come closer by little more than s / 3
@@ -24,6 +26,13 @@ constexpr double kStepVoxels = 0.9;  // and never further than this many voxels 
 constexpr double kAgrees = 0.5;      // voxels between a boundary and a surface that agree
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
+
+//! A surface says more than a click at its deepest place: a ball there is all of the object.
+Seed seedWithin(const StartSurface& start) {
+  double depth = std::numeric_limits<double>::infinity();
+  for (const Vec3& p : start.mesh->points) depth = std::min(depth, (p - start.inside).norm());
+  return {start.inside, kStartBall * depth, false};
+}
 
 }  // namespace
 
@@ -121,7 +130,7 @@ void ActiveContour::State::start(const Parameters& p, const Constraints& c) {
 
 std::vector<Seed> ActiveContour::State::seedsInside() const {
   std::vector<Seed> inside = seedsOfSide(seeds, false);
-  if (inside.empty() && constraints.start) inside.push_back({constraints.start->inside, {}, false});
+  if (inside.empty() && constraints.start) inside.push_back(seedWithin(*constraints.start));
   return inside;
 }
 
@@ -168,7 +177,7 @@ ClickedObject objectOf(const Volume& volume, std::vector<Seed> seeds, const Para
                        const std::optional<StartSurface>& start) {
   if (!start) return findClickedObject(volume, seeds, parameters);
   if (!start->isDone) {
-    if (seedsOfSide(seeds, false).empty()) seeds.push_back({start->inside, {}, false});
+    if (seedsOfSide(seeds, false).empty()) seeds.push_back(seedWithin(*start));
     return findClickedObject(volume, seeds, parameters);
   }
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
