@@ -1,9 +1,9 @@
 // Walls and what else a command line forbids the surface.
 
-#include <set>
 #include <algorithm>
 #include <filesystem>
 #include <numeric>
+#include <set>
 
 #include "tests/app/run_cli.h"
 #include "tests/support/catch.h"
