@@ -10,6 +10,7 @@
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QTableWidget>
+#include <QToolButton>
 
 #include "core/io/over_time_report.h"
 #include "ui/model/document.h"

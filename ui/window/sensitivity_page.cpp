@@ -11,6 +11,7 @@
 
 #include "core/io/sensitivity_table.h"
 #include "ui/model/document.h"
+#include "ui/model/finding_text.h"
 #include "ui/view/distance_colours.h"
 #include "ui/view/view_state.h"
 #include "ui/window/numbers.h"
@@ -199,8 +200,7 @@ void SensitivityPage::showState() {
                .arg(millilitres(s.least), millilitres(s.most), QString::number(s.grown),
                     QString::number(s.runs.size()), QString::number(s.sameTopology),
                     millimetres(s.meanSpread), millimetres(s.spread95));
-    for (const std::string& doubt : sensitivityDoubts(s))
-      text += tr(" ⚠ %1.").arg(QString::fromStdString(doubt));
+    for (const Finding& doubt : sensitivityDoubts(s)) text += tr(" ⚠ %1.").arg(findingText(doubt));
   } else if (answer_.found) {
     text = tr("None of the runs left a surface.");
   }
