@@ -2,6 +2,13 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es_ES" sourcelanguage="en">
 <context>
+    <name>Document</name>
+    <message>
+        <source>Object</source>
+        <translation type="unfinished">Objeto</translation>
+    </message>
+</context>
+<context>
     <name>Findings</name>
     <message>
         <source>the surface is held at a neck of radius {radius_mm:3g} mm: behind it the same intensities go on for at least {behind_ml:3g} ml, in front of it they fill {in_front_ml:3g} ml; where that belongs to the object, put a seed there too, or set the range in step 3, Tune, which holds nothing back</source>
@@ -451,6 +458,34 @@
         <source>The surface vanished after {iterations} iterations: the seeds are not in an object of that kind and range.</source>
         <translation>La superficie desapareció tras {iterations} iteraciones: las semillas no están en un objeto de ese tipo e intervalo.</translation>
     </message>
+    <message>
+        <source>at iteration {iteration} a limit of the topology holds: {cause}; step 4, Grow, asks whether it may happen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at iteration {iteration} a limit of the topology holds: {cause}; {allow} lets it happen, {hold} holds it without asking again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it would enclose a cavity of {ml:3g} ml at {place:1f}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a part of {ml:3g} ml would come off at {place:1f}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its fronts would meet at {place:1f}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its fronts would meet at {place:1f} and make a tunnel {around_mm:3g} mm around</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a change of its topology ({event}) would happen at {place:1f}</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>
@@ -649,10 +684,6 @@
     <message>
         <source>&amp;Open file…</source>
         <translation>&amp;Abrir archivo…</translation>
-    </message>
-    <message>
-        <source>Open a volume (NIfTI, NRRD, MetaImage, TIFF, DICOM) or a session</source>
-        <translation>Abrir un volumen (NIfTI, NRRD, MetaImage, TIFF, DICOM) o una sesión</translation>
     </message>
     <message>
         <source>Open &amp;folder…</source>
@@ -1944,6 +1975,126 @@ cercano (mm)</translation>
         <source>The file cannot be written.</source>
         <translation>No se puede escribir el archivo.</translation>
     </message>
+    <message>
+        <source>Open a volume (NIfTI, NRRD, MetaImage, GIPL, TIFF, DICOM) or a session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open o&amp;bjects…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take surfaces of a mesh (STL, VTP, PLY, OBJ) or a label map (DICOM, 3D Slicer, NIfTI, NRRD, MetaImage) as objects: as they are, or to grow from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play the frames of the volume, or stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The frame before the shown one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Next frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The frame after the shown one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Back to where it is grown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The frame in which the surface is grown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Grow in this frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grow in the shown frame with the same clicks; what was grown in the other one is gone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Carry the surface from its frame through the others, both ways, in the background</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Correct this frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the surface of the shown frame with clicks, walls and edits, from that of the frame beside it on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Carry o&amp;n from here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The correction counts: the frames beyond this one are carried again from it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Drop the correction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the frame that is grown; what was carried stays as it was</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Volume over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The volume of every frame, ejection fraction, and what went wrong in which frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export &amp;meshes of all frames…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the surface of every frame, numbered, with a list for ParaView (.pvd) beside .vtp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export 4D &amp;label map…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the surfaces of all frames as one label map with four dimensions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Sensitivity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grow it again with clicks, smoothing and noise a little different: how much do volume and surface change?</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::CentreLinePage</name>
@@ -2349,6 +2500,138 @@ cercano (mm)</translation>
         <source>There is no seed yet: place one inside the object first.</source>
         <translation>Aún no hay semilla: ponga antes una dentro del objeto.</translation>
     </message>
+    <message>
+        <source>Hold it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The volume has one time point only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame %1 is being corrected: end that first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In this frame the surface is grown: change it there as ever.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface is being carried: wait until that is done, or cancel it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface has not been carried to this frame yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The correction has no surface at rest yet: let it grow, or pause it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walls</source>
+        <translation type="unfinished">Barreras</translation>
+    </message>
+    <message>
+        <source>Wall disc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Veto</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limits of the topology</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Decided: let it happen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Decided: hold it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clicks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A frame is being corrected: end that first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame %1 is shown, and the surface is grown in frame %2: go there to change it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grow in frame %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Several objects are not carried over time: open the volume with one of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface still grows: wait until it is at rest.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no surface yet: grow one in a frame first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are no surfaces over time of what is shown: carry it through the frames first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation type="unfinished">%1. {1 %2?}</translation>
+    </message>
+    <message>
+        <source>There is no surface yet: grow one first.</source>
+        <translation type="unfinished">Aún no hay superficie: haga crecer una primero.</translation>
+    </message>
+    <message>
+        <source>It is told of the frame that the surface is grown in: go there first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is told of a surface that has come to rest: let it grow to its end first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>polished: %1 bad places, now %2; least angle %3°, was %4°.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” %2</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::EventInspector</name>
@@ -2750,13 +3033,33 @@ cercano (mm)</translation>
         <source>Iteration %1: %2, %3</source>
         <translation>Iteración %1: %2, %3</translation>
     </message>
+    <message>
+        <source>What was bettered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>glTF scene, to view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Better thin triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Triangles with an angle under 15° and edges sharper than 20°, which a solver cannot use, are made better in what is written; the surface goes no farther than a tenth of a voxel. The session keeps this choice.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bettering the triangles of “%1”…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bettering the triangles…</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::FileWork</name>
-    <message>
-        <source>Volumes and sessions (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.tif *.tiff *.dcm *.json);;All files (*)</source>
-        <translation>Volúmenes y sesiones (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.tif *.tiff *.dcm *.json);;Todos los archivos (*)</translation>
-    </message>
     <message>
         <source>%1 is written.</source>
         <translation>%1 está escrito.</translation>
@@ -2836,6 +3139,71 @@ cercano (mm)</translation>
     <message>
         <source>Discard</source>
         <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>Volumes and sessions (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.tif *.tiff *.dcm *.json);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Meshes and label maps (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a mesh or a label map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What are the surfaces of “%1”?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Objects that are done stay as they are: locked, written with the others, and walls for objects that grow after them.
+
+Others are where objects begin: they grow from there onto the image, or give ground.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To &amp;grow from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Making surfaces of %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is open as: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a surface: open the volume first that it lies in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export a 4D label map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the meshes of all frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::FrameSlider</name>
+    <message>
+        <source>Frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Time: the frames of the volume. A ring is the frame the surface is grown in, dots are frames it was carried to: orange with a warning, red where it failed. Click or drag to go there.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3028,6 +3396,10 @@ cercano (mm)</translation>
         <source>✗ %1</source>
         <translation>✗ %1</translation>
     </message>
+    <message>
+        <source>As it was opened: nothing grows</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::HeldSection</name>
@@ -3122,6 +3494,22 @@ cercano (mm)</translation>
     <message>
         <source>From the shown iteration on the chosen one holds nothing back</source>
         <translation>Desde la iteración mostrada lo elegido no retiene nada</translation>
+    </message>
+    <message>
+        <source>Held, as you decided</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Decide again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To decide: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 around</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3411,6 +3799,38 @@ cercano (mm)</translation>
         <source>Push it out</source>
         <translation>Empujarla fuera</translation>
     </message>
+    <message>
+        <source>Let it happen</source>
+        <translation type="unfinished">Dejar que ocurra</translation>
+    </message>
+    <message>
+        <source>Hold it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” has paused: a change of its topology is held, for you to decide.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Stop playing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Over time</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::Measurements</name>
@@ -3468,6 +3888,10 @@ cercano (mm)</translation>
     <message>
         <source>Compare</source>
         <translation>Comparar</translation>
+    </message>
+    <message>
+        <source>Sensitivity</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3861,6 +4285,197 @@ cercano (mm)</translation>
     </message>
 </context>
 <context>
+    <name>handlebody::ui::OverTimePanel</name>
+    <message>
+        <source>grown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>corrected, from frame %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>carried from frame %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>⚠ %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✗ %1</source>
+        <translation type="unfinished">✗ %1</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ml</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What has become of each frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the surface is carried</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State of what is carried</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Figures over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Topology over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Held: no frame has other components or tunnels than the first surface. Free: it may change.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>round the cycle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check of the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back: carried back from the ends, to see how far it is off. Round the cycle: from the last frame to the first, which lie beside each other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface is carried from here …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>… to here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Topology</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation type="unfinished">a</translation>
+    </message>
+    <message>
+        <source>Check over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CSV…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plot…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the curve as CSV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same table as “handlebody-cli segment --curve F.csv” writes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the curve as a plot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same picture (SVG) as “handlebody-cli segment --curve F.svg” writes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Meshes…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Labels…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the volume over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End-diastole %1 (frame %2), end-systole %3 (frame %4), stroke volume %5, &lt;b&gt;ejection fraction %6 %&lt;/b&gt;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From frame %1 back at frame %2: Dice %3, %4 off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface was lost on its way from frame %1 back to frame %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame %1 is being corrected: change it with clicks, walls and edits, then carry on from there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Carrying the surface through the frames…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These are of an earlier surface of frame %1: carry it anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not all frames were carried to.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>handlebody::ui::RulersPage</name>
     <message>
         <source>Delete</source>
@@ -3995,6 +4610,125 @@ cercano (mm)</translation>
     <message>
         <source>inside</source>
         <translation>dentro</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::SensitivityPage</name>
+    <message>
+        <source>Run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volume (ml)</source>
+        <translation type="unfinished">Volumen (ml)</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation type="unfinished">Componentes</translation>
+    </message>
+    <message>
+        <source>Tunnels</source>
+        <translation type="unfinished">Túneles</translation>
+    </message>
+    <message>
+        <source>Away (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The perturbed runs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the perturbed runs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sensitivity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grow the surface several times again, with clicks, smoothing and noise a little different: how much do volume and surface change?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> runs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of runs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How often it is grown again; each takes about as long as the growth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volume with its spread</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State of the sensitivity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far it moves, in colour on the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>White where the surface is certain, red where it moves from run to run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many runs have ended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save as CSV…</source>
+        <translation type="unfinished">Guardar como CSV…</translation>
+    </message>
+    <message>
+        <source>Save the runs as CSV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volume, topology and distance of every run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moves by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished">%1: %2</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">Cancelar</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 ml</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to %2 in %3 of %4 runs, %5 of the same topology. The surface moves by %6, 95 % of it by less than %7.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> ⚠ %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None of the runs left a surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Growing it again…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These are figures of an earlier surface, or of another object.</source>
+        <translation type="unfinished">Estas cifras son de una superficie anterior o de otro objeto.</translation>
     </message>
 </context>
 <context>
@@ -4213,6 +4947,37 @@ o soltar aquí un archivo</translation>
     </message>
 </context>
 <context>
+    <name>handlebody::ui::TimeBar</name>
+    <message>
+        <source>Frame %1 of 0–%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is wrong with the shown frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface is grown in this frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface has not been carried here</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>handlebody::ui::TimelinePanel</name>
     <message>
         <source>Events</source>
@@ -4261,6 +5026,10 @@ o soltar aquí un archivo</translation>
         <source>Volume and motion are plotted here while the surface grows.</source>
         <translation>Aquí se trazan el volumen y el movimiento mientras crece la superficie.</translation>
     </message>
+    <message>
+        <source>Changed at %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::TimelineSlider</name>
@@ -4271,6 +5040,97 @@ o soltar aquí un archivo</translation>
     <message>
         <source>&lt;p&gt;Iterations; diamonds are changes of topology. Click or drag to go there.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Iteraciones; los rombos son cambios de topología. Haga clic o arrastre para ir allí.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::TopologySection</name>
+    <message>
+        <source>Held at iteration %1: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Topology</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Never more than</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask each time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What happens where the surface would get more parts or tunnels than are chosen: it gets them, never does (what is held is listed in Correct), or the growth pauses and asks you</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Components at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connected parts of the surface, cavities included</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Genus at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tunnels, as in a ring, of all parts together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation type="unfinished">Partes</translation>
+    </message>
+    <message>
+        <source>Genus</source>
+        <translation type="unfinished">Género</translation>
+    </message>
+    <message>
+        <source>To decide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let it happen</source>
+        <translation type="unfinished">Dejar que ocurra</translation>
+    </message>
+    <message>
+        <source>It may break the limits here; the growth goes on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It stays held here, and you are not asked again; the growth goes on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free topology</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask about the topology</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit the topology</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 more to decide.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4485,6 +5345,30 @@ o soltar aquí un archivo</translation>
     <message>
         <source>Auto (bright)</source>
         <translation>Auto (claro)</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uniform</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adaptive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The target edge length is the same everywhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edges and steps are up to four times as long where the image shows no boundary near by: fewer iterations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change edges</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4721,6 +5605,37 @@ o soltar aquí un archivo</translation>
     <message>
         <source>%1 view</source>
         <translation>Vista %1</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::VolumePlot</name>
+    <message>
+        <source>Volume over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished">%1: %2</translation>
+    </message>
+    <message>
+        <source>Volume (ml) over time (ms)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volume (ml) over frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>end-diastole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>end-systole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The volume over time is plotted here when the surface is carried through the frames.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

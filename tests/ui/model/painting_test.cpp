@@ -238,7 +238,7 @@ TEST_CASE("other walls do not choose the object again", "[document][painting]") 
   const auto secondsOf = [&](const Request& request) {
     std::optional<Prepared> done;
     std::mutex mutex;
-    preparation.request(volume, request, {}, [&](Prepared p) {
+    preparation.request(volume, request, {}, nullptr, [&](Prepared p) {
       const std::lock_guard lock(mutex);
       done = std::move(p);
     });
