@@ -123,7 +123,7 @@ void TimeWindowTest::aFrameIsCorrectedAndTheRestIsCarriedAgain() {
   // A wall through its middle takes a part of it away.
   const Vec3 wall = sample_.seed + Vec3(0, 0, 12);
   QVERIFY(document.paintWalls({{wall, 12}}));
-  QTest::qWaitFor([&] { return document.wallConflict().has_value(); }, 10'000);
+  QVERIFY(QTest::qWaitFor([&] { return document.wallConflict().has_value(); }, 10'000));
   window->commands()[Command::run]->trigger();
   QVERIFY(waitFor(*window, GrowthState::finished));
   window->commands()[Command::endCorrection]->trigger();
