@@ -2000,7 +2000,7 @@ cercano (mm)</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pre&amp;vious frame</source>
+        <source>P&amp;revious frame</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2048,7 +2048,7 @@ cercano (mm)</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Carry o&amp;n from here</source>
+        <source>Carry on &amp;from here</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
