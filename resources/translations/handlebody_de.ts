@@ -1981,7 +1981,7 @@ Mittel ± SA</translation>
     </message>
     <message>
         <source>Open o&amp;bjects…</source>
-        <translation>O&amp;bjekte öffnen…</translation>
+        <translation>Ob&amp;jekte öffnen…</translation>
     </message>
     <message>
         <source>Take surfaces of a mesh (STL, VTP, PLY, OBJ) or a label map (DICOM, 3D Slicer, NIfTI, NRRD, MetaImage) as objects: as they are, or to grow from</source>
@@ -2025,7 +2025,7 @@ Mittel ± SA</translation>
     </message>
     <message>
         <source>&amp;Grow in this frame</source>
-        <translation>In diesem Bild &amp;wachsen</translation>
+        <translation>In d&amp;iesem Bild wachsen</translation>
     </message>
     <message>
         <source>Grow in the shown frame with the same clicks; what was grown in the other one is gone</source>
@@ -2073,7 +2073,7 @@ Mittel ± SA</translation>
     </message>
     <message>
         <source>Export &amp;meshes of all frames…</source>
-        <translation>Netze &amp;aller Bilder exportieren…</translation>
+        <translation>N&amp;etze aller Bilder exportieren…</translation>
     </message>
     <message>
         <source>Write the surface of every frame, numbered, with a list for ParaView (.pvd) beside .vtp</source>
@@ -2554,7 +2554,7 @@ Mittel ± SA</translation>
     </message>
     <message>
         <source>Decided: let it happen</source>
-        <translation>Entschieden: geschehen lassen</translation>
+        <translation>Entschieden: zulassen</translation>
     </message>
     <message>
         <source>Decided: hold it</source>
@@ -2614,7 +2614,7 @@ Mittel ± SA</translation>
     </message>
     <message>
         <source>There is no surface yet: grow one first.</source>
-        <translation>Es gibt noch keine Oberfläche: Lassen Sie zuerst eine wachsen.</translation>
+        <translation>Es gibt noch keine Oberfläche: lassen Sie zuerst eine wachsen.</translation>
     </message>
     <message>
         <source>It is told of the frame that the surface is grown in: go there first.</source>
@@ -3803,7 +3803,7 @@ Mit den anderen beginnen Objekte: Sie wachsen von dort auf das Bild oder geben n
     </message>
     <message>
         <source>Let it happen</source>
-        <translation>Geschehen lassen</translation>
+        <translation>Zulassen</translation>
     </message>
     <message>
         <source>Hold it</source>
@@ -4730,7 +4730,7 @@ Mit den anderen beginnen Objekte: Sie wachsen von dort auf das Bild oder geben n
     </message>
     <message>
         <source>These are figures of an earlier surface, or of another object.</source>
-        <translation>Das sind Zahlen einer früheren Oberfläche oder eines anderen Objekts.</translation>
+        <translation>Dies sind Kennzahlen einer früheren Oberfläche oder eines anderen Objekts.</translation>
     </message>
 </context>
 <context>
@@ -5104,7 +5104,7 @@ oder eine Datei hier ablegen</translation>
     </message>
     <message>
         <source>Let it happen</source>
-        <translation>Geschehen lassen</translation>
+        <translation>Zulassen</translation>
     </message>
     <message>
         <source>It may break the limits here; the growth goes on</source>

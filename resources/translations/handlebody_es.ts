@@ -2614,7 +2614,7 @@ cercano (mm)</translation>
     </message>
     <message>
         <source>There is no surface yet: grow one first.</source>
-        <translation>Aún no hay superficie: haga crecer antes una.</translation>
+        <translation>Aún no hay superficie: haga crecer una primero.</translation>
     </message>
     <message>
         <source>It is told of the frame that the surface is grown in: go there first.</source>
@@ -4730,7 +4730,7 @@ Los otros son donde empiezan los objetos: crecen desde allí hacia la imagen, o 
     </message>
     <message>
         <source>These are figures of an earlier surface, or of another object.</source>
-        <translation>Son cifras de una superficie anterior, o de otro objeto.</translation>
+        <translation>Estas cifras son de una superficie anterior o de otro objeto.</translation>
     </message>
 </context>
 <context>

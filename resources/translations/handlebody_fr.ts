@@ -2017,7 +2017,7 @@ proche (mm)</translation>
     </message>
     <message>
         <source>&amp;Back to where it is grown</source>
-        <translation>Re&amp;venir à l’image de croissance</translation>
+        <translation>Revenir à l’ima&amp;ge de croissance</translation>
     </message>
     <message>
         <source>The frame in which the surface is grown</source>
@@ -2614,7 +2614,7 @@ proche (mm)</translation>
     </message>
     <message>
         <source>There is no surface yet: grow one first.</source>
-        <translation>Il n’y a pas encore de surface : faites-en d’abord croître une.</translation>
+        <translation>Il n’y a pas encore de surface : faites-en d’abord grandir une.</translation>
     </message>
     <message>
         <source>It is told of the frame that the surface is grown in: go there first.</source>
@@ -3827,7 +3827,7 @@ Avec les autres commencent des objets : ils croissent de là vers l’image, ou 
     </message>
     <message>
         <source>&amp;Cancel</source>
-        <translation>A&amp;nnuler</translation>
+        <translation>Annul&amp;er</translation>
     </message>
     <message>
         <source>&amp;Over time</source>
@@ -4730,7 +4730,7 @@ Avec les autres commencent des objets : ils croissent de là vers l’image, ou 
     </message>
     <message>
         <source>These are figures of an earlier surface, or of another object.</source>
-        <translation>Ce sont les chiffres d’une surface antérieure ou d’un autre objet.</translation>
+        <translation>Ces indices sont ceux d’une surface antérieure ou d’un autre objet.</translation>
     </message>
 </context>
 <context>

@@ -2001,7 +2001,7 @@ mean ± SD</source>
     </message>
     <message>
         <source>P&amp;revious frame</source>
-        <translation>上一帧(&amp;V)</translation>
+        <translation>上一帧(&amp;R)</translation>
     </message>
     <message>
         <source>The frame before the shown one</source>
@@ -2049,7 +2049,7 @@ mean ± SD</source>
     </message>
     <message>
         <source>Carry on &amp;from here</source>
-        <translation>由此继续传递(&amp;N)</translation>
+        <translation>由此继续传递(&amp;F)</translation>
     </message>
     <message>
         <source>The correction counts: the frames beyond this one are carried again from it</source>
@@ -2065,7 +2065,7 @@ mean ± SD</source>
     </message>
     <message>
         <source>&amp;Volume over time</source>
-        <translation>体积随时间变化(&amp;V)</translation>
+        <translation>体积随时间变化(&amp;U)</translation>
     </message>
     <message>
         <source>The volume of every frame, ejection fraction, and what went wrong in which frame</source>
@@ -2614,7 +2614,7 @@ mean ± SD</source>
     </message>
     <message>
         <source>There is no surface yet: grow one first.</source>
-        <translation>尚无表面：请先生长表面。</translation>
+        <translation>还没有表面：请先生长一个。</translation>
     </message>
     <message>
         <source>It is told of the frame that the surface is grown in: go there first.</source>
@@ -4730,7 +4730,7 @@ Others are where objects begin: they grow from there onto the image, or give gro
     </message>
     <message>
         <source>These are figures of an earlier surface, or of another object.</source>
-        <translation>这些数值来自较早的表面或其他目标。</translation>
+        <translation>这些指标属于较早的表面或其他目标。</translation>
     </message>
 </context>
 <context>
