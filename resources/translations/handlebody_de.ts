@@ -5,7 +5,7 @@
     <name>Document</name>
     <message>
         <source>Object</source>
-        <translation type="unfinished">Objekt</translation>
+        <translation>Objekt</translation>
     </message>
 </context>
 <context>
@@ -460,31 +460,31 @@
     </message>
     <message>
         <source>at iteration {iteration} a limit of the topology holds: {cause}; step 4, Grow, asks whether it may happen</source>
-        <translation type="unfinished"></translation>
+        <translation>bei Iteration {iteration} hält eine Grenze der Topologie: {cause}; Schritt 4, Wachsen, fragt, ob es geschehen darf</translation>
     </message>
     <message>
         <source>at iteration {iteration} a limit of the topology holds: {cause}; {allow} lets it happen, {hold} holds it without asking again</source>
-        <translation type="unfinished"></translation>
+        <translation>bei Iteration {iteration} hält eine Grenze der Topologie: {cause}; {allow} lässt es geschehen, {hold} hält es, ohne erneut zu fragen</translation>
     </message>
     <message>
         <source>it would enclose a cavity of {ml:3g} ml at {place:1f}</source>
-        <translation type="unfinished"></translation>
+        <translation>sie würde bei {place:1f} einen Hohlraum von {ml:3g} ml einschließen</translation>
     </message>
     <message>
         <source>a part of {ml:3g} ml would come off at {place:1f}</source>
-        <translation type="unfinished"></translation>
+        <translation>bei {place:1f} würde sich ein Teil von {ml:3g} ml ablösen</translation>
     </message>
     <message>
         <source>its fronts would meet at {place:1f}</source>
-        <translation type="unfinished"></translation>
+        <translation>ihre Fronten würden sich bei {place:1f} treffen</translation>
     </message>
     <message>
         <source>its fronts would meet at {place:1f} and make a tunnel {around_mm:3g} mm around</source>
-        <translation type="unfinished"></translation>
+        <translation>ihre Fronten würden sich bei {place:1f} treffen und einen Tunnel von {around_mm:3g} mm Umfang bilden</translation>
     </message>
     <message>
         <source>a change of its topology ({event}) would happen at {place:1f}</source>
-        <translation type="unfinished"></translation>
+        <translation>bei {place:1f} würde sich ihre Topologie ändern ({event})</translation>
     </message>
 </context>
 <context>
@@ -1977,123 +1977,123 @@ Mittel ± SA</translation>
     </message>
     <message>
         <source>Open a volume (NIfTI, NRRD, MetaImage, GIPL, TIFF, DICOM) or a session</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Bildvolumen (NIfTI, NRRD, MetaImage, GIPL, TIFF, DICOM) oder eine Sitzung öffnen</translation>
     </message>
     <message>
         <source>Open o&amp;bjects…</source>
-        <translation type="unfinished"></translation>
+        <translation>O&amp;bjekte öffnen…</translation>
     </message>
     <message>
         <source>Take surfaces of a mesh (STL, VTP, PLY, OBJ) or a label map (DICOM, 3D Slicer, NIfTI, NRRD, MetaImage) as objects: as they are, or to grow from</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberflächen eines Netzes (STL, VTP, PLY, OBJ) oder einer Labelkarte (DICOM, 3D Slicer, NIfTI, NRRD, MetaImage) als Objekte übernehmen: wie sie sind, oder um von ihnen aus zu wachsen</translation>
     </message>
     <message>
         <source>&amp;Time</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zeit</translation>
     </message>
     <message>
         <source>&amp;Play</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Abspielen</translation>
     </message>
     <message>
         <source>Play the frames of the volume, or stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bilder des Volumens abspielen oder anhalten</translation>
     </message>
     <message>
-        <source>Pre&amp;vious frame</source>
-        <translation type="unfinished"></translation>
+        <source>P&amp;revious frame</source>
+        <translation>Vo&amp;riges Bild</translation>
     </message>
     <message>
         <source>The frame before the shown one</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild vor dem gezeigten</translation>
     </message>
     <message>
         <source>&amp;Next frame</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nächstes Bild</translation>
     </message>
     <message>
         <source>The frame after the shown one</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild nach dem gezeigten</translation>
     </message>
     <message>
         <source>&amp;Back to where it is grown</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zurück zum gewachsenen Bild</translation>
     </message>
     <message>
         <source>The frame in which the surface is grown</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild, in dem die Oberfläche wächst</translation>
     </message>
     <message>
         <source>&amp;Grow in this frame</source>
-        <translation type="unfinished"></translation>
+        <translation>In diesem Bild &amp;wachsen</translation>
     </message>
     <message>
         <source>Grow in the shown frame with the same clicks; what was grown in the other one is gone</source>
-        <translation type="unfinished"></translation>
+        <translation>Im gezeigten Bild mit denselben Startpunkten wachsen; was im anderen gewachsen ist, entfällt</translation>
     </message>
     <message>
         <source>&amp;Over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Ü&amp;ber die Zeit</translation>
     </message>
     <message>
         <source>Carry the surface from its frame through the others, both ways, in the background</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche im Hintergrund von ihrem Bild aus in beide Richtungen durch die anderen tragen</translation>
     </message>
     <message>
         <source>&amp;Correct this frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Bild &amp;korrigieren</translation>
     </message>
     <message>
         <source>Change the surface of the shown frame with clicks, walls and edits, from that of the frame beside it on</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche des gezeigten Bildes mit Punkten, Wänden und Bearbeitungen ändern, ausgehend von der des Bildes daneben</translation>
     </message>
     <message>
-        <source>Carry o&amp;n from here</source>
-        <translation type="unfinished"></translation>
+        <source>Carry on &amp;from here</source>
+        <translation>Von hier aus &amp;fortfahren</translation>
     </message>
     <message>
         <source>The correction counts: the frames beyond this one are carried again from it</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Korrektur gilt: Die Bilder dahinter werden von diesem aus neu bestimmt</translation>
     </message>
     <message>
         <source>&amp;Drop the correction</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrektur ver&amp;werfen</translation>
     </message>
     <message>
         <source>Back to the frame that is grown; what was carried stays as it was</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück zum gewachsenen Bild; was übertragen wurde, bleibt, wie es war</translation>
     </message>
     <message>
         <source>&amp;Volume over time</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Volumen über die Zeit</translation>
     </message>
     <message>
         <source>The volume of every frame, ejection fraction, and what went wrong in which frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Volumen jedes Bildes, die Ejektionsfraktion und was in welchem Bild misslang</translation>
     </message>
     <message>
         <source>Export &amp;meshes of all frames…</source>
-        <translation type="unfinished"></translation>
+        <translation>Netze &amp;aller Bilder exportieren…</translation>
     </message>
     <message>
         <source>Write the surface of every frame, numbered, with a list for ParaView (.pvd) beside .vtp</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche jedes Bildes nummeriert schreiben, bei .vtp mit einer Liste für ParaView (.pvd)</translation>
     </message>
     <message>
         <source>Export 4D &amp;label map…</source>
-        <translation type="unfinished"></translation>
+        <translation>4D-&amp;Labelkarte exportieren…</translation>
     </message>
     <message>
         <source>Write the surfaces of all frames as one label map with four dimensions</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberflächen aller Bilder als eine Labelkarte mit vier Dimensionen schreiben</translation>
     </message>
     <message>
         <source>&amp;Sensitivity</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Empfindlichkeit</translation>
     </message>
     <message>
         <source>Grow it again with clicks, smoothing and noise a little different: how much do volume and surface change?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit etwas anderen Startpunkten, Glättung und Rauschen neu wachsen: Wie sehr ändern sich Volumen und Oberfläche?</translation>
     </message>
 </context>
 <context>
@@ -2502,135 +2502,135 @@ Mittel ± SA</translation>
     </message>
     <message>
         <source>Hold it</source>
-        <translation type="unfinished"></translation>
+        <translation>Halten</translation>
     </message>
     <message>
         <source>The volume has one time point only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bildvolumen hat nur einen Zeitpunkt.</translation>
     </message>
     <message>
         <source>Frame %1 is being corrected: end that first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild %1 wird korrigiert: Beenden Sie das zuerst.</translation>
     </message>
     <message>
         <source>In this frame the surface is grown: change it there as ever.</source>
-        <translation type="unfinished"></translation>
+        <translation>In diesem Bild ist die Oberfläche gewachsen: Ändern Sie sie dort wie gewohnt.</translation>
     </message>
     <message>
         <source>The surface is being carried: wait until that is done, or cancel it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche wird übertragen: Warten Sie, bis das fertig ist, oder brechen Sie ab.</translation>
     </message>
     <message>
         <source>The surface has not been carried to this frame yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche wurde noch nicht in dieses Bild übertragen.</translation>
     </message>
     <message>
         <source>The correction has no surface at rest yet: let it grow, or pause it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Korrektur hat noch keine ruhende Oberfläche: Lassen Sie sie wachsen oder halten Sie an.</translation>
     </message>
     <message>
         <source>Walls</source>
-        <translation type="unfinished">Wände</translation>
+        <translation>Wände</translation>
     </message>
     <message>
         <source>Wall disc</source>
-        <translation type="unfinished"></translation>
+        <translation>Wandscheibe</translation>
     </message>
     <message>
         <source>Pins</source>
-        <translation type="unfinished"></translation>
+        <translation>Fixierungen</translation>
     </message>
     <message>
         <source>Veto</source>
-        <translation type="unfinished"></translation>
+        <translation>Veto</translation>
     </message>
     <message>
         <source>Edit by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Bearbeitung von Hand</translation>
     </message>
     <message>
         <source>Limits of the topology</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenzen der Topologie</translation>
     </message>
     <message>
         <source>Decided: let it happen</source>
-        <translation type="unfinished"></translation>
+        <translation>Entschieden: geschehen lassen</translation>
     </message>
     <message>
         <source>Decided: hold it</source>
-        <translation type="unfinished"></translation>
+        <translation>Entschieden: halten</translation>
     </message>
     <message>
         <source>Clicks</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte</translation>
     </message>
     <message>
         <source>Parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter</translation>
     </message>
     <message>
         <source>A frame is being corrected: end that first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Bild wird korrigiert: Beenden Sie das zuerst.</translation>
     </message>
     <message>
         <source>Open object</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt öffnen</translation>
     </message>
     <message>
         <source>Open objects</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekte öffnen</translation>
     </message>
     <message>
         <source>Frame %1 is shown, and the surface is grown in frame %2: go there to change it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild %1 ist zu sehen, und die Oberfläche ist in Bild %2 gewachsen: Gehen Sie dorthin, um sie zu ändern.</translation>
     </message>
     <message>
         <source>Grow in frame %1</source>
-        <translation type="unfinished"></translation>
+        <translation>In Bild %1 wachsen</translation>
     </message>
     <message>
         <source>Several objects are not carried over time: open the volume with one of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mehrere Objekte werden nicht über die Zeit getragen: Öffnen Sie das Bildvolumen mit einem von ihnen.</translation>
     </message>
     <message>
         <source>The surface still grows: wait until it is at rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche wächst noch: Warten Sie, bis sie ruht.</translation>
     </message>
     <message>
         <source>There is no surface yet: grow one in a frame first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt noch keine Oberfläche: Lassen Sie zuerst in einem Bild eine wachsen.</translation>
     </message>
     <message>
         <source>Over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Über die Zeit</translation>
     </message>
     <message>
         <source>There are no surfaces over time of what is shown: carry it through the frames first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu dem, was gezeigt wird, gibt es keine Oberflächen über die Zeit: Tragen Sie es zuerst durch die Bilder.</translation>
     </message>
     <message>
         <source>%1 %2</source>
-        <translation type="unfinished">%1. {1 %2?}</translation>
+        <translation>%1 %2</translation>
     </message>
     <message>
         <source>There is no surface yet: grow one first.</source>
-        <translation type="unfinished">Es gibt noch keine Oberfläche: lassen Sie zuerst eine wachsen.</translation>
+        <translation>Es gibt noch keine Oberfläche: Lassen Sie zuerst eine wachsen.</translation>
     </message>
     <message>
         <source>It is told of the frame that the surface is grown in: go there first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das gilt für das Bild, in dem die Oberfläche gewachsen ist: Gehen Sie zuerst dorthin.</translation>
     </message>
     <message>
         <source>It is told of a surface that has come to rest: let it grow to its end first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das gilt für eine ruhende Oberfläche: Lassen Sie sie zuerst zu Ende wachsen.</translation>
     </message>
     <message>
         <source>polished: %1 bad places, now %2; least angle %3°, was %4°.</source>
-        <translation type="unfinished"></translation>
+        <translation>verbessert: %1 schlechte Stellen, jetzt %2; kleinster Winkel %3°, vorher %4°.</translation>
     </message>
     <message>
         <source>“%1” %2</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ %2</translation>
     </message>
 </context>
 <context>
@@ -3035,27 +3035,27 @@ Mittel ± SA</translation>
     </message>
     <message>
         <source>What was bettered</source>
-        <translation type="unfinished"></translation>
+        <translation>Was verbessert wurde</translation>
     </message>
     <message>
         <source>glTF scene, to view</source>
-        <translation type="unfinished"></translation>
+        <translation>glTF-Szene, zum Ansehen</translation>
     </message>
     <message>
         <source>Better thin triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>Dünne Dreiecke verbessern</translation>
     </message>
     <message>
         <source>Triangles with an angle under 15° and edges sharper than 20°, which a solver cannot use, are made better in what is written; the surface goes no farther than a tenth of a voxel. The session keeps this choice.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreiecke mit einem Winkel unter 15° und Kanten schärfer als 20°, die ein Löser nicht brauchen kann, werden beim Schreiben verbessert; die Oberfläche bewegt sich höchstens um ein Zehntel Voxel. Die Sitzung merkt sich diese Wahl.</translation>
     </message>
     <message>
         <source>Bettering the triangles of “%1”…</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreiecke von „%1“ werden verbessert…</translation>
     </message>
     <message>
         <source>Bettering the triangles…</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreiecke werden verbessert…</translation>
     </message>
 </context>
 <context>
@@ -3142,68 +3142,70 @@ Mittel ± SA</translation>
     </message>
     <message>
         <source>Volumes and sessions (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.tif *.tiff *.dcm *.json);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Bildvolumen und Sitzungen (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.tif *.tiff *.dcm *.json);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Meshes and label maps (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Netze und Labelkarten (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Open a mesh or a label map</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Netz oder eine Labelkarte öffnen</translation>
     </message>
     <message>
         <source>Open objects</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekte öffnen</translation>
     </message>
     <message>
         <source>What are the surfaces of “%1”?</source>
-        <translation type="unfinished"></translation>
+        <translation>Was sind die Oberflächen von „%1“?</translation>
     </message>
     <message>
         <source>Objects that are done stay as they are: locked, written with the others, and walls for objects that grow after them.
 
 Others are where objects begin: they grow from there onto the image, or give ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fertige Objekte bleiben, wie sie sind: gesperrt, mit den anderen geschrieben und Wände für Objekte, die danach wachsen.
+
+Mit den anderen beginnen Objekte: Sie wachsen von dort auf das Bild oder geben nach.</translation>
     </message>
     <message>
         <source>&amp;Done</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Fertig</translation>
     </message>
     <message>
         <source>To &amp;grow from</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum &amp;Wachsen</translation>
     </message>
     <message>
         <source>Making surfaces of %1…</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberflächen von %1 entstehen…</translation>
     </message>
     <message>
         <source>%1 is open as: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist offen als: %2.</translation>
     </message>
     <message>
         <source>%1 is a surface: open the volume first that it lies in.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist eine Oberfläche: Öffnen Sie zuerst das Bildvolumen, in dem sie liegt.</translation>
     </message>
     <message>
         <source>Export a 4D label map</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine 4D-Labelkarte exportieren</translation>
     </message>
     <message>
         <source>Export the meshes of all frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Netze aller Bilder exportieren</translation>
     </message>
 </context>
 <context>
     <name>handlebody::ui::FrameSlider</name>
     <message>
         <source>Frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild</translation>
     </message>
     <message>
         <source>&lt;p&gt;Time: the frames of the volume. A ring is the frame the surface is grown in, dots are frames it was carried to: orange with a warning, red where it failed. Click or drag to go there.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;Zeit: die Bilder des Volumens. Ein Ring ist das Bild, in dem die Oberfläche gewachsen ist, Punkte sind Bilder, in die sie übertragen wurde: orange mit einer Warnung, rot, wo es misslang. Klicken oder ziehen Sie, um dorthin zu gehen.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -3398,7 +3400,7 @@ Others are where objects begin: they grow from there onto the image, or give gro
     </message>
     <message>
         <source>As it was opened: nothing grows</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie geöffnet: Nichts wächst</translation>
     </message>
 </context>
 <context>
@@ -3497,19 +3499,19 @@ Others are where objects begin: they grow from there onto the image, or give gro
     </message>
     <message>
         <source>Held, as you decided</source>
-        <translation type="unfinished"></translation>
+        <translation>Gehalten, wie Sie entschieden haben</translation>
     </message>
     <message>
         <source>Decide again</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu entscheiden</translation>
     </message>
     <message>
         <source>To decide: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu entscheiden: %1</translation>
     </message>
     <message>
         <source>%1 around</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Umfang</translation>
     </message>
 </context>
 <context>
@@ -3801,35 +3803,35 @@ Others are where objects begin: they grow from there onto the image, or give gro
     </message>
     <message>
         <source>Let it happen</source>
-        <translation type="unfinished">Zulassen</translation>
+        <translation>Geschehen lassen</translation>
     </message>
     <message>
         <source>Hold it</source>
-        <translation type="unfinished"></translation>
+        <translation>Halten</translation>
     </message>
     <message>
         <source>“%1” has paused: a change of its topology is held, for you to decide.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist angehalten: Eine Änderung der Topologie wird gehalten, bis Sie entscheiden.</translation>
     </message>
     <message>
         <source>Over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Über die Zeit</translation>
     </message>
     <message>
         <source>&amp;Stop playing</source>
-        <translation type="unfinished"></translation>
+        <translation>An&amp;halten</translation>
     </message>
     <message>
         <source>&amp;Play</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Abspielen</translation>
     </message>
     <message>
         <source>&amp;Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbre&amp;chen</translation>
     </message>
     <message>
         <source>&amp;Over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Ü&amp;ber die Zeit</translation>
     </message>
 </context>
 <context>
@@ -3891,7 +3893,7 @@ Others are where objects begin: they grow from there onto the image, or give gro
     </message>
     <message>
         <source>Sensitivity</source>
-        <translation type="unfinished"></translation>
+        <translation>Empfindlichkeit</translation>
     </message>
 </context>
 <context>
@@ -4288,191 +4290,191 @@ Others are where objects begin: they grow from there onto the image, or give gro
     <name>handlebody::ui::OverTimePanel</name>
     <message>
         <source>grown</source>
-        <translation type="unfinished"></translation>
+        <translation>gewachsen</translation>
     </message>
     <message>
         <source>corrected, from frame %1</source>
-        <translation type="unfinished"></translation>
+        <translation>korrigiert, von Bild %1</translation>
     </message>
     <message>
         <source>carried from frame %1</source>
-        <translation type="unfinished"></translation>
+        <translation>übertragen von Bild %1</translation>
     </message>
     <message>
         <source>⚠ %1</source>
-        <translation type="unfinished"></translation>
+        <translation>⚠ %1</translation>
     </message>
     <message>
         <source>✗ %1</source>
-        <translation type="unfinished">✗ %1</translation>
+        <translation>✗ %1</translation>
     </message>
     <message>
         <source>Frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild</translation>
     </message>
     <message>
         <source>ms</source>
-        <translation type="unfinished"></translation>
+        <translation>ms</translation>
     </message>
     <message>
         <source>ml</source>
-        <translation type="unfinished"></translation>
+        <translation>ml</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand</translation>
     </message>
     <message>
         <source>What has become of each frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Was aus jedem Bild wurde</translation>
     </message>
     <message>
         <source>How far the surface is carried</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit die Oberfläche übertragen ist</translation>
     </message>
     <message>
         <source>State of what is carried</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand des Übertragenen</translation>
     </message>
     <message>
         <source>Figures over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahlen über die Zeit</translation>
     </message>
     <message>
         <source>held</source>
-        <translation type="unfinished"></translation>
+        <translation>gehalten</translation>
     </message>
     <message>
         <source>free</source>
-        <translation type="unfinished"></translation>
+        <translation>frei</translation>
     </message>
     <message>
         <source>Topology over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Topologie über die Zeit</translation>
     </message>
     <message>
         <source>Held: no frame has other components or tunnels than the first surface. Free: it may change.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gehalten: Kein Bild hat andere Komponenten oder Tunnel als die erste Oberfläche. Frei: Sie darf sich ändern.</translation>
     </message>
     <message>
         <source>back</source>
-        <translation type="unfinished"></translation>
+        <translation>zurück</translation>
     </message>
     <message>
         <source>round the cycle</source>
-        <translation type="unfinished"></translation>
+        <translation>um den Zyklus</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>keine</translation>
     </message>
     <message>
         <source>Check of the way</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfung des Weges</translation>
     </message>
     <message>
         <source>Back: carried back from the ends, to see how far it is off. Round the cycle: from the last frame to the first, which lie beside each other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück: von den Enden zurückgetragen, um zu sehen, wie weit sie abweicht. Um den Zyklus: vom letzten Bild zum ersten, die nebeneinander liegen.</translation>
     </message>
     <message>
         <source>First frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Erstes Bild</translation>
     </message>
     <message>
         <source>The surface is carried from here …</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche wird von hier …</translation>
     </message>
     <message>
         <source>Last frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Letztes Bild</translation>
     </message>
     <message>
         <source>… to here</source>
-        <translation type="unfinished"></translation>
+        <translation>… bis hier übertragen</translation>
     </message>
     <message>
         <source>Topology</source>
-        <translation type="unfinished"></translation>
+        <translation>Topologie</translation>
     </message>
     <message>
         <source>Check</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfung</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder</translation>
     </message>
     <message>
         <source>to</source>
-        <translation type="unfinished">bis</translation>
+        <translation>bis</translation>
     </message>
     <message>
         <source>Check over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfung über die Zeit</translation>
     </message>
     <message>
         <source>CSV…</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV…</translation>
     </message>
     <message>
         <source>Plot…</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurve…</translation>
     </message>
     <message>
         <source>Save the curve as CSV</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kurve als CSV speichern</translation>
     </message>
     <message>
         <source>The same table as “handlebody-cli segment --curve F.csv” writes</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieselbe Tabelle, die „handlebody-cli segment --curve F.csv“ schreibt</translation>
     </message>
     <message>
         <source>Save the curve as a plot</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kurve als Bild speichern</translation>
     </message>
     <message>
         <source>The same picture (SVG) as “handlebody-cli segment --curve F.svg” writes</source>
-        <translation type="unfinished"></translation>
+        <translation>Dasselbe Bild (SVG), das „handlebody-cli segment --curve F.svg“ schreibt</translation>
     </message>
     <message>
         <source>Meshes…</source>
-        <translation type="unfinished"></translation>
+        <translation>Netze…</translation>
     </message>
     <message>
         <source>Labels…</source>
-        <translation type="unfinished"></translation>
+        <translation>Labels…</translation>
     </message>
     <message>
         <source>Save the volume over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Volumen über die Zeit speichern</translation>
     </message>
     <message>
         <source>End-diastole %1 (frame %2), end-systole %3 (frame %4), stroke volume %5, &lt;b&gt;ejection fraction %6 %&lt;/b&gt;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Enddiastole %1 (Bild %2), Endsystole %3 (Bild %4), Schlagvolumen %5, &lt;b&gt;Ejektionsfraktion %6 %&lt;/b&gt;.</translation>
     </message>
     <message>
         <source>From frame %1 back at frame %2: Dice %3, %4 off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Bild %1 zurück in Bild %2: Dice %3, Abweichung %4.</translation>
     </message>
     <message>
         <source>The surface was lost on its way from frame %1 back to frame %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche ging auf dem Weg von Bild %1 zurück zu Bild %2 verloren.</translation>
     </message>
     <message>
         <source>Frame %1 is being corrected: change it with clicks, walls and edits, then carry on from there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild %1 wird korrigiert: Ändern Sie es mit Punkten, Wänden und Bearbeitungen und fahren Sie dann von dort fort.</translation>
     </message>
     <message>
         <source>Carrying the surface through the frames…</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche wird durch die Bilder getragen…</translation>
     </message>
     <message>
         <source>These are of an earlier surface of frame %1: carry it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese gehören zu einer früheren Oberfläche von Bild %1: Tragen Sie sie neu.</translation>
     </message>
     <message>
         <source>Not all frames were carried to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht alle Bilder wurden erreicht.</translation>
     </message>
 </context>
 <context>
@@ -4616,119 +4618,119 @@ Others are where objects begin: they grow from there onto the image, or give gro
     <name>handlebody::ui::SensitivityPage</name>
     <message>
         <source>Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Lauf</translation>
     </message>
     <message>
         <source>Volume (ml)</source>
-        <translation type="unfinished">Volumen (ml)</translation>
+        <translation>Volumen (ml)</translation>
     </message>
     <message>
         <source>Components</source>
-        <translation type="unfinished">Komponenten</translation>
+        <translation>Komponenten</translation>
     </message>
     <message>
         <source>Tunnels</source>
-        <translation type="unfinished">Tunnel</translation>
+        <translation>Tunnel</translation>
     </message>
     <message>
         <source>Away (mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand (mm)</translation>
     </message>
     <message>
         <source>The perturbed runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Die veränderten Läufe</translation>
     </message>
     <message>
         <source>Save the perturbed runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Die veränderten Läufe speichern</translation>
     </message>
     <message>
         <source>Sensitivity</source>
-        <translation type="unfinished"></translation>
+        <translation>Empfindlichkeit</translation>
     </message>
     <message>
         <source>Grow the surface several times again, with clicks, smoothing and noise a little different: how much do volume and surface change?</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche noch mehrmals wachsen lassen, mit etwas anderen Startpunkten, Glättung und Rauschen: Wie sehr ändern sich Volumen und Oberfläche?</translation>
     </message>
     <message>
         <source> runs</source>
-        <translation type="unfinished"></translation>
+        <translation> Läufe</translation>
     </message>
     <message>
         <source>Number of runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl der Läufe</translation>
     </message>
     <message>
         <source>How often it is grown again; each takes about as long as the growth</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie oft sie neu wächst; jedes Mal dauert etwa so lange wie das Wachsen</translation>
     </message>
     <message>
         <source>Volume with its spread</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen mit seiner Streuung</translation>
     </message>
     <message>
         <source>State of the sensitivity</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand der Empfindlichkeit</translation>
     </message>
     <message>
         <source>How far it moves, in colour on the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit sie sich bewegt, in Farbe auf der Oberfläche</translation>
     </message>
     <message>
         <source>White where the surface is certain, red where it moves from run to run</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiß, wo die Oberfläche sicher ist, rot, wo sie sich von Lauf zu Lauf bewegt</translation>
     </message>
     <message>
         <source>How many runs have ended</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viele Läufe zu Ende sind</translation>
     </message>
     <message>
         <source>Save as CSV…</source>
-        <translation type="unfinished">Als CSV speichern…</translation>
+        <translation>Als CSV speichern…</translation>
     </message>
     <message>
         <source>Save the runs as CSV</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Läufe als CSV speichern</translation>
     </message>
     <message>
         <source>Volume, topology and distance of every run</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen, Topologie und Abstand jedes Laufs</translation>
     </message>
     <message>
         <source>moves by</source>
-        <translation type="unfinished"></translation>
+        <translation>bewegt sich um</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished">%1: %2</translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Abbrechen</translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>%1 ± %2 ml</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ± %2 ml</translation>
     </message>
     <message>
         <source>%1 to %2 in %3 of %4 runs, %5 of the same topology. The surface moves by %6, 95 % of it by less than %7.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 bis %2 in %3 von %4 Läufen, %5 mit derselben Topologie. Die Oberfläche bewegt sich um %6, 95 % davon um weniger als %7.</translation>
     </message>
     <message>
         <source> ⚠ %1.</source>
-        <translation type="unfinished"></translation>
+        <translation> ⚠ %1.</translation>
     </message>
     <message>
         <source>None of the runs left a surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keiner der Läufe ließ eine Oberfläche übrig.</translation>
     </message>
     <message>
         <source>Growing it again…</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie wächst neu…</translation>
     </message>
     <message>
         <source>These are figures of an earlier surface, or of another object.</source>
-        <translation type="unfinished">Dies sind Kennzahlen einer früheren Oberfläche oder eines anderen Objekts.</translation>
+        <translation>Das sind Zahlen einer früheren Oberfläche oder eines anderen Objekts.</translation>
     </message>
 </context>
 <context>
@@ -4950,31 +4952,31 @@ oder eine Datei hier ablegen</translation>
     <name>handlebody::ui::TimeBar</name>
     <message>
         <source>Frame %1 of 0–%2</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild %1 von 0–%2</translation>
     </message>
     <message>
         <source>%1, %2 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 ms</translation>
     </message>
     <message>
         <source>Shown frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Gezeigtes Bild</translation>
     </message>
     <message>
         <source>What is wrong with the shown frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Was am gezeigten Bild nicht stimmt</translation>
     </message>
     <message>
         <source>Reading…</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird gelesen…</translation>
     </message>
     <message>
         <source>The surface is grown in this frame</source>
-        <translation type="unfinished"></translation>
+        <translation>In diesem Bild ist die Oberfläche gewachsen</translation>
     </message>
     <message>
         <source>The surface has not been carried here</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche wurde nicht hierher übertragen</translation>
     </message>
 </context>
 <context>
@@ -5028,7 +5030,7 @@ oder eine Datei hier ablegen</translation>
     </message>
     <message>
         <source>Changed at %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Geändert bei %1: %2</translation>
     </message>
 </context>
 <context>
@@ -5046,91 +5048,91 @@ oder eine Datei hier ablegen</translation>
     <name>handlebody::ui::TopologySection</name>
     <message>
         <source>Held at iteration %1: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gehalten bei Iteration %1: %2.</translation>
     </message>
     <message>
         <source>any</source>
-        <translation type="unfinished"></translation>
+        <translation>beliebig</translation>
     </message>
     <message>
         <source>Topology</source>
-        <translation type="unfinished"></translation>
+        <translation>Topologie</translation>
     </message>
     <message>
         <source>Free</source>
-        <translation type="unfinished"></translation>
+        <translation>Frei</translation>
     </message>
     <message>
         <source>Never more than</source>
-        <translation type="unfinished"></translation>
+        <translation>Nie mehr als</translation>
     </message>
     <message>
         <source>Ask each time</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedes Mal fragen</translation>
     </message>
     <message>
         <source>What happens where the surface would get more parts or tunnels than are chosen: it gets them, never does (what is held is listed in Correct), or the growth pauses and asks you</source>
-        <translation type="unfinished"></translation>
+        <translation>Was geschieht, wo die Oberfläche mehr Teile oder Tunnel bekäme, als gewählt sind: Sie bekommt sie, nie (was gehalten wird, steht unter Korrigieren), oder das Wachsen hält an und fragt Sie</translation>
     </message>
     <message>
         <source>Components at most</source>
-        <translation type="unfinished"></translation>
+        <translation>Komponenten höchstens</translation>
     </message>
     <message>
         <source>Connected parts of the surface, cavities included</source>
-        <translation type="unfinished"></translation>
+        <translation>Zusammenhängende Teile der Oberfläche, Hohlräume eingeschlossen</translation>
     </message>
     <message>
         <source>Genus at most</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschlecht höchstens</translation>
     </message>
     <message>
         <source>Tunnels, as in a ring, of all parts together</source>
-        <translation type="unfinished"></translation>
+        <translation>Tunnel, wie in einem Ring, aller Teile zusammen</translation>
     </message>
     <message>
         <source>Parts</source>
-        <translation type="unfinished">Teile</translation>
+        <translation>Teile</translation>
     </message>
     <message>
         <source>Genus</source>
-        <translation type="unfinished">Geschlecht</translation>
+        <translation>Geschlecht</translation>
     </message>
     <message>
         <source>To decide</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu entscheiden</translation>
     </message>
     <message>
         <source>Let it happen</source>
-        <translation type="unfinished">Zulassen</translation>
+        <translation>Geschehen lassen</translation>
     </message>
     <message>
         <source>It may break the limits here; the growth goes on</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie darf die Grenzen hier überschreiten; das Wachsen geht weiter</translation>
     </message>
     <message>
         <source>Hold it</source>
-        <translation type="unfinished"></translation>
+        <translation>Halten</translation>
     </message>
     <message>
         <source>It stays held here, and you are not asked again; the growth goes on</source>
-        <translation type="unfinished"></translation>
+        <translation>Es bleibt hier gehalten, und Sie werden nicht erneut gefragt; das Wachsen geht weiter</translation>
     </message>
     <message>
         <source>Free topology</source>
-        <translation type="unfinished"></translation>
+        <translation>Topologie freigeben</translation>
     </message>
     <message>
         <source>Ask about the topology</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach der Topologie fragen</translation>
     </message>
     <message>
         <source>Limit the topology</source>
-        <translation type="unfinished"></translation>
+        <translation>Topologie begrenzen</translation>
     </message>
     <message>
         <source>%1 more to decide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch %1 zu entscheiden.</translation>
     </message>
 </context>
 <context>
@@ -5348,27 +5350,27 @@ oder eine Datei hier ablegen</translation>
     </message>
     <message>
         <source>Edges</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanten</translation>
     </message>
     <message>
         <source>Uniform</source>
-        <translation type="unfinished"></translation>
+        <translation>Gleichmäßig</translation>
     </message>
     <message>
         <source>Adaptive</source>
-        <translation type="unfinished"></translation>
+        <translation>Angepasst</translation>
     </message>
     <message>
         <source>The target edge length is the same everywhere</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ziel-Kantenlänge ist überall gleich</translation>
     </message>
     <message>
         <source>Edges and steps are up to four times as long where the image shows no boundary near by: fewer iterations</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanten und Schritte sind bis zu viermal so lang, wo das Bild keine Grenze in der Nähe zeigt: weniger Iterationen</translation>
     </message>
     <message>
         <source>Change edges</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanten ändern</translation>
     </message>
 </context>
 <context>
@@ -5611,31 +5613,31 @@ oder eine Datei hier ablegen</translation>
     <name>handlebody::ui::VolumePlot</name>
     <message>
         <source>Volume over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen über die Zeit</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished">%1: %2</translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Volume (ml) over time (ms)</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen (ml) über die Zeit (ms)</translation>
     </message>
     <message>
         <source>Volume (ml) over frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen (ml) über die Bilder</translation>
     </message>
     <message>
         <source>end-diastole</source>
-        <translation type="unfinished"></translation>
+        <translation>Enddiastole</translation>
     </message>
     <message>
         <source>end-systole</source>
-        <translation type="unfinished"></translation>
+        <translation>Endsystole</translation>
     </message>
     <message>
         <source>The volume over time is plotted here when the surface is carried through the frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Volumen über die Zeit wird hier gezeichnet, wenn die Oberfläche durch die Bilder getragen wird.</translation>
     </message>
 </context>
 <context>

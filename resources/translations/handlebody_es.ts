@@ -5,7 +5,7 @@
     <name>Document</name>
     <message>
         <source>Object</source>
-        <translation type="unfinished">Objeto</translation>
+        <translation>Objeto</translation>
     </message>
 </context>
 <context>
@@ -460,31 +460,31 @@
     </message>
     <message>
         <source>at iteration {iteration} a limit of the topology holds: {cause}; step 4, Grow, asks whether it may happen</source>
-        <translation type="unfinished"></translation>
+        <translation>en la iteración {iteration} retiene un límite de la topología: {cause}; el paso 4, Crecer, pregunta si puede ocurrir</translation>
     </message>
     <message>
         <source>at iteration {iteration} a limit of the topology holds: {cause}; {allow} lets it happen, {hold} holds it without asking again</source>
-        <translation type="unfinished"></translation>
+        <translation>en la iteración {iteration} retiene un límite de la topología: {cause}; {allow} deja que ocurra, {hold} lo retiene sin volver a preguntar</translation>
     </message>
     <message>
         <source>it would enclose a cavity of {ml:3g} ml at {place:1f}</source>
-        <translation type="unfinished"></translation>
+        <translation>encerraría una cavidad de {ml:3g} ml en {place:1f}</translation>
     </message>
     <message>
         <source>a part of {ml:3g} ml would come off at {place:1f}</source>
-        <translation type="unfinished"></translation>
+        <translation>una parte de {ml:3g} ml se separaría en {place:1f}</translation>
     </message>
     <message>
         <source>its fronts would meet at {place:1f}</source>
-        <translation type="unfinished"></translation>
+        <translation>sus frentes se encontrarían en {place:1f}</translation>
     </message>
     <message>
         <source>its fronts would meet at {place:1f} and make a tunnel {around_mm:3g} mm around</source>
-        <translation type="unfinished"></translation>
+        <translation>sus frentes se encontrarían en {place:1f} y formarían un túnel de {around_mm:3g} mm de contorno</translation>
     </message>
     <message>
         <source>a change of its topology ({event}) would happen at {place:1f}</source>
-        <translation type="unfinished"></translation>
+        <translation>un cambio de su topología ({event}) ocurriría en {place:1f}</translation>
     </message>
 </context>
 <context>
@@ -1977,123 +1977,123 @@ cercano (mm)</translation>
     </message>
     <message>
         <source>Open a volume (NIfTI, NRRD, MetaImage, GIPL, TIFF, DICOM) or a session</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir un volumen (NIfTI, NRRD, MetaImage, GIPL, TIFF, DICOM) o una sesión</translation>
     </message>
     <message>
         <source>Open o&amp;bjects…</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir o&amp;bjetos…</translation>
     </message>
     <message>
         <source>Take surfaces of a mesh (STL, VTP, PLY, OBJ) or a label map (DICOM, 3D Slicer, NIfTI, NRRD, MetaImage) as objects: as they are, or to grow from</source>
-        <translation type="unfinished"></translation>
+        <translation>Tomar como objetos las superficies de una malla (STL, VTP, PLY, OBJ) o de un mapa de etiquetas (DICOM, 3D Slicer, NIfTI, NRRD, MetaImage): tal como son, o para crecer desde ellas</translation>
     </message>
     <message>
         <source>&amp;Time</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tiempo</translation>
     </message>
     <message>
         <source>&amp;Play</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Reproducir</translation>
     </message>
     <message>
         <source>Play the frames of the volume, or stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Reproducir los fotogramas del volumen, o detener</translation>
     </message>
     <message>
-        <source>Pre&amp;vious frame</source>
-        <translation type="unfinished"></translation>
+        <source>P&amp;revious frame</source>
+        <translation>Fotograma &amp;anterior</translation>
     </message>
     <message>
         <source>The frame before the shown one</source>
-        <translation type="unfinished"></translation>
+        <translation>El fotograma anterior al mostrado</translation>
     </message>
     <message>
         <source>&amp;Next frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Fotograma &amp;siguiente</translation>
     </message>
     <message>
         <source>The frame after the shown one</source>
-        <translation type="unfinished"></translation>
+        <translation>El fotograma siguiente al mostrado</translation>
     </message>
     <message>
         <source>&amp;Back to where it is grown</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Volver a donde crece</translation>
     </message>
     <message>
         <source>The frame in which the surface is grown</source>
-        <translation type="unfinished"></translation>
+        <translation>El fotograma en que crece la superficie</translation>
     </message>
     <message>
         <source>&amp;Grow in this frame</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Crecer en este fotograma</translation>
     </message>
     <message>
         <source>Grow in the shown frame with the same clicks; what was grown in the other one is gone</source>
-        <translation type="unfinished"></translation>
+        <translation>Hacer crecer en el fotograma mostrado con los mismos puntos; lo que creció en el otro desaparece</translation>
     </message>
     <message>
         <source>&amp;Over time</source>
-        <translation type="unfinished"></translation>
+        <translation>En el &amp;tiempo</translation>
     </message>
     <message>
         <source>Carry the surface from its frame through the others, both ways, in the background</source>
-        <translation type="unfinished"></translation>
+        <translation>Propagar la superficie desde su fotograma a los demás, en ambos sentidos, en segundo plano</translation>
     </message>
     <message>
         <source>&amp;Correct this frame</source>
-        <translation type="unfinished"></translation>
+        <translation>C&amp;orregir este fotograma</translation>
     </message>
     <message>
         <source>Change the surface of the shown frame with clicks, walls and edits, from that of the frame beside it on</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar la superficie del fotograma mostrado con puntos, barreras y ediciones, a partir de la del fotograma contiguo</translation>
     </message>
     <message>
-        <source>Carry o&amp;n from here</source>
-        <translation type="unfinished"></translation>
+        <source>Carry on &amp;from here</source>
+        <translation>Propagar desde a&amp;quí</translation>
     </message>
     <message>
         <source>The correction counts: the frames beyond this one are carried again from it</source>
-        <translation type="unfinished"></translation>
+        <translation>La corrección vale: los fotogramas que siguen a este se propagan de nuevo desde ella</translation>
     </message>
     <message>
         <source>&amp;Drop the correction</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Descartar la corrección</translation>
     </message>
     <message>
         <source>Back to the frame that is grown; what was carried stays as it was</source>
-        <translation type="unfinished"></translation>
+        <translation>Volver al fotograma en que crece; lo propagado queda como estaba</translation>
     </message>
     <message>
         <source>&amp;Volume over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Vo&amp;lumen en el tiempo</translation>
     </message>
     <message>
         <source>The volume of every frame, ejection fraction, and what went wrong in which frame</source>
-        <translation type="unfinished"></translation>
+        <translation>El volumen de cada fotograma, la fracción de eyección y qué falló en cada uno</translation>
     </message>
     <message>
         <source>Export &amp;meshes of all frames…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar &amp;mallas de todos los fotogramas…</translation>
     </message>
     <message>
         <source>Write the surface of every frame, numbered, with a list for ParaView (.pvd) beside .vtp</source>
-        <translation type="unfinished"></translation>
+        <translation>Escribir la superficie de cada fotograma, numerada, con una lista para ParaView (.pvd) junto a .vtp</translation>
     </message>
     <message>
         <source>Export 4D &amp;label map…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar mapa de &amp;etiquetas 4D…</translation>
     </message>
     <message>
         <source>Write the surfaces of all frames as one label map with four dimensions</source>
-        <translation type="unfinished"></translation>
+        <translation>Escribir las superficies de todos los fotogramas como un mapa de etiquetas de cuatro dimensiones</translation>
     </message>
     <message>
         <source>&amp;Sensitivity</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Sensibilidad</translation>
     </message>
     <message>
         <source>Grow it again with clicks, smoothing and noise a little different: how much do volume and surface change?</source>
-        <translation type="unfinished"></translation>
+        <translation>Hacer crecer de nuevo con puntos, suavizado y ruido algo distintos: ¿cuánto cambian el volumen y la superficie?</translation>
     </message>
 </context>
 <context>
@@ -2502,135 +2502,135 @@ cercano (mm)</translation>
     </message>
     <message>
         <source>Hold it</source>
-        <translation type="unfinished"></translation>
+        <translation>Retener</translation>
     </message>
     <message>
         <source>The volume has one time point only.</source>
-        <translation type="unfinished"></translation>
+        <translation>El volumen tiene un solo instante.</translation>
     </message>
     <message>
         <source>Frame %1 is being corrected: end that first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se está corrigiendo el fotograma %1: termine eso antes.</translation>
     </message>
     <message>
         <source>In this frame the surface is grown: change it there as ever.</source>
-        <translation type="unfinished"></translation>
+        <translation>En este fotograma crece la superficie: cámbiela allí como siempre.</translation>
     </message>
     <message>
         <source>The surface is being carried: wait until that is done, or cancel it.</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie se está propagando: espere a que acabe, o cancele.</translation>
     </message>
     <message>
         <source>The surface has not been carried to this frame yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie aún no se ha propagado a este fotograma.</translation>
     </message>
     <message>
         <source>The correction has no surface at rest yet: let it grow, or pause it.</source>
-        <translation type="unfinished"></translation>
+        <translation>La corrección aún no tiene una superficie en reposo: déjela crecer, o páusela.</translation>
     </message>
     <message>
         <source>Walls</source>
-        <translation type="unfinished">Barreras</translation>
+        <translation>Barreras</translation>
     </message>
     <message>
         <source>Wall disc</source>
-        <translation type="unfinished"></translation>
+        <translation>Disco de barrera</translation>
     </message>
     <message>
         <source>Pins</source>
-        <translation type="unfinished"></translation>
+        <translation>Fijaciones</translation>
     </message>
     <message>
         <source>Veto</source>
-        <translation type="unfinished"></translation>
+        <translation>Veto</translation>
     </message>
     <message>
         <source>Edit by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Edición manual</translation>
     </message>
     <message>
         <source>Limits of the topology</source>
-        <translation type="unfinished"></translation>
+        <translation>Límites de la topología</translation>
     </message>
     <message>
         <source>Decided: let it happen</source>
-        <translation type="unfinished"></translation>
+        <translation>Decidido: dejar que ocurra</translation>
     </message>
     <message>
         <source>Decided: hold it</source>
-        <translation type="unfinished"></translation>
+        <translation>Decidido: retener</translation>
     </message>
     <message>
         <source>Clicks</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntos</translation>
     </message>
     <message>
         <source>Parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Parámetros</translation>
     </message>
     <message>
         <source>A frame is being corrected: end that first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se está corrigiendo un fotograma: termine eso antes.</translation>
     </message>
     <message>
         <source>Open object</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir objeto</translation>
     </message>
     <message>
         <source>Open objects</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir objetos</translation>
     </message>
     <message>
         <source>Frame %1 is shown, and the surface is grown in frame %2: go there to change it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se muestra el fotograma %1 y la superficie crece en el fotograma %2: vaya allí para cambiarla.</translation>
     </message>
     <message>
         <source>Grow in frame %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Crecer en el fotograma %1</translation>
     </message>
     <message>
         <source>Several objects are not carried over time: open the volume with one of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Varios objetos no se propagan en el tiempo: abra el volumen con uno solo.</translation>
     </message>
     <message>
         <source>The surface still grows: wait until it is at rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie aún crece: espere a que repose.</translation>
     </message>
     <message>
         <source>There is no surface yet: grow one in a frame first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aún no hay superficie: haga crecer antes una en un fotograma.</translation>
     </message>
     <message>
         <source>Over time</source>
-        <translation type="unfinished"></translation>
+        <translation>En el tiempo</translation>
     </message>
     <message>
         <source>There are no surfaces over time of what is shown: carry it through the frames first.</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay superficies en el tiempo de lo que se muestra: propáguela antes por los fotogramas.</translation>
     </message>
     <message>
         <source>%1 %2</source>
-        <translation type="unfinished">%1. {1 %2?}</translation>
+        <translation>%1 %2</translation>
     </message>
     <message>
         <source>There is no surface yet: grow one first.</source>
-        <translation type="unfinished">Aún no hay superficie: haga crecer una primero.</translation>
+        <translation>Aún no hay superficie: haga crecer antes una.</translation>
     </message>
     <message>
         <source>It is told of the frame that the surface is grown in: go there first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se calcula en el fotograma en que crece la superficie: vaya antes allí.</translation>
     </message>
     <message>
         <source>It is told of a surface that has come to rest: let it grow to its end first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se calcula de una superficie en reposo: déjela crecer antes hasta el final.</translation>
     </message>
     <message>
         <source>polished: %1 bad places, now %2; least angle %3°, was %4°.</source>
-        <translation type="unfinished"></translation>
+        <translation>pulida: %1 lugares malos, ahora %2; ángulo mínimo %3°, antes %4°.</translation>
     </message>
     <message>
         <source>“%1” %2</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» %2</translation>
     </message>
 </context>
 <context>
@@ -3035,27 +3035,27 @@ cercano (mm)</translation>
     </message>
     <message>
         <source>What was bettered</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que se mejoró</translation>
     </message>
     <message>
         <source>glTF scene, to view</source>
-        <translation type="unfinished"></translation>
+        <translation>Escena glTF, para ver</translation>
     </message>
     <message>
         <source>Better thin triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>Mejorar triángulos finos</translation>
     </message>
     <message>
         <source>Triangles with an angle under 15° and edges sharper than 20°, which a solver cannot use, are made better in what is written; the surface goes no farther than a tenth of a voxel. The session keeps this choice.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los triángulos con un ángulo menor de 15° y las aristas más agudas de 20°, que un programa de cálculo no puede usar, se mejoran en lo que se escribe; la superficie no se aleja más de una décima de vóxel. La sesión conserva esta elección.</translation>
     </message>
     <message>
         <source>Bettering the triangles of “%1”…</source>
-        <translation type="unfinished"></translation>
+        <translation>Mejorando los triángulos de «%1»…</translation>
     </message>
     <message>
         <source>Bettering the triangles…</source>
-        <translation type="unfinished"></translation>
+        <translation>Mejorando los triángulos…</translation>
     </message>
 </context>
 <context>
@@ -3142,68 +3142,70 @@ cercano (mm)</translation>
     </message>
     <message>
         <source>Volumes and sessions (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.tif *.tiff *.dcm *.json);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Volúmenes y sesiones (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.tif *.tiff *.dcm *.json);;Todos los archivos (*)</translation>
     </message>
     <message>
         <source>Meshes and label maps (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Mallas y mapas de etiquetas (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm);;Todos los archivos (*)</translation>
     </message>
     <message>
         <source>Open a mesh or a label map</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir una malla o un mapa de etiquetas</translation>
     </message>
     <message>
         <source>Open objects</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir objetos</translation>
     </message>
     <message>
         <source>What are the surfaces of “%1”?</source>
-        <translation type="unfinished"></translation>
+        <translation>¿Qué son las superficies de «%1»?</translation>
     </message>
     <message>
         <source>Objects that are done stay as they are: locked, written with the others, and walls for objects that grow after them.
 
 Others are where objects begin: they grow from there onto the image, or give ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los objetos terminados quedan como están: bloqueados, escritos con los demás, y barreras para los objetos que crecen después.
+
+Los otros son donde empiezan los objetos: crecen desde allí hacia la imagen, o ceden terreno.</translation>
     </message>
     <message>
         <source>&amp;Done</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Terminados</translation>
     </message>
     <message>
         <source>To &amp;grow from</source>
-        <translation type="unfinished"></translation>
+        <translation>Para &amp;crecer</translation>
     </message>
     <message>
         <source>Making surfaces of %1…</source>
-        <translation type="unfinished"></translation>
+        <translation>Creando las superficies de %1…</translation>
     </message>
     <message>
         <source>%1 is open as: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 está abierto como: %2.</translation>
     </message>
     <message>
         <source>%1 is a surface: open the volume first that it lies in.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es una superficie: abra antes el volumen en que está.</translation>
     </message>
     <message>
         <source>Export a 4D label map</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar un mapa de etiquetas 4D</translation>
     </message>
     <message>
         <source>Export the meshes of all frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar las mallas de todos los fotogramas</translation>
     </message>
 </context>
 <context>
     <name>handlebody::ui::FrameSlider</name>
     <message>
         <source>Frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Fotograma</translation>
     </message>
     <message>
         <source>&lt;p&gt;Time: the frames of the volume. A ring is the frame the surface is grown in, dots are frames it was carried to: orange with a warning, red where it failed. Click or drag to go there.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;Tiempo: los fotogramas del volumen. Un anillo es el fotograma en que crece la superficie; los puntos, aquellos a los que se propagó: naranja con una advertencia, rojo donde falló. Haga clic o arrastre para ir allí.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -3398,7 +3400,7 @@ Others are where objects begin: they grow from there onto the image, or give gro
     </message>
     <message>
         <source>As it was opened: nothing grows</source>
-        <translation type="unfinished"></translation>
+        <translation>Tal como se abrió: no crece nada</translation>
     </message>
 </context>
 <context>
@@ -3497,19 +3499,19 @@ Others are where objects begin: they grow from there onto the image, or give gro
     </message>
     <message>
         <source>Held, as you decided</source>
-        <translation type="unfinished"></translation>
+        <translation>Retenido, como usted decidió</translation>
     </message>
     <message>
         <source>Decide again</source>
-        <translation type="unfinished"></translation>
+        <translation>Decidir de nuevo</translation>
     </message>
     <message>
         <source>To decide: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Por decidir: %1</translation>
     </message>
     <message>
         <source>%1 around</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 de contorno</translation>
     </message>
 </context>
 <context>
@@ -3801,35 +3803,35 @@ Others are where objects begin: they grow from there onto the image, or give gro
     </message>
     <message>
         <source>Let it happen</source>
-        <translation type="unfinished">Dejar que ocurra</translation>
+        <translation>Dejar que ocurra</translation>
     </message>
     <message>
         <source>Hold it</source>
-        <translation type="unfinished"></translation>
+        <translation>Retener</translation>
     </message>
     <message>
         <source>“%1” has paused: a change of its topology is held, for you to decide.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» está en pausa: se retiene un cambio de su topología, para que usted decida.</translation>
     </message>
     <message>
         <source>Over time</source>
-        <translation type="unfinished"></translation>
+        <translation>En el tiempo</translation>
     </message>
     <message>
         <source>&amp;Stop playing</source>
-        <translation type="unfinished"></translation>
+        <translation>Detener la &amp;reproducción</translation>
     </message>
     <message>
         <source>&amp;Play</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Reproducir</translation>
     </message>
     <message>
         <source>&amp;Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Ca&amp;ncelar</translation>
     </message>
     <message>
         <source>&amp;Over time</source>
-        <translation type="unfinished"></translation>
+        <translation>En el &amp;tiempo</translation>
     </message>
 </context>
 <context>
@@ -3891,7 +3893,7 @@ Others are where objects begin: they grow from there onto the image, or give gro
     </message>
     <message>
         <source>Sensitivity</source>
-        <translation type="unfinished"></translation>
+        <translation>Sensibilidad</translation>
     </message>
 </context>
 <context>
@@ -4288,191 +4290,191 @@ Others are where objects begin: they grow from there onto the image, or give gro
     <name>handlebody::ui::OverTimePanel</name>
     <message>
         <source>grown</source>
-        <translation type="unfinished"></translation>
+        <translation>crecida</translation>
     </message>
     <message>
         <source>corrected, from frame %1</source>
-        <translation type="unfinished"></translation>
+        <translation>corregida, desde el fotograma %1</translation>
     </message>
     <message>
         <source>carried from frame %1</source>
-        <translation type="unfinished"></translation>
+        <translation>propagada desde el fotograma %1</translation>
     </message>
     <message>
         <source>⚠ %1</source>
-        <translation type="unfinished"></translation>
+        <translation>⚠ %1</translation>
     </message>
     <message>
         <source>✗ %1</source>
-        <translation type="unfinished">✗ %1</translation>
+        <translation>✗ %1</translation>
     </message>
     <message>
         <source>Frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Fotograma</translation>
     </message>
     <message>
         <source>ms</source>
-        <translation type="unfinished"></translation>
+        <translation>ms</translation>
     </message>
     <message>
         <source>ml</source>
-        <translation type="unfinished"></translation>
+        <translation>ml</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>Estado</translation>
     </message>
     <message>
         <source>What has become of each frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué ha sido de cada fotograma</translation>
     </message>
     <message>
         <source>How far the surface is carried</source>
-        <translation type="unfinished"></translation>
+        <translation>Hasta dónde se ha propagado la superficie</translation>
     </message>
     <message>
         <source>State of what is carried</source>
-        <translation type="unfinished"></translation>
+        <translation>Estado de lo propagado</translation>
     </message>
     <message>
         <source>Figures over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Cifras en el tiempo</translation>
     </message>
     <message>
         <source>held</source>
-        <translation type="unfinished"></translation>
+        <translation>retenida</translation>
     </message>
     <message>
         <source>free</source>
-        <translation type="unfinished"></translation>
+        <translation>libre</translation>
     </message>
     <message>
         <source>Topology over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Topología en el tiempo</translation>
     </message>
     <message>
         <source>Held: no frame has other components or tunnels than the first surface. Free: it may change.</source>
-        <translation type="unfinished"></translation>
+        <translation>Retenida: ningún fotograma tiene otros componentes o túneles que la primera superficie. Libre: puede cambiar.</translation>
     </message>
     <message>
         <source>back</source>
-        <translation type="unfinished"></translation>
+        <translation>de vuelta</translation>
     </message>
     <message>
         <source>round the cycle</source>
-        <translation type="unfinished"></translation>
+        <translation>por el ciclo</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguno</translation>
     </message>
     <message>
         <source>Check of the way</source>
-        <translation type="unfinished"></translation>
+        <translation>Control del recorrido</translation>
     </message>
     <message>
         <source>Back: carried back from the ends, to see how far it is off. Round the cycle: from the last frame to the first, which lie beside each other.</source>
-        <translation type="unfinished"></translation>
+        <translation>De vuelta: se propaga de regreso desde los extremos, para ver cuánto se desvía. Por el ciclo: del último fotograma al primero, que son contiguos.</translation>
     </message>
     <message>
         <source>First frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Primer fotograma</translation>
     </message>
     <message>
         <source>The surface is carried from here …</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie se propaga desde aquí…</translation>
     </message>
     <message>
         <source>Last frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Último fotograma</translation>
     </message>
     <message>
         <source>… to here</source>
-        <translation type="unfinished"></translation>
+        <translation>… hasta aquí</translation>
     </message>
     <message>
         <source>Topology</source>
-        <translation type="unfinished"></translation>
+        <translation>Topología</translation>
     </message>
     <message>
         <source>Check</source>
-        <translation type="unfinished"></translation>
+        <translation>Control</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Fotogramas</translation>
     </message>
     <message>
         <source>to</source>
-        <translation type="unfinished">a</translation>
+        <translation>a</translation>
     </message>
     <message>
         <source>Check over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Control en el tiempo</translation>
     </message>
     <message>
         <source>CSV…</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV…</translation>
     </message>
     <message>
         <source>Plot…</source>
-        <translation type="unfinished"></translation>
+        <translation>Gráfica…</translation>
     </message>
     <message>
         <source>Save the curve as CSV</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar la curva como CSV</translation>
     </message>
     <message>
         <source>The same table as “handlebody-cli segment --curve F.csv” writes</source>
-        <translation type="unfinished"></translation>
+        <translation>La misma tabla que escribe «handlebody-cli segment --curve F.csv»</translation>
     </message>
     <message>
         <source>Save the curve as a plot</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar la curva como gráfica</translation>
     </message>
     <message>
         <source>The same picture (SVG) as “handlebody-cli segment --curve F.svg” writes</source>
-        <translation type="unfinished"></translation>
+        <translation>La misma imagen (SVG) que escribe «handlebody-cli segment --curve F.svg»</translation>
     </message>
     <message>
         <source>Meshes…</source>
-        <translation type="unfinished"></translation>
+        <translation>Mallas…</translation>
     </message>
     <message>
         <source>Labels…</source>
-        <translation type="unfinished"></translation>
+        <translation>Etiquetas…</translation>
     </message>
     <message>
         <source>Save the volume over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar el volumen en el tiempo</translation>
     </message>
     <message>
         <source>End-diastole %1 (frame %2), end-systole %3 (frame %4), stroke volume %5, &lt;b&gt;ejection fraction %6 %&lt;/b&gt;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Telediástole %1 (fotograma %2), telesístole %3 (fotograma %4), volumen sistólico %5, &lt;b&gt;fracción de eyección %6 %&lt;/b&gt;.</translation>
     </message>
     <message>
         <source>From frame %1 back at frame %2: Dice %3, %4 off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Del fotograma %1 de vuelta en el fotograma %2: Dice %3, desvío de %4.</translation>
     </message>
     <message>
         <source>The surface was lost on its way from frame %1 back to frame %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie se perdió en el camino del fotograma %1 de vuelta al fotograma %2.</translation>
     </message>
     <message>
         <source>Frame %1 is being corrected: change it with clicks, walls and edits, then carry on from there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se está corrigiendo el fotograma %1: cámbielo con puntos, barreras y ediciones, y luego propague desde allí.</translation>
     </message>
     <message>
         <source>Carrying the surface through the frames…</source>
-        <translation type="unfinished"></translation>
+        <translation>Propagando la superficie por los fotogramas…</translation>
     </message>
     <message>
         <source>These are of an earlier surface of frame %1: carry it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Son de una superficie anterior del fotograma %1: propáguela de nuevo.</translation>
     </message>
     <message>
         <source>Not all frames were carried to.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se propagó a todos los fotogramas.</translation>
     </message>
 </context>
 <context>
@@ -4616,119 +4618,119 @@ Others are where objects begin: they grow from there onto the image, or give gro
     <name>handlebody::ui::SensitivityPage</name>
     <message>
         <source>Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecución</translation>
     </message>
     <message>
         <source>Volume (ml)</source>
-        <translation type="unfinished">Volumen (ml)</translation>
+        <translation>Volumen (ml)</translation>
     </message>
     <message>
         <source>Components</source>
-        <translation type="unfinished">Componentes</translation>
+        <translation>Componentes</translation>
     </message>
     <message>
         <source>Tunnels</source>
-        <translation type="unfinished">Túneles</translation>
+        <translation>Túneles</translation>
     </message>
     <message>
         <source>Away (mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>Distancia (mm)</translation>
     </message>
     <message>
         <source>The perturbed runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Las ejecuciones perturbadas</translation>
     </message>
     <message>
         <source>Save the perturbed runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar las ejecuciones perturbadas</translation>
     </message>
     <message>
         <source>Sensitivity</source>
-        <translation type="unfinished"></translation>
+        <translation>Sensibilidad</translation>
     </message>
     <message>
         <source>Grow the surface several times again, with clicks, smoothing and noise a little different: how much do volume and surface change?</source>
-        <translation type="unfinished"></translation>
+        <translation>Hacer crecer la superficie varias veces más, con puntos, suavizado y ruido algo distintos: ¿cuánto cambian el volumen y la superficie?</translation>
     </message>
     <message>
         <source> runs</source>
-        <translation type="unfinished"></translation>
+        <translation> ejecuciones</translation>
     </message>
     <message>
         <source>Number of runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Número de ejecuciones</translation>
     </message>
     <message>
         <source>How often it is grown again; each takes about as long as the growth</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuántas veces crece de nuevo; cada una tarda más o menos lo que el crecimiento</translation>
     </message>
     <message>
         <source>Volume with its spread</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen con su dispersión</translation>
     </message>
     <message>
         <source>State of the sensitivity</source>
-        <translation type="unfinished"></translation>
+        <translation>Estado de la sensibilidad</translation>
     </message>
     <message>
         <source>How far it moves, in colour on the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuánto se mueve, en color sobre la superficie</translation>
     </message>
     <message>
         <source>White where the surface is certain, red where it moves from run to run</source>
-        <translation type="unfinished"></translation>
+        <translation>Blanca donde la superficie es segura, roja donde se mueve de una ejecución a otra</translation>
     </message>
     <message>
         <source>How many runs have ended</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuántas ejecuciones han terminado</translation>
     </message>
     <message>
         <source>Save as CSV…</source>
-        <translation type="unfinished">Guardar como CSV…</translation>
+        <translation>Guardar como CSV…</translation>
     </message>
     <message>
         <source>Save the runs as CSV</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar las ejecuciones como CSV</translation>
     </message>
     <message>
         <source>Volume, topology and distance of every run</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen, topología y distancia de cada ejecución</translation>
     </message>
     <message>
         <source>moves by</source>
-        <translation type="unfinished"></translation>
+        <translation>se mueve</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished">%1: %2</translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Cancelar</translation>
+        <translation>Cancelar</translation>
     </message>
     <message>
         <source>%1 ± %2 ml</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ± %2 ml</translation>
     </message>
     <message>
         <source>%1 to %2 in %3 of %4 runs, %5 of the same topology. The surface moves by %6, 95 % of it by less than %7.</source>
-        <translation type="unfinished"></translation>
+        <translation>De %1 a %2 en %3 de %4 ejecuciones, %5 con la misma topología. La superficie se mueve %6, el 95 % de ella menos de %7.</translation>
     </message>
     <message>
         <source> ⚠ %1.</source>
-        <translation type="unfinished"></translation>
+        <translation> ⚠ %1.</translation>
     </message>
     <message>
         <source>None of the runs left a surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ninguna de las ejecuciones dejó una superficie.</translation>
     </message>
     <message>
         <source>Growing it again…</source>
-        <translation type="unfinished"></translation>
+        <translation>Haciéndola crecer de nuevo…</translation>
     </message>
     <message>
         <source>These are figures of an earlier surface, or of another object.</source>
-        <translation type="unfinished">Estas cifras son de una superficie anterior o de otro objeto.</translation>
+        <translation>Son cifras de una superficie anterior, o de otro objeto.</translation>
     </message>
 </context>
 <context>
@@ -4950,31 +4952,31 @@ o soltar aquí un archivo</translation>
     <name>handlebody::ui::TimeBar</name>
     <message>
         <source>Frame %1 of 0–%2</source>
-        <translation type="unfinished"></translation>
+        <translation>Fotograma %1 de 0–%2</translation>
     </message>
     <message>
         <source>%1, %2 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 ms</translation>
     </message>
     <message>
         <source>Shown frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Fotograma mostrado</translation>
     </message>
     <message>
         <source>What is wrong with the shown frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué está mal en el fotograma mostrado</translation>
     </message>
     <message>
         <source>Reading…</source>
-        <translation type="unfinished"></translation>
+        <translation>Leyendo…</translation>
     </message>
     <message>
         <source>The surface is grown in this frame</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie crece en este fotograma</translation>
     </message>
     <message>
         <source>The surface has not been carried here</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie no se ha propagado aquí</translation>
     </message>
 </context>
 <context>
@@ -5028,7 +5030,7 @@ o soltar aquí un archivo</translation>
     </message>
     <message>
         <source>Changed at %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiado en %1: %2</translation>
     </message>
 </context>
 <context>
@@ -5046,91 +5048,91 @@ o soltar aquí un archivo</translation>
     <name>handlebody::ui::TopologySection</name>
     <message>
         <source>Held at iteration %1: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Retenido en la iteración %1: %2.</translation>
     </message>
     <message>
         <source>any</source>
-        <translation type="unfinished"></translation>
+        <translation>libre</translation>
     </message>
     <message>
         <source>Topology</source>
-        <translation type="unfinished"></translation>
+        <translation>Topología</translation>
     </message>
     <message>
         <source>Free</source>
-        <translation type="unfinished"></translation>
+        <translation>Libre</translation>
     </message>
     <message>
         <source>Never more than</source>
-        <translation type="unfinished"></translation>
+        <translation>Nunca más de</translation>
     </message>
     <message>
         <source>Ask each time</source>
-        <translation type="unfinished"></translation>
+        <translation>Preguntar siempre</translation>
     </message>
     <message>
         <source>What happens where the surface would get more parts or tunnels than are chosen: it gets them, never does (what is held is listed in Correct), or the growth pauses and asks you</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué ocurre donde la superficie tendría más partes o túneles de los elegidos: los tiene, nunca los tiene (lo retenido se lista en Corregir), o el crecimiento se pausa y le pregunta</translation>
     </message>
     <message>
         <source>Components at most</source>
-        <translation type="unfinished"></translation>
+        <translation>Componentes como máximo</translation>
     </message>
     <message>
         <source>Connected parts of the surface, cavities included</source>
-        <translation type="unfinished"></translation>
+        <translation>Partes conexas de la superficie, cavidades incluidas</translation>
     </message>
     <message>
         <source>Genus at most</source>
-        <translation type="unfinished"></translation>
+        <translation>Género como máximo</translation>
     </message>
     <message>
         <source>Tunnels, as in a ring, of all parts together</source>
-        <translation type="unfinished"></translation>
+        <translation>Túneles, como en un anillo, de todas las partes juntas</translation>
     </message>
     <message>
         <source>Parts</source>
-        <translation type="unfinished">Partes</translation>
+        <translation>Partes</translation>
     </message>
     <message>
         <source>Genus</source>
-        <translation type="unfinished">Género</translation>
+        <translation>Género</translation>
     </message>
     <message>
         <source>To decide</source>
-        <translation type="unfinished"></translation>
+        <translation>Por decidir</translation>
     </message>
     <message>
         <source>Let it happen</source>
-        <translation type="unfinished">Dejar que ocurra</translation>
+        <translation>Dejar que ocurra</translation>
     </message>
     <message>
         <source>It may break the limits here; the growth goes on</source>
-        <translation type="unfinished"></translation>
+        <translation>Aquí puede superar los límites; el crecimiento sigue</translation>
     </message>
     <message>
         <source>Hold it</source>
-        <translation type="unfinished"></translation>
+        <translation>Retener</translation>
     </message>
     <message>
         <source>It stays held here, and you are not asked again; the growth goes on</source>
-        <translation type="unfinished"></translation>
+        <translation>Queda retenido aquí y no se le vuelve a preguntar; el crecimiento sigue</translation>
     </message>
     <message>
         <source>Free topology</source>
-        <translation type="unfinished"></translation>
+        <translation>Dejar libre la topología</translation>
     </message>
     <message>
         <source>Ask about the topology</source>
-        <translation type="unfinished"></translation>
+        <translation>Preguntar por la topología</translation>
     </message>
     <message>
         <source>Limit the topology</source>
-        <translation type="unfinished"></translation>
+        <translation>Limitar la topología</translation>
     </message>
     <message>
         <source>%1 more to decide.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 más por decidir.</translation>
     </message>
 </context>
 <context>
@@ -5348,27 +5350,27 @@ o soltar aquí un archivo</translation>
     </message>
     <message>
         <source>Edges</source>
-        <translation type="unfinished"></translation>
+        <translation>Aristas</translation>
     </message>
     <message>
         <source>Uniform</source>
-        <translation type="unfinished"></translation>
+        <translation>Uniformes</translation>
     </message>
     <message>
         <source>Adaptive</source>
-        <translation type="unfinished"></translation>
+        <translation>Adaptativas</translation>
     </message>
     <message>
         <source>The target edge length is the same everywhere</source>
-        <translation type="unfinished"></translation>
+        <translation>La longitud de arista buscada es la misma en todas partes</translation>
     </message>
     <message>
         <source>Edges and steps are up to four times as long where the image shows no boundary near by: fewer iterations</source>
-        <translation type="unfinished"></translation>
+        <translation>Las aristas y los pasos son hasta cuatro veces más largos donde la imagen no muestra ningún borde cerca: menos iteraciones</translation>
     </message>
     <message>
         <source>Change edges</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar aristas</translation>
     </message>
 </context>
 <context>
@@ -5611,31 +5613,31 @@ o soltar aquí un archivo</translation>
     <name>handlebody::ui::VolumePlot</name>
     <message>
         <source>Volume over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen en el tiempo</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished">%1: %2</translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Volume (ml) over time (ms)</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen (ml) en el tiempo (ms)</translation>
     </message>
     <message>
         <source>Volume (ml) over frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen (ml) por fotograma</translation>
     </message>
     <message>
         <source>end-diastole</source>
-        <translation type="unfinished"></translation>
+        <translation>telediástole</translation>
     </message>
     <message>
         <source>end-systole</source>
-        <translation type="unfinished"></translation>
+        <translation>telesístole</translation>
     </message>
     <message>
         <source>The volume over time is plotted here when the surface is carried through the frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>El volumen en el tiempo se traza aquí cuando la superficie se propaga por los fotogramas.</translation>
     </message>
 </context>
 <context>

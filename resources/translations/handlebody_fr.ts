@@ -5,7 +5,7 @@
     <name>Document</name>
     <message>
         <source>Object</source>
-        <translation type="unfinished">Objet</translation>
+        <translation>Objet</translation>
     </message>
 </context>
 <context>
@@ -460,31 +460,31 @@
     </message>
     <message>
         <source>at iteration {iteration} a limit of the topology holds: {cause}; step 4, Grow, asks whether it may happen</source>
-        <translation type="unfinished"></translation>
+        <translation>à l’itération {iteration}, une limite de la topologie retient : {cause} ; l’étape 4, Croître, demande si cela peut se produire</translation>
     </message>
     <message>
         <source>at iteration {iteration} a limit of the topology holds: {cause}; {allow} lets it happen, {hold} holds it without asking again</source>
-        <translation type="unfinished"></translation>
+        <translation>à l’itération {iteration}, une limite de la topologie retient : {cause} ; {allow} le laisse se produire, {hold} le retient sans redemander</translation>
     </message>
     <message>
         <source>it would enclose a cavity of {ml:3g} ml at {place:1f}</source>
-        <translation type="unfinished"></translation>
+        <translation>elle enfermerait une cavité de {ml:3g} ml en {place:1f}</translation>
     </message>
     <message>
         <source>a part of {ml:3g} ml would come off at {place:1f}</source>
-        <translation type="unfinished"></translation>
+        <translation>une partie de {ml:3g} ml se détacherait en {place:1f}</translation>
     </message>
     <message>
         <source>its fronts would meet at {place:1f}</source>
-        <translation type="unfinished"></translation>
+        <translation>ses fronts se rencontreraient en {place:1f}</translation>
     </message>
     <message>
         <source>its fronts would meet at {place:1f} and make a tunnel {around_mm:3g} mm around</source>
-        <translation type="unfinished"></translation>
+        <translation>ses fronts se rencontreraient en {place:1f} et formeraient un tunnel de {around_mm:3g} mm de tour</translation>
     </message>
     <message>
         <source>a change of its topology ({event}) would happen at {place:1f}</source>
-        <translation type="unfinished"></translation>
+        <translation>sa topologie changerait ({event}) en {place:1f}</translation>
     </message>
 </context>
 <context>
@@ -1977,123 +1977,123 @@ proche (mm)</translation>
     </message>
     <message>
         <source>Open a volume (NIfTI, NRRD, MetaImage, GIPL, TIFF, DICOM) or a session</source>
-        <translation type="unfinished"></translation>
+        <translation>Ouvrir un volume (NIfTI, NRRD, MetaImage, GIPL, TIFF, DICOM) ou une session</translation>
     </message>
     <message>
         <source>Open o&amp;bjects…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ouvrir des o&amp;bjets…</translation>
     </message>
     <message>
         <source>Take surfaces of a mesh (STL, VTP, PLY, OBJ) or a label map (DICOM, 3D Slicer, NIfTI, NRRD, MetaImage) as objects: as they are, or to grow from</source>
-        <translation type="unfinished"></translation>
+        <translation>Prendre comme objets les surfaces d’un maillage (STL, VTP, PLY, OBJ) ou d’une carte d’étiquettes (DICOM, 3D Slicer, NIfTI, NRRD, MetaImage) : telles quelles, ou pour croître à partir d’elles</translation>
     </message>
     <message>
         <source>&amp;Time</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Temps</translation>
     </message>
     <message>
         <source>&amp;Play</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Lire</translation>
     </message>
     <message>
         <source>Play the frames of the volume, or stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Lire les images du volume, ou arrêter</translation>
     </message>
     <message>
-        <source>Pre&amp;vious frame</source>
-        <translation type="unfinished"></translation>
+        <source>P&amp;revious frame</source>
+        <translation>Image p&amp;récédente</translation>
     </message>
     <message>
         <source>The frame before the shown one</source>
-        <translation type="unfinished"></translation>
+        <translation>L’image avant celle qui est affichée</translation>
     </message>
     <message>
         <source>&amp;Next frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Image suiva&amp;nte</translation>
     </message>
     <message>
         <source>The frame after the shown one</source>
-        <translation type="unfinished"></translation>
+        <translation>L’image après celle qui est affichée</translation>
     </message>
     <message>
         <source>&amp;Back to where it is grown</source>
-        <translation type="unfinished"></translation>
+        <translation>Re&amp;venir à l’image de croissance</translation>
     </message>
     <message>
         <source>The frame in which the surface is grown</source>
-        <translation type="unfinished"></translation>
+        <translation>L’image dans laquelle la surface croît</translation>
     </message>
     <message>
         <source>&amp;Grow in this frame</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Croître dans cette image</translation>
     </message>
     <message>
         <source>Grow in the shown frame with the same clicks; what was grown in the other one is gone</source>
-        <translation type="unfinished"></translation>
+        <translation>Croître dans l’image affichée avec les mêmes points ; ce qui a crû dans l’autre disparaît</translation>
     </message>
     <message>
         <source>&amp;Over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Au fil du t&amp;emps</translation>
     </message>
     <message>
         <source>Carry the surface from its frame through the others, both ways, in the background</source>
-        <translation type="unfinished"></translation>
+        <translation>Porter la surface de son image à travers les autres, dans les deux sens, en arrière-plan</translation>
     </message>
     <message>
         <source>&amp;Correct this frame</source>
-        <translation type="unfinished"></translation>
+        <translation>C&amp;orriger cette image</translation>
     </message>
     <message>
         <source>Change the surface of the shown frame with clicks, walls and edits, from that of the frame beside it on</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifier la surface de l’image affichée avec des points, barrières et modifications, à partir de celle de l’image voisine</translation>
     </message>
     <message>
-        <source>Carry o&amp;n from here</source>
-        <translation type="unfinished"></translation>
+        <source>Carry on &amp;from here</source>
+        <translation>Continuer à partir d’&amp;ici</translation>
     </message>
     <message>
         <source>The correction counts: the frames beyond this one are carried again from it</source>
-        <translation type="unfinished"></translation>
+        <translation>La correction compte : les images au-delà de celle-ci sont refaites à partir d’elle</translation>
     </message>
     <message>
         <source>&amp;Drop the correction</source>
-        <translation type="unfinished"></translation>
+        <translation>Aban&amp;donner la correction</translation>
     </message>
     <message>
         <source>Back to the frame that is grown; what was carried stays as it was</source>
-        <translation type="unfinished"></translation>
+        <translation>Retour à l’image de croissance ; ce qui a été porté reste inchangé</translation>
     </message>
     <message>
         <source>&amp;Volume over time</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Volume au fil du temps</translation>
     </message>
     <message>
         <source>The volume of every frame, ejection fraction, and what went wrong in which frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Le volume de chaque image, la fraction d’éjection et ce qui a échoué dans quelle image</translation>
     </message>
     <message>
         <source>Export &amp;meshes of all frames…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporter les &amp;maillages de toutes les images…</translation>
     </message>
     <message>
         <source>Write the surface of every frame, numbered, with a list for ParaView (.pvd) beside .vtp</source>
-        <translation type="unfinished"></translation>
+        <translation>Écrire la surface de chaque image, numérotée, avec une liste pour ParaView (.pvd) à côté des .vtp</translation>
     </message>
     <message>
         <source>Export 4D &amp;label map…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporter la carte d’étiq&amp;uettes 4D…</translation>
     </message>
     <message>
         <source>Write the surfaces of all frames as one label map with four dimensions</source>
-        <translation type="unfinished"></translation>
+        <translation>Écrire les surfaces de toutes les images en une carte d’étiquettes à quatre dimensions</translation>
     </message>
     <message>
         <source>&amp;Sensitivity</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Sensibilité</translation>
     </message>
     <message>
         <source>Grow it again with clicks, smoothing and noise a little different: how much do volume and surface change?</source>
-        <translation type="unfinished"></translation>
+        <translation>Refaire croître avec des points, un lissage et un bruit un peu différents : de combien changent le volume et la surface ?</translation>
     </message>
 </context>
 <context>
@@ -2502,135 +2502,135 @@ proche (mm)</translation>
     </message>
     <message>
         <source>Hold it</source>
-        <translation type="unfinished"></translation>
+        <translation>Retenir</translation>
     </message>
     <message>
         <source>The volume has one time point only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le volume n’a qu’un seul instant.</translation>
     </message>
     <message>
         <source>Frame %1 is being corrected: end that first.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’image %1 est en cours de correction : terminez d’abord.</translation>
     </message>
     <message>
         <source>In this frame the surface is grown: change it there as ever.</source>
-        <translation type="unfinished"></translation>
+        <translation>La surface a crû dans cette image : modifiez-la ici comme d’habitude.</translation>
     </message>
     <message>
         <source>The surface is being carried: wait until that is done, or cancel it.</source>
-        <translation type="unfinished"></translation>
+        <translation>La surface est en cours de transport : attendez la fin ou annulez.</translation>
     </message>
     <message>
         <source>The surface has not been carried to this frame yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>La surface n’a pas encore été portée jusqu’à cette image.</translation>
     </message>
     <message>
         <source>The correction has no surface at rest yet: let it grow, or pause it.</source>
-        <translation type="unfinished"></translation>
+        <translation>La correction n’a pas encore de surface au repos : laissez-la croître ou mettez en pause.</translation>
     </message>
     <message>
         <source>Walls</source>
-        <translation type="unfinished">Barrières</translation>
+        <translation>Barrières</translation>
     </message>
     <message>
         <source>Wall disc</source>
-        <translation type="unfinished"></translation>
+        <translation>Disque barrière</translation>
     </message>
     <message>
         <source>Pins</source>
-        <translation type="unfinished"></translation>
+        <translation>Fixations</translation>
     </message>
     <message>
         <source>Veto</source>
-        <translation type="unfinished"></translation>
+        <translation>Veto</translation>
     </message>
     <message>
         <source>Edit by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Modification à la main</translation>
     </message>
     <message>
         <source>Limits of the topology</source>
-        <translation type="unfinished"></translation>
+        <translation>Limites de la topologie</translation>
     </message>
     <message>
         <source>Decided: let it happen</source>
-        <translation type="unfinished"></translation>
+        <translation>Décidé : laisser faire</translation>
     </message>
     <message>
         <source>Decided: hold it</source>
-        <translation type="unfinished"></translation>
+        <translation>Décidé : retenir</translation>
     </message>
     <message>
         <source>Clicks</source>
-        <translation type="unfinished"></translation>
+        <translation>Points</translation>
     </message>
     <message>
         <source>Parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Paramètres</translation>
     </message>
     <message>
         <source>A frame is being corrected: end that first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une image est en cours de correction : terminez d’abord.</translation>
     </message>
     <message>
         <source>Open object</source>
-        <translation type="unfinished"></translation>
+        <translation>Ouvrir un objet</translation>
     </message>
     <message>
         <source>Open objects</source>
-        <translation type="unfinished"></translation>
+        <translation>Ouvrir des objets</translation>
     </message>
     <message>
         <source>Frame %1 is shown, and the surface is grown in frame %2: go there to change it.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’image %1 est affichée et la surface a crû dans l’image %2 : allez-y pour la modifier.</translation>
     </message>
     <message>
         <source>Grow in frame %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Croître dans l’image %1</translation>
     </message>
     <message>
         <source>Several objects are not carried over time: open the volume with one of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Plusieurs objets ne sont pas portés au fil du temps : ouvrez le volume avec l’un d’eux.</translation>
     </message>
     <message>
         <source>The surface still grows: wait until it is at rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>La surface croît encore : attendez qu’elle soit au repos.</translation>
     </message>
     <message>
         <source>There is no surface yet: grow one in a frame first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n’y a pas encore de surface : faites-en d’abord croître une dans une image.</translation>
     </message>
     <message>
         <source>Over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Au fil du temps</translation>
     </message>
     <message>
         <source>There are no surfaces over time of what is shown: carry it through the frames first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n’y a pas de surfaces au fil du temps pour ce qui est affiché : portez-le d’abord à travers les images.</translation>
     </message>
     <message>
         <source>%1 %2</source>
-        <translation type="unfinished">%1. {1 %2?}</translation>
+        <translation>%1 %2</translation>
     </message>
     <message>
         <source>There is no surface yet: grow one first.</source>
-        <translation type="unfinished">Il n’y a pas encore de surface : faites-en d’abord grandir une.</translation>
+        <translation>Il n’y a pas encore de surface : faites-en d’abord croître une.</translation>
     </message>
     <message>
         <source>It is told of the frame that the surface is grown in: go there first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cela concerne l’image dans laquelle la surface a crû : allez-y d’abord.</translation>
     </message>
     <message>
         <source>It is told of a surface that has come to rest: let it grow to its end first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cela concerne une surface au repos : laissez-la d’abord croître jusqu’au bout.</translation>
     </message>
     <message>
         <source>polished: %1 bad places, now %2; least angle %3°, was %4°.</source>
-        <translation type="unfinished"></translation>
+        <translation>amélioré : %1 mauvais endroits, maintenant %2 ; plus petit angle %3°, avant %4°.</translation>
     </message>
     <message>
         <source>“%1” %2</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » %2</translation>
     </message>
 </context>
 <context>
@@ -3035,27 +3035,27 @@ proche (mm)</translation>
     </message>
     <message>
         <source>What was bettered</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui a été amélioré</translation>
     </message>
     <message>
         <source>glTF scene, to view</source>
-        <translation type="unfinished"></translation>
+        <translation>Scène glTF, à regarder</translation>
     </message>
     <message>
         <source>Better thin triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>Améliorer les triangles fins</translation>
     </message>
     <message>
         <source>Triangles with an angle under 15° and edges sharper than 20°, which a solver cannot use, are made better in what is written; the surface goes no farther than a tenth of a voxel. The session keeps this choice.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les triangles avec un angle de moins de 15° et les arêtes plus vives que 20°, inutilisables pour un solveur, sont améliorés dans ce qui est écrit ; la surface ne bouge pas de plus d’un dixième de voxel. La session conserve ce choix.</translation>
     </message>
     <message>
         <source>Bettering the triangles of “%1”…</source>
-        <translation type="unfinished"></translation>
+        <translation>Amélioration des triangles de « %1 »…</translation>
     </message>
     <message>
         <source>Bettering the triangles…</source>
-        <translation type="unfinished"></translation>
+        <translation>Amélioration des triangles…</translation>
     </message>
 </context>
 <context>
@@ -3142,68 +3142,70 @@ proche (mm)</translation>
     </message>
     <message>
         <source>Volumes and sessions (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.tif *.tiff *.dcm *.json);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumes et sessions (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.tif *.tiff *.dcm *.json);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Meshes and label maps (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Maillages et cartes d’étiquettes (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Open a mesh or a label map</source>
-        <translation type="unfinished"></translation>
+        <translation>Ouvrir un maillage ou une carte d’étiquettes</translation>
     </message>
     <message>
         <source>Open objects</source>
-        <translation type="unfinished"></translation>
+        <translation>Ouvrir des objets</translation>
     </message>
     <message>
         <source>What are the surfaces of “%1”?</source>
-        <translation type="unfinished"></translation>
+        <translation>Que sont les surfaces de « %1 » ?</translation>
     </message>
     <message>
         <source>Objects that are done stay as they are: locked, written with the others, and walls for objects that grow after them.
 
 Others are where objects begin: they grow from there onto the image, or give ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les objets terminés restent tels quels : verrouillés, écrits avec les autres, et barrières pour les objets qui croissent après eux.
+
+Avec les autres commencent des objets : ils croissent de là vers l’image, ou cèdent du terrain.</translation>
     </message>
     <message>
         <source>&amp;Done</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Terminé</translation>
     </message>
     <message>
         <source>To &amp;grow from</source>
-        <translation type="unfinished"></translation>
+        <translation>Pour &amp;croître</translation>
     </message>
     <message>
         <source>Making surfaces of %1…</source>
-        <translation type="unfinished"></translation>
+        <translation>Création des surfaces de %1…</translation>
     </message>
     <message>
         <source>%1 is open as: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 est ouvert comme : %2.</translation>
     </message>
     <message>
         <source>%1 is a surface: open the volume first that it lies in.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 est une surface : ouvrez d’abord le volume dans lequel elle se trouve.</translation>
     </message>
     <message>
         <source>Export a 4D label map</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporter une carte d’étiquettes 4D</translation>
     </message>
     <message>
         <source>Export the meshes of all frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporter les maillages de toutes les images</translation>
     </message>
 </context>
 <context>
     <name>handlebody::ui::FrameSlider</name>
     <message>
         <source>Frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Image</translation>
     </message>
     <message>
         <source>&lt;p&gt;Time: the frames of the volume. A ring is the frame the surface is grown in, dots are frames it was carried to: orange with a warning, red where it failed. Click or drag to go there.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;Temps : les images du volume. Un anneau est l’image dans laquelle la surface a crû, les points sont les images où elle a été portée : orange avec un avertissement, rouge en cas d’échec. Cliquez ou glissez pour y aller.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -3398,7 +3400,7 @@ Others are where objects begin: they grow from there onto the image, or give gro
     </message>
     <message>
         <source>As it was opened: nothing grows</source>
-        <translation type="unfinished"></translation>
+        <translation>Telle qu’ouverte : rien ne croît</translation>
     </message>
 </context>
 <context>
@@ -3497,19 +3499,19 @@ Others are where objects begin: they grow from there onto the image, or give gro
     </message>
     <message>
         <source>Held, as you decided</source>
-        <translation type="unfinished"></translation>
+        <translation>Retenu, comme vous l’avez décidé</translation>
     </message>
     <message>
         <source>Decide again</source>
-        <translation type="unfinished"></translation>
+        <translation>Décider à nouveau</translation>
     </message>
     <message>
         <source>To decide: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>À décider : %1</translation>
     </message>
     <message>
         <source>%1 around</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 de tour</translation>
     </message>
 </context>
 <context>
@@ -3801,35 +3803,35 @@ Others are where objects begin: they grow from there onto the image, or give gro
     </message>
     <message>
         <source>Let it happen</source>
-        <translation type="unfinished">Laisser faire</translation>
+        <translation>Laisser faire</translation>
     </message>
     <message>
         <source>Hold it</source>
-        <translation type="unfinished"></translation>
+        <translation>Retenir</translation>
     </message>
     <message>
         <source>“%1” has paused: a change of its topology is held, for you to decide.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » est en pause : un changement de topologie est retenu, à vous de décider.</translation>
     </message>
     <message>
         <source>Over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Au fil du temps</translation>
     </message>
     <message>
         <source>&amp;Stop playing</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Arrêter</translation>
     </message>
     <message>
         <source>&amp;Play</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Lire</translation>
     </message>
     <message>
         <source>&amp;Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;nnuler</translation>
     </message>
     <message>
         <source>&amp;Over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Au fil du t&amp;emps</translation>
     </message>
 </context>
 <context>
@@ -3891,7 +3893,7 @@ Others are where objects begin: they grow from there onto the image, or give gro
     </message>
     <message>
         <source>Sensitivity</source>
-        <translation type="unfinished"></translation>
+        <translation>Sensibilité</translation>
     </message>
 </context>
 <context>
@@ -4288,191 +4290,191 @@ Others are where objects begin: they grow from there onto the image, or give gro
     <name>handlebody::ui::OverTimePanel</name>
     <message>
         <source>grown</source>
-        <translation type="unfinished"></translation>
+        <translation>crû</translation>
     </message>
     <message>
         <source>corrected, from frame %1</source>
-        <translation type="unfinished"></translation>
+        <translation>corrigé, depuis l’image %1</translation>
     </message>
     <message>
         <source>carried from frame %1</source>
-        <translation type="unfinished"></translation>
+        <translation>porté depuis l’image %1</translation>
     </message>
     <message>
         <source>⚠ %1</source>
-        <translation type="unfinished"></translation>
+        <translation>⚠ %1</translation>
     </message>
     <message>
         <source>✗ %1</source>
-        <translation type="unfinished">✗ %1</translation>
+        <translation>✗ %1</translation>
     </message>
     <message>
         <source>Frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Image</translation>
     </message>
     <message>
         <source>ms</source>
-        <translation type="unfinished"></translation>
+        <translation>ms</translation>
     </message>
     <message>
         <source>ml</source>
-        <translation type="unfinished"></translation>
+        <translation>ml</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>État</translation>
     </message>
     <message>
         <source>What has become of each frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qu’est devenue chaque image</translation>
     </message>
     <message>
         <source>How far the surface is carried</source>
-        <translation type="unfinished"></translation>
+        <translation>Jusqu’où la surface est portée</translation>
     </message>
     <message>
         <source>State of what is carried</source>
-        <translation type="unfinished"></translation>
+        <translation>État de ce qui est porté</translation>
     </message>
     <message>
         <source>Figures over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Chiffres au fil du temps</translation>
     </message>
     <message>
         <source>held</source>
-        <translation type="unfinished"></translation>
+        <translation>retenue</translation>
     </message>
     <message>
         <source>free</source>
-        <translation type="unfinished"></translation>
+        <translation>libre</translation>
     </message>
     <message>
         <source>Topology over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Topologie au fil du temps</translation>
     </message>
     <message>
         <source>Held: no frame has other components or tunnels than the first surface. Free: it may change.</source>
-        <translation type="unfinished"></translation>
+        <translation>Retenue : aucune image n’a d’autres composantes ou tunnels que la première surface. Libre : elle peut changer.</translation>
     </message>
     <message>
         <source>back</source>
-        <translation type="unfinished"></translation>
+        <translation>retour</translation>
     </message>
     <message>
         <source>round the cycle</source>
-        <translation type="unfinished"></translation>
+        <translation>tour du cycle</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>aucun</translation>
     </message>
     <message>
         <source>Check of the way</source>
-        <translation type="unfinished"></translation>
+        <translation>Contrôle du chemin</translation>
     </message>
     <message>
         <source>Back: carried back from the ends, to see how far it is off. Round the cycle: from the last frame to the first, which lie beside each other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Retour : portée en arrière depuis les extrémités, pour voir l’écart. Tour du cycle : de la dernière image à la première, qui sont voisines.</translation>
     </message>
     <message>
         <source>First frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Première image</translation>
     </message>
     <message>
         <source>The surface is carried from here …</source>
-        <translation type="unfinished"></translation>
+        <translation>La surface est portée d’ici …</translation>
     </message>
     <message>
         <source>Last frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Dernière image</translation>
     </message>
     <message>
         <source>… to here</source>
-        <translation type="unfinished"></translation>
+        <translation>… jusqu’ici</translation>
     </message>
     <message>
         <source>Topology</source>
-        <translation type="unfinished"></translation>
+        <translation>Topologie</translation>
     </message>
     <message>
         <source>Check</source>
-        <translation type="unfinished"></translation>
+        <translation>Contrôle</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Images</translation>
     </message>
     <message>
         <source>to</source>
-        <translation type="unfinished">à</translation>
+        <translation>à</translation>
     </message>
     <message>
         <source>Check over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Contrôle au fil du temps</translation>
     </message>
     <message>
         <source>CSV…</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV…</translation>
     </message>
     <message>
         <source>Plot…</source>
-        <translation type="unfinished"></translation>
+        <translation>Courbe…</translation>
     </message>
     <message>
         <source>Save the curve as CSV</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrer la courbe en CSV</translation>
     </message>
     <message>
         <source>The same table as “handlebody-cli segment --curve F.csv” writes</source>
-        <translation type="unfinished"></translation>
+        <translation>Le même tableau que « handlebody-cli segment --curve F.csv » écrit</translation>
     </message>
     <message>
         <source>Save the curve as a plot</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrer la courbe en image</translation>
     </message>
     <message>
         <source>The same picture (SVG) as “handlebody-cli segment --curve F.svg” writes</source>
-        <translation type="unfinished"></translation>
+        <translation>La même image (SVG) que « handlebody-cli segment --curve F.svg » écrit</translation>
     </message>
     <message>
         <source>Meshes…</source>
-        <translation type="unfinished"></translation>
+        <translation>Maillages…</translation>
     </message>
     <message>
         <source>Labels…</source>
-        <translation type="unfinished"></translation>
+        <translation>Étiquettes…</translation>
     </message>
     <message>
         <source>Save the volume over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrer le volume au fil du temps</translation>
     </message>
     <message>
         <source>End-diastole %1 (frame %2), end-systole %3 (frame %4), stroke volume %5, &lt;b&gt;ejection fraction %6 %&lt;/b&gt;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Télédiastole %1 (image %2), télésystole %3 (image %4), volume d’éjection %5, &lt;b&gt;fraction d’éjection %6 %&lt;/b&gt;.</translation>
     </message>
     <message>
         <source>From frame %1 back at frame %2: Dice %3, %4 off.</source>
-        <translation type="unfinished"></translation>
+        <translation>De l’image %1 au retour en image %2 : Dice %3, écart %4.</translation>
     </message>
     <message>
         <source>The surface was lost on its way from frame %1 back to frame %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>La surface s’est perdue en chemin de l’image %1 vers l’image %2.</translation>
     </message>
     <message>
         <source>Frame %1 is being corrected: change it with clicks, walls and edits, then carry on from there.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’image %1 est en cours de correction : modifiez-la avec des points, barrières et modifications, puis continuez à partir de là.</translation>
     </message>
     <message>
         <source>Carrying the surface through the frames…</source>
-        <translation type="unfinished"></translation>
+        <translation>La surface est portée à travers les images…</translation>
     </message>
     <message>
         <source>These are of an earlier surface of frame %1: carry it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Celles-ci viennent d’une surface antérieure de l’image %1 : portez-la de nouveau.</translation>
     </message>
     <message>
         <source>Not all frames were carried to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Toutes les images n’ont pas été atteintes.</translation>
     </message>
 </context>
 <context>
@@ -4616,119 +4618,119 @@ Others are where objects begin: they grow from there onto the image, or give gro
     <name>handlebody::ui::SensitivityPage</name>
     <message>
         <source>Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Essai</translation>
     </message>
     <message>
         <source>Volume (ml)</source>
-        <translation type="unfinished">Volume (ml)</translation>
+        <translation>Volume (ml)</translation>
     </message>
     <message>
         <source>Components</source>
-        <translation type="unfinished">Composantes</translation>
+        <translation>Composantes</translation>
     </message>
     <message>
         <source>Tunnels</source>
-        <translation type="unfinished">Tunnels</translation>
+        <translation>Tunnels</translation>
     </message>
     <message>
         <source>Away (mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>Écart (mm)</translation>
     </message>
     <message>
         <source>The perturbed runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Les essais modifiés</translation>
     </message>
     <message>
         <source>Save the perturbed runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrer les essais modifiés</translation>
     </message>
     <message>
         <source>Sensitivity</source>
-        <translation type="unfinished"></translation>
+        <translation>Sensibilité</translation>
     </message>
     <message>
         <source>Grow the surface several times again, with clicks, smoothing and noise a little different: how much do volume and surface change?</source>
-        <translation type="unfinished"></translation>
+        <translation>Refaire croître la surface plusieurs fois, avec des points, un lissage et un bruit un peu différents : de combien changent le volume et la surface ?</translation>
     </message>
     <message>
         <source> runs</source>
-        <translation type="unfinished"></translation>
+        <translation> essais</translation>
     </message>
     <message>
         <source>Number of runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre d’essais</translation>
     </message>
     <message>
         <source>How often it is grown again; each takes about as long as the growth</source>
-        <translation type="unfinished"></translation>
+        <translation>Combien de fois elle croît de nouveau ; chaque fois dure à peu près autant que la croissance</translation>
     </message>
     <message>
         <source>Volume with its spread</source>
-        <translation type="unfinished"></translation>
+        <translation>Volume avec sa dispersion</translation>
     </message>
     <message>
         <source>State of the sensitivity</source>
-        <translation type="unfinished"></translation>
+        <translation>État de la sensibilité</translation>
     </message>
     <message>
         <source>How far it moves, in colour on the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>De combien elle bouge, en couleur sur la surface</translation>
     </message>
     <message>
         <source>White where the surface is certain, red where it moves from run to run</source>
-        <translation type="unfinished"></translation>
+        <translation>Blanc où la surface est sûre, rouge où elle bouge d’un essai à l’autre</translation>
     </message>
     <message>
         <source>How many runs have ended</source>
-        <translation type="unfinished"></translation>
+        <translation>Combien d’essais sont terminés</translation>
     </message>
     <message>
         <source>Save as CSV…</source>
-        <translation type="unfinished">Enregistrer en CSV…</translation>
+        <translation>Enregistrer en CSV…</translation>
     </message>
     <message>
         <source>Save the runs as CSV</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrer les essais en CSV</translation>
     </message>
     <message>
         <source>Volume, topology and distance of every run</source>
-        <translation type="unfinished"></translation>
+        <translation>Volume, topologie et écart de chaque essai</translation>
     </message>
     <message>
         <source>moves by</source>
-        <translation type="unfinished"></translation>
+        <translation>bouge de</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished">%1 : %2</translation>
+        <translation>%1 : %2</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Annuler</translation>
+        <translation>Annuler</translation>
     </message>
     <message>
         <source>%1 ± %2 ml</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ± %2 ml</translation>
     </message>
     <message>
         <source>%1 to %2 in %3 of %4 runs, %5 of the same topology. The surface moves by %6, 95 % of it by less than %7.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 à %2 dans %3 essais sur %4, %5 de même topologie. La surface bouge de %6, dont 95 % de moins de %7.</translation>
     </message>
     <message>
         <source> ⚠ %1.</source>
-        <translation type="unfinished"></translation>
+        <translation> ⚠ %1.</translation>
     </message>
     <message>
         <source>None of the runs left a surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucun des essais n’a laissé de surface.</translation>
     </message>
     <message>
         <source>Growing it again…</source>
-        <translation type="unfinished"></translation>
+        <translation>Nouvelle croissance…</translation>
     </message>
     <message>
         <source>These are figures of an earlier surface, or of another object.</source>
-        <translation type="unfinished">Ces indices sont ceux d’une surface antérieure ou d’un autre objet.</translation>
+        <translation>Ce sont les chiffres d’une surface antérieure ou d’un autre objet.</translation>
     </message>
 </context>
 <context>
@@ -4950,31 +4952,31 @@ ou déposer un fichier ici</translation>
     <name>handlebody::ui::TimeBar</name>
     <message>
         <source>Frame %1 of 0–%2</source>
-        <translation type="unfinished"></translation>
+        <translation>Image %1 sur 0–%2</translation>
     </message>
     <message>
         <source>%1, %2 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 ms</translation>
     </message>
     <message>
         <source>Shown frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Image affichée</translation>
     </message>
     <message>
         <source>What is wrong with the shown frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui ne va pas dans l’image affichée</translation>
     </message>
     <message>
         <source>Reading…</source>
-        <translation type="unfinished"></translation>
+        <translation>Lecture…</translation>
     </message>
     <message>
         <source>The surface is grown in this frame</source>
-        <translation type="unfinished"></translation>
+        <translation>La surface a crû dans cette image</translation>
     </message>
     <message>
         <source>The surface has not been carried here</source>
-        <translation type="unfinished"></translation>
+        <translation>La surface n’a pas été portée ici</translation>
     </message>
 </context>
 <context>
@@ -5028,7 +5030,7 @@ ou déposer un fichier ici</translation>
     </message>
     <message>
         <source>Changed at %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifié à %1 : %2</translation>
     </message>
 </context>
 <context>
@@ -5046,91 +5048,91 @@ ou déposer un fichier ici</translation>
     <name>handlebody::ui::TopologySection</name>
     <message>
         <source>Held at iteration %1: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Retenu à l’itération %1 : %2.</translation>
     </message>
     <message>
         <source>any</source>
-        <translation type="unfinished"></translation>
+        <translation>libre</translation>
     </message>
     <message>
         <source>Topology</source>
-        <translation type="unfinished"></translation>
+        <translation>Topologie</translation>
     </message>
     <message>
         <source>Free</source>
-        <translation type="unfinished"></translation>
+        <translation>Libre</translation>
     </message>
     <message>
         <source>Never more than</source>
-        <translation type="unfinished"></translation>
+        <translation>Jamais plus de</translation>
     </message>
     <message>
         <source>Ask each time</source>
-        <translation type="unfinished"></translation>
+        <translation>Demander à chaque fois</translation>
     </message>
     <message>
         <source>What happens where the surface would get more parts or tunnels than are chosen: it gets them, never does (what is held is listed in Correct), or the growth pauses and asks you</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui se passe là où la surface aurait plus de parties ou de tunnels que choisi : elle les a, jamais (ce qui est retenu est listé dans Corriger), ou la croissance s’arrête et vous demande</translation>
     </message>
     <message>
         <source>Components at most</source>
-        <translation type="unfinished"></translation>
+        <translation>Composantes au plus</translation>
     </message>
     <message>
         <source>Connected parts of the surface, cavities included</source>
-        <translation type="unfinished"></translation>
+        <translation>Parties connexes de la surface, cavités comprises</translation>
     </message>
     <message>
         <source>Genus at most</source>
-        <translation type="unfinished"></translation>
+        <translation>Genre au plus</translation>
     </message>
     <message>
         <source>Tunnels, as in a ring, of all parts together</source>
-        <translation type="unfinished"></translation>
+        <translation>Tunnels, comme dans un anneau, de toutes les parties ensemble</translation>
     </message>
     <message>
         <source>Parts</source>
-        <translation type="unfinished">Parties</translation>
+        <translation>Parties</translation>
     </message>
     <message>
         <source>Genus</source>
-        <translation type="unfinished">Genre</translation>
+        <translation>Genre</translation>
     </message>
     <message>
         <source>To decide</source>
-        <translation type="unfinished"></translation>
+        <translation>À décider</translation>
     </message>
     <message>
         <source>Let it happen</source>
-        <translation type="unfinished">Laisser faire</translation>
+        <translation>Laisser faire</translation>
     </message>
     <message>
         <source>It may break the limits here; the growth goes on</source>
-        <translation type="unfinished"></translation>
+        <translation>Elle peut dépasser les limites ici ; la croissance continue</translation>
     </message>
     <message>
         <source>Hold it</source>
-        <translation type="unfinished"></translation>
+        <translation>Retenir</translation>
     </message>
     <message>
         <source>It stays held here, and you are not asked again; the growth goes on</source>
-        <translation type="unfinished"></translation>
+        <translation>Cela reste retenu ici et on ne vous redemande pas ; la croissance continue</translation>
     </message>
     <message>
         <source>Free topology</source>
-        <translation type="unfinished"></translation>
+        <translation>Libérer la topologie</translation>
     </message>
     <message>
         <source>Ask about the topology</source>
-        <translation type="unfinished"></translation>
+        <translation>Demander pour la topologie</translation>
     </message>
     <message>
         <source>Limit the topology</source>
-        <translation type="unfinished"></translation>
+        <translation>Limiter la topologie</translation>
     </message>
     <message>
         <source>%1 more to decide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Encore %1 à décider.</translation>
     </message>
 </context>
 <context>
@@ -5348,27 +5350,27 @@ ou déposer un fichier ici</translation>
     </message>
     <message>
         <source>Edges</source>
-        <translation type="unfinished"></translation>
+        <translation>Arêtes</translation>
     </message>
     <message>
         <source>Uniform</source>
-        <translation type="unfinished"></translation>
+        <translation>Uniformes</translation>
     </message>
     <message>
         <source>Adaptive</source>
-        <translation type="unfinished"></translation>
+        <translation>Adaptées</translation>
     </message>
     <message>
         <source>The target edge length is the same everywhere</source>
-        <translation type="unfinished"></translation>
+        <translation>La longueur d’arête visée est partout la même</translation>
     </message>
     <message>
         <source>Edges and steps are up to four times as long where the image shows no boundary near by: fewer iterations</source>
-        <translation type="unfinished"></translation>
+        <translation>Arêtes et pas jusqu’à quatre fois plus longs là où l’image ne montre pas de limite proche : moins d’itérations</translation>
     </message>
     <message>
         <source>Change edges</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifier les arêtes</translation>
     </message>
 </context>
 <context>
@@ -5611,31 +5613,31 @@ ou déposer un fichier ici</translation>
     <name>handlebody::ui::VolumePlot</name>
     <message>
         <source>Volume over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Volume au fil du temps</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished">%1 : %2</translation>
+        <translation>%1 : %2</translation>
     </message>
     <message>
         <source>Volume (ml) over time (ms)</source>
-        <translation type="unfinished"></translation>
+        <translation>Volume (ml) au fil du temps (ms)</translation>
     </message>
     <message>
         <source>Volume (ml) over frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Volume (ml) par image</translation>
     </message>
     <message>
         <source>end-diastole</source>
-        <translation type="unfinished"></translation>
+        <translation>télédiastole</translation>
     </message>
     <message>
         <source>end-systole</source>
-        <translation type="unfinished"></translation>
+        <translation>télésystole</translation>
     </message>
     <message>
         <source>The volume over time is plotted here when the surface is carried through the frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le volume au fil du temps est tracé ici quand la surface est portée à travers les images.</translation>
     </message>
 </context>
 <context>

@@ -5,7 +5,7 @@
     <name>Document</name>
     <message>
         <source>Object</source>
-        <translation type="unfinished">目标</translation>
+        <translation>目标</translation>
     </message>
 </context>
 <context>
@@ -460,31 +460,31 @@
     </message>
     <message>
         <source>at iteration {iteration} a limit of the topology holds: {cause}; step 4, Grow, asks whether it may happen</source>
-        <translation type="unfinished"></translation>
+        <translation>第 {iteration} 次迭代时拓扑限制起作用：{cause}；第 4 步“生长”询问是否允许发生</translation>
     </message>
     <message>
         <source>at iteration {iteration} a limit of the topology holds: {cause}; {allow} lets it happen, {hold} holds it without asking again</source>
-        <translation type="unfinished"></translation>
+        <translation>第 {iteration} 次迭代时拓扑限制起作用：{cause}；{allow} 允许其发生，{hold} 阻止它且不再询问</translation>
     </message>
     <message>
         <source>it would enclose a cavity of {ml:3g} ml at {place:1f}</source>
-        <translation type="unfinished"></translation>
+        <translation>它将在 {place:1f} 处围出 {ml:3g} ml 的空腔</translation>
     </message>
     <message>
         <source>a part of {ml:3g} ml would come off at {place:1f}</source>
-        <translation type="unfinished"></translation>
+        <translation>{ml:3g} ml 的部分将在 {place:1f} 处脱离</translation>
     </message>
     <message>
         <source>its fronts would meet at {place:1f}</source>
-        <translation type="unfinished"></translation>
+        <translation>其前沿将在 {place:1f} 处相遇</translation>
     </message>
     <message>
         <source>its fronts would meet at {place:1f} and make a tunnel {around_mm:3g} mm around</source>
-        <translation type="unfinished"></translation>
+        <translation>其前沿将在 {place:1f} 处相遇，形成周长 {around_mm:3g} mm 的隧道</translation>
     </message>
     <message>
         <source>a change of its topology ({event}) would happen at {place:1f}</source>
-        <translation type="unfinished"></translation>
+        <translation>将在 {place:1f} 处发生拓扑变化（{event}）</translation>
     </message>
 </context>
 <context>
@@ -1977,123 +1977,123 @@ mean ± SD</source>
     </message>
     <message>
         <source>Open a volume (NIfTI, NRRD, MetaImage, GIPL, TIFF, DICOM) or a session</source>
-        <translation type="unfinished"></translation>
+        <translation>打开体数据（NIfTI、NRRD、MetaImage、GIPL、TIFF、DICOM）或会话</translation>
     </message>
     <message>
         <source>Open o&amp;bjects…</source>
-        <translation type="unfinished"></translation>
+        <translation>打开目标(&amp;B)…</translation>
     </message>
     <message>
         <source>Take surfaces of a mesh (STL, VTP, PLY, OBJ) or a label map (DICOM, 3D Slicer, NIfTI, NRRD, MetaImage) as objects: as they are, or to grow from</source>
-        <translation type="unfinished"></translation>
+        <translation>将网格（STL、VTP、PLY、OBJ）或标签图（DICOM、3D Slicer、NIfTI、NRRD、MetaImage）的表面作为目标：保持原样，或由其继续生长</translation>
     </message>
     <message>
         <source>&amp;Time</source>
-        <translation type="unfinished"></translation>
+        <translation>时间(&amp;T)</translation>
     </message>
     <message>
         <source>&amp;Play</source>
-        <translation type="unfinished"></translation>
+        <translation>播放(&amp;P)</translation>
     </message>
     <message>
         <source>Play the frames of the volume, or stop</source>
-        <translation type="unfinished"></translation>
+        <translation>播放体数据的各帧，或停止</translation>
     </message>
     <message>
-        <source>Pre&amp;vious frame</source>
-        <translation type="unfinished"></translation>
+        <source>P&amp;revious frame</source>
+        <translation>上一帧(&amp;V)</translation>
     </message>
     <message>
         <source>The frame before the shown one</source>
-        <translation type="unfinished"></translation>
+        <translation>所示帧的前一帧</translation>
     </message>
     <message>
         <source>&amp;Next frame</source>
-        <translation type="unfinished"></translation>
+        <translation>下一帧(&amp;N)</translation>
     </message>
     <message>
         <source>The frame after the shown one</source>
-        <translation type="unfinished"></translation>
+        <translation>所示帧的后一帧</translation>
     </message>
     <message>
         <source>&amp;Back to where it is grown</source>
-        <translation type="unfinished"></translation>
+        <translation>回到生长所在的帧(&amp;B)</translation>
     </message>
     <message>
         <source>The frame in which the surface is grown</source>
-        <translation type="unfinished"></translation>
+        <translation>表面生长所在的帧</translation>
     </message>
     <message>
         <source>&amp;Grow in this frame</source>
-        <translation type="unfinished"></translation>
+        <translation>在此帧中生长(&amp;G)</translation>
     </message>
     <message>
         <source>Grow in the shown frame with the same clicks; what was grown in the other one is gone</source>
-        <translation type="unfinished"></translation>
+        <translation>用相同的点击在所示帧中生长；另一帧中已生长的部分将消失</translation>
     </message>
     <message>
         <source>&amp;Over time</source>
-        <translation type="unfinished"></translation>
+        <translation>随时间(&amp;O)</translation>
     </message>
     <message>
         <source>Carry the surface from its frame through the others, both ways, in the background</source>
-        <translation type="unfinished"></translation>
+        <translation>在后台将表面从其所在帧向前后两个方向传递到其他帧</translation>
     </message>
     <message>
         <source>&amp;Correct this frame</source>
-        <translation type="unfinished"></translation>
+        <translation>修正此帧(&amp;C)</translation>
     </message>
     <message>
         <source>Change the surface of the shown frame with clicks, walls and edits, from that of the frame beside it on</source>
-        <translation type="unfinished"></translation>
+        <translation>从相邻帧的表面出发，用点击、屏障和编辑更改所示帧的表面</translation>
     </message>
     <message>
-        <source>Carry o&amp;n from here</source>
-        <translation type="unfinished"></translation>
+        <source>Carry on &amp;from here</source>
+        <translation>由此继续传递(&amp;N)</translation>
     </message>
     <message>
         <source>The correction counts: the frames beyond this one are carried again from it</source>
-        <translation type="unfinished"></translation>
+        <translation>采用修正：此帧之后的各帧由它重新传递</translation>
     </message>
     <message>
         <source>&amp;Drop the correction</source>
-        <translation type="unfinished"></translation>
+        <translation>放弃修正(&amp;D)</translation>
     </message>
     <message>
         <source>Back to the frame that is grown; what was carried stays as it was</source>
-        <translation type="unfinished"></translation>
+        <translation>回到生长所在的帧；已传递的部分保持原样</translation>
     </message>
     <message>
         <source>&amp;Volume over time</source>
-        <translation type="unfinished"></translation>
+        <translation>体积随时间变化(&amp;V)</translation>
     </message>
     <message>
         <source>The volume of every frame, ejection fraction, and what went wrong in which frame</source>
-        <translation type="unfinished"></translation>
+        <translation>每一帧的体积、射血分数，以及哪一帧出了什么问题</translation>
     </message>
     <message>
         <source>Export &amp;meshes of all frames…</source>
-        <translation type="unfinished"></translation>
+        <translation>导出所有帧的网格(&amp;M)…</translation>
     </message>
     <message>
         <source>Write the surface of every frame, numbered, with a list for ParaView (.pvd) beside .vtp</source>
-        <translation type="unfinished"></translation>
+        <translation>写出每一帧的表面并编号，.vtp 旁附 ParaView 列表 (.pvd)</translation>
     </message>
     <message>
         <source>Export 4D &amp;label map…</source>
-        <translation type="unfinished"></translation>
+        <translation>导出 4D 标签图(&amp;L)…</translation>
     </message>
     <message>
         <source>Write the surfaces of all frames as one label map with four dimensions</source>
-        <translation type="unfinished"></translation>
+        <translation>将所有帧的表面写为一个四维标签图</translation>
     </message>
     <message>
         <source>&amp;Sensitivity</source>
-        <translation type="unfinished"></translation>
+        <translation>敏感性(&amp;S)</translation>
     </message>
     <message>
         <source>Grow it again with clicks, smoothing and noise a little different: how much do volume and surface change?</source>
-        <translation type="unfinished"></translation>
+        <translation>略微改变点击位置、平滑和噪声后重新生长：体积和表面会改变多少？</translation>
     </message>
 </context>
 <context>
@@ -2502,135 +2502,135 @@ mean ± SD</source>
     </message>
     <message>
         <source>Hold it</source>
-        <translation type="unfinished"></translation>
+        <translation>阻止</translation>
     </message>
     <message>
         <source>The volume has one time point only.</source>
-        <translation type="unfinished"></translation>
+        <translation>体数据只有一个时间点。</translation>
     </message>
     <message>
         <source>Frame %1 is being corrected: end that first.</source>
-        <translation type="unfinished"></translation>
+        <translation>正在修正第 %1 帧：请先结束修正。</translation>
     </message>
     <message>
         <source>In this frame the surface is grown: change it there as ever.</source>
-        <translation type="unfinished"></translation>
+        <translation>表面在此帧中生长：请照常在此更改。</translation>
     </message>
     <message>
         <source>The surface is being carried: wait until that is done, or cancel it.</source>
-        <translation type="unfinished"></translation>
+        <translation>正在传递表面：请等待完成，或取消。</translation>
     </message>
     <message>
         <source>The surface has not been carried to this frame yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>表面尚未传递到此帧。</translation>
     </message>
     <message>
         <source>The correction has no surface at rest yet: let it grow, or pause it.</source>
-        <translation type="unfinished"></translation>
+        <translation>修正尚无静止的表面：请让其生长，或暂停。</translation>
     </message>
     <message>
         <source>Walls</source>
-        <translation type="unfinished">屏障</translation>
+        <translation>屏障</translation>
     </message>
     <message>
         <source>Wall disc</source>
-        <translation type="unfinished"></translation>
+        <translation>屏障圆盘</translation>
     </message>
     <message>
         <source>Pins</source>
-        <translation type="unfinished"></translation>
+        <translation>固定</translation>
     </message>
     <message>
         <source>Veto</source>
-        <translation type="unfinished"></translation>
+        <translation>否决</translation>
     </message>
     <message>
         <source>Edit by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>手动编辑</translation>
     </message>
     <message>
         <source>Limits of the topology</source>
-        <translation type="unfinished"></translation>
+        <translation>拓扑限制</translation>
     </message>
     <message>
         <source>Decided: let it happen</source>
-        <translation type="unfinished"></translation>
+        <translation>已决定：允许发生</translation>
     </message>
     <message>
         <source>Decided: hold it</source>
-        <translation type="unfinished"></translation>
+        <translation>已决定：阻止</translation>
     </message>
     <message>
         <source>Clicks</source>
-        <translation type="unfinished"></translation>
+        <translation>点击</translation>
     </message>
     <message>
         <source>Parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>参数</translation>
     </message>
     <message>
         <source>A frame is being corrected: end that first.</source>
-        <translation type="unfinished"></translation>
+        <translation>正在修正一帧：请先结束修正。</translation>
     </message>
     <message>
         <source>Open object</source>
-        <translation type="unfinished"></translation>
+        <translation>打开目标</translation>
     </message>
     <message>
         <source>Open objects</source>
-        <translation type="unfinished"></translation>
+        <translation>打开目标</translation>
     </message>
     <message>
         <source>Frame %1 is shown, and the surface is grown in frame %2: go there to change it.</source>
-        <translation type="unfinished"></translation>
+        <translation>所示为第 %1 帧，而表面在第 %2 帧中生长：请转到那里更改。</translation>
     </message>
     <message>
         <source>Grow in frame %1</source>
-        <translation type="unfinished"></translation>
+        <translation>在第 %1 帧中生长</translation>
     </message>
     <message>
         <source>Several objects are not carried over time: open the volume with one of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>多个目标不能随时间传递：请只用其中一个打开体数据。</translation>
     </message>
     <message>
         <source>The surface still grows: wait until it is at rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>表面仍在生长：请等待其静止。</translation>
     </message>
     <message>
         <source>There is no surface yet: grow one in a frame first.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚无表面：请先在一帧中生长表面。</translation>
     </message>
     <message>
         <source>Over time</source>
-        <translation type="unfinished"></translation>
+        <translation>随时间</translation>
     </message>
     <message>
         <source>There are no surfaces over time of what is shown: carry it through the frames first.</source>
-        <translation type="unfinished"></translation>
+        <translation>所示内容没有随时间变化的表面：请先将其传递到各帧。</translation>
     </message>
     <message>
         <source>%1 %2</source>
-        <translation type="unfinished">%1。 {1 %2?}</translation>
+        <translation>%1 %2</translation>
     </message>
     <message>
         <source>There is no surface yet: grow one first.</source>
-        <translation type="unfinished">还没有表面：请先生长一个。</translation>
+        <translation>尚无表面：请先生长表面。</translation>
     </message>
     <message>
         <source>It is told of the frame that the surface is grown in: go there first.</source>
-        <translation type="unfinished"></translation>
+        <translation>仅针对表面生长所在的帧：请先转到那里。</translation>
     </message>
     <message>
         <source>It is told of a surface that has come to rest: let it grow to its end first.</source>
-        <translation type="unfinished"></translation>
+        <translation>仅针对已静止的表面：请先让其生长完成。</translation>
     </message>
     <message>
         <source>polished: %1 bad places, now %2; least angle %3°, was %4°.</source>
-        <translation type="unfinished"></translation>
+        <translation>已改善：原有 %1 处不良，现为 %2 处；最小角 %3°，原为 %4°。</translation>
     </message>
     <message>
         <source>“%1” %2</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”%2</translation>
     </message>
 </context>
 <context>
@@ -3035,27 +3035,27 @@ mean ± SD</source>
     </message>
     <message>
         <source>What was bettered</source>
-        <translation type="unfinished"></translation>
+        <translation>改善的内容</translation>
     </message>
     <message>
         <source>glTF scene, to view</source>
-        <translation type="unfinished"></translation>
+        <translation>glTF 场景，用于查看</translation>
     </message>
     <message>
         <source>Better thin triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>改善细长三角形</translation>
     </message>
     <message>
         <source>Triangles with an angle under 15° and edges sharper than 20°, which a solver cannot use, are made better in what is written; the surface goes no farther than a tenth of a voxel. The session keeps this choice.</source>
-        <translation type="unfinished"></translation>
+        <translation>写出时改善求解器无法使用的三角形（角小于 15°）和边（锐于 20°）；表面移动不超过体素的十分之一。会话保存此选择。</translation>
     </message>
     <message>
         <source>Bettering the triangles of “%1”…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在改善“%1”的三角形…</translation>
     </message>
     <message>
         <source>Bettering the triangles…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在改善三角形…</translation>
     </message>
 </context>
 <context>
@@ -3142,68 +3142,70 @@ mean ± SD</source>
     </message>
     <message>
         <source>Volumes and sessions (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.tif *.tiff *.dcm *.json);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>体数据和会话 (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.tif *.tiff *.dcm *.json);;所有文件 (*)</translation>
     </message>
     <message>
         <source>Meshes and label maps (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>网格和标签图 (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm);;所有文件 (*)</translation>
     </message>
     <message>
         <source>Open a mesh or a label map</source>
-        <translation type="unfinished"></translation>
+        <translation>打开网格或标签图</translation>
     </message>
     <message>
         <source>Open objects</source>
-        <translation type="unfinished"></translation>
+        <translation>打开目标</translation>
     </message>
     <message>
         <source>What are the surfaces of “%1”?</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”的表面作何用途？</translation>
     </message>
     <message>
         <source>Objects that are done stay as they are: locked, written with the others, and walls for objects that grow after them.
 
 Others are where objects begin: they grow from there onto the image, or give ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>已完成的目标保持原样：被锁定，与其他目标一起写出，并作为其后生长的目标的屏障。
+
+否则它们是目标的起点：由此向图像生长，或退缩。</translation>
     </message>
     <message>
         <source>&amp;Done</source>
-        <translation type="unfinished"></translation>
+        <translation>已完成(&amp;D)</translation>
     </message>
     <message>
         <source>To &amp;grow from</source>
-        <translation type="unfinished"></translation>
+        <translation>由其生长(&amp;G)</translation>
     </message>
     <message>
         <source>Making surfaces of %1…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在由 %1 生成表面…</translation>
     </message>
     <message>
         <source>%1 is open as: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 已打开为：%2。</translation>
     </message>
     <message>
         <source>%1 is a surface: open the volume first that it lies in.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是表面：请先打开其所在的体数据。</translation>
     </message>
     <message>
         <source>Export a 4D label map</source>
-        <translation type="unfinished"></translation>
+        <translation>导出 4D 标签图</translation>
     </message>
     <message>
         <source>Export the meshes of all frames</source>
-        <translation type="unfinished"></translation>
+        <translation>导出所有帧的网格</translation>
     </message>
 </context>
 <context>
     <name>handlebody::ui::FrameSlider</name>
     <message>
         <source>Frame</source>
-        <translation type="unfinished"></translation>
+        <translation>帧</translation>
     </message>
     <message>
         <source>&lt;p&gt;Time: the frames of the volume. A ring is the frame the surface is grown in, dots are frames it was carried to: orange with a warning, red where it failed. Click or drag to go there.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;时间：体数据的各帧。圆环为表面生长所在的帧，圆点为已传递到的帧：橙色表示有警告，红色表示失败。点击或拖动以到达。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -3398,7 +3400,7 @@ Others are where objects begin: they grow from there onto the image, or give gro
     </message>
     <message>
         <source>As it was opened: nothing grows</source>
-        <translation type="unfinished"></translation>
+        <translation>保持打开时的样子：不生长</translation>
     </message>
 </context>
 <context>
@@ -3497,19 +3499,19 @@ Others are where objects begin: they grow from there onto the image, or give gro
     </message>
     <message>
         <source>Held, as you decided</source>
-        <translation type="unfinished"></translation>
+        <translation>按您的决定阻止</translation>
     </message>
     <message>
         <source>Decide again</source>
-        <translation type="unfinished"></translation>
+        <translation>重新决定</translation>
     </message>
     <message>
         <source>To decide: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>待决定：%1</translation>
     </message>
     <message>
         <source>%1 around</source>
-        <translation type="unfinished"></translation>
+        <translation>周长 %1</translation>
     </message>
 </context>
 <context>
@@ -3801,35 +3803,35 @@ Others are where objects begin: they grow from there onto the image, or give gro
     </message>
     <message>
         <source>Let it happen</source>
-        <translation type="unfinished">允许发生</translation>
+        <translation>允许发生</translation>
     </message>
     <message>
         <source>Hold it</source>
-        <translation type="unfinished"></translation>
+        <translation>阻止</translation>
     </message>
     <message>
         <source>“%1” has paused: a change of its topology is held, for you to decide.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”已暂停：其一处拓扑变化被阻止，请您决定。</translation>
     </message>
     <message>
         <source>Over time</source>
-        <translation type="unfinished"></translation>
+        <translation>随时间</translation>
     </message>
     <message>
         <source>&amp;Stop playing</source>
-        <translation type="unfinished"></translation>
+        <translation>停止播放(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Play</source>
-        <translation type="unfinished"></translation>
+        <translation>播放(&amp;P)</translation>
     </message>
     <message>
         <source>&amp;Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>取消(&amp;C)</translation>
     </message>
     <message>
         <source>&amp;Over time</source>
-        <translation type="unfinished"></translation>
+        <translation>随时间(&amp;O)</translation>
     </message>
 </context>
 <context>
@@ -3891,7 +3893,7 @@ Others are where objects begin: they grow from there onto the image, or give gro
     </message>
     <message>
         <source>Sensitivity</source>
-        <translation type="unfinished"></translation>
+        <translation>敏感性</translation>
     </message>
 </context>
 <context>
@@ -4288,191 +4290,191 @@ Others are where objects begin: they grow from there onto the image, or give gro
     <name>handlebody::ui::OverTimePanel</name>
     <message>
         <source>grown</source>
-        <translation type="unfinished"></translation>
+        <translation>已生长</translation>
     </message>
     <message>
         <source>corrected, from frame %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已修正，来自第 %1 帧</translation>
     </message>
     <message>
         <source>carried from frame %1</source>
-        <translation type="unfinished"></translation>
+        <translation>由第 %1 帧传递</translation>
     </message>
     <message>
         <source>⚠ %1</source>
-        <translation type="unfinished"></translation>
+        <translation>⚠ %1</translation>
     </message>
     <message>
         <source>✗ %1</source>
-        <translation type="unfinished">✗ %1</translation>
+        <translation>✗ %1</translation>
     </message>
     <message>
         <source>Frame</source>
-        <translation type="unfinished"></translation>
+        <translation>帧</translation>
     </message>
     <message>
         <source>ms</source>
-        <translation type="unfinished"></translation>
+        <translation>ms</translation>
     </message>
     <message>
         <source>ml</source>
-        <translation type="unfinished"></translation>
+        <translation>ml</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>状态</translation>
     </message>
     <message>
         <source>What has become of each frame</source>
-        <translation type="unfinished"></translation>
+        <translation>各帧的结果</translation>
     </message>
     <message>
         <source>How far the surface is carried</source>
-        <translation type="unfinished"></translation>
+        <translation>表面传递的进度</translation>
     </message>
     <message>
         <source>State of what is carried</source>
-        <translation type="unfinished"></translation>
+        <translation>传递的状态</translation>
     </message>
     <message>
         <source>Figures over time</source>
-        <translation type="unfinished"></translation>
+        <translation>随时间变化的数值</translation>
     </message>
     <message>
         <source>held</source>
-        <translation type="unfinished"></translation>
+        <translation>保持</translation>
     </message>
     <message>
         <source>free</source>
-        <translation type="unfinished"></translation>
+        <translation>自由</translation>
     </message>
     <message>
         <source>Topology over time</source>
-        <translation type="unfinished"></translation>
+        <translation>随时间的拓扑</translation>
     </message>
     <message>
         <source>Held: no frame has other components or tunnels than the first surface. Free: it may change.</source>
-        <translation type="unfinished"></translation>
+        <translation>保持：所有帧的连通分量和隧道均与第一个表面相同。自由：可以改变。</translation>
     </message>
     <message>
         <source>back</source>
-        <translation type="unfinished"></translation>
+        <translation>返回</translation>
     </message>
     <message>
         <source>round the cycle</source>
-        <translation type="unfinished"></translation>
+        <translation>绕周期一圈</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>无</translation>
     </message>
     <message>
         <source>Check of the way</source>
-        <translation type="unfinished"></translation>
+        <translation>传递过程的检查</translation>
     </message>
     <message>
         <source>Back: carried back from the ends, to see how far it is off. Round the cycle: from the last frame to the first, which lie beside each other.</source>
-        <translation type="unfinished"></translation>
+        <translation>返回：从两端传递回来，查看偏差有多大。绕周期一圈：从最后一帧到第一帧，两者彼此相邻。</translation>
     </message>
     <message>
         <source>First frame</source>
-        <translation type="unfinished"></translation>
+        <translation>第一帧</translation>
     </message>
     <message>
         <source>The surface is carried from here …</source>
-        <translation type="unfinished"></translation>
+        <translation>表面从这里开始传递…</translation>
     </message>
     <message>
         <source>Last frame</source>
-        <translation type="unfinished"></translation>
+        <translation>最后一帧</translation>
     </message>
     <message>
         <source>… to here</source>
-        <translation type="unfinished"></translation>
+        <translation>…到这里</translation>
     </message>
     <message>
         <source>Topology</source>
-        <translation type="unfinished"></translation>
+        <translation>拓扑</translation>
     </message>
     <message>
         <source>Check</source>
-        <translation type="unfinished"></translation>
+        <translation>检查</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>帧</translation>
     </message>
     <message>
         <source>to</source>
-        <translation type="unfinished">至</translation>
+        <translation>至</translation>
     </message>
     <message>
         <source>Check over time</source>
-        <translation type="unfinished"></translation>
+        <translation>随时间的检查</translation>
     </message>
     <message>
         <source>CSV…</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV…</translation>
     </message>
     <message>
         <source>Plot…</source>
-        <translation type="unfinished"></translation>
+        <translation>曲线图…</translation>
     </message>
     <message>
         <source>Save the curve as CSV</source>
-        <translation type="unfinished"></translation>
+        <translation>将曲线保存为 CSV</translation>
     </message>
     <message>
         <source>The same table as “handlebody-cli segment --curve F.csv” writes</source>
-        <translation type="unfinished"></translation>
+        <translation>与“handlebody-cli segment --curve F.csv”写出的表格相同</translation>
     </message>
     <message>
         <source>Save the curve as a plot</source>
-        <translation type="unfinished"></translation>
+        <translation>将曲线保存为图</translation>
     </message>
     <message>
         <source>The same picture (SVG) as “handlebody-cli segment --curve F.svg” writes</source>
-        <translation type="unfinished"></translation>
+        <translation>与“handlebody-cli segment --curve F.svg”写出的图 (SVG) 相同</translation>
     </message>
     <message>
         <source>Meshes…</source>
-        <translation type="unfinished"></translation>
+        <translation>网格…</translation>
     </message>
     <message>
         <source>Labels…</source>
-        <translation type="unfinished"></translation>
+        <translation>标签…</translation>
     </message>
     <message>
         <source>Save the volume over time</source>
-        <translation type="unfinished"></translation>
+        <translation>保存体积随时间的变化</translation>
     </message>
     <message>
         <source>End-diastole %1 (frame %2), end-systole %3 (frame %4), stroke volume %5, &lt;b&gt;ejection fraction %6 %&lt;/b&gt;.</source>
-        <translation type="unfinished"></translation>
+        <translation>舒张末期 %1（第 %2 帧），收缩末期 %3（第 %4 帧），每搏输出量 %5，&lt;b&gt;射血分数 %6 %&lt;/b&gt;。</translation>
     </message>
     <message>
         <source>From frame %1 back at frame %2: Dice %3, %4 off.</source>
-        <translation type="unfinished"></translation>
+        <translation>从第 %1 帧返回第 %2 帧：Dice %3，偏差 %4。</translation>
     </message>
     <message>
         <source>The surface was lost on its way from frame %1 back to frame %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>表面在从第 %1 帧返回第 %2 帧的途中丢失。</translation>
     </message>
     <message>
         <source>Frame %1 is being corrected: change it with clicks, walls and edits, then carry on from there.</source>
-        <translation type="unfinished"></translation>
+        <translation>正在修正第 %1 帧：请用点击、屏障和编辑进行更改，然后由此继续传递。</translation>
     </message>
     <message>
         <source>Carrying the surface through the frames…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在将表面传递到各帧…</translation>
     </message>
     <message>
         <source>These are of an earlier surface of frame %1: carry it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>这些来自第 %1 帧较早的表面：请重新传递。</translation>
     </message>
     <message>
         <source>Not all frames were carried to.</source>
-        <translation type="unfinished"></translation>
+        <translation>并非所有帧都已传递到。</translation>
     </message>
 </context>
 <context>
@@ -4616,119 +4618,119 @@ Others are where objects begin: they grow from there onto the image, or give gro
     <name>handlebody::ui::SensitivityPage</name>
     <message>
         <source>Run</source>
-        <translation type="unfinished"></translation>
+        <translation>运行</translation>
     </message>
     <message>
         <source>Volume (ml)</source>
-        <translation type="unfinished">体积 (ml)</translation>
+        <translation>体积 (ml)</translation>
     </message>
     <message>
         <source>Components</source>
-        <translation type="unfinished">连通分量</translation>
+        <translation>连通分量</translation>
     </message>
     <message>
         <source>Tunnels</source>
-        <translation type="unfinished">隧道</translation>
+        <translation>隧道</translation>
     </message>
     <message>
         <source>Away (mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>距离 (mm)</translation>
     </message>
     <message>
         <source>The perturbed runs</source>
-        <translation type="unfinished"></translation>
+        <translation>扰动运行</translation>
     </message>
     <message>
         <source>Save the perturbed runs</source>
-        <translation type="unfinished"></translation>
+        <translation>保存扰动运行</translation>
     </message>
     <message>
         <source>Sensitivity</source>
-        <translation type="unfinished"></translation>
+        <translation>敏感性</translation>
     </message>
     <message>
         <source>Grow the surface several times again, with clicks, smoothing and noise a little different: how much do volume and surface change?</source>
-        <translation type="unfinished"></translation>
+        <translation>略微改变点击位置、平滑和噪声后多次重新生长表面：体积和表面会改变多少？</translation>
     </message>
     <message>
         <source> runs</source>
-        <translation type="unfinished"></translation>
+        <translation> 次运行</translation>
     </message>
     <message>
         <source>Number of runs</source>
-        <translation type="unfinished"></translation>
+        <translation>运行次数</translation>
     </message>
     <message>
         <source>How often it is grown again; each takes about as long as the growth</source>
-        <translation type="unfinished"></translation>
+        <translation>重新生长的次数；每次耗时与生长大致相同</translation>
     </message>
     <message>
         <source>Volume with its spread</source>
-        <translation type="unfinished"></translation>
+        <translation>体积及其离散程度</translation>
     </message>
     <message>
         <source>State of the sensitivity</source>
-        <translation type="unfinished"></translation>
+        <translation>敏感性的状态</translation>
     </message>
     <message>
         <source>How far it moves, in colour on the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>在表面上以颜色显示移动距离</translation>
     </message>
     <message>
         <source>White where the surface is certain, red where it moves from run to run</source>
-        <translation type="unfinished"></translation>
+        <translation>白色表示表面确定，红色表示各次运行间有移动</translation>
     </message>
     <message>
         <source>How many runs have ended</source>
-        <translation type="unfinished"></translation>
+        <translation>已结束的运行次数</translation>
     </message>
     <message>
         <source>Save as CSV…</source>
-        <translation type="unfinished">保存为 CSV…</translation>
+        <translation>保存为 CSV…</translation>
     </message>
     <message>
         <source>Save the runs as CSV</source>
-        <translation type="unfinished"></translation>
+        <translation>将各次运行保存为 CSV</translation>
     </message>
     <message>
         <source>Volume, topology and distance of every run</source>
-        <translation type="unfinished"></translation>
+        <translation>每次运行的体积、拓扑和距离</translation>
     </message>
     <message>
         <source>moves by</source>
-        <translation type="unfinished"></translation>
+        <translation>移动</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished">%1：%2</translation>
+        <translation>%1：%2</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">取消</translation>
+        <translation>取消</translation>
     </message>
     <message>
         <source>%1 ± %2 ml</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ± %2 ml</translation>
     </message>
     <message>
         <source>%1 to %2 in %3 of %4 runs, %5 of the same topology. The surface moves by %6, 95 % of it by less than %7.</source>
-        <translation type="unfinished"></translation>
+        <translation>%4 次运行中有 %3 次得到 %1 至 %2，其中 %5 次拓扑相同。表面移动 %6，其 95 % 的部分小于 %7。</translation>
     </message>
     <message>
         <source> ⚠ %1.</source>
-        <translation type="unfinished"></translation>
+        <translation> ⚠ %1。</translation>
     </message>
     <message>
         <source>None of the runs left a surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有一次运行留下表面。</translation>
     </message>
     <message>
         <source>Growing it again…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在重新生长…</translation>
     </message>
     <message>
         <source>These are figures of an earlier surface, or of another object.</source>
-        <translation type="unfinished">这些指标属于较早的表面或其他目标。</translation>
+        <translation>这些数值来自较早的表面或其他目标。</translation>
     </message>
 </context>
 <context>
@@ -4950,31 +4952,31 @@ or drop a file here</source>
     <name>handlebody::ui::TimeBar</name>
     <message>
         <source>Frame %1 of 0–%2</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 帧（0–%2）</translation>
     </message>
     <message>
         <source>%1, %2 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，%2 ms</translation>
     </message>
     <message>
         <source>Shown frame</source>
-        <translation type="unfinished"></translation>
+        <translation>所示帧</translation>
     </message>
     <message>
         <source>What is wrong with the shown frame</source>
-        <translation type="unfinished"></translation>
+        <translation>所示帧的问题</translation>
     </message>
     <message>
         <source>Reading…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在读取…</translation>
     </message>
     <message>
         <source>The surface is grown in this frame</source>
-        <translation type="unfinished"></translation>
+        <translation>表面在此帧中生长</translation>
     </message>
     <message>
         <source>The surface has not been carried here</source>
-        <translation type="unfinished"></translation>
+        <translation>表面尚未传递到这里</translation>
     </message>
 </context>
 <context>
@@ -5028,7 +5030,7 @@ or drop a file here</source>
     </message>
     <message>
         <source>Changed at %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>在 %1 处更改：%2</translation>
     </message>
 </context>
 <context>
@@ -5046,91 +5048,91 @@ or drop a file here</source>
     <name>handlebody::ui::TopologySection</name>
     <message>
         <source>Held at iteration %1: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 次迭代时被阻止：%2。</translation>
     </message>
     <message>
         <source>any</source>
-        <translation type="unfinished"></translation>
+        <translation>任意</translation>
     </message>
     <message>
         <source>Topology</source>
-        <translation type="unfinished"></translation>
+        <translation>拓扑</translation>
     </message>
     <message>
         <source>Free</source>
-        <translation type="unfinished"></translation>
+        <translation>自由</translation>
     </message>
     <message>
         <source>Never more than</source>
-        <translation type="unfinished"></translation>
+        <translation>不超过</translation>
     </message>
     <message>
         <source>Ask each time</source>
-        <translation type="unfinished"></translation>
+        <translation>每次询问</translation>
     </message>
     <message>
         <source>What happens where the surface would get more parts or tunnels than are chosen: it gets them, never does (what is held is listed in Correct), or the growth pauses and asks you</source>
-        <translation type="unfinished"></translation>
+        <translation>当表面的部分或隧道将多于所选数目时如何处理：允许，始终不允许（被阻止的列在“修正”中），或暂停生长并询问您</translation>
     </message>
     <message>
         <source>Components at most</source>
-        <translation type="unfinished"></translation>
+        <translation>连通分量上限</translation>
     </message>
     <message>
         <source>Connected parts of the surface, cavities included</source>
-        <translation type="unfinished"></translation>
+        <translation>表面的连通部分，包括空腔</translation>
     </message>
     <message>
         <source>Genus at most</source>
-        <translation type="unfinished"></translation>
+        <translation>亏格上限</translation>
     </message>
     <message>
         <source>Tunnels, as in a ring, of all parts together</source>
-        <translation type="unfinished"></translation>
+        <translation>所有部分合计的隧道（如环中的孔）</translation>
     </message>
     <message>
         <source>Parts</source>
-        <translation type="unfinished">部分</translation>
+        <translation>部分</translation>
     </message>
     <message>
         <source>Genus</source>
-        <translation type="unfinished">亏格</translation>
+        <translation>亏格</translation>
     </message>
     <message>
         <source>To decide</source>
-        <translation type="unfinished"></translation>
+        <translation>待决定</translation>
     </message>
     <message>
         <source>Let it happen</source>
-        <translation type="unfinished">允许发生</translation>
+        <translation>允许发生</translation>
     </message>
     <message>
         <source>It may break the limits here; the growth goes on</source>
-        <translation type="unfinished"></translation>
+        <translation>此处可以超出限制；生长继续</translation>
     </message>
     <message>
         <source>Hold it</source>
-        <translation type="unfinished"></translation>
+        <translation>阻止</translation>
     </message>
     <message>
         <source>It stays held here, and you are not asked again; the growth goes on</source>
-        <translation type="unfinished"></translation>
+        <translation>此处继续阻止，且不再询问您；生长继续</translation>
     </message>
     <message>
         <source>Free topology</source>
-        <translation type="unfinished"></translation>
+        <translation>不限制拓扑</translation>
     </message>
     <message>
         <source>Ask about the topology</source>
-        <translation type="unfinished"></translation>
+        <translation>询问拓扑变化</translation>
     </message>
     <message>
         <source>Limit the topology</source>
-        <translation type="unfinished"></translation>
+        <translation>限制拓扑</translation>
     </message>
     <message>
         <source>%1 more to decide.</source>
-        <translation type="unfinished"></translation>
+        <translation>还有 %1 项待决定。</translation>
     </message>
 </context>
 <context>
@@ -5348,27 +5350,27 @@ or drop a file here</source>
     </message>
     <message>
         <source>Edges</source>
-        <translation type="unfinished"></translation>
+        <translation>边</translation>
     </message>
     <message>
         <source>Uniform</source>
-        <translation type="unfinished"></translation>
+        <translation>均匀</translation>
     </message>
     <message>
         <source>Adaptive</source>
-        <translation type="unfinished"></translation>
+        <translation>自适应</translation>
     </message>
     <message>
         <source>The target edge length is the same everywhere</source>
-        <translation type="unfinished"></translation>
+        <translation>目标边长处处相同</translation>
     </message>
     <message>
         <source>Edges and steps are up to four times as long where the image shows no boundary near by: fewer iterations</source>
-        <translation type="unfinished"></translation>
+        <translation>图像附近没有边界之处，边和步长最多为四倍：迭代更少</translation>
     </message>
     <message>
         <source>Change edges</source>
-        <translation type="unfinished"></translation>
+        <translation>更改边</translation>
     </message>
 </context>
 <context>
@@ -5611,31 +5613,31 @@ or drop a file here</source>
     <name>handlebody::ui::VolumePlot</name>
     <message>
         <source>Volume over time</source>
-        <translation type="unfinished"></translation>
+        <translation>体积随时间变化</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished">%1：%2</translation>
+        <translation>%1：%2</translation>
     </message>
     <message>
         <source>Volume (ml) over time (ms)</source>
-        <translation type="unfinished"></translation>
+        <translation>体积 (ml) 随时间 (ms) 的变化</translation>
     </message>
     <message>
         <source>Volume (ml) over frames</source>
-        <translation type="unfinished"></translation>
+        <translation>体积 (ml) 随帧的变化</translation>
     </message>
     <message>
         <source>end-diastole</source>
-        <translation type="unfinished"></translation>
+        <translation>舒张末期</translation>
     </message>
     <message>
         <source>end-systole</source>
-        <translation type="unfinished"></translation>
+        <translation>收缩末期</translation>
     </message>
     <message>
         <source>The volume over time is plotted here when the surface is carried through the frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>将表面传递到各帧后，此处绘制体积随时间的变化。</translation>
     </message>
 </context>
 <context>

@@ -265,7 +265,7 @@ void addTimeCommands(std::vector<CommandSpec>& t) {
       t.end(),
       {{Command::playFrames, menu, "", T("&Play"), "T", "play", T("Play the frames of the volume, or stop"),
         kPlain, false},
-       {Command::previousFrame, menu, "", T("Pre&vious frame"), "Alt+Left", "frame-back",
+       {Command::previousFrame, menu, "", T("P&revious frame"), "Alt+Left", "frame-back",
         T("The frame before the shown one"), kPlain, false},
        {Command::nextFrame, menu, "", T("&Next frame"), "Alt+Right", "frame-forward",
         T("The frame after the shown one"), kPlain, false},
@@ -282,7 +282,7 @@ void addTimeCommands(std::vector<CommandSpec>& t) {
           "it "
           "on"),
         kPlain, true},
-       {Command::endCorrection, menu, "", T("Carry o&n from here"), "", "over-time",
+       {Command::endCorrection, menu, "", T("Carry on &from here"), "", "over-time",
         T("The correction counts: the frames beyond this one are carried again from it"), kPlain, false},
        {Command::leaveCorrection, menu, "", T("&Drop the correction"), "", "close",
         T("Back to the frame that is grown; what was carried stays as it was"), kPlain, false},

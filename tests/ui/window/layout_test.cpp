@@ -469,7 +469,7 @@ void LayoutTest::theButtonsOfThePanelsAreSharpOnAFineScreen() {
     QCOMPARE(button->icon().pixmap(QSize(16, 16), 3.0).size(), QSize(48, 48));  // drawn, not enlarged
     ++found;
   }
-  QCOMPARE(found, 6);  // two per dock
+  QCOMPARE(found, 8);  // two per dock
 }
 
 int main(int argc, char** argv) {
