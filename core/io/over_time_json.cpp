@@ -76,6 +76,9 @@ FrameCorrection correctionFromJson(const Json& json) {
   c.request = {session.seeds, session.requested, session.constraints};
   c.changes = session.changes;
   c.stopAt = session.stopAt;
+  if (finalRequest(c).constraints.start || c.request.constraints.start)
+    throw UsageError(
+        "a corrected frame begins with the surface of the frame beside it, not with that of a file.");
   return c;
 }
 

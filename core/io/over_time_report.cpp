@@ -4,6 +4,8 @@
 #include <locale>
 #include <sstream>
 
+#include "core/io/session.h"
+
 namespace handlebody {
 
 namespace {
@@ -58,6 +60,9 @@ std::vector<std::string> overTimeDoubts(const OverTimeReport& report) {
 }
 
 OverTimeReport anonymous(OverTimeReport report) {
+  Session session;
+  session.overTime = std::move(report.request);
+  report.request = *anonymous(std::move(session)).overTime;
   for (FrameResult& r : report.frames)
     for (ToldFault& f : r.faults)
       if (f.fault == FrameFault::unreadable) f.sentence = "its voxels cannot be read";

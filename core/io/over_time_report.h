@@ -26,7 +26,7 @@ VolumeCurve curveOf(const std::vector<FrameResult>& frames, const TimeAxis& time
 //! Sentences without a full stop, "frame 3: …": every fault, a surface that was lost on its way back.
 std::vector<std::string> overTimeDoubts(const OverTimeReport& report);
 
-//! Without what may name the patient: paths in what is told of frames that could not be read.
+//! Without what may name the patient: paths, of walls in corrected frames and in what is told of frames.
 OverTimeReport anonymous(OverTimeReport report);
 
 //! The curve as CSV (RFC 4180, lines end in LF): frame, time_ms, volume_ml, phase (end-diastole,

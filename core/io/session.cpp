@@ -109,8 +109,6 @@ std::vector<Session> sessionsFromJson(const Json& json, const std::string& path,
   const auto add = [&](const Json& object) {
     sessions.push_back(head);
     readRequest(object.at("requested"), sessions.back());
-    locateWalls(sessions.back(), path, inputs.walls);
-    locateStarts(sessions.back(), path, inputs.start);
   };
   if (!json.contains("objects")) {
     add(json);
@@ -123,6 +121,10 @@ std::vector<Session> sessionsFromJson(const Json& json, const std::string& path,
   if (json.contains("over_time")) {
     if (sessions.size() > 1) throw UsageError("several objects cannot be carried over time.");
     sessions[0].overTime = overTimeFromJson(json.at("over_time"));
+  }
+  for (Session& session : sessions) {
+    locateWalls(session, path, inputs.walls);
+    locateStarts(session, path, inputs.start);
   }
   if (json.contains("view")) sessions[0].view = json.at("view").dump();
   if (json.contains("measurements"))  // of each, since the first may be left out where it has no seed
@@ -149,14 +151,19 @@ Json headToJson(const Session& session, const std::string& path) {
   return json;
 }
 
-void addObject(Json& json, Session session, const std::string& path) {
+//! `path`: of the session.
+Session withStoredPaths(Session session, const std::string& path) {
   forEachWallMap(session, [&](WallMap& map) {
     if (!map.path.empty()) map.path = storedPath(map.path, path);
   });
   forEachStart(session, [&](StartSurface& s) {
     if (!s.path.empty()) s.path = storedPath(s.path, path);
   });
-  json["requested"] = requestToJson(session);
+  return session;
+}
+
+void addObject(Json& json, const Session& session, const std::string& path) {
+  json["requested"] = requestToJson(withStoredPaths(session, path));
   if (!session.resolved) return;
   json["parameters"] = resolvedToJson(*session.resolved);
   json["seeds"] = seedsToJson(seedsOfSide(session.resolved->seeds, false));
@@ -172,7 +179,7 @@ void addWhatAWindowKeeps(Json& json, const Session& session) {
 void writeSession(const Session& session, const std::string& path) {
   Json json = headToJson(session, path);
   addObject(json, session, path);
-  if (session.overTime) json["over_time"] = overTimeToJson(*session.overTime);
+  if (session.overTime) json["over_time"] = overTimeToJson(*withStoredPaths(session, path).overTime);
   addWhatAWindowKeeps(json, session);
   writeTextAtomically(path, jsonText(json));
 }

@@ -123,6 +123,7 @@ Request carriedRequest(const OverTimeSettings& settings, int frame) {
   r.parameters.edgeLength = settings.edgeLength;
   r.parameters.smoothing = settings.smoothing;
   r.parameters.direction = Direction::both;
+  r.constraints.start.reset();  // it begins with the surface that is carried
   r.constraints.vetoes.clear();
   r.constraints.pins.clear();
   r.constraints.edits.clear();

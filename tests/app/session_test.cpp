@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/errors.h"
+#include "core/io/over_time_report.h"
 #include "tests/app/temp_folder.h"
 #include "tests/support/catch.h"
 
@@ -231,6 +232,37 @@ TEST_CASE("a folder with volume and session can be moved", "[session]") {
   writeSession(unusualSession(folder / "a/data/v.mha"), folder / "a/s.json");
   std::filesystem::rename(folder / "a", folder / "b");
   CHECK(std::filesystem::exists(readSession(folder / "b/s.json").volume.path));
+}
+
+TEST_CASE("label maps of walls in corrected frames are named, found and left out as all others are",
+          "[session]") {
+  const TempFolder folder;
+  const std::string path = folder / "patient.mha";
+  Session s;
+  s.version = "1.2.3";
+  s.volume = {folder / "v.nii", "00ff", {}};
+  s.seeds = {{{1, 2, 3}, {}}};
+  const Constraints walled{{{}, WallMap{path, "ab12", nullptr}}, {}, {}};
+  FrameCorrection correction{2, {s.seeds, s.requested, walled}, {{3, s.requested, {}, walled}}, {}};
+  s.overTime = OverTimeRequest{};
+  s.overTime->corrections = {correction};
+  writeSession(s, folder / "s.json");
+  CHECK(test::readBytes(folder / "s.json").find(folder.path()) == std::string::npos);
+  CHECK(readSession(folder / "s.json").overTime == s.overTime);
+
+  writeSession(anonymous(s), folder / "a.json");
+  CHECK(test::readBytes(folder / "a.json").find("patient") == std::string::npos);
+  InputPaths inputs{s.volume.path};
+  CHECK_THROWS_WITH(readSession(folder / "a.json", inputs), Catch::Matchers::Contains("--walls"));
+  inputs.walls = path;
+  CHECK(readSession(folder / "a.json", inputs).overTime == s.overTime);
+
+  OverTimeReport told;
+  told.request = *s.overTime;
+  const OverTimeReport hidden = anonymous(told);
+  REQUIRE(hidden.request.corrections.size() == 1);
+  CHECK(hidden.request.corrections[0].request.constraints.walls.map->path.empty());
+  CHECK(hidden.request.corrections[0].changes[0].constraints->walls.map->path.empty());
 }
 
 TEST_CASE("what is not a session is an input error that names the file", "[session]") {

@@ -90,8 +90,8 @@ void MainWindow::showOpened() {
   }
   updateTitle();
   messages_->dismiss();
-  if (!document_.info().warnings.empty())
-    messages_->show(MessageBar::Kind::warning, mainWarning(document_.info()));
+  if (const QString warning = mainWarning(document_.info()); !warning.isEmpty())
+    messages_->show(MessageBar::Kind::warning, warning);
 }
 
 void MainWindow::keepView() {

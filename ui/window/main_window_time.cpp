@@ -14,7 +14,7 @@ namespace handlebody::ui {
 namespace {
 
 constexpr int kUsualHeight = 290;  // pixels, of the panel when it is shown first
-// A corrected frame and what is carried on from it are not proven yet (tests with the tag [time-correction]).
+// A frame corrected by hand and what is carried on from it: tested in the model, not told of in the guides.
 constexpr bool kOffersCorrection = false;
 
 }  // namespace

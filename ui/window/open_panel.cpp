@@ -184,7 +184,7 @@ void OpenPanel::showOpened() {
   frame_->setRange(0, info.frames - 1);
   frame_->setValue(document_.selection().frame.value_or(0));
   frame_->setSuffix(tr("  (0 to %1)").arg(info.frames - 1));
-  showWarnings(info.warnings);
+  showWarnings(warningsOfWindow(info));
   offerSpacing();
   hint_->hide();
   facts_->show();

@@ -10,6 +10,7 @@
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QTableWidget>
+#include <algorithm>
 
 #include "core/io/over_time_report.h"
 #include "ui/model/document.h"
@@ -84,7 +85,6 @@ OverTimePanel::OverTimePanel(Document& document, const Commands& commands, QWidg
 
 QWidget* OverTimePanel::buildTools(const Commands& commands) {
   auto* tools = new QWidget(this);
-  tools->setFixedWidth(kTools);
   auto* grid = new QGridLayout(tools);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setVerticalSpacing(4);
@@ -103,6 +103,7 @@ QWidget* OverTimePanel::buildTools(const Commands& commands) {
   grid->addWidget(figures_, 6, 0, 1, 4);
   grid->setRowStretch(7, 1);
   addSaving(*grid, tools, commands);
+  tools->setFixedWidth(std::max(kTools, grid->minimumSize().width()));
   return tools;
 }
 

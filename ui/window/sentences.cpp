@@ -29,14 +29,23 @@ QString inWordsOfWindow(QString sentence) {
                           QCoreApplication::translate("Sentences", "stack %1").arg(QStringLiteral("\\1")));
 }
 
+std::vector<std::string> warningsOfWindow(const VolumeInfo& info) {
+  std::vector<std::string> warnings = info.warnings;
+  std::erase_if(warnings,
+                [](const std::string& w) { return w.find("--frame chooses") != std::string::npos; });
+  return warnings;
+}
+
 QString mainWarning(const VolumeInfo& info) {
+  const std::vector<std::string> warnings = warningsOfWindow(info);
+  if (warnings.empty()) return {};
   const auto namesScale = [&](const std::string& warning) {
     return !info.calibrated && warning.find("uncalibrated") != std::string::npos;
   };
-  const auto first = std::find_if(info.warnings.begin(), info.warnings.end(), namesScale);
-  const std::string& warning = first == info.warnings.end() ? info.warnings.front() : *first;
+  const auto first = std::find_if(warnings.begin(), warnings.end(), namesScale);
+  const std::string& warning = first == warnings.end() ? warnings.front() : *first;
   const QString more = QCoreApplication::translate("Sentences", " More in the step Open.");
-  return inWordsOfWindow(QString::fromStdString(warning)) + (info.warnings.size() > 1 ? more : QString());
+  return inWordsOfWindow(QString::fromStdString(warning)) + (warnings.size() > 1 ? more : QString());
 }
 
 QString breakable(const QString& text) {

@@ -128,6 +128,11 @@ void OpenPanelTest::thatLengthsMeanNothingIsSaidFirst() {
   QVERIFY(ui::mainWarning(info).contains("More"));
   info.warnings = {"The volume is uncalibrated."};
   QCOMPARE(ui::mainWarning(info), QString("The volume is uncalibrated."));
+  // The bar of time shows it.
+  info.warnings = {"There are 3 time points; frame 0 is used (--frame chooses another)."};
+  QVERIFY(ui::mainWarning(info).isEmpty());
+  info.warnings.push_back("One file is left out.");
+  QCOMPARE(ui::mainWarning(info), QString("One file is left out."));
 }
 
 int main(int argc, char** argv) {
