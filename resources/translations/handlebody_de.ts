@@ -1997,7 +1997,7 @@ Mittel ± SA</translation>
     </message>
     <message>
         <source>Play the frames of the volume, or stop</source>
-        <translation>Die Bilder des Volumens abspielen oder anhalten</translation>
+        <translation>Die Bilder des Bildvolumens abspielen oder anhalten</translation>
     </message>
     <message>
         <source>P&amp;revious frame</source>
@@ -2017,7 +2017,7 @@ Mittel ± SA</translation>
     </message>
     <message>
         <source>&amp;Back to where it is grown</source>
-        <translation>&amp;Zurück zum gewachsenen Bild</translation>
+        <translation>&amp;Zurück, wo sie gewachsen ist</translation>
     </message>
     <message>
         <source>The frame in which the surface is grown</source>
@@ -2029,7 +2029,7 @@ Mittel ± SA</translation>
     </message>
     <message>
         <source>Grow in the shown frame with the same clicks; what was grown in the other one is gone</source>
-        <translation>Im gezeigten Bild mit denselben Startpunkten wachsen; was im anderen gewachsen ist, entfällt</translation>
+        <translation>Im gezeigten Bild mit denselben Punkten wachsen; was im anderen gewachsen ist, entfällt</translation>
     </message>
     <message>
         <source>&amp;Over time</source>
@@ -2093,7 +2093,7 @@ Mittel ± SA</translation>
     </message>
     <message>
         <source>Grow it again with clicks, smoothing and noise a little different: how much do volume and surface change?</source>
-        <translation>Mit etwas anderen Startpunkten, Glättung und Rauschen neu wachsen: Wie sehr ändern sich Volumen und Oberfläche?</translation>
+        <translation>Mit etwas anderen Punkten, Glättung und Rauschen neu wachsen: Wie sehr ändern sich Volumen und Oberfläche?</translation>
     </message>
 </context>
 <context>
@@ -3205,7 +3205,7 @@ Mit den anderen beginnen Objekte: Sie wachsen von dort auf das Bild oder geben n
     </message>
     <message>
         <source>&lt;p&gt;Time: the frames of the volume. A ring is the frame the surface is grown in, dots are frames it was carried to: orange with a warning, red where it failed. Click or drag to go there.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Zeit: die Bilder des Volumens. Ein Ring ist das Bild, in dem die Oberfläche gewachsen ist, Punkte sind Bilder, in die sie übertragen wurde: orange mit einer Warnung, rot, wo es misslang. Klicken oder ziehen Sie, um dorthin zu gehen.&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;Zeit: die Bilder des Bildvolumens. Ein Ring ist das Bild, in dem die Oberfläche gewachsen ist, Punkte sind Bilder, in die sie übertragen wurde: orange mit einer Warnung, rot, wo es misslang. Klicken oder ziehen, um dorthin zu gehen.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -4650,7 +4650,7 @@ Mit den anderen beginnen Objekte: Sie wachsen von dort auf das Bild oder geben n
     </message>
     <message>
         <source>Grow the surface several times again, with clicks, smoothing and noise a little different: how much do volume and surface change?</source>
-        <translation>Die Oberfläche noch mehrmals wachsen lassen, mit etwas anderen Startpunkten, Glättung und Rauschen: Wie sehr ändern sich Volumen und Oberfläche?</translation>
+        <translation>Die Oberfläche noch mehrmals wachsen lassen, mit etwas anderen Punkten, Glättung und Rauschen: Wie sehr ändern sich Volumen und Oberfläche?</translation>
     </message>
     <message>
         <source> runs</source>
@@ -4662,7 +4662,7 @@ Mit den anderen beginnen Objekte: Sie wachsen von dort auf das Bild oder geben n
     </message>
     <message>
         <source>How often it is grown again; each takes about as long as the growth</source>
-        <translation>Wie oft sie neu wächst; jedes Mal dauert etwa so lange wie das Wachsen</translation>
+        <translation>Wie oft sie neu wächst; jedes Mal dauert etwa so lange wie das Wachstum</translation>
     </message>
     <message>
         <source>Volume with its spread</source>
@@ -5072,7 +5072,7 @@ oder eine Datei hier ablegen</translation>
     </message>
     <message>
         <source>What happens where the surface would get more parts or tunnels than are chosen: it gets them, never does (what is held is listed in Correct), or the growth pauses and asks you</source>
-        <translation>Was geschieht, wo die Oberfläche mehr Teile oder Tunnel bekäme, als gewählt sind: Sie bekommt sie, nie (was gehalten wird, steht unter Korrigieren), oder das Wachsen hält an und fragt Sie</translation>
+        <translation>Was geschieht, wo die Oberfläche mehr Teile oder Tunnel bekäme, als gewählt sind: Sie bekommt sie, bekommt sie nie (was gehalten wird, steht unter Korrektur), oder das Wachstum hält an und fragt Sie</translation>
     </message>
     <message>
         <source>Components at most</source>
@@ -5108,7 +5108,7 @@ oder eine Datei hier ablegen</translation>
     </message>
     <message>
         <source>It may break the limits here; the growth goes on</source>
-        <translation>Sie darf die Grenzen hier überschreiten; das Wachsen geht weiter</translation>
+        <translation>Sie darf die Grenzen hier überschreiten; das Wachstum geht weiter</translation>
     </message>
     <message>
         <source>Hold it</source>
@@ -5116,7 +5116,7 @@ oder eine Datei hier ablegen</translation>
     </message>
     <message>
         <source>It stays held here, and you are not asked again; the growth goes on</source>
-        <translation>Es bleibt hier gehalten, und Sie werden nicht erneut gefragt; das Wachsen geht weiter</translation>
+        <translation>Es bleibt hier gehalten, und Sie werden nicht erneut gefragt; das Wachstum geht weiter</translation>
     </message>
     <message>
         <source>Free topology</source>
