@@ -1,6 +1,7 @@
 // What a contour is asked for: at first, and when it is changed on the way.
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/collision/body_contact.h"
@@ -9,6 +10,7 @@
 #include "core/evolution/contour_state.h"
 #include "core/evolution/image_doubts.h"
 #include "core/evolution/seeds.h"
+#include "core/geometry/triangle_distance.h"
 #include "core/mesh/structure.h"
 #include "core/told_error.h"
 
@@ -29,9 +31,12 @@ std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! A surface says more than a click at its deepest place: a ball there is all of the object.
 Seed seedWithin(const StartSurface& start) {
-  double depth = std::numeric_limits<double>::infinity();
-  for (const Vec3& p : start.mesh->points) depth = std::min(depth, (p - start.inside).norm());
-  return {start.inside, kStartBall * depth, false};
+  // To the nearest face: vertices may be far apart.
+  double least = std::numeric_limits<double>::infinity();
+  const auto& p = start.mesh->points;
+  for (const Triangle& t : start.mesh->triangles)
+    least = std::min(least, squaredDistance(start.inside, p[idx(t[0])], p[idx(t[1])], p[idx(t[2])]));
+  return {start.inside, kStartBall * std::sqrt(least), false};
 }
 
 }  // namespace

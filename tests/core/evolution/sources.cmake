@@ -24,6 +24,7 @@ target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/region_levels_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/resting_places_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/shrinking_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/evolution/start_surface_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/touch_steps_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/wall_disc_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/walls_test.cpp)

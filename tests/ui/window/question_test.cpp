@@ -108,7 +108,6 @@ void QuestionTest::theLimitsAreChosenAndTakenBack() {
 }
 
 void QuestionTest::theGrowthPausesAsksAndHolds() {
-  QSKIP("one layout fault is seen here, and alone the crosshair was not at the place in time: to be looked into");
   Opened o;
   QVERIFY(o.ok);
   o.choose(Qt::Key_End);
@@ -123,7 +122,8 @@ void QuestionTest::theGrowthPausesAsksAndHolds() {
            qPrintable(text));
   QCOMPARE(shownText(*o.window, "To decide"), text);
   o.keepPicture("question");
-  QCOMPARE(layoutFaults(*o.window), QStringList());
+  const QStringList faults = layoutFaults(*o.window);
+  QVERIFY2(faults.isEmpty(), qPrintable(faults.join("; ")));
   QVERIFY(o.press(o.message(), "Hold it"));
   QCOMPARE(o.document().undoStack()->undoText(), QString("Hold it"));
   QVERIFY(waitFor(*o.window, GrowthState::finished));
