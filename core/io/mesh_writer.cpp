@@ -141,10 +141,12 @@ bool writeAny(const MeshFile& file, const std::string& ending, const std::string
   return true;
 }
 
-//! VTK does not notice a full disk in every format: read it back before the file gets its name.
+//! VTK does not notice a full disk in every format: read it back before the file gets its name. A file of our
+//! own needs no process of its own to read it in.
 bool arrived(const MeshFile& file, const std::string& temporary) {
   try {
-    const TriangleSoup back = readMesh(temporary);
+    const TriangleSoup back =
+        endingOf(temporary) == ".vtp" ? readVtpHere(temporary).mesh : readMesh(temporary);
     return back.triangles.size() == file.mesh.triangles.size() &&
            (endingOf(temporary) == ".stl" || back.points.size() == file.mesh.points.size());
   } catch (const InputError&) {

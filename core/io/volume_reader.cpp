@@ -75,9 +75,9 @@ std::size_t fillNotANumber(T* values, const Grid& grid, const std::string& path)
   }
   const auto nx = static_cast<std::size_t>(grid.size[0]), ny = static_cast<std::size_t>(grid.size[1]);
   if (infinite > 0)
-    refuseInput(path, std::to_string(infinite) + " of its voxels are infinite, the first at index (" +
-                          std::to_string(first % nx) + ", " + std::to_string(first / nx % ny) + ", " +
-                          std::to_string(first / (nx * ny)) + ")");
+    refuseInput(path, std::to_string(infinite) + " of its voxels " + (infinite == 1 ? "is" : "are") +
+                          " infinite, the first at index (" + std::to_string(first % nx) + ", " +
+                          std::to_string(first / nx % ny) + ", " + std::to_string(first / (nx * ny)) + ")");
   if (none == n) refuseInput(path, "none of its voxels is a number");
   if (none == 0) return 0;
   const T below = notANumberBelow(least);

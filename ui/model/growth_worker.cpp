@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "core/cancellation.h"
 #include "core/errors.h"
@@ -249,8 +250,8 @@ bool GrowthWorker::isToPause() {
 bool GrowthWorker::noticeLeaks() {
   const std::vector<Leak>& found = history_->steps().back().leaks;
   for (const Leak& leak : found) leaks_.push_back({leak, history_->lastBefore(leak)});
+  hasLeaked_ = hasLeaked_ || !found.empty();
   const std::lock_guard lock(mutex_);
-  update_.leaked = update_.leaked || !found.empty();
   return pausesAtLeaks_ && !found.empty();
 }
 
@@ -258,8 +259,7 @@ bool GrowthWorker::noticeLeaks() {
 bool GrowthWorker::noticeQuestions() {
   const std::vector<HeldPlace>& found = history_->steps().back().questions;
   questions_.insert(questions_.end(), found.begin(), found.end());
-  const std::lock_guard lock(mutex_);
-  update_.asked = update_.asked || !found.empty();
+  hasAsked_ = hasAsked_ || !found.empty();
   return !found.empty();
 }
 
@@ -328,6 +328,8 @@ void GrowthWorker::publish(std::shared_ptr<const MeshSnapshot> frame) {
       update_.leaks = leaks_;
       update_.questions = questions_;
       update_.corrections = history_->corrections();
+      update_.leaked = std::exchange(hasLeaked_, false) || update_.leaked;
+      update_.asked = std::exchange(hasAsked_, false) || update_.asked;
     }
   }
   notifyOnce();

@@ -133,6 +133,7 @@ class GrowthWorker {
   QString error_;
   std::vector<FoundLeak> leaks_;
   std::vector<HeldPlace> questions_;
+  bool hasLeaked_ = false, hasAsked_ = false;  // told with the frame that shows it, not before
 
   // Shared.
   std::mutex mutex_;

@@ -90,7 +90,9 @@ TEST_CASE("several objects are polished clear of each other, and one alone as am
   work.growSecond();
   const QString all = work.torus.file("all.vtp"), one = work.torus.file("one.vtp"),
                 session = work.torus.file("s.json"), again = work.torus.file("again.vtp");
-  REQUIRE(work.exportAll(all));
+  const bool isExported = work.exportAll(all);
+  INFO(work.failed.toStdString());
+  REQUIRE(isExported);
   REQUIRE(work.exportActive(one));
   REQUIRE(work.save(session));
   const QString named = QString::fromStdString(nameOf(work.document, 1)) + QLatin1Char('=') + again;

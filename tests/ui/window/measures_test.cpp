@@ -286,7 +286,7 @@ void MeasuresTest::aReferenceIsComparedAndItsDistancesAreInColour() {
   // The ends of the bar stick out, its flanks lie within.
   const auto [least, most] = std::minmax_element(colours->ofFace.begin(), colours->ofFace.end());
   QVERIFY(*least < -2 && *most > 5);
-  auto* check = window->measures().findChild<QCheckBox*>();
+  auto* check = page.findChild<QCheckBox*>();
   check->click();
   QVERIFY(!window->viewState().distances());
   check->click();

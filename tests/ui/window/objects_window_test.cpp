@@ -2,6 +2,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QLineEdit>
 #include <QMessageBox>
@@ -254,6 +255,8 @@ void ObjectsWindowTest::aDroppedMeshIsAskedAboutAndBecomesAnObject() {
   answerNext("Done");
   QMimeData mime;
   mime.setUrls({QUrl::fromLocalFile(path)});
+  QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(window.get(), &enter);  // without it Qt drops the drop
   QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(window.get(), &drop);
   QVERIFY(!opened.isEmpty() || opened.wait(kPatience));

@@ -122,8 +122,7 @@ void QuestionTest::theGrowthPausesAsksAndHolds() {
            qPrintable(text));
   QCOMPARE(shownText(*o.window, "To decide"), text);
   o.keepPicture("question");
-  const QStringList faults = layoutFaults(*o.window);
-  QVERIFY2(faults.isEmpty(), qPrintable(faults.join("; ")));
+  QTRY_VERIFY2(layoutFaults(*o.window).isEmpty(), qPrintable(layoutFaults(*o.window).join("; ")));
   QVERIFY(o.press(o.message(), "Hold it"));
   QCOMPARE(o.document().undoStack()->undoText(), QString("Hold it"));
   QVERIFY(waitFor(*o.window, GrowthState::finished));
