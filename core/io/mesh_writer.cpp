@@ -155,6 +155,9 @@ bool arrived(const MeshFile& file, const std::string& temporary) {
 }
 
 void writeWhole(const MeshFile& file, const std::string& path) {
+  for (const Vec3& p : file.mesh.points)
+    if (!p.allFinite())
+      throw OutputError(path + ": cannot be written: a coordinate is not a number or infinite.");
   writeAtomically(path, [&](const std::string& temporary) {
     const VtkSilence silence;
     bool written = false;

@@ -2632,6 +2632,10 @@ Mittel ± SA</translation>
         <source>“%1” %2</source>
         <translation>„%1“ %2</translation>
     </message>
+    <message>
+        <source>A surface that comes from a file is not carried over time: grow one from a click.</source>
+        <translation>Eine Oberfläche aus einer Datei wird nicht durch die Zeit getragen: Lassen Sie eine aus einem Klick wachsen.</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::EventInspector</name>

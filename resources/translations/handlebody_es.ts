@@ -2632,6 +2632,10 @@ cercano (mm)</translation>
         <source>“%1” %2</source>
         <translation>«%1» %2</translation>
     </message>
+    <message>
+        <source>A surface that comes from a file is not carried over time: grow one from a click.</source>
+        <translation>Una superficie que viene de un archivo no se propaga en el tiempo: haga crecer una a partir de un clic.</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::EventInspector</name>

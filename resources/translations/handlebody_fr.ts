@@ -2632,6 +2632,10 @@ proche (mm)</translation>
         <source>“%1” %2</source>
         <translation>« %1 » %2</translation>
     </message>
+    <message>
+        <source>A surface that comes from a file is not carried over time: grow one from a click.</source>
+        <translation>Une surface qui vient d’un fichier n’est pas portée dans le temps : faites-en croître une à partir d’un clic.</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::EventInspector</name>

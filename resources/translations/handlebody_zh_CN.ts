@@ -2632,6 +2632,10 @@ mean ± SD</source>
         <source>“%1” %2</source>
         <translation>“%1”%2</translation>
     </message>
+    <message>
+        <source>A surface that comes from a file is not carried over time: grow one from a click.</source>
+        <translation>来自文件的表面不随时间传递：请从一次点击生长出一个表面。</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::EventInspector</name>

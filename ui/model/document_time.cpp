@@ -143,6 +143,8 @@ QString Document::carryFault() const {
   if (correctedFrame()) return tr("Frame %1 is being corrected: end that first.").arg(*correctedFrame());
   if (objectCount() > 1)
     return tr("Several objects are not carried over time: open the volume with one of them.");
+  if (constraints().start)
+    return tr("A surface that comes from a file is not carried over time: grow one from a click.");
   if (d_->active->isBusy()) return tr("The surface still grows: wait until it is at rest.");
   if (!d_->active->finished() || !d_->active->growth().resolved())
     return tr("There is no surface yet: grow one in a frame first.");

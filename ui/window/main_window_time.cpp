@@ -14,8 +14,6 @@ namespace handlebody::ui {
 namespace {
 
 constexpr int kUsualHeight = 290;  // pixels, of the panel when it is shown first
-// A frame corrected by hand and what is carried on from it: tested in the model, not told of in the guides.
-constexpr bool kOffersCorrection = false;
 
 }  // namespace
 
@@ -51,8 +49,6 @@ void MainWindow::connectTimeCommands() {
   });
   on(Command::endCorrection, [this] { document_.endCorrection(true); });
   on(Command::leaveCorrection, [this] { document_.endCorrection(false); });
-  for (const Command id : {Command::correctFrame, Command::endCorrection, Command::leaveCorrection})
-    commands_[id]->setVisible(kOffersCorrection);
   on(Command::showOverTime, [this] { showOverTime(); });
   on(Command::carryOverTime, [this, &time] {
     showOverTime();
@@ -82,8 +78,7 @@ void MainWindow::updateTimeCommands() {
   commands_[Command::toGrownFrame]->setEnabled(open && time.wantedFrame() != time.grownFrame());
   const bool corrects = document_.correctedFrame().has_value();
   commands_[Command::growHere]->setEnabled(open && !corrects && !time.showsGrownFrame());
-  commands_[Command::correctFrame]->setEnabled(kOffersCorrection && open &&
-                                              document_.correctionFault().isEmpty());
+  commands_[Command::correctFrame]->setEnabled(open && document_.correctionFault().isEmpty());
   commands_[Command::endCorrection]->setEnabled(corrects);
   commands_[Command::leaveCorrection]->setEnabled(corrects);
   QAction* carry = commands_[Command::carryOverTime];

@@ -10,6 +10,7 @@
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QTableWidget>
+#include <QToolButton>
 #include <algorithm>
 
 #include "core/io/over_time_report.h"
@@ -91,6 +92,13 @@ QWidget* OverTimePanel::buildTools(const Commands& commands) {
   grid->addWidget(new ActionButton(commands[Command::carryOverTime], tools), 0, 0, 1, 2);
   grid->addWidget(new ActionButton(commands[Command::growHere], tools), 0, 2, 1, 2);
   addOptions(*grid, tools);
+  auto* correct = new QWidget(tools);
+  auto* row = new QHBoxLayout(correct);
+  row->setContentsMargins(0, 0, 0, 0);
+  for (const Command id : {Command::correctFrame, Command::endCorrection})
+    row->addWidget(new ActionButton(commands[id], correct), 1);
+  row->addWidget(smallButton(commands[Command::leaveCorrection], correct));
+  grid->addWidget(correct, 3, 0, 1, 4);
   progress_ = new QProgressBar(tools);
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);

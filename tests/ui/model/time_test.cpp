@@ -245,6 +245,23 @@ TEST_CASE("several objects, or none, are not carried, and it says why", "[docume
   CHECK_FALSE(document.time().isCarrying());
 }
 
+TEST_CASE("a surface that comes from a file is not carried, and it says why", "[document][time]") {
+  const BeatingFile heart;
+  Document document;
+  REQUIRE(growInFrame(document, heart));
+  const QString path = heart.file("surface.stl");
+  QString written, opened;
+  QObject::connect(&document, &Document::exported, [&](const QString& p) { written = p; });
+  document.exportResult(path, CoordinateSpace::lps);
+  REQUIRE(waitFor([&] { return !written.isEmpty(); }));
+  REQUIRE(openAndWait(document, heart.path));
+  QObject::connect(&document, &Document::objectsOpened, [&](const QString& p) { opened = p; });
+  document.openObjects(path, OpenAs::start);
+  REQUIRE(waitFor([&] { return !opened.isEmpty(); }));
+  REQUIRE(document.objectCount() == 1);
+  CHECK(document.carryFault().contains("from a file"));
+}
+
 namespace {
 
 //! Frame 2 of a surface that was grown in frame 0, with a wall over its tip: it is pushed out of that. (One

@@ -108,7 +108,6 @@ void TimeWindowTest::aClickInThePlotGoesToTheFrame() {
 }
 
 void TimeWindowTest::aFrameIsCorrectedAndTheRestIsCarriedAgain() {
-  QSKIP("the window does not offer it; it passed when it did (main_window_time.cpp, kOffersCorrection)");
   auto window = grownWindow(sample_);
   QVERIFY(window && carry(*window));
   ui::Document& document = window->document();

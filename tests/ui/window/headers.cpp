@@ -1,0 +1,1 @@
+// Nothing: its target makes the precompiled header of the window's tests.
