@@ -258,6 +258,7 @@ TEST_CASE("a surface that comes from a file is not carried, and it says why", "[
   QObject::connect(&document, &Document::objectsOpened, [&](const QString& p) { opened = p; });
   document.openObjects(path, OpenAs::start);
   REQUIRE(waitFor([&] { return !opened.isEmpty(); }));
+  document.removeObject(0);  // the one without a click
   REQUIRE(document.objectCount() == 1);
   CHECK(document.carryFault().contains("from a file"));
 }
