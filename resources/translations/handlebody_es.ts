@@ -4298,11 +4298,11 @@ Los otros son donde empiezan los objetos: crecen desde allí hacia la imagen, o 
     </message>
     <message>
         <source>corrected, from frame %1</source>
-        <translation>corregida, desde el fotograma %1</translation>
+        <translation>corregida, desde %1</translation>
     </message>
     <message>
         <source>carried from frame %1</source>
-        <translation>propagada desde el fotograma %1</translation>
+        <translation>propagada desde %1</translation>
     </message>
     <message>
         <source>⚠ %1</source>
@@ -4458,7 +4458,7 @@ Los otros son donde empiezan los objetos: crecen desde allí hacia la imagen, o 
     </message>
     <message>
         <source>From frame %1 back at frame %2: Dice %3, %4 off.</source>
-        <translation>Del fotograma %1 de vuelta en el fotograma %2: Dice %3, desvío de %4.</translation>
+        <translation>Del %1 de vuelta en el %2: Dice %3, desvío de %4.</translation>
     </message>
     <message>
         <source>The surface was lost on its way from frame %1 back to frame %2.</source>

@@ -13,7 +13,7 @@ namespace handlebody::ui {
 
 namespace {
 
-constexpr int kUsualHeight = 290;  // pixels, of the panel when it is shown first
+constexpr int kUsualHeight = 310;  // pixels, of the panel when it is shown first
 
 }  // namespace
 

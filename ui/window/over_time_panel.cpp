@@ -92,13 +92,14 @@ QWidget* OverTimePanel::buildTools(const Commands& commands) {
   grid->addWidget(new ActionButton(commands[Command::carryOverTime], tools), 0, 0, 1, 2);
   grid->addWidget(new ActionButton(commands[Command::growHere], tools), 0, 2, 1, 2);
   addOptions(*grid, tools);
-  auto* correct = new QWidget(tools);
-  auto* row = new QHBoxLayout(correct);
+  correct_ = new ActionButton(commands[Command::correctFrame], tools);
+  grid->addWidget(correct_, 3, 0, 1, 4);
+  ends_ = new QWidget(tools);  // in its place while a frame is corrected
+  auto* row = new QHBoxLayout(ends_);
   row->setContentsMargins(0, 0, 0, 0);
-  for (const Command id : {Command::correctFrame, Command::endCorrection})
-    row->addWidget(new ActionButton(commands[id], correct), 1);
-  row->addWidget(smallButton(commands[Command::leaveCorrection], correct));
-  grid->addWidget(correct, 3, 0, 1, 4);
+  row->addWidget(new ActionButton(commands[Command::endCorrection], ends_), 1);
+  row->addWidget(smallButton(commands[Command::leaveCorrection], ends_));
+  grid->addWidget(ends_, 3, 0, 1, 4);
   progress_ = new QProgressBar(tools);
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
@@ -244,6 +245,8 @@ void OverTimePanel::showState() {
   const TimeSeries& time = document_.time();
   const bool any = time.carriedFrom() != nullptr;
   const bool isOfThis = any && document_.isCarriedCurrent();
+  correct_->setVisible(!document_.correctedFrame());
+  ends_->setVisible(document_.correctedFrame().has_value());
   progress_->setVisible(time.isCarrying());
   progress_->setValue(static_cast<int>(1000 * time.progress()));
   figures_->setText(figures());

@@ -48,6 +48,7 @@ class OverTimePanel : public QWidget {
   QProgressBar* progress_;
   QLabel *figures_, *note_;
   QPushButton *csv_, *svg_;
+  QWidget *correct_, *ends_;
   VolumePlot* plot_;
   QTableWidget* table_;
   int firstGesture_, lastGesture_;

@@ -113,9 +113,11 @@ void VolumePlot::paintAxes(QPainter& painter, double least, double most) const {
   const int step = std::max(1, static_cast<int>(std::ceil(last * 60.0 / std::max(60.0, a.width()))));
   for (int f = 0; f <= last; f += step)
     painter.drawText(QRectF(xOf(f) - 40, a.bottom() + 2, 80, kBottom - 2), Qt::AlignHCenter | Qt::AlignTop,
-                     number(when(f), 4));
-  painter.drawText(QRectF(4, 0, a.width(), kTop), Qt::AlignLeft | Qt::AlignVCenter,
-                   isKnown ? tr("Volume (ml) over time (ms)") : tr("Volume (ml) over frames"));
+                     number(when(f), 4) + (isKnown && f + step > last ? QStringLiteral(" ms") : QString()));
+  const QRectF top(4, 0, width() - 8, kTop);
+  const QString title = isKnown ? tr("Volume (ml) over time (ms)") : tr("Volume (ml) over frames");
+  const bool fits = painter.fontMetrics().horizontalAdvance(title) <= top.width();
+  painter.drawText(top, Qt::AlignLeft | Qt::AlignVCenter, fits ? title : QStringLiteral("ml"));
 }
 
 void VolumePlot::paintPhase(QPainter& painter, const QPointF& at, const QString& text, bool isAbove) const {

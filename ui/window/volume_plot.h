@@ -22,7 +22,7 @@ class VolumePlot : public QWidget {
   int frameAt(const QPointF& pixel) const;
 
   QSize sizeHint() const override { return {420, 150}; }
-  QSize minimumSizeHint() const override { return {180, 90}; }
+  QSize minimumSizeHint() const override { return {140, 90}; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;
