@@ -15,10 +15,12 @@ namespace {
 
 //! mm from the volume, whose border voxels count whole; 0 within.
 double outside(const Grid& grid, const Vec3& p) {
-  Vec3 index = grid.toIndex(p);
+  const Vec3 index = grid.toIndex(p);
+  Vec3 nearest;
   for (int a = 0; a < 3; ++a)
-    index[a] = std::clamp(index[a], -0.5, grid.size[static_cast<std::size_t>(a)] - 0.5);
-  return (grid.toWorld(index) - p).norm();
+    nearest[a] = std::clamp(index[a], -0.5, grid.size[static_cast<std::size_t>(a)] - 0.5);
+  if (nearest == index) return 0;  // there and back again would be off by rounding where the axes are oblique
+  return (grid.toWorld(nearest) - p).norm();
 }
 
 void requireSensible(const Pin& pin, const Grid& grid) {

@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <set>
 
+#include "core/io/mesh_io.h"
+#include "core/mesh/shapes.h"
 #include "tests/io/dicom_test_support.h"
 
 using namespace handlebody;
@@ -134,4 +136,30 @@ TEST_CASE("no value of the source is in any file that is written anonymously") {
   const std::string volume = " --volume '" + (folder / kFolder) + "' --series " + kSeries + " 2> /dev/null";
   REQUIRE(std::system((replay + volume).c_str()) == 0);
   CHECK(readBytes(folder / "again.stl") == readBytes(folder / "open/a.stl"));
+}
+
+TEST_CASE("nor of several objects, one of them from a file that names the patient") {
+  const TemporaryFolder folder;
+  writeSeries(folder / kFolder, bright());
+  const Volume volume = readVolume(folder / kFolder);
+  const Vec3 corner = volume.grid.toWorld(Vec3(6, 6, 4));
+  writeMesh(icosphere(corner, 2, 0.8), folder / "DOE_JANE_old.stl");
+  std::set<std::string> values = telling(folder / kFolder);
+  values.insert("DOE_JANE_old");
+  const auto segment = [&](const std::string& to, const std::string& more) {
+    fs::create_directories(folder / to);
+    std::string command = std::string(HANDLEBODY_CLI) + " segment '" + (folder / kFolder) + "' --quiet " +
+                          more + " --object-name old --given '" + (folder / "DOE_JANE_old.stl") +
+                          "' --object-name new --seed-ijk 19,19,11";
+    for (const std::string& name : kOutputs) command += " -o '" + (folder / to) + "/" + name + "'";
+    for (const std::string& name : kOutputs) command += " -o 'old=" + (folder / to) + "/old." + name + "'";
+    command += " --report '" + (folder / to) + "/r.json' --session '" + (folder / to) + "/s.json' --trace '" +
+               (folder / to) + "/t.json' --picture '" + (folder / to) + "/p.png' --label-description '" +
+               (folder / to) + "/l.txt' 2> /dev/null";
+    return std::system(command.c_str());
+  };
+  REQUIRE(segment("open", "") == 0);
+  CHECK(found(folder, "open", values).count("DOE_JANE_old") == 1);
+  REQUIRE(segment("hidden", "--anonymous") == 0);
+  CHECK(found(folder, "hidden", values) == std::set<std::string>{});
 }

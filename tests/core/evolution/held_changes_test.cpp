@@ -3,6 +3,7 @@
 
 #include "core/errors.h"
 #include "core/evolution/history.h"
+#include "core/mesh/shapes.h"
 #include "tests/core/evolution/contour_support.h"
 
 using namespace handlebody;
@@ -205,6 +206,28 @@ TEST_CASE("a limit of the genus holds what would break it, and lets all else hap
   held.change({{kTorusSeed}, {}, {}});
   run(held);
   CHECK(certify(held.mesh().compact()).genus == std::vector<int>{1});
+}
+
+TEST_CASE("places of the topology and a surface to begin with may lie anywhere in an oblique volume") {
+  Grid grid = testing::cubicGrid(20);
+  grid.direction = Eigen::AngleAxisd(0.6, Vec3(1, -2, 0.5).normalized()).toRotationMatrix();
+  grid.spacing = Vec3(1, 0.8, 1.25);
+  grid.origin = Vec3(-50, 20, 10);
+  Constraints c;
+  c.topology.genus = 0;
+  c.start.emplace();
+  c.start->mesh = std::make_shared<const TriangleSoup>(icosphere(grid.toWorld(Vec3(9, 9, 9)), 2, 1));
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 place = grid.toWorld(Vec3(i % 10, i / 10 % 10, i / 100) * 2.1);
+    c.topology.allowed = c.topology.kept = {place};
+    c.start->inside = place;
+    REQUIRE_NOTHROW(requireSensible(c, grid));
+  }
+  c.start->inside = grid.toWorld(Vec3(9, 9, 19.6));
+  CHECK_THROWS_AS(requireSensible(c, grid), UsageError);
+  c.start.reset();
+  c.topology.allowed = {grid.toWorld(Vec3(-0.6, 9, 9))};
+  CHECK_THROWS_AS(requireSensible(c, grid), UsageError);
 }
 
 TEST_CASE("what a limit holds may happen at an allowed place, known from the start or named on the way",
