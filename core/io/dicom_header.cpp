@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "core/io/dicom_echo.h"
 #include "core/io/dicom_values.h"
 #include "core/io/volume_source.h"
 
@@ -266,6 +267,7 @@ DicomFile fileOf(const gdcm::File& read, const std::string& file) {
   readFunctionalGroups(data, plain, f);
   readDoseOffsets(data, plain, f);
   if (!f.places.front().pixelSpacing) readUltrasoundRegions(data, f);
+  readCartesianEcho(data, f);
   f.cine = isCine(data, f);
   f.placed = std::all_of(f.places.begin(), f.places.end(), [](const DicomPlace& p) { return p.complete(); });
   return f;
@@ -278,7 +280,7 @@ std::optional<DicomFile> readDicomFile(const std::string& file, const std::strin
   reader.SetFileName(file.c_str());
   if (!reader.ReadUpToTag(kPixelData)) return std::nullopt;
   DicomFile f = fileOf(reader.GetFile(), file);
-  if (f.frames < 0) refuseInput(path, "the number of frames in " + file + " is implausible");
+  if (f.frames < 0 || f.frames > kMostFrames) refuseInput(path, "the number of frames in " + file + " is implausible");
   return f;
 }
 

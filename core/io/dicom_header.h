@@ -29,6 +29,12 @@ struct DicomPlace {
 
 inline constexpr const char* kSegmentationClass = "1.2.840.10008.5.1.4.1.1.66.4";
 
+//! The volumes of a Philips Cartesian echo (dicom_echo.h).
+struct CartesianEcho {
+  int slices = 0;   //!< of each volume; 0: it is no such file
+  int volumes = 0;  //!< that the header declares
+};
+
 struct DicomFile {
   std::string file, seriesUid, instanceUid, classUid, modality, description, transferSyntax, photometric;
   int rows = 0, columns = 0, frames = 1, samples = 1;
@@ -41,6 +47,7 @@ struct DicomFile {
   std::vector<DicomPlace> places{};       //!< one per frame
   bool placed = false;                    //!< the header says where every frame lies
   std::string spacingSource{}, positionSource{}, orientationSource{}, distanceSource{}, timeSource{};
+  CartesianEcho echo{};
   DicomStructure structure{};
 
   bool isImage() const { return rows > 0 && columns > 0; }

@@ -18,11 +18,6 @@ const char* const kDeflated = "1.2.840.10008.1.2.1.99";
 const char* const kBigEndian = "1.2.840.10008.1.2.2";
 const char* const kRle = "1.2.840.10008.1.2.5";
 
-bool isPlain(const DicomFile& f) {
-  static const std::set<std::string> kPlain{"", kImplicit, kExplicit, kBigEndian};
-  return kPlain.count(f.transferSyntax) > 0;
-}
-
 std::uint64_t declaredBits(const DicomFile& f) {
   return f.pixelsPerFrame() * static_cast<std::uint64_t>(f.frames) * static_cast<std::uint64_t>(f.samples) *
          static_cast<std::uint64_t>(f.bitsAllocated);
@@ -40,7 +35,7 @@ void checkFormat(const DicomFile& f, const std::string& path) {
   if (isColour(f) && f.bitsAllocated != 8 && f.bitsAllocated != 16)
     refuseInput(path,
                 "colour of " + std::to_string(f.bitsAllocated) + " bits is not supported (" + f.file + ")");
-  if (f.bitsAllocated == 1 && !(isPlain(f) && f.structure.walked))
+  if (f.bitsAllocated == 1 && !(hasPlainPixels(f) && f.structure.walked))
     refuseInput(path, "compressed pixels of one bit are not supported (" + f.file + ")");
   static const std::set<std::string> kColours{"RGB", "YBR_FULL", "YBR_FULL_422", "YBR_RCT", "YBR_ICT"};
   if (f.samples == 3 && kColours.count(f.photometric) == 0)
@@ -114,6 +109,11 @@ bool scaleFrom(const From* in, std::size_t n, double slope, double intercept, Co
 
 bool isColour(const DicomFile& file) { return file.samples > 1 || file.photometric == "PALETTE COLOR"; }
 
+bool hasPlainPixels(const DicomFile& f) {
+  static const std::set<std::string> kPlain{"", kImplicit, kExplicit, kBigEndian};
+  return kPlain.count(f.transferSyntax) > 0;
+}
+
 void checkDicomPixels(const DicomFile& f, const std::string& path) {
   checkFormat(f, path);
   if (f.structure.walked && f.structure.pixelOffset == 0)
@@ -121,7 +121,7 @@ void checkDicomPixels(const DicomFile& f, const std::string& path) {
   // The chroma of YBR_FULL_422 is stored once for two pixels.
   const std::uint64_t bits =
       declaredBits(f) / (f.photometric == "YBR_FULL_422" ? 3 : 1) * (f.photometric == "YBR_FULL_422" ? 2 : 1);
-  if (isPlain(f)) {
+  if (hasPlainPixels(f)) {
     if (bits / 8 > f.structure.fileBytes || (f.structure.walked && bits / 8 > f.structure.pixelBytes))
       refuseInput(path, "the slice " + f.file +
                             " is truncated or damaged: it holds less pixels than its header says");
@@ -142,7 +142,7 @@ void checkDicomPixels(const DicomFile& f, const std::string& path) {
 }
 
 std::unique_ptr<DicomPixels> openDicomPixels(const DicomFile& file, const std::string& path) {
-  const bool ours = isPlain(file) && file.structure.walked && file.structure.pixelBytes > 0 &&
+  const bool ours = hasPlainPixels(file) && file.structure.walked && file.structure.pixelBytes > 0 &&
                     file.transferSyntax != kBigEndian && file.photometric != "YBR_FULL_422" &&
                     file.photometric != "PALETTE COLOR";
   return ours ? openPlainPixels(file, path) : openCompressedPixels(file, path);

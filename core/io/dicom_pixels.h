@@ -22,6 +22,8 @@ class DicomPixels {
   virtual void read(int frame, StoredFrame& to) = 0;
 };
 
+//! True if they are not compressed.
+bool hasPlainPixels(const DicomFile& file);
 //! Checks that the file can hold what its header declares. Throws InputError that begins with `path`.
 void checkDicomPixels(const DicomFile& file, const std::string& path);
 //! Plain pixels are read by us, compressed ones by GDCM. Throws InputError.

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/io/dicom_echo.h"
 #include "core/io/itk_guard.h"
 #include "core/io/volume_source.h"
 
@@ -89,11 +90,13 @@ void addDamaged(const std::string& path, const std::string& file, const DicomStr
 
 void addFile(const std::string& path, const std::string& file, const DicomStructure& structure,
              DicomScan& scan) {
-  if (!structure.whole) return addDamaged(path, file, structure, scan);
+  const bool isCut = !structure.whole;  // …within the pixels: what stands before them can be read
+  if (isCut && structure.pixelOffset == 0) return addDamaged(path, file, structure, scan);
   std::optional<DicomFile> read;
   withItk(path, "the DICOM header of " + file + " cannot be read", [&] { read = readDicomFile(file, path); });
   if (!read) return addDamaged(path, file, structure, scan);
   read->structure = structure;
+  if (!keepWholeVolumes(*read) && isCut) return addDamaged(path, file, structure, scan);
   if (read->isImage())
     scan.images.push_back(std::move(*read));
   else

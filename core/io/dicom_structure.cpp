@@ -149,7 +149,14 @@ bool Walker::walkMeta(std::uint64_t& at, std::string& syntax) const {
 bool Walker::walkData(std::uint64_t at, bool explicitVr, DicomStructure& result) const {
   Element e;
   while (at < file_.size()) {
-    if (!read(at, explicitVr, e) || !skipValue(e, at, explicitVr, 0)) return false;
+    if (!read(at, explicitVr, e)) return false;
+    if (e.tag == kPixelData && e.length != kUndefined && e.data + e.length > file_.size()) {
+      result.pixelOffset = e.data;
+      result.pixelBytes = file_.size() - e.data;
+      result.pixelEnd = file_.size();
+      return false;
+    }
+    if (!skipValue(e, at, explicitVr, 0)) return false;
     if (e.tag == kSeriesUid && e.length <= 64) result.seriesUid = trimmedUid(file_.text(e.data, e.length));
     if (e.tag != kPixelData) continue;
     // What follows (padding, garbage) does not matter.

@@ -12,7 +12,7 @@ struct DicomStructure {
   bool walked = true;             //!< false: deflated or big-endian, not looked into
   std::uint64_t fileBytes = 0;    //!< size of the file
   std::uint64_t pixelOffset = 0;  //!< where the value of the pixel data begins; 0 if there is none
-  std::uint64_t pixelBytes = 0;   //!< length of uncompressed pixel data; 0 if none or compressed
+  std::uint64_t pixelBytes = 0;   //!< of uncompressed pixel data that are there; 0 if none or compressed
   std::uint64_t pixelEnd = 0;     //!< first byte after the pixel data
   std::string seriesUid{};        //!< as far as it was seen
 };
