@@ -291,13 +291,16 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, Among among, c
   const Volume volume = loaded.volume;  // the contour has the same voxels in memory
   ActiveContour contour(std::move(loaded.volume), report.session.seeds, report.session.requested,
                         report.session.constraints);
-  tellBeginning(contour, report, !outputs.report.empty());
+  tellBeginning(contour, report);
+  CandidateSearch candidates(contour);
   report.seconds.prepare = watch.lap();
 
   const OnHeld onHeld = report.session.constraints.topology.asks ? outputs.onHeld : OnHeld::hold;
   contour =
       evolve(std::move(contour), report, {outputs.onLeak, onHeld, !outputs.trace.empty(), outputs.quiet});
   report.seconds.evolve = watch.lap();
+  candidates.tell(report);
+  report.seconds.prepare += watch.lap();
 
   CertifiedMesh made = grownMesh(contour);
   PolishOptions polishing;

@@ -285,7 +285,7 @@ const std::vector<ObjectCandidate>& ActiveContour::candidates() const {
   return state_->object.choices->get().candidates;
 }
 bool ActiveContour::isCloseChoice() const { return state_->object.choices->get().isCloseChoice; }
-bool ActiveContour::knowsCandidates() const { return state_->object.choices->areKnown(); }
+std::shared_ptr<const AskedChoices> ActiveContour::choices() const { return state_->object.choices; }
 bool ActiveContour::isSettled(int vertex) const { return state_->sleeps(vertex); }
 bool ActiveContour::isPinned(int vertex) const { return state_->pins.holds(vertex); }
 std::size_t ActiveContour::memory() const {

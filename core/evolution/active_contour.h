@@ -17,6 +17,8 @@
 
 namespace handlebody {
 
+class AskedChoices;  // clicked_object.h
+
 //! Grows a closed surface from seeds in a volume. The same volume, seeds, parameters and version give the
 //! same mesh, bit for bit, with any number of threads.
 class ActiveContour {
@@ -102,8 +104,8 @@ class ActiveContour {
   const std::vector<ObjectCandidate>& candidates() const;
   //! True if the first candidate is hardly likelier than another one.
   bool isCloseChoice() const;
-  //! False if candidates() and isCloseChoice() would have to look for them.
-  bool knowsCandidates() const;
+  //! What both tell, to be asked for on another thread while this one goes on.
+  std::shared_ptr<const AskedChoices> choices() const;
   //! True if the vertex has not moved for a while and sleeps. Precondition: mesh().isVertex(vertex).
   bool isSettled(int vertex) const;
   //! True if a pin holds the vertex. Precondition: the same.

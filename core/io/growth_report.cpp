@@ -3,15 +3,29 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/evolution/clicked_object.h"
 #include "core/told_error.h"
 
 namespace handlebody {
 
-void tellBeginning(const ActiveContour& contour, RunReport& report, bool looksForCandidates) {
+void tellBeginning(const ActiveContour& contour, RunReport& report) {
   report.session.resolved = contour.parameters();
-  if (!looksForCandidates && !contour.knowsCandidates()) return;
-  report.candidates = contour.candidates();
-  report.isCloseChoice = contour.isCloseChoice();
+}
+
+CandidateSearch::CandidateSearch(const ActiveContour& contour) : choices_(contour.choices()) {
+  if (choices_->areKnown()) return;
+  thread_ = std::jthread([choices = choices_] {
+    try {
+      choices->get();
+    } catch (...) {  // tell() tries again, and throws it where it is heard
+    }
+  });
+}
+
+void CandidateSearch::tell(RunReport& report) {
+  if (thread_.joinable()) thread_.join();
+  report.candidates = choices_->get().candidates;
+  report.isCloseChoice = choices_->get().isCloseChoice;
 }
 
 void tellState(const ActiveContour& contour, RunReport& report) {

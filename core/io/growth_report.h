@@ -1,14 +1,28 @@
 #pragma once
 // What is told of a contour in the report of its run: what the command line and the Python module share.
 
+#include <memory>
+#include <thread>
+
 #include "core/evolution/active_contour.h"
 #include "core/io/result.h"
 
 namespace handlebody {
 
-//! Of the contour as it was made: parameters as used, candidates. Those are not looked for only for this,
-//! unless `looksForCandidates`.
-void tellBeginning(const ActiveContour& contour, RunReport& report, bool looksForCandidates = true);
+//! Of the contour as it was made: parameters as used.
+void tellBeginning(const ActiveContour& contour, RunReport& report);
+
+//! Looks for the objects that the clicks of a contour may mean, while its surface grows.
+class CandidateSearch {
+ public:
+  explicit CandidateSearch(const ActiveContour& contour);
+  //! Waits for them. Throws what the search threw.
+  void tell(RunReport& report);
+
+ private:
+  std::shared_ptr<const AskedChoices> choices_;
+  std::jthread thread_;
+};
 
 //! Of the contour as it is now: iterations, why it stopped, what the constraints hold.
 void tellState(const ActiveContour& contour, RunReport& report);

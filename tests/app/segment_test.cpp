@@ -399,6 +399,18 @@ TEST_CASE("a surface that the curvature holds at its seed comes with a warning",
   CHECK(run.json("r.json").at("warnings").empty());
 }
 
+TEST_CASE("a close choice is told with a report and without one", "[cli][segment]") {
+  const TempFolder folder;
+  const PhantomFile torus = makePhantomFile(folder, "torus.mha", {"--noise", "0.15"}, "torus");
+  const std::vector<std::string> plain{"segment", torus.path, "--seed", torus.seed, "-o", folder / "m.stl"};
+  std::vector<std::string> reported = plain;
+  reported.insert(reported.end(), {"--report", folder / "r.json"});
+  const Outcome with = runCli(reported), without = runCli(plain);
+  CHECK(nlohmann::json::parse(readBytes(folder / "r.json")).at("close_choice") == true);
+  CHECK(with.err.find("objects is close") != std::string::npos);
+  CHECK(without.err == with.err);
+}
+
 TEST_CASE("a seed larger than the object contracts onto it where the surface may shrink", "[cli][segment]") {
   const SphereRun run;
   std::string seed = run.phantom.seed;
