@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs a package in a fresh Debian (debootstrap, as root) and starts both programs there, and the Python module if its
-# package lies beside it:
+# Installs a package in a fresh Debian (debootstrap, as root) and starts both programs there. Where the packages of the Python
+# module and of the library lie beside it, these are installed, too, and the examples of docs/examples run:
 #   packaging/try_deb.sh PACKAGE.deb [RELEASE]     default: the release of this machine
 # Leaves a picture of the window beside the package.
 set -euo pipefail
@@ -19,10 +19,12 @@ debootstrap --variant=minbase "$release" "$folder/debian" "$mirror"
 # The machine's own sources and proxy, so that a local mirror serves here, too.
 cp -rT /etc/apt "$folder/debian/etc/apt"
 cp "$package" "$folder/debian/handlebody.deb"
-for module in "$(dirname "$package")"/python3-handlebody_*.deb; do
-  if [ -e "$module" ]; then cp "$module" "$folder/debian/python3-handlebody.deb"; fi
+for name in python3-handlebody libhandlebody-dev; do
+  for beside in "$(dirname "$package")/${name}"_*.deb; do
+    if [ -e "$beside" ]; then cp "$beside" "$folder/debian/$name.deb"; fi
+  done
 done
-cp -r "$here/../docs/examples/python" "$folder/debian/examples"
+cp -r "$here/../docs/examples" "$folder/debian/examples"
 cp "$here/../tests/ui/with_display.sh" "$folder/debian/with_display.sh"
 cp /etc/resolv.conf "$folder/debian/etc/resolv.conf" || true
 
@@ -40,9 +42,13 @@ unshare --mount bash -euc '
   run handlebody-cli check /tmp/cyst.stl
   if [ -e "$folder/debian/python3-handlebody.deb" ]; then
     run apt-get install -y -q --no-install-recommends /python3-handlebody.deb python3-matplotlib
-    run python3 /examples/sweep.py
-    run python3 /examples/leak_study.py
-    run sh -c "cd /tmp && python3 /examples/plot.py && test -s torus.png"
+    run python3 /examples/python/sweep.py
+    run python3 /examples/python/leak_study.py
+    run sh -c "cd /tmp && python3 /examples/python/plot.py && test -s torus.png"
+  fi
+  if [ -e "$folder/debian/libhandlebody-dev.deb" ]; then
+    run apt-get install -y -q --no-install-recommends /libhandlebody-dev.deb g++ cmake make
+    run sh -c "cmake -S /examples/grow -B /tmp/grow && cmake --build /tmp/grow && /tmp/grow/grow"
   fi
   run apt-get install -y -q --no-install-recommends xvfb libgl1-mesa-dri
   run sh /with_display.sh handlebody "$sample/cyst_session.json" --screenshot /tmp/window.png --iteration 20

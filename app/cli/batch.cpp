@@ -194,7 +194,7 @@ class Batch {
     const std::string folder = folder_.begin(c);
     std::vector<std::string> arguments{"segment", c.volumePath, "--quiet"};
     arguments.insert(arguments.end(), c.options.begin(), c.options.end());
-    if (!c.wallsPath.empty()) arguments.push_back("--walls=" + c.wallsPath);
+    for (const StudyInput& input : c.inputs) arguments.push_back(argumentOf(input));
     for (const std::string& file : c.outputs) arguments.push_back("--output=" + folder + "/" + file);
     for (const char* file : {"report.json", "session.json"})
       arguments.push_back("--" + std::string(file, 0, std::string(file).find('.')) + "=" + folder + "/" +

@@ -64,15 +64,16 @@ Json requestOf(const StudyCase& c) {
 
 Json hashesOf(const StudyCase& c) {
   Json hashes = {{"volume", sha256OfPath(c.volumePath)}};
-  if (!c.wallsPath.empty()) hashes["walls"] = sha256OfPath(c.wallsPath);
+  for (const StudyInput& input : c.inputs) hashes[input.option] = sha256OfPath(input.path);
   return hashes;
 }
 
 //! The hashes that the case found itself: a volume may be changed while a batch runs.
 Json hashesIn(const Json& report, const StudyCase& c) {
   Json hashes = {{"volume", report.at("input").at("sha256")}};
-  if (!c.wallsPath.empty())
-    hashes["walls"] = report.at("requested").at("constraints").at("wall_map").at("sha256");
+  for (const StudyInput& input : c.inputs)
+    hashes[input.option] =
+        report.at("requested").at("constraints").at(input.option == "walls" ? "wall_map" : "start").at("sha256");
   return hashes;
 }
 

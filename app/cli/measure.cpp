@@ -63,6 +63,7 @@ void measureSession(const MeasureOptions& o, Measured& m) {
   std::erase_if(sessions, [](const Session& session) { return !isSeeded(session); });
   if (o.selection.series) sessions[0].volume.selection.series = o.selection.series;
   m.volume = sessions[0].volume.path;
+  m.placed = sessions[0].measurements;  // of the volume: each object has them
   for (const Session& session : sessions) checkWritable(outputsOf(o), inputsOf(session));
   LoadedSession first = load(std::move(sessions[0]));
   sessions.erase(sessions.begin());

@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t kLongestSaid = 400;  // bytes of a message; a cell may be much longer
 constexpr std::size_t kLongestName = 200;  // bytes; file systems take 255, temporary names are longer
 
-enum class ColumnKind { none, name, volume, output, timeLimit, memoryLimit, walls, option };
+enum class ColumnKind { none, name, volume, output, timeLimit, memoryLimit, input, option };
 
 struct Column {
   std::string header;
@@ -40,7 +40,8 @@ struct CellFault {
 //! Where the results of a case go is the batch's business, and so is what it says.
 bool isForBatch(const std::string& option) {
   static const std::vector<std::string> own{
-      "output", "report", "session", "trace", "picture", "label-description", "quiet", "curve"};
+      "output", "report",           "session", "trace", "picture", "label-description",
+      "quiet",  "sensitivity-surface", "curve"};
   return std::find(own.begin(), own.end(), option) != own.end();
 }
 
@@ -51,7 +52,9 @@ const std::map<std::string, ColumnKind>& ownColumns() {
                                                          {"output", ColumnKind::output},
                                                          {"time-limit", ColumnKind::timeLimit},
                                                          {"memory-limit", ColumnKind::memoryLimit},
-                                                         {"walls", ColumnKind::walls}};
+                                                         {"walls", ColumnKind::input},
+                                                         {"start", ColumnKind::input},
+                                                         {"given", ColumnKind::input}};
   return columns;
 }
 
@@ -66,6 +69,11 @@ Column columnOf(const std::string& header) {
   return {header, ColumnKind::none, {}};
 }
 
+//! What tells columns of one kind apart.
+std::string optionOf(const Column& column) {
+  return column.kind == ColumnKind::input ? column.header : column.option.name;
+}
+
 bool mayRepeat(const Column& column) {
   return column.kind == ColumnKind::output || column.kind == ColumnKind::none || column.option.isRepeated;
 }
@@ -74,7 +82,7 @@ bool mayRepeat(const Column& column) {
 void requireColumns(const std::vector<Column>& columns, const CsvRow& row, const std::string& path) {
   for (std::size_t i = 0; i < columns.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      if (columns[i].kind == columns[j].kind && columns[i].option.name == columns[j].option.name &&
+      if (columns[i].kind == columns[j].kind && optionOf(columns[i]) == optionOf(columns[j]) &&
           !mayRepeat(columns[i]))
         throw InputError(path + ": " + place(row, i) + ": '" + columns[i].header +
                          "' says the same as column " + std::to_string(j + 1) + ".");
@@ -211,8 +219,8 @@ class RowReader {
       case ColumnKind::volume:
         case_.volumePath = inputPath(text, folder_);
         break;
-      case ColumnKind::walls:
-        case_.wallsPath = inputPath(text, folder_);
+      case ColumnKind::input:
+        case_.inputs.push_back({column.header, inputPath(text, folder_)});
         break;
       case ColumnKind::output:
         takeOutputs(text);
@@ -267,6 +275,7 @@ class RowReader {
   //! With the column that a message begins with.
   void checkArguments() {
     std::vector<std::string> arguments{case_.volumePath};
+    for (const StudyInput& input : case_.inputs) arguments.push_back(argumentOf(input));
     arguments.insert(arguments.end(), case_.options.begin(), case_.options.end());
     for (const std::string& file : case_.outputs) arguments.push_back("--output=" + file);
     try {
@@ -320,6 +329,8 @@ void refuseNamesakes(std::vector<StudyCase>& cases) {
 }
 
 }  // namespace
+
+std::string argumentOf(const StudyInput& input) { return "--" + input.option + "=" + input.path; }
 
 bool StudyCase::isOverTime() const {
   return std::any_of(options.begin(), options.end(),

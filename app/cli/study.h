@@ -13,12 +13,22 @@ struct CaseLimits {
   std::uint64_t bytes = 0;  //!< of address space
 };
 
+//! A file that an option of `segment` names: walls, a surface to begin with.
+struct StudyInput {
+  std::string option;  //!< without dashes
+  std::string path;    //!< absolute
+};
+
+//! --OPTION=PATH
+std::string argumentOf(const StudyInput& input);
+
 struct StudyCase {
   int line = 0;                       //!< of the CSV file
   std::string name;                   //!< of its folder
   std::string volume;                 //!< as the file says it
-  std::string volumePath, wallsPath;  //!< absolute; no walls: empty
-  std::vector<std::string> options;   //!< of `segment`, --NAME=VALUE, without volume, walls and outputs
+  std::string volumePath;             //!< absolute
+  std::vector<StudyInput> inputs;     //!< further files, in the order of the columns
+  std::vector<std::string> options;   //!< of `segment`, --NAME=VALUE, without inputs and outputs
   std::vector<std::string> outputs;   //!< names of files in its folder
   CaseLimits limits;
   bool isOverTime() const;  //!< a surface is carried through the frames of a 4D volume

@@ -104,6 +104,20 @@ std::string lineText(const MeasuredLine& m) {
   return text;
 }
 
+std::string placedText(const std::vector<Measurement>& placed) {
+  std::string text;
+  int rulers = 0, angles = 0;
+  for (const Measurement& m : placed) {
+    const bool isRuler = m.kind == MeasurementKind::ruler;
+    std::string points;
+    for (const Vec3& p : m.points) points += (points.empty() ? " from " : " to ") + place(p);
+    text += line(isRuler ? "ruler " + std::to_string(++rulers) + " (mm)"
+                         : "angle " + std::to_string(++angles) + " (degrees)",
+                 number(valueOf(m)) + points);
+  }
+  return text;
+}
+
 Json gapJson(const MeasuredGap& g) {
   return {{"from", g.from},
           {"to", g.to},
@@ -200,6 +214,7 @@ std::string measuredText(const Measured& m) {
   for (const MeasuredGap& g : m.gaps) text += gapText(g);
   if (m.wall) text += wallText(*m.wall);
   if (m.line) text += lineText(*m.line);
+  text += placedText(m.placed);
   for (const std::string& warning : m.warnings) text += "warning: " + warning + "\n";
   return text;
 }
@@ -223,6 +238,7 @@ std::string measuredJson(const Measured& m) {
         {"surfaces", Json::array({directedJson(m.wall->first, m.wall->wall.fromFirst),
                                   directedJson(m.wall->second, m.wall->wall.fromSecond)})}};
   json["centre_line"] = m.line ? lineJson(*m.line) : Json(nullptr);
+  json["measurements"] = measurementsToJson(m.placed);
   json["warnings"] = m.warnings;
   return jsonText(json);
 }
@@ -277,6 +293,36 @@ std::string sectionsCsv(const CentreLine& line) {
     text += csvLine(row.values);
   }
   return text;
+}
+
+std::string sectionsJson(const std::string& object, const CentreLine& line) {
+  Json json = {{"version", HANDLEBODY_VERSION}, {"notice", kNotice}};
+  json["centre_line"] = lineJson({object, line});
+  return jsonText(json);
+}
+
+std::string measurementsCsv(const std::vector<Measurement>& placed) {
+  std::string text;
+  for (const Measurement& m : placed) {
+    const bool isRuler = m.kind == MeasurementKind::ruler;
+    Row row;
+    row.add("kind", isRuler ? "ruler" : "angle");
+    row.add("length_mm", isRuler ? Json(valueOf(m)) : Json());
+    row.add("angle_degrees", isRuler ? Json() : Json(valueOf(m)));
+    for (std::size_t i = 0; i < pointsOf(MeasurementKind::angle); ++i)
+      for (std::size_t a = 0; a < 3; ++a)
+        row.add("point_" + std::to_string(i + 1) + "_" + "xyz"[a] + "_mm",
+                i < m.points.size() ? Json(m.points[i][static_cast<int>(a)]) : Json());
+    if (text.empty()) text = csvLine(row.names);
+    text += csvLine(row.values);
+  }
+  return text;
+}
+
+std::string measurementsJson(const std::vector<Measurement>& placed) {
+  Json json = {{"version", HANDLEBODY_VERSION}, {"notice", kNotice}};
+  json["measurements"] = measurementsToJson(placed);
+  return jsonText(json);
 }
 
 }  // namespace handlebody

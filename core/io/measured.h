@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/measure/centre_line.h"
+#include "core/measure/measurement.h"
 #include "core/measure/object_measures.h"
 #include "core/measure/surface_gap.h"
 #include "core/measure/wall_thickness.h"
@@ -42,6 +43,7 @@ struct Measured {
   std::vector<MeasuredGap> gaps;
   std::optional<MeasuredWall> wall;
   std::optional<MeasuredLine> line;
+  std::vector<Measurement> placed;  //!< rulers and angles of the session
   std::vector<std::string>
       warnings;  //!< whole sentences; those of an object behind its name if there are several
 };
@@ -55,5 +57,9 @@ std::string measuredCsv(const Measured& m);
 std::string measuredColumns(const Measured& m, char separator);
 //! The same of the points of a centre line.
 std::string sectionsCsv(const CentreLine& line);
+std::string sectionsJson(const std::string& object, const CentreLine& line);
+//! The same of rulers and angles: "kind", "length_mm" or "angle_degrees", and the points.
+std::string measurementsCsv(const std::vector<Measurement>& placed);
+std::string measurementsJson(const std::vector<Measurement>& placed);
 
 }  // namespace handlebody

@@ -244,6 +244,27 @@ TEST_CASE("walls are a part of what was asked for, and a surface that is not fin
   CHECK(s.run().out.find("1 done (0 of them before)") == 0);
 }
 
+TEST_CASE("a surface to begin with is a file of the study: its path is the table's, its content decides what is done",
+          "[batch]") {
+  const Study s;
+  const auto makeStart = [&](const std::string& iterations) {
+    REQUIRE(runCli({"segment", s.phantom.path, "--seed", s.phantom.seed, "--max-iterations", iterations, "-o",
+                    s.folder / "start.stl"})
+                .exitCode == 5);
+  };
+  makeStart("2");
+  writeBytes(s.csv, "case,volume,start,given\nbegins,sphere.mha,start.stl,\nis,sphere.mha,,start.stl\n");
+  REQUIRE(s.run().exitCode == 0);
+  CHECK(s.run().out.find("2 done (2 of them before)") == 0);
+  makeStart("3");
+  CHECK(s.run().out.find("2 done (0 of them before)") == 0);
+  fs::remove(s.folder / "start.stl");
+  CHECK(s.run().exitCode == kIncomplete);
+  CHECK_THAT(s.row(0).at("message").get<std::string>(), Contains("start.stl: there is no such file or folder"));
+  writeBytes(s.csv, "case,volume,start,start\na,sphere.mha,start.stl,start.stl\n");
+  CHECK(s.run().err.find("says the same as column 3") != std::string::npos);
+}
+
 TEST_CASE("a case that hangs is stopped at its time limit, and the others run", "[batch]") {
   const Study s;
   writeBytes(s.csv, kHeader + ",time-limit\n" + s.row("hangs", ",4.5") + s.row("works", ","));

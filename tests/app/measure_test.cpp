@@ -113,6 +113,25 @@ TEST_CASE("a session is measured object by object, and the report has the same f
   CHECK(readBytes(phantom.path) == voxels);
 }
 
+TEST_CASE("rulers and angles of a session are in text and JSON", "[cli][measure]") {
+  const TempFolder folder;
+  const PhantomFile phantom = makePhantomFile(folder);
+  REQUIRE(runCli({"segment", phantom.path, "--seed", phantom.seed, "--max-iterations", "1", "-o",
+                  folder / "o.stl", "--session", folder / "s.json", "--quiet"})
+              .exitCode == 5);
+  auto session = nlohmann::json::parse(readBytes(folder / "s.json"));
+  session["measurements"] = nlohmann::json::parse(
+      R"([{"kind": "ruler", "points": [[0, 0, 0], [3, 4, 0]]},
+          {"kind": "angle", "points": [[1, 0, 0], [0, 0, 0], [0, 2, 0]]}])");
+  writeBytes(folder / "s.json", session.dump());
+  const auto json = measured(folder, {folder / "s.json"});
+  CHECK(json.at("measurements").at(0).at("length_mm") == 5);
+  CHECK(json.at("measurements").at(1).at("angle_degrees") == 90);
+  const std::string text = runCli({"measure", folder / "s.json"}).out;
+  CHECK(text.find("ruler 1 (mm)                          5 from 0,0,0 to 3,4,0\n") != std::string::npos);
+  CHECK(text.find("angle 1 (degrees)                     90 from 1,0,0 to 0,0,0 to 0,2,0\n") != std::string::npos);
+}
+
 TEST_CASE("what cannot be measured is refused in one sentence", "[cli][measure]") {
   const TempFolder folder;
   const std::string ball = writeBall(folder, "ball.ply", Vec3(0, 0, 0), 10);

@@ -41,7 +41,7 @@ QString volumeFilter() {
 
 QString objectFilter() {
   return FileWork::tr(
-      "Meshes and label maps (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm);;"
+      "Meshes and label maps (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;"
       "All files (*)");
 }
 
