@@ -3,9 +3,11 @@
 
 #include <Eigen/Geometry>
 #include <functional>
+#include <numeric>
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "core/collision/certify.h"
 #include "core/evolution/active_contour.h"
@@ -19,6 +21,7 @@ namespace handlebody::testing {
 inline const Vec3 kMiddle(20, 20, 20);  // of a grid of 41³ voxels
 constexpr double kTorusR = 11.5, kTorusr = 6;
 inline const double kBallVolume = 4.0 / 3 * M_PI * 1000;
+inline const double kTorusVolume = 2 * M_PI * M_PI * kTorusR * kTorusr * kTorusr;
 
 inline double ballDistance(const Vec3& p) { return (p - kMiddle).norm() - 10; }
 inline double torusDistance(const Vec3& p) {
@@ -73,17 +76,71 @@ inline bool isSame(const Mesh& a, const Mesh& b) {
   return true;
 }
 
-//! Runs to the end. After every step the mesh must pass the certificate and agree with the report.
+//! Numbers of a mesh, from its triangles alone.
+struct PlainCount {
+  int vertices = 0, components = 0, euler = 0;
+  double volume = 0;  //!< mm³
+};
+
+//! Counted anew, without anything of the engine: edges in a list, components by joining labels, and the
+//! volume below every face (the engine sums tetrahedra).
+inline PlainCount countPlainly(const TriangleSoup& soup) {
+  const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  std::vector<int> label(soup.points.size());
+  std::iota(label.begin(), label.end(), 0);
+  const auto root = [&](int v) {
+    while (label[at(v)] != v) v = label[at(v)] = label[at(label[at(v)])];
+    return v;
+  };
+  std::vector<std::pair<int, int>> edges;
+  std::vector<unsigned char> used(soup.points.size(), 0);
+  PlainCount n;
+  for (const Triangle& t : soup.triangles) {
+    const Vec3 &a = soup.points[at(t[0])], &b = soup.points[at(t[1])], &c = soup.points[at(t[2])];
+    const double shadow = ((b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y())) / 2;
+    n.volume += shadow * (a.z() + b.z() + c.z()) / 3;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int v = t[i], w = t[(i + 1) % 3];
+      used[at(v)] = 1;
+      edges.emplace_back(std::min(v, w), std::max(v, w));
+      label[at(root(v))] = root(w);
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  const auto distinct = std::unique(edges.begin(), edges.end()) - edges.begin();
+  for (int v = 0; v < static_cast<int>(soup.points.size()); ++v) {
+    n.vertices += used[at(v)];
+    n.components += used[at(v)] && root(v) == v;
+  }
+  n.euler = n.vertices - static_cast<int>(distinct) + static_cast<int>(soup.triangles.size());
+  return n;
+}
+
+//! What the report of a step says of the mesh that it left is what is counted there.
+inline void expectReported(const StepReport& report, const PlainCount& before, const PlainCount& now) {
+  // Both sum some thousand terms of a size like the volume's: 1e-16 each, with room for ten thousand.
+  CHECK(report.volume == Approx(now.volume).epsilon(1e-11).margin(1e-9));
+  CHECK(report.settledVertices == std::max(0, now.vertices - report.movedVertices));
+  CHECK(report.movedVertices <= before.vertices);
+  CHECK((report.movedVertices == 0 || report.largestMove > 0));
+}
+
+//! Runs to the end. After every step the mesh must pass the certificate and agree with the report, by numbers
+//! that are counted without the engine.
 inline std::vector<StepReport> runCertified(ActiveContour& contour) {
   std::vector<StepReport> reports;
-  TopologyNumbers now = topologyNumbers(contour.mesh());
+  PlainCount counted = countPlainly(contour.mesh().compact());
   while (contour.stopReason() == StopReason::running) {
     reports.push_back(contour.step());
     const StepReport& r = reports.back();
     REQUIRE(reports.size() < 5000);
-    const Certificate c = certify(contour.mesh().compact());
+    const TriangleSoup mesh = contour.mesh().compact();
+    const Certificate c = certify(mesh);
     CAPTURE(r.iteration, c.closed, c.manifold, c.oriented, c.selfIntersections);
     if (!c.passes()) FAIL("a step left an invalid mesh");
+    const PlainCount before = std::exchange(counted, countPlainly(mesh));
+    expectReported(r, before, counted);
+    TopologyNumbers now{before.components, before.euler, 0};
     for (const Event& e : r.events) {
       CAPTURE(eventKindName(e.kind));
       if (e.before.euler != now.euler || e.before.components != now.components)
@@ -92,10 +149,11 @@ inline std::vector<StepReport> runCertified(ActiveContour& contour) {
                                                << now.components);
       now = e.after;
     }
-    if (c.euler != now.euler || c.components != now.components)
-      FAIL_CHECK("Euler number " << c.euler << " and " << c.components << " components, the events say "
-                                 << now.euler << ", " << now.components);
-    now = topologyNumbers(contour.mesh());
+    if (counted.euler != now.euler || counted.components != now.components)
+      FAIL_CHECK("Euler number " << counted.euler << " and " << counted.components
+                                 << " components, the events say " << now.euler << ", " << now.components);
+    if (c.euler != counted.euler || c.components != counted.components || c.vertices != counted.vertices)
+      FAIL_CHECK("the certificate counts otherwise");
   }
   return reports;
 }

