@@ -295,12 +295,6 @@ std::string sectionsCsv(const CentreLine& line) {
   return text;
 }
 
-std::string sectionsJson(const std::string& object, const CentreLine& line) {
-  Json json = {{"version", HANDLEBODY_VERSION}, {"notice", kNotice}};
-  json["centre_line"] = lineJson({object, line});
-  return jsonText(json);
-}
-
 std::string measurementsCsv(const std::vector<Measurement>& placed) {
   std::string text;
   for (const Measurement& m : placed) {

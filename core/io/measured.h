@@ -57,7 +57,6 @@ std::string measuredCsv(const Measured& m);
 std::string measuredColumns(const Measured& m, char separator);
 //! The same of the points of a centre line.
 std::string sectionsCsv(const CentreLine& line);
-std::string sectionsJson(const std::string& object, const CentreLine& line);
 //! The same of rulers and angles: "kind", "length_mm" or "angle_degrees", and the points.
 std::string measurementsCsv(const std::vector<Measurement>& placed);
 std::string measurementsJson(const std::vector<Measurement>& placed);

@@ -34,6 +34,10 @@ MeasuresPanel::MeasuresPanel(Document& document, ViewState& state, const Command
           [this](const QString& title, const QString& extension, const std::string& text) {
             Q_EMIT saveRequested(title, QStringLiteral("measures"), extension, text);
           });
+  connect(rulers_, &RulersPage::saveRequested, this,
+          [this](const QString& title, const QString& extension, const std::string& text) {
+            Q_EMIT saveRequested(title, QStringLiteral("rulers"), extension, text);
+          });
   connect(line_, &CentreLinePage::saveRequested, this,
           [this](const QString& title, const QString& extension, const std::string& text) {
             Q_EMIT saveRequested(title, QStringLiteral("sections"), extension, text);

@@ -8,6 +8,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "core/io/measured.h"
 #include "ui/model/document.h"
 #include "ui/model/measurements.h"
 #include "ui/view/view_state.h"
@@ -37,10 +38,7 @@ RulersPage::RulersPage(Document& document, ViewState& state, const Commands& com
   hint_ = hint(QString(), tools);
   column->addWidget(hint_);
   column->addStretch(1);
-  delete_ = new QPushButton(tr("Delete"), tools);
-  delete_->setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard with the views
-  describe(delete_, tr("Delete"), tr("Delete the chosen ruler or angle"));
-  column->addWidget(delete_);
+  column->addLayout(buildButtons(tools));
   layout->addWidget(tools);
   table_ = listTable({tr("What"), tr("Value"), tr("Begins at (LPS)")}, this);
   table_->setAccessibleName(tr("Rulers and angles"));
@@ -56,6 +54,33 @@ RulersPage::RulersPage(Document& document, ViewState& state, const Commands& com
   connect(&document_, &Document::opened, this, &RulersPage::showHint);
   showRows();
   showHint();
+}
+
+QLayout* RulersPage::buildButtons(QWidget* parent) {
+  const auto add = [parent](const QString& text, const QString& tip) {
+    auto* button = new QPushButton(text, parent);
+    button->setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard with the views
+    describe(button, text, tip);
+    return button;
+  };
+  delete_ = add(tr("Delete"), tr("Delete the chosen ruler or angle"));
+  csv_ = add(tr("Save as CSV…"), tr("Lengths in mm, angles in degrees and their points (mm, LPS) as a table"));
+  json_ = add(tr("Save as JSON…"), tr("The same as “handlebody-cli measure --json” writes of them"));
+  connect(csv_, &QPushButton::clicked, this, [this] {
+    Q_EMIT saveRequested(tr("Save the rulers and angles"), QStringLiteral(".csv"),
+                         measurementsCsv(document_.measurements().all()));
+  });
+  connect(json_, &QPushButton::clicked, this, [this] {
+    Q_EMIT saveRequested(tr("Save the rulers and angles"), QStringLiteral(".json"),
+                         measurementsJson(document_.measurements().all()));
+  });
+  auto* rows = new QVBoxLayout;
+  rows->setSpacing(4);
+  rows->addWidget(delete_);
+  auto* row = new QHBoxLayout;
+  for (QPushButton* button : {csv_, json_}) row->addWidget(button);
+  rows->addLayout(row);
+  return rows;
 }
 
 bool RulersPage::eventFilter(QObject*, QEvent* event) {
@@ -84,6 +109,7 @@ void RulersPage::showRows() {
   else
     table_->clearSelection();
   delete_->setEnabled(list.selected() >= 0);
+  for (QPushButton* button : {csv_, json_}) button->setEnabled(count > 0);
 }
 
 //! What a click does now.

@@ -20,9 +20,11 @@
 #include "ui/window/centre_line_page.h"
 #include "ui/window/compare_page.h"
 #include "ui/window/export_panel.h"
+#include "ui/window/language.h"
 #include "ui/window/measures_panel.h"
 #include "ui/window/numbers.h"
 #include "ui/window/object_measures_page.h"
+#include "ui/window/rulers_page.h"
 #include "ui/window/section_plot.h"
 
 using namespace handlebody;
@@ -111,6 +113,7 @@ class MeasuresTest : public QObject {
   void aReferenceIsComparedAndItsDistancesAreInColour();
   void formatsThatCannotBeMadeSayWhy();
   void nothingIsCutOffInThePanel();
+  void nothingIsCutOffInAnyLanguage();
 };
 
 void MeasuresTest::theTableHasTheMeasuresOfTheShownSurface() {
@@ -208,6 +211,13 @@ void MeasuresTest::aRulerIsPlacedByClicksListedAndDeleted() {
     QTest::mouseClick(&slice, Qt::LeftButton, {}, at);
   QCOMPARE(table->rowCount(), 2);
   QVERIFY(table->item(1, 1)->text().endsWith("°"));
+  QObject::disconnect(&window->measures(), nullptr, &window->files(), nullptr);  // a dialog would wait
+  QSignalSpy saved(&window->measures(), &MeasuresPanel::saveRequested);
+  for (const char* text : {"Save as CSV…", "Save as JSON…"})
+    buttonOf(*window->measures().findChild<ui::RulersPage*>(), text)->click();
+  QCOMPARE(saved.size(), 2);
+  QCOMPARE(saved[0][3].value<std::string>(), measurementsCsv(list.all()));
+  QCOMPARE(saved[1][3].value<std::string>(), measurementsJson(list.all()));
 }
 
 void MeasuresTest::theBrushAndTheRulerDoNotHaveTheMouseBoth() {
@@ -330,25 +340,34 @@ void MeasuresTest::formatsThatCannotBeMadeSayWhy() {
   QVERIFY(std::none_of(bars.begin(), bars.end(), [](const QProgressBar* bar) { return bar->isVisible(); }));
 }
 
-void MeasuresTest::nothingIsCutOffInThePanel() {
-  const QTemporaryDir folder;
+//! A window in which every page of the panel has something to show.
+std::unique_ptr<ui::MainWindow> fullWindow(const QTemporaryDir& folder) {
   auto window = grownWindow(folder);
-  QVERIFY(window);
+  if (!window) return nullptr;
   QTest::keyClick(window.get(), Qt::Key_M, Qt::ControlModifier);
   ui::Document& document = window->document();
   ObjectLabel label = document.objectInfo(0).label;
   label.name = "Left internal carotid artery, lumen";
   document.setObjectLabel(0, label, QStringLiteral("Change object"));
-  QVERIFY(isMeasured(*window));
   document.measurements().add({MeasurementKind::ruler, {Vec3(1, 2, 3), Vec3(40, 30, 20)}});
   document.measurements().add({MeasurementKind::angle, {Vec3(1, 2, 3), Vec3(9, 9, 9), Vec3(40, 30, 20)}});
+  document.measurements().select(0);
   window->measures().centreLine().find(kOneEnd, kOtherEnd);
-  QVERIFY(QTest::qWaitFor([&] { return !window->measures().centreLine().isSearching(); }, kPatience));
-  window->measures().findChild<ui::SectionPlot*>()->point(8);
   const QString reference = folder.filePath("reference.ply");
   writeMesh(icosphere(Vec3(28, 16, 16), 9, 0.8), reference.toStdString());
   window->measures().compare().compareWith(reference);
-  QVERIFY(QTest::qWaitFor([&] { return !window->measures().compare().isComparing(); }, kPatience));
+  const auto isReady = [&] {
+    return !window->measures().centreLine().isSearching() && !window->measures().compare().isComparing();
+  };
+  if (!isMeasured(*window) || !QTest::qWaitFor(isReady, kPatience)) return nullptr;
+  window->measures().findChild<ui::SectionPlot*>()->point(8);
+  return window;
+}
+
+void MeasuresTest::nothingIsCutOffInThePanel() {
+  const QTemporaryDir folder;
+  auto window = fullWindow(folder);
+  QVERIFY(window);
   for (auto appearance : {ui::Appearance::light, ui::Appearance::dark}) {
     window->setAppearance(appearance);
     for (const QSize& size : {QSize(1280, 800), QSize(1600, 1000)}) {
@@ -357,6 +376,20 @@ void MeasuresTest::nothingIsCutOffInThePanel() {
       QVERIFY2(faults.isEmpty(), qPrintable(faults));
     }
   }
+}
+
+void MeasuresTest::nothingIsCutOffInAnyLanguage() {
+  for (const ui::Language& language : ui::languages()) {
+    const QTemporaryDir folder;
+    ui::useLanguage(language.code);
+    auto window = fullWindow(folder);
+    QVERIFY(window);
+    window->resize(1280, 800);
+    QStringList faults = faultsOfPages(*window);
+    if (window->width() > 1280 || window->height() > 800) faults << "larger than 1280 x 800";
+    QVERIFY2(faults.isEmpty(), qPrintable(language.code + ":\n" + faults.join(QLatin1Char('\n'))));
+  }
+  ui::useLanguage(QStringLiteral("en"));
 }
 
 int main(int argc, char** argv) {
