@@ -8,9 +8,12 @@ using namespace handlebody::testing;
 
 namespace {
 
+// A quarter more than the worst that is measured with any type of voxel and either grid.
+constexpr Limits kLimits{0.9877, 0.085, 0.292, 0.007, 1.13};
+constexpr Limits kSpeckleLimits{0.992, 0.233, 0.612, 0.0029, 1.95};  // no edge is sharp everywhere
+
 void expectExperiment(const std::string& name, const PhantomOptions& options, const char* what) {
-  Limits limits;
-  if (name == "cyst") limits = {0.98, 0.5, 1e9, 0.02};  // speckle has no edge that is sharp everywhere
+  const Limits& limits = name == "cyst" ? kSpeckleLimits : kLimits;
   const Phantom phantom = makePhantom(name, options);
   expectTrue(phantom, options, grow(phantom), limits, what);
 }

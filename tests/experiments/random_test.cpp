@@ -17,6 +17,7 @@ namespace {
 struct RandomRun {
   std::vector<Seed> seeds;
   Parameters parameters;
+  bool maybeRefused = false;  //!< a seed outside of the object, another kind of object, or any range
 };
 
 bool isObject(const Phantom& phantom, const std::array<int, 3>& voxel) {
@@ -42,6 +43,7 @@ RandomRun randomRun(const Phantom& phantom, unsigned seed) {
     do {
       for (std::size_t a = 0; a < 3; ++a) voxel[a] = static_cast<int>(uniform(0, grid.size[a]));
     } while (inObject && !isObject(phantom, voxel));
+    run.maybeRefused = run.maybeRefused || !isObject(phantom, voxel);
     const double x = voxel[0] + uniform(-0.4, 0.4), y = voxel[1] + uniform(-0.4, 0.4);
     s.centre = grid.toWorld(Vec3(x, y, voxel[2] + uniform(-0.4, 0.4)));
     if (once(2)) s.radius = uniform(0.5, 12);
@@ -58,6 +60,7 @@ RandomRun randomRun(const Phantom& phantom, unsigned seed) {
     const double low = uniform(-20, 80);
     p.range = IntensityRange{low, low + uniform(40, 200)};
   }
+  run.maybeRefused = run.maybeRefused || p.object == ObjectKind::bright || p.range;
   p.maxIterations = 40 + static_cast<int>(random() % 60);
   p.threads = 1 + static_cast<int>(random() % 2);
   return run;
@@ -102,7 +105,10 @@ TEST_CASE("random seeds and parameters never leave an invalid mesh", "[random]")
     const unsigned seed = static_cast<unsigned>(50 * part + i);
     const auto& [name, phantom] = *std::next(phantoms.begin(), i % 4);
     INFO("random seed " << seed << " on " << name);
-    grown += runCertified(phantom, randomRun(phantom, seed));
+    const RandomRun run = randomRun(phantom, seed);
+    const bool isGrown = runCertified(phantom, run);
+    CHECK((isGrown || run.maybeRefused));
+    grown += isGrown;
   }
-  CHECK(grown > 2 * runs / 5);  // the test would be empty if most seeds were refused
+  CHECK(grown >= 7 * runs / 10);  // 19 to 22 of 25 are measured
 }

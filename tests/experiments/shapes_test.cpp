@@ -32,11 +32,11 @@ int eulerOfLabel(const Volume& label) {
   return euler;
 }
 
+//! A quarter more than the worst that is measured, outwards and in both directions. Of the tubes of the tree,
+//! which are 3 voxels wide, more is lost where the surface lies as far inside as elsewhere.
 Limits limitsFor(const std::string& name) {
-  Limits limits;
-  // Tubes of 3 voxels: where the surface lies 0.2 voxel inside, 13 % of the volume and 7 % of the Dice are lost.
-  if (name == "tree") limits = {0.93, 0.2, 0.5, 0.13};
-  return limits;
+  if (name == "tree") return {0.976, 0.081, 0.208, 0.021, 0.73};
+  return {0.992, 0.061, 0.18, 0.0085, 0.985};
 }
 
 const std::vector<std::string> kShapes{"rings", "trefoil", "tree",     "balls",
@@ -79,5 +79,5 @@ TEST_CASE("an over-grown start contracts onto linked rings, through both of thei
   while (contour.stopReason() == StopReason::running) contour.step();
   Outcome o{contour.mesh().compact(), {}, contour.iteration(), contour.stopReason()};
   o.certificate = certify(o.mesh);
-  expectTrue(phantom, {}, o, {}, "from a ball around it");
+  expectTrue(phantom, {}, o, limitsFor("rings"), "from a ball around it");
 }
