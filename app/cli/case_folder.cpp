@@ -72,8 +72,10 @@ Json hashesOf(const StudyCase& c) {
 Json hashesIn(const Json& report, const StudyCase& c) {
   Json hashes = {{"volume", report.at("input").at("sha256")}};
   for (const StudyInput& input : c.inputs)
-    hashes[input.option] =
-        report.at("requested").at("constraints").at(input.option == "walls" ? "wall_map" : "start").at("sha256");
+    hashes[input.option] = report.at("requested")
+                               .at("constraints")
+                               .at(input.option == "walls" ? "wall_map" : "start")
+                               .at("sha256");
   return hashes;
 }
 

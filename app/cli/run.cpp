@@ -49,7 +49,8 @@ void addRunOutputs(CLI::App& command, RunOutputs& outputs) {
   command
       .add_option(
           "-o,--output", outputs.results,
-          "What to write, by extension: .stl .vtp .ply .obj .3mf .gltf = the mesh; .nii.gz .nii .nrrd .mha = its "
+          "What to write, by extension: .stl .vtp .ply .obj .3mf .gltf = the mesh; .nii.gz .nii .nrrd .mha = "
+          "its "
           "label map on the input grid; .seg.nrrd = the same as 3D Slicer's segmentation; for a volume read "
           "from DICOM, too: .seg.dcm = a DICOM Segmentation, .stl.dcm = the mesh as DICOM Encapsulated STL; "
           "where gmsh or TetGen is installed: .msh .vtu .inp = tetrahedra for a solver; "

@@ -40,8 +40,8 @@ struct CellFault {
 //! Where the results of a case go is the batch's business, and so is what it says.
 bool isForBatch(const std::string& option) {
   static const std::vector<std::string> own{
-      "output", "report",           "session", "trace", "picture", "label-description",
-      "quiet",  "sensitivity-surface", "curve"};
+      "output", "report", "session", "trace", "picture", "label-description", "quiet", "sensitivity-surface",
+      "curve"};
   return std::find(own.begin(), own.end(), option) != own.end();
 }
 

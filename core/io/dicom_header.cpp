@@ -280,7 +280,8 @@ std::optional<DicomFile> readDicomFile(const std::string& file, const std::strin
   reader.SetFileName(file.c_str());
   if (!reader.ReadUpToTag(kPixelData)) return std::nullopt;
   DicomFile f = fileOf(reader.GetFile(), file);
-  if (f.frames < 0 || f.frames > kMostFrames) refuseInput(path, "the number of frames in " + file + " is implausible");
+  if (f.frames < 0 || f.frames > kMostFrames)
+    refuseInput(path, "the number of frames in " + file + " is implausible");
   return f;
 }
 

@@ -124,9 +124,10 @@ void StackSource::describe(const Assumed& assumed) {
   warn(assumed.places,
        "The header does not say where the slices lie; they are taken one behind the other, with LPS axes.");
   if (const std::string missing = missingVolumes(f); !missing.empty()) header_.warnings.push_back(missing);
-  warn(f.echo.slices > 0,
-       "The file does not say how the volume lies in the patient: columns are taken to run to the right, rows "
-       "to the back and slices downwards.");
+  warn(
+      f.echo.slices > 0,
+      "The file does not say how the volume lies in the patient: columns are taken to run to the right, rows "
+      "to the back and slices downwards.");
   warn(f.ownFrameOfReference && f.echo.slices == 0,
        "Positions are in the frame of the ultrasound volume, not of the patient: its axes are taken as LPS.");
   warn(isColour(f), "Colour was turned into luminance (0.2125 R + 0.7154 G + 0.0721 B).");

@@ -269,7 +269,8 @@ std::string measuredCsv(const Measured& m) {
 std::string measuredColumns(const Measured& m, char separator) {
   std::string text;
   const auto add = [&](const std::vector<std::string>& cells) {
-    for (std::size_t i = 0; i < cells.size(); ++i) text += (i > 0 ? std::string(1, separator) : "") + cells[i];
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      text += (i > 0 ? std::string(1, separator) : "") + cells[i];
     text += '\n';
   };
   for (const Row& row : rowsOf(m)) {

@@ -244,8 +244,10 @@ TEST_CASE("walls are a part of what was asked for, and a surface that is not fin
   CHECK(s.run().out.find("1 done (0 of them before)") == 0);
 }
 
-TEST_CASE("a surface to begin with is a file of the study: its path is the table's, its content decides what is done",
-          "[batch]") {
+TEST_CASE(
+    "a surface to begin with is a file of the study: its path is the table's, its content decides what is "
+    "done",
+    "[batch]") {
   const Study s;
   const auto makeStart = [&](const std::string& iterations) {
     REQUIRE(runCli({"segment", s.phantom.path, "--seed", s.phantom.seed, "--max-iterations", iterations, "-o",
@@ -260,7 +262,8 @@ TEST_CASE("a surface to begin with is a file of the study: its path is the table
   CHECK(s.run().out.find("2 done (0 of them before)") == 0);
   fs::remove(s.folder / "start.stl");
   CHECK(s.run().exitCode == kIncomplete);
-  CHECK_THAT(s.row(0).at("message").get<std::string>(), Contains("start.stl: there is no such file or folder"));
+  CHECK_THAT(s.row(0).at("message").get<std::string>(),
+             Contains("start.stl: there is no such file or folder"));
   writeBytes(s.csv, "case,volume,start,start\na,sphere.mha,start.stl,start.stl\n");
   CHECK(s.run().err.find("says the same as column 3") != std::string::npos);
 }

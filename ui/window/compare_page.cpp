@@ -147,7 +147,8 @@ QWidget* ComparePage::buildTools() {
 void ComparePage::choose() {
   const QString path = QFileDialog::getOpenFileName(
       this, tr("Choose the reference"), QSettings().value(QStringLiteral("folder")).toString(),
-      tr("Meshes and label maps (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;All files "
+      tr("Meshes and label maps (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl "
+         "*.gipl.gz *.dcm);;All files "
          "(*)"),
       nullptr, QFileDialog::HideNameFilterDetails);
   if (!path.isEmpty()) compareWith(path);

@@ -35,13 +35,15 @@ const QString kFolder = QStringLiteral("folder");
 
 QString volumeFilter() {
   return FileWork::tr(
-      "Volumes and sessions (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.tif *.tiff *.dcm *.json);;"
+      "Volumes and sessions (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.tif *.tiff *.dcm "
+      "*.json);;"
       "All files (*)");
 }
 
 QString objectFilter() {
   return FileWork::tr(
-      "Meshes and label maps (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.dcm);;"
+      "Meshes and label maps (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl "
+      "*.gipl.gz *.dcm);;"
       "All files (*)");
 }
 

@@ -64,7 +64,8 @@ QLayout* RulersPage::buildButtons(QWidget* parent) {
     return button;
   };
   delete_ = add(tr("Delete"), tr("Delete the chosen ruler or angle"));
-  csv_ = add(tr("Save as CSV…"), tr("Lengths in mm, angles in degrees and their points (mm, LPS) as a table"));
+  csv_ =
+      add(tr("Save as CSV…"), tr("Lengths in mm, angles in degrees and their points (mm, LPS) as a table"));
   json_ = add(tr("Save as JSON…"), tr("The same as “handlebody-cli measure --json” writes of them"));
   connect(csv_, &QPushButton::clicked, this, [this] {
     Q_EMIT saveRequested(tr("Save the rulers and angles"), QStringLiteral(".csv"),
