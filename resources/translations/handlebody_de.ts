@@ -67,7 +67,7 @@
         <translation>Der Außenpunkt bei {place:1f} mm liegt außerhalb des Bildvolumens.</translation>
     </message>
     <message>
-        <source>The seed at {place:1f} mm is not in the object: the smoothed intensity there is {intensity:4g}, the object's range is {low:4g} to {high:4g}.</source>
+        <source>The seed at {place:1f} mm is not in the object: the smoothed intensity there is {intensity:4g}, the object&apos;s range is {low:4g} to {high:4g}.</source>
         <translation>Der Startpunkt bei {place:1f} mm liegt nicht im Objekt: die geglättete Intensität ist dort {intensity:4g}, der Bereich des Objekts reicht von {low:4g} bis {high:4g}.</translation>
     </message>
     <message>
@@ -127,7 +127,7 @@
         <translation>Das Volumen hängt davon ab, wo genau geklickt wird, von Glättung oder Rauschen: es ändert sich um {percent:0f} %</translation>
     </message>
     <message>
-        <source>The surface was made with an earlier one of the object '{object}', and a replay may make another</source>
+        <source>The surface was made with an earlier one of the object &apos;{object}&apos;, and a replay may make another</source>
         <translation>Die Oberfläche wurde mit einer früheren des Objekts „{object}“ gemacht, und eine Wiederholung ergibt womöglich eine andere</translation>
     </message>
     <message>
@@ -375,7 +375,7 @@
         <translation>Die Kantenlänge von {edge_mm} mm ist zu kurz für die Startpunkte: ihre Oberfläche allein hätte über zwei Millionen Dreiecke.</translation>
     </message>
     <message>
-        <source>The seed at {place} mm lies in the object '{object}', which is done already.</source>
+        <source>The seed at {place} mm lies in the object &apos;{object}&apos;, which is done already.</source>
         <translation>Der Startpunkt bei {place} mm liegt im Objekt „{object}“, das schon fertig ist.</translation>
     </message>
     <message>
@@ -399,7 +399,7 @@
         <translation>Die Wand bei {place} mm liegt über Oberfläche, die schon da ist: gehen Sie zurück vor die Stelle, an der sie dorthin kam, oder lassen Sie die Oberfläche sich in beide Richtungen bewegen.</translation>
     </message>
     <message>
-        <source>The object '{object}' lies over surface that is already there: go back to before it came in there.</source>
+        <source>The object &apos;{object}&apos; lies over surface that is already there: go back to before it came in there.</source>
         <translation>Das Objekt „{object}“ liegt über Oberfläche, die schon da ist: gehen Sie zurück vor die Stelle, an der sie dorthin kam.</translation>
     </message>
     <message>
@@ -894,7 +894,7 @@
         <translation>Von &amp;links</translation>
     </message>
     <message>
-        <source>3D view: look from the patient's left; with the 3D view in focus</source>
+        <source>3D view: look from the patient&apos;s left; with the 3D view in focus</source>
         <translation>3D-Ansicht: von der linken Seite des Patienten; wenn die 3D-Ansicht den Fokus hat</translation>
     </message>
     <message>
@@ -910,7 +910,7 @@
         <translation>&amp;Wände und Fixierungen</translation>
     </message>
     <message>
-        <source>Draw the active object's walls, and what of its surface is pinned</source>
+        <source>Draw the active object&apos;s walls, and what of its surface is pinned</source>
         <translation>Die Wände des aktiven Objekts zeichnen und was von seiner Oberfläche fixiert ist</translation>
     </message>
     <message>
@@ -1038,7 +1038,7 @@
         <translation>&amp;Mit Kanten</translation>
     </message>
     <message>
-        <source>The triangles' edges are drawn</source>
+        <source>The triangles&apos; edges are drawn</source>
         <translation>Die Kanten der Dreiecke werden gezeichnet</translation>
     </message>
     <message>
@@ -1314,7 +1314,7 @@
         <translation>Durch &amp;Ziehen verformen</translation>
     </message>
     <message>
-        <source>Drag a point of the surface, in a slice or in 3D: it goes there, and what lies within the brush's radius less and less, as the next step</source>
+        <source>Drag a point of the surface, in a slice or in 3D: it goes there, and what lies within the brush&apos;s radius less and less, as the next step</source>
         <translation>Einen Punkt der Oberfläche ziehen, in einer Schicht oder in 3D: er geht dorthin, und was im Pinselradius liegt, immer weniger mit, als nächster Schritt</translation>
     </message>
     <message>
@@ -2878,11 +2878,11 @@ Mittel ± SA</translation>
         <translation>RAS</translation>
     </message>
     <message>
-        <source>x to the patient's left, y to the back, as in DICOM and ITK</source>
+        <source>x to the patient&apos;s left, y to the back, as in DICOM and ITK</source>
         <translation>x zur linken Seite des Patienten, y nach hinten, wie in DICOM und ITK</translation>
     </message>
     <message>
-        <source>x to the patient's right, y to the front, as in NIfTI and 3D Slicer</source>
+        <source>x to the patient&apos;s right, y to the front, as in NIfTI and 3D Slicer</source>
         <translation>x zur rechten Seite des Patienten, y nach vorn, wie in NIfTI und 3D Slicer</translation>
     </message>
     <message>
@@ -2954,7 +2954,7 @@ Mittel ± SA</translation>
         <translation>Ohne Angaben zum Patienten</translation>
     </message>
     <message>
-        <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume's. A session always says where its volume lies.</source>
+        <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume&apos;s. A session always says where its volume lies.</source>
         <translation>DICOM-Dateien, Bericht und Messwerte werden ohne Patient, Untersuchung, Daten und Dateinamen geschrieben, und die vorgeschlagenen Namen verraten den des Bildvolumens nicht. Eine Sitzung nennt immer den Ort ihres Bildvolumens.</translation>
     </message>
     <message>
@@ -3540,11 +3540,11 @@ Mit den anderen beginnen Objekte: Sie wachsen von dort auf das Bild oder geben n
 <context>
     <name>handlebody::ui::HistogramView</name>
     <message>
-        <source>Histogram with the object's range</source>
+        <source>Histogram with the object&apos;s range</source>
         <translation>Histogramm mit dem Bereich des Objekts</translation>
     </message>
     <message>
-        <source>&lt;p&gt;How often each intensity occurs (square root). Drag the ends of the object's range; with the keyboard: Up and Down choose an end, Left and Right move it.&lt;/p&gt;</source>
+        <source>&lt;p&gt;How often each intensity occurs (square root). Drag the ends of the object&apos;s range; with the keyboard: Up and Down choose an end, Left and Right move it.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Wie oft jede Intensität vorkommt (Quadratwurzel). Ziehen Sie die Enden des Objektbereichs; mit der Tastatur: Auf und Ab wählen ein Ende, Links und Rechts bewegen es.&lt;/p&gt;</translation>
     </message>
     <message>
@@ -4214,11 +4214,11 @@ Mit den anderen beginnen Objekte: Sie wachsen von dort auf das Bild oder geben n
 <context>
     <name>handlebody::ui::OpenPanel</name>
     <message>
-        <source>along the patient's axes</source>
+        <source>along the patient&apos;s axes</source>
         <translation>entlang der Achsen des Patienten</translation>
     </message>
     <message>
-        <source>oblique: slices follow the volume's own axes</source>
+        <source>oblique: slices follow the volume&apos;s own axes</source>
         <translation>schräg: die Schichten folgen den Achsen des Bildvolumens</translation>
     </message>
     <message>
@@ -5345,7 +5345,7 @@ oder eine Datei hier ablegen</translation>
         <translation>Nahe Ecken werden in einer sortierten Tabelle gefunden. Die Oberfläche hängt nicht davon ab</translation>
     </message>
     <message>
-        <source>Near vertices are found by the paper's eight hash functions: slower, the same surface</source>
+        <source>Near vertices are found by the paper&apos;s eight hash functions: slower, the same surface</source>
         <translation>Nahe Ecken werden mit den acht Hashfunktionen des Artikels gefunden: langsamer, dieselbe Oberfläche</translation>
     </message>
     <message>

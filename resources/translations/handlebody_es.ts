@@ -67,7 +67,7 @@
         <translation>El punto exterior en {place:1f} mm está fuera del volumen.</translation>
     </message>
     <message>
-        <source>The seed at {place:1f} mm is not in the object: the smoothed intensity there is {intensity:4g}, the object's range is {low:4g} to {high:4g}.</source>
+        <source>The seed at {place:1f} mm is not in the object: the smoothed intensity there is {intensity:4g}, the object&apos;s range is {low:4g} to {high:4g}.</source>
         <translation>La semilla en {place:1f} mm no está en el objeto: la intensidad suavizada allí es {intensity:4g}, el intervalo del objeto va de {low:4g} a {high:4g}.</translation>
     </message>
     <message>
@@ -127,7 +127,7 @@
         <translation>El volumen depende de dónde se hace clic exactamente, del suavizado o del ruido: varía un {percent:0f} %</translation>
     </message>
     <message>
-        <source>The surface was made with an earlier one of the object '{object}', and a replay may make another</source>
+        <source>The surface was made with an earlier one of the object &apos;{object}&apos;, and a replay may make another</source>
         <translation>La superficie se hizo con una anterior del objeto «{object}», y una repetición puede dar otra</translation>
     </message>
     <message>
@@ -375,7 +375,7 @@
         <translation>La longitud de arista de {edge_mm} mm es demasiado corta para las semillas: solo su superficie tendría más de dos millones de triángulos.</translation>
     </message>
     <message>
-        <source>The seed at {place} mm lies in the object '{object}', which is done already.</source>
+        <source>The seed at {place} mm lies in the object &apos;{object}&apos;, which is done already.</source>
         <translation>La semilla en {place} mm está en el objeto «{object}», que ya está terminado.</translation>
     </message>
     <message>
@@ -399,7 +399,7 @@
         <translation>La barrera en {place} mm está sobre superficie que ya está allí: vuelva a antes de que llegara, o deje que la superficie se mueva en ambos sentidos.</translation>
     </message>
     <message>
-        <source>The object '{object}' lies over surface that is already there: go back to before it came in there.</source>
+        <source>The object &apos;{object}&apos; lies over surface that is already there: go back to before it came in there.</source>
         <translation>El objeto «{object}» está sobre superficie que ya está allí: vuelva a antes de que llegara.</translation>
     </message>
     <message>
@@ -894,7 +894,7 @@
         <translation>Desde &amp;la izquierda</translation>
     </message>
     <message>
-        <source>3D view: look from the patient's left; with the 3D view in focus</source>
+        <source>3D view: look from the patient&apos;s left; with the 3D view in focus</source>
         <translation>Vista 3D: mirar desde la izquierda del paciente; con el foco en la vista 3D</translation>
     </message>
     <message>
@@ -910,7 +910,7 @@
         <translation>&amp;Barreras y fijaciones</translation>
     </message>
     <message>
-        <source>Draw the active object's walls, and what of its surface is pinned</source>
+        <source>Draw the active object&apos;s walls, and what of its surface is pinned</source>
         <translation>Dibujar las barreras del objeto activo y lo fijado de su superficie</translation>
     </message>
     <message>
@@ -1038,7 +1038,7 @@
         <translation>&amp;Con aristas</translation>
     </message>
     <message>
-        <source>The triangles' edges are drawn</source>
+        <source>The triangles&apos; edges are drawn</source>
         <translation>Se dibujan las aristas de los triángulos</translation>
     </message>
     <message>
@@ -1314,7 +1314,7 @@
         <translation>Estirar &amp;arrastrando</translation>
     </message>
     <message>
-        <source>Drag a point of the surface, in a slice or in 3D: it goes there, and what lies within the brush's radius less and less, as the next step</source>
+        <source>Drag a point of the surface, in a slice or in 3D: it goes there, and what lies within the brush&apos;s radius less and less, as the next step</source>
         <translation>Arrastrar un punto de la superficie, en un corte o en 3D: va allí, y lo que está en el radio del pincel cada vez menos, como siguiente paso</translation>
     </message>
     <message>
@@ -2878,11 +2878,11 @@ cercano (mm)</translation>
         <translation>RAS</translation>
     </message>
     <message>
-        <source>x to the patient's left, y to the back, as in DICOM and ITK</source>
+        <source>x to the patient&apos;s left, y to the back, as in DICOM and ITK</source>
         <translation>x hacia la izquierda del paciente, y hacia atrás, como en DICOM e ITK</translation>
     </message>
     <message>
-        <source>x to the patient's right, y to the front, as in NIfTI and 3D Slicer</source>
+        <source>x to the patient&apos;s right, y to the front, as in NIfTI and 3D Slicer</source>
         <translation>x hacia la derecha del paciente, y hacia delante, como en NIfTI y 3D Slicer</translation>
     </message>
     <message>
@@ -2954,7 +2954,7 @@ cercano (mm)</translation>
         <translation>Sin datos del paciente</translation>
     </message>
     <message>
-        <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume's. A session always says where its volume lies.</source>
+        <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume&apos;s. A session always says where its volume lies.</source>
         <translation>Los archivos DICOM, el informe y las medidas se escriben sin paciente, estudio, fechas ni nombres de archivos, y los nombres propuestos no revelan el del volumen. Una sesión siempre dice dónde está su volumen.</translation>
     </message>
     <message>
@@ -3540,11 +3540,11 @@ Los otros son donde empiezan los objetos: crecen desde allí hacia la imagen, o 
 <context>
     <name>handlebody::ui::HistogramView</name>
     <message>
-        <source>Histogram with the object's range</source>
+        <source>Histogram with the object&apos;s range</source>
         <translation>Histograma con el intervalo del objeto</translation>
     </message>
     <message>
-        <source>&lt;p&gt;How often each intensity occurs (square root). Drag the ends of the object's range; with the keyboard: Up and Down choose an end, Left and Right move it.&lt;/p&gt;</source>
+        <source>&lt;p&gt;How often each intensity occurs (square root). Drag the ends of the object&apos;s range; with the keyboard: Up and Down choose an end, Left and Right move it.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Frecuencia de cada intensidad (raíz cuadrada). Arrastre los extremos del intervalo del objeto; con el teclado: Arriba y Abajo eligen un extremo, Izquierda y Derecha lo mueven.&lt;/p&gt;</translation>
     </message>
     <message>
@@ -4214,11 +4214,11 @@ Los otros son donde empiezan los objetos: crecen desde allí hacia la imagen, o 
 <context>
     <name>handlebody::ui::OpenPanel</name>
     <message>
-        <source>along the patient's axes</source>
+        <source>along the patient&apos;s axes</source>
         <translation>según los ejes del paciente</translation>
     </message>
     <message>
-        <source>oblique: slices follow the volume's own axes</source>
+        <source>oblique: slices follow the volume&apos;s own axes</source>
         <translation>oblicuo: los cortes siguen los ejes del volumen</translation>
     </message>
     <message>
@@ -5345,7 +5345,7 @@ o soltar aquí un archivo</translation>
         <translation>Los vértices cercanos se hallan en una tabla ordenada. La superficie no depende de ello</translation>
     </message>
     <message>
-        <source>Near vertices are found by the paper's eight hash functions: slower, the same surface</source>
+        <source>Near vertices are found by the paper&apos;s eight hash functions: slower, the same surface</source>
         <translation>Los vértices cercanos se hallan con las ocho funciones hash del artículo: más lento, la misma superficie</translation>
     </message>
     <message>

@@ -67,7 +67,7 @@
         <translation>Le point extérieur à {place:1f} mm est hors du volume.</translation>
     </message>
     <message>
-        <source>The seed at {place:1f} mm is not in the object: the smoothed intensity there is {intensity:4g}, the object's range is {low:4g} to {high:4g}.</source>
+        <source>The seed at {place:1f} mm is not in the object: the smoothed intensity there is {intensity:4g}, the object&apos;s range is {low:4g} to {high:4g}.</source>
         <translation>Le germe à {place:1f} mm n’est pas dans l’objet : l’intensité lissée y est de {intensity:4g}, l’intervalle de l’objet va de {low:4g} à {high:4g}.</translation>
     </message>
     <message>
@@ -127,7 +127,7 @@
         <translation>Le volume dépend de l’endroit exact du clic, du lissage ou du bruit : il varie de {percent:0f} %</translation>
     </message>
     <message>
-        <source>The surface was made with an earlier one of the object '{object}', and a replay may make another</source>
+        <source>The surface was made with an earlier one of the object &apos;{object}&apos;, and a replay may make another</source>
         <translation>La surface a été faite avec une version antérieure de l’objet « {object} », et une relecture peut en donner une autre</translation>
     </message>
     <message>
@@ -375,7 +375,7 @@
         <translation>La longueur d’arête de {edge_mm} mm est trop courte pour les germes : leur surface seule aurait plus de deux millions de triangles.</translation>
     </message>
     <message>
-        <source>The seed at {place} mm lies in the object '{object}', which is done already.</source>
+        <source>The seed at {place} mm lies in the object &apos;{object}&apos;, which is done already.</source>
         <translation>Le germe à {place} mm est dans l’objet « {object} », déjà terminé.</translation>
     </message>
     <message>
@@ -399,7 +399,7 @@
         <translation>La barrière à {place} mm recouvre une surface déjà présente : revenez avant qu’elle n’y soit entrée, ou laissez la surface bouger dans les deux sens.</translation>
     </message>
     <message>
-        <source>The object '{object}' lies over surface that is already there: go back to before it came in there.</source>
+        <source>The object &apos;{object}&apos; lies over surface that is already there: go back to before it came in there.</source>
         <translation>L’objet « {object} » recouvre une surface déjà présente : revenez avant qu’elle n’y soit entrée.</translation>
     </message>
     <message>
@@ -894,7 +894,7 @@
         <translation>De &amp;gauche</translation>
     </message>
     <message>
-        <source>3D view: look from the patient's left; with the 3D view in focus</source>
+        <source>3D view: look from the patient&apos;s left; with the 3D view in focus</source>
         <translation>Vue 3D : regarder de la gauche du patient ; quand la vue 3D a le focus</translation>
     </message>
     <message>
@@ -910,7 +910,7 @@
         <translation>&amp;Barrières et fixations</translation>
     </message>
     <message>
-        <source>Draw the active object's walls, and what of its surface is pinned</source>
+        <source>Draw the active object&apos;s walls, and what of its surface is pinned</source>
         <translation>Dessiner les barrières de l’objet actif et ce qui est fixé de sa surface</translation>
     </message>
     <message>
@@ -1038,7 +1038,7 @@
         <translation>&amp;Avec les arêtes</translation>
     </message>
     <message>
-        <source>The triangles' edges are drawn</source>
+        <source>The triangles&apos; edges are drawn</source>
         <translation>Les arêtes des triangles sont dessinées</translation>
     </message>
     <message>
@@ -1314,7 +1314,7 @@
         <translation>&amp;Tirer en glissant</translation>
     </message>
     <message>
-        <source>Drag a point of the surface, in a slice or in 3D: it goes there, and what lies within the brush's radius less and less, as the next step</source>
+        <source>Drag a point of the surface, in a slice or in 3D: it goes there, and what lies within the brush&apos;s radius less and less, as the next step</source>
         <translation>Tirer un point de la surface, dans une coupe ou en 3D : il y va, et ce qui est dans le rayon du pinceau de moins en moins, au pas suivant</translation>
     </message>
     <message>
@@ -2878,11 +2878,11 @@ proche (mm)</translation>
         <translation>RAS</translation>
     </message>
     <message>
-        <source>x to the patient's left, y to the back, as in DICOM and ITK</source>
+        <source>x to the patient&apos;s left, y to the back, as in DICOM and ITK</source>
         <translation>x vers la gauche du patient, y vers l’arrière, comme en DICOM et ITK</translation>
     </message>
     <message>
-        <source>x to the patient's right, y to the front, as in NIfTI and 3D Slicer</source>
+        <source>x to the patient&apos;s right, y to the front, as in NIfTI and 3D Slicer</source>
         <translation>x vers la droite du patient, y vers l’avant, comme en NIfTI et 3D Slicer</translation>
     </message>
     <message>
@@ -2954,7 +2954,7 @@ proche (mm)</translation>
         <translation>Sans ce qui nomme le patient</translation>
     </message>
     <message>
-        <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume's. A session always says where its volume lies.</source>
+        <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume&apos;s. A session always says where its volume lies.</source>
         <translation>Fichiers DICOM, rapport et mesures sont écrits sans patient, examen, dates ni noms de fichiers, et les noms proposés ne révèlent pas celui du volume. Une session dit toujours où se trouve son volume.</translation>
     </message>
     <message>
@@ -3540,11 +3540,11 @@ Avec les autres commencent des objets : ils croissent de là vers l’image, ou 
 <context>
     <name>handlebody::ui::HistogramView</name>
     <message>
-        <source>Histogram with the object's range</source>
+        <source>Histogram with the object&apos;s range</source>
         <translation>Histogramme avec l’intervalle de l’objet</translation>
     </message>
     <message>
-        <source>&lt;p&gt;How often each intensity occurs (square root). Drag the ends of the object's range; with the keyboard: Up and Down choose an end, Left and Right move it.&lt;/p&gt;</source>
+        <source>&lt;p&gt;How often each intensity occurs (square root). Drag the ends of the object&apos;s range; with the keyboard: Up and Down choose an end, Left and Right move it.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Fréquence de chaque intensité (racine carrée). Glissez les bornes de l’intervalle de l’objet ; au clavier : Haut et Bas choisissent une borne, Gauche et Droite la déplacent.&lt;/p&gt;</translation>
     </message>
     <message>
@@ -4214,11 +4214,11 @@ Avec les autres commencent des objets : ils croissent de là vers l’image, ou 
 <context>
     <name>handlebody::ui::OpenPanel</name>
     <message>
-        <source>along the patient's axes</source>
+        <source>along the patient&apos;s axes</source>
         <translation>le long des axes du patient</translation>
     </message>
     <message>
-        <source>oblique: slices follow the volume's own axes</source>
+        <source>oblique: slices follow the volume&apos;s own axes</source>
         <translation>oblique : les coupes suivent les axes du volume</translation>
     </message>
     <message>
@@ -5345,7 +5345,7 @@ ou déposer un fichier ici</translation>
         <translation>Les sommets proches sont trouvés dans une table triée. La surface n’en dépend pas</translation>
     </message>
     <message>
-        <source>Near vertices are found by the paper's eight hash functions: slower, the same surface</source>
+        <source>Near vertices are found by the paper&apos;s eight hash functions: slower, the same surface</source>
         <translation>Les sommets proches sont trouvés par les huit fonctions de hachage de l’article : plus lent, même surface</translation>
     </message>
     <message>

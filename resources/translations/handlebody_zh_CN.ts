@@ -67,7 +67,7 @@
         <translation>位于 {place:1f} mm 的外部点在体数据之外。</translation>
     </message>
     <message>
-        <source>The seed at {place:1f} mm is not in the object: the smoothed intensity there is {intensity:4g}, the object's range is {low:4g} to {high:4g}.</source>
+        <source>The seed at {place:1f} mm is not in the object: the smoothed intensity there is {intensity:4g}, the object&apos;s range is {low:4g} to {high:4g}.</source>
         <translation>位于 {place:1f} mm 的种子点不在目标内：该处平滑后的强度为 {intensity:4g}，目标范围为 {low:4g} 至 {high:4g}。</translation>
     </message>
     <message>
@@ -127,7 +127,7 @@
         <translation>体积取决于确切的点击位置、平滑或噪声：变化 {percent:0f} %</translation>
     </message>
     <message>
-        <source>The surface was made with an earlier one of the object '{object}', and a replay may make another</source>
+        <source>The surface was made with an earlier one of the object &apos;{object}&apos;, and a replay may make another</source>
         <translation>该表面是用目标“{object}”的较早表面生成的，重放可能得到不同结果</translation>
     </message>
     <message>
@@ -375,7 +375,7 @@
         <translation>边长 {edge_mm} mm 对种子点过短：仅其表面就会有超过两百万个三角形。</translation>
     </message>
     <message>
-        <source>The seed at {place} mm lies in the object '{object}', which is done already.</source>
+        <source>The seed at {place} mm lies in the object &apos;{object}&apos;, which is done already.</source>
         <translation>位于 {place} mm 的种子点在已完成的目标“{object}”内。</translation>
     </message>
     <message>
@@ -399,7 +399,7 @@
         <translation>位于 {place} mm 的屏障盖在已有表面上：请退回到表面到达那里之前，或允许表面双向移动。</translation>
     </message>
     <message>
-        <source>The object '{object}' lies over surface that is already there: go back to before it came in there.</source>
+        <source>The object &apos;{object}&apos; lies over surface that is already there: go back to before it came in there.</source>
         <translation>目标“{object}”盖在已有表面上：请退回到表面到达那里之前。</translation>
     </message>
     <message>
@@ -894,7 +894,7 @@
         <translation>从左侧(&amp;L)</translation>
     </message>
     <message>
-        <source>3D view: look from the patient's left; with the 3D view in focus</source>
+        <source>3D view: look from the patient&apos;s left; with the 3D view in focus</source>
         <translation>3D 视图：从患者左侧观察；需 3D 视图获得焦点</translation>
     </message>
     <message>
@@ -910,7 +910,7 @@
         <translation>屏障与固定(&amp;N)</translation>
     </message>
     <message>
-        <source>Draw the active object's walls, and what of its surface is pinned</source>
+        <source>Draw the active object&apos;s walls, and what of its surface is pinned</source>
         <translation>绘制当前目标的屏障及其表面的固定部分</translation>
     </message>
     <message>
@@ -1038,7 +1038,7 @@
         <translation>显示边(&amp;E)</translation>
     </message>
     <message>
-        <source>The triangles' edges are drawn</source>
+        <source>The triangles&apos; edges are drawn</source>
         <translation>绘制三角形的边</translation>
     </message>
     <message>
@@ -1314,7 +1314,7 @@
         <translation>拖动拉伸(&amp;D)</translation>
     </message>
     <message>
-        <source>Drag a point of the surface, in a slice or in 3D: it goes there, and what lies within the brush's radius less and less, as the next step</source>
+        <source>Drag a point of the surface, in a slice or in 3D: it goes there, and what lies within the brush&apos;s radius less and less, as the next step</source>
         <translation>在切面或 3D 中拖动表面一点：该点移到那里，画笔半径内的部分随之递减移动，作为下一步</translation>
     </message>
     <message>
@@ -2878,11 +2878,11 @@ mean ± SD</source>
         <translation>RAS</translation>
     </message>
     <message>
-        <source>x to the patient's left, y to the back, as in DICOM and ITK</source>
+        <source>x to the patient&apos;s left, y to the back, as in DICOM and ITK</source>
         <translation>x 指向患者左侧，y 指向背侧，与 DICOM 和 ITK 一致</translation>
     </message>
     <message>
-        <source>x to the patient's right, y to the front, as in NIfTI and 3D Slicer</source>
+        <source>x to the patient&apos;s right, y to the front, as in NIfTI and 3D Slicer</source>
         <translation>x 指向患者右侧，y 指向腹侧，与 NIfTI 和 3D Slicer 一致</translation>
     </message>
     <message>
@@ -2954,7 +2954,7 @@ mean ± SD</source>
         <translation>不含患者信息</translation>
     </message>
     <message>
-        <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume's. A session always says where its volume lies.</source>
+        <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume&apos;s. A session always says where its volume lies.</source>
         <translation>写出的 DICOM 文件、报告和测量值不含患者、检查、日期和文件名，建议的名称也不透露体数据的名称。会话始终记录其体数据的位置。</translation>
     </message>
     <message>
@@ -3540,11 +3540,11 @@ Others are where objects begin: they grow from there onto the image, or give gro
 <context>
     <name>handlebody::ui::HistogramView</name>
     <message>
-        <source>Histogram with the object's range</source>
+        <source>Histogram with the object&apos;s range</source>
         <translation>带目标范围的直方图</translation>
     </message>
     <message>
-        <source>&lt;p&gt;How often each intensity occurs (square root). Drag the ends of the object's range; with the keyboard: Up and Down choose an end, Left and Right move it.&lt;/p&gt;</source>
+        <source>&lt;p&gt;How often each intensity occurs (square root). Drag the ends of the object&apos;s range; with the keyboard: Up and Down choose an end, Left and Right move it.&lt;/p&gt;</source>
         <translation>&lt;p&gt;各强度出现的频度（平方根）。拖动目标范围的两端；键盘：上下键选择一端，左右键移动。&lt;/p&gt;</translation>
     </message>
     <message>
@@ -4214,11 +4214,11 @@ Others are where objects begin: they grow from there onto the image, or give gro
 <context>
     <name>handlebody::ui::OpenPanel</name>
     <message>
-        <source>along the patient's axes</source>
+        <source>along the patient&apos;s axes</source>
         <translation>沿患者轴向</translation>
     </message>
     <message>
-        <source>oblique: slices follow the volume's own axes</source>
+        <source>oblique: slices follow the volume&apos;s own axes</source>
         <translation>倾斜：切面沿体数据自身的轴</translation>
     </message>
     <message>
@@ -5345,7 +5345,7 @@ or drop a file here</source>
         <translation>在一张排序表中查找邻近顶点。不影响表面</translation>
     </message>
     <message>
-        <source>Near vertices are found by the paper's eight hash functions: slower, the same surface</source>
+        <source>Near vertices are found by the paper&apos;s eight hash functions: slower, the same surface</source>
         <translation>用论文中的八个散列函数查找邻近顶点：较慢，表面相同</translation>
     </message>
     <message>
