@@ -104,16 +104,16 @@ std::string lineText(const MeasuredLine& m) {
   return text;
 }
 
+//! Numbered together, as the window's list is.
 std::string placedText(const std::vector<Measurement>& placed) {
   std::string text;
-  int rulers = 0, angles = 0;
-  for (const Measurement& m : placed) {
-    const bool isRuler = m.kind == MeasurementKind::ruler;
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    const bool isRuler = placed[i].kind == MeasurementKind::ruler;
     std::string points;
-    for (const Vec3& p : m.points) points += (points.empty() ? " from " : " to ") + place(p);
-    text += line(isRuler ? "ruler " + std::to_string(++rulers) + " (mm)"
-                         : "angle " + std::to_string(++angles) + " (degrees)",
-                 number(valueOf(m)) + points);
+    for (const Vec3& p : placed[i].points) points += (points.empty() ? " from " : " to ") + place(p);
+    const std::string order = std::to_string(i + 1);
+    text += line(isRuler ? "ruler " + order + " (mm)" : "angle " + order + " (degrees)",
+                 number(valueOf(placed[i])) + points);
   }
   return text;
 }

@@ -129,7 +129,7 @@ TEST_CASE("rulers and angles of a session are in text and JSON", "[cli][measure]
   CHECK(json.at("measurements").at(1).at("angle_degrees") == 90);
   const std::string text = runCli({"measure", folder / "s.json"}).out;
   CHECK(text.find("ruler 1 (mm)                          5 from 0,0,0 to 3,4,0\n") != std::string::npos);
-  CHECK(text.find("angle 1 (degrees)                     90 from 1,0,0 to 0,0,0 to 0,2,0\n") !=
+  CHECK(text.find("angle 2 (degrees)                     90 from 1,0,0 to 0,0,0 to 0,2,0\n") !=
         std::string::npos);
 }
 
