@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/cancellation.h"
 #include "core/mesh/topology.h"
 
 namespace handlebody {
@@ -10,6 +11,7 @@ Attempt Transaction::tryOnce(const StepWork& work) {
   Attempt a = work.attempt();
   if (a.troubles.empty())
     a.troubles = check_.faultsOf({before_, work.mesh, work.topology, a.touched, a.events, work.longest});
+  giveUpIfCancelled();  // the check can take as long as the attempt
   if (a.troubles.empty()) a.held = work.judge(a);
   return a;
 }

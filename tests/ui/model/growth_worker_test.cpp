@@ -170,6 +170,33 @@ TEST_CASE("a worker ends while it is at work", "[worker]") {
   SUCCEED();
 }
 
+TEST_CASE("a pause does not wait for the end of the step that is being made", "[worker]") {
+  // A ball of which most is there, with edges so short that a step takes a hundred times what a pause needs.
+  Parameters fine;
+  fine.edgeLength = 0.2;
+  const Seed seed{kMiddle, 8.0};
+  Rig rig;
+  rig.worker.start(std::make_shared<const ActiveContour>(ballVolume(), std::vector<Seed>{seed}, fine));
+  constexpr int kPauses = 10;
+  int takenBack = 0;
+  for (int i = 0; i < kPauses; ++i) {
+    rig.worker.run({{seed}, fine});
+    const std::size_t known = rig.mirror.summaries.size();
+    REQUIRE(rig.waitFor([&] { return rig.mirror.summaries.size() > std::max<std::size_t>(known, 1); }));
+    // It is told when a step is done, and the next one begins at once.
+    const std::size_t done = rig.mirror.summaries.size();
+    const double step = rig.mirror.last.seconds / static_cast<double>(done - 1);
+    std::this_thread::sleep_for(std::chrono::duration<double>(step / 4));
+    rig.worker.pause();
+    REQUIRE(rig.waitForRest());
+    takenBack += rig.mirror.summaries.size() == done;
+  }
+  CHECK(rig.mirror.last.stopReason == StopReason::running);
+  // All are, but for a machine so busy that it lets this thread wait for most of a step. A worker that waits
+  // for the end of a step takes none back.
+  CHECK(takenBack > kPauses / 2);
+}
+
 TEST_CASE("a pause in the middle of a step takes it back, and the growth goes on as if nothing had been",
           "[worker]") {
   Rig rig;
