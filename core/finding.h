@@ -144,8 +144,27 @@ enum class FindingKind {
   editRemovesNothing,    //!< iteration
   editLeavesNothing,     //!< iteration
   surfaceVanished,       //!< iterations
+
+  // What went wrong in a frame over time.
+  frameUnreadable,  //!< cause
+  frameNotRead,     //!< the same, where its file must not be named
+  frameNoObject,    //!< cause
+  frameVanished,
+  frameLeaked,           //!< cause: passage
+  frameJumped,           //!< from_ml, from_frame, to_ml
+  frameGenusChanged,     //!< genus_before, genus; one component before and after
+  frameCameApart,        //!< components, genus_before, genus; one component before
+  frameCameTogether,     //!< components_before, genus_before, genus; one component after
+  frameTopologyChanged,  //!< components_before, components, genus_before, genus
+  frameHeldAtPlace,      //!< place
+  frameHeldAtPlaces,     //!< places, place: the first
+  frameOtherObject,      //!< candidate; cause
+  frameAtLimit,
+  frameStuck,
+  frameFrozen,
+  frameUnfinished,  //!< stopped
 };
-inline constexpr int kFindingKinds = static_cast<int>(FindingKind::surfaceVanished) + 1;
+inline constexpr int kFindingKinds = static_cast<int>(FindingKind::frameUnfinished) + 1;
 
 //! A number, a place (mm, LPS) or the name of something.
 class FindingValue : public std::variant<double, std::array<double, 3>, std::string> {
@@ -191,11 +210,13 @@ const char* findingName(FindingKind kind);
 //! sentence.
 const char* findingText(FindingKind kind);
 
-//! The text with its values filled in by `written`, which is given name, value and FORMAT ("" for none).
-//! What is no value of the finding stays as it is.
+//! The text with its values filled in by `written`, which is given name, value and FORMAT ("" for none), and
+//! {cause} by `told`. What is no value of the finding stays as it is.
 using ValueWriter =
     std::function<std::string(std::string_view name, const FindingValue&, std::string_view format)>;
-std::string filled(std::string_view text, const Finding& finding, const ValueWriter& written);
+using CauseWriter = std::function<std::string(const Finding& cause)>;
+std::string filled(std::string_view text, const Finding& finding, const ValueWriter& written,
+                   const CauseWriter& told);
 
 //! In English.
 std::string sentence(const Finding& finding);

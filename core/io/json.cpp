@@ -171,8 +171,6 @@ Json resolvedToJson(const ResolvedParameters& parameters) {
   return json;
 }
 
-namespace {
-
 Json findingToJson(const Finding& finding) {
   Json json = {{"kind", findingName(finding.kind)}};
   for (const auto& [name, value] : finding.values) {
@@ -188,8 +186,6 @@ Json findingToJson(const Finding& finding) {
   json["sentence"] = sentence(finding);
   return json;
 }
-
-}  // namespace
 
 Json findingsToJson(const std::vector<Finding>& findings) {
   Json list = Json::array();

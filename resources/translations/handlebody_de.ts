@@ -486,6 +486,74 @@
         <source>a change of its topology ({event}) would happen at {place:1f}</source>
         <translation>bei {place:1f} würde sich ihre Topologie ändern ({event})</translation>
     </message>
+    <message>
+        <source>its voxels cannot be read: {cause}</source>
+        <translation>seine Voxel können nicht gelesen werden: {cause}</translation>
+    </message>
+    <message>
+        <source>no object can be grown here: {cause}</source>
+        <translation>hier kann kein Objekt wachsen: {cause}</translation>
+    </message>
+    <message>
+        <source>the surface was still moving at the iteration limit</source>
+        <translation>die Oberfläche bewegte sich an der Iterationsgrenze noch</translation>
+    </message>
+    <message>
+        <source>the surface got stuck before it was at rest</source>
+        <translation>die Oberfläche blieb stecken, bevor sie ruhte</translation>
+    </message>
+    <message>
+        <source>the surface rests, but parts that could not be mended would still move</source>
+        <translation>die Oberfläche ruht, aber Teile, die nicht in Ordnung gebracht werden konnten, würden sich noch bewegen</translation>
+    </message>
+    <message>
+        <source>the surface was stopped before it was at rest</source>
+        <translation>die Oberfläche wurde angehalten, bevor sie ruhte</translation>
+    </message>
+    <message>
+        <source>its voxels cannot be read</source>
+        <translation>seine Voxel können nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>the surface vanished</source>
+        <translation>die Oberfläche ist verschwunden</translation>
+    </message>
+    <message>
+        <source>the surface leaked: {cause}</source>
+        <translation>die Oberfläche ist ausgelaufen: {cause}</translation>
+    </message>
+    <message>
+        <source>the volume jumps from {from_ml:4g} ml in frame {from_frame} to {to_ml:4g} ml</source>
+        <translation>das Volumen springt von {from_ml:4g} ml in Bild {from_frame} auf {to_ml:4g} ml</translation>
+    </message>
+    <message>
+        <source>the topology changes from 1 component of genus {genus_before} to 1 component of genus {genus}</source>
+        <translation>die Topologie ändert sich von 1 Komponente mit Geschlecht {genus_before} zu 1 Komponente mit Geschlecht {genus}</translation>
+    </message>
+    <message>
+        <source>the topology changes from 1 component of genus {genus_before} to {components} components of genus {genus}</source>
+        <translation>die Topologie ändert sich von 1 Komponente mit Geschlecht {genus_before} zu {components} Komponenten mit Geschlecht {genus}</translation>
+    </message>
+    <message>
+        <source>the topology changes from {components_before} components of genus {genus_before} to 1 component of genus {genus}</source>
+        <translation>die Topologie ändert sich von {components_before} Komponenten mit Geschlecht {genus_before} zu 1 Komponente mit Geschlecht {genus}</translation>
+    </message>
+    <message>
+        <source>the topology changes from {components_before} components of genus {genus_before} to {components} components of genus {genus}</source>
+        <translation>die Topologie ändert sich von {components_before} Komponenten mit Geschlecht {genus_before} zu {components} Komponenten mit Geschlecht {genus}</translation>
+    </message>
+    <message>
+        <source>the topology was held at 1 place, the first at {place} mm</source>
+        <translation>die Topologie wurde an 1 Stelle gehalten, bei {place} mm</translation>
+    </message>
+    <message>
+        <source>the topology was held at {places} places, the first at {place} mm</source>
+        <translation>die Topologie wurde an {places} Stellen gehalten, zuerst bei {place} mm</translation>
+    </message>
+    <message>
+        <source>another object is likelier there, but it fails ({cause}); candidate {candidate} was taken</source>
+        <translation>ein anderes Objekt ist dort wahrscheinlicher, aber es scheitert ({cause}); Kandidat {candidate} wurde genommen</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

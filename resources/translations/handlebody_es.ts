@@ -486,6 +486,74 @@
         <source>a change of its topology ({event}) would happen at {place:1f}</source>
         <translation>un cambio de su topología ({event}) ocurriría en {place:1f}</translation>
     </message>
+    <message>
+        <source>its voxels cannot be read: {cause}</source>
+        <translation>no se pueden leer sus vóxeles: {cause}</translation>
+    </message>
+    <message>
+        <source>no object can be grown here: {cause}</source>
+        <translation>aquí no puede crecer ningún objeto: {cause}</translation>
+    </message>
+    <message>
+        <source>the surface was still moving at the iteration limit</source>
+        <translation>la superficie aún se movía en el límite de iteraciones</translation>
+    </message>
+    <message>
+        <source>the surface got stuck before it was at rest</source>
+        <translation>la superficie se atascó antes de quedar en reposo</translation>
+    </message>
+    <message>
+        <source>the surface rests, but parts that could not be mended would still move</source>
+        <translation>la superficie está en reposo, pero partes que no se pudieron arreglar aún se moverían</translation>
+    </message>
+    <message>
+        <source>the surface was stopped before it was at rest</source>
+        <translation>la superficie se detuvo antes de quedar en reposo</translation>
+    </message>
+    <message>
+        <source>its voxels cannot be read</source>
+        <translation>no se pueden leer sus vóxeles</translation>
+    </message>
+    <message>
+        <source>the surface vanished</source>
+        <translation>la superficie desapareció</translation>
+    </message>
+    <message>
+        <source>the surface leaked: {cause}</source>
+        <translation>la superficie se fugó: {cause}</translation>
+    </message>
+    <message>
+        <source>the volume jumps from {from_ml:4g} ml in frame {from_frame} to {to_ml:4g} ml</source>
+        <translation>el volumen salta de {from_ml:4g} ml en el fotograma {from_frame} a {to_ml:4g} ml</translation>
+    </message>
+    <message>
+        <source>the topology changes from 1 component of genus {genus_before} to 1 component of genus {genus}</source>
+        <translation>la topología cambia de 1 componente de género {genus_before} a 1 componente de género {genus}</translation>
+    </message>
+    <message>
+        <source>the topology changes from 1 component of genus {genus_before} to {components} components of genus {genus}</source>
+        <translation>la topología cambia de 1 componente de género {genus_before} a {components} componentes de género {genus}</translation>
+    </message>
+    <message>
+        <source>the topology changes from {components_before} components of genus {genus_before} to 1 component of genus {genus}</source>
+        <translation>la topología cambia de {components_before} componentes de género {genus_before} a 1 componente de género {genus}</translation>
+    </message>
+    <message>
+        <source>the topology changes from {components_before} components of genus {genus_before} to {components} components of genus {genus}</source>
+        <translation>la topología cambia de {components_before} componentes de género {genus_before} a {components} componentes de género {genus}</translation>
+    </message>
+    <message>
+        <source>the topology was held at 1 place, the first at {place} mm</source>
+        <translation>la topología se retuvo en 1 lugar, en {place} mm</translation>
+    </message>
+    <message>
+        <source>the topology was held at {places} places, the first at {place} mm</source>
+        <translation>la topología se retuvo en {places} lugares, el primero en {place} mm</translation>
+    </message>
+    <message>
+        <source>another object is likelier there, but it fails ({cause}); candidate {candidate} was taken</source>
+        <translation>otro objeto es más probable allí, pero falla ({cause}); se tomó el candidato {candidate}</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

@@ -486,6 +486,74 @@
         <source>a change of its topology ({event}) would happen at {place:1f}</source>
         <translation>sa topologie changerait ({event}) en {place:1f}</translation>
     </message>
+    <message>
+        <source>its voxels cannot be read: {cause}</source>
+        <translation>ses voxels ne peuvent pas être lus : {cause}</translation>
+    </message>
+    <message>
+        <source>no object can be grown here: {cause}</source>
+        <translation>aucun objet ne peut croître ici : {cause}</translation>
+    </message>
+    <message>
+        <source>the surface was still moving at the iteration limit</source>
+        <translation>la surface bougeait encore à la limite d’itérations</translation>
+    </message>
+    <message>
+        <source>the surface got stuck before it was at rest</source>
+        <translation>la surface s’est bloquée avant d’être au repos</translation>
+    </message>
+    <message>
+        <source>the surface rests, but parts that could not be mended would still move</source>
+        <translation>la surface est au repos, mais des parties qui n’ont pas pu être corrigées bougeraient encore</translation>
+    </message>
+    <message>
+        <source>the surface was stopped before it was at rest</source>
+        <translation>la surface a été arrêtée avant d’être au repos</translation>
+    </message>
+    <message>
+        <source>its voxels cannot be read</source>
+        <translation>ses voxels ne peuvent pas être lus</translation>
+    </message>
+    <message>
+        <source>the surface vanished</source>
+        <translation>la surface a disparu</translation>
+    </message>
+    <message>
+        <source>the surface leaked: {cause}</source>
+        <translation>la surface a fui : {cause}</translation>
+    </message>
+    <message>
+        <source>the volume jumps from {from_ml:4g} ml in frame {from_frame} to {to_ml:4g} ml</source>
+        <translation>le volume saute de {from_ml:4g} ml dans l’image {from_frame} à {to_ml:4g} ml</translation>
+    </message>
+    <message>
+        <source>the topology changes from 1 component of genus {genus_before} to 1 component of genus {genus}</source>
+        <translation>la topologie passe de 1 composante de genre {genus_before} à 1 composante de genre {genus}</translation>
+    </message>
+    <message>
+        <source>the topology changes from 1 component of genus {genus_before} to {components} components of genus {genus}</source>
+        <translation>la topologie passe de 1 composante de genre {genus_before} à {components} composantes de genre {genus}</translation>
+    </message>
+    <message>
+        <source>the topology changes from {components_before} components of genus {genus_before} to 1 component of genus {genus}</source>
+        <translation>la topologie passe de {components_before} composantes de genre {genus_before} à 1 composante de genre {genus}</translation>
+    </message>
+    <message>
+        <source>the topology changes from {components_before} components of genus {genus_before} to {components} components of genus {genus}</source>
+        <translation>la topologie passe de {components_before} composantes de genre {genus_before} à {components} composantes de genre {genus}</translation>
+    </message>
+    <message>
+        <source>the topology was held at 1 place, the first at {place} mm</source>
+        <translation>la topologie a été retenue à 1 endroit, à {place} mm</translation>
+    </message>
+    <message>
+        <source>the topology was held at {places} places, the first at {place} mm</source>
+        <translation>la topologie a été retenue à {places} endroits, le premier à {place} mm</translation>
+    </message>
+    <message>
+        <source>another object is likelier there, but it fails ({cause}); candidate {candidate} was taken</source>
+        <translation>un autre objet y est plus probable, mais il échoue ({cause}) ; le candidat {candidate} a été pris</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

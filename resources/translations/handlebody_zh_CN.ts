@@ -486,6 +486,74 @@
         <source>a change of its topology ({event}) would happen at {place:1f}</source>
         <translation>将在 {place:1f} 处发生拓扑变化（{event}）</translation>
     </message>
+    <message>
+        <source>its voxels cannot be read: {cause}</source>
+        <translation>无法读取其体素：{cause}</translation>
+    </message>
+    <message>
+        <source>no object can be grown here: {cause}</source>
+        <translation>此处无法生长目标：{cause}</translation>
+    </message>
+    <message>
+        <source>the surface was still moving at the iteration limit</source>
+        <translation>达到迭代上限时表面仍在移动</translation>
+    </message>
+    <message>
+        <source>the surface got stuck before it was at rest</source>
+        <translation>表面在静止之前卡住</translation>
+    </message>
+    <message>
+        <source>the surface rests, but parts that could not be mended would still move</source>
+        <translation>表面已静止，但无法修正的部分仍会移动</translation>
+    </message>
+    <message>
+        <source>the surface was stopped before it was at rest</source>
+        <translation>表面在静止之前被停止</translation>
+    </message>
+    <message>
+        <source>its voxels cannot be read</source>
+        <translation>无法读取其体素</translation>
+    </message>
+    <message>
+        <source>the surface vanished</source>
+        <translation>表面已消失</translation>
+    </message>
+    <message>
+        <source>the surface leaked: {cause}</source>
+        <translation>表面泄漏：{cause}</translation>
+    </message>
+    <message>
+        <source>the volume jumps from {from_ml:4g} ml in frame {from_frame} to {to_ml:4g} ml</source>
+        <translation>体积从第 {from_frame} 帧的 {from_ml:4g} ml 跳变为 {to_ml:4g} ml</translation>
+    </message>
+    <message>
+        <source>the topology changes from 1 component of genus {genus_before} to 1 component of genus {genus}</source>
+        <translation>拓扑由亏格为 {genus_before} 的 1 个连通分量变为亏格为 {genus} 的 1 个连通分量</translation>
+    </message>
+    <message>
+        <source>the topology changes from 1 component of genus {genus_before} to {components} components of genus {genus}</source>
+        <translation>拓扑由亏格为 {genus_before} 的 1 个连通分量变为总亏格为 {genus} 的 {components} 个连通分量</translation>
+    </message>
+    <message>
+        <source>the topology changes from {components_before} components of genus {genus_before} to 1 component of genus {genus}</source>
+        <translation>拓扑由总亏格为 {genus_before} 的 {components_before} 个连通分量变为亏格为 {genus} 的 1 个连通分量</translation>
+    </message>
+    <message>
+        <source>the topology changes from {components_before} components of genus {genus_before} to {components} components of genus {genus}</source>
+        <translation>拓扑由总亏格为 {genus_before} 的 {components_before} 个连通分量变为总亏格为 {genus} 的 {components} 个连通分量</translation>
+    </message>
+    <message>
+        <source>the topology was held at 1 place, the first at {place} mm</source>
+        <translation>拓扑在 1 处被保持，位于 {place} mm</translation>
+    </message>
+    <message>
+        <source>the topology was held at {places} places, the first at {place} mm</source>
+        <translation>拓扑在 {places} 处被保持，首处位于 {place} mm</translation>
+    </message>
+    <message>
+        <source>another object is likelier there, but it fails ({cause}); candidate {candidate} was taken</source>
+        <translation>那里另一目标可能性更大，但失败（{cause}）；已采用候选 {candidate}</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

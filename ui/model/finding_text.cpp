@@ -88,6 +88,13 @@ constexpr Words kWords[] = {
      QT_TRANSLATE_NOOP("Findings",
                        "The range {low:4g} to {high:4g} holds no voxel of the volume, whose values run from "
                        "{least:4g} to {most:4g}.")},
+    {K::frameUnreadable, QT_TRANSLATE_NOOP("Findings", "its voxels cannot be read: {cause}")},
+    {K::frameNoObject, QT_TRANSLATE_NOOP("Findings", "no object can be grown here: {cause}")},
+    {K::frameAtLimit, QT_TRANSLATE_NOOP("Findings", "the surface was still moving at the iteration limit")},
+    {K::frameStuck, QT_TRANSLATE_NOOP("Findings", "the surface got stuck before it was at rest")},
+    {K::frameFrozen,
+     QT_TRANSLATE_NOOP("Findings", "the surface rests, but parts that could not be mended would still move")},
+    {K::frameUnfinished, QT_TRANSLATE_NOOP("Findings", "the surface was stopped before it was at rest")},
 };
 
 const char* sourceOf(FindingKind kind) {
@@ -126,12 +133,12 @@ QString findingText(const Finding& finding) {
       finding.kind == K::polishLeaves || finding.kind == K::other
           ? std::string("{text}")
           : QCoreApplication::translate("Findings", sourceOf(finding.kind)).toStdString();
-  QString text = QString::fromStdString(
-      filled(source, finding, [](std::string_view, const FindingValue& value, std::string_view format) {
+  return QString::fromStdString(filled(
+      source, finding,
+      [](std::string_view, const FindingValue& value, std::string_view format) {
         return written(value, format).toStdString();
-      }));
-  if (!finding.causes.empty()) text.replace(QLatin1String("{cause}"), findingText(finding.causes.front()));
-  return text;
+      },
+      [](const Finding& cause) { return findingText(cause).toStdString(); }));
 }
 
 QString findingText(const std::vector<Finding>& findings) {

@@ -145,6 +145,7 @@ class LanguageTest : public QObject {
   void whatTheWindowShowsIsInItsLanguage();
   void nothingIsCutOffInAnyLanguage();
   void numbersAndFindingsAreWrittenAsTheLanguageDoes();
+  void everyFindingIsToldInEveryLanguage();
   void filesAreTheSameInEveryLanguage();
   void theLanguageIsChosenByOptionEnvironmentSettingAndSystem();
 };
@@ -267,6 +268,20 @@ void LanguageTest::numbersAndFindingsAreWrittenAsTheLanguageDoes() {
   QVERIFY(shownText(*window, "Volumen").contains(QLatin1Char(',')));
   ui::useLanguage(QStringLiteral("zh_CN"));
   QVERIFY(ui::findingSentence(neck).contains(QStringLiteral("2.5 mm")));
+}
+
+void LanguageTest::everyFindingIsToldInEveryLanguage() {
+  static const QRegularExpression hole(QStringLiteral("\\{[^}]*\\}|[.: ]"));
+  for (int k = 0; k < kFindingKinds; ++k) {
+    const auto kind = static_cast<FindingKind>(k);
+    ui::useLanguage(QStringLiteral("en"));
+    const QString english = ui::findingText(kind);
+    if (QString(english).remove(hole).isEmpty()) continue;  // the words of another finding alone
+    for (const QString& code : translatedLanguages()) {
+      ui::useLanguage(code);
+      QVERIFY2(ui::findingText(kind) != english, qPrintable(code + ": " + english));
+    }
+  }
 }
 
 void LanguageTest::filesAreTheSameInEveryLanguage() {
