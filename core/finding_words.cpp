@@ -1,10 +1,10 @@
 // The names and the English words of findings: of all that the engine has to tell, nothing else in it is
 // words. The window translates them, or has words of its own where these name an option of the command line.
 
-#include <algorithm>
-#include <iterator>
+#include "core/finding_words.h"
 
-#include "core/finding.h"
+#include <algorithm>
+#include <array>
 
 // What lupdate looks for; Qt itself is not needed. Not marked: what the window has words of its own for
 // (ui/model/finding_text.cpp).
@@ -16,13 +16,7 @@ namespace {
 
 using K = FindingKind;
 
-struct Words {
-  FindingKind kind;
-  const char* name;
-  const char* text;
-};
-
-constexpr Words kWords[] = {
+constexpr FindingWords kWords[] = {
     {K::none, "none", ""},
     {K::other, "other", "{text}"},
     {K::heldAtNeck, "held-at-neck",
@@ -364,15 +358,27 @@ constexpr Words kWords[] = {
     {K::frameUnfinished, "frame-unfinished", "the surface was not at rest of its own accord ({stopped})"},
 };
 
-const Words& wordsOf(FindingKind kind) {
-  const auto at =
-      std::find_if(std::begin(kWords), std::end(kWords), [kind](const Words& w) { return w.kind == kind; });
-  return at == std::end(kWords) ? kWords[0] : *at;
+std::array<std::span<const FindingWords>, 2> tables() { return {kWords, wordsOfFiles()}; }
+
+const FindingWords& wordsOf(FindingKind kind) {
+  for (const auto table : tables()) {
+    const auto at = std::ranges::find(table, kind, &FindingWords::kind);
+    if (at != table.end()) return *at;
+  }
+  return kWords[0];
 }
 
 }  // namespace
 
 const char* findingName(FindingKind kind) { return wordsOf(kind).name; }
+
+FindingKind findingKindOf(std::string_view name) {
+  for (const auto table : tables()) {
+    const auto at = std::ranges::find(table, name, &FindingWords::name);
+    if (at != table.end()) return at->kind;
+  }
+  return K::none;
+}
 
 const char* findingText(FindingKind kind) { return wordsOf(kind).text; }
 

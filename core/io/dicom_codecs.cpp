@@ -2,6 +2,7 @@
 // which belongs to which frame, so that memory stays that of a frame and progress is seen.
 
 #include "core/io/dicom_codecs.h"
+#include "core/io/volume_source.h"
 
 #include <gdcmImageReader.h>
 #include <gdcmLookupTable.h>
@@ -20,7 +21,7 @@ class CompressedPixels : public DicomPixels {
  private:
   using Fragments = gdcm::SequenceOfFragments;
   [[noreturn]] void refuse() const {
-    refuseInput(path_, "the slice " + file_.file + " is truncated or damaged (its pixels cannot be decoded)");
+    refuseInput(path_, {FindingKind::sliceNotDecoded, {{"slice", file_.file}}});
   }
   void findFrames(const Fragments& fragments);
   void findFramesByOffset(const Fragments& fragments);
@@ -47,7 +48,7 @@ CompressedPixels::CompressedPixels(const DicomFile& file, std::string path)
   // Header and decoder must mean the same image, or the decoder would write past our memory.
   if (size[0] != static_cast<unsigned>(file.columns) || size[1] != static_cast<unsigned>(file.rows) ||
       frames != static_cast<unsigned>(file.frames))
-    refuseInput(path_, "the slice " + file.file + " has another size than its header says");
+    refuseInput(path_, {FindingKind::sliceOtherSize, {{"slice", file.file}}});
   if (const Fragments* fragments = image.GetDataElement().GetSequenceOfFragments()) findFrames(*fragments);
 }
 

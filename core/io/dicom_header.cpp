@@ -278,7 +278,7 @@ std::optional<DicomFile> readDicomFile(const std::string& file, const std::strin
   reader.SetFileName(file.c_str());
   if (!reader.ReadUpToTag(kPixelData)) return std::nullopt;
   DicomFile f = fileOf(reader.GetFile(), file);
-  if (f.frames < 0) refuseInput(path, "the number of frames in " + file + " is implausible");
+  if (f.frames < 0) refuseInput(path, {FindingKind::framesImplausible, {{"slice", file}}});
   return f;
 }
 

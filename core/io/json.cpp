@@ -7,6 +7,7 @@
 #include "core/errors.h"
 #include "core/io/constraints_json.h"
 #include "core/io/parameter_names.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
@@ -354,7 +355,7 @@ std::vector<Seed> clicksFromJson(const Json& json) {
 //! Clicks of which at least one is inside of the object.
 std::vector<Seed> seededClicksFromJson(const Json& json) {
   std::vector<Seed> clicks = clicksFromJson(json);
-  if (seedsOfSide(clicks, false).empty()) throw UsageError("it has no seeds.");
+  if (seedsOfSide(clicks, false).empty()) throw Told<UsageError>(FindingKind::sessionWithoutSeeds);
   return clicks;
 }
 

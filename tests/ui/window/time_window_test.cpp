@@ -161,6 +161,7 @@ void TimeWindowTest::aFrameThatFailsIsToldInTheLanguageOfTheWindow() {
   QVERIFY(table);
   const QString said = table->item(3, 3)->text();
   QVERIFY2(said.contains(QStringLiteral("seine Voxel können nicht gelesen werden")), qPrintable(said));
+  QVERIFY2(said.contains(QStringLiteral("es gibt keine solche Datei")), qPrintable(said));
   ui::useLanguage(QStringLiteral("en"));
 }
 
