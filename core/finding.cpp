@@ -19,7 +19,8 @@ double Finding::number(std::string_view name) const {
   return std::get<double>(*value);
 }
 
-std::string filled(std::string_view text, const Finding& finding, const ValueWriter& written) {
+std::string filled(std::string_view text, const Finding& finding, const ValueWriter& written,
+                   const CauseWriter& told) {
   std::string out;
   while (!text.empty()) {
     const auto open = text.find('{'), close = text.find('}', open);
@@ -31,6 +32,8 @@ std::string filled(std::string_view text, const Finding& finding, const ValueWri
     const std::string_view format = colon == std::string_view::npos ? "" : hole.substr(colon + 1);
     if (const FindingValue* value = finding.find(name))
       out += written(name, *value, format);
+    else if (name == "cause" && !finding.causes.empty())
+      out += told(finding.causes.front());
     else
       out += text.substr(open, close - open + 1);
     text.remove_prefix(close + 1);
@@ -65,15 +68,12 @@ std::string inEnglish(const FindingValue& value, std::string_view format) {
 }  // namespace
 
 std::string sentence(const Finding& finding) {
-  std::string text = filled(findingText(finding.kind), finding,
-                            [](std::string_view, const FindingValue& value, std::string_view format) {
-                              return inEnglish(value, format);
-                            });
-  constexpr std::string_view kCause = "{cause}";
-  const auto at = text.find(kCause);
-  if (at != std::string::npos && !finding.causes.empty())
-    text.replace(at, kCause.size(), sentence(finding.causes.front()));
-  return text;
+  return filled(
+      findingText(finding.kind), finding,
+      [](std::string_view, const FindingValue& value, std::string_view format) {
+        return inEnglish(value, format);
+      },
+      [](const Finding& cause) { return sentence(cause); });
 }
 
 std::string sentence(const std::vector<Finding>& findings) {

@@ -144,8 +144,279 @@ enum class FindingKind {
   editRemovesNothing,    //!< iteration
   editLeavesNothing,     //!< iteration
   surfaceVanished,       //!< iterations
+
+  // What went wrong in a frame over time.
+  frameUnreadable,  //!< cause
+  frameNotRead,     //!< the same, where its file must not be named
+  frameNoObject,    //!< cause
+  frameVanished,
+  frameLeaked,           //!< cause: passage
+  frameJumped,           //!< from_ml, from_frame, to_ml
+  frameGenusChanged,     //!< genus_before, genus; one component before and after
+  frameCameApart,        //!< components, genus_before, genus; one component before
+  frameCameTogether,     //!< components_before, genus_before, genus; one component after
+  frameTopologyChanged,  //!< components_before, components, genus_before, genus
+  frameHeldAtPlace,      //!< place
+  frameHeldAtPlaces,     //!< places, place: the first
+  frameOtherObject,      //!< candidate; cause
+  frameAtLimit,
+  frameStuck,
+  frameFrozen,
+  frameUnfinished,  //!< stopped
+
+  // What is wrong with a file: whole sentences that name it …
+  fileRefused,        //!< file; cause
+  fileRefusedWith,    //!< file; cause: a sentence
+  fileRefusedInLine,  //!< file, line; cause
+  fileNotWritten,     //!< file; cause
+  noSuchSeries,       //!< file, series
+  notAStart,          //!< file; cause
+  startChanged,       //!< file
+  volumeChanged,      //!< file
+  wallsChanged,       //!< file
+  wallsOtherSize,     //!< file, size, volume
+  wallsOtherPlace,    //!< file
+  wallsEmpty,         //!< file
+  labelsEmpty,        //!< file
+  tooManyLabels,      //!< file, most
+  otherVolume,        //!< file, object
+  sessionIsFolder,    //!< file
+  sessionNotOpened,   //!< file; cause
+  sessionNotRead,     //!< file
+  notJson,            //!< file
+  notASession,        //!< file; cause: a sentence
+  sessionWithoutVolume,
+  sessionWithoutWalls,
+  sessionWithoutStart,
+  sessionWithoutObjects,
+  sessionWithoutSeeds,
+
+  // … what is wrong with it: any file …
+  noSuchFile,
+  noSuchFileOrFolder,
+  notAFile,
+  neitherFileNorFolder,
+  notOpened,
+  cannotBeOpened,
+  cannotBeRead,
+  notReadToEnd,
+  emptyFile,
+  folderUnreadable,
+  folderUnreadableFor,  //!< reason
+  notEnoughMemory,
+  noMemoryToUnpack,
+  truncatedOrDamaged,
+  truncatedOrDamagedFor,  //!< reason
+  headerUnreadable,       //!< format, reason
+  headerCutOff,           //!< format
+  headerTruncated,        //!< format
+  headerTruncatedAt,      //!< format, field
+  headerDamaged,          //!< format, field
+  damagedAt,              //!< format, field
+  truncatedFormat,        //!< format
+  notOfFormat,            //!< format
+
+  // … a volume …
+  unknownVolume,
+  gitPointer,
+  packedDicom,
+  trackedFrames,
+  flatImage,
+  thinImage,
+  flatColour,  //!< values
+  noVoxels,
+  noVoxelsInHeader,
+  badSpacing,
+  badPlace,
+  sheared,
+  noTimePoints,
+  tooManyTimePoints,  //!< frames
+  tooLarge,           //!< declared_gb, memory_gb
+  implausibleSize,    //!< size
+  dataFileMissing,    //!< data
+  dataCutOff,         //!< declared, held: bytes
+  packedDataCutOff,   //!< the same
+  voxelsTruncated,
+  voxelDataTruncated,
+  checksumDiffers,
+  infiniteVoxel,   //!< index
+  infiniteVoxels,  //!< voxels, index: of the first
+  noNumbers,
+  lowestNumbers,
+  vectorVoxels,  //!< components
+  fourDimensions,
+  tooManyDimensions,  //!< dimensions
+  voxelType,          //!< type
+  voxelTypeUnknown,
+  niftiVoxelType,  //!< type
+  notNifti,
+  analyzeFile,
+  sformWithoutLength,
+  sformNoNumber,
+  listNotSupported,      //!< pattern
+  encodingNotSupported,  //!< encoding
+  dataFilesUneven,
+  skipNotSupported,
+  voxelsNoNumbers,  //!< word
+  manyDataFiles,
+  voxelsAsText,
+  folderTimePoints,  //!< frames
+  folderOtherGrid,   //!< first
+  folderOtherType,   //!< first
+  notWholeNumbers,
+
+  // … a DICOM series: slice and part are names of files …
+  dicomDamaged,
+  partDamaged,           //!< part
+  partCutOff,            //!< part
+  partWithoutImage,      //!< part
+  partHeaderUnreadable,  //!< part, reason
+  notDicomImage,
+  noDicomImages,
+  imagesInSubfolders,
+  sliceUnplaced,       //!< slice
+  slicePixelSpacing,   //!< slice
+  sliceDirections,     //!< slice
+  sliceWithoutPixels,  //!< slice
+  sliceNotOpened,      //!< slice
+  sliceNotReadToEnd,   //!< slice
+  sliceOtherSize,      //!< slice
+  sliceDamaged,        //!< slice, reason
+  sliceNotDecoded,     //!< slice
+  sliceHoldsLess,      //!< slice
+  sliceFewerFrames,    //!< slice
+  slicePalette,        //!< slice
+  slicePackedLess,     //!< slice, declared, held: bytes
+  sliceValueTooLarge,  //!< slice
+  slicesOtherSize,
+  slicesOtherOrientation,
+  slicesOtherSpacing,
+  slicesPartlyColour,
+  slicesNarrow,
+  slicesIncomplete,
+  slicesInOnePlace,
+  singleSlice,
+  slicesShifted,      //!< shift_mm
+  slicesUneven,       //!< gaps
+  sliceMissing,       //!< gaps
+  slicesMissing,      //!< gaps, missing
+  tooUneven,          //!< cause: one of the three before
+  cine,               //!< frames
+  framesImplausible,  //!< slice
+  pixelBits,          //!< stored, allocated, slice
+  pixelSamples,       //!< samples, slice
+  colourBits,         //!< bits, slice
+  packedBit,          //!< slice
+  colourSpace,        //!< space, slice
+  segmentUnknown,
+  segmentationNotBinary,  //!< bits
+  segmentationPacked,
+  severalToChoose,
+  holdsLess,
+  framesUnplaced,
+  framesNotBehind,
+  sliceDistanceUnknown,
+  frameDistance,
+  framesUneven,
+  segmentsOverlap,
+
+  // … and the process that decodes it …
+  decoderMissing,     //!< program
+  decoderNotStarted,  //!< reason
+  decoderNotRun,      //!< program, reason
+  decoderBroke,       //!< how
+  decoderBrokeOn,     //!< part, how
+  decoderStuck,
+  decoderStuckOn,  //!< part
+  decoderAnswer,
+  decoderAnswerOnIt,
+  decoderAnswerOn,  //!< part
+  decoderGaveLess,
+  decodingMemory,
+  decodingFailed,  //!< reason
+
+  // … a mesh …
+  meshDamaged,
+  notStl,
+  notAMesh,
+  triangleStrips,
+  noTriangles,
+  badCoordinate,
+  faceVertexMissing,
+  faceTooFewCorners,
+  faceDamaged,
+  vertexDamaged,
+  trianglesWithoutArea,
+
+  // … a surface to begin with: "it …" …
+  hasNoTriangles,
+  isNotClosed,
+  isNotManifold,
+  isNotOriented,
+  intersectsItself,  //!< pairs
+  intersectsRounded,
+  isMisplaced,
+  enclosesNoVolume,
+  hasNoLabel,  //!< label
+  hasNoVoxel,
+  meshWithoutLabels,
+  lostLabel,  //!< label
+  labelsTooFine,
+  surfaceTooLarge,  //!< most
+
+  // … and why it was not written.
+  nameIsFolder,
+  folderHasName,
+  notOnDisk,
+  diskMayBeFull,
+  fileNotOpened,
+  niftiTooLarge,
+  dicomMeshTooLarge,
+  dicomTooLarge,
+  packageTooLarge,
+  objectWithoutVoxel,  //!< object
+  permissionDenied,
+  noSpaceLeft,
+  readOnlyDisk,
+  noFileOrDirectory,
+  nameTooLong,
+  notADirectory,
+  quotaExceeded,
+  inputOutputError,
+
+  // What is asked for lies outside of the volume, or has nothing to act on.
+  pinOutside,        //!< place
+  wallOutside,       //!< place
+  wallDiscOutside,   //!< place
+  allowedOutside,    //!< place
+  heldOutside,       //!< place
+  startOutside,      //!< file
+  startMeetsObject,  //!< file, object
+  startCannotChange,
+  objectNoWall,  //!< object
+  wallMapOtherSize,
+  nothingToAllow,
+  nothingToHold,
+  nothingToAsk,
+  pinBeforeStep,
+  sensitivityNames,
+  sensitivityVanished,
+
+  // Why a format cannot be written for what is open.
+  noDicomMade,  //!< cause
+  notFromDicom,
+  seriesUnplaced,
+  positionsOfUltrasound,
+  spacingGiven,
+  dicomTextTooLong,  //!< text
+  dicomTextControl,  //!< text
+  labelsNotOnGrid,
+  noMesher,
+  noTetrahedra,  //!< object; cause
+  frameMissing,  //!< file, frame, last
+  onlyFrame,     //!< file, frame
 };
-inline constexpr int kFindingKinds = static_cast<int>(FindingKind::surfaceVanished) + 1;
+inline constexpr int kFindingKinds = static_cast<int>(FindingKind::onlyFrame) + 1;
 
 //! A number, a place (mm, LPS) or the name of something.
 class FindingValue : public std::variant<double, std::array<double, 3>, std::string> {
@@ -191,11 +462,13 @@ const char* findingName(FindingKind kind);
 //! sentence.
 const char* findingText(FindingKind kind);
 
-//! The text with its values filled in by `written`, which is given name, value and FORMAT ("" for none).
-//! What is no value of the finding stays as it is.
+//! The text with its values filled in by `written`, which is given name, value and FORMAT ("" for none), and
+//! {cause} by `told`. What is no value of the finding stays as it is.
 using ValueWriter =
     std::function<std::string(std::string_view name, const FindingValue&, std::string_view format)>;
-std::string filled(std::string_view text, const Finding& finding, const ValueWriter& written);
+using CauseWriter = std::function<std::string(const Finding& cause)>;
+std::string filled(std::string_view text, const Finding& finding, const ValueWriter& written,
+                   const CauseWriter& told);
 
 //! In English.
 std::string sentence(const Finding& finding);

@@ -1,10 +1,10 @@
 // The names and the English words of findings: of all that the engine has to tell, nothing else in it is
 // words. The window translates them, or has words of its own where these name an option of the command line.
 
-#include <algorithm>
-#include <iterator>
+#include "core/finding_words.h"
 
-#include "core/finding.h"
+#include <algorithm>
+#include <array>
 
 // What lupdate looks for; Qt itself is not needed. Not marked: what the window has words of its own for
 // (ui/model/finding_text.cpp).
@@ -16,13 +16,7 @@ namespace {
 
 using K = FindingKind;
 
-struct Words {
-  FindingKind kind;
-  const char* name;
-  const char* text;
-};
-
-constexpr Words kWords[] = {
+constexpr FindingWords kWords[] = {
     {K::none, "none", ""},
     {K::other, "other", "{text}"},
     {K::heldAtNeck, "held-at-neck",
@@ -101,9 +95,10 @@ constexpr Words kWords[] = {
                        "the pin {pin} holds nothing: the mesh is that of iteration {mesh_iteration}, and its "
                        "iteration never came")},
     {K::undecided, "undecided",
-     QT_TRANSLATE_NOOP("Findings",
-                       "at iteration {iteration} a limit of the topology holds: {cause}; {allow} lets it happen, "
-                       "{hold} holds it without asking again")},
+     QT_TRANSLATE_NOOP(
+         "Findings",
+         "at iteration {iteration} a limit of the topology holds: {cause}; {allow} lets it happen, "
+         "{hold} holds it without asking again")},
     {K::wouldEnclose, "would-enclose",
      QT_TRANSLATE_NOOP("Findings", "it would enclose a cavity of {ml:3g} ml at {place:1f}")},
     {K::wouldComeOff, "would-come-off",
@@ -324,17 +319,66 @@ constexpr Words kWords[] = {
      QT_TRANSLATE_NOOP("Findings",
                        "The surface vanished after {iterations} iterations: the seeds are not in an object "
                        "of that kind and range.")},
+
+    {K::frameUnreadable, "frame-unreadable", "{cause}"},
+    {K::frameNotRead, "frame-not-read", QT_TRANSLATE_NOOP("Findings", "its voxels cannot be read")},
+    {K::frameNoObject, "frame-no-object", "{cause}"},
+    {K::frameVanished, "frame-vanished", QT_TRANSLATE_NOOP("Findings", "the surface vanished")},
+    {K::frameLeaked, "frame-leaked", QT_TRANSLATE_NOOP("Findings", "the surface leaked: {cause}")},
+    {K::frameJumped, "frame-jumped",
+     QT_TRANSLATE_NOOP("Findings",
+                       "the volume jumps from {from_ml:4g} ml in frame {from_frame} to {to_ml:4g} ml")},
+    {K::frameGenusChanged, "frame-genus-changed",
+     QT_TRANSLATE_NOOP("Findings",
+                       "the topology changes from 1 component of genus {genus_before} to 1 component of "
+                       "genus {genus}")},
+    {K::frameCameApart, "frame-came-apart",
+     QT_TRANSLATE_NOOP("Findings",
+                       "the topology changes from 1 component of genus {genus_before} to {components} "
+                       "components of genus {genus}")},
+    {K::frameCameTogether, "frame-came-together",
+     QT_TRANSLATE_NOOP("Findings",
+                       "the topology changes from {components_before} components of genus {genus_before} to "
+                       "1 component of genus {genus}")},
+    {K::frameTopologyChanged, "frame-topology-changed",
+     QT_TRANSLATE_NOOP("Findings",
+                       "the topology changes from {components_before} components of genus {genus_before} to "
+                       "{components} components of genus {genus}")},
+    {K::frameHeldAtPlace, "frame-held-at-place",
+     QT_TRANSLATE_NOOP("Findings", "the topology was held at 1 place, the first at {place} mm")},
+    {K::frameHeldAtPlaces, "frame-held-at-places",
+     QT_TRANSLATE_NOOP("Findings", "the topology was held at {places} places, the first at {place} mm")},
+    {K::frameOtherObject, "frame-other-object",
+     QT_TRANSLATE_NOOP("Findings",
+                       "another object is likelier there, but it fails ({cause}); candidate {candidate} was "
+                       "taken")},
+    {K::frameAtLimit, "frame-at-limit", "the surface was not at rest of its own accord (max-iterations)"},
+    {K::frameStuck, "frame-stuck", "the surface was not at rest of its own accord (stuck)"},
+    {K::frameFrozen, "frame-frozen", "the surface was not at rest of its own accord (frozen)"},
+    {K::frameUnfinished, "frame-unfinished", "the surface was not at rest of its own accord ({stopped})"},
 };
 
-const Words& wordsOf(FindingKind kind) {
-  const auto at =
-      std::find_if(std::begin(kWords), std::end(kWords), [kind](const Words& w) { return w.kind == kind; });
-  return at == std::end(kWords) ? kWords[0] : *at;
+std::array<std::span<const FindingWords>, 2> tables() { return {kWords, wordsOfFiles()}; }
+
+const FindingWords& wordsOf(FindingKind kind) {
+  for (const auto table : tables()) {
+    const auto at = std::ranges::find(table, kind, &FindingWords::kind);
+    if (at != table.end()) return *at;
+  }
+  return kWords[0];
 }
 
 }  // namespace
 
 const char* findingName(FindingKind kind) { return wordsOf(kind).name; }
+
+FindingKind findingKindOf(std::string_view name) {
+  for (const auto table : tables()) {
+    const auto at = std::ranges::find(table, name, &FindingWords::name);
+    if (at != table.end()) return at->kind;
+  }
+  return K::none;
+}
 
 const char* findingText(FindingKind kind) { return wordsOf(kind).text; }
 

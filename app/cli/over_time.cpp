@@ -170,7 +170,7 @@ FrameResult grownFrame(const GrownObject& grown) {
   result.seconds = grown.report.seconds.load + grown.report.seconds.prepare + grown.report.seconds.evolve;
   for (const ToldLeak& leak : grown.report.leaks)
     if (leak.answer != LeakAnswer::wall)
-      result.faults.push_back({FrameFault::leaked, "the surface leaked: " + sentence(leak.leak)});
+      result.faults.push_back(leakFault(leak.leak));
   return result;
 }
 

@@ -5,13 +5,17 @@
 #include <sstream>
 #include <utility>
 
-#include "core/errors.h"
 #include "core/evolution/edit_step.h"
 #include "core/mesh/mesh.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
 namespace {
+
+using K = FindingKind;
+
+[[noreturn]] void refuse(const Finding& finding) { throw Told<UsageError>(finding); }
 
 //! mm from the volume, whose border voxels count whole; 0 within.
 double outside(const Grid& grid, const Vec3& p) {
@@ -28,15 +32,14 @@ void requireSensible(const Pin& pin, const Grid& grid) {
   if (!(pin.radius > 0) || !std::isfinite(pin.radius) || !pin.centre.allFinite())
     throw UsageError(name + " has no radius above 0 mm.");
   if (pin.iteration < 0) throw UsageError(name + " mm has an iteration below 0.");
-  if (outside(grid, pin.centre) >= pin.radius) throw UsageError(name + " mm lies outside of the volume.");
+  if (outside(grid, pin.centre) >= pin.radius) refuse({K::pinOutside, {{"place", placeValue(pin.centre)}}});
 }
 
 void requireSensible(const WallList& walls, const Grid& grid) {
   for (const WallBall& w : walls.balls) {
     if (!(w.radius > 0) || !std::isfinite(w.radius) || !w.centre.allFinite())
       throw UsageError("The wall at " + written(w.centre) + " has no radius above 0 mm.");
-    if (outside(grid, w.centre) >= w.radius)
-      throw UsageError("The wall at " + written(w.centre) + " mm lies outside of the volume.");
+    if (outside(grid, w.centre) >= w.radius) refuse({K::wallOutside, {{"place", placeValue(w.centre)}}});
   }
   for (const WallDisc& w : walls.discs) {
     const std::string name = "The wall disc at " + written(w.centre);
@@ -44,38 +47,31 @@ void requireSensible(const WallList& walls, const Grid& grid) {
       throw UsageError(name + " has no radius above 0 mm.");
     if (!(w.normal.norm() > 0) || !std::isfinite(w.normal.norm()))
       throw UsageError(name + " mm has a normal of no length.");
-    if (outside(grid, w.centre) >= w.radius) throw UsageError(name + " mm lies outside of the volume.");
+    if (outside(grid, w.centre) >= w.radius) refuse({K::wallDiscOutside, {{"place", placeValue(w.centre)}}});
   }
   for (const WallObject& object : walls.objects)
-    if (!object.mesh || object.mesh->triangles.empty())
-      throw UsageError("The object '" + object.name + "' has no mesh that could be a wall.");
+    if (!object.mesh || object.mesh->triangles.empty()) refuse({K::objectNoWall, {{"object", object.name}}});
   if (!walls.map) return;
   if (!walls.map->voxels) throw UsageError("The label map of the walls has not been read.");
-  if (walls.map->voxels->size() != grid.voxelCount())
-    throw UsageError("The label map of the walls has not the volume's size.");
+  if (walls.map->voxels->size() != grid.voxelCount()) refuse(K::wallMapOtherSize);
 }
 
 //! What is answered to the limits needs one, and lies in the volume.
 void requireSensiblePlaces(const TopologyLimits& limits, const Grid& grid) {
   const bool isAny = limits.components || limits.genus;
-  if (!isAny && !limits.allowed.empty())
-    throw UsageError("An allowed place has nothing to allow: the components and the genus have no limit.");
-  if (!isAny && !limits.kept.empty())
-    throw UsageError("A place to hold has nothing to hold: the components and the genus have no limit.");
-  if (!isAny && limits.asks)
-    throw UsageError("There is nothing to ask about: the components and the genus have no limit.");
-  for (const auto& [places, name] :
-       {std::pair(&limits.allowed, "allowed place "), std::pair(&limits.kept, "place to hold ")})
+  if (!isAny && !limits.allowed.empty()) refuse(K::nothingToAllow);
+  if (!isAny && !limits.kept.empty()) refuse(K::nothingToHold);
+  if (!isAny && limits.asks) refuse(K::nothingToAsk);
+  for (const auto& [places, kind] :
+       {std::pair(&limits.allowed, K::allowedOutside), std::pair(&limits.kept, K::heldOutside)})
     for (const Vec3& p : *places)
-      if (!p.allFinite() || outside(grid, p) > 0)
-        throw UsageError("The " + std::string(name) + written(p) + " lies outside of the volume.");
+      if (!p.allFinite() || outside(grid, p) > 0) refuse({kind, {{"place", placeValue(p)}}});
 }
 
 void requireSensible(const StartSurface& start, const Grid& grid) {
   if (!start.mesh || start.mesh->triangles.empty())
     throw UsageError("The surface to begin with, " + start.path + ", has not been read.");
-  if (outside(grid, start.inside) > 0)
-    throw UsageError("The surface to begin with, " + start.path + ", lies outside of the volume.");
+  if (outside(grid, start.inside) > 0) refuse({K::startOutside, {{"file", start.path}}});
 }
 
 //! A step is one edit, and nothing else happens in it.

@@ -163,8 +163,8 @@ void ActiveContour::State::beginWithStart() {
   const StartSurface& start = *constraints.start;
   for (const WallObject& other : constraints.walls.objects)
     if (bodyContact(*other.mesh, *start.mesh) != BodyContact::none)
-      throw UsageError("The surface to begin with, " + start.path + ", meets the object '" + other.name +
-                       "', which comes before it.");
+      throw Told<UsageError>(
+          Finding(FindingKind::startMeetsObject, {{"file", start.path}, {"object", other.name}}));
   mesh = Mesh(*start.mesh);
   std::vector<Seed> inside;
   if (!isDone()) {
@@ -214,8 +214,7 @@ void ActiveContour::State::resolveSeeds(const std::vector<Seed>& inside) {
 void ActiveContour::State::change(const Request& to, const State* prepared) {
   requireSensible(to.parameters);
   requireSensible(to.constraints, volume.grid);
-  if (to.constraints.start != constraints.start)
-    throw UsageError("The surface to begin with cannot become another one on the way: begin again.");
+  if (to.constraints.start != constraints.start) throw Told<UsageError>(FindingKind::startCannotChange);
   const WallList known = constraints.walls;
   const bool otherWalls = to.constraints.walls != known;
   const bool otherClicks = to.seeds != seeds;

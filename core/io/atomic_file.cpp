@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "core/errors.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 namespace fs = std::filesystem;
@@ -31,10 +32,6 @@ class Temporary {
   std::string path_;
 };
 
-[[noreturn]] void refuse(const std::string& path, const std::string& cause) {
-  throw OutputError(path + ": cannot be written: " + cause + ".");
-}
-
 std::string temporaryName(const std::string& path) {
   static std::atomic<unsigned> counter{0};
   const fs::path target(path);
@@ -49,38 +46,65 @@ std::string temporaryName(const std::string& path) {
 //! Creates the file empty: finds out before the work whether the folder takes files at all.
 void create(const std::string& temporary, const std::string& path) {
   const int file = ::open(temporary.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
-  if (file < 0) refuse(path, std::strerror(errno));
+  if (file < 0) refuseOutput(path, systemFinding(errno));
   ::close(file);
 }
 
 //! The data must be on the disk before the name is: else a crash leaves an empty file under the final name.
 void flushToDisk(const std::string& temporary, const std::string& path) {
   const int file = ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) refuse(path, std::strerror(errno));
+  if (file < 0) refuseOutput(path, systemFinding(errno));
   const int failed = ::fsync(file);
   const int cause = errno;
   ::close(file);
-  if (failed != 0 && cause != EINVAL) refuse(path, std::strerror(cause));
+  if (failed != 0 && cause != EINVAL) refuseOutput(path, systemFinding(cause));
 }
 
 }  // namespace
 
+void refuseOutput(const std::string& path, const Finding& cause) {
+  throw Told<OutputError>(Finding(FindingKind::fileNotWritten, {{"file", path}}, cause));
+}
+
+Finding systemFinding(int error) {
+  switch (error) {
+    case EACCES:
+      return FindingKind::permissionDenied;
+    case ENOSPC:
+      return FindingKind::noSpaceLeft;
+    case EROFS:
+      return FindingKind::readOnlyDisk;
+    case ENOENT:
+      return FindingKind::noFileOrDirectory;
+    case ENAMETOOLONG:
+      return FindingKind::nameTooLong;
+    case ENOTDIR:
+      return FindingKind::notADirectory;
+    case EDQUOT:
+      return FindingKind::quotaExceeded;
+    case EIO:
+      return FindingKind::inputOutputError;
+    default:
+      return {FindingKind::other, {{"text", std::string(std::strerror(error))}}};
+  }
+}
+
 void writeAtomically(const std::string& path, const std::function<void(const std::string&)>& write) {
-  if (fs::path(path).filename().empty()) refuse(path, "it is a folder, not a file name");
+  if (fs::path(path).filename().empty()) refuseOutput(path, FindingKind::nameIsFolder);
   std::error_code ignored;
-  if (fs::is_directory(path, ignored)) refuse(path, "a folder has this name");
+  if (fs::is_directory(path, ignored)) refuseOutput(path, FindingKind::folderHasName);
   Temporary temporary(temporaryName(path));
   create(temporary.path(), path);
   write(temporary.path());
   flushToDisk(temporary.path(), path);
-  if (::rename(temporary.path().c_str(), path.c_str()) != 0) refuse(path, std::strerror(errno));
+  if (::rename(temporary.path().c_str(), path.c_str()) != 0) refuseOutput(path, systemFinding(errno));
   temporary.release();
 }
 
 void writeTextAtomically(const std::string& path, const std::string& text) {
   writeAtomically(path, [&](const std::string& temporary) {
     const int file = ::open(temporary.c_str(), O_WRONLY | O_CLOEXEC);
-    if (file < 0) refuse(path, std::strerror(errno));
+    if (file < 0) refuseOutput(path, systemFinding(errno));
     const char* at = text.data();
     std::size_t left = text.size();
     while (left > 0) {
@@ -89,12 +113,12 @@ void writeTextAtomically(const std::string& path, const std::string& text) {
       if (written <= 0) {
         const int cause = errno;
         ::close(file);
-        refuse(path, std::strerror(cause));
+        refuseOutput(path, systemFinding(cause));
       }
       at += written;
       left -= static_cast<std::size_t>(written);
     }
-    if (::close(file) != 0) refuse(path, std::strerror(errno));
+    if (::close(file) != 0) refuseOutput(path, systemFinding(errno));
   });
 }
 

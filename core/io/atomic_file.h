@@ -4,7 +4,15 @@
 #include <functional>
 #include <string>
 
+#include "core/finding.h"
+
 namespace handlebody {
+
+//! Throws OutputError: "path: cannot be written: cause.", with the finding.
+[[noreturn]] void refuseOutput(const std::string& path, const Finding& cause);
+
+//! What an errno says, as the end of a sentence.
+Finding systemFinding(int error);
 
 //! Calls `write` with a temporary name in the folder of `path` (same ending in lower case, so that a
 //! writer can choose its format by it) and then renames that file to `path`. If anything fails or throws, the

@@ -6,8 +6,6 @@
 #include <cstdio>
 #include <vector>
 
-#include "core/errors.h"
-
 namespace handlebody {
 
 struct ByteStream::State {
@@ -41,11 +39,11 @@ ByteStream::ByteStream(const std::string& path, std::uint64_t offset, Coding cod
   state_->coding = coding;
   state_->file = std::fopen(path.c_str(), "rb");
   if (!state_->file || fseeko(state_->file, static_cast<off_t>(offset), SEEK_SET) != 0)
-    throw InputError(path + ": cannot be opened.");
+    refuseInput(path, FindingKind::cannotBeOpened);
   if (coding == Coding::deflate) {
     constexpr int kGzipOrZlib = 15 + 32;
     state_->started = inflateInit2(&state_->z, kGzipOrZlib) == Z_OK;
-    if (!state_->started) throw InputError(path + ": not enough memory to decompress it.");
+    if (!state_->started) refuseInput(path, FindingKind::noMemoryToUnpack);
   }
 }
 
@@ -88,7 +86,7 @@ void ByteStream::readAll(void* to, std::size_t n, const ReadControl& control) {
     handlebody::report(control, static_cast<double>(done) / static_cast<double>(n));
     const std::size_t part = std::min(kPart, n - done);
     if (read(static_cast<char*>(to) + done, part) != part)
-      throw InputError(state_->path + ": the voxel data are truncated or damaged.");
+      refuseInput(state_->path, FindingKind::voxelDataTruncated);
     done += part;
   }
 }
@@ -106,8 +104,7 @@ void ByteStream::skip(std::uint64_t n, const ReadControl& control) {
 void ByteStream::checkEnd() {
   char byte = 0;
   read(&byte, 1);
-  if (state_->damaged)
-    throw InputError(state_->path + ": the compressed voxel data are truncated or damaged (checksum).");
+  if (state_->damaged) refuseInput(state_->path, FindingKind::checksumDiffers);
 }
 
 bool isGzip(const std::string& path) {

@@ -5,6 +5,7 @@
 
 #include "core/io/comparison_json.h"
 #include "core/io/mesh_io.h"
+#include "core/io/volume_source.h"
 
 namespace handlebody {
 
@@ -63,15 +64,14 @@ std::optional<double> volumeDifferencePercent(const ComparedPair& p) {
 LoadedVolume readLabels(const std::string& path, std::vector<std::string>& warnings) {
   auto loaded = loadVolume(path);
   for (const std::string& w : loaded->info.warnings) warnings.push_back(path + ": " + w);
-  if (!holdsWholeNumbers(loaded->volume))
-    throw InputError(path + ": it is no label map: it has voxels whose values are no whole numbers.");
+  if (!holdsWholeNumbers(loaded->volume)) refuseInput(path, FindingKind::notWholeNumbers);
   return std::move(*loaded);
 }
 
 ComparedObject comparedMesh(const std::string& name, TriangleSoup mesh) {
   Solid solid = solidOf(std::move(mesh));
   if (solid.empty() || !(solid.certificate.area > 0) || !std::isfinite(solid.certificate.area))
-    throw InputError(name + ": its triangles have no area.");
+    refuseInput(name, FindingKind::trianglesWithoutArea);
   return {name, std::nullopt, std::move(solid)};
 }
 

@@ -1,6 +1,5 @@
 // DICOM and TIFF as the rest of the program sees them: decoded by a child process.
 
-#include "core/errors.h"
 #include "core/io/decoder_process.h"
 
 namespace handlebody {
@@ -19,7 +18,7 @@ class DecodedClient : public VolumeSource {
       header_ = headerFromMessage(answer.at("header"));
       *several = answer.at("header").at("several").get<bool>();
     } catch (const Message::exception&) {
-      refuseInput(request.path, "the decoder gave an answer without meaning");
+      refuseInput(request.path, FindingKind::decoderAnswer);
     }
     if (!*several) checkHeader(header_, request.path);
   }

@@ -4,6 +4,8 @@
 
 #include <cerrno>
 
+#include "core/finding_words.h"
+
 namespace handlebody {
 namespace {
 
@@ -31,6 +33,33 @@ bool receiveBytes(int socket, void* bytes, std::size_t n) {
     n -= static_cast<std::size_t>(got);
   }
   return true;
+}
+
+Message valueMessage(const FindingValue& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  if (const auto* x = std::get_if<double>(&value)) return *x;
+  return std::get<std::array<double, 3>>(value);
+}
+
+FindingValue valueFrom(const Message& m) {
+  if (m.is_string()) return m.get<std::string>();
+  if (m.is_array()) return m.get<std::array<double, 3>>();
+  return m.get<double>();
+}
+
+//! The names of the values are those in the words: literals, as a finding needs them.
+Finding findingFrom(const Message& m, int depth) {
+  constexpr int kDeepest = 3;  // of causes; none of ours is deeper
+  Finding f = findingKindOf(m.at("kind").get<std::string>());
+  const Message& values = m.at("values");
+  const std::string_view text = findingText(f.kind);
+  for (auto open = text.find('{'); open != std::string_view::npos; open = text.find('{', open + 1)) {
+    const std::string_view name = text.substr(open + 1, text.find_first_of(":}", open) - open - 1);
+    if (const auto at = values.find(std::string(name)); at != values.end() && !f.find(name))
+      f.values.emplace_back(name, valueFrom(*at));
+  }
+  if (m.contains("cause") && depth < kDeepest) f.causes.push_back(findingFrom(m.at("cause"), depth + 1));
+  return f;
 }
 
 Message vectorMessage(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
@@ -87,7 +116,7 @@ Message originMessage(const DicomOrigin& o) {
   return {{"values", values},
           {"images", images},
           {"straight", o.straight},
-          {"displaced", o.displaced},
+          {"displaced", findingName(o.displaced)},
           {"uids", {o.studyUid, o.seriesUid, o.frameOfReference}}};
 }
 
@@ -99,7 +128,7 @@ std::shared_ptr<DicomOrigin> originFrom(const Message& m) {
   for (const Message& i : m.at("images"))
     o->images.push_back({i.at(0).get<std::string>(), i.at(1).get<std::string>(), i.at(2).get<int>()});
   o->straight = m.at("straight").get<bool>();
-  o->displaced = m.at("displaced").get<std::string>();
+  o->displaced = findingKindOf(m.at("displaced").get<std::string>());
   const auto uids = m.at("uids").get<std::array<std::string, 3>>();
   o->studyUid = uids[0];
   o->seriesUid = uids[1];
@@ -124,6 +153,15 @@ std::optional<Message> receiveMessage(int socket) {
   if (message.is_discarded()) return std::nullopt;
   return message;
 }
+
+Message findingToMessage(const Finding& finding) {
+  Message m{{"kind", findingName(finding.kind)}, {"values", Message::object()}};
+  for (const auto& [name, value] : finding.values) m["values"][std::string(name)] = valueMessage(value);
+  if (!finding.causes.empty()) m["cause"] = findingToMessage(finding.causes.front());
+  return m;
+}
+
+Finding findingFromMessage(const Message& m) { return findingFrom(m, 0); }
 
 Message requestToMessage(const OpenRequest& r) {
   Message m = {

@@ -19,6 +19,10 @@ bool sendMessage(int socket, const Message& message);
 //! does not keep to the form.
 std::optional<Message> receiveMessage(int socket);
 
+Message findingToMessage(const Finding& finding);
+//! With the values that the words of its kind have a place for; none where the kind is not known. Throws
+//! Message::exception for what is not of the form.
+Finding findingFromMessage(const Message& message);
 Message requestToMessage(const OpenRequest& request);
 OpenRequest requestFromMessage(const Message& message);
 Message headerToMessage(const VolumeHeader& header);

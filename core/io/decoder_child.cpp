@@ -10,10 +10,10 @@
 #include <cstring>
 #include <filesystem>
 
-#include "core/errors.h"
 #include "core/io/decoded_source.h"
 #include "core/io/decoder_channel.h"
 #include "core/io/mesh_files.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 namespace {
@@ -38,9 +38,9 @@ class Teller {
 void fillMemory(DecodedSource& source, int frame, const std::string& path, const DicomProgress& tell) {
   const std::uint64_t bytes = source.header().bytesPerFrame();
   if (::ftruncate(kDecoderMemory, static_cast<off_t>(bytes)) != 0)
-    refuseInput(path, "there is not enough memory to read it");
+    refuseInput(path, FindingKind::notEnoughMemory);
   void* memory = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, kDecoderMemory, 0);
-  if (memory == MAP_FAILED) refuseInput(path, "there is not enough memory to read it");
+  if (memory == MAP_FAILED) refuseInput(path, FindingKind::notEnoughMemory);
   source.decode(frame, memory, tell);
 }
 
@@ -68,15 +68,26 @@ void answerMesh(const std::string& path) {
   const std::size_t points = file.mesh.points.size() * sizeof(Vec3);
   const std::size_t triangles = file.mesh.triangles.size() * sizeof(Triangle);
   if (::ftruncate(kDecoderMemory, static_cast<off_t>(points + triangles + 1)) != 0)
-    refuseInput(path, "there is not enough memory to read it");
+    refuseInput(path, FindingKind::notEnoughMemory);
   void* memory =
       ::mmap(nullptr, points + triangles + 1, PROT_READ | PROT_WRITE, MAP_SHARED, kDecoderMemory, 0);
-  if (memory == MAP_FAILED) refuseInput(path, "there is not enough memory to read it");
+  if (memory == MAP_FAILED) refuseInput(path, FindingKind::notEnoughMemory);
   std::memcpy(memory, file.mesh.points.data(), points);
   std::memcpy(static_cast<char*>(memory) + points, file.mesh.triangles.data(), triangles);
   sendMessage(kDecoderSocket, {{"points", file.mesh.points.size()},
                                {"triangles", file.mesh.triangles.size()},
                                {"ras", file.space == CoordinateSpace::ras}});
+}
+
+template <typename Error>
+void tell(const char* kind, const Error& error) {
+  Message message{{kind, error.what()}};
+  if (const Finding finding = findingOf(error); finding.any()) message["finding"] = findingToMessage(finding);
+  sendMessage(kDecoderSocket, message);
+}
+
+void tellRefusal(const std::string& path, const Finding& cause) {
+  tell("input", Told<InputError>(Finding(FindingKind::fileRefused, {{"file", path}}, cause)));
 }
 
 }  // namespace
@@ -99,15 +110,13 @@ int runDicomDecoder() {
     request = requestFromMessage(*message);
     answer(request);
   } catch (const UsageError& error) {
-    sendMessage(kDecoderSocket, {{"usage", error.what()}});
+    tell("usage", error);
   } catch (const InputError& error) {
-    sendMessage(kDecoderSocket, {{"input", error.what()}});
+    tell("input", error);
   } catch (const std::bad_alloc&) {
-    sendMessage(kDecoderSocket,
-                {{"input", request.path + ": decoding it takes more memory than its size allows."}});
+    tellRefusal(request.path, FindingKind::decodingMemory);
   } catch (const std::exception& error) {
-    sendMessage(kDecoderSocket,
-                {{"input", request.path + ": its data cannot be decoded (" + error.what() + ")."}});
+    tellRefusal(request.path, {FindingKind::decodingFailed, {{"reason", std::string(error.what())}}});
   }
   return 0;
 }

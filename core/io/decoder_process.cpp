@@ -16,8 +16,8 @@
 #include <cstring>
 #include <filesystem>
 
-#include "core/errors.h"
 #include "core/io/address_space.h"
+#include "core/told_error.h"
 
 extern char** environ;
 
@@ -74,6 +74,15 @@ struct SpawnSetup {
   }
 };
 
+//! What the child says is wrong; a finding is one only where it says the same.
+template <typename Error>
+[[noreturn]] void throwTold(const Message& message, const char* key) {
+  const auto text = message.at(key).get<std::string>();
+  const Finding finding = message.contains("finding") ? findingFromMessage(message.at("finding")) : Finding();
+  if (finding.any() && sentence(finding) == text) throw Told<Error>(finding);
+  throw Error(text);
+}
+
 }  // namespace
 
 void setDicomDecoder(const DicomDecoder& decoder) { settings() = decoder; }
@@ -81,7 +90,7 @@ void setDicomDecoder(const DicomDecoder& decoder) { settings() = decoder; }
 DecoderProcess::DecoderProcess(std::string path) : path_(std::move(path)) {
   const std::string program = decoderProgram();
   if (::access(program.c_str(), X_OK) != 0)
-    refuseInput(path_, "it cannot be read because the decoder " + program + " is not there");
+    refuseInput(path_, {FindingKind::decoderMissing, {{"program", program}}});
   start(program);
   receive({}, 0, 0);  // it is ready
   base_ = addressSpace(child_);
@@ -92,7 +101,7 @@ DecoderProcess::DecoderProcess(std::string path) : path_(std::move(path)) {
 void DecoderProcess::start(const std::string& program) {
   int ends[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-    refuseInput(path_, std::string("the decoder cannot be started (") + std::strerror(errno) + ")");
+    refuseInput(path_, {FindingKind::decoderNotStarted, {{"reason", std::string(std::strerror(errno))}}});
   socket_ = ends[0];
   const timeval longest{10, 0};  // between the bytes of one message
   ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &longest, sizeof longest);
@@ -106,7 +115,8 @@ void DecoderProcess::start(const std::string& program) {
   ::close(theirs);
   if (failed == 0) return;
   child_ = -1;
-  refuseInput(path_, "the decoder " + program + " cannot be started (" + std::strerror(failed) + ")");
+  refuseInput(path_, {FindingKind::decoderNotRun,
+                      {{"program", program}, {"reason", std::string(std::strerror(failed))}}});
 }
 
 DecoderProcess::~DecoderProcess() {
@@ -127,7 +137,11 @@ void DecoderProcess::send(const Message& message) {
   if (!sendMessage(socket_, message)) explainDeath();
 }
 
-std::string DecoderProcess::where() const { return file_.empty() || file_ == path_ ? "it" : file_; }
+void DecoderProcess::refuseOn(FindingKind whole, FindingKind part, Finding::Values values) const {
+  const bool isPart = !file_.empty() && file_ != path_;
+  if (isPart) values.emplace_back("part", file_);
+  refuseInput(path_, {isPart ? part : whole, std::move(values)});
+}
 
 void DecoderProcess::explainDeath() {
   int status = 0;
@@ -137,13 +151,12 @@ void DecoderProcess::explainDeath() {
   kill();
   const std::string how = signalled ? std::string("signal: ") + strsignal(WTERMSIG(status))
                                     : "exit code " + std::to_string(WEXITSTATUS(status));
-  refuseInput(path_, "the decoder broke down on " + where() + " (" + how +
-                         "); the file is damaged or too large for it");
+  refuseOn(FindingKind::decoderBroke, FindingKind::decoderBrokeOn, {{"how", how}});
 }
 
 void DecoderProcess::refuseHang() {
   kill();
-  refuseInput(path_, "the decoder got stuck on " + where() + " and was stopped; the file is damaged");
+  refuseOn(FindingKind::decoderStuck, FindingKind::decoderStuckOn);
 }
 
 void DecoderProcess::waitForMessage(const ReadControl& control) {
@@ -169,13 +182,13 @@ Message DecoderProcess::receive(const ReadControl& control, double from, double 
     waitForMessage(control);
     const std::optional<Message> message = receiveMessage(socket_);
     if (!message) explainDeath();
-    if (message->contains("input")) throw InputError(message->at("input").get<std::string>());
-    if (message->contains("usage")) throw UsageError(message->at("usage").get<std::string>());
+    if (message->contains("input")) throwTold<InputError>(*message, "input");
+    if (message->contains("usage")) throwTold<UsageError>(*message, "usage");
     if (!message->contains("part")) return *message;
     noteProgress(*message, control, from, to);
   }
 } catch (const Message::exception&) {
-  refuseInput(path_, "the decoder gave an answer without meaning on " + where());
+  refuseOn(FindingKind::decoderAnswerOnIt, FindingKind::decoderAnswerOn);
 }
 
 void DecoderProcess::allowMemory(std::uint64_t bytes) {
@@ -188,9 +201,9 @@ std::shared_ptr<void> DecoderProcess::takeMemory(std::uint64_t bytes) {
   kill();  // nobody may shrink the memory any more
   struct stat status {};
   if (::fstat(memory_, &status) != 0 || static_cast<std::uint64_t>(status.st_size) < bytes)
-    refuseInput(path_, "the decoder gave less than it announced");
+    refuseInput(path_, FindingKind::decoderGaveLess);
   void* memory = ::mmap(nullptr, bytes, PROT_READ, MAP_SHARED | MAP_POPULATE, memory_, 0);
-  if (memory == MAP_FAILED) refuseInput(path_, "there is not enough memory to read it");
+  if (memory == MAP_FAILED) refuseInput(path_, FindingKind::notEnoughMemory);
   return {memory, [bytes](void* p) { ::munmap(p, bytes); }};
 }
 

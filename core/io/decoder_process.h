@@ -32,7 +32,8 @@ class DecoderProcess {
   [[noreturn]] void explainDeath();
   [[noreturn]] void refuseHang();
   void kill();
-  std::string where() const;
+  //! That something went wrong with the whole, or with the file that came next.
+  [[noreturn]] void refuseOn(FindingKind whole, FindingKind part, Finding::Values values = {}) const;
   std::string path_;
   std::string file_;         // which the child works on
   std::uint64_t bytes_ = 0;  // of it

@@ -2,6 +2,7 @@
 // which belongs to which frame, so that memory stays that of a frame and progress is seen.
 
 #include "core/io/dicom_codecs.h"
+#include "core/io/volume_source.h"
 
 #include <gdcmImageReader.h>
 #include <gdcmLookupTable.h>
@@ -20,7 +21,7 @@ class CompressedPixels : public DicomPixels {
  private:
   using Fragments = gdcm::SequenceOfFragments;
   [[noreturn]] void refuse() const {
-    refuseInput(path_, "the slice " + file_.file + " is truncated or damaged (its pixels cannot be decoded)");
+    refuseInput(path_, {FindingKind::sliceNotDecoded, {{"slice", file_.file}}});
   }
   void findFrames(const Fragments& fragments);
   void findFramesByOffset(const Fragments& fragments);
@@ -47,13 +48,13 @@ CompressedPixels::CompressedPixels(const DicomFile& file, std::string path)
   // Header and decoder must mean the same image, or the decoder would write past our memory.
   if (size[0] != static_cast<unsigned>(file.columns) || size[1] != static_cast<unsigned>(file.rows) ||
       frames != static_cast<unsigned>(file.frames))
-    refuseInput(path_, "the slice " + file.file + " has another size than its header says");
+    refuseInput(path_, {FindingKind::sliceOtherSize, {{"slice", file.file}}});
   if (const Fragments* fragments = image.GetDataElement().GetSequenceOfFragments()) findFrames(*fragments);
 }
 
 void CompressedPixels::findFrames(const Fragments& fragments) {
   const std::size_t n = fragments.GetNumberOfFragments(), frames = static_cast<std::size_t>(file_.frames);
-  if (n < frames) refuseInput(path_, "the slice " + file_.file + " holds less frames than its header says");
+  if (n < frames) refuseInput(path_, {FindingKind::sliceFewerFrames, {{"slice", file_.file}}});
   if (frames == 1)
     firstFragment_ = {0, n};
   else if (n == frames)
@@ -121,7 +122,7 @@ void CompressedPixels::applyPalette(StoredFrame& frame) const {
   std::vector<char> colours(3 * frame.bytes.size());
   if (!table.Initialized() ||
       !table.Decode(colours.data(), colours.size(), frame.bytes.data(), frame.bytes.size()))
-    refuseInput(path_, "the palette of " + file_.file + " is missing or damaged");
+    refuseInput(path_, {FindingKind::slicePalette, {{"slice", file_.file}}});
   frame.bytes.swap(colours);
   toLuminance(frame, false, true);
 }

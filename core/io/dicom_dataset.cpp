@@ -14,6 +14,7 @@
 
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
@@ -30,10 +31,15 @@ bool endsWith(std::string path, const char* ending) {
 bool isDicomSegmentationPath(const std::string& path) { return endsWith(path, ".seg.dcm"); }
 bool isDicomStlPath(const std::string& path) { return endsWith(path, ".stl.dcm"); }
 
-std::string dicomFault(const DicomOrigin* origin) {
-  if (!origin) return "the volume was not read from DICOM, and a DICOM file belongs to a patient and a study";
-  if (!origin->displaced.empty()) return origin->displaced;
-  return {};
+Finding dicomFinding(const DicomOrigin* origin) {
+  return origin ? origin->displaced : FindingKind::notFromDicom;
+}
+
+std::string dicomFault(const DicomOrigin* origin) { return sentence(dicomFinding(origin)); }
+
+void refuseDicom(const std::string& path, const Finding& fault) {
+  throw Told<UsageError>(
+      Finding(FindingKind::fileRefused, {{"file", path}}, {FindingKind::noDicomMade, {}, fault}));
 }
 
 bool namesImages(const DicomOrigin& origin) {
@@ -42,13 +48,22 @@ bool namesImages(const DicomOrigin& origin) {
                       [](const DicomImage& i) { return i.sopClass.empty() || i.instance.empty(); });
 }
 
-std::string dicomTextFault(const std::string& text) {
+namespace {
+
+Finding textFinding(const std::string& text) {
   constexpr std::size_t kMostBytes = 64;  // characters, of LO and PN; bytes are never less
-  if (text.size() > kMostBytes) return "is longer than 64 bytes";
+  if (text.size() > kMostBytes) return {FindingKind::dicomTextTooLong, {{"text", text}}};
   for (const char c : text)
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '\\')
-      return "holds a control character or a backslash";
+      return {FindingKind::dicomTextControl, {{"text", text}}};
   return {};
+}
+
+}  // namespace
+
+std::string dicomTextFault(const std::string& text) {
+  const std::string all = sentence(textFinding(text)), quoted = "'" + text + "' ";
+  return all.empty() ? all : all.substr(quoted.size());
 }
 
 namespace dicom {
@@ -166,11 +181,9 @@ void checkExport(const DicomOrigin& origin, const DicomContent& content, const s
   OFLog::configure(OFLogger::OFF_LOG_LEVEL);  // errors reach us as conditions
   if (!dcmDataDict.isDictionaryLoaded())
     throw OutputError(path + ": cannot be written: the data dictionary of DCMTK is not there.");
-  if (const std::string fault = dicomFault(&origin); !fault.empty())
-    throw UsageError(path + ": no DICOM file can be made: " + fault + ".");
+  if (const Finding fault = dicomFinding(&origin); fault.any()) refuseDicom(path, fault);
   for (const std::string& text : {content.creator, content.description})
-    if (const std::string fault = dicomTextFault(text); !fault.empty())
-      throw UsageError(path + ": no DICOM file can be made: '" + text + "' " + fault + ".");
+    if (const Finding fault = textFinding(text); fault.any()) refuseDicom(path, fault);
 }
 
 void addPatientAndStudy(DcmItem& data, const DicomOrigin& origin, const DicomContent& content,
@@ -222,8 +235,7 @@ void save(DcmDataset& data, const DcmTagKey& tag, const std::string& path) {
     DcmFileFormat back;
     const bool same =
         saved && back.loadFile(temporary.c_str()).good() && bytesOf(*back.getDataset(), tag) == written;
-    if (!same)
-      throw OutputError(path + ": cannot be written: the data did not reach the disk (is it full?).");
+    if (!same) refuseOutput(path, FindingKind::notOnDisk);
   });
 }
 

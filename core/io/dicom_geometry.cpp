@@ -14,19 +14,18 @@ void checkEachSlice(const std::vector<DicomSlice>& slices, const std::string& pa
   for (const DicomSlice& s : slices) {
     const DicomPlace& p = s.place();
     if (!p.position || !p.rowDirection || !p.columnDirection || !p.pixelSpacing)
-      refuseInput(path, "the slice " + s.file->file +
-                            " does not say where it lies (position, orientation or pixel spacing)");
+      refuseInput(path, {FindingKind::sliceUnplaced, {{"slice", s.file->file}}});
     if (p.pixelSpacing->x() <= 0 || p.pixelSpacing->y() <= 0)
-      refuseInput(path, "the slice " + s.file->file + " has a pixel spacing that is not positive");
+      refuseInput(path, {FindingKind::slicePixelSpacing, {{"slice", s.file->file}}});
     if (s.file->columns != slices.front().file->columns || s.file->rows != slices.front().file->rows)
-      refuseInput(path, "its slices have different sizes");
+      refuseInput(path, FindingKind::slicesOtherSize);
     if (p.rowDirection->cross(*p.columnDirection).norm() < 0.5)
-      refuseInput(path, "the slice " + s.file->file + " has directions that span no plane");
+      refuseInput(path, {FindingKind::sliceDirections, {{"slice", s.file->file}}});
     if ((*p.rowDirection - *first.rowDirection).norm() > kSameDirection ||
         (*p.columnDirection - *first.columnDirection).norm() > kSameDirection)
-      refuseInput(path, "its slices have different orientations");
+      refuseInput(path, FindingKind::slicesOtherOrientation);
     if ((*p.pixelSpacing - *first.pixelSpacing).norm() > kSamePixelSpacing * first.pixelSpacing->norm())
-      refuseInput(path, "its slices have different pixel spacings");
+      refuseInput(path, FindingKind::slicesOtherSpacing);
   }
 }
 
@@ -102,15 +101,9 @@ void Stacking::leaveOutCopies() {
 void Stacking::separateTimes() {
   const std::size_t times = groups_.front().size();
   for (const auto& group : groups_)
-    if (group.size() != times)
-      refuseInput(
-          path_,
-          "several of its slices lie in the same place with different content, and not equally many in "
-          "every place (time points or echoes that are not complete)");
+    if (group.size() != times) refuseInput(path_, FindingKind::slicesIncomplete);
   if (groups_.size() < 2)
-    refuseInput(path_, times > 1
-                           ? "all its slices lie in the same place: 2D images over time, not a volume"
-                           : "this is a single slice, a 2D image; give the folder with the whole series");
+    refuseInput(path_, times > 1 ? FindingKind::slicesInOnePlace : FindingKind::singleSlice);
   stack_.frames = static_cast<int>(times);
   for (std::size_t t = 0; t < times; ++t)
     for (const auto& group : groups_) stack_.slices.push_back(group[t]);
@@ -147,9 +140,7 @@ void Stacking::straighten() {
     return;
   }
   const double tilt = std::atan2(shift, stack_.places.back().along) * 180 / std::numbers::pi;
-  if (tilt > 60)
-    refuseInput(path_, "its slices are shifted against each other by " + millimetres(shift) +
-                           ", more than they are apart; this is no gantry tilt");
+  if (tilt > 60) refuseInput(path_, {FindingKind::slicesShifted, {{"shift_mm", shift}}});
   for (SlicePlace& p : stack_.places) p.x -= low[0], p.y -= low[1];
   stack_.grid.origin += row_ * (low[0] * pixel.x()) + column_ * (low[1] * pixel.y());
   for (std::size_t a = 0; a < 2; ++a) stack_.grid.size[a] += static_cast<int>(high[a] - low[a]);
@@ -207,18 +198,19 @@ void Stacking::makeEven(UnevenSlices uneven) {
   std::sort(sorted.begin(), sorted.end());
   const double median = sorted[(sorted.size() - 1) / 2];
   const int missing = missingSlices(gaps, median);
-  std::string what = "slices are unevenly spaced (" + runsOf(gaps) + ")";
-  if (missing > 0)
-    what += ", " + std::to_string(missing) + (missing == 1 ? " seems" : " seem") + " to be missing";
-  if (uneven == UnevenSlices::refuse) refuseInput(path_, "its " + what);
+  const Finding what(missing == 0   ? FindingKind::slicesUneven
+                     : missing == 1 ? FindingKind::sliceMissing
+                                    : FindingKind::slicesMissing,
+                     {{"gaps", runsOf(gaps)}, {"missing", missing}});
+  if (uneven == UnevenSlices::refuse) refuseInput(path_, what);
   spacing = *std::find_if(sorted.begin(), sorted.end(), [&](double gap) { return gap >= 0.5 * median; });
   const double count = std::floor(places.back().along / spacing + 1e-6) + 1;
   if (count > 20.0 * static_cast<double>(places.size()))
-    refuseInput(path_, "its " + what + ", too unevenly to resample");
+    refuseInput(path_, {FindingKind::tooUneven, {}, what});
   stack_.grid.size[2] = static_cast<int>(count);
   stack_.straight = false;
-  stack_.warnings.push_back("The " + what + "; they were resampled to a distance of " + millimetres(spacing) +
-                            ". What lies in the gaps is interpolated.");
+  stack_.warnings.push_back("The " + sentence(what).substr(4) + "; they were resampled to a distance of " +
+                            millimetres(spacing) + ". What lies in the gaps is interpolated.");
 }
 
 DicomStack Stacking::build(UnevenSlices uneven) {
@@ -236,10 +228,9 @@ DicomStack Stacking::build(UnevenSlices uneven) {
 
 DicomStack stackSlices(std::vector<DicomSlice> slices, const std::string& path, UnevenSlices uneven,
                        const SamePixels& same) {
-  if (slices.size() < 2)
-    refuseInput(path, "this is a single slice, a 2D image; give the folder with the whole series");
+  if (slices.size() < 2) refuseInput(path, FindingKind::singleSlice);
   if (slices.front().file->columns < 2 || slices.front().file->rows < 2)
-    refuseInput(path, "its slices are less than two pixels wide");
+    refuseInput(path, FindingKind::slicesNarrow);
   checkEachSlice(slices, path);
   return Stacking(std::move(slices), path, same).build(uneven);
 }

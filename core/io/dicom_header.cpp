@@ -281,7 +281,7 @@ std::optional<DicomFile> readDicomFile(const std::string& file, const std::strin
   if (!reader.ReadUpToTag(kPixelData)) return std::nullopt;
   DicomFile f = fileOf(reader.GetFile(), file);
   if (f.frames < 0 || f.frames > kMostFrames)
-    refuseInput(path, "the number of frames in " + file + " is implausible");
+    refuseInput(path, {FindingKind::framesImplausible, {{"slice", file}}});
   return f;
 }
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/finding.h"
+
 namespace handlebody {
 
 //! The value of an attribute as it stands in the file, without padding, in the file's own character set.
@@ -29,7 +31,7 @@ struct DicomOrigin {
   bool straight = true;
   //! Empty if the volume's geometry is that of the patient, as the header gives it; else what it is, as the
   //! end of a sentence.
-  std::string displaced{};
+  FindingKind displaced = FindingKind::none;
 };
 
 }  // namespace handlebody

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "core/io/dicom_codecs.h"
+#include "core/io/volume_source.h"
 
 namespace handlebody {
 namespace {
@@ -27,19 +28,17 @@ void checkFormat(const DicomFile& f, const std::string& path) {
   static const std::set<int> kBits{1, 8, 16, 32};
   if (kBits.count(f.bitsAllocated) == 0 || f.bitsStored < 1 || f.bitsStored > f.bitsAllocated ||
       f.highBit < f.bitsStored - 1 || f.highBit >= f.bitsAllocated)
-    refuseInput(path, "pixels of " + std::to_string(f.bitsStored) + " bits in " +
-                          std::to_string(f.bitsAllocated) + " are not supported (" + f.file + ")");
+    refuseInput(path, {FindingKind::pixelBits,
+                       {{"stored", f.bitsStored}, {"allocated", f.bitsAllocated}, {"slice", f.file}}});
   if (f.samples != 1 && f.samples != 3)
-    refuseInput(path,
-                "pixels with " + std::to_string(f.samples) + " samples are not supported (" + f.file + ")");
+    refuseInput(path, {FindingKind::pixelSamples, {{"samples", f.samples}, {"slice", f.file}}});
   if (isColour(f) && f.bitsAllocated != 8 && f.bitsAllocated != 16)
-    refuseInput(path,
-                "colour of " + std::to_string(f.bitsAllocated) + " bits is not supported (" + f.file + ")");
+    refuseInput(path, {FindingKind::colourBits, {{"bits", f.bitsAllocated}, {"slice", f.file}}});
   if (f.bitsAllocated == 1 && !(hasPlainPixels(f) && f.structure.walked))
-    refuseInput(path, "compressed pixels of one bit are not supported (" + f.file + ")");
+    refuseInput(path, {FindingKind::packedBit, {{"slice", f.file}}});
   static const std::set<std::string> kColours{"RGB", "YBR_FULL", "YBR_FULL_422", "YBR_RCT", "YBR_ICT"};
   if (f.samples == 3 && kColours.count(f.photometric) == 0)
-    refuseInput(path, "the colour space " + f.photometric + " is not supported (" + f.file + ")");
+    refuseInput(path, {FindingKind::colourSpace, {{"space", f.photometric}, {"slice", f.file}}});
 }
 
 //! The range of a frame's values after rescaling; false if they are no whole numbers.
@@ -117,14 +116,13 @@ bool hasPlainPixels(const DicomFile& f) {
 void checkDicomPixels(const DicomFile& f, const std::string& path) {
   checkFormat(f, path);
   if (f.structure.walked && f.structure.pixelOffset == 0)
-    refuseInput(path, "the slice " + f.file + " has no pixels");
+    refuseInput(path, {FindingKind::sliceWithoutPixels, {{"slice", f.file}}});
   // The chroma of YBR_FULL_422 is stored once for two pixels.
   const std::uint64_t bits =
       declaredBits(f) / (f.photometric == "YBR_FULL_422" ? 3 : 1) * (f.photometric == "YBR_FULL_422" ? 2 : 1);
   if (hasPlainPixels(f)) {
     if (bits / 8 > f.structure.fileBytes || (f.structure.walked && bits / 8 > f.structure.pixelBytes))
-      refuseInput(path, "the slice " + f.file +
-                            " is truncated or damaged: it holds less pixels than its header says");
+      refuseInput(path, {FindingKind::sliceHoldsLess, {{"slice", f.file}}});
     return;
   }
   // Runs of RLE and blocks of deflate have a largest ratio; the others have none, but no real image comes
@@ -136,9 +134,8 @@ void checkDicomPixels(const DicomFile& f, const std::string& path) {
   const std::uint64_t held =
       f.structure.pixelOffset > 0 ? f.structure.pixelEnd - f.structure.pixelOffset : f.structure.fileBytes;
   if (bits / 8 / ratio > held)
-    refuseInput(path, "the slice " + f.file + " is truncated or damaged: its header declares " +
-                          std::to_string(bits / 8) + " bytes of pixels, the file holds " +
-                          std::to_string(held) + " compressed");
+    refuseInput(path,
+                {FindingKind::slicePackedLess, {{"slice", f.file}, {"declared", bits / 8}, {"held", held}}});
 }
 
 std::unique_ptr<DicomPixels> openDicomPixels(const DicomFile& file, const std::string& path) {

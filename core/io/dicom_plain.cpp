@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "core/io/dicom_codecs.h"
+#include "core/io/volume_source.h"
 
 namespace handlebody {
 namespace {
@@ -15,7 +16,7 @@ class PlainPixels : public DicomPixels {
  public:
   PlainPixels(const DicomFile& file, std::string path)
       : file_(file), path_(std::move(path)), handle_(::open(file.file.c_str(), O_RDONLY | O_CLOEXEC)) {
-    if (handle_ < 0) refuseInput(path_, "the slice " + file.file + " cannot be opened");
+    if (handle_ < 0) refuseInput(path_, {FindingKind::sliceNotOpened, {{"slice", file.file}}});
   }
   ~PlainPixels() override { ::close(handle_); }
   void read(int frame, StoredFrame& to) override;
@@ -33,7 +34,7 @@ void PlainPixels::readBytes(std::uint64_t at, std::uint64_t bytes, std::vector<c
   for (std::uint64_t done = 0; done < bytes;) {
     const ssize_t got = ::pread(handle_, to.data() + done, bytes - done,
                                 static_cast<off_t>(file_.structure.pixelOffset + at + done));
-    if (got <= 0) refuseInput(path_, "the slice " + file_.file + " cannot be read to its end");
+    if (got <= 0) refuseInput(path_, {FindingKind::sliceNotReadToEnd, {{"slice", file_.file}}});
     done += static_cast<std::uint64_t>(got);
   }
 }

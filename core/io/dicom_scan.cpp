@@ -45,15 +45,13 @@ std::vector<std::string> candidates(const std::string& path, DicomScan& scan) {
     std::error_code ignored;
     if (!entry->is_regular_file(ignored)) continue;
     const Kind kind = kindOf(entry->path());
-    if (kind == Kind::cut)
-      refuseInput(
-          path, "the file " + entry->path().string() + " is truncated (cut off within its first 132 bytes)");
+    if (kind == Kind::cut) refuseInput(path, {FindingKind::partCutOff, {{"part", entry->path().string()}}});
     if (kind == Kind::dicom)
       files.push_back(entry->path().string());
     else
       scan.foreign.push_back(entry->path().filename().string());
   }
-  if (failed) refuseInput(path, "the folder cannot be read (" + failed.message() + ")");
+  if (failed) refuseInput(path, {FindingKind::folderUnreadableFor, {{"reason", failed.message()}}});
   std::sort(files.begin(), files.end());
   std::sort(scan.foreign.begin(), scan.foreign.end());
   return files;
@@ -77,12 +75,12 @@ bool hasPreamble(const std::string& file) {
 //! A file that is not whole: of a folder, it may be a slice of the series.
 void addDamaged(const std::string& path, const std::string& file, const DicomStructure& structure,
                 DicomScan& scan) {
-  if (file == path) refuseInput(path, "the DICOM file is truncated or damaged");
+  if (file == path) refuseInput(path, FindingKind::dicomDamaged);
   if (!structure.seriesUid.empty()) {
     scan.damaged.push_back(file);
     scan.damagedSeries.push_back(structure.seriesUid);
   } else if (hasPreamble(file)) {
-    refuseInput(path, "the file " + file + " is truncated or damaged");
+    refuseInput(path, {FindingKind::partDamaged, {{"part", file}}});
   } else {
     scan.foreign.push_back(fs::path(file).filename().string());
   }
@@ -93,7 +91,8 @@ void addFile(const std::string& path, const std::string& file, const DicomStruct
   const bool isCut = !structure.whole;  // …within the pixels: what stands before them can be read
   if (isCut && structure.pixelOffset == 0) return addDamaged(path, file, structure, scan);
   std::optional<DicomFile> read;
-  withItk(path, "the DICOM header of " + file + " cannot be read", [&] { read = readDicomFile(file, path); });
+  withItk(path, {FindingKind::partHeaderUnreadable, {{"part", file}}},
+          [&] { read = readDicomFile(file, path); });
   if (!read) return addDamaged(path, file, structure, scan);
   read->structure = structure;
   if (!keepWholeVolumes(*read) && isCut) return addDamaged(path, file, structure, scan);
@@ -116,11 +115,9 @@ DicomScan scanDicom(const std::string& path, const DicomProgress& progress) {
     addFile(path, files[i], walkDicom(files[i]), scan);
   }
   if (!scan.images.empty()) return scan;
-  if (!scan.damaged.empty())
-    refuseInput(path, "the file " + scan.damaged.front() + " is truncated or damaged");
-  if (!fs::is_directory(path)) refuseInput(path, "it is not a DICOM image (no rows and columns)");
-  refuseInput(path, hasFolders(path) ? "the folder holds no DICOM images itself; open one of its subfolders"
-                                     : "the folder holds no DICOM images");
+  if (!scan.damaged.empty()) refuseInput(path, {FindingKind::partDamaged, {{"part", scan.damaged.front()}}});
+  if (!fs::is_directory(path)) refuseInput(path, FindingKind::notDicomImage);
+  refuseInput(path, hasFolders(path) ? FindingKind::imagesInSubfolders : FindingKind::noDicomImages);
 }
 
 }  // namespace handlebody

@@ -15,7 +15,7 @@
 #include <array>
 #include <memory>
 
-#include "core/errors.h"
+#include "core/io/atomic_file.h"
 
 namespace handlebody {
 
@@ -91,7 +91,7 @@ void Maker::pack(const std::vector<Uint8>& pixels) {
 void Maker::write(DcmDataset& data) {
   check(document_->writeDataset(data));
   constexpr std::size_t kLongest = 0xfffffffe;  // of a DICOM element
-  if (bits_.size() > kLongest) throw OutputError(path_ + ": cannot be written: it is too large for DICOM.");
+  if (bits_.size() > kLongest) refuseOutput(path_, FindingKind::dicomTooLarge);
   if (bits_.size() % 2) bits_.push_back(0);
   check(data.putAndInsertUint8Array(DCM_PixelData, bits_.data(), static_cast<unsigned long>(bits_.size())));
 }
@@ -162,9 +162,7 @@ template <typename T>
 void Maker::addFrames(const T* labels, const ExportedObject& object, Uint16 segment) {
   const int value = object.label.value;
   const auto [first, last] = slicesOf(labels, grid_, value);
-  if (last < first)
-    throw OutputError(path_ + ": cannot be written: the object " + object.label.name +
-                      " holds the centre of no voxel.");
+  if (last < first) refuseOutput(path_, {FindingKind::objectWithoutVoxel, {{"object", object.label.name}}});
   const std::size_t perSlice = grid_.voxelCount() / static_cast<std::size_t>(grid_.size[2]);
   std::vector<Uint8> pixels(perSlice);
   for (int k = first; k <= last; ++k) {
@@ -217,7 +215,7 @@ void writeDicomSegmentation(const Volume& labels, const std::vector<ExportedObje
                             const DicomOrigin& origin, const DicomContent& content, const std::string& path) {
   dicom::checkExport(origin, content, path);
   if (origin.straight && origin.images.size() < static_cast<std::size_t>(labels.grid.size[2]))
-    throw UsageError(path + ": no DICOM file can be made: the label map is not on the grid of the series.");
+    refuseDicom(path, FindingKind::labelsNotOnGrid);
   Maker maker(labels, origin, content, path);
   maker.describe();
   for (const ExportedObject& object : objects) maker.add(object);

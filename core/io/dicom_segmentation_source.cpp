@@ -23,7 +23,7 @@ class SegmentationSource : public DecodedSource {
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& cause) const { refuseInput(path_, cause); }
+  [[noreturn]] void refuse(const Finding& cause) const { refuseInput(path_, cause); }
   void checkPixels() const;
   void setGrid();
   void setSlices(double pitch);
@@ -43,7 +43,7 @@ SegmentationSource::SegmentationSource(DicomFile file, std::string path)
   setGrid();
   int segments = 0;
   for (const DicomPlace& p : file_.places) {
-    if (p.segment < 1) refuse("it does not say which segment each frame is of");
+    if (p.segment < 1) refuse(FindingKind::segmentUnknown);
     segments = std::max(segments, p.segment);
   }
   header_.component = segments > 255 ? Component::uint16 : Component::uint8;
@@ -53,19 +53,16 @@ SegmentationSource::SegmentationSource(DicomFile file, std::string path)
 
 void SegmentationSource::checkPixels() const {
   if (file_.bitsAllocated != 1 || file_.samples != 1)
-    refuse("it is a segmentation that is not binary (" + std::to_string(file_.bitsAllocated) +
-           " bits per voxel), which is not supported");
-  if (!file_.structure.walked || file_.structure.pixelBytes == 0)
-    refuse("its pixels are compressed, which is not supported for a segmentation");
+    refuse({FindingKind::segmentationNotBinary, {{"bits", file_.bitsAllocated}}});
+  if (!file_.structure.walked || file_.structure.pixelBytes == 0) refuse(FindingKind::segmentationPacked);
   const std::uint64_t bits = file_.pixelsPerFrame() * static_cast<std::uint64_t>(file_.frames);
-  if ((bits + 7) / 8 > file_.structure.pixelBytes)
-    refuse("it is truncated or damaged: it holds less pixels than its header says");
+  if ((bits + 7) / 8 > file_.structure.pixelBytes) refuse(FindingKind::holdsLess);
 }
 
 //! One plane for all frames, at multiples of a distance.
 void SegmentationSource::setGrid() {
   const DicomPlace& first = file_.places.front();
-  if (!file_.placed) refuse("it does not say where every frame lies");
+  if (!file_.placed) refuse(FindingKind::framesUnplaced);
   const Vec3 normal = first.rowDirection->cross(*first.columnDirection).normalized();
   for (const DicomPlace& p : file_.places) {
     const bool same =
@@ -75,7 +72,7 @@ void SegmentationSource::setGrid() {
     const Vec3 shift = *p.position - *first.position;
     const Vec3 aside = shift - shift.dot(normal) * normal;
     if (!same || aside.norm() > kLargestShift * first.pixelSpacing->head<2>().minCoeff())
-      refuse("its frames do not lie one behind the other, which is not supported");
+      refuse(FindingKind::framesNotBehind);
     along_.push_back(shift.dot(normal));
   }
   Grid& grid = header_.grid;
@@ -93,16 +90,16 @@ void SegmentationSource::setGrid() {
       pitch = pitch > 0 ? std::min(pitch, step) : step;
   // What the header states counts: the frames may leave slices out.
   if (file_.sliceDistance && *file_.sliceDistance > kSamePlace) pitch = *file_.sliceDistance;
-  if (pitch <= 0) refuse("it does not give the distance between its slices");
+  if (pitch <= 0) refuse(FindingKind::sliceDistanceUnknown);
   setSlices(pitch);
 }
 
 void SegmentationSource::setSlices(double pitch) {
   constexpr double kMostSlices = 100000;
   const double highest = *std::max_element(along_.begin(), along_.end());
-  if (highest / pitch > kMostSlices) refuse("the distance of its frames is implausible");
+  if (highest / pitch > kMostSlices) refuse(FindingKind::frameDistance);
   for (const double a : along_) {
-    if (std::abs(a / pitch - std::round(a / pitch)) > 0.1) refuse("its frames are not evenly spaced");
+    if (std::abs(a / pitch - std::round(a / pitch)) > 0.1) refuse(FindingKind::framesUneven);
     slice_.push_back(static_cast<int>(std::lround(a / pitch)));
   }
   Grid& grid = header_.grid;
@@ -130,7 +127,7 @@ bool SegmentationSource::draw(T* labels, const DicomProgress& progress) const {
     const std::uint64_t begin = perFrame * f, end = begin + perFrame;
     const auto count = static_cast<std::streamsize>((end + 7) / 8 - begin / 8);
     stream.seekg(static_cast<std::streamoff>(file_.structure.pixelOffset + begin / 8));
-    if (!stream.read(reinterpret_cast<char*>(bytes.data()), count)) refuse("it is truncated or damaged");
+    if (!stream.read(reinterpret_cast<char*>(bytes.data()), count)) refuse(FindingKind::truncatedOrDamaged);
     T* at = labels + perFrame * static_cast<std::uint64_t>(slice_[f]);
     for (std::uint64_t bit = begin % 8, last = bit + perFrame; bit < last; ++bit, ++at) {
       if ((bytes[bit / 8] >> bit % 8 & 1) == 0) continue;
@@ -145,7 +142,7 @@ void SegmentationSource::decode(int, void* to, const DicomProgress& progress) {
   std::fill_n(static_cast<char*>(to), header_.bytesPerFrame(), char{0});
   const bool apart = header_.component == Component::uint16 ? draw(static_cast<std::uint16_t*>(to), progress)
                                                             : draw(static_cast<std::uint8_t*>(to), progress);
-  if (!apart) refuse("its segments overlap, so that they are no label map");
+  if (!apart) refuse(FindingKind::segmentsOverlap);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "core/io/dicom_resample.h"
 #include "core/io/dicom_series.h"
 #include "core/io/itk_guard.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 namespace {
@@ -36,9 +37,7 @@ Assumed assumeGeometry(DicomSeries& series, const VolumeSelection& selection, co
   const auto noSpacing = [](const DicomPlace& p) { return !p.pixelSpacing; };
   if (!any(noPosition) && !any(noSpacing)) return assumed;
   const bool cine = std::any_of(files.begin(), files.end(), [](const DicomFile* f) { return f->cine; });
-  if (cine && !selection.spacing)
-    refuseInput(path, "this is a cine (2D images over time: " + std::to_string(series.slices.size()) +
-                          " frames), not a volume; if its frames are slices in space, give --spacing X,Y,Z");
+  if (cine && !selection.spacing) refuseInput(path, {FindingKind::cine, {{"frames", series.slices.size()}}});
   assumed.pixels = all(noSpacing);
   assumed.places = all(noPosition);
   if ((any(noSpacing) && !assumed.pixels) || (any(noPosition) && !assumed.places))
@@ -95,7 +94,7 @@ StackSource::StackSource(std::string path, DicomSeries series, std::shared_ptr<c
     return isColour(*f) != isColour(*series_.files.front()) ||
            (isColour(*f) && f->bitsAllocated != series_.files.front()->bitsAllocated);
   });
-  if (mixed) refuseInput(path_, "its slices are partly in colour");
+  if (mixed) refuseInput(path_, FindingKind::slicesPartlyColour);
   const Assumed assumed = assumeGeometry(series_, selection, path_);
   stack_ = stackSlices(series_.slices, path_, selection.uneven, samePixels);
   header_.format = "DICOM";
@@ -106,7 +105,8 @@ StackSource::StackSource(std::string path, DicomSeries series, std::shared_ptr<c
   describe(assumed);
   describeTimes();
   checkHeader(header_, path_);
-  withItk(path_, "its DICOM header cannot be read", [&] { describeOrigin(assumed); });
+  withItk(path_, {FindingKind::headerUnreadable, {{"format", std::string("DICOM")}}},
+          [&] { describeOrigin(assumed); });
 }
 
 void StackSource::describe(const Assumed& assumed) {
@@ -150,9 +150,9 @@ void StackSource::describeOrigin(const Assumed& assumed) {
         {slice.file->classUid, slice.file->instanceUid, slice.file->frames > 1 ? slice.frame + 1 : 0});
   origin->straight = stack_.straight;
   if (assumed.places || assumed.pixels || assumed.distance)
-    origin->displaced = "the series does not say where its slices lie";
+    origin->displaced = FindingKind::seriesUnplaced;
   else if (f.ownFrameOfReference)
-    origin->displaced = "its positions are in the frame of the ultrasound volume, not of the patient";
+    origin->displaced = FindingKind::positionsOfUltrasound;
   header_.dicom = std::move(origin);
 }
 
@@ -162,13 +162,12 @@ void StackSource::readSlice(const DicomSlice& slice, char* to) {
     open_ = slice.file;
   }
   StoredFrame stored;
-  withItk(path_, "the slice " + slice.file->file + " is truncated or damaged",
+  withItk(path_, {FindingKind::sliceDamaged, {{"slice", slice.file->file}}},
           [&] { pixels_->read(slice.frame, stored); });
   const bool colour = isColour(*slice.file);
   const double slope = colour ? 1 : slice.place().slope, intercept = colour ? 0 : slice.place().intercept;
   if (!scaleDicomFrame(stored, slope, intercept, header_.component, to))
-    refuseInput(path_,
-                "the slice " + slice.file->file + " is damaged: a value is larger than its header allows");
+    refuseInput(path_, {FindingKind::sliceValueTooLarge, {{"slice", slice.file->file}}});
 }
 
 void StackSource::decode(int frame, void* to, const DicomProgress& progress) {
@@ -205,11 +204,11 @@ class SeriesList : public DecodedSource {
 void refuseDamaged(const DicomScan& scan, const std::string& uid, const std::string& path) {
   for (std::size_t i = 0; i < scan.damaged.size(); ++i)
     if (scan.damagedSeries[i] == uid)
-      refuseInput(path, "the file " + scan.damaged[i] + " is truncated or damaged");
+      refuseInput(path, {FindingKind::partDamaged, {{"part", scan.damaged[i]}}});
   // A file without an image that names the series of images is one of them, cut off between two elements.
   for (const DicomFile& other : scan.others)
     if (!other.seriesUid.empty() && other.seriesUid == uid)
-      refuseInput(path, "the file " + other.file + " is truncated (a slice without an image)");
+      refuseInput(path, {FindingKind::partWithoutImage, {{"part", other.file}}});
 }
 
 //! "a, b, c and 4 more"
@@ -309,7 +308,9 @@ Chooser::Choices Chooser::choices() const {
     if (!wanted || s.uid == *wanted) byUid.push_back(&s);
   }
   if (!byName.empty()) return {byName.front()};
-  if (byUid.empty()) throw UsageError(request_.path + ": it holds no series " + *wanted + ".");
+  if (byUid.empty())
+    throw Told<UsageError>(
+        Finding(FindingKind::noSuchSeries, {{"file", request_.path}, {"series", *wanted}}));
   Choices whole = byUid;
   std::erase_if(whole, [](const DicomSeries* s) { return s->part; });
   return whole.size() == 1 ? whole : byUid;

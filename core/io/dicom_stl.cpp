@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cstring>
 
-#include "core/errors.h"
+#include "core/io/atomic_file.h"
 #include "core/io/dicom_dataset.h"
 #include "core/io/mesh_files.h"
 
@@ -94,8 +94,7 @@ void writeDicomStl(const std::vector<ExportedObject>& objects, const DicomOrigin
   dicom::checkExport(origin, content, path);
   std::string stl = stlBytes(objects);
   constexpr std::size_t kLongest = 0xfffffffe;  // of a DICOM element
-  if (stl.size() > kLongest)
-    throw OutputError(path + ": cannot be written: the mesh is too large for DICOM.");
+  if (stl.size() > kLongest) refuseOutput(path, FindingKind::dicomMeshTooLarge);
   DcmDataset data;
   dicom::Texts texts{content.description};
   for (const ExportedObject& object : objects) texts.push_back(object.label.name);

@@ -26,12 +26,12 @@ class Mapped {
     struct stat status {};
     if (file < 0 || ::fstat(file, &status) != 0) {
       if (file >= 0) ::close(file);
-      refuseInput(path, "it cannot be opened (permission?)");
+      refuseInput(path, FindingKind::notOpened);
     }
     size_ = static_cast<std::uint64_t>(status.st_size);
     void* memory = size_ > 0 ? ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, file, 0) : MAP_FAILED;
     ::close(file);
-    if (memory == MAP_FAILED) refuseInput(path, "it cannot be read");
+    if (memory == MAP_FAILED) refuseInput(path, FindingKind::cannotBeRead);
     bytes_ = static_cast<const unsigned char*>(memory);
   }
   ~Mapped() { ::munmap(const_cast<unsigned char*>(bytes_), size_); }

@@ -27,6 +27,10 @@ bool isDicomStlPath(const std::string& path);
 //! Empty if DICOM files can be made from a volume of this origin (nullptr: it was not read from DICOM); else
 //! why not, as the end of a sentence.
 std::string dicomFault(const DicomOrigin* origin);
+//! The same as a finding; none if they can be made.
+Finding dicomFinding(const DicomOrigin* origin);
+//! Throws UsageError: "path: no DICOM file can be made: …"
+[[noreturn]] void refuseDicom(const std::string& path, const Finding& fault);
 
 //! True if the series and its images have UIDs by which they can be referred to; those of some series that
 //! were made anonymous are empty. A file made from such a series gets a new study UID and no references.

@@ -107,16 +107,12 @@ FolderSource::FolderSource(const std::string& folder, const std::vector<std::str
 }
 
 void FolderSource::requireSame(const VolumeHeader& other, const std::string& path) const {
-  const std::string first =
-      " as in " + paths_.front() + "; the volumes of a folder are the time points of one";
-  if (other.frames != 1)
-    refuseInput(path, "it has " + std::to_string(other.frames) +
-                          " time points; of the volumes of a folder each is one time point");
-  if (!isSameGrid(other.grid, header_.grid))
-    refuseInput(path, "its size, spacing or place is not the same" + first);
+  const Finding::Values first{{"first", paths_.front()}};
+  if (other.frames != 1) refuseInput(path, {FindingKind::folderTimePoints, {{"frames", other.frames}}});
+  if (!isSameGrid(other.grid, header_.grid)) refuseInput(path, {FindingKind::folderOtherGrid, first});
   if (other.component != header_.component || other.components != header_.components ||
       other.slope != header_.slope || other.intercept != header_.intercept)
-    refuseInput(path, "its voxels are not of the same type and scale" + first);
+    refuseInput(path, {FindingKind::folderOtherType, first});
 }
 
 }  // namespace
@@ -125,7 +121,7 @@ SourcePointer openVolumeFolder(const std::string& path) try {
   const std::vector<std::string> names = volumesIn(path);
   return names.empty() ? nullptr : std::make_unique<FolderSource>(path, names);
 } catch (const fs::filesystem_error&) {
-  refuseInput(path, "the folder cannot be read");
+  refuseInput(path, FindingKind::folderUnreadable);
 }
 
 }  // namespace handlebody

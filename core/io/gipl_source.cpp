@@ -20,7 +20,7 @@ class Header {
  public:
   Header(const std::string& path, ByteStream& stream) {
     if (stream.read(bytes_.data(), bytes_.size()) != bytes_.size())
-      refuseInput(path, "its GIPL header is truncated");
+      refuseInput(path, {FindingKind::headerTruncated, {{"format", std::string("GIPL")}}});
   }
   template <typename T>
   T at(std::size_t place) const {
@@ -54,7 +54,7 @@ Component componentOf(int type, const std::string& path) {
     case 65:
       return Component::float64;
     default:
-      refuseInput(path, "its voxel type (" + std::to_string(type) + ") is not supported");
+      refuseInput(path, {FindingKind::voxelType, {{"type", std::to_string(type)}}});
   }
 }
 
@@ -72,7 +72,7 @@ class GiplSource : public VolumeSource {
       header_.grid.origin[i] = header.at<double>(kOrigin + 8 * a);
     }
     header_.frames = std::max<int>(1, header.at<std::uint16_t>(kSizes + 6));
-    if (header_.grid.size[2] <= 1) refuseInput(path, "this is a 2D image, a volume is needed");
+    if (header_.grid.size[2] <= 1) refuseInput(path, FindingKind::flatImage);
     header_.sources = {"sizes", {"pixdim", "pixdim", "pixdim"}, "origin", "assumed"};
     checkHeader(header_, path);
     checkDataSize(path, path, isCompressed_ ? 0 : kHeaderBytes, header_.bytesPerFrame() * frames(),

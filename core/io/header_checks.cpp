@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <limits>
 
-#include "core/errors.h"
 #include "core/io/volume_source.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 namespace {
@@ -17,11 +17,7 @@ namespace {
 //! voxel at the end of a 200 mm volume by 0.1 mm, which is where it begins to matter.
 constexpr double kOrthonormalTolerance = 5e-4;
 
-std::string gigabytes(double bytes) {
-  const double tenths = std::round(bytes / 1e8);
-  return std::to_string(static_cast<long long>(tenths / 10)) + "." +
-         std::to_string(static_cast<long long>(tenths) % 10) + " GB";
-}
+double gigabytes(double bytes) { return std::round(bytes / 1e8) / 10; }
 
 //! The nearest orthonormal matrix (polar decomposition), so that its transpose is its inverse.
 Eigen::Matrix3d polished(const Eigen::Matrix3d& direction) {
@@ -31,20 +27,17 @@ Eigen::Matrix3d polished(const Eigen::Matrix3d& direction) {
 
 void checkSize(const Grid& grid, const std::string& path) {
   for (int n : grid.size)
-    if (n <= 0) refuseInput(path, "the volume has no voxels (a size of 0)");
+    if (n <= 0) refuseInput(path, FindingKind::noVoxels);
   for (int n : grid.size)
-    if (n < 2) refuseInput(path, "this is a 2D image, a volume needs at least two slices along each axis");
+    if (n < 2) refuseInput(path, FindingKind::thinImage);
 }
 
 void checkGeometry(Grid& grid, const std::string& path) {
-  if (!grid.spacing.allFinite() || grid.spacing.minCoeff() <= 0)
-    refuseInput(path, "its voxel spacing is zero, negative or not a number");
-  if (!grid.origin.allFinite() || !grid.direction.allFinite())
-    refuseInput(path, "its position or its direction is not a number");
+  if (!grid.spacing.allFinite() || grid.spacing.minCoeff() <= 0) refuseInput(path, FindingKind::badSpacing);
+  if (!grid.origin.allFinite() || !grid.direction.allFinite()) refuseInput(path, FindingKind::badPlace);
   const Eigen::Matrix3d product = grid.direction.transpose() * grid.direction;
   const double error = (product - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-  if (error > kOrthonormalTolerance)
-    refuseInput(path, "its axes are not at right angles (sheared or tilted), which is not supported");
+  if (error > kOrthonormalTolerance) refuseInput(path, FindingKind::sheared);
   // Exact ones (identity, permutations) stay as they are, bit for bit.
   if (error > 1e-15) grid.direction = polished(grid.direction);
 }
@@ -63,12 +56,16 @@ std::shared_ptr<void> allocate(std::uint64_t bytes, const std::string& path) {
     const std::shared_ptr<double[]> memory(new double[static_cast<std::size_t>(bytes) / sizeof(double) + 1]);
     return {memory, memory.get()};
   } catch (const std::bad_alloc&) {
-    refuseInput(path, "there is not enough memory to read it");
+    refuseInput(path, FindingKind::notEnoughMemory);
   }
 }
 
+void refuseInput(const std::string& path, const Finding& cause) {
+  throw Told<InputError>(Finding(FindingKind::fileRefused, {{"file", path}}, cause));
+}
+
 void refuseInput(const std::string& path, const std::string& cause) {
-  throw InputError(path + ": " + cause + ".");
+  refuseInput(path, {FindingKind::other, {{"text", cause}}});
 }
 
 std::string millimetres(double value) {
@@ -102,30 +99,29 @@ std::size_t bytesOf(Component component) {
 void checkHeader(VolumeHeader& header, const std::string& path) {
   checkSize(header.grid, path);
   checkGeometry(header.grid, path);
-  if (header.frames < 1) refuseInput(path, "it has no time points");
+  if (header.frames < 1) refuseInput(path, FindingKind::noTimePoints);
   // In double: a product of hostile sizes may exceed 64 bits.
   double bytes = static_cast<double>(bytesOf(header.component)) * header.components;
   for (int n : header.grid.size) bytes *= n;
   const double memory = physicalMemory();
   if (bytes > memory)
-    refuseInput(path, "it declares " + gigabytes(bytes) + " of voxels, more than the " + gigabytes(memory) +
-                          " of memory of this computer");
+    refuseInput(
+        path, {FindingKind::tooLarge, {{"declared_gb", gigabytes(bytes)}, {"memory_gb", gigabytes(memory)}}});
   if (bytes * header.frames > std::ldexp(1.0, 60))
-    refuseInput(path, "the number of its time points is implausible (" + std::to_string(header.frames) + ")");
+    refuseInput(path, {FindingKind::tooManyTimePoints, {{"frames", header.frames}}});
 }
 
 void checkDataSize(const std::string& path, const std::string& file, std::uint64_t offset,
                    std::uint64_t bytes, bool compressed) {
   std::error_code failed;
   const std::uint64_t size = std::filesystem::file_size(file, failed);
-  if (failed) refuseInput(path, "its data file " + file + " is missing");
+  if (failed) refuseInput(path, {FindingKind::dataFileMissing, {{"data", file}}});
   const std::uint64_t held = size > offset ? size - offset : 0;
   constexpr std::uint64_t kDeflateRatio = 1032;
   const std::uint64_t possible = compressed ? held * kDeflateRatio : held;
   if (bytes > possible)
-    refuseInput(path, "it is truncated or damaged: the header declares " + std::to_string(bytes) +
-                          " bytes of voxels, the file holds " + std::to_string(held) +
-                          (compressed ? " compressed" : ""));
+    refuseInput(path, {compressed ? FindingKind::packedDataCutOff : FindingKind::dataCutOff,
+                       {{"declared", bytes}, {"held", held}}});
 }
 
 void swapBytes(void* values, std::size_t count, std::size_t size) {

@@ -4,9 +4,12 @@
 #include <functional>
 #include <string>
 
+#include "core/finding.h"
+
 namespace handlebody {
 
-//! Runs f; exceptions of ITK, GDCM and the standard library become InputErrors ("path: what (description).").
-void withItk(const std::string& path, const std::string& what, const std::function<void()>& f);
+//! Runs f; exceptions of ITK, GDCM and the standard library become InputErrors: `what`, with their
+//! description as "reason".
+void withItk(const std::string& path, const Finding& what, const std::function<void()>& f);
 
 }  // namespace handlebody

@@ -36,7 +36,7 @@ std::string oneLine(const std::string& description) {
 int sizeOf(const itk::ImageIOBase& io, unsigned axis, const std::string& path) {
   const auto n = io.GetDimensions(axis);
   if (n > static_cast<std::uint64_t>(std::numeric_limits<int>::max()))
-    refuseInput(path, "a size in its header is implausible (" + std::to_string(n) + ")");
+    refuseInput(path, {FindingKind::implausibleSize, {{"size", std::to_string(n)}}});
   return static_cast<int>(n);
 }
 
@@ -51,8 +51,7 @@ void readComponents(const itk::ImageIOBase& io, const std::string& path, VolumeH
                             (header.components == 3 || header.components == 4);
   const bool integers = header.component == Component::uint8 || header.component == Component::uint16;
   if (!(named || conventional) || !integers)
-    refuseInput(path, "its voxels have " + std::to_string(header.components) +
-                          " components (vectors); only scalar and colour volumes are supported");
+    refuseInput(path, {FindingKind::vectorVoxels, {{"components", std::to_string(header.components)}}});
   header.warnings.push_back("Colour was turned into luminance (0.2125 R + 0.7154 G + 0.0721 B).");
 }
 
@@ -69,7 +68,7 @@ class ItkSource : public DecodedSource {
     const std::size_t bytes = static_cast<std::size_t>(header_.bytesPerFrame());
     std::unique_ptr<char[]> all;
     if (header_.frames > 1) all.reset(new char[bytes * static_cast<std::size_t>(header_.frames)]);
-    withItk(path_, "it is truncated or damaged", [&] { io_->Read(all ? all.get() : to); });
+    withItk(path_, FindingKind::truncatedOrDamagedFor, [&] { io_->Read(all ? all.get() : to); });
     if (all) std::memcpy(to, all.get() + bytes * static_cast<std::size_t>(frame), bytes);
   }
 
@@ -107,17 +106,22 @@ Quiet::~Quiet() {
   itk::Object::SetGlobalWarningDisplay(saved_->itkWarnings);
 }
 
-void withItk(const std::string& path, const std::string& what, const std::function<void()>& f) {
+void withItk(const std::string& path, const Finding& what, const std::function<void()>& f) {
+  const auto refuse = [&](const char* description) {
+    Finding told = what;
+    told.values.emplace_back("reason", oneLine(description));
+    refuseInput(path, told);
+  };
   try {
     f();
   } catch (const InputError&) {
     throw;
   } catch (const itk::ExceptionObject& e) {
-    refuseInput(path, what + " (" + oneLine(e.GetDescription()) + ")");
+    refuse(e.GetDescription());
   } catch (const std::bad_alloc&) {
-    refuseInput(path, "there is not enough memory to read it");
+    refuseInput(path, FindingKind::notEnoughMemory);
   } catch (const std::exception& e) {
-    refuseInput(path, what + " (" + oneLine(e.what()) + ")");
+    refuse(e.what());
   }
 }
 
@@ -147,7 +151,7 @@ Component itkComponent(const itk::ImageIOBase& io, const std::string& path) {
     case E::DOUBLE:
       return Component::float64;
     default:
-      refuseInput(path, "its voxel type is not supported");
+      refuseInput(path, FindingKind::voxelTypeUnknown);
   }
 }
 
@@ -155,15 +159,15 @@ VolumeHeader readItkHeader(itk::ImageIOBase& io, const std::string& path, const 
   const Quiet quiet;
   VolumeHeader header;
   header.format = format;
-  withItk(path, "its " + format + " header cannot be read", [&] {
+  withItk(path, {FindingKind::headerUnreadable, {{"format", format}}}, [&] {
     io.SetFileName(path);
     io.ReadImageInformation();
   });
   const unsigned dimensions = io.GetNumberOfDimensions();
-  if (dimensions < 3) refuseInput(path, "this is a 2D image, a volume is needed");
+  if (dimensions < 3) refuseInput(path, FindingKind::flatImage);
   for (unsigned a = 4; a < dimensions; ++a)
     if (io.GetDimensions(a) > 1)
-      refuseInput(path, "it has " + std::to_string(dimensions) + " dimensions; at most four are supported");
+      refuseInput(path, {FindingKind::tooManyDimensions, {{"dimensions", dimensions}}});
   itk::ImageIORegion region(dimensions);
   for (unsigned a = 0; a < dimensions; ++a) region.SetSize(a, io.GetDimensions(a));
   io.SetIORegion(region);

@@ -7,6 +7,7 @@
 #include "core/errors.h"
 #include "core/io/constraints_json.h"
 #include "core/io/parameter_names.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
@@ -171,8 +172,6 @@ Json resolvedToJson(const ResolvedParameters& parameters) {
   return json;
 }
 
-namespace {
-
 Json findingToJson(const Finding& finding) {
   Json json = {{"kind", findingName(finding.kind)}};
   for (const auto& [name, value] : finding.values) {
@@ -188,8 +187,6 @@ Json findingToJson(const Finding& finding) {
   json["sentence"] = sentence(finding);
   return json;
 }
-
-}  // namespace
 
 Json findingsToJson(const std::vector<Finding>& findings) {
   Json list = Json::array();
@@ -358,7 +355,7 @@ std::vector<Seed> clicksFromJson(const Json& json) {
 //! Clicks of which at least one is inside of the object.
 std::vector<Seed> seededClicksFromJson(const Json& json) {
   std::vector<Seed> clicks = clicksFromJson(json);
-  if (seedsOfSide(clicks, false).empty()) throw UsageError("it has no seeds.");
+  if (seedsOfSide(clicks, false).empty()) throw Told<UsageError>(FindingKind::sessionWithoutSeeds);
   return clicks;
 }
 

@@ -48,9 +48,10 @@ void addSources(Json& object, const VolumeInfo& info);
 Json requestToJson(const Session& session);
 //! Every parameter as used; seeds apart. The candidate stands there if it is not the first.
 Json resolvedToJson(const ResolvedParameters& parameters);
-//! An event without its trace.
-//! Each with its kind, its numbers and the English sentence.
+//! Its kind, its numbers, its cause and the English sentence.
+Json findingToJson(const Finding& finding);
 Json findingsToJson(const std::vector<Finding>& findings);
+//! An event without its trace.
 Json eventToJson(const Event& event);
 //! A leak, without what was done at it: "iteration", "location", widths, "disc" and "option", which closes
 //! it.

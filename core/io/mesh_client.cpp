@@ -22,7 +22,7 @@ MeshFile readVtp(const std::string& path) {
     triangles = answer.at("triangles").get<std::uint32_t>();
     file.space = answer.at("ras").get<bool>() ? CoordinateSpace::ras : CoordinateSpace::lps;
   } catch (const Message::exception&) {
-    refuseInput(path, "the decoder gave an answer without meaning");
+    refuseInput(path, FindingKind::decoderAnswer);
   }
   const std::uint64_t bytes = points * sizeof(Vec3) + triangles * sizeof(Triangle);
   const std::shared_ptr<void> memory = decoder.takeMemory(bytes + 1);

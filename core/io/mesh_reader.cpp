@@ -18,17 +18,15 @@
 #include <fstream>
 #include <unordered_map>
 
-#include "core/errors.h"
 #include "core/io/mesh_files.h"
+#include "core/io/volume_source.h"
 
 namespace handlebody {
 namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(const std::string& path, const std::string& cause) {
-  throw InputError(path + ": " + cause + ".");
-}
+[[noreturn]] void refuse(const std::string& path, const Finding& cause) { refuseInput(path, cause); }
 
 std::string bytesOfFile(const std::string& path, std::uint64_t from, std::size_t n) {
   std::string text(n, '\0');
@@ -50,15 +48,14 @@ vtkPolyData* run(Reader* reader, const std::string& path) {
   reader->AddObserver(vtkCommand::ErrorEvent, observer);
   reader->SetFileName(path.c_str());
   reader->Update();
-  if (failed || reader->GetErrorCode() != 0 || !reader->GetOutput())
-    refuse(path, "the mesh file is truncated or damaged");
+  if (failed || reader->GetErrorCode() != 0 || !reader->GetOutput()) refuse(path, FindingKind::meshDamaged);
   return reader->GetOutput();
 }
 
 TriangleSoup fromVtk(vtkPolyData* data, const std::string& path) {
   TriangleSoup soup;
   const vtkIdType count = data->GetNumberOfPoints();
-  if (data->GetNumberOfStrips() > 0) refuse(path, "triangle strips are not supported");
+  if (data->GetNumberOfStrips() > 0) refuse(path, FindingKind::triangleStrips);
   soup.points.resize(static_cast<std::size_t>(count));
   for (vtkIdType i = 0; i < count; ++i) data->GetPoint(i, soup.points[static_cast<std::size_t>(i)].data());
   const auto cells = vtk::TakeSmartPointer(data->GetPolys()->NewIterator());
@@ -67,7 +64,7 @@ TriangleSoup fromVtk(vtkPolyData* data, const std::string& path) {
     const vtkIdType* v = nullptr;
     cells->GetCurrentCell(n, v);
     for (vtkIdType i = 0; i < n; ++i)
-      if (v[i] < 0 || v[i] >= count) refuse(path, "a face names a vertex that is not there");
+      if (v[i] < 0 || v[i] >= count) refuse(path, FindingKind::faceVertexMissing);
     for (vtkIdType i = 2; i < n; ++i)
       soup.triangles.push_back({static_cast<int>(v[0]), static_cast<int>(v[i - 1]), static_cast<int>(v[i])});
   }
@@ -111,7 +108,8 @@ TriangleSoup readBinaryStl(const std::string& path, std::size_t count) {
   Merger merger;
   for (std::size_t i = 0; i < count; ++i) {
     char record[kStlRecord];
-    if (!stream.read(record, kStlRecord)) refuse(path, "the STL file is truncated");
+    if (!stream.read(record, kStlRecord))
+      refuse(path, {FindingKind::truncatedFormat, {{"format", std::string("STL")}}});
     float corners[9];
     std::memcpy(corners, record + 12, sizeof corners);
     Triangle t{};
@@ -147,10 +145,10 @@ MeshFile readStl(const std::string& path) {
     file.mesh = readBinaryStl(path, count);
   else if (start.rfind("solid", 0) == 0 && bytesOfFile(path, 0, 4096).find("facet") != std::string::npos) {
     if (bytesOfFile(path, size > 256 ? size - 256 : 0, 256).find("endsolid") == std::string::npos)
-      refuse(path, "the STL file is truncated");
+      refuse(path, {FindingKind::truncatedFormat, {{"format", std::string("STL")}}});
     file.mesh = readTextStl(path);
   } else {
-    refuse(path, "it is not an STL file, or it is truncated");
+    refuse(path, FindingKind::notStl);
   }
   return file;
 }
@@ -163,10 +161,10 @@ MeshFile readVtpHere(const std::string& path) {
   const VtkSilence silence;
   const std::string start = bytesOfFile(path, 0, 1024);
   if (start.find("<VTKFile") == std::string::npos || start.find("PolyData") == std::string::npos)
-    refuse(path, "it is not a VTP file");
+    refuse(path, {FindingKind::notOfFormat, {{"format", std::string("VTP")}}});
   const std::uint64_t size = fs::file_size(path);
   if (bytesOfFile(path, size > 64 ? size - 64 : 0, 64).find("</VTKFile>") == std::string::npos)
-    refuse(path, "the VTP file is truncated");
+    refuse(path, {FindingKind::truncatedFormat, {{"format", std::string("VTP")}}});
   vtkNew<vtkXMLPolyDataReader> reader;
   vtkPolyData* data = run(reader.Get(), path);
   MeshFile file;
@@ -195,21 +193,21 @@ MeshFile readAny(const std::string& path) {
 
 TriangleSoup readMesh(const std::string& path) {
   std::error_code failed;
-  if (!fs::exists(path, failed)) refuse(path, "there is no such file");
-  if (!fs::is_regular_file(path, failed)) refuse(path, "it is not a file");
-  if (!isMeshPath(path)) refuse(path, "it is not a mesh file (.stl, .vtp, .ply, .obj)");
-  if (fs::file_size(path) == 0) refuse(path, "the file is empty");
-  if (!std::ifstream(path)) refuse(path, "it cannot be opened (permission?)");
+  if (!fs::exists(path, failed)) refuse(path, FindingKind::noSuchFile);
+  if (!fs::is_regular_file(path, failed)) refuse(path, FindingKind::notAFile);
+  if (!isMeshPath(path)) refuse(path, FindingKind::notAMesh);
+  if (fs::file_size(path) == 0) refuse(path, FindingKind::emptyFile);
+  if (!std::ifstream(path)) refuse(path, FindingKind::notOpened);
   const VtkSilence silence;
   MeshFile file;
   try {
     file = readAny(path);
   } catch (const std::bad_alloc&) {
-    refuse(path, "there is not enough memory to read it");
+    refuse(path, FindingKind::notEnoughMemory);
   }
-  if (file.mesh.triangles.empty()) refuse(path, "it holds no triangles");
+  if (file.mesh.triangles.empty()) refuse(path, FindingKind::noTriangles);
   for (Vec3& p : file.mesh.points) {
-    if (!p.allFinite()) refuse(path, "a coordinate is not a number or infinite");
+    if (!p.allFinite()) refuse(path, FindingKind::badCoordinate);
     if (file.space == CoordinateSpace::ras) p = Vec3(-p.x(), -p.y(), p.z());
   }
   return std::move(file.mesh);

@@ -156,8 +156,7 @@ bool arrived(const MeshFile& file, const std::string& temporary) {
 
 void writeWhole(const MeshFile& file, const std::string& path) {
   for (const Vec3& p : file.mesh.points)
-    if (!p.allFinite())
-      throw OutputError(path + ": cannot be written: a coordinate is not a number or infinite.");
+    if (!p.allFinite()) refuseOutput(path, FindingKind::badCoordinate);
   writeAtomically(path, [&](const std::string& temporary) {
     const VtkSilence silence;
     bool written = false;
@@ -166,8 +165,7 @@ void writeWhole(const MeshFile& file, const std::string& path) {
     } catch (const OutputError&) {
       // Said below, with the right name.
     }
-    if (!written)
-      throw OutputError(path + ": cannot be written: the data did not reach the disk (is it full?).");
+    if (!written) refuseOutput(path, FindingKind::notOnDisk);
   });
 }
 

@@ -50,14 +50,13 @@ MetaText readText(const std::string& path) {
     const auto equal = line.find('=');
     if (equal == std::string::npos) continue;
     const std::string key = trimmed(line.substr(0, equal));
-    if (isLaterFrame(key))
-      refuseInput(
-          path, "this is a sequence of tracked 2D frames, not a volume; reconstruct a volume from it first");
+    if (isLaterFrame(key)) refuseInput(path, FindingKind::trackedFrames);
     text.fields[key] = trimmed(line.substr(equal + 1));
     if (key == "ElementDataFile") break;
   }
   if (text.value("ElementDataFile").empty())
-    refuseInput(path, "its MetaImage header is truncated (no ElementDataFile)");
+    refuseInput(path, {FindingKind::headerTruncatedAt,
+                       {{"format", std::string("MetaImage")}, {"field", std::string("ElementDataFile")}}});
   text.end = static_cast<std::uint64_t>(file.tellg());
   return text;
 }
@@ -70,7 +69,9 @@ std::vector<double> numbers(const std::string& text, const std::string& path) {
     const char* first = word.data() + (word.size() > 1 && word[0] == '+');
     const auto [end, error] = std::from_chars(first, word.data() + word.size(), value);
     if (error != std::errc() || end != word.data() + word.size())
-      refuseInput(path, "its MetaImage header is damaged (" + word.substr(0, 40) + " is not a number)");
+      refuseInput(
+          path, {FindingKind::headerDamaged,
+                 {{"format", std::string("MetaImage")}, {"field", word.substr(0, 40) + " is not a number"}}});
     values.push_back(value);
   }
   return values;
@@ -86,7 +87,7 @@ Component componentOf(const std::string& type, const std::string& path) {
       {"MET_FLOAT", Component::float32},   {"MET_DOUBLE", Component::float64}};
   // An array of three or four is a colour, written "MET_UCHAR_ARRAY".
   const auto found = kTypes.find(type.substr(0, type.rfind("_ARRAY")));
-  if (found == kTypes.end()) refuseInput(path, "its voxel type is not supported");
+  if (found == kTypes.end()) refuseInput(path, FindingKind::voxelTypeUnknown);
   return found->second;
 }
 
@@ -127,13 +128,14 @@ void MetaSource::setSizes(const MetaText& text) {
   const std::vector<double> dimensions = numbers(text.value("NDims"), path_);
   dimensions_ = sizes.size();
   if (dimensions.size() != 1 || dimensions[0] != static_cast<double>(dimensions_))
-    refuseInput(path_, "its MetaImage header is damaged (NDims and DimSize)");
-  if (dimensions_ < 3) refuseInput(path_, "this is a 2D image, a volume is needed");
+    refuseInput(path_, {FindingKind::headerDamaged,
+                        {{"format", std::string("MetaImage")}, {"field", std::string("NDims and DimSize")}}});
+  if (dimensions_ < 3) refuseInput(path_, FindingKind::flatImage);
   for (std::size_t a = 0; a < dimensions_; ++a) {
     if (!(sizes[a] >= 0 && sizes[a] <= std::numeric_limits<int>::max()) || std::floor(sizes[a]) != sizes[a])
-      refuseInput(path_, "a size in its header is implausible (" + text.value("DimSize") + ")");
+      refuseInput(path_, {FindingKind::implausibleSize, {{"size", text.value("DimSize")}}});
     if (a > 3 && sizes[a] > 1)
-      refuseInput(path_, "it has " + std::to_string(dimensions_) + " dimensions; at most four are supported");
+      refuseInput(path_, {FindingKind::tooManyDimensions, {{"dimensions", dimensions_}}});
     if (a < 3) header_.grid.size[a] = static_cast<int>(sizes[a]);
   }
   if (dimensions_ > 3) header_.frames = static_cast<int>(sizes[3]);
@@ -144,8 +146,7 @@ void MetaSource::setComponents(const MetaText& text) {
   if (channels.empty() || channels[0] == 1) return;
   // MetaImage has no word for colour: three or four bytes per voxel are colour by convention.
   if (header_.component != Component::uint8 || (channels[0] != 3 && channels[0] != 4))
-    refuseInput(path_, "its voxels have " + text.value("ElementNumberOfChannels") +
-                           " components (vectors); only scalar and colour volumes are supported");
+    refuseInput(path_, {FindingKind::vectorVoxels, {{"components", text.value("ElementNumberOfChannels")}}});
   header_.components = static_cast<int>(channels[0]);
   header_.warnings.push_back("Colour was turned into luminance (0.2125 R + 0.7154 G + 0.0721 B).");
 }
@@ -157,7 +158,8 @@ void MetaSource::setGeometry(const MetaText& text) {
   const auto read = [&](const std::string& key, std::size_t least) {
     std::vector<double> values = key.empty() ? std::vector<double>() : numbers(text.value(key), path_);
     if (!key.empty() && values.size() < least)
-      refuseInput(path_, "its MetaImage header is damaged (" + key + ")");
+      refuseInput(path_,
+                  {FindingKind::headerDamaged, {{"format", std::string("MetaImage")}, {"field", key}}});
     return values;
   };
   const auto distances = read(spacing, dimensions_), place = read(origin, dimensions_),
@@ -179,12 +181,13 @@ void MetaSource::setGeometry(const MetaText& text) {
 void MetaSource::locateData(const MetaText& text) {
   const std::string file = text.value("ElementDataFile");
   if (file.rfind("LIST", 0) == 0 || file.find('%') != std::string::npos)
-    refuseInput(path_, "its voxels are spread over many data files, which is not supported");
+    refuseInput(path_, FindingKind::manyDataFiles);
   if (!text.value("BinaryData").empty() && !text.isTrue("BinaryData"))
-    refuseInput(path_, "its voxels are written as text, which is not supported");
+    refuseInput(path_, FindingKind::voxelsAsText);
   const bool local = file == "LOCAL" || file == "Local" || file == "local";
   dataFile_ = local ? path_ : (fs::path(path_).parent_path() / file).string();
-  if (!fs::is_regular_file(dataFile_)) refuseInput(path_, "its data file " + dataFile_ + " is missing");
+  if (!fs::is_regular_file(dataFile_))
+    refuseInput(path_, {FindingKind::dataFileMissing, {{"data", dataFile_}}});
   compressed_ = text.isTrue("CompressedData");
   const bool msb = text.isTrue("BinaryDataByteOrderMSB") || text.isTrue("ElementByteOrderMSB");
   swapped_ = msb != (std::endian::native == std::endian::big);

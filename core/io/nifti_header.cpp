@@ -103,7 +103,7 @@ void useSform(const NiftiHeader& h, VolumeHeader& header, const std::string& pat
     const auto i = static_cast<std::size_t>(a);
     const Vec3 axis(h.rows[i], h.rows[4 + i], h.rows[8 + i]);
     const double length = axis.norm();
-    if (!(length > 0)) refuseInput(path, "the sform in its header has an axis without length");
+    if (!(length > 0)) refuseInput(path, FindingKind::sformWithoutLength);
     header.grid.spacing[a] = length;
     header.grid.direction.col(a) = toLps(axis / length);
   }
@@ -148,10 +148,10 @@ NiftiHeader readNiftiHeader(const std::string& path) {
   std::int32_t size = b.at<std::int32_t>(0);
   b.swapped = size != 348 && size != 540;
   size = b.at<std::int32_t>(0);
-  if (size != 348 && size != 540) refuseInput(path, "it is not a NIfTI file, whatever its name says");
+  if (size != 348 && size != 540) refuseInput(path, FindingKind::notNifti);
   if (got < static_cast<std::size_t>(size))
     refuseInput(path,
-                std::string("it is truncated within its NIfTI") + (size == 540 ? "-2" : "") + " header");
+                {FindingKind::headerCutOff, {{"format", std::string(size == 540 ? "NIfTI-2" : "NIfTI")}}});
   NiftiHeader h;
   h.swapped = b.swapped;
   const unsigned char* magic = b.bytes.data() + (size == 540 ? 4 : 344);
@@ -159,10 +159,9 @@ NiftiHeader readNiftiHeader(const std::string& path) {
   h.pair = magic[0] == 'n' && magic[1] == 'i' && magic[2] == version;
   const bool single = magic[0] == 'n' && magic[1] == '+' && magic[2] == version;
   if (!h.pair && !single)
-    refuseInput(path,
-                size == 540
-                    ? "its NIfTI-2 header is damaged (magic)"
-                    : "this is an Analyze 7.5 file, whose orientation is not reliable; convert it to NIfTI");
+    refuseInput(path, size == 540 ? Finding(FindingKind::headerDamaged, {{"format", std::string("NIfTI-2")},
+                                                                         {"field", std::string("magic")}})
+                                  : Finding(FindingKind::analyzeFile));
   if (size == 540)
     readSecond(b, h);
   else
@@ -187,7 +186,7 @@ void setNiftiGeometry(const NiftiHeader& nifti, VolumeHeader& header, const std:
     header.warnings.push_back("The sform and the qform of the header disagree (by up to " +
                               std::to_string(std::lround(std::ceil(std::min(apart, 1e9)))) +
                               " mm); the qform is used.");
-  if (!(apart >= 0)) refuseInput(path, "the sform in its header is not a number");
+  if (!(apart >= 0)) refuseInput(path, FindingKind::sformNoNumber);
   setUnit(nifti, header);
 }
 

@@ -12,19 +12,20 @@ namespace handlebody {
 namespace {
 
 void checkDimensions(const NiftiHeader& h, const std::string& path) {
-  if (h.dim[0] < 1 || h.dim[0] > 7) refuseInput(path, "its NIfTI header is damaged (number of dimensions)");
+  if (h.dim[0] < 1 || h.dim[0] > 7)
+    refuseInput(path, {FindingKind::headerDamaged,
+                       {{"format", std::string("NIfTI")}, {"field", std::string("number of dimensions")}}});
   const auto dim = [&](int a) { return h.dim[static_cast<std::size_t>(a)]; };
   for (int a = 1; a <= h.dim[0]; ++a) {
-    if (dim(a) < 1) refuseInput(path, "the volume has no voxels (a size of 0 in its header)");
+    if (dim(a) < 1) refuseInput(path, FindingKind::noVoxelsInHeader);
     if (dim(a) > std::numeric_limits<int>::max())
-      refuseInput(path, "a size in its header is implausible (" + std::to_string(dim(a)) + ")");
+      refuseInput(path, {FindingKind::implausibleSize, {{"size", std::to_string(dim(a))}}});
   }
-  if (h.dim[0] < 3) refuseInput(path, "this is a 2D image, a volume is needed");
+  if (h.dim[0] < 3) refuseInput(path, FindingKind::flatImage);
   if (h.dim[0] >= 5 && dim(5) > 1)
-    refuseInput(path, "its voxels have " + std::to_string(dim(5)) +
-                          " components (vectors); only scalar and colour volumes are supported");
+    refuseInput(path, {FindingKind::vectorVoxels, {{"components", std::to_string(dim(5))}}});
   for (int a = 6; a <= h.dim[0]; ++a)
-    if (dim(a) > 1) refuseInput(path, "it has more than four dimensions");
+    if (dim(a) > 1) refuseInput(path, FindingKind::fourDimensions);
 }
 
 void setStoredType(const NiftiHeader& h, const std::string& path, VolumeHeader& header) {
@@ -41,7 +42,7 @@ void setStoredType(const NiftiHeader& h, const std::string& path, VolumeHeader& 
   const auto* type =
       std::find_if(std::begin(kTypes), std::end(kTypes), [&](const Type& t) { return t.code == h.datatype; });
   if (type == std::end(kTypes))
-    refuseInput(path, "its NIfTI voxel type " + std::to_string(h.datatype) + " is not supported");
+    refuseInput(path, {FindingKind::niftiVoxelType, {{"type", std::to_string(h.datatype)}}});
   header.component = type->component;
   header.components = type->components;
   if (type->components > 1)
@@ -66,7 +67,7 @@ std::string pairOf(const std::string& headerPath) {
   const std::string stem = headerPath.substr(0, headerPath.rfind(".hdr"));
   for (const char* ending : {".img", ".img.gz"})
     if (std::filesystem::exists(stem + ending)) return stem + ending;
-  refuseInput(headerPath, "its data file " + stem + ".img is missing");
+  refuseInput(headerPath, {FindingKind::dataFileMissing, {{"data", stem + ".img"}}});
 }
 
 class NiftiSource : public VolumeSource {
@@ -95,7 +96,9 @@ NiftiSource::NiftiSource(const std::string& path) : nifti_(readNiftiHeader(path)
   setTimes(nifti_, header_);
   setScaling(nifti_, header_);
   checkHeader(header_, path);
-  if (nifti_.voxOffset < 0) refuseInput(path, "its NIfTI header is damaged (offset)");
+  if (nifti_.voxOffset < 0)
+    refuseInput(path, {FindingKind::headerDamaged,
+                       {{"format", std::string("NIfTI")}, {"field", std::string("offset")}}});
   offset_ = static_cast<std::uint64_t>(nifti_.voxOffset);
   const auto first = static_cast<std::uint64_t>(nifti_.headerBytes());
   if (!nifti_.pair && offset_ < first) offset_ = first + 4;

@@ -54,12 +54,15 @@ std::vector<std::vector<double>> vectors(const std::string& text, const std::str
     } else {
       const auto close = text.find(')', at);
       if (text[at] != '(' || close == std::string::npos)
-        refuseInput(path, "its NRRD header is damaged (space)");
+        refuseInput(path, {FindingKind::headerDamaged,
+                           {{"format", std::string("NRRD")}, {"field", std::string("space")}}});
       std::string inside = text.substr(at + 1, close - at - 1);
       std::replace(inside.begin(), inside.end(), ',', ' ');
       for (const std::string& word : words(inside)) {
         const auto value = parsed<double>(word);
-        if (!value) refuseInput(path, "its NRRD header is damaged (space)");
+        if (!value)
+          refuseInput(path, {FindingKind::headerDamaged,
+                             {{"format", std::string("NRRD")}, {"field", std::string("space")}}});
         numbers.push_back(*value);
       }
       at = close + 1;
@@ -83,7 +86,7 @@ std::vector<std::string> numbered(const std::vector<std::string>& parts, const f
   constexpr int kMostFiles = 100000;
   if (!plain || !first || !last || !step || *step == 0 || !digits || *digits < 0 || *digits > 20 ||
       parts.size() > 4 || std::abs(static_cast<double>(*last) - *first) / std::abs(*step) > kMostFiles)
-    refuseInput(path, "its list of data files (" + pattern + ") is not supported");
+    refuseInput(path, {FindingKind::listNotSupported, {{"pattern", pattern}}});
   std::vector<std::string> files;
   for (long long i = *first; *step > 0 ? i <= *last : i >= *last; i += *step) {
     std::string number = std::to_string(i);
@@ -135,7 +138,7 @@ Component componentOf(const std::string& type, const std::string& path) {
                                                        {"float", Component::float32},
                                                        {"double", Component::float64}};
   const auto found = kTypes.find(lowered(type));
-  if (found == kTypes.end()) refuseInput(path, "its voxel type (" + type + ") is not supported");
+  if (found == kTypes.end()) refuseInput(path, {FindingKind::voxelType, {{"type", type}}});
   return found->second;
 }
 
@@ -153,16 +156,19 @@ std::vector<Axis> axesOf(const NrrdFields& f, const std::string& path) {
   for (const std::string& word : words(f.value("sizes"))) {
     const auto size = parsed<std::int64_t>(word);
     if (!size || *size < 1 || *size > std::numeric_limits<int>::max())
-      refuseInput(path, "a size in its header is implausible (" + word + ")");
+      refuseInput(path, {FindingKind::implausibleSize, {{"size", word}}});
     axes.push_back({*size, {}});
   }
   if (axes.empty() || std::to_string(axes.size()) != f.value("dimension"))
-    refuseInput(path, "its NRRD header is damaged (dimension and sizes)");
+    refuseInput(path, {FindingKind::headerDamaged,
+                       {{"format", std::string("NRRD")}, {"field", std::string("dimension and sizes")}}});
   const auto kinds = words(lowered(f.value("kinds"))), spacings = words(lowered(f.value("spacings")));
   const auto directions = vectors(f.value("space directions"), path);
   for (const std::size_t n : {kinds.size(), spacings.size(), directions.size()})
     if (n != 0 && n != axes.size())
-      refuseInput(path, "its NRRD header is damaged (a field has not one value per axis)");
+      refuseInput(path, {FindingKind::headerDamaged,
+                         {{"format", std::string("NRRD")},
+                          {"field", std::string("a field has not one value per axis")}}});
   for (std::size_t i = 0; i < axes.size(); ++i) {
     Axis& a = axes[i];
     if (!kinds.empty()) a.kind = kinds[i];
@@ -196,8 +202,7 @@ void useOtherAxis(const std::vector<Axis>& axes, std::size_t i, const std::strin
       count = std::min(count, std::uint64_t{1} << 32) * static_cast<std::uint64_t>(axes[k].size);
     }
   } else {
-    refuseInput(path, "its voxels have " + std::to_string(axis.size) +
-                          " components (vectors); only scalar and colour volumes are supported");
+    refuseInput(path, {FindingKind::vectorVoxels, {{"components", std::to_string(axis.size)}}});
   }
 }
 
@@ -237,7 +242,9 @@ std::optional<Vec3> toLps(const std::string& space) {
 }
 
 void setDirection(const Axis& axis, int a, const Vec3& flip, const std::string& path, VolumeHeader& h) {
-  if (axis.direction.size() < 3) refuseInput(path, "its NRRD header is damaged (space directions)");
+  if (axis.direction.size() < 3)
+    refuseInput(path, {FindingKind::headerDamaged,
+                       {{"format", std::string("NRRD")}, {"field", std::string("space directions")}}});
   const Vec3 v = Vec3(axis.direction[0], axis.direction[1], axis.direction[2]).cwiseProduct(flip);
   h.grid.spacing[a] = v.norm();
   if (v.norm() > 0) h.grid.direction.col(a) = v / v.norm();
@@ -290,10 +297,11 @@ void setEncoding(const NrrdFields& f, const std::string& path, const VolumeHeade
   layout.compressed = encoding == "gzip" || encoding == "gz";
   layout.text = encoding == "ascii" || encoding == "text" || encoding == "txt";
   if (!layout.compressed && !layout.text && encoding != "raw")
-    refuseInput(path, "its encoding (" + encoding + ") is not supported; raw, gzip and ascii are");
+    refuseInput(path, {FindingKind::encodingNotSupported, {{"encoding", encoding}}});
   const std::string endian = lowered(f.value("endian"));
   if (endian.empty() && bytesOf(header.component) > 1 && !layout.text)
-    refuseInput(path, "its NRRD header is damaged (no endian)");
+    refuseInput(path, {FindingKind::headerDamaged,
+                       {{"format", std::string("NRRD")}, {"field", std::string("no endian")}}});
   if (bytesOf(header.component) > 1)
     layout.swapped = (endian == "big") != (std::endian::native == std::endian::big);
   for (const auto& [name, skip] :
@@ -303,7 +311,8 @@ void setEncoding(const NrrdFields& f, const std::string& path, const VolumeHeade
         !text.empty()) {
       const auto value = parsed<long long>(text);
       if (!value || *value < -1 || *value > (1ll << 60))
-        refuseInput(path, std::string("its NRRD header is damaged (") + name + ")");
+        refuseInput(path, {FindingKind::headerDamaged,
+                           {{"format", std::string("NRRD")}, {"field", std::string(name)}}});
       *skip = *value;
     }
 }
@@ -353,14 +362,13 @@ NrrdLayout interpretNrrd(const NrrdFields& f, const std::string& path, VolumeHea
     if (!axes[i].spatial && (axes[i].size > 1 || others == 0)) other = i;
     others += !axes[i].spatial && axes[i].size > 1;
   }
-  if (spatial.size() > 3 || others > 1) refuseInput(path, "it has more than four dimensions");
-  if (spatial.size() < 3) refuseInput(path, "this is a 2D image, a volume is needed");
+  if (spatial.size() > 3 || others > 1) refuseInput(path, FindingKind::fourDimensions);
+  if (spatial.size() < 3) refuseInput(path, FindingKind::flatImage);
   const bool unsaid =
       f.value("space directions").empty() && f.value("spacings").empty() && f.value("kinds").empty();
   if (unsaid && axes.size() == 3 && (axes[0].size == 3 || axes[0].size == 4) &&
       header.component == Component::uint8)
-    refuseInput(path, "this looks like a 2D image in colour (its first axis has " +
-                          std::to_string(axes[0].size) + " values, and the header says nothing of space)");
+    refuseInput(path, {FindingKind::flatColour, {{"values", axes[0].size}}});
   NrrdLayout layout;
   if (axes.size() > 3) {
     useOtherAxis(axes, other, path, header, layout);

@@ -34,19 +34,18 @@ class NrrdSource : public VolumeSource {
 };
 
 NrrdSource::NrrdSource(const std::string& path) : path_(path), fields_(readNrrdFields(path)) {
-  if (fields_.sequence)
-    refuseInput(path,
-                "this is a sequence of tracked 2D frames, not a volume; reconstruct a volume from it first");
+  if (fields_.sequence) refuseInput(path, FindingKind::trackedFrames);
   layout_ = interpretNrrd(fields_, path, header_);
   checkHeader(header_, path);
   for (const std::string& file : fields_.dataFiles)
-    if (!fs::is_regular_file(file)) refuseInput(path, "its data file " + file + " is missing");
+    if (!fs::is_regular_file(file)) refuseInput(path, {FindingKind::dataFileMissing, {{"data", file}}});
   const auto parts = std::max<std::uint64_t>(1, fields_.dataFiles.size());
   all_ = header_.bytesPerFrame() * static_cast<std::uint64_t>(header_.frames);
   if (header_.frames > 1 &&
       layout_.inner * layout_.outer * bytesOf(header_.component) != header_.bytesPerFrame())
-    refuseInput(path, "its NRRD header is damaged (sizes)");
-  if (all_ % parts != 0) refuseInput(path, "its data files do not divide its voxels evenly");
+    refuseInput(path, {FindingKind::headerDamaged,
+                       {{"format", std::string("NRRD")}, {"field", std::string("sizes")}}});
+  if (all_ % parts != 0) refuseInput(path, FindingKind::dataFilesUneven);
   // As text, a digit for every value and a space between them at least.
   const std::uint64_t bytes =
       layout_.text ? 2 * (all_ / bytesOf(header_.component)) / parts - 1 : all_ / parts;
@@ -61,12 +60,12 @@ std::uint64_t NrrdSource::offsetIn(const std::string& file) const {
   ByteStream lines(file, at, ByteStream::Coding::raw);
   for (long long i = 0; i < layout_.lineSkip; ++i)
     for (char c = 0; c != '\n'; ++at)
-      if (lines.read(&c, 1) == 0) refuseInput(path_, "its voxel data are truncated or damaged");
+      if (lines.read(&c, 1) == 0) refuseInput(path_, FindingKind::voxelsTruncated);
   if (layout_.byteSkip >= 0)
     return at + (layout_.compressed ? 0 : static_cast<std::uint64_t>(layout_.byteSkip));
   const std::uint64_t size = fs::file_size(file),
                       bytes = all_ / std::max<std::uint64_t>(1, fields_.dataFiles.size());
-  if (layout_.compressed || size < bytes) refuseInput(path_, "its byte skip of -1 is not supported here");
+  if (layout_.compressed || size < bytes) refuseInput(path_, FindingKind::skipNotSupported);
   return size - bytes;
 }
 
@@ -92,11 +91,11 @@ void NrrdSource::readText(ByteStream& stream, std::uint64_t values, char* to) co
               std::from_chars(word.data(), word.data() + word.size(), value).ptr == word.data() + word.size();
         }
       });
-      if (!good) refuseInput(path_, "its voxels are not numbers (" + word.substr(0, 20) + ")");
+      if (!good) refuseInput(path_, {FindingKind::voxelsNoNumbers, {{"word", word.substr(0, 20)}}});
       word.clear();
       ++i;
     }
-    if (!more && i < values) refuseInput(path_, "its voxel data are truncated or damaged");
+    if (!more && i < values) refuseInput(path_, FindingKind::voxelsTruncated);
   }
 }
 

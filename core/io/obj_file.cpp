@@ -9,6 +9,7 @@
 
 #include "core/errors.h"
 #include "core/io/mesh_files.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 namespace {
@@ -44,8 +45,9 @@ class ObjReader {
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& cause) const {
-    throw InputError(path_ + ": " + cause + " in line " + std::to_string(line_) + ".");
+  [[noreturn]] void refuse(const Finding& cause) const {
+    throw Told<InputError>(
+        Finding(FindingKind::fileRefusedInLine, {{"file", path_}, {"line", line_}}, cause));
   }
 
   void readVertex(const char* at, const char* end) {
@@ -53,7 +55,7 @@ class ObjReader {
     for (int a = 0; a < 3; ++a) {
       at = skipBlanks(at, end);
       const auto result = std::from_chars(at, end, p[a]);
-      if (result.ec != std::errc() || !std::isfinite(p[a])) refuse("a vertex is not three numbers");
+      if (result.ec != std::errc() || !std::isfinite(p[a])) refuse(FindingKind::vertexDamaged);
       at = result.ptr;
     }
     file_.mesh.points.push_back(p);
@@ -66,14 +68,14 @@ class ObjReader {
     for (at = skipBlanks(at, end); at < end; at = skipBlanks(at, end)) {
       long long v = 0;
       const auto result = std::from_chars(at, end, v);
-      if (result.ec != std::errc()) refuse("a face is damaged");
+      if (result.ec != std::errc()) refuse(FindingKind::faceDamaged);
       v = v < 0 ? count + v : v - 1;
-      if (v < 0 || v >= count) refuse("a face names a vertex that is not there");
+      if (v < 0 || v >= count) refuse(FindingKind::faceVertexMissing);
       corners_.push_back(static_cast<int>(v));
       at = result.ptr;
       while (at < end && *at != ' ' && *at != '\t') ++at;
     }
-    if (corners_.size() < 3) refuse("a face has less than three corners");
+    if (corners_.size() < 3) refuse(FindingKind::faceTooFewCorners);
     for (std::size_t i = 2; i < corners_.size(); ++i)
       file_.mesh.triangles.push_back({corners_[0], corners_[i - 1], corners_[i]});
   }

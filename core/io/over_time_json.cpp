@@ -12,7 +12,10 @@ constexpr double kMillilitre = 1000;  // mm³
 Json faultsToJson(const std::vector<ToldFault>& faults) {
   Json list = Json::array();
   for (const ToldFault& f : faults)
-    list.push_back({{"kind", frameFaultName(f.fault)}, {"failed", isFailure(f.fault)}, {"text", f.sentence}});
+    list.push_back({{"kind", frameFaultName(f.fault)},
+                    {"failed", isFailure(f.fault)},
+                    {"text", sentence(f.finding)},
+                    {"finding", findingToJson(f.finding)}});
   return list;
 }
 

@@ -26,7 +26,7 @@ const char* phaseOf(const VolumeCurve& curve, std::size_t i) {
 
 std::string faultsText(const FrameResult& r) {
   std::string text;
-  for (const ToldFault& f : r.faults) text += (text.empty() ? "" : "; ") + f.sentence;
+  for (const ToldFault& f : r.faults) text += (text.empty() ? "" : "; ") + sentence(f.finding);
   return text;
 }
 
@@ -50,7 +50,7 @@ std::vector<std::string> overTimeDoubts(const OverTimeReport& report) {
   std::vector<std::string> doubts;
   for (const FrameResult& r : report.frames)
     for (const ToldFault& f : r.faults)
-      doubts.push_back("frame " + std::to_string(r.frame) + ": " + f.sentence);
+      doubts.push_back("frame " + std::to_string(r.frame) + ": " + sentence(f.finding));
   for (const Drift& d : report.drifts)
     if (!d.isBack)
       doubts.push_back("frame " + std::to_string(d.at) +
@@ -65,7 +65,7 @@ OverTimeReport anonymous(OverTimeReport report) {
   report.request = *anonymous(std::move(session)).overTime;
   for (FrameResult& r : report.frames)
     for (ToldFault& f : r.faults)
-      if (f.fault == FrameFault::unreadable) f.sentence = "its voxels cannot be read";
+      if (f.fault == FrameFault::unreadable) f.finding = FindingKind::frameNotRead;
   return report;
 }
 

@@ -12,8 +12,8 @@
 #include <sstream>
 #include <vector>
 
-#include "core/errors.h"
 #include "core/io/mesh_files.h"
+#include "core/io/volume_source.h"
 
 namespace handlebody {
 namespace {
@@ -46,7 +46,7 @@ class PlyReader {
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& cause) const { throw InputError(path_ + ": " + cause + "."); }
+  [[noreturn]] void refuse(const Finding& cause) const { refuseInput(path_, cause); }
 
   bool nextLine(std::string& line) {
     const std::size_t end = bytes_.find('\n', at_);
@@ -66,18 +66,21 @@ class PlyReader {
         {"float", Scalar::float32},  {"float32", Scalar::float32}, {"double", Scalar::float64},
         {"float64", Scalar::float64}};
     const auto found = kNames.find(name);
-    if (found == kNames.end()) refuse("its PLY header is damaged (property type)");
+    if (found == kNames.end())
+      refuse({FindingKind::headerDamaged,
+              {{"format", std::string("PLY")}, {"field", std::string("property type")}}});
     return found->second;
   }
 
   void readHeader() {
     std::string line;
-    if (!nextLine(line) || line != "ply") refuse("it is not a PLY file");
+    if (!nextLine(line) || line != "ply")
+      refuse({FindingKind::notOfFormat, {{"format", std::string("PLY")}}});
     while (nextLine(line)) {
       if (line == "end_header") return;
       readHeaderLine(line);
     }
-    refuse("its PLY header is truncated");
+    refuse({FindingKind::headerTruncated, {{"format", std::string("PLY")}}});
   }
 
   void readHeaderLine(const std::string& line) {
@@ -89,16 +92,21 @@ class PlyReader {
       words >> word;
       text_ = word == "ascii";
       if (!text_ && word != "binary_little_endian" && word != "binary_big_endian")
-        refuse("its PLY header is damaged (format)");
+        refuse(
+            {FindingKind::headerDamaged, {{"format", std::string("PLY")}, {"field", std::string("format")}}});
       swapped_ = !text_ && (word == "binary_big_endian") != (std::endian::native == std::endian::big);
     }
     if (key == "element") {
       ElementKind kind;
-      if (!(words >> kind.name >> kind.count)) refuse("its PLY header is damaged (element)");
+      if (!(words >> kind.name >> kind.count))
+        refuse({FindingKind::headerDamaged,
+                {{"format", std::string("PLY")}, {"field", std::string("element")}}});
       kinds_.push_back(kind);
     }
     if (key == "property") {
-      if (kinds_.empty()) refuse("its PLY header is damaged (property)");
+      if (kinds_.empty())
+        refuse({FindingKind::headerDamaged,
+                {{"format", std::string("PLY")}, {"field", std::string("property")}}});
       Property p;
       words >> word;
       p.isList = word == "list";
@@ -115,7 +123,8 @@ class PlyReader {
 
   template <typename T>
   double binary() {
-    if (bytes_.size() - at_ < sizeof(T)) refuse("the PLY file is truncated");
+    if (bytes_.size() - at_ < sizeof(T))
+      refuse({FindingKind::truncatedFormat, {{"format", std::string("PLY")}}});
     char raw[sizeof(T)];
     std::memcpy(raw, bytes_.data() + at_, sizeof raw);
     at_ += sizeof raw;
@@ -128,10 +137,11 @@ class PlyReader {
   double fromText() {
     const char* end = bytes_.data() + bytes_.size();
     while (at_ < bytes_.size() && std::isspace(static_cast<unsigned char>(bytes_[at_]))) ++at_;
-    if (at_ == bytes_.size()) refuse("the PLY file is truncated");
+    if (at_ == bytes_.size()) refuse({FindingKind::truncatedFormat, {{"format", std::string("PLY")}}});
     double value = 0;
     const auto result = std::from_chars(bytes_.data() + at_, end, value);
-    if (result.ec != std::errc()) refuse("the PLY file is damaged (a number)");
+    if (result.ec != std::errc())
+      refuse({FindingKind::damagedAt, {{"format", std::string("PLY")}, {"field", std::string("a number")}}});
     at_ = static_cast<std::size_t>(result.ptr - bytes_.data());
     return value;
   }
@@ -178,14 +188,15 @@ class PlyReader {
 
   void readList(const Property& p, bool corners) {
     const double n = number(p.countType);
-    if (!(n >= 0)) refuse("the PLY file is damaged (a list)");
+    if (!(n >= 0))
+      refuse({FindingKind::damagedAt, {{"format", std::string("PLY")}, {"field", std::string("a list")}}});
     list_.clear();
     for (double i = 0; i < n; ++i) list_.push_back(number(p.type));
     if (!corners) return;
-    if (list_.size() < 3) refuse("a face has less than three corners");
+    if (list_.size() < 3) refuse(FindingKind::faceTooFewCorners);
     for (double v : list_)
       if (!(v >= 0 && v < static_cast<double>(file_.mesh.points.size())))
-        refuse("a face names a vertex that is not there");
+        refuse(FindingKind::faceVertexMissing);
     for (std::size_t i = 2; i < list_.size(); ++i)
       file_.mesh.triangles.push_back(
           {static_cast<int>(list_[0]), static_cast<int>(list_[i - 1]), static_cast<int>(list_[i])});

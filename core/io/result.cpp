@@ -12,6 +12,7 @@
 #include "core/io/single_precision.h"
 #include "core/io/tetrahedra.h"
 #include "core/io/three_mf.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
@@ -97,11 +98,10 @@ bool isResultPath(const std::string& path) {
 
 void checkResult(const std::string& path, const ExportContext& context) {
   if (isTetrahedraPath(path))
-    if (const std::string fault = tetrahedraFault(); !fault.empty())
-      throw UsageError(path + ": " + fault + ".");
+    if (!tetrahedraFault().empty())
+      throw Told<UsageError>(Finding(FindingKind::fileRefused, {{"file", path}}, FindingKind::noMesher));
   if (!isDicomResult(path)) return;
-  if (const std::string fault = dicomFault(context.dicom.get()); !fault.empty())
-    throw UsageError(path + ": no DICOM file can be made: " + fault + ".");
+  if (const Finding fault = dicomFinding(context.dicom.get()); fault.any()) refuseDicom(path, fault);
 }
 
 const char* resultEndings() {
@@ -162,7 +162,10 @@ class Writer {
     try {
       if (!tetrahedra_) tetrahedra_ = fillWithTetrahedra(objects_, context_.mesherSeconds);
     } catch (const OutputError& error) {
-      throw OutputError(path + ": " + error.what());
+      const Finding told = findingOf(error);
+      throw Told<OutputError>(
+          Finding(FindingKind::fileRefusedWith, {{"file", path}},
+                  told.any() ? told : Finding(FindingKind::other, {{"text", std::string(error.what())}})));
     }
     return *tetrahedra_;
   }

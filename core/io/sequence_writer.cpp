@@ -25,10 +25,6 @@ static_assert(std::endian::native == std::endian::little, "headers are written a
 
 constexpr int kLargestNifti = 32767;  // sizes are held in 16 bits
 
-[[noreturn]] void refuse(const std::string& path, const std::string& cause) {
-  throw OutputError(path + ": cannot be written: " + cause + ".");
-}
-
 std::string lowered(std::string s) {
   std::transform(s.begin(), s.end(), s.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -86,7 +82,7 @@ std::string niftiHeader(const SequenceLayout& layout, const std::string& path) {
   std::size_t at = 42;
   for (const int n :
        {layout.grid.size[0], layout.grid.size[1], layout.grid.size[2], layout.frames, 1, 1, 1}) {
-    if (n > kLargestNifti) refuse(path, "NIfTI cannot hold more than 32767 voxels or frames along an axis");
+    if (n > kLargestNifti) refuseOutput(path, FindingKind::niftiTooLarge);
     header.put(at, static_cast<std::int16_t>(n));
     at += 2;
   }
@@ -135,7 +131,7 @@ class Output {
  public:
   Output(const std::string& temporary, const char* mode, std::string path)
       : file_(gzopen(temporary.c_str(), mode)), path_(std::move(path)) {
-    if (!file_) refuse(path_, "the file cannot be opened");
+    if (!file_) refuseOutput(path_, FindingKind::fileNotOpened);
   }
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
@@ -146,7 +142,7 @@ class Output {
     constexpr std::size_t kPart = 1u << 30;  // zlib counts in 32 bits
     for (const char* at = static_cast<const char*>(bytes); n > 0;) {
       const auto part = static_cast<unsigned>(std::min(n, kPart));
-      if (gzwrite(file_, at, part) != static_cast<int>(part)) refuse(path_, "the disk may be full");
+      if (gzwrite(file_, at, part) != static_cast<int>(part)) refuseOutput(path_, FindingKind::diskMayBeFull);
       at += part;
       n -= part;
     }
@@ -154,7 +150,7 @@ class Output {
   void close() {
     gzFile file = file_;
     file_ = nullptr;
-    if (gzclose(file) != Z_OK) refuse(path_, "the disk may be full");
+    if (gzclose(file) != Z_OK) refuseOutput(path_, FindingKind::diskMayBeFull);
   }
 
  private:
@@ -183,7 +179,7 @@ void verify(const Frames& written, std::size_t bytes, const std::string& tempora
   } catch (const InputError&) {
     same = false;  // said below, with the right name
   }
-  if (!same) refuse(path, "the data did not reach the disk (is it full?)");
+  if (!same) refuseOutput(path, FindingKind::notOnDisk);
 }
 
 void writeTo(const std::string& temporary, const SequenceLayout& layout, const std::string& path,

@@ -12,6 +12,7 @@
 #include "core/io/json.h"
 #include "core/io/measures_json.h"
 #include "core/io/over_time_json.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
@@ -19,12 +20,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
+using K = FindingKind;
+
 std::string readText(const std::string& path) {
-  if (fs::is_directory(path)) throw InputError(path + " is a folder, not a session.");
+  if (fs::is_directory(path)) throw Told<InputError>(Finding(K::sessionIsFolder, {{"file", path}}));
   std::ifstream in(path, std::ios::binary);
-  if (!in) throw InputError(path + " cannot be opened: " + std::strerror(errno) + ".");
+  if (!in) throw Told<InputError>(Finding(K::sessionNotOpened, {{"file", path}}, systemFinding(errno)));
   std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (in.bad()) throw InputError(path + " cannot be read.");
+  if (in.bad()) throw Told<InputError>(Finding(K::sessionNotRead, {{"file", path}}));
   return text;
 }
 
@@ -68,10 +71,7 @@ void forEachStart(Session& session, F&& f) {
 //! `start`: where the file of the surface to begin with is now; empty: where the session says.
 void locateStarts(Session& session, const std::string& path, const std::string& start) {
   forEachStart(session, [&](StartSurface& s) {
-    if (s.path.empty() && start.empty())
-      throw UsageError(
-          "it does not name the file of the surface to begin with, as it is anonymous; say which with replay "
-          "--start.");
+    if (s.path.empty() && start.empty()) throw Told<UsageError>(K::sessionWithoutStart);
     s.path = start.empty() ? openablePath(s.path, path) : start;
   });
 }
@@ -79,9 +79,7 @@ void locateStarts(Session& session, const std::string& path, const std::string& 
 //! `walls`: where the label map of the walls is now; empty: where the session says.
 void locateWalls(Session& session, const std::string& path, const std::string& walls) {
   forEachWallMap(session, [&](WallMap& map) {
-    if (map.path.empty() && walls.empty())
-      throw UsageError(
-          "it names no label map of its walls, as it is anonymous; say which with replay --walls.");
+    if (map.path.empty() && walls.empty()) throw Told<UsageError>(K::sessionWithoutWalls);
     map.path = walls.empty() ? openablePath(map.path, path) : walls;
   });
 }
@@ -92,8 +90,7 @@ Session headFromJson(const Json& json, const std::string& path, const std::strin
   session.version = json.at("version").get<std::string>();
   const Json& input = json.at("input");
   session.volume.path = volume;
-  if (volume.empty() && input.at("path").is_null())
-    throw UsageError("it names no volume, as it is anonymous; say which with replay --volume.");
+  if (volume.empty() && input.at("path").is_null()) throw Told<UsageError>(K::sessionWithoutVolume);
   if (volume.empty()) session.volume.path = openablePath(input.at("path").get<std::string>(), path);
   if (!input.at("sha256").is_null()) {
     session.volume.sha256 = input.at("sha256").get<std::string>();
@@ -114,10 +111,11 @@ std::vector<Session> sessionsFromJson(const Json& json, const std::string& path,
     add(json);
   } else {
     if (!json.at("objects").is_array() || json.at("objects").empty())
-      throw UsageError("it holds no objects.");
+      throw Told<UsageError>(K::sessionWithoutObjects);
     for (const Json& object : json.at("objects")) add(object);
   }
-  if (std::none_of(sessions.begin(), sessions.end(), isSeeded)) throw UsageError("it has no seeds.");
+  if (std::none_of(sessions.begin(), sessions.end(), isSeeded))
+    throw Told<UsageError>(K::sessionWithoutSeeds);
   if (json.contains("over_time")) {
     if (sessions.size() > 1) throw UsageError("several objects cannot be carried over time.");
     sessions[0].overTime = overTimeFromJson(json.at("over_time"));
@@ -218,9 +216,12 @@ std::vector<Session> readSessions(const std::string& path, const InputPaths& inp
   try {
     return sessionsFromJson(Json::parse(text), path, inputs);
   } catch (const Json::parse_error&) {
-    throw InputError(path + " is not a JSON file.");
+    throw Told<InputError>(Finding(K::notJson, {{"file", path}}));
   } catch (const std::exception& error) {
-    throw InputError(path + " is neither a session nor a report: " + withoutTag(error.what()));
+    const Finding told = findingOf(error);
+    throw Told<InputError>(
+        Finding(K::notASession, {{"file", path}},
+                told.any() ? told : Finding(K::other, {{"text", withoutTag(error.what())}})));
   }
 }
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "core/errors.h"
 #include "core/io/volume_io.h"
+#include "core/io/volume_source.h"
 
 namespace handlebody {
 namespace {
@@ -16,23 +16,23 @@ namespace fs = std::filesystem;
 
 std::vector<std::string> filesOf(const std::string& path) {
   std::error_code failed;
-  if (!fs::exists(path, failed)) throw InputError(path + ": there is no such file or folder.");
+  if (!fs::exists(path, failed)) refuseInput(path, FindingKind::noSuchFileOrFolder);
   if (!fs::is_directory(path)) return {path};
   std::vector<std::string> files;
   for (const auto& entry : fs::directory_iterator(path, failed))
     if (entry.is_regular_file()) files.push_back(entry.path().string());
-  if (failed) throw InputError(path + ": the folder cannot be read (" + failed.message() + ").");
+  if (failed) refuseInput(path, {FindingKind::folderUnreadableFor, {{"reason", failed.message()}}});
   std::sort(files.begin(), files.end());
   return files;
 }
 
 void addFile(EVP_MD_CTX* digest, const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(path + ": it cannot be opened (permission?).");
+  if (!file) refuseInput(path, FindingKind::notOpened);
   std::vector<char> part(1 << 16);
   while (file.read(part.data(), static_cast<std::streamsize>(part.size())) || file.gcount() > 0)
     EVP_DigestUpdate(digest, part.data(), static_cast<std::size_t>(file.gcount()));
-  if (file.bad()) throw InputError(path + ": it cannot be read to its end.");
+  if (file.bad()) refuseInput(path, FindingKind::notReadToEnd);
 }
 
 }  // namespace

@@ -17,42 +17,44 @@
 #include "core/io/result.h"
 #include "core/measure/inscribed_balls.h"
 #include "core/solid/label_mesh.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
 namespace {
 
+using K = FindingKind;
+
 constexpr std::size_t kPlacesTried = 200;  // on a surface, for one deep inside
 constexpr double kJustInside = 1e-3;       // of the square root of a face's area
 
-std::string cannot(const std::string& path, const std::string& why) {
-  return path + " cannot be a surface to begin with: it " + why + ".";
+[[noreturn]] void refuseStart(const std::string& path, const Finding& why) {
+  throw Told<InputError>(Finding(K::notAStart, {{"file", path}}, why));
 }
 
-//! Why a mesh does not bound a body, as the end of a sentence; empty if it does.
-std::string faultOf(const Certificate& c) {
-  if (!c.closed) return "is not closed";
-  if (!c.manifold) return "is not manifold";
-  if (!c.oriented) return "has faces that are not oriented alike";
-  if (c.selfIntersections > 0)
-    return "intersects itself (" + std::to_string(c.selfIntersections) + " pairs of faces)";
-  if (c.misplaced > 0) return "has components that lie where they bound nothing";
-  return c.boundsBody() ? std::string() : "encloses no volume";
+//! Why a mesh does not bound a body; none if it does.
+Finding faultOf(const Certificate& c) {
+  if (!c.closed) return K::isNotClosed;
+  if (!c.manifold) return K::isNotManifold;
+  if (!c.oriented) return K::isNotOriented;
+  if (c.selfIntersections > 0) return {K::intersectsItself, {{"pairs", c.selfIntersections}}};
+  if (c.misplaced > 0) return K::isMisplaced;
+  return c.boundsBody() ? K::none : K::enclosesNoVolume;
 }
 
 //! Turned if it is inside out. Throws InputError.
 TriangleSoup certified(const std::string& path, TriangleSoup mesh) {
-  if (mesh.triangles.empty()) throw InputError(cannot(path, "has no triangles"));
+  if (mesh.triangles.empty()) refuseStart(path, K::hasNoTriangles);
   Certificate found = certify(mesh);
   if (found.closed && found.oriented && found.volume < 0) {
     for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
     found = certify(mesh);
   }
-  if (const std::string fault = faultOf(found); !fault.empty()) throw InputError(cannot(path, fault));
+  if (const Finding fault = faultOf(found); fault.any()) refuseStart(path, fault);
   try {
     return certifiedForExport(mesh).mesh;
   } catch (const std::runtime_error&) {
-    throw InputError(cannot(path, "intersects itself in single precision"));
+    refuseStart(path, K::intersectsRounded);
   }
 }
 
@@ -107,8 +109,7 @@ ReadStart readStart(const std::string& path, const std::string& sha256, Triangle
 Mask maskIn(const std::string& path, const Volume& labels, std::optional<int> label) {
   Mask mask = maskOf(labels, label);
   if (mask.inside.empty())
-    throw InputError(cannot(
-        path, label ? "has no voxel of the value " + std::to_string(*label) : "has no voxel that is not 0"));
+    refuseStart(path, label ? Finding(K::hasNoLabel, {{"label", *label}}) : K::hasNoVoxel);
   return mask;
 }
 
@@ -116,7 +117,7 @@ Mask maskIn(const std::string& path, const Volume& labels, std::optional<int> la
 std::map<int, ReadStart> readFile(const FileKey& key, const std::optional<int>& label) {
   const std::string hash = sha256OfPath(key.path);
   if (isMeshPath(key.path)) {
-    if (label) throw InputError(cannot(key.path, "is a mesh, which has no labels"));
+    if (label) refuseStart(key.path, K::meshWithoutLabels);
     return {{0, readStart(key.path, hash, readMesh(key.path))}};
   }
   std::vector<std::string> warnings;
@@ -133,7 +134,9 @@ std::map<int, ReadStart> readFile(const FileKey& key, const std::optional<int>& 
       read.emplace(values[i], readStart(key.path, hash, std::move(meshes[i].mesh)));
   } catch (const InputError& error) {
     const std::string text = error.what();
-    throw text.rfind(key.path, 0) == 0 ? error : InputError(cannot(key.path, text));
+    if (text.rfind(key.path, 0) == 0) throw;
+    const Finding why = findingOf(error);
+    refuseStart(key.path, why.any() ? why : Finding(K::other, {{"text", text}}));
   }
   return read;
 }
@@ -161,11 +164,10 @@ void chooseAmong(const std::vector<Session*>& sessions) {
 
 void take(StartSurface& start, const std::map<int, ReadStart>& file) {
   const auto at = file.find(start.label.value_or(0));
-  if (at == file.end())
-    throw InputError(cannot(start.path, "became surfaces without the label " + std::to_string(*start.label)));
+  if (at == file.end()) refuseStart(start.path, {K::lostLabel, {{"label", *start.label}}});
   const ReadStart& read = at->second;
   if (!start.sha256.empty() && start.sha256 != read.sha256)
-    throw InputError(start.path + " is not the file that the session began with: its SHA-256 differs.");
+    throw Told<InputError>(Finding(K::startChanged, {{"file", start.path}}));
   start.sha256 = read.sha256;
   start.mesh = read.mesh;
   start.inside = read.inside;
@@ -232,10 +234,9 @@ std::vector<NamedLabel> labelsIn(const std::string& path) {
       last = v;
     }
   });
-  if (values.empty()) throw InputError(path + " holds no object: all of its voxels are 0.");
+  if (values.empty()) throw Told<InputError>(Finding(K::labelsEmpty, {{"file", path}}));
   if (values.size() > kMostLabels)
-    throw InputError(path + " is hardly a label map: it has more than " + std::to_string(kMostLabels) +
-                     " different values.");
+    throw Told<InputError>(Finding(K::tooManyLabels, {{"file", path}, {"most", kMostLabels}}));
   const std::map<int, std::string> names = namesIn(path);
   std::vector<NamedLabel> out;
   for (const int value : values) {

@@ -10,6 +10,7 @@
 #include "core/io/mesher_process.h"
 #include "core/mesh/containment.h"
 #include "core/mesh/pieces.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
@@ -98,17 +99,16 @@ MesherOutput fill(const ExportedObject& object, double seconds) {
     if (fault.empty()) return made;
     faults += (faults.empty() ? "" : "; ") + fault;
   }
-  throw OutputError("there are no tetrahedra of the object '" + object.label.name +
-                    "': " + (faults.empty() ? tetrahedraFault() : faults) + ".");
+  const Finding cause =
+      faults.empty() ? Finding(FindingKind::noMesher) : Finding(FindingKind::other, {{"text", faults}});
+  throw Told<OutputError>(Finding(FindingKind::noTetrahedra, {{"object", object.label.name}}, cause));
 }
 
 }  // namespace
 
 std::string tetrahedraFault() {
   if (findProgram("gmsh") || findProgram("tetgen")) return {};
-  return "tetrahedra are made by gmsh or TetGen, and neither program is installed (Debian's packages are "
-         "gmsh and "
-         "tetgen)";
+  return sentence(FindingKind::noMesher);
 }
 
 Tetrahedra fillWithTetrahedra(const std::vector<ExportedObject>& objects, double mesherSeconds) {

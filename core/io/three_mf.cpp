@@ -10,7 +10,6 @@
 #include <charconv>
 #include <cstdio>
 
-#include "core/errors.h"
 #include "core/io/atomic_file.h"
 
 namespace handlebody {
@@ -167,8 +166,7 @@ void writeThreeMf(const std::vector<ExportedObject>& objects, const std::string&
                   CoordinateSpace space) {
   const std::string model = modelXml(objects, space);
   constexpr std::size_t kLongest = 0xf0000000;  // of an entry without ZIP's 64-bit extension
-  if (model.size() > kLongest)
-    throw OutputError(path + ": cannot be written: the mesh is too large for 3MF.");
+  if (model.size() > kLongest) refuseOutput(path, FindingKind::packageTooLarge);
   Zip zip;
   zip.add("[Content_Types].xml", kTypes);
   zip.add("_rels/.rels", kRelations);

@@ -38,7 +38,7 @@ double evenStep(const TimeAxis& times) {
 TimeAxis readTimeAxis(const std::string& path, const VolumeSelection& selection) {
   bool several = false;
   const SourcePointer source = openVolume({path, selection}, {}, &several);
-  if (several) refuseInput(path, "it holds several series or stacks, choose one with --series");
+  if (several) refuseInput(path, FindingKind::severalToChoose);
   return source->header().times;
 }
 

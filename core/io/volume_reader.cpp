@@ -7,6 +7,7 @@
 #include "core/errors.h"
 #include "core/io/volume_io.h"
 #include "core/io/volume_source.h"
+#include "core/told_error.h"
 #include "core/volume/not_a_number.h"
 
 namespace handlebody {
@@ -75,13 +76,16 @@ std::size_t fillNotANumber(T* values, const Grid& grid, const std::string& path)
   }
   const auto nx = static_cast<std::size_t>(grid.size[0]), ny = static_cast<std::size_t>(grid.size[1]);
   if (infinite > 0)
-    refuseInput(path, std::to_string(infinite) + " of its voxels " + (infinite == 1 ? "is" : "are") +
-                          " infinite, the first at index (" + std::to_string(first % nx) + ", " +
-                          std::to_string(first / nx % ny) + ", " + std::to_string(first / (nx * ny)) + ")");
-  if (none == n) refuseInput(path, "none of its voxels is a number");
+    refuseInput(
+        path,
+        {infinite == 1 ? FindingKind::infiniteVoxel : FindingKind::infiniteVoxels,
+         {{"voxels", infinite},
+          {"index", placeValue(Vec3(static_cast<double>(first % nx), static_cast<double>(first / nx % ny),
+                                    static_cast<double>(first / (nx * ny))))}}});
+  if (none == n) refuseInput(path, FindingKind::noNumbers);
   if (none == 0) return 0;
   const T below = notANumberBelow(least);
-  if (!std::isfinite(below)) refuseInput(path, "its voxels are as low as numbers go");
+  if (!std::isfinite(below)) refuseInput(path, FindingKind::lowestNumbers);
   for (std::size_t i = 0; i < n; ++i)
     if (std::isnan(values[i])) values[i] = below;
   return none;
@@ -89,8 +93,8 @@ std::size_t fillNotANumber(T* values, const Grid& grid, const std::string& path)
 
 void checkFrame(const VolumeSelection& selection, int frames, const std::string& path) {
   if (!selection.frame || (*selection.frame >= 0 && *selection.frame < frames)) return;
-  throw UsageError(path + ": there is no frame " + std::to_string(*selection.frame) + "; it has " +
-                   (frames == 1 ? "one frame, 0." : "the frames 0 to " + std::to_string(frames - 1) + "."));
+  throw Told<UsageError>(Finding(frames == 1 ? FindingKind::onlyFrame : FindingKind::frameMissing,
+                                 {{"file", path}, {"frame", *selection.frame}, {"last", frames - 1}}));
 }
 
 //! "MR head, 20 files, 256 x 256 x 20 voxels of 0.9, 0.9, 5 mm"
@@ -122,7 +126,7 @@ void setSpacing(const VolumeSelection& selection, VolumeHeader& header, const st
         "The spacing was given by the user; the file says " + millimetres(header.grid.spacing.x()) + ", " +
         millimetres(header.grid.spacing.y()) + ", " + millimetres(header.grid.spacing.z()) + ".");
   if (header.dicom && !(header.calibrated && given == header.grid.spacing))
-    header.dicom->displaced = "its spacing was given by the user, not by the series";
+    header.dicom->displaced = FindingKind::spacingGiven;
   header.grid.spacing = given;
   header.calibrated = true;
   for (std::string& source : header.sources.spacing) source = "given by the user";

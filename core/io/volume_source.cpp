@@ -60,19 +60,18 @@ bool looksLikeDicom(const Start& s) {
 void checkExists(const std::string& path) {
   std::error_code failed;
   const auto status = fs::status(path, failed);
-  if (!fs::exists(status)) refuseInput(path, "there is no such file or folder");
-  if (!fs::is_regular_file(status)) refuseInput(path, "it is neither a file nor a folder");
+  if (!fs::exists(status)) refuseInput(path, FindingKind::noSuchFileOrFolder);
+  if (!fs::is_regular_file(status)) refuseInput(path, FindingKind::neitherFileNorFolder);
   std::ifstream file(path, std::ios::binary);
-  if (!file) refuseInput(path, "it cannot be opened (permission?)");
-  if (fs::file_size(path, failed) == 0) refuseInput(path, "the file is empty");
+  if (!file) refuseInput(path, FindingKind::notOpened);
+  if (fs::file_size(path, failed) == 0) refuseInput(path, FindingKind::emptyFile);
 }
 
 SourcePointer openFile(const OpenRequest& request, const ReadControl& control, bool* several) {
   const std::string& path = request.path;
   checkExists(path);
   const Start start = startOf(path, false);
-  if (beginsWith(start, "version https://git-lfs"))
-    refuseInput(path, "this is a Git LFS pointer, not the file it stands for");
+  if (beginsWith(start, "version https://git-lfs")) refuseInput(path, FindingKind::gitPointer);
   if (looksLikeGipl(start)) return openGipl(path);
   if (looksLikeDicom(start) && !looksLikeNifti(start)) return openDicom(request, control, several);
   if (beginsWith(start, "NRRD0")) return openNrrd(path);
@@ -82,11 +81,10 @@ SourcePointer openFile(const OpenRequest& request, const ReadControl& control, b
     const Start inside = startOf(path, true);
     if (looksLikeGipl(inside)) return openGipl(path);
     if (looksLikeNifti(inside)) return openNifti(path);
-    if (looksLikeDicom(inside))
-      refuseInput(path, "this is a compressed DICOM file; unpack it first (gunzip)");
+    if (looksLikeDicom(inside)) refuseInput(path, FindingKind::packedDicom);
   }
   if (looksLikeMetaImage(start)) return openMetaImage(path);
-  refuseInput(path, "it is not a volume in a known format (NIfTI, NRRD, MetaImage, DICOM, TIFF, GIPL)");
+  refuseInput(path, FindingKind::unknownVolume);
 }
 
 }  // namespace

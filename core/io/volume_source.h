@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/finding.h"
 #include "core/io/time_axis.h"
 #include "core/io/volume_io.h"
 
@@ -134,7 +135,9 @@ void swapBytes(void* values, std::size_t count, std::size_t size);
 //! True for a header field of the second or a later frame of a tracked sequence ("Seq_Frame0001_…"), as Plus
 //! and 3D Slicer write them. (Volumes reconstructed by them may carry the fields of one frame, 0.)
 bool isLaterFrame(const std::string& field);
-//! "path: cause."
+//! "path: cause.", with the finding.
+[[noreturn]] void refuseInput(const std::string& path, const Finding& cause);
+//! The same for a cause that has no kind yet.
 [[noreturn]] void refuseInput(const std::string& path, const std::string& cause);
 //! "0.9 mm"
 std::string millimetres(double value);

@@ -72,7 +72,7 @@ void verify(const Volume& volume, const std::string& temporary, const std::strin
   } catch (const InputError&) {
     // Said below, with the right name.
   }
-  if (!same) throw OutputError(path + ": cannot be written: the data did not reach the disk (is it full?).");
+  if (!same) refuseOutput(path, FindingKind::notOnDisk);
 }
 
 }  // namespace
@@ -107,7 +107,7 @@ void writeVolumeWithKeys(const Volume& volume, const std::string& path,
       io->WriteImageInformation();
       io->Write(volume.voxels.get());
     } catch (const itk::ExceptionObject& e) {
-      throw OutputError(path + ": cannot be written: the disk may be full.");
+      refuseOutput(path, FindingKind::diskMayBeFull);
     }
     verify(volume, temporary, path);
   });

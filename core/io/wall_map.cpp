@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/io/volume_io.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
@@ -31,7 +32,7 @@ void load(Constraints& constraints, const Grid& grid, std::map<std::string, Wall
   auto at = known.find(map->path);
   if (at == known.end()) at = known.emplace(map->path, readWallMap(map->path, grid)).first;
   if (!map->sha256.empty() && map->sha256 != at->second.sha256)
-    throw InputError(map->path + " is not the label map that the walls were made from: its SHA-256 differs.");
+    throw Told<InputError>(Finding(FindingKind::wallsChanged, {{"file", map->path}}));
   map = at->second;
 }
 
@@ -41,17 +42,17 @@ WallMap readWallMap(const std::string& path, const Grid& grid) {
   WallMap map{path, sha256OfPath(path), nullptr};
   const Volume labels = readVolume(path);
   if (labels.grid.size != grid.size)
-    throw InputError(path + " cannot be used as walls: it has " + written(labels.grid.size) +
-                     " voxels, the volume has " + written(grid.size) + ".");
+    throw Told<InputError>(
+        Finding(FindingKind::wallsOtherSize,
+                {{"file", path}, {"size", written(labels.grid.size)}, {"volume", written(grid.size)}}));
   if (!isSamePlace(grid, labels.grid))
-    throw InputError(path +
-                     " cannot be used as walls: its spacing, origin or direction are not the volume's.");
+    throw Told<InputError>(Finding(FindingKind::wallsOtherPlace, {{"file", path}}));
   std::vector<bool> voxels(grid.voxelCount());
   visitVoxels(labels, [&](const auto* value) {
     for (std::size_t i = 0; i < voxels.size(); ++i) voxels[i] = value[i] != 0;
   });
   if (std::find(voxels.begin(), voxels.end(), true) == voxels.end())
-    throw InputError(path + " cannot be used as walls: all of its voxels are 0.");
+    throw Told<InputError>(Finding(FindingKind::wallsEmpty, {{"file", path}}));
   map.voxels = std::make_shared<const std::vector<bool>>(std::move(voxels));
   return map;
 }

@@ -9,6 +9,7 @@
 #include "core/mesh/validity.h"
 #include "core/solid/surface_distance.h"
 #include "core/threads.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
@@ -29,7 +30,7 @@ TriangleSoup grownAgain(const GrownFrom& from, const Perturbation& by, std::mt19
   ActiveContour contour(withNoise(from.volume, by.noise, random), request.seeds, request.parameters,
                         request.constraints);
   while (contour.stopReason() == StopReason::running) contour.step();
-  if (contour.stopReason() == StopReason::empty) throw SeedError("The surface vanished.");
+  if (contour.stopReason() == StopReason::empty) throw Told<SeedError>(FindingKind::sensitivityVanished);
   return contour.mesh().compact();
 }
 
@@ -97,9 +98,7 @@ std::vector<Finding> sensitivityDoubts(const Sensitivity& s) {
 
 void requireRepeatable(const Constraints& c) {
   if (c.vetoes.empty() && c.pins.empty() && c.edits.empty()) return;
-  throw UsageError(
-      "The sensitivity cannot be told of a growth with vetoes, pins or edits: they name an iteration, and a "
-      "perturbed run has others.");
+  throw Told<UsageError>(FindingKind::sensitivityNames);
 }
 
 Sensitivity sensitivityOf(const TriangleSoup& mesh, const GrownFrom& from, int count, int threads,

@@ -3,30 +3,50 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numeric>
 
-#include "core/errors.h"
 #include "core/mesh/validity.h"
 #include "core/sequence/carried_seeds.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
 namespace {
 
-std::string counted(int n, const char* one, const char* several) {
-  return std::to_string(n) + " " + (n == 1 ? one : several);
+using K = FindingKind;
+
+constexpr double kMillilitre = 1000;  // mm³
+
+//! With what an error says as its cause.
+template <typename Error>
+Finding causedBy(FindingKind kind, const Error& error) {
+  Finding cause = findingOf(error);
+  if (!cause.any()) cause = {K::other, {{"text", std::string(error.what())}}};
+  return {kind, {}, std::move(cause)};
 }
 
-std::string topologyText(int components, int genus) {
-  return counted(components, "component", "components") + " of genus " + std::to_string(genus);
+Finding topologyChange(const FrameResult& from, const FrameResult& to) {
+  const K kind = from.components == 1 ? (to.components == 1 ? K::frameGenusChanged : K::frameCameApart)
+                                      : (to.components == 1 ? K::frameCameTogether : K::frameTopologyChanged);
+  return {kind,
+          {{"components_before", from.components},
+           {"genus_before", from.genus},
+           {"components", to.components},
+           {"genus", to.genus}}};
 }
 
-std::string millilitres(double volume) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g ml", volume / 1000);
-  return text;
+Finding holding(const std::vector<HeldPlace>& held) {
+  return {held.size() == 1 ? K::frameHeldAtPlace : K::frameHeldAtPlaces,
+          {{"places", held.size()}, {"place", placeValue(held.front().place)}}};
+}
+
+Finding unfinished(StopReason stopped) {
+  const K kind = stopped == StopReason::maxIterations ? K::frameAtLimit
+                 : stopped == StopReason::stuck       ? K::frameStuck
+                 : stopped == StopReason::frozen      ? K::frameFrozen
+                                                      : K::frameUnfinished;
+  return {kind, {{"stopped", std::string(stopReasonName(stopped))}}};
 }
 
 void measure(FrameResult& result) {
@@ -78,6 +98,8 @@ const char* frameFaultName(FrameFault fault) {
       return "unfinished";
   }
 }
+
+ToldFault leakFault(const Leak& leak) { return {FrameFault::leaked, {K::frameLeaked, {}, findingOf(leak)}}; }
 
 bool isFailure(FrameFault fault) {
   return fault == FrameFault::unreadable || fault == FrameFault::noObject || fault == FrameFault::vanished ||
@@ -158,17 +180,16 @@ FrameResult FrameCarrier::corrected(const FrameCorrection& correction, const Fra
         ++change;
       }
       if (contour.stopReason() != StopReason::running) break;
-      for (const Leak& leak : contour.step().leaks)
-        result.faults.push_back({FrameFault::leaked, "the surface leaked: " + sentence(leak)});
+      for (const Leak& leak : contour.step().leaks) result.faults.push_back(leakFault(leak));
     }
     judge(from, contour, result);
     // Where it was stopped by hand that is what was meant.
     if (correction.stopAt)
       std::erase_if(result.faults, [](const ToldFault& f) { return f.fault == FrameFault::unfinished; });
   } catch (const SeedError& error) {
-    result.faults.push_back({FrameFault::noObject, error.what()});
+    result.faults.push_back({FrameFault::noObject, causedBy(K::frameNoObject, error)});
   } catch (const UsageError& error) {
-    result.faults.push_back({FrameFault::noObject, error.what()});
+    result.faults.push_back({FrameFault::noObject, causedBy(K::frameNoObject, error)});
   }
   return result;
 }
@@ -188,14 +209,13 @@ FrameResult FrameCarrier::attempt(const FrameResult& from, int frame, const Volu
     contour.startFrom(Mesh(from.mesh), settings_.holdTopology);
     while (contour.stopReason() == StopReason::running) {
       const StepReport step = contour.step();
-      for (const Leak& leak : step.leaks)
-        result.faults.push_back({FrameFault::leaked, "the surface leaked: " + sentence(leak)});
+      for (const Leak& leak : step.leaks) result.faults.push_back(leakFault(leak));
     }
     judge(from, contour, result);
   } catch (const SeedError& error) {
-    result.faults.push_back({FrameFault::noObject, error.what()});
+    result.faults.push_back({FrameFault::noObject, causedBy(K::frameNoObject, error)});
   } catch (const UsageError& error) {  // a wall or a range that does not go with this frame
-    result.faults.push_back({FrameFault::noObject, error.what()});
+    result.faults.push_back({FrameFault::noObject, causedBy(K::frameNoObject, error)});
   }
   if (made && !result.isTrusted()) candidates = made->candidates();
   return result;
@@ -211,9 +231,9 @@ FrameResult FrameCarrier::tried(const FrameResult& from, int frame) const {
   if (!other) return result;
   FrameResult second = attempt(from, frame, volume, *other, candidates);
   if (!second.isTrusted()) return result;
-  second.faults.push_back({FrameFault::otherObject, "another object is likelier there, but it fails (" +
-                                                        result.faults.front().sentence + "); candidate " +
-                                                        std::to_string(*other) + " was taken"});
+  second.faults.push_back(
+      {FrameFault::otherObject,
+       {K::frameOtherObject, {{"candidate", *other}}, std::move(result.faults.front().finding)}});
   return second;
 }
 
@@ -226,34 +246,30 @@ FrameResult FrameCarrier::carry(const FrameResult& from, int frame) const {
   } catch (const InputError& error) {
     result.frame = frame;
     result.from = from.frame;
-    result.faults.push_back({FrameFault::unreadable, error.what()});
+    result.faults.push_back({FrameFault::unreadable, causedBy(K::frameUnreadable, error)});
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
 }
 
 void FrameCarrier::judge(const FrameResult& from, const ActiveContour& contour, FrameResult& result) const {
-  const auto tell = [&](FrameFault fault, const std::string& sentence) {
-    result.faults.push_back({fault, sentence});
+  const auto tell = [&](FrameFault fault, Finding finding) {
+    result.faults.push_back({fault, std::move(finding)});
   };
   result.iterations = contour.iteration();
   result.stopped = contour.stopReason();
-  if (result.stopped == StopReason::empty) return tell(FrameFault::vanished, "the surface vanished");
+  if (result.stopped == StopReason::empty) return tell(FrameFault::vanished, K::frameVanished);
   result.mesh = hooks_.finish(contour.mesh().compact());
   measure(result);
   if (isJump(from.volume, result.volume, std::abs(result.frame - from.frame)))
-    tell(FrameFault::jumped, "the volume jumps from " + millilitres(from.volume) + " in frame " +
-                                 std::to_string(from.frame) + " to " + millilitres(result.volume));
+    tell(FrameFault::jumped, {K::frameJumped,
+                              {{"from_ml", from.volume / kMillilitre},
+                               {"from_frame", from.frame},
+                               {"to_ml", result.volume / kMillilitre}}});
   if (result.components != from.components || result.genus != from.genus)
-    tell(FrameFault::changed, "the topology changes from " + topologyText(from.components, from.genus) +
-                                  " to " + topologyText(result.components, result.genus));
-  if (const auto held = contour.held(); !held.empty())
-    tell(FrameFault::held, "the topology was held at " +
-                               counted(static_cast<int>(held.size()), "place", "places") + ", the first at " +
-                               written(held.front().place) + " mm");
-  if (result.stopped != StopReason::converged)
-    tell(FrameFault::unfinished, std::string("the surface was not at rest of its own accord (") +
-                                     stopReasonName(result.stopped) + ")");
+    tell(FrameFault::changed, topologyChange(from, result));
+  if (const auto held = contour.held(); !held.empty()) tell(FrameFault::held, holding(held));
+  if (result.stopped != StopReason::converged) tell(FrameFault::unfinished, unfinished(result.stopped));
 }
 
 std::vector<FrameResult> carryThrough(const FrameCarrier& carrier, const FrameResult& start, int last,

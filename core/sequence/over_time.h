@@ -4,10 +4,10 @@
 
 #include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/evolution/active_contour.h"
+#include "core/finding.h"
 #include "core/mesh/mesh.h"
 #include "core/volume/volume.h"
 
@@ -32,8 +32,10 @@ bool isFailure(FrameFault fault);
 
 struct ToldFault {
   FrameFault fault = FrameFault::unreadable;
-  std::string sentence;  //!< without a full stop
+  Finding finding;  //!< of the kinds frame…
 };
+//! That the surface came through a passage.
+ToldFault leakFault(const Leak& leak);
 
 //! What came of one frame.
 struct FrameResult {

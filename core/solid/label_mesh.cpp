@@ -17,6 +17,7 @@
 #include "core/solid/mask_surface.h"
 #include "core/solid/smooth_surface.h"
 #include "core/threads.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
@@ -285,7 +286,7 @@ TriangleSoup Together::apart() const {
     for (std::size_t i = 0; i < masks_.size(); ++i) append(all, drawnBack(i, voxels));
     if (findSelfIntersections(all.points, all.triangles).empty()) return all;
   }
-  throw InputError("has labels that lie in each other so finely that their surfaces cannot be kept apart");
+  throw Told<InputError>(Finding(FindingKind::labelsTooFine));
 }
 
 //! What the components of the mesh, in which the objects lie one behind the other, are to become.

@@ -4,6 +4,7 @@
 
 #include "core/errors.h"
 #include "core/solid/cell_cases.h"
+#include "core/told_error.h"
 
 namespace handlebody {
 
@@ -55,7 +56,7 @@ class Marching {
       mesh_.triangles.push_back({vertex(cell, t[0]), vertex(cell, t[1]), vertex(cell, t[2])});
     for (const auto& loop : c.fans) addFan(cell, loop);
     if (mesh_.triangles.size() > most_)
-      throw InputError("has a surface of more than " + std::to_string(most_) + " triangles");
+      throw Told<InputError>(Finding(FindingKind::surfaceTooLarge, {{"most", most_}}));
   }
 
   void addFan(const std::array<int, 3>& cell, const std::vector<int>& loop) {

@@ -486,6 +486,990 @@
         <source>a change of its topology ({event}) would happen at {place:1f}</source>
         <translation>bei {place:1f} würde sich ihre Topologie ändern ({event})</translation>
     </message>
+    <message>
+        <source>its voxels cannot be read: {cause}</source>
+        <translation>seine Voxel können nicht gelesen werden: {cause}</translation>
+    </message>
+    <message>
+        <source>no object can be grown here: {cause}</source>
+        <translation>hier kann kein Objekt wachsen: {cause}</translation>
+    </message>
+    <message>
+        <source>the surface was still moving at the iteration limit</source>
+        <translation>die Oberfläche bewegte sich an der Iterationsgrenze noch</translation>
+    </message>
+    <message>
+        <source>the surface got stuck before it was at rest</source>
+        <translation>die Oberfläche blieb stecken, bevor sie ruhte</translation>
+    </message>
+    <message>
+        <source>the surface rests, but parts that could not be mended would still move</source>
+        <translation>die Oberfläche ruht, aber Teile, die nicht in Ordnung gebracht werden konnten, würden sich noch bewegen</translation>
+    </message>
+    <message>
+        <source>the surface was stopped before it was at rest</source>
+        <translation>die Oberfläche wurde angehalten, bevor sie ruhte</translation>
+    </message>
+    <message>
+        <source>its voxels cannot be read</source>
+        <translation>seine Voxel können nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>the surface vanished</source>
+        <translation>die Oberfläche ist verschwunden</translation>
+    </message>
+    <message>
+        <source>the surface leaked: {cause}</source>
+        <translation>die Oberfläche ist ausgelaufen: {cause}</translation>
+    </message>
+    <message>
+        <source>the volume jumps from {from_ml:4g} ml in frame {from_frame} to {to_ml:4g} ml</source>
+        <translation>das Volumen springt von {from_ml:4g} ml in Bild {from_frame} auf {to_ml:4g} ml</translation>
+    </message>
+    <message>
+        <source>the topology changes from 1 component of genus {genus_before} to 1 component of genus {genus}</source>
+        <translation>die Topologie ändert sich von 1 Komponente mit Geschlecht {genus_before} zu 1 Komponente mit Geschlecht {genus}</translation>
+    </message>
+    <message>
+        <source>the topology changes from 1 component of genus {genus_before} to {components} components of genus {genus}</source>
+        <translation>die Topologie ändert sich von 1 Komponente mit Geschlecht {genus_before} zu {components} Komponenten mit Geschlecht {genus}</translation>
+    </message>
+    <message>
+        <source>the topology changes from {components_before} components of genus {genus_before} to 1 component of genus {genus}</source>
+        <translation>die Topologie ändert sich von {components_before} Komponenten mit Geschlecht {genus_before} zu 1 Komponente mit Geschlecht {genus}</translation>
+    </message>
+    <message>
+        <source>the topology changes from {components_before} components of genus {genus_before} to {components} components of genus {genus}</source>
+        <translation>die Topologie ändert sich von {components_before} Komponenten mit Geschlecht {genus_before} zu {components} Komponenten mit Geschlecht {genus}</translation>
+    </message>
+    <message>
+        <source>the topology was held at 1 place, the first at {place} mm</source>
+        <translation>die Topologie wurde an 1 Stelle gehalten, bei {place} mm</translation>
+    </message>
+    <message>
+        <source>the topology was held at {places} places, the first at {place} mm</source>
+        <translation>die Topologie wurde an {places} Stellen gehalten, zuerst bei {place} mm</translation>
+    </message>
+    <message>
+        <source>another object is likelier there, but it fails ({cause}); candidate {candidate} was taken</source>
+        <translation>ein anderes Objekt ist dort wahrscheinlicher, aber es scheitert ({cause}); Kandidat {candidate} wurde genommen</translation>
+    </message>
+    <message>
+        <source>it names no volume, as it is anonymous; “handlebody-cli replay --volume” says which.</source>
+        <translation>sie nennt kein Bildvolumen, da sie anonym ist; „handlebody-cli replay --volume“ gibt es an.</translation>
+    </message>
+    <message>
+        <source>it names no label map of its walls, as it is anonymous; “handlebody-cli replay --walls” says which.</source>
+        <translation>sie nennt keine Labelkarte ihrer Wände, da sie anonym ist; „handlebody-cli replay --walls“ gibt sie an.</translation>
+    </message>
+    <message>
+        <source>it does not name the file of the surface to begin with, as it is anonymous; “handlebody-cli replay --start” says which.</source>
+        <translation>sie nennt die Datei der Anfangsoberfläche nicht, da sie anonym ist; „handlebody-cli replay --start“ gibt sie an.</translation>
+    </message>
+    <message>
+        <source>this is a cine (2D images over time: {frames:0f} frames), not a volume; if its frames are slices in space, enter their spacing in step 1, Open</source>
+        <translation>das ist ein Cine (2D-Bilder über die Zeit: {frames:0f}), kein Bildvolumen; liegen die Bilder als Schichten im Raum, geben Sie ihren Abstand in Schritt 1, Öffnen, ein</translation>
+    </message>
+    <message>
+        <source>{file}: {cause}.</source>
+        <translation>{file}: {cause}.</translation>
+    </message>
+    <message>
+        <source>{file}: {cause}</source>
+        <translation>{file}: {cause}</translation>
+    </message>
+    <message>
+        <source>{file}: {cause} in line {line:0f}.</source>
+        <translation>{file}: {cause}, in Zeile {line:0f}.</translation>
+    </message>
+    <message>
+        <source>{file}: cannot be written: {cause}.</source>
+        <translation>{file} kann nicht geschrieben werden: {cause}.</translation>
+    </message>
+    <message>
+        <source>{file}: it holds no series {series}.</source>
+        <translation>{file}: die Serie {series} ist nicht darin.</translation>
+    </message>
+    <message>
+        <source>{file} cannot be a surface to begin with: it {cause}.</source>
+        <translation>{file} kann keine Anfangsoberfläche sein: {cause}.</translation>
+    </message>
+    <message>
+        <source>{file} is not the file that the session began with: its SHA-256 differs.</source>
+        <translation>{file} ist nicht die Datei, mit der die Sitzung begann: ihr SHA-256 ist ein anderer.</translation>
+    </message>
+    <message>
+        <source>{file} is not the volume that the session was made from: its SHA-256 differs.</source>
+        <translation>{file} ist nicht das Bildvolumen, aus dem die Sitzung gemacht wurde: sein SHA-256 ist ein anderer.</translation>
+    </message>
+    <message>
+        <source>{file} is not the label map that the walls were made from: its SHA-256 differs.</source>
+        <translation>{file} ist nicht die Labelkarte, aus der die Wände gemacht wurden: ihr SHA-256 ist ein anderer.</translation>
+    </message>
+    <message>
+        <source>{file} cannot be used as walls: it has {size} voxels, the volume has {volume}.</source>
+        <translation>{file} kann nicht für Wände verwendet werden: die Labelkarte hat {size} Voxel, das Bildvolumen {volume}.</translation>
+    </message>
+    <message>
+        <source>{file} cannot be used as walls: its spacing, origin or direction are not the volume&apos;s.</source>
+        <translation>{file} kann nicht für Wände verwendet werden: Abstand, Ursprung oder Richtung sind nicht die des Bildvolumens.</translation>
+    </message>
+    <message>
+        <source>{file} cannot be used as walls: all of its voxels are 0.</source>
+        <translation>{file} kann nicht für Wände verwendet werden: alle Voxel sind 0.</translation>
+    </message>
+    <message>
+        <source>{file} holds no object: all of its voxels are 0.</source>
+        <translation>{file} enthält kein Objekt: alle Voxel sind 0.</translation>
+    </message>
+    <message>
+        <source>{file} is hardly a label map: it has more than {most:0f} different values.</source>
+        <translation>{file} ist kaum eine Labelkarte: es sind mehr als {most:0f} verschiedene Werte darin.</translation>
+    </message>
+    <message>
+        <source>{file} does not belong to this volume: a surface in it ({object}) lies outside of it.</source>
+        <translation>{file} gehört nicht zu diesem Bildvolumen: eine Oberfläche darin ({object}) liegt außerhalb.</translation>
+    </message>
+    <message>
+        <source>{file} is a folder, not a session.</source>
+        <translation>{file} ist ein Ordner, keine Sitzung.</translation>
+    </message>
+    <message>
+        <source>{file} cannot be opened: {cause}.</source>
+        <translation>{file} kann nicht geöffnet werden: {cause}.</translation>
+    </message>
+    <message>
+        <source>{file} cannot be read.</source>
+        <translation>{file} kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>{file} is not a JSON file.</source>
+        <translation>{file} ist keine JSON-Datei.</translation>
+    </message>
+    <message>
+        <source>{file} is neither a session nor a report: {cause}</source>
+        <translation>{file} ist weder eine Sitzung noch ein Bericht: {cause}</translation>
+    </message>
+    <message>
+        <source>it holds no objects.</source>
+        <translation>sie enthält keine Objekte.</translation>
+    </message>
+    <message>
+        <source>it has no seeds.</source>
+        <translation>sie hat keine Startpunkte.</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>es gibt keine solche Datei</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>es gibt keine solche Datei und keinen solchen Ordner</translation>
+    </message>
+    <message>
+        <source>it is not a file</source>
+        <translation>das ist keine Datei</translation>
+    </message>
+    <message>
+        <source>it is neither a file nor a folder</source>
+        <translation>das ist weder eine Datei noch ein Ordner</translation>
+    </message>
+    <message>
+        <source>it cannot be opened (permission?)</source>
+        <translation>die Datei kann nicht geöffnet werden (fehlt die Berechtigung?)</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation>die Datei kann nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>it cannot be read</source>
+        <translation>die Datei kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>it cannot be read to its end</source>
+        <translation>die Datei kann nicht bis zum Ende gelesen werden</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read</source>
+        <translation>der Ordner kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read ({reason})</source>
+        <translation>der Ordner kann nicht gelesen werden ({reason})</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to read it</source>
+        <translation>zum Lesen reicht der Speicher nicht</translation>
+    </message>
+    <message>
+        <source>not enough memory to decompress it</source>
+        <translation>zum Dekomprimieren reicht der Speicher nicht</translation>
+    </message>
+    <message>
+        <source>it is truncated or damaged</source>
+        <translation>die Datei ist abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>it is truncated or damaged ({reason})</source>
+        <translation>die Datei ist abgeschnitten oder beschädigt ({reason})</translation>
+    </message>
+    <message>
+        <source>its {format} header cannot be read ({reason})</source>
+        <translation>der {format}-Header kann nicht gelesen werden ({reason})</translation>
+    </message>
+    <message>
+        <source>it is truncated within its {format} header</source>
+        <translation>die Datei ist im {format}-Header abgeschnitten</translation>
+    </message>
+    <message>
+        <source>its {format} header is truncated</source>
+        <translation>der {format}-Header ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>its {format} header is truncated (no {field})</source>
+        <translation>der {format}-Header ist abgeschnitten ({field} fehlt)</translation>
+    </message>
+    <message>
+        <source>its {format} header is damaged ({field})</source>
+        <translation>der {format}-Header ist beschädigt ({field})</translation>
+    </message>
+    <message>
+        <source>the {format} file is damaged ({field})</source>
+        <translation>die {format}-Datei ist beschädigt ({field})</translation>
+    </message>
+    <message>
+        <source>the {format} file is truncated</source>
+        <translation>die {format}-Datei ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>it is not a {format} file</source>
+        <translation>das ist keine {format}-Datei</translation>
+    </message>
+    <message>
+        <source>it is not a volume in a known format (NIfTI, NRRD, MetaImage, DICOM, TIFF, GIPL)</source>
+        <translation>das ist kein Bildvolumen in einem bekannten Format (NIfTI, NRRD, MetaImage, DICOM, TIFF, GIPL)</translation>
+    </message>
+    <message>
+        <source>this is a Git LFS pointer, not the file it stands for</source>
+        <translation>das ist ein Git-LFS-Zeiger, nicht die Datei, für die er steht</translation>
+    </message>
+    <message>
+        <source>this is a compressed DICOM file; unpack it first (gunzip)</source>
+        <translation>das ist eine komprimierte DICOM-Datei; entpacken Sie sie zuerst (gunzip)</translation>
+    </message>
+    <message>
+        <source>this is a sequence of tracked 2D frames, not a volume; reconstruct a volume from it first</source>
+        <translation>das ist eine Folge getrackter 2D-Bilder, kein Bildvolumen; rekonstruieren Sie daraus zuerst eines</translation>
+    </message>
+    <message>
+        <source>this is a 2D image, a volume is needed</source>
+        <translation>das ist ein 2D-Bild, gebraucht wird ein Bildvolumen</translation>
+    </message>
+    <message>
+        <source>this is a 2D image, a volume needs at least two slices along each axis</source>
+        <translation>das ist ein 2D-Bild, ein Bildvolumen braucht mindestens zwei Schichten entlang jeder Achse</translation>
+    </message>
+    <message>
+        <source>this looks like a 2D image in colour (its first axis has {values:0f} values, and the header says nothing of space)</source>
+        <translation>das sieht nach einem farbigen 2D-Bild aus (die erste Achse hat {values:0f} Werte, und der Header sagt nichts über den Raum)</translation>
+    </message>
+    <message>
+        <source>the volume has no voxels (a size of 0)</source>
+        <translation>das Bildvolumen hat keine Voxel (eine Größe von 0)</translation>
+    </message>
+    <message>
+        <source>the volume has no voxels (a size of 0 in its header)</source>
+        <translation>das Bildvolumen hat keine Voxel (eine Größe von 0 im Header)</translation>
+    </message>
+    <message>
+        <source>its voxel spacing is zero, negative or not a number</source>
+        <translation>der Voxelabstand ist null, negativ oder keine Zahl</translation>
+    </message>
+    <message>
+        <source>its position or its direction is not a number</source>
+        <translation>Lage oder Richtung ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>its axes are not at right angles (sheared or tilted), which is not supported</source>
+        <translation>die Achsen stehen nicht im rechten Winkel (geschert oder gekippt), was nicht unterstützt wird</translation>
+    </message>
+    <message>
+        <source>it has no time points</source>
+        <translation>es sind keine Zeitpunkte darin</translation>
+    </message>
+    <message>
+        <source>the number of its time points is implausible ({frames:0f})</source>
+        <translation>die Anzahl der Zeitpunkte ist unglaubhaft ({frames:0f})</translation>
+    </message>
+    <message>
+        <source>it declares {declared_gb:1f} GB of voxels, more than the {memory_gb:1f} GB of memory of this computer</source>
+        <translation>angegeben sind {declared_gb:1f} GB an Voxeln, mehr als die {memory_gb:1f} GB Speicher dieses Rechners</translation>
+    </message>
+    <message>
+        <source>a size in its header is implausible ({size})</source>
+        <translation>eine Größe im Header ist unglaubhaft ({size})</translation>
+    </message>
+    <message>
+        <source>its data file {data} is missing</source>
+        <translation>die Datendatei {data} fehlt</translation>
+    </message>
+    <message>
+        <source>it is truncated or damaged: the header declares {declared:0f} bytes of voxels, the file holds {held:0f}</source>
+        <translation>die Datei ist abgeschnitten oder beschädigt: der Header gibt {declared:0f} Byte an Voxeln an, die Datei enthält {held:0f}</translation>
+    </message>
+    <message>
+        <source>it is truncated or damaged: the header declares {declared:0f} bytes of voxels, the file holds {held:0f} compressed</source>
+        <translation>die Datei ist abgeschnitten oder beschädigt: der Header gibt {declared:0f} Byte an Voxeln an, die Datei enthält komprimiert {held:0f}</translation>
+    </message>
+    <message>
+        <source>its voxel data are truncated or damaged</source>
+        <translation>die Voxeldaten sind abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>the voxel data are truncated or damaged</source>
+        <translation>die Voxeldaten sind abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>the compressed voxel data are truncated or damaged (checksum)</source>
+        <translation>die komprimierten Voxeldaten sind abgeschnitten oder beschädigt (Prüfsumme)</translation>
+    </message>
+    <message>
+        <source>1 of its voxels is infinite, the first at index ({index: 0f})</source>
+        <translation>1 Voxel ist unendlich, bei Index ({index: 0f})</translation>
+    </message>
+    <message>
+        <source>{voxels:0f} of its voxels are infinite, the first at index ({index: 0f})</source>
+        <translation>{voxels:0f} Voxel sind unendlich, das erste bei Index ({index: 0f})</translation>
+    </message>
+    <message>
+        <source>none of its voxels is a number</source>
+        <translation>kein Voxel ist eine Zahl</translation>
+    </message>
+    <message>
+        <source>its voxels are as low as numbers go</source>
+        <translation>die Voxel sind so niedrig, wie Zahlen sein können</translation>
+    </message>
+    <message>
+        <source>its voxels have {components} components (vectors); only scalar and colour volumes are supported</source>
+        <translation>die Voxel haben {components} Komponenten (Vektoren); unterstützt werden nur skalare und farbige Bildvolumen</translation>
+    </message>
+    <message>
+        <source>it has more than four dimensions</source>
+        <translation>es sind mehr als vier Dimensionen</translation>
+    </message>
+    <message>
+        <source>it has {dimensions:0f} dimensions; at most four are supported</source>
+        <translation>es sind {dimensions:0f} Dimensionen; unterstützt werden höchstens vier</translation>
+    </message>
+    <message>
+        <source>its voxel type ({type}) is not supported</source>
+        <translation>der Voxeltyp ({type}) wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>its voxel type is not supported</source>
+        <translation>der Voxeltyp wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>its NIfTI voxel type {type} is not supported</source>
+        <translation>der NIfTI-Voxeltyp {type} wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>it is not a NIfTI file, whatever its name says</source>
+        <translation>das ist keine NIfTI-Datei, was auch immer der Name sagt</translation>
+    </message>
+    <message>
+        <source>this is an Analyze 7.5 file, whose orientation is not reliable; convert it to NIfTI</source>
+        <translation>das ist eine Analyze-7.5-Datei, deren Orientierung nicht verlässlich ist; wandeln Sie sie in NIfTI um</translation>
+    </message>
+    <message>
+        <source>the sform in its header has an axis without length</source>
+        <translation>die sform im Header hat eine Achse ohne Länge</translation>
+    </message>
+    <message>
+        <source>the sform in its header is not a number</source>
+        <translation>die sform im Header ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>its list of data files ({pattern}) is not supported</source>
+        <translation>die Liste der Datendateien ({pattern}) wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>its encoding ({encoding}) is not supported; raw, gzip and ascii are</source>
+        <translation>die Codierung ({encoding}) wird nicht unterstützt; raw, gzip und ascii schon</translation>
+    </message>
+    <message>
+        <source>its data files do not divide its voxels evenly</source>
+        <translation>die Datendateien teilen die Voxel nicht gleichmäßig auf</translation>
+    </message>
+    <message>
+        <source>its byte skip of -1 is not supported here</source>
+        <translation>der Byte-Skip von -1 wird hier nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>its voxels are not numbers ({word})</source>
+        <translation>die Voxel sind keine Zahlen ({word})</translation>
+    </message>
+    <message>
+        <source>its voxels are spread over many data files, which is not supported</source>
+        <translation>die Voxel verteilen sich auf viele Datendateien, was nicht unterstützt wird</translation>
+    </message>
+    <message>
+        <source>its voxels are written as text, which is not supported</source>
+        <translation>die Voxel sind als Text geschrieben, was nicht unterstützt wird</translation>
+    </message>
+    <message>
+        <source>it has {frames:0f} time points; of the volumes of a folder each is one time point</source>
+        <translation>die Datei hat {frames:0f} Zeitpunkte; von den Bildvolumen eines Ordners ist jedes ein Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>its size, spacing or place is not the same as in {first}; the volumes of a folder are the time points of one</source>
+        <translation>Größe, Abstand oder Lage ist nicht wie in {first}; die Bildvolumen eines Ordners sind die Zeitpunkte eines einzigen</translation>
+    </message>
+    <message>
+        <source>its voxels are not of the same type and scale as in {first}; the volumes of a folder are the time points of one</source>
+        <translation>die Voxel sind nicht von Typ und Skalierung wie in {first}; die Bildvolumen eines Ordners sind die Zeitpunkte eines einzigen</translation>
+    </message>
+    <message>
+        <source>it is no label map: it has voxels whose values are no whole numbers</source>
+        <translation>das ist keine Labelkarte: sie hat Voxel, deren Werte keine ganzen Zahlen sind</translation>
+    </message>
+    <message>
+        <source>the DICOM file is truncated or damaged</source>
+        <translation>die DICOM-Datei ist abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>the file {part} is truncated or damaged</source>
+        <translation>die Datei {part} ist abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>the file {part} is truncated (cut off within its first 132 bytes)</source>
+        <translation>die Datei {part} ist abgeschnitten (innerhalb ihrer ersten 132 Byte)</translation>
+    </message>
+    <message>
+        <source>the file {part} is truncated (a slice without an image)</source>
+        <translation>die Datei {part} ist abgeschnitten (eine Schicht ohne Bild)</translation>
+    </message>
+    <message>
+        <source>the DICOM header of {part} cannot be read ({reason})</source>
+        <translation>der DICOM-Header von {part} kann nicht gelesen werden ({reason})</translation>
+    </message>
+    <message>
+        <source>it is not a DICOM image (no rows and columns)</source>
+        <translation>das ist kein DICOM-Bild (keine Zeilen und Spalten)</translation>
+    </message>
+    <message>
+        <source>the folder holds no DICOM images</source>
+        <translation>der Ordner enthält keine DICOM-Bilder</translation>
+    </message>
+    <message>
+        <source>the folder holds no DICOM images itself; open one of its subfolders</source>
+        <translation>der Ordner selbst enthält keine DICOM-Bilder; öffnen Sie einen seiner Unterordner</translation>
+    </message>
+    <message>
+        <source>the slice {slice} does not say where it lies (position, orientation or pixel spacing)</source>
+        <translation>die Schicht {slice} sagt nicht, wo sie liegt (Lage, Orientierung oder Pixelabstand)</translation>
+    </message>
+    <message>
+        <source>the slice {slice} has a pixel spacing that is not positive</source>
+        <translation>die Schicht {slice} hat einen Pixelabstand, der nicht positiv ist</translation>
+    </message>
+    <message>
+        <source>the slice {slice} has directions that span no plane</source>
+        <translation>die Schicht {slice} hat Richtungen, die keine Ebene aufspannen</translation>
+    </message>
+    <message>
+        <source>the slice {slice} has no pixels</source>
+        <translation>die Schicht {slice} hat keine Pixel</translation>
+    </message>
+    <message>
+        <source>the slice {slice} cannot be opened</source>
+        <translation>die Schicht {slice} kann nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>the slice {slice} cannot be read to its end</source>
+        <translation>die Schicht {slice} kann nicht bis zum Ende gelesen werden</translation>
+    </message>
+    <message>
+        <source>the slice {slice} has another size than its header says</source>
+        <translation>die Schicht {slice} hat eine andere Größe, als ihr Header angibt</translation>
+    </message>
+    <message>
+        <source>the slice {slice} is truncated or damaged ({reason})</source>
+        <translation>die Schicht {slice} ist abgeschnitten oder beschädigt ({reason})</translation>
+    </message>
+    <message>
+        <source>the slice {slice} is truncated or damaged (its pixels cannot be decoded)</source>
+        <translation>die Schicht {slice} ist abgeschnitten oder beschädigt (ihre Pixel können nicht decodiert werden)</translation>
+    </message>
+    <message>
+        <source>the slice {slice} is truncated or damaged: it holds less pixels than its header says</source>
+        <translation>die Schicht {slice} ist abgeschnitten oder beschädigt: sie enthält weniger Pixel, als ihr Header angibt</translation>
+    </message>
+    <message>
+        <source>the slice {slice} is truncated or damaged: its header declares {declared:0f} bytes of pixels, the file holds {held:0f} compressed</source>
+        <translation>die Schicht {slice} ist abgeschnitten oder beschädigt: ihr Header gibt {declared:0f} Byte an Pixeln an, die Datei enthält komprimiert {held:0f}</translation>
+    </message>
+    <message>
+        <source>the slice {slice} is damaged: a value is larger than its header allows</source>
+        <translation>die Schicht {slice} ist beschädigt: ein Wert ist größer, als ihr Header erlaubt</translation>
+    </message>
+    <message>
+        <source>its slices have different sizes</source>
+        <translation>die Schichten haben verschiedene Größen</translation>
+    </message>
+    <message>
+        <source>its slices have different orientations</source>
+        <translation>die Schichten haben verschiedene Orientierungen</translation>
+    </message>
+    <message>
+        <source>its slices have different pixel spacings</source>
+        <translation>die Schichten haben verschiedene Pixelabstände</translation>
+    </message>
+    <message>
+        <source>its slices are partly in colour</source>
+        <translation>ein Teil der Schichten ist farbig</translation>
+    </message>
+    <message>
+        <source>its slices are less than two pixels wide</source>
+        <translation>die Schichten sind weniger als zwei Pixel breit</translation>
+    </message>
+    <message>
+        <source>several of its slices lie in the same place with different content, and not equally many in every place (time points or echoes that are not complete)</source>
+        <translation>mehrere Schichten liegen mit verschiedenem Inhalt an derselben Stelle, und nicht überall gleich viele (unvollständige Zeitpunkte oder Echos)</translation>
+    </message>
+    <message>
+        <source>all its slices lie in the same place: 2D images over time, not a volume</source>
+        <translation>alle Schichten liegen an derselben Stelle: 2D-Bilder über die Zeit, kein Bildvolumen</translation>
+    </message>
+    <message>
+        <source>this is a single slice, a 2D image; give the folder with the whole series</source>
+        <translation>das ist eine einzelne Schicht, ein 2D-Bild; geben Sie den Ordner mit der ganzen Serie an</translation>
+    </message>
+    <message>
+        <source>its slices are shifted against each other by {shift_mm:4g} mm, more than they are apart; this is no gantry tilt</source>
+        <translation>die Schichten sind um {shift_mm:4g} mm gegeneinander verschoben, mehr als ihr Abstand; das ist keine Gantry-Neigung</translation>
+    </message>
+    <message>
+        <source>its slices are unevenly spaced ({gaps})</source>
+        <translation>die Schichten haben ungleiche Abstände ({gaps})</translation>
+    </message>
+    <message>
+        <source>its slices are unevenly spaced ({gaps}), 1 seems to be missing</source>
+        <translation>die Schichten haben ungleiche Abstände ({gaps}), 1 scheint zu fehlen</translation>
+    </message>
+    <message>
+        <source>its slices are unevenly spaced ({gaps}), {missing:0f} seem to be missing</source>
+        <translation>die Schichten haben ungleiche Abstände ({gaps}), {missing:0f} scheinen zu fehlen</translation>
+    </message>
+    <message>
+        <source>{cause}, too unevenly to resample</source>
+        <translation>{cause}, zu ungleich zum Resampling</translation>
+    </message>
+    <message>
+        <source>the number of frames in {slice} is implausible</source>
+        <translation>die Anzahl der Bilder in {slice} ist unglaubhaft</translation>
+    </message>
+    <message>
+        <source>pixels of {stored:0f} bits in {allocated:0f} are not supported ({slice})</source>
+        <translation>Pixel von {stored:0f} Bit in {allocated:0f} werden nicht unterstützt ({slice})</translation>
+    </message>
+    <message>
+        <source>pixels with {samples:0f} samples are not supported ({slice})</source>
+        <translation>Pixel mit {samples:0f} Kanälen werden nicht unterstützt ({slice})</translation>
+    </message>
+    <message>
+        <source>colour of {bits:0f} bits is not supported ({slice})</source>
+        <translation>Farbe mit {bits:0f} Bit wird nicht unterstützt ({slice})</translation>
+    </message>
+    <message>
+        <source>compressed pixels of one bit are not supported ({slice})</source>
+        <translation>komprimierte Pixel von einem Bit werden nicht unterstützt ({slice})</translation>
+    </message>
+    <message>
+        <source>the colour space {space} is not supported ({slice})</source>
+        <translation>der Farbraum {space} wird nicht unterstützt ({slice})</translation>
+    </message>
+    <message>
+        <source>it does not say which segment each frame is of</source>
+        <translation>es ist nicht angegeben, zu welchem Segment jedes Einzelbild gehört</translation>
+    </message>
+    <message>
+        <source>it is a segmentation that is not binary ({bits:0f} bits per voxel), which is not supported</source>
+        <translation>das ist eine Segmentierung, die nicht binär ist ({bits:0f} Bit je Voxel), was nicht unterstützt wird</translation>
+    </message>
+    <message>
+        <source>its pixels are compressed, which is not supported for a segmentation</source>
+        <translation>die Pixel sind komprimiert, was bei einer Segmentierung nicht unterstützt wird</translation>
+    </message>
+    <message>
+        <source>it is truncated or damaged: it holds less pixels than its header says</source>
+        <translation>die Datei ist abgeschnitten oder beschädigt: sie enthält weniger Pixel, als ihr Header angibt</translation>
+    </message>
+    <message>
+        <source>it does not say where every frame lies</source>
+        <translation>es ist nicht angegeben, wo jedes Einzelbild liegt</translation>
+    </message>
+    <message>
+        <source>its frames do not lie one behind the other, which is not supported</source>
+        <translation>die Einzelbilder liegen nicht hintereinander, was nicht unterstützt wird</translation>
+    </message>
+    <message>
+        <source>it does not give the distance between its slices</source>
+        <translation>der Abstand der Schichten ist nicht angegeben</translation>
+    </message>
+    <message>
+        <source>the distance of its frames is implausible</source>
+        <translation>der Abstand der Einzelbilder ist unglaubhaft</translation>
+    </message>
+    <message>
+        <source>its frames are not evenly spaced</source>
+        <translation>die Einzelbilder haben ungleiche Abstände</translation>
+    </message>
+    <message>
+        <source>its segments overlap, so that they are no label map</source>
+        <translation>die Segmente überlappen sich, also sind sie keine Labelkarte</translation>
+    </message>
+    <message>
+        <source>it cannot be read because the decoder {program} is not there</source>
+        <translation>die Datei kann nicht gelesen werden, weil der Decoder {program} nicht da ist</translation>
+    </message>
+    <message>
+        <source>the decoder cannot be started ({reason})</source>
+        <translation>der Decoder kann nicht gestartet werden ({reason})</translation>
+    </message>
+    <message>
+        <source>the decoder {program} cannot be started ({reason})</source>
+        <translation>der Decoder {program} kann nicht gestartet werden ({reason})</translation>
+    </message>
+    <message>
+        <source>the decoder broke down on it ({how}); the file is damaged or too large for it</source>
+        <translation>der Decoder ist daran abgestürzt ({how}); die Datei ist beschädigt oder für ihn zu groß</translation>
+    </message>
+    <message>
+        <source>the decoder broke down on {part} ({how}); the file is damaged or too large for it</source>
+        <translation>der Decoder ist an {part} abgestürzt ({how}); die Datei ist beschädigt oder für ihn zu groß</translation>
+    </message>
+    <message>
+        <source>the decoder got stuck on it and was stopped; the file is damaged</source>
+        <translation>der Decoder blieb daran hängen und wurde beendet; die Datei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the decoder got stuck on {part} and was stopped; the file is damaged</source>
+        <translation>der Decoder blieb an {part} hängen und wurde beendet; die Datei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the decoder gave an answer without meaning</source>
+        <translation>der Decoder gab eine Antwort ohne Sinn</translation>
+    </message>
+    <message>
+        <source>the decoder gave an answer without meaning on it</source>
+        <translation>der Decoder gab dazu eine Antwort ohne Sinn</translation>
+    </message>
+    <message>
+        <source>the decoder gave an answer without meaning on {part}</source>
+        <translation>der Decoder gab zu {part} eine Antwort ohne Sinn</translation>
+    </message>
+    <message>
+        <source>the decoder gave less than it announced</source>
+        <translation>der Decoder gab weniger, als er ankündigte</translation>
+    </message>
+    <message>
+        <source>decoding it takes more memory than its size allows</source>
+        <translation>das Decodieren braucht mehr Speicher, als die Größe erlaubt</translation>
+    </message>
+    <message>
+        <source>its data cannot be decoded ({reason})</source>
+        <translation>die Daten können nicht decodiert werden ({reason})</translation>
+    </message>
+    <message>
+        <source>the mesh file is truncated or damaged</source>
+        <translation>die Netzdatei ist abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>it is not an STL file, or it is truncated</source>
+        <translation>das ist keine STL-Datei, oder sie ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>it is not a mesh file (.stl, .vtp, .ply, .obj)</source>
+        <translation>das ist keine Netzdatei (.stl, .vtp, .ply, .obj)</translation>
+    </message>
+    <message>
+        <source>triangle strips are not supported</source>
+        <translation>Dreiecksstreifen werden nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>it holds no triangles</source>
+        <translation>es sind keine Dreiecke darin</translation>
+    </message>
+    <message>
+        <source>a coordinate is not a number or infinite</source>
+        <translation>eine Koordinate ist keine Zahl oder unendlich</translation>
+    </message>
+    <message>
+        <source>a face names a vertex that is not there</source>
+        <translation>eine Fläche nennt eine Ecke, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>a face has less than three corners</source>
+        <translation>eine Fläche hat weniger als drei Ecken</translation>
+    </message>
+    <message>
+        <source>a face is damaged</source>
+        <translation>eine Fläche ist beschädigt</translation>
+    </message>
+    <message>
+        <source>a vertex is not three numbers</source>
+        <translation>eine Ecke besteht nicht aus drei Zahlen</translation>
+    </message>
+    <message>
+        <source>its triangles have no area</source>
+        <translation>die Dreiecke haben keine Fläche</translation>
+    </message>
+    <message>
+        <source>has no triangles</source>
+        <translation>es sind keine Dreiecke darin</translation>
+    </message>
+    <message>
+        <source>is not closed</source>
+        <translation>das Netz ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>is not manifold</source>
+        <translation>das Netz ist keine Mannigfaltigkeit</translation>
+    </message>
+    <message>
+        <source>has faces that are not oriented alike</source>
+        <translation>das Netz hat Flächen, die nicht gleich orientiert sind</translation>
+    </message>
+    <message>
+        <source>intersects itself ({pairs:0f} pairs of faces)</source>
+        <translation>das Netz schneidet sich selbst ({pairs:0f} Flächenpaare)</translation>
+    </message>
+    <message>
+        <source>intersects itself in single precision</source>
+        <translation>das Netz schneidet sich selbst in einfacher Genauigkeit</translation>
+    </message>
+    <message>
+        <source>has components that lie where they bound nothing</source>
+        <translation>das Netz hat Komponenten, die dort, wo sie liegen, nichts begrenzen</translation>
+    </message>
+    <message>
+        <source>encloses no volume</source>
+        <translation>das Netz umschließt kein Volumen</translation>
+    </message>
+    <message>
+        <source>has no voxel of the value {label:0f}</source>
+        <translation>es gibt kein Voxel mit dem Wert {label:0f}</translation>
+    </message>
+    <message>
+        <source>has no voxel that is not 0</source>
+        <translation>es gibt kein Voxel, das nicht 0 ist</translation>
+    </message>
+    <message>
+        <source>is a mesh, which has no labels</source>
+        <translation>das ist ein Netz, das keine Labels hat</translation>
+    </message>
+    <message>
+        <source>became surfaces without the label {label:0f}</source>
+        <translation>beim Umwandeln in Oberflächen ging das Label {label:0f} verloren</translation>
+    </message>
+    <message>
+        <source>has labels that lie in each other so finely that their surfaces cannot be kept apart</source>
+        <translation>die Labels liegen so fein ineinander, dass ihre Oberflächen nicht getrennt gehalten werden können</translation>
+    </message>
+    <message>
+        <source>has a surface of more than {most:0f} triangles</source>
+        <translation>die Oberfläche hätte mehr als {most:0f} Dreiecke</translation>
+    </message>
+    <message>
+        <source>it is a folder, not a file name</source>
+        <translation>das ist ein Ordner, kein Dateiname</translation>
+    </message>
+    <message>
+        <source>a folder has this name</source>
+        <translation>ein Ordner hat diesen Namen</translation>
+    </message>
+    <message>
+        <source>the data did not reach the disk (is it full?)</source>
+        <translation>die Daten kamen nicht auf dem Datenträger an (ist er voll?)</translation>
+    </message>
+    <message>
+        <source>the disk may be full</source>
+        <translation>der Datenträger ist vielleicht voll</translation>
+    </message>
+    <message>
+        <source>the file cannot be opened</source>
+        <translation>die Datei kann nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>NIfTI cannot hold more than 32767 voxels or frames along an axis</source>
+        <translation>NIfTI kann entlang einer Achse nicht mehr als 32767 Voxel oder Bilder aufnehmen</translation>
+    </message>
+    <message>
+        <source>the mesh is too large for DICOM</source>
+        <translation>das Netz ist für DICOM zu groß</translation>
+    </message>
+    <message>
+        <source>it is too large for DICOM</source>
+        <translation>es ist für DICOM zu groß</translation>
+    </message>
+    <message>
+        <source>the mesh is too large for 3MF</source>
+        <translation>das Netz ist für 3MF zu groß</translation>
+    </message>
+    <message>
+        <source>the object {object} holds the centre of no voxel</source>
+        <translation>das Objekt {object} enthält keinen Voxelmittelpunkt</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>die Berechtigung fehlt</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>auf dem Datenträger ist kein Platz mehr</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>auf den Datenträger kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>es gibt keine solche Datei und keinen solchen Ordner</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>der Dateiname ist zu lang</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>ein Teil des Pfads ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>das Kontingent auf dem Datenträger ist erschöpft</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Ein-/Ausgabefehler</translation>
+    </message>
+    <message>
+        <source>The pin at {place} mm lies outside of the volume.</source>
+        <translation>Die Fixierung bei {place} mm liegt außerhalb des Bildvolumens.</translation>
+    </message>
+    <message>
+        <source>The wall at {place} mm lies outside of the volume.</source>
+        <translation>Die Wand bei {place} mm liegt außerhalb des Bildvolumens.</translation>
+    </message>
+    <message>
+        <source>The wall disc at {place} mm lies outside of the volume.</source>
+        <translation>Die Wandscheibe bei {place} mm liegt außerhalb des Bildvolumens.</translation>
+    </message>
+    <message>
+        <source>The allowed place {place} lies outside of the volume.</source>
+        <translation>Die erlaubte Stelle {place} liegt außerhalb des Bildvolumens.</translation>
+    </message>
+    <message>
+        <source>The place to hold {place} lies outside of the volume.</source>
+        <translation>Die Stelle {place}, an der gehalten werden soll, liegt außerhalb des Bildvolumens.</translation>
+    </message>
+    <message>
+        <source>The surface to begin with, {file}, lies outside of the volume.</source>
+        <translation>Die Anfangsoberfläche {file} liegt außerhalb des Bildvolumens.</translation>
+    </message>
+    <message>
+        <source>The surface to begin with, {file}, meets the object &apos;{object}&apos;, which comes before it.</source>
+        <translation>Die Anfangsoberfläche {file} trifft auf das Objekt „{object}“, das vor ihr kommt.</translation>
+    </message>
+    <message>
+        <source>The surface to begin with cannot become another one on the way: begin again.</source>
+        <translation>Die Anfangsoberfläche kann unterwegs keine andere werden: beginnen Sie von vorn.</translation>
+    </message>
+    <message>
+        <source>The object &apos;{object}&apos; has no mesh that could be a wall.</source>
+        <translation>Das Objekt „{object}“ hat kein Netz, das eine Wand sein könnte.</translation>
+    </message>
+    <message>
+        <source>The label map of the walls has not the volume&apos;s size.</source>
+        <translation>Die Labelkarte der Wände hat nicht die Größe des Bildvolumens.</translation>
+    </message>
+    <message>
+        <source>An allowed place has nothing to allow: the components and the genus have no limit.</source>
+        <translation>Eine erlaubte Stelle hat nichts zu erlauben: Komponenten und Geschlecht haben keine Grenze.</translation>
+    </message>
+    <message>
+        <source>A place to hold has nothing to hold: the components and the genus have no limit.</source>
+        <translation>Eine Stelle zum Halten hat nichts zu halten: Komponenten und Geschlecht haben keine Grenze.</translation>
+    </message>
+    <message>
+        <source>There is nothing to ask about: the components and the genus have no limit.</source>
+        <translation>Es gibt nichts zu fragen: Komponenten und Geschlecht haben keine Grenze.</translation>
+    </message>
+    <message>
+        <source>A pin cannot be set before the first step of a correction: make a step first.</source>
+        <translation>Vor dem ersten Schritt einer Korrektur kann nicht fixiert werden: machen Sie zuerst einen Schritt.</translation>
+    </message>
+    <message>
+        <source>The sensitivity cannot be told of a growth with vetoes, pins or edits: they name an iteration, and a perturbed run has others.</source>
+        <translation>Die Empfindlichkeit lässt sich bei einem Wachstum mit Vetos, Fixierungen oder Bearbeitungen nicht angeben: sie nennen eine Iteration, und ein abgewandelter Lauf hat andere.</translation>
+    </message>
+    <message>
+        <source>The surface vanished.</source>
+        <translation>Die Oberfläche ist verschwunden.</translation>
+    </message>
+    <message>
+        <source>no DICOM file can be made: {cause}</source>
+        <translation>es kann keine DICOM-Datei gemacht werden: {cause}</translation>
+    </message>
+    <message>
+        <source>the volume was not read from DICOM, and a DICOM file belongs to a patient and a study</source>
+        <translation>das Bildvolumen wurde nicht aus DICOM gelesen, und eine DICOM-Datei gehört zu einem Patienten und einer Studie</translation>
+    </message>
+    <message>
+        <source>the series does not say where its slices lie</source>
+        <translation>die Serie sagt nicht, wo ihre Schichten liegen</translation>
+    </message>
+    <message>
+        <source>its positions are in the frame of the ultrasound volume, not of the patient</source>
+        <translation>die Positionen beziehen sich auf das Ultraschallvolumen, nicht auf den Patienten</translation>
+    </message>
+    <message>
+        <source>its spacing was given by the user, not by the series</source>
+        <translation>der Abstand wurde von Hand eingegeben, nicht von der Serie angegeben</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; is longer than 64 bytes</source>
+        <translation>„{text}“ ist länger als 64 Byte</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; holds a control character or a backslash</source>
+        <translation>„{text}“ enthält ein Steuerzeichen oder einen Backslash</translation>
+    </message>
+    <message>
+        <source>the label map is not on the grid of the series</source>
+        <translation>die Labelkarte liegt nicht auf dem Gitter der Serie</translation>
+    </message>
+    <message>
+        <source>tetrahedra are made by gmsh or TetGen, and neither program is installed (Debian&apos;s packages are gmsh and tetgen)</source>
+        <translation>Tetraeder machen gmsh oder TetGen, und keines der beiden Programme ist installiert (die Debian-Pakete heißen gmsh und tetgen)</translation>
+    </message>
+    <message>
+        <source>there are no tetrahedra of the object &apos;{object}&apos;: {cause}.</source>
+        <translation>vom Objekt „{object}“ gibt es keine Tetraeder: {cause}.</translation>
+    </message>
+    <message>
+        <source>{file}: there is no frame {frame:0f}; it has the frames 0 to {last:0f}.</source>
+        <translation>{file}: es gibt kein Bild {frame:0f}; vorhanden sind die Bilder 0 bis {last:0f}.</translation>
+    </message>
+    <message>
+        <source>{file}: there is no frame {frame:0f}; it has one frame, 0.</source>
+        <translation>{file}: es gibt kein Bild {frame:0f}; vorhanden ist nur ein Bild, 0.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

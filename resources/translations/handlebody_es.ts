@@ -486,6 +486,990 @@
         <source>a change of its topology ({event}) would happen at {place:1f}</source>
         <translation>un cambio de su topología ({event}) ocurriría en {place:1f}</translation>
     </message>
+    <message>
+        <source>its voxels cannot be read: {cause}</source>
+        <translation>no se pueden leer sus vóxeles: {cause}</translation>
+    </message>
+    <message>
+        <source>no object can be grown here: {cause}</source>
+        <translation>aquí no puede crecer ningún objeto: {cause}</translation>
+    </message>
+    <message>
+        <source>the surface was still moving at the iteration limit</source>
+        <translation>la superficie aún se movía en el límite de iteraciones</translation>
+    </message>
+    <message>
+        <source>the surface got stuck before it was at rest</source>
+        <translation>la superficie se atascó antes de quedar en reposo</translation>
+    </message>
+    <message>
+        <source>the surface rests, but parts that could not be mended would still move</source>
+        <translation>la superficie está en reposo, pero partes que no se pudieron arreglar aún se moverían</translation>
+    </message>
+    <message>
+        <source>the surface was stopped before it was at rest</source>
+        <translation>la superficie se detuvo antes de quedar en reposo</translation>
+    </message>
+    <message>
+        <source>its voxels cannot be read</source>
+        <translation>no se pueden leer sus vóxeles</translation>
+    </message>
+    <message>
+        <source>the surface vanished</source>
+        <translation>la superficie desapareció</translation>
+    </message>
+    <message>
+        <source>the surface leaked: {cause}</source>
+        <translation>la superficie se fugó: {cause}</translation>
+    </message>
+    <message>
+        <source>the volume jumps from {from_ml:4g} ml in frame {from_frame} to {to_ml:4g} ml</source>
+        <translation>el volumen salta de {from_ml:4g} ml en el fotograma {from_frame} a {to_ml:4g} ml</translation>
+    </message>
+    <message>
+        <source>the topology changes from 1 component of genus {genus_before} to 1 component of genus {genus}</source>
+        <translation>la topología cambia de 1 componente de género {genus_before} a 1 componente de género {genus}</translation>
+    </message>
+    <message>
+        <source>the topology changes from 1 component of genus {genus_before} to {components} components of genus {genus}</source>
+        <translation>la topología cambia de 1 componente de género {genus_before} a {components} componentes de género {genus}</translation>
+    </message>
+    <message>
+        <source>the topology changes from {components_before} components of genus {genus_before} to 1 component of genus {genus}</source>
+        <translation>la topología cambia de {components_before} componentes de género {genus_before} a 1 componente de género {genus}</translation>
+    </message>
+    <message>
+        <source>the topology changes from {components_before} components of genus {genus_before} to {components} components of genus {genus}</source>
+        <translation>la topología cambia de {components_before} componentes de género {genus_before} a {components} componentes de género {genus}</translation>
+    </message>
+    <message>
+        <source>the topology was held at 1 place, the first at {place} mm</source>
+        <translation>la topología se retuvo en 1 lugar, en {place} mm</translation>
+    </message>
+    <message>
+        <source>the topology was held at {places} places, the first at {place} mm</source>
+        <translation>la topología se retuvo en {places} lugares, el primero en {place} mm</translation>
+    </message>
+    <message>
+        <source>another object is likelier there, but it fails ({cause}); candidate {candidate} was taken</source>
+        <translation>otro objeto es más probable allí, pero falla ({cause}); se tomó el candidato {candidate}</translation>
+    </message>
+    <message>
+        <source>it names no volume, as it is anonymous; “handlebody-cli replay --volume” says which.</source>
+        <translation>no nombra ningún volumen, porque es anónima; «handlebody-cli replay --volume» lo indica.</translation>
+    </message>
+    <message>
+        <source>it names no label map of its walls, as it is anonymous; “handlebody-cli replay --walls” says which.</source>
+        <translation>no nombra ningún mapa de etiquetas de sus barreras, porque es anónima; «handlebody-cli replay --walls» lo indica.</translation>
+    </message>
+    <message>
+        <source>it does not name the file of the surface to begin with, as it is anonymous; “handlebody-cli replay --start” says which.</source>
+        <translation>no nombra el archivo de la superficie inicial, porque es anónima; «handlebody-cli replay --start» lo indica.</translation>
+    </message>
+    <message>
+        <source>this is a cine (2D images over time: {frames:0f} frames), not a volume; if its frames are slices in space, enter their spacing in step 1, Open</source>
+        <translation>es un cine (imágenes 2D en el tiempo: {frames:0f}), no un volumen; si sus fotogramas son cortes en el espacio, introduzca su espaciado en el paso 1, Abrir</translation>
+    </message>
+    <message>
+        <source>{file}: {cause}.</source>
+        <translation>{file}: {cause}.</translation>
+    </message>
+    <message>
+        <source>{file}: {cause}</source>
+        <translation>{file}: {cause}</translation>
+    </message>
+    <message>
+        <source>{file}: {cause} in line {line:0f}.</source>
+        <translation>{file}: {cause}, en la línea {line:0f}.</translation>
+    </message>
+    <message>
+        <source>{file}: cannot be written: {cause}.</source>
+        <translation>No se puede escribir {file}: {cause}.</translation>
+    </message>
+    <message>
+        <source>{file}: it holds no series {series}.</source>
+        <translation>{file}: no contiene la serie {series}.</translation>
+    </message>
+    <message>
+        <source>{file} cannot be a surface to begin with: it {cause}.</source>
+        <translation>{file} no puede ser una superficie inicial: {cause}.</translation>
+    </message>
+    <message>
+        <source>{file} is not the file that the session began with: its SHA-256 differs.</source>
+        <translation>{file} no es el archivo con el que empezó la sesión: su SHA-256 es distinto.</translation>
+    </message>
+    <message>
+        <source>{file} is not the volume that the session was made from: its SHA-256 differs.</source>
+        <translation>{file} no es el volumen con el que se hizo la sesión: su SHA-256 es distinto.</translation>
+    </message>
+    <message>
+        <source>{file} is not the label map that the walls were made from: its SHA-256 differs.</source>
+        <translation>{file} no es el mapa de etiquetas del que se hicieron las barreras: su SHA-256 es distinto.</translation>
+    </message>
+    <message>
+        <source>{file} cannot be used as walls: it has {size} voxels, the volume has {volume}.</source>
+        <translation>{file} no puede servir de barreras: tiene {size} vóxeles, el volumen {volume}.</translation>
+    </message>
+    <message>
+        <source>{file} cannot be used as walls: its spacing, origin or direction are not the volume&apos;s.</source>
+        <translation>{file} no puede servir de barreras: su espaciado, su origen o su dirección no son los del volumen.</translation>
+    </message>
+    <message>
+        <source>{file} cannot be used as walls: all of its voxels are 0.</source>
+        <translation>{file} no puede servir de barreras: todos sus vóxeles valen 0.</translation>
+    </message>
+    <message>
+        <source>{file} holds no object: all of its voxels are 0.</source>
+        <translation>{file} no contiene ningún objeto: todos sus vóxeles valen 0.</translation>
+    </message>
+    <message>
+        <source>{file} is hardly a label map: it has more than {most:0f} different values.</source>
+        <translation>{file} difícilmente es un mapa de etiquetas: tiene más de {most:0f} valores distintos.</translation>
+    </message>
+    <message>
+        <source>{file} does not belong to this volume: a surface in it ({object}) lies outside of it.</source>
+        <translation>{file} no pertenece a este volumen: una superficie que contiene ({object}) está fuera de él.</translation>
+    </message>
+    <message>
+        <source>{file} is a folder, not a session.</source>
+        <translation>{file} es una carpeta, no una sesión.</translation>
+    </message>
+    <message>
+        <source>{file} cannot be opened: {cause}.</source>
+        <translation>No se puede abrir {file}: {cause}.</translation>
+    </message>
+    <message>
+        <source>{file} cannot be read.</source>
+        <translation>No se puede leer {file}.</translation>
+    </message>
+    <message>
+        <source>{file} is not a JSON file.</source>
+        <translation>{file} no es un archivo JSON.</translation>
+    </message>
+    <message>
+        <source>{file} is neither a session nor a report: {cause}</source>
+        <translation>{file} no es ni una sesión ni un informe: {cause}</translation>
+    </message>
+    <message>
+        <source>it holds no objects.</source>
+        <translation>no contiene objetos.</translation>
+    </message>
+    <message>
+        <source>it has no seeds.</source>
+        <translation>no tiene semillas.</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>no existe tal archivo</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>no existe tal archivo ni carpeta</translation>
+    </message>
+    <message>
+        <source>it is not a file</source>
+        <translation>no es un archivo</translation>
+    </message>
+    <message>
+        <source>it is neither a file nor a folder</source>
+        <translation>no es ni un archivo ni una carpeta</translation>
+    </message>
+    <message>
+        <source>it cannot be opened (permission?)</source>
+        <translation>no se puede abrir (¿falta permiso?)</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation>no se puede abrir</translation>
+    </message>
+    <message>
+        <source>it cannot be read</source>
+        <translation>no se puede leer</translation>
+    </message>
+    <message>
+        <source>it cannot be read to its end</source>
+        <translation>no se puede leer hasta el final</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>el archivo está vacío</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read</source>
+        <translation>no se puede leer la carpeta</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read ({reason})</source>
+        <translation>no se puede leer la carpeta ({reason})</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to read it</source>
+        <translation>no hay memoria suficiente para leerlo</translation>
+    </message>
+    <message>
+        <source>not enough memory to decompress it</source>
+        <translation>no hay memoria suficiente para descomprimirlo</translation>
+    </message>
+    <message>
+        <source>it is truncated or damaged</source>
+        <translation>está truncado o dañado</translation>
+    </message>
+    <message>
+        <source>it is truncated or damaged ({reason})</source>
+        <translation>está truncado o dañado ({reason})</translation>
+    </message>
+    <message>
+        <source>its {format} header cannot be read ({reason})</source>
+        <translation>no se puede leer su cabecera {format} ({reason})</translation>
+    </message>
+    <message>
+        <source>it is truncated within its {format} header</source>
+        <translation>está truncado dentro de su cabecera {format}</translation>
+    </message>
+    <message>
+        <source>its {format} header is truncated</source>
+        <translation>su cabecera {format} está truncada</translation>
+    </message>
+    <message>
+        <source>its {format} header is truncated (no {field})</source>
+        <translation>su cabecera {format} está truncada (falta {field})</translation>
+    </message>
+    <message>
+        <source>its {format} header is damaged ({field})</source>
+        <translation>su cabecera {format} está dañada ({field})</translation>
+    </message>
+    <message>
+        <source>the {format} file is damaged ({field})</source>
+        <translation>el archivo {format} está dañado ({field})</translation>
+    </message>
+    <message>
+        <source>the {format} file is truncated</source>
+        <translation>el archivo {format} está truncado</translation>
+    </message>
+    <message>
+        <source>it is not a {format} file</source>
+        <translation>no es un archivo {format}</translation>
+    </message>
+    <message>
+        <source>it is not a volume in a known format (NIfTI, NRRD, MetaImage, DICOM, TIFF, GIPL)</source>
+        <translation>no es un volumen en un formato conocido (NIfTI, NRRD, MetaImage, DICOM, TIFF, GIPL)</translation>
+    </message>
+    <message>
+        <source>this is a Git LFS pointer, not the file it stands for</source>
+        <translation>es un puntero de Git LFS, no el archivo al que representa</translation>
+    </message>
+    <message>
+        <source>this is a compressed DICOM file; unpack it first (gunzip)</source>
+        <translation>es un archivo DICOM comprimido; descomprímalo primero (gunzip)</translation>
+    </message>
+    <message>
+        <source>this is a sequence of tracked 2D frames, not a volume; reconstruct a volume from it first</source>
+        <translation>es una secuencia de imágenes 2D con seguimiento, no un volumen; reconstruya primero uno a partir de ella</translation>
+    </message>
+    <message>
+        <source>this is a 2D image, a volume is needed</source>
+        <translation>es una imagen 2D; se necesita un volumen</translation>
+    </message>
+    <message>
+        <source>this is a 2D image, a volume needs at least two slices along each axis</source>
+        <translation>es una imagen 2D; un volumen necesita al menos dos cortes a lo largo de cada eje</translation>
+    </message>
+    <message>
+        <source>this looks like a 2D image in colour (its first axis has {values:0f} values, and the header says nothing of space)</source>
+        <translation>parece una imagen 2D en color (su primer eje tiene {values:0f} valores y la cabecera no dice nada del espacio)</translation>
+    </message>
+    <message>
+        <source>the volume has no voxels (a size of 0)</source>
+        <translation>el volumen no tiene vóxeles (un tamaño de 0)</translation>
+    </message>
+    <message>
+        <source>the volume has no voxels (a size of 0 in its header)</source>
+        <translation>el volumen no tiene vóxeles (un tamaño de 0 en su cabecera)</translation>
+    </message>
+    <message>
+        <source>its voxel spacing is zero, negative or not a number</source>
+        <translation>su espaciado de vóxeles es cero, negativo o no es un número</translation>
+    </message>
+    <message>
+        <source>its position or its direction is not a number</source>
+        <translation>su posición o su dirección no es un número</translation>
+    </message>
+    <message>
+        <source>its axes are not at right angles (sheared or tilted), which is not supported</source>
+        <translation>sus ejes no están en ángulo recto (cizallados o inclinados), lo que no se admite</translation>
+    </message>
+    <message>
+        <source>it has no time points</source>
+        <translation>no tiene instantes</translation>
+    </message>
+    <message>
+        <source>the number of its time points is implausible ({frames:0f})</source>
+        <translation>el número de sus instantes no es verosímil ({frames:0f})</translation>
+    </message>
+    <message>
+        <source>it declares {declared_gb:1f} GB of voxels, more than the {memory_gb:1f} GB of memory of this computer</source>
+        <translation>declara {declared_gb:1f} GB de vóxeles, más que los {memory_gb:1f} GB de memoria de este equipo</translation>
+    </message>
+    <message>
+        <source>a size in its header is implausible ({size})</source>
+        <translation>un tamaño de su cabecera no es verosímil ({size})</translation>
+    </message>
+    <message>
+        <source>its data file {data} is missing</source>
+        <translation>falta su archivo de datos {data}</translation>
+    </message>
+    <message>
+        <source>it is truncated or damaged: the header declares {declared:0f} bytes of voxels, the file holds {held:0f}</source>
+        <translation>está truncado o dañado: la cabecera declara {declared:0f} bytes de vóxeles, el archivo contiene {held:0f}</translation>
+    </message>
+    <message>
+        <source>it is truncated or damaged: the header declares {declared:0f} bytes of voxels, the file holds {held:0f} compressed</source>
+        <translation>está truncado o dañado: la cabecera declara {declared:0f} bytes de vóxeles, el archivo contiene {held:0f} comprimidos</translation>
+    </message>
+    <message>
+        <source>its voxel data are truncated or damaged</source>
+        <translation>sus datos de vóxeles están truncados o dañados</translation>
+    </message>
+    <message>
+        <source>the voxel data are truncated or damaged</source>
+        <translation>los datos de vóxeles están truncados o dañados</translation>
+    </message>
+    <message>
+        <source>the compressed voxel data are truncated or damaged (checksum)</source>
+        <translation>los datos de vóxeles comprimidos están truncados o dañados (suma de comprobación)</translation>
+    </message>
+    <message>
+        <source>1 of its voxels is infinite, the first at index ({index: 0f})</source>
+        <translation>1 de sus vóxeles es infinito, en el índice ({index: 0f})</translation>
+    </message>
+    <message>
+        <source>{voxels:0f} of its voxels are infinite, the first at index ({index: 0f})</source>
+        <translation>{voxels:0f} de sus vóxeles son infinitos, el primero en el índice ({index: 0f})</translation>
+    </message>
+    <message>
+        <source>none of its voxels is a number</source>
+        <translation>ninguno de sus vóxeles es un número</translation>
+    </message>
+    <message>
+        <source>its voxels are as low as numbers go</source>
+        <translation>sus vóxeles son tan bajos como pueden serlo los números</translation>
+    </message>
+    <message>
+        <source>its voxels have {components} components (vectors); only scalar and colour volumes are supported</source>
+        <translation>sus vóxeles tienen {components} componentes (vectores); solo se admiten volúmenes escalares y en color</translation>
+    </message>
+    <message>
+        <source>it has more than four dimensions</source>
+        <translation>tiene más de cuatro dimensiones</translation>
+    </message>
+    <message>
+        <source>it has {dimensions:0f} dimensions; at most four are supported</source>
+        <translation>tiene {dimensions:0f} dimensiones; se admiten cuatro como máximo</translation>
+    </message>
+    <message>
+        <source>its voxel type ({type}) is not supported</source>
+        <translation>su tipo de vóxel ({type}) no se admite</translation>
+    </message>
+    <message>
+        <source>its voxel type is not supported</source>
+        <translation>su tipo de vóxel no se admite</translation>
+    </message>
+    <message>
+        <source>its NIfTI voxel type {type} is not supported</source>
+        <translation>su tipo de vóxel NIfTI {type} no se admite</translation>
+    </message>
+    <message>
+        <source>it is not a NIfTI file, whatever its name says</source>
+        <translation>no es un archivo NIfTI, diga lo que diga su nombre</translation>
+    </message>
+    <message>
+        <source>this is an Analyze 7.5 file, whose orientation is not reliable; convert it to NIfTI</source>
+        <translation>es un archivo Analyze 7.5, cuya orientación no es fiable; conviértalo a NIfTI</translation>
+    </message>
+    <message>
+        <source>the sform in its header has an axis without length</source>
+        <translation>la sform de su cabecera tiene un eje sin longitud</translation>
+    </message>
+    <message>
+        <source>the sform in its header is not a number</source>
+        <translation>la sform de su cabecera no es un número</translation>
+    </message>
+    <message>
+        <source>its list of data files ({pattern}) is not supported</source>
+        <translation>su lista de archivos de datos ({pattern}) no se admite</translation>
+    </message>
+    <message>
+        <source>its encoding ({encoding}) is not supported; raw, gzip and ascii are</source>
+        <translation>su codificación ({encoding}) no se admite; raw, gzip y ascii sí</translation>
+    </message>
+    <message>
+        <source>its data files do not divide its voxels evenly</source>
+        <translation>sus archivos de datos no dividen sus vóxeles por igual</translation>
+    </message>
+    <message>
+        <source>its byte skip of -1 is not supported here</source>
+        <translation>su salto de bytes de -1 no se admite aquí</translation>
+    </message>
+    <message>
+        <source>its voxels are not numbers ({word})</source>
+        <translation>sus vóxeles no son números ({word})</translation>
+    </message>
+    <message>
+        <source>its voxels are spread over many data files, which is not supported</source>
+        <translation>sus vóxeles están repartidos en muchos archivos de datos, lo que no se admite</translation>
+    </message>
+    <message>
+        <source>its voxels are written as text, which is not supported</source>
+        <translation>sus vóxeles están escritos como texto, lo que no se admite</translation>
+    </message>
+    <message>
+        <source>it has {frames:0f} time points; of the volumes of a folder each is one time point</source>
+        <translation>tiene {frames:0f} instantes; cada volumen de una carpeta es un solo instante</translation>
+    </message>
+    <message>
+        <source>its size, spacing or place is not the same as in {first}; the volumes of a folder are the time points of one</source>
+        <translation>su tamaño, espaciado o posición no es como en {first}; los volúmenes de una carpeta son los instantes de uno solo</translation>
+    </message>
+    <message>
+        <source>its voxels are not of the same type and scale as in {first}; the volumes of a folder are the time points of one</source>
+        <translation>sus vóxeles no son del mismo tipo y escala que en {first}; los volúmenes de una carpeta son los instantes de uno solo</translation>
+    </message>
+    <message>
+        <source>it is no label map: it has voxels whose values are no whole numbers</source>
+        <translation>no es un mapa de etiquetas: tiene vóxeles cuyos valores no son números enteros</translation>
+    </message>
+    <message>
+        <source>the DICOM file is truncated or damaged</source>
+        <translation>el archivo DICOM está truncado o dañado</translation>
+    </message>
+    <message>
+        <source>the file {part} is truncated or damaged</source>
+        <translation>el archivo {part} está truncado o dañado</translation>
+    </message>
+    <message>
+        <source>the file {part} is truncated (cut off within its first 132 bytes)</source>
+        <translation>el archivo {part} está truncado (dentro de sus primeros 132 bytes)</translation>
+    </message>
+    <message>
+        <source>the file {part} is truncated (a slice without an image)</source>
+        <translation>el archivo {part} está truncado (un corte sin imagen)</translation>
+    </message>
+    <message>
+        <source>the DICOM header of {part} cannot be read ({reason})</source>
+        <translation>no se puede leer la cabecera DICOM de {part} ({reason})</translation>
+    </message>
+    <message>
+        <source>it is not a DICOM image (no rows and columns)</source>
+        <translation>no es una imagen DICOM (sin filas ni columnas)</translation>
+    </message>
+    <message>
+        <source>the folder holds no DICOM images</source>
+        <translation>la carpeta no contiene imágenes DICOM</translation>
+    </message>
+    <message>
+        <source>the folder holds no DICOM images itself; open one of its subfolders</source>
+        <translation>la carpeta en sí no contiene imágenes DICOM; abra una de sus subcarpetas</translation>
+    </message>
+    <message>
+        <source>the slice {slice} does not say where it lies (position, orientation or pixel spacing)</source>
+        <translation>el corte {slice} no dice dónde está (posición, orientación o espaciado de píxeles)</translation>
+    </message>
+    <message>
+        <source>the slice {slice} has a pixel spacing that is not positive</source>
+        <translation>el corte {slice} tiene un espaciado de píxeles que no es positivo</translation>
+    </message>
+    <message>
+        <source>the slice {slice} has directions that span no plane</source>
+        <translation>el corte {slice} tiene direcciones que no generan un plano</translation>
+    </message>
+    <message>
+        <source>the slice {slice} has no pixels</source>
+        <translation>el corte {slice} no tiene píxeles</translation>
+    </message>
+    <message>
+        <source>the slice {slice} cannot be opened</source>
+        <translation>no se puede abrir el corte {slice}</translation>
+    </message>
+    <message>
+        <source>the slice {slice} cannot be read to its end</source>
+        <translation>no se puede leer el corte {slice} hasta el final</translation>
+    </message>
+    <message>
+        <source>the slice {slice} has another size than its header says</source>
+        <translation>el corte {slice} tiene un tamaño distinto del que dice su cabecera</translation>
+    </message>
+    <message>
+        <source>the slice {slice} is truncated or damaged ({reason})</source>
+        <translation>el corte {slice} está truncado o dañado ({reason})</translation>
+    </message>
+    <message>
+        <source>the slice {slice} is truncated or damaged (its pixels cannot be decoded)</source>
+        <translation>el corte {slice} está truncado o dañado (no se pueden decodificar sus píxeles)</translation>
+    </message>
+    <message>
+        <source>the slice {slice} is truncated or damaged: it holds less pixels than its header says</source>
+        <translation>el corte {slice} está truncado o dañado: contiene menos píxeles de los que dice su cabecera</translation>
+    </message>
+    <message>
+        <source>the slice {slice} is truncated or damaged: its header declares {declared:0f} bytes of pixels, the file holds {held:0f} compressed</source>
+        <translation>el corte {slice} está truncado o dañado: su cabecera declara {declared:0f} bytes de píxeles, el archivo contiene {held:0f} comprimidos</translation>
+    </message>
+    <message>
+        <source>the slice {slice} is damaged: a value is larger than its header allows</source>
+        <translation>el corte {slice} está dañado: un valor es mayor de lo que permite su cabecera</translation>
+    </message>
+    <message>
+        <source>its slices have different sizes</source>
+        <translation>sus cortes tienen tamaños distintos</translation>
+    </message>
+    <message>
+        <source>its slices have different orientations</source>
+        <translation>sus cortes tienen orientaciones distintas</translation>
+    </message>
+    <message>
+        <source>its slices have different pixel spacings</source>
+        <translation>sus cortes tienen espaciados de píxeles distintos</translation>
+    </message>
+    <message>
+        <source>its slices are partly in colour</source>
+        <translation>parte de sus cortes está en color</translation>
+    </message>
+    <message>
+        <source>its slices are less than two pixels wide</source>
+        <translation>sus cortes tienen menos de dos píxeles de ancho</translation>
+    </message>
+    <message>
+        <source>several of its slices lie in the same place with different content, and not equally many in every place (time points or echoes that are not complete)</source>
+        <translation>varios de sus cortes están en el mismo lugar con contenido distinto, y no el mismo número en todos los lugares (instantes o ecos incompletos)</translation>
+    </message>
+    <message>
+        <source>all its slices lie in the same place: 2D images over time, not a volume</source>
+        <translation>todos sus cortes están en el mismo lugar: imágenes 2D en el tiempo, no un volumen</translation>
+    </message>
+    <message>
+        <source>this is a single slice, a 2D image; give the folder with the whole series</source>
+        <translation>es un solo corte, una imagen 2D; indique la carpeta con la serie completa</translation>
+    </message>
+    <message>
+        <source>its slices are shifted against each other by {shift_mm:4g} mm, more than they are apart; this is no gantry tilt</source>
+        <translation>sus cortes están desplazados entre sí {shift_mm:4g} mm, más que su separación; no es una inclinación del gantry</translation>
+    </message>
+    <message>
+        <source>its slices are unevenly spaced ({gaps})</source>
+        <translation>sus cortes están espaciados de forma desigual ({gaps})</translation>
+    </message>
+    <message>
+        <source>its slices are unevenly spaced ({gaps}), 1 seems to be missing</source>
+        <translation>sus cortes están espaciados de forma desigual ({gaps}); parece faltar 1</translation>
+    </message>
+    <message>
+        <source>its slices are unevenly spaced ({gaps}), {missing:0f} seem to be missing</source>
+        <translation>sus cortes están espaciados de forma desigual ({gaps}); parecen faltar {missing:0f}</translation>
+    </message>
+    <message>
+        <source>{cause}, too unevenly to resample</source>
+        <translation>{cause}, demasiado desigual para remuestrear</translation>
+    </message>
+    <message>
+        <source>the number of frames in {slice} is implausible</source>
+        <translation>el número de fotogramas en {slice} no es verosímil</translation>
+    </message>
+    <message>
+        <source>pixels of {stored:0f} bits in {allocated:0f} are not supported ({slice})</source>
+        <translation>no se admiten píxeles de {stored:0f} bits en {allocated:0f} ({slice})</translation>
+    </message>
+    <message>
+        <source>pixels with {samples:0f} samples are not supported ({slice})</source>
+        <translation>no se admiten píxeles con {samples:0f} muestras ({slice})</translation>
+    </message>
+    <message>
+        <source>colour of {bits:0f} bits is not supported ({slice})</source>
+        <translation>no se admite color de {bits:0f} bits ({slice})</translation>
+    </message>
+    <message>
+        <source>compressed pixels of one bit are not supported ({slice})</source>
+        <translation>no se admiten píxeles comprimidos de un bit ({slice})</translation>
+    </message>
+    <message>
+        <source>the colour space {space} is not supported ({slice})</source>
+        <translation>no se admite el espacio de color {space} ({slice})</translation>
+    </message>
+    <message>
+        <source>it does not say which segment each frame is of</source>
+        <translation>no dice de qué segmento es cada fotograma</translation>
+    </message>
+    <message>
+        <source>it is a segmentation that is not binary ({bits:0f} bits per voxel), which is not supported</source>
+        <translation>es una segmentación que no es binaria ({bits:0f} bits por vóxel), lo que no se admite</translation>
+    </message>
+    <message>
+        <source>its pixels are compressed, which is not supported for a segmentation</source>
+        <translation>sus píxeles están comprimidos, lo que no se admite en una segmentación</translation>
+    </message>
+    <message>
+        <source>it is truncated or damaged: it holds less pixels than its header says</source>
+        <translation>está truncado o dañado: contiene menos píxeles de los que dice su cabecera</translation>
+    </message>
+    <message>
+        <source>it does not say where every frame lies</source>
+        <translation>no dice dónde está cada fotograma</translation>
+    </message>
+    <message>
+        <source>its frames do not lie one behind the other, which is not supported</source>
+        <translation>sus fotogramas no están uno detrás de otro, lo que no se admite</translation>
+    </message>
+    <message>
+        <source>it does not give the distance between its slices</source>
+        <translation>no indica la distancia entre sus cortes</translation>
+    </message>
+    <message>
+        <source>the distance of its frames is implausible</source>
+        <translation>la distancia entre sus fotogramas no es verosímil</translation>
+    </message>
+    <message>
+        <source>its frames are not evenly spaced</source>
+        <translation>sus fotogramas no están espaciados de manera uniforme</translation>
+    </message>
+    <message>
+        <source>its segments overlap, so that they are no label map</source>
+        <translation>sus segmentos se solapan, por lo que no forman un mapa de etiquetas</translation>
+    </message>
+    <message>
+        <source>it cannot be read because the decoder {program} is not there</source>
+        <translation>no se puede leer porque falta el decodificador {program}</translation>
+    </message>
+    <message>
+        <source>the decoder cannot be started ({reason})</source>
+        <translation>no se puede iniciar el decodificador ({reason})</translation>
+    </message>
+    <message>
+        <source>the decoder {program} cannot be started ({reason})</source>
+        <translation>no se puede iniciar el decodificador {program} ({reason})</translation>
+    </message>
+    <message>
+        <source>the decoder broke down on it ({how}); the file is damaged or too large for it</source>
+        <translation>el decodificador falló con él ({how}); el archivo está dañado o es demasiado grande para él</translation>
+    </message>
+    <message>
+        <source>the decoder broke down on {part} ({how}); the file is damaged or too large for it</source>
+        <translation>el decodificador falló con {part} ({how}); el archivo está dañado o es demasiado grande para él</translation>
+    </message>
+    <message>
+        <source>the decoder got stuck on it and was stopped; the file is damaged</source>
+        <translation>el decodificador se atascó con él y se detuvo; el archivo está dañado</translation>
+    </message>
+    <message>
+        <source>the decoder got stuck on {part} and was stopped; the file is damaged</source>
+        <translation>el decodificador se atascó con {part} y se detuvo; el archivo está dañado</translation>
+    </message>
+    <message>
+        <source>the decoder gave an answer without meaning</source>
+        <translation>el decodificador dio una respuesta sin sentido</translation>
+    </message>
+    <message>
+        <source>the decoder gave an answer without meaning on it</source>
+        <translation>el decodificador dio una respuesta sin sentido sobre él</translation>
+    </message>
+    <message>
+        <source>the decoder gave an answer without meaning on {part}</source>
+        <translation>el decodificador dio una respuesta sin sentido sobre {part}</translation>
+    </message>
+    <message>
+        <source>the decoder gave less than it announced</source>
+        <translation>el decodificador dio menos de lo que anunció</translation>
+    </message>
+    <message>
+        <source>decoding it takes more memory than its size allows</source>
+        <translation>decodificarlo necesita más memoria de la que permite su tamaño</translation>
+    </message>
+    <message>
+        <source>its data cannot be decoded ({reason})</source>
+        <translation>no se pueden decodificar sus datos ({reason})</translation>
+    </message>
+    <message>
+        <source>the mesh file is truncated or damaged</source>
+        <translation>el archivo de malla está truncado o dañado</translation>
+    </message>
+    <message>
+        <source>it is not an STL file, or it is truncated</source>
+        <translation>no es un archivo STL, o está truncado</translation>
+    </message>
+    <message>
+        <source>it is not a mesh file (.stl, .vtp, .ply, .obj)</source>
+        <translation>no es un archivo de malla (.stl, .vtp, .ply, .obj)</translation>
+    </message>
+    <message>
+        <source>triangle strips are not supported</source>
+        <translation>no se admiten tiras de triángulos</translation>
+    </message>
+    <message>
+        <source>it holds no triangles</source>
+        <translation>no contiene triángulos</translation>
+    </message>
+    <message>
+        <source>a coordinate is not a number or infinite</source>
+        <translation>una coordenada no es un número o es infinita</translation>
+    </message>
+    <message>
+        <source>a face names a vertex that is not there</source>
+        <translation>una cara nombra un vértice que no existe</translation>
+    </message>
+    <message>
+        <source>a face has less than three corners</source>
+        <translation>una cara tiene menos de tres vértices</translation>
+    </message>
+    <message>
+        <source>a face is damaged</source>
+        <translation>una cara está dañada</translation>
+    </message>
+    <message>
+        <source>a vertex is not three numbers</source>
+        <translation>un vértice no son tres números</translation>
+    </message>
+    <message>
+        <source>its triangles have no area</source>
+        <translation>sus triángulos no tienen área</translation>
+    </message>
+    <message>
+        <source>has no triangles</source>
+        <translation>no tiene triángulos</translation>
+    </message>
+    <message>
+        <source>is not closed</source>
+        <translation>no está cerrada</translation>
+    </message>
+    <message>
+        <source>is not manifold</source>
+        <translation>no es una variedad</translation>
+    </message>
+    <message>
+        <source>has faces that are not oriented alike</source>
+        <translation>tiene caras que no están orientadas por igual</translation>
+    </message>
+    <message>
+        <source>intersects itself ({pairs:0f} pairs of faces)</source>
+        <translation>se interseca a sí misma ({pairs:0f} pares de caras)</translation>
+    </message>
+    <message>
+        <source>intersects itself in single precision</source>
+        <translation>se interseca a sí misma en precisión simple</translation>
+    </message>
+    <message>
+        <source>has components that lie where they bound nothing</source>
+        <translation>tiene componentes situados donde no delimitan nada</translation>
+    </message>
+    <message>
+        <source>encloses no volume</source>
+        <translation>no encierra ningún volumen</translation>
+    </message>
+    <message>
+        <source>has no voxel of the value {label:0f}</source>
+        <translation>no hay ningún vóxel con el valor {label:0f}</translation>
+    </message>
+    <message>
+        <source>has no voxel that is not 0</source>
+        <translation>no hay ningún vóxel distinto de 0</translation>
+    </message>
+    <message>
+        <source>is a mesh, which has no labels</source>
+        <translation>es una malla, que no tiene etiquetas</translation>
+    </message>
+    <message>
+        <source>became surfaces without the label {label:0f}</source>
+        <translation>al convertirse en superficies se perdió la etiqueta {label:0f}</translation>
+    </message>
+    <message>
+        <source>has labels that lie in each other so finely that their surfaces cannot be kept apart</source>
+        <translation>sus etiquetas están tan finamente entrelazadas que no se pueden mantener separadas sus superficies</translation>
+    </message>
+    <message>
+        <source>has a surface of more than {most:0f} triangles</source>
+        <translation>su superficie tendría más de {most:0f} triángulos</translation>
+    </message>
+    <message>
+        <source>it is a folder, not a file name</source>
+        <translation>es una carpeta, no un nombre de archivo</translation>
+    </message>
+    <message>
+        <source>a folder has this name</source>
+        <translation>una carpeta tiene este nombre</translation>
+    </message>
+    <message>
+        <source>the data did not reach the disk (is it full?)</source>
+        <translation>los datos no llegaron al disco (¿está lleno?)</translation>
+    </message>
+    <message>
+        <source>the disk may be full</source>
+        <translation>puede que el disco esté lleno</translation>
+    </message>
+    <message>
+        <source>the file cannot be opened</source>
+        <translation>no se puede abrir el archivo</translation>
+    </message>
+    <message>
+        <source>NIfTI cannot hold more than 32767 voxels or frames along an axis</source>
+        <translation>NIfTI no puede contener más de 32767 vóxeles o fotogramas a lo largo de un eje</translation>
+    </message>
+    <message>
+        <source>the mesh is too large for DICOM</source>
+        <translation>la malla es demasiado grande para DICOM</translation>
+    </message>
+    <message>
+        <source>it is too large for DICOM</source>
+        <translation>es demasiado grande para DICOM</translation>
+    </message>
+    <message>
+        <source>the mesh is too large for 3MF</source>
+        <translation>la malla es demasiado grande para 3MF</translation>
+    </message>
+    <message>
+        <source>the object {object} holds the centre of no voxel</source>
+        <translation>el objeto {object} no contiene el centro de ningún vóxel</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>permiso denegado</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>no queda espacio en el disco</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>el sistema de archivos es de solo lectura</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>no existe el archivo o la carpeta</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>el nombre del archivo es demasiado largo</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>una parte de la ruta no es una carpeta</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>se superó la cuota de disco</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>error de entrada/salida</translation>
+    </message>
+    <message>
+        <source>The pin at {place} mm lies outside of the volume.</source>
+        <translation>La fijación en {place} mm está fuera del volumen.</translation>
+    </message>
+    <message>
+        <source>The wall at {place} mm lies outside of the volume.</source>
+        <translation>La barrera en {place} mm está fuera del volumen.</translation>
+    </message>
+    <message>
+        <source>The wall disc at {place} mm lies outside of the volume.</source>
+        <translation>El disco de barrera en {place} mm está fuera del volumen.</translation>
+    </message>
+    <message>
+        <source>The allowed place {place} lies outside of the volume.</source>
+        <translation>El lugar permitido {place} está fuera del volumen.</translation>
+    </message>
+    <message>
+        <source>The place to hold {place} lies outside of the volume.</source>
+        <translation>El lugar que se ha de retener {place} está fuera del volumen.</translation>
+    </message>
+    <message>
+        <source>The surface to begin with, {file}, lies outside of the volume.</source>
+        <translation>La superficie inicial, {file}, está fuera del volumen.</translation>
+    </message>
+    <message>
+        <source>The surface to begin with, {file}, meets the object &apos;{object}&apos;, which comes before it.</source>
+        <translation>La superficie inicial, {file}, toca el objeto «{object}», que va antes que ella.</translation>
+    </message>
+    <message>
+        <source>The surface to begin with cannot become another one on the way: begin again.</source>
+        <translation>La superficie inicial no puede convertirse en otra sobre la marcha: empiece de nuevo.</translation>
+    </message>
+    <message>
+        <source>The object &apos;{object}&apos; has no mesh that could be a wall.</source>
+        <translation>El objeto «{object}» no tiene malla que pueda ser una barrera.</translation>
+    </message>
+    <message>
+        <source>The label map of the walls has not the volume&apos;s size.</source>
+        <translation>El mapa de etiquetas de las barreras no tiene el tamaño del volumen.</translation>
+    </message>
+    <message>
+        <source>An allowed place has nothing to allow: the components and the genus have no limit.</source>
+        <translation>Un lugar permitido no tiene nada que permitir: los componentes y el género no tienen límite.</translation>
+    </message>
+    <message>
+        <source>A place to hold has nothing to hold: the components and the genus have no limit.</source>
+        <translation>Un lugar que se ha de retener no tiene nada que retener: los componentes y el género no tienen límite.</translation>
+    </message>
+    <message>
+        <source>There is nothing to ask about: the components and the genus have no limit.</source>
+        <translation>No hay nada que preguntar: los componentes y el género no tienen límite.</translation>
+    </message>
+    <message>
+        <source>A pin cannot be set before the first step of a correction: make a step first.</source>
+        <translation>No se puede fijar antes del primer paso de una corrección: dé primero un paso.</translation>
+    </message>
+    <message>
+        <source>The sensitivity cannot be told of a growth with vetoes, pins or edits: they name an iteration, and a perturbed run has others.</source>
+        <translation>No se puede indicar la sensibilidad de un crecimiento con vetos, fijaciones o ediciones: nombran una iteración, y una ejecución perturbada tiene otras.</translation>
+    </message>
+    <message>
+        <source>The surface vanished.</source>
+        <translation>La superficie desapareció.</translation>
+    </message>
+    <message>
+        <source>no DICOM file can be made: {cause}</source>
+        <translation>no se puede hacer ningún archivo DICOM: {cause}</translation>
+    </message>
+    <message>
+        <source>the volume was not read from DICOM, and a DICOM file belongs to a patient and a study</source>
+        <translation>el volumen no se leyó de DICOM, y un archivo DICOM pertenece a un paciente y a un estudio</translation>
+    </message>
+    <message>
+        <source>the series does not say where its slices lie</source>
+        <translation>la serie no dice dónde están sus cortes</translation>
+    </message>
+    <message>
+        <source>its positions are in the frame of the ultrasound volume, not of the patient</source>
+        <translation>sus posiciones se refieren al volumen de ecografía, no al paciente</translation>
+    </message>
+    <message>
+        <source>its spacing was given by the user, not by the series</source>
+        <translation>su espaciado lo dio el usuario, no la serie</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; is longer than 64 bytes</source>
+        <translation>«{text}» supera los 64 bytes</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; holds a control character or a backslash</source>
+        <translation>«{text}» contiene un carácter de control o una barra invertida</translation>
+    </message>
+    <message>
+        <source>the label map is not on the grid of the series</source>
+        <translation>el mapa de etiquetas no está en la cuadrícula de la serie</translation>
+    </message>
+    <message>
+        <source>tetrahedra are made by gmsh or TetGen, and neither program is installed (Debian&apos;s packages are gmsh and tetgen)</source>
+        <translation>los tetraedros los hacen gmsh o TetGen, y ninguno de los dos programas está instalado (los paquetes de Debian son gmsh y tetgen)</translation>
+    </message>
+    <message>
+        <source>there are no tetrahedra of the object &apos;{object}&apos;: {cause}.</source>
+        <translation>no hay tetraedros del objeto «{object}»: {cause}.</translation>
+    </message>
+    <message>
+        <source>{file}: there is no frame {frame:0f}; it has the frames 0 to {last:0f}.</source>
+        <translation>{file}: no existe el fotograma {frame:0f}; tiene los fotogramas 0 a {last:0f}.</translation>
+    </message>
+    <message>
+        <source>{file}: there is no frame {frame:0f}; it has one frame, 0.</source>
+        <translation>{file}: no existe el fotograma {frame:0f}; solo tiene uno, el 0.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

@@ -486,6 +486,990 @@
         <source>a change of its topology ({event}) would happen at {place:1f}</source>
         <translation>sa topologie changerait ({event}) en {place:1f}</translation>
     </message>
+    <message>
+        <source>its voxels cannot be read: {cause}</source>
+        <translation>ses voxels ne peuvent pas être lus : {cause}</translation>
+    </message>
+    <message>
+        <source>no object can be grown here: {cause}</source>
+        <translation>aucun objet ne peut croître ici : {cause}</translation>
+    </message>
+    <message>
+        <source>the surface was still moving at the iteration limit</source>
+        <translation>la surface bougeait encore à la limite d’itérations</translation>
+    </message>
+    <message>
+        <source>the surface got stuck before it was at rest</source>
+        <translation>la surface s’est bloquée avant d’être au repos</translation>
+    </message>
+    <message>
+        <source>the surface rests, but parts that could not be mended would still move</source>
+        <translation>la surface est au repos, mais des parties qui n’ont pas pu être corrigées bougeraient encore</translation>
+    </message>
+    <message>
+        <source>the surface was stopped before it was at rest</source>
+        <translation>la surface a été arrêtée avant d’être au repos</translation>
+    </message>
+    <message>
+        <source>its voxels cannot be read</source>
+        <translation>ses voxels ne peuvent pas être lus</translation>
+    </message>
+    <message>
+        <source>the surface vanished</source>
+        <translation>la surface a disparu</translation>
+    </message>
+    <message>
+        <source>the surface leaked: {cause}</source>
+        <translation>la surface a fui : {cause}</translation>
+    </message>
+    <message>
+        <source>the volume jumps from {from_ml:4g} ml in frame {from_frame} to {to_ml:4g} ml</source>
+        <translation>le volume saute de {from_ml:4g} ml dans l’image {from_frame} à {to_ml:4g} ml</translation>
+    </message>
+    <message>
+        <source>the topology changes from 1 component of genus {genus_before} to 1 component of genus {genus}</source>
+        <translation>la topologie passe de 1 composante de genre {genus_before} à 1 composante de genre {genus}</translation>
+    </message>
+    <message>
+        <source>the topology changes from 1 component of genus {genus_before} to {components} components of genus {genus}</source>
+        <translation>la topologie passe de 1 composante de genre {genus_before} à {components} composantes de genre {genus}</translation>
+    </message>
+    <message>
+        <source>the topology changes from {components_before} components of genus {genus_before} to 1 component of genus {genus}</source>
+        <translation>la topologie passe de {components_before} composantes de genre {genus_before} à 1 composante de genre {genus}</translation>
+    </message>
+    <message>
+        <source>the topology changes from {components_before} components of genus {genus_before} to {components} components of genus {genus}</source>
+        <translation>la topologie passe de {components_before} composantes de genre {genus_before} à {components} composantes de genre {genus}</translation>
+    </message>
+    <message>
+        <source>the topology was held at 1 place, the first at {place} mm</source>
+        <translation>la topologie a été retenue à 1 endroit, à {place} mm</translation>
+    </message>
+    <message>
+        <source>the topology was held at {places} places, the first at {place} mm</source>
+        <translation>la topologie a été retenue à {places} endroits, le premier à {place} mm</translation>
+    </message>
+    <message>
+        <source>another object is likelier there, but it fails ({cause}); candidate {candidate} was taken</source>
+        <translation>un autre objet y est plus probable, mais il échoue ({cause}) ; le candidat {candidate} a été pris</translation>
+    </message>
+    <message>
+        <source>it names no volume, as it is anonymous; “handlebody-cli replay --volume” says which.</source>
+        <translation>elle ne nomme aucun volume, car elle est anonyme ; « handlebody-cli replay --volume » l’indique.</translation>
+    </message>
+    <message>
+        <source>it names no label map of its walls, as it is anonymous; “handlebody-cli replay --walls” says which.</source>
+        <translation>elle ne nomme aucune carte d’étiquettes de ses barrières, car elle est anonyme ; « handlebody-cli replay --walls » l’indique.</translation>
+    </message>
+    <message>
+        <source>it does not name the file of the surface to begin with, as it is anonymous; “handlebody-cli replay --start” says which.</source>
+        <translation>elle ne nomme pas le fichier de la surface de départ, car elle est anonyme ; « handlebody-cli replay --start » l’indique.</translation>
+    </message>
+    <message>
+        <source>this is a cine (2D images over time: {frames:0f} frames), not a volume; if its frames are slices in space, enter their spacing in step 1, Open</source>
+        <translation>c’est un ciné (des images 2D au fil du temps : {frames:0f}), pas un volume ; si ses images sont des coupes dans l’espace, saisissez leur espacement à l’étape 1, Ouvrir</translation>
+    </message>
+    <message>
+        <source>{file}: {cause}.</source>
+        <translation>{file} : {cause}.</translation>
+    </message>
+    <message>
+        <source>{file}: {cause}</source>
+        <translation>{file} : {cause}</translation>
+    </message>
+    <message>
+        <source>{file}: {cause} in line {line:0f}.</source>
+        <translation>{file} : {cause}, à la ligne {line:0f}.</translation>
+    </message>
+    <message>
+        <source>{file}: cannot be written: {cause}.</source>
+        <translation>{file} ne peut pas être écrit : {cause}.</translation>
+    </message>
+    <message>
+        <source>{file}: it holds no series {series}.</source>
+        <translation>{file} : la série {series} n’y figure pas.</translation>
+    </message>
+    <message>
+        <source>{file} cannot be a surface to begin with: it {cause}.</source>
+        <translation>{file} ne peut pas être une surface de départ : {cause}.</translation>
+    </message>
+    <message>
+        <source>{file} is not the file that the session began with: its SHA-256 differs.</source>
+        <translation>{file} n’est pas le fichier par lequel la session a commencé : son SHA-256 diffère.</translation>
+    </message>
+    <message>
+        <source>{file} is not the volume that the session was made from: its SHA-256 differs.</source>
+        <translation>{file} n’est pas le volume à partir duquel la session a été faite : son SHA-256 diffère.</translation>
+    </message>
+    <message>
+        <source>{file} is not the label map that the walls were made from: its SHA-256 differs.</source>
+        <translation>{file} n’est pas la carte d’étiquettes dont viennent les barrières : son SHA-256 diffère.</translation>
+    </message>
+    <message>
+        <source>{file} cannot be used as walls: it has {size} voxels, the volume has {volume}.</source>
+        <translation>{file} ne peut pas servir de barrières : la carte a {size} voxels, le volume {volume}.</translation>
+    </message>
+    <message>
+        <source>{file} cannot be used as walls: its spacing, origin or direction are not the volume&apos;s.</source>
+        <translation>{file} ne peut pas servir de barrières : son espacement, son origine ou sa direction ne sont pas ceux du volume.</translation>
+    </message>
+    <message>
+        <source>{file} cannot be used as walls: all of its voxels are 0.</source>
+        <translation>{file} ne peut pas servir de barrières : tous ses voxels valent 0.</translation>
+    </message>
+    <message>
+        <source>{file} holds no object: all of its voxels are 0.</source>
+        <translation>{file} ne contient aucun objet : tous ses voxels valent 0.</translation>
+    </message>
+    <message>
+        <source>{file} is hardly a label map: it has more than {most:0f} different values.</source>
+        <translation>{file} n’est guère une carte d’étiquettes : il contient plus de {most:0f} valeurs différentes.</translation>
+    </message>
+    <message>
+        <source>{file} does not belong to this volume: a surface in it ({object}) lies outside of it.</source>
+        <translation>{file} n’appartient pas à ce volume : une surface qu’il contient ({object}) se trouve hors de celui-ci.</translation>
+    </message>
+    <message>
+        <source>{file} is a folder, not a session.</source>
+        <translation>{file} est un dossier, pas une session.</translation>
+    </message>
+    <message>
+        <source>{file} cannot be opened: {cause}.</source>
+        <translation>{file} ne peut pas être ouvert : {cause}.</translation>
+    </message>
+    <message>
+        <source>{file} cannot be read.</source>
+        <translation>{file} ne peut pas être lu.</translation>
+    </message>
+    <message>
+        <source>{file} is not a JSON file.</source>
+        <translation>{file} n’est pas un fichier JSON.</translation>
+    </message>
+    <message>
+        <source>{file} is neither a session nor a report: {cause}</source>
+        <translation>{file} n’est ni une session ni un rapport : {cause}</translation>
+    </message>
+    <message>
+        <source>it holds no objects.</source>
+        <translation>elle ne contient pas d’objets.</translation>
+    </message>
+    <message>
+        <source>it has no seeds.</source>
+        <translation>elle n’a pas de germes.</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>ce fichier n’existe pas</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>ce fichier ou dossier n’existe pas</translation>
+    </message>
+    <message>
+        <source>it is not a file</source>
+        <translation>ce n’est pas un fichier</translation>
+    </message>
+    <message>
+        <source>it is neither a file nor a folder</source>
+        <translation>ce n’est ni un fichier ni un dossier</translation>
+    </message>
+    <message>
+        <source>it cannot be opened (permission?)</source>
+        <translation>il ne peut pas être ouvert (autorisation manquante ?)</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation>il ne peut pas être ouvert</translation>
+    </message>
+    <message>
+        <source>it cannot be read</source>
+        <translation>il ne peut pas être lu</translation>
+    </message>
+    <message>
+        <source>it cannot be read to its end</source>
+        <translation>il ne peut pas être lu jusqu’à la fin</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>le fichier est vide</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read</source>
+        <translation>le dossier ne peut pas être lu</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read ({reason})</source>
+        <translation>le dossier ne peut pas être lu ({reason})</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to read it</source>
+        <translation>il n’y a pas assez de mémoire pour le lire</translation>
+    </message>
+    <message>
+        <source>not enough memory to decompress it</source>
+        <translation>pas assez de mémoire pour le décompresser</translation>
+    </message>
+    <message>
+        <source>it is truncated or damaged</source>
+        <translation>il est tronqué ou endommagé</translation>
+    </message>
+    <message>
+        <source>it is truncated or damaged ({reason})</source>
+        <translation>il est tronqué ou endommagé ({reason})</translation>
+    </message>
+    <message>
+        <source>its {format} header cannot be read ({reason})</source>
+        <translation>son en-tête {format} ne peut pas être lu ({reason})</translation>
+    </message>
+    <message>
+        <source>it is truncated within its {format} header</source>
+        <translation>il est tronqué dans son en-tête {format}</translation>
+    </message>
+    <message>
+        <source>its {format} header is truncated</source>
+        <translation>son en-tête {format} est tronqué</translation>
+    </message>
+    <message>
+        <source>its {format} header is truncated (no {field})</source>
+        <translation>son en-tête {format} est tronqué ({field} manque)</translation>
+    </message>
+    <message>
+        <source>its {format} header is damaged ({field})</source>
+        <translation>son en-tête {format} est endommagé ({field})</translation>
+    </message>
+    <message>
+        <source>the {format} file is damaged ({field})</source>
+        <translation>le fichier {format} est endommagé ({field})</translation>
+    </message>
+    <message>
+        <source>the {format} file is truncated</source>
+        <translation>le fichier {format} est tronqué</translation>
+    </message>
+    <message>
+        <source>it is not a {format} file</source>
+        <translation>ce n’est pas un fichier {format}</translation>
+    </message>
+    <message>
+        <source>it is not a volume in a known format (NIfTI, NRRD, MetaImage, DICOM, TIFF, GIPL)</source>
+        <translation>ce n’est pas un volume dans un format connu (NIfTI, NRRD, MetaImage, DICOM, TIFF, GIPL)</translation>
+    </message>
+    <message>
+        <source>this is a Git LFS pointer, not the file it stands for</source>
+        <translation>c’est un pointeur Git LFS, pas le fichier qu’il représente</translation>
+    </message>
+    <message>
+        <source>this is a compressed DICOM file; unpack it first (gunzip)</source>
+        <translation>c’est un fichier DICOM compressé ; décompressez-le d’abord (gunzip)</translation>
+    </message>
+    <message>
+        <source>this is a sequence of tracked 2D frames, not a volume; reconstruct a volume from it first</source>
+        <translation>c’est une suite d’images 2D suivies, pas un volume ; reconstruisez-en d’abord un</translation>
+    </message>
+    <message>
+        <source>this is a 2D image, a volume is needed</source>
+        <translation>c’est une image 2D, il faut un volume</translation>
+    </message>
+    <message>
+        <source>this is a 2D image, a volume needs at least two slices along each axis</source>
+        <translation>c’est une image 2D, un volume a besoin d’au moins deux coupes le long de chaque axe</translation>
+    </message>
+    <message>
+        <source>this looks like a 2D image in colour (its first axis has {values:0f} values, and the header says nothing of space)</source>
+        <translation>cela ressemble à une image 2D en couleur (son premier axe a {values:0f} valeurs, et l’en-tête ne dit rien de l’espace)</translation>
+    </message>
+    <message>
+        <source>the volume has no voxels (a size of 0)</source>
+        <translation>le volume n’a pas de voxels (une taille de 0)</translation>
+    </message>
+    <message>
+        <source>the volume has no voxels (a size of 0 in its header)</source>
+        <translation>le volume n’a pas de voxels (une taille de 0 dans son en-tête)</translation>
+    </message>
+    <message>
+        <source>its voxel spacing is zero, negative or not a number</source>
+        <translation>son espacement des voxels est nul, négatif ou n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>its position or its direction is not a number</source>
+        <translation>sa position ou sa direction n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>its axes are not at right angles (sheared or tilted), which is not supported</source>
+        <translation>ses axes ne sont pas à angle droit (cisaillés ou inclinés), ce qui n’est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>it has no time points</source>
+        <translation>il n’a aucun instant</translation>
+    </message>
+    <message>
+        <source>the number of its time points is implausible ({frames:0f})</source>
+        <translation>le nombre de ses instants n’est pas plausible ({frames:0f})</translation>
+    </message>
+    <message>
+        <source>it declares {declared_gb:1f} GB of voxels, more than the {memory_gb:1f} GB of memory of this computer</source>
+        <translation>il déclare {declared_gb:1f} Go de voxels, plus que les {memory_gb:1f} Go de mémoire de cet ordinateur</translation>
+    </message>
+    <message>
+        <source>a size in its header is implausible ({size})</source>
+        <translation>une taille dans son en-tête n’est pas plausible ({size})</translation>
+    </message>
+    <message>
+        <source>its data file {data} is missing</source>
+        <translation>son fichier de données {data} manque</translation>
+    </message>
+    <message>
+        <source>it is truncated or damaged: the header declares {declared:0f} bytes of voxels, the file holds {held:0f}</source>
+        <translation>il est tronqué ou endommagé : l’en-tête déclare {declared:0f} octets de voxels, le fichier en contient {held:0f}</translation>
+    </message>
+    <message>
+        <source>it is truncated or damaged: the header declares {declared:0f} bytes of voxels, the file holds {held:0f} compressed</source>
+        <translation>il est tronqué ou endommagé : l’en-tête déclare {declared:0f} octets de voxels, le fichier en contient {held:0f} compressés</translation>
+    </message>
+    <message>
+        <source>its voxel data are truncated or damaged</source>
+        <translation>ses données de voxels sont tronquées ou endommagées</translation>
+    </message>
+    <message>
+        <source>the voxel data are truncated or damaged</source>
+        <translation>les données de voxels sont tronquées ou endommagées</translation>
+    </message>
+    <message>
+        <source>the compressed voxel data are truncated or damaged (checksum)</source>
+        <translation>les données de voxels compressées sont tronquées ou endommagées (somme de contrôle)</translation>
+    </message>
+    <message>
+        <source>1 of its voxels is infinite, the first at index ({index: 0f})</source>
+        <translation>1 de ses voxels est infini, à l’indice ({index: 0f})</translation>
+    </message>
+    <message>
+        <source>{voxels:0f} of its voxels are infinite, the first at index ({index: 0f})</source>
+        <translation>{voxels:0f} de ses voxels sont infinis, le premier à l’indice ({index: 0f})</translation>
+    </message>
+    <message>
+        <source>none of its voxels is a number</source>
+        <translation>aucun de ses voxels n’est un nombre</translation>
+    </message>
+    <message>
+        <source>its voxels are as low as numbers go</source>
+        <translation>ses voxels sont aussi bas que peuvent l’être des nombres</translation>
+    </message>
+    <message>
+        <source>its voxels have {components} components (vectors); only scalar and colour volumes are supported</source>
+        <translation>ses voxels ont {components} composantes (vecteurs) ; seuls les volumes scalaires et en couleur sont pris en charge</translation>
+    </message>
+    <message>
+        <source>it has more than four dimensions</source>
+        <translation>il a plus de quatre dimensions</translation>
+    </message>
+    <message>
+        <source>it has {dimensions:0f} dimensions; at most four are supported</source>
+        <translation>il a {dimensions:0f} dimensions ; quatre au plus sont prises en charge</translation>
+    </message>
+    <message>
+        <source>its voxel type ({type}) is not supported</source>
+        <translation>son type de voxel ({type}) n’est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>its voxel type is not supported</source>
+        <translation>son type de voxel n’est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>its NIfTI voxel type {type} is not supported</source>
+        <translation>son type de voxel NIfTI {type} n’est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>it is not a NIfTI file, whatever its name says</source>
+        <translation>ce n’est pas un fichier NIfTI, quoi qu’en dise son nom</translation>
+    </message>
+    <message>
+        <source>this is an Analyze 7.5 file, whose orientation is not reliable; convert it to NIfTI</source>
+        <translation>c’est un fichier Analyze 7.5, dont l’orientation n’est pas fiable ; convertissez-le en NIfTI</translation>
+    </message>
+    <message>
+        <source>the sform in its header has an axis without length</source>
+        <translation>la sform de son en-tête a un axe sans longueur</translation>
+    </message>
+    <message>
+        <source>the sform in its header is not a number</source>
+        <translation>la sform de son en-tête n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>its list of data files ({pattern}) is not supported</source>
+        <translation>sa liste de fichiers de données ({pattern}) n’est pas prise en charge</translation>
+    </message>
+    <message>
+        <source>its encoding ({encoding}) is not supported; raw, gzip and ascii are</source>
+        <translation>son codage ({encoding}) n’est pas pris en charge ; raw, gzip et ascii le sont</translation>
+    </message>
+    <message>
+        <source>its data files do not divide its voxels evenly</source>
+        <translation>ses fichiers de données ne divisent pas ses voxels en parts égales</translation>
+    </message>
+    <message>
+        <source>its byte skip of -1 is not supported here</source>
+        <translation>son saut d’octets de -1 n’est pas pris en charge ici</translation>
+    </message>
+    <message>
+        <source>its voxels are not numbers ({word})</source>
+        <translation>ses voxels ne sont pas des nombres ({word})</translation>
+    </message>
+    <message>
+        <source>its voxels are spread over many data files, which is not supported</source>
+        <translation>ses voxels sont répartis sur plusieurs fichiers de données, ce qui n’est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>its voxels are written as text, which is not supported</source>
+        <translation>ses voxels sont écrits en texte, ce qui n’est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>it has {frames:0f} time points; of the volumes of a folder each is one time point</source>
+        <translation>il a {frames:0f} instants ; chacun des volumes d’un dossier est un seul instant</translation>
+    </message>
+    <message>
+        <source>its size, spacing or place is not the same as in {first}; the volumes of a folder are the time points of one</source>
+        <translation>sa taille, son espacement ou sa position n’est pas comme dans {first} ; les volumes d’un dossier sont les instants d’un seul</translation>
+    </message>
+    <message>
+        <source>its voxels are not of the same type and scale as in {first}; the volumes of a folder are the time points of one</source>
+        <translation>ses voxels ne sont pas du même type et de la même échelle que dans {first} ; les volumes d’un dossier sont les instants d’un seul</translation>
+    </message>
+    <message>
+        <source>it is no label map: it has voxels whose values are no whole numbers</source>
+        <translation>ce n’est pas une carte d’étiquettes : des voxels ont des valeurs qui ne sont pas entières</translation>
+    </message>
+    <message>
+        <source>the DICOM file is truncated or damaged</source>
+        <translation>le fichier DICOM est tronqué ou endommagé</translation>
+    </message>
+    <message>
+        <source>the file {part} is truncated or damaged</source>
+        <translation>le fichier {part} est tronqué ou endommagé</translation>
+    </message>
+    <message>
+        <source>the file {part} is truncated (cut off within its first 132 bytes)</source>
+        <translation>le fichier {part} est tronqué (dans ses 132 premiers octets)</translation>
+    </message>
+    <message>
+        <source>the file {part} is truncated (a slice without an image)</source>
+        <translation>le fichier {part} est tronqué (une coupe sans image)</translation>
+    </message>
+    <message>
+        <source>the DICOM header of {part} cannot be read ({reason})</source>
+        <translation>l’en-tête DICOM de {part} ne peut pas être lu ({reason})</translation>
+    </message>
+    <message>
+        <source>it is not a DICOM image (no rows and columns)</source>
+        <translation>ce n’est pas une image DICOM (ni lignes ni colonnes)</translation>
+    </message>
+    <message>
+        <source>the folder holds no DICOM images</source>
+        <translation>le dossier ne contient pas d’images DICOM</translation>
+    </message>
+    <message>
+        <source>the folder holds no DICOM images itself; open one of its subfolders</source>
+        <translation>le dossier lui-même ne contient pas d’images DICOM ; ouvrez l’un de ses sous-dossiers</translation>
+    </message>
+    <message>
+        <source>the slice {slice} does not say where it lies (position, orientation or pixel spacing)</source>
+        <translation>la coupe {slice} ne dit pas où elle se trouve (position, orientation ou espacement des pixels)</translation>
+    </message>
+    <message>
+        <source>the slice {slice} has a pixel spacing that is not positive</source>
+        <translation>la coupe {slice} a un espacement des pixels qui n’est pas positif</translation>
+    </message>
+    <message>
+        <source>the slice {slice} has directions that span no plane</source>
+        <translation>la coupe {slice} a des directions qui n’engendrent pas de plan</translation>
+    </message>
+    <message>
+        <source>the slice {slice} has no pixels</source>
+        <translation>la coupe {slice} n’a pas de pixels</translation>
+    </message>
+    <message>
+        <source>the slice {slice} cannot be opened</source>
+        <translation>la coupe {slice} ne peut pas être ouverte</translation>
+    </message>
+    <message>
+        <source>the slice {slice} cannot be read to its end</source>
+        <translation>la coupe {slice} ne peut pas être lue jusqu’à la fin</translation>
+    </message>
+    <message>
+        <source>the slice {slice} has another size than its header says</source>
+        <translation>la coupe {slice} a une autre taille que ne le dit son en-tête</translation>
+    </message>
+    <message>
+        <source>the slice {slice} is truncated or damaged ({reason})</source>
+        <translation>la coupe {slice} est tronquée ou endommagée ({reason})</translation>
+    </message>
+    <message>
+        <source>the slice {slice} is truncated or damaged (its pixels cannot be decoded)</source>
+        <translation>la coupe {slice} est tronquée ou endommagée (ses pixels ne peuvent pas être décodés)</translation>
+    </message>
+    <message>
+        <source>the slice {slice} is truncated or damaged: it holds less pixels than its header says</source>
+        <translation>la coupe {slice} est tronquée ou endommagée : elle contient moins de pixels que ne le dit son en-tête</translation>
+    </message>
+    <message>
+        <source>the slice {slice} is truncated or damaged: its header declares {declared:0f} bytes of pixels, the file holds {held:0f} compressed</source>
+        <translation>la coupe {slice} est tronquée ou endommagée : son en-tête déclare {declared:0f} octets de pixels, le fichier en contient {held:0f} compressés</translation>
+    </message>
+    <message>
+        <source>the slice {slice} is damaged: a value is larger than its header allows</source>
+        <translation>la coupe {slice} est endommagée : une valeur est plus grande que ne le permet son en-tête</translation>
+    </message>
+    <message>
+        <source>its slices have different sizes</source>
+        <translation>ses coupes ont des tailles différentes</translation>
+    </message>
+    <message>
+        <source>its slices have different orientations</source>
+        <translation>ses coupes ont des orientations différentes</translation>
+    </message>
+    <message>
+        <source>its slices have different pixel spacings</source>
+        <translation>ses coupes ont des espacements de pixels différents</translation>
+    </message>
+    <message>
+        <source>its slices are partly in colour</source>
+        <translation>une partie de ses coupes est en couleur</translation>
+    </message>
+    <message>
+        <source>its slices are less than two pixels wide</source>
+        <translation>ses coupes ont moins de deux pixels de large</translation>
+    </message>
+    <message>
+        <source>several of its slices lie in the same place with different content, and not equally many in every place (time points or echoes that are not complete)</source>
+        <translation>plusieurs de ses coupes se trouvent au même endroit avec un contenu différent, et leur nombre n’est pas partout le même (instants ou échos incomplets)</translation>
+    </message>
+    <message>
+        <source>all its slices lie in the same place: 2D images over time, not a volume</source>
+        <translation>toutes ses coupes se trouvent au même endroit : des images 2D au fil du temps, pas un volume</translation>
+    </message>
+    <message>
+        <source>this is a single slice, a 2D image; give the folder with the whole series</source>
+        <translation>c’est une seule coupe, une image 2D ; donnez le dossier contenant toute la série</translation>
+    </message>
+    <message>
+        <source>its slices are shifted against each other by {shift_mm:4g} mm, more than they are apart; this is no gantry tilt</source>
+        <translation>ses coupes sont décalées les unes par rapport aux autres de {shift_mm:4g} mm, plus que leur écart ; ce n’est pas une inclinaison du statif</translation>
+    </message>
+    <message>
+        <source>its slices are unevenly spaced ({gaps})</source>
+        <translation>ses coupes sont inégalement espacées ({gaps})</translation>
+    </message>
+    <message>
+        <source>its slices are unevenly spaced ({gaps}), 1 seems to be missing</source>
+        <translation>ses coupes sont inégalement espacées ({gaps}), il semble en manquer 1</translation>
+    </message>
+    <message>
+        <source>its slices are unevenly spaced ({gaps}), {missing:0f} seem to be missing</source>
+        <translation>ses coupes sont inégalement espacées ({gaps}), il semble en manquer {missing:0f}</translation>
+    </message>
+    <message>
+        <source>{cause}, too unevenly to resample</source>
+        <translation>{cause}, trop inégalement pour un rééchantillonnage</translation>
+    </message>
+    <message>
+        <source>the number of frames in {slice} is implausible</source>
+        <translation>le nombre d’images dans {slice} n’est pas plausible</translation>
+    </message>
+    <message>
+        <source>pixels of {stored:0f} bits in {allocated:0f} are not supported ({slice})</source>
+        <translation>les pixels de {stored:0f} bits dans {allocated:0f} ne sont pas pris en charge ({slice})</translation>
+    </message>
+    <message>
+        <source>pixels with {samples:0f} samples are not supported ({slice})</source>
+        <translation>les pixels à {samples:0f} échantillons ne sont pas pris en charge ({slice})</translation>
+    </message>
+    <message>
+        <source>colour of {bits:0f} bits is not supported ({slice})</source>
+        <translation>la couleur de {bits:0f} bits n’est pas prise en charge ({slice})</translation>
+    </message>
+    <message>
+        <source>compressed pixels of one bit are not supported ({slice})</source>
+        <translation>les pixels compressés d’un bit ne sont pas pris en charge ({slice})</translation>
+    </message>
+    <message>
+        <source>the colour space {space} is not supported ({slice})</source>
+        <translation>l’espace de couleurs {space} n’est pas pris en charge ({slice})</translation>
+    </message>
+    <message>
+        <source>it does not say which segment each frame is of</source>
+        <translation>il ne dit pas de quel segment est chaque image</translation>
+    </message>
+    <message>
+        <source>it is a segmentation that is not binary ({bits:0f} bits per voxel), which is not supported</source>
+        <translation>c’est une segmentation qui n’est pas binaire ({bits:0f} bits par voxel), ce qui n’est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>its pixels are compressed, which is not supported for a segmentation</source>
+        <translation>ses pixels sont compressés, ce qui n’est pas pris en charge pour une segmentation</translation>
+    </message>
+    <message>
+        <source>it is truncated or damaged: it holds less pixels than its header says</source>
+        <translation>il est tronqué ou endommagé : il contient moins de pixels que ne le dit son en-tête</translation>
+    </message>
+    <message>
+        <source>it does not say where every frame lies</source>
+        <translation>il ne dit pas où se trouve chaque image</translation>
+    </message>
+    <message>
+        <source>its frames do not lie one behind the other, which is not supported</source>
+        <translation>ses images ne se suivent pas l’une derrière l’autre, ce qui n’est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>it does not give the distance between its slices</source>
+        <translation>il ne donne pas la distance entre ses coupes</translation>
+    </message>
+    <message>
+        <source>the distance of its frames is implausible</source>
+        <translation>la distance de ses images n’est pas plausible</translation>
+    </message>
+    <message>
+        <source>its frames are not evenly spaced</source>
+        <translation>ses images ne sont pas régulièrement espacées</translation>
+    </message>
+    <message>
+        <source>its segments overlap, so that they are no label map</source>
+        <translation>ses segments se chevauchent et ne forment donc pas une carte d’étiquettes</translation>
+    </message>
+    <message>
+        <source>it cannot be read because the decoder {program} is not there</source>
+        <translation>il ne peut pas être lu car le décodeur {program} est absent</translation>
+    </message>
+    <message>
+        <source>the decoder cannot be started ({reason})</source>
+        <translation>le décodeur ne peut pas être lancé ({reason})</translation>
+    </message>
+    <message>
+        <source>the decoder {program} cannot be started ({reason})</source>
+        <translation>le décodeur {program} ne peut pas être lancé ({reason})</translation>
+    </message>
+    <message>
+        <source>the decoder broke down on it ({how}); the file is damaged or too large for it</source>
+        <translation>le décodeur s’est arrêté dessus ({how}) ; le fichier est endommagé ou trop grand pour lui</translation>
+    </message>
+    <message>
+        <source>the decoder broke down on {part} ({how}); the file is damaged or too large for it</source>
+        <translation>le décodeur s’est arrêté sur {part} ({how}) ; le fichier est endommagé ou trop grand pour lui</translation>
+    </message>
+    <message>
+        <source>the decoder got stuck on it and was stopped; the file is damaged</source>
+        <translation>le décodeur s’est bloqué dessus et a été arrêté ; le fichier est endommagé</translation>
+    </message>
+    <message>
+        <source>the decoder got stuck on {part} and was stopped; the file is damaged</source>
+        <translation>le décodeur s’est bloqué sur {part} et a été arrêté ; le fichier est endommagé</translation>
+    </message>
+    <message>
+        <source>the decoder gave an answer without meaning</source>
+        <translation>le décodeur a donné une réponse dénuée de sens</translation>
+    </message>
+    <message>
+        <source>the decoder gave an answer without meaning on it</source>
+        <translation>le décodeur a donné une réponse dénuée de sens à son sujet</translation>
+    </message>
+    <message>
+        <source>the decoder gave an answer without meaning on {part}</source>
+        <translation>le décodeur a donné une réponse dénuée de sens sur {part}</translation>
+    </message>
+    <message>
+        <source>the decoder gave less than it announced</source>
+        <translation>le décodeur a donné moins qu’annoncé</translation>
+    </message>
+    <message>
+        <source>decoding it takes more memory than its size allows</source>
+        <translation>son décodage prend plus de mémoire que sa taille ne le permet</translation>
+    </message>
+    <message>
+        <source>its data cannot be decoded ({reason})</source>
+        <translation>ses données ne peuvent pas être décodées ({reason})</translation>
+    </message>
+    <message>
+        <source>the mesh file is truncated or damaged</source>
+        <translation>le fichier de maillage est tronqué ou endommagé</translation>
+    </message>
+    <message>
+        <source>it is not an STL file, or it is truncated</source>
+        <translation>ce n’est pas un fichier STL, ou il est tronqué</translation>
+    </message>
+    <message>
+        <source>it is not a mesh file (.stl, .vtp, .ply, .obj)</source>
+        <translation>ce n’est pas un fichier de maillage (.stl, .vtp, .ply, .obj)</translation>
+    </message>
+    <message>
+        <source>triangle strips are not supported</source>
+        <translation>les bandes de triangles ne sont pas prises en charge</translation>
+    </message>
+    <message>
+        <source>it holds no triangles</source>
+        <translation>il ne contient pas de triangles</translation>
+    </message>
+    <message>
+        <source>a coordinate is not a number or infinite</source>
+        <translation>une coordonnée n’est pas un nombre ou est infinie</translation>
+    </message>
+    <message>
+        <source>a face names a vertex that is not there</source>
+        <translation>une face nomme un sommet qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>a face has less than three corners</source>
+        <translation>une face a moins de trois sommets</translation>
+    </message>
+    <message>
+        <source>a face is damaged</source>
+        <translation>une face est endommagée</translation>
+    </message>
+    <message>
+        <source>a vertex is not three numbers</source>
+        <translation>un sommet n’est pas formé de trois nombres</translation>
+    </message>
+    <message>
+        <source>its triangles have no area</source>
+        <translation>ses triangles n’ont pas d’aire</translation>
+    </message>
+    <message>
+        <source>has no triangles</source>
+        <translation>elle n’a pas de triangles</translation>
+    </message>
+    <message>
+        <source>is not closed</source>
+        <translation>elle n’est pas fermée</translation>
+    </message>
+    <message>
+        <source>is not manifold</source>
+        <translation>elle n’est pas une variété</translation>
+    </message>
+    <message>
+        <source>has faces that are not oriented alike</source>
+        <translation>elle a des faces qui ne sont pas orientées de la même façon</translation>
+    </message>
+    <message>
+        <source>intersects itself ({pairs:0f} pairs of faces)</source>
+        <translation>elle se coupe elle-même ({pairs:0f} paires de faces)</translation>
+    </message>
+    <message>
+        <source>intersects itself in single precision</source>
+        <translation>elle se coupe elle-même en simple précision</translation>
+    </message>
+    <message>
+        <source>has components that lie where they bound nothing</source>
+        <translation>elle a des composantes situées là où elles ne délimitent rien</translation>
+    </message>
+    <message>
+        <source>encloses no volume</source>
+        <translation>elle n’entoure aucun volume</translation>
+    </message>
+    <message>
+        <source>has no voxel of the value {label:0f}</source>
+        <translation>aucun voxel n’a la valeur {label:0f}</translation>
+    </message>
+    <message>
+        <source>has no voxel that is not 0</source>
+        <translation>aucun voxel n’est différent de 0</translation>
+    </message>
+    <message>
+        <source>is a mesh, which has no labels</source>
+        <translation>c’est un maillage, qui n’a pas d’étiquettes</translation>
+    </message>
+    <message>
+        <source>became surfaces without the label {label:0f}</source>
+        <translation>l’étiquette {label:0f} a disparu en devenant des surfaces</translation>
+    </message>
+    <message>
+        <source>has labels that lie in each other so finely that their surfaces cannot be kept apart</source>
+        <translation>ses étiquettes sont si finement imbriquées que leurs surfaces ne peuvent pas être séparées</translation>
+    </message>
+    <message>
+        <source>has a surface of more than {most:0f} triangles</source>
+        <translation>sa surface aurait plus de {most:0f} triangles</translation>
+    </message>
+    <message>
+        <source>it is a folder, not a file name</source>
+        <translation>c’est un dossier, pas un nom de fichier</translation>
+    </message>
+    <message>
+        <source>a folder has this name</source>
+        <translation>un dossier porte ce nom</translation>
+    </message>
+    <message>
+        <source>the data did not reach the disk (is it full?)</source>
+        <translation>les données ne sont pas arrivées sur le disque (est-il plein ?)</translation>
+    </message>
+    <message>
+        <source>the disk may be full</source>
+        <translation>le disque est peut-être plein</translation>
+    </message>
+    <message>
+        <source>the file cannot be opened</source>
+        <translation>le fichier ne peut pas être ouvert</translation>
+    </message>
+    <message>
+        <source>NIfTI cannot hold more than 32767 voxels or frames along an axis</source>
+        <translation>NIfTI ne peut pas contenir plus de 32767 voxels ou images le long d’un axe</translation>
+    </message>
+    <message>
+        <source>the mesh is too large for DICOM</source>
+        <translation>le maillage est trop grand pour DICOM</translation>
+    </message>
+    <message>
+        <source>it is too large for DICOM</source>
+        <translation>c’est trop grand pour DICOM</translation>
+    </message>
+    <message>
+        <source>the mesh is too large for 3MF</source>
+        <translation>le maillage est trop grand pour 3MF</translation>
+    </message>
+    <message>
+        <source>the object {object} holds the centre of no voxel</source>
+        <translation>l’objet {object} ne contient le centre d’aucun voxel</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>autorisation refusée</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>il n’y a plus de place sur le disque</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>le système de fichiers est en lecture seule</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>aucun fichier ou dossier de ce nom</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>le nom de fichier est trop long</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>une partie du chemin n’est pas un dossier</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>le quota du disque est dépassé</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>erreur d’entrée-sortie</translation>
+    </message>
+    <message>
+        <source>The pin at {place} mm lies outside of the volume.</source>
+        <translation>La fixation à {place} mm se trouve hors du volume.</translation>
+    </message>
+    <message>
+        <source>The wall at {place} mm lies outside of the volume.</source>
+        <translation>La barrière à {place} mm se trouve hors du volume.</translation>
+    </message>
+    <message>
+        <source>The wall disc at {place} mm lies outside of the volume.</source>
+        <translation>Le disque barrière à {place} mm se trouve hors du volume.</translation>
+    </message>
+    <message>
+        <source>The allowed place {place} lies outside of the volume.</source>
+        <translation>L’endroit autorisé {place} se trouve hors du volume.</translation>
+    </message>
+    <message>
+        <source>The place to hold {place} lies outside of the volume.</source>
+        <translation>L’endroit à retenir {place} se trouve hors du volume.</translation>
+    </message>
+    <message>
+        <source>The surface to begin with, {file}, lies outside of the volume.</source>
+        <translation>La surface de départ, {file}, se trouve hors du volume.</translation>
+    </message>
+    <message>
+        <source>The surface to begin with, {file}, meets the object &apos;{object}&apos;, which comes before it.</source>
+        <translation>La surface de départ, {file}, rencontre l’objet « {object} », qui vient avant elle.</translation>
+    </message>
+    <message>
+        <source>The surface to begin with cannot become another one on the way: begin again.</source>
+        <translation>La surface de départ ne peut pas en devenir une autre en chemin : recommencez.</translation>
+    </message>
+    <message>
+        <source>The object &apos;{object}&apos; has no mesh that could be a wall.</source>
+        <translation>L’objet « {object} » n’a pas de maillage qui puisse être une barrière.</translation>
+    </message>
+    <message>
+        <source>The label map of the walls has not the volume&apos;s size.</source>
+        <translation>La carte d’étiquettes des barrières n’a pas la taille du volume.</translation>
+    </message>
+    <message>
+        <source>An allowed place has nothing to allow: the components and the genus have no limit.</source>
+        <translation>Un endroit autorisé n’a rien à autoriser : les composantes et le genre n’ont pas de limite.</translation>
+    </message>
+    <message>
+        <source>A place to hold has nothing to hold: the components and the genus have no limit.</source>
+        <translation>Un endroit à retenir n’a rien à retenir : les composantes et le genre n’ont pas de limite.</translation>
+    </message>
+    <message>
+        <source>There is nothing to ask about: the components and the genus have no limit.</source>
+        <translation>Il n’y a rien à demander : les composantes et le genre n’ont pas de limite.</translation>
+    </message>
+    <message>
+        <source>A pin cannot be set before the first step of a correction: make a step first.</source>
+        <translation>Une fixation ne peut pas être posée avant le premier pas d’une correction : faites d’abord un pas.</translation>
+    </message>
+    <message>
+        <source>The sensitivity cannot be told of a growth with vetoes, pins or edits: they name an iteration, and a perturbed run has others.</source>
+        <translation>La sensibilité ne peut pas être indiquée pour une croissance avec des vetos, fixations ou modifications : elles nomment une itération, et une exécution perturbée en a d’autres.</translation>
+    </message>
+    <message>
+        <source>The surface vanished.</source>
+        <translation>La surface a disparu.</translation>
+    </message>
+    <message>
+        <source>no DICOM file can be made: {cause}</source>
+        <translation>aucun fichier DICOM ne peut être fait : {cause}</translation>
+    </message>
+    <message>
+        <source>the volume was not read from DICOM, and a DICOM file belongs to a patient and a study</source>
+        <translation>le volume n’a pas été lu depuis DICOM, et un fichier DICOM appartient à un patient et à une étude</translation>
+    </message>
+    <message>
+        <source>the series does not say where its slices lie</source>
+        <translation>la série ne dit pas où se trouvent ses coupes</translation>
+    </message>
+    <message>
+        <source>its positions are in the frame of the ultrasound volume, not of the patient</source>
+        <translation>ses positions se rapportent au volume échographique, pas au patient</translation>
+    </message>
+    <message>
+        <source>its spacing was given by the user, not by the series</source>
+        <translation>son espacement a été donné par l’utilisateur, pas par la série</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; is longer than 64 bytes</source>
+        <translation>« {text} » dépasse 64 octets</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; holds a control character or a backslash</source>
+        <translation>« {text} » contient un caractère de contrôle ou une barre oblique inverse</translation>
+    </message>
+    <message>
+        <source>the label map is not on the grid of the series</source>
+        <translation>la carte d’étiquettes n’est pas sur la grille de la série</translation>
+    </message>
+    <message>
+        <source>tetrahedra are made by gmsh or TetGen, and neither program is installed (Debian&apos;s packages are gmsh and tetgen)</source>
+        <translation>les tétraèdres sont faits par gmsh ou TetGen, et aucun des deux n’est installé (les paquets Debian sont gmsh et tetgen)</translation>
+    </message>
+    <message>
+        <source>there are no tetrahedra of the object &apos;{object}&apos;: {cause}.</source>
+        <translation>il n’y a pas de tétraèdres de l’objet « {object} » : {cause}.</translation>
+    </message>
+    <message>
+        <source>{file}: there is no frame {frame:0f}; it has the frames 0 to {last:0f}.</source>
+        <translation>{file} : il n’y a pas d’image {frame:0f} ; il a les images 0 à {last:0f}.</translation>
+    </message>
+    <message>
+        <source>{file}: there is no frame {frame:0f}; it has one frame, 0.</source>
+        <translation>{file} : il n’y a pas d’image {frame:0f} ; il n’a qu’une image, 0.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

@@ -486,6 +486,990 @@
         <source>a change of its topology ({event}) would happen at {place:1f}</source>
         <translation>将在 {place:1f} 处发生拓扑变化（{event}）</translation>
     </message>
+    <message>
+        <source>its voxels cannot be read: {cause}</source>
+        <translation>无法读取其体素：{cause}</translation>
+    </message>
+    <message>
+        <source>no object can be grown here: {cause}</source>
+        <translation>此处无法生长目标：{cause}</translation>
+    </message>
+    <message>
+        <source>the surface was still moving at the iteration limit</source>
+        <translation>达到迭代上限时表面仍在移动</translation>
+    </message>
+    <message>
+        <source>the surface got stuck before it was at rest</source>
+        <translation>表面在静止之前卡住</translation>
+    </message>
+    <message>
+        <source>the surface rests, but parts that could not be mended would still move</source>
+        <translation>表面已静止，但无法修正的部分仍会移动</translation>
+    </message>
+    <message>
+        <source>the surface was stopped before it was at rest</source>
+        <translation>表面在静止之前被停止</translation>
+    </message>
+    <message>
+        <source>its voxels cannot be read</source>
+        <translation>无法读取其体素</translation>
+    </message>
+    <message>
+        <source>the surface vanished</source>
+        <translation>表面已消失</translation>
+    </message>
+    <message>
+        <source>the surface leaked: {cause}</source>
+        <translation>表面泄漏：{cause}</translation>
+    </message>
+    <message>
+        <source>the volume jumps from {from_ml:4g} ml in frame {from_frame} to {to_ml:4g} ml</source>
+        <translation>体积从第 {from_frame} 帧的 {from_ml:4g} ml 跳变为 {to_ml:4g} ml</translation>
+    </message>
+    <message>
+        <source>the topology changes from 1 component of genus {genus_before} to 1 component of genus {genus}</source>
+        <translation>拓扑由亏格为 {genus_before} 的 1 个连通分量变为亏格为 {genus} 的 1 个连通分量</translation>
+    </message>
+    <message>
+        <source>the topology changes from 1 component of genus {genus_before} to {components} components of genus {genus}</source>
+        <translation>拓扑由亏格为 {genus_before} 的 1 个连通分量变为总亏格为 {genus} 的 {components} 个连通分量</translation>
+    </message>
+    <message>
+        <source>the topology changes from {components_before} components of genus {genus_before} to 1 component of genus {genus}</source>
+        <translation>拓扑由总亏格为 {genus_before} 的 {components_before} 个连通分量变为亏格为 {genus} 的 1 个连通分量</translation>
+    </message>
+    <message>
+        <source>the topology changes from {components_before} components of genus {genus_before} to {components} components of genus {genus}</source>
+        <translation>拓扑由总亏格为 {genus_before} 的 {components_before} 个连通分量变为总亏格为 {genus} 的 {components} 个连通分量</translation>
+    </message>
+    <message>
+        <source>the topology was held at 1 place, the first at {place} mm</source>
+        <translation>拓扑变化在 1 处被阻止，位于 {place} mm</translation>
+    </message>
+    <message>
+        <source>the topology was held at {places} places, the first at {place} mm</source>
+        <translation>拓扑变化在 {places} 处被阻止，首处位于 {place} mm</translation>
+    </message>
+    <message>
+        <source>another object is likelier there, but it fails ({cause}); candidate {candidate} was taken</source>
+        <translation>那里另一目标可能性更大，但失败（{cause}）；已采用候选 {candidate}</translation>
+    </message>
+    <message>
+        <source>it names no volume, as it is anonymous; “handlebody-cli replay --volume” says which.</source>
+        <translation>由于匿名，它未指明体数据；可用“handlebody-cli replay --volume”指定。</translation>
+    </message>
+    <message>
+        <source>it names no label map of its walls, as it is anonymous; “handlebody-cli replay --walls” says which.</source>
+        <translation>由于匿名，它未指明屏障的标签图；可用“handlebody-cli replay --walls”指定。</translation>
+    </message>
+    <message>
+        <source>it does not name the file of the surface to begin with, as it is anonymous; “handlebody-cli replay --start” says which.</source>
+        <translation>由于匿名，它未指明起始表面的文件；可用“handlebody-cli replay --start”指定。</translation>
+    </message>
+    <message>
+        <source>this is a cine (2D images over time: {frames:0f} frames), not a volume; if its frames are slices in space, enter their spacing in step 1, Open</source>
+        <translation>这是电影序列（随时间变化的二维图像：{frames:0f} 帧），不是体数据；如果各帧是空间中的切面，请在第 1 步“打开”中输入其间距</translation>
+    </message>
+    <message>
+        <source>{file}: {cause}.</source>
+        <translation>{file}：{cause}。</translation>
+    </message>
+    <message>
+        <source>{file}: {cause}</source>
+        <translation>{file}：{cause}</translation>
+    </message>
+    <message>
+        <source>{file}: {cause} in line {line:0f}.</source>
+        <translation>{file}：{cause}，第 {line:0f} 行。</translation>
+    </message>
+    <message>
+        <source>{file}: cannot be written: {cause}.</source>
+        <translation>无法写入 {file}：{cause}。</translation>
+    </message>
+    <message>
+        <source>{file}: it holds no series {series}.</source>
+        <translation>{file}：其中没有序列 {series}。</translation>
+    </message>
+    <message>
+        <source>{file} cannot be a surface to begin with: it {cause}.</source>
+        <translation>{file} 不能作为起始表面：{cause}。</translation>
+    </message>
+    <message>
+        <source>{file} is not the file that the session began with: its SHA-256 differs.</source>
+        <translation>{file} 不是会话起始时所用的文件：其 SHA-256 不同。</translation>
+    </message>
+    <message>
+        <source>{file} is not the volume that the session was made from: its SHA-256 differs.</source>
+        <translation>{file} 不是生成该会话的体数据：其 SHA-256 不同。</translation>
+    </message>
+    <message>
+        <source>{file} is not the label map that the walls were made from: its SHA-256 differs.</source>
+        <translation>{file} 不是生成屏障的标签图：其 SHA-256 不同。</translation>
+    </message>
+    <message>
+        <source>{file} cannot be used as walls: it has {size} voxels, the volume has {volume}.</source>
+        <translation>{file} 不能用作屏障：它有 {size} 个体素，而体数据有 {volume} 个。</translation>
+    </message>
+    <message>
+        <source>{file} cannot be used as walls: its spacing, origin or direction are not the volume&apos;s.</source>
+        <translation>{file} 不能用作屏障：其间距、原点或方向与体数据不同。</translation>
+    </message>
+    <message>
+        <source>{file} cannot be used as walls: all of its voxels are 0.</source>
+        <translation>{file} 不能用作屏障：其所有体素均为 0。</translation>
+    </message>
+    <message>
+        <source>{file} holds no object: all of its voxels are 0.</source>
+        <translation>{file} 中没有目标：其所有体素均为 0。</translation>
+    </message>
+    <message>
+        <source>{file} is hardly a label map: it has more than {most:0f} different values.</source>
+        <translation>{file} 不像是标签图：其中有超过 {most:0f} 种不同的值。</translation>
+    </message>
+    <message>
+        <source>{file} does not belong to this volume: a surface in it ({object}) lies outside of it.</source>
+        <translation>{file} 不属于此体数据：其中的一个表面（{object}）位于体数据之外。</translation>
+    </message>
+    <message>
+        <source>{file} is a folder, not a session.</source>
+        <translation>{file} 是文件夹，不是会话。</translation>
+    </message>
+    <message>
+        <source>{file} cannot be opened: {cause}.</source>
+        <translation>无法打开 {file}：{cause}。</translation>
+    </message>
+    <message>
+        <source>{file} cannot be read.</source>
+        <translation>无法读取 {file}。</translation>
+    </message>
+    <message>
+        <source>{file} is not a JSON file.</source>
+        <translation>{file} 不是 JSON 文件。</translation>
+    </message>
+    <message>
+        <source>{file} is neither a session nor a report: {cause}</source>
+        <translation>{file} 既不是会话也不是报告：{cause}</translation>
+    </message>
+    <message>
+        <source>it holds no objects.</source>
+        <translation>其中没有目标。</translation>
+    </message>
+    <message>
+        <source>it has no seeds.</source>
+        <translation>其中没有种子点。</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>没有此文件</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>没有此文件或文件夹</translation>
+    </message>
+    <message>
+        <source>it is not a file</source>
+        <translation>这不是文件</translation>
+    </message>
+    <message>
+        <source>it is neither a file nor a folder</source>
+        <translation>这既不是文件也不是文件夹</translation>
+    </message>
+    <message>
+        <source>it cannot be opened (permission?)</source>
+        <translation>无法打开（是否缺少权限？）</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation>无法打开</translation>
+    </message>
+    <message>
+        <source>it cannot be read</source>
+        <translation>无法读取</translation>
+    </message>
+    <message>
+        <source>it cannot be read to its end</source>
+        <translation>无法读到末尾</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>文件为空</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read</source>
+        <translation>无法读取文件夹</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read ({reason})</source>
+        <translation>无法读取文件夹（{reason}）</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to read it</source>
+        <translation>内存不足，无法读取</translation>
+    </message>
+    <message>
+        <source>not enough memory to decompress it</source>
+        <translation>内存不足，无法解压</translation>
+    </message>
+    <message>
+        <source>it is truncated or damaged</source>
+        <translation>文件被截断或已损坏</translation>
+    </message>
+    <message>
+        <source>it is truncated or damaged ({reason})</source>
+        <translation>文件被截断或已损坏（{reason}）</translation>
+    </message>
+    <message>
+        <source>its {format} header cannot be read ({reason})</source>
+        <translation>无法读取其 {format} 文件头（{reason}）</translation>
+    </message>
+    <message>
+        <source>it is truncated within its {format} header</source>
+        <translation>文件在其 {format} 文件头内被截断</translation>
+    </message>
+    <message>
+        <source>its {format} header is truncated</source>
+        <translation>其 {format} 文件头被截断</translation>
+    </message>
+    <message>
+        <source>its {format} header is truncated (no {field})</source>
+        <translation>其 {format} 文件头被截断（缺少 {field}）</translation>
+    </message>
+    <message>
+        <source>its {format} header is damaged ({field})</source>
+        <translation>其 {format} 文件头已损坏（{field}）</translation>
+    </message>
+    <message>
+        <source>the {format} file is damaged ({field})</source>
+        <translation>{format} 文件已损坏（{field}）</translation>
+    </message>
+    <message>
+        <source>the {format} file is truncated</source>
+        <translation>{format} 文件被截断</translation>
+    </message>
+    <message>
+        <source>it is not a {format} file</source>
+        <translation>这不是 {format} 文件</translation>
+    </message>
+    <message>
+        <source>it is not a volume in a known format (NIfTI, NRRD, MetaImage, DICOM, TIFF, GIPL)</source>
+        <translation>这不是已知格式的体数据（NIfTI、NRRD、MetaImage、DICOM、TIFF、GIPL）</translation>
+    </message>
+    <message>
+        <source>this is a Git LFS pointer, not the file it stands for</source>
+        <translation>这是 Git LFS 指针，而不是它所代表的文件</translation>
+    </message>
+    <message>
+        <source>this is a compressed DICOM file; unpack it first (gunzip)</source>
+        <translation>这是压缩的 DICOM 文件；请先解压（gunzip）</translation>
+    </message>
+    <message>
+        <source>this is a sequence of tracked 2D frames, not a volume; reconstruct a volume from it first</source>
+        <translation>这是带跟踪的二维图像序列，不是体数据；请先由其重建体数据</translation>
+    </message>
+    <message>
+        <source>this is a 2D image, a volume is needed</source>
+        <translation>这是二维图像，需要体数据</translation>
+    </message>
+    <message>
+        <source>this is a 2D image, a volume needs at least two slices along each axis</source>
+        <translation>这是二维图像，体数据沿每个轴至少需要两层</translation>
+    </message>
+    <message>
+        <source>this looks like a 2D image in colour (its first axis has {values:0f} values, and the header says nothing of space)</source>
+        <translation>这看来是彩色二维图像（其第一个轴有 {values:0f} 个值，且文件头未说明空间信息）</translation>
+    </message>
+    <message>
+        <source>the volume has no voxels (a size of 0)</source>
+        <translation>体数据没有体素（有一个尺寸为 0）</translation>
+    </message>
+    <message>
+        <source>the volume has no voxels (a size of 0 in its header)</source>
+        <translation>体数据没有体素（文件头中有一个尺寸为 0）</translation>
+    </message>
+    <message>
+        <source>its voxel spacing is zero, negative or not a number</source>
+        <translation>其体素间距为零、为负或不是数字</translation>
+    </message>
+    <message>
+        <source>its position or its direction is not a number</source>
+        <translation>其位置或方向不是数字</translation>
+    </message>
+    <message>
+        <source>its axes are not at right angles (sheared or tilted), which is not supported</source>
+        <translation>其坐标轴不成直角（剪切或倾斜），不受支持</translation>
+    </message>
+    <message>
+        <source>it has no time points</source>
+        <translation>其中没有时间点</translation>
+    </message>
+    <message>
+        <source>the number of its time points is implausible ({frames:0f})</source>
+        <translation>其时间点数目不合理（{frames:0f}）</translation>
+    </message>
+    <message>
+        <source>it declares {declared_gb:1f} GB of voxels, more than the {memory_gb:1f} GB of memory of this computer</source>
+        <translation>其声明的体素数据为 {declared_gb:1f} GB，超过本机的 {memory_gb:1f} GB 内存</translation>
+    </message>
+    <message>
+        <source>a size in its header is implausible ({size})</source>
+        <translation>文件头中有一个尺寸不合理（{size}）</translation>
+    </message>
+    <message>
+        <source>its data file {data} is missing</source>
+        <translation>缺少其数据文件 {data}</translation>
+    </message>
+    <message>
+        <source>it is truncated or damaged: the header declares {declared:0f} bytes of voxels, the file holds {held:0f}</source>
+        <translation>文件被截断或已损坏：文件头声明 {declared:0f} 字节的体素，文件中有 {held:0f} 字节</translation>
+    </message>
+    <message>
+        <source>it is truncated or damaged: the header declares {declared:0f} bytes of voxels, the file holds {held:0f} compressed</source>
+        <translation>文件被截断或已损坏：文件头声明 {declared:0f} 字节的体素，文件中有压缩后的 {held:0f} 字节</translation>
+    </message>
+    <message>
+        <source>its voxel data are truncated or damaged</source>
+        <translation>其体素数据被截断或已损坏</translation>
+    </message>
+    <message>
+        <source>the voxel data are truncated or damaged</source>
+        <translation>体素数据被截断或已损坏</translation>
+    </message>
+    <message>
+        <source>the compressed voxel data are truncated or damaged (checksum)</source>
+        <translation>压缩的体素数据被截断或已损坏（校验和）</translation>
+    </message>
+    <message>
+        <source>1 of its voxels is infinite, the first at index ({index: 0f})</source>
+        <translation>有 1 个体素为无穷大，位于索引 ({index: 0f})</translation>
+    </message>
+    <message>
+        <source>{voxels:0f} of its voxels are infinite, the first at index ({index: 0f})</source>
+        <translation>有 {voxels:0f} 个体素为无穷大，首个位于索引 ({index: 0f})</translation>
+    </message>
+    <message>
+        <source>none of its voxels is a number</source>
+        <translation>没有一个体素是数字</translation>
+    </message>
+    <message>
+        <source>its voxels are as low as numbers go</source>
+        <translation>其体素值已低至数值下限</translation>
+    </message>
+    <message>
+        <source>its voxels have {components} components (vectors); only scalar and colour volumes are supported</source>
+        <translation>其体素有 {components} 个分量（向量）；仅支持标量和彩色体数据</translation>
+    </message>
+    <message>
+        <source>it has more than four dimensions</source>
+        <translation>其维数超过四</translation>
+    </message>
+    <message>
+        <source>it has {dimensions:0f} dimensions; at most four are supported</source>
+        <translation>其维数为 {dimensions:0f}；最多支持四维</translation>
+    </message>
+    <message>
+        <source>its voxel type ({type}) is not supported</source>
+        <translation>不支持其体素类型（{type}）</translation>
+    </message>
+    <message>
+        <source>its voxel type is not supported</source>
+        <translation>不支持其体素类型</translation>
+    </message>
+    <message>
+        <source>its NIfTI voxel type {type} is not supported</source>
+        <translation>不支持其 NIfTI 体素类型 {type}</translation>
+    </message>
+    <message>
+        <source>it is not a NIfTI file, whatever its name says</source>
+        <translation>无论文件名如何，这都不是 NIfTI 文件</translation>
+    </message>
+    <message>
+        <source>this is an Analyze 7.5 file, whose orientation is not reliable; convert it to NIfTI</source>
+        <translation>这是 Analyze 7.5 文件，其方向不可靠；请转换为 NIfTI</translation>
+    </message>
+    <message>
+        <source>the sform in its header has an axis without length</source>
+        <translation>文件头中的 sform 有长度为零的轴</translation>
+    </message>
+    <message>
+        <source>the sform in its header is not a number</source>
+        <translation>文件头中的 sform 不是数字</translation>
+    </message>
+    <message>
+        <source>its list of data files ({pattern}) is not supported</source>
+        <translation>不支持其数据文件列表（{pattern}）</translation>
+    </message>
+    <message>
+        <source>its encoding ({encoding}) is not supported; raw, gzip and ascii are</source>
+        <translation>不支持其编码（{encoding}）；支持 raw、gzip 和 ascii</translation>
+    </message>
+    <message>
+        <source>its data files do not divide its voxels evenly</source>
+        <translation>其数据文件未均匀划分体素</translation>
+    </message>
+    <message>
+        <source>its byte skip of -1 is not supported here</source>
+        <translation>此处不支持其 byte skip 为 -1</translation>
+    </message>
+    <message>
+        <source>its voxels are not numbers ({word})</source>
+        <translation>其体素不是数字（{word}）</translation>
+    </message>
+    <message>
+        <source>its voxels are spread over many data files, which is not supported</source>
+        <translation>其体素分散在多个数据文件中，不受支持</translation>
+    </message>
+    <message>
+        <source>its voxels are written as text, which is not supported</source>
+        <translation>其体素以文本形式写入，不受支持</translation>
+    </message>
+    <message>
+        <source>it has {frames:0f} time points; of the volumes of a folder each is one time point</source>
+        <translation>它有 {frames:0f} 个时间点；文件夹中的每个体数据只对应一个时间点</translation>
+    </message>
+    <message>
+        <source>its size, spacing or place is not the same as in {first}; the volumes of a folder are the time points of one</source>
+        <translation>其尺寸、间距或位置与 {first} 不同；文件夹中的体数据是同一体数据的各时间点</translation>
+    </message>
+    <message>
+        <source>its voxels are not of the same type and scale as in {first}; the volumes of a folder are the time points of one</source>
+        <translation>其体素的类型或标度与 {first} 不同；文件夹中的体数据是同一体数据的各时间点</translation>
+    </message>
+    <message>
+        <source>it is no label map: it has voxels whose values are no whole numbers</source>
+        <translation>这不是标签图：有体素的值不是整数</translation>
+    </message>
+    <message>
+        <source>the DICOM file is truncated or damaged</source>
+        <translation>DICOM 文件被截断或已损坏</translation>
+    </message>
+    <message>
+        <source>the file {part} is truncated or damaged</source>
+        <translation>文件 {part} 被截断或已损坏</translation>
+    </message>
+    <message>
+        <source>the file {part} is truncated (cut off within its first 132 bytes)</source>
+        <translation>文件 {part} 被截断（在前 132 字节内）</translation>
+    </message>
+    <message>
+        <source>the file {part} is truncated (a slice without an image)</source>
+        <translation>文件 {part} 被截断（切面中没有图像）</translation>
+    </message>
+    <message>
+        <source>the DICOM header of {part} cannot be read ({reason})</source>
+        <translation>无法读取 {part} 的 DICOM 文件头（{reason}）</translation>
+    </message>
+    <message>
+        <source>it is not a DICOM image (no rows and columns)</source>
+        <translation>这不是 DICOM 图像（没有行和列）</translation>
+    </message>
+    <message>
+        <source>the folder holds no DICOM images</source>
+        <translation>文件夹中没有 DICOM 图像</translation>
+    </message>
+    <message>
+        <source>the folder holds no DICOM images itself; open one of its subfolders</source>
+        <translation>文件夹本身没有 DICOM 图像；请打开其子文件夹</translation>
+    </message>
+    <message>
+        <source>the slice {slice} does not say where it lies (position, orientation or pixel spacing)</source>
+        <translation>切面 {slice} 未说明其所在（位置、方向或像素间距）</translation>
+    </message>
+    <message>
+        <source>the slice {slice} has a pixel spacing that is not positive</source>
+        <translation>切面 {slice} 的像素间距不为正</translation>
+    </message>
+    <message>
+        <source>the slice {slice} has directions that span no plane</source>
+        <translation>切面 {slice} 的方向不能张成平面</translation>
+    </message>
+    <message>
+        <source>the slice {slice} has no pixels</source>
+        <translation>切面 {slice} 没有像素</translation>
+    </message>
+    <message>
+        <source>the slice {slice} cannot be opened</source>
+        <translation>无法打开切面 {slice}</translation>
+    </message>
+    <message>
+        <source>the slice {slice} cannot be read to its end</source>
+        <translation>无法将切面 {slice} 读到末尾</translation>
+    </message>
+    <message>
+        <source>the slice {slice} has another size than its header says</source>
+        <translation>切面 {slice} 的尺寸与其文件头所声明的不同</translation>
+    </message>
+    <message>
+        <source>the slice {slice} is truncated or damaged ({reason})</source>
+        <translation>切面 {slice} 被截断或已损坏（{reason}）</translation>
+    </message>
+    <message>
+        <source>the slice {slice} is truncated or damaged (its pixels cannot be decoded)</source>
+        <translation>切面 {slice} 被截断或已损坏（无法解码其像素）</translation>
+    </message>
+    <message>
+        <source>the slice {slice} is truncated or damaged: it holds less pixels than its header says</source>
+        <translation>切面 {slice} 被截断或已损坏：其像素少于文件头所声明的</translation>
+    </message>
+    <message>
+        <source>the slice {slice} is truncated or damaged: its header declares {declared:0f} bytes of pixels, the file holds {held:0f} compressed</source>
+        <translation>切面 {slice} 被截断或已损坏：文件头声明 {declared:0f} 字节的像素，文件中有压缩后的 {held:0f} 字节</translation>
+    </message>
+    <message>
+        <source>the slice {slice} is damaged: a value is larger than its header allows</source>
+        <translation>切面 {slice} 已损坏：有一个值超出文件头允许的范围</translation>
+    </message>
+    <message>
+        <source>its slices have different sizes</source>
+        <translation>各切面尺寸不同</translation>
+    </message>
+    <message>
+        <source>its slices have different orientations</source>
+        <translation>各切面方向不同</translation>
+    </message>
+    <message>
+        <source>its slices have different pixel spacings</source>
+        <translation>各切面像素间距不同</translation>
+    </message>
+    <message>
+        <source>its slices are partly in colour</source>
+        <translation>部分切面为彩色</translation>
+    </message>
+    <message>
+        <source>its slices are less than two pixels wide</source>
+        <translation>各切面宽度不足两个像素</translation>
+    </message>
+    <message>
+        <source>several of its slices lie in the same place with different content, and not equally many in every place (time points or echoes that are not complete)</source>
+        <translation>多个切面位于同一位置而内容不同，且各位置数目不等（时间点或回波不完整）</translation>
+    </message>
+    <message>
+        <source>all its slices lie in the same place: 2D images over time, not a volume</source>
+        <translation>所有切面位于同一位置：这是随时间变化的二维图像，不是体数据</translation>
+    </message>
+    <message>
+        <source>this is a single slice, a 2D image; give the folder with the whole series</source>
+        <translation>这是单个切面，即二维图像；请给出包含整个序列的文件夹</translation>
+    </message>
+    <message>
+        <source>its slices are shifted against each other by {shift_mm:4g} mm, more than they are apart; this is no gantry tilt</source>
+        <translation>各切面彼此错位 {shift_mm:4g} mm，超过层间距；这不是机架倾斜</translation>
+    </message>
+    <message>
+        <source>its slices are unevenly spaced ({gaps})</source>
+        <translation>各切面间距不均（{gaps}）</translation>
+    </message>
+    <message>
+        <source>its slices are unevenly spaced ({gaps}), 1 seems to be missing</source>
+        <translation>各切面间距不均（{gaps}），似乎缺少 1 层</translation>
+    </message>
+    <message>
+        <source>its slices are unevenly spaced ({gaps}), {missing:0f} seem to be missing</source>
+        <translation>各切面间距不均（{gaps}），似乎缺少 {missing:0f} 层</translation>
+    </message>
+    <message>
+        <source>{cause}, too unevenly to resample</source>
+        <translation>{cause}，过于不均而无法重采样</translation>
+    </message>
+    <message>
+        <source>the number of frames in {slice} is implausible</source>
+        <translation>{slice} 中的帧数不合理</translation>
+    </message>
+    <message>
+        <source>pixels of {stored:0f} bits in {allocated:0f} are not supported ({slice})</source>
+        <translation>不支持以 {allocated:0f} 位存储的 {stored:0f} 位像素（{slice}）</translation>
+    </message>
+    <message>
+        <source>pixels with {samples:0f} samples are not supported ({slice})</source>
+        <translation>不支持有 {samples:0f} 个采样值的像素（{slice}）</translation>
+    </message>
+    <message>
+        <source>colour of {bits:0f} bits is not supported ({slice})</source>
+        <translation>不支持 {bits:0f} 位彩色（{slice}）</translation>
+    </message>
+    <message>
+        <source>compressed pixels of one bit are not supported ({slice})</source>
+        <translation>不支持压缩的一位像素（{slice}）</translation>
+    </message>
+    <message>
+        <source>the colour space {space} is not supported ({slice})</source>
+        <translation>不支持色彩空间 {space}（{slice}）</translation>
+    </message>
+    <message>
+        <source>it does not say which segment each frame is of</source>
+        <translation>未说明每一帧属于哪个分割区段</translation>
+    </message>
+    <message>
+        <source>it is a segmentation that is not binary ({bits:0f} bits per voxel), which is not supported</source>
+        <translation>这是非二值分割（每体素 {bits:0f} 位），不受支持</translation>
+    </message>
+    <message>
+        <source>its pixels are compressed, which is not supported for a segmentation</source>
+        <translation>其像素经过压缩，对分割不受支持</translation>
+    </message>
+    <message>
+        <source>it is truncated or damaged: it holds less pixels than its header says</source>
+        <translation>文件被截断或已损坏：其像素少于文件头所声明的</translation>
+    </message>
+    <message>
+        <source>it does not say where every frame lies</source>
+        <translation>未说明每一帧的位置</translation>
+    </message>
+    <message>
+        <source>its frames do not lie one behind the other, which is not supported</source>
+        <translation>各帧并非前后排列，不受支持</translation>
+    </message>
+    <message>
+        <source>it does not give the distance between its slices</source>
+        <translation>未给出切面间距</translation>
+    </message>
+    <message>
+        <source>the distance of its frames is implausible</source>
+        <translation>各帧间距不合理</translation>
+    </message>
+    <message>
+        <source>its frames are not evenly spaced</source>
+        <translation>各帧间距不均</translation>
+    </message>
+    <message>
+        <source>its segments overlap, so that they are no label map</source>
+        <translation>其各区段相互重叠，因此不是标签图</translation>
+    </message>
+    <message>
+        <source>it cannot be read because the decoder {program} is not there</source>
+        <translation>无法读取，因为缺少解码程序 {program}</translation>
+    </message>
+    <message>
+        <source>the decoder cannot be started ({reason})</source>
+        <translation>无法启动解码程序（{reason}）</translation>
+    </message>
+    <message>
+        <source>the decoder {program} cannot be started ({reason})</source>
+        <translation>无法启动解码程序 {program}（{reason}）</translation>
+    </message>
+    <message>
+        <source>the decoder broke down on it ({how}); the file is damaged or too large for it</source>
+        <translation>解码程序处理它时崩溃（{how}）；文件已损坏或过大</translation>
+    </message>
+    <message>
+        <source>the decoder broke down on {part} ({how}); the file is damaged or too large for it</source>
+        <translation>解码程序处理 {part} 时崩溃（{how}）；文件已损坏或过大</translation>
+    </message>
+    <message>
+        <source>the decoder got stuck on it and was stopped; the file is damaged</source>
+        <translation>解码程序处理它时卡住并被终止；文件已损坏</translation>
+    </message>
+    <message>
+        <source>the decoder got stuck on {part} and was stopped; the file is damaged</source>
+        <translation>解码程序处理 {part} 时卡住并被终止；文件已损坏</translation>
+    </message>
+    <message>
+        <source>the decoder gave an answer without meaning</source>
+        <translation>解码程序给出了无意义的回答</translation>
+    </message>
+    <message>
+        <source>the decoder gave an answer without meaning on it</source>
+        <translation>解码程序对它给出了无意义的回答</translation>
+    </message>
+    <message>
+        <source>the decoder gave an answer without meaning on {part}</source>
+        <translation>解码程序对 {part} 给出了无意义的回答</translation>
+    </message>
+    <message>
+        <source>the decoder gave less than it announced</source>
+        <translation>解码程序给出的数据少于其宣告的</translation>
+    </message>
+    <message>
+        <source>decoding it takes more memory than its size allows</source>
+        <translation>解码所需内存超过其大小所允许的</translation>
+    </message>
+    <message>
+        <source>its data cannot be decoded ({reason})</source>
+        <translation>无法解码其数据（{reason}）</translation>
+    </message>
+    <message>
+        <source>the mesh file is truncated or damaged</source>
+        <translation>网格文件被截断或已损坏</translation>
+    </message>
+    <message>
+        <source>it is not an STL file, or it is truncated</source>
+        <translation>这不是 STL 文件，或已被截断</translation>
+    </message>
+    <message>
+        <source>it is not a mesh file (.stl, .vtp, .ply, .obj)</source>
+        <translation>这不是网格文件（.stl、.vtp、.ply、.obj）</translation>
+    </message>
+    <message>
+        <source>triangle strips are not supported</source>
+        <translation>不支持三角形条带</translation>
+    </message>
+    <message>
+        <source>it holds no triangles</source>
+        <translation>其中没有三角形</translation>
+    </message>
+    <message>
+        <source>a coordinate is not a number or infinite</source>
+        <translation>有坐标不是数字或为无穷大</translation>
+    </message>
+    <message>
+        <source>a face names a vertex that is not there</source>
+        <translation>有面引用了不存在的顶点</translation>
+    </message>
+    <message>
+        <source>a face has less than three corners</source>
+        <translation>有面少于三个顶点</translation>
+    </message>
+    <message>
+        <source>a face is damaged</source>
+        <translation>有面已损坏</translation>
+    </message>
+    <message>
+        <source>a vertex is not three numbers</source>
+        <translation>有顶点不是三个数字</translation>
+    </message>
+    <message>
+        <source>its triangles have no area</source>
+        <translation>其三角形没有面积</translation>
+    </message>
+    <message>
+        <source>has no triangles</source>
+        <translation>没有三角形</translation>
+    </message>
+    <message>
+        <source>is not closed</source>
+        <translation>未闭合</translation>
+    </message>
+    <message>
+        <source>is not manifold</source>
+        <translation>不是流形</translation>
+    </message>
+    <message>
+        <source>has faces that are not oriented alike</source>
+        <translation>有朝向不一致的面</translation>
+    </message>
+    <message>
+        <source>intersects itself ({pairs:0f} pairs of faces)</source>
+        <translation>自相交（{pairs:0f} 对面）</translation>
+    </message>
+    <message>
+        <source>intersects itself in single precision</source>
+        <translation>在单精度下自相交</translation>
+    </message>
+    <message>
+        <source>has components that lie where they bound nothing</source>
+        <translation>有连通分量所在之处未界定任何实体</translation>
+    </message>
+    <message>
+        <source>encloses no volume</source>
+        <translation>未围成体积</translation>
+    </message>
+    <message>
+        <source>has no voxel of the value {label:0f}</source>
+        <translation>没有值为 {label:0f} 的体素</translation>
+    </message>
+    <message>
+        <source>has no voxel that is not 0</source>
+        <translation>没有非 0 的体素</translation>
+    </message>
+    <message>
+        <source>is a mesh, which has no labels</source>
+        <translation>这是网格，没有标签</translation>
+    </message>
+    <message>
+        <source>became surfaces without the label {label:0f}</source>
+        <translation>转为表面后没有标签 {label:0f}</translation>
+    </message>
+    <message>
+        <source>has labels that lie in each other so finely that their surfaces cannot be kept apart</source>
+        <translation>标签相互嵌套过细，无法使其表面保持分离</translation>
+    </message>
+    <message>
+        <source>has a surface of more than {most:0f} triangles</source>
+        <translation>其表面超过 {most:0f} 个三角形</translation>
+    </message>
+    <message>
+        <source>it is a folder, not a file name</source>
+        <translation>这是文件夹，不是文件名</translation>
+    </message>
+    <message>
+        <source>a folder has this name</source>
+        <translation>有文件夹使用此名称</translation>
+    </message>
+    <message>
+        <source>the data did not reach the disk (is it full?)</source>
+        <translation>数据未写到磁盘（磁盘是否已满？）</translation>
+    </message>
+    <message>
+        <source>the disk may be full</source>
+        <translation>磁盘可能已满</translation>
+    </message>
+    <message>
+        <source>the file cannot be opened</source>
+        <translation>无法打开文件</translation>
+    </message>
+    <message>
+        <source>NIfTI cannot hold more than 32767 voxels or frames along an axis</source>
+        <translation>NIfTI 沿一个轴最多容纳 32767 个体素或帧</translation>
+    </message>
+    <message>
+        <source>the mesh is too large for DICOM</source>
+        <translation>网格对 DICOM 而言过大</translation>
+    </message>
+    <message>
+        <source>it is too large for DICOM</source>
+        <translation>对 DICOM 而言过大</translation>
+    </message>
+    <message>
+        <source>the mesh is too large for 3MF</source>
+        <translation>网格对 3MF 而言过大</translation>
+    </message>
+    <message>
+        <source>the object {object} holds the centre of no voxel</source>
+        <translation>目标 {object} 不包含任何体素的中心</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>权限不足</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>磁盘空间不足</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>文件系统为只读</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>没有那个文件或文件夹</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>文件名过长</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>路径中有一部分不是文件夹</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>超出磁盘配额</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>输入/输出错误</translation>
+    </message>
+    <message>
+        <source>The pin at {place} mm lies outside of the volume.</source>
+        <translation>位于 {place} mm 的固定在体数据之外。</translation>
+    </message>
+    <message>
+        <source>The wall at {place} mm lies outside of the volume.</source>
+        <translation>位于 {place} mm 的屏障在体数据之外。</translation>
+    </message>
+    <message>
+        <source>The wall disc at {place} mm lies outside of the volume.</source>
+        <translation>位于 {place} mm 的屏障圆盘在体数据之外。</translation>
+    </message>
+    <message>
+        <source>The allowed place {place} lies outside of the volume.</source>
+        <translation>允许的位置 {place} 在体数据之外。</translation>
+    </message>
+    <message>
+        <source>The place to hold {place} lies outside of the volume.</source>
+        <translation>要保持的位置 {place} 在体数据之外。</translation>
+    </message>
+    <message>
+        <source>The surface to begin with, {file}, lies outside of the volume.</source>
+        <translation>起始表面 {file} 在体数据之外。</translation>
+    </message>
+    <message>
+        <source>The surface to begin with, {file}, meets the object &apos;{object}&apos;, which comes before it.</source>
+        <translation>起始表面 {file} 与排在其前的目标“{object}”相遇。</translation>
+    </message>
+    <message>
+        <source>The surface to begin with cannot become another one on the way: begin again.</source>
+        <translation>起始表面不能在中途更换：请重新开始。</translation>
+    </message>
+    <message>
+        <source>The object &apos;{object}&apos; has no mesh that could be a wall.</source>
+        <translation>目标“{object}”没有可作为屏障的网格。</translation>
+    </message>
+    <message>
+        <source>The label map of the walls has not the volume&apos;s size.</source>
+        <translation>屏障的标签图与体数据大小不同。</translation>
+    </message>
+    <message>
+        <source>An allowed place has nothing to allow: the components and the genus have no limit.</source>
+        <translation>允许的位置没有可允许的内容：连通分量和亏格没有限制。</translation>
+    </message>
+    <message>
+        <source>A place to hold has nothing to hold: the components and the genus have no limit.</source>
+        <translation>要保持的位置没有可保持的内容：连通分量和亏格没有限制。</translation>
+    </message>
+    <message>
+        <source>There is nothing to ask about: the components and the genus have no limit.</source>
+        <translation>没有可询问的内容：连通分量和亏格没有限制。</translation>
+    </message>
+    <message>
+        <source>A pin cannot be set before the first step of a correction: make a step first.</source>
+        <translation>在修正的第一步之前不能设置固定：请先执行一步。</translation>
+    </message>
+    <message>
+        <source>The sensitivity cannot be told of a growth with vetoes, pins or edits: they name an iteration, and a perturbed run has others.</source>
+        <translation>带有否决、固定或编辑的生长无法给出敏感性：它们指定迭代，而扰动后的运行迭代不同。</translation>
+    </message>
+    <message>
+        <source>The surface vanished.</source>
+        <translation>表面已消失。</translation>
+    </message>
+    <message>
+        <source>no DICOM file can be made: {cause}</source>
+        <translation>无法生成 DICOM 文件：{cause}</translation>
+    </message>
+    <message>
+        <source>the volume was not read from DICOM, and a DICOM file belongs to a patient and a study</source>
+        <translation>体数据不是从 DICOM 读取的，而 DICOM 文件属于某一患者和检查</translation>
+    </message>
+    <message>
+        <source>the series does not say where its slices lie</source>
+        <translation>该序列未说明其切面的位置</translation>
+    </message>
+    <message>
+        <source>its positions are in the frame of the ultrasound volume, not of the patient</source>
+        <translation>其位置以超声体数据为参照，而非患者</translation>
+    </message>
+    <message>
+        <source>its spacing was given by the user, not by the series</source>
+        <translation>其间距由用户给出，而非来自序列</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; is longer than 64 bytes</source>
+        <translation>“{text}”超过 64 字节</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; holds a control character or a backslash</source>
+        <translation>“{text}”含有控制字符或反斜杠</translation>
+    </message>
+    <message>
+        <source>the label map is not on the grid of the series</source>
+        <translation>标签图不在该序列的网格上</translation>
+    </message>
+    <message>
+        <source>tetrahedra are made by gmsh or TetGen, and neither program is installed (Debian&apos;s packages are gmsh and tetgen)</source>
+        <translation>四面体由 gmsh 或 TetGen 生成，而两者均未安装（Debian 软件包为 gmsh 和 tetgen）</translation>
+    </message>
+    <message>
+        <source>there are no tetrahedra of the object &apos;{object}&apos;: {cause}.</source>
+        <translation>目标“{object}”没有四面体：{cause}。</translation>
+    </message>
+    <message>
+        <source>{file}: there is no frame {frame:0f}; it has the frames 0 to {last:0f}.</source>
+        <translation>{file}：没有第 {frame:0f} 帧；共有第 0 至 {last:0f} 帧。</translation>
+    </message>
+    <message>
+        <source>{file}: there is no frame {frame:0f}; it has one frame, 0.</source>
+        <translation>{file}：没有第 {frame:0f} 帧；只有一帧，即第 0 帧。</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

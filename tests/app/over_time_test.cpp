@@ -138,10 +138,21 @@ TEST_CASE("a frame that cannot be read is a warning and exit code 7, and the oth
   CHECK_THAT(readBytes(folder / "m.pvd"), !Contains("m_0001.vtp") && Contains("m_0002.vtp"));
   CHECK(runForJson({"info", folder / "labels.nii", "--json"}).at("frames") == 3);
   const auto results = nlohmann::json::parse(readBytes(folder / "r.json")).at("over_time").at("results");
-  CHECK(results.at(1).at("faults").at(0).at("kind") == "unreadable");
+  const auto& fault = results.at(1).at("faults").at(0);
+  CHECK(fault.at("kind") == "unreadable");
+  CHECK(fault.at("finding").at("kind") == "frame-unreadable");
+  CHECK(fault.at("finding").at("sentence") == fault.at("text"));
+  CHECK_THAT(fault.at("text").get<std::string>(), Contains("f1.nii.gz"));
   CHECK(results.at(1).at("volume_mm3").is_null());
   CHECK(results.at(2).at("from_frame") == 0);
   CHECK(results.at(2).at("trusted") == true);
+  run({"segment", frames, "--seed", seed, "--frames", "all", "-o", folder / "m.vtp", "--curve",
+       folder / "c.csv", "--report", folder / "a.json", "--anonymous"},
+      7);
+  const auto hidden = nlohmann::json::parse(readBytes(folder / "a.json")).at("over_time").at("results");
+  CHECK(hidden.at(1).at("faults").at(0).at("text") == "its voxels cannot be read");
+  CHECK(hidden.at(1).at("faults").at(0).at("finding").at("kind") == "frame-not-read");
+  for (const char* file : {"a.json", "c.csv"}) CHECK_THAT(readBytes(folder / file), !Contains("f1.nii.gz"));
 }
 
 TEST_CASE("what does not go with --frames is refused before any work", "[cli][time]") {

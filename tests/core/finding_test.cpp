@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 
+#include "core/finding_words.h"
 #include "core/told_error.h"
 #include "tests/support/catch.h"
 
@@ -37,6 +38,20 @@ TEST_CASE("a finding is told in English with its numbers", "[finding]") {
                          {{"place", std::array{1.0, 2.0, 3.0}}, {"voxel", std::array{4.0, 5.0, 6.0}}})) ==
         "The seed at (1.000000, 2.000000, 3.000000) mm lies outside the volume (voxel 4.000000, 5.000000, "
         "6.000000).");
+}
+
+TEST_CASE("what a value says is not read as a place for another", "[finding]") {
+  const Finding empty(FindingKind::fileRefused, {{"file", std::string("a {cause} of {file}.nii")}},
+                      FindingKind::emptyFile);
+  CHECK(sentence(empty) == "a {cause} of {file}.nii: the file is empty.");
+}
+
+TEST_CASE("a kind is found by its name", "[finding]") {
+  for (int k = 0; k < kFindingKinds; ++k) {
+    const auto kind = static_cast<FindingKind>(k);
+    CHECK(findingKindOf(findingName(kind)) == kind);
+  }
+  CHECK(findingKindOf("no such kind") == FindingKind::none);
 }
 
 TEST_CASE("the cause of a finding is told within it", "[finding]") {

@@ -133,3 +133,23 @@ TEST_CASE("unknown output extensions are usage errors") {
   CHECK(isLabelMapPath("A.Nii.GZ"));
   CHECK(folder.fileCount() == 0);
 }
+
+TEST_CASE("why a file is not written is a finding that names it") {
+  const TemporaryFolder folder;
+  const std::string within = folder / "missing/file.txt";
+  for (const auto& [path, kind] : {std::pair(folder.path(), FindingKind::folderHasName),
+                                   std::pair(within, FindingKind::noFileOrDirectory)}) {
+    Finding finding;
+    std::string message;
+    try {
+      writeTextAtomically(path, "text");
+    } catch (const OutputError& error) {
+      finding = findingOf(error);
+      message = error.what();
+    }
+    REQUIRE(finding.kind == FindingKind::fileNotWritten);
+    CHECK(finding.causes.at(0).kind == kind);
+    CHECK(sentence(finding) == message);
+    CHECK(message.rfind(path + ": cannot be written: ", 0) == 0);
+  }
+}

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -12,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "core/errors.h"
 #include "core/io/volume_io.h"
+#include "core/told_error.h"
 #include "tests/support/catch.h"
 
 namespace handlebody::test {
@@ -93,17 +94,29 @@ inline std::string voxelBytes(const Volume& volume) {
 
 //! Reading and inspecting are refused alike (`onlyReading`: what only the voxels show), in one line that
 //! begins with the path and holds `cause`.
+//! True if no part of it is words that have no kind.
+inline bool hasKinds(const Finding& finding) {
+  return finding.any() && finding.kind != FindingKind::other &&
+         std::all_of(finding.causes.begin(), finding.causes.end(), hasKinds);
+}
+
 inline void expectInputError(const std::string& path, const std::string& cause, bool onlyReading = false) {
   INFO(path);
   std::string message;
+  Finding finding;
+  bool isChoice = false;  // which the window asks for, and does not tell
   try {
     readVolume(path);
   } catch (const InputError& e) {
     message = e.what();
+    finding = findingOf(e);
+    isChoice = dynamic_cast<const SeriesChoiceNeeded*>(&e) != nullptr;
   }
   CHECK_THAT(message, Contains(cause));
   CHECK(message.rfind(path, 0) == 0);
   CHECK(message.find('\n') == std::string::npos);
+  CHECK((isChoice || hasKinds(finding)));
+  CHECK((isChoice || sentence(finding) == message));
   if (!onlyReading) CHECK_THROWS_AS(inspectVolume(path), InputError);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 
 #include "core/collision/certify.h"
 #include "core/errors.h"
@@ -49,6 +50,13 @@ bool has(const FrameResult& r, FrameFault fault) {
   for (const ToldFault& f : r.faults)
     if (f.fault == fault) return true;
   return false;
+}
+
+//! What is told of a fault; FindingKind::none if there is none of that kind.
+Finding toldOf(const FrameResult& r, FrameFault fault) {
+  for (const ToldFault& f : r.faults)
+    if (f.fault == fault) return f.finding;
+  return {};
 }
 
 double ball(double radius) { return 4.0 / 3 * 3.14159265358979 * radius * radius * radius; }
@@ -110,9 +118,18 @@ TEST_CASE("an object that comes apart is held together, unless its topology is f
   CHECK(held.components == 1);
   CHECK(held.genus == 0);
   CHECK(has(held, FrameFault::held));
+  const Finding holding = toldOf(held, FrameFault::held);
+  CHECK(holding.find("place") != nullptr);
+  CHECK(std::regex_match(
+      sentence(holding),
+      std::regex("the topology was held at (1 place|[0-9]+ places), the first at [-0-9.e,]+ mm")));
+  CHECK((holding.kind == FindingKind::frameHeldAtPlace) == (holding.number("places") == 1));
   const FrameResult free = carried(false);
   CHECK(free.components == 2);
   CHECK(has(free, FrameFault::changed));
+  CHECK(toldOf(free, FrameFault::changed).kind == FindingKind::frameCameApart);
+  CHECK(sentence(toldOf(free, FrameFault::changed)) ==
+        "the topology changes from 1 component of genus 0 to 2 components of genus 0");
   CHECK_FALSE(has(free, FrameFault::held));
 }
 
@@ -121,10 +138,33 @@ TEST_CASE("a frame without the object is told, and so is one in which its volume
   CHECK_FALSE(none.isTrusted());
   CHECK(has(none, FrameFault::noObject));
   CHECK(none.mesh.triangles.empty());
+  const Finding nothing = toldOf(none, FrameFault::noObject);
+  CHECK(nothing.kind == FindingKind::frameNoObject);
+  REQUIRE(nothing.causes.size() == 1);
+  CHECK(nothing.causes.front().kind != FindingKind::other);
+  CHECK(sentence(nothing) == sentence(nothing.causes.front()));
   const FrameResult small = carriedOnto(balls({{kMiddle, 5}}));
   CHECK_FALSE(small.isTrusted());
   CHECK(has(small, FrameFault::jumped));
   CHECK_FALSE(small.mesh.triangles.empty());
+  const Finding jump = toldOf(small, FrameFault::jumped);
+  CHECK(jump.kind == FindingKind::frameJumped);
+  CHECK(jump.number("from_frame") == 0);
+  CHECK(jump.number("from_ml") == Approx(ball(10) / 1000).epsilon(0.03));
+  CHECK(jump.number("to_ml") == small.volume / 1000);
+  CHECK(std::regex_match(sentence(jump),
+                         std::regex(R"(the volume jumps from [0-9.]+ ml in frame 0 to [0-9.]+ ml)")));
+}
+
+TEST_CASE("a surface that still moves at the limit of the iterations is told, with the limit's name") {
+  GrownFrame grown = growIn(balls({{kMiddle, 10}}), 0, {{{kMiddle}}, {}, {}});
+  grown.settings.request.parameters.maxIterations = 1;
+  const Volume larger = balls({{kMiddle, 12}});
+  const FrameResult r =
+      firstOf(FrameCarrier(grown.settings, hooksOf([&](int) { return larger; })), grown.result);
+  CHECK(toldOf(r, FrameFault::unfinished).kind == FindingKind::frameAtLimit);
+  CHECK(sentence(toldOf(r, FrameFault::unfinished)) ==
+        "the surface was not at rest of its own accord (max-iterations)");
 }
 
 TEST_CASE("where the likeliest object is another one, the candidate that is nearest in volume is taken") {
@@ -140,6 +180,12 @@ TEST_CASE("where the likeliest object is another one, the candidate that is near
   const FrameResult r = carriedOnto(image, true, balls({{kMiddle, 11}}));
   CHECK(r.isTrusted());
   CHECK(has(r, FrameFault::otherObject));
+  const Finding other = toldOf(r, FrameFault::otherObject);
+  CHECK(other.number("candidate") > 1);
+  REQUIRE(other.causes.size() == 1);
+  CHECK(sentence(other) == "another object is likelier there, but it fails (" +
+                               sentence(other.causes.front()) + "); candidate " +
+                               std::to_string(static_cast<int>(other.number("candidate"))) + " was taken");
   CHECK(r.volume == Approx(ball(12)).epsilon(0.05));
 }
 
@@ -155,6 +201,7 @@ TEST_CASE("a frame that cannot be read starts no other: the next starts from the
   CHECK(told == std::vector<int>{4, 5, 6, 7});
   CHECK(frames[0].from == 3);
   CHECK(has(frames[1], FrameFault::unreadable));
+  CHECK(sentence(toldOf(frames[1], FrameFault::unreadable)) == "frame 5 is damaged.");
   CHECK_FALSE(frames[1].isTrusted());
   CHECK(frames[2].from == 4);
   CHECK(frames[2].isTrusted());

@@ -57,7 +57,8 @@ TEST_CASE("the table has a row for each frame, and quotes what went wrong") {
     if (f > 0) r.from = f - 1;
     report.frames.push_back(r);
   }
-  report.frames[2].faults.push_back({FrameFault::jumped, "a \"jump\", said so"});
+  report.frames[2].faults.push_back(
+      {FrameFault::jumped, {FindingKind::other, {{"text", std::string("a \"jump\", said so")}}}});
   const std::string text = curveCsv(report);
   CHECK_THAT(text, Catch::Matchers::StartsWith("frame,time_ms,volume_ml,phase,trusted,"));
   CHECK_THAT(text, Catch::Matchers::Contains("\n0,0,100,end-diastole,yes,"));

@@ -349,7 +349,7 @@ class Document : public QObject {
  Q_SIGNALS:
   void opening(const QString& path, double progress);  //!< 0 … 1, negative: unknown
   void opened();
-  void openFailed(const QString& sentence);
+  void openFailed(const QString& sentence, bool needsSpacing);  //!< the second as in OpeningFailed
   void openingObjects(const QString& path);
   void objectsOpened(const QString& path, const QStringList& names);
   void openingObjectsFailed(const QString& sentence);

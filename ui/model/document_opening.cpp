@@ -35,12 +35,14 @@ void Document::Private::open(const QString& path, const VolumeSelection& selecti
 void Document::Private::finishOpening(int number, const QString& path, OpeningResult result) {
   if (number != openings || !isOpening) return;  // cancelled, or a newer one is under way
   isOpening = false;
-  if (auto* opened = std::get_if<OpenedWork>(&result))
+  if (auto* opened = std::get_if<OpenedWork>(&result)) {
     adopt(path, std::move(*opened));
-  else if (const auto* choice = std::get_if<SeriesChoice>(&result))
+  } else if (const auto* choice = std::get_if<SeriesChoice>(&result)) {
     Q_EMIT q.seriesChoiceNeeded(path, choice->series);
-  else
-    Q_EMIT q.openFailed(std::get<OpeningFailed>(result).sentence);
+  } else {
+    const auto& failed = std::get<OpeningFailed>(result);
+    Q_EMIT q.openFailed(failed.sentence, failed.needsSpacing);
+  }
 }
 
 void Document::cancelOpening() {

@@ -12,6 +12,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/result.h"
 #include "core/io/start_surface.h"
+#include "core/told_error.h"
 #include "ui/model/document_private.h"
 #include "ui/model/error_sentence.h"
 
@@ -156,8 +157,7 @@ QString Document::exportFault(const QString& extension) const {
     try {
       checkResult("x" + extension.toStdString(), {volume().grid, {}, info().dicom, {}});
     } catch (const UsageError& error) {
-      const std::string why = error.what();
-      throw UsageError(why.substr(std::min(why.size(), why.find(": ") + 2)));
+      throw Told<UsageError>(findingOf(error).causes.at(0));
     }
   });
 }

@@ -185,7 +185,7 @@ void Document::Private::carryAgain(const std::optional<int>& again) {
   order.start.seconds = growth.seconds();
   for (const FoundLeak& found : growth.leaks())
     if (found.leak.iteration <= growth.iteration())
-      order.start.faults.push_back({FrameFault::leaked, "the surface leaked: " + sentence(found.leak)});
+      order.start.faults.push_back(leakFault(found.leak));
   order.settings = carrySettings();
   time.carry(std::move(order));
 }

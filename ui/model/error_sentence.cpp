@@ -10,7 +10,7 @@ namespace handlebody::ui {
 
 namespace {
 
-//! The readers and writers of files speak English alone: in another language a headline stands before that.
+//! What has no kind yet is told in English alone: in another language a headline stands before that.
 QString headed(const char* headline, const std::exception& error) {
   const QString detail = QString::fromUtf8(error.what()).simplified(), own = tr(headline);
   return own == QLatin1String(headline) ? detail : own + QLatin1Char(' ') + detail;
@@ -28,7 +28,8 @@ QString errorSentence() try {
   try {
     throw;
   } catch (const CarriesFinding& e) {
-    return findingSentence(e.finding());
+    if (isTranslated(e.finding())) return findingSentence(e.finding());
+    throw;
   }
 } catch (const InputError& e) {  // these begin with the file's name: no capital letter
   return headed(QT_TR_NOOP("The file cannot be read."), e);

@@ -88,6 +88,28 @@ constexpr Words kWords[] = {
      QT_TRANSLATE_NOOP("Findings",
                        "The range {low:4g} to {high:4g} holds no voxel of the volume, whose values run from "
                        "{least:4g} to {most:4g}.")},
+    {K::frameUnreadable, QT_TRANSLATE_NOOP("Findings", "its voxels cannot be read: {cause}")},
+    {K::frameNoObject, QT_TRANSLATE_NOOP("Findings", "no object can be grown here: {cause}")},
+    {K::frameAtLimit, QT_TRANSLATE_NOOP("Findings", "the surface was still moving at the iteration limit")},
+    {K::frameStuck, QT_TRANSLATE_NOOP("Findings", "the surface got stuck before it was at rest")},
+    {K::frameFrozen,
+     QT_TRANSLATE_NOOP("Findings", "the surface rests, but parts that could not be mended would still move")},
+    {K::frameUnfinished, QT_TRANSLATE_NOOP("Findings", "the surface was stopped before it was at rest")},
+    {K::sessionWithoutVolume,
+     QT_TRANSLATE_NOOP(
+         "Findings", "it names no volume, as it is anonymous; “handlebody-cli replay --volume” says which.")},
+    {K::sessionWithoutWalls,
+     QT_TRANSLATE_NOOP("Findings",
+                       "it names no label map of its walls, as it is anonymous; “handlebody-cli replay "
+                       "--walls” says which.")},
+    {K::sessionWithoutStart,
+     QT_TRANSLATE_NOOP("Findings",
+                       "it does not name the file of the surface to begin with, as it is anonymous; "
+                       "“handlebody-cli replay --start” says which.")},
+    {K::cine,
+     QT_TRANSLATE_NOOP("Findings",
+                       "this is a cine (2D images over time: {frames:0f} frames), not a volume; if its "
+                       "frames are slices in space, enter their spacing in step 1, Open")},
 };
 
 const char* sourceOf(FindingKind kind) {
@@ -126,12 +148,12 @@ QString findingText(const Finding& finding) {
       finding.kind == K::polishLeaves || finding.kind == K::other
           ? std::string("{text}")
           : QCoreApplication::translate("Findings", sourceOf(finding.kind)).toStdString();
-  QString text = QString::fromStdString(
-      filled(source, finding, [](std::string_view, const FindingValue& value, std::string_view format) {
+  return QString::fromStdString(filled(
+      source, finding,
+      [](std::string_view, const FindingValue& value, std::string_view format) {
         return written(value, format).toStdString();
-      }));
-  if (!finding.causes.empty()) text.replace(QLatin1String("{cause}"), findingText(finding.causes.front()));
-  return text;
+      },
+      [](const Finding& cause) { return findingText(cause).toStdString(); }));
 }
 
 QString findingText(const std::vector<Finding>& findings) {
@@ -140,10 +162,17 @@ QString findingText(const std::vector<Finding>& findings) {
   return all.join(QStringLiteral("; "));
 }
 
+bool isTranslated(const Finding& finding) {
+  return finding.kind != K::other && std::all_of(finding.causes.begin(), finding.causes.end(),
+                                                 [](const Finding& f) { return isTranslated(f); });
+}
+
 QString findingSentence(const Finding& finding) {
   QString text = findingText(finding);
   if (text.isEmpty()) return text;
-  text[0] = text[0].toUpper();
+  // The name of a file is as it is.
+  if (const FindingValue* file = finding.find("file"); !file || !text.startsWith(written(*file, "")))
+    text[0] = text[0].toUpper();
   const QChar last = text.back();
   if (last == QLatin1Char('.') || last == QChar(0x3002)) return text;
   return QCoreApplication::translate("Findings", "%1.").arg(text);

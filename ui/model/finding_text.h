@@ -12,6 +12,8 @@ namespace handlebody::ui {
 QString findingText(const Finding& finding);
 //! With "; " between.
 QString findingText(const std::vector<Finding>& findings);
+//! False where a part of it is words that have no kind yet: they are English.
+bool isTranslated(const Finding& finding);
 //! As a sentence: with a capital letter and a full stop.
 QString findingSentence(const Finding& finding);
 

@@ -6,6 +6,7 @@
 #include "core/cancellation.h"
 #include "core/errors.h"
 #include "core/io/start_surface.h"
+#include "core/told_error.h"
 
 namespace handlebody::ui {
 
@@ -73,8 +74,8 @@ std::vector<Session> readObjects(const QString& path, OpenAs as, const Grid& gri
   loadStarts(all);
   for (const Session& object : objects)
     if (!isWithin(grid, object.constraints.start->inside))
-      throw InputError(file + " does not belong to this volume: a surface in it (" + object.label.name +
-                       ") lies outside of it.");
+      throw Told<InputError>(
+          Finding(FindingKind::otherVolume, {{"file", file}, {"object", object.label.name}}));
   return objects;
 }
 

@@ -9,6 +9,7 @@
 #include "core/errors.h"
 #include "core/io/start_surface.h"
 #include "core/io/wall_map.h"
+#include "core/told_error.h"
 #include "ui/model/error_sentence.h"
 
 namespace handlebody::ui {
@@ -17,8 +18,7 @@ namespace {
 
 void verifyHash(const VolumeReference& reference) {
   if (reference.sha256.empty() || reference.sha256 == sha256OfPath(reference.path)) return;
-  throw InputError(reference.path +
-                   " is not the volume that the session was made from: its SHA-256 differs.");
+  throw Told<InputError>(Finding(FindingKind::volumeChanged, {{"file", reference.path}}));
 }
 
 //! When its time points were taken, if it has several; it need not say so.
@@ -76,6 +76,10 @@ OpeningResult openWork(const QString& path, const VolumeSelection& selection,
   return read(path, selection, progress, cancelled);
 } catch (const SeriesChoiceNeeded& choice) {
   return SeriesChoice{choice.series};
+} catch (const InputError& error) {
+  const Finding finding = findingOf(error);
+  const bool isCine = !finding.causes.empty() && finding.causes.front().kind == FindingKind::cine;
+  return OpeningFailed{errorSentence(), isCine};
 } catch (...) {
   return OpeningFailed{errorSentence()};
 }

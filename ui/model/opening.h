@@ -31,6 +31,7 @@ struct SeriesChoice {
 
 struct OpeningFailed {
   QString sentence;
+  bool needsSpacing = false;  //!< it can be opened with the spacing of its slices
 };
 
 using OpeningResult = std::variant<OpenedWork, SeriesChoice, OpeningFailed>;

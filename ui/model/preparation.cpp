@@ -4,6 +4,7 @@
 
 #include "core/cancellation.h"
 #include "core/errors.h"
+#include "core/told_error.h"
 #include "ui/model/error_sentence.h"
 
 namespace handlebody::ui {
@@ -15,8 +16,7 @@ constexpr std::size_t kMostKnown = 4;
 std::shared_ptr<const ActiveContour> startedFrom(const ActiveContour& made, const Request& request,
                                                  const CarriedStart& surface) {
   for (const Pin& pin : request.constraints.pins)
-    if (pin.iteration == 0)
-      throw UsageError("A pin cannot be set before the first step of a correction: make a step first.");
+    if (pin.iteration == 0) throw Told<UsageError>(FindingKind::pinBeforeStep);
   auto contour = std::make_shared<ActiveContour>(made);
   contour->startFrom(Mesh(surface.mesh), surface.holdTopology);
   return contour;

@@ -218,9 +218,9 @@ void FileWork::begin(const QString& path, const VolumeSelection& selection) {
   document_.open(path, selection);
 }
 
-void FileWork::sayOpenFailed(const QString& sentence) {
+void FileWork::sayOpenFailed(const QString& sentence, bool needsSpacing) {
   std::vector<MessageBar::Answer> answers;
-  if (asksForSpacing(sentence))
+  if (needsSpacing)
     answers.push_back({tr("Enter the spacing"), [this] { Q_EMIT spacingNeeded(asked_, askedSelection_); }});
   messages_.show(MessageBar::Kind::error, inWordsOfWindow(sentence), answers);
 }

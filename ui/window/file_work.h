@@ -68,7 +68,7 @@ class FileWork : public QObject {
   QString suggestedBase() const;
   void connectMessages();
   void connectObjects();
-  void sayOpenFailed(const QString& sentence);
+  void sayOpenFailed(const QString& sentence, bool needsSpacing);
 
   Document& document_;
   ViewGrid& views_;

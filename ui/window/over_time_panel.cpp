@@ -15,6 +15,7 @@
 
 #include "core/io/over_time_report.h"
 #include "ui/model/document.h"
+#include "ui/model/finding_text.h"
 #include "ui/model/time_series.h"
 #include "ui/view/view_state.h"
 #include "ui/window/action_button.h"
@@ -37,7 +38,7 @@ QString stateOf(const TimeSeries& time, int frame) {
   if (!result) return {};
   QString text;
   for (const ToldFault& f : result->faults)
-    text += (text.isEmpty() ? QString() : QStringLiteral("; ")) + QString::fromStdString(f.sentence);
+    text += (text.isEmpty() ? QString() : QStringLiteral("; ")) + findingText(f.finding);
   for (const FrameCorrection& c : time.request().corrections)
     if (c.frame == frame && text.isEmpty())
       return OverTimePanel::tr("corrected, from frame %1").arg(result->from.value_or(0));

@@ -64,6 +64,4 @@ QString breakable(const QString& text) {
   return result;
 }
 
-bool asksForSpacing(const QString& sentence) { return sentence.contains(QLatin1String("give --spacing")); }
-
 }  // namespace handlebody::ui

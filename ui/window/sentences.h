@@ -20,7 +20,5 @@ QString mainWarning(const VolumeInfo& info);
 //! With places where an overlong word (a path, a UID) may go on in the next line, which are not seen: no text
 //! of a file may widen a panel.
 QString breakable(const QString& text);
-//! True if the sentence asks for the spacing of a file's voxels.
-bool asksForSpacing(const QString& sentence);
 
 }  // namespace handlebody::ui

@@ -6,6 +6,7 @@
 #include <QToolButton>
 
 #include "ui/model/document.h"
+#include "ui/model/finding_text.h"
 #include "ui/model/time_series.h"
 #include "ui/window/commands.h"
 #include "ui/window/eliding_label.h"
@@ -85,7 +86,7 @@ void TimeBar::showMarks() {
   QString why = time.error();
   if (const FrameResult* result = time.resultOf(time.shownFrame()); why.isEmpty() && result)
     for (const ToldFault& f : result->faults)
-      why += (why.isEmpty() ? QString() : QStringLiteral("; ")) + QString::fromStdString(f.sentence);
+      why += (why.isEmpty() ? QString() : QStringLiteral("; ")) + findingText(f.finding);
   if (why.isEmpty() && time.wantedFrame() != time.shownFrame())
     why = tr("Reading…");
   else if (why.isEmpty() && time.showsGrownFrame())

@@ -158,7 +158,7 @@ TEST_CASE("a frame in which it fails is told with its sentence, and the others a
   REQUIRE(failed != nullptr);
   CHECK_FALSE(failed->isTrusted());
   REQUIRE_FALSE(failed->faults.empty());
-  CHECK_FALSE(failed->faults.front().sentence.empty());
+  CHECK_FALSE(sentence(failed->faults.front().finding).empty());
   REQUIRE(document.time().resultOf(4) != nullptr);
   CHECK(document.time().resultOf(4)->isTrusted());
   CHECK(document.time().resultOf(4)->from == 2);

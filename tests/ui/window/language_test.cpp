@@ -13,10 +13,12 @@
 #include <QTextBrowser>
 #include <QXmlStreamReader>
 #include <algorithm>
+#include <atomic>
 
 #include "tests/ui/window/layout_support.h"
 #include "tests/ui/window/window_support.h"
 #include "ui/model/finding_text.h"
+#include "ui/model/opening.h"
 #include "ui/window/event_inspector.h"
 #include "ui/window/help_window.h"
 #include "ui/window/language.h"
@@ -124,6 +126,54 @@ QByteArray contentOf(const QString& path) {
   return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
+//! What the texts of findings say between their values, where this language says it otherwise.
+QStringList englishParts(const QString& code) {
+  static const QRegularExpression hole(QStringLiteral("\\{[^}]*\\}"));
+  QStringList parts;
+  for (const Entry& e : entriesOf(code))
+    if (e.source != e.translations.value(0))
+      for (const QString& part : e.source.split(hole))
+        if (part.size() > 12) parts << part;
+  return parts;
+}
+
+//! Why it cannot be opened; empty if it can.
+QString whyNot(const QString& path) {
+  const std::atomic<bool> cancelled{false};
+  const ui::OpeningResult result = ui::openWork(
+      path, {}, [](double) {}, cancelled);
+  const auto* failed = std::get_if<ui::OpeningFailed>(&result);
+  return failed ? failed->sentence : QString();
+}
+
+//! Files that cannot be opened, each for another reason; the first is not there.
+QStringList brokenFiles(const QTemporaryDir& folder) {
+  QStringList files{folder.filePath(QStringLiteral("missing.nii"))};
+  const auto write = [&](const char* name, const QByteArray& bytes) {
+    files << folder.filePath(QLatin1String(name));
+    QFile file(files.back());
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) files.clear();
+  };
+  const QByteArray cyst = contentOf(sample("cyst.nii.gz"));
+  const QByteArray nrrd = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 2 2 2\nencoding: ";
+  const QByteArray session = R"({"version": "0.1.0", "input": {"path": "cyst.nii.gz", "sha256": null},)";
+  write("empty.nrrd", {});
+  write("letter.nii", "This is a letter, not a volume.");
+  write("cut.nii.gz", cyst.left(cyst.size() / 2));
+  write("short.nrrd", nrrd + "raw\n\nabc");
+  write("packed.nrrd", nrrd + "bzip2\n\nabcdefgh");
+  write("flat.mha",
+        "ObjectType = Image\nNDims = 2\nDimSize = 2 2\nElementType = MET_UCHAR\n"
+        "ElementDataFile = LOCAL\nabcd");
+  write("slice.dcm", QByteArray(128, '\0') + "DICM");
+  write("letter.json", "This is a letter, not a session.");
+  write("anonymous.json", QByteArray(session).replace("\"cyst.nii.gz\"", "null") + R"("requested": {}})");
+  write("unseeded.json", session + R"("requested": {"seeds": []}})");
+  files << folder.filePath(QStringLiteral("images"));
+  QDir().mkdir(files.back());
+  return files;
+}
+
 //! Without what the clock has written.
 QByteArray withoutTimes(const QByteArray& json) {
   QJsonObject object = QJsonDocument::fromJson(json).object();
@@ -145,6 +195,8 @@ class LanguageTest : public QObject {
   void whatTheWindowShowsIsInItsLanguage();
   void nothingIsCutOffInAnyLanguage();
   void numbersAndFindingsAreWrittenAsTheLanguageDoes();
+  void everyFindingIsToldInEveryLanguage();
+  void whatIsWrongWithAFileIsToldInEveryLanguage();
   void filesAreTheSameInEveryLanguage();
   void theLanguageIsChosenByOptionEnvironmentSettingAndSystem();
 };
@@ -181,6 +233,7 @@ void LanguageTest::theTranslationsHaveAllTextsOfTheSources() {
   arguments << "ui"
             << "app/window"
             << "core/finding_words.cpp"
+            << "core/finding_file_words.cpp"
             << "-ts";
   for (const QString& code : translatedLanguages()) {
     const QString copy = folder.filePath("handlebody_" + code + ".ts");
@@ -267,6 +320,43 @@ void LanguageTest::numbersAndFindingsAreWrittenAsTheLanguageDoes() {
   QVERIFY(shownText(*window, "Volumen").contains(QLatin1Char(',')));
   ui::useLanguage(QStringLiteral("zh_CN"));
   QVERIFY(ui::findingSentence(neck).contains(QStringLiteral("2.5 mm")));
+}
+
+void LanguageTest::everyFindingIsToldInEveryLanguage() {
+  static const QRegularExpression hole(QStringLiteral("\\{[^}]*\\}|[.: ]"));
+  for (int k = 0; k < kFindingKinds; ++k) {
+    const auto kind = static_cast<FindingKind>(k);
+    ui::useLanguage(QStringLiteral("en"));
+    const QString english = ui::findingText(kind);
+    if (QString(english).remove(hole).isEmpty()) continue;  // the words of another finding alone
+    for (const QString& code : translatedLanguages()) {
+      ui::useLanguage(code);
+      QVERIFY2(ui::findingText(kind) != english, qPrintable(code + ": " + english));
+    }
+  }
+}
+
+void LanguageTest::whatIsWrongWithAFileIsToldInEveryLanguage() {
+  const QTemporaryDir folder;
+  const QStringList files = brokenFiles(folder);
+  for (const QString& code : translatedLanguages()) {
+    ui::useLanguage(code);
+    const QStringList english = englishParts(code);
+    for (const QString& file : files) {
+      const QString said = whyNot(file);
+      QVERIFY2(said.contains(QFileInfo(file).fileName()), qPrintable(file + ": " + said));
+      for (const QString& part : english)
+        QVERIFY2(!said.contains(part), qPrintable(code + ": " + said + "\nhas: " + part));
+    }
+  }
+  auto window = shownWindow();
+  QVERIFY(window);
+  ui::useLanguage(QStringLiteral("de"));
+  QSignalSpy failed(&window->document(), &ui::Document::openFailed);
+  window->document().open(files.front(), {});
+  QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, kPatience);
+  QCOMPARE(failed.front().front().toString(),
+           files.front() + QStringLiteral(": es gibt keine solche Datei und keinen solchen Ordner."));
 }
 
 void LanguageTest::filesAreTheSameInEveryLanguage() {

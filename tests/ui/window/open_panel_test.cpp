@@ -103,13 +103,11 @@ void OpenPanelTest::aSeriesWithoutAUidCanBeChosen() {
 
 void OpenPanelTest::sentencesNameFieldsInTheirPlaceOfOptions() {
   const QString cine("this is a cine; if its frames are slices in space, give --spacing X,Y,Z");
-  QVERIFY(ui::asksForSpacing(cine));
   for (const QString& text : {cine, QString("lengths mean nothing until --spacing gives it."),
                               QString("or give --range, which holds nothing back")}) {
     QVERIFY2(!ui::inWordsOfWindow(text).contains("--"), qPrintable(text));
     QVERIFY(ui::inWordsOfWindow(text).contains("step"));
   }
-  QVERIFY(!ui::asksForSpacing("scan.dcm: it is truncated"));
 }
 
 void OpenPanelTest::sentencesNameStacksAsTheListDoes() {

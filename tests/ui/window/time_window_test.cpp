@@ -54,6 +54,7 @@ class TimeWindowTest : public QObject {
   void aClickInThePlotGoesToTheFrame();
   void aFrameIsCorrectedAndTheRestIsCarriedAgain();
   void oneButtonTellsTheSensitivity();
+  void aFrameThatFailsIsToldInTheLanguageOfTheWindow();
   void nothingIsCutOffInAnyLanguage();
 
  private:
@@ -145,6 +146,23 @@ void TimeWindowTest::oneButtonTellsTheSensitivity() {
   QVERIFY(shownText(*window, "Volume with its spread").contains(QChar(0xB1)));
   QVERIFY(window->viewState().distances() != nullptr);
   QVERIFY(!window->viewState().distances()->isSigned);
+}
+
+void TimeWindowTest::aFrameThatFailsIsToldInTheLanguageOfTheWindow() {
+  BeatingSample lost;
+  QVERIFY(lost.make());
+  ui::useLanguage(QStringLiteral("de"));
+  auto window = grownWindow(lost);
+  QVERIFY(window);
+  window->document().time().store().setBound(1);  // byte: nothing is kept
+  QVERIFY(QFile::remove(lost.volume));
+  QVERIFY(carry(*window));
+  const auto* table = window->overTime().findChild<QTableWidget*>();
+  QVERIFY(table);
+  const QString said = table->item(3, 3)->text();
+  QVERIFY2(said.contains(QStringLiteral("seine Voxel können nicht gelesen werden")), qPrintable(said));
+  QVERIFY2(said.contains(QStringLiteral("es gibt keine solche Datei")), qPrintable(said));
+  ui::useLanguage(QStringLiteral("en"));
 }
 
 void TimeWindowTest::nothingIsCutOffInAnyLanguage() {

@@ -16,6 +16,7 @@
 #include "tests/io/dicom_test_support.h"
 #include "tests/ui/window/window_support.h"
 #include "ui/window/commands.h"
+#include "ui/window/language.h"
 #include "ui/window/steps_panel.h"
 
 using namespace handlebody;
@@ -60,6 +61,7 @@ class WindowTest : public QObject {
   void theColouringOfTheSurfaceComesBackWithTheSession();
   void onlyWhatCouldBeOpenedStandsAmongTheRecent();
   void badFilesLeaveTheOpenWorkAlone();
+  void aCineIsOfferedASpacingInEveryLanguage();
   void twoStacksUnderOneUidAreAChoice();
   void anUncalibratedVolumeTakesTheSpacingThatIsGiven();
   void savingTheSampleAsksForANameAndLeavesItAsItIs();
@@ -228,6 +230,36 @@ void WindowTest::badFilesLeaveTheOpenWorkAlone() {
     QCOMPARE(window->document().path(), path);
     QCOMPARE(window->document().seeds().size(), std::size_t{1});
   }
+}
+
+void WindowTest::aCineIsOfferedASpacingInEveryLanguage() {
+  const QTemporaryDir folder;
+  const QString cine = folder.filePath("cine.dcm"), text = folder.filePath("text.nii");
+  Slice s;
+  s.frames = 5;
+  s.placed = false;
+  s.frameTime = 33;
+  QFile cineFile(cine), textFile(text);
+  QVERIFY(cineFile.open(QIODevice::WriteOnly) && textFile.open(QIODevice::WriteOnly));
+  cineFile.write(QByteArray::fromStdString(dicomBytes(s, "1.2")));
+  textFile.write("not a volume");
+  cineFile.close();
+  textFile.close();
+  for (const char* language : {"en", "de"}) {
+    ui::useLanguage(QString::fromLatin1(language));
+    auto window = shownWindow();
+    QVERIFY(window);
+    const QString offer = QString::fromLatin1(language) == "de" ? "Abstand eingeben" : "Enter the spacing";
+    for (const QString& bad : {cine, text}) {
+      QSignalSpy failed(&window->document(), &ui::Document::openFailed);
+      window->files().open(bad);
+      QVERIFY(!failed.isEmpty() || failed.wait(kPatience));
+      const auto* button = buttonSaying(*window, offer.toUtf8().constData());
+      QCOMPARE(button && button->isVisible(), bad == cine);
+      QVERIFY2(!window->messages().text().contains("--spacing"), qPrintable(window->messages().text()));
+    }
+  }
+  ui::useLanguage(QStringLiteral("en"));
 }
 
 void WindowTest::twoStacksUnderOneUidAreAChoice() {

@@ -1,0 +1,22 @@
+#pragma once
+// Internal: the table of words of findings, which is in two sources.
+
+#include <span>
+
+#include "core/finding.h"
+
+namespace handlebody {
+
+struct FindingWords {
+  FindingKind kind;
+  const char* name;
+  const char* text;
+};
+
+//! Of the kinds from fileRefused on.
+std::span<const FindingWords> wordsOfFiles();
+
+//! The inverse of findingName; FindingKind::none for what is no name.
+FindingKind findingKindOf(std::string_view name);
+
+}  // namespace handlebody
