@@ -1470,6 +1470,18 @@
         <source>{file}: there is no frame {frame:0f}; it has one frame, 0.</source>
         <translation>{file}: es gibt kein Bild {frame:0f}; vorhanden ist nur ein Bild, 0.</translation>
     </message>
+    <message>
+        <source>the slice {slice} holds less frames than its header says</source>
+        <translation>die Schicht {slice} enthält weniger Bilder, als ihr Header angibt</translation>
+    </message>
+    <message>
+        <source>the palette of {slice} is missing or damaged</source>
+        <translation>die Farbpalette von {slice} fehlt oder ist beschädigt</translation>
+    </message>
+    <message>
+        <source>it holds several series or stacks, choose one with --series</source>
+        <translation>es sind mehrere Serien oder Stapel enthalten, wählen Sie eine mit --series</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

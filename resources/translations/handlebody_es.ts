@@ -1470,6 +1470,18 @@
         <source>{file}: there is no frame {frame:0f}; it has one frame, 0.</source>
         <translation>{file}: no existe el fotograma {frame:0f}; solo tiene uno, el 0.</translation>
     </message>
+    <message>
+        <source>the slice {slice} holds less frames than its header says</source>
+        <translation>el corte {slice} contiene menos fotogramas de los que indica su cabecera</translation>
+    </message>
+    <message>
+        <source>the palette of {slice} is missing or damaged</source>
+        <translation>la paleta de {slice} falta o está dañada</translation>
+    </message>
+    <message>
+        <source>it holds several series or stacks, choose one with --series</source>
+        <translation>contiene varias series o pilas, elija una con --series</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

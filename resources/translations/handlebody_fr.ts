@@ -1470,6 +1470,18 @@
         <source>{file}: there is no frame {frame:0f}; it has one frame, 0.</source>
         <translation>{file} : il n’y a pas d’image {frame:0f} ; il n’a qu’une image, 0.</translation>
     </message>
+    <message>
+        <source>the slice {slice} holds less frames than its header says</source>
+        <translation>la coupe {slice} contient moins d’images que son en-tête n’en annonce</translation>
+    </message>
+    <message>
+        <source>the palette of {slice} is missing or damaged</source>
+        <translation>la palette de {slice} manque ou est endommagée</translation>
+    </message>
+    <message>
+        <source>it holds several series or stacks, choose one with --series</source>
+        <translation>plusieurs séries ou piles sont présentes, choisissez-en une avec --series</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

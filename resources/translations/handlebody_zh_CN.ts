@@ -1470,6 +1470,18 @@
         <source>{file}: there is no frame {frame:0f}; it has one frame, 0.</source>
         <translation>{file}：没有第 {frame:0f} 帧；只有一帧，即第 0 帧。</translation>
     </message>
+    <message>
+        <source>the slice {slice} holds less frames than its header says</source>
+        <translation>切面 {slice} 包含的帧数少于其文件头所声明的</translation>
+    </message>
+    <message>
+        <source>the palette of {slice} is missing or damaged</source>
+        <translation>{slice} 的调色板缺失或已损坏</translation>
+    </message>
+    <message>
+        <source>it holds several series or stacks, choose one with --series</source>
+        <translation>其中包含多个序列或堆栈，请用 --series 选择一个</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>
