@@ -1,7 +1,7 @@
 #pragma once
-// Internal: 3D echocardiography that Philips QLAB exports as "Cartesian": one file with the volumes of a cycle,
-// whose depth stands in private elements. NumberOfFrames counts volumes; the pixels of each are its slices, one
-// behind the other.
+// Internal: 3D echocardiography that Philips QLAB exports as "Cartesian": one file with the volumes of a
+// cycle, whose depth stands in private elements. NumberOfFrames counts volumes; the pixels of each are its
+// slices, one behind the other.
 
 #include <string>
 
@@ -22,7 +22,7 @@ void readCartesianEcho(const gdcm::DataSet& data, DicomFile& file);
 //! Precondition: the structure of the file is known.
 bool keepWholeVolumes(DicomFile& file);
 
-//! What a user must know of it; empty if nothing is missing.
-std::string missingVolumes(const DicomFile& file);
+//! What a user must know of it; none if nothing is missing.
+Finding missingVolumes(const DicomFile& file);
 
 }  // namespace handlebody

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "core/errors.h"
 #include "core/io/dicom_origin.h"
+#include "core/told_error.h"
 #include "core/volume/volume.h"
 
 namespace handlebody {
@@ -40,7 +40,7 @@ struct SeriesInfo {
   int slices = 0;               //!< images in the series, all time points
   Vec3 spacing = Vec3::Zero();  //!< mm; 0 where the series is no volume
   int frames = 1;               //!< time points
-  std::string note{};           //!< why it cannot be opened as a volume; empty if it can
+  Finding note{};               //!< a sentence: why it cannot be opened as a volume; none if it can
 };
 
 //! Where the numbers of a geometry come from: the tag or header field, "assumed" or "given".
@@ -61,15 +61,15 @@ struct VolumeInfo {
   int frames = 1;          //!< time points
   bool calibrated = true;  //!< false: a spacing is assumed, and lengths and volumes in mm mean nothing
   GeometrySources sources{};
-  std::vector<std::string> warnings;
+  std::vector<Finding> warnings;               //!< sentences
   std::shared_ptr<const DicomOrigin> dicom{};  //!< of a volume that was read from DICOM images
 };
 
 //! Thrown where one volume is asked for and a folder (or series) holds several.
-class SeriesChoiceNeeded : public InputError {
+class SeriesChoiceNeeded : public Told<InputError> {
  public:
-  SeriesChoiceNeeded(const std::string& sentence, std::vector<SeriesInfo> found)
-      : InputError(sentence), series(std::move(found)) {}
+  SeriesChoiceNeeded(const Finding& finding, std::vector<SeriesInfo> found)
+      : Told(finding), series(std::move(found)) {}
   std::vector<SeriesInfo> series;  //!< to choose from
 };
 
@@ -97,10 +97,9 @@ struct LoadedVolume {
 //! be chosen, too.
 VolumeInfo inspectVolume(const std::string& path, const VolumeSelection& selection = {});
 //! Besides, refuses float volumes with voxels that are infinite (their number and the first index), or all
-//! NaN. Where some are NaN they get the number just below the least of the others, and a warning says so: that
-//! is how FieldOfView knows them.
-//! Without a selection the first time point. Not for several threads at once: output of the libraries below
-//! to std::cerr and std::cout is held back meanwhile.
+//! NaN. Where some are NaN they get the number just below the least of the others, and a warning says so:
+//! that is how FieldOfView knows them. Without a selection the first time point. Not for several threads at
+//! once: output of the libraries below to std::cerr and std::cout is held back meanwhile.
 Volume readVolume(const std::string& path, const VolumeSelection& selection = {});
 //! Both in one reading. Nothing if it was cancelled.
 std::optional<LoadedVolume> loadVolume(const std::string& path, const VolumeSelection& selection = {},
@@ -109,7 +108,8 @@ std::optional<LoadedVolume> loadVolume(const std::string& path, const VolumeSele
 //! direction (made exactly orthonormal), memory. Throws InputError that begins with `name`.
 Grid checkedGrid(const Grid& grid, VoxelType type, const std::string& name);
 //! A volume whose voxels no file holds: `fill` writes grid.voxelCount() values of `type`, x fastest, into
-//! memory that is not cleared. Throws as checkedGrid, and InputError for voxels that are infinite; NaN as above.
+//! memory that is not cleared. Throws as checkedGrid, and InputError for voxels that are infinite; NaN as
+//! above.
 LoadedVolume fillVolume(const Grid& grid, VoxelType type, const std::string& name,
                         const std::function<void(void*)>& fill);
 //! The program that decodes DICOM volumes and VTP meshes, and how long it may go without a sign of life.
