@@ -3384,15 +3384,15 @@ mean ± SD</source>
     </message>
     <message>
         <source>Save as JSON…</source>
-        <translation>另存为 JSON…</translation>
+        <translation>保存为 JSON…</translation>
     </message>
     <message>
         <source>Save as JSON</source>
-        <translation>另存为 JSON</translation>
+        <translation>保存为 JSON</translation>
     </message>
     <message>
         <source>The same as “handlebody-cli measure --json” writes of the line</source>
-        <translation>与 “handlebody-cli measure --json” 写出的中心线内容相同</translation>
+        <translation>与“handlebody-cli measure --json”所写的中心线相同</translation>
     </message>
 </context>
 <context>
