@@ -1730,6 +1730,10 @@
         <source>MONOCHROME1: low values are bright on a display.</source>
         <translation>MONOCHROME1: Niedrige Werte sind auf einer Anzeige hell.</translation>
     </message>
+    <message>
+        <source>it holds several series or stacks, choose one in step 1, Open</source>
+        <translation>darin sind mehrere Serien oder Stapel, wählen Sie in Schritt 1, Öffnen</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

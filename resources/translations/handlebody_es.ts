@@ -1730,6 +1730,10 @@
         <source>MONOCHROME1: low values are bright on a display.</source>
         <translation>MONOCHROME1: los valores bajos se ven claros en pantalla.</translation>
     </message>
+    <message>
+        <source>it holds several series or stacks, choose one in step 1, Open</source>
+        <translation>contiene varias series o pilas, elija una en el paso 1, Abrir</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

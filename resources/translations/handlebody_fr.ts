@@ -1730,6 +1730,10 @@
         <source>MONOCHROME1: low values are bright on a display.</source>
         <translation>MONOCHROME1 : les valeurs basses sont claires à l’affichage.</translation>
     </message>
+    <message>
+        <source>it holds several series or stacks, choose one in step 1, Open</source>
+        <translation>il contient plusieurs séries ou piles, choisissez-en une à l’étape 1, Ouvrir</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

@@ -1730,6 +1730,10 @@
         <source>MONOCHROME1: low values are bright on a display.</source>
         <translation>MONOCHROME1：低值在显示时为亮。</translation>
     </message>
+    <message>
+        <source>it holds several series or stacks, choose one in step 1, Open</source>
+        <translation>其中有多个序列或堆栈，请在第 1 步“打开”中选择一个</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

@@ -119,6 +119,8 @@ constexpr Words kWords[] = {
                        "where it is missing, and lengths and volumes mean nothing until it is entered in "
                        "step 1, Open.")},
     {K::stackOf, QT_TRANSLATE_NOOP("Findings", "stack {stack:0f} ({slices:0f} slices)")},
+    {K::severalToChoose,
+     QT_TRANSLATE_NOOP("Findings", "it holds several series or stacks, choose one in step 1, Open")},
     {K::seriesToChoose,
      QT_TRANSLATE_NOOP("Findings",
                        "it holds {series:0f} series or stacks, choose one in step 1, Open: {choices}")},
