@@ -320,4 +320,8 @@ std::string measurementsJson(const std::vector<Measurement>& placed) {
   return jsonText(json);
 }
 
+std::string centreLineJson(const MeasuredLine& m) {
+  return jsonText({{"version", HANDLEBODY_VERSION}, {"notice", kNotice}, {"centre_line", lineJson(m)}});
+}
+
 }  // namespace handlebody

@@ -60,5 +60,7 @@ std::string sectionsCsv(const CentreLine& line);
 //! The same of rulers and angles: "kind", "length_mm" or "angle_degrees", and the points.
 std::string measurementsCsv(const std::vector<Measurement>& placed);
 std::string measurementsJson(const std::vector<Measurement>& placed);
+//! What measuredJson() says of the centre line.
+std::string centreLineJson(const MeasuredLine& m);
 
 }  // namespace handlebody

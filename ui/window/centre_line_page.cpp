@@ -54,18 +54,23 @@ void CentreLinePage::buildTools(const Commands& commands) {
   text_ = value(tr("The centre line"), tools);
   column->addWidget(text_);
   column->addStretch(1);
-  auto* row = new QHBoxLayout;
+  auto* files = new QHBoxLayout;
   csv_ = new QPushButton(tr("Save as CSV…"), tools);
   describe(csv_, tr("Save as CSV"), tr("The same table as “handlebody-cli measure --sections” writes"));
+  json_ = new QPushButton(tr("Save as JSON…"), tools);
+  describe(json_, tr("Save as JSON"), tr("The same as “handlebody-cli measure --json” writes of the line"));
   remove_ = new QPushButton(tools);
-  for (QPushButton* button : {csv_, remove_}) {
+  for (QPushButton* button : {csv_, json_, remove_})
     button->setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard with the views
-    row->addWidget(button);
-  }
-  column->addLayout(row);
+  for (QPushButton* button : {csv_, json_}) files->addWidget(button);
+  column->addLayout(files);
+  column->addWidget(remove_);
   layout()->addWidget(tools);
   connect(csv_, &QPushButton::clicked, this, [this] {
     Q_EMIT saveRequested(tr("Save the sections"), QStringLiteral(".csv"), sectionsCsv(shown_->line));
+  });
+  connect(json_, &QPushButton::clicked, this, [this] {
+    Q_EMIT saveRequested(tr("Save the sections"), QStringLiteral(".json"), centreLineJson(*shown_));
   });
   connect(remove_, &QPushButton::clicked, this, &CentreLinePage::forget);
 }
@@ -142,7 +147,7 @@ void CentreLinePage::showState() {
       text += QLatin1Char('\n') + tr("It was made in an earlier surface.");
   }
   text_->setText(text);
-  csv_->setEnabled(shown_.has_value());
+  for (QPushButton* button : {csv_, json_}) button->setEnabled(shown_.has_value());
   remove_->setText(isSearching_ ? tr("Cancel") : tr("Remove"));
   describe(remove_, remove_->text(), isSearching_ ? tr("Search no longer") : tr("Draw the line no more"));
   remove_->setEnabled(isSearching_ || shown_ || !error_.isEmpty());

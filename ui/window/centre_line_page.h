@@ -43,7 +43,7 @@ class CentreLinePage : public QWidget {
   ViewState& state_;
   SectionPlot* plot_;
   QLabel* text_;
-  QPushButton *csv_, *remove_;
+  QPushButton *csv_, *json_, *remove_;
   std::optional<MeasuredLine> shown_;
   std::vector<MeasuredSurface> made_;  //!< of which surfaces
   QString error_;

@@ -7,8 +7,11 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QRegularExpressionValidator>
+#include <QSettings>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -22,6 +25,12 @@
 #include "ui/window/panel_tools.h"
 
 namespace handlebody::ui {
+
+namespace {
+
+const QString kCreator = QStringLiteral("creator");
+
+}  // namespace
 
 ExportPanel::ExportPanel(Document& document, const Commands& commands, QWidget* parent)
     : QWidget(parent), document_(document) {
@@ -63,6 +72,7 @@ void ExportPanel::buildResult(const Commands& commands) {
                         space_, this);
   space_->button(0)->setChecked(true);
   form_->addRow(tr("Coordinates"), spaceRow_);
+  addContent();
   static_cast<QVBoxLayout*>(layout())->addLayout(form_);
   addPolish();
   addAnonymous();
@@ -101,6 +111,25 @@ void ExportPanel::addFormats() {
   add(tr("Gmsh tetrahedra"), ".msh");
   add(tr("VTK tetrahedra"), ".vtu");
   add(tr("Abaqus tetrahedra"), ".inp");
+}
+
+//! What no image knows. The creator is the same for every file until it is changed; nobody is named at first.
+void ExportPanel::addContent() {
+  constexpr int kLongest = 64;  // characters of a DICOM field, which has no backslash, either
+  const auto add = [this](const QString& label, const QString& tip) {
+    auto* field = new QLineEdit(this);
+    field->setMaxLength(kLongest);
+    field->setValidator(
+        new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[^\\\\]*")), field));
+    describe(field, label, tip);
+    form_->addRow(label, field);
+    return field;
+  };
+  creator_ = add(tr("Creator"), tr("Who made it, as DICOM writes names: Family^Given. May stay empty"));
+  description_ = add(tr("Description"), tr("What it is for. May stay empty"));
+  creator_->setText(QSettings().value(kCreator).toString());
+  connect(creator_, &QLineEdit::editingFinished, this,
+          [this] { QSettings().setValue(kCreator, creator_->text().trimmed()); });
 }
 
 //! On at first: a surface that a solver takes is a better surface for all others, too, and the same one that
@@ -223,6 +252,11 @@ CoordinateSpace ExportPanel::space() const {
 
 bool ExportPanel::isAnonymous() const { return anonymous_->isChecked(); }
 
+DicomContent ExportPanel::content() const {
+  return {creator_->text().trimmed().toStdString(), description_->text().trimmed().toStdString(),
+          isAnonymous()};
+}
+
 bool ExportPanel::takesAll() const { return document_.objectCount() > 1 && objects_->currentIndex() == 0; }
 
 std::optional<Cell> ExportPanel::pictureOf() const {
@@ -260,6 +294,8 @@ void ExportPanel::showAllObjects() {
 void ExportPanel::showWhatIsWritten() {
   const std::string example = "x" + extension().toStdString();
   spaceRow_->setEnabled(isMeshPath(example) || isThreeMfPath(example) || isTetrahedraPath(example));
+  const bool isDicom = isDicomSegmentationPath(example) || isDicomStlPath(example);
+  for (QLineEdit* field : {creator_, description_}) form_->setRowVisible(field, isDicom);
   showFault();
   form_->setRowVisible(objects_, document_.objectCount() > 1);
   if (takesAll()) return showAllObjects();

@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <optional>
 
+#include "core/io/dicom_writer.h"
 #include "core/io/mesh_io.h"
 #include "ui/window/view_grid.h"
 
@@ -12,6 +13,7 @@ class QCheckBox;
 class QComboBox;
 class QFormLayout;
 class QLabel;
+class QLineEdit;
 class QPushButton;
 
 namespace handlebody::ui {
@@ -32,6 +34,8 @@ class ExportPanel : public QWidget {
   bool takesAll() const;
   //! Nothing that names the patient is to stand in what is written.
   bool isAnonymous() const;
+  //! What the user says for DICOM files, whether the format is one or not.
+  DicomContent content() const;
   //! The view of which a picture is wanted; none: all four.
   std::optional<Cell> pictureOf() const;
 
@@ -41,6 +45,7 @@ class ExportPanel : public QWidget {
  private:
   void buildResult(const Commands& commands);
   void addFormats();
+  void addContent();
   void addAnonymous();
   void addPolish();
   void showManner();
@@ -58,6 +63,7 @@ class ExportPanel : public QWidget {
   QString failed_;  //!< what went wrong last with this format
   QComboBox *objects_, *format_, *picture_;
   QFormLayout* form_;
+  QLineEdit *creator_, *description_;  //!< of DICOM files
   QWidget* spaceRow_;
   QButtonGroup* space_;
 };

@@ -300,12 +300,10 @@ void FileWork::exportResult() {
   const QString path = askForName(tr("Export the result"), suggestedBase() + QStringLiteral("_surface"),
                                   QStringLiteral("*%1").arg(extension), extension);
   if (path.isEmpty()) return;
-  DicomContent content;
-  content.anonymous = exports_.isAnonymous();
   if (exports_.takesAll())
-    document_.exportObjects(path, exports_.space(), content);
+    document_.exportObjects(path, exports_.space(), exports_.content());
   else
-    document_.exportResult(path, exports_.space(), content);
+    document_.exportResult(path, exports_.space(), exports_.content());
 }
 
 void FileWork::exportFrames(bool asLabels) {

@@ -3,6 +3,9 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QLineEdit>
 #include <QProgressBar>
 #include <QTableWidget>
 #include <QUndoStack>
@@ -255,6 +258,14 @@ void MeasuresTest::aCentreLineIsPlottedAndPointedAtInTheViews() {
   const CentreLinePoint& middle = line.points[line.points.size() / 2];
   QVERIFY(std::abs(middle.equivalentDiameter() - 2 * kRadius) < 1);
   QCOMPARE(tool.line().size(), line.points.size());
+  QObject::disconnect(&window->measures(), nullptr, &window->files(), nullptr);  // a dialog would wait
+  QSignalSpy saved(&window->measures(), &MeasuresPanel::saveRequested);
+  for (const char* text : {"Save as CSV…", "Save as JSON…"}) buttonOf(page, text)->click();
+  QCOMPARE(saved.size(), 2);
+  QCOMPARE(saved[0][3].value<std::string>(), sectionsCsv(line));
+  const auto json = QJsonDocument::fromJson(QByteArray::fromStdString(saved[1][3].value<std::string>()));
+  QCOMPARE(json["centre_line"]["length_mm"].toDouble(), line.length);
+  QCOMPARE(json["centre_line"]["sections"].toArray().size(), static_cast<qsizetype>(line.points.size()));
   // The plot points at a place, which the views mark, and a click takes the crosshair there.
   auto* plot = window->measures().findChild<ui::SectionPlot*>();
   QTest::mouseMove(plot, plot->rect().center());
@@ -330,6 +341,21 @@ void MeasuresTest::formatsThatCannotBeMadeSayWhy() {
     const QString faults = layoutFaults(*window).join(QLatin1Char('\n'));
     QVERIFY2(faults.isEmpty(), qPrintable(faults));
   }
+  // Who made it is asked for DICOM files alone, and told as it was typed.
+  const auto field = [&](const char* name) {
+    for (QLineEdit* edit : panel->findChildren<QLineEdit*>())
+      if (edit->accessibleName() == QLatin1String(name) && edit->isVisible()) return edit;
+    return static_cast<QLineEdit*>(nullptr);
+  };
+  QVERIFY(!field("Creator") && !field("Description"));
+  for (const char* ending : {".seg.dcm", ".stl.dcm"}) {
+    format->setCurrentIndex(format->findData(QString::fromLatin1(ending)));
+    QVERIFY(field("Creator") && field("Description"));
+  }
+  QTest::keyClicks(field("Creator"), "Doe^Jane\\ ");  // no backslash in DICOM
+  QTest::keyClicks(field("Description"), "left ventricle");
+  QCOMPARE(panel->content().creator, std::string("Doe^Jane"));
+  QCOMPARE(panel->content().description, std::string("left ventricle"));
   // While a file is written that is shown, with a way out; a failure is told at its place.
   format->setCurrentIndex(format->findData(".stl"));
   window->document().exportResult(folder.filePath("no/such/folder/x.stl"), panel->space());
