@@ -3154,6 +3154,18 @@ Mittel ± SA</translation>
         <source>Draw the line no more</source>
         <translation>Die Linie nicht mehr zeichnen</translation>
     </message>
+    <message>
+        <source>Save as JSON…</source>
+        <translation>Als JSON speichern…</translation>
+    </message>
+    <message>
+        <source>Save as JSON</source>
+        <translation>Als JSON speichern</translation>
+    </message>
+    <message>
+        <source>The same as “handlebody-cli measure --json” writes of the line</source>
+        <translation>Dasselbe, was „handlebody-cli measure --json“ von der Linie schreibt</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::ComparePage</name>
@@ -4056,6 +4068,22 @@ Mittel ± SA</translation>
     <message>
         <source>Bettering the triangles…</source>
         <translation>Dreiecke werden verbessert…</translation>
+    </message>
+    <message>
+        <source>Creator</source>
+        <translation>Ersteller</translation>
+    </message>
+    <message>
+        <source>Who made it, as DICOM writes names: Family^Given. May stay empty</source>
+        <translation>Wer es gemacht hat, wie DICOM Namen schreibt: Nachname^Vorname. Darf leer bleiben</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Beschreibung</translation>
+    </message>
+    <message>
+        <source>What it is for. May stay empty</source>
+        <translation>Wofür es ist. Darf leer bleiben</translation>
     </message>
 </context>
 <context>

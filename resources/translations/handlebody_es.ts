@@ -3154,6 +3154,18 @@ cercano (mm)</translation>
         <source>Draw the line no more</source>
         <translation>No dibujar más la línea</translation>
     </message>
+    <message>
+        <source>Save as JSON…</source>
+        <translation>Guardar como JSON…</translation>
+    </message>
+    <message>
+        <source>Save as JSON</source>
+        <translation>Guardar como JSON</translation>
+    </message>
+    <message>
+        <source>The same as “handlebody-cli measure --json” writes of the line</source>
+        <translation>Lo mismo que «handlebody-cli measure --json» escribe de la línea</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::ComparePage</name>
@@ -4056,6 +4068,22 @@ cercano (mm)</translation>
     <message>
         <source>Bettering the triangles…</source>
         <translation>Mejorando los triángulos…</translation>
+    </message>
+    <message>
+        <source>Creator</source>
+        <translation>Creador</translation>
+    </message>
+    <message>
+        <source>Who made it, as DICOM writes names: Family^Given. May stay empty</source>
+        <translation>Quién lo ha hecho, como DICOM escribe los nombres: Apellido^Nombre. Puede quedar vacío</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Descripción</translation>
+    </message>
+    <message>
+        <source>What it is for. May stay empty</source>
+        <translation>Para qué es. Puede quedar vacío</translation>
     </message>
 </context>
 <context>

@@ -3154,6 +3154,18 @@ proche (mm)</translation>
         <source>Draw the line no more</source>
         <translation>Ne plus dessiner la ligne</translation>
     </message>
+    <message>
+        <source>Save as JSON…</source>
+        <translation>Enregistrer en JSON…</translation>
+    </message>
+    <message>
+        <source>Save as JSON</source>
+        <translation>Enregistrer en JSON</translation>
+    </message>
+    <message>
+        <source>The same as “handlebody-cli measure --json” writes of the line</source>
+        <translation>Ce que « handlebody-cli measure --json » écrit de la ligne</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::ComparePage</name>
@@ -4056,6 +4068,22 @@ proche (mm)</translation>
     <message>
         <source>Bettering the triangles…</source>
         <translation>Amélioration des triangles…</translation>
+    </message>
+    <message>
+        <source>Creator</source>
+        <translation>Créateur</translation>
+    </message>
+    <message>
+        <source>Who made it, as DICOM writes names: Family^Given. May stay empty</source>
+        <translation>Qui l’a fait, comme DICOM écrit les noms : Nom^Prénom. Peut rester vide</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Description</translation>
+    </message>
+    <message>
+        <source>What it is for. May stay empty</source>
+        <translation>À quoi cela sert. Peut rester vide</translation>
     </message>
 </context>
 <context>

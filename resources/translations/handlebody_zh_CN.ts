@@ -3154,6 +3154,18 @@ mean ± SD</source>
         <source>Draw the line no more</source>
         <translation>不再绘制该线</translation>
     </message>
+    <message>
+        <source>Save as JSON…</source>
+        <translation>保存为 JSON…</translation>
+    </message>
+    <message>
+        <source>Save as JSON</source>
+        <translation>保存为 JSON</translation>
+    </message>
+    <message>
+        <source>The same as “handlebody-cli measure --json” writes of the line</source>
+        <translation>与“handlebody-cli measure --json”所写的中心线相同</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::ComparePage</name>
@@ -4056,6 +4068,22 @@ mean ± SD</source>
     <message>
         <source>Bettering the triangles…</source>
         <translation>正在改善三角形…</translation>
+    </message>
+    <message>
+        <source>Creator</source>
+        <translation>创建者</translation>
+    </message>
+    <message>
+        <source>Who made it, as DICOM writes names: Family^Given. May stay empty</source>
+        <translation>创建人，按 DICOM 的姓名写法：姓^名。可留空</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>说明</translation>
+    </message>
+    <message>
+        <source>What it is for. May stay empty</source>
+        <translation>用途。可留空</translation>
     </message>
 </context>
 <context>
