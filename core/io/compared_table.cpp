@@ -2,8 +2,8 @@
 
 #include <cstdio>
 
-#include "core/io/csv_line.h"
 #include "core/io/comparison_json.h"
+#include "core/io/csv_line.h"
 
 namespace handlebody {
 

@@ -1,7 +1,7 @@
 #pragma once
-// Internal: 3D echocardiography that Philips QLAB exports as "Cartesian": one file with the volumes of a cycle,
-// whose depth stands in private elements. NumberOfFrames counts volumes; the pixels of each are its slices, one
-// behind the other.
+// Internal: 3D echocardiography that Philips QLAB exports as "Cartesian": one file with the volumes of a
+// cycle, whose depth stands in private elements. NumberOfFrames counts volumes; the pixels of each are its
+// slices, one behind the other.
 
 #include <string>
 

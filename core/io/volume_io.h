@@ -97,10 +97,9 @@ struct LoadedVolume {
 //! be chosen, too.
 VolumeInfo inspectVolume(const std::string& path, const VolumeSelection& selection = {});
 //! Besides, refuses float volumes with voxels that are infinite (their number and the first index), or all
-//! NaN. Where some are NaN they get the number just below the least of the others, and a warning says so: that
-//! is how FieldOfView knows them.
-//! Without a selection the first time point. Not for several threads at once: output of the libraries below
-//! to std::cerr and std::cout is held back meanwhile.
+//! NaN. Where some are NaN they get the number just below the least of the others, and a warning says so:
+//! that is how FieldOfView knows them. Without a selection the first time point. Not for several threads at
+//! once: output of the libraries below to std::cerr and std::cout is held back meanwhile.
 Volume readVolume(const std::string& path, const VolumeSelection& selection = {});
 //! Both in one reading. Nothing if it was cancelled.
 std::optional<LoadedVolume> loadVolume(const std::string& path, const VolumeSelection& selection = {},
@@ -109,7 +108,8 @@ std::optional<LoadedVolume> loadVolume(const std::string& path, const VolumeSele
 //! direction (made exactly orthonormal), memory. Throws InputError that begins with `name`.
 Grid checkedGrid(const Grid& grid, VoxelType type, const std::string& name);
 //! A volume whose voxels no file holds: `fill` writes grid.voxelCount() values of `type`, x fastest, into
-//! memory that is not cleared. Throws as checkedGrid, and InputError for voxels that are infinite; NaN as above.
+//! memory that is not cleared. Throws as checkedGrid, and InputError for voxels that are infinite; NaN as
+//! above.
 LoadedVolume fillVolume(const Grid& grid, VoxelType type, const std::string& name,
                         const std::function<void(void*)>& fill);
 //! The program that decodes DICOM volumes and VTP meshes, and how long it may go without a sign of life.
