@@ -19,6 +19,16 @@ double Finding::number(std::string_view name) const {
   return std::get<double>(*value);
 }
 
+namespace {
+
+std::string listed(const std::vector<Finding>& entries, const char* between, const CauseWriter& told) {
+  std::string text;
+  for (const Finding& entry : entries) text += (&entry == &entries.front() ? "" : between) + told(entry);
+  return text;
+}
+
+}  // namespace
+
 std::string filled(std::string_view text, const Finding& finding, const ValueWriter& written,
                    const CauseWriter& told) {
   std::string out;
@@ -34,6 +44,8 @@ std::string filled(std::string_view text, const Finding& finding, const ValueWri
       out += written(name, *value, format);
     else if (name == "cause" && !finding.causes.empty())
       out += told(finding.causes.front());
+    else if (name == "list" || name == "choices")
+      out += listed(finding.causes, name == "list" ? ", " : "; ", told);
     else
       out += text.substr(open, close - open + 1);
     text.remove_prefix(close + 1);
@@ -77,9 +89,7 @@ std::string sentence(const Finding& finding) {
 }
 
 std::string sentence(const std::vector<Finding>& findings) {
-  std::string text;
-  for (const Finding& f : findings) text += (text.empty() ? "" : "; ") + sentence(f);
-  return text;
+  return listed(findings, "; ", [](const Finding& f) { return sentence(f); });
 }
 
 std::vector<std::string> sentences(const std::vector<Finding>& findings) {

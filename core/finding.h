@@ -297,9 +297,13 @@ enum class FindingKind {
   slicesInOnePlace,
   singleSlice,
   slicesShifted,      //!< shift_mm
-  slicesUneven,       //!< gaps
-  sliceMissing,       //!< gaps
-  slicesMissing,      //!< gaps, missing
+  slicesUneven,       //!< causes: gaps
+  sliceMissing,       //!< the same
+  slicesMissing,      //!< the same; missing
+  gapOf,              //!< gap_mm
+  gapsOf,             //!< gaps, gap_mm
+  nextGapsOf,         //!< the same
+  nextGapsOfMore,     //!< the same
   tooUneven,          //!< cause: one of the three before
   cine,               //!< frames
   framesImplausible,  //!< slice
@@ -415,8 +419,75 @@ enum class FindingKind {
   noTetrahedra,  //!< object; cause
   frameMissing,  //!< file, frame, last
   onlyFrame,     //!< file, frame
+
+  // What is to be known of a volume that was opened: its header …
+  colourAsLuminance,
+  unitAsMillimetres,   //!< unit
+  unitsAsMillimetres,  //!< units
+  lengthsInMetres,
+  lengthsInMicrometres,
+  placeUnknown,
+  axesTakenAsLps,
+  formsDisagree,  //!< apart_mm
+  tiffWithoutPlace,
+  isSegmentation,
+  spacingOverridden,  //!< x_mm, y_mm, z_mm
+  frameZeroUsed,      //!< frames
+  uncalibrated,
+  voxelsNotNumbers,  //!< none, voxels
+
+  // … its slices, and the folder that they are in …
+  sliceIsCopy,
+  slicesAreCopies,         //!< copies
+  slicesTilted,            //!< degrees
+  slicesResampled,         //!< spacing_mm; causes: gaps
+  sliceMissingResampled,   //!< the same
+  slicesMissingResampled,  //!< the same; missing
+  placesAssumed,
+  patientPlaceAssumed,
+  placeInUltrasound,
+  lowIsBright,
+  breaksOffAfterOne,  //!< frames
+  breaksOff,          //!< frames, whole
+  fileWithoutImage,
+  filesWithoutImage,  //!< files
+  otherFileDamaged,
+  otherFilesDamaged,     //!< files
+  fileNotDicom,          //!< names
+  filesNotDicom,         //!< files, names
+  filesNotDicomAndMore,  //!< files, names, more
+  fileNotDicomUnnamed,
+  filesNotDicomUnnamed,  //!< files
+  stacksAlone,           //!< causes: stacks
+  stacksAloneUnnamed,
+  stackOf,  //!< series, stack, slices
+
+  // … and the series to choose from.
+  nothingChosen,        //!< cause
+  seriesToChoose,       //!< series: how many; causes: those
+  seriesOfFile,         //!< series, what, size, spacing_mm
+  seriesOfFiles,        //!< the same; files
+  brokenSeriesOfFile,   //!< series, what
+  brokenSeriesOfFiles,  //!< the same; files
+  noVolume,             //!< cause
+
+  // What is to be known of figures.
+  ofFile,           //!< file; cause: a sentence
+  ofObject,         //!< object; cause: a sentence
+  objectEmpty,      //!< object
+  objectOpen,       //!< object
+  objectNotAlike,   //!< object
+  objectBranches,   //!< object
+  objectInsideOut,  //!< object
+  objectsApart,     //!< apart_mm, centres_mm
+  objectsTurned,    //!< the same
+  noLatticePoint,
+  surfacePartlyOutside,
+  voxelsWithoutValue,  //!< voxels
+  noVoxelInside,
+  noCavity,  //!< object
 };
-inline constexpr int kFindingKinds = static_cast<int>(FindingKind::onlyFrame) + 1;
+inline constexpr int kFindingKinds = static_cast<int>(FindingKind::noCavity) + 1;
 
 //! A number, a place (mm, LPS) or the name of something.
 class FindingValue : public std::variant<double, std::array<double, 3>, std::string> {
@@ -434,12 +505,14 @@ struct Finding {
 
   FindingKind kind = FindingKind::none;
   Values values{};                //!< the names are literals
-  std::vector<Finding> causes{};  //!< one at most
+  std::vector<Finding> causes{};  //!< one, or the entries of a list
 
   Finding() = default;
   // NOLINTNEXTLINE(google-explicit-constructor): a kind alone is a finding
   Finding(FindingKind k, Values v = {}) : kind(k), values(std::move(v)) {}
   Finding(FindingKind k, Values v, Finding cause) : kind(k), values(std::move(v)), causes{std::move(cause)} {}
+  Finding(FindingKind k, Values v, std::vector<Finding> list)
+      : kind(k), values(std::move(v)), causes(std::move(list)) {}
 
   bool any() const { return kind != FindingKind::none; }
   //! Null if there is none of that name.
@@ -458,12 +531,12 @@ std::array<double, 3> placeValue(const V& v) {
 const char* findingName(FindingKind kind);
 
 //! The English words, with {name} or {name:FORMAT} where a value goes; FORMAT is the digits and f or g as for
-//! printf. {cause} is the words of what caused it. No capital letter and no full stop unless it is a whole
-//! sentence.
+//! printf. {cause} is the words of what caused it, {list} those of all its entries with ", " between,
+//! {choices} the same with "; ". No capital letter and no full stop unless it is a whole sentence.
 const char* findingText(FindingKind kind);
 
 //! The text with its values filled in by `written`, which is given name, value and FORMAT ("" for none), and
-//! {cause} by `told`. What is no value of the finding stays as it is.
+//! {cause} and lists by `told`. What is no value of the finding stays as it is.
 using ValueWriter =
     std::function<std::string(std::string_view name, const FindingValue&, std::string_view format)>;
 using CauseWriter = std::function<std::string(const Finding& cause)>;

@@ -358,7 +358,7 @@ constexpr FindingWords kWords[] = {
     {K::frameUnfinished, "frame-unfinished", "the surface was not at rest of its own accord ({stopped})"},
 };
 
-std::array<std::span<const FindingWords>, 2> tables() { return {kWords, wordsOfFiles()}; }
+std::array<std::span<const FindingWords>, 3> tables() { return {kWords, wordsOfFiles(), wordsOfWarnings()}; }
 
 const FindingWords& wordsOf(FindingKind kind) {
   for (const auto table : tables()) {

@@ -16,6 +16,9 @@ struct FindingWords {
 //! Of the kinds from fileRefused on.
 std::span<const FindingWords> wordsOfFiles();
 
+//! Of the kinds from colourAsLuminance on.
+std::span<const FindingWords> wordsOfWarnings();
+
 //! The inverse of findingName; FindingKind::none for what is no name.
 FindingKind findingKindOf(std::string_view name);
 

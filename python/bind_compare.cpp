@@ -30,7 +30,7 @@ Side sideFrom(const py::object& given, const char* name, std::optional<int> labe
   return {pathOf(given), nullptr, nullptr, label};
 }
 
-ComparedObject comparedSide(const Side& side, std::vector<std::string>& warnings) {
+ComparedObject comparedSide(const Side& side, std::vector<Finding>& warnings) {
   if (side.mesh) return comparedMesh(side.name, *side.mesh);
   if (!side.labels) return readCompared(side.name, side.label, warnings);
   if (!holdsWholeNumbers(side.labels->loaded.volume))

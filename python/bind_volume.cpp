@@ -110,7 +110,7 @@ VolumePointer readVolumeOf(const py::object& path, const py::object& series, std
       volume->loaded = std::move(*read);
   });
   volume->reference = std::move(reference);
-  warn(volume->loaded.info.warnings);
+  warn(sentences(volume->loaded.info.warnings));
   return volume;
 }
 
@@ -191,7 +191,7 @@ void bindVolumeClass(py::module_& module) {
       "calibrated", [](const PythonVolume& v) { return v.loaded.info.calibrated; },
       "False: a spacing is assumed, and lengths in mm mean nothing.");
   volume.def_property_readonly(
-      "warnings", [](const PythonVolume& v) { return inPythonWords(v.loaded.info.warnings); },
+      "warnings", [](const PythonVolume& v) { return inPythonWords(sentences(v.loaded.info.warnings)); },
       "What is doubtful about the file: sentences.");
   volume.def(
       "save", &saveVolume, py::arg("path"),

@@ -57,7 +57,7 @@ Json seriesToJson(const SeriesInfo& s) {
                {"size", s.size},
                {"frames", s.frames},
                {"spacing", vectorToJson(s.spacing)}};
-  if (!s.note.empty()) json["note"] = s.note;
+  if (s.note.any()) json["note"] = sentence(s.note);
   return json;
 }
 
@@ -91,7 +91,7 @@ Json toJson(const VolumeInfo& info, const TimeAxis& times,
                            {"mean", statistics->mean},
                            {"percentiles", std::move(percentiles)}};
   }
-  json["warnings"] = info.warnings;
+  json["warnings"] = sentences(info.warnings);
   return json;
 }
 
@@ -112,7 +112,7 @@ void printSeries(const SeriesInfo& s) {
   if (s.size[0] > 0)
     std::printf(", %d x %d x %d voxels of %g, %g, %g mm", s.size[0], s.size[1], s.size[2], s.spacing.x(),
                 s.spacing.y(), s.spacing.z());
-  std::printf(s.note.empty() ? "\n" : "; no volume: %s\n", s.note.c_str());
+  std::printf(s.note.any() ? "; no volume: %s\n" : "\n", sentence(s.note).c_str());
 }
 
 void printTimes(int frames, const TimeAxis& times) {
@@ -157,7 +157,7 @@ void printText(const VolumeInfo& info, const TimeAxis& times,
     printGrid(info, times);
     printIntensities(*statistics);
   }
-  for (const std::string& warning : info.warnings) std::printf("warning: %s\n", warning.c_str());
+  for (const std::string& warning : sentences(info.warnings)) std::printf("warning: %s\n", warning.c_str());
 }
 
 int info(const InfoOptions& o) {

@@ -43,7 +43,8 @@ void measureMesh(const MeasureOptions& o, Measured& m) {
   std::optional<LoadedVolume> loaded;
   if (!o.volume.empty()) {
     loaded = loadVolume(o.volume, o.selection);
-    for (const std::string& w : loaded->info.warnings) m.warnings.push_back(o.volume + ": " + w);
+    for (const Finding& w : loaded->info.warnings)
+      m.warnings.push_back({FindingKind::ofFile, {{"file", o.volume}}, w});
   }
   m.volume = o.volume;
   object.measures = objectMeasures(object.mesh, loaded ? &loaded->volume : nullptr);
@@ -149,8 +150,9 @@ int measure(const MeasureOptions& o) {
   if (!o.other.empty()) other = readBody(o.other, certificate);
   isMeshPath(o.path) ? measureMesh(o, m) : measureSession(o, m);
   for (const MeasuredObject& object : m.objects)
-    for (const std::string& w : object.measures.warnings)
-      m.warnings.push_back(m.objects.size() > 1 ? object.name + ": " + w : w);
+    for (const Finding& w : object.measures.warnings)
+      m.warnings.push_back(m.objects.size() > 1 ? Finding(FindingKind::ofObject, {{"object", object.name}}, w)
+                                                : w);
   addGaps(o, other, m);
   if (o.wall) addWall(o, other, m);
   if (!o.between.empty()) addLine(o, m);

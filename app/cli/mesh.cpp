@@ -101,7 +101,7 @@ int mesh(const MeshOptions& o) {
       throw UsageError("-o " + path + ": an output ends in " + std::string(resultEndings()) + ".");
   }
   checkWritable(files, {o.labels});
-  std::vector<std::string> warnings;
+  std::vector<Finding> warnings;
   const LoadedVolume loaded = readLabels(o.labels, warnings);
   const ExportContext context{loaded.volume.grid,
                               o.space == "RAS" ? CoordinateSpace::ras : CoordinateSpace::lps,
@@ -116,7 +116,8 @@ int mesh(const MeshOptions& o) {
     const CancelScope scope(DeferSignals::wish());
     writeResults({{chosenLabel(o.object, {}), made.mesh}}, context, o.results);
   }
-  for (const std::string& w : warnings) std::fprintf(stderr, "handlebody-cli: warning: %s\n", w.c_str());
+  for (const std::string& w : sentences(warnings))
+    std::fprintf(stderr, "handlebody-cli: warning: %s\n", w.c_str());
   print(made.certificate, polished, o);
   return kDone;
 }

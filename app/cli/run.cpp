@@ -172,7 +172,7 @@ LoadedSession load(Session session) {
   LoadedVolume read = loadVolume(reference.path, reference.selection).value();  // nobody cancels it
   loaded.volume = std::move(read.volume);
   loaded.info = std::move(read.info);
-  for (const std::string& warning : loaded.info.warnings)
+  for (const std::string& warning : sentences(loaded.info.warnings))
     std::fprintf(stderr, "handlebody-cli: warning: %s\n", warning.c_str());
   loadWalls(session, loaded.volume.grid);
   loaded.session = std::move(session);

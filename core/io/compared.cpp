@@ -61,9 +61,10 @@ std::optional<double> volumeDifferencePercent(const ComparedPair& p) {
 
 }  // namespace
 
-LoadedVolume readLabels(const std::string& path, std::vector<std::string>& warnings) {
+LoadedVolume readLabels(const std::string& path, std::vector<Finding>& warnings) {
   auto loaded = loadVolume(path);
-  for (const std::string& w : loaded->info.warnings) warnings.push_back(path + ": " + w);
+  for (const Finding& w : loaded->info.warnings)
+    warnings.push_back({FindingKind::ofFile, {{"file", path}}, w});
   if (!holdsWholeNumbers(loaded->volume)) refuseInput(path, FindingKind::notWholeNumbers);
   return std::move(*loaded);
 }
@@ -82,7 +83,7 @@ ComparedObject comparedLabels(const std::string& name, const Volume& labels, std
 }
 
 ComparedObject readCompared(const std::string& path, std::optional<int> label,
-                            std::vector<std::string>& warnings) {
+                            std::vector<Finding>& warnings) {
   if (isMeshPath(path)) return comparedMesh(path, readMesh(path));
   return comparedLabels(path, readLabels(path, warnings).volume, label);
 }
@@ -113,7 +114,7 @@ Json comparisonToJson(const ComparedPair& p) {
                          {"hausdorff_mm", d->hausdorff()}, {"smallest_mm", d->smallest()},
                          {"sampling_mm", d->sampling},     {"a_to_b", directedJson(d->ofA)},
                          {"b_to_a", directedJson(d->ofB)}};
-  json["warnings"] = p.warnings;
+  json["warnings"] = sentences(p.warnings);
   return json;
 }
 

@@ -20,12 +20,12 @@ struct ComparedObject {
 struct ComparedPair {
   ComparedObject a, b;
   Comparison found;
-  std::vector<std::string> warnings;  //!< of the files, then those of the comparison
+  std::vector<Finding> warnings;  //!< sentences: of the files, then those of the comparison
 };
 
 //! A label map, with the warnings of its file added to `warnings`. Throws InputError, also if a voxel is no
 //! whole number.
-LoadedVolume readLabels(const std::string& path, std::vector<std::string>& warnings);
+LoadedVolume readLabels(const std::string& path, std::vector<Finding>& warnings);
 
 //! A mesh, as it is called. Throws InputError if its triangles have no area.
 ComparedObject comparedMesh(const std::string& name, TriangleSoup mesh);
@@ -35,7 +35,7 @@ ComparedObject comparedLabels(const std::string& name, const Volume& labels, std
 
 //! A mesh or label map, by the ending of its path. Throws InputError.
 ComparedObject readCompared(const std::string& path, std::optional<int> label,
-                            std::vector<std::string>& warnings);
+                            std::vector<Finding>& warnings);
 
 //! Fills `found` and adds its warnings. Throws as compare.
 void compare(ComparedPair& pair, const ComparisonOptions& how);

@@ -87,7 +87,7 @@ std::string comparisonText(const ComparedPair& p) {
            orNone(json["volume_difference_percent"], "%.2f %% of B"));
   if (p.found.distances) text += distanceLines(*p.found.distances);
   if (p.found.overlap) text += overlapText(*p.found.overlap);
-  for (const std::string& warning : p.warnings) text += "warning: " + warning + "\n";
+  for (const Finding& warning : p.warnings) text += "warning: " + sentence(warning) + "\n";
   return text;
 }
 
@@ -114,7 +114,7 @@ std::string comparisonCsv(const ComparedPair& p) {
     add(std::string("b_") + key, b[key]);
   }
   std::string warnings;
-  for (const std::string& w : p.warnings) warnings += (warnings.empty() ? "" : " ") + w;
+  for (const Finding& w : p.warnings) warnings += (warnings.empty() ? "" : " ") + sentence(w);
   add("warnings", warnings);
   return csvLine(names) + csvLine(values);
 }

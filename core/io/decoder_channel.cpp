@@ -58,8 +58,15 @@ Finding findingFrom(const Message& m, int depth) {
     if (const auto at = values.find(std::string(name)); at != values.end() && !f.find(name))
       f.values.emplace_back(name, valueFrom(*at));
   }
-  if (m.contains("cause") && depth < kDeepest) f.causes.push_back(findingFrom(m.at("cause"), depth + 1));
+  if (depth < kDeepest)
+    for (const Message& cause : m.at("causes")) f.causes.push_back(findingFrom(cause, depth + 1));
   return f;
+}
+
+Message findingsMessage(const std::vector<Finding>& findings) {
+  Message list = Message::array();
+  for (const Finding& f : findings) list.push_back(findingToMessage(f));
+  return list;
 }
 
 Message vectorMessage(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
@@ -88,11 +95,15 @@ Grid gridFrom(const Message& m) {
 }
 
 Message seriesMessage(const SeriesInfo& s) {
-  return {{"uid", s.uid},       {"description", s.description},
-          {"files", s.files},   {"modality", s.modality},
-          {"size", s.size},     {"slices", s.slices},
-          {"frames", s.frames}, {"spacing", vectorMessage(s.spacing)},
-          {"note", s.note}};
+  return {{"uid", s.uid},
+          {"description", s.description},
+          {"files", s.files},
+          {"modality", s.modality},
+          {"size", s.size},
+          {"slices", s.slices},
+          {"frames", s.frames},
+          {"spacing", vectorMessage(s.spacing)},
+          {"note", findingToMessage(s.note)}};
 }
 
 SeriesInfo seriesFrom(const Message& m) {
@@ -105,7 +116,7 @@ SeriesInfo seriesFrom(const Message& m) {
   s.slices = m.at("slices").get<int>();
   s.frames = m.at("frames").get<int>();
   s.spacing = vectorFrom(m.at("spacing"));
-  s.note = m.at("note").get<std::string>();
+  s.note = findingFromMessage(m.at("note"));
   return s;
 }
 
@@ -155,9 +166,10 @@ std::optional<Message> receiveMessage(int socket) {
 }
 
 Message findingToMessage(const Finding& finding) {
-  Message m{{"kind", findingName(finding.kind)}, {"values", Message::object()}};
+  Message m{{"kind", findingName(finding.kind)},
+            {"values", Message::object()},
+            {"causes", findingsMessage(finding.causes)}};
   for (const auto& [name, value] : finding.values) m["values"][std::string(name)] = valueMessage(value);
-  if (!finding.causes.empty()) m["cause"] = findingToMessage(finding.causes.front());
   return m;
 }
 
@@ -196,7 +208,7 @@ Message headerToMessage(const VolumeHeader& h) {
           {"time_source", h.times.source},
           {"calibrated", h.calibrated},
           {"sources", {s.size, s.spacing[0], s.spacing[1], s.spacing[2], s.origin, s.direction}},
-          {"warnings", h.warnings}};
+          {"warnings", findingsMessage(h.warnings)}};
 }
 
 VolumeHeader headerFromMessage(const Message& m) {
@@ -216,7 +228,7 @@ VolumeHeader headerFromMessage(const Message& m) {
   h.calibrated = m.at("calibrated").get<bool>();
   const auto s = m.at("sources").get<std::array<std::string, 6>>();
   h.sources = {s[0], {s[1], s[2], s[3]}, s[4], s[5]};
-  h.warnings = m.at("warnings").get<std::vector<std::string>>();
+  for (const Message& warning : m.at("warnings")) h.warnings.push_back(findingFromMessage(warning));
   return h;
 }
 

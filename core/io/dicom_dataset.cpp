@@ -39,7 +39,7 @@ std::string dicomFault(const DicomOrigin* origin) { return sentence(dicomFinding
 
 void refuseDicom(const std::string& path, const Finding& fault) {
   throw Told<UsageError>(
-      Finding(FindingKind::fileRefused, {{"file", path}}, {FindingKind::noDicomMade, {}, fault}));
+      Finding(FindingKind::fileRefused, {{"file", path}}, Finding(FindingKind::noDicomMade, {}, fault)));
 }
 
 bool namesImages(const DicomOrigin& origin) {

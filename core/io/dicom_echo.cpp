@@ -75,12 +75,11 @@ bool keepWholeVolumes(DicomFile& f) {
   return true;
 }
 
-std::string missingVolumes(const DicomFile& f) {
+Finding missingVolumes(const DicomFile& f) {
   const int whole = f.echo.slices > 0 ? f.frames / f.echo.slices : 0;
   if (whole == f.echo.volumes) return {};
-  return "The file breaks off: its header declares " + std::to_string(f.echo.volumes) +
-         " time points, and only the first " + (whole == 1 ? "one is" : std::to_string(whole) + " are") +
-         " there in full.";
+  return {whole == 1 ? FindingKind::breaksOffAfterOne : FindingKind::breaksOff,
+          {{"frames", f.echo.volumes}, {"whole", whole}}};
 }
 
 }  // namespace handlebody

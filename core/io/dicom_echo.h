@@ -22,7 +22,7 @@ void readCartesianEcho(const gdcm::DataSet& data, DicomFile& file);
 //! Precondition: the structure of the file is known.
 bool keepWholeVolumes(DicomFile& file);
 
-//! What a user must know of it; empty if nothing is missing.
-std::string missingVolumes(const DicomFile& file);
+//! What a user must know of it; none if nothing is missing.
+Finding missingVolumes(const DicomFile& file);
 
 }  // namespace handlebody

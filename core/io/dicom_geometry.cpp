@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cstdio>
 #include <numbers>
 #include <tuple>
 
@@ -92,10 +91,8 @@ void Stacking::leaveOutCopies() {
     }
     group = std::move(kept);
   }
-  if (copies > 0)
-    stack_.warnings.push_back(std::to_string(copies) +
-                              (copies == 1 ? " slice is a copy of another and was left out."
-                                           : " slices are copies of others and were left out."));
+  if (copies == 1) stack_.warnings.push_back(FindingKind::sliceIsCopy);
+  if (copies > 1) stack_.warnings.push_back({FindingKind::slicesAreCopies, {{"copies", copies}}});
 }
 
 void Stacking::separateTimes() {
@@ -145,29 +142,33 @@ void Stacking::straighten() {
   stack_.grid.origin += row_ * (low[0] * pixel.x()) + column_ * (low[1] * pixel.y());
   for (std::size_t a = 0; a < 2; ++a) stack_.grid.size[a] += static_cast<int>(high[a] - low[a]);
   stack_.straight = false;
-  char text[120];
-  std::snprintf(text, sizeof text,
-                "The slices are tilted by %.1f degrees (gantry tilt) and were resampled to a straight grid.",
-                tilt);
-  stack_.warnings.push_back(text);
+  stack_.warnings.push_back({FindingKind::slicesTilted, {{"degrees", tilt}}});
 }
 
 //! "13 gaps of 4 mm, 1 of 1.08 mm, 13 of 7 mm"
-std::string runsOf(const std::vector<double>& gaps) {
-  std::string text;
-  int runs = 0;
-  for (std::size_t i = 0; i < gaps.size(); ++runs) {
+std::vector<Finding> runsOf(const std::vector<double>& gaps) {
+  constexpr std::size_t kMost = 5;
+  std::vector<Finding> runs;
+  for (std::size_t i = 0; i < gaps.size();) {
     std::size_t end = i + 1;
     while (end < gaps.size() && std::abs(gaps[end] - gaps[i]) < std::max(0.02 * gaps[i], 0.01)) ++end;
-    if (runs == 5) return text + " …";
-    text += (i ? ", " : "") + std::to_string(end - i) +
-            (i          ? " of "
-             : end == 1 ? " gap of "
-                        : " gaps of ") +
-            millimetres(gaps[i]);
+    if (runs.size() == kMost) {
+      runs.back().kind = FindingKind::nextGapsOfMore;
+      break;
+    }
+    const FindingKind kind = i > 0      ? FindingKind::nextGapsOf
+                             : end == 1 ? FindingKind::gapOf
+                                        : FindingKind::gapsOf;
+    runs.push_back({kind, {{"gaps", end - i}, {"gap_mm", gaps[i]}}});
     i = end;
   }
-  return text;
+  return runs;
+}
+
+//! Which of the three: for none, one or several missing slices.
+FindingKind byMissing(int missing, FindingKind none, FindingKind one, FindingKind several) {
+  if (missing == 0) return none;
+  return missing == 1 ? one : several;
 }
 
 int missingSlices(const std::vector<double>& gaps, double regular) {
@@ -198,10 +199,9 @@ void Stacking::makeEven(UnevenSlices uneven) {
   std::sort(sorted.begin(), sorted.end());
   const double median = sorted[(sorted.size() - 1) / 2];
   const int missing = missingSlices(gaps, median);
-  const Finding what(missing == 0   ? FindingKind::slicesUneven
-                     : missing == 1 ? FindingKind::sliceMissing
-                                    : FindingKind::slicesMissing,
-                     {{"gaps", runsOf(gaps)}, {"missing", missing}});
+  const Finding what(
+      byMissing(missing, FindingKind::slicesUneven, FindingKind::sliceMissing, FindingKind::slicesMissing),
+      {{"missing", missing}}, runsOf(gaps));
   if (uneven == UnevenSlices::refuse) refuseInput(path_, what);
   spacing = *std::find_if(sorted.begin(), sorted.end(), [&](double gap) { return gap >= 0.5 * median; });
   const double count = std::floor(places.back().along / spacing + 1e-6) + 1;
@@ -209,8 +209,11 @@ void Stacking::makeEven(UnevenSlices uneven) {
     refuseInput(path_, {FindingKind::tooUneven, {}, what});
   stack_.grid.size[2] = static_cast<int>(count);
   stack_.straight = false;
-  stack_.warnings.push_back("The " + sentence(what).substr(4) + "; they were resampled to a distance of " +
-                            millimetres(spacing) + ". What lies in the gaps is interpolated.");
+  stack_.warnings.push_back(
+      {byMissing(missing, FindingKind::slicesResampled, FindingKind::sliceMissingResampled,
+                 FindingKind::slicesMissingResampled),
+       {{"missing", missing}, {"spacing_mm", spacing}},
+       what.causes});
 }
 
 DicomStack Stacking::build(UnevenSlices uneven) {

@@ -31,7 +31,7 @@ struct DicomStack {
   std::vector<SlicePlace> places;  //!< one per slice of one time point
   bool straight = true;            //!< the slices are the grid's; else they are to be resampled
   std::string distanceSource;      //!< of the distance between slices
-  std::vector<std::string> warnings;
+  std::vector<Finding> warnings;
 
   std::size_t slicesPerFrame() const { return places.size(); }
 };

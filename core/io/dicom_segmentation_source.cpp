@@ -47,7 +47,7 @@ SegmentationSource::SegmentationSource(DicomFile file, std::string path)
     segments = std::max(segments, p.segment);
   }
   header_.component = segments > 255 ? Component::uint16 : Component::uint8;
-  header_.warnings.push_back("This is a segmentation: its voxels hold the numbers of the segments.");
+  header_.warnings.push_back(FindingKind::isSegmentation);
   checkHeader(header_, path_);
 }
 

@@ -177,7 +177,7 @@ struct Entries {
   std::vector<DicomSeries> list{};
 
   void add(Slices slices, bool part) {
-    DicomSeries series{uid, uid, part, {}, std::move(slices)};
+    DicomSeries series{uid, uid, part, {}, std::move(slices), 0};
     std::set<const DicomFile*> used;
     for (const DicomSlice& s : series.slices) used.insert(s.file);
     for (DicomFile& f : scan.images)
@@ -187,8 +187,10 @@ struct Entries {
   void number() {
     if (list.size() < 2) return;
     const bool wholeFirst = list[1].part;
-    for (std::size_t i = wholeFirst ? 1 : 0; i < list.size(); ++i)
-      list[i].name += "#" + std::to_string(wholeFirst ? i : i + 1);
+    for (std::size_t i = wholeFirst ? 1 : 0; i < list.size(); ++i) {
+      list[i].number = static_cast<int>(wholeFirst ? i : i + 1);
+      list[i].name += "#" + std::to_string(list[i].number);
+    }
   }
 };
 

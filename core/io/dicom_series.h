@@ -17,6 +17,7 @@ struct DicomSeries {
   bool part = false;  //!< its series can be opened as a whole, too, as the entry named by the UID alone
   std::vector<DicomFile*> files;   //!< in the order of their names
   std::vector<DicomSlice> slices;  //!< all frames of the files, or those that are of this stack
+  int number = 0;                  //!< the stack's; 0 for a series as a whole
 };
 
 //! By UID, then in the order in which the stacks were made. Stacks are told apart by image size, colour,

@@ -118,20 +118,16 @@ void StackSource::describe(const Assumed& assumed) {
   s.origin = assumed.places ? "assumed" : f.positionSource;
   s.direction = assumed.places ? "assumed" : f.orientationSource;
   header_.calibrated = !assumed.pixels && !assumed.distance;
-  const auto warn = [&](bool when, const char* text) {
-    if (when) header_.warnings.push_back(text);
+  const auto warn = [&](bool when, const Finding& warning) {
+    if (when) header_.warnings.push_back(warning);
   };
-  warn(assumed.places,
-       "The header does not say where the slices lie; they are taken one behind the other, with LPS axes.");
-  if (const std::string missing = missingVolumes(f); !missing.empty()) header_.warnings.push_back(missing);
-  warn(
-      f.echo.slices > 0,
-      "The file does not say how the volume lies in the patient: columns are taken to run to the right, rows "
-      "to the back and slices downwards.");
-  warn(f.ownFrameOfReference && f.echo.slices == 0,
-       "Positions are in the frame of the ultrasound volume, not of the patient: its axes are taken as LPS.");
-  warn(isColour(f), "Colour was turned into luminance (0.2125 R + 0.7154 G + 0.0721 B).");
-  warn(f.photometric == "MONOCHROME1", "MONOCHROME1: low values are bright on a display.");
+  warn(assumed.places, FindingKind::placesAssumed);
+  const Finding missing = missingVolumes(f);
+  warn(missing.any(), missing);
+  warn(f.echo.slices > 0, FindingKind::patientPlaceAssumed);
+  warn(f.ownFrameOfReference && f.echo.slices == 0, FindingKind::placeInUltrasound);
+  warn(isColour(f), FindingKind::colourAsLuminance);
+  warn(f.photometric == "MONOCHROME1", FindingKind::lowIsBright);
 }
 
 //! Of the first slice of each time point.
@@ -212,25 +208,24 @@ void refuseDamaged(const DicomScan& scan, const std::string& uid, const std::str
 }
 
 //! "a, b, c and 4 more"
-std::string someOf(const std::vector<std::string>& names) {
+Finding foreignFiles(const std::vector<std::string>& names) {
   constexpr std::size_t kShown = 3;
   std::string text;
   for (std::size_t i = 0; i < std::min(kShown, names.size()); ++i) text += (i ? ", " : "") + names[i];
-  return names.size() > kShown ? text + " and " + std::to_string(names.size() - kShown) + " more" : text;
+  if (names.size() > kShown)
+    return {FindingKind::filesNotDicomAndMore,
+            {{"files", names.size()}, {"names", text}, {"more", names.size() - kShown}}};
+  return {names.size() == 1 ? FindingKind::fileNotDicom : FindingKind::filesNotDicom,
+          {{"files", names.size()}, {"names", text}}};
 }
 
 void addLeftOut(const DicomScan& scan, VolumeHeader& header) {
-  const auto files = [](std::size_t n) { return std::to_string(n) + (n == 1 ? " file" : " files"); };
-  const auto are = [](std::size_t n) { return n == 1 ? " is" : " are"; };
-  if (!scan.others.empty())
-    header.warnings.push_back(files(scan.others.size()) + " of DICOM in the folder" +
-                              are(scan.others.size()) + " without an image and left out.");
-  if (!scan.damaged.empty())
-    header.warnings.push_back(files(scan.damaged.size()) + " of other series" + are(scan.damaged.size()) +
-                              " truncated or damaged.");
-  if (!scan.foreign.empty())
-    header.warnings.push_back(files(scan.foreign.size()) + " in the folder" + are(scan.foreign.size()) +
-                              " not DICOM and left out: " + someOf(scan.foreign) + ".");
+  const auto add = [&](std::size_t files, FindingKind one, FindingKind several) {
+    if (files > 0) header.warnings.push_back({files == 1 ? one : several, {{"files", files}}});
+  };
+  add(scan.others.size(), FindingKind::fileWithoutImage, FindingKind::filesWithoutImage);
+  add(scan.damaged.size(), FindingKind::otherFileDamaged, FindingKind::otherFilesDamaged);
+  if (!scan.foreign.empty()) header.warnings.push_back(foreignFiles(scan.foreign));
 }
 
 //! The series that the folder was looked through for, and what opens them.
@@ -293,7 +288,11 @@ SeriesInfo Chooser::measured(const DicomSeries& series) const {
   try {
     addGeometry(openOne(series)->header(), info);
   } catch (const InputError& error) {
-    info.note = std::string(error.what()).substr(request_.path.size() + 2);
+    const Finding finding = findingOf(error);
+    info.note = finding.kind == FindingKind::fileRefused
+                    ? Finding(FindingKind::noVolume, {}, finding.causes)
+                    : Finding(FindingKind::other,
+                              {{"text", std::string(error.what()).substr(request_.path.size() + 2)}});
   }
   return info;
 }
@@ -324,13 +323,13 @@ SourcePointer Chooser::list(const Choices& among) const {
 
 //! Says which even stacks a resampled series is made of.
 void Chooser::addStacks(const DicomSeries& chosen, VolumeHeader& header) const {
-  std::string names;
+  std::vector<Finding> stacks;
   if (!chosen.part)
     for (const DicomSeries& s : series_)
       if (s.part && s.uid == chosen.uid)
-        names += (names.empty() ? "" : ", ") + s.name + " (" + std::to_string(s.slices.size()) + " slices)";
-  if (!names.empty())
-    header.warnings.push_back("Its stacks of one pitch each are to be had alone: " + names + ".");
+        stacks.push_back(
+            {FindingKind::stackOf, {{"series", s.uid}, {"stack", s.number}, {"slices", s.slices.size()}}});
+  if (!stacks.empty()) header.warnings.push_back({FindingKind::stacksAlone, {}, std::move(stacks)});
 }
 
 SourcePointer Chooser::open(bool* several) const {

@@ -2,7 +2,6 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
@@ -66,12 +65,6 @@ void refuseInput(const std::string& path, const Finding& cause) {
 
 void refuseInput(const std::string& path, const std::string& cause) {
   refuseInput(path, {FindingKind::other, {{"text", cause}}});
-}
-
-std::string millimetres(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g mm", value);
-  return text;
 }
 
 bool isLaterFrame(const std::string& field) {

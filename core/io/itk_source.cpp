@@ -52,7 +52,7 @@ void readComponents(const itk::ImageIOBase& io, const std::string& path, VolumeH
   const bool integers = header.component == Component::uint8 || header.component == Component::uint16;
   if (!(named || conventional) || !integers)
     refuseInput(path, {FindingKind::vectorVoxels, {{"components", std::to_string(header.components)}}});
-  header.warnings.push_back("Colour was turned into luminance (0.2125 R + 0.7154 G + 0.0721 B).");
+  header.warnings.push_back(FindingKind::colourAsLuminance);
 }
 
 //! TIFF: ITK reads it straight into our buffer.
@@ -197,8 +197,7 @@ SourcePointer openTiffHere(const OpenRequest& request, const DicomProgress& prog
   header.sources = {
       "ImageWidth, ImageLength and the number of pages", {inPlane, inPlane, "assumed"}, "assumed", "assumed"};
   header.calibrated = false;
-  header.warnings.push_back(
-      "TIFF does not say how far apart the slices are nor how they lie; 1 mm and LPS axes are assumed.");
+  header.warnings.push_back(FindingKind::tiffWithoutPlace);
   return source;
 }
 

@@ -183,7 +183,8 @@ Json findingToJson(const Finding& finding) {
     else
       entry = std::get<std::string>(value);
   }
-  if (!finding.causes.empty()) json["cause"] = findingToJson(finding.causes.front());
+  if (finding.causes.size() == 1) json["cause"] = findingToJson(finding.causes.front());
+  if (finding.causes.size() > 1) json["causes"] = findingsToJson(finding.causes);
   json["sentence"] = sentence(finding);
   return json;
 }

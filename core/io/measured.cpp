@@ -215,7 +215,7 @@ std::string measuredText(const Measured& m) {
   if (m.wall) text += wallText(*m.wall);
   if (m.line) text += lineText(*m.line);
   text += placedText(m.placed);
-  for (const std::string& warning : m.warnings) text += "warning: " + warning + "\n";
+  for (const Finding& warning : m.warnings) text += "warning: " + sentence(warning) + "\n";
   return text;
 }
 
@@ -239,7 +239,7 @@ std::string measuredJson(const Measured& m) {
                                   directedJson(m.wall->second, m.wall->wall.fromSecond)})}};
   json["centre_line"] = m.line ? lineJson(*m.line) : Json(nullptr);
   json["measurements"] = measurementsToJson(m.placed);
-  json["warnings"] = m.warnings;
+  json["warnings"] = sentences(m.warnings);
   return jsonText(json);
 }
 

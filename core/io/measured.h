@@ -44,8 +44,7 @@ struct Measured {
   std::optional<MeasuredWall> wall;
   std::optional<MeasuredLine> line;
   std::vector<Measurement> placed;  //!< rulers and angles of the session
-  std::vector<std::string>
-      warnings;  //!< whole sentences; those of an object behind its name if there are several
+  std::vector<Finding> warnings;    //!< sentences; those of an object behind its name if there are several
 };
 
 //! A table for the eye, with units.

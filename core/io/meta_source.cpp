@@ -120,7 +120,7 @@ MetaSource::MetaSource(const std::string& path) : path_(path) {
   locateData(text);
   const std::string unit = text.value("DistanceUnits");
   if (!unit.empty() && unit != "mm" && unit != "?")
-    header_.warnings.push_back("The distance unit " + unit + " is taken as millimetres.");
+    header_.warnings.push_back({FindingKind::unitAsMillimetres, {{"unit", unit}}});
 }
 
 void MetaSource::setSizes(const MetaText& text) {
@@ -148,7 +148,7 @@ void MetaSource::setComponents(const MetaText& text) {
   if (header_.component != Component::uint8 || (channels[0] != 3 && channels[0] != 4))
     refuseInput(path_, {FindingKind::vectorVoxels, {{"components", text.value("ElementNumberOfChannels")}}});
   header_.components = static_cast<int>(channels[0]);
-  header_.warnings.push_back("Colour was turned into luminance (0.2125 R + 0.7154 G + 0.0721 B).");
+  header_.warnings.push_back(FindingKind::colourAsLuminance);
 }
 
 void MetaSource::setGeometry(const MetaText& text) {

@@ -135,8 +135,7 @@ void setUnit(const NiftiHeader& h, VolumeHeader& header) {
   const double factor = unit == 1 ? 1000 : 0.001;
   header.grid.spacing *= factor;
   header.grid.origin *= factor;
-  header.warnings.push_back(std::string("The lengths in the header are in ") +
-                            (unit == 1 ? "metres" : "micrometres") + " and were turned into millimetres.");
+  header.warnings.push_back(unit == 1 ? FindingKind::lengthsInMetres : FindingKind::lengthsInMicrometres);
 }
 
 }  // namespace
@@ -178,14 +177,11 @@ void setNiftiGeometry(const NiftiHeader& nifti, VolumeHeader& header, const std:
     header.grid.spacing = voxelSize(nifti);
     header.grid.direction.diagonal() = Vec3(-1, -1, 1);
     header.sources = {"dim", {"pixdim", "pixdim", "pixdim"}, "assumed", "assumed (RAS axes)"};
-    header.warnings.push_back(
-        "The header does not say how the volume lies in space (qform and sform codes are 0).");
+    header.warnings.push_back(FindingKind::placeUnknown);
   }
   const double apart = nifti.qform > 0 && nifti.sform > 0 ? distanceFromSform(nifti, header.grid) : 0;
   if (apart > 0.1)
-    header.warnings.push_back("The sform and the qform of the header disagree (by up to " +
-                              std::to_string(std::lround(std::ceil(std::min(apart, 1e9)))) +
-                              " mm); the qform is used.");
+    header.warnings.push_back({FindingKind::formsDisagree, {{"apart_mm", std::ceil(std::min(apart, 1e9))}}});
   if (!(apart >= 0)) refuseInput(path, FindingKind::sformNoNumber);
   setUnit(nifti, header);
 }

@@ -45,8 +45,7 @@ void setStoredType(const NiftiHeader& h, const std::string& path, VolumeHeader& 
     refuseInput(path, {FindingKind::niftiVoxelType, {{"type", std::to_string(h.datatype)}}});
   header.component = type->component;
   header.components = type->components;
-  if (type->components > 1)
-    header.warnings.push_back("Colour was turned into luminance (0.2125 R + 0.7154 G + 0.0721 B).");
+  if (type->components > 1) header.warnings.push_back(FindingKind::colourAsLuminance);
 }
 
 void setScaling(const NiftiHeader& h, VolumeHeader& header) {

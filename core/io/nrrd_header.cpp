@@ -192,7 +192,7 @@ void useOtherAxis(const std::vector<Axis>& axes, std::size_t i, const std::strin
   if (colour && i == 0 && (axis.size == 3 || axis.size == 4) &&
       (header.component == Component::uint8 || header.component == Component::uint16)) {
     header.components = static_cast<int>(axis.size);
-    header.warnings.push_back("Colour was turned into luminance (0.2125 R + 0.7154 G + 0.0721 B).");
+    header.warnings.push_back(FindingKind::colourAsLuminance);
   } else if (time || axis.size == 1) {
     header.frames = static_cast<int>(axis.size);
     for (std::size_t k = 0; k < axes.size(); ++k) {
@@ -279,14 +279,13 @@ void setGeometry(const NrrdFields& f, const std::vector<Axis>& spatial, const st
     h.grid.origin = Vec3(origin[0][0], origin[0][1], origin[0][2]).cwiseProduct(flip);
     h.sources.origin = "space origin";
   }
-  if (!lps || !directed)
-    h.warnings.push_back("The header does not say how the volume lies in space; its axes are taken as LPS.");
+  if (!lps || !directed) h.warnings.push_back(FindingKind::axesTakenAsLps);
 }
 
 void checkUnits(const std::string& units, VolumeHeader& header) {
   for (const std::string& word : words(units))
     if (word != "\"mm\"" && word != "\"\"" && word != "???" && word != "\"s\"" && word != "none") {
-      header.warnings.push_back("The space units " + units + " are taken as millimetres.");
+      header.warnings.push_back({FindingKind::unitsAsMillimetres, {{"units", units}}});
       return;
     }
 }

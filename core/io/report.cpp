@@ -25,7 +25,7 @@ Json headToJson(const RunReport& report) {
   Json input = referenceToJson(report.session.volume);
   addGrid(input, report.volume.grid);
   addSources(input, report.volume);
-  input["warnings"] = report.volume.warnings;
+  input["warnings"] = sentences(report.volume.warnings);
   json["input"] = std::move(input);
   return json;
 }
@@ -187,13 +187,31 @@ std::vector<Finding> pinDoubts(const RunReport& report) {
   return doubts;
 }
 
+namespace {
+
+//! Without the names of files and series that it lists.
+Finding unnamed(Finding warning) {
+  switch (warning.kind) {
+    case FindingKind::fileNotDicom:
+      return FindingKind::fileNotDicomUnnamed;
+    case FindingKind::filesNotDicom:
+    case FindingKind::filesNotDicomAndMore:
+      warning.kind = FindingKind::filesNotDicomUnnamed;
+      std::erase_if(warning.values, [](const auto& value) { return value.first == "names"; });
+      return warning;
+    case FindingKind::stacksAlone:
+      return FindingKind::stacksAloneUnnamed;
+    default:
+      return warning;
+  }
+}
+
+}  // namespace
+
 RunReport anonymous(RunReport report) {
   report.session = anonymous(std::move(report.session));
   if (report.overTime) report.overTime = anonymous(std::move(*report.overTime));
-  for (std::string& warning : report.volume.warnings) {
-    const auto list = warning.find(": ");
-    if (list != std::string::npos) warning = warning.substr(0, list) + ".";
-  }
+  for (Finding& warning : report.volume.warnings) warning = unnamed(std::move(warning));
   return report;
 }
 

@@ -87,7 +87,7 @@ std::vector<Finding> questionDoubts(const RunReport& report);
 std::vector<Finding> pinDoubts(const RunReport& report);
 
 //! Without what may name the patient: as the session's, and without the names of files and series that
-//! warnings of the volume list behind a colon.
+//! warnings of the volume list.
 RunReport anonymous(RunReport report);
 
 //! The report as JSON text, without the traces of the events.

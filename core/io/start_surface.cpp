@@ -120,7 +120,7 @@ std::map<int, ReadStart> readFile(const FileKey& key, const std::optional<int>& 
     if (label) refuseStart(key.path, K::meshWithoutLabels);
     return {{0, readStart(key.path, hash, readMesh(key.path))}};
   }
-  std::vector<std::string> warnings;
+  std::vector<Finding> warnings;
   const Volume labels = readLabels(key.path, warnings).volume;
   std::vector<int> values = key.among;
   if (values.empty()) values.push_back(label.value_or(0));
@@ -222,7 +222,7 @@ std::map<int, std::string> namesIn(const std::string& path) {
 }  // namespace
 
 std::vector<NamedLabel> labelsIn(const std::string& path) {
-  std::vector<std::string> warnings;
+  std::vector<Finding> warnings;
   const Volume labels = readLabels(path, warnings).volume;
   std::set<int> values;
   visitVoxels(labels, [&](const auto* value) {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "core/errors.h"
 #include "core/io/dicom_origin.h"
+#include "core/told_error.h"
 #include "core/volume/volume.h"
 
 namespace handlebody {
@@ -40,7 +40,7 @@ struct SeriesInfo {
   int slices = 0;               //!< images in the series, all time points
   Vec3 spacing = Vec3::Zero();  //!< mm; 0 where the series is no volume
   int frames = 1;               //!< time points
-  std::string note{};           //!< why it cannot be opened as a volume; empty if it can
+  Finding note{};               //!< a sentence: why it cannot be opened as a volume; none if it can
 };
 
 //! Where the numbers of a geometry come from: the tag or header field, "assumed" or "given".
@@ -61,15 +61,15 @@ struct VolumeInfo {
   int frames = 1;          //!< time points
   bool calibrated = true;  //!< false: a spacing is assumed, and lengths and volumes in mm mean nothing
   GeometrySources sources{};
-  std::vector<std::string> warnings;
+  std::vector<Finding> warnings;               //!< sentences
   std::shared_ptr<const DicomOrigin> dicom{};  //!< of a volume that was read from DICOM images
 };
 
 //! Thrown where one volume is asked for and a folder (or series) holds several.
-class SeriesChoiceNeeded : public InputError {
+class SeriesChoiceNeeded : public Told<InputError> {
  public:
-  SeriesChoiceNeeded(const std::string& sentence, std::vector<SeriesInfo> found)
-      : InputError(sentence), series(std::move(found)) {}
+  SeriesChoiceNeeded(const Finding& finding, std::vector<SeriesInfo> found)
+      : Told(finding), series(std::move(found)) {}
   std::vector<SeriesInfo> series;  //!< to choose from
 };
 

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <memory>
 
@@ -97,24 +96,25 @@ void checkFrame(const VolumeSelection& selection, int frames, const std::string&
                                  {{"file", path}, {"frame", *selection.frame}, {"last", frames - 1}}));
 }
 
-//! "MR head, 20 files, 256 x 256 x 20 voxels of 0.9, 0.9, 5 mm"
-std::string seriesFacts(const SeriesInfo& s) {
-  std::string text = (s.description.empty() ? "" : s.description + ", ") + std::to_string(s.files) +
-                     (s.files == 1 ? " file" : " files");
-  if (!s.note.empty()) return text + ", no volume";
-  char grid[120];
-  std::snprintf(grid, sizeof grid, ", %d x %d x %d voxels of %.4g, %.4g, %.4g mm", s.size[0], s.size[1],
-                s.size[2], s.spacing.x(), s.spacing.y(), s.spacing.z());
-  return text + grid;
+//! "1.2.3#1 (MR head, 20 files, 256 x 256 x 20 voxels of 0.9, 0.9, 5 mm)"
+Finding seriesFacts(const SeriesInfo& s) {
+  const bool isOne = s.files == 1;
+  const std::string size =
+      std::to_string(s.size[0]) + " x " + std::to_string(s.size[1]) + " x " + std::to_string(s.size[2]);
+  Finding::Values values = {{"series", s.uid.empty() ? "\"\"" : s.uid},
+                            {"what", s.description.empty() ? "" : s.description + ", "},
+                            {"files", s.files}};
+  if (s.note.any())
+    return {isOne ? FindingKind::brokenSeriesOfFile : FindingKind::brokenSeriesOfFiles, std::move(values)};
+  values.emplace_back("size", size);
+  values.emplace_back("spacing_mm", placeValue(s.spacing));
+  return {isOne ? FindingKind::seriesOfFile : FindingKind::seriesOfFiles, std::move(values)};
 }
 
-std::string seriesChoice(const std::vector<SeriesInfo>& series) {
-  std::string text =
-      "it holds " + std::to_string(series.size()) + " series or stacks, choose one with --series: ";
-  for (std::size_t i = 0; i < series.size(); ++i)
-    text += (i ? "; " : "") + (series[i].uid.empty() ? "\"\"" : series[i].uid) + " (" +
-            seriesFacts(series[i]) + ")";
-  return text;
+Finding seriesChoice(const std::vector<SeriesInfo>& series) {
+  std::vector<Finding> choices;
+  for (const SeriesInfo& s : series) choices.push_back(seriesFacts(s));
+  return {FindingKind::seriesToChoose, {{"series", series.size()}}, std::move(choices)};
 }
 
 void setSpacing(const VolumeSelection& selection, VolumeHeader& header, const std::string& path) {
@@ -122,9 +122,10 @@ void setSpacing(const VolumeSelection& selection, VolumeHeader& header, const st
   const Vec3& given = *selection.spacing;
   if (!given.allFinite() || given.minCoeff() <= 0) throw UsageError(path + ": a spacing is not above 0.");
   if (header.calibrated && (given - header.grid.spacing).norm() > 1e-6 * given.norm())
-    header.warnings.push_back(
-        "The spacing was given by the user; the file says " + millimetres(header.grid.spacing.x()) + ", " +
-        millimetres(header.grid.spacing.y()) + ", " + millimetres(header.grid.spacing.z()) + ".");
+    header.warnings.push_back({FindingKind::spacingOverridden,
+                               {{"x_mm", header.grid.spacing.x()},
+                                {"y_mm", header.grid.spacing.y()},
+                                {"z_mm", header.grid.spacing.z()}}});
   if (header.dicom && !(header.calibrated && given == header.grid.spacing))
     header.dicom->displaced = FindingKind::spacingGiven;
   header.grid.spacing = given;
@@ -156,13 +157,8 @@ VolumeInfo infoOf(const VolumeHeader& h, const VolumeSelection& selection, const
   info.sources = h.sources;
   info.dicom = originOf(h, selection.frame.value_or(0));
   if (h.frames > 1 && !selection.frame)
-    info.warnings.push_back("There are " + std::to_string(h.frames) +
-                            " time points; frame 0 is used (--frame chooses another).");
-  if (!h.calibrated)
-    info.warnings.push_back(
-        "The volume is uncalibrated: its file does not give the spacing, 1 mm is assumed where it is "
-        "missing, and "
-        "lengths and volumes mean nothing until --spacing gives it.");
+    info.warnings.push_back({FindingKind::frameZeroUsed, {{"frames", h.frames}}});
+  if (!h.calibrated) info.warnings.push_back(FindingKind::uncalibrated);
   return info;
 }
 
@@ -183,8 +179,8 @@ void fillNotANumber(void* voxels, LoadedVolume& loaded, const std::string& path)
   if (v.type == VoxelType::float32) none = fillNotANumber(static_cast<float*>(voxels), v.grid, path);
   if (v.type == VoxelType::float64) none = fillNotANumber(static_cast<double*>(voxels), v.grid, path);
   if (none > 0)
-    loaded.info.warnings.push_back(std::to_string(none) + " of " + std::to_string(v.grid.voxelCount()) +
-                                   " voxels are not a number: they count as outside of the field of view.");
+    loaded.info.warnings.push_back(
+        {FindingKind::voxelsNotNumbers, {{"none", none}, {"voxels", v.grid.voxelCount()}}});
 }
 
 LoadedVolume load(const OpenRequest& request, const ReadControl& control) {
@@ -192,7 +188,8 @@ LoadedVolume load(const OpenRequest& request, const ReadControl& control) {
   bool several = false;
   const SourcePointer source = openVolume(request, control, &several);
   VolumeHeader& h = source->header();
-  if (several) throw SeriesChoiceNeeded(path + ": " + seriesChoice(h.series) + ".", h.series);
+  if (several)
+    throw SeriesChoiceNeeded({FindingKind::fileRefused, {{"file", path}}, seriesChoice(h.series)}, h.series);
   setSpacing(request.selection, h, path);
   LoadedVolume loaded{{}, infoOf(h, request.selection, path)};
   Volume& volume = loaded.volume;
@@ -226,7 +223,7 @@ VolumeInfo inspectVolume(const std::string& path, const VolumeSelection& selecti
   info.series = h.series;
   info.frames = 0;
   info.warnings = h.warnings;
-  info.warnings.push_back("Nothing is chosen: " + seriesChoice(h.series) + ".");
+  info.warnings.push_back({FindingKind::nothingChosen, {}, seriesChoice(h.series)});
   return info;
 }
 

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "core/finding.h"
 #include "core/io/time_axis.h"
 #include "core/io/volume_io.h"
 
@@ -57,7 +56,7 @@ struct VolumeHeader {
   double intercept = 0;
   bool calibrated = true;
   GeometrySources sources{};
-  std::vector<std::string> warnings{};
+  std::vector<Finding> warnings{};
   std::shared_ptr<DicomOrigin> dicom{};  //!< of DICOM images, of all time points one behind the other
 
   bool scaled() const { return slope != 1 || intercept != 0; }
@@ -139,8 +138,6 @@ bool isLaterFrame(const std::string& field);
 [[noreturn]] void refuseInput(const std::string& path, const Finding& cause);
 //! The same for a cause that has no kind yet.
 [[noreturn]] void refuseInput(const std::string& path, const std::string& cause);
-//! "0.9 mm"
-std::string millimetres(double value);
 
 //! Libraries below write to std::cerr, std::cout and their own channels; errors reach us as exceptions. Quiet
 //! while one of these lives. Not for several threads at once.

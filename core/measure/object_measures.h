@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/finding.h"
 #include "core/measure/intensity_inside.h"
 #include "core/measure/shape_measures.h"
 
@@ -14,7 +15,7 @@ namespace handlebody {
 struct ObjectMeasures {
   ShapeMeasures shape;
   std::optional<IntensityInside> intensity{};  //!< none without a volume
-  std::vector<std::string> warnings{};         //!< whole sentences
+  std::vector<Finding> warnings{};             //!< sentences
 };
 
 //! `volume` may be null. Preconditions as shapeMeasures.

@@ -70,31 +70,23 @@ void warnOfDistance(const Solid& a, const Solid& b, Comparison& c) {
   const Bounds ba(a.surface), bb(b.surface);
   const bool apart = c.overlap ? c.overlap->both == 0 : !ba.meets(bb);
   if (!apart) return;
-  std::string text = "A and B do not overlap: their surfaces are " + number(c.distances->smallest()) +
-                     " mm apart, the centres of their boxes " + number((ba.centre() - bb.centre()).norm()) +
-                     " mm.";
-  if (!ba.meets(bb) && ba.meets(bb.turned()))
-    text +=
-        " With the signs of x and y turned in one of them they would meet: is one in RAS and does not say "
-        "so?";
-  c.warnings.push_back(text);
+  const bool turned = !ba.meets(bb) && ba.meets(bb.turned());
+  c.warnings.push_back(
+      {turned ? FindingKind::objectsTurned : FindingKind::objectsApart,
+       {{"apart_mm", c.distances->smallest()}, {"centres_mm", (ba.centre() - bb.centre()).norm()}}});
 }
 
-void warnOf(const Solid& solid, const std::string& name, std::vector<std::string>& warnings) {
-  if (solid.empty()) {
-    warnings.push_back(name + " is empty: there are no distances.");
-  } else if (!solid.certificate.closed) {
-    warnings.push_back(name +
-                       " is not closed: it has no volume, and there is no Dice coefficient. Distances " +
-                       "are measured from and to what there is of its surface.");
-  } else if (!solid.certificate.oriented) {
-    warnings.push_back(name +
-                       " is closed, but not all of its faces are oriented alike: it has no volume, and " +
-                       "there is no Dice coefficient.");
-  } else if (!solid.certificate.manifold) {
-    warnings.push_back(name + " is not a manifold: its genus and cavities cannot be counted.");
-  }
-  if (solid.wasInsideOut) warnings.push_back(name + " is inside out; it was turned.");
+void warnOf(const Solid& solid, const std::string& name, std::vector<Finding>& warnings) {
+  const auto warn = [&](FindingKind kind) { warnings.push_back({kind, {{"object", name}}}); };
+  if (solid.empty())
+    warn(FindingKind::objectEmpty);
+  else if (!solid.certificate.closed)
+    warn(FindingKind::objectOpen);
+  else if (!solid.certificate.oriented)
+    warn(FindingKind::objectNotAlike);
+  else if (!solid.certificate.manifold)
+    warn(FindingKind::objectBranches);
+  if (solid.wasInsideOut) warn(FindingKind::objectInsideOut);
 }
 
 }  // namespace
@@ -125,8 +117,7 @@ Comparison compare(const Solid& a, const Solid& b, const ComparisonOptions& opti
     c.dice = 2 * c.overlap->both / sum;
     c.iou = c.overlap->both / (sum - c.overlap->both);
   } else {
-    c.warnings.push_back("No point of the lattice lies in A or B: there is no Dice coefficient; --sampling " +
-                         std::string("makes the lattice of two meshes finer."));
+    c.warnings.push_back(FindingKind::noLatticePoint);
   }
   warnOfDistance(a, b, c);
   return c;

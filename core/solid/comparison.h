@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/finding.h"
 #include "core/solid/overlap.h"
 #include "core/solid/surface_distance.h"
 
@@ -27,7 +28,7 @@ struct Comparison {
   std::optional<Overlap> overlap;             //!< none if one has no inside or is empty
   std::optional<double> dice, iou;            //!< none if one has no inside, or both are empty
   std::optional<SurfaceDistances> distances;  //!< none if one is empty
-  std::vector<std::string> warnings;          //!< whole sentences; the objects are called A and B
+  std::vector<Finding> warnings;              //!< sentences; the objects are called A and B
 };
 
 struct ComparisonOptions {

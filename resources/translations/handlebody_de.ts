@@ -1055,18 +1055,6 @@
         <translation>die Schichten sind um {shift_mm:4g} mm gegeneinander verschoben, mehr als ihr Abstand; das ist keine Gantry-Neigung</translation>
     </message>
     <message>
-        <source>its slices are unevenly spaced ({gaps})</source>
-        <translation>die Schichten haben ungleiche Abstände ({gaps})</translation>
-    </message>
-    <message>
-        <source>its slices are unevenly spaced ({gaps}), 1 seems to be missing</source>
-        <translation>die Schichten haben ungleiche Abstände ({gaps}), 1 scheint zu fehlen</translation>
-    </message>
-    <message>
-        <source>its slices are unevenly spaced ({gaps}), {missing:0f} seem to be missing</source>
-        <translation>die Schichten haben ungleiche Abstände ({gaps}), {missing:0f} scheinen zu fehlen</translation>
-    </message>
-    <message>
         <source>{cause}, too unevenly to resample</source>
         <translation>{cause}, zu ungleich zum Resampling</translation>
     </message>
@@ -1482,25 +1470,273 @@
         <source>it holds several series or stacks, choose one with --series</source>
         <translation>es sind mehrere Serien oder Stapel enthalten, wählen Sie eine mit --series</translation>
     </message>
+    <message>
+        <source>There are {frames:0f} time points; frame 0 is used (step 1, Open, chooses another).</source>
+        <translation>Es gibt {frames:0f} Zeitpunkte; Bild 0 wird verwendet (Schritt 1, Öffnen, wählt ein anderes).</translation>
+    </message>
+    <message>
+        <source>The volume is uncalibrated: its file does not give the spacing, 1 mm is assumed where it is missing, and lengths and volumes mean nothing until it is entered in step 1, Open.</source>
+        <translation>Das Bildvolumen ist nicht kalibriert: Die Datei gibt den Voxelabstand nicht an, wo er fehlt, wird 1 mm angenommen, und Längen und Volumen bedeuten nichts, bis er in Schritt 1, Öffnen, eingegeben ist.</translation>
+    </message>
+    <message>
+        <source>stack {stack:0f} ({slices:0f} slices)</source>
+        <translation>Stapel {stack:0f} ({slices:0f} Schichten)</translation>
+    </message>
+    <message>
+        <source>it holds {series:0f} series or stacks, choose one in step 1, Open: {choices}</source>
+        <translation>darin sind {series:0f} Serien oder Stapel, wählen Sie in Schritt 1, Öffnen: {choices}</translation>
+    </message>
+    <message>
+        <source>No point of the lattice lies in A or B: there is no Dice coefficient.</source>
+        <translation>Kein Punkt des Gitters liegt in A oder B: Es gibt keinen Dice-Koeffizienten.</translation>
+    </message>
+    <message>
+        <source>its slices are unevenly spaced ({list})</source>
+        <translation>die Schichten haben ungleiche Abstände ({list})</translation>
+    </message>
+    <message>
+        <source>its slices are unevenly spaced ({list}), 1 seems to be missing</source>
+        <translation>die Schichten haben ungleiche Abstände ({list}), 1 scheint zu fehlen</translation>
+    </message>
+    <message>
+        <source>its slices are unevenly spaced ({list}), {missing:0f} seem to be missing</source>
+        <translation>die Schichten haben ungleiche Abstände ({list}), {missing:0f} scheinen zu fehlen</translation>
+    </message>
+    <message>
+        <source>1 gap of {gap_mm:4g} mm</source>
+        <translation>1 Lücke von {gap_mm:4g} mm</translation>
+    </message>
+    <message>
+        <source>{gaps:0f} gaps of {gap_mm:4g} mm</source>
+        <translation>{gaps:0f} Lücken von {gap_mm:4g} mm</translation>
+    </message>
+    <message>
+        <source>{gaps:0f} of {gap_mm:4g} mm</source>
+        <translation>{gaps:0f} von {gap_mm:4g} mm</translation>
+    </message>
+    <message>
+        <source>{gaps:0f} of {gap_mm:4g} mm …</source>
+        <translation>{gaps:0f} von {gap_mm:4g} mm …</translation>
+    </message>
+    <message>
+        <source>Colour was turned into luminance (0.2125 R + 0.7154 G + 0.0721 B).</source>
+        <translation>Farbe wurde in Luminanz umgerechnet (0.2125 R + 0.7154 G + 0.0721 B).</translation>
+    </message>
+    <message>
+        <source>The distance unit {unit} is taken as millimetres.</source>
+        <translation>Die Längeneinheit {unit} wird als Millimeter verstanden.</translation>
+    </message>
+    <message>
+        <source>The space units {units} are taken as millimetres.</source>
+        <translation>Die Einheiten des Raums {units} werden als Millimeter verstanden.</translation>
+    </message>
+    <message>
+        <source>The lengths in the header are in metres and were turned into millimetres.</source>
+        <translation>Die Längen im Header sind in Metern und wurden in Millimeter umgerechnet.</translation>
+    </message>
+    <message>
+        <source>The lengths in the header are in micrometres and were turned into millimetres.</source>
+        <translation>Die Längen im Header sind in Mikrometern und wurden in Millimeter umgerechnet.</translation>
+    </message>
+    <message>
+        <source>The header does not say how the volume lies in space (qform and sform codes are 0).</source>
+        <translation>Der Header sagt nicht, wie das Bildvolumen im Raum liegt (die Codes von qform und sform sind 0).</translation>
+    </message>
+    <message>
+        <source>The header does not say how the volume lies in space; its axes are taken as LPS.</source>
+        <translation>Der Header sagt nicht, wie das Bildvolumen im Raum liegt; seine Achsen werden als LPS verstanden.</translation>
+    </message>
+    <message>
+        <source>The sform and the qform of the header disagree (by up to {apart_mm:0f} mm); the qform is used.</source>
+        <translation>sform und qform im Header widersprechen sich (um bis zu {apart_mm:0f} mm); die qform wird verwendet.</translation>
+    </message>
+    <message>
+        <source>TIFF does not say how far apart the slices are nor how they lie; 1 mm and LPS axes are assumed.</source>
+        <translation>TIFF sagt weder, wie weit die Schichten auseinander sind, noch, wie sie liegen; 1 mm und LPS-Achsen werden angenommen.</translation>
+    </message>
+    <message>
+        <source>This is a segmentation: its voxels hold the numbers of the segments.</source>
+        <translation>Das ist eine Segmentierung: Ihre Voxel enthalten die Nummern der Segmente.</translation>
+    </message>
+    <message>
+        <source>The spacing was given by the user; the file says {x_mm:4g} mm, {y_mm:4g} mm, {z_mm:4g} mm.</source>
+        <translation>Der Abstand wurde von Hand eingegeben; in der Datei steht {x_mm:4g} mm, {y_mm:4g} mm, {z_mm:4g} mm.</translation>
+    </message>
+    <message>
+        <source>{none:0f} of {voxels:0f} voxels are not a number: they count as outside of the field of view.</source>
+        <translation>{none:0f} von {voxels:0f} Voxeln sind keine Zahl: Sie zählen als außerhalb des Bildfelds.</translation>
+    </message>
+    <message>
+        <source>1 slice is a copy of another and was left out.</source>
+        <translation>1 Schicht ist die Kopie einer anderen und wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>{copies:0f} slices are copies of others and were left out.</source>
+        <translation>{copies:0f} Schichten sind Kopien anderer und wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>The slices are tilted by {degrees:1f} degrees (gantry tilt) and were resampled to a straight grid.</source>
+        <translation>Die Schichten sind um {degrees:1f} Grad gekippt (Gantry-Kippung) und wurden auf ein gerades Gitter umgerechnet.</translation>
+    </message>
+    <message>
+        <source>The slices are unevenly spaced ({list}); they were resampled to a distance of {spacing_mm:4g} mm. What lies in the gaps is interpolated.</source>
+        <translation>Die Schichten haben ungleiche Abstände ({list}); sie wurden auf einen Abstand von {spacing_mm:4g} mm umgerechnet. Was in den Lücken liegt, ist interpoliert.</translation>
+    </message>
+    <message>
+        <source>The slices are unevenly spaced ({list}), 1 seems to be missing; they were resampled to a distance of {spacing_mm:4g} mm. What lies in the gaps is interpolated.</source>
+        <translation>Die Schichten haben ungleiche Abstände ({list}), 1 scheint zu fehlen; sie wurden auf einen Abstand von {spacing_mm:4g} mm umgerechnet. Was in den Lücken liegt, ist interpoliert.</translation>
+    </message>
+    <message>
+        <source>The slices are unevenly spaced ({list}), {missing:0f} seem to be missing; they were resampled to a distance of {spacing_mm:4g} mm. What lies in the gaps is interpolated.</source>
+        <translation>Die Schichten haben ungleiche Abstände ({list}), {missing:0f} scheinen zu fehlen; sie wurden auf einen Abstand von {spacing_mm:4g} mm umgerechnet. Was in den Lücken liegt, ist interpoliert.</translation>
+    </message>
+    <message>
+        <source>The header does not say where the slices lie; they are taken one behind the other, with LPS axes.</source>
+        <translation>Der Header sagt nicht, wo die Schichten liegen; sie werden hintereinander angeordnet, mit LPS-Achsen.</translation>
+    </message>
+    <message>
+        <source>The file does not say how the volume lies in the patient: columns are taken to run to the right, rows to the back and slices downwards.</source>
+        <translation>Die Datei sagt nicht, wie das Bildvolumen im Patienten liegt: Es wird angenommen, dass die Spalten nach rechts, die Zeilen nach hinten und die Schichten nach unten laufen.</translation>
+    </message>
+    <message>
+        <source>The file breaks off: its header declares {frames:0f} time points, and only the first one is there in full.</source>
+        <translation>Die Datei bricht ab: Der Header nennt {frames:0f} Zeitpunkte, und nur der erste ist vollständig da.</translation>
+    </message>
+    <message>
+        <source>The file breaks off: its header declares {frames:0f} time points, and only the first {whole:0f} are there in full.</source>
+        <translation>Die Datei bricht ab: Der Header nennt {frames:0f} Zeitpunkte, und nur die ersten {whole:0f} sind vollständig da.</translation>
+    </message>
+    <message>
+        <source>1 file of DICOM in the folder is without an image and left out.</source>
+        <translation>1 DICOM-Datei im Ordner hat kein Bild und bleibt außer Acht.</translation>
+    </message>
+    <message>
+        <source>{files:0f} files of DICOM in the folder are without an image and left out.</source>
+        <translation>{files:0f} DICOM-Dateien im Ordner haben kein Bild und bleiben außer Acht.</translation>
+    </message>
+    <message>
+        <source>1 file of other series is truncated or damaged.</source>
+        <translation>1 Datei anderer Serien ist abgeschnitten oder beschädigt.</translation>
+    </message>
+    <message>
+        <source>{files:0f} files of other series are truncated or damaged.</source>
+        <translation>{files:0f} Dateien anderer Serien sind abgeschnitten oder beschädigt.</translation>
+    </message>
+    <message>
+        <source>1 file in the folder is not DICOM and left out: {names}.</source>
+        <translation>1 Datei im Ordner ist nicht DICOM und bleibt außer Acht: {names}.</translation>
+    </message>
+    <message>
+        <source>{files:0f} files in the folder are not DICOM and left out: {names}.</source>
+        <translation>{files:0f} Dateien im Ordner sind nicht DICOM und bleiben außer Acht: {names}.</translation>
+    </message>
+    <message>
+        <source>{files:0f} files in the folder are not DICOM and left out: {names} and {more:0f} more.</source>
+        <translation>{files:0f} Dateien im Ordner sind nicht DICOM und bleiben außer Acht: {names} und {more:0f} weitere.</translation>
+    </message>
+    <message>
+        <source>1 file in the folder is not DICOM and left out.</source>
+        <translation>1 Datei im Ordner ist nicht DICOM und bleibt außer Acht.</translation>
+    </message>
+    <message>
+        <source>{files:0f} files in the folder are not DICOM and left out.</source>
+        <translation>{files:0f} Dateien im Ordner sind nicht DICOM und bleiben außer Acht.</translation>
+    </message>
+    <message>
+        <source>Its stacks of one pitch each are to be had alone: {list}.</source>
+        <translation>Die Stapel mit je einem Schichtabstand sind einzeln zu haben: {list}.</translation>
+    </message>
+    <message>
+        <source>Its stacks of one pitch each are to be had alone.</source>
+        <translation>Die Stapel mit je einem Schichtabstand sind einzeln zu haben.</translation>
+    </message>
+    <message>
+        <source>Nothing is chosen: {cause}.</source>
+        <translation>Es ist nichts gewählt: {cause}.</translation>
+    </message>
+    <message>
+        <source>{series} ({what}1 file, {size} voxels of {spacing_mm: 4g} mm)</source>
+        <translation>{series} ({what}1 Datei, {size} Voxel von {spacing_mm: 4g} mm)</translation>
+    </message>
+    <message>
+        <source>{series} ({what}{files:0f} files, {size} voxels of {spacing_mm: 4g} mm)</source>
+        <translation>{series} ({what}{files:0f} Dateien, {size} Voxel von {spacing_mm: 4g} mm)</translation>
+    </message>
+    <message>
+        <source>{series} ({what}1 file, no volume)</source>
+        <translation>{series} ({what}1 Datei, kein Bildvolumen)</translation>
+    </message>
+    <message>
+        <source>{series} ({what}{files:0f} files, no volume)</source>
+        <translation>{series} ({what}{files:0f} Dateien, kein Bildvolumen)</translation>
+    </message>
+    <message>
+        <source>{cause}.</source>
+        <translation>{cause}.</translation>
+    </message>
+    <message>
+        <source>{object}: {cause}</source>
+        <translation>{object}: {cause}</translation>
+    </message>
+    <message>
+        <source>{object} is empty: there are no distances.</source>
+        <translation>{object} ist leer: Es gibt keine Abstände.</translation>
+    </message>
+    <message>
+        <source>{object} is not closed: it has no volume, and there is no Dice coefficient. Distances are measured from and to what there is of its surface.</source>
+        <translation>{object} ist nicht geschlossen: Das Volumen fehlt, und es gibt keinen Dice-Koeffizienten. Abstände werden von und zu dem gemessen, was von der Oberfläche da ist.</translation>
+    </message>
+    <message>
+        <source>{object} is closed, but not all of its faces are oriented alike: it has no volume, and there is no Dice coefficient.</source>
+        <translation>{object} ist geschlossen, aber nicht alle Flächen sind gleich orientiert: Das Volumen fehlt, und es gibt keinen Dice-Koeffizienten.</translation>
+    </message>
+    <message>
+        <source>{object} is not a manifold: its genus and cavities cannot be counted.</source>
+        <translation>{object} ist keine Mannigfaltigkeit: Geschlecht und Hohlräume lassen sich nicht zählen.</translation>
+    </message>
+    <message>
+        <source>{object} is inside out; it was turned.</source>
+        <translation>{object} ist von innen nach außen gekehrt und wurde umgedreht.</translation>
+    </message>
+    <message>
+        <source>A and B do not overlap: their surfaces are {apart_mm:4g} mm apart, the centres of their boxes {centres_mm:4g} mm.</source>
+        <translation>A und B überlappen nicht: Ihre Oberflächen sind {apart_mm:4g} mm voneinander entfernt, die Mitten ihrer Quader {centres_mm:4g} mm.</translation>
+    </message>
+    <message>
+        <source>A and B do not overlap: their surfaces are {apart_mm:4g} mm apart, the centres of their boxes {centres_mm:4g} mm. With the signs of x and y turned in one of them they would meet: is one in RAS and does not say so?</source>
+        <translation>A und B überlappen nicht: Ihre Oberflächen sind {apart_mm:4g} mm voneinander entfernt, die Mitten ihrer Quader {centres_mm:4g} mm. Mit umgekehrten Vorzeichen von x und y in einem der beiden würden sie sich treffen: Ist eines in RAS und sagt es nicht?</translation>
+    </message>
+    <message>
+        <source>A part of the surface lies outside of the volume, and intensities are of the rest.</source>
+        <translation>Ein Teil der Oberfläche liegt außerhalb des Bildvolumens, und die Intensitäten sind die des übrigen.</translation>
+    </message>
+    <message>
+        <source>{voxels:0f} voxels inside have no finite value and do not count.</source>
+        <translation>{voxels:0f} Voxel darin haben keinen endlichen Wert und zählen nicht.</translation>
+    </message>
+    <message>
+        <source>No voxel with a value has its centre inside.</source>
+        <translation>Von keinem Voxel mit einem Wert liegt die Mitte darin.</translation>
+    </message>
+    <message>
+        <source>“{object}” has no cavity, and so no wall around one.</source>
+        <translation>„{object}“ hat keinen Hohlraum und daher keine Wand um einen.</translation>
+    </message>
+    <message>
+        <source>Positions are in the frame of the ultrasound volume, not of the patient: its axes are taken as LPS.</source>
+        <translation>Die Positionen beziehen sich auf das Ultraschallvolumen, nicht auf den Patienten: Seine Achsen werden als LPS verstanden.</translation>
+    </message>
+    <message>
+        <source>MONOCHROME1: low values are bright on a display.</source>
+        <translation>MONOCHROME1: Niedrige Werte sind auf einer Anzeige hell.</translation>
+    </message>
+    <message>
+        <source>it holds several series or stacks, choose one in step 1, Open</source>
+        <translation>darin sind mehrere Serien oder Stapel, wählen Sie in Schritt 1, Öffnen</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>
-    <message>
-        <source>set the range in step 3, Tune</source>
-        <translation>geben Sie den Bereich in Schritt 3, Anpassen, vor</translation>
-    </message>
-    <message>
-        <source>until it is entered in step 1, Open</source>
-        <translation>bis sie in Schritt 1, Öffnen, eingegeben ist</translation>
-    </message>
-    <message>
-        <source>enter their spacing in step 1, Open</source>
-        <translation>geben Sie ihren Abstand in Schritt 1, Öffnen, ein</translation>
-    </message>
-    <message>
-        <source>stack %1</source>
-        <translation>Stapel %1</translation>
-    </message>
     <message>
         <source> More in the step Open.</source>
         <translation> Mehr im Schritt Öffnen.</translation>
@@ -1568,10 +1804,6 @@
     <message>
         <source>Something went wrong that has no name.</source>
         <translation>Etwas ohne Namen ist schiefgegangen.</translation>
-    </message>
-    <message>
-        <source>“%1” has no cavity, and so no wall around one.</source>
-        <translation>„%1“ hat keinen Hohlraum und daher keine Wand um einen.</translation>
     </message>
     <message>
         <source>There is no surface yet: grow one first.</source>

@@ -1055,18 +1055,6 @@
         <translation>sus cortes están desplazados entre sí {shift_mm:4g} mm, más que su separación; no es una inclinación del gantry</translation>
     </message>
     <message>
-        <source>its slices are unevenly spaced ({gaps})</source>
-        <translation>sus cortes están espaciados de forma desigual ({gaps})</translation>
-    </message>
-    <message>
-        <source>its slices are unevenly spaced ({gaps}), 1 seems to be missing</source>
-        <translation>sus cortes están espaciados de forma desigual ({gaps}); parece faltar 1</translation>
-    </message>
-    <message>
-        <source>its slices are unevenly spaced ({gaps}), {missing:0f} seem to be missing</source>
-        <translation>sus cortes están espaciados de forma desigual ({gaps}); parecen faltar {missing:0f}</translation>
-    </message>
-    <message>
         <source>{cause}, too unevenly to resample</source>
         <translation>{cause}, demasiado desigual para remuestrear</translation>
     </message>
@@ -1482,25 +1470,273 @@
         <source>it holds several series or stacks, choose one with --series</source>
         <translation>contiene varias series o pilas, elija una con --series</translation>
     </message>
+    <message>
+        <source>There are {frames:0f} time points; frame 0 is used (step 1, Open, chooses another).</source>
+        <translation>Hay {frames:0f} instantes; se usa el fotograma 0 (el paso 1, Abrir, elige otro).</translation>
+    </message>
+    <message>
+        <source>The volume is uncalibrated: its file does not give the spacing, 1 mm is assumed where it is missing, and lengths and volumes mean nothing until it is entered in step 1, Open.</source>
+        <translation>El volumen está sin calibrar: su archivo no da el espaciado, se supone 1 mm donde falta, y longitudes y volúmenes no significan nada hasta que se introduzca en el paso 1, Abrir.</translation>
+    </message>
+    <message>
+        <source>stack {stack:0f} ({slices:0f} slices)</source>
+        <translation>pila {stack:0f} ({slices:0f} cortes)</translation>
+    </message>
+    <message>
+        <source>it holds {series:0f} series or stacks, choose one in step 1, Open: {choices}</source>
+        <translation>contiene {series:0f} series o pilas, elija una en el paso 1, Abrir: {choices}</translation>
+    </message>
+    <message>
+        <source>No point of the lattice lies in A or B: there is no Dice coefficient.</source>
+        <translation>Ningún punto de la cuadrícula está en A o B: no hay coeficiente de Dice.</translation>
+    </message>
+    <message>
+        <source>its slices are unevenly spaced ({list})</source>
+        <translation>sus cortes están espaciados de forma desigual ({list})</translation>
+    </message>
+    <message>
+        <source>its slices are unevenly spaced ({list}), 1 seems to be missing</source>
+        <translation>sus cortes están espaciados de forma desigual ({list}); parece faltar 1</translation>
+    </message>
+    <message>
+        <source>its slices are unevenly spaced ({list}), {missing:0f} seem to be missing</source>
+        <translation>sus cortes están espaciados de forma desigual ({list}); parecen faltar {missing:0f}</translation>
+    </message>
+    <message>
+        <source>1 gap of {gap_mm:4g} mm</source>
+        <translation>1 hueco de {gap_mm:4g} mm</translation>
+    </message>
+    <message>
+        <source>{gaps:0f} gaps of {gap_mm:4g} mm</source>
+        <translation>{gaps:0f} huecos de {gap_mm:4g} mm</translation>
+    </message>
+    <message>
+        <source>{gaps:0f} of {gap_mm:4g} mm</source>
+        <translation>{gaps:0f} de {gap_mm:4g} mm</translation>
+    </message>
+    <message>
+        <source>{gaps:0f} of {gap_mm:4g} mm …</source>
+        <translation>{gaps:0f} de {gap_mm:4g} mm…</translation>
+    </message>
+    <message>
+        <source>Colour was turned into luminance (0.2125 R + 0.7154 G + 0.0721 B).</source>
+        <translation>El color se convirtió en luminancia (0.2125 R + 0.7154 G + 0.0721 B).</translation>
+    </message>
+    <message>
+        <source>The distance unit {unit} is taken as millimetres.</source>
+        <translation>La unidad de distancia {unit} se toma como milímetros.</translation>
+    </message>
+    <message>
+        <source>The space units {units} are taken as millimetres.</source>
+        <translation>Las unidades de espacio {units} se toman como milímetros.</translation>
+    </message>
+    <message>
+        <source>The lengths in the header are in metres and were turned into millimetres.</source>
+        <translation>Las longitudes de la cabecera están en metros y se convirtieron a milímetros.</translation>
+    </message>
+    <message>
+        <source>The lengths in the header are in micrometres and were turned into millimetres.</source>
+        <translation>Las longitudes de la cabecera están en micrómetros y se convirtieron a milímetros.</translation>
+    </message>
+    <message>
+        <source>The header does not say how the volume lies in space (qform and sform codes are 0).</source>
+        <translation>La cabecera no dice cómo está el volumen en el espacio (los códigos de qform y sform son 0).</translation>
+    </message>
+    <message>
+        <source>The header does not say how the volume lies in space; its axes are taken as LPS.</source>
+        <translation>La cabecera no dice cómo está el volumen en el espacio; sus ejes se toman como LPS.</translation>
+    </message>
+    <message>
+        <source>The sform and the qform of the header disagree (by up to {apart_mm:0f} mm); the qform is used.</source>
+        <translation>La sform y la qform de la cabecera no coinciden (hasta {apart_mm:0f} mm); se usa la qform.</translation>
+    </message>
+    <message>
+        <source>TIFF does not say how far apart the slices are nor how they lie; 1 mm and LPS axes are assumed.</source>
+        <translation>TIFF no dice ni la distancia entre los cortes ni cómo están colocados; se suponen 1 mm y ejes LPS.</translation>
+    </message>
+    <message>
+        <source>This is a segmentation: its voxels hold the numbers of the segments.</source>
+        <translation>Es una segmentación: sus vóxeles contienen los números de los segmentos.</translation>
+    </message>
+    <message>
+        <source>The spacing was given by the user; the file says {x_mm:4g} mm, {y_mm:4g} mm, {z_mm:4g} mm.</source>
+        <translation>El espaciado lo dio el usuario; el archivo dice {x_mm:4g} mm, {y_mm:4g} mm, {z_mm:4g} mm.</translation>
+    </message>
+    <message>
+        <source>{none:0f} of {voxels:0f} voxels are not a number: they count as outside of the field of view.</source>
+        <translation>{none:0f} de {voxels:0f} vóxeles no son un número: cuentan como fuera del campo de visión.</translation>
+    </message>
+    <message>
+        <source>1 slice is a copy of another and was left out.</source>
+        <translation>1 corte es copia de otro y se omitió.</translation>
+    </message>
+    <message>
+        <source>{copies:0f} slices are copies of others and were left out.</source>
+        <translation>{copies:0f} cortes son copias de otros y se omitieron.</translation>
+    </message>
+    <message>
+        <source>The slices are tilted by {degrees:1f} degrees (gantry tilt) and were resampled to a straight grid.</source>
+        <translation>Los cortes están inclinados {degrees:1f} grados (inclinación del gantry) y se remuestrearon en una cuadrícula recta.</translation>
+    </message>
+    <message>
+        <source>The slices are unevenly spaced ({list}); they were resampled to a distance of {spacing_mm:4g} mm. What lies in the gaps is interpolated.</source>
+        <translation>Los cortes están espaciados de forma desigual ({list}); se remuestrearon a una distancia de {spacing_mm:4g} mm. Lo que hay en los huecos está interpolado.</translation>
+    </message>
+    <message>
+        <source>The slices are unevenly spaced ({list}), 1 seems to be missing; they were resampled to a distance of {spacing_mm:4g} mm. What lies in the gaps is interpolated.</source>
+        <translation>Los cortes están espaciados de forma desigual ({list}), parece faltar 1; se remuestrearon a una distancia de {spacing_mm:4g} mm. Lo que hay en los huecos está interpolado.</translation>
+    </message>
+    <message>
+        <source>The slices are unevenly spaced ({list}), {missing:0f} seem to be missing; they were resampled to a distance of {spacing_mm:4g} mm. What lies in the gaps is interpolated.</source>
+        <translation>Los cortes están espaciados de forma desigual ({list}), parecen faltar {missing:0f}; se remuestrearon a una distancia de {spacing_mm:4g} mm. Lo que hay en los huecos está interpolado.</translation>
+    </message>
+    <message>
+        <source>The header does not say where the slices lie; they are taken one behind the other, with LPS axes.</source>
+        <translation>La cabecera no dice dónde están los cortes; se toman uno detrás de otro, con ejes LPS.</translation>
+    </message>
+    <message>
+        <source>The file does not say how the volume lies in the patient: columns are taken to run to the right, rows to the back and slices downwards.</source>
+        <translation>El archivo no dice cómo está el volumen en el paciente: se supone que las columnas van hacia la derecha, las filas hacia atrás y los cortes hacia abajo.</translation>
+    </message>
+    <message>
+        <source>The file breaks off: its header declares {frames:0f} time points, and only the first one is there in full.</source>
+        <translation>El archivo se interrumpe: su cabecera declara {frames:0f} instantes y solo el primero está completo.</translation>
+    </message>
+    <message>
+        <source>The file breaks off: its header declares {frames:0f} time points, and only the first {whole:0f} are there in full.</source>
+        <translation>El archivo se interrumpe: su cabecera declara {frames:0f} instantes y solo los primeros {whole:0f} están completos.</translation>
+    </message>
+    <message>
+        <source>1 file of DICOM in the folder is without an image and left out.</source>
+        <translation>1 archivo DICOM de la carpeta no tiene imagen y se omite.</translation>
+    </message>
+    <message>
+        <source>{files:0f} files of DICOM in the folder are without an image and left out.</source>
+        <translation>{files:0f} archivos DICOM de la carpeta no tienen imagen y se omiten.</translation>
+    </message>
+    <message>
+        <source>1 file of other series is truncated or damaged.</source>
+        <translation>1 archivo de otras series está truncado o dañado.</translation>
+    </message>
+    <message>
+        <source>{files:0f} files of other series are truncated or damaged.</source>
+        <translation>{files:0f} archivos de otras series están truncados o dañados.</translation>
+    </message>
+    <message>
+        <source>1 file in the folder is not DICOM and left out: {names}.</source>
+        <translation>1 archivo de la carpeta no es DICOM y se omite: {names}.</translation>
+    </message>
+    <message>
+        <source>{files:0f} files in the folder are not DICOM and left out: {names}.</source>
+        <translation>{files:0f} archivos de la carpeta no son DICOM y se omiten: {names}.</translation>
+    </message>
+    <message>
+        <source>{files:0f} files in the folder are not DICOM and left out: {names} and {more:0f} more.</source>
+        <translation>{files:0f} archivos de la carpeta no son DICOM y se omiten: {names} y {more:0f} más.</translation>
+    </message>
+    <message>
+        <source>1 file in the folder is not DICOM and left out.</source>
+        <translation>1 archivo de la carpeta no es DICOM y se omite.</translation>
+    </message>
+    <message>
+        <source>{files:0f} files in the folder are not DICOM and left out.</source>
+        <translation>{files:0f} archivos de la carpeta no son DICOM y se omiten.</translation>
+    </message>
+    <message>
+        <source>Its stacks of one pitch each are to be had alone: {list}.</source>
+        <translation>Sus pilas de un único espaciado entre cortes se pueden abrir por separado: {list}.</translation>
+    </message>
+    <message>
+        <source>Its stacks of one pitch each are to be had alone.</source>
+        <translation>Sus pilas de un único espaciado entre cortes se pueden abrir por separado.</translation>
+    </message>
+    <message>
+        <source>Nothing is chosen: {cause}.</source>
+        <translation>No hay nada elegido: {cause}.</translation>
+    </message>
+    <message>
+        <source>{series} ({what}1 file, {size} voxels of {spacing_mm: 4g} mm)</source>
+        <translation>{series} ({what}1 archivo, {size} vóxeles de {spacing_mm: 4g} mm)</translation>
+    </message>
+    <message>
+        <source>{series} ({what}{files:0f} files, {size} voxels of {spacing_mm: 4g} mm)</source>
+        <translation>{series} ({what}{files:0f} archivos, {size} vóxeles de {spacing_mm: 4g} mm)</translation>
+    </message>
+    <message>
+        <source>{series} ({what}1 file, no volume)</source>
+        <translation>{series} ({what}1 archivo, sin volumen)</translation>
+    </message>
+    <message>
+        <source>{series} ({what}{files:0f} files, no volume)</source>
+        <translation>{series} ({what}{files:0f} archivos, sin volumen)</translation>
+    </message>
+    <message>
+        <source>{cause}.</source>
+        <translation>{cause}.</translation>
+    </message>
+    <message>
+        <source>{object}: {cause}</source>
+        <translation>{object}: {cause}</translation>
+    </message>
+    <message>
+        <source>{object} is empty: there are no distances.</source>
+        <translation>{object} está vacío: no hay distancias.</translation>
+    </message>
+    <message>
+        <source>{object} is not closed: it has no volume, and there is no Dice coefficient. Distances are measured from and to what there is of its surface.</source>
+        <translation>{object} no está cerrado: no tiene volumen y no hay coeficiente de Dice. Las distancias se miden desde y hasta lo que hay de su superficie.</translation>
+    </message>
+    <message>
+        <source>{object} is closed, but not all of its faces are oriented alike: it has no volume, and there is no Dice coefficient.</source>
+        <translation>{object} está cerrado, pero no todas sus caras están orientadas por igual: no tiene volumen y no hay coeficiente de Dice.</translation>
+    </message>
+    <message>
+        <source>{object} is not a manifold: its genus and cavities cannot be counted.</source>
+        <translation>{object} no es una variedad: su género y sus cavidades no se pueden contar.</translation>
+    </message>
+    <message>
+        <source>{object} is inside out; it was turned.</source>
+        <translation>{object} está del revés; se le dio la vuelta.</translation>
+    </message>
+    <message>
+        <source>A and B do not overlap: their surfaces are {apart_mm:4g} mm apart, the centres of their boxes {centres_mm:4g} mm.</source>
+        <translation>A y B no se solapan: sus superficies están a {apart_mm:4g} mm, los centros de sus cajas a {centres_mm:4g} mm.</translation>
+    </message>
+    <message>
+        <source>A and B do not overlap: their surfaces are {apart_mm:4g} mm apart, the centres of their boxes {centres_mm:4g} mm. With the signs of x and y turned in one of them they would meet: is one in RAS and does not say so?</source>
+        <translation>A y B no se solapan: sus superficies están a {apart_mm:4g} mm, los centros de sus cajas a {centres_mm:4g} mm. Con los signos de x e y cambiados en uno de ellos se encontrarían: ¿está uno en RAS sin decirlo?</translation>
+    </message>
+    <message>
+        <source>A part of the surface lies outside of the volume, and intensities are of the rest.</source>
+        <translation>Una parte de la superficie está fuera del volumen y las intensidades son las del resto.</translation>
+    </message>
+    <message>
+        <source>{voxels:0f} voxels inside have no finite value and do not count.</source>
+        <translation>{voxels:0f} vóxeles del interior no tienen valor finito y no cuentan.</translation>
+    </message>
+    <message>
+        <source>No voxel with a value has its centre inside.</source>
+        <translation>Ningún vóxel con valor tiene su centro en el interior.</translation>
+    </message>
+    <message>
+        <source>“{object}” has no cavity, and so no wall around one.</source>
+        <translation>«{object}» no tiene cavidad y, por tanto, ninguna pared a su alrededor.</translation>
+    </message>
+    <message>
+        <source>Positions are in the frame of the ultrasound volume, not of the patient: its axes are taken as LPS.</source>
+        <translation>Las posiciones se refieren al volumen de ecografía, no al paciente: sus ejes se toman como LPS.</translation>
+    </message>
+    <message>
+        <source>MONOCHROME1: low values are bright on a display.</source>
+        <translation>MONOCHROME1: los valores bajos se ven claros en pantalla.</translation>
+    </message>
+    <message>
+        <source>it holds several series or stacks, choose one in step 1, Open</source>
+        <translation>contiene varias series o pilas, elija una en el paso 1, Abrir</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>
-    <message>
-        <source>set the range in step 3, Tune</source>
-        <translation>fije el intervalo en el paso 3, Ajustar</translation>
-    </message>
-    <message>
-        <source>until it is entered in step 1, Open</source>
-        <translation>hasta que se introduzca en el paso 1, Abrir</translation>
-    </message>
-    <message>
-        <source>enter their spacing in step 1, Open</source>
-        <translation>introduzca su espaciado en el paso 1, Abrir</translation>
-    </message>
-    <message>
-        <source>stack %1</source>
-        <translation>pila %1</translation>
-    </message>
     <message>
         <source> More in the step Open.</source>
         <translation> Más en el paso Abrir.</translation>
@@ -1568,10 +1804,6 @@
     <message>
         <source>Something went wrong that has no name.</source>
         <translation>Algo sin nombre salió mal.</translation>
-    </message>
-    <message>
-        <source>“%1” has no cavity, and so no wall around one.</source>
-        <translation>«%1» no tiene cavidad y, por tanto, ninguna pared a su alrededor.</translation>
     </message>
     <message>
         <source>There is no surface yet: grow one first.</source>

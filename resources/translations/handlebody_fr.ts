@@ -1055,18 +1055,6 @@
         <translation>ses coupes sont décalées les unes par rapport aux autres de {shift_mm:4g} mm, plus que leur écart ; ce n’est pas une inclinaison du statif</translation>
     </message>
     <message>
-        <source>its slices are unevenly spaced ({gaps})</source>
-        <translation>ses coupes sont inégalement espacées ({gaps})</translation>
-    </message>
-    <message>
-        <source>its slices are unevenly spaced ({gaps}), 1 seems to be missing</source>
-        <translation>ses coupes sont inégalement espacées ({gaps}), il semble en manquer 1</translation>
-    </message>
-    <message>
-        <source>its slices are unevenly spaced ({gaps}), {missing:0f} seem to be missing</source>
-        <translation>ses coupes sont inégalement espacées ({gaps}), il semble en manquer {missing:0f}</translation>
-    </message>
-    <message>
         <source>{cause}, too unevenly to resample</source>
         <translation>{cause}, trop inégalement pour un rééchantillonnage</translation>
     </message>
@@ -1482,25 +1470,273 @@
         <source>it holds several series or stacks, choose one with --series</source>
         <translation>plusieurs séries ou piles sont présentes, choisissez-en une avec --series</translation>
     </message>
+    <message>
+        <source>There are {frames:0f} time points; frame 0 is used (step 1, Open, chooses another).</source>
+        <translation>Il y a {frames:0f} instants ; l’image 0 est utilisée (l’étape 1, Ouvrir, en choisit une autre).</translation>
+    </message>
+    <message>
+        <source>The volume is uncalibrated: its file does not give the spacing, 1 mm is assumed where it is missing, and lengths and volumes mean nothing until it is entered in step 1, Open.</source>
+        <translation>Le volume n’est pas calibré : son fichier ne donne pas l’espacement, 1 mm est supposé là où il manque, et longueurs et volumes ne signifient rien tant qu’il n’est pas saisi à l’étape 1, Ouvrir.</translation>
+    </message>
+    <message>
+        <source>stack {stack:0f} ({slices:0f} slices)</source>
+        <translation>pile {stack:0f} ({slices:0f} coupes)</translation>
+    </message>
+    <message>
+        <source>it holds {series:0f} series or stacks, choose one in step 1, Open: {choices}</source>
+        <translation>il contient {series:0f} séries ou piles, choisissez-en une à l’étape 1, Ouvrir : {choices}</translation>
+    </message>
+    <message>
+        <source>No point of the lattice lies in A or B: there is no Dice coefficient.</source>
+        <translation>Aucun point de la grille n’est dans A ou B : il n’y a pas de coefficient de Dice.</translation>
+    </message>
+    <message>
+        <source>its slices are unevenly spaced ({list})</source>
+        <translation>ses coupes sont inégalement espacées ({list})</translation>
+    </message>
+    <message>
+        <source>its slices are unevenly spaced ({list}), 1 seems to be missing</source>
+        <translation>ses coupes sont inégalement espacées ({list}), il semble en manquer 1</translation>
+    </message>
+    <message>
+        <source>its slices are unevenly spaced ({list}), {missing:0f} seem to be missing</source>
+        <translation>ses coupes sont inégalement espacées ({list}), il semble en manquer {missing:0f}</translation>
+    </message>
+    <message>
+        <source>1 gap of {gap_mm:4g} mm</source>
+        <translation>1 écart de {gap_mm:4g} mm</translation>
+    </message>
+    <message>
+        <source>{gaps:0f} gaps of {gap_mm:4g} mm</source>
+        <translation>{gaps:0f} écarts de {gap_mm:4g} mm</translation>
+    </message>
+    <message>
+        <source>{gaps:0f} of {gap_mm:4g} mm</source>
+        <translation>{gaps:0f} de {gap_mm:4g} mm</translation>
+    </message>
+    <message>
+        <source>{gaps:0f} of {gap_mm:4g} mm …</source>
+        <translation>{gaps:0f} de {gap_mm:4g} mm …</translation>
+    </message>
+    <message>
+        <source>Colour was turned into luminance (0.2125 R + 0.7154 G + 0.0721 B).</source>
+        <translation>La couleur a été convertie en luminance (0.2125 R + 0.7154 G + 0.0721 B).</translation>
+    </message>
+    <message>
+        <source>The distance unit {unit} is taken as millimetres.</source>
+        <translation>L’unité de distance {unit} est prise pour des millimètres.</translation>
+    </message>
+    <message>
+        <source>The space units {units} are taken as millimetres.</source>
+        <translation>Les unités d’espace {units} sont prises pour des millimètres.</translation>
+    </message>
+    <message>
+        <source>The lengths in the header are in metres and were turned into millimetres.</source>
+        <translation>Les longueurs de l’en-tête sont en mètres et ont été converties en millimètres.</translation>
+    </message>
+    <message>
+        <source>The lengths in the header are in micrometres and were turned into millimetres.</source>
+        <translation>Les longueurs de l’en-tête sont en micromètres et ont été converties en millimètres.</translation>
+    </message>
+    <message>
+        <source>The header does not say how the volume lies in space (qform and sform codes are 0).</source>
+        <translation>L’en-tête ne dit pas comment le volume est placé dans l’espace (les codes de qform et de sform sont 0).</translation>
+    </message>
+    <message>
+        <source>The header does not say how the volume lies in space; its axes are taken as LPS.</source>
+        <translation>L’en-tête ne dit pas comment le volume est placé dans l’espace ; ses axes sont pris comme LPS.</translation>
+    </message>
+    <message>
+        <source>The sform and the qform of the header disagree (by up to {apart_mm:0f} mm); the qform is used.</source>
+        <translation>La sform et la qform de l’en-tête se contredisent (de {apart_mm:0f} mm au plus) ; la qform est utilisée.</translation>
+    </message>
+    <message>
+        <source>TIFF does not say how far apart the slices are nor how they lie; 1 mm and LPS axes are assumed.</source>
+        <translation>TIFF ne dit ni l’écart entre les coupes ni leur placement ; 1 mm et des axes LPS sont supposés.</translation>
+    </message>
+    <message>
+        <source>This is a segmentation: its voxels hold the numbers of the segments.</source>
+        <translation>C’est une segmentation : ses voxels contiennent les numéros des segments.</translation>
+    </message>
+    <message>
+        <source>The spacing was given by the user; the file says {x_mm:4g} mm, {y_mm:4g} mm, {z_mm:4g} mm.</source>
+        <translation>L’espacement a été donné par l’utilisateur ; le fichier indique {x_mm:4g} mm, {y_mm:4g} mm, {z_mm:4g} mm.</translation>
+    </message>
+    <message>
+        <source>{none:0f} of {voxels:0f} voxels are not a number: they count as outside of the field of view.</source>
+        <translation>{none:0f} voxels sur {voxels:0f} ne sont pas un nombre : ils comptent comme hors du champ de vue.</translation>
+    </message>
+    <message>
+        <source>1 slice is a copy of another and was left out.</source>
+        <translation>1 coupe est la copie d’une autre et a été laissée de côté.</translation>
+    </message>
+    <message>
+        <source>{copies:0f} slices are copies of others and were left out.</source>
+        <translation>{copies:0f} coupes sont des copies d’autres et ont été laissées de côté.</translation>
+    </message>
+    <message>
+        <source>The slices are tilted by {degrees:1f} degrees (gantry tilt) and were resampled to a straight grid.</source>
+        <translation>Les coupes sont inclinées de {degrees:1f} degrés (inclinaison du statif) et ont été rééchantillonnées sur une grille droite.</translation>
+    </message>
+    <message>
+        <source>The slices are unevenly spaced ({list}); they were resampled to a distance of {spacing_mm:4g} mm. What lies in the gaps is interpolated.</source>
+        <translation>Les coupes sont inégalement espacées ({list}) ; elles ont été rééchantillonnées à un écart de {spacing_mm:4g} mm. Ce qui se trouve dans les intervalles est interpolé.</translation>
+    </message>
+    <message>
+        <source>The slices are unevenly spaced ({list}), 1 seems to be missing; they were resampled to a distance of {spacing_mm:4g} mm. What lies in the gaps is interpolated.</source>
+        <translation>Les coupes sont inégalement espacées ({list}), il semble en manquer 1 ; elles ont été rééchantillonnées à un écart de {spacing_mm:4g} mm. Ce qui se trouve dans les intervalles est interpolé.</translation>
+    </message>
+    <message>
+        <source>The slices are unevenly spaced ({list}), {missing:0f} seem to be missing; they were resampled to a distance of {spacing_mm:4g} mm. What lies in the gaps is interpolated.</source>
+        <translation>Les coupes sont inégalement espacées ({list}), il semble en manquer {missing:0f} ; elles ont été rééchantillonnées à un écart de {spacing_mm:4g} mm. Ce qui se trouve dans les intervalles est interpolé.</translation>
+    </message>
+    <message>
+        <source>The header does not say where the slices lie; they are taken one behind the other, with LPS axes.</source>
+        <translation>L’en-tête ne dit pas où se trouvent les coupes ; elles sont prises l’une derrière l’autre, avec des axes LPS.</translation>
+    </message>
+    <message>
+        <source>The file does not say how the volume lies in the patient: columns are taken to run to the right, rows to the back and slices downwards.</source>
+        <translation>Le fichier ne dit pas comment le volume est placé dans le patient : les colonnes sont supposées aller vers la droite, les lignes vers l’arrière et les coupes vers le bas.</translation>
+    </message>
+    <message>
+        <source>The file breaks off: its header declares {frames:0f} time points, and only the first one is there in full.</source>
+        <translation>Le fichier s’interrompt : son en-tête déclare {frames:0f} instants, et seul le premier est complet.</translation>
+    </message>
+    <message>
+        <source>The file breaks off: its header declares {frames:0f} time points, and only the first {whole:0f} are there in full.</source>
+        <translation>Le fichier s’interrompt : son en-tête déclare {frames:0f} instants, et seuls les {whole:0f} premiers sont complets.</translation>
+    </message>
+    <message>
+        <source>1 file of DICOM in the folder is without an image and left out.</source>
+        <translation>1 fichier DICOM du dossier est sans image et laissé de côté.</translation>
+    </message>
+    <message>
+        <source>{files:0f} files of DICOM in the folder are without an image and left out.</source>
+        <translation>{files:0f} fichiers DICOM du dossier sont sans image et laissés de côté.</translation>
+    </message>
+    <message>
+        <source>1 file of other series is truncated or damaged.</source>
+        <translation>1 fichier d’autres séries est tronqué ou endommagé.</translation>
+    </message>
+    <message>
+        <source>{files:0f} files of other series are truncated or damaged.</source>
+        <translation>{files:0f} fichiers d’autres séries sont tronqués ou endommagés.</translation>
+    </message>
+    <message>
+        <source>1 file in the folder is not DICOM and left out: {names}.</source>
+        <translation>1 fichier du dossier n’est pas DICOM et est laissé de côté : {names}.</translation>
+    </message>
+    <message>
+        <source>{files:0f} files in the folder are not DICOM and left out: {names}.</source>
+        <translation>{files:0f} fichiers du dossier ne sont pas DICOM et sont laissés de côté : {names}.</translation>
+    </message>
+    <message>
+        <source>{files:0f} files in the folder are not DICOM and left out: {names} and {more:0f} more.</source>
+        <translation>{files:0f} fichiers du dossier ne sont pas DICOM et sont laissés de côté : {names} et {more:0f} de plus.</translation>
+    </message>
+    <message>
+        <source>1 file in the folder is not DICOM and left out.</source>
+        <translation>1 fichier du dossier n’est pas DICOM et est laissé de côté.</translation>
+    </message>
+    <message>
+        <source>{files:0f} files in the folder are not DICOM and left out.</source>
+        <translation>{files:0f} fichiers du dossier ne sont pas DICOM et sont laissés de côté.</translation>
+    </message>
+    <message>
+        <source>Its stacks of one pitch each are to be had alone: {list}.</source>
+        <translation>Ses piles à un seul écart entre coupes peuvent s’ouvrir seules : {list}.</translation>
+    </message>
+    <message>
+        <source>Its stacks of one pitch each are to be had alone.</source>
+        <translation>Ses piles à un seul écart entre coupes peuvent s’ouvrir seules.</translation>
+    </message>
+    <message>
+        <source>Nothing is chosen: {cause}.</source>
+        <translation>Rien n’est choisi : {cause}.</translation>
+    </message>
+    <message>
+        <source>{series} ({what}1 file, {size} voxels of {spacing_mm: 4g} mm)</source>
+        <translation>{series} ({what}1 fichier, {size} voxels de {spacing_mm: 4g} mm)</translation>
+    </message>
+    <message>
+        <source>{series} ({what}{files:0f} files, {size} voxels of {spacing_mm: 4g} mm)</source>
+        <translation>{series} ({what}{files:0f} fichiers, {size} voxels de {spacing_mm: 4g} mm)</translation>
+    </message>
+    <message>
+        <source>{series} ({what}1 file, no volume)</source>
+        <translation>{series} ({what}1 fichier, pas de volume)</translation>
+    </message>
+    <message>
+        <source>{series} ({what}{files:0f} files, no volume)</source>
+        <translation>{series} ({what}{files:0f} fichiers, pas de volume)</translation>
+    </message>
+    <message>
+        <source>{cause}.</source>
+        <translation>{cause}.</translation>
+    </message>
+    <message>
+        <source>{object}: {cause}</source>
+        <translation>{object} : {cause}</translation>
+    </message>
+    <message>
+        <source>{object} is empty: there are no distances.</source>
+        <translation>{object} est vide : il n’y a pas de distances.</translation>
+    </message>
+    <message>
+        <source>{object} is not closed: it has no volume, and there is no Dice coefficient. Distances are measured from and to what there is of its surface.</source>
+        <translation>{object} n’est pas fermé : il n’a pas de volume, et il n’y a pas de coefficient de Dice. Les distances sont mesurées depuis et vers ce qui existe de sa surface.</translation>
+    </message>
+    <message>
+        <source>{object} is closed, but not all of its faces are oriented alike: it has no volume, and there is no Dice coefficient.</source>
+        <translation>{object} est fermé, mais toutes ses faces ne sont pas orientées de la même façon : il n’a pas de volume, et il n’y a pas de coefficient de Dice.</translation>
+    </message>
+    <message>
+        <source>{object} is not a manifold: its genus and cavities cannot be counted.</source>
+        <translation>{object} n’est pas une variété : son genre et ses cavités ne peuvent pas être comptés.</translation>
+    </message>
+    <message>
+        <source>{object} is inside out; it was turned.</source>
+        <translation>{object} est à l’envers ; il a été retourné.</translation>
+    </message>
+    <message>
+        <source>A and B do not overlap: their surfaces are {apart_mm:4g} mm apart, the centres of their boxes {centres_mm:4g} mm.</source>
+        <translation>A et B ne se recouvrent pas : leurs surfaces sont à {apart_mm:4g} mm l’une de l’autre, les centres de leurs boîtes à {centres_mm:4g} mm.</translation>
+    </message>
+    <message>
+        <source>A and B do not overlap: their surfaces are {apart_mm:4g} mm apart, the centres of their boxes {centres_mm:4g} mm. With the signs of x and y turned in one of them they would meet: is one in RAS and does not say so?</source>
+        <translation>A et B ne se recouvrent pas : leurs surfaces sont à {apart_mm:4g} mm l’une de l’autre, les centres de leurs boîtes à {centres_mm:4g} mm. Avec les signes de x et de y inversés dans l’un des deux, ils se rencontreraient : l’un est-il en RAS sans le dire ?</translation>
+    </message>
+    <message>
+        <source>A part of the surface lies outside of the volume, and intensities are of the rest.</source>
+        <translation>Une partie de la surface est hors du volume, et les intensités sont celles du reste.</translation>
+    </message>
+    <message>
+        <source>{voxels:0f} voxels inside have no finite value and do not count.</source>
+        <translation>{voxels:0f} voxels à l’intérieur n’ont pas de valeur finie et ne comptent pas.</translation>
+    </message>
+    <message>
+        <source>No voxel with a value has its centre inside.</source>
+        <translation>Aucun voxel ayant une valeur n’a son centre à l’intérieur.</translation>
+    </message>
+    <message>
+        <source>“{object}” has no cavity, and so no wall around one.</source>
+        <translation>« {object} » n’a pas de cavité, donc pas de paroi autour.</translation>
+    </message>
+    <message>
+        <source>Positions are in the frame of the ultrasound volume, not of the patient: its axes are taken as LPS.</source>
+        <translation>Les positions se rapportent au volume échographique, pas au patient : ses axes sont pris comme LPS.</translation>
+    </message>
+    <message>
+        <source>MONOCHROME1: low values are bright on a display.</source>
+        <translation>MONOCHROME1 : les valeurs basses sont claires à l’affichage.</translation>
+    </message>
+    <message>
+        <source>it holds several series or stacks, choose one in step 1, Open</source>
+        <translation>il contient plusieurs séries ou piles, choisissez-en une à l’étape 1, Ouvrir</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>
-    <message>
-        <source>set the range in step 3, Tune</source>
-        <translation>fixez l’intervalle à l’étape 3, Régler</translation>
-    </message>
-    <message>
-        <source>until it is entered in step 1, Open</source>
-        <translation>jusqu’à ce qu’il soit saisi à l’étape 1, Ouvrir</translation>
-    </message>
-    <message>
-        <source>enter their spacing in step 1, Open</source>
-        <translation>saisissez leur espacement à l’étape 1, Ouvrir</translation>
-    </message>
-    <message>
-        <source>stack %1</source>
-        <translation>pile %1</translation>
-    </message>
     <message>
         <source> More in the step Open.</source>
         <translation> Plus à l’étape Ouvrir.</translation>
@@ -1568,10 +1804,6 @@
     <message>
         <source>Something went wrong that has no name.</source>
         <translation>Une erreur sans nom s’est produite.</translation>
-    </message>
-    <message>
-        <source>“%1” has no cavity, and so no wall around one.</source>
-        <translation>« %1 » n’a pas de cavité, donc pas de paroi autour.</translation>
     </message>
     <message>
         <source>There is no surface yet: grow one first.</source>

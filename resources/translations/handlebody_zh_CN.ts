@@ -1055,18 +1055,6 @@
         <translation>各切面彼此错位 {shift_mm:4g} mm，超过层间距；这不是机架倾斜</translation>
     </message>
     <message>
-        <source>its slices are unevenly spaced ({gaps})</source>
-        <translation>各切面间距不均（{gaps}）</translation>
-    </message>
-    <message>
-        <source>its slices are unevenly spaced ({gaps}), 1 seems to be missing</source>
-        <translation>各切面间距不均（{gaps}），似乎缺少 1 层</translation>
-    </message>
-    <message>
-        <source>its slices are unevenly spaced ({gaps}), {missing:0f} seem to be missing</source>
-        <translation>各切面间距不均（{gaps}），似乎缺少 {missing:0f} 层</translation>
-    </message>
-    <message>
         <source>{cause}, too unevenly to resample</source>
         <translation>{cause}，过于不均而无法重采样</translation>
     </message>
@@ -1482,25 +1470,273 @@
         <source>it holds several series or stacks, choose one with --series</source>
         <translation>其中包含多个序列或堆栈，请用 --series 选择一个</translation>
     </message>
+    <message>
+        <source>There are {frames:0f} time points; frame 0 is used (step 1, Open, chooses another).</source>
+        <translation>共有 {frames:0f} 个时间点；使用第 0 帧（可在第 1 步“打开”中另选）。</translation>
+    </message>
+    <message>
+        <source>The volume is uncalibrated: its file does not give the spacing, 1 mm is assumed where it is missing, and lengths and volumes mean nothing until it is entered in step 1, Open.</source>
+        <translation>体数据未校准：其文件未给出间距，缺失处假定为 1 mm；在第 1 步“打开”中输入之前，长度和体积没有意义。</translation>
+    </message>
+    <message>
+        <source>stack {stack:0f} ({slices:0f} slices)</source>
+        <translation>堆栈 {stack:0f}（{slices:0f} 层）</translation>
+    </message>
+    <message>
+        <source>it holds {series:0f} series or stacks, choose one in step 1, Open: {choices}</source>
+        <translation>其中有 {series:0f} 个序列或堆栈，请在第 1 步“打开”中选择一个：{choices}</translation>
+    </message>
+    <message>
+        <source>No point of the lattice lies in A or B: there is no Dice coefficient.</source>
+        <translation>没有网格点位于 A 或 B 内：没有 Dice 系数。</translation>
+    </message>
+    <message>
+        <source>its slices are unevenly spaced ({list})</source>
+        <translation>各切面间距不均（{list}）</translation>
+    </message>
+    <message>
+        <source>its slices are unevenly spaced ({list}), 1 seems to be missing</source>
+        <translation>各切面间距不均（{list}），似乎缺少 1 层</translation>
+    </message>
+    <message>
+        <source>its slices are unevenly spaced ({list}), {missing:0f} seem to be missing</source>
+        <translation>各切面间距不均（{list}），似乎缺少 {missing:0f} 层</translation>
+    </message>
+    <message>
+        <source>1 gap of {gap_mm:4g} mm</source>
+        <translation>1 处 {gap_mm:4g} mm 的间隔</translation>
+    </message>
+    <message>
+        <source>{gaps:0f} gaps of {gap_mm:4g} mm</source>
+        <translation>{gaps:0f} 处 {gap_mm:4g} mm 的间隔</translation>
+    </message>
+    <message>
+        <source>{gaps:0f} of {gap_mm:4g} mm</source>
+        <translation>{gaps:0f} 处 {gap_mm:4g} mm</translation>
+    </message>
+    <message>
+        <source>{gaps:0f} of {gap_mm:4g} mm …</source>
+        <translation>{gaps:0f} 处 {gap_mm:4g} mm……</translation>
+    </message>
+    <message>
+        <source>Colour was turned into luminance (0.2125 R + 0.7154 G + 0.0721 B).</source>
+        <translation>彩色已转换为亮度（0.2125 R + 0.7154 G + 0.0721 B）。</translation>
+    </message>
+    <message>
+        <source>The distance unit {unit} is taken as millimetres.</source>
+        <translation>距离单位 {unit} 按毫米处理。</translation>
+    </message>
+    <message>
+        <source>The space units {units} are taken as millimetres.</source>
+        <translation>空间单位 {units} 按毫米处理。</translation>
+    </message>
+    <message>
+        <source>The lengths in the header are in metres and were turned into millimetres.</source>
+        <translation>文件头中的长度以米为单位，已换算为毫米。</translation>
+    </message>
+    <message>
+        <source>The lengths in the header are in micrometres and were turned into millimetres.</source>
+        <translation>文件头中的长度以微米为单位，已换算为毫米。</translation>
+    </message>
+    <message>
+        <source>The header does not say how the volume lies in space (qform and sform codes are 0).</source>
+        <translation>文件头未说明体数据在空间中的方位（qform 和 sform 的代码均为 0）。</translation>
+    </message>
+    <message>
+        <source>The header does not say how the volume lies in space; its axes are taken as LPS.</source>
+        <translation>文件头未说明体数据在空间中的方位；其各轴按 LPS 处理。</translation>
+    </message>
+    <message>
+        <source>The sform and the qform of the header disagree (by up to {apart_mm:0f} mm); the qform is used.</source>
+        <translation>文件头中的 sform 与 qform 不一致（相差最多 {apart_mm:0f} mm）；使用 qform。</translation>
+    </message>
+    <message>
+        <source>TIFF does not say how far apart the slices are nor how they lie; 1 mm and LPS axes are assumed.</source>
+        <translation>TIFF 既未说明切面间距也未说明其方位；假定为 1 mm 和 LPS 轴。</translation>
+    </message>
+    <message>
+        <source>This is a segmentation: its voxels hold the numbers of the segments.</source>
+        <translation>这是分割：其体素存放各分段的编号。</translation>
+    </message>
+    <message>
+        <source>The spacing was given by the user; the file says {x_mm:4g} mm, {y_mm:4g} mm, {z_mm:4g} mm.</source>
+        <translation>间距由用户给出；文件中为 {x_mm:4g} mm、{y_mm:4g} mm、{z_mm:4g} mm。</translation>
+    </message>
+    <message>
+        <source>{none:0f} of {voxels:0f} voxels are not a number: they count as outside of the field of view.</source>
+        <translation>{voxels:0f} 个体素中有 {none:0f} 个不是数字：它们视为位于视野之外。</translation>
+    </message>
+    <message>
+        <source>1 slice is a copy of another and was left out.</source>
+        <translation>1 个切面是另一切面的副本，已略去。</translation>
+    </message>
+    <message>
+        <source>{copies:0f} slices are copies of others and were left out.</source>
+        <translation>{copies:0f} 个切面是其他切面的副本，已略去。</translation>
+    </message>
+    <message>
+        <source>The slices are tilted by {degrees:1f} degrees (gantry tilt) and were resampled to a straight grid.</source>
+        <translation>各切面倾斜 {degrees:1f} 度（机架倾斜），已重采样到正交网格。</translation>
+    </message>
+    <message>
+        <source>The slices are unevenly spaced ({list}); they were resampled to a distance of {spacing_mm:4g} mm. What lies in the gaps is interpolated.</source>
+        <translation>各切面间距不均（{list}）；已按 {spacing_mm:4g} mm 的间距重采样。间隔中的内容由插值得到。</translation>
+    </message>
+    <message>
+        <source>The slices are unevenly spaced ({list}), 1 seems to be missing; they were resampled to a distance of {spacing_mm:4g} mm. What lies in the gaps is interpolated.</source>
+        <translation>各切面间距不均（{list}），似乎缺少 1 层；已按 {spacing_mm:4g} mm 的间距重采样。间隔中的内容由插值得到。</translation>
+    </message>
+    <message>
+        <source>The slices are unevenly spaced ({list}), {missing:0f} seem to be missing; they were resampled to a distance of {spacing_mm:4g} mm. What lies in the gaps is interpolated.</source>
+        <translation>各切面间距不均（{list}），似乎缺少 {missing:0f} 层；已按 {spacing_mm:4g} mm 的间距重采样。间隔中的内容由插值得到。</translation>
+    </message>
+    <message>
+        <source>The header does not say where the slices lie; they are taken one behind the other, with LPS axes.</source>
+        <translation>文件头未说明切面的位置；按前后依次排列、LPS 轴处理。</translation>
+    </message>
+    <message>
+        <source>The file does not say how the volume lies in the patient: columns are taken to run to the right, rows to the back and slices downwards.</source>
+        <translation>文件未说明体数据在患者体内的方位：假定列向右、行向后、切面向下排列。</translation>
+    </message>
+    <message>
+        <source>The file breaks off: its header declares {frames:0f} time points, and only the first one is there in full.</source>
+        <translation>文件中断：文件头声明有 {frames:0f} 个时间点，只有第一个完整。</translation>
+    </message>
+    <message>
+        <source>The file breaks off: its header declares {frames:0f} time points, and only the first {whole:0f} are there in full.</source>
+        <translation>文件中断：文件头声明有 {frames:0f} 个时间点，只有前 {whole:0f} 个完整。</translation>
+    </message>
+    <message>
+        <source>1 file of DICOM in the folder is without an image and left out.</source>
+        <translation>文件夹中有 1 个 DICOM 文件不含图像，已略去。</translation>
+    </message>
+    <message>
+        <source>{files:0f} files of DICOM in the folder are without an image and left out.</source>
+        <translation>文件夹中有 {files:0f} 个 DICOM 文件不含图像，已略去。</translation>
+    </message>
+    <message>
+        <source>1 file of other series is truncated or damaged.</source>
+        <translation>其他序列中有 1 个文件被截断或已损坏。</translation>
+    </message>
+    <message>
+        <source>{files:0f} files of other series are truncated or damaged.</source>
+        <translation>其他序列中有 {files:0f} 个文件被截断或已损坏。</translation>
+    </message>
+    <message>
+        <source>1 file in the folder is not DICOM and left out: {names}.</source>
+        <translation>文件夹中有 1 个文件不是 DICOM，已略去：{names}。</translation>
+    </message>
+    <message>
+        <source>{files:0f} files in the folder are not DICOM and left out: {names}.</source>
+        <translation>文件夹中有 {files:0f} 个文件不是 DICOM，已略去：{names}。</translation>
+    </message>
+    <message>
+        <source>{files:0f} files in the folder are not DICOM and left out: {names} and {more:0f} more.</source>
+        <translation>文件夹中有 {files:0f} 个文件不是 DICOM，已略去：{names} 及另外 {more:0f} 个。</translation>
+    </message>
+    <message>
+        <source>1 file in the folder is not DICOM and left out.</source>
+        <translation>文件夹中有 1 个文件不是 DICOM，已略去。</translation>
+    </message>
+    <message>
+        <source>{files:0f} files in the folder are not DICOM and left out.</source>
+        <translation>文件夹中有 {files:0f} 个文件不是 DICOM，已略去。</translation>
+    </message>
+    <message>
+        <source>Its stacks of one pitch each are to be had alone: {list}.</source>
+        <translation>其间距各自均匀的堆栈可单独打开：{list}。</translation>
+    </message>
+    <message>
+        <source>Its stacks of one pitch each are to be had alone.</source>
+        <translation>其间距各自均匀的堆栈可单独打开。</translation>
+    </message>
+    <message>
+        <source>Nothing is chosen: {cause}.</source>
+        <translation>尚未选择：{cause}。</translation>
+    </message>
+    <message>
+        <source>{series} ({what}1 file, {size} voxels of {spacing_mm: 4g} mm)</source>
+        <translation>{series}（{what}1 个文件，{size} 个体素，{spacing_mm: 4g} mm）</translation>
+    </message>
+    <message>
+        <source>{series} ({what}{files:0f} files, {size} voxels of {spacing_mm: 4g} mm)</source>
+        <translation>{series}（{what}{files:0f} 个文件，{size} 个体素，{spacing_mm: 4g} mm）</translation>
+    </message>
+    <message>
+        <source>{series} ({what}1 file, no volume)</source>
+        <translation>{series}（{what}1 个文件，不是体数据）</translation>
+    </message>
+    <message>
+        <source>{series} ({what}{files:0f} files, no volume)</source>
+        <translation>{series}（{what}{files:0f} 个文件，不是体数据）</translation>
+    </message>
+    <message>
+        <source>{cause}.</source>
+        <translation>{cause}。</translation>
+    </message>
+    <message>
+        <source>{object}: {cause}</source>
+        <translation>{object}：{cause}</translation>
+    </message>
+    <message>
+        <source>{object} is empty: there are no distances.</source>
+        <translation>{object} 为空：没有距离。</translation>
+    </message>
+    <message>
+        <source>{object} is not closed: it has no volume, and there is no Dice coefficient. Distances are measured from and to what there is of its surface.</source>
+        <translation>{object} 未闭合：没有体积，也没有 Dice 系数。距离按其现有的表面计算。</translation>
+    </message>
+    <message>
+        <source>{object} is closed, but not all of its faces are oriented alike: it has no volume, and there is no Dice coefficient.</source>
+        <translation>{object} 已闭合，但各面朝向不一致：没有体积，也没有 Dice 系数。</translation>
+    </message>
+    <message>
+        <source>{object} is not a manifold: its genus and cavities cannot be counted.</source>
+        <translation>{object} 不是流形：无法计算其亏格和空腔。</translation>
+    </message>
+    <message>
+        <source>{object} is inside out; it was turned.</source>
+        <translation>{object} 内外颠倒，已翻转。</translation>
+    </message>
+    <message>
+        <source>A and B do not overlap: their surfaces are {apart_mm:4g} mm apart, the centres of their boxes {centres_mm:4g} mm.</source>
+        <translation>A 与 B 不重叠：它们的表面相距 {apart_mm:4g} mm，包围盒的中心相距 {centres_mm:4g} mm。</translation>
+    </message>
+    <message>
+        <source>A and B do not overlap: their surfaces are {apart_mm:4g} mm apart, the centres of their boxes {centres_mm:4g} mm. With the signs of x and y turned in one of them they would meet: is one in RAS and does not say so?</source>
+        <translation>A 与 B 不重叠：它们的表面相距 {apart_mm:4g} mm，包围盒的中心相距 {centres_mm:4g} mm。若将其中之一的 x 和 y 变号，它们就会相交：是否有一个采用 RAS 而未注明？</translation>
+    </message>
+    <message>
+        <source>A part of the surface lies outside of the volume, and intensities are of the rest.</source>
+        <translation>表面有一部分位于体数据之外，强度取自其余部分。</translation>
+    </message>
+    <message>
+        <source>{voxels:0f} voxels inside have no finite value and do not count.</source>
+        <translation>内部有 {voxels:0f} 个体素没有有限值，不计入。</translation>
+    </message>
+    <message>
+        <source>No voxel with a value has its centre inside.</source>
+        <translation>没有任何有值体素的中心位于内部。</translation>
+    </message>
+    <message>
+        <source>“{object}” has no cavity, and so no wall around one.</source>
+        <translation>“{object}”没有空腔，因此没有腔壁。</translation>
+    </message>
+    <message>
+        <source>Positions are in the frame of the ultrasound volume, not of the patient: its axes are taken as LPS.</source>
+        <translation>位置以超声体数据为参照，而非患者：其各轴按 LPS 处理。</translation>
+    </message>
+    <message>
+        <source>MONOCHROME1: low values are bright on a display.</source>
+        <translation>MONOCHROME1：低值在显示时为亮。</translation>
+    </message>
+    <message>
+        <source>it holds several series or stacks, choose one in step 1, Open</source>
+        <translation>其中有多个序列或堆栈，请在第 1 步“打开”中选择一个</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>
-    <message>
-        <source>set the range in step 3, Tune</source>
-        <translation>在第 3 步“调整”中设置范围</translation>
-    </message>
-    <message>
-        <source>until it is entered in step 1, Open</source>
-        <translation>直到在第 1 步“打开”中输入</translation>
-    </message>
-    <message>
-        <source>enter their spacing in step 1, Open</source>
-        <translation>在第 1 步“打开”中输入其间距</translation>
-    </message>
-    <message>
-        <source>stack %1</source>
-        <translation>堆栈 %1</translation>
-    </message>
     <message>
         <source> More in the step Open.</source>
         <translation> 更多信息见“打开”步骤。</translation>
@@ -1568,10 +1804,6 @@
     <message>
         <source>Something went wrong that has no name.</source>
         <translation>发生了未知错误。</translation>
-    </message>
-    <message>
-        <source>“%1” has no cavity, and so no wall around one.</source>
-        <translation>“%1”没有空腔，因此没有腔壁。</translation>
     </message>
     <message>
         <source>There is no surface yet: grow one first.</source>

@@ -61,6 +61,28 @@ TEST_CASE("the cause of a finding is told within it", "[finding]") {
         "2 rings added: no handle fits; there may be a shorter handle");
 }
 
+TEST_CASE("the entries of a list are told one behind the other", "[finding]") {
+  const auto run = [](FindingKind kind, int gaps, double mm) {
+    return Finding(kind, {{"gaps", gaps}, {"gap_mm", mm}});
+  };
+  const std::vector<Finding> runs = {run(FindingKind::gapOf, 1, 4), run(FindingKind::nextGapsOf, 13, 1.08),
+                                     run(FindingKind::nextGapsOfMore, 2, 7)};
+  CHECK(sentence(Finding(FindingKind::slicesUneven, {}, runs)) ==
+        "its slices are unevenly spaced (1 gap of 4 mm, 13 of 1.08 mm, 2 of 7 mm …)");
+  const Finding one(FindingKind::brokenSeriesOfFile,
+                    {{"series", std::string("1.2")}, {"what", std::string("CT Scout, ")}});
+  const Finding other(FindingKind::seriesOfFiles, {{"series", std::string("1.3")},
+                                                   {"what", std::string()},
+                                                   {"files", 20},
+                                                   {"size", std::string("256 x 256 x 20")},
+                                                   {"spacing_mm", std::array{0.9, 0.9, 5.0}}});
+  CHECK(sentence(Finding(
+            FindingKind::nothingChosen, {},
+            Finding(FindingKind::seriesToChoose, {{"series", 2}}, std::vector<Finding>{one, other}))) ==
+        "Nothing is chosen: it holds 2 series or stacks, choose one with --series: 1.2 (CT Scout, 1 file, no "
+        "volume); 1.3 (20 files, 256 x 256 x 20 voxels of 0.9, 0.9, 5 mm).");
+}
+
 TEST_CASE("an error says its finding and keeps it", "[finding]") {
   const Told<UsageError> error(Finding(FindingKind::vetoTooLate, {{"iteration", 3}, {"now", 7}}));
   CHECK(std::string(error.what()) ==

@@ -149,7 +149,18 @@ TEST_CASE("a damaged NIfTI-2 header and Analyze are refused, metres become milli
   changed[123] = 1;
   writeBytes(folder / "metres.nii", changed);
   const VolumeInfo info = inspectVolume(folder / "metres.nii");
-  CHECK_THAT(info.warnings.at(0), Contains("in metres"));
+  expectWarning(info.warnings.at(0), FindingKind::lengthsInMetres,
+                "The lengths in the header are in metres and were turned into millimetres.");
+  changed[123] = 3;
+  patch(changed, 252, std::int16_t{0});
+  patch(changed, 254, std::int16_t{0});
+  writeBytes(folder / "nowhere.nii", changed);
+  const VolumeInfo nowhere = inspectVolume(folder / "nowhere.nii");
+  REQUIRE(nowhere.warnings.size() == 2);
+  expectWarning(nowhere.warnings[0], FindingKind::placeUnknown,
+                "The header does not say how the volume lies in space (qform and sform codes are 0).");
+  expectWarning(nowhere.warnings[1], FindingKind::lengthsInMicrometres,
+                "The lengths in the header are in micrometres and were turned into millimetres.");
   const Grid grid = obliqueGrid();
   CHECK((info.grid.spacing - 1000 * grid.spacing).norm() < 0.02);
   CHECK((info.grid.toWorld(Vec3(3, 4, 2)) - 1000 * grid.toWorld(Vec3(3, 4, 2))).norm() < 0.02);

@@ -72,9 +72,9 @@ TEST_CASE("a Cartesian echo of Philips is a volume over time, with its private d
   CHECK(volume.grid.origin.norm() < 1e-9);
   CHECK((volume.grid.direction - Eigen::Matrix3d(Vec3(-1, 1, -1).asDiagonal())).norm() < 1e-9);
   for (int i = 0; i < 60; ++i) REQUIRE(int{volume.data<std::uint8_t>()[i]} == 180 + i);
-  CHECK(std::any_of(info.warnings.begin(), info.warnings.end(), [](const std::string& w) {
-    return w.find("does not say how the volume lies in the patient") != std::string::npos;
-  }));
+  expectAmong(info, FindingKind::patientPlaceAssumed,
+              "The file does not say how the volume lies in the patient: columns are taken to run to the "
+              "right, rows to the back and slices downwards.");
 }
 
 TEST_CASE("a Cartesian echo that breaks off keeps its whole volumes and says so") {
@@ -85,7 +85,10 @@ TEST_CASE("a Cartesian echo that breaks off keeps its whole volumes and says so"
     writeBytes(path, whole.substr(0, whole.size() - missing));
     const VolumeInfo info = inspectVolume(path);
     CHECK(info.frames == left);
-    CHECK_THAT(info.warnings.at(0), Contains("The file breaks off: its header declares 4 time points"));
+    const std::string are = left == 1 ? "one is" : std::to_string(left) + " are";
+    expectWarning(info.warnings.at(0), left == 1 ? FindingKind::breaksOffAfterOne : FindingKind::breaksOff,
+                  "The file breaks off: its header declares 4 time points, and only the first " + are +
+                      " there in full.");
     VolumeSelection last;
     last.frame = left - 1;
     CHECK(int{readVolume(path, last).data<std::uint8_t>()[59]} == 60 * left - 1);

@@ -32,12 +32,6 @@ VolumeSelection chosen(const std::string& series) {
   return selection;
 }
 
-bool warned(const VolumeInfo& info, const std::string& what) {
-  for (const std::string& warning : info.warnings)
-    if (warning.find(what) != std::string::npos) return true;
-  return false;
-}
-
 //! Nothing is opened unasked; the two stacks are listed, with what tells them apart.
 std::vector<SeriesInfo> expectTwoStacks(const std::string& folder) {
   expectInputError(folder, "choose one with --series: 1.2.3.4#1 (", true);
@@ -104,8 +98,8 @@ TEST_CASE("a localizer in the series is listed as no volume, and does not keep t
   localizer[0].direction = Eigen::AngleAxisd(1.5707963267948966, Vec3(1, 0, 0)).toRotationMatrix();
   writeSeries(folder.path(), together(axial({0, 2, 4}), localizer));
   const auto series = expectTwoStacks(folder.path());
-  CHECK(series[0].note.empty());
-  CHECK_THAT(series[1].note, Contains("single slice"));
+  CHECK_FALSE(series[0].note.any());
+  expectWarning(series[1].note, FindingKind::noVolume, sentence(FindingKind::singleSlice) + ".");
   expectValues(folder.path(), "1.2.3.4#1", 3, 2, 0);
   CHECK_THROWS_AS(readVolume(folder.path(), chosen("1.2.3.4#2")), InputError);
 }
@@ -136,7 +130,9 @@ TEST_CASE("two pitches one behind the other are one resampled volume, and two st
   writeSeries(folder.path(), together(axial({0, 2, 4, 6}), axial({9, 12, 15}, 4)));
   const VolumeInfo info = inspectVolume(folder.path());
   CHECK(info.grid.size[2] == 8);
-  CHECK(warned(info, "1.2.3.4#1 (4 slices), 1.2.3.4#2 (3 slices)"));
+  expectAmong(
+      info, FindingKind::stacksAlone,
+      "Its stacks of one pitch each are to be had alone: 1.2.3.4#1 (4 slices), 1.2.3.4#2 (3 slices).");
   REQUIRE(info.series.size() == 3);
   CHECK(info.series[0].uid == "1.2.3.4");
   CHECK(info.series[0].size[2] == 8);
@@ -145,7 +141,7 @@ TEST_CASE("two pitches one behind the other are one resampled volume, and two st
   CHECK(readVolume(folder.path(), chosen("1.2.3.4")).grid.size[2] == 8);
   expectValues(folder.path(), "1.2.3.4#1", 4, 2, 0);
   expectValues(folder.path(), "1.2.3.4#2", 3, 3, 4);
-  CHECK_FALSE(warned(inspectVolume(folder.path(), chosen("1.2.3.4#2")), "uneven"));
+  CHECK(inspectVolume(folder.path(), chosen("1.2.3.4#2")).warnings.empty());
 }
 
 TEST_CASE("missing slices are gaps of one stack, not several stacks") {
@@ -154,7 +150,11 @@ TEST_CASE("missing slices are gaps of one stack, not several stacks") {
   const VolumeInfo info = inspectVolume(folder.path());
   CHECK(info.series.size() == 1);
   CHECK(info.series[0].uid == "1.2.3.4");
-  CHECK(warned(info, "seem to be missing"));
+  expectWarning(
+      info, FindingKind::slicesMissingResampled,
+      "The slices are unevenly spaced (3 gaps of 2 mm, 1 of 4 mm, 2 of 2 mm, 1 of 6 mm, 2 of 2 mm), 3 "
+      "seem to be missing; they were resampled to a distance of 2 mm. What lies in the gaps is "
+      "interpolated.");
 }
 
 TEST_CASE("a second time point that is not complete is a stack of its own") {

@@ -7,12 +7,6 @@ using namespace handlebody::test;
 
 namespace {
 
-bool warned(const VolumeInfo& info, const std::string& what) {
-  for (const std::string& warning : info.warnings)
-    if (warning.find(what) != std::string::npos) return true;
-  return false;
-}
-
 //! Values of a function that is linear in space (mm), as a scanner would see them; integers for whole
 //! numbers.
 int linear(const Vec3& p) { return static_cast<int>(std::lround(10 * p.x() + 20 * p.y() - 7 * p.z())); }
@@ -59,7 +53,8 @@ TEST_CASE("a tilted stack is resampled to a straight grid, everything in its pla
   for (int k = 0; k < 10; ++k) positions.push_back(Vec3(3, 5 + 0.7 * k, 2.0 * k));
   writeSeries(folder.path(), linearStack(positions));
   const VolumeInfo info = inspectVolume(folder.path());
-  CHECK(warned(info, "tilted by 19.3 degrees"));
+  expectWarning(info, FindingKind::slicesTilted,
+                "The slices are tilted by 19.3 degrees (gantry tilt) and were resampled to a straight grid.");
   const Volume volume = readVolume(folder.path());
   CHECK((volume.grid.direction - Eigen::Matrix3d::Identity()).norm() < 1e-12);
   CHECK((volume.grid.spacing - Vec3(1, 2, 2)).norm() < 1e-9);
@@ -72,7 +67,9 @@ TEST_CASE(
   std::vector<Vec3> positions;
   for (double z : {0.0, 2.0, 4.0, 6.0, 9.0, 12.0, 15.0}) positions.push_back(Vec3(0, 0, z));
   writeSeries(folder.path(), linearStack(positions));
-  CHECK(warned(inspectVolume(folder.path()), "3 gaps of 2 mm, 3 of 3 mm"));
+  expectAmong(inspectVolume(folder.path()), FindingKind::slicesResampled,
+              "The slices are unevenly spaced (3 gaps of 2 mm, 3 of 3 mm); they were resampled to a distance "
+              "of 2 mm. What lies in the gaps is interpolated.");
   const Volume volume = readVolume(folder.path());
   CHECK(volume.grid.size[2] == 8);
   CHECK(volume.grid.spacing.z() == Approx(2));
@@ -88,7 +85,9 @@ TEST_CASE("missing slices are counted, and what lies in the gap is interpolated"
   std::vector<Vec3> positions;
   for (double z : {0.0, 2.0, 4.0, 10.0, 12.0, 14.0}) positions.push_back(Vec3(0, 0, z));
   writeSeries(folder.path(), linearStack(positions));
-  CHECK(warned(inspectVolume(folder.path()), "2 seem to be missing"));
+  expectAmong(inspectVolume(folder.path()), FindingKind::slicesMissingResampled,
+              "The slices are unevenly spaced (2 gaps of 2 mm, 1 of 6 mm, 2 of 2 mm), 2 seem to be missing; "
+              "they were resampled to a distance of 2 mm. What lies in the gaps is interpolated.");
   const Volume volume = readVolume(folder.path());
   CHECK(volume.grid.size[2] == 8);
   CHECK(partOfLinear(volume, 1) == 1);
@@ -100,7 +99,8 @@ TEST_CASE("copies of slices are left out with a warning") {
   slices.push_back(slices[1]);  // the same pixels under another UID
   slices.push_back(slices[3]);
   writeSeries(folder.path(), slices);
-  CHECK(warned(inspectVolume(folder.path()), "2 slices are copies"));
+  expectWarning(inspectVolume(folder.path()), FindingKind::slicesAreCopies,
+                "2 slices are copies of others and were left out.");
   const Volume volume = readVolume(folder.path());
   CHECK(volume.grid.size[2] == 5);
   for (int k = 0; k < 5; ++k) CHECK(volume.data<std::int16_t>()[12 * k] == k);
@@ -118,7 +118,8 @@ TEST_CASE("several different slices in every place are time points; incomplete o
   writeSeries(folder / "whole", slices);
   const VolumeInfo info = inspectVolume(folder / "whole");
   CHECK(info.frames == 2);
-  CHECK(warned(info, "2 time points; frame 0"));
+  expectAmong(info, FindingKind::frameZeroUsed,
+              "There are 2 time points; frame 0 is used (--frame chooses another).");
   CHECK(readVolume(folder / "whole").data<std::int16_t>()[12] == 1);
   CHECK(readVolume(folder / "whole", {.frame = 1}).data<std::int16_t>()[12] == 51);
   CHECK_THROWS_AS(readVolume(folder / "whole", {.frame = 2}), UsageError);
@@ -156,7 +157,10 @@ TEST_CASE("a multi-frame file without geometry is uncalibrated until the user gi
   writeBytes(folder / "multi", dicomBytes(s, "1.2"));
   const VolumeInfo info = inspectVolume(folder / "multi");
   CHECK_FALSE(info.calibrated);
-  CHECK(warned(info, "uncalibrated"));
+  expectAmong(info, FindingKind::placesAssumed,
+              "The header does not say where the slices lie; they are taken one behind the other, with LPS "
+              "axes.");
+  expectAmong(info, FindingKind::uncalibrated, sentence(FindingKind::uncalibrated));
   for (const std::string& source : info.sources.spacing) CHECK(source == "assumed");
   CHECK(info.sources.origin == "assumed");
   VolumeSelection given;
@@ -212,9 +216,9 @@ TEST_CASE("series are listed with modality, description, size, slices and spacin
   CHECK(series[0].slices == 3);
   CHECK(series[0].size == std::array<int, 3>{4, 3, 3});
   CHECK((series[0].spacing - Vec3(0.75, 1.5, 2.5)).norm() < 1e-6);
-  CHECK(series[0].note.empty());
+  CHECK_FALSE(series[0].note.any());
   CHECK(series[1].modality == "CT");
-  CHECK_THAT(series[1].note, Contains("single slice"));
+  expectWarning(series[1].note, FindingKind::noVolume, sentence(FindingKind::singleSlice) + ".");
 }
 
 TEST_CASE("a description that begins with the modality does not say it twice") {
@@ -236,7 +240,7 @@ TEST_CASE("a series without a UID is chosen by an empty one") {
   for (Slice& s : other) s.series = "";
   slices.insert(slices.end(), other.begin(), other.end());
   writeSeries(folder.path(), slices);
-  CHECK_THAT(inspectVolume(folder.path()).warnings.back(), Contains("\"\" (MR"));
+  CHECK_THAT(sentence(inspectVolume(folder.path()).warnings.back()), Contains("\"\" (MR"));
   VolumeSelection chosen;
   chosen.series = "";
   CHECK(readVolume(folder.path(), chosen).grid.size[2] == 4);
@@ -257,7 +261,14 @@ TEST_CASE("files that are not DICOM are named in a warning") {
   const TemporaryFolder folder;
   writeSeries(folder.path(), evenStack(4));
   writeBytes(folder / "notes.txt", "something else");
-  CHECK(warned(inspectVolume(folder.path()), "notes.txt"));
+  expectWarning(inspectVolume(folder.path()), FindingKind::fileNotDicom,
+                "1 file in the folder is not DICOM and left out: notes.txt.");
+  writeBytes(folder / "a.txt", "something else");
+  expectWarning(inspectVolume(folder.path()), FindingKind::filesNotDicom,
+                "2 files in the folder are not DICOM and left out: a.txt, notes.txt.");
+  for (const char* name : {"b.txt", "c.txt", "d.txt"}) writeBytes(folder / name, "something else");
+  expectWarning(inspectVolume(folder.path()), FindingKind::filesNotDicomAndMore,
+                "5 files in the folder are not DICOM and left out: a.txt, b.txt, c.txt and 2 more.");
 }
 
 TEST_CASE("a truncated slice of another series does not keep one from being read") {
@@ -272,7 +283,8 @@ TEST_CASE("a truncated slice of another series does not keep one from being read
   VolumeSelection first;
   first.series = "1.2.3.4";
   CHECK(readVolume(folder.path(), first).grid.size[2] == 3);
-  CHECK(warned(inspectVolume(folder.path(), first), "truncated"));
+  expectAmong(inspectVolume(folder.path(), first), FindingKind::otherFileDamaged,
+              "1 file of other series is truncated or damaged.");
 }
 
 TEST_CASE("bits beside the stored ones are no part of a value") {

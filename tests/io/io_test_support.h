@@ -92,31 +92,52 @@ inline std::string voxelBytes(const Volume& volume) {
           volume.grid.voxelCount() * bytesPerVoxel(volume.type)};
 }
 
-//! Reading and inspecting are refused alike (`onlyReading`: what only the voxels show), in one line that
-//! begins with the path and holds `cause`.
 //! True if no part of it is words that have no kind.
 inline bool hasKinds(const Finding& finding) {
   return finding.any() && finding.kind != FindingKind::other &&
          std::all_of(finding.causes.begin(), finding.causes.end(), hasKinds);
 }
 
+//! It is of this kind, with every value that its words name, and tells `text`.
+inline void expectWarning(const Finding& warning, FindingKind kind, const std::string& text) {
+  INFO(sentence(warning));
+  CHECK(warning.kind == kind);
+  CHECK(hasKinds(warning));
+  CHECK(sentence(warning) == text);
+}
+
+//! The only one of its volume.
+inline void expectWarning(const VolumeInfo& info, FindingKind kind, const std::string& text) {
+  REQUIRE(info.warnings.size() == 1);
+  expectWarning(info.warnings.front(), kind, text);
+}
+
+//! One of this kind tells `text`.
+inline void expectAmong(const VolumeInfo& info, FindingKind kind, const std::string& text) {
+  const auto at = std::find_if(info.warnings.begin(), info.warnings.end(),
+                               [kind](const Finding& w) { return w.kind == kind; });
+  INFO(sentence(info.warnings));
+  REQUIRE(at != info.warnings.end());
+  expectWarning(*at, kind, text);
+}
+
+//! Reading and inspecting are refused alike (`onlyReading`: what only the voxels show), in one line that
+//! begins with the path and holds `cause`.
 inline void expectInputError(const std::string& path, const std::string& cause, bool onlyReading = false) {
   INFO(path);
   std::string message;
   Finding finding;
-  bool isChoice = false;  // which the window asks for, and does not tell
   try {
     readVolume(path);
   } catch (const InputError& e) {
     message = e.what();
     finding = findingOf(e);
-    isChoice = dynamic_cast<const SeriesChoiceNeeded*>(&e) != nullptr;
   }
   CHECK_THAT(message, Contains(cause));
   CHECK(message.rfind(path, 0) == 0);
   CHECK(message.find('\n') == std::string::npos);
-  CHECK((isChoice || hasKinds(finding)));
-  CHECK((isChoice || sentence(finding) == message));
+  CHECK(hasKinds(finding));
+  CHECK(sentence(finding) == message);
   if (!onlyReading) CHECK_THROWS_AS(inspectVolume(path), InputError);
 }
 

@@ -154,8 +154,8 @@ TEST_CASE("a 4D NIfTI gives the chosen time point, and the first with a warning"
   CHECK((voxelBytes(readVolume(path, {.frame = 2})) == third));
   const VolumeInfo info = inspectVolume(path);
   CHECK(info.frames == 3);
-  REQUIRE(info.warnings.size() == 1);
-  CHECK(info.warnings[0] == "There are 3 time points; frame 0 is used (--frame chooses another).");
+  expectWarning(info, FindingKind::frameZeroUsed,
+                "There are 3 time points; frame 0 is used (--frame chooses another).");
   CHECK(inspectVolume(path, {.frame = 1}).warnings.empty());
   CHECK_THROWS_AS(readVolume(path, {.frame = 3}), UsageError);
   CHECK_THROWS_AS(readVolume(path, {.frame = -1}), UsageError);
@@ -216,7 +216,11 @@ TEST_CASE("a sheared sform beside a good qform is a warning, and the qform is us
   const VolumeInfo info = inspectVolume(folder / "sheared.nii");
   expectSameGrid(info.grid, obliqueGrid(), 2e-5);
   REQUIRE(info.warnings.size() == 1);
-  CHECK_THAT(info.warnings[0], Contains("disagree"));
+  const double apart = info.warnings[0].number("apart_mm");
+  CHECK(apart == std::ceil(apart));
+  expectWarning(info, FindingKind::formsDisagree,
+                "The sform and the qform of the header disagree (by up to " +
+                    std::to_string(std::lround(apart)) + " mm); the qform is used.");
 }
 
 TEST_CASE("a big-endian NIfTI and a big-endian MetaImage hold the same numbers") {
@@ -273,8 +277,8 @@ TEST_CASE("colour becomes luminance with a warning") {
     REQUIRE(volume.type == VoxelType::uint8);
     CHECK(volume.grid.size == std::array<int, 3>{2, 2, 2});
     CHECK(int{volume.data<std::uint8_t>()[7]} == 54);  // 0.2125 · 255
-    REQUIRE(inspectVolume(folder / name).warnings.size() == 1);
-    CHECK_THAT(inspectVolume(folder / name).warnings[0], Contains("luminance"));
+    expectWarning(inspectVolume(folder / name), FindingKind::colourAsLuminance,
+                  "Colour was turned into luminance (0.2125 R + 0.7154 G + 0.0721 B).");
   }
 }
 
@@ -301,8 +305,11 @@ TEST_CASE("an NRRD in RAS is turned to LPS, and one without a space is a warning
   writeBytes(folder / "none.nrrd", nrrdHeader("uint8", "2 2 2", "") + "abcdefgh");
   const VolumeInfo none = inspectVolume(folder / "none.nrrd");
   REQUIRE(none.warnings.size() == 2);
-  CHECK_THAT(none.warnings[0], Contains("how the volume lies in space"));
-  CHECK_THAT(none.warnings[1], Contains("uncalibrated"));
+  expectWarning(none.warnings[0], FindingKind::axesTakenAsLps,
+                "The header does not say how the volume lies in space; its axes are taken as LPS.");
+  expectWarning(none.warnings[1], FindingKind::uncalibrated,
+                "The volume is uncalibrated: its file does not give the spacing, 1 mm is assumed where it is "
+                "missing, and lengths and volumes mean nothing until --spacing gives it.");
   CHECK_FALSE(none.calibrated);
 }
 
@@ -314,7 +321,9 @@ TEST_CASE("a TIFF of several pages is a volume, with a warning about its geometr
   CHECK(voxelBytes(volume) == "abcdefghijklmnopqrstuvwx");
   const VolumeInfo info = inspectVolume(folder / "v.tif");
   REQUIRE(info.warnings.size() == 2);
-  CHECK_THAT(info.warnings[0], Contains("TIFF does not say"));
+  expectWarning(info.warnings[0], FindingKind::tiffWithoutPlace,
+                "TIFF does not say how far apart the slices are nor how they lie; 1 mm and LPS axes are "
+                "assumed.");
   CHECK_FALSE(info.calibrated);
   writeBytes(folder / "flat.tif", tiffBytes(3, 2, {"abcdef"}));
   expectInputError(folder / "flat.tif", "2D image");

@@ -110,6 +110,22 @@ constexpr Words kWords[] = {
      QT_TRANSLATE_NOOP("Findings",
                        "this is a cine (2D images over time: {frames:0f} frames), not a volume; if its "
                        "frames are slices in space, enter their spacing in step 1, Open")},
+    {K::frameZeroUsed,
+     QT_TRANSLATE_NOOP(
+         "Findings", "There are {frames:0f} time points; frame 0 is used (step 1, Open, chooses another).")},
+    {K::uncalibrated,
+     QT_TRANSLATE_NOOP("Findings",
+                       "The volume is uncalibrated: its file does not give the spacing, 1 mm is assumed "
+                       "where it is missing, and lengths and volumes mean nothing until it is entered in "
+                       "step 1, Open.")},
+    {K::stackOf, QT_TRANSLATE_NOOP("Findings", "stack {stack:0f} ({slices:0f} slices)")},
+    {K::severalToChoose,
+     QT_TRANSLATE_NOOP("Findings", "it holds several series or stacks, choose one in step 1, Open")},
+    {K::seriesToChoose,
+     QT_TRANSLATE_NOOP("Findings",
+                       "it holds {series:0f} series or stacks, choose one in step 1, Open: {choices}")},
+    {K::noLatticePoint,
+     QT_TRANSLATE_NOOP("Findings", "No point of the lattice lies in A or B: there is no Dice coefficient.")},
 };
 
 const char* sourceOf(FindingKind kind) {
@@ -170,12 +186,20 @@ bool isTranslated(const Finding& finding) {
 QString findingSentence(const Finding& finding) {
   QString text = findingText(finding);
   if (text.isEmpty()) return text;
-  // The name of a file is as it is.
-  if (const FindingValue* file = finding.find("file"); !file || !text.startsWith(written(*file, "")))
-    text[0] = text[0].toUpper();
-  const QChar last = text.back();
-  if (last == QLatin1Char('.') || last == QChar(0x3002)) return text;
+  // The name of a file or an object is as it is.
+  const auto beginsWith = [&](const char* name) {
+    const FindingValue* value = finding.find(name);
+    return value && text.startsWith(written(*value, ""));
+  };
+  if (!beginsWith("file") && !beginsWith("object")) text[0] = text[0].toUpper();
+  if (QStringLiteral(".?。？").contains(text.back())) return text;
   return QCoreApplication::translate("Findings", "%1.").arg(text);
+}
+
+QString findingSentences(const std::vector<Finding>& findings) {
+  QStringList all;
+  for (const Finding& f : findings) all << findingSentence(f);
+  return all.join(QLatin1Char(' '));
 }
 
 }  // namespace handlebody::ui

@@ -16,5 +16,7 @@ QString findingText(const std::vector<Finding>& findings);
 bool isTranslated(const Finding& finding);
 //! As a sentence: with a capital letter and a full stop.
 QString findingSentence(const Finding& finding);
+//! One behind the other.
+QString findingSentences(const std::vector<Finding>& findings);
 
 }  // namespace handlebody::ui

@@ -23,8 +23,7 @@ std::optional<MeasuredWall> wallOf(Measured& m, const WantedWall& wanted) {
   const auto [outer, inner] = outerAndInner(first.mesh);
   if (!inner.triangles.empty())
     return MeasuredWall{"the outer surface", "the cavities", wallThickness(outer, inner)};
-  const QString name = QString::fromStdString(first.name);
-  m.warnings.push_back(tr("“%1” has no cavity, and so no wall around one.").arg(name).toStdString());
+  m.warnings.push_back({FindingKind::noCavity, {{"object", first.name}}});
   return std::nullopt;
 }
 
@@ -52,8 +51,8 @@ Measured measureAll(const MeasureQuestion& q, const std::function<void(double)>&
   for (const MeasuredSurface& surface : q.surfaces) {
     m.objects.push_back(measuredOf(surface, q.volume));
     const MeasuredObject& object = m.objects.back();
-    for (const std::string& w : object.measures.warnings)
-      m.warnings.push_back(n > 1 ? object.name + ": " + w : w);
+    for (const Finding& w : object.measures.warnings)
+      m.warnings.push_back(n > 1 ? Finding(FindingKind::ofObject, {{"object", object.name}}, w) : w);
     step();
   }
   for (std::size_t j = 0; j < n; ++j)

@@ -17,6 +17,7 @@
 #include "core/io/compared_table.h"
 #include "core/io/mesh_io.h"
 #include "ui/model/document.h"
+#include "ui/model/finding_text.h"
 #include "ui/model/translate.h"
 #include "ui/view/distance_colours.h"
 #include "ui/view/view_state.h"
@@ -248,8 +249,7 @@ void ComparePage::showState() {
   else if (answer_.pair && compared_ != document_.snapshot())
     text = tr("These are figures of an earlier surface, or of another object.");
   else if (answer_.pair)
-    for (const std::string& w : answer_.pair->warnings)
-      text += (text.isEmpty() ? QString() : QStringLiteral(" ")) + QString::fromStdString(w);
+    text = findingSentences(answer_.pair->warnings);
   note_->setText(text);
   note_->setVisible(!text.isEmpty());
 }

@@ -21,7 +21,6 @@
 #include "ui/model/document.h"
 #include "ui/window/export_panel.h"
 #include "ui/window/message_bar.h"
-#include "ui/window/sentences.h"
 #include "ui/window/view_grid.h"
 
 namespace handlebody::ui {
@@ -193,7 +192,7 @@ void FileWork::connectObjects() {
                 tr("%1 is open as: %2.").arg(QFileInfo(path).fileName(), names.join(tr(", "))));
           });
   connect(&document_, &Document::openingObjectsFailed, progress,
-          [end](const QString& text) { end(MessageBar::Kind::error, inWordsOfWindow(text)); });
+          [end](const QString& text) { end(MessageBar::Kind::error, text); });
   connect(&document_, &Document::openingObjectsCancelled, progress, [end] { end({}, {}); });
 }
 
@@ -222,7 +221,7 @@ void FileWork::sayOpenFailed(const QString& sentence, bool needsSpacing) {
   std::vector<MessageBar::Answer> answers;
   if (needsSpacing)
     answers.push_back({tr("Enter the spacing"), [this] { Q_EMIT spacingNeeded(asked_, askedSelection_); }});
-  messages_.show(MessageBar::Kind::error, inWordsOfWindow(sentence), answers);
+  messages_.show(MessageBar::Kind::error, sentence, answers);
 }
 
 void FileWork::openSample() {

@@ -17,6 +17,7 @@
 #include <numeric>
 
 #include "ui/model/document.h"
+#include "ui/model/finding_text.h"
 #include "ui/view/view_state.h"
 #include "ui/window/measure_texts.h"
 #include "ui/window/panel_tools.h"
@@ -269,8 +270,7 @@ void ObjectMeasuresPage::showState() {
   else if (isStale())
     text = shown_ ? tr("These are measures of earlier surfaces.") : tr("Nothing is measured yet.");
   else if (!shown_->warnings.empty())
-    for (const std::string& w : shown_->warnings)
-      text += (text.isEmpty() ? QString() : QStringLiteral(" ")) + QString::fromStdString(w);
+    text = findingSentences(shown_->warnings);
   note_->setText(text);
   note_->setVisible(!text.isEmpty());
 }

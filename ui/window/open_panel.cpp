@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "ui/model/document.h"
+#include "ui/model/finding_text.h"
 #include "ui/window/action_button.h"
 #include "ui/window/commands.h"
 #include "ui/window/eliding_label.h"
@@ -190,11 +191,11 @@ void OpenPanel::showOpened() {
   facts_->show();
 }
 
-void OpenPanel::showWarnings(const std::vector<std::string>& warnings) {
+void OpenPanel::showWarnings(const std::vector<Finding>& warnings) {
   QStringList lines;
-  for (const std::string& warning : warnings)
+  for (const Finding& warning : warnings)
     lines << QStringLiteral("<p style='margin: 4px 0 0 0'>⚠ %1</p>")
-                 .arg(breakable(inWordsOfWindow(QString::fromStdString(warning))).toHtmlEscaped());
+                 .arg(breakable(findingSentence(warning)).toHtmlEscaped());
   warnings_->setText(lines.join(QString()));
   warnings_->setVisible(!lines.isEmpty());
 }

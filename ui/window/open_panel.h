@@ -27,7 +27,7 @@ class OpenPanel : public QWidget {
   //! Asks for the spacing of a file that cannot be opened without it.
   void askSpacing(const QString& path, const VolumeSelection& selection);
   //! What is doubtful about what is open, a sentence each.
-  void showWarnings(const std::vector<std::string>& warnings);
+  void showWarnings(const std::vector<Finding>& warnings);
 
  Q_SIGNALS:
   void openRequested(const QString& path, const handlebody::VolumeSelection& selection);

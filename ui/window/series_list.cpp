@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/model/finding_text.h"
 #include "ui/window/numbers.h"
 
 namespace handlebody::ui {
@@ -22,7 +23,7 @@ QString titleOf(const SeriesInfo& series) {
 }
 
 QString volumeOf(const SeriesInfo& series) {
-  if (!series.note.empty()) return SeriesList::tr("No volume: %1").arg(QString::fromStdString(series.note));
+  if (series.note.any()) return SeriesList::tr("No volume: %1").arg(findingText(series.note));
   if (series.size[0] <= 0) return {};
   const Vec3 size(series.size[0], series.size[1], series.size[2]);
   return SeriesList::tr("%1, %2 mm").arg(times(size, 0), times(series.spacing, 2));
@@ -74,7 +75,7 @@ void SeriesList::offer(const std::vector<SeriesInfo>& series) {
                          .arg(whole.join(QLatin1Char('\n'))
                                   .toHtmlEscaped()
                                   .replace(QLatin1Char('\n'), QLatin1String("<br>"))));
-    const bool usable = s.note.empty();
+    const bool usable = !s.note.any();
     if (!usable) item->setFlags(Qt::NoItemFlags);
     if (usable && !currentItem()) setCurrentItem(item);
   }

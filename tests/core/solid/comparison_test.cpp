@@ -266,14 +266,20 @@ TEST_CASE("objects that do not meet are told with their distance", "[solid][comp
   CHECK(*c.dice == 0);
   CHECK(c.distances->smallest() == Approx(4).margin(0.05));
   REQUIRE(c.warnings.size() == 1);
-  CHECK_THAT(c.warnings[0], Contains("do not overlap") && Contains("10 mm") && !Contains("RAS"));
+  CHECK(c.warnings[0].kind == FindingKind::objectsApart);
+  CHECK_THAT(sentence(c.warnings[0]),
+             Contains("A and B do not overlap: their surfaces are ") && Contains("10 mm"));
 }
 
 TEST_CASE("objects that would meet in the other space are told so", "[solid][compare]") {
   const Solid a = solidOf(icosphere(Vec3(20, 30, 5), 3, 0.4)),
               b = solidOf(icosphere(Vec3(-20, -30, 5), 3, 0.4));
   REQUIRE(compare(a, b, kCoarse).warnings.size() == 1);
-  CHECK_THAT(compare(a, b, kCoarse).warnings[0], Contains("RAS"));
+  const Finding turned = compare(a, b, kCoarse).warnings[0];
+  CHECK(turned.kind == FindingKind::objectsTurned);
+  CHECK_THAT(sentence(turned),
+             Contains("With the signs of x and y turned in one of them they would meet: is one in "
+                      "RAS and does not say so?"));
 }
 
 TEST_CASE("an empty object has no distances, and no overlap with what is not empty", "[solid][compare]") {
@@ -299,7 +305,11 @@ TEST_CASE("an open mesh has distances and no volume", "[solid][compare]") {
   CHECK_FALSE(c.dice);
   CHECK(c.distances->ofA.mean == Approx(1).margin(0.05));
   REQUIRE(c.warnings.size() == 1);
-  CHECK_THAT(c.warnings[0], Contains("A is not closed"));
+  CHECK(c.warnings[0].kind == FindingKind::objectOpen);
+  CHECK(sentence(c.warnings[0]) ==
+        "A is not closed: it has no volume, and there is no Dice coefficient. Distances are measured from "
+        "and to "
+        "what there is of its surface.");
 }
 
 TEST_CASE("a mesh that is inside out is turned", "[solid][compare]") {

@@ -163,7 +163,8 @@ TEST_CASE("balls are measured, with their distance and the wall between them", "
   const Measured other = measureAll(question, [](double) {});
   CHECK_FALSE(other.wall);
   REQUIRE(other.warnings.size() == 1);
-  CHECK(other.warnings[0].find("Right") != std::string::npos);
+  CHECK(other.warnings[0].kind == FindingKind::noCavity);
+  CHECK(sentence(other.warnings[0]) == "“Right” has no cavity, and so no wall around one.");
 }
 
 TEST_CASE("a centre line is looked for in the object that holds its first place", "[measurements]") {

@@ -22,6 +22,7 @@
 #include "ui/window/event_inspector.h"
 #include "ui/window/help_window.h"
 #include "ui/window/language.h"
+#include "ui/window/open_panel.h"
 
 using namespace handlebody;
 using namespace handlebody::test;
@@ -146,6 +147,14 @@ QString whyNot(const QString& path) {
   return failed ? failed->sentence : QString();
 }
 
+//! What the step Open says of the volume.
+QString warningsIn(const ui::MainWindow& window) {
+  const auto labels = window.findChild<ui::OpenPanel*>()->findChildren<QLabel*>();
+  for (const QLabel* label : labels)
+    if (label->text().contains(QChar(0x26a0))) return label->text();
+  return {};
+}
+
 //! Files that cannot be opened, each for another reason; the first is not there.
 QStringList brokenFiles(const QTemporaryDir& folder) {
   QStringList files{folder.filePath(QStringLiteral("missing.nii"))};
@@ -197,6 +206,7 @@ class LanguageTest : public QObject {
   void numbersAndFindingsAreWrittenAsTheLanguageDoes();
   void everyFindingIsToldInEveryLanguage();
   void whatIsWrongWithAFileIsToldInEveryLanguage();
+  void whatIsToBeKnownOfAFileIsToldInEveryLanguage();
   void filesAreTheSameInEveryLanguage();
   void theLanguageIsChosenByOptionEnvironmentSettingAndSystem();
 };
@@ -234,6 +244,7 @@ void LanguageTest::theTranslationsHaveAllTextsOfTheSources() {
             << "app/window"
             << "core/finding_words.cpp"
             << "core/finding_file_words.cpp"
+            << "core/finding_warning_words.cpp"
             << "-ts";
   for (const QString& code : translatedLanguages()) {
     const QString copy = folder.filePath("handlebody_" + code + ".ts");
@@ -357,6 +368,31 @@ void LanguageTest::whatIsWrongWithAFileIsToldInEveryLanguage() {
   QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, kPatience);
   QCOMPARE(failed.front().front().toString(),
            files.front() + QStringLiteral(": es gibt keine solche Datei und keinen solchen Ordner."));
+}
+
+void LanguageTest::whatIsToBeKnownOfAFileIsToldInEveryLanguage() {
+  const QTemporaryDir folder;
+  QFile file(folder.filePath(QStringLiteral("nowhere.nrrd")));
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  file.write("NRRD0004\ntype: uint8\ndimension: 3\nsizes: 8 8 8\nencoding: raw\n\n");
+  for (int i = 0; i < 512; ++i) file.putChar(static_cast<char>(i % 100));
+  file.close();
+  for (const QString& code : translatedLanguages()) {
+    ui::useLanguage(code);
+    auto window = shownWindow();
+    QVERIFY(window && open(*window, file.fileName()));
+    window->showStep(ui::Command::stepOpen);
+    const QString said = warningsIn(*window);
+    QCOMPARE(said.count(QChar(0x26a0)), 2);
+    for (const QString& part : englishParts(code))
+      QVERIFY2(!said.contains(part), qPrintable(code + ": " + said + "\nhas: " + part));
+    if (code != QLatin1String("de")) continue;
+    QCOMPARE(shownText(*window, "Warnungen"), said);
+    QVERIFY2(said.contains(QStringLiteral("Der Header sagt nicht, wie das Bildvolumen im Raum liegt; seine "
+                                          "Achsen werden als LPS verstanden.")),
+             qPrintable(said));
+    QVERIFY2(said.contains(QStringLiteral("Das Bildvolumen ist nicht kalibriert: ")), qPrintable(said));
+  }
 }
 
 void LanguageTest::filesAreTheSameInEveryLanguage() {

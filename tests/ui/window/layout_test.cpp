@@ -182,7 +182,7 @@ void LayoutTest::nothingIsCutOffWhenSeriesAreOffered() {
     s.slices = s.files = 300;
     s.spacing = Vec3(0.703125, 0.703125, 1.5);
   }
-  series[1].note = "a single image is no volume";
+  series[1].note = Finding(FindingKind::noVolume, {}, FindingKind::singleSlice);
   Q_EMIT window->document().seriesChoiceNeeded(QStringLiteral("/somewhere/scans"), series);
   NO_FAULTS(resized(*window, kSmall));
 }
@@ -249,7 +249,7 @@ void LayoutTest::nothingIsCutOffWhenMessagesHoldLongWords() {
   auto* panel = window->findChild<ui::OpenPanel*>();
   QVERIFY(panel);
   window->showStep(ui::Command::stepOpen);
-  panel->showWarnings({"Its stacks are to be had alone: " + uid.toStdString() + " (14 slices)."});
+  panel->showWarnings({Finding(FindingKind::fileNotDicom, {{"names", uid.toStdString()}})});
   const QString path = '/' + QString(200, 'x') + ".nii.gz";
   auto* messages = window->findChild<ui::MessageBar*>();
   messages->show(ui::MessageBar::Kind::error, path + ": it is not a volume.");

@@ -3,6 +3,7 @@
 #include <QFile>
 
 #include "tests/ui/window/window_support.h"
+#include "ui/model/finding_text.h"
 #include "ui/window/sentences.h"
 #include "ui/window/series_list.h"
 
@@ -18,8 +19,8 @@ class OpenPanelTest : public QObject {
   void aCalibratedVolumeAsksForNoSpacing();
   void aSeriesSaysWhatItHoldsAndOnlyVolumesCanBeChosen();
   void aSeriesWithoutAUidCanBeChosen();
-  void sentencesNameFieldsInTheirPlaceOfOptions();
-  void sentencesNameStacksAsTheListDoes();
+  void warningsNameFieldsInTheirPlaceOfOptions();
+  void warningsNameStacksAsTheListDoes();
   void thatLengthsMeanNothingIsSaidFirst();
 };
 
@@ -70,7 +71,7 @@ void OpenPanelTest::aSeriesSaysWhatItHoldsAndOnlyVolumesCanBeChosen() {
   scout.modality = ct;
   thorax.modality = ct;
   scout.description = "Scout";
-  scout.note = "a single image is no volume";
+  scout.note = Finding(FindingKind::noVolume, {}, FindingKind::singleSlice);
   scout.slices = 1;
   thorax.uid = "1.2.4";
   thorax.description = "CT Thorax";
@@ -78,8 +79,11 @@ void OpenPanelTest::aSeriesSaysWhatItHoldsAndOnlyVolumesCanBeChosen() {
   thorax.slices = 600;
   thorax.frames = 2;
   thorax.spacing = Vec3(0.7, 0.7, 1.5);
-  QCOMPARE(ui::linesOf(scout),
-           QStringList({"CT Scout", "No volume: a single image is no volume", "Slices: 1"}));
+  QCOMPARE(
+      ui::linesOf(scout),
+      QStringList({"CT Scout",
+                   "No volume: this is a single slice, a 2D image; give the folder with the whole series.",
+                   "Slices: 1"}));
   QCOMPARE(ui::linesOf(thorax), QStringList({"CT Thorax", "512 × 512 × 300, 0.70 × 0.70 × 1.50 mm",
                                              "Slices: 600 · time points: 2"}));
   ui::SeriesList list;
@@ -101,36 +105,38 @@ void OpenPanelTest::aSeriesWithoutAUidCanBeChosen() {
   QVERIFY(!list.chosen());
 }
 
-void OpenPanelTest::sentencesNameFieldsInTheirPlaceOfOptions() {
-  const QString cine("this is a cine; if its frames are slices in space, give --spacing X,Y,Z");
-  for (const QString& text : {cine, QString("lengths mean nothing until --spacing gives it."),
-                              QString("or give --range, which holds nothing back")}) {
-    QVERIFY2(!ui::inWordsOfWindow(text).contains("--"), qPrintable(text));
-    QVERIFY(ui::inWordsOfWindow(text).contains("step"));
+void OpenPanelTest::warningsNameFieldsInTheirPlaceOfOptions() {
+  for (int k = 0; k < kFindingKinds; ++k) {
+    const auto kind = static_cast<FindingKind>(k);
+    const QString text = ui::findingText(kind), english = QString::fromStdString(sentence(kind));
+    QVERIFY2(!text.contains("--") || text.contains("handlebody-cli"), qPrintable(text));
+    QVERIFY2(!english.contains("--spacing") || text.contains("step 1, Open"), qPrintable(text));
   }
 }
 
-void OpenPanelTest::sentencesNameStacksAsTheListDoes() {
-  QCOMPARE(ui::inWordsOfWindow("to be had alone: 1.2.840.99#1 (14 slices), 1.2.840.99#12 (3 slices)."),
-           QString("to be had alone: stack 1 (14 slices), stack 12 (3 slices)."));
-  QCOMPARE(ui::inWordsOfWindow("/a/scan#2.nii: no volume, 1.5 mm"),
-           QString("/a/scan#2.nii: no volume, 1.5 mm"));
+void OpenPanelTest::warningsNameStacksAsTheListDoes() {
+  const auto stack = [](int number, int slices) {
+    return Finding(FindingKind::stackOf,
+                   {{"series", std::string("1.2.840.99")}, {"stack", number}, {"slices", slices}});
+  };
+  const Finding alone(FindingKind::stacksAlone, {}, std::vector<Finding>{stack(1, 14), stack(12, 3)});
+  QCOMPARE(ui::findingSentence(alone),
+           QString("Its stacks of one pitch each are to be had alone: stack 1 (14 slices), stack 12 (3 "
+                   "slices)."));
 }
 
 void OpenPanelTest::thatLengthsMeanNothingIsSaidFirst() {
   VolumeInfo info;
-  info.warnings = {"One file is left out.", "The volume is uncalibrated: 1 mm is assumed."};
-  QVERIFY(ui::mainWarning(info).startsWith("One file"));
-  info.calibrated = false;
+  info.warnings = {FindingKind::fileNotDicomUnnamed, FindingKind::uncalibrated};
   QVERIFY(ui::mainWarning(info).startsWith("The volume is uncalibrated"));
   QVERIFY(ui::mainWarning(info).contains("More"));
-  info.warnings = {"The volume is uncalibrated."};
-  QCOMPARE(ui::mainWarning(info), QString("The volume is uncalibrated."));
+  info.warnings = {FindingKind::uncalibrated};
+  QCOMPARE(ui::mainWarning(info), ui::findingSentence(FindingKind::uncalibrated));
   // The bar of time shows it.
-  info.warnings = {"There are 3 time points; frame 0 is used (--frame chooses another)."};
+  info.warnings = {{FindingKind::frameZeroUsed, {{"frames", 3}}}};
   QVERIFY(ui::mainWarning(info).isEmpty());
-  info.warnings.push_back("One file is left out.");
-  QCOMPARE(ui::mainWarning(info), QString("One file is left out."));
+  info.warnings.push_back(FindingKind::fileNotDicomUnnamed);
+  QCOMPARE(ui::mainWarning(info), QString("1 file in the folder is not DICOM and left out."));
 }
 
 int main(int argc, char** argv) {
