@@ -6,7 +6,8 @@
 set -euo pipefail
 package=$(readlink -f "$1")
 # shellcheck source=/dev/null
-release=${2:-$(. /etc/os-release && echo "$VERSION_CODENAME")}
+machine=$(. /etc/os-release && echo "$VERSION_CODENAME")
+release=${2:-$machine}
 mirror=${HANDLEBODY_MIRROR:-http://deb.debian.org/debian}
 here=$(cd "$(dirname "$0")" && pwd)
 if [ "$(id -u)" -ne 0 ]; then
@@ -16,8 +17,9 @@ fi
 folder=$(mktemp -d)
 trap 'rm -rf --one-file-system "$folder"' EXIT
 debootstrap --variant=minbase "$release" "$folder/debian" "$mirror"
-# The machine's own sources and proxy, so that a local mirror serves here, too.
+# The machine's own sources and proxy, so that a local mirror serves here, too; those of the other release if it is another.
 cp -rT /etc/apt "$folder/debian/etc/apt"
+find "$folder/debian/etc/apt" -name '*.list' -o -name '*.sources' | xargs -r sed -i "s/\<$machine\>/$release/g"
 cp "$package" "$folder/debian/handlebody.deb"
 for name in python3-handlebody libhandlebody-dev; do
   for beside in "$(dirname "$package")/${name}"_*.deb; do
