@@ -169,8 +169,7 @@ FrameResult grownFrame(const GrownObject& grown) {
   result.stopped = grown.report.stopped;
   result.seconds = grown.report.seconds.load + grown.report.seconds.prepare + grown.report.seconds.evolve;
   for (const ToldLeak& leak : grown.report.leaks)
-    if (leak.answer != LeakAnswer::wall)
-      result.faults.push_back(leakFault(leak.leak));
+    if (leak.answer != LeakAnswer::wall) result.faults.push_back(leakFault(leak.leak));
   return result;
 }
 

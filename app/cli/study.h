@@ -23,13 +23,13 @@ struct StudyInput {
 std::string argumentOf(const StudyInput& input);
 
 struct StudyCase {
-  int line = 0;                       //!< of the CSV file
-  std::string name;                   //!< of its folder
-  std::string volume;                 //!< as the file says it
-  std::string volumePath;             //!< absolute
-  std::vector<StudyInput> inputs;     //!< further files, in the order of the columns
-  std::vector<std::string> options;   //!< of `segment`, --NAME=VALUE, without inputs and outputs
-  std::vector<std::string> outputs;   //!< names of files in its folder
+  int line = 0;                      //!< of the CSV file
+  std::string name;                  //!< of its folder
+  std::string volume;                //!< as the file says it
+  std::string volumePath;            //!< absolute
+  std::vector<StudyInput> inputs;    //!< further files, in the order of the columns
+  std::vector<std::string> options;  //!< of `segment`, --NAME=VALUE, without inputs and outputs
+  std::vector<std::string> outputs;  //!< names of files in its folder
   CaseLimits limits;
   bool isOverTime() const;  //!< a surface is carried through the frames of a 4D volume
   std::string fault;        //!< a sentence with line and column why it cannot run; empty: it can

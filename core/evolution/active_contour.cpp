@@ -222,7 +222,7 @@ StepReport ActiveContour::State::step() {
 }
 
 ActiveContour::ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters parameters,
-                             Constraints constraints)
+                             const Constraints& constraints)
     : state_(std::make_unique<State>()) {
   requireSensible(parameters);
   requireSensible(constraints, volume.grid);

@@ -42,7 +42,7 @@ void adaptInRounds(Mesh& mesh, CollisionDetector& detector, AdaptationSettings s
     }
   }
   for (const auto& [f, g] : detector.detectMoved(mesh, changed)) {
-    const Vec3 centre = mesh.position(mesh.face(f)[0]);
+    const Vec3& centre = mesh.position(mesh.face(f)[0]);
     a.troubles.push_back({centre, 2 * longest, FindingKind::stillIntersects});
   }
 }

@@ -33,7 +33,8 @@ struct HeldPlace {
   bool operator==(const HeldPlace&) const = default;
 };
 
-//! What the held change would do: wouldEnclose, wouldComeOff, frontsWouldMeet, wouldMakeTunnel or wouldChange.
+//! What the held change would do: wouldEnclose, wouldComeOff, frontsWouldMeet, wouldMakeTunnel or
+//! wouldChange.
 Finding findingOf(const HeldPlace& held);
 inline std::string sentence(const HeldPlace& held) { return sentence(findingOf(held)); }
 

@@ -80,7 +80,8 @@ CertifiedMesh certifiedForExport(const TriangleSoup& mesh) {
 std::vector<Finding> doubts(const RunReport& report, const TriangleSoup& mesh) {
   std::vector<Finding> out;
   if (Finding why = unfinished(report); why.any()) out.push_back(std::move(why));
-  if (!report.session.constraints.start && atItsSeeds(report, mesh)) out.push_back(hardlyGrown(*report.session.resolved));
+  if (!report.session.constraints.start && atItsSeeds(report, mesh))
+    out.push_back(hardlyGrown(*report.session.resolved));
   if (Finding choice = closeChoice(report); choice.any()) out.push_back(std::move(choice));
   return out;
 }
@@ -92,8 +93,8 @@ bool isDicomResult(const std::string& path) { return isDicomSegmentationPath(pat
 }  // namespace
 
 bool isResultPath(const std::string& path) {
-  return isMeshPath(path) || isLabelMapPath(path) || isThreeMfPath(path) || isGltfPath(path) || isDicomResult(path) ||
-         isTetrahedraPath(path);
+  return isMeshPath(path) || isLabelMapPath(path) || isThreeMfPath(path) || isGltfPath(path) ||
+         isDicomResult(path) || isTetrahedraPath(path);
 }
 
 void checkResult(const std::string& path, const ExportContext& context) {
@@ -105,7 +106,8 @@ void checkResult(const std::string& path, const ExportContext& context) {
 }
 
 const char* resultEndings() {
-  return "a mesh is .stl, .vtp, .ply, .obj, .3mf, .gltf or .stl.dcm, tetrahedra are .msh, .vtu or .inp, a label map "
+  return "a mesh is .stl, .vtp, .ply, .obj, .3mf, .gltf or .stl.dcm, tetrahedra are .msh, .vtu or .inp, a "
+         "label map "
          ".seg.nrrd, .seg.dcm, .nii, "
          ".nii.gz, .nrrd or .mha";
 }

@@ -55,7 +55,8 @@ TEST_CASE("given spacing (--spacing) calibrates, stands in report and session, a
   }
 }
 
-TEST_CASE("the options --spacing and --uneven are checked, and the decoder is no command for users", "[cli]") {
+TEST_CASE("the options --spacing and --uneven are checked, and the decoder is no command for users",
+          "[cli]") {
   const TempFolder folder;
   const PhantomFile phantom = makePhantomFile(folder);
   CHECK(runCli({"info", phantom.path, "--spacing", "1,0,1"}).exitCode == 2);

@@ -45,8 +45,7 @@ RunReport completed(PendingReport pending, const WrittenMesh& mesh, const Volume
   made.polish = mesh.polish;
   made.doubts = doubts(made, mesh.made.mesh);
   if (mesh.polish)
-    if (Finding doubt = polishDoubt(*mesh.polish); doubt.any())
-      made.doubts.push_back(std::move(doubt));
+    if (Finding doubt = polishDoubt(*mesh.polish); doubt.any()) made.doubts.push_back(std::move(doubt));
   made.doubts.insert(made.doubts.end(), shown.doubts.begin(), shown.doubts.end());
   made.doubts.insert(made.doubts.end(), known.begin(), known.end());
   for (Finding& d : pinDoubts(made)) made.doubts.push_back(std::move(d));

@@ -184,8 +184,7 @@ void Document::Private::carryAgain(const std::optional<int>& again) {
   order.start.stopped = growth.stopReason();
   order.start.seconds = growth.seconds();
   for (const FoundLeak& found : growth.leaks())
-    if (found.leak.iteration <= growth.iteration())
-      order.start.faults.push_back(leakFault(found.leak));
+    if (found.leak.iteration <= growth.iteration()) order.start.faults.push_back(leakFault(found.leak));
   order.settings = carrySettings();
   time.carry(std::move(order));
 }

@@ -44,8 +44,7 @@ CarriedFrame shownAs(FrameResult result) {
   snapshot->mesh = mesh;
   snapshot->states.assign(mesh.triangles.size(), FaceState::settled);
   snapshot->certificate = certify(mesh);
-  for (const ToldFault& f : frame.result.faults)
-    snapshot->doubts.push_back(f.finding);
+  for (const ToldFault& f : frame.result.faults) snapshot->doubts.push_back(f.finding);
   frame.snapshot = std::move(snapshot);
   frame.finished = std::make_shared<const FinishedMesh>(frame.snapshot);
   return frame;

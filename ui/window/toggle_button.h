@@ -26,8 +26,8 @@ class ToggleButton : public QToolButton {
   QColor rim() const;
 };
 
-//! Pressed and enabled as the action is, which a click triggers. `text`: in place of the action's, which stays its
-//! name.
+//! Pressed and enabled as the action is, which a click triggers. `text`: in place of the action's, which
+//! stays its name.
 ToggleButton* toggleFor(QAction* action, QWidget* parent, const QString& text = {});
 
 }  // namespace handlebody::ui

@@ -21,7 +21,7 @@ int main() {
       }
   ActiveContour contour(volume, {Seed{Vec3(20, 20, 20), 3.0}}, {});
   while (contour.stopReason() == StopReason::running) contour.step();
-  std::cout << stopReasonName(contour.stopReason()) << " after " << contour.iteration() << " iterations: "
-            << contour.mesh().vertexCount() << " vertices, genus " << topologyNumbers(contour.mesh()).genus
-            << ", " << signedVolume(contour.mesh()) << " mm3\n";
+  std::cout << stopReasonName(contour.stopReason()) << " after " << contour.iteration()
+            << " iterations: " << contour.mesh().vertexCount() << " vertices, genus "
+            << topologyNumbers(contour.mesh()).genus << ", " << signedVolume(contour.mesh()) << " mm3\n";
 }

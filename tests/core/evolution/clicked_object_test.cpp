@@ -5,8 +5,8 @@
 
 #include "core/evolution/active_contour.h"
 #include "core/evolution/seeds.h"
-#include "core/object/region_field.h"
 #include "core/mesh/nesting.h"
+#include "core/object/region_field.h"
 #include "tests/support/catch.h"
 #include "tests/support/test_volume.h"
 

@@ -8,9 +8,9 @@
 #include "core/evolution/clicked_object.h"
 #include "core/evolution/seeds.h"
 #include "core/evolution/shown_object.h"
+#include "core/mesh/nesting.h"
 #include "core/mesh/shapes.h"
 #include "core/mesh/topology.h"
-#include "core/mesh/nesting.h"
 #include "tests/core/evolution/contour_support.h"
 
 using namespace handlebody;

@@ -195,8 +195,9 @@ TEST_CASE("what was made with an earlier surface is told, not exported where the
   }
 }
 
-TEST_CASE("who is told of a change finds the active object in the list, when it is deleted while it grows too",
-          "[objects]") {
+TEST_CASE(
+    "who is told of a change finds the active object in the list, when it is deleted while it grows too",
+    "[objects]") {
   ObjectsWork work;
   Document& document = work.document;
   document.addObject();
