@@ -5,14 +5,13 @@
 
 #include "core/collision/box_tree.h"
 #include "core/geometry/triangle_intersection.h"
+#include "core/indices.h"
 #include "core/mesh/nesting.h"
 #include "core/mesh/topology.h"
 
 namespace handlebody {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 const Vec3& corner(const TriangleSoup& mesh, std::size_t triangle, std::size_t i) {
   return mesh.points[idx(mesh.triangles[triangle][i])];

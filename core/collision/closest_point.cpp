@@ -6,13 +6,12 @@
 #include <numeric>
 
 #include "core/geometry/triangle_distance.h"
+#include "core/indices.h"
 #include "core/mesh/nesting.h"
 
 namespace handlebody {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! Enough for a tree that halves 2^31 triangles: each level leaves one node waiting.
 constexpr std::size_t kDeepest = 64;

@@ -13,11 +13,10 @@
 #include "core/collision/vertex_levels.h"
 #include "core/collision/vertex_pairs.h"
 #include "core/collision/vertex_stars.h"
+#include "core/indices.h"
 
 namespace handlebody {
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 // Room for rounding in distances that only reject: their relative errors are below 2^-48.
 constexpr double kRounding = 1 + 0x1p-40;
@@ -123,10 +122,7 @@ struct CollisionDetector::Tables {
   void testSeparateByTree();
 };
 
-void CollisionDetector::Tables::sortPairs() {
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-}
+void CollisionDetector::Tables::sortPairs() { sortUnique(pairs); }
 
 void CollisionDetector::Tables::runAll() {
   all = true;

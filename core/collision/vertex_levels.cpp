@@ -1,4 +1,5 @@
 #include "core/collision/vertex_levels.h"
+#include "core/indices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +13,6 @@ constexpr double kRounding = 1 + 0x1p-40;
 // Mean of (largest size / size)² above which one table for all looks at more than levels do: on a surface,
 // the number of vertices within the largest reach grows with it. An even mesh is below 3.
 constexpr double kUneven = 4;
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 

@@ -1,12 +1,11 @@
 #include "core/collision/vertex_stars.h"
+#include "core/indices.h"
 
 #include <algorithm>
 #include <cstring>
 
 namespace handlebody {
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! Brings the corners into cyclic order by looking for each successor among the rest. For few corners.
 bool orderByScanning(std::span<Corner> corners) {

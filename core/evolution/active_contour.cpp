@@ -9,6 +9,7 @@
 #include "core/evolution/adaptation_rounds.h"
 #include "core/evolution/contour_state.h"
 #include "core/evolution/image_doubts.h"
+#include "core/indices.h"
 #include "core/mesh/morton_order.h"
 
 namespace handlebody {
@@ -19,8 +20,6 @@ namespace {
 constexpr std::size_t kLeastWork = 10'000'000;
 
 constexpr double kGrowthToReorder = 1.5;  // of the mesh, until its vertices are put into order again
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
@@ -223,7 +222,7 @@ StepReport ActiveContour::State::step() {
 }
 
 ActiveContour::ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters parameters,
-                             Constraints constraints)
+                             const Constraints& constraints)
     : state_(std::make_unique<State>()) {
   requireSensible(parameters);
   requireSensible(constraints, volume.grid);

@@ -28,7 +28,8 @@ class ActiveContour {
   //! Throws SeedError (seed outside the volume or not in an object), UsageError (a parameter without meaning,
   //! a range without voxels, a wall outside of the volume, a start in a wall or that meets an object of them,
   //! a pin of iteration 0 without a vertex), Cancelled (cancellation.h).
-  ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters parameters, Constraints constraints = {});
+  ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters parameters,
+                const Constraints& constraints = {});
   ~ActiveContour();
   ActiveContour(ActiveContour&&) noexcept;
   ActiveContour& operator=(ActiveContour&&) noexcept;

@@ -3,14 +3,13 @@
 #include <iterator>
 
 #include "core/cancellation.h"
+#include "core/indices.h"
 
 namespace handlebody {
 
 namespace {
 
 constexpr int kRounds = 5;
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 std::vector<unsigned char> verticesOf(const Mesh& mesh, const std::vector<FacePair>& pairs) {
   std::vector<unsigned char> marked(idx(mesh.vertexSlots()), 0);
@@ -43,7 +42,7 @@ void adaptInRounds(Mesh& mesh, CollisionDetector& detector, AdaptationSettings s
     }
   }
   for (const auto& [f, g] : detector.detectMoved(mesh, changed)) {
-    const Vec3 centre = mesh.position(mesh.face(f)[0]);
+    const Vec3& centre = mesh.position(mesh.face(f)[0]);
     a.troubles.push_back({centre, 2 * longest, FindingKind::stillIntersects});
   }
 }

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "core/indices.h"
 #include "core/mesh/nesting.h"
 #include "core/surgery/predicted_change.h"
 
@@ -13,8 +14,6 @@ namespace {
 // Lengths as parts of the target edge length.
 constexpr double kCollapsed = 1.0;  // a component of less extent than this is gone
 constexpr double kShrinks = 4;      // more than a component loses of its extent in one step
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 double extentOf(const Mesh& mesh) {
   Eigen::AlignedBox3d box;

@@ -1,13 +1,12 @@
 // Edits by hand as steps.
 
 #include "core/evolution/contour_state.h"
+#include "core/indices.h"
 #include "core/told_error.h"
 
 namespace handlebody {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! More components or tunnels than there were, and than may be.
 FindingKind limitBroken(const TopologyLimits& limits, const TopologyNumbers& before,

@@ -1,14 +1,13 @@
 // What pins keep from happening in a step.
 
 #include "core/evolution/contour_state.h"
+#include "core/indices.h"
 
 namespace handlebody {
 
 namespace {
 
 constexpr double kFlat = 0.01;  // cubes of the edge length: a component of less volume has been pressed flat
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 

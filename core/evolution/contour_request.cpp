@@ -11,6 +11,7 @@
 #include "core/evolution/image_doubts.h"
 #include "core/evolution/seeds.h"
 #include "core/geometry/triangle_distance.h"
+#include "core/indices.h"
 #include "core/mesh/structure.h"
 #include "core/told_error.h"
 
@@ -26,8 +27,6 @@ constexpr double kStep =
     0.28;  // largest move along the normal: two fronts come closer by little more than s / 3
 constexpr double kStepVoxels = 0.9;  // and never further than this many voxels of the finest axis
 constexpr double kAgrees = 0.5;      // voxels between a boundary and a surface that agree
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! A surface says more than a click at its deepest place: a ball there is all of the object.
 Seed seedWithin(const StartSurface& start) {

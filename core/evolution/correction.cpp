@@ -8,6 +8,7 @@
 #include "core/evolution/normal_profile.h"
 #include "core/evolution/seeds.h"
 #include "core/evolution/shown_object.h"
+#include "core/indices.h"
 #include "core/mesh/containment.h"
 #include "core/mesh/nesting.h"
 #include "core/mesh/shapes.h"
@@ -20,8 +21,6 @@ namespace {
 constexpr int kNoComponent = -1;  // none is left out of a winding number
 constexpr int kAround = 3;        // edges from a vertex that disagrees to those that wake with it
 constexpr int kMostPlaces = 64;   // of the surface's inside from which a front may come
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 std::vector<Vec3> placesOf(const ObjectImage& image, const std::vector<Seed>& clicks, double edgeLength) {
   std::vector<Vec3> places;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/cancellation.h"
+#include "core/indices.h"
 #include "core/mesh/topology.h"
 #include "core/surgery/local_smoothing.h"
 #include "core/surgery/mesh_edits.h"
@@ -15,8 +16,6 @@
 namespace handlebody {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 bool contains(const std::vector<MeshEdit>& list, const MeshEdit& edit) {
   return std::find(list.begin(), list.end(), edit) != list.end();

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/indices.h"
 #include "core/mesh/topology.h"
 
 namespace handlebody {
@@ -16,8 +17,6 @@ namespace {
 // Longest edges about the place within which its fronts are looked for: the nearest that shows two.
 constexpr double kAround[] = {0.75, 1.0, 1.5, 2.0};
 constexpr double kFar = 1e300;
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 std::vector<int> verticesWithin(const Mesh& mesh, const Vec3& place, double radius) {
   std::vector<int> out;

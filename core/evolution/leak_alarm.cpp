@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "core/evolution/passage_disc.h"
+#include "core/indices.h"
 
 namespace handlebody {
 
@@ -14,8 +15,6 @@ constexpr std::size_t kSmall = 2'000'000;  // voxels: a volume that is looked at
 constexpr int kWiden = 24;                 // voxels around the surface, at least
 constexpr double kWidenPart = 0.35;        // and of its extent
 constexpr int kNear = 4;                   // voxels from the box's end at which it is widened
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 std::vector<int> allVertices(const Mesh& mesh) {
   std::vector<int> all;

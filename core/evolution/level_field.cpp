@@ -1,4 +1,5 @@
 #include "core/evolution/level_field.h"
+#include "core/indices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,6 @@ constexpr double kNodeDistance = 8;  // voxels (mean spacing)
 // Each wider ring of the kernel counts this much less than the one within it: what is near decides, however
 // little it is.
 constexpr double kWider = 0.05;
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! One pass with the kernel (1, 2, 1)/4 whose taps are `step` nodes apart, along one axis; beyond the border
 //! there is nothing.

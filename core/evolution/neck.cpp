@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/evolution/thickness_map.h"
+#include "core/indices.h"
 
 namespace handlebody {
 
@@ -35,8 +36,6 @@ constexpr double kHoleWidens = 3;
 constexpr double kBehindHole = 0.2;
 
 constexpr int kBinsPerVoxel = 4;
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! The thickest place within the largest ball around the seed.
 std::size_t thickestNear(const Grid& grid, const ThicknessMap& map, std::size_t seed) {

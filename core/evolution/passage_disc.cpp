@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/indices.h"
 #include "core/object/rays.h"
 
 namespace handlebody {
@@ -20,8 +21,6 @@ constexpr double kShift = 3;          // voxels along the normal: where the smal
 constexpr double kDirections = 0.22;  // between neighbours on the unit sphere
 constexpr double kNearStart = 2;      // voxels from the plane's middle to a place of the object in it
 constexpr double kRounding = 1e-3;    // mm, and of the normal's components
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! What of the object hangs together with the middle of a plane.
 struct Section {

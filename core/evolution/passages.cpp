@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/evolution/space_tree.h"
+#include "core/indices.h"
 #include "core/object/distance.h"
 
 namespace handlebody {
@@ -17,8 +18,6 @@ constexpr double kLeastBall = 1.5;    // the same, of the balls that mark it
 // neighbours leads through a wall that is thinner than they are.
 constexpr double kAtWall = 0.6;
 constexpr float kUnlimited = 1e6f;  // mm
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! Calls f(cell number, x, y, z) for all cells but the outermost layer.
 template <typename F>

@@ -4,6 +4,7 @@
 #include <limits>
 #include <string>
 
+#include "core/indices.h"
 #include "core/told_error.h"
 
 namespace handlebody {
@@ -13,8 +14,6 @@ namespace {
 // Longest edges: what rests beyond the vertices that met, and by how much more when they meet all the same.
 constexpr double kBeyond = 0.5;
 constexpr double kGrowth = 0.25;
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 bool contains(const std::vector<Pin>& list, const Pin& pin) {
   return std::find(list.begin(), list.end(), pin) != list.end();

@@ -1,4 +1,5 @@
 #include "core/evolution/quiet_vertices.h"
+#include "core/indices.h"
 
 #include <algorithm>
 
@@ -7,8 +8,6 @@ namespace handlebody {
 namespace {
 
 constexpr double kStirring = 0.1;  // edge lengths: a neighbour that moves more than this wakes a sleeper
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 

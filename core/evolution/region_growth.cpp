@@ -9,6 +9,7 @@
 
 #include "core/cancellation.h"
 #include "core/evolution/region_patch.h"
+#include "core/indices.h"
 
 namespace handlebody {
 
@@ -30,8 +31,6 @@ constexpr std::size_t kMostVoxels = 2'000'000;
 // If it has let in more than this part of the volume's border with it, it is the background: no level after
 // it is that of an object.
 constexpr double kBackground = 0.5;
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 // A level that lets in more than this is taken in by rows: looking at all rows of the bricks costs as much.
 constexpr std::size_t kManyVoxels = 60'000;

@@ -6,13 +6,12 @@
 #include <vector>
 
 #include "core/evolution/edge_profile.h"
+#include "core/indices.h"
 #include "core/volume/intensity_statistics.h"
 
 namespace handlebody {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! The object's cells as voxels of a volume of cells, with the faces between them and the rest.
 ObjectRegion facesOf(const WorkImage& work, const Region& region) {

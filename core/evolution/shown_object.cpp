@@ -1,4 +1,5 @@
 #include "core/evolution/shown_object.h"
+#include "core/indices.h"
 
 #include <algorithm>
 #include <array>
@@ -12,8 +13,6 @@ constexpr double kApart = 0.5;  // edge lengths between the points of the grid
 // Lines are looked along a little beside the grid's points: voxels and corners of meshes often lie alike.
 constexpr double kBesideX = 1.37e-4, kBesideY = 0.91e-4;
 constexpr std::size_t kSampleEvery = 97;
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 Grid coarseGrid(const Grid& voxels, double apart) {
   Grid grid = voxels;

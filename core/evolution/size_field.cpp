@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/cancellation.h"
+#include "core/indices.h"
 #include "core/object/distance.h"
 
 namespace handlebody {
@@ -21,8 +22,6 @@ constexpr double kHalfDiagonal = 0.87, kTooLarge = 0.25;
 // Edge lengths from the boundary up to which edges are not longer: more than a step, and than what the mean
 // over the surface around moves the boundary.
 constexpr double kNear = 0.5;
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! The cells of a volume, and which of them hang together in the object.
 class CellFlood {

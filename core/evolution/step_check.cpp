@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/collision/certify.h"
+#include "core/indices.h"
 #include "core/mesh/changed_blocks.h"
 #include "core/mesh/nesting.h"
 
@@ -19,8 +20,6 @@ constexpr bool kChecksWhole = true;
 #else
 constexpr bool kChecksWhole = false;
 #endif
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 bool has(const Mesh& mesh, int v) { return v >= 0 && v < mesh.vertexSlots() && mesh.isVertex(v); }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/evolution/object_region.h"
+#include "core/indices.h"
 #include "core/volume/volume.h"
 
 namespace handlebody {
@@ -52,7 +53,6 @@ class ThicknessMap {
     float length;  // mm
   };
 
-  static std::size_t idx(int i) { return static_cast<std::size_t>(i); }
   void makeNeighbours();
   std::vector<std::size_t> outsideOfVolume() const;
   void sweep(std::vector<float>& d) const;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/evolution/wall_pieces.h"
+#include "core/indices.h"
 #include "core/mesh/nesting.h"
 #include "core/mesh/topology.h"
 #include "core/told_error.h"
@@ -17,8 +18,6 @@ namespace {
 constexpr std::array<double, 5> kParts{1, 0.5, 0.25, 0.125, 0};
 constexpr double kSwallows = 6;  // edge lengths from a change of topology to what it may have swallowed
 constexpr double kBeside = 6;    // voxels of mean size between a click and the ball that fits near it
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
@@ -103,8 +102,7 @@ void WallGuard::holdBack(Mesh& mesh, const Mesh& before, std::span<const int> mo
         if (order[idx(v)] >= 0 && part[idx(order[idx(v)])] + 1u < kParts.size()) cut.push_back(v);
     };
     for (const int v : suspects) mesh.forEachOutgoing(v, [&](int h) { look(Mesh::faceOf(h)); });
-    std::sort(cut.begin(), cut.end());
-    cut.erase(std::unique(cut.begin(), cut.end()), cut.end());
+    sortUnique(cut);
     for (const int v : cut) {
       const std::size_t i = idx(order[idx(v)]);
       moves[i] = kParts[++part[i]] * whole[i];

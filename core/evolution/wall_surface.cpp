@@ -6,6 +6,7 @@
 
 #include "core/geometry/triangle_distance.h"
 #include "core/geometry/triangle_intersection.h"
+#include "core/indices.h"
 #include "core/mesh/nesting.h"
 #include "core/mesh/topology.h"
 
@@ -14,8 +15,6 @@ namespace handlebody {
 namespace {
 
 constexpr double kMostCells = 4e6;
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/geometry/triangle_distance.h"
+#include "core/indices.h"
 
 namespace handlebody {
 
@@ -27,8 +28,6 @@ constexpr double kMostBulge = 0.3;    // voxels of mean size: what objects may l
 constexpr double kObjectCell = 2;     // voxels of mean size
 constexpr double kNotMore = 0.999;    // of what is free: far above the rounding of single precision
 constexpr double kLongestFace = 4.5;  // edge lengths: longer than any edge, three times the paper's bound
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 

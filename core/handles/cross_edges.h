@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/geometry/vec.h"
+#include "core/indices.h"
 
 namespace handlebody {
 
@@ -43,8 +44,6 @@ class CrossEdges {
 
  private:
   bool isForbidden(const Triangle& face) const;
-  static std::size_t idx(int i) { return static_cast<std::size_t>(i); }
-
   std::vector<int> loop_;   // of each vertex
   std::vector<int> first_;  // vertex of each loop, and the end
   std::vector<double> length_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/handles/cross_edges.h"
+#include "core/indices.h"
 
 namespace handlebody {
 
@@ -64,7 +65,6 @@ class DiscTriangulation {
     int apex;
     bool operator<(const Option& o) const { return length != o.length ? length < o.length : apex < o.apex; }
   };
-  static std::size_t idx(int i) { return static_cast<std::size_t>(i); }
   bool isSide(const Chord& c) const;
   void listRuns();
   const std::vector<std::array<int, 2>>& runs(const Chord& base) const;

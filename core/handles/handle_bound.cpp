@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "core/cancellation.h"
+#include "core/indices.h"
 
 namespace handlebody {
 
@@ -178,8 +179,7 @@ int HandleBound::chooseFaces() {
   for (unsigned rest = leastCombination(0).classes; rest != 0; rest &= rest - 1)
     addSlope(faceOfClass_[idx(std::countr_zero(rest))]);
   for (auto& [u, v] : sloped_) std::tie(u, v) = std::make_tuple(std::min(u, v), std::max(u, v));
-  std::sort(sloped_.begin(), sloped_.end());
-  sloped_.erase(std::unique(sloped_.begin(), sloped_.end()), sloped_.end());
+  sortUnique(sloped_);
   int squares = 0;
   for (const auto& [u, v] : sloped_)
     squares += slope_[idx(u) * count_ + idx(v)] * slope_[idx(u) * count_ + idx(v)];

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/handles/cross_edges.h"
+#include "core/indices.h"
 
 namespace handlebody {
 
@@ -38,7 +39,6 @@ class HandleBound {
  private:
   // Type 2 faces are known by their class: three loops, and the cyclic order in which they hold them.
   static constexpr int kClasses = 8;
-  static std::size_t idx(int i) { return static_cast<std::size_t>(i); }
   double shareOf(int u, int v) const { return share_[idx(u) * count_ + idx(v)]; }
   int classOf(const Triangle& face) const;
   void findLeast();

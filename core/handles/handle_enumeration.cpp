@@ -7,6 +7,7 @@
 
 #include "core/errors.h"
 #include "core/handles/handle_sizes.h"
+#include "core/indices.h"
 
 namespace handlebody {
 namespace {
@@ -40,7 +41,6 @@ class HandleSearch {
  private:
   bool isBoundaryEdge(int u, int v) const { return next_[idx(u)] == v; }
   char& used(int u, int v) { return used_[idx(u) * next_.size() + idx(v)]; }
-  static std::size_t idx(int i) { return static_cast<std::size_t>(i); }
   void search();
   void complete();
   void tryFace(int u, int v, int w);

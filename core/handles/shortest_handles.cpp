@@ -8,6 +8,7 @@
 #include "core/cancellation.h"
 #include "core/handles/disc_triangulation.h"
 #include "core/handles/handle_bound.h"
+#include "core/indices.h"
 
 namespace handlebody {
 
@@ -18,8 +19,6 @@ constexpr std::size_t kMaxLoops = 4;
 constexpr int kRoundsAgain = 20;
 constexpr int kRounds = 1000;                    // of the search for a good lower bound
 constexpr std::size_t kRoundsWork = 30'000'000;  // that they may cost, for long loops
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! A boundary polygon of what is left of the handle; its faces hold the sides in this direction.
 using Word = std::vector<int>;
@@ -246,8 +245,7 @@ double ShortestHandles::Search::takenLength(const Partial& p) const {
       if (edges_.loopOf(u) != edges_.loopOf(v)) pairs.push_back({u, v});
     }
   }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  sortUnique(pairs);
   double sum = 0;
   for (const auto& [u, v] : pairs) sum += edges_.length(u, v);
   return sum;

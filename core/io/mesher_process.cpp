@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "core/errors.h"
+#include "core/indices.h"
 #include "core/io/limited_program.h"
 
 namespace handlebody {
@@ -76,8 +77,6 @@ void setDigits(std::ofstream& out) {
   out.imbue(std::locale::classic());
   out.precision(std::numeric_limits<double>::max_digits10);
 }
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 void writeGmshSurface(const MesherInput& in, const std::string& path) {
   std::ofstream out(path);

@@ -1,4 +1,5 @@
 #include "core/io/picture_surface.h"
+#include "core/indices.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -14,8 +15,6 @@ constexpr int kSamples = 3;  // along x and y in each pixel, against steps at th
 const Colour kTop(0.135F, 0.150F, 0.175F), kBottom(0.065F, 0.072F, 0.085F);
 const Colour kMaterial(0.93F, 0.74F, 0.44F);
 const Colour kText(0.85F, 0.87F, 0.90F);
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! Rows: right, up and towards the eye, in LPS.
 Eigen::Matrix3d camera() {

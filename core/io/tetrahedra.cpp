@@ -7,6 +7,7 @@
 
 #include "core/collision/closest_point.h"
 #include "core/errors.h"
+#include "core/indices.h"
 #include "core/io/mesher_process.h"
 #include "core/mesh/containment.h"
 #include "core/mesh/pieces.h"
@@ -19,8 +20,6 @@ namespace {
 //! Of the volume: what rounding may make of it. A lost or added cell is far more in any mesh that can be
 //! meshed at all.
 constexpr double kSameVolume = 1e-6;
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! A point in front of the largest face of a component, with no other face between: in a cavity, inside of
 //! it.

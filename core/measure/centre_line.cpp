@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/cancellation.h"
+#include "core/indices.h"
 #include "core/measure/ball_path.h"
 #include "core/measure/section_area.h"
 #include "core/mesh/topology.h"
@@ -20,8 +21,6 @@ constexpr double kFirstStep = 0.3;  // of the radius; halved where it does not h
 constexpr double kPointsPerRadius = 4;
 constexpr double kBallsInVolume = 500'000;  // lattice points that a body may have at first
 constexpr double kCellsPerRadius = 3;       // where the way begins and ends
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 double lengthOf(const std::vector<Vec3>& line) {
   double length = 0;

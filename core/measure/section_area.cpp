@@ -1,4 +1,5 @@
 #include "core/measure/section_area.h"
+#include "core/indices.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -11,8 +12,6 @@ namespace handlebody {
 namespace {
 
 using Vec2 = Eigen::Vector2d;
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! A triangle's part of the section, with the body to its left; known by the edges that it joins.
 struct Piece {

@@ -6,14 +6,13 @@
 #include "core/collision/box_tree.h"
 #include "core/geometry/closest_points.h"
 #include "core/geometry/triangle_distance.h"
+#include "core/indices.h"
 
 namespace handlebody {
 
 namespace {
 
 using Corners = std::array<Vec3, 3>;
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 Corners cornersOf(const TriangleSoup& mesh, int triangle) {
   const Triangle& t = mesh.triangles[idx(triangle)];

@@ -4,13 +4,12 @@
 #include <cmath>
 #include <map>
 
+#include "core/indices.h"
 #include "core/mesh/nesting.h"
 
 namespace handlebody {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! A vertex of a component, and how often the others wind around it.
 struct Sample {

@@ -7,12 +7,11 @@
 #include <map>
 
 #include "core/geometry/predicates.h"
+#include "core/indices.h"
 
 namespace handlebody {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! A piece of loops, with those that hold it and how often they run along it.
 struct Piece {

@@ -4,13 +4,12 @@
 #include <cstdlib>
 #include <random>
 
+#include "core/indices.h"
 #include "core/mesh/linking.h"
 
 namespace handlebody {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 constexpr std::int64_t kPrime = 2147483647;  // 2^31 - 1: products fit into 64 bits
 

@@ -4,12 +4,11 @@
 #include <queue>
 
 #include "core/cancellation.h"
+#include "core/indices.h"
 
 namespace handlebody {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 

@@ -5,12 +5,11 @@
 #include <unordered_map>
 
 #include "core/cancellation.h"
+#include "core/indices.h"
 
 namespace handlebody {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr int kRings = 2;   // around the loop, in each round
@@ -55,11 +54,6 @@ class Band {
       for (const int f : faces_) vertices.insert(vertices.end(), mesh_.face(f).begin(), mesh_.face(f).end());
     }
   }
-  static void sortUnique(std::vector<int>& v) {
-    std::sort(v.begin(), v.end());
-    v.erase(std::unique(v.begin(), v.end()), v.end());
-  }
-
   // Nodes are numbered as met: vertex v by (v, v, 0), the places on an edge by its ends, lower first.
   int node(const SurfacePoint& p) {
     const int part = p.from == p.to ? 0 : static_cast<int>(p.at * (kEdgePoints + 1) + 0.5);

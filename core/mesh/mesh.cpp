@@ -1,4 +1,5 @@
 #include "core/mesh/mesh.h"
+#include "core/indices.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -87,8 +88,7 @@ void Mesh::deleteFaceSlot(int f) {
 void Mesh::addFaces(std::span<const Triangle> faces) {
   std::vector<int> vertices;
   for (const Triangle& t : faces) vertices.insert(vertices.end(), t.begin(), t.end());
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  sortUnique(vertices);
 
   std::vector<DirectedEdge> open;  // boundary half-edges that exist already
   for (int v : vertices)

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/geometry/vec.h"
+#include "core/indices.h"
 
 namespace handlebody {
 
@@ -124,7 +125,6 @@ class Mesh {
  private:
   static constexpr int kIsolated = -1;
   static constexpr int kDeleted = -2;
-  static std::size_t idx(int i) { return static_cast<std::size_t>(i); }
   void link(int h, int g);
   int newFace(const Triangle& corners);
   void deleteFaceSlot(int f);

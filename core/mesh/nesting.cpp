@@ -5,12 +5,11 @@
 #include <numeric>
 
 #include "core/geometry/predicates.h"
+#include "core/indices.h"
 
 namespace handlebody {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! A place, and the component that does not count there.
 struct Query {

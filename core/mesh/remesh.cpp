@@ -1,4 +1,5 @@
 #include "core/mesh/remesh.h"
+#include "core/indices.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -9,8 +10,6 @@
 namespace handlebody {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 Vec3 normal(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a).normalized(); }
 
@@ -186,8 +185,7 @@ class Regulator {
         const int across = mesh_.opposite(Mesh::next(h));
         if (across >= 0) faces.push_back(Mesh::faceOf(across));
       });
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    sortUnique(faces);
     return faces;
   }
 

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <array>
 
+#include "core/indices.h"
 #include "core/mesh/changed_blocks.h"
 
 namespace handlebody {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 bool hasFace(const Mesh& mesh, int f) { return f < mesh.faceSlots() && mesh.isFace(f); }
 bool hasVertex(const Mesh& mesh, int v) { return v >= 0 && v < mesh.vertexSlots() && mesh.isVertex(v); }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/indices.h"
 #include "core/mesh/component_volume.h"
 #include "core/mesh/union_find.h"
 
@@ -112,8 +113,7 @@ void deleteComponent(Mesh& mesh, int v) {
   const std::vector<int> part = flood(mesh, v, label, 1);
   std::vector<int> faces;
   for (int w : part) mesh.forEachOutgoing(w, [&](int h) { faces.push_back(Mesh::faceOf(h)); });
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  sortUnique(faces);
   mesh.removeFaces(faces);
   for (int w : part) mesh.removeVertex(w);
 }

@@ -1,12 +1,11 @@
 #include "core/mesh/tree_cotree.h"
+#include "core/indices.h"
 
 #include <algorithm>
 
 namespace handlebody {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 void growTree(const Mesh& mesh, TreeCotree& out, std::vector<unsigned char>& used) {
   out.vertexParent.assign(idx(mesh.vertexSlots()), -1);

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/indices.h"
 #include "core/mesh/pieces.h"
 #include "core/mesh/topology.h"
 
 namespace handlebody {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 constexpr int kFirstBases = 6, kMostBases = 60;  // spread over the surface
 constexpr double kFar = std::numeric_limits<double>::infinity();

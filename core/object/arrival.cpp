@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/cancellation.h"
+#include "core/indices.h"
 #include "core/object/morphology.h"
 #include "core/threads.h"
 #include "core/volume/intensity_statistics.h"
@@ -14,8 +15,6 @@ namespace {
 
 using Cell = std::array<int, 3>;
 using Levels = std::vector<std::uint8_t>;
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
-
 //! Calls f(cell) for the cells at most `reach` from `centre` along each axis.
 template <typename F>
 void forBox(const CellGrid& cells, const Cell& centre, int reach, F&& f) {

@@ -7,13 +7,12 @@
 #include <numeric>
 
 #include "core/cancellation.h"
+#include "core/indices.h"
 #include "core/object/star_surface.h"
 
 namespace handlebody {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 // Gradients are kept in half octaves of the noise per cell.
 constexpr int kGradients = 24;

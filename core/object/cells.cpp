@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "core/cancellation.h"
+#include "core/indices.h"
 
 namespace handlebody {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 struct Span {
   int low, count;  // voxels

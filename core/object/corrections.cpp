@@ -5,6 +5,7 @@
 #include <limits>
 #include <queue>
 
+#include "core/indices.h"
 #include "core/object/distance.h"
 
 namespace handlebody {
@@ -12,8 +13,6 @@ namespace handlebody {
 namespace {
 
 using Cell = std::array<int, 3>;
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
-
 // Reach of a correction around its click, in depths of the click, and cells more.
 constexpr double kCutReach = 2, kMore = 1;
 // An edge of this many times the noise doubles the length of a step across it.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/indices.h"
 #include "core/object/intensity_shares.h"
 #include "core/volume/intensity_statistics.h"
 
@@ -15,7 +16,6 @@ namespace {
 constexpr int kBins = 32;                      // of the intensities
 constexpr double kInner = 0.25, kOuter = 2.2;  // of the expected radius, where the places lie
 
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 std::size_t at(std::size_t angle, std::size_t place) { return angle * CrossSection::kRadii + place; }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "core/object/distance.h"
+#include "core/indices.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +10,6 @@ namespace handlebody {
 
 namespace {
 
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 //! Lower envelope of the parabolas f(q) + (h (x - q))².

@@ -1,4 +1,5 @@
 #include "core/object/morphology.h"
+#include "core/indices.h"
 
 #include <algorithm>
 
@@ -7,8 +8,6 @@ namespace handlebody {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
-
 template <bool highest>
 std::uint8_t pick(std::uint8_t a, std::uint8_t b) {
   return (highest ? a > b : a < b) ? a : b;

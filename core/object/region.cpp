@@ -1,4 +1,5 @@
 #include "core/object/region.h"
+#include "core/indices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +11,6 @@ namespace handlebody {
 namespace {
 
 using Cell = std::array<int, 3>;
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
-
 //! Which cell of `to` each cell of `from` has its centre in, along one axis; -1 = none.
 std::vector<int> cellMap(const CellGrid& from, const CellGrid& to, std::size_t axis) {
   std::vector<int> out(idx(from.grid.size[axis]), -1);

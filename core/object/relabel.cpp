@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/cancellation.h"
+#include "core/indices.h"
 #include "core/object/distance.h"
 #include "core/volume/intensity_statistics.h"
 
@@ -20,7 +21,6 @@ constexpr int kSweeps = 60;          // of successive over-relaxation at most; a
 constexpr std::size_t kSettled = 20'000;  // one open cell of so many still changes its side
 constexpr float kOverRelaxation = 1.6f;
 
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 std::size_t bin(int i, int j) { return idx(i) * idx(kBins) + idx(j); }
 
 //! How common pairs of intensities are: at the cell, and around it.

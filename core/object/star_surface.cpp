@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/cancellation.h"
+#include "core/indices.h"
 #include "core/object/closure.h"
 #include "core/object/intensity_shares.h"
 #include "core/object/rays.h"
@@ -20,8 +21,6 @@ constexpr std::size_t kRadii = 40;  // per ray, from the innermost to the outerm
 constexpr int kBins = 32;           // of the intensities
 constexpr double kSettled = 0.1;    // cells: a shorter move is the last
 constexpr double kForced = 1e3;     // cost: more than a surface can win
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! A surface holds all that lies further in on its rays, and bends little between them.
 std::vector<std::array<std::size_t, 2>> pairsOfSurface(const Rays& rays, std::size_t bend) {

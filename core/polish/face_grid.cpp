@@ -1,4 +1,5 @@
 #include "core/polish/face_grid.h"
+#include "core/indices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,8 +83,7 @@ void FaceGrid::findNear(const Box& box, std::vector<int>& found) const {
       if (const auto at = here.find(c); at != here.end()) take(at->second);
     });
   }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  sortUnique(found);
 }
 
 }  // namespace handlebody

@@ -1,12 +1,11 @@
 #include "core/polish/patch.h"
+#include "core/indices.h"
 
 #include <algorithm>
 
 namespace handlebody {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 bool holds(const Triangle& t, int v) { return t[0] == v || t[1] == v || t[2] == v; }
 
@@ -30,8 +29,7 @@ std::vector<int> PolishPatch::neighbours(int v) const {
     if (holds(t, v))
       for (const int w : t)
         if (w != v) all.push_back(w);
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
+  sortUnique(all);
   return all;
 }
 

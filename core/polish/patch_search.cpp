@@ -11,6 +11,7 @@
 #include "core/cancellation.h"
 #include "core/geometry/closest_points.h"
 #include "core/geometry/triangle_distance.h"
+#include "core/indices.h"
 
 namespace handlebody {
 
@@ -24,8 +25,6 @@ constexpr double kFirstStep = 0.3, kLastStep = 0.015;  // of the mean edge at a 
 constexpr double kOffSurface = 0.5;                    // of the distance allowed: a step along the normal
 //! Of the distance allowed: where points may go. First as far as seems safe; less where that was too far.
 constexpr std::array<double, 2> kReaches{0.85, 0.5};
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 struct Star {
   Vec3 normal = Vec3::Zero();

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "core/collision/certify.h"
+#include "core/indices.h"
 #include "core/polish/patch_search.h"
 #include "core/polish/polished_surface.h"
 
@@ -21,8 +22,6 @@ constexpr int kMostChanges = 6;  // at one place in a pass
 constexpr std::size_t kDepth = 2, kLastDepth = 4;
 constexpr std::size_t kBeam = 3;           // attempts that are gone on with
 constexpr std::size_t kMostWork = 600000;  // shapes of stars, some three seconds
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! A bad face, or the two of a bad edge.
 struct Place {

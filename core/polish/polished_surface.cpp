@@ -5,12 +5,11 @@
 
 #include "core/collision/face_pair.h"
 #include "core/geometry/triangle_intersection.h"
+#include "core/indices.h"
 
 namespace handlebody {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 Corners corners(std::span<const Vec3> points, const Triangle& t) {
   return {points[idx(t[0])], points[idx(t[1])], points[idx(t[2])]};

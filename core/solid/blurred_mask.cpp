@@ -1,4 +1,5 @@
 #include "core/solid/blurred_mask.h"
+#include "core/indices.h"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +8,6 @@
 namespace handlebody {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! From the middle on; sums up to 1 with its mirror image.
 std::vector<float> kernel(double sigma) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/collision/near_points.h"
+#include "core/indices.h"
 #include "core/mesh/nesting.h"
 #include "core/mesh/structure.h"
 #include "core/mesh/topology.h"
@@ -16,8 +17,6 @@ constexpr int kRoundsAlone = 3;  // in which a vertex goes back without its neig
 constexpr int kMostRounds = 40;
 constexpr int kMostAttempts = 6;
 constexpr double kSurroundings = 2;  // longest edges
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! Relative to a point of each component, so that far from the origin no digits are lost.
 std::vector<GuardedMesh::Measure> measuresOf(const Mesh& mesh, const std::vector<int>& component,

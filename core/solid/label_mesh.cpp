@@ -12,6 +12,7 @@
 #include "core/collision/certify.h"
 #include "core/collision/self_intersection.h"
 #include "core/errors.h"
+#include "core/indices.h"
 #include "core/mesh/topology.h"
 #include "core/solid/guarded_mesh.h"
 #include "core/solid/mask_surface.h"
@@ -35,8 +36,6 @@ constexpr std::size_t kChunk = 1024;
 // drawn back at first (where that is not enough, the next), and how far they keep from each other.
 constexpr std::array kDrawnBack{0.05, 0.1, 0.2, 0.3};
 constexpr double kKeptApart = 0.1;
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! To the mean of the neighbours, as far as it lies in the tangent plane.
 SmoothSurface::Place evened(const Mesh& mesh, int v) {

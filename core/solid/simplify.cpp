@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/indices.h"
 #include "core/mesh/validity.h"
 #include "core/object/distance.h"
 #include "core/solid/mask_surface.h"
@@ -11,8 +12,6 @@
 namespace handlebody {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! Marks the part that holds a voxel as `label`; returns its number of voxels.
 std::size_t flood(const Mask& mask, std::size_t start, int label, std::vector<int>& labels) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/indices.h"
 #include "core/solid/label_mesh.h"
 
 namespace handlebody {
@@ -13,8 +14,6 @@ namespace {
 constexpr int kLevelPasses = 20;       // of the mean over neighbours: a radius of some three voxels
 constexpr double kLongestStep = 0.25;  // voxels, towards the level
 constexpr double kSameWay = 0.3;       // cosine; steps of voxels are within 55° of the surface meant
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 TriangleSoup onGrid(TriangleSoup mesh, const Grid& grid) {
   for (Vec3& p : mesh.points) p = grid.toIndex(p);

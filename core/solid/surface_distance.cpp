@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/collision/closest_point.h"
+#include "core/indices.h"
 #include "core/threads.h"
 
 namespace handlebody {
@@ -16,8 +17,6 @@ namespace {
 using Corners = std::array<Vec3, 3>;
 
 constexpr std::size_t kChunk = 1024;  // triangles or points at a time
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 Corners cornersOf(const TriangleSoup& mesh, std::size_t triangle) {
   const Triangle& t = mesh.triangles[triangle];

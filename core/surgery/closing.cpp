@@ -6,13 +6,12 @@
 
 #include "core/collision/face_pair.h"
 #include "core/geometry/predicates.h"
+#include "core/indices.h"
 #include "core/mesh/nesting.h"
 
 namespace handlebody {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 bool stays(std::span<const Opening> openings, int f) {
   return std::none_of(openings.begin(), openings.end(), [f](const Opening& o) {

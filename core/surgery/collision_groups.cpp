@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/indices.h"
 #include "core/mesh/union_find.h"
 #include "core/surgery/opening.h"
 
@@ -16,8 +17,7 @@ std::vector<int> collidingVertices(const Mesh& mesh, std::span<const FacePair> p
     vertices.insert(vertices.end(), mesh.face(f).begin(), mesh.face(f).end());
     vertices.insert(vertices.end(), mesh.face(g).begin(), mesh.face(g).end());
   }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  sortUnique(vertices);
   return vertices;
 }
 
@@ -37,8 +37,7 @@ std::vector<int> missingLinks(const Mesh& mesh, const std::vector<int>& vertices
       else
         ring.push_back(w);
     });
-  std::sort(ring.begin(), ring.end());
-  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+  sortUnique(ring);
   std::vector<int> links;
   for (int w : ring) {
     int first = -1;

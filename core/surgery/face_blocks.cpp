@@ -1,4 +1,5 @@
 #include "core/surgery/face_blocks.h"
+#include "core/indices.h"
 
 #include <array>
 #include <numeric>
@@ -9,8 +10,6 @@ namespace {
 
 constexpr std::size_t kBits = 5;  // per axis: 32³ cells, some 100 kB of counters
 constexpr std::size_t kCells = std::size_t{1} << 3 * kBits;
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! Bit i goes to bit 3i.
 constexpr std::array<unsigned short, 1 << kBits> spreadBits() {

@@ -6,12 +6,11 @@
 #include <map>
 
 #include "core/geometry/predicates.h"
+#include "core/indices.h"
 
 namespace handlebody {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 int axisOf(const Vec3& normal) {
   int axis = 0;

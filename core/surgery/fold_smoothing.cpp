@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/indices.h"
 #include "core/surgery/closing.h"
 #include "core/surgery/opening.h"
 
@@ -33,8 +34,7 @@ void laplacianStep(Mesh& mesh, const std::vector<int>& vertices, double factor) 
 std::vector<int> cornersOf(const Mesh& mesh, const std::vector<int>& faces) {
   std::vector<int> corners;
   for (int f : faces) corners.insert(corners.end(), mesh.face(f).begin(), mesh.face(f).end());
-  std::sort(corners.begin(), corners.end());
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  sortUnique(corners);
   return corners;
 }
 

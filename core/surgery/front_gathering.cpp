@@ -5,13 +5,12 @@
 #include <optional>
 #include <span>
 
+#include "core/indices.h"
 #include "core/mesh/union_find.h"
 
 namespace handlebody {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! Edges on the way from a set to others, found by spreading from all sets at once.
 class Reach {
@@ -132,8 +131,7 @@ class Gatherer {
   }
   static void append(std::vector<int>& lambda, const std::vector<int>& more) {
     lambda.insert(lambda.end(), more.begin(), more.end());
-    std::sort(lambda.begin(), lambda.end());
-    lambda.erase(std::unique(lambda.begin(), lambda.end()), lambda.end());
+    sortUnique(lambda);
   }
   //! No group has come to collide with itself.
   bool everyGroupHasTwoFronts(int place) {

@@ -1,4 +1,5 @@
 #include "core/surgery/local_smoothing.h"
+#include "core/indices.h"
 
 #include <Eigen/Geometry>
 #include <array>
@@ -16,8 +17,6 @@ constexpr int kPairs = 15;
 constexpr int kVolumeSteps = 6;  // of Newton's method, on a polynomial of third degree
 // Parts of the smoothing that are tried.
 constexpr std::array<double, 4> kParts{1, 0.5, 0.25, 0.1};
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 struct WeightedVertex {
   int vertex;

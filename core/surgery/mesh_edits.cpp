@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "core/indices.h"
 #include "core/mesh/containment.h"
 #include "core/mesh/structure.h"
 #include "core/surgery/predicted_change.h"
@@ -11,8 +12,6 @@
 namespace handlebody {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 using LoopChoice = std::pair<const SurfaceLoop*, EventKind>;
 

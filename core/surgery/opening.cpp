@@ -1,4 +1,5 @@
 #include "core/surgery/opening.h"
+#include "core/indices.h"
 
 #include <algorithm>
 #include <cassert>
@@ -7,11 +8,6 @@
 namespace handlebody {
 
 namespace {
-
-void sortUnique(std::vector<int>& v) {
-  std::sort(v.begin(), v.end());
-  v.erase(std::unique(v.begin(), v.end()), v.end());
-}
 
 bool contains(const std::vector<int>& sorted, int v) {
   return std::binary_search(sorted.begin(), sorted.end(), v);

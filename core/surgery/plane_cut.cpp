@@ -8,6 +8,7 @@
 #include <numeric>
 #include <vector>
 
+#include "core/indices.h"
 #include "core/mesh/containment.h"
 #include "core/mesh/remesh.h"
 #include "core/surgery/flat_cap.h"
@@ -20,8 +21,6 @@ constexpr double kGapOfFree = 0.4;  // half of the gap, as a part of the way to 
 constexpr int kMerges = 4;          // rounds
 constexpr double kSliver = 0.25;    // edges: vertices so near to a rim are merged into it
 constexpr double kLongest = 1.4, kShortest = 0.55;  // edges, in a cap
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! A ring of faces that the plane crosses, by the half-edges that lead across it from below to above, in the
 //! order in which they follow each other round it.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/geometry/triangle_distance.h"
+#include "core/indices.h"
 #include "core/mesh/remesh.h"
 
 namespace handlebody {
@@ -23,8 +24,6 @@ constexpr double kShortest = 0.55;
 constexpr double kResolved = 3;   // edges over the radius, at least
 constexpr int kRefinements = 12;  // passes
 constexpr std::array<int, 4> kPulls{1, 2, 4, 8};
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 Vec3 nearestOnSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const double length = (b - a).squaredNorm();

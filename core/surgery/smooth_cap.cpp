@@ -1,4 +1,5 @@
 #include "core/surgery/smooth_cap.h"
+#include "core/indices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +7,6 @@
 namespace handlebody {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 constexpr double kLongest = 1.5;  // edge, in mean sides of the polygon
 constexpr int kPasses = 12;       // of splitting: an edge may be 2^12 times too long

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/indices.h"
 #include "core/mesh/nesting.h"
 #include "core/mesh/topology.h"
 #include "core/surgery/collision_groups.h"
@@ -25,8 +26,6 @@ constexpr std::size_t kManyPlaces = 6;  // in a round, for which it pays to sort
 // In units of WorkBudget: a look at every face of the mesh, and at one of a place that is opened or smoothed.
 constexpr std::size_t kMeshWork = 2;
 constexpr std::size_t kPlaceWork = 1000;
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 class Adaptation {
  public:

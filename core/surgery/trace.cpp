@@ -1,4 +1,5 @@
 #include "core/surgery/trace.h"
+#include "core/indices.h"
 
 #include <algorithm>
 
@@ -16,11 +17,6 @@ std::vector<Vec3> positionsOf(const Mesh& mesh, const std::vector<int>& vertices
   std::vector<Vec3> out;
   for (const int v : vertices) out.push_back(mesh.position(v));
   return out;
-}
-
-void sortUnique(std::vector<int>& v) {
-  std::sort(v.begin(), v.end());
-  v.erase(std::unique(v.begin(), v.end()), v.end());
 }
 
 //! Faces near the opening that stay.

@@ -5,6 +5,7 @@
 
 #include "core/cancellation.h"
 #include "core/collision/self_intersection.h"
+#include "core/indices.h"
 #include "core/mesh/nesting.h"
 #include "core/mesh/structure.h"
 #include "core/surgery/predicted_change.h"
@@ -14,16 +15,9 @@ namespace handlebody {
 
 namespace {
 
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
-
 constexpr std::size_t kLongestLoop = 2000;  // vertices: the least-area cap takes its cube
 constexpr std::size_t kLongestFan = 24;
 constexpr std::size_t kLongestSmooth = 1000;
-
-void sortUnique(std::vector<int>& v) {
-  std::sort(v.begin(), v.end());
-  v.erase(std::unique(v.begin(), v.end()), v.end());
-}
 
 //! Splits the edges that the loop crosses; the loop as vertices, each joined to the next by an edge. None if
 //! it is no such loop.
@@ -80,8 +74,7 @@ void narrow(Mesh& mesh, const std::vector<int>& loop) {
       if (std::binary_search(sorted.begin(), sorted.end(), u)) spokes.emplace_back(u, m);
     });
   }
-  std::sort(spokes.begin(), spokes.end());
-  spokes.erase(std::unique(spokes.begin(), spokes.end()), spokes.end());
+  sortUnique(spokes);
   for (const auto& [v, w] : spokes)
     if (mesh.findHalfedge(v, w) >= 0) split(v, w);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/cancellation.h"
+#include "core/indices.h"
 
 namespace handlebody {
 
@@ -13,8 +14,6 @@ constexpr double kCutOff =
     3.0;  // radius of the kernel in standard deviations: 0.3 % of the weight is left out
 constexpr double kNoSmoothing =
     0.2;  // narrower kernels than this many voxels change nothing (weight of a neighbour < 4e-6)
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 std::vector<float> gaussian(double sigmaVoxels) {
   if (sigmaVoxels < kNoSmoothing) return {1.0f};

@@ -3,6 +3,7 @@
 #include <QUndoStack>
 #include <algorithm>
 
+#include "core/indices.h"
 #include "ui/model/document_private.h"
 
 namespace handlebody::ui {
@@ -10,8 +11,6 @@ namespace handlebody::ui {
 namespace {
 
 constexpr int kMostUndone = 1000;  // entries, about a kilobyte each
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 bool lieAlike(const Seed& a, const Seed& b) { return a.centre == b.centre && a.background == b.background; }
 

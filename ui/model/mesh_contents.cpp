@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "core/cancellation.h"
+#include "core/indices.h"
 #include "core/mesh/topology.h"
 #include "core/mesh/tunnels.h"
 #include "ui/model/error_sentence.h"
@@ -10,8 +11,6 @@
 namespace handlebody::ui {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 std::vector<Vec3> polygonOf(const Mesh& mesh, const SurfaceLoop& loop) {
   std::vector<Vec3> out;

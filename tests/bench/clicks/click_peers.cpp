@@ -1,4 +1,5 @@
 #include "tests/bench/clicks/click_peers.h"
+#include "core/indices.h"
 
 #include <itkConfidenceConnectedImageFilter.h>
 #include <itkCurvatureFlowImageFilter.h>
@@ -16,7 +17,6 @@ namespace {
 using Image = itk::Image<float, 3>;
 using Labels = itk::Image<std::uint8_t, 3>;
 using Cell = std::array<int, 3>;
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 std::size_t at(const Grid& g, const Cell& c) {
   return (idx(c[2]) * idx(g.size[1]) + idx(c[1])) * idx(g.size[0]) + idx(c[0]);
 }

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "core/errors.h"
+#include "core/indices.h"
 #include "core/io/volume_io.h"
 #include "core/object/distance.h"
 
@@ -19,8 +20,6 @@ namespace {
 constexpr double kDeepEnough = 0.4;  // of the deepest voxel: where a user clicks first
 
 using Cell = std::array<int, 3>;
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
-
 Cell cellOf(const Grid& g, std::size_t i) {
   const std::size_t nx = idx(g.size[0]), ny = idx(g.size[1]);
   return {static_cast<int>(i % nx), static_cast<int>(i / nx % ny), static_cast<int>(i / (nx * ny))};

@@ -6,13 +6,12 @@
 #include <numeric>
 
 #include "core/collision/certify.h"
+#include "core/indices.h"
 #include "core/mesh/union_find.h"
 
 namespace handlebody::bench {
 
 namespace {
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! The mesh without components of less than `least` mm³ (absolute).
 TriangleSoup withoutSpecks(const TriangleSoup& mesh, double least) {

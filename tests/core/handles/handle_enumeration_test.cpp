@@ -6,6 +6,7 @@
 
 #include "core/errors.h"
 #include "core/handles/homology.h"
+#include "core/indices.h"
 #include "tests/core/handles/handle_oracle.h"
 #include "tests/support/catch.h"
 
@@ -14,8 +15,6 @@ namespace {
 
 using Sizes = std::vector<int>;
 constexpr int kLargestOfTwo = 6;
-
-std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 Handle sorted(Handle handle) {
   for (Triangle& f : handle) std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
