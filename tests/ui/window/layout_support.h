@@ -10,9 +10,11 @@
 #include <QLayout>
 #include <QLineEdit>
 #include <QMainWindow>
+#include <QMenuBar>
 #include <QScrollArea>
 #include <QTabBar>
 #include <QTableView>
+#include <QToolButton>
 #include <QWidget>
 
 namespace handlebody::test {
@@ -74,10 +76,61 @@ inline QString faultOfTable(const QTableView& table) {
              : QString();
 }
 
+inline bool isIconOnly(const QAbstractButton& button) {
+  const auto* tool = qobject_cast<const QToolButton*>(&button);
+  return tool && tool->toolButtonStyle() == Qt::ToolButtonIconOnly && !tool->icon().isNull();
+}
+
+//! Tabs are scrolled or their texts shortened.
+inline QString faultOfTabs(const QTabBar& tabs) {
+  if (isParked(tabs)) return {};
+  for (int i = 0; i < tabs.count(); ++i)
+    if (!tabs.rect().contains(tabs.tabRect(i)) ||
+        tabs.fontMetrics().size(Qt::TextShowMnemonic, tabs.tabText(i)).width() > tabs.tabRect(i).width())
+      return QStringLiteral("tab \"%1\" is cut off").arg(tabs.tabText(i));
+  return {};
+}
+
+//! Menus that have no room in their bar.
+inline QString faultOfMenuBar(const QMenuBar& bar) {
+  const auto entries = bar.actions();
+  for (QAction* entry : entries)
+    if (entry->isVisible() && !bar.rect().contains(bar.actionGeometry(entry)))
+      return QStringLiteral("menu \"%1\" does not fit").arg(entry->text());
+  return {};
+}
+
+//! The title of a dock is shortened beside its two buttons.
+inline QString faultOfDock(const QDockWidget& dock) {
+  if (isParked(dock) || dock.titleBarWidget()) return {};
+  int buttons = 0;
+  const auto all = dock.findChildren<QAbstractButton*>(QString(), Qt::FindDirectChildrenOnly);
+  for (const QAbstractButton* button : all) buttons += button->isVisible() ? button->width() : 0;
+  const bool fits = dock.fontMetrics().horizontalAdvance(dock.windowTitle()) + buttons <= dock.width();
+  return fits ? QString() : QStringLiteral("title \"%1\" is cut off").arg(dock.windowTitle());
+}
+
+//! What is typed, or what is said in its place.
+inline QString faultOfLine(const QLineEdit& line) {
+  const QString text = line.text().isEmpty() ? line.placeholderText() : line.text();
+  const bool fits = line.fontMetrics().horizontalAdvance(text) + 4 <= line.width();
+  return fits ? QString() : QStringLiteral("%1 is too narrow for %2").arg(nameOf(line), text);
+}
+
+//! What is no control with a text of its own: lists, bars, frames.
+inline QString faultOfFrame(const QWidget& widget) {
+  if (const auto* table = qobject_cast<const QTableView*>(&widget)) return faultOfTable(*table);
+  if (const auto* tabs = qobject_cast<const QTabBar*>(&widget)) return faultOfTabs(*tabs);
+  if (const auto* bar = qobject_cast<const QMenuBar*>(&widget)) return faultOfMenuBar(*bar);
+  if (const auto* dock = qobject_cast<const QDockWidget*>(&widget)) return faultOfDock(*dock);
+  return {};
+}
+
 //! The text of a button, a choice or a number does not fit into it.
 inline QString faultOfText(const QWidget& widget) {
   if (const auto* label = qobject_cast<const QLabel*>(&widget)) return faultOfLabel(*label);
-  if (const auto* table = qobject_cast<const QTableView*>(&widget)) return faultOfTable(*table);
+  if (const auto* line = qobject_cast<const QLineEdit*>(&widget)) return faultOfLine(*line);
+  if (const QString fault = faultOfFrame(widget); !fault.isEmpty()) return fault;
   if (const auto* box = qobject_cast<const QAbstractSpinBox*>(&widget)) {
     const auto* edit = box->findChild<QLineEdit*>();
     const bool fits = edit->fontMetrics().horizontalAdvance(edit->text()) + 4 <= edit->width();
@@ -86,7 +139,9 @@ inline QString faultOfText(const QWidget& widget) {
   const auto* button = qobject_cast<const QAbstractButton*>(&widget);
   if (!button && !qobject_cast<const QComboBox*>(&widget)) return {};
   const QSize hint = widget.sizeHint();
-  const bool fixed = widget.minimumSize() == widget.maximumSize();
+  // A small button with a picture alone may be of a size of its own.
+  const bool isPicture = button && (button->text().isEmpty() || isIconOnly(*button));
+  const bool fixed = isPicture && widget.minimumSize() == widget.maximumSize();
   const bool fits = fixed || (hint.width() <= widget.width() && hint.height() <= widget.height());
   return fits ? QString() : QStringLiteral("%1 is smaller than its text").arg(nameOf(widget));
 }
