@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/errors.h"
-#include "core/io/comparison_json.h"
+#include "core/io/report/comparison_json.h"
 #include "python/bind.h"
 #include "python/convert.h"
 #include "python/work.h"

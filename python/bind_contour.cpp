@@ -3,8 +3,8 @@
 #include <pybind11/stl.h>
 
 #include "core/errors.h"
-#include "core/io/measures_json.h"
-#include "core/io/parse.h"
+#include "core/io/report/measures_json.h"
+#include "core/io/report/parse.h"
 #include "python/bind.h"
 #include "python/convert.h"
 #include "python/options.h"

@@ -2,8 +2,8 @@
 
 #include <pybind11/stl.h>
 
-#include "core/io/measures_json.h"
-#include "core/io/mesh_io.h"
+#include "core/io/meshes/mesh_io.h"
+#include "core/io/report/measures_json.h"
 #include "python/bind.h"
 #include "python/convert.h"
 #include "python/work.h"

@@ -4,7 +4,7 @@
 #include <pybind11/stl.h>
 
 #include "core/errors.h"
-#include "core/io/parse.h"
+#include "core/io/report/parse.h"
 #include "python/bind.h"
 #include "python/convert.h"
 #include "python/work.h"

@@ -5,9 +5,9 @@
 #include <stdexcept>
 
 #include "core/errors.h"
-#include "core/io/polished_export.h"
-#include "core/io/start_surface.h"
-#include "core/io/wall_map.h"
+#include "core/io/report/polished_export.h"
+#include "core/io/report/start_surface.h"
+#include "core/io/report/wall_map.h"
 
 namespace handlebody::python {
 

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <optional>
 
-#include "core/io/growth_report.h"
+#include "core/io/report/growth_report.h"
 #include "python/mesh.h"
 
 namespace handlebody::python {

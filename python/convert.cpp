@@ -3,7 +3,7 @@
 #include <regex>
 
 #include "core/errors.h"
-#include "core/io/growth_options.h"
+#include "core/io/report/growth_options.h"
 
 namespace handlebody::python {
 

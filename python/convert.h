@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/io/json.h"
+#include "core/io/report/json.h"
 #include "core/mesh/mesh.h"
 #include "core/volume/volume.h"
 

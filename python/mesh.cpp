@@ -4,7 +4,7 @@
 
 #include "core/collision/certify.h"
 #include "core/errors.h"
-#include "core/io/label_map.h"
+#include "core/io/formats/label_map.h"
 
 namespace handlebody::python {
 

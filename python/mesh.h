@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "core/io/result.h"
+#include "core/io/report/result.h"
 
 namespace handlebody::python {
 

@@ -5,7 +5,7 @@
 
 #include "core/cancellation.h"
 #include "core/errors.h"
-#include "core/io/volume_io.h"
+#include "core/io/formats/volume_io.h"
 #include "python/bind.h"
 #include "python/convert.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/io/growth_options.h"
+#include "core/io/report/growth_options.h"
 #include "python/bind.h"
 
 namespace handlebody::python {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/evolution/parameters.h"
-#include "core/io/clicks.h"
+#include "core/io/report/clicks.h"
 
 namespace handlebody::python {
 

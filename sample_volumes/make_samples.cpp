@@ -6,7 +6,7 @@
 #include <exception>
 #include <string>
 
-#include "core/io/volume_io.h"
+#include "core/io/formats/volume_io.h"
 #include "sample_volumes/phantom.h"
 
 namespace {

@@ -17,8 +17,8 @@
 #include "app/cli/summary.h"
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
-#include "core/io/json.h"
-#include "core/io/parse.h"
+#include "core/io/report/json.h"
+#include "core/io/report/parse.h"
 #include "core/threads.h"
 
 namespace handlebody::cli {

@@ -14,12 +14,12 @@
 
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
-#include "core/io/frame_files.h"
-#include "core/io/json.h"
-#include "core/io/mesh_io.h"
-#include "core/io/picture.h"
-#include "core/io/sequence_writer.h"
-#include "core/io/volume_io.h"
+#include "core/io/formats/sequence_writer.h"
+#include "core/io/formats/volume_io.h"
+#include "core/io/meshes/mesh_io.h"
+#include "core/io/picture/picture.h"
+#include "core/io/report/frame_files.h"
+#include "core/io/report/json.h"
 
 namespace handlebody::cli {
 

@@ -5,10 +5,10 @@
 #include "app/cli/command.h"
 #include "app/cli/tunnel_text.h"
 #include "core/collision/certify.h"
-#include "core/io/edit_json.h"
-#include "core/io/measures_json.h"
-#include "core/io/mesh_io.h"
-#include "core/io/single_precision.h"
+#include "core/io/meshes/mesh_io.h"
+#include "core/io/report/edit_json.h"
+#include "core/io/report/measures_json.h"
+#include "core/io/report/single_precision.h"
 
 namespace handlebody::cli {
 

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "core/errors.h"
-#include "core/io/json.h"
-#include "core/io/parse.h"
+#include "core/io/report/json.h"
+#include "core/io/report/parse.h"
 
 namespace handlebody::cli {
 

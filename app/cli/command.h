@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/io/volume_io.h"
+#include "core/io/formats/volume_io.h"
 
 namespace CLI {
 class App;

@@ -9,9 +9,9 @@
 #include "app/cli/outputs.h"
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
-#include "core/io/compared_table.h"
-#include "core/io/mesh_io.h"
-#include "core/io/parse.h"
+#include "core/io/meshes/mesh_io.h"
+#include "core/io/report/compared_table.h"
+#include "core/io/report/parse.h"
 
 namespace handlebody::cli {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/io/csv_line.h"
+#include "core/io/report/csv_line.h"
 
 namespace handlebody::cli {
 

@@ -11,7 +11,7 @@
 #include "app/cli/progress.h"
 #include "core/errors.h"
 #include "core/evolution/history.h"
-#include "core/io/growth_report.h"
+#include "core/io/report/growth_report.h"
 
 namespace handlebody::cli {
 

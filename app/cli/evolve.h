@@ -3,7 +3,7 @@
 // where a change of topology is held.
 
 #include "core/evolution/active_contour.h"
-#include "core/io/report.h"
+#include "core/io/report/report.h"
 
 namespace CLI {
 class App;

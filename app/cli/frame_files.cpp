@@ -2,9 +2,9 @@
 
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
-#include "core/io/frame_files.h"
-#include "core/io/mesh_io.h"
-#include "core/io/sequence_writer.h"
+#include "core/io/formats/sequence_writer.h"
+#include "core/io/meshes/mesh_io.h"
+#include "core/io/report/frame_files.h"
 
 namespace handlebody::cli {
 

@@ -5,8 +5,8 @@
 #include "app/cli/command.h"
 #include "core/errors.h"
 #include "core/handles/handle_enumeration.h"
-#include "core/io/json.h"
-#include "core/io/parse.h"
+#include "core/io/report/json.h"
+#include "core/io/report/parse.h"
 
 namespace handlebody::cli {
 

@@ -4,10 +4,10 @@
 #include <memory>
 
 #include "app/cli/command.h"
-#include "core/io/json.h"
-#include "core/io/parse.h"
-#include "core/io/time_axis.h"
-#include "core/io/volume_io.h"
+#include "core/io/formats/time_axis.h"
+#include "core/io/formats/volume_io.h"
+#include "core/io/report/json.h"
+#include "core/io/report/parse.h"
 #include "core/volume/intensity_statistics.h"
 
 namespace handlebody::cli {

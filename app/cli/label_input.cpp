@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "core/io/parse.h"
+#include "core/io/report/parse.h"
 
 namespace handlebody::cli {
 

@@ -10,7 +10,7 @@
 #include "app/cli/slurm.h"
 #include "core/cancellation.h"
 #include "core/errors.h"
-#include "core/io/json.h"
+#include "core/io/report/json.h"
 
 namespace handlebody::cli {
 

@@ -8,9 +8,9 @@
 #include "core/collision/certify.h"
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
-#include "core/io/measured.h"
-#include "core/io/mesh_io.h"
-#include "core/io/parse.h"
+#include "core/io/meshes/mesh_io.h"
+#include "core/io/report/measured.h"
+#include "core/io/report/parse.h"
 
 namespace handlebody::cli {
 

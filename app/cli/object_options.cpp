@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/errors.h"
-#include "core/io/parse.h"
+#include "core/io/report/parse.h"
 
 namespace handlebody::cli {
 

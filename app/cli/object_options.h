@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "core/io/exported_object.h"
+#include "core/io/meshes/exported_object.h"
 
 namespace CLI {
 class App;

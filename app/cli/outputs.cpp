@@ -11,9 +11,9 @@
 #include <filesystem>
 
 #include "core/errors.h"
-#include "core/io/mesh_io.h"
-#include "core/io/picture.h"
-#include "core/io/result.h"
+#include "core/io/meshes/mesh_io.h"
+#include "core/io/picture/picture.h"
+#include "core/io/report/result.h"
 
 namespace handlebody::cli {
 

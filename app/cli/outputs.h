@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/io/report.h"
+#include "core/io/report/report.h"
 
 namespace handlebody::cli {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/cli/run.h"
-#include "core/io/over_time_request.h"
+#include "core/io/report/over_time_request.h"
 
 namespace CLI {
 class App;

@@ -11,11 +11,11 @@
 #include "app/cli/command.h"
 #include "app/cli/outputs.h"
 #include "core/errors.h"
-#include "core/io/json.h"
-#include "core/io/mesh_io.h"
-#include "core/io/parse.h"
-#include "core/io/sequence_writer.h"
-#include "core/io/volume_io.h"
+#include "core/io/formats/sequence_writer.h"
+#include "core/io/formats/volume_io.h"
+#include "core/io/meshes/mesh_io.h"
+#include "core/io/report/json.h"
+#include "core/io/report/parse.h"
 
 namespace handlebody::cli {
 

@@ -12,13 +12,13 @@
 #include "core/errors.h"
 #include "core/evolution/active_contour.h"
 #include "core/io/atomic_file.h"
-#include "core/io/growth_report.h"
-#include "core/io/label_map.h"
-#include "core/io/mesh_io.h"
-#include "core/io/picture.h"
-#include "core/io/result.h"
-#include "core/io/start_surface.h"
-#include "core/io/wall_map.h"
+#include "core/io/formats/label_map.h"
+#include "core/io/meshes/mesh_io.h"
+#include "core/io/picture/picture.h"
+#include "core/io/report/growth_report.h"
+#include "core/io/report/result.h"
+#include "core/io/report/start_surface.h"
+#include "core/io/report/wall_map.h"
 
 namespace handlebody::cli {
 

@@ -9,9 +9,9 @@
 #include "app/cli/object_options.h"
 #include "app/cli/outputs.h"
 #include "app/cli/sensitivity.h"
-#include "core/io/dicom_writer.h"
-#include "core/io/polished_export.h"
-#include "core/io/report.h"
+#include "core/io/dicom/dicom_writer.h"
+#include "core/io/report/polished_export.h"
+#include "core/io/report/report.h"
 
 namespace CLI {
 class App;

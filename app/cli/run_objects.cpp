@@ -8,9 +8,9 @@
 #include "core/collision/body_contact.h"
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
-#include "core/io/picture.h"
-#include "core/io/start_surface.h"
-#include "core/io/wall_map.h"
+#include "core/io/picture/picture.h"
+#include "core/io/report/start_surface.h"
+#include "core/io/report/wall_map.h"
 
 namespace handlebody::cli {
 

@@ -11,8 +11,8 @@
 #include "app/cli/over_time.h"
 #include "app/cli/run_objects.h"
 #include "core/errors.h"
-#include "core/io/clicks.h"
-#include "core/io/growth_options.h"
+#include "core/io/report/clicks.h"
+#include "core/io/report/growth_options.h"
 
 namespace handlebody::cli {
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "core/errors.h"
-#include "core/io/parse.h"
+#include "core/io/report/parse.h"
 
 namespace handlebody::cli {
 

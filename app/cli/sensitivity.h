@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/cli/outputs.h"
-#include "core/io/session.h"
+#include "core/io/report/session.h"
 #include "core/sensitivity/sensitivity.h"
 
 namespace CLI {

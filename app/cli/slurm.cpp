@@ -12,7 +12,7 @@
 #include "app/cli/csv.h"
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
-#include "core/io/mesher_process.h"
+#include "core/io/tetrahedra/mesher_process.h"
 
 extern char** environ;
 

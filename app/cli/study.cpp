@@ -12,7 +12,7 @@
 #include "app/cli/csv.h"
 #include "app/cli/segment.h"
 #include "core/errors.h"
-#include "core/io/parse.h"
+#include "core/io/report/parse.h"
 
 namespace handlebody::cli {
 

@@ -5,7 +5,7 @@
 
 #include "app/cli/csv.h"
 #include "core/errors.h"
-#include "core/io/json.h"
+#include "core/io/report/json.h"
 
 namespace handlebody::cli {
 

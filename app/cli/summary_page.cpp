@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/cli/summary.h"
-#include "core/io/json.h"
+#include "core/io/report/json.h"
 
 namespace handlebody::cli {
 

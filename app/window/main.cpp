@@ -8,9 +8,9 @@
 
 #include "app/window/options.h"
 #include "app/window/screenshot.h"
-#include "ui/window/file_work.h"
-#include "ui/window/language.h"
 #include "ui/window/main_window.h"
+#include "ui/window/open/file_work.h"
+#include "ui/window/widgets/language.h"
 
 namespace handlebody::app {
 

@@ -6,12 +6,12 @@
 
 #include "ui/model/time_series.h"
 #include "ui/view/surface_view.h"
-#include "ui/window/event_inspector.h"
 #include "ui/window/main_window.h"
-#include "ui/window/measures_panel.h"
-#include "ui/window/object_measures_page.h"
-#include "ui/window/sensitivity_page.h"
-#include "ui/window/view_grid.h"
+#include "ui/window/measures/measures_panel.h"
+#include "ui/window/measures/object_measures_page.h"
+#include "ui/window/measures/sensitivity_page.h"
+#include "ui/window/timeline/event_inspector.h"
+#include "ui/window/views/view_grid.h"
 
 namespace handlebody::app {
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "core/io/volume_io.h"
-#include "core/io/volume_source.h"
+#include "core/io/formats/volume_io.h"
+#include "core/io/formats/volume_source.h"
 
 namespace handlebody {
 namespace {

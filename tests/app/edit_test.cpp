@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/io/mesh_io.h"
+#include "core/io/meshes/mesh_io.h"
 
 #include "tests/app/run_cli.h"
 #include "tests/support/catch.h"

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "app/cli/csv.h"
-#include "core/io/mesh_io.h"
+#include "core/io/meshes/mesh_io.h"
 #include "core/mesh/shapes.h"
 #include "tests/app/refusal.h"
 #include "tests/app/run_cli.h"

@@ -1,6 +1,6 @@
 // --polish, through the program.
 
-#include "core/io/mesh_io.h"
+#include "core/io/meshes/mesh_io.h"
 #include "core/mesh/shapes.h"
 #include "tests/app/refusal.h"
 #include "tests/app/run_cli.h"

@@ -1,4 +1,4 @@
-#include "core/io/report.h"
+#include "core/io/report/report.h"
 
 #include <limits>
 #include <nlohmann/json.hpp>

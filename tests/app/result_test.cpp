@@ -1,6 +1,6 @@
 // What a user is warned of.
 
-#include "core/io/result.h"
+#include "core/io/report/result.h"
 
 #include "tests/support/catch.h"
 #include "tests/support/mesh_zoo.h"

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <set>
 
-#include "core/io/mesh_io.h"
-#include "core/io/volume_io.h"
+#include "core/io/formats/volume_io.h"
+#include "core/io/meshes/mesh_io.h"
 #include "tests/app/run_cli.h"
 #include "tests/support/catch.h"
 

@@ -1,11 +1,11 @@
-#include "core/io/session.h"
+#include "core/io/report/session.h"
 
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/errors.h"
-#include "core/io/over_time_report.h"
+#include "core/io/report/over_time_report.h"
 #include "tests/app/temp_folder.h"
 #include "tests/support/catch.h"
 

@@ -1,10 +1,10 @@
-#include "core/io/single_precision.h"
+#include "core/io/report/single_precision.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
 
 #include "core/collision/certify.h"
-#include "core/io/result.h"
+#include "core/io/report/result.h"
 #include "tests/support/catch.h"
 #include "tests/support/mesh_zoo.h"
 

@@ -5,8 +5,8 @@
 
 #include "core/collision/body_contact.h"
 #include "core/collision/certify.h"
-#include "core/io/mesh_io.h"
-#include "core/io/volume_io.h"
+#include "core/io/formats/volume_io.h"
+#include "core/io/meshes/mesh_io.h"
 #include "core/mesh/shapes.h"
 #include "tests/app/refusal.h"
 #include "tests/app/run_cli.h"

@@ -17,8 +17,8 @@
 
 #include "core/cancellation.h"
 #include "core/errors.h"
-#include "core/io/mesher_process.h"
-#include "core/io/tetrahedra.h"
+#include "core/io/tetrahedra/mesher_process.h"
+#include "core/io/tetrahedra/tetrahedra.h"
 #include "core/mesh/shapes.h"
 #include "core/mesh/topology.h"
 #include "tests/app/refusal.h"

@@ -9,7 +9,7 @@
 
 #include "core/collision/certify.h"
 #include "core/evolution/active_contour.h"
-#include "core/io/mesh_io.h"
+#include "core/io/meshes/mesh_io.h"
 #include "sample_volumes/phantom.h"
 #include "tests/support/catch.h"
 #ifdef HANDLEBODY_WITH_ORACLE

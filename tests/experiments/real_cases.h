@@ -8,8 +8,8 @@
 #include <iostream>
 #include <string>
 
-#include "core/io/mesh_io.h"
-#include "core/io/volume_io.h"
+#include "core/io/formats/volume_io.h"
+#include "core/io/meshes/mesh_io.h"
 
 namespace handlebody::testing {
 

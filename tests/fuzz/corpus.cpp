@@ -1,11 +1,11 @@
 #include "tests/fuzz/corpus.h"
 
-#include "core/io/dicom_writer.h"
-#include "core/io/label_map.h"
-#include "core/io/mesh_io.h"
-#include "core/io/session.h"
-#include "core/io/three_mf.h"
-#include "core/io/volume_io.h"
+#include "core/io/dicom/dicom_writer.h"
+#include "core/io/formats/label_map.h"
+#include "core/io/formats/volume_io.h"
+#include "core/io/meshes/mesh_io.h"
+#include "core/io/meshes/three_mf.h"
+#include "core/io/report/session.h"
 #include "tests/io/dicom_test_support.h"
 #include "tests/io/mesh_test_support.h"
 

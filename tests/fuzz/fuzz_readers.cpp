@@ -16,8 +16,8 @@
 #include <iostream>
 
 #include "core/errors.h"
-#include "core/io/mesh_io.h"
-#include "core/io/session.h"
+#include "core/io/meshes/mesh_io.h"
+#include "core/io/report/session.h"
 #include "tests/fuzz/corpus.h"
 #include "tests/fuzz/mutate.h"
 #include "tests/fuzz/run_program.h"

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <set>
 
-#include "core/io/mesh_io.h"
+#include "core/io/meshes/mesh_io.h"
 #include "core/mesh/shapes.h"
 #include "tests/io/dicom_test_support.h"
 

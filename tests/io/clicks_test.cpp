@@ -1,4 +1,4 @@
-#include "core/io/clicks.h"
+#include "core/io/report/clicks.h"
 
 #include "core/errors.h"
 #include "tests/support/catch.h"

@@ -1,6 +1,6 @@
 // These tests are no neighbours of handlebody-cli, which decodes DICOM for them.
 
-#include "core/io/volume_io.h"
+#include "core/io/formats/volume_io.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <thread>
 
-#include "core/io/mesh_io.h"
+#include "core/io/meshes/mesh_io.h"
 #include "tests/io/dicom_test_support.h"
 #include "tests/io/mesh_test_support.h"
 

@@ -1,7 +1,7 @@
 // Philips' "Cartesian" export of 3D echocardiography: volumes over time in one file, the depth in private
 // elements. Written here as QLAB writes it (read off a file of ITK-SNAP's test data).
 
-#include "core/io/time_axis.h"
+#include "core/io/formats/time_axis.h"
 #include "tests/io/dicom_test_support.h"
 
 using namespace handlebody;

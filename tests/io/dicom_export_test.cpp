@@ -4,9 +4,9 @@
 #include <set>
 
 #include "core/collision/certify.h"
-#include "core/io/dicom_writer.h"
-#include "core/io/label_map.h"
-#include "core/io/mesh_io.h"
+#include "core/io/dicom/dicom_writer.h"
+#include "core/io/formats/label_map.h"
+#include "core/io/meshes/mesh_io.h"
 #include "tests/io/dicom_test_support.h"
 #include "tests/support/mesh_zoo.h"
 

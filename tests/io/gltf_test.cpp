@@ -1,6 +1,6 @@
 // glTF: a scene with a node for each object.
 
-#include "core/io/gltf.h"
+#include "core/io/meshes/gltf.h"
 
 #include <nlohmann/json.hpp>
 

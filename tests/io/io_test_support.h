@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "core/io/volume_io.h"
+#include "core/io/formats/volume_io.h"
 #include "core/told_error.h"
 #include "tests/support/catch.h"
 

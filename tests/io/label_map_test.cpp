@@ -1,14 +1,14 @@
 // Objects as label maps, and the keys by which 3D Slicer and ITK-SNAP know them.
 
-#include "core/io/label_map.h"
+#include "core/io/formats/label_map.h"
 
 #include <map>
 #include <set>
 #include <sstream>
 
 #include "core/errors.h"
-#include "core/io/mesh_io.h"
-#include "core/io/volume_io.h"
+#include "core/io/formats/volume_io.h"
+#include "core/io/meshes/mesh_io.h"
 #include "tests/io/io_test_support.h"
 #include "tests/support/catch.h"
 #include "tests/support/mesh_zoo.h"

@@ -1,4 +1,4 @@
-#include "core/io/parse.h"
+#include "core/io/report/parse.h"
 
 #include <clocale>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/io/mesh_io.h"
+#include "core/io/meshes/mesh_io.h"
 #include "tests/io/io_test_support.h"
 #include "tests/io/mesh_test_support.h"
 

@@ -1,6 +1,6 @@
 // 4D volumes that are written frame by frame.
 
-#include "core/io/sequence_writer.h"
+#include "core/io/formats/sequence_writer.h"
 
 #include "tests/io/io_test_support.h"
 

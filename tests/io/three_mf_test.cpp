@@ -1,6 +1,6 @@
 // 3MF: an archive whose model holds the meshes, names and colours.
 
-#include "core/io/three_mf.h"
+#include "core/io/meshes/three_mf.h"
 
 #include <zlib.h>
 

@@ -1,6 +1,6 @@
 // Time points: when they were taken, and folders that hold one file for each.
 
-#include "core/io/time_axis.h"
+#include "core/io/formats/time_axis.h"
 
 #include "tests/io/dicom_test_support.h"
 #include "tests/io/io_test_support.h"

@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-#include "core/io/result.h"
+#include "core/io/report/result.h"
 #include "core/sequence/over_time.h"
 #include "core/sequence/volume_curve.h"
 #include "core/solid/rasterize.h"

@@ -1,6 +1,6 @@
 #include "core/sequence/volume_curve.h"
 
-#include "core/io/over_time_report.h"
+#include "core/io/report/over_time_report.h"
 #include "tests/support/catch.h"
 
 using namespace handlebody;

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/io/compared.h"
+#include "core/io/report/compared.h"
 #include "ui/model/background.h"
 #include "ui/model/measuring.h"
 

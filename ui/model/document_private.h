@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/io/report.h"
+#include "core/io/report/report.h"
 #include "ui/model/background.h"
 #include "ui/model/document.h"
 #include "ui/model/journal.h"

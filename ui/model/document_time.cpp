@@ -4,8 +4,8 @@
 #include <QUndoCommand>
 #include <algorithm>
 
-#include "core/io/frame_files.h"
-#include "core/io/sequence_writer.h"
+#include "core/io/formats/sequence_writer.h"
+#include "core/io/report/frame_files.h"
 #include "ui/model/document_private.h"
 #include "ui/model/error_sentence.h"
 

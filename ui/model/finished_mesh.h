@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/evolution/constraints.h"
-#include "core/io/result.h"
+#include "core/io/report/result.h"
 #include "ui/model/document.h"
 
 namespace handlebody::ui {

@@ -9,7 +9,7 @@
 #include <mutex>
 #include <optional>
 
-#include "core/io/volume_io.h"
+#include "core/io/formats/volume_io.h"
 #include "ui/model/background.h"
 
 namespace handlebody::ui {

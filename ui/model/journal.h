@@ -7,7 +7,7 @@
 #include <QStringList>
 #include <memory>
 
-#include "core/io/session.h"
+#include "core/io/report/session.h"
 #include "ui/model/background.h"
 
 namespace handlebody::ui {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/io/measured.h"
+#include "core/io/report/measured.h"
 #include "ui/model/background.h"
 #include "ui/model/finished_mesh.h"
 

@@ -5,7 +5,7 @@
 #include <QObject>
 #include <QTimer>
 
-#include "core/io/report.h"
+#include "core/io/report/report.h"
 #include "ui/model/finished_mesh.h"
 #include "ui/model/growth.h"
 #include "ui/model/preparation.h"

@@ -5,7 +5,7 @@
 
 #include "core/cancellation.h"
 #include "core/errors.h"
-#include "core/io/start_surface.h"
+#include "core/io/report/start_surface.h"
 #include "core/told_error.h"
 
 namespace handlebody::ui {

@@ -4,7 +4,7 @@
 #include <QString>
 #include <vector>
 
-#include "core/io/session.h"
+#include "core/io/report/session.h"
 #include "core/volume/volume.h"
 #include "ui/model/document.h"
 

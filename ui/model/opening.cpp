@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/errors.h"
-#include "core/io/start_surface.h"
-#include "core/io/wall_map.h"
+#include "core/io/report/start_surface.h"
+#include "core/io/report/wall_map.h"
 #include "core/told_error.h"
 #include "ui/model/error_sentence.h"
 

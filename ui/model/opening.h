@@ -8,9 +8,9 @@
 #include <variant>
 #include <vector>
 
-#include "core/io/session.h"
-#include "core/io/time_axis.h"
-#include "core/io/volume_io.h"
+#include "core/io/formats/time_axis.h"
+#include "core/io/formats/volume_io.h"
+#include "core/io/report/session.h"
 
 namespace handlebody::ui {
 

@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/io/over_time_report.h"
+#include "core/io/report/over_time_report.h"
 #include "ui/model/background.h"
 #include "ui/model/frame_store.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/evolution/parameters.h"
-#include "core/io/exported_object.h"
+#include "core/io/meshes/exported_object.h"
 
 namespace handlebody::ui {
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include "core/io/polished_export.h"
+#include "core/io/report/polished_export.h"
 #include "ui/model/finished_mesh.h"
 
 namespace handlebody::ui {

@@ -4,7 +4,7 @@
 #include <QUndoStack>
 
 #include "ui/model/translate.h"
-#include "ui/window/icons.h"
+#include "ui/window/widgets/icons.h"
 
 namespace handlebody::ui {
 

@@ -6,8 +6,8 @@
 
 #include "ui/model/document.h"
 #include "ui/view/view_state.h"
-#include "ui/window/appearance.h"
 #include "ui/window/commands.h"
+#include "ui/window/widgets/appearance.h"
 
 class QDockWidget;
 class QMenu;

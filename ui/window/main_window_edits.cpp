@@ -1,9 +1,9 @@
 // What is said of an edit of the mesh when it was made.
 
-#include "ui/window/event_inspector.h"
 #include "ui/window/main_window.h"
-#include "ui/window/message_bar.h"
-#include "ui/window/numbers.h"
+#include "ui/window/timeline/event_inspector.h"
+#include "ui/window/widgets/message_bar.h"
+#include "ui/window/widgets/numbers.h"
 
 namespace handlebody::ui {
 

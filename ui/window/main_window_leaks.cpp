@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "ui/model/finding_text.h"
+#include "ui/window/grow/topology_section.h"
 #include "ui/window/main_window.h"
-#include "ui/window/message_bar.h"
-#include "ui/window/topology_section.h"
+#include "ui/window/widgets/message_bar.h"
 
 namespace handlebody::ui {
 

@@ -3,12 +3,12 @@
 #include <QDockWidget>
 
 #include "ui/model/measurements.h"
-#include "ui/window/export_panel.h"
-#include "ui/window/file_work.h"
+#include "ui/window/export/export_panel.h"
 #include "ui/window/main_window.h"
-#include "ui/window/measures_panel.h"
-#include "ui/window/object_measures_page.h"
-#include "ui/window/sensitivity_page.h"
+#include "ui/window/measures/measures_panel.h"
+#include "ui/window/measures/object_measures_page.h"
+#include "ui/window/measures/sensitivity_page.h"
+#include "ui/window/open/file_work.h"
 
 namespace handlebody::ui {
 

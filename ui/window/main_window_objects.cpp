@@ -3,8 +3,8 @@
 #include <QSignalBlocker>
 
 #include "ui/window/main_window.h"
-#include "ui/window/message_bar.h"
-#include "ui/window/object_dialog.h"
+#include "ui/window/objects/object_dialog.h"
+#include "ui/window/widgets/message_bar.h"
 
 namespace handlebody::ui {
 

@@ -13,12 +13,12 @@
 #include <algorithm>
 
 #include "ui/model/time_series.h"
-#include "ui/window/file_work.h"
-#include "ui/window/help_window.h"
+#include "ui/window/help/help_window.h"
 #include "ui/window/main_window.h"
-#include "ui/window/message_bar.h"
-#include "ui/window/sentences.h"
-#include "ui/window/view_grid.h"
+#include "ui/window/open/file_work.h"
+#include "ui/window/views/view_grid.h"
+#include "ui/window/widgets/message_bar.h"
+#include "ui/window/widgets/sentences.h"
 
 namespace handlebody::ui {
 

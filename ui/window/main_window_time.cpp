@@ -3,11 +3,11 @@
 #include <QDockWidget>
 
 #include "ui/model/time_series.h"
-#include "ui/window/export_panel.h"
-#include "ui/window/file_work.h"
-#include "ui/window/icons.h"
+#include "ui/window/export/export_panel.h"
 #include "ui/window/main_window.h"
-#include "ui/window/over_time_panel.h"
+#include "ui/window/open/file_work.h"
+#include "ui/window/time/over_time_panel.h"
+#include "ui/window/widgets/icons.h"
 
 namespace handlebody::ui {
 

@@ -1,7 +1,7 @@
 // What the commands of the brush do, and the ways out of a wall over the surface.
 
 #include "ui/window/main_window.h"
-#include "ui/window/message_bar.h"
+#include "ui/window/widgets/message_bar.h"
 
 namespace handlebody::ui {
 

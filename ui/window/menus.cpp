@@ -7,7 +7,7 @@
 
 #include "ui/model/translate.h"
 #include "ui/window/commands.h"
-#include "ui/window/icons.h"
+#include "ui/window/widgets/icons.h"
 
 namespace handlebody::ui {
 

@@ -6,7 +6,7 @@
 
 #include "core/collision/certify.h"
 #include "core/evolution/active_contour.h"
-#include "core/io/mesh_io.h"
+#include "core/io/meshes/mesh_io.h"
 #include "core/surgery/topology_adaptation.h"
 #include "tests/bench/clicks/labelled_case.h"
 

@@ -10,7 +10,7 @@
 
 #include "core/errors.h"
 #include "core/indices.h"
-#include "core/io/volume_io.h"
+#include "core/io/formats/volume_io.h"
 #include "core/object/distance.h"
 
 namespace handlebody::bench {

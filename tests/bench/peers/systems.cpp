@@ -6,7 +6,7 @@
 
 #include "core/collision/certify.h"
 #include "core/evolution/active_contour.h"
-#include "core/io/mesh_io.h"
+#include "core/io/meshes/mesh_io.h"
 #include "tests/bench/peers/child.h"
 #include "tests/bench/peers/iso_surface.h"
 

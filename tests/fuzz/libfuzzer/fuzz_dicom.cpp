@@ -1,7 +1,7 @@
 // The walk through a DICOM file before GDCM sees it, and the messages of the child process that decodes.
 
-#include "core/io/decoder_channel.h"
-#include "core/io/dicom_structure.h"
+#include "core/io/decoder/decoder_channel.h"
+#include "core/io/dicom/dicom_structure.h"
 #include "tests/fuzz/libfuzzer/scratch_file.h"
 
 namespace {

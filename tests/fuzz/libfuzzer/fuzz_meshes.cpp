@@ -1,7 +1,7 @@
 // STL, PLY and OBJ. (VTP is read by a child process.)
 
-#include "core/io/mesh_files.h"
-#include "core/io/volume_source.h"
+#include "core/io/formats/volume_source.h"
+#include "core/io/meshes/mesh_files.h"
 #include "tests/fuzz/libfuzzer/scratch_file.h"
 
 namespace handlebody {

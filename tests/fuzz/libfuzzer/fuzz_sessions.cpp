@@ -1,6 +1,6 @@
 // Sessions and reports.
 
-#include "core/io/session.h"
+#include "core/io/report/session.h"
 #include "tests/fuzz/libfuzzer/scratch_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t n) {

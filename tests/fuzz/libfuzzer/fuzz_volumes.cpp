@@ -1,8 +1,8 @@
 // NIfTI, NRRD and MetaImage: headers, checks of sizes, and voxels.
 
-#include "core/io/decoder_channel.h"
-#include "core/io/volume_io.h"
-#include "core/io/volume_source.h"
+#include "core/io/decoder/decoder_channel.h"
+#include "core/io/formats/volume_io.h"
+#include "core/io/formats/volume_source.h"
 #include "tests/fuzz/libfuzzer/scratch_file.h"
 
 namespace handlebody {

@@ -5,8 +5,8 @@
 
 #include "core/collision/certify.h"
 #include "core/evolution/painted_walls.h"
-#include "core/io/report.h"
-#include "core/io/session.h"
+#include "core/io/report/report.h"
+#include "core/io/report/session.h"
 #include "tests/ui/model/document_support.h"
 
 using namespace handlebody;

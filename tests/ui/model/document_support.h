@@ -10,8 +10,8 @@
 #include <QThread>
 #include <QUndoStack>
 
-#include "core/io/mesh_io.h"
-#include "core/io/volume_io.h"
+#include "core/io/formats/volume_io.h"
+#include "core/io/meshes/mesh_io.h"
 #include "tests/core/evolution/contour_support.h"
 #include "tests/support/catch.h"
 #include "ui/model/document.h"

@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "core/io/session.h"
+#include "core/io/report/session.h"
 #include "tests/ui/model/document_support.h"
 #include "ui/model/mesh_contents.h"
 

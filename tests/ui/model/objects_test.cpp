@@ -5,7 +5,7 @@
 #include <QJsonObject>
 
 #include "core/collision/body_contact.h"
-#include "core/io/session.h"
+#include "core/io/report/session.h"
 #include "tests/ui/model/objects_support.h"
 
 using namespace handlebody;

@@ -1,7 +1,7 @@
 // Meshes and label maps as objects of a Document.
 
 #include "core/collision/body_contact.h"
-#include "core/io/session.h"
+#include "core/io/report/session.h"
 #include "core/mesh/shapes.h"
 #include "tests/ui/model/objects_support.h"
 

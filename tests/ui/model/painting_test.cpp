@@ -2,7 +2,7 @@
 
 #include "core/collision/certify.h"
 #include "core/evolution/painted_walls.h"
-#include "core/io/session.h"
+#include "core/io/report/session.h"
 #include "tests/support/wall_support.h"
 #include "tests/ui/model/document_support.h"
 #include "ui/model/preparation.h"

@@ -3,7 +3,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include "core/io/session.h"
+#include "core/io/report/session.h"
 #include "core/mesh/quality.h"
 #include "tests/ui/model/objects_support.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 // A few frames of the beating phantom on disk, and a document in which the surface is grown in one of them.
 
-#include "core/io/sequence_writer.h"
+#include "core/io/formats/sequence_writer.h"
 #include "sample_volumes/beating.h"
 #include "tests/ui/model/output_support.h"
 #include "ui/model/time_series.h"

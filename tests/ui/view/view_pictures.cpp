@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "core/evolution/active_contour.h"
-#include "core/io/volume_io.h"
+#include "core/io/formats/volume_io.h"
 #include "tests/ui/view/document_double.h"
 #include "ui/view/slice_view.h"
 #include "ui/view/surface_view.h"

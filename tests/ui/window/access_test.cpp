@@ -15,10 +15,10 @@
 
 #include "tests/ui/window/window_support.h"
 #include "ui/window/commands.h"
-#include "ui/window/event_inspector.h"
-#include "ui/window/help_pages.h"
-#include "ui/window/help_window.h"
-#include "ui/window/timeline_slider.h"
+#include "ui/window/help/help_pages.h"
+#include "ui/window/help/help_window.h"
+#include "ui/window/timeline/event_inspector.h"
+#include "ui/window/timeline/timeline_slider.h"
 
 using namespace handlebody;
 using namespace handlebody::test;

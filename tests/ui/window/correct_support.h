@@ -6,12 +6,12 @@
 #include <QUndoStack>
 #include <QWheelEvent>
 
-#include "core/io/volume_io.h"
+#include "core/io/formats/volume_io.h"
 #include "tests/support/test_volume.h"
 #include "tests/support/wall_support.h"
 #include "tests/ui/window/window_support.h"
 #include "ui/view/slice_geometry.h"
-#include "ui/window/local_section.h"
+#include "ui/window/correct/local_section.h"
 
 namespace handlebody::test {
 

@@ -6,8 +6,8 @@
 #include <QTableWidget>
 
 #include "tests/ui/window/correct_support.h"
-#include "ui/window/held_section.h"
-#include "ui/window/wall_section.h"
+#include "ui/window/correct/wall_section.h"
+#include "ui/window/grow/held_section.h"
 
 using namespace handlebody;
 using namespace handlebody::test;

@@ -1,5 +1,5 @@
-// In every language, at 1280 x 800: no text is cut off in the list of objects, in dialogs and questions, in the
-// menus, nor in what the window shows only now and then.
+// In every language, at 1280 x 800: no text is cut off in the list of objects, in dialogs and questions, in
+// the menus, nor in what the window shows only now and then.
 
 #include <QComboBox>
 #include <QFile>
@@ -16,17 +16,17 @@
 #include <algorithm>
 #include <functional>
 
-#include "core/io/exported_object.h"
-#include "core/io/mesh_io.h"
+#include "core/io/meshes/exported_object.h"
+#include "core/io/meshes/mesh_io.h"
 #include "core/mesh/shapes.h"
 #include "tests/ui/window/layout_support.h"
 #include "tests/ui/window/window_support.h"
-#include "ui/window/export_panel.h"
-#include "ui/window/help_window.h"
-#include "ui/window/language.h"
-#include "ui/window/object_dialog.h"
-#include "ui/window/objects_panel.h"
-#include "ui/window/status_fields.h"
+#include "ui/window/export/export_panel.h"
+#include "ui/window/help/help_window.h"
+#include "ui/window/objects/object_dialog.h"
+#include "ui/window/objects/objects_panel.h"
+#include "ui/window/views/status_fields.h"
+#include "ui/window/widgets/language.h"
 
 using namespace handlebody;
 using namespace handlebody::test;
@@ -219,7 +219,8 @@ class CutOffTest : public QObject {
 
 void CutOffTest::initTestCase_data() {
   QTest::addColumn<QString>("code");
-  for (const ui::Language& language : ui::languages()) QTest::newRow(qPrintable(language.code)) << language.code;
+  for (const ui::Language& language : ui::languages())
+    QTest::newRow(qPrintable(language.code)) << language.code;
 }
 
 void CutOffTest::init() {
@@ -227,9 +228,9 @@ void CutOffTest::init() {
   ui::useLanguage(code);
 }
 
-#define NO_FAULTS(faults)                        \
-  do {                                           \
-    const QString found = (faults).text();       \
+#define NO_FAULTS(faults)                         \
+  do {                                            \
+    const QString found = (faults).text();        \
     QVERIFY2(found.isEmpty(), qPrintable(found)); \
   } while (false)
 

@@ -19,10 +19,10 @@
 #include "tests/ui/window/window_support.h"
 #include "ui/model/finding_text.h"
 #include "ui/model/opening.h"
-#include "ui/window/event_inspector.h"
-#include "ui/window/help_window.h"
-#include "ui/window/language.h"
-#include "ui/window/open_panel.h"
+#include "ui/window/help/help_window.h"
+#include "ui/window/open/open_panel.h"
+#include "ui/window/timeline/event_inspector.h"
+#include "ui/window/widgets/language.h"
 
 using namespace handlebody;
 using namespace handlebody::test;

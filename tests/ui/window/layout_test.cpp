@@ -12,11 +12,11 @@
 
 #include "tests/ui/window/layout_support.h"
 #include "tests/ui/window/window_support.h"
-#include "ui/window/event_inspector.h"
-#include "ui/window/help_window.h"
-#include "ui/window/icons.h"
-#include "ui/window/open_panel.h"
-#include "ui/window/toggle_button.h"
+#include "ui/window/help/help_window.h"
+#include "ui/window/open/open_panel.h"
+#include "ui/window/timeline/event_inspector.h"
+#include "ui/window/widgets/icons.h"
+#include "ui/window/widgets/toggle_button.h"
 
 using namespace handlebody;
 using namespace handlebody::test;

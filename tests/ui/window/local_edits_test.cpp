@@ -5,7 +5,7 @@
 #include <set>
 
 #include "tests/ui/window/correct_support.h"
-#include "ui/window/held_section.h"
+#include "ui/window/grow/held_section.h"
 
 using namespace handlebody;
 using namespace handlebody::test;

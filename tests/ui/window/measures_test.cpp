@@ -12,23 +12,23 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/io/measured.h"
-#include "core/io/volume_io.h"
+#include "core/io/formats/volume_io.h"
+#include "core/io/report/measured.h"
 #include "core/mesh/shapes.h"
 #include "tests/support/test_volume.h"
 #include "tests/ui/window/layout_support.h"
 #include "tests/ui/window/window_support.h"
 #include "ui/model/measurements.h"
 #include "ui/view/distance_colours.h"
-#include "ui/window/centre_line_page.h"
-#include "ui/window/compare_page.h"
-#include "ui/window/export_panel.h"
-#include "ui/window/language.h"
-#include "ui/window/measures_panel.h"
-#include "ui/window/numbers.h"
-#include "ui/window/object_measures_page.h"
-#include "ui/window/rulers_page.h"
-#include "ui/window/section_plot.h"
+#include "ui/window/export/export_panel.h"
+#include "ui/window/measures/centre_line_page.h"
+#include "ui/window/measures/compare_page.h"
+#include "ui/window/measures/measures_panel.h"
+#include "ui/window/measures/object_measures_page.h"
+#include "ui/window/measures/rulers_page.h"
+#include "ui/window/measures/section_plot.h"
+#include "ui/window/widgets/language.h"
+#include "ui/window/widgets/numbers.h"
 
 using namespace handlebody;
 using namespace handlebody::test;

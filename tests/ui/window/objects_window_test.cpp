@@ -15,14 +15,14 @@
 #include <set>
 
 #include "core/collision/body_contact.h"
-#include "core/io/mesh_io.h"
-#include "core/io/volume_io.h"
+#include "core/io/formats/volume_io.h"
+#include "core/io/meshes/mesh_io.h"
 #include "core/mesh/shapes.h"
 #include "tests/support/test_volume.h"
 #include "tests/ui/window/window_support.h"
-#include "ui/window/export_panel.h"
-#include "ui/window/object_dialog.h"
-#include "ui/window/objects_panel.h"
+#include "ui/window/export/export_panel.h"
+#include "ui/window/objects/object_dialog.h"
+#include "ui/window/objects/objects_panel.h"
 
 using namespace handlebody;
 using namespace handlebody::test;

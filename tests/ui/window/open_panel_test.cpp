@@ -4,8 +4,8 @@
 
 #include "tests/ui/window/window_support.h"
 #include "ui/model/finding_text.h"
-#include "ui/window/sentences.h"
-#include "ui/window/series_list.h"
+#include "ui/window/open/series_list.h"
+#include "ui/window/widgets/sentences.h"
 
 using namespace handlebody;
 using namespace handlebody::test;

@@ -7,12 +7,12 @@
 #include <QTableWidget>
 #include <QUndoStack>
 
-#include "core/io/volume_io.h"
+#include "core/io/formats/volume_io.h"
 #include "tests/ui/dumbbell.h"
 #include "tests/ui/window/window_support.h"
-#include "ui/window/event_inspector.h"
-#include "ui/window/object_choice.h"
+#include "ui/window/seed/object_choice.h"
 #include "ui/window/steps_panel.h"
+#include "ui/window/timeline/event_inspector.h"
 
 using namespace handlebody;
 using namespace handlebody::test;

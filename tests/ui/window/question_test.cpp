@@ -9,8 +9,8 @@
 
 #include "tests/ui/window/layout_support.h"
 #include "tests/ui/window/window_support.h"
-#include "ui/window/held_section.h"
-#include "ui/window/topology_section.h"
+#include "ui/window/grow/held_section.h"
+#include "ui/window/grow/topology_section.h"
 
 using namespace handlebody;
 using namespace handlebody::test;

@@ -7,13 +7,13 @@
 #include "tests/ui/window/time_window_support.h"
 #include "ui/model/time_series.h"
 #include "ui/view/distance_colours.h"
-#include "ui/window/frame_slider.h"
-#include "ui/window/language.h"
-#include "ui/window/measures_panel.h"
-#include "ui/window/over_time_panel.h"
-#include "ui/window/sensitivity_page.h"
-#include "ui/window/timeline_axis.h"
-#include "ui/window/volume_plot.h"
+#include "ui/window/measures/measures_panel.h"
+#include "ui/window/measures/sensitivity_page.h"
+#include "ui/window/time/frame_slider.h"
+#include "ui/window/time/over_time_panel.h"
+#include "ui/window/time/volume_plot.h"
+#include "ui/window/timeline/timeline_axis.h"
+#include "ui/window/widgets/language.h"
 
 using namespace handlebody;
 using namespace handlebody::test;

@@ -7,8 +7,8 @@
 
 #include "tests/ui/window/correct_support.h"
 #include "ui/view/surface_brush.h"
-#include "ui/window/held_section.h"
-#include "ui/window/touch_section.h"
+#include "ui/window/grow/held_section.h"
+#include "ui/window/grow/touch_section.h"
 
 using namespace handlebody;
 using namespace handlebody::test;

@@ -4,10 +4,10 @@
 #include <QTableWidget>
 #include <QUndoStack>
 
-#include "core/io/volume_io.h"
+#include "core/io/formats/volume_io.h"
 #include "tests/support/test_volume.h"
 #include "tests/ui/window/window_support.h"
-#include "ui/window/tunnels_list.h"
+#include "ui/window/correct/tunnels_list.h"
 
 using namespace handlebody;
 using namespace handlebody::test;

@@ -15,7 +15,7 @@
 #include <cstdio>
 #include <ctime>
 
-#include "core/io/volume_io.h"
+#include "core/io/formats/volume_io.h"
 #include "tests/ui/window/window_support.h"
 #include "ui/window/commands.h"
 

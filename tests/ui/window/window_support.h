@@ -14,10 +14,10 @@
 #include "ui/view/slice_view.h"
 #include "ui/view/surface_view.h"
 #include "ui/window/commands.h"
-#include "ui/window/file_work.h"
 #include "ui/window/main_window.h"
-#include "ui/window/message_bar.h"
-#include "ui/window/view_grid.h"
+#include "ui/window/open/file_work.h"
+#include "ui/window/views/view_grid.h"
+#include "ui/window/widgets/message_bar.h"
 
 namespace handlebody::test {
 

@@ -12,12 +12,12 @@
 #include <QTimer>
 #include <QUndoStack>
 
-#include "core/io/mesh_io.h"
+#include "core/io/meshes/mesh_io.h"
 #include "tests/io/dicom_test_support.h"
 #include "tests/ui/window/window_support.h"
 #include "ui/window/commands.h"
-#include "ui/window/language.h"
 #include "ui/window/steps_panel.h"
+#include "ui/window/widgets/language.h"
 
 using namespace handlebody;
 using namespace handlebody::test;

@@ -1,0 +1,56 @@
+// DICOM and TIFF as the rest of the program sees them: decoded by a child process.
+
+#include "core/io/decoder/decoder_process.h"
+
+namespace handlebody {
+namespace {
+
+//! Part of the progress that finding and sorting the slices takes.
+constexpr double kScanPart = 0.2;
+
+class DecodedClient : public VolumeSource {
+ public:
+  DecodedClient(const OpenRequest& request, const ReadControl& control, bool* several)
+      : decoder_(request.path) {
+    decoder_.send(requestToMessage(request));
+    const Message answer = decoder_.receive(control, 0, kScanPart);
+    try {
+      header_ = headerFromMessage(answer.at("header"));
+      *several = answer.at("header").at("several").get<bool>();
+    } catch (const Message::exception&) {
+      refuseInput(request.path, FindingKind::decoderAnswer);
+    }
+    if (!*several) checkHeader(header_, request.path);
+  }
+
+  std::shared_ptr<void> read(int frame, const std::string&, const ReadControl& control) override {
+    const std::uint64_t bytes = header_.bytesPerFrame();
+    // The voxels, the slices as they are where they are resampled, and a compressed file.
+    constexpr std::uint64_t kForDecoding = 512u << 20;
+    decoder_.allowMemory(kForDecoding + 3 * bytes);
+    decoder_.send({{"frame", frame}});
+    decoder_.receive(control, kScanPart, 1);
+    return decoder_.takeMemory(bytes);
+  }
+
+ protected:
+  void readFrame(int, void*, const ReadControl&) override {}  // read() does it
+
+ private:
+  DecoderProcess decoder_;
+};
+
+}  // namespace
+
+SourcePointer openTiff(const OpenRequest& request, const ReadControl& control) {
+  OpenRequest tiff = request;
+  tiff.format = "TIFF";
+  bool several = false;
+  return std::make_unique<DecodedClient>(tiff, control, &several);
+}
+
+SourcePointer openDicom(const OpenRequest& request, const ReadControl& control, bool* several) {
+  return std::make_unique<DecodedClient>(request, control, several);
+}
+
+}  // namespace handlebody

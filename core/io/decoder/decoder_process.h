@@ -1,0 +1,44 @@
+#pragma once
+// Internal: the child process that decodes DICOM and VTP, as its parent sees it. GDCM's build in Debian
+// aborts on some malformed files, VTK's XML reader crashes or hangs; here that and a hunger for memory are
+// sentences.
+
+#include "core/io/decoder/decoder_channel.h"
+
+namespace handlebody {
+
+class DecoderProcess {
+ public:
+  //! Starts it. Throws InputError (which begins with `path`) if the program is not there.
+  explicit DecoderProcess(std::string path);
+  //! Kills it if it still runs.
+  ~DecoderProcess();
+  DecoderProcess(const DecoderProcess&) = delete;
+  DecoderProcess& operator=(const DecoderProcess&) = delete;
+
+  void send(const Message& message);
+  //! The next message that is no progress; progress goes to `control` as from + part · (to − from). Throws
+  //! InputError for what the child refuses and for its death or silence, UsageError, Cancelled.
+  Message receive(const ReadControl& control, double from, double to);
+  //! The child may have so many bytes of address space more than when it was ready.
+  void allowMemory(std::uint64_t bytes);
+  //! What the child has filled, read-only, once it has ended. Throws InputError if that is less than `bytes`.
+  std::shared_ptr<void> takeMemory(std::uint64_t bytes);
+
+ private:
+  void start(const std::string& program);
+  void waitForMessage(const ReadControl& control);
+  void noteProgress(const Message& message, const ReadControl& control, double from, double to);
+  [[noreturn]] void explainDeath();
+  [[noreturn]] void refuseHang();
+  void kill();
+  //! That something went wrong with the whole, or with the file that came next.
+  [[noreturn]] void refuseOn(FindingKind whole, FindingKind part, Finding::Values values = {}) const;
+  std::string path_;
+  std::string file_;         // which the child works on
+  std::uint64_t bytes_ = 0;  // of it
+  int child_ = -1, socket_ = -1, memory_ = -1;
+  std::uint64_t base_ = 0;  // address space of the child at rest
+};
+
+}  // namespace handlebody

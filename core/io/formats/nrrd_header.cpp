@@ -1,0 +1,383 @@
+#include "core/io/formats/nrrd_header.h"
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <sstream>
+
+namespace handlebody {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string trimmed(const std::string& s) {
+  const auto first = s.find_first_not_of(" \t\r\n");
+  if (first == std::string::npos) return {};
+  return s.substr(first, s.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+std::string lowered(std::string s) {
+  std::transform(s.begin(), s.end(), s.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return s;
+}
+
+std::vector<std::string> words(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> list;
+  for (std::string word; stream >> word;) list.push_back(word);
+  return list;
+}
+
+template <typename T>
+std::optional<T> parsed(const std::string& word) {
+  T value{};
+  const char* first = word.data() + (word.size() > 1 && word[0] == '+');
+  const auto [end, error] = std::from_chars(first, word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
+  return value;
+}
+
+//! "(1,0,0) none (0,1,0)": one list of numbers per axis, empty for none.
+std::vector<std::vector<double>> vectors(const std::string& text, const std::string& path) {
+  std::vector<std::vector<double>> list;
+  for (std::size_t at = text.find_first_not_of(" \t"); at < text.size();
+       at = text.find_first_not_of(" \t", at)) {
+    std::vector<double> numbers;
+    if (text.compare(at, 4, "none") == 0) {
+      at += 4;
+    } else {
+      const auto close = text.find(')', at);
+      if (text[at] != '(' || close == std::string::npos)
+        refuseInput(path, {FindingKind::headerDamaged,
+                           {{"format", std::string("NRRD")}, {"field", std::string("space")}}});
+      std::string inside = text.substr(at + 1, close - at - 1);
+      std::replace(inside.begin(), inside.end(), ',', ' ');
+      for (const std::string& word : words(inside)) {
+        const auto value = parsed<double>(word);
+        if (!value)
+          refuseInput(path, {FindingKind::headerDamaged,
+                             {{"format", std::string("NRRD")}, {"field", std::string("space")}}});
+        numbers.push_back(*value);
+      }
+      at = close + 1;
+    }
+    list.push_back(numbers);
+    if (at >= text.size()) break;
+  }
+  return list;
+}
+
+//! "slice.%03d 1 93 1": the paths.
+std::vector<std::string> numbered(const std::vector<std::string>& parts, const fs::path& folder,
+                                  const std::string& path) {
+  const std::string& pattern = parts[0];
+  const auto percent = pattern.find('%');
+  const auto letter = percent == std::string::npos ? percent : pattern.find('d', percent);
+  const auto first = parsed<int>(parts[1]), last = parsed<int>(parts[2]), step = parsed<int>(parts[3]);
+  const bool plain = letter != std::string::npos && pattern.find('%', percent + 1) == std::string::npos;
+  const std::string width = plain ? pattern.substr(percent + 1, letter - percent - 1) : "";
+  const auto digits = width.empty() ? std::optional(0) : parsed<int>(width);
+  constexpr int kMostFiles = 100000;
+  if (!plain || !first || !last || !step || *step == 0 || !digits || *digits < 0 || *digits > 20 ||
+      parts.size() > 4 || std::abs(static_cast<double>(*last) - *first) / std::abs(*step) > kMostFiles)
+    refuseInput(path, {FindingKind::listNotSupported, {{"pattern", pattern}}});
+  std::vector<std::string> files;
+  for (long long i = *first; *step > 0 ? i <= *last : i >= *last; i += *step) {
+    std::string number = std::to_string(i);
+    while (static_cast<int>(number.size()) < *digits) number.insert(0, width[0] == '0' ? "0" : " ");
+    files.push_back((folder / (pattern.substr(0, percent) + number + pattern.substr(letter + 1))).string());
+  }
+  return files;
+}
+
+Component componentOf(const std::string& type, const std::string& path) {
+  static const std::map<std::string, Component> kTypes{{"signed char", Component::int8},
+                                                       {"int8", Component::int8},
+                                                       {"int8_t", Component::int8},
+                                                       {"uchar", Component::uint8},
+                                                       {"unsigned char", Component::uint8},
+                                                       {"uint8", Component::uint8},
+                                                       {"uint8_t", Component::uint8},
+                                                       {"short", Component::int16},
+                                                       {"short int", Component::int16},
+                                                       {"signed short", Component::int16},
+                                                       {"signed short int", Component::int16},
+                                                       {"int16", Component::int16},
+                                                       {"int16_t", Component::int16},
+                                                       {"ushort", Component::uint16},
+                                                       {"unsigned short", Component::uint16},
+                                                       {"unsigned short int", Component::uint16},
+                                                       {"uint16", Component::uint16},
+                                                       {"uint16_t", Component::uint16},
+                                                       {"int", Component::int32},
+                                                       {"signed int", Component::int32},
+                                                       {"int32", Component::int32},
+                                                       {"int32_t", Component::int32},
+                                                       {"uint", Component::uint32},
+                                                       {"unsigned int", Component::uint32},
+                                                       {"uint32", Component::uint32},
+                                                       {"uint32_t", Component::uint32},
+                                                       {"longlong", Component::int64},
+                                                       {"long long", Component::int64},
+                                                       {"long long int", Component::int64},
+                                                       {"signed long long", Component::int64},
+                                                       {"signed long long int", Component::int64},
+                                                       {"int64", Component::int64},
+                                                       {"int64_t", Component::int64},
+                                                       {"ulonglong", Component::uint64},
+                                                       {"unsigned long long", Component::uint64},
+                                                       {"unsigned long long int", Component::uint64},
+                                                       {"uint64", Component::uint64},
+                                                       {"uint64_t", Component::uint64},
+                                                       {"float", Component::float32},
+                                                       {"double", Component::float64}};
+  const auto found = kTypes.find(lowered(type));
+  if (found == kTypes.end()) refuseInput(path, {FindingKind::voxelType, {{"type", type}}});
+  return found->second;
+}
+
+//! One axis of the array, fastest first.
+struct Axis {
+  std::int64_t size = 0;
+  std::string kind;                 // lower-case; empty if not given
+  std::vector<double> direction{};  // in space
+  double spacing = std::numeric_limits<double>::quiet_NaN();
+  bool spatial = true;
+};
+
+std::vector<Axis> axesOf(const NrrdFields& f, const std::string& path) {
+  std::vector<Axis> axes;
+  for (const std::string& word : words(f.value("sizes"))) {
+    const auto size = parsed<std::int64_t>(word);
+    if (!size || *size < 1 || *size > std::numeric_limits<int>::max())
+      refuseInput(path, {FindingKind::implausibleSize, {{"size", word}}});
+    axes.push_back({*size, {}});
+  }
+  if (axes.empty() || std::to_string(axes.size()) != f.value("dimension"))
+    refuseInput(path, {FindingKind::headerDamaged,
+                       {{"format", std::string("NRRD")}, {"field", std::string("dimension and sizes")}}});
+  const auto kinds = words(lowered(f.value("kinds"))), spacings = words(lowered(f.value("spacings")));
+  const auto directions = vectors(f.value("space directions"), path);
+  for (const std::size_t n : {kinds.size(), spacings.size(), directions.size()})
+    if (n != 0 && n != axes.size())
+      refuseInput(path, {FindingKind::headerDamaged,
+                         {{"format", std::string("NRRD")},
+                          {"field", std::string("a field has not one value per axis")}}});
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    Axis& a = axes[i];
+    if (!kinds.empty()) a.kind = kinds[i];
+    if (!directions.empty()) a.direction = directions[i];
+    if (!spacings.empty()) a.spacing = parsed<double>(spacings[i]).value_or(a.spacing);
+    const bool named =
+        !a.kind.empty() && a.kind != "domain" && a.kind != "space" && a.kind != "???" && a.kind != "none";
+    a.spatial = directions.empty() ? !named : !a.direction.empty();
+  }
+  return axes;
+}
+
+//! Colour, time points, or vectors, which are refused.
+void useOtherAxis(const std::vector<Axis>& axes, std::size_t i, const std::string& path, VolumeHeader& header,
+                  NrrdLayout& layout) {
+  const Axis& axis = axes[i];
+  const bool colour = axis.kind.find("color") != std::string::npos;
+  const bool time = axis.kind.empty() || axis.kind == "list" || axis.kind == "time" ||
+                    axis.kind == "domain" || axis.kind == "space" || axis.kind == "none" ||
+                    axis.kind == "???";
+  if (colour && i == 0 && (axis.size == 3 || axis.size == 4) &&
+      (header.component == Component::uint8 || header.component == Component::uint16)) {
+    header.components = static_cast<int>(axis.size);
+    header.warnings.push_back(FindingKind::colourAsLuminance);
+  } else if (time || axis.size == 1) {
+    header.frames = static_cast<int>(axis.size);
+    for (std::size_t k = 0; k < axes.size(); ++k) {
+      if (k == i) continue;
+      std::uint64_t& count = k < i ? layout.inner : layout.outer;
+      // Sizes of a hostile header may exceed 64 bits; more than this is refused afterwards.
+      count = std::min(count, std::uint64_t{1} << 32) * static_cast<std::uint64_t>(axes[k].size);
+    }
+  } else {
+    refuseInput(path, {FindingKind::vectorVoxels, {{"components", std::to_string(axis.size)}}});
+  }
+}
+
+//! Milliseconds in a unit of the header, quoted or not; 0 for one that is no unit of time.
+double millisecondsIn(const std::string& unit) {
+  const auto is = [&](const char* name) { return unit == name || unit == '"' + std::string(name) + '"'; };
+  return is("s") ? 1000 : is("ms") ? 1 : is("us") ? 1e-3 : 0;
+}
+
+//! Times of the axis that is not in space: 3D Slicer's list of values, or an even spacing; only where the
+//! header gives a unit of time for it.
+void setTimes(const NrrdFields& f, const Axis& axis, std::size_t index, VolumeHeader& header) {
+  if (header.frames < 2) return;
+  const std::vector<std::string> units = words(f.value("units"));
+  const double ms = index < units.size() ? millisecondsIn(units[index]) : 0;
+  const auto values = f.keys.find("axis " + std::to_string(index) + " index values");
+  if (values == f.keys.end()) {
+    header.times = evenTimes(header.frames, axis.spacing * ms, "spacings, units");
+    return;
+  }
+  std::vector<double> times;
+  for (const std::string& word : words(values->second))
+    times.push_back(ms * parsed<double>(word).value_or(std::numeric_limits<double>::quiet_NaN()));
+  header.times = checkedTimes(header.frames, std::move(times), values->first + ", units");
+}
+
+//! What makes a direction of the header's space LPS; nothing for a space that is not the patient's.
+std::optional<Vec3> toLps(const std::string& space) {
+  const std::string s = lowered(space);
+  const auto is = [&](const char* name, const char* letters) {
+    return s.rfind(name, 0) == 0 || s == letters || s == std::string(letters) + "t";
+  };
+  if (is("left-posterior-superior", "lps")) return Vec3(1, 1, 1);
+  if (is("right-anterior-superior", "ras")) return Vec3(-1, -1, 1);
+  if (is("left-anterior-superior", "las")) return Vec3(1, -1, 1);
+  return std::nullopt;
+}
+
+void setDirection(const Axis& axis, int a, const Vec3& flip, const std::string& path, VolumeHeader& h) {
+  if (axis.direction.size() < 3)
+    refuseInput(path, {FindingKind::headerDamaged,
+                       {{"format", std::string("NRRD")}, {"field", std::string("space directions")}}});
+  const Vec3 v = Vec3(axis.direction[0], axis.direction[1], axis.direction[2]).cwiseProduct(flip);
+  h.grid.spacing[a] = v.norm();
+  if (v.norm() > 0) h.grid.direction.col(a) = v / v.norm();
+  h.sources.spacing[static_cast<std::size_t>(a)] = "space directions";
+}
+
+void setGeometry(const NrrdFields& f, const std::vector<Axis>& spatial, const std::string& path,
+                 VolumeHeader& h) {
+  const std::optional<Vec3> lps = toLps(f.value("space"));
+  const Vec3 flip = lps.value_or(Vec3(1, 1, 1));
+  bool directed = false;
+  h.sources.size = "sizes";
+  for (int a = 0; a < 3; ++a) {
+    const Axis& axis = spatial[static_cast<std::size_t>(a)];
+    const auto i = static_cast<std::size_t>(a);
+    h.grid.size[i] = static_cast<int>(axis.size);
+    directed |= !axis.direction.empty();
+    if (!axis.direction.empty()) {
+      setDirection(axis, a, flip, path, h);
+    } else if (std::isfinite(axis.spacing)) {
+      h.grid.spacing[a] = axis.spacing;
+      h.sources.spacing[i] = "spacings";
+    } else {
+      h.calibrated = false;
+      h.sources.spacing[i] = "assumed";
+    }
+  }
+  h.sources.direction = directed ? "space directions" : "assumed";
+  h.sources.origin = "assumed";
+  const auto origin = vectors(f.value("space origin"), path);
+  if (!origin.empty() && origin[0].size() >= 3) {
+    h.grid.origin = Vec3(origin[0][0], origin[0][1], origin[0][2]).cwiseProduct(flip);
+    h.sources.origin = "space origin";
+  }
+  if (!lps || !directed) h.warnings.push_back(FindingKind::axesTakenAsLps);
+}
+
+void checkUnits(const std::string& units, VolumeHeader& header) {
+  for (const std::string& word : words(units))
+    if (word != "\"mm\"" && word != "\"\"" && word != "???" && word != "\"s\"" && word != "none") {
+      header.warnings.push_back({FindingKind::unitsAsMillimetres, {{"units", units}}});
+      return;
+    }
+}
+
+void setEncoding(const NrrdFields& f, const std::string& path, const VolumeHeader& header,
+                 NrrdLayout& layout) {
+  const std::string encoding = lowered(f.value("encoding"));
+  layout.compressed = encoding == "gzip" || encoding == "gz";
+  layout.text = encoding == "ascii" || encoding == "text" || encoding == "txt";
+  if (!layout.compressed && !layout.text && encoding != "raw")
+    refuseInput(path, {FindingKind::encodingNotSupported, {{"encoding", encoding}}});
+  const std::string endian = lowered(f.value("endian"));
+  if (endian.empty() && bytesOf(header.component) > 1 && !layout.text)
+    refuseInput(path, {FindingKind::headerDamaged,
+                       {{"format", std::string("NRRD")}, {"field", std::string("no endian")}}});
+  if (bytesOf(header.component) > 1)
+    layout.swapped = (endian == "big") != (std::endian::native == std::endian::big);
+  for (const auto& [name, skip] :
+       {std::pair("byte skip", &layout.byteSkip), std::pair("line skip", &layout.lineSkip)})
+    if (const std::string text =
+            f.value(name).empty() ? f.value(std::string(name).erase(4, 1)) : f.value(name);
+        !text.empty()) {
+      const auto value = parsed<long long>(text);
+      if (!value || *value < -1 || *value > (1ll << 60))
+        refuseInput(path, {FindingKind::headerDamaged,
+                           {{"format", std::string("NRRD")}, {"field", std::string(name)}}});
+      *skip = *value;
+    }
+}
+
+}  // namespace
+
+NrrdFields readNrrdFields(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  NrrdFields f;
+  std::string line, list;
+  bool listed = false;
+  std::getline(file, line);  // the magic
+  constexpr std::size_t kLongestHeader = 16u << 20;
+  while (std::getline(file, line) && static_cast<std::size_t>(file.tellg()) < kLongestHeader) {
+    line = trimmed(line);
+    if (line.empty()) break;
+    f.sequence |= isLaterFrame(line);
+    if (listed) f.dataFiles.push_back((fs::path(path).parent_path() / line).string());
+    const auto colon = line.find(": "), pair = line.find(":=");
+    if (!listed && line[0] != '#' && pair < colon) f.keys[line.substr(0, pair)] = line.substr(pair + 2);
+    if (listed || line[0] == '#' || colon == std::string::npos || pair < colon) continue;
+    f.fields[lowered(trimmed(line.substr(0, colon)))] = trimmed(line.substr(colon + 2));
+    listed = f.value("data file") == "LIST" || f.value("datafile") == "LIST";
+  }
+  if (file) f.end = static_cast<std::uint64_t>(file.tellg());
+  const std::string data = f.value("data file") + f.value("datafile");
+  if (data.empty() || listed) return f;
+  const std::vector<std::string> parts = words(data);
+  if (parts.size() >= 4 && data.find('%') != std::string::npos)
+    f.dataFiles = numbered(parts, fs::path(path).parent_path(), path);
+  else
+    f.dataFiles = {(fs::path(path).parent_path() / data).string()};
+  return f;
+}
+
+NrrdLayout interpretNrrd(const NrrdFields& f, const std::string& path, VolumeHeader& header) {
+  header.format = "NRRD";
+  header.component = componentOf(f.value("type"), path);
+  std::vector<Axis> axes = axesOf(f, path);
+  std::vector<Axis> spatial;
+  std::size_t others = 0, other = 0;
+  // Four axes in space without a word for time: the last is time.
+  if (std::all_of(axes.begin(), axes.end(), [](const Axis& a) { return a.spatial; }) && axes.size() == 4)
+    axes[3].spatial = false;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (axes[i].spatial) spatial.push_back(axes[i]);
+    if (!axes[i].spatial && (axes[i].size > 1 || others == 0)) other = i;
+    others += !axes[i].spatial && axes[i].size > 1;
+  }
+  if (spatial.size() > 3 || others > 1) refuseInput(path, FindingKind::fourDimensions);
+  if (spatial.size() < 3) refuseInput(path, FindingKind::flatImage);
+  const bool unsaid =
+      f.value("space directions").empty() && f.value("spacings").empty() && f.value("kinds").empty();
+  if (unsaid && axes.size() == 3 && (axes[0].size == 3 || axes[0].size == 4) &&
+      header.component == Component::uint8)
+    refuseInput(path, {FindingKind::flatColour, {{"values", axes[0].size}}});
+  NrrdLayout layout;
+  if (axes.size() > 3) {
+    useOtherAxis(axes, other, path, header, layout);
+    setTimes(f, axes[other], other, header);
+  }
+  if (header.frames == 1 || axes.size() == 3) layout.inner = layout.outer = 1;
+  setGeometry(f, spatial, path, header);
+  checkUnits(f.value("space units"), header);
+  setEncoding(f, path, header, layout);
+  return layout;
+}
+
+}  // namespace handlebody

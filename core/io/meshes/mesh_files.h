@@ -1,0 +1,50 @@
+#pragma once
+// Internal: the mesh formats. Coordinates are passed as they stand in the file.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/io/meshes/mesh_io.h"
+
+namespace handlebody {
+
+//! A mesh as a file holds it.
+struct MeshFile {
+  TriangleSoup mesh{};
+  CoordinateSpace space = CoordinateSpace::lps;
+  std::vector<double> values{};  //!< per point, for .vtp; empty: none
+  std::string valueName{};
+  std::vector<MeshPart> parts{};  // written, not read back
+};
+
+//! "SPACE=LPS" or "SPACE=RAS": what we write into comments and headers.
+std::string spaceMark(CoordinateSpace space);
+//! The space that `text` (a header or comment) names; LPS if it names none.
+CoordinateSpace spaceIn(const std::string& text);
+
+//! Text, with every digit (VTK's OBJ writer and reader keep six). Write: `temporary` is a file that exists.
+void writeObj(const MeshFile& file, const std::string& temporary);
+MeshFile readObj(const std::string& path);
+
+//! Text or binary, of either byte order.
+MeshFile readPly(const std::string& path);
+
+//! VTK's messages go nowhere while one of these lives; errors are found through error codes and observers.
+class VtkSilence {
+ public:
+  VtkSilence();
+  ~VtkSilence();
+  VtkSilence(const VtkSilence&) = delete;
+  VtkSilence& operator=(const VtkSilence&) = delete;
+
+ private:
+  bool before_;
+};
+
+//! VTP through VTK, in a child process: its reader crashes on some damaged files.
+MeshFile readVtp(const std::string& path);
+//! The same in this process.
+MeshFile readVtpHere(const std::string& path);
+
+}  // namespace handlebody

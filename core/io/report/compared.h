@@ -1,0 +1,46 @@
+#pragma once
+// Two objects to be compared, from files, and what `compare` found as JSON: what the command line and the
+// Python module share.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/io/formats/volume_io.h"
+#include "core/solid/comparison.h"
+
+namespace handlebody {
+
+struct ComparedObject {
+  std::string path;          //!< or what it is called
+  std::optional<int> label;  //!< asked for, of a label map
+  Solid solid;
+};
+
+struct ComparedPair {
+  ComparedObject a, b;
+  Comparison found;
+  std::vector<Finding> warnings;  //!< sentences: of the files, then those of the comparison
+};
+
+//! A label map, with the warnings of its file added to `warnings`. Throws InputError, also if a voxel is no
+//! whole number.
+LoadedVolume readLabels(const std::string& path, std::vector<Finding>& warnings);
+
+//! A mesh, as it is called. Throws InputError if its triangles have no area.
+ComparedObject comparedMesh(const std::string& name, TriangleSoup mesh);
+
+//! What a label map holds. Throws InputError if a voxel is no whole number, and as solidOf.
+ComparedObject comparedLabels(const std::string& name, const Volume& labels, std::optional<int> label);
+
+//! A mesh or label map, by the ending of its path. Throws InputError.
+ComparedObject readCompared(const std::string& path, std::optional<int> label,
+                            std::vector<Finding>& warnings);
+
+//! Fills `found` and adds its warnings. Throws as compare.
+void compare(ComparedPair& pair, const ComparisonOptions& how);
+
+//! "version", "notice", "a", "b", "dice", "iou" … (docs/compare.md) as JSON text.
+std::string comparisonJson(const ComparedPair& pair);
+
+}  // namespace handlebody

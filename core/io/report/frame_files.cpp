@@ -1,0 +1,45 @@
+#include "core/io/report/frame_files.h"
+
+#include <filesystem>
+
+#include "core/io/formats/label_map.h"
+#include "core/io/formats/sequence_writer.h"
+
+namespace handlebody {
+
+bool hasCollection(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  for (char& c : ending)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return ending == ".vtp";
+}
+
+void writeFrameMeshes(const OverTimeReport& over, CoordinateSpace space, const std::string& path) {
+  std::vector<int> written;
+  for (const FrameResult& r : over.frames) {
+    if (r.mesh.triangles.empty()) continue;
+    writeMesh(r.mesh, numberedPath(path, r.frame), space);
+    written.push_back(r.frame);
+  }
+  if (hasCollection(path)) writeCollection(path, written, over.times);
+}
+
+void writeFrameLabels(const OverTimeReport& over, const ObjectLabel& label, const Grid& grid,
+                      const std::string& path) {
+  SequenceLayout layout;
+  layout.grid = grid;
+  layout.type = label.value > 255 ? VoxelType::uint16 : VoxelType::uint8;
+  layout.frames = static_cast<int>(over.frames.size());
+  std::vector<double> times;
+  for (const VolumePoint& p : over.curve.points)
+    if (p.time) times.push_back(*p.time);
+  layout.times = checkedTimes(layout.frames, std::move(times), over.times.source);
+  writeSequence(layout, path, [&](int i) {
+    const FrameResult& r = over.frames[static_cast<std::size_t>(i)];
+    void* zeros = nullptr;
+    if (r.mesh.triangles.empty()) return makeVolume(layout.grid, layout.type, &zeros);
+    return labelMap({{label, r.mesh}}, layout.grid);
+  });
+}
+
+}  // namespace handlebody

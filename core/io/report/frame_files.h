@@ -1,0 +1,25 @@
+#pragma once
+// The surfaces of all frames to files: numbered meshes, a 4D label map.
+
+#include <string>
+
+#include "core/io/meshes/exported_object.h"
+#include "core/io/meshes/mesh_io.h"
+#include "core/io/report/over_time_report.h"
+#include "core/volume/volume.h"
+
+namespace handlebody {
+
+//! True for .vtp (any case): its files are listed for ParaView.
+bool hasCollection(const std::string& path);
+
+//! One file for each frame that has a surface (numberedPath); of .vtp also the list of them for ParaView
+//! (collectionPath). Throws as writeMesh and writeCollection.
+void writeFrameMeshes(const OverTimeReport& over, CoordinateSpace space, const std::string& path);
+
+//! A 4D label map of the frames of the range on `grid`; frames without a surface are empty. Precondition:
+//! isSequencePath(path). Throws as writeSequence.
+void writeFrameLabels(const OverTimeReport& over, const ObjectLabel& label, const Grid& grid,
+                      const std::string& path);
+
+}  // namespace handlebody

@@ -1,0 +1,69 @@
+#include "core/io/report/growth_report.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "core/evolution/clicked_object.h"
+#include "core/told_error.h"
+
+namespace handlebody {
+
+void tellBeginning(const ActiveContour& contour, RunReport& report) {
+  report.session.resolved = contour.parameters();
+}
+
+CandidateSearch::CandidateSearch(const ActiveContour& contour) : choices_(contour.choices()) {
+  if (choices_->areKnown()) return;
+  thread_ = std::jthread([choices = choices_] {
+    try {
+      choices->get();
+    } catch (...) {  // tell() tries again, and throws it where it is heard
+    }
+  });
+}
+
+void CandidateSearch::tell(RunReport& report) {
+  if (thread_.joinable()) thread_.join();
+  report.candidates = choices_->get().candidates;
+  report.isCloseChoice = choices_->get().isCloseChoice;
+}
+
+void tellState(const ActiveContour& contour, RunReport& report) {
+  report.iterations = contour.iteration();
+  report.stopped = contour.stopReason();
+  report.held = contour.held();
+  report.pinned = contour.pinned();
+}
+
+void requireNothingWaiting(const ActiveContour& contour) {
+  if (contour.stopReason() == StopReason::running) return;
+  const std::string ended = ": the growth ended at iteration " + std::to_string(contour.iteration()) + ".";
+  if (const auto veto = contour.waitingVeto())
+    throw UsageError("The veto of iteration " + std::to_string(veto->iteration) + " has nothing to forbid" +
+                     ended);
+  if (const auto pin = contour.waitingPin())
+    throw UsageError("The pin " + written(*pin) + " holds nothing" + ended);
+  if (const auto edit = contour.waitingEdit())
+    throw UsageError("The edit of iteration " + std::to_string(edit->iteration) + " is never made" + ended);
+}
+
+CertifiedMesh grownMesh(const ActiveContour& contour) {
+  if (contour.stopReason() == StopReason::empty)
+    throw Told<SeedError>(Finding(FindingKind::surfaceVanished, {{"iterations", contour.iteration()}}));
+  return certifiedForExport(contour.mesh().compact());
+}
+
+void tellDoubts(const ActiveContour& contour, const TriangleSoup& mesh, RunReport& report) {
+  const auto add = [&report](std::vector<Finding> found) {
+    std::move(found.begin(), found.end(), std::back_inserter(report.doubts));
+  };
+  add(doubts(report, mesh));
+  const SurfaceSupport support = contour.support();
+  add(contour.doubts(support));
+  add(leakDoubts(report));
+  add(questionDoubts(report));
+  add(pinDoubts(report));
+  report.unsupportedSurface = support.withoutEdge;
+}
+
+}  // namespace handlebody

@@ -1,0 +1,327 @@
+#include "core/io/report/measured.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <numeric>
+
+#include "core/io/report/csv_line.h"
+#include "core/io/report/measures_json.h"
+
+namespace handlebody {
+
+namespace {
+
+std::string number(double value, const char* format = "%.5g") {
+  char text[40];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::string place(const Vec3& p) { return number(p.x()) + "," + number(p.y()) + "," + number(p.z()); }
+
+std::string line(const std::string& name, const std::string& value) {
+  std::string text = name;
+  text.resize(std::max<std::size_t>(38, name.size() + 1), ' ');
+  return text + value + "\n";
+}
+
+const char* contactName(BodyContact contact) {
+  if (contact == BodyContact::surfaces) return "meet";
+  return contact == BodyContact::inside ? "inside" : "apart";
+}
+
+int genusOf(const MeasuredObject& o) {
+  return std::accumulate(o.certificate.genus.begin(), o.certificate.genus.end(), 0);
+}
+
+std::string objectText(const MeasuredObject& o) {
+  const ShapeMeasures& m = o.measures.shape;
+  std::string text =
+      o.name + "\n" + line("  volume (ml)", number(m.volume / 1000, "%.6g")) +
+      line("  area (cm2)", number(m.area / 100, "%.6g")) +
+      line("  largest diameter (mm)",
+           number(m.largest.distance) + " from " + place(m.largest.from) + " to " + place(m.largest.to)) +
+      line("  along its principal axes (mm)",
+           number(m.extents[0]) + " x " + number(m.extents[1]) + " x " + number(m.extents[2])) +
+      line("  along x, y, z (mm)", number(m.box[0]) + " x " + number(m.box[1]) + " x " + number(m.box[2])) +
+      line("  centroid (mm LPS)", place(m.centroid)) +
+      line("  components, cavities, genus",
+           std::to_string(o.certificate.components - o.certificate.cavities) + ", " +
+               std::to_string(o.certificate.cavities) + ", " + std::to_string(genusOf(o)));
+  const auto& in = o.measures.intensity;
+  if (in && in->voxels > 0)
+    text += line("  intensity, mean and SD", number(in->mean) + " +- " + number(in->deviation)) +
+            line("  intensity, minimum to maximum", number(in->minimum) + " to " + number(in->maximum)) +
+            line("  voxels inside", std::to_string(in->voxels));
+  return text;
+}
+
+std::string gapText(const MeasuredGap& g) {
+  const std::string between = "distance of " + g.from + " and " + g.to + " (mm)";
+  std::string value = number(g.gap.distance) + " from " + place(g.gap.onA) + " to " + place(g.gap.onB);
+  if (g.gap.contact == BodyContact::surfaces) value = "0: the surfaces meet, near " + place(g.gap.onA);
+  if (g.gap.contact == BodyContact::inside) value += "; a part of one lies in the other";
+  return line(between, value);
+}
+
+std::string wallText(const MeasuredWall& w) {
+  const auto directed = [](const DirectedDistances& d) {
+    return "mean " + number(d.mean) + ", least " + number(d.smallest) + ", 95 % up to " +
+           number(d.percentile95) + ", largest " + number(d.largest);
+  };
+  return line("wall thickness (mm)", "") + line("  from " + w.first, directed(w.wall.fromFirst)) +
+         line("  from " + w.second, directed(w.wall.fromSecond));
+}
+
+//! The least and the largest section.
+struct Extremes {
+  const CentreLinePoint *least = nullptr, *largest = nullptr;
+  double mean = 0;  // mm²
+  explicit Extremes(const CentreLine& line) {
+    int n = 0;
+    for (const CentreLinePoint& p : line.points) {
+      if (!p.area) continue;
+      if (!least || *p.area < *least->area) least = &p;
+      if (!largest || *p.area > *largest->area) largest = &p;
+      mean += *p.area;
+      ++n;
+    }
+    if (n > 0) mean /= n;
+  }
+};
+
+std::string lineText(const MeasuredLine& m) {
+  const Extremes e(m.line);
+  const auto section = [](const CentreLinePoint& p) {
+    return number(*p.area) + " mm2, equivalent diameter " + number(p.equivalentDiameter()) + " mm, at " +
+           number(p.along) + " mm, " + place(p.place);
+  };
+  std::string text = line("centre line (mm)", number(m.line.length) + " in " + m.object + ", " +
+                                                  std::to_string(m.line.points.size()) + " sections");
+  if (e.least)
+    text += line("  least section", section(*e.least)) + line("  largest section", section(*e.largest)) +
+            line("  mean area of the sections (mm2)", number(e.mean));
+  return text;
+}
+
+//! Numbered together, as the window's list is.
+std::string placedText(const std::vector<Measurement>& placed) {
+  std::string text;
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    const bool isRuler = placed[i].kind == MeasurementKind::ruler;
+    std::string points;
+    for (const Vec3& p : placed[i].points) points += (points.empty() ? " from " : " to ") + place(p);
+    const std::string order = std::to_string(i + 1);
+    text += line(isRuler ? "ruler " + order + " (mm)" : "angle " + order + " (degrees)",
+                 number(valueOf(placed[i])) + points);
+  }
+  return text;
+}
+
+Json gapJson(const MeasuredGap& g) {
+  return {{"from", g.from},
+          {"to", g.to},
+          {"distance_mm", g.gap.distance},
+          {"contact", contactName(g.gap.contact)},
+          {"places", Json::array({vectorToJson(g.gap.onA), vectorToJson(g.gap.onB)})}};
+}
+
+Json directedJson(const std::string& from, const DirectedDistances& d) {
+  return {{"from", from},
+          {"mean_mm", d.mean},
+          {"least_mm", d.smallest},
+          {"percentile_95_mm", d.percentile95},
+          {"largest_mm", d.largest}};
+}
+
+Json sectionJson(const CentreLinePoint& p) {
+  return {{"along_mm", p.along},
+          {"place", vectorToJson(p.place)},
+          {"direction", vectorToJson(p.direction)},
+          {"inscribed_radius_mm", p.radius},
+          {"area_mm2", p.area ? Json(*p.area) : Json(nullptr)},
+          {"equivalent_diameter_mm", p.area ? Json(p.equivalentDiameter()) : Json(nullptr)}};
+}
+
+Json lineJson(const MeasuredLine& m) {
+  Json json = {{"object", m.object}, {"length_mm", m.line.length}};
+  Json& sections = json["sections"] = Json::array();
+  for (const CentreLinePoint& p : m.line.points) sections.push_back(sectionJson(p));
+  return json;
+}
+
+//! Names and values of one line of a table.
+struct Row {
+  std::vector<std::string> names, values;
+  void add(const std::string& name, const Json& value) {
+    names.push_back(name);
+    values.push_back(value.is_null() ? "" : value.is_string() ? value.get<std::string>() : value.dump());
+  }
+  void addPlace(const std::string& name, const Vec3& p, const std::string& unit = "_mm") {
+    const std::array<const char*, 3> axes{"_x", "_y", "_z"};
+    for (int a = 0; a < 3; ++a) add(name + axes[static_cast<std::size_t>(a)] + unit, p[a]);
+  }
+};
+
+Row rowOf(const Measured& m, const MeasuredObject& o) {
+  const ShapeMeasures& s = o.measures.shape;
+  const auto& in = o.measures.intensity;
+  const bool has = in && in->voxels > 0;
+  Row row;
+  row.add("object", o.name);
+  row.add("volume_mm3", s.volume);
+  row.add("area_mm2", s.area);
+  row.add("largest_diameter_mm", s.largest.distance);
+  row.addPlace("largest_diameter_from", s.largest.from);
+  row.addPlace("largest_diameter_to", s.largest.to);
+  for (int a = 0; a < 3; ++a) row.add("principal_extent_" + std::to_string(a + 1) + "_mm", s.extents[a]);
+  row.addPlace("box", s.box);
+  row.addPlace("centroid", s.centroid);
+  row.add("components", o.certificate.components - o.certificate.cavities);
+  row.add("cavities", o.certificate.cavities);
+  row.add("genus", genusOf(o));
+  row.add("voxels", has ? Json(in->voxels) : Json());
+  row.add("intensity_mean", has ? Json(in->mean) : Json());
+  row.add("intensity_standard_deviation", has ? Json(in->deviation) : Json());
+  row.add("intensity_minimum", has ? Json(in->minimum) : Json());
+  row.add("intensity_maximum", has ? Json(in->maximum) : Json());
+  // The nearest of the others, so that every object has the same columns.
+  const MeasuredGap* nearest = nullptr;
+  for (const MeasuredGap& g : m.gaps)
+    if ((g.from == o.name || g.to == o.name) && (!nearest || g.gap.distance < nearest->gap.distance))
+      nearest = &g;
+  row.add("nearest_object", nearest ? Json(nearest->from == o.name ? nearest->to : nearest->from) : Json());
+  row.add("distance_mm", nearest ? Json(nearest->gap.distance) : Json());
+  return row;
+}
+
+void addWall(Row& row, const MeasuredWall& wall) {
+  const auto add = [&](const std::string& name, const DirectedDistances& d) {
+    row.add(name + "_mean_mm", d.mean);
+    row.add(name + "_least_mm", d.smallest);
+    row.add(name + "_percentile_95_mm", d.percentile95);
+    row.add(name + "_largest_mm", d.largest);
+  };
+  add("wall_from_first", wall.wall.fromFirst);
+  add("wall_from_second", wall.wall.fromSecond);
+}
+
+}  // namespace
+
+std::string measuredText(const Measured& m) {
+  std::string text;
+  for (const MeasuredObject& o : m.objects) text += objectText(o);
+  for (const MeasuredGap& g : m.gaps) text += gapText(g);
+  if (m.wall) text += wallText(*m.wall);
+  if (m.line) text += lineText(*m.line);
+  text += placedText(m.placed);
+  for (const Finding& warning : m.warnings) text += "warning: " + sentence(warning) + "\n";
+  return text;
+}
+
+std::string measuredJson(const Measured& m) {
+  Json json = {{"version", HANDLEBODY_VERSION}, {"notice", kNotice}, {"path", m.path}};
+  json["volume"] = m.volume.empty() ? Json(nullptr) : Json(m.volume);
+  Json& objects = json["objects"] = Json::array();
+  for (const MeasuredObject& o : m.objects) {
+    Json object = {{"name", o.name}};
+    object["measures"] = measuresToJson(o.measures);
+    object["mesh"] = certificateToJson(o.certificate);
+    objects.push_back(std::move(object));
+  }
+  Json& gaps = json["distances"] = Json::array();
+  for (const MeasuredGap& g : m.gaps) gaps.push_back(gapJson(g));
+  json["wall_thickness"] = nullptr;
+  if (m.wall)
+    json["wall_thickness"] = {
+        {"sampling_mm", m.wall->wall.sampling},
+        {"surfaces", Json::array({directedJson(m.wall->first, m.wall->wall.fromFirst),
+                                  directedJson(m.wall->second, m.wall->wall.fromSecond)})}};
+  json["centre_line"] = m.line ? lineJson(*m.line) : Json(nullptr);
+  json["measurements"] = measurementsToJson(m.placed);
+  json["warnings"] = sentences(m.warnings);
+  return jsonText(json);
+}
+
+namespace {
+
+std::vector<Row> rowsOf(const Measured& m) {
+  std::vector<Row> rows;
+  for (const MeasuredObject& o : m.objects) {
+    Row& row = rows.emplace_back(rowOf(m, o));
+    if (m.wall) addWall(row, *m.wall);
+    if (m.line) row.add("centre_line_mm", o.name == m.line->object ? Json(m.line->line.length) : Json());
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string measuredCsv(const Measured& m) {
+  std::string text;
+  for (const Row& row : rowsOf(m)) {
+    if (text.empty()) text = csvLine(row.names);
+    text += csvLine(row.values);
+  }
+  return text;
+}
+
+std::string measuredColumns(const Measured& m, char separator) {
+  std::string text;
+  const auto add = [&](const std::vector<std::string>& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      text += (i > 0 ? std::string(1, separator) : "") + cells[i];
+    text += '\n';
+  };
+  for (const Row& row : rowsOf(m)) {
+    if (text.empty()) add(row.names);
+    add(row.values);
+  }
+  return text;
+}
+
+std::string sectionsCsv(const CentreLine& line) {
+  std::string text;
+  for (const CentreLinePoint& p : line.points) {
+    Row row;
+    row.add("along_mm", p.along);
+    row.addPlace("place", p.place);
+    row.addPlace("direction", p.direction, "");
+    row.add("inscribed_radius_mm", p.radius);
+    row.add("area_mm2", p.area ? Json(*p.area) : Json());
+    row.add("equivalent_diameter_mm", p.area ? Json(p.equivalentDiameter()) : Json());
+    if (text.empty()) text = csvLine(row.names);
+    text += csvLine(row.values);
+  }
+  return text;
+}
+
+std::string measurementsCsv(const std::vector<Measurement>& placed) {
+  std::string text;
+  for (const Measurement& m : placed) {
+    const bool isRuler = m.kind == MeasurementKind::ruler;
+    Row row;
+    row.add("kind", isRuler ? "ruler" : "angle");
+    row.add("length_mm", isRuler ? Json(valueOf(m)) : Json());
+    row.add("angle_degrees", isRuler ? Json() : Json(valueOf(m)));
+    for (std::size_t i = 0; i < pointsOf(MeasurementKind::angle); ++i)
+      for (std::size_t a = 0; a < 3; ++a)
+        row.add("point_" + std::to_string(i + 1) + "_" + "xyz"[a] + "_mm",
+                i < m.points.size() ? Json(m.points[i][static_cast<int>(a)]) : Json());
+    if (text.empty()) text = csvLine(row.names);
+    text += csvLine(row.values);
+  }
+  return text;
+}
+
+std::string measurementsJson(const std::vector<Measurement>& placed) {
+  Json json = {{"version", HANDLEBODY_VERSION}, {"notice", kNotice}};
+  json["measurements"] = measurementsToJson(placed);
+  return jsonText(json);
+}
+
+std::string centreLineJson(const MeasuredLine& m) {
+  return jsonText({{"version", HANDLEBODY_VERSION}, {"notice", kNotice}, {"centre_line", lineJson(m)}});
+}
+
+}  // namespace handlebody

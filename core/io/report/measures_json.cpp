@@ -1,0 +1,74 @@
+#include "core/io/report/measures_json.h"
+
+#include "core/errors.h"
+
+namespace handlebody {
+
+namespace {
+
+Json intensityToJson(const std::optional<IntensityInside>& in) {
+  if (!in || in->voxels == 0) return nullptr;
+  return {{"voxels", in->voxels},
+          {"mean", in->mean},
+          {"standard_deviation", in->deviation},
+          {"minimum", in->minimum},
+          {"maximum", in->maximum}};
+}
+
+Json spreadToJson(const Spread& s) {
+  return {{"least", s.least}, {"percent_5", s.percent5}, {"median", s.median}, {"largest", s.largest}};
+}
+
+}  // namespace
+
+Json measuresToJson(const ObjectMeasures& measures) {
+  const ShapeMeasures& m = measures.shape;
+  Json json = {{"volume_mm3", m.volume}, {"area_mm2", m.area}};
+  json["centroid"] = vectorToJson(m.centroid);
+  json["largest_diameter_mm"] = m.largest.distance;
+  json["largest_diameter_ends"] = Json::array({vectorToJson(m.largest.from), vectorToJson(m.largest.to)});
+  json["principal_extents_mm"] = vectorToJson(m.extents);
+  Json& axes = json["principal_axes"] = Json::array();
+  for (int a = 0; a < 3; ++a) axes.push_back(vectorToJson(m.axes.col(a)));
+  json["box_mm"] = vectorToJson(m.box);
+  json["intensity"] = intensityToJson(measures.intensity);
+  return json;
+}
+
+Json qualityToJson(const MeshQuality& q) {
+  return {{"angles_degrees", spreadToJson(q.angles)},
+          {"radius_ratio", spreadToJson(q.radiusRatio)},
+          {"edges_mm", spreadToJson(q.edges)},
+          {"dihedral_angles_degrees", spreadToJson(q.dihedral)},
+          {"faces_without_area", q.flat}};
+}
+
+Json measurementsToJson(const std::vector<Measurement>& measurements) {
+  Json list = Json::array();
+  for (const Measurement& m : measurements) {
+    const bool isRuler = m.kind == MeasurementKind::ruler;
+    Json& json = list.emplace_back(Json::object());
+    json["kind"] = isRuler ? "ruler" : "angle";
+    Json& points = json["points"] = Json::array();
+    for (const Vec3& p : m.points) points.push_back(vectorToJson(p));
+    json[isRuler ? "length_mm" : "angle_degrees"] = valueOf(m);
+  }
+  return list;
+}
+
+std::vector<Measurement> measurementsFromJson(const Json& json) {
+  if (!json.is_array()) throw UsageError("its measurements are no list.");
+  std::vector<Measurement> list;
+  for (const Json& one : json) {
+    const auto kind = one.at("kind").get<std::string>();
+    if (kind != "ruler" && kind != "angle") throw UsageError("'" + kind + "' is no kind of measurement.");
+    Measurement& m = list.emplace_back();
+    m.kind = kind == "ruler" ? MeasurementKind::ruler : MeasurementKind::angle;
+    for (const Json& p : one.at("points")) m.points.push_back(vectorFromJson(p));
+    if (m.points.size() != pointsOf(m.kind))
+      throw UsageError("a " + kind + " has too few or too many points.");
+  }
+  return list;
+}
+
+}  // namespace handlebody

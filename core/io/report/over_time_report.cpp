@@ -1,0 +1,93 @@
+#include "core/io/report/over_time_report.h"
+
+#include <iomanip>
+#include <locale>
+#include <sstream>
+
+#include "core/io/report/session.h"
+
+namespace handlebody {
+
+namespace {
+
+constexpr double kMillilitre = 1000;  // mm³
+
+std::string inQuotes(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text)
+    out += c == '"' ? std::string("\"\"") : std::string(1, c < ' ' && c >= 0 ? ' ' : c);
+  return out + '"';
+}
+
+const char* phaseOf(const VolumeCurve& curve, std::size_t i) {
+  if (curve.endDiastole == i) return "end-diastole";
+  return curve.endSystole == i ? "end-systole" : "";
+}
+
+std::string faultsText(const FrameResult& r) {
+  std::string text;
+  for (const ToldFault& f : r.faults) text += (text.empty() ? "" : "; ") + sentence(f.finding);
+  return text;
+}
+
+}  // namespace
+
+VolumeCurve curveOf(const std::vector<FrameResult>& frames, const TimeAxis& times) {
+  std::vector<VolumePoint> points;
+  for (const FrameResult& r : frames) {
+    VolumePoint p;
+    p.frame = r.frame;
+    const auto at = static_cast<std::size_t>(r.frame);
+    if (at < times.milliseconds.size()) p.time = times.milliseconds[at];
+    if (!r.mesh.triangles.empty()) p.volume = r.volume;
+    p.isTrusted = r.isTrusted();
+    points.push_back(p);
+  }
+  return volumeCurve(std::move(points));
+}
+
+std::vector<std::string> overTimeDoubts(const OverTimeReport& report) {
+  std::vector<std::string> doubts;
+  for (const FrameResult& r : report.frames)
+    for (const ToldFault& f : r.faults)
+      doubts.push_back("frame " + std::to_string(r.frame) + ": " + sentence(f.finding));
+  for (const Drift& d : report.drifts)
+    if (!d.isBack)
+      doubts.push_back("frame " + std::to_string(d.at) +
+                       ": the surface was lost on its way back from frame " + std::to_string(d.from) +
+                       ", and its drift is not known");
+  return doubts;
+}
+
+OverTimeReport anonymous(OverTimeReport report) {
+  Session session;
+  session.overTime = std::move(report.request);
+  report.request = *anonymous(std::move(session)).overTime;
+  for (FrameResult& r : report.frames)
+    for (ToldFault& f : r.faults)
+      if (f.fault == FrameFault::unreadable) f.finding = FindingKind::frameNotRead;
+  return report;
+}
+
+std::string curveCsv(const OverTimeReport& report) {
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out << std::setprecision(10);
+  out << "frame,time_ms,volume_ml,phase,trusted,components,genus,iterations,from_frame,seconds,faults\n";
+  for (std::size_t i = 0; i < report.frames.size(); ++i) {
+    const FrameResult& r = report.frames[i];
+    const VolumePoint& p = report.curve.points[i];
+    out << r.frame << ',';
+    if (p.time) out << *p.time;
+    out << ',';
+    if (p.volume) out << *p.volume / kMillilitre;
+    out << ',' << phaseOf(report.curve, i) << ',' << (p.isTrusted ? "yes" : "no") << ',' << r.components
+        << ',' << r.genus << ',' << r.iterations << ',';
+    if (r.from) out << *r.from;
+    out << ',' << std::setprecision(4) << r.seconds << std::setprecision(10) << ','
+        << (r.faults.empty() ? "" : inQuotes(faultsText(r))) << '\n';
+  }
+  return out.str();
+}
+
+}  // namespace handlebody

@@ -1,0 +1,228 @@
+#include "core/io/report/session.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "core/errors.h"
+#include "core/io/atomic_file.h"
+#include "core/io/report/json.h"
+#include "core/io/report/measures_json.h"
+#include "core/io/report/over_time_json.h"
+#include "core/told_error.h"
+
+namespace handlebody {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using K = FindingKind;
+
+std::string readText(const std::string& path) {
+  if (fs::is_directory(path)) throw Told<InputError>(Finding(K::sessionIsFolder, {{"file", path}}));
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw Told<InputError>(Finding(K::sessionNotOpened, {{"file", path}}, systemFinding(errno)));
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (in.bad()) throw Told<InputError>(Finding(K::sessionNotRead, {{"file", path}}));
+  return text;
+}
+
+// A relative path survives a move of the folder that holds volume and session; across different drives or
+// roots there is none, and the absolute path stays.
+std::string storedPath(const std::string& volume, const std::string& session) {
+  const fs::path target = fs::weakly_canonical(fs::absolute(volume));
+  const fs::path folder = fs::weakly_canonical(fs::absolute(session)).parent_path();
+  const fs::path relative = target.lexically_relative(folder);
+  return relative.empty() ? target.string() : relative.string();
+}
+
+std::string openablePath(const std::string& stored, const std::string& session) {
+  if (fs::path(stored).is_absolute()) return stored;
+  const fs::path beside = fs::path(session).parent_path() / stored;
+  return fs::exists(beside) || !fs::exists(stored) ? beside.string() : stored;
+}
+
+template <typename F>
+void forEachWallMap(Constraints& first, std::vector<ParameterChange>& changes, F&& f) {
+  if (first.walls.map) f(*first.walls.map);
+  for (ParameterChange& change : changes)
+    if (change.constraints && change.constraints->walls.map) f(*change.constraints->walls.map);
+}
+
+template <typename F>
+void forEachWallMap(Session& session, F&& f) {
+  forEachWallMap(session.constraints, session.changes, f);
+  if (!session.overTime) return;
+  for (FrameCorrection& c : session.overTime->corrections)
+    forEachWallMap(c.request.constraints, c.changes, f);
+}
+
+template <typename F>
+void forEachStart(Session& session, F&& f) {
+  if (session.constraints.start) f(*session.constraints.start);
+  for (ParameterChange& change : session.changes)
+    if (change.constraints && change.constraints->start) f(*change.constraints->start);
+}
+
+//! `start`: where the file of the surface to begin with is now; empty: where the session says.
+void locateStarts(Session& session, const std::string& path, const std::string& start) {
+  forEachStart(session, [&](StartSurface& s) {
+    if (s.path.empty() && start.empty()) throw Told<UsageError>(K::sessionWithoutStart);
+    s.path = start.empty() ? openablePath(s.path, path) : start;
+  });
+}
+
+//! `walls`: where the label map of the walls is now; empty: where the session says.
+void locateWalls(Session& session, const std::string& path, const std::string& walls) {
+  forEachWallMap(session, [&](WallMap& map) {
+    if (map.path.empty() && walls.empty()) throw Told<UsageError>(K::sessionWithoutWalls);
+    map.path = walls.empty() ? openablePath(map.path, path) : walls;
+  });
+}
+
+//! What all objects have in common.
+Session headFromJson(const Json& json, const std::string& path, const std::string& volume) {
+  Session session;
+  session.version = json.at("version").get<std::string>();
+  const Json& input = json.at("input");
+  session.volume.path = volume;
+  if (volume.empty() && input.at("path").is_null()) throw Told<UsageError>(K::sessionWithoutVolume);
+  if (volume.empty()) session.volume.path = openablePath(input.at("path").get<std::string>(), path);
+  if (!input.at("sha256").is_null()) {
+    session.volume.sha256 = input.at("sha256").get<std::string>();
+    if (session.volume.sha256.empty()) throw UsageError("the volume's SHA-256 is empty.");
+  }
+  readSelection(input, session.volume.selection);
+  return session;
+}
+
+std::vector<Session> sessionsFromJson(const Json& json, const std::string& path, const InputPaths& inputs) {
+  const Session head = headFromJson(json, path, inputs.volume);
+  std::vector<Session> sessions;
+  const auto add = [&](const Json& object) {
+    sessions.push_back(head);
+    readRequest(object.at("requested"), sessions.back());
+  };
+  if (!json.contains("objects")) {
+    add(json);
+  } else {
+    if (!json.at("objects").is_array() || json.at("objects").empty())
+      throw Told<UsageError>(K::sessionWithoutObjects);
+    for (const Json& object : json.at("objects")) add(object);
+  }
+  if (std::none_of(sessions.begin(), sessions.end(), isSeeded))
+    throw Told<UsageError>(K::sessionWithoutSeeds);
+  if (json.contains("over_time")) {
+    if (sessions.size() > 1) throw UsageError("several objects cannot be carried over time.");
+    sessions[0].overTime = overTimeFromJson(json.at("over_time"));
+  }
+  for (Session& session : sessions) {
+    locateWalls(session, path, inputs.walls);
+    locateStarts(session, path, inputs.start);
+  }
+  if (json.contains("view")) sessions[0].view = json.at("view").dump();
+  if (json.contains("measurements"))  // of each, since the first may be left out where it has no seed
+    for (Session& session : sessions) session.measurements = measurementsFromJson(json.at("measurements"));
+  return sessions;
+}
+
+// The JSON library starts its messages with a tag in brackets.
+std::string withoutTag(const std::string& message) {
+  const auto end = message.find("] ");
+  return message.rfind("[json", 0) == 0 && end != std::string::npos ? message.substr(end + 2) + "." : message;
+}
+
+}  // namespace
+
+namespace {
+
+Json headToJson(const Session& session, const std::string& path) {
+  Json json = {{"version", session.version}, {"notice", kNotice}};
+  Json input = referenceToJson(session.volume);
+  if (!session.volume.path.empty()) input["path"] = storedPath(session.volume.path, path);
+  if (session.volume.sha256.empty()) input["sha256"] = nullptr;
+  json["input"] = std::move(input);
+  return json;
+}
+
+//! `path`: of the session.
+Session withStoredPaths(Session session, const std::string& path) {
+  forEachWallMap(session, [&](WallMap& map) {
+    if (!map.path.empty()) map.path = storedPath(map.path, path);
+  });
+  forEachStart(session, [&](StartSurface& s) {
+    if (!s.path.empty()) s.path = storedPath(s.path, path);
+  });
+  return session;
+}
+
+void addObject(Json& json, const Session& session, const std::string& path) {
+  json["requested"] = requestToJson(withStoredPaths(session, path));
+  if (!session.resolved) return;
+  json["parameters"] = resolvedToJson(*session.resolved);
+  json["seeds"] = seedsToJson(seedsOfSide(session.resolved->seeds, false));
+}
+
+void addWhatAWindowKeeps(Json& json, const Session& session) {
+  if (!session.measurements.empty()) json["measurements"] = measurementsToJson(session.measurements);
+  if (!session.view.empty()) json["view"] = Json::parse(session.view);
+}
+
+}  // namespace
+
+void writeSession(const Session& session, const std::string& path) {
+  Json json = headToJson(session, path);
+  addObject(json, session, path);
+  if (session.overTime) json["over_time"] = overTimeToJson(*withStoredPaths(session, path).overTime);
+  addWhatAWindowKeeps(json, session);
+  writeTextAtomically(path, jsonText(json));
+}
+
+void writeSessions(const std::vector<Session>& objects, const std::string& path) {
+  if (objects.size() == 1) return writeSession(objects.front(), path);
+  Json json = headToJson(objects.front(), path);
+  for (const Session& object : objects) addObject(json["objects"].emplace_back(Json::object()), object, path);
+  addWhatAWindowKeeps(json, objects.front());
+  writeTextAtomically(path, jsonText(json));
+}
+
+bool isSeeded(const Session& session) {
+  return session.constraints.start || !seedsOfSide(session.seeds, false).empty();
+}
+
+Session anonymous(Session session) {
+  session.volume.path.clear();
+  session.volume.selection.series.reset();
+  session.view.clear();
+  forEachWallMap(session, [](WallMap& map) { map.path.clear(); });
+  forEachStart(session, [](StartSurface& s) { s.path.clear(); });
+  return session;
+}
+
+Session readSession(const std::string& path, const InputPaths& inputs) {
+  std::vector<Session> sessions = readSessions(path, inputs);
+  if (sessions.size() > 1)
+    throw InputError(path + " holds " + std::to_string(sessions.size()) +
+                     " objects, where one is needed; handlebody-cli replay makes them all.");
+  return std::move(sessions[0]);
+}
+
+std::vector<Session> readSessions(const std::string& path, const InputPaths& inputs) {
+  const std::string text = readText(path);
+  try {
+    return sessionsFromJson(Json::parse(text), path, inputs);
+  } catch (const Json::parse_error&) {
+    throw Told<InputError>(Finding(K::notJson, {{"file", path}}));
+  } catch (const std::exception& error) {
+    const Finding told = findingOf(error);
+    throw Told<InputError>(
+        Finding(K::notASession, {{"file", path}},
+                told.any() ? told : Finding(K::other, {{"text", withoutTag(error.what())}})));
+  }
+}
+
+}  // namespace handlebody

@@ -1,0 +1,35 @@
+#pragma once
+// Surfaces that are there before anything has grown: of a mesh or a label map, as what a growth begins with,
+// or as an object that is done.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/io/report/session.h"
+
+namespace handlebody {
+
+//! Reads the surfaces that the sessions of one volume begin with (Constraints::start), at their beginning and
+//! in their changes. Those of one label map that name the same labels (`among`) become surfaces together;
+//! where they have none, and several are of the same label map, they get them. Throws InputError that names
+//! the file: it cannot be read, is not the one that the session was made with, fails its certificate, holds
+//! no voxel of that value, or two of them meet. Takes long: gives up when that is wished (cancellation.h).
+void loadStarts(const std::vector<Session*>& sessions);
+void loadStarts(Session& session);
+
+//! The object is a mesh as it is, which nothing is to change: neither growth nor polishing.
+bool isMeshAsItIs(const Constraints& constraints);
+
+//! A value of a label map, and the name that the file has for it; empty: none.
+struct NamedLabel {
+  int value = 0;
+  std::string name{};
+};
+//! The values of the voxels that are not 0, in ascending order, kMostLabels at most. Throws InputError, also
+//! if a voxel is no whole number or there is none of them.
+std::vector<NamedLabel> labelsIn(const std::string& path);
+
+inline constexpr std::size_t kMostLabels = 255;
+
+}  // namespace handlebody

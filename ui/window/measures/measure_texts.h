@@ -1,0 +1,20 @@
+#pragma once
+// Measures as the window writes them, in the user's locale and with their units.
+
+#include <QStringList>
+
+#include "core/io/report/measured.h"
+
+namespace handlebody::ui {
+
+//! Of the table's columns, with units.
+QStringList measureHeaders();
+QStringList measureCells(const Measured& measured, const MeasuredObject& object);
+//! What the table has no column for, a line each.
+QString measureDetails(const Measured& measured, const MeasuredObject& object);
+//! Length, and the least and the largest section of a centre line.
+QString lineSummary(const MeasuredLine& line);
+//! Of a point of a centre line.
+QString sectionText(const CentreLinePoint& point);
+
+}  // namespace handlebody::ui

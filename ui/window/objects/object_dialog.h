@@ -1,0 +1,47 @@
+#pragma once
+// Name, colour, label value and term of an object.
+
+#include <QDialog>
+
+#include "core/io/meshes/exported_object.h"
+
+class QComboBox;
+class QDialogButtonBox;
+class QLabel;
+class QLineEdit;
+class QSpinBox;
+class QToolButton;
+
+namespace handlebody::ui {
+
+class Document;
+
+class ObjectDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  //! Of the active object, which is changed when the dialog is accepted.
+  explicit ObjectDialog(Document& document, QWidget* parent = nullptr);
+
+  void accept() override;
+
+ private:
+  void build();
+  void takeTerm();
+  void chooseColour();
+  void showFault();
+  ObjectLabel label() const;
+
+  Document& document_;
+  int object_;
+  ObjectLabel before_;
+  Colour colour_;
+  QLineEdit* name_;
+  QToolButton* colourButton_;
+  QComboBox* term_;
+  QSpinBox* value_;
+  QLabel* fault_;
+  QDialogButtonBox* buttons_;
+};
+
+}  // namespace handlebody::ui

@@ -1,0 +1,378 @@
+#include "ui/window/open/file_work.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QImageWriter>
+#include <QMessageBox>
+#include <QProgressDialog>
+#include <QPushButton>
+#include <QSaveFile>
+#include <QSettings>
+#include <QWidget>
+#include <algorithm>
+#include <utility>
+
+#include "core/io/atomic_file.h"
+#include "core/io/dicom/dicom_writer.h"
+#include "core/io/formats/label_map.h"
+#include "core/io/meshes/mesh_io.h"
+#include "ui/model/document.h"
+#include "ui/window/export/export_panel.h"
+#include "ui/window/views/view_grid.h"
+#include "ui/window/widgets/message_bar.h"
+
+namespace handlebody::ui {
+
+namespace {
+
+constexpr int kMostRecent = 10;
+constexpr int kBeforeProgress = 400;  // ms: what is quicker shows none
+const QString kRecent = QStringLiteral("recent");
+const QString kFolder = QStringLiteral("folder");
+
+QString volumeFilter() {
+  return FileWork::tr(
+      "Volumes and sessions (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl *.gipl.gz *.tif *.tiff *.dcm "
+      "*.json);;"
+      "All files (*)");
+}
+
+QString objectFilter() {
+  return FileWork::tr(
+      "Meshes and label maps (*.stl *.vtp *.ply *.obj *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.gipl "
+      "*.gipl.gz *.dcm);;"
+      "All files (*)");
+}
+
+// Beside an installed program, or in the source tree that the program was built from.
+QString samplePath() {
+  const QDir program(QCoreApplication::applicationDirPath());
+  for (const char* folder : {"../share/handlebody/sample_volumes", "../../../sample_volumes"}) {
+    const QString path = program.filePath(QLatin1String(folder) + QStringLiteral("/cyst_session.json"));
+    if (QFileInfo::exists(path)) return QFileInfo(path).canonicalFilePath();
+  }
+  return {};
+}
+
+// It belongs to the program: to save must not overwrite it.
+bool isSample(const QString& path) { return QFileInfo(path).canonicalFilePath() == samplePath(); }
+
+// A file name without ".nii.gz" and its like.
+QString baseName(const QString& path) {
+  const QString name = QFileInfo(path).fileName();
+  const auto dot = name.indexOf(QLatin1Char('.'), 1);
+  return dot < 0 ? name : name.left(dot);
+}
+
+}  // namespace
+
+FileWork::FileWork(Document& document, ViewGrid& views, ExportPanel& exports, MessageBar& messages,
+                   QWidget* window)
+    : QObject(window),
+      document_(document),
+      views_(views),
+      exports_(exports),
+      messages_(messages),
+      window_(window) {
+  connectMessages();
+  connectObjects();
+}
+
+void FileWork::connectMessages() {
+  const auto said = [this](const QString& text) { messages_.show(MessageBar::Kind::information, text); };
+  const auto failed = [this](const QString& text) { messages_.show(MessageBar::Kind::error, text); };
+  connect(&document_, &Document::openFailed, this, &FileWork::sayOpenFailed);
+  connect(&document_, &Document::opened, this, [this] {
+    if (!remembered_.isEmpty()) remember(remembered_);
+  });
+  connect(&document_, &Document::exportFailed, this, failed);
+  connect(&document_, &Document::saveFailed, this, [this, failed](const QString& text) {
+    next_ = nullptr;
+    failed(text);
+  });
+  connect(&document_, &Document::exporting, this, [this] { polished_.clear(); });
+  connect(&document_, &Document::polished, this, [this](const QString& text) { polished_ = text; });
+  connect(&document_, &Document::exported, this, [this, said](const QString& path) {
+    const QString written = tr("%1 is written.").arg(path);
+    said(polished_.isEmpty() ? written : written + QLatin1Char(' ') + polished_);
+  });
+  connect(&document_, &Document::sessionSaved, this, [this, said](const QString& path) {
+    const QStringList anew = document_.notReplayed();
+    said(tr("The session is saved as %1.").arg(path) +
+         (anew.isEmpty() ? QString()
+                         : QLatin1Char(' ') + tr("A replay grows anew: %1.").arg(anew.join(tr(", ")))));
+    remember(path);
+    afterSaved();
+  });
+}
+
+void FileWork::afterSaved() {
+  const auto next = std::exchange(next_, nullptr);
+  if (next) next();
+}
+
+QStringList FileWork::recent() const {
+  QStringList there;
+  const auto paths = QSettings().value(kRecent).toStringList();
+  for (const QString& path : paths)
+    if (QFileInfo::exists(path)) there << path;
+  return there;
+}
+
+void FileWork::remember(const QString& path) {
+  QSettings settings;
+  QStringList paths = settings.value(kRecent).toStringList();
+  const QString absolute = QFileInfo(path).absoluteFilePath();
+  paths.removeAll(absolute);
+  paths.prepend(absolute);
+  settings.setValue(kRecent, paths.mid(0, kMostRecent));
+  settings.setValue(kFolder, QFileInfo(absolute).absolutePath());
+  Q_EMIT recentChanged();
+}
+
+void FileWork::chooseFile() {
+  const QString path =
+      QFileDialog::getOpenFileName(window_, tr("Open a volume or a session"),
+                                   QSettings().value(kFolder).toString(), volumeFilter(), nullptr,
+                                   QFileDialog::HideNameFilterDetails);  // the endings would not fit
+  if (!path.isEmpty()) open(path);
+}
+
+void FileWork::chooseFolder() {
+  const QString path = QFileDialog::getExistingDirectory(window_, tr("Open a folder with a DICOM series"),
+                                                         QSettings().value(kFolder).toString());
+  if (!path.isEmpty()) open(path);
+}
+
+void FileWork::chooseObjects() {
+  const QString path = QFileDialog::getOpenFileName(window_, tr("Open a mesh or a label map"),
+                                                    QSettings().value(kFolder).toString(), objectFilter(),
+                                                    nullptr, QFileDialog::HideNameFilterDetails);
+  if (!path.isEmpty()) openObjects(path);
+}
+
+void FileWork::openObjects(const QString& path) {
+  QMessageBox question(QMessageBox::Question, tr("Open objects"),
+                       tr("What are the surfaces of “%1”?").arg(QFileInfo(path).fileName()),
+                       QMessageBox::Cancel, window_);
+  question.setInformativeText(tr(
+      "Objects that are done stay as they are: locked, written with the others, and walls for objects that "
+      "grow after them.\n\nOthers are where objects begin: they grow from there onto the image, or give "
+      "ground."));
+  const auto* done = question.addButton(tr("&Done"), QMessageBox::AcceptRole);
+  const auto* start = question.addButton(tr("To &grow from"), QMessageBox::AcceptRole);
+  question.exec();
+  if (question.clickedButton() == done) document_.openObjects(path, OpenAs::done);
+  if (question.clickedButton() == start) document_.openObjects(path, OpenAs::start);
+}
+
+//! How long it takes is not known.
+void FileWork::connectObjects() {
+  auto* progress = new QProgressDialog(window_);
+  progress->setRange(0, 0);
+  progress->setAutoClose(false);
+  progress->setMinimumDuration(kBeforeProgress);
+  progress->setWindowModality(Qt::NonModal);
+  progress->setWindowTitle(tr("Open objects"));
+  progress->reset();
+  connect(progress, &QProgressDialog::canceled, &document_, &Document::cancelOpeningObjects);
+  connect(&document_, &Document::openingObjects, progress, [progress](const QString& path) {
+    progress->setLabelText(tr("Making surfaces of %1…").arg(QFileInfo(path).fileName()));
+    progress->setValue(0);
+  });
+  const auto end = [this, progress](MessageBar::Kind kind, const QString& text) {
+    progress->reset();
+    if (!text.isEmpty()) messages_.show(kind, text);
+  };
+  connect(&document_, &Document::objectsOpened, progress,
+          [end](const QString& path, const QStringList& names) {
+            end(MessageBar::Kind::information,
+                tr("%1 is open as: %2.").arg(QFileInfo(path).fileName(), names.join(tr(", "))));
+          });
+  connect(&document_, &Document::openingObjectsFailed, progress,
+          [end](const QString& text) { end(MessageBar::Kind::error, text); });
+  connect(&document_, &Document::openingObjectsCancelled, progress, [end] { end({}, {}); });
+}
+
+void FileWork::open(const QString& path, const VolumeSelection& selection) {
+  const std::string name = QFile::encodeName(path).toStdString();
+  if (isMeshPath(name) && !document_.hasVolume())
+    return messages_.show(MessageBar::Kind::error,
+                          tr("%1 is a surface: open the volume first that it lies in.").arg(path));
+  if (isMeshPath(name) ||
+      (document_.hasVolume() && (isSlicerSegmentationPath(name) || isDicomSegmentationPath(name))))
+    return openObjects(path);
+  whenSaved([this, path, selection] {
+    begin(path, selection);
+    remembered_ = path;
+  });
+}
+
+void FileWork::begin(const QString& path, const VolumeSelection& selection) {
+  asked_ = path;
+  askedSelection_ = selection;
+  remembered_.clear();
+  document_.open(path, selection);
+}
+
+void FileWork::sayOpenFailed(const QString& sentence, bool needsSpacing) {
+  std::vector<MessageBar::Answer> answers;
+  if (needsSpacing)
+    answers.push_back({tr("Enter the spacing"), [this] { Q_EMIT spacingNeeded(asked_, askedSelection_); }});
+  messages_.show(MessageBar::Kind::error, sentence, answers);
+}
+
+void FileWork::openSample() {
+  const QString path = samplePath();
+  if (path.isEmpty())
+    messages_.show(MessageBar::Kind::error, tr("The sample is not installed with this program."));
+  else
+    whenSaved([this, path] { begin(path, {}); });  // its folder is not where the user keeps work
+}
+
+// Runs `next` at once, after saving, or not at all, as the user answers.
+void FileWork::whenSaved(std::function<void()> next) {
+  if (!document_.hasVolume() || !document_.isModified()) return next();
+  QMessageBox question(QMessageBox::Question, tr("Unsaved work"), tr("Save the seeds and parameters first?"),
+                       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
+  question.setInformativeText(
+      tr("They are kept in a session, from which the same surface can be grown again."));
+  question.setDefaultButton(QMessageBox::Save);
+  switch (question.exec()) {
+    case QMessageBox::Save:
+      next_ = std::move(next);
+      return save();
+    case QMessageBox::Discard:
+      return next();
+    default:
+      return;
+  }
+}
+
+// The answer "save" ends in another close() when the session is written; by then nothing is unsaved.
+bool FileWork::mayClose() {
+  if (closing_ || !document_.hasVolume() || !document_.isModified()) return true;
+  whenSaved([this] {
+    closing_ = true;
+    QMetaObject::invokeMethod(window_, &QWidget::close, Qt::QueuedConnection);
+  });
+  return false;
+}
+
+void FileWork::save() {
+  const QString path = document_.sessionPath();
+  if (path.isEmpty() || isSample(path)) return saveAs();
+  Q_EMIT aboutToSave();
+  document_.saveSession(path);
+}
+
+void FileWork::saveAs() {
+  const QString path = askForName(tr("Save the session"), suggestedBase() + QStringLiteral("_session"),
+                                  tr("Sessions (*.json)"), QStringLiteral(".json"));
+  if (path.isEmpty()) {
+    next_ = nullptr;
+    return;
+  }
+  Q_EMIT aboutToSave();
+  document_.saveSession(path);
+}
+
+QString FileWork::suggestedBase() const {
+  const QString folder = QSettings().value(kFolder, QDir::homePath()).toString();
+  const bool isNamed = document_.hasVolume() && !exports_.isAnonymous();
+  return QDir(folder).filePath(isNamed ? baseName(document_.path()) : QStringLiteral("handlebody"));
+}
+
+QString FileWork::askForName(const QString& title, const QString& suggestion, const QString& filter,
+                             const QString& extension) {
+  QString path = QFileDialog::getSaveFileName(window_, title, suggestion + extension, filter);
+  if (!path.isEmpty() && !path.endsWith(extension, Qt::CaseInsensitive)) path += extension;
+  return path;
+}
+
+void FileWork::exportResult() {
+  if (const QString fault = document_.exportFault(exports_.extension()); !fault.isEmpty())
+    return messages_.show(MessageBar::Kind::error, fault);
+  const QString extension = exports_.extension();
+  const QString path = askForName(tr("Export the result"), suggestedBase() + QStringLiteral("_surface"),
+                                  QStringLiteral("*%1").arg(extension), extension);
+  if (path.isEmpty()) return;
+  if (exports_.takesAll())
+    document_.exportObjects(path, exports_.space(), exports_.content());
+  else
+    document_.exportResult(path, exports_.space(), exports_.content());
+}
+
+void FileWork::exportFrames(bool asLabels) {
+  const QStringList endings = asLabels ? QStringList{QStringLiteral(".nii.gz"), QStringLiteral(".nrrd")}
+                                       : QStringList{QStringLiteral(".vtp"), QStringLiteral(".stl"),
+                                                     QStringLiteral(".ply"), QStringLiteral(".obj")};
+  QStringList filters;
+  for (const QString& ending : endings) filters << QStringLiteral("*%1 (*%1)").arg(ending);
+  QString chosen = filters.front();
+  const QString base = suggestedBase() + (asLabels ? QStringLiteral("_labels") : QStringLiteral("_frame"));
+  QString path = QFileDialog::getSaveFileName(
+      window_, asLabels ? tr("Export a 4D label map") : tr("Export the meshes of all frames"),
+      base + endings.front(), filters.join(QStringLiteral(";;")), &chosen);
+  if (path.isEmpty()) return;
+  const auto isEnding = [&](const QString& ending) { return path.endsWith(ending, Qt::CaseInsensitive); };
+  if (std::none_of(endings.begin(), endings.end(), isEnding))
+    path += endings[std::max<qsizetype>(0, filters.indexOf(chosen))];
+  document_.exportFrames(path, exports_.space());
+}
+
+void FileWork::exportReport() {
+  const QString path = askForName(tr("Export the report"), suggestedBase() + QStringLiteral("_report"),
+                                  QStringLiteral("*.json"), QStringLiteral(".json"));
+  if (!path.isEmpty()) document_.exportReport(path, exports_.isAnonymous());
+}
+
+void FileWork::exportPicture() {
+  const QImage picture = views_.picture(exports_.pictureOf());  // before a dialog covers the views
+  const QString path =
+      askForName(tr("Export a picture"), suggestedBase(), QStringLiteral("*.png"), QStringLiteral(".png"));
+  if (path.isEmpty()) return;
+  QSaveFile file(path);  // whole or not at all
+  QImageWriter writer(&file, "png");
+  if (file.open(QIODevice::WriteOnly) && writer.write(picture) && file.commit())
+    messages_.show(MessageBar::Kind::information, tr("%1 is written.").arg(path));
+  else
+    messages_.show(MessageBar::Kind::error, tr("%1 cannot be written: %2.").arg(path, file.errorString()));
+}
+
+void FileWork::saveText(const QString& title, const QString& what, const QString& extension,
+                        const std::string& text) {
+  const QString path = askForName(title, suggestedBase() + QLatin1Char('_') + what,
+                                  QStringLiteral("*%1").arg(extension), extension);
+  if (path.isEmpty()) return;
+  try {
+    writeTextAtomically(QFile::encodeName(path).toStdString(), text);
+    messages_.show(MessageBar::Kind::information, tr("%1 is written.").arg(path));
+  } catch (const std::exception& error) {
+    messages_.show(MessageBar::Kind::error, QString::fromUtf8(error.what()));
+  }
+}
+
+void FileWork::offerRecovery() {
+  const QStringList journals = Document::recoverable();
+  if (journals.isEmpty()) return;
+  const QString journal = journals.front();
+  messages_.show(MessageBar::Kind::warning,
+                 tr("The program ended unexpectedly last time. Its seeds and parameters were kept."),
+                 {{tr("Restore"), [this, journal] { recover(journal); }},
+                  {tr("Discard"), [journal] { Document::discardRecoverable(journal); }}});
+}
+
+void FileWork::recover(const QString& journal) {
+  auto* once = new QObject(this);
+  connect(&document_, &Document::opened, once, [journal, once] {
+    Document::discardRecoverable(journal);
+    once->deleteLater();
+  });
+  connect(&document_, &Document::openFailed, once, &QObject::deleteLater);  // the journal is offered again
+  begin(journal, {});
+}
+
+}  // namespace handlebody::ui

@@ -1,0 +1,86 @@
+#pragma once
+// Files: open, save, export, recent ones, and the questions about unsaved work.
+
+#include <QObject>
+#include <QStringList>
+#include <functional>
+
+#include "core/io/formats/volume_io.h"
+
+class QWidget;
+
+namespace handlebody::ui {
+
+class Document;
+class ExportPanel;
+class MessageBar;
+class ViewGrid;
+
+class FileWork : public QObject {
+  Q_OBJECT
+
+ public:
+  FileWork(Document& document, ViewGrid& views, ExportPanel& exports, MessageBar& messages, QWidget* window);
+
+  void chooseFile();
+  void chooseFolder();
+  //! Of a mesh or label map that is asked for.
+  void chooseObjects();
+  //! Asks what is to become of them.
+  void openObjects(const QString& path);
+  //! Asks about unsaved work first. What can only be the surface of something is opened as an object of the
+  //! volume that is open.
+  void open(const QString& path, const VolumeSelection& selection = {});
+  //! The ultrasound sample with its seed. To save it asks for a name: the sample itself stays as it is.
+  void openSample();
+  void save();
+  void saveAs();
+  void exportResult();
+  void exportReport();
+  void exportPicture();
+  //! Of all frames that the surface was carried through: numbered meshes, or a 4D label map.
+  void exportFrames(bool asLabels);
+  //! Asks for a name that begins as the volume's and ends in `what`, and writes the text there.
+  void saveText(const QString& title, const QString& what, const QString& extension, const std::string& text);
+  //! True if the window may close now. Else it asks about unsaved work, and closes the window when the answer
+  //! is carried out.
+  bool mayClose();
+  //! Offers work that a crash left behind.
+  void offerRecovery();
+
+  QStringList recent() const;
+
+ Q_SIGNALS:
+  void recentChanged();
+  //! A file can only be opened if the user says how large its voxels are.
+  void spacingNeeded(const QString& path, const handlebody::VolumeSelection& selection);
+  //! Before a session is written: whoever has something to keep in it says so now.
+  void aboutToSave();
+
+ private:
+  void remember(const QString& path);
+  void begin(const QString& path, const VolumeSelection& selection);
+  void whenSaved(std::function<void()> next);
+  void afterSaved();
+  void recover(const QString& journal);
+  QString askForName(const QString& title, const QString& suggestion, const QString& filter,
+                     const QString& extension);
+  QString suggestedBase() const;
+  void connectMessages();
+  void connectObjects();
+  void sayOpenFailed(const QString& sentence, bool needsSpacing);
+
+  Document& document_;
+  ViewGrid& views_;
+  ExportPanel& exports_;
+  MessageBar& messages_;
+  QWidget* window_;
+  std::function<void()> next_;      //!< what waits for the session to be saved
+  QString asked_;                   //!< what was to be opened last
+  VolumeSelection askedSelection_;  //!< and how
+  QString polished_;                //!< what polishing did to the file that is being written
+  QString remembered_;              //!< stands among the recent ones once it is open; empty: does not
+  bool closing_ = false;
+};
+
+}  // namespace handlebody::ui

@@ -1,0 +1,152 @@
+#include "ui/window/timeline/timeline_plot.h"
+
+#include <QEvent>
+#include <QHelpEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QToolTip>
+#include <algorithm>
+
+#include "ui/model/finding_text.h"
+#include "ui/window/widgets/numbers.h"
+
+namespace handlebody::ui {
+
+namespace {
+
+const QColor kVolume(0x3B, 0x82, 0xC4), kMoving(0xE0, 0x8A, 0x1E), kLeak(0xC8, 0x32, 0x32),
+    kChange(0x9B, 0x59, 0xD0);
+constexpr double kTop = 18;  // pixels for the legend
+constexpr double kMark = 5;  // pixels, half of the width of a mark
+
+double mostVolume(const std::vector<IterationSummary>& summaries) {
+  double most = 0;
+  for (const IterationSummary& s : summaries) most = std::max(most, s.volume);
+  return most > 0 ? most : 1;
+}
+
+QString leakText(const Document& document, int iteration) {
+  for (const FoundLeak& found : document.leaks())
+    if (found.leak.iteration == iteration)
+      return QLatin1Char('\n') + TimelinePlot::tr("Leak: %1").arg(findingText(findingOf(found.leak)));
+  return {};
+}
+
+//! A mark covers some iterations beside its own.
+QString changesText(const Document& document, const TimelineAxis& axis, int iteration) {
+  QString text;
+  for (const ChangeMark& mark : document.changeMarks())
+    if (std::abs(axis.toX(mark.iteration) - axis.toX(iteration)) <= kMark)
+      text +=
+          QLatin1Char('\n') + TimelinePlot::tr("Changed at %1: %2")
+                                  .arg(QString::number(mark.iteration), mark.what.join(QStringLiteral(", ")));
+  return text;
+}
+
+}  // namespace
+
+TimelinePlot::TimelinePlot(Document& document, QWidget* parent) : QWidget(parent), document_(document) {
+  setAccessibleName(tr("Volume and moving share over the iterations"));
+  for (auto changed : {&Document::snapshotChanged, &Document::summariesChanged, &Document::stateChanged})
+    connect(&document_, changed, this, qOverload<>(&QWidget::update));
+}
+
+TimelineAxis TimelinePlot::axis() const { return {width(), std::max(0, document_.lastIteration())}; }
+
+QRectF TimelinePlot::area() const {
+  return QRectF(rect()).adjusted(TimelineAxis::kMargin, kTop, -TimelineAxis::kMargin, -4);
+}
+
+void TimelinePlot::mousePressEvent(QMouseEvent* event) { mouseMoveEvent(event); }
+
+void TimelinePlot::mouseMoveEvent(QMouseEvent* event) {
+  if ((event->buttons() & Qt::LeftButton) && document_.lastIteration() >= 0)
+    Q_EMIT iterationChosen(axis().toIteration(event->position().x()));
+}
+
+bool TimelinePlot::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip || document_.summaries().empty()) return QWidget::event(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  const auto i = static_cast<std::size_t>(axis().toIteration(help->pos().x()));
+  const IterationSummary& s = document_.summaries()[std::min(i, document_.summaries().size() - 1)];
+  QToolTip::showText(help->globalPos(),
+                     tr("Iteration %1: %2, %3 % of the vertices moving, %4")
+                             .arg(QString::number(s.iteration), millilitres(s.volume),
+                                  number(100 * s.movingShare, 2), tr("events: %1").arg(s.events)) +
+                         leakText(document_, s.iteration) + changesText(document_, axis(), s.iteration));
+  return true;
+}
+
+void TimelinePlot::paintCurve(QPainter& painter, double most, double IterationSummary::*number,
+                              const QColor& colour) const {
+  const std::vector<IterationSummary>& summaries = document_.summaries();
+  const TimelineAxis a = axis();
+  QPolygonF line;
+  for (const IterationSummary& s : summaries)
+    line << QPointF(a.toX(s.iteration), area().bottom() - area().height() * (s.*number) / most);
+  painter.setPen(QPen(colour, 1.6));
+  painter.drawPolyline(line);
+}
+
+//! A triangle on the lower rim for each.
+void TimelinePlot::paintChanges(QPainter& painter) const {
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(kChange);
+  const double bottom = area().bottom();
+  for (const ChangeMark& mark : document_.changeMarks()) {
+    const double x = axis().toX(mark.iteration);
+    painter.drawPolygon(QPolygonF{{x - kMark, bottom}, {x + kMark, bottom}, {x, bottom - 1.6 * kMark}});
+  }
+  painter.setBrush(Qt::NoBrush);
+}
+
+void TimelinePlot::paintLegend(QPainter& painter, double most) const {
+  const QRectF line(TimelineAxis::kMargin, 0, width() - 2 * TimelineAxis::kMargin, kTop);
+  const auto entry = [&](const QString& text, const QColor& colour, Qt::Alignment side) {
+    const double width = painter.fontMetrics().horizontalAdvance(text) + 20;
+    const double x = side == Qt::AlignLeft ? line.left() : line.right() - width;
+    painter.setPen(QPen(colour, 3));
+    painter.drawLine(QPointF(x, kTop / 2), QPointF(x + 12, kTop / 2));
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(QRectF(x + 18, 0, width, kTop), Qt::AlignLeft | Qt::AlignVCenter, text);
+  };
+  entry(tr("Volume, up to %1").arg(millilitres(most)), kVolume, Qt::AlignLeft);
+  entry(tr("Moving, 0 to 100 %"), kMoving, Qt::AlignRight);
+}
+
+void TimelinePlot::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.fillRect(area(), palette().color(QPalette::Base));
+  if (document_.summaries().empty()) {
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    painter.drawText(area(), Qt::AlignCenter | Qt::TextWordWrap,
+                     tr("Volume and motion are plotted here while the surface grows."));
+    return;
+  }
+  const TimelineAxis a = axis();
+  QColor faint = kMoving;
+  faint.setAlphaF(0.45F);
+  painter.setPen(QPen(faint, 1));
+  for (const IterationSummary& s : document_.summaries())
+    if (s.events > 0)
+      painter.drawLine(QPointF(a.toX(s.iteration), kTop), QPointF(a.toX(s.iteration), area().bottom()));
+  painter.setPen(QPen(kLeak, 2, Qt::DashLine));
+  for (const FoundLeak& found : document_.leaks()) {
+    const double x = a.toX(found.leak.iteration);
+    painter.drawLine(QPointF(x, kTop), QPointF(x, area().bottom()));
+  }
+  const double most = mostVolume(document_.summaries());
+  paintCurve(painter, 1, &IterationSummary::movingShare, kMoving);
+  paintCurve(painter, most, &IterationSummary::volume, kVolume);
+  paintChanges(painter);
+  if (document_.iteration() >= 0) {
+    painter.setPen(QPen(palette().color(QPalette::WindowText), 1));
+    const double x = a.toX(document_.iteration());
+    painter.drawLine(QPointF(x, kTop), QPointF(x, area().bottom()));
+  }
+  paintLegend(painter, most);
+}
+
+}  // namespace handlebody::ui

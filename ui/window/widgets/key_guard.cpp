@@ -1,0 +1,33 @@
+#include "ui/window/widgets/key_guard.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QKeyEvent>
+#include <QLineEdit>
+
+namespace handlebody::ui {
+
+namespace {
+
+bool wants(const QObject* control, int key) {
+  const bool space = key == Qt::Key_Space, enter = key == Qt::Key_Return || key == Qt::Key_Enter;
+  if (qobject_cast<const QAbstractButton*>(control)) return space;
+  if (qobject_cast<const QComboBox*>(control)) return space || enter;
+  if (qobject_cast<const QAbstractItemView*>(control)) return space || enter;
+  if (qobject_cast<const QAbstractSpinBox*>(control) || qobject_cast<const QLineEdit*>(control)) return enter;
+  return false;
+}
+
+}  // namespace
+
+bool KeyGuard::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::ShortcutOverride) return false;
+  const auto* key = static_cast<QKeyEvent*>(event);
+  if (key->modifiers() & (Qt::ControlModifier | Qt::AltModifier) || !wants(watched, key->key())) return false;
+  event->accept();
+  return true;
+}
+
+}  // namespace handlebody::ui

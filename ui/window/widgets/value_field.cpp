@@ -1,0 +1,103 @@
+#include "ui/window/widgets/value_field.h"
+
+#include <QElapsedTimer>
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <QToolButton>
+
+#include "ui/view/view_state.h"
+#include "ui/window/widgets/icons.h"
+#include "ui/window/widgets/panel_tools.h"
+#include "ui/window/widgets/toggle_button.h"
+
+namespace handlebody::ui {
+
+namespace {
+
+constexpr qint64 kSameGesture = 1000;  // ms
+const QString kUnknown = QStringLiteral("–");
+
+NumberField* makeNumber(const ValueSpec& spec, QWidget* parent) {
+  auto* number = new NumberField(parent);
+  number->setDecimals(spec.decimals);
+  number->setRange(spec.low, spec.high);
+  number->setSingleStep(spec.step);
+  number->setKeyboardTracking(false);
+  describe(number, spec.name, spec.tip);
+  ignoreWheelWithoutFocus(number);
+  return number;
+}
+
+QToolButton* makeReset(const ValueSpec& spec, QWidget* parent) {
+  if (spec.fallback) {
+    auto* reset = new QToolButton(parent);
+    reset->setFocusPolicy(Qt::TabFocus);
+    reset->setIcon(icon(QStringLiteral("reset")));
+    describe(reset, ValueField::tr("Reset %1").arg(spec.name),
+             ValueField::tr("Back to the usual value, %1").arg(QLocale().toString(*spec.fallback)));
+    return reset;
+  }
+  auto* automatic = new ToggleButton(ValueField::tr("Auto"), parent);
+  describe(automatic, ValueField::tr("%1: automatic").arg(spec.name),
+           ValueField::tr("The value is chosen from the image around the seeds"));
+  return automatic;
+}
+
+}  // namespace
+
+int gestureOf(const QObject* owner) {
+  static int gesture = -1;
+  static const QObject* last = nullptr;
+  static QElapsedTimer since;
+  if (owner != last || !since.isValid() || since.elapsed() > kSameGesture) gesture = ViewState::nextGesture();
+  last = owner;
+  since.start();
+  return gesture;
+}
+
+void NumberField::setKnown(bool known, const QString& unit) {
+  known_ = known;
+  setSuffix(known && !unit.isEmpty() ? QLatin1Char(' ') + unit : QString());  // writes the text anew
+}
+
+QString NumberField::textFromValue(double value) const {
+  return known_ ? QDoubleSpinBox::textFromValue(value) : kUnknown;
+}
+
+double NumberField::valueFromText(const QString& text) const {
+  return text == kUnknown ? value() : QDoubleSpinBox::valueFromText(text);
+}
+
+QValidator::State NumberField::validate(QString& text, int& position) const {
+  return text == kUnknown ? QValidator::Acceptable : QDoubleSpinBox::validate(text, position);
+}
+
+ValueField::ValueField(const ValueSpec& spec, QWidget* parent)
+    : QWidget(parent), spec_(spec), number_(makeNumber(spec, this)), reset_(makeReset(spec, this)) {
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(number_, 1);
+  layout->addWidget(reset_);
+  setFocusProxy(number_);
+  number_->setKnown(false, spec_.unit);
+  connect(number_, &QDoubleSpinBox::valueChanged, this, [this](double value) { edit(value); });
+  connect(reset_, &QToolButton::clicked, this, [this] {
+    const bool automatic = !spec_.fallback && reset_->isChecked();
+    edit(automatic ? std::nullopt : std::optional(spec_.fallback.value_or(number_->value())));
+  });
+}
+
+void ValueField::edit(std::optional<double> value) { Q_EMIT edited(value, gestureOf(this)); }
+
+void ValueField::show(std::optional<double> value, std::optional<double> automatic) {
+  const QSignalBlocker quiet(number_);
+  const bool known = value || automatic;
+  if (known) number_->setValue(value ? *value : *automatic);
+  number_->setKnown(known, spec_.unit);
+  if (spec_.fallback)
+    reset_->setEnabled(value && *value != *spec_.fallback);
+  else
+    reset_->setChecked(!value);
+}
+
+}  // namespace handlebody::ui
