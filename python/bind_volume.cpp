@@ -3,6 +3,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include "core/cancellation.h"
 #include "core/errors.h"
 #include "core/io/report/parse.h"
 #include "python/bind.h"
@@ -104,10 +105,8 @@ VolumePointer readVolumeOf(const py::object& path, const py::object& series, std
   withoutLock([&](const std::atomic<bool>& cancelled) {
     const std::lock_guard lock(filesMutex());
     reference.sha256 = sha256OfPath(reference.path);
-    ReadControl control;
-    control.cancelled = &cancelled;
-    if (auto read = loadVolume(reference.path, reference.selection, control))
-      volume->loaded = std::move(*read);
+    const CancelScope scope(cancelled);
+    volume->loaded = loadVolume(reference.path, reference.selection);
   });
   volume->reference = std::move(reference);
   warn(sentences(volume->loaded.info.warnings));

@@ -26,7 +26,7 @@ constexpr std::array kPercents{0.1, 1.0, 5.0, 25.0, 50.0, 75.0, 95.0, 99.0, 99.9
 //! What only the voxels tell of the volume is told by its warnings, too.
 std::optional<IntensityStatistics> intensities(VolumeInfo& info, const InfoOptions& o) {
   if (info.frames == 0) return std::nullopt;
-  const LoadedVolume loaded = loadVolume(o.path, o.selection).value();  // nobody cancels it
+  const LoadedVolume loaded = loadVolume(o.path, o.selection);
   info.warnings = loaded.info.warnings;
   return intensityStatistics(loaded.volume, kPercents);
 }

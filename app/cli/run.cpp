@@ -169,7 +169,7 @@ LoadedSession load(Session session) {
     throw InputError(reference.path +
                      " is not the volume that the session was made from: its SHA-256 differs.");
   reference.sha256 = hash;
-  LoadedVolume read = loadVolume(reference.path, reference.selection).value();  // nobody cancels it
+  LoadedVolume read = loadVolume(reference.path, reference.selection);
   loaded.volume = std::move(read.volume);
   loaded.info = std::move(read.info);
   for (const std::string& warning : sentences(loaded.info.warnings))

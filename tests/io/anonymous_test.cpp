@@ -60,7 +60,7 @@ int run(const TemporaryFolder& folder, const std::string& to, const std::string&
 std::set<std::string> telling(const std::string& folder) {
   std::set<std::string> all{kSeries, kFolder, "DOE_JANE", "not_dicom_doe.txt"};
   for (const auto& [tag, value] : kPatient) all.insert(value.second);
-  for (const DicomImage& image : loadVolume(folder)->info.dicom->images) all.insert(image.instance);
+  for (const DicomImage& image : loadVolume(folder).info.dicom->images) all.insert(image.instance);
   return all;
 }
 

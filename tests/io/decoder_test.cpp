@@ -6,6 +6,7 @@
 #include <chrono>
 #include <thread>
 
+#include "core/cancellation.h"
 #include "core/io/meshes/mesh_io.h"
 #include "tests/io/dicom_test_support.h"
 #include "tests/io/mesh_test_support.h"
@@ -102,9 +103,8 @@ TEST_CASE("a reading that is cancelled ends at once and leaves no process") {
       std::this_thread::sleep_for(std::chrono::milliseconds(300));
       cancelled = true;
     });
-    ReadControl control;
-    control.cancelled = &cancelled;
-    const double seconds = secondsOf([&] { CHECK_FALSE(loadVolume(path, {}, control).has_value()); });
+    const CancelScope scope(cancelled);
+    const double seconds = secondsOf([&] { CHECK_THROWS_AS(loadVolume(path), Cancelled); });
     user.join();
     CHECK(seconds < 5);
     expectNoChildren();
@@ -117,9 +117,7 @@ TEST_CASE("progress never falls, and ends at 1") {
   writeVolume(randomVolume(obliqueGrid(), VoxelType::int16), folder / "v.nii.gz");
   for (const std::string& path : {folder / "series", folder / "v.nii.gz"}) {
     std::vector<double> parts;
-    ReadControl control;
-    control.progress = [&](double part) { parts.push_back(part); };
-    REQUIRE(loadVolume(path, {}, control).has_value());
+    loadVolume(path, {}, [&](double part) { parts.push_back(part); });
     REQUIRE_FALSE(parts.empty());
     CHECK(std::is_sorted(parts.begin(), parts.end()));
     CHECK(parts.front() >= 0);
@@ -130,15 +128,14 @@ TEST_CASE("progress never falls, and ends at 1") {
 TEST_CASE("a cancelled flag ends the reading of every format") {
   const TemporaryFolder folder;
   const std::atomic<bool> cancelled = true;
-  ReadControl control;
-  control.cancelled = &cancelled;
+  const CancelScope scope(cancelled);
   for (const char* name : {"v.nii", "v.nii.gz", "v.nrrd", "v.mha"}) {
     INFO(name);
     writeVolume(randomVolume(obliqueGrid(), VoxelType::int16), folder / name);
-    CHECK_FALSE(loadVolume(folder / name, {}, control).has_value());
+    CHECK_THROWS_AS(loadVolume(folder / name), Cancelled);
   }
   writeSeries(folder / "series", evenStack(3));
-  CHECK_FALSE(loadVolume(folder / "series", {}, control).has_value());
+  CHECK_THROWS_AS(loadVolume(folder / "series"), Cancelled);
 }
 
 TEST_CASE("paths with quotes, spaces, semicolons and bytes that are not UTF-8 are only names") {

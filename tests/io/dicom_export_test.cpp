@@ -37,7 +37,7 @@ struct Source {
       s.more = more;
     }
     writeSeries(folder / "series", stack);
-    loaded = *loadVolume(folder / "series");
+    loaded = loadVolume(folder / "series");
   }
   const Grid& grid() const { return loaded.volume.grid; }
   const DicomOrigin& origin() const { return *loaded.info.dicom; }
@@ -201,14 +201,14 @@ TEST_CASE("no DICOM file is made for a volume that does not lie in a patient's s
   for (Slice& s : nowhere) s.placed = false;
   const TemporaryFolder folder;
   writeSeries(folder / "nowhere", nowhere);
-  CHECK_THAT(dicomFault(loadVolume(folder / "nowhere")->info.dicom.get()), Contains("where its slices lie"));
+  CHECK_THAT(dicomFault(loadVolume(folder / "nowhere").info.dicom.get()), Contains("where its slices lie"));
   const Source source;
   VolumeSelection given;
   given.spacing = Vec3(1, 1, 1);
   const auto other = loadVolume(source.folder / "series", given);
-  CHECK_THAT(dicomFault(other->info.dicom.get()), Contains("given by the user"));
-  CHECK_THROWS_AS(writeDicomSegmentation(randomLabels(other->volume.grid), twoObjects(), *other->info.dicom,
-                                         {}, folder / "x.seg.dcm"),
+  CHECK_THAT(dicomFault(other.info.dicom.get()), Contains("given by the user"));
+  CHECK_THROWS_AS(writeDicomSegmentation(randomLabels(other.volume.grid), twoObjects(), *other.info.dicom, {},
+                                         folder / "x.seg.dcm"),
                   UsageError);
   CHECK(dicomFault(source.loaded.info.dicom.get()).empty());
   CHECK(folder.fileCount() == 1);
@@ -220,11 +220,11 @@ TEST_CASE("slices that were resampled are referred to as a series, not one by on
   const TemporaryFolder folder;
   writeSeries(folder / "uneven", uneven);
   const auto loaded = loadVolume(folder / "uneven");
-  REQUIRE_FALSE(loaded->info.dicom->straight);
-  const Volume labels = randomLabels(loaded->volume.grid);
-  writeDicomSegmentation(labels, twoObjects(), *loaded->info.dicom, {}, folder / "u.seg.dcm");
+  REQUIRE_FALSE(loaded.info.dicom->straight);
+  const Volume labels = randomLabels(loaded.volume.grid);
+  writeDicomSegmentation(labels, twoObjects(), *loaded.info.dicom, {}, folder / "u.seg.dcm");
   const std::string bytes = readBytes(folder / "u.seg.dcm");
-  const std::string reference = element(0x08, 0x1155, "UI", loaded->info.dicom->images[3].instance);
+  const std::string reference = element(0x08, 0x1155, "UI", loaded.info.dicom->images[3].instance);
   CHECK(bytes.find(reference) != std::string::npos);
   CHECK(bytes.find(reference) == bytes.rfind(reference));
 }
@@ -241,13 +241,13 @@ TEST_CASE("the images of another time point are not referred to") {
   writeSeries(folder / "both", both);
   const auto first = loadVolume(folder / "both", {.frame = 0}),
              second = loadVolume(folder / "both", {.frame = 1});
-  REQUIRE(second->info.frames == 2);
-  REQUIRE(first->info.dicom->images.size() == 6);
-  REQUIRE(second->info.dicom->images.size() == 6);
+  REQUIRE(second.info.frames == 2);
+  REQUIRE(first.info.dicom->images.size() == 6);
+  REQUIRE(second.info.dicom->images.size() == 6);
   for (int k = 0; k < 6; ++k) {
     const auto i = static_cast<std::size_t>(k);
-    CHECK(second->info.dicom->images[i].instance == "1.2.99." + std::to_string(k + 1));
-    CHECK(first->info.dicom->images[i].instance.rfind("1.2.99.", 0) == std::string::npos);
+    CHECK(second.info.dicom->images[i].instance == "1.2.99." + std::to_string(k + 1));
+    CHECK(first.info.dicom->images[i].instance.rfind("1.2.99.", 0) == std::string::npos);
   }
 }
 

@@ -235,7 +235,7 @@ TEST_CASE("voxels that are not a number are read below all others, with a warnin
              "ObjectType = Image\nNDims = 3\nBinaryData = True\nDimSize = 8 8 8\nElementType = "
              "MET_FLOAT\nElementDataFile = LOCAL\n" +
                  bytes);
-  const LoadedVolume loaded = *loadVolume(folder / "v.mha");
+  const LoadedVolume loaded = loadVolume(folder / "v.mha");
   const auto* values = loaded.volume.data<float>();
   for (std::size_t i = 0; i < voxels.size(); ++i)
     REQUIRE((std::isnan(voxels[i]) ? values[i] < -7 && values[i] > -7.01F : values[i] == voxels[i]));

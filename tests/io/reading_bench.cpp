@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <thread>
 
+#include "core/cancellation.h"
 #include "tests/io/dicom_test_support.h"
 
 void registerItkFormats();
@@ -102,9 +103,13 @@ double cancelTime(const std::string& path, double whole) {
     wished = Clock::now();
     cancelled = true;
   });
-  ReadControl control;
-  control.cancelled = &cancelled;
-  const bool read = loadVolume(path, {}, control).has_value();
+  const CancelScope scope(cancelled);
+  bool read = false;
+  try {
+    loadVolume(path);
+    read = true;
+  } catch (const Cancelled&) {
+  }
   const auto end = Clock::now();
   user.join();
   return read ? -1 : std::chrono::duration<double>(end - wished).count();

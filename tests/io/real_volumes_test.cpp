@@ -215,7 +215,7 @@ TEST_CASE(
     const auto start = std::chrono::steady_clock::now();
     std::string line;
     try {
-      const LoadedVolume loaded = loadVolume(path).value();
+      const LoadedVolume loaded = loadVolume(path);
       const Grid& g = loaded.volume.grid;
       line = std::to_string(g.size[0]) + " x " + std::to_string(g.size[1]) + " x " +
              std::to_string(g.size[2]) + (loaded.info.calibrated ? "" : ", uncalibrated");

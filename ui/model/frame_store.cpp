@@ -2,7 +2,7 @@
 
 #include <unistd.h>
 
-#include "core/errors.h"
+#include "core/cancellation.h"
 #include "ui/model/error_sentence.h"
 #include "ui/model/opening.h"
 
@@ -61,6 +61,7 @@ void FrameStore::want(int frame) {
 }
 
 void FrameStore::decodeAhead(int frame, const std::atomic<bool>& cancelled) {
+  const CancelScope scope(cancelled);
   const Source from = source();
   for (int i = 0; i < frames_ && !cancelled; ++i) {
     const int now = (frame + i) % frames_;
@@ -72,8 +73,10 @@ void FrameStore::decodeAhead(int frame, const std::atomic<bool>& cancelled) {
       if (isKept && i > 0) continue;
     }
     try {
-      if (!find(now)) keep(from, now, decode(from, now, &cancelled));
+      if (!find(now)) keep(from, now, decode(from, now));
       if (i == 0 && !cancelled) arrived_(now, {});
+    } catch (const Cancelled&) {
+      return;
     } catch (...) {
       if (i == 0 && !cancelled) arrived_(now, errorSentence());
     }
@@ -83,7 +86,7 @@ void FrameStore::decodeAhead(int frame, const std::atomic<bool>& cancelled) {
 Volume FrameStore::load(int frame) {
   if (auto volume = find(frame)) return *volume;
   const Source from = source();
-  Volume volume = decode(from, frame, nullptr);
+  Volume volume = decode(from, frame);
   if (hasRoom()) keep(from, frame, volume);
   return volume;
 }
@@ -93,13 +96,11 @@ FrameStore::Source FrameStore::source() const {
   return source_;
 }
 
-Volume FrameStore::decode(Source source, int frame, const std::atomic<bool>* cancelled) {
+Volume FrameStore::decode(Source source, int frame) {
   source.selection.frame = frame;
   const std::lock_guard lock(readingVolumes());
-  if (cancelled && *cancelled) throw InputError("It was cancelled.");  // nobody hears of it
-  auto loaded = loadVolume(source.path, source.selection, {{}, cancelled});
-  if (!loaded) throw InputError("It was cancelled.");
-  return std::move(loaded->volume);
+  giveUpIfCancelled();
+  return loadVolume(source.path, source.selection).volume;
 }
 
 void FrameStore::keep(const Source& source, int frame, const Volume& volume) {

@@ -30,7 +30,8 @@ class FrameStore {
   //! Decodes it next, and then those after it while there is room, round to the first; what was wanted before
   //! is given up. Nothing is told of one that is kept.
   void want(int frame);
-  //! As it is kept or by decoding it now, on the thread that calls. Any thread. Throws InputError.
+  //! As it is kept or by decoding it now, on the thread that calls. Any thread. Throws InputError, Cancelled
+  //! (cancellation.h).
   Volume load(int frame);
 
   //! Decodes no frames ahead until one is wanted again.
@@ -54,7 +55,7 @@ class FrameStore {
     int number = 0;  //!< of the volumes that were open
   };
   Source source() const;
-  static Volume decode(Source source, int frame, const std::atomic<bool>* cancelled);
+  static Volume decode(Source source, int frame);
   void decodeAhead(int frame, const std::atomic<bool>& cancelled);
   //! Not if another volume is open by now.
   void keep(const Source& source, int frame, const Volume& volume);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "core/cancellation.h"
 #include "core/errors.h"
 #include "core/io/report/start_surface.h"
 #include "core/io/report/wall_map.h"
@@ -35,7 +36,7 @@ TimeAxis timesOf(const OpenedWork& work) {
 
 // The voxels come last: everything that can be wrong cheaply is found before them.
 OpeningResult read(const QString& path, const VolumeSelection& selection,
-                   const std::function<void(double)>& progress, const std::atomic<bool>& cancelled) {
+                   const std::function<void(double)>& progress) {
   const auto start = std::chrono::steady_clock::now();
   OpenedWork work;
   work.reference = {QFile::encodeName(path).toStdString(), {}, selection};
@@ -47,16 +48,15 @@ OpeningResult read(const QString& path, const VolumeSelection& selection,
   }
   progress(-1);
   if (!work.sessions.empty()) verifyHash(work.reference);
-  if (cancelled) return OpeningFailed{};
+  giveUpIfCancelled();
   const std::lock_guard lock(readingVolumes());
-  auto loaded = loadVolume(work.reference.path, work.reference.selection, {progress, &cancelled});
-  if (!loaded) return OpeningFailed{};
-  work.volume = std::move(loaded->volume);
+  LoadedVolume loaded = loadVolume(work.reference.path, work.reference.selection, progress);
+  work.volume = std::move(loaded.volume);
   for (Session& session : work.sessions) loadWalls(session, work.volume.grid);
   std::vector<Session*> all;
   for (Session& session : work.sessions) all.push_back(&session);
   loadStarts(all);
-  work.info = std::move(loaded->info);
+  work.info = std::move(loaded.info);
   work.times = timesOf(work);
   work.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return work;
@@ -73,7 +73,10 @@ bool isSessionPath(const QString& path) { return path.endsWith(QLatin1String(".j
 
 OpeningResult openWork(const QString& path, const VolumeSelection& selection,
                        const std::function<void(double)>& progress, const std::atomic<bool>& cancelled) try {
-  return read(path, selection, progress, cancelled);
+  const CancelScope scope(cancelled);
+  return read(path, selection, progress);
+} catch (const Cancelled&) {
+  return OpeningFailed{};
 } catch (const SeriesChoiceNeeded& choice) {
   return SeriesChoice{choice.series};
 } catch (const InputError& error) {

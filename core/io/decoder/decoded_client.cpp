@@ -10,10 +10,10 @@ constexpr double kScanPart = 0.2;
 
 class DecodedClient : public VolumeSource {
  public:
-  DecodedClient(const OpenRequest& request, const ReadControl& control, bool* several)
+  DecodedClient(const OpenRequest& request, const ReadProgress& progress, bool* several)
       : decoder_(request.path) {
     decoder_.send(requestToMessage(request));
-    const Message answer = decoder_.receive(control, 0, kScanPart);
+    const Message answer = decoder_.receive(progress, 0, kScanPart);
     try {
       header_ = headerFromMessage(answer.at("header"));
       *several = answer.at("header").at("several").get<bool>();
@@ -23,18 +23,18 @@ class DecodedClient : public VolumeSource {
     if (!*several) checkHeader(header_, request.path);
   }
 
-  std::shared_ptr<void> read(int frame, const std::string&, const ReadControl& control) override {
+  std::shared_ptr<void> read(int frame, const std::string&, const ReadProgress& progress) override {
     const std::uint64_t bytes = header_.bytesPerFrame();
     // The voxels, the slices as they are where they are resampled, and a compressed file.
     constexpr std::uint64_t kForDecoding = 512u << 20;
     decoder_.allowMemory(kForDecoding + 3 * bytes);
     decoder_.send({{"frame", frame}});
-    decoder_.receive(control, kScanPart, 1);
+    decoder_.receive(progress, kScanPart, 1);
     return decoder_.takeMemory(bytes);
   }
 
  protected:
-  void readFrame(int, void*, const ReadControl&) override {}  // read() does it
+  void readFrame(int, void*, const ReadProgress&) override {}  // read() does it
 
  private:
   DecoderProcess decoder_;
@@ -42,15 +42,15 @@ class DecodedClient : public VolumeSource {
 
 }  // namespace
 
-SourcePointer openTiff(const OpenRequest& request, const ReadControl& control) {
+SourcePointer openTiff(const OpenRequest& request, const ReadProgress& progress) {
   OpenRequest tiff = request;
   tiff.format = "TIFF";
   bool several = false;
-  return std::make_unique<DecodedClient>(tiff, control, &several);
+  return std::make_unique<DecodedClient>(tiff, progress, &several);
 }
 
-SourcePointer openDicom(const OpenRequest& request, const ReadControl& control, bool* several) {
-  return std::make_unique<DecodedClient>(request, control, several);
+SourcePointer openDicom(const OpenRequest& request, const ReadProgress& progress, bool* several) {
+  return std::make_unique<DecodedClient>(request, progress, several);
 }
 
 }  // namespace handlebody

@@ -16,6 +16,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "core/cancellation.h"
 #include "core/io/decoder/address_space.h"
 #include "core/told_error.h"
 
@@ -159,33 +160,33 @@ void DecoderProcess::refuseHang() {
   refuseOn(FindingKind::decoderStuck, FindingKind::decoderStuckOn);
 }
 
-void DecoderProcess::waitForMessage(const ReadControl& control) {
+void DecoderProcess::waitForMessage(const ReadProgress& progress) {
   constexpr double kSlowestDisk = 20e6;  // bytes per second
   const double patience = settings().patience + static_cast<double>(bytes_) / kSlowestDisk;
   const auto end = Clock::now() + std::chrono::duration<double>(patience);
   while (Clock::now() < end) {
     pollfd waiting{socket_, POLLIN, 0};
     if (::poll(&waiting, 1, 20) > 0) return;
-    if (control.cancelled && *control.cancelled) throw Cancelled{};
+    giveUpIfCancelled();
   }
   refuseHang();
 }
 
-void DecoderProcess::noteProgress(const Message& m, const ReadControl& control, double from, double to) {
+void DecoderProcess::noteProgress(const Message& m, const ReadProgress& progress, double from, double to) {
   file_ = m.at("file").get<std::string>();
   bytes_ = m.at("bytes").get<std::uint64_t>();
-  handlebody::report(control, from + m.at("part").get<double>() * (to - from));
+  handlebody::report(progress, from + m.at("part").get<double>() * (to - from));
 }
 
-Message DecoderProcess::receive(const ReadControl& control, double from, double to) try {
+Message DecoderProcess::receive(const ReadProgress& progress, double from, double to) try {
   for (;;) {
-    waitForMessage(control);
+    waitForMessage(progress);
     const std::optional<Message> message = receiveMessage(socket_);
     if (!message) explainDeath();
     if (message->contains("input")) throwTold<InputError>(*message, "input");
     if (message->contains("usage")) throwTold<UsageError>(*message, "usage");
     if (!message->contains("part")) return *message;
-    noteProgress(*message, control, from, to);
+    noteProgress(*message, progress, from, to);
   }
 } catch (const Message::exception&) {
   refuseOn(FindingKind::decoderAnswerOnIt, FindingKind::decoderAnswerOn);

@@ -17,9 +17,9 @@ class DecoderProcess {
   DecoderProcess& operator=(const DecoderProcess&) = delete;
 
   void send(const Message& message);
-  //! The next message that is no progress; progress goes to `control` as from + part · (to − from). Throws
+  //! The next message that is no progress; which goes to `progress` as from + part · (to − from). Throws
   //! InputError for what the child refuses and for its death or silence, UsageError, Cancelled.
-  Message receive(const ReadControl& control, double from, double to);
+  Message receive(const ReadProgress& progress, double from, double to);
   //! The child may have so many bytes of address space more than when it was ready.
   void allowMemory(std::uint64_t bytes);
   //! What the child has filled, read-only, once it has ended. Throws InputError if that is less than `bytes`.
@@ -27,8 +27,8 @@ class DecoderProcess {
 
  private:
   void start(const std::string& program);
-  void waitForMessage(const ReadControl& control);
-  void noteProgress(const Message& message, const ReadControl& control, double from, double to);
+  void waitForMessage(const ReadProgress& progress);
+  void noteProgress(const Message& message, const ReadProgress& progress, double from, double to);
   [[noreturn]] void explainDeath();
   [[noreturn]] void refuseHang();
   void kill();

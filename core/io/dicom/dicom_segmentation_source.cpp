@@ -18,7 +18,7 @@ class SegmentationSource : public DecodedSource {
   void decode(int frame, void* to, const DicomProgress& progress) override;
 
  protected:
-  void readFrame(int frame, void* to, const ReadControl&) override {
+  void readFrame(int frame, void* to, const ReadProgress&) override {
     decode(frame, to, [](double, const std::string&, std::uint64_t) {});
   }
 

@@ -69,7 +69,7 @@ class StackSource : public DecodedSource {
   void decode(int frame, void* to, const DicomProgress& progress) override;
 
  protected:
-  void readFrame(int frame, void* to, const ReadControl&) override {
+  void readFrame(int frame, void* to, const ReadProgress&) override {
     decode(frame, to, [](double, const std::string&, std::uint64_t) {});
   }
 
@@ -194,7 +194,7 @@ class SeriesList : public DecodedSource {
   void decode(int, void*, const DicomProgress&) override {}
 
  protected:
-  void readFrame(int, void*, const ReadControl&) override {}
+  void readFrame(int, void*, const ReadProgress&) override {}
 };
 
 void refuseDamaged(const DicomScan& scan, const std::string& uid, const std::string& path) {

@@ -80,10 +80,10 @@ std::size_t ByteStream::read(void* to, std::size_t n) {
   return done;
 }
 
-void ByteStream::readAll(void* to, std::size_t n, const ReadControl& control) {
+void ByteStream::readAll(void* to, std::size_t n, const ReadProgress& progress) {
   constexpr std::size_t kPart = 4u << 20;  // a few milliseconds, also where it is inflated
   for (std::size_t done = 0; done < n;) {
-    handlebody::report(control, static_cast<double>(done) / static_cast<double>(n));
+    handlebody::report(progress, static_cast<double>(done) / static_cast<double>(n));
     const std::size_t part = std::min(kPart, n - done);
     if (read(static_cast<char*>(to) + done, part) != part)
       refuseInput(state_->path, FindingKind::voxelDataTruncated);
@@ -91,11 +91,11 @@ void ByteStream::readAll(void* to, std::size_t n, const ReadControl& control) {
   }
 }
 
-void ByteStream::skip(std::uint64_t n, const ReadControl& control) {
+void ByteStream::skip(std::uint64_t n, const ReadProgress& progress) {
   std::vector<char> sink(1 << 16);
   while (n > 0) {
     const auto part = static_cast<std::size_t>(std::min<std::uint64_t>(n, sink.size()));
-    handlebody::report(control, 0);
+    handlebody::report(progress, 0);
     readAll(sink.data(), part);
     n -= part;
   }

@@ -24,9 +24,9 @@ class ByteStream {
   //! Reads up to n bytes; fewer at the end of the data or where they are damaged.
   std::size_t read(void* to, std::size_t n);
   //! Throws InputError unless n bytes could be read. Says how far it is, and may be cancelled.
-  void readAll(void* to, std::size_t n, const ReadControl& control = {});
+  void readAll(void* to, std::size_t n, const ReadProgress& progress = {});
   //! Passes over n bytes; throws InputError if there are not so many.
-  void skip(std::uint64_t n, const ReadControl& control = {});
+  void skip(std::uint64_t n, const ReadProgress& progress = {});
   //! Throws InputError if the stream breaks off or its checksum is wrong at this place. (Further data is
   //! fine.)
   void checkEnd();

@@ -83,15 +83,15 @@ bool isSameGrid(const Grid& a, const Grid& b) {
 class FolderSource : public VolumeSource {
  public:
   FolderSource(const std::string& folder, const std::vector<std::string>& names);
-  std::shared_ptr<void> read(int frame, const std::string&, const ReadControl& control) override {
+  std::shared_ptr<void> read(int frame, const std::string&, const ReadProgress& progress) override {
     const std::string& path = paths_[static_cast<std::size_t>(frame)];
     const SourcePointer source = openFrame(path);
     requireSame(source->header(), path);
-    return source->read(0, path, control);
+    return source->read(0, path, progress);
   }
 
  protected:
-  void readFrame(int, void*, const ReadControl&) override {}  // read() does it
+  void readFrame(int, void*, const ReadProgress&) override {}  // read() does it
 
  private:
   void requireSame(const VolumeHeader& other, const std::string& path) const;

@@ -80,10 +80,10 @@ class GiplSource : public VolumeSource {
   }
 
  protected:
-  void readFrame(int frame, void* to, const ReadControl& control) override {
+  void readFrame(int frame, void* to, const ReadProgress& progress) override {
     ByteStream stream = open();
-    stream.skip(kHeaderBytes + header_.bytesPerFrame() * static_cast<std::uint64_t>(frame), control);
-    stream.readAll(to, static_cast<std::size_t>(header_.bytesPerFrame()), control);
+    stream.skip(kHeaderBytes + header_.bytesPerFrame() * static_cast<std::uint64_t>(frame), progress);
+    stream.readAll(to, static_cast<std::size_t>(header_.bytesPerFrame()), progress);
     stream.checkEnd();
     if (std::endian::native == std::endian::little)
       swapBytes(to, header_.grid.voxelCount(), bytesOf(header_.component));

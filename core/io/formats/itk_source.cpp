@@ -73,7 +73,7 @@ class ItkSource : public DecodedSource {
   }
 
  protected:
-  void readFrame(int frame, void* to, const ReadControl&) override {
+  void readFrame(int frame, void* to, const ReadProgress&) override {
     decode(frame, to, [](double, const std::string&, std::uint64_t) {});
   }
 

@@ -96,7 +96,7 @@ class MetaSource : public VolumeSource {
   explicit MetaSource(const std::string& path);
 
  protected:
-  void readFrame(int frame, void* to, const ReadControl& control) override;
+  void readFrame(int frame, void* to, const ReadProgress& progress) override;
 
  private:
   void setSizes(const MetaText& text);
@@ -202,13 +202,13 @@ void MetaSource::locateData(const MetaText& text) {
   checkDataSize(path_, dataFile_, offset_, bytes, compressed_);
 }
 
-void MetaSource::readFrame(int frame, void* to, const ReadControl& control) {
+void MetaSource::readFrame(int frame, void* to, const ReadProgress& progress) {
   const std::uint64_t bytes = header_.bytesPerFrame();
   const std::uint64_t before = bytes * static_cast<std::uint64_t>(frame);
   ByteStream stream(dataFile_, compressed_ ? offset_ : offset_ + before,
                     compressed_ ? ByteStream::Coding::deflate : ByteStream::Coding::raw);
-  if (compressed_) stream.skip(before, control);
-  stream.readAll(to, static_cast<std::size_t>(bytes), control);
+  if (compressed_) stream.skip(before, progress);
+  stream.readAll(to, static_cast<std::size_t>(bytes), progress);
   stream.checkEnd();
   if (swapped_)
     swapBytes(to, header_.grid.voxelCount() * static_cast<std::size_t>(header_.components),

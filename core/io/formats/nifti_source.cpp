@@ -74,7 +74,7 @@ class NiftiSource : public VolumeSource {
   explicit NiftiSource(const std::string& path);
 
  protected:
-  void readFrame(int frame, void* to, const ReadControl& control) override;
+  void readFrame(int frame, void* to, const ReadProgress& progress) override;
 
  private:
   NiftiHeader nifti_;
@@ -105,13 +105,13 @@ NiftiSource::NiftiSource(const std::string& path) : nifti_(readNiftiHeader(path)
                 header_.bytesPerFrame() * static_cast<std::uint64_t>(header_.frames), compressed_);
 }
 
-void NiftiSource::readFrame(int frame, void* to, const ReadControl& control) {
+void NiftiSource::readFrame(int frame, void* to, const ReadProgress& progress) {
   const std::uint64_t bytes = header_.bytesPerFrame();
   const std::uint64_t before = offset_ + bytes * static_cast<std::uint64_t>(frame);
   ByteStream stream(dataFile_, compressed_ ? 0 : before,
                     compressed_ ? ByteStream::Coding::deflate : ByteStream::Coding::raw);
-  if (compressed_) stream.skip(before, control);
-  stream.readAll(to, static_cast<std::size_t>(bytes), control);
+  if (compressed_) stream.skip(before, progress);
+  stream.readAll(to, static_cast<std::size_t>(bytes), progress);
   stream.checkEnd();
   if (nifti_.swapped)
     swapBytes(to, header_.grid.voxelCount() * static_cast<std::size_t>(header_.components),

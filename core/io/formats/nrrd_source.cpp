@@ -18,13 +18,13 @@ class NrrdSource : public VolumeSource {
   explicit NrrdSource(const std::string& path);
 
  protected:
-  void readFrame(int frame, void* to, const ReadControl& control) override;
+  void readFrame(int frame, void* to, const ReadProgress& progress) override;
 
  private:
   std::uint64_t offsetIn(const std::string& file) const;
-  void readStream(ByteStream& stream, std::uint64_t bytes, char* to, const ReadControl& control) const;
-  void readPart(const std::string& file, int frame, char* to, const ReadControl& control) const;
-  void readFiles(int frame, char* to, const ReadControl& control) const;
+  void readStream(ByteStream& stream, std::uint64_t bytes, char* to, const ReadProgress& progress) const;
+  void readPart(const std::string& file, int frame, char* to, const ReadProgress& progress) const;
+  void readFiles(int frame, char* to, const ReadProgress& progress) const;
   void readText(ByteStream& stream, std::uint64_t values, char* to) const;
   void pick(const char* from, int frame, char* to) const;
   std::string path_;
@@ -100,43 +100,44 @@ void NrrdSource::readText(ByteStream& stream, std::uint64_t values, char* to) co
 }
 
 void NrrdSource::readStream(ByteStream& stream, std::uint64_t bytes, char* to,
-                            const ReadControl& control) const {
+                            const ReadProgress& progress) const {
   if (layout_.text)
     readText(stream, bytes / bytesOf(header_.component), to);
   else
-    stream.readAll(to, bytes, control);
+    stream.readAll(to, bytes, progress);
 }
 
 //! One file, or what follows the header. Time points that follow one another are passed over.
-void NrrdSource::readPart(const std::string& file, int frame, char* to, const ReadControl& control) const {
+void NrrdSource::readPart(const std::string& file, int frame, char* to, const ReadProgress& progress) const {
   const auto coding = layout_.compressed ? ByteStream::Coding::deflate : ByteStream::Coding::raw;
   const std::uint64_t bytes = header_.bytesPerFrame();
   const bool together = layout_.outer == 1 && !layout_.text;
   const std::uint64_t before = together ? bytes * static_cast<std::uint64_t>(frame) : 0;
   ByteStream stream(file, offsetIn(file) + (layout_.compressed ? 0 : before), coding);
   if (layout_.compressed)
-    stream.skip(before + static_cast<std::uint64_t>(std::max(0ll, layout_.byteSkip)), control);
+    stream.skip(before + static_cast<std::uint64_t>(std::max(0ll, layout_.byteSkip)), progress);
   if (together || header_.frames == 1) {
-    readStream(stream, bytes, to, control);
+    readStream(stream, bytes, to, progress);
   } else {
     const std::shared_ptr<void> all = allocate(all_, path_);
-    readStream(stream, all_, static_cast<char*>(all.get()), control);
+    readStream(stream, all_, static_cast<char*>(all.get()), progress);
     pick(static_cast<const char*>(all.get()), frame, to);
   }
   stream.checkEnd();
 }
 
-void NrrdSource::readFiles(int frame, char* to, const ReadControl& control) const {
+void NrrdSource::readFiles(int frame, char* to, const ReadProgress& progress) const {
   const auto coding = layout_.compressed ? ByteStream::Coding::deflate : ByteStream::Coding::raw;
   const std::uint64_t part = all_ / fields_.dataFiles.size();
   const std::shared_ptr<void> all = allocate(all_, path_);
   char* at = static_cast<char*>(all.get());
   for (const std::string& file : fields_.dataFiles) {
     ByteStream stream(file, offsetIn(file), coding);
-    if (layout_.compressed) stream.skip(static_cast<std::uint64_t>(std::max(0ll, layout_.byteSkip)), control);
-    readStream(stream, part, at, {nullptr, control.cancelled});
+    if (layout_.compressed)
+      stream.skip(static_cast<std::uint64_t>(std::max(0ll, layout_.byteSkip)), progress);
+    readStream(stream, part, at, {});
     at += part;
-    report(control, static_cast<double>(at - static_cast<char*>(all.get())) / static_cast<double>(all_));
+    report(progress, static_cast<double>(at - static_cast<char*>(all.get())) / static_cast<double>(all_));
   }
   pick(static_cast<const char*>(all.get()), frame, to);
 }
@@ -153,12 +154,12 @@ void NrrdSource::pick(const char* from, int frame, char* to) const {
   for (std::uint64_t o = 0; o < layout_.outer; ++o, from += step, to += run) std::memcpy(to, from, run);
 }
 
-void NrrdSource::readFrame(int frame, void* to, const ReadControl& control) {
+void NrrdSource::readFrame(int frame, void* to, const ReadProgress& progress) {
   if (fields_.dataFiles.size() > 1)
-    readFiles(frame, static_cast<char*>(to), control);
+    readFiles(frame, static_cast<char*>(to), progress);
   else
     readPart(fields_.dataFiles.empty() ? path_ : fields_.dataFiles[0], frame, static_cast<char*>(to),
-             control);
+             progress);
   if (layout_.swapped && !layout_.text)
     swapBytes(to, header_.grid.voxelCount() * static_cast<std::size_t>(header_.components),
               bytesOf(header_.component));

@@ -2,7 +2,6 @@
 // Volumes from and to files. No type of a library appears here.
 
 #include <array>
-#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -73,11 +72,8 @@ class SeriesChoiceNeeded : public Told<InputError> {
   std::vector<SeriesInfo> series;  //!< to choose from
 };
 
-//! Progress and cancellation of a long reading.
-struct ReadControl {
-  std::function<void(double)> progress{};        //!< 0 … 1, never falling, from the thread that reads
-  const std::atomic<bool>* cancelled = nullptr;  //!< once true, reading ends within some 50 ms
-};
+//! Is told how far a long reading is: 0 … 1, never falling, from the thread that reads. May be empty.
+using ReadProgress = std::function<void(double)>;
 
 //! A volume with what is known about it.
 struct LoadedVolume {
@@ -101,9 +97,9 @@ VolumeInfo inspectVolume(const std::string& path, const VolumeSelection& selecti
 //! that is how FieldOfView knows them. Without a selection the first time point. Not for several threads at
 //! once: output of the libraries below to std::cerr and std::cout is held back meanwhile.
 Volume readVolume(const std::string& path, const VolumeSelection& selection = {});
-//! Both in one reading. Nothing if it was cancelled.
-std::optional<LoadedVolume> loadVolume(const std::string& path, const VolumeSelection& selection = {},
-                                       const ReadControl& control = {});
+//! Both in one reading. Throws Cancelled (cancellation.h) within some 50 ms of the wish.
+LoadedVolume loadVolume(const std::string& path, const VolumeSelection& selection = {},
+                        const ReadProgress& progress = {});
 //! The grid of a volume that no file holds, with the checks that a file's header gets: sizes, spacing,
 //! direction (made exactly orthonormal), memory. Throws InputError that begins with `name`.
 Grid checkedGrid(const Grid& grid, VoxelType type, const std::string& name);

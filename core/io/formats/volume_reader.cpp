@@ -3,6 +3,7 @@
 #include <limits>
 #include <memory>
 
+#include "core/cancellation.h"
 #include "core/errors.h"
 #include "core/io/formats/volume_io.h"
 #include "core/io/formats/volume_source.h"
@@ -183,10 +184,10 @@ void fillNotANumber(void* voxels, LoadedVolume& loaded, const std::string& path)
         {FindingKind::voxelsNotNumbers, {{"none", none}, {"voxels", v.grid.voxelCount()}}});
 }
 
-LoadedVolume load(const OpenRequest& request, const ReadControl& control) {
+LoadedVolume load(const OpenRequest& request, const ReadProgress& progress) {
   const std::string& path = request.path;
   bool several = false;
-  const SourcePointer source = openVolume(request, control, &several);
+  const SourcePointer source = openVolume(request, progress, &several);
   VolumeHeader& h = source->header();
   if (several)
     throw SeriesChoiceNeeded({FindingKind::fileRefused, {{"file", path}}, seriesChoice(h.series)}, h.series);
@@ -195,18 +196,18 @@ LoadedVolume load(const OpenRequest& request, const ReadControl& control) {
   Volume& volume = loaded.volume;
   volume = {h.grid, loaded.info.type, nullptr};
   const std::shared_ptr<void> voxels =
-      converted(h, volume.type, source->read(request.selection.frame.value_or(0), path, control), path);
+      converted(h, volume.type, source->read(request.selection.frame.value_or(0), path, progress), path);
   fillNotANumber(voxels.get(), loaded, path);
   volume.voxels = voxels;
-  report(control, 1);
+  report(progress, 1);
   return loaded;
 }
 
 }  // namespace
 
-void report(const ReadControl& control, double part) {
-  if (control.cancelled && *control.cancelled) throw Cancelled{};
-  if (control.progress) control.progress(std::clamp(part, 0.0, 1.0));
+void report(const ReadProgress& progress, double part) {
+  giveUpIfCancelled();
+  if (progress) progress(std::clamp(part, 0.0, 1.0));
 }
 
 VolumeInfo inspectVolume(const std::string& path, const VolumeSelection& selection) {
@@ -253,11 +254,9 @@ Volume readVolume(const std::string& path, const VolumeSelection& selection) {
   return load({path, selection}, {}).volume;
 }
 
-std::optional<LoadedVolume> loadVolume(const std::string& path, const VolumeSelection& selection,
-                                       const ReadControl& control) try {
-  return load({path, selection}, control);
-} catch (const Cancelled&) {
-  return std::nullopt;
+LoadedVolume loadVolume(const std::string& path, const VolumeSelection& selection,
+                        const ReadProgress& progress) {
+  return load({path, selection}, progress);
 }
 
 }  // namespace handlebody

@@ -67,15 +67,15 @@ void checkExists(const std::string& path) {
   if (fs::file_size(path, failed) == 0) refuseInput(path, FindingKind::emptyFile);
 }
 
-SourcePointer openFile(const OpenRequest& request, const ReadControl& control, bool* several) {
+SourcePointer openFile(const OpenRequest& request, const ReadProgress& progress, bool* several) {
   const std::string& path = request.path;
   checkExists(path);
   const Start start = startOf(path, false);
   if (beginsWith(start, "version https://git-lfs")) refuseInput(path, FindingKind::gitPointer);
   if (looksLikeGipl(start)) return openGipl(path);
-  if (looksLikeDicom(start) && !looksLikeNifti(start)) return openDicom(request, control, several);
+  if (looksLikeDicom(start) && !looksLikeNifti(start)) return openDicom(request, progress, several);
   if (beginsWith(start, "NRRD0")) return openNrrd(path);
-  if (looksLikeTiff(start)) return openTiff(request, control);
+  if (looksLikeTiff(start)) return openTiff(request, progress);
   if (looksLikeNifti(start) || path.ends_with(".img") || path.ends_with(".img.gz")) return openNifti(path);
   if (isGzip(path)) {
     const Start inside = startOf(path, true);
@@ -89,11 +89,11 @@ SourcePointer openFile(const OpenRequest& request, const ReadControl& control, b
 
 }  // namespace
 
-SourcePointer openVolume(const OpenRequest& request, const ReadControl& control, bool* several) {
+SourcePointer openVolume(const OpenRequest& request, const ReadProgress& progress, bool* several) {
   std::error_code failed;
   const bool isFolder = fs::is_directory(request.path, failed);
-  SourcePointer source = isFolder ? openVolumeFolder(request.path) : openFile(request, control, several);
-  if (!source) return openDicom(request, control, several);
+  SourcePointer source = isFolder ? openVolumeFolder(request.path) : openFile(request, progress, several);
+  if (!source) return openDicom(request, progress, several);
   if (request.selection.series && source->header().format != "DICOM")
     throw UsageError(request.path + ": --series is for DICOM, this is " + source->header().format + ".");
   return source;

@@ -66,11 +66,8 @@ struct VolumeHeader {
   }
 };
 
-//! Thrown within the readers when ReadControl::cancelled is seen; never leaves them.
-struct Cancelled {};
-
-//! Reports `part` (0 … 1) and throws Cancelled if that is asked for.
-void report(const ReadControl& control, double part);
+//! Reports `part` (0 … 1). Throws Cancelled (cancellation.h).
+void report(const ReadProgress& progress, double part);
 
 //! Memory for a volume, not cleared: every byte is read from the file or the reading throws. Aligned for
 //! every type. Throws InputError.
@@ -80,9 +77,9 @@ class VolumeSource {
  public:
   virtual ~VolumeSource() = default;
   //! header().bytesPerFrame() bytes, native byte order. Throws InputError, Cancelled.
-  virtual std::shared_ptr<void> read(int frame, const std::string& path, const ReadControl& control) {
+  virtual std::shared_ptr<void> read(int frame, const std::string& path, const ReadProgress& progress) {
     std::shared_ptr<void> memory = allocate(header_.bytesPerFrame(), path);
-    readFrame(frame, memory.get(), control);
+    readFrame(frame, memory.get(), progress);
     return memory;
   }
   const VolumeHeader& header() const { return header_; }
@@ -90,7 +87,7 @@ class VolumeSource {
 
  protected:
   //! The same into memory of the caller.
-  virtual void readFrame(int frame, void* to, const ReadControl& control) = 0;
+  virtual void readFrame(int frame, void* to, const ReadProgress& progress) = 0;
   VolumeHeader header_;
 };
 
@@ -108,10 +105,10 @@ SourcePointer openNifti(const std::string& path);
 SourcePointer openMetaImage(const std::string& path);
 SourcePointer openNrrd(const std::string& path);
 //! In a child process: its reader cannot be cancelled otherwise.
-SourcePointer openTiff(const OpenRequest& request, const ReadControl& control);
+SourcePointer openTiff(const OpenRequest& request, const ReadProgress& progress);
 //! A folder or a file, in a child process. With several series and none chosen, `several` is set and
 //! the header holds only them.
-SourcePointer openDicom(const OpenRequest& request, const ReadControl& control, bool* several);
+SourcePointer openDicom(const OpenRequest& request, const ReadProgress& progress, bool* several);
 
 //! A folder of 3D volumes as the time points of one, in the order of their names, numbers by value. Null if
 //! it holds other files than volumes that are told by their ending (.nii .nii.gz .nrrd .nhdr .mha .mhd, with
@@ -119,7 +116,7 @@ SourcePointer openDicom(const OpenRequest& request, const ReadControl& control, 
 SourcePointer openVolumeFolder(const std::string& path);
 
 //! Finds the format by content and opens; `several` as for openDicom.
-SourcePointer openVolume(const OpenRequest& request, const ReadControl& control, bool* several);
+SourcePointer openVolume(const OpenRequest& request, const ReadProgress& progress, bool* several);
 
 // --- checks before memory is allocated ---
 

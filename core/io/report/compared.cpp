@@ -62,11 +62,11 @@ std::optional<double> volumeDifferencePercent(const ComparedPair& p) {
 }  // namespace
 
 LoadedVolume readLabels(const std::string& path, std::vector<Finding>& warnings) {
-  auto loaded = loadVolume(path);
-  for (const Finding& w : loaded->info.warnings)
+  LoadedVolume loaded = loadVolume(path);
+  for (const Finding& w : loaded.info.warnings)
     warnings.push_back({FindingKind::ofFile, {{"file", path}}, w});
-  if (!holdsWholeNumbers(loaded->volume)) refuseInput(path, FindingKind::notWholeNumbers);
-  return std::move(*loaded);
+  if (!holdsWholeNumbers(loaded.volume)) refuseInput(path, FindingKind::notWholeNumbers);
+  return loaded;
 }
 
 ComparedObject comparedMesh(const std::string& name, TriangleSoup mesh) {

@@ -8,10 +8,10 @@
 namespace handlebody {
 
 // What a child process decodes is no part of this target.
-SourcePointer openDicom(const OpenRequest& request, const ReadControl&, bool*) {
+SourcePointer openDicom(const OpenRequest& request, const ReadProgress&, bool*) {
   refuseInput(request.path, "not here");
 }
-SourcePointer openTiff(const OpenRequest& request, const ReadControl&) {
+SourcePointer openTiff(const OpenRequest& request, const ReadProgress&) {
   refuseInput(request.path, "not here");
 }
 
