@@ -160,7 +160,7 @@ void DecoderProcess::refuseHang() {
   refuseOn(FindingKind::decoderStuck, FindingKind::decoderStuckOn);
 }
 
-void DecoderProcess::waitForMessage(const ReadProgress& progress) {
+void DecoderProcess::waitForMessage() {
   constexpr double kSlowestDisk = 20e6;  // bytes per second
   const double patience = settings().patience + static_cast<double>(bytes_) / kSlowestDisk;
   const auto end = Clock::now() + std::chrono::duration<double>(patience);
@@ -180,7 +180,7 @@ void DecoderProcess::noteProgress(const Message& m, const ReadProgress& progress
 
 Message DecoderProcess::receive(const ReadProgress& progress, double from, double to) try {
   for (;;) {
-    waitForMessage(progress);
+    waitForMessage();
     const std::optional<Message> message = receiveMessage(socket_);
     if (!message) explainDeath();
     if (message->contains("input")) throwTold<InputError>(*message, "input");

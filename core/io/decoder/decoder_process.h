@@ -27,7 +27,7 @@ class DecoderProcess {
 
  private:
   void start(const std::string& program);
-  void waitForMessage(const ReadProgress& progress);
+  void waitForMessage();
   void noteProgress(const Message& message, const ReadProgress& progress, double from, double to);
   [[noreturn]] void explainDeath();
   [[noreturn]] void refuseHang();
