@@ -16,7 +16,7 @@
 #include <stdexcept>
 
 #include "core/errors.h"
-#include "core/io/decoder/address_space.h"
+#include "core/io/address_space.h"
 
 namespace handlebody::cli {
 

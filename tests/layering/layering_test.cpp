@@ -52,6 +52,22 @@ TEST_CASE("each part uses the parts under it and not the ones above or beside") 
   CHECK_FALSE(breaks("core/evolution/a.h", "\"core/volume/b.h\""));
 }
 
+TEST_CASE("the rooms of io use each other one way") {
+  const std::vector<std::string> line{"meshes", "formats", "dicom", "decoder"};
+  for (std::size_t upper = 1; upper < line.size(); ++upper)
+    for (std::size_t lower = 0; lower < upper; ++lower) {
+      INFO(line[upper] << " on " << line[lower]);
+      CHECK_FALSE(breaks("core/io/" + line[upper] + "/a.cpp", "\"core/io/" + line[lower] + "/b.h\""));
+      CHECK(breaks("core/io/" + line[lower] + "/b.cpp", "\"core/io/" + line[upper] + "/a.h\""));
+    }
+  CHECK(breaks("core/io/report/a.cpp", "\"core/io/decoder/b.h\""));
+  CHECK(breaks("core/io/picture/a.cpp", "\"core/io/report/b.h\""));
+  CHECK(breaks("core/io/atomic_file.cpp", "\"core/io/formats/b.h\""));
+  CHECK_FALSE(breaks("core/io/meshes/a.cpp", "\"core/io/atomic_file.h\""));
+  CHECK(breaks("core/measure/a.cpp", "\"core/io/formats/b.h\""));
+  CHECK_FALSE(breaks("ui/model/a.cpp", "\"core/io/formats/b.h\""));
+}
+
 TEST_CASE("the model does not know its views, nor the views the window") {
   CHECK(breaks("ui/model/a.h", "\"ui/view/b.h\""));
   CHECK(breaks("ui/model/a.cpp", "\"ui/window/b.h\""));

@@ -10,8 +10,8 @@
 #include <cstring>
 #include <filesystem>
 
-#include "core/io/decoder/decoded_source.h"
 #include "core/io/decoder/decoder_channel.h"
+#include "core/io/dicom/dicom_source.h"
 #include "core/io/meshes/mesh_files.h"
 #include "core/told_error.h"
 
@@ -35,7 +35,7 @@ class Teller {
 };
 
 //! Fills the parent's memory file; throws InputError if the machine has not so much.
-void fillMemory(DecodedSource& source, int frame, const std::string& path, const DicomProgress& tell) {
+void fillMemory(DecodedSource& source, int frame, const std::string& path, const DecodingProgress& tell) {
   const std::uint64_t bytes = source.header().bytesPerFrame();
   if (::ftruncate(kDecoderMemory, static_cast<off_t>(bytes)) != 0)
     refuseInput(path, FindingKind::notEnoughMemory);
@@ -46,7 +46,7 @@ void fillMemory(DecodedSource& source, int frame, const std::string& path, const
 
 void answer(const OpenRequest& request) {
   Teller teller;
-  const DicomProgress tell = std::ref(teller);
+  const DecodingProgress tell = std::ref(teller);
   bool several = false;
   const SourcePointer source =
       request.format == "TIFF" ? openTiffHere(request, tell) : openDicomHere(request, tell, &several);

@@ -17,7 +17,7 @@
 #include <filesystem>
 
 #include "core/cancellation.h"
-#include "core/io/decoder/address_space.h"
+#include "core/io/address_space.h"
 #include "core/told_error.h"
 
 extern char** environ;

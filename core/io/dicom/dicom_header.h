@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/io/dicom/dicom_origin.h"
 #include "core/io/dicom/dicom_structure.h"
+#include "core/io/formats/dicom_origin.h"
 #include "core/volume/volume.h"
 
 namespace handlebody {

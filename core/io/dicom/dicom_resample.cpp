@@ -72,7 +72,7 @@ void Resampler<T>::slice(int k, T* to) const {
 }  // namespace
 
 void resampleStack(const DicomStack& stack, Component type, const void* from, void* to,
-                   const DicomProgress& progress) {
+                   const DecodingProgress& progress) {
   const std::size_t voxels =
       static_cast<std::size_t>(stack.grid.size[0]) * static_cast<std::size_t>(stack.grid.size[1]);
   visitComponents(type, from, [&](const auto* in) {

@@ -9,6 +9,6 @@ namespace handlebody {
 //! `from`: the slices of one time point, one after another, of type `type`; `to`: the voxels of stack.grid.
 //! Bilinear within slices, linear between them; what no slice covers gets the smallest value of all.
 void resampleStack(const DicomStack& stack, Component type, const void* from, void* to,
-                   const DicomProgress& progress);
+                   const DecodingProgress& progress);
 
 }  // namespace handlebody

@@ -104,7 +104,7 @@ void addFile(const std::string& path, const std::string& file, const DicomStruct
 
 }  // namespace
 
-DicomScan scanDicom(const std::string& path, const DicomProgress& progress) {
+DicomScan scanDicom(const std::string& path, const DecodingProgress& progress) {
   const Quiet quiet;
   DicomScan scan;
   const std::vector<std::string> files = candidates(path, scan);

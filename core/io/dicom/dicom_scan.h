@@ -7,11 +7,9 @@
 #include <vector>
 
 #include "core/io/dicom/dicom_header.h"
+#include "core/io/formats/decoded_source.h"
 
 namespace handlebody {
-
-//! Called before each piece of work: the part done (0 … 1), the file that comes next, and its bytes.
-using DicomProgress = std::function<void(double part, const std::string& file, std::uint64_t bytes)>;
 
 struct DicomScan {
   std::deque<DicomFile> images{};            //!< by file name; addresses stay
@@ -23,6 +21,6 @@ struct DicomScan {
 
 //! Reads the headers. Throws InputError if there is no image, and for a truncated file whose series it does
 //! not show: it may be a slice of any.
-DicomScan scanDicom(const std::string& path, const DicomProgress& progress);
+DicomScan scanDicom(const std::string& path, const DecodingProgress& progress);
 
 }  // namespace handlebody

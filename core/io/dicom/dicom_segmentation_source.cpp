@@ -5,8 +5,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "core/io/decoder/decoded_source.h"
 #include "core/io/dicom/dicom_geometry.h"
+#include "core/io/dicom/dicom_source.h"
 #include "core/io/formats/volume_source.h"
 
 namespace handlebody {
@@ -15,7 +15,7 @@ namespace {
 class SegmentationSource : public DecodedSource {
  public:
   SegmentationSource(DicomFile file, std::string path);
-  void decode(int frame, void* to, const DicomProgress& progress) override;
+  void decode(int frame, void* to, const DecodingProgress& progress) override;
 
  protected:
   void readFrame(int frame, void* to, const ReadProgress&) override {
@@ -28,7 +28,7 @@ class SegmentationSource : public DecodedSource {
   void setGrid();
   void setSlices(double pitch);
   template <typename T>
-  bool draw(T* labels, const DicomProgress& progress) const;
+  bool draw(T* labels, const DecodingProgress& progress) const;
 
   DicomFile file_;
   std::string path_;
@@ -116,7 +116,7 @@ void SegmentationSource::setSlices(double pitch) {
 //! False if two segments hold one voxel. A frame begins at the bit behind the last one's, the first bit of a
 //! byte is its lowest.
 template <typename T>
-bool SegmentationSource::draw(T* labels, const DicomProgress& progress) const {
+bool SegmentationSource::draw(T* labels, const DecodingProgress& progress) const {
   std::ifstream stream(file_.file, std::ios::binary);
   const std::uint64_t perFrame = file_.pixelsPerFrame();
   std::vector<unsigned char> bytes(perFrame / 8 + 2);
@@ -138,7 +138,7 @@ bool SegmentationSource::draw(T* labels, const DicomProgress& progress) const {
   return apart;
 }
 
-void SegmentationSource::decode(int, void* to, const DicomProgress& progress) {
+void SegmentationSource::decode(int, void* to, const DecodingProgress& progress) {
   std::fill_n(static_cast<char*>(to), header_.bytesPerFrame(), char{0});
   const bool apart = header_.component == Component::uint16 ? draw(static_cast<std::uint16_t*>(to), progress)
                                                             : draw(static_cast<std::uint8_t*>(to), progress);

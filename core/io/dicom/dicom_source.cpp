@@ -4,12 +4,12 @@
 #include <filesystem>
 
 #include "core/errors.h"
-#include "core/io/decoder/decoded_source.h"
 #include "core/io/dicom/dicom_echo.h"
 #include "core/io/dicom/dicom_geometry.h"
 #include "core/io/dicom/dicom_pixels.h"
 #include "core/io/dicom/dicom_resample.h"
 #include "core/io/dicom/dicom_series.h"
+#include "core/io/dicom/dicom_source.h"
 #include "core/io/formats/itk_guard.h"
 #include "core/told_error.h"
 
@@ -66,7 +66,7 @@ class StackSource : public DecodedSource {
  public:
   StackSource(std::string path, DicomSeries series, std::shared_ptr<const DicomScan> scan,
               const VolumeSelection& selection);
-  void decode(int frame, void* to, const DicomProgress& progress) override;
+  void decode(int frame, void* to, const DecodingProgress& progress) override;
 
  protected:
   void readFrame(int frame, void* to, const ReadProgress&) override {
@@ -166,7 +166,7 @@ void StackSource::readSlice(const DicomSlice& slice, char* to) {
     refuseInput(path_, {FindingKind::sliceValueTooLarge, {{"slice", slice.file->file}}});
 }
 
-void StackSource::decode(int frame, void* to, const DicomProgress& progress) {
+void StackSource::decode(int frame, void* to, const DecodingProgress& progress) {
   const Quiet quiet;
   const std::size_t count = stack_.slicesPerFrame();
   const std::uint64_t bytes = stack_.slices.front().file->pixelsPerFrame() * bytesOf(header_.component);
@@ -191,7 +191,7 @@ class SeriesList : public DecodedSource {
     header_.format = "DICOM";
     header_.series = std::move(series);
   }
-  void decode(int, void*, const DicomProgress&) override {}
+  void decode(int, void*, const DecodingProgress&) override {}
 
  protected:
   void readFrame(int, void*, const ReadProgress&) override {}
@@ -231,7 +231,7 @@ void addLeftOut(const DicomScan& scan, VolumeHeader& header) {
 //! The series that the folder was looked through for, and what opens them.
 class Chooser {
  public:
-  Chooser(const OpenRequest& request, const DicomProgress& progress)
+  Chooser(const OpenRequest& request, const DecodingProgress& progress)
       : request_(request),
         scan_(std::make_shared<DicomScan>(scanDicom(request.path, progress))),
         series_(seriesOf(*scan_)) {}
@@ -351,7 +351,7 @@ SourcePointer Chooser::open(bool* several) const {
 
 }  // namespace
 
-SourcePointer openDicomHere(const OpenRequest& request, const DicomProgress& progress, bool* several) {
+SourcePointer openDicomHere(const OpenRequest& request, const DecodingProgress& progress, bool* several) {
   return Chooser(request, progress).open(several);
 }
 

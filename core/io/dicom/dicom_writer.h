@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/io/dicom/dicom_origin.h"
+#include "core/io/formats/dicom_origin.h"
 #include "core/io/meshes/exported_object.h"
 #include "core/volume/volume.h"
 

@@ -59,14 +59,6 @@ std::shared_ptr<void> allocate(std::uint64_t bytes, const std::string& path) {
   }
 }
 
-void refuseInput(const std::string& path, const Finding& cause) {
-  throw Told<InputError>(Finding(FindingKind::fileRefused, {{"file", path}}, cause));
-}
-
-void refuseInput(const std::string& path, const std::string& cause) {
-  refuseInput(path, {FindingKind::other, {{"text", cause}}});
-}
-
 bool isLaterFrame(const std::string& field) {
   const std::string prefix = "Seq_Frame";
   return field.rfind(prefix, 0) == 0 && std::atoi(field.c_str() + prefix.size()) > 0;

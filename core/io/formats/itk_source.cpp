@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "core/errors.h"
-#include "core/io/decoder/decoded_source.h"
+#include "core/io/formats/decoded_source.h"
 
 namespace handlebody {
 namespace {
@@ -62,7 +62,7 @@ class ItkSource : public DecodedSource {
       : io_(std::move(io)), path_(std::move(path)) {
     header_ = readItkHeader(*io_, path_, format);
   }
-  void decode(int frame, void* to, const DicomProgress& progress) override {
+  void decode(int frame, void* to, const DecodingProgress& progress) override {
     const Quiet quiet;
     progress(0, path_, header_.bytesPerFrame() * static_cast<std::uint64_t>(header_.frames));
     const std::size_t bytes = static_cast<std::size_t>(header_.bytesPerFrame());
@@ -183,7 +183,7 @@ VolumeHeader readItkHeader(itk::ImageIOBase& io, const std::string& path, const 
   return header;
 }
 
-SourcePointer openTiffHere(const OpenRequest& request, const DicomProgress& progress) {
+SourcePointer openTiffHere(const OpenRequest& request, const DecodingProgress& progress) {
   const std::string& path = request.path;
   std::error_code ignored;
   progress(0, path, std::filesystem::file_size(path, ignored));

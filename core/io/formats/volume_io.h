@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/io/dicom/dicom_origin.h"
+#include "core/io/formats/dicom_origin.h"
 #include "core/told_error.h"
 #include "core/volume/volume.h"
 

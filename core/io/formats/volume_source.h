@@ -9,6 +9,7 @@
 
 #include "core/io/formats/time_axis.h"
 #include "core/io/formats/volume_io.h"
+#include "core/io/refuse_input.h"
 
 namespace handlebody {
 
@@ -131,10 +132,6 @@ void swapBytes(void* values, std::size_t count, std::size_t size);
 //! True for a header field of the second or a later frame of a tracked sequence ("Seq_Frame0001_…"), as Plus
 //! and 3D Slicer write them. (Volumes reconstructed by them may carry the fields of one frame, 0.)
 bool isLaterFrame(const std::string& field);
-//! "path: cause.", with the finding.
-[[noreturn]] void refuseInput(const std::string& path, const Finding& cause);
-//! The same for a cause that has no kind yet.
-[[noreturn]] void refuseInput(const std::string& path, const std::string& cause);
 
 //! Libraries below write to std::cerr, std::cout and their own channels; errors reach us as exceptions. Quiet
 //! while one of these lives. Not for several threads at once.

@@ -18,8 +18,8 @@
 #include <fstream>
 #include <unordered_map>
 
-#include "core/io/formats/volume_source.h"
 #include "core/io/meshes/mesh_files.h"
+#include "core/io/refuse_input.h"
 
 namespace handlebody {
 namespace {

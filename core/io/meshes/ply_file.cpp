@@ -12,8 +12,8 @@
 #include <sstream>
 #include <vector>
 
-#include "core/io/formats/volume_source.h"
 #include "core/io/meshes/mesh_files.h"
+#include "core/io/refuse_input.h"
 
 namespace handlebody {
 namespace {

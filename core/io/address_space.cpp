@@ -1,4 +1,4 @@
-#include "core/io/decoder/address_space.h"
+#include "core/io/address_space.h"
 
 #include <unistd.h>
 
