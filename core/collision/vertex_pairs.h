@@ -21,12 +21,13 @@ class VertexPairs {
   }
 
   //! Calls f(u, v, squared distance) once for each pair of vertices not farther apart than `radius`, in
-  //! either order.
+  //! either order. All shares together give all pairs, and may be asked for at the same time; with hashing
+  //! the first has all.
   template <typename F>
-  void forEachPair(F&& f) {
+  void forEachPair(F&& f, Share share = {}) {
     if (phase_ == BroadPhase::sorted)
-      sorted_.forEachPair(std::forward<F>(f));
-    else
+      sorted_.forEachPair(std::forward<F>(f), share);
+    else if (share.part == 0)
       hash_.forEachPair(std::forward<F>(f));
   }
 
