@@ -338,3 +338,86 @@ TEST_CASE("nor of a frame over time that cannot be read") {
   REQUIRE(segment("hidden", "--anonymous") == 7);
   CHECK(found(folder / "hidden", values) == std::set<std::string>{});
 }
+
+namespace {
+
+//! A folder with a series, a file that is no volume, and a study of both and of a file that is not there.
+struct NamedStudy {
+  TemporaryFolder folder;
+  std::set<std::string> values;
+
+  explicit NamedStudy(const std::string& anonymous) {
+    writeSeries(folder / kJane.folder, bright());
+    writeBytes((folder / kJane.folder) + "/not_dicom_doe.txt", "a note");
+    writeBytes(folder / "DOE_JANE_broken.nii", "no volume");
+    values = telling(folder / kJane.folder);
+    values.insert({"DOE_JANE_broken", "DOE_JANE_gone", folder.path()});
+    const std::string output = ",mesh.stl;mesh.gltf;labels.seg.nrrd;labels.seg.dcm,", end = anonymous + "\n";
+    writeBytes(folder / "study.csv", "case,volume,seed-ijk,series,output,anonymous\na," + kJane.folder +
+                                         ",\"19,19,11\"," + kJane.series + output + end +
+                                         "b,DOE_JANE_broken.nii,\"1,1,1\",,," + end +
+                                         "c,DOE_JANE_gone.nii,\"1,1,1\",,," + end);
+  }
+  //! Exit code of a batch over it.
+  int run() const {
+    return execute("batch " + quoted(folder / "study.csv") + " -o " + quoted(folder / "out"));
+  }
+  nlohmann::json row(std::size_t i) const {
+    return nlohmann::json::parse(readBytes(folder / "out/summary.json")).at("cases").at(i);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("nor in results, records, summary, page and logs of the cases of a batch that are anonymous") {
+  const NamedStudy open("no"), hidden("yes");
+  REQUIRE(open.run() == 7);
+  const std::set<std::string> told = found(open.folder / "out", open.values);
+  for (const char* value : {"Doe^Jane", "DOE_JANE_broken", "DOE_JANE_gone", "not_dicom_doe.txt"})
+    CHECK(told.count(value) == 1);
+  CHECK(told.count(kJane.series) == 1);
+
+  REQUIRE(hidden.run() == 7);
+  CHECK(hidden.row(0).at("status") == "done");
+  CHECK(hidden.row(1).at("status") == "failed");
+  CHECK(hidden.row(2).at("status") == "refused");
+  CHECK(found(hidden.folder / "out", hidden.values) == std::set<std::string>{});
+  CHECK(readBytes(hidden.folder / "out/cases/a/mesh.stl") == readBytes(open.folder / "out/cases/a/mesh.stl"));
+}
+
+TEST_CASE(
+    "why an anonymous case of a batch has no result is told on standard error, and where in the summary") {
+  const NamedStudy study("yes");
+  const std::string said = study.folder / "said.txt";
+  const int status =
+      std::system((std::string(HANDLEBODY_CLI) + " batch " + quoted(study.folder / "study.csv") + " -o " +
+                   quoted(study.folder / "out") + " > /dev/null 2> " + quoted(said))
+                      .c_str());
+  CHECK(WEXITSTATUS(status) == 7);
+  CHECK_THAT(readBytes(said), Contains("DOE_JANE_broken.nii") && Contains("DOE_JANE_gone.nii"));
+  CHECK_THAT(study.row(1).at("message").get<std::string>(), Contains("exit code 3"));
+  CHECK_THAT(study.row(2).at("message").get<std::string>(), Contains("line 4, column 2 (volume)"));
+}
+
+TEST_CASE("an anonymous case of a batch that is done is kept, and done again for another series") {
+  const NamedStudy study("yes");
+  REQUIRE(study.run() == 7);
+  const auto written = fs::last_write_time(study.folder / "out/cases/a/case.json");
+  REQUIRE(study.run() == 7);
+  CHECK(fs::last_write_time(study.folder / "out/cases/a/case.json") == written);
+  std::string csv = readBytes(study.folder / "study.csv");
+  csv.replace(csv.find(kJane.series), kJane.series.size(), "1.2.3");
+  writeBytes(study.folder / "study.csv", csv);
+  REQUIRE(study.run() == 7);
+  CHECK(study.row(0).at("status") == "failed");  // there is none
+}
+
+TEST_CASE("an anonymous case of a batch without a name has that of its line, not that of its volume") {
+  const NamedStudy study("yes");
+  writeBytes(study.folder / "study.csv",
+             "volume,seed-ijk,anonymous\n" + kJane.folder + ",\"19,19,11\",yes\n");
+  REQUIRE(study.run() == 0);
+  CHECK(study.row(0).at("case") == "line-2");
+  CHECK(fs::exists(study.folder / "out/cases/line-2/mesh.stl"));
+  CHECK(found(study.folder / "out", study.values) == std::set<std::string>{});
+}
