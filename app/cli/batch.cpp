@@ -59,7 +59,10 @@ class Batch {
         folder_(options.folder, use) {
     summary_.study = std::filesystem::path(options.study).filename().string();
     summary_.version = HANDLEBODY_VERSION;
-    for (const StudyCase& c : cases_) summary_.rows.push_back(rowOf(c));
+    for (const StudyCase& c : cases_) {
+      summary_.rows.push_back(rowOf(c));
+      reasons_.push_back(c.fault);
+    }
   }
 
   int run() {
@@ -85,7 +88,7 @@ class Batch {
     const std::size_t i = static_cast<std::size_t>(number) - 1;
     SummaryRow& row = summary_.rows[i];
     if (row.status == CaseStatus::refused) {
-      say(row);
+      say(i);
       return kIncomplete;
     }
     const auto hold = folder_.hold(cases_[i]);
@@ -99,7 +102,7 @@ class Batch {
     if (!jobs_.empty()) {
       jobs_.clear();
       fail(i, "it was stopped from outside before it was done.");
-      say(row);
+      say(i);
     }
     return row.status == CaseStatus::done ? kDone : kIncomplete;
   }
@@ -137,14 +140,14 @@ class Batch {
     row.line = c.line;
     row.name = c.name;
     row.volume = c.volume;
-    row.message = c.fault.empty() ? "It has not been run yet." : c.fault;
+    row.message = c.fault.empty() ? "It has not been run yet." : c.toldFault;
     row.status = c.fault.empty() ? CaseStatus::notRun : CaseStatus::refused;
     return row;
   }
 
   void sayRefused() const {
-    for (const SummaryRow& row : summary_.rows)
-      if (row.status == CaseStatus::refused) say(row);
+    for (std::size_t i = 0; i < cases_.size(); ++i)
+      if (summary_.rows[i].status == CaseStatus::refused) say(i);
   }
 
   //! Hashes the volumes of what was done before, on as many threads as there will be jobs.
@@ -166,7 +169,8 @@ class Batch {
     row.thumbnail = readFile(folder_.absolute(folder) + "/thumbnail.png");
     row.folder = folder;
     row.files = BatchFolder::resultsOf(cases_[i], folder_.absolute(folder));
-    row.files.insert(row.files.end(), {"report.json", "session.json", "log.txt"});
+    row.files.insert(row.files.end(), {"report.json", "session.json"});
+    if (!cases_[i].isAnonymous) row.files.emplace_back("log.txt");
     row.message.clear();
     row.log.clear();
     row.status = CaseStatus::done;
@@ -187,7 +191,7 @@ class Batch {
     jobs_.push_back({i, start(cases_[i])});
   } catch (const std::exception& error) {
     fail(i, error.what());
-    say(summary_.rows[i]);
+    say(i);
   }
 
   std::unique_ptr<CaseProcess> start(const StudyCase& c) const {
@@ -227,8 +231,9 @@ class Batch {
     if (isIncomplete || end.exitCode == kDone || end.exitCode == kMaxIterations || end.exitCode == kLeak)
       finish(i, end);
     else
-      fail(i, failureSentence(end, cases_[i].limits, folder_.logOfWork(cases_[i])));
-    say(summary_.rows[i]);
+      fail(i, failureSentence(end, cases_[i].limits, folder_.logOfWork(cases_[i])),
+           anonymousFailureSentence(end, cases_[i].limits));
+    say(i);
   }
 
   //! A full disk, say, is the failure of the case: others may have room.
@@ -239,18 +244,21 @@ class Batch {
     fail(i, error.what());
   }
 
-  void fail(std::size_t i, const std::string& why) {
-    folder_.fail(cases_[i], why);
-    tellFailure(i, why);
+  //! `anonymous`: what is written in its place of an anonymous case; empty: the reason names no source.
+  void fail(std::size_t i, const std::string& why, const std::string& anonymous = {}) {
+    const bool isHidden = cases_[i].isAnonymous && !anonymous.empty();
+    folder_.fail(cases_[i], isHidden ? anonymous : why);
+    tellFailure(i, isHidden ? anonymous : why);
+    reasons_[i] = why;
   }
 
   void tellFailure(std::size_t i, const std::string& why) {
     SummaryRow& row = summary_.rows[i];
     row.status = CaseStatus::failed;
-    row.message = why;
+    row.message = reasons_[i] = why;
     if (folder_.hasResults(cases_[i]))
       row.message += " (Its folder holds the result of an earlier run, of other inputs or options.)";
-    row.log = BatchFolder::logOf(cases_[i]);
+    row.log = cases_[i].isAnonymous ? "" : BatchFolder::logOf(cases_[i]);
   }
 
   void tellUnfinished(std::size_t i) {
@@ -275,11 +283,13 @@ class Batch {
     jobs_.clear();
   }
 
-  void say(const SummaryRow& row) const {
+  void say(std::size_t i) const {
+    const SummaryRow& row = summary_.rows[i];
     const bool isGood = row.status == CaseStatus::done;
     if (isGood && options_.quiet) return;
+    const std::string& why = cases_[i].isAnonymous ? reasons_[i] : row.message;
     std::fprintf(stderr, "%s: %s%s%s\n", row.name.c_str(), statusName(row.status), isGood ? "" : ": ",
-                 isGood ? "" : row.message.c_str());
+                 isGood ? "" : why.c_str());
   }
 
   //! After every case.
@@ -308,6 +318,7 @@ class Batch {
   std::vector<StudyCase> cases_;
   BatchFolder folder_;
   Summary summary_;
+  std::vector<std::string> reasons_;  // why there is no result, as whoever runs the batch is told
   std::list<Job> jobs_;
   std::size_t next_ = 0;
   int kept_ = 0;

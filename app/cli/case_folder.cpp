@@ -57,9 +57,20 @@ Json readJson(const std::string& path) {
   return Json::parse(file, nullptr, false);
 }
 
+//! The UID of a series leads to its patient: an anonymous case keeps its hash, which tells another series
+//! apart as well.
+std::vector<std::string> writtenOptions(const StudyCase& c) {
+  std::vector<std::string> options = c.options;
+  const std::string series = "--series=";
+  for (std::string& option : options)
+    if (c.isAnonymous && option.rfind(series, 0) == 0)
+      option = series + "sha256:" + sha256OfText(option.substr(series.size()));
+  return options;
+}
+
 //! What decides on the result, but for the voxels themselves.
 Json requestOf(const StudyCase& c) {
-  return {{"version", HANDLEBODY_VERSION}, {"options", c.options}, {"outputs", c.outputs}};
+  return {{"version", HANDLEBODY_VERSION}, {"options", writtenOptions(c)}, {"outputs", c.outputs}};
 }
 
 Json hashesOf(const StudyCase& c) {
@@ -222,10 +233,11 @@ void BatchFolder::finish(const StudyCase& c, const CaseEnd& end) const {
   const std::string folder = temporary(c), target = absolute(folderOf(c));
   writeTextAtomically(folder + "/thumbnail.png", thumbnailOf(folder + "/picture.png"));
   writeRecord(c, end, folder);
+  std::error_code ignored;
+  if (c.isAnonymous) fs::remove(logOfWork(c), ignored);  // warnings name files
   flushFolder(folder);
   putInPlace(folder, target);
   flushFolder(absolute("cases"));
-  std::error_code ignored;
   fs::remove_all(folder, ignored);  // what was there before
   fs::remove(absolute(logOf(c)), ignored);
   fs::remove(absolute(failureRecordOf(c)), ignored);
@@ -233,7 +245,10 @@ void BatchFolder::finish(const StudyCase& c, const CaseEnd& end) const {
 
 void BatchFolder::fail(const StudyCase& c, const std::string& why) const {
   std::error_code ignored;
-  fs::rename(logOfWork(c), absolute(logOf(c)), ignored);
+  if (c.isAnonymous)
+    fs::remove(absolute(logOf(c)), ignored);  // of a run that was not
+  else
+    fs::rename(logOfWork(c), absolute(logOf(c)), ignored);
   abandon(c);
   const Json record = {{"case", c.name}, {"volume", c.volume}, {"request", requestOf(c)}, {"message", why}};
   try {

@@ -61,7 +61,8 @@ class BatchFolder {
   //! Makes results of that folder, in one step, in place of what was there. Throws OutputError, InputError if
   //! something is missing in it.
   void finish(const StudyCase& c, const CaseEnd& end) const;
-  //! Keeps its log as that of a failure with the sentence why, and takes the rest away. Never throws.
+  //! Keeps its log (unless it is anonymous) as that of a failure with the sentence why, and takes the rest
+  //! away. Never throws.
   void fail(const StudyCase& c, const std::string& why) const;
   //! The sentence of the last failure of this request; empty if there is none.
   std::string failureOf(const StudyCase& c) const;

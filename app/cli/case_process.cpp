@@ -76,6 +76,18 @@ std::string lastError(const std::string& log) {
 
 std::string megabytes(std::uint64_t bytes) { return std::to_string(bytes >> 20U) + " MB"; }
 
+//! What ended it; empty if it ended by itself.
+std::string stopSentence(const CaseEnd& end, const CaseLimits& limits) {
+  if (end.isTimedOut) {
+    std::ostringstream text;
+    text << "it was stopped at its time limit of " << std::setprecision(4) << limits.seconds << " s.";
+    return text.str();
+  }
+  if (end.signal == SIGKILL) return "it was killed from outside, or by the system for want of memory.";
+  if (end.signal != 0) return std::string("it broke down (signal: ") + strsignal(end.signal) + ").";
+  return {};
+}
+
 }  // namespace
 
 CaseProcess::CaseProcess(const std::vector<std::string>& arguments, const std::string& log,
@@ -144,13 +156,7 @@ void CaseProcess::note() {
 }
 
 std::string failureSentence(const CaseEnd& end, const CaseLimits& limits, const std::string& log) {
-  std::ostringstream text;
-  if (end.isTimedOut) {
-    text << "it was stopped at its time limit of " << std::setprecision(4) << limits.seconds << " s.";
-    return text.str();
-  }
-  if (end.signal == SIGKILL) return "it was killed from outside, or by the system for want of memory.";
-  if (end.signal != 0) return std::string("it broke down (signal: ") + strsignal(end.signal) + ").";
+  if (std::string stopped = stopSentence(end, limits); !stopped.empty()) return stopped;
   const std::string error = lastError(log);
   if (error.empty())
     return "it ended with exit code " + std::to_string(end.exitCode) + " and without a word.";
@@ -158,6 +164,12 @@ std::string failureSentence(const CaseEnd& end, const CaseLimits& limits, const 
   const bool isHungry = error.find("not enough memory") != std::string::npos || end.exitCode == kNotStarted;
   return error +
          (isHungry && limits.bytes > 0 ? " (Its memory limit is " + megabytes(limits.bytes) + ".)" : "");
+}
+
+std::string anonymousFailureSentence(const CaseEnd& end, const CaseLimits& limits) {
+  if (std::string stopped = stopSentence(end, limits); !stopped.empty()) return stopped;
+  return "it ended with exit code " + std::to_string(end.exitCode) +
+         "; why is told on standard error alone, as the case is anonymous.";
 }
 
 }  // namespace handlebody::cli

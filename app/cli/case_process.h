@@ -46,5 +46,7 @@ class CaseProcess {
 
 //! The sentence for one that failed: the last error of its log, or what stopped it.
 std::string failureSentence(const CaseEnd& end, const CaseLimits& limits, const std::string& log);
+//! The same without what the case said, which may name its volume: for what is written of an anonymous one.
+std::string anonymousFailureSentence(const CaseEnd& end, const CaseLimits& limits);
 
 }  // namespace handlebody::cli

@@ -158,13 +158,16 @@ std::string stem(const std::string& volume) {
   return name.stem().string();
 }
 
+bool isNo(const std::string& text) { return text == "0" || text == "no" || text == "false"; }
+
 bool parseFlag(const std::string& text) {
   for (const char* yes : {"1", "yes", "true"})
     if (text == yes) return true;
-  for (const char* no : {"0", "no", "false"})
-    if (text == no) return false;
+  if (isNo(text)) return false;
   throw UsageError("'" + text + "' is not yes or no");
 }
+
+constexpr const char* kAnonymous = "anonymous";  // the column
 
 //! One row on its way to a case.
 class RowReader {
@@ -177,6 +180,7 @@ class RowReader {
   StudyCase read(const CsvRow& row) {
     case_.line = row.line;
     try {
+      hideFirst(row);
       nameFirst(row);
       requireCells(row);
       for (at_ = 0; at_ < columns_.size(); ++at_)
@@ -187,10 +191,21 @@ class RowReader {
     } catch (const CellFault& fault) {
       refuse(row, fault.column, fault.message);
     }
+    if (case_.isAnonymous) case_.volume.clear();
     return case_;
   }
 
  private:
+  //! Whatever is wrong with the rest, and where the cell is not understood, too.
+  void hideFirst(const CsvRow& row) {
+    for (std::size_t i = 0; i < std::min(row.cells.size(), columns_.size()); ++i) {
+      const CsvCell& cell = row.cells[i];
+      if (columns_[i].header == kAnonymous &&
+          (!cell.fault.empty() || (!cell.text.empty() && !isNo(cell.text))))
+        case_.isAnonymous = true;
+    }
+  }
+
   //! Whatever is wrong with the rest: the summary names the case and its volume.
   void nameFirst(const CsvRow& row) {
     for (std::size_t i = 0; i < std::min(row.cells.size(), columns_.size()); ++i) {
@@ -199,7 +214,8 @@ class RowReader {
         case_.volume = row.cells[i].text;
     }
     const auto isName = [](const Column& c) { return c.kind == ColumnKind::name; };
-    if (std::none_of(columns_.begin(), columns_.end(), isName)) case_.name = stem(case_.volume);
+    if (std::any_of(columns_.begin(), columns_.end(), isName)) return;
+    case_.name = case_.isAnonymous ? "line-" + std::to_string(row.line) : stem(case_.volume);
   }
 
   void requireCells(const CsvRow& row) const {
@@ -309,6 +325,10 @@ class RowReader {
     const std::string named = column < columns_.size() ? columns_[column].header + ": " : "";
     const std::string rest = !named.empty() && why.rfind(named, 0) == 0 ? why.substr(named.size()) : why;
     case_.fault = text + ": " + shortened(rest, kLongestSaid) + (why.back() == '.' ? "" : ".");
+    const bool isHarmless = column < columns_.size() && columns_[column].header == kAnonymous;
+    case_.toldFault = case_.isAnonymous && !isHarmless
+                          ? text + ": why is told on standard error alone, as the case is anonymous."
+                          : case_.fault;
   }
 
   const std::vector<Column>& columns_;
@@ -323,8 +343,8 @@ void refuseNamesakes(std::vector<StudyCase>& cases) {
   for (StudyCase& c : cases) {
     const auto [first, isNew] = lines.emplace(c.name, c.line);
     if (!isNew && c.fault.empty())
-      c.fault = "line " + std::to_string(c.line) + ": '" + c.name + "' is the name of the case of line " +
-                std::to_string(first->second) + ", too.";
+      c.fault = c.toldFault = "line " + std::to_string(c.line) + ": '" + c.name +
+                              "' is the name of the case of line " + std::to_string(first->second) + ", too.";
   }
 }
 

@@ -25,7 +25,8 @@ std::string argumentOf(const StudyInput& input);
 struct StudyCase {
   int line = 0;                      //!< of the CSV file
   std::string name;                  //!< of its folder
-  std::string volume;                //!< as the file says it
+  bool isAnonymous = false;          //!< no file that is written may name its source
+  std::string volume;                //!< as the file says it; empty if anonymous
   std::string volumePath;            //!< absolute
   std::vector<StudyInput> inputs;    //!< further files, in the order of the columns
   std::vector<std::string> options;  //!< of `segment`, --NAME=VALUE, without inputs and outputs
@@ -33,6 +34,7 @@ struct StudyCase {
   CaseLimits limits;
   bool isOverTime() const;  //!< a surface is carried through the frames of a 4D volume
   std::string fault;        //!< a sentence with line and column why it cannot run; empty: it can
+  std::string toldFault;    //!< the same for what is written: without the value if anonymous
 };
 
 //! The names of the columns, for messages and help.

@@ -447,7 +447,7 @@ TEST_CASE("a term names, colours and codes the object in what is written of it, 
   REQUIRE(again.exitCode == 0);
   const std::string second = readBytes(run.folder / "b.seg.nrrd").substr(0, 3000);
   CHECK_THAT(second, Contains("Segment0_Name:=My liver\n"));
-  CHECK_THAT(second, Contains("Segment0_Color:=0.003922 0.007843 0.011765\n"));
+  CHECK_THAT(second, Contains("Segment0_Color:=0.00392157 0.00784314 0.0117647\n"));
   CHECK_THAT(second, Contains("SCT^10200004^Liver"));
   CHECK_THAT(second, Contains("Segment0_LabelValue:=5\n"));
 }

@@ -1,11 +1,14 @@
 // --anonymous: nothing that names the patient is in any file.
 
+#include <sys/wait.h>
 #include <zlib.h>
 
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "core/io/meshes/mesh_io.h"
+#include "core/io/tetrahedra/tetrahedra.h"
 #include "core/mesh/shapes.h"
 #include "tests/io/dicom_test_support.h"
 
@@ -14,52 +17,100 @@ using namespace handlebody::test;
 
 namespace {
 
-//! Every value of the source that names the patient, the study or the images, as it stands in the files.
-const MoreElements kPatient{{0x00080020, {"DA", "19991231"}},   {0x00080030, {"TM", "235958"}},
-                            {0x00080050, {"SH", "ACC4711"}},    {0x00080080, {"LO", "Hospital X"}},
-                            {0x00080090, {"PN", "House^Greg"}}, {0x00081030, {"LO", "Knee study"}},
-                            {0x00100010, {"PN", "Doe^Jane"}},   {0x00100020, {"LO", "PID0815"}},
-                            {0x00100030, {"DA", "19700203"}},   {0x00101010, {"AS", "029Y"}},
-                            {0x00102297, {"PN", "Doe^Mother"}}, {0x00200010, {"SH", "STUDY99"}}};
-const std::string kSeries = "1.2.3.4711.99.1", kFolder = "DOE_JANE_19700203";
+//! Whose images they are: every value of the source that names the patient, the study or the images, as it
+//! stands in the files, and the series and the folder that holds it.
+struct Patient {
+  MoreElements values;
+  std::string series, folder;
+};
+const Patient kJane{{{0x00080020, {"DA", "19991231"}},
+                     {0x00080030, {"TM", "235958"}},
+                     {0x00080050, {"SH", "ACC4711"}},
+                     {0x00080080, {"LO", "Hospital X"}},
+                     {0x00080090, {"PN", "House^Greg"}},
+                     {0x00081030, {"LO", "Knee study"}},
+                     {0x00100010, {"PN", "Doe^Jane"}},
+                     {0x00100020, {"LO", "PID0815"}},
+                     {0x00100030, {"DA", "19700203"}},
+                     {0x00101010, {"AS", "029Y"}},
+                     {0x00102297, {"PN", "Doe^Mother"}},
+                     {0x00200010, {"SH", "STUDY99"}}},
+                    "1.2.3.4711.99.1",
+                    "DOE_JANE_19700203"};
+const Patient kJohn{{{0x00080020, {"DA", "20010101"}},
+                     {0x00080090, {"PN", "Wilson^James"}},
+                     {0x00081030, {"LO", "Head"}},
+                     {0x00100010, {"PN", "Roe^John^Q"}},
+                     {0x00100020, {"LO", "42"}},
+                     {0x00101010, {"AS", "060Y"}}},
+                    "1.2.3.815.7",
+                    "roe"};
+const std::string kDescription = "made by hand";  // of the series, by dicomBytes
 
-std::vector<Slice> bright() {
+//! A bright ball, with a radius in voxels.
+std::vector<Slice> bright(const Patient& patient = kJane, double radius = 9) {
   std::vector<Slice> slices = evenStack(24);
   for (std::size_t k = 0; k < slices.size(); ++k) {
     Slice& s = slices[k];
-    s.series = kSeries;
+    s.series = patient.series;
     s.columns = s.rows = 40;
     s.spacing = "2.5\\2.5";
-    s.more = kPatient;
+    s.more = patient.values;
     s.number = static_cast<int>(k) + 1;
-    s.pixel = [k](int x, int y) {
+    s.pixel = [k, radius](int x, int y) {
       const double dx = x - 19.5, dy = y - 19.5, dz = static_cast<double>(k) - 11.5;
-      return dx * dx + dy * dy + dz * dz < 81 ? 500 : 100;
+      return dx * dx + dy * dy + dz * dz < radius * radius ? 500 : 100;
     };
   }
   return slices;
 }
 
-const std::vector<std::string> kOutputs{"a.stl", "a.vtp",      "a.ply",     "a.obj",
-                                        "a.3mf", "a.nii",      "a.nii.gz",  "a.nrrd",
-                                        "a.mha", "a.seg.nrrd", "a.seg.dcm", "a.stl.dcm"};
+//! The same in three frames, in which it gets smaller.
+std::vector<Slice> brightOverTime() {
+  std::vector<Slice> slices;
+  for (int t = 0; t < 3; ++t)
+    for (Slice& s : bright(kJane, 9 - 0.5 * t)) {
+      s.temporalPosition = 1 + t;
+      s.number = static_cast<int>(slices.size()) + 1;
+      slices.push_back(std::move(s));
+    }
+  return slices;
+}
 
-//! Segments the series into `to`; every kind of file. Returns the exit code.
-int run(const TemporaryFolder& folder, const std::string& to, const std::string& more) {
+const std::vector<std::string> kOutputs{"a.stl",      "a.vtp",     "a.ply",    "a.obj",  "a.3mf",
+                                        "a.gltf",     "a.nii",     "a.nii.gz", "a.nrrd", "a.mha",
+                                        "a.seg.nrrd", "a.seg.dcm", "a.stl.dcm"};
+
+//! Its exit code; what it says does not matter.
+int execute(const std::string& arguments) {
+  const int status = std::system((HANDLEBODY_CLI + (" " + arguments) + " > /dev/null 2> /dev/null").c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+std::string quoted(const std::string& path) { return "'" + path + "'"; }
+
+//! The files beside the results, as options.
+std::string sideFiles(const std::string& to) {
+  return " --report " + quoted(to + "/r.json") + " --session " + quoted(to + "/s.json") + " --trace " +
+         quoted(to + "/t.json") + " --picture " + quoted(to + "/p.png");
+}
+
+//! Segments the series into `to`; every kind of file that needs no other program. Returns the exit code.
+int run(const TemporaryFolder& folder, const std::string& to, const std::string& more,
+        const Patient& patient = kJane) {
   fs::create_directories(folder / to);
-  const auto in = [&](const std::string& name) { return "'" + (folder / to) + "/" + name + "'"; };
-  std::string command = std::string(HANDLEBODY_CLI) + " segment '" + (folder / kFolder) + "' --series " +
-                        kSeries + " --seed-ijk 19,19,11 --quiet " + more;
-  for (const std::string& name : kOutputs) command += " -o " + in(name);
-  command += " --report " + in("r.json") + " --session " + in("s.json") + " --trace " + in("t.json") +
-             " --picture " + in("p.png") + " --label-description " + in("l.txt") + " 2> /dev/null";
-  return std::system(command.c_str());
+  std::string command = "segment " + quoted(folder / patient.folder) + " --series " + patient.series +
+                        " --seed-ijk 19,19,11 --quiet " + more;
+  for (const std::string& name : kOutputs) command += " -o " + quoted((folder / to) + "/" + name);
+  return execute(command + sideFiles(folder / to) + " --label-description " +
+                 quoted((folder / to) + "/l.txt") + " --sensitivity 2 --sensitivity-surface " +
+                 quoted((folder / to) + "/v.vtp"));
 }
 
 //! What names the patient: the values, the UIDs, and the names of the folder and its files.
 std::set<std::string> telling(const std::string& folder) {
-  std::set<std::string> all{kSeries, kFolder, "DOE_JANE", "not_dicom_doe.txt"};
-  for (const auto& [tag, value] : kPatient) all.insert(value.second);
+  std::set<std::string> all{kJane.series, kJane.folder, kDescription, "DOE_JANE", "not_dicom_doe.txt"};
+  for (const auto& [tag, value] : kJane.values) all.insert(value.second);
   for (const DicomImage& image : loadVolume(folder).info.dicom->images) all.insert(image.instance);
   return all;
 }
@@ -83,7 +134,24 @@ std::string inflated(const std::string& bytes, std::size_t at, int bits) {
   return all;
 }
 
-//! The file, and what is packed in it (gzip, the entries of a zip archive).
+//! The base64 digits that begin at `at`.
+std::string decoded(const std::string& text, std::size_t at) {
+  static const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string all;
+  unsigned bits = 0;
+  int count = 0;
+  for (; at < text.size(); ++at) {
+    const std::size_t digit = digits.find(text[at]);
+    if (digit == std::string::npos) break;
+    bits = bits << 6 | static_cast<unsigned>(digit);
+    if ((count += 6) < 8) continue;
+    count -= 8;
+    all += static_cast<char>(bits >> count & 255);
+  }
+  return all;
+}
+
+//! The file, and what is packed in it (gzip, the entries of a zip archive, data in a page or a scene).
 std::string unpacked(const std::string& bytes) {
   std::string all = bytes;
   for (auto at = bytes.find("PK\3\4"); at != std::string::npos; at = bytes.find("PK\3\4", at + 4)) {
@@ -93,73 +161,263 @@ std::string unpacked(const std::string& bytes) {
   }
   for (auto at = bytes.find("\x1f\x8b\x08"); at != std::string::npos; at = bytes.find("\x1f\x8b\x08", at + 3))
     all += inflated(bytes, at, 31);
+  for (auto at = bytes.find("base64,"); at != std::string::npos; at = bytes.find("base64,", at + 7))
+    all += decoded(bytes, at + 7);
   return all;
 }
 
-std::set<std::string> found(const TemporaryFolder& folder, const std::string& in,
-                            const std::set<std::string>& values) {
+//! In all files of a folder and of those in it, and in their names.
+std::set<std::string> found(const std::string& folder, const std::set<std::string>& values) {
   std::set<std::string> hits;
-  for (const auto& entry : fs::directory_iterator(folder / in)) {
-    const std::string bytes = unpacked(readBytes(entry.path().string()));
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    std::string text = fs::relative(entry.path(), folder).string();
+    if (entry.is_regular_file()) text += "\n" + unpacked(readBytes(entry.path().string()));
     for (const std::string& value : values)
-      if (bytes.find(value) != std::string::npos) hits.insert(value);
+      if (text.find(value) != std::string::npos) hits.insert(value);
   }
   return hits;
+}
+
+std::ptrdiff_t filesIn(const std::string& folder) {
+  return std::distance(fs::directory_iterator(folder), fs::directory_iterator{});
+}
+
+//! Without how long it took and the hash of the volume.
+nlohmann::json comparable(nlohmann::json json) {
+  if (json.is_object())
+    for (const char* key : {"seconds", "sha256"}) json.erase(key);
+  for (auto& part : json)
+    if (part.is_structured()) part = comparable(part);
+  return json;
 }
 
 }  // namespace
 
 TEST_CASE("no value of the source is in any file that is written anonymously") {
   const TemporaryFolder folder;
-  writeSeries(folder / kFolder, bright());
-  writeBytes((folder / kFolder) + "/not_dicom_doe.txt", "a note");
-  const std::set<std::string> values = telling(folder / kFolder);
+  writeSeries(folder / kJane.folder, bright());
+  writeBytes((folder / kJane.folder) + "/not_dicom_doe.txt", "a note");
+  const std::set<std::string> values = telling(folder / kJane.folder);
   REQUIRE(values.size() > 30);
 
   REQUIRE(run(folder, "open", "") == 0);
-  const std::set<std::string> open = found(folder, "open", values);
+  const std::set<std::string> open = found(folder / "open", values);
   for (const char* value : {"Doe^Jane", "PID0815", "19700203", "DOE_JANE", "not_dicom_doe.txt", "House^Greg"})
     CHECK(open.count(value) == 1);  // else the search would prove nothing
-  CHECK(open.count(kSeries) == 1);
+  CHECK(open.count(kJane.series) == 1);
 
   REQUIRE(run(folder, "hidden", "--anonymous") == 0);
-  CHECK(std::distance(fs::directory_iterator(folder / "hidden"), fs::directory_iterator{}) ==
-        std::ptrdiff_t(kOutputs.size()) + 5);
-  CHECK(found(folder, "hidden", values) == std::set<std::string>{});
+  CHECK(filesIn(folder / "hidden") == std::ptrdiff_t(kOutputs.size()) + 6);
+  CHECK(found(folder / "hidden", values) == std::set<std::string>{});
   CHECK(readBytes(folder / "hidden/a.stl") == readBytes(folder / "open/a.stl"));
   const Volume one = readVolume(folder / "open/a.seg.dcm"), other = readVolume(folder / "hidden/a.seg.dcm");
   CHECK(voxelBytes(one) == voxelBytes(other));
 
-  const std::string replay = std::string(HANDLEBODY_CLI) + " replay '" + (folder / "hidden/s.json") +
-                             "' -o '" + (folder / "again.stl") + "' --quiet";
-  CHECK(std::system((replay + " 2> /dev/null").c_str()) != 0);  // it does not know its volume
-  const std::string volume = " --volume '" + (folder / kFolder) + "' --series " + kSeries + " 2> /dev/null";
-  REQUIRE(std::system((replay + volume).c_str()) == 0);
+  const std::string replay =
+      "replay " + quoted(folder / "hidden/s.json") + " -o " + quoted(folder / "again.stl") + " --quiet";
+  CHECK(execute(replay) != 0);  // it does not know its volume
+  REQUIRE(execute(replay + " --volume " + quoted(folder / kJane.folder) + " --series " + kJane.series) == 0);
   CHECK(readBytes(folder / "again.stl") == readBytes(folder / "open/a.stl"));
+}
+
+// So there is nothing of the patient in the pixels of pictures, either.
+TEST_CASE("what is written anonymously is the same for another patient with the same voxels") {
+  const TemporaryFolder folder;
+  for (const Patient& patient : {kJane, kJohn}) {
+    writeSeries(folder / patient.folder, bright(patient));
+    REQUIRE(run(folder, patient.folder + ".out", "--anonymous", patient) == 0);
+  }
+  const auto bytes = [&](const Patient& patient, const std::string& name) {
+    return readBytes((folder / (patient.folder + ".out")) + "/" + name);
+  };
+  for (const std::string& name : kOutputs)
+    if (!name.ends_with(".dcm")) CHECK(bytes(kJane, name) == bytes(kJohn, name));  // those have random UIDs
+  for (const char* name : {"p.png", "l.txt", "v.vtp"}) {
+    CHECK_FALSE(bytes(kJane, name).empty());
+    CHECK(bytes(kJane, name) == bytes(kJohn, name));
+  }
+  for (const char* name : {"r.json", "s.json", "t.json"}) {
+    const auto one = nlohmann::json::parse(bytes(kJane, name)),
+               two = nlohmann::json::parse(bytes(kJohn, name));
+    CHECK(one.at("input").at("sha256") != two.at("input").at("sha256"));
+    CHECK(comparable(one) == comparable(two));
+  }
 }
 
 TEST_CASE("nor of several objects, one of them from a file that names the patient") {
   const TemporaryFolder folder;
-  writeSeries(folder / kFolder, bright());
-  const Volume volume = readVolume(folder / kFolder);
+  writeSeries(folder / kJane.folder, bright());
+  const Volume volume = readVolume(folder / kJane.folder);
   const Vec3 corner = volume.grid.toWorld(Vec3(6, 6, 4));
   writeMesh(icosphere(corner, 2, 0.8), folder / "DOE_JANE_old.stl");
-  std::set<std::string> values = telling(folder / kFolder);
+  std::set<std::string> values = telling(folder / kJane.folder);
   values.insert("DOE_JANE_old");
   const auto segment = [&](const std::string& to, const std::string& more) {
     fs::create_directories(folder / to);
-    std::string command = std::string(HANDLEBODY_CLI) + " segment '" + (folder / kFolder) + "' --quiet " +
-                          more + " --object-name old --given '" + (folder / "DOE_JANE_old.stl") +
-                          "' --object-name new --seed-ijk 19,19,11";
-    for (const std::string& name : kOutputs) command += " -o '" + (folder / to) + "/" + name + "'";
-    for (const std::string& name : kOutputs) command += " -o 'old=" + (folder / to) + "/old." + name + "'";
-    command += " --report '" + (folder / to) + "/r.json' --session '" + (folder / to) + "/s.json' --trace '" +
-               (folder / to) + "/t.json' --picture '" + (folder / to) + "/p.png' --label-description '" +
-               (folder / to) + "/l.txt' 2> /dev/null";
-    return std::system(command.c_str());
+    std::string command = "segment " + quoted(folder / kJane.folder) + " --quiet " + more +
+                          " --object-name old --given " + quoted(folder / "DOE_JANE_old.stl") +
+                          " --object-name new --seed-ijk 19,19,11";
+    for (const std::string& name : kOutputs) command += " -o " + quoted((folder / to) + "/" + name);
+    for (const std::string& name : kOutputs)
+      command += " -o " + quoted("old=" + (folder / to) + "/old." + name);
+    return execute(command + sideFiles(folder / to) + " --label-description " +
+                   quoted((folder / to) + "/l.txt"));
   };
   REQUIRE(segment("open", "") == 0);
-  CHECK(found(folder, "open", values).count("DOE_JANE_old") == 1);
+  CHECK(found(folder / "open", values).count("DOE_JANE_old") == 1);
   REQUIRE(segment("hidden", "--anonymous") == 0);
-  CHECK(found(folder, "hidden", values) == std::set<std::string>{});
+  CHECK(found(folder / "hidden", values) == std::set<std::string>{});
+}
+
+TEST_CASE("nor in tetrahedra for a solver") {
+  if (!tetrahedraFault().empty()) {
+    WARN("skipped: neither gmsh nor TetGen is installed");
+    return;
+  }
+  const TemporaryFolder folder;
+  writeSeries(folder / kJane.folder, bright());
+  std::set<std::string> values = telling(folder / kJane.folder);
+  const auto segment = [&](const std::string& to, const std::string& more) {
+    fs::create_directories(folder / to);
+    std::string command = "segment " + quoted(folder / kJane.folder) + " --seed-ijk 19,19,11 --quiet " + more;
+    for (const char* name : {"/a.msh", "/a.vtu", "/a.inp"}) command += " -o " + quoted((folder / to) + name);
+    return execute(command);
+  };
+  REQUIRE(segment("named", "--object-name 'DOE_JANE 2'") == 0);
+  CHECK(found(folder / "named", {"DOE_JANE 2", "DOE_JANE_2"}).size() == 2);  // .msh and .inp are searched
+  REQUIRE(segment("hidden", "--anonymous") == 0);
+  CHECK(filesIn(folder / "hidden") == 3);
+  CHECK(found(folder / "hidden", values) == std::set<std::string>{});
+}
+
+TEST_CASE("nor in the numbered meshes, the 4D label maps and the curve of a growth over time") {
+  const TemporaryFolder folder;
+  writeSeries(folder / kJane.folder, brightOverTime());
+  writeBytes((folder / kJane.folder) + "/not_dicom_doe.txt", "a note");
+  std::set<std::string> values{kJane.series, kJane.folder, kDescription, "DOE_JANE", "not_dicom_doe.txt"};
+  for (const auto& [tag, value] : kJane.values) values.insert(value.second);
+  const auto segment = [&](const std::string& to, const std::string& more) {
+    fs::create_directories(folder / to);
+    std::string command = "segment " + quoted(folder / kJane.folder) + " --series " + kJane.series +
+                          " --seed-ijk 19,19,11 --frames all --drift-check none --quiet " + more;
+    for (const char* name : {"m.vtp", "m.stl", "m.ply", "m.obj", "l.nii", "l.nii.gz", "l.nrrd"})
+      command += " -o " + quoted((folder / to) + "/" + name);
+    for (const char* name : {"c.csv", "c.svg"}) command += " --curve " + quoted((folder / to) + "/" + name);
+    return execute(command + sideFiles(folder / to));
+  };
+  REQUIRE(segment("open", "") == 0);
+  const std::set<std::string> open = found(folder / "open", values);
+  for (const std::string& value : {kJane.series, kJane.folder, std::string("not_dicom_doe.txt")})
+    CHECK(open.count(value) == 1);
+  REQUIRE(segment("hidden", "--anonymous") == 0);
+  CHECK(filesIn(folder / "hidden") == 3 * 4 + 1 + 3 + 2 + 4);  // with the list of the frames for ParaView
+  CHECK(found(folder / "hidden", values) == std::set<std::string>{});
+}
+
+TEST_CASE("nor of a frame over time that cannot be read") {
+  const TemporaryFolder folder;
+  writeSeries(folder / kJane.folder, bright());
+  const Volume volume = readVolume(folder / kJane.folder);
+  fs::create_directories(folder / "DOE_JANE");
+  for (const char* name : {"DOE_JANE/f0.nii.gz", "DOE_JANE/f1.nii.gz", "DOE_JANE/f2.nii.gz"})
+    writeVolume(volume, folder / name);
+  std::string bytes = readBytes(folder / "DOE_JANE/f1.nii.gz");
+  for (std::size_t i = bytes.size() / 2; i < bytes.size() / 2 + 64; ++i)
+    bytes[i] = static_cast<char>(~bytes[i]);
+  writeBytes(folder / "DOE_JANE/f1.nii.gz", bytes);
+  const auto segment = [&](const std::string& to, const std::string& more) {
+    fs::create_directories(folder / to);
+    return execute("segment " + quoted(folder / "DOE_JANE") +
+                   " --seed-ijk 19,19,11 --frames all --drift-check none --quiet " + more + " -o " +
+                   quoted((folder / to) + "/m.vtp") + " -o " + quoted((folder / to) + "/l.nrrd") +
+                   " --curve " + quoted((folder / to) + "/c.csv") + sideFiles(folder / to));
+  };
+  const std::set<std::string> values{"DOE_JANE", "f1.nii.gz"};
+  REQUIRE(segment("open", "") == 7);
+  CHECK(found(folder / "open", values) == values);
+  REQUIRE(segment("hidden", "--anonymous") == 7);
+  CHECK(found(folder / "hidden", values) == std::set<std::string>{});
+}
+
+namespace {
+
+//! A folder with a series, a file that is no volume, and a study of both and of a file that is not there.
+struct NamedStudy {
+  TemporaryFolder folder;
+  std::set<std::string> values;
+
+  explicit NamedStudy(const std::string& anonymous) {
+    writeSeries(folder / kJane.folder, bright());
+    writeBytes((folder / kJane.folder) + "/not_dicom_doe.txt", "a note");
+    writeBytes(folder / "DOE_JANE_broken.nii", "no volume");
+    values = telling(folder / kJane.folder);
+    values.insert({"DOE_JANE_broken", "DOE_JANE_gone", folder.path()});
+    const std::string output = ",mesh.stl;mesh.gltf;labels.seg.nrrd;labels.seg.dcm,", end = anonymous + "\n";
+    writeBytes(folder / "study.csv", "case,volume,seed-ijk,series,output,anonymous\na," + kJane.folder +
+                                         ",\"19,19,11\"," + kJane.series + output + end +
+                                         "b,DOE_JANE_broken.nii,\"1,1,1\",,," + end +
+                                         "c,DOE_JANE_gone.nii,\"1,1,1\",,," + end);
+  }
+  //! Exit code of a batch over it.
+  int run() const {
+    return execute("batch " + quoted(folder / "study.csv") + " -o " + quoted(folder / "out"));
+  }
+  nlohmann::json row(std::size_t i) const {
+    return nlohmann::json::parse(readBytes(folder / "out/summary.json")).at("cases").at(i);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("nor in results, records, summary, page and logs of the cases of a batch that are anonymous") {
+  const NamedStudy open("no"), hidden("yes");
+  REQUIRE(open.run() == 7);
+  const std::set<std::string> told = found(open.folder / "out", open.values);
+  for (const char* value : {"Doe^Jane", "DOE_JANE_broken", "DOE_JANE_gone", "not_dicom_doe.txt"})
+    CHECK(told.count(value) == 1);
+  CHECK(told.count(kJane.series) == 1);
+
+  REQUIRE(hidden.run() == 7);
+  CHECK(hidden.row(0).at("status") == "done");
+  CHECK(hidden.row(1).at("status") == "failed");
+  CHECK(hidden.row(2).at("status") == "refused");
+  CHECK(found(hidden.folder / "out", hidden.values) == std::set<std::string>{});
+  CHECK(readBytes(hidden.folder / "out/cases/a/mesh.stl") == readBytes(open.folder / "out/cases/a/mesh.stl"));
+}
+
+TEST_CASE(
+    "why an anonymous case of a batch has no result is told on standard error, and where in the summary") {
+  const NamedStudy study("yes");
+  const std::string said = study.folder / "said.txt";
+  const int status =
+      std::system((std::string(HANDLEBODY_CLI) + " batch " + quoted(study.folder / "study.csv") + " -o " +
+                   quoted(study.folder / "out") + " > /dev/null 2> " + quoted(said))
+                      .c_str());
+  CHECK(WEXITSTATUS(status) == 7);
+  CHECK_THAT(readBytes(said), Contains("DOE_JANE_broken.nii") && Contains("DOE_JANE_gone.nii"));
+  CHECK_THAT(study.row(1).at("message").get<std::string>(), Contains("exit code 3"));
+  CHECK_THAT(study.row(2).at("message").get<std::string>(), Contains("line 4, column 2 (volume)"));
+}
+
+TEST_CASE("an anonymous case of a batch that is done is kept, and done again for another series") {
+  const NamedStudy study("yes");
+  REQUIRE(study.run() == 7);
+  const auto written = fs::last_write_time(study.folder / "out/cases/a/case.json");
+  REQUIRE(study.run() == 7);
+  CHECK(fs::last_write_time(study.folder / "out/cases/a/case.json") == written);
+  std::string csv = readBytes(study.folder / "study.csv");
+  csv.replace(csv.find(kJane.series), kJane.series.size(), "1.2.3");
+  writeBytes(study.folder / "study.csv", csv);
+  REQUIRE(study.run() == 7);
+  CHECK(study.row(0).at("status") == "failed");  // there is none
+}
+
+TEST_CASE("an anonymous case of a batch without a name has that of its line, not that of its volume") {
+  const NamedStudy study("yes");
+  writeBytes(study.folder / "study.csv",
+             "volume,seed-ijk,anonymous\n" + kJane.folder + ",\"19,19,11\",yes\n");
+  REQUIRE(study.run() == 0);
+  CHECK(study.row(0).at("case") == "line-2");
+  CHECK(fs::exists(study.folder / "out/cases/line-2/mesh.stl"));
+  CHECK(found(study.folder / "out", study.values) == std::set<std::string>{});
 }

@@ -55,10 +55,10 @@ std::string text(const Extent& e) {
   return s;
 }
 
+//! With six digits, as 3D Slicer writes it.
 std::string text(const Colour& colour) {
   std::ostringstream s;
-  s << std::fixed << std::setprecision(6) << colour[0] / 255.0 << ' ' << colour[1] / 255.0 << ' '
-    << colour[2] / 255.0;
+  s << colour[0] / 255.0 << ' ' << colour[1] / 255.0 << ' ' << colour[2] / 255.0;
   return s.str();
 }
 
@@ -111,10 +111,12 @@ void writeSlicerSegmentation(const Volume& labels, const std::vector<ExportedObj
   std::map<std::string, std::string> keys{
       {"Segmentation_MasterRepresentation", "Binary labelmap"},
       {"Segmentation_ContainedRepresentationNames", "Binary labelmap|"},
+      // Name, value and description; where that is empty 3D Slicer keeps its own.
       {"Segmentation_ConversionParameters",
-       "Reference image geometry|" + referenceGeometry(labels.grid) + "|The grid of the source volume.&"},
+       "Reference image geometry|" + referenceGeometry(labels.grid) + "|&"},
       {"Segmentation_ReferenceImageExtentOffset", "0 0 0"}};
-  // All segments are in one layer, and 3D Slicer crops a layer to the extent of its first segment.
+  // All segments are in one layer, and 3D Slicer crops a layer to the extent of its first segment (later
+  // versions: to that of all of them).
   const std::string extent = text(extentOf(labels));
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const ObjectLabel& label = objects[i].label;

@@ -26,31 +26,50 @@ std::vector<std::string> filesOf(const std::string& path) {
   return files;
 }
 
-void addFile(EVP_MD_CTX* digest, const std::string& path) {
+class Digest {
+ public:
+  Digest() : context_(EVP_MD_CTX_new(), &EVP_MD_CTX_free) {
+    if (!context_ || EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) != 1)
+      throw std::runtime_error("SHA-256 is not available in libcrypto.");
+  }
+  void add(const char* bytes, std::size_t count) { EVP_DigestUpdate(context_.get(), bytes, count); }
+  std::string hex() {
+    unsigned char hash[EVP_MAX_MD_SIZE];
+    unsigned length = 0;
+    EVP_DigestFinal_ex(context_.get(), hash, &length);
+    std::string text;
+    for (unsigned i = 0; i < length; ++i) {
+      text += "0123456789abcdef"[hash[i] >> 4];
+      text += "0123456789abcdef"[hash[i] & 15];
+    }
+    return text;
+  }
+
+ private:
+  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_;
+};
+
+void addFile(Digest& digest, const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) refuseInput(path, FindingKind::notOpened);
   std::vector<char> part(1 << 16);
   while (file.read(part.data(), static_cast<std::streamsize>(part.size())) || file.gcount() > 0)
-    EVP_DigestUpdate(digest, part.data(), static_cast<std::size_t>(file.gcount()));
+    digest.add(part.data(), static_cast<std::size_t>(file.gcount()));
   if (file.bad()) refuseInput(path, FindingKind::notReadToEnd);
 }
 
 }  // namespace
 
 std::string sha256OfPath(const std::string& path) {
-  const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> digest(EVP_MD_CTX_new(), &EVP_MD_CTX_free);
-  if (!digest || EVP_DigestInit_ex(digest.get(), EVP_sha256(), nullptr) != 1)
-    throw std::runtime_error("SHA-256 is not available in libcrypto.");
-  for (const std::string& file : filesOf(path)) addFile(digest.get(), file);
-  unsigned char hash[EVP_MAX_MD_SIZE];
-  unsigned length = 0;
-  EVP_DigestFinal_ex(digest.get(), hash, &length);
-  std::string hex;
-  for (unsigned i = 0; i < length; ++i) {
-    hex += "0123456789abcdef"[hash[i] >> 4];
-    hex += "0123456789abcdef"[hash[i] & 15];
-  }
-  return hex;
+  Digest digest;
+  for (const std::string& file : filesOf(path)) addFile(digest, file);
+  return digest.hex();
+}
+
+std::string sha256OfText(const std::string& text) {
+  Digest digest;
+  digest.add(text.data(), text.size());
+  return digest.hex();
 }
 
 }  // namespace handlebody

@@ -198,11 +198,13 @@ bool isMeshAsItIs(const Constraints& constraints) {
 
 namespace {
 
-//! What 3D Slicer's keys in the header of a .seg.nrrd say.
+//! What 3D Slicer's keys in the header of a .seg.nrrd say of its first layer, the one that is read: another
+//! layer may have the same values for other segments.
 std::map<int, std::string> namesIn(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   std::map<std::string, std::string> names;
-  std::map<int, std::string> out;
+  std::map<std::string, int> values;
+  std::set<std::string> behind;
   std::string line;
   for (int count = 0; count < 10'000 && std::getline(in, line) && !line.empty() && line != "\r"; ++count) {
     if (line.back() == '\r') line.pop_back();
@@ -211,11 +213,12 @@ std::map<int, std::string> namesIn(const std::string& path) {
     const std::string which = line.substr(0, bar), key = line.substr(bar + 1, equals - bar - 1),
                       value = line.substr(equals + 2);
     if (key == "Name") names[which] = value;
-    if (key != "LabelValue") continue;
-    names.emplace(which, std::string());
-    out[std::atoi(value.c_str())] = which;
+    if (key == "LabelValue") values[which] = std::atoi(value.c_str());
+    if (key == "Layer" && std::atoi(value.c_str()) > 0) behind.insert(which);
   }
-  for (auto& [value, which] : out) which = names[which];
+  std::map<int, std::string> out;
+  for (const auto& [which, value] : values)
+    if (behind.count(which) == 0) out[value] = names[which];
   return out;
 }
 
