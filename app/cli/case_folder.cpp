@@ -15,6 +15,7 @@
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
 #include "core/io/formats/sequence_writer.h"
+#include "core/io/formats/sha256.h"
 #include "core/io/formats/volume_io.h"
 #include "core/io/meshes/mesh_io.h"
 #include "core/io/picture/picture.h"

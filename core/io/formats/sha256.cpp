@@ -1,3 +1,5 @@
+#include "core/io/formats/sha256.h"
+
 #include <openssl/evp.h>
 
 #include <algorithm>

@@ -127,6 +127,5 @@ void writeVolume(const Volume& volume, const std::string& path);
 
 //! SHA-256 of a file, or of the files of a folder in name order; lower-case hex. Throws InputError.
 std::string sha256OfPath(const std::string& path);
-std::string sha256OfText(const std::string& text);
 
 }  // namespace handlebody
