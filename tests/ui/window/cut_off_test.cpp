@@ -172,7 +172,7 @@ std::vector<SeriesInfo> someSeries() {
     s.slices = s.files = 300;
     s.spacing = Vec3(0.703125, 0.703125, 1.5);
   }
-  series[1].note = "a single image is no volume";
+  series[1].note = Finding(FindingKind::noVolume, {}, Finding(FindingKind::singleSlice));
   return series;
 }
 
