@@ -1,3 +1,5 @@
+#include <zlib.h>
+
 #include <iostream>
 #include <limits>
 #include <sstream>
@@ -69,6 +71,23 @@ TEST_CASE("a flipped bit in compressed NIfTI and MetaImage data is found by the 
     writeBytes(folder / name, bytes);
     expectInputError(folder / name, "", true);
   }
+}
+
+TEST_CASE("data that are longer than the header says, as damage makes them, are held to their checksum") {
+  const TemporaryFolder folder;
+  const Volume volume = randomVolume(obliqueGrid(), VoxelType::uint8);
+  writeVolume(volume, folder / "v.nii");
+  const std::string path = folder / "long.nii.gz";
+  const std::string longer = readBytes(folder / "v.nii") + std::string(300'000, '\7');
+  const gzFile file = gzopen(path.c_str(), "wb");
+  REQUIRE(gzwrite(file, longer.data(), static_cast<unsigned>(longer.size())) ==
+          static_cast<int>(longer.size()));
+  REQUIRE(gzclose(file) == Z_OK);
+  CHECK(voxelBytes(readVolume(path)) == voxelBytes(volume));
+  std::string bytes = readBytes(path);
+  bytes[bytes.size() - 8] = static_cast<char>(bytes[bytes.size() - 8] ^ 1);
+  writeBytes(path, bytes);
+  expectInputError(path, "damaged", true);
 }
 
 TEST_CASE("uncompressed NRRD and MetaImage files that are too short are refused before reading") {

@@ -106,6 +106,24 @@ TEST_CASE("copies of slices are left out with a warning") {
   for (int k = 0; k < 5; ++k) CHECK(volume.data<std::int16_t>()[12 * k] == k);
 }
 
+TEST_CASE("slices in which nothing moves are no copies of those of another time") {
+  const TemporaryFolder folder;
+  std::vector<Slice> slices;
+  for (int t = 0; t < 3; ++t)
+    for (Slice s : evenStack(5)) {  // the first and the last are the same at all times
+      if (s.value > 0 && s.value < 4) s.value = static_cast<std::int16_t>(s.value + 50 * t);
+      s.number = static_cast<int>(slices.size()) + 1;
+      s.temporalPosition = 1 + t;
+      slices.push_back(s);
+    }
+  writeSeries(folder.path(), slices);
+  const VolumeInfo info = inspectVolume(folder.path(), {.frame = 2});
+  CHECK(info.frames == 3);
+  CHECK(info.warnings.empty());
+  const Volume volume = readVolume(folder.path(), {.frame = 2});
+  for (int k = 0; k < 5; ++k) CHECK(volume.data<std::int16_t>()[12 * k] == (k == 0 || k == 4 ? k : k + 100));
+}
+
 TEST_CASE("several different slices in every place are time points; incomplete ones are refused") {
   const TemporaryFolder folder;
   std::vector<Slice> slices = evenStack(4);

@@ -67,7 +67,7 @@ auto orderMade(const DicomSlice& s) {
   return std::tuple(s.file->acquisitionNumber, s.place().stack, s.file->instanceNumber, s.frame);
 }
 
-bool isCopy(const DicomSlice& a, const DicomSlice& b) { return a.file != b.file && samePixels(a, b); }
+bool isCopy(const DicomSlice& a, const DicomSlice& b) { return a.file != b.file && sameImage(a, b); }
 
 //! Slices of one plane cut where their distance changes.
 class Runs {
@@ -131,7 +131,7 @@ class Runs {
 
 //! A volume of evenly spaced slices, or of whole time points.
 bool isEven(const Slices& slices) try {
-  stackSlices(slices, "", UnevenSlices::refuse, samePixels);
+  stackSlices(slices, "", UnevenSlices::refuse, sameImage);
   return true;
 } catch (const InputError&) {
   return false;
@@ -224,7 +224,8 @@ std::vector<DicomSeries> stacksOf(const std::string& uid, const Slices& all, Dic
 
 }  // namespace
 
-bool samePixels(const DicomSlice& a, const DicomSlice& b) {
+bool sameImage(const DicomSlice& a, const DicomSlice& b) {
+  if (a.place().time != b.place().time || a.place().milliseconds != b.place().milliseconds) return false;
   const DicomStructure &sa = a.file->structure, &sb = b.file->structure;
   const std::uint64_t bytes = sa.pixelEnd - sa.pixelOffset;
   if (sa.pixelOffset == 0 || sb.pixelOffset == 0 || bytes != sb.pixelEnd - sb.pixelOffset) return false;

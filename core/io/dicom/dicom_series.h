@@ -27,7 +27,7 @@ struct DicomSeries {
 //! where they lie stand alone.
 std::vector<DicomSeries> seriesOf(DicomScan& scan);
 
-//! True if two slices hold the same bytes of pixels.
-bool samePixels(const DicomSlice& a, const DicomSlice& b);
+//! True if two slices hold the same bytes of pixels, and the header does not put them at different times.
+bool sameImage(const DicomSlice& a, const DicomSlice& b);
 
 }  // namespace handlebody

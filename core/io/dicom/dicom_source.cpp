@@ -96,7 +96,7 @@ StackSource::StackSource(std::string path, DicomSeries series, std::shared_ptr<c
   });
   if (mixed) refuseInput(path_, FindingKind::slicesPartlyColour);
   const Assumed assumed = assumeGeometry(series_, selection, path_);
-  stack_ = stackSlices(series_.slices, path_, selection.uneven, samePixels);
+  stack_ = stackSlices(series_.slices, path_, selection.uneven, sameImage);
   header_.format = "DICOM";
   header_.grid = stack_.grid;
   header_.frames = stack_.frames;

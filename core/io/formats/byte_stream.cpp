@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <vector>
 
+#include "core/cancellation.h"
+
 namespace handlebody {
 
 struct ByteStream::State {
@@ -101,9 +103,10 @@ void ByteStream::skip(std::uint64_t n, const ReadProgress& progress) {
   }
 }
 
-void ByteStream::checkEnd() {
-  char byte = 0;
-  read(&byte, 1);
+void ByteStream::checkEnd(bool moreIsWanted) {
+  if (state_->coding == Coding::raw) return;
+  std::vector<char> sink(moreIsWanted ? 1 : 1 << 16);
+  while (read(sink.data(), sink.size()) == sink.size() && !moreIsWanted) giveUpIfCancelled();
   if (state_->damaged) refuseInput(state_->path, FindingKind::checksumDiffers);
 }
 

@@ -27,9 +27,10 @@ class ByteStream {
   void readAll(void* to, std::size_t n, const ReadProgress& progress = {});
   //! Passes over n bytes; throws InputError if there are not so many.
   void skip(std::uint64_t n, const ReadProgress& progress = {});
-  //! Throws InputError if the stream breaks off or its checksum is wrong at this place. (Further data is
-  //! fine.)
-  void checkEnd();
+  //! Throws InputError if what is left breaks off or has a wrong checksum. Further data is fine, and read to
+  //! its end: damaged data are often longer than they should be. `moreIsWanted`: it is looked at when it is
+  //! read; here only whether the stream ends at this place, wrongly. Throws Cancelled.
+  void checkEnd(bool moreIsWanted = false);
 
  private:
   struct State;

@@ -84,7 +84,7 @@ class GiplSource : public VolumeSource {
     ByteStream stream = open();
     stream.skip(kHeaderBytes + header_.bytesPerFrame() * static_cast<std::uint64_t>(frame), progress);
     stream.readAll(to, static_cast<std::size_t>(header_.bytesPerFrame()), progress);
-    stream.checkEnd();
+    stream.checkEnd(frame + 1 < header_.frames);
     if (std::endian::native == std::endian::little)
       swapBytes(to, header_.grid.voxelCount(), bytesOf(header_.component));
   }

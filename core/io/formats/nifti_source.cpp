@@ -112,7 +112,7 @@ void NiftiSource::readFrame(int frame, void* to, const ReadProgress& progress) {
                     compressed_ ? ByteStream::Coding::deflate : ByteStream::Coding::raw);
   if (compressed_) stream.skip(before, progress);
   stream.readAll(to, static_cast<std::size_t>(bytes), progress);
-  stream.checkEnd();
+  stream.checkEnd(frame + 1 < header_.frames);
   if (nifti_.swapped)
     swapBytes(to, header_.grid.voxelCount() * static_cast<std::size_t>(header_.components),
               bytesOf(header_.component));

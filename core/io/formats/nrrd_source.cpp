@@ -123,7 +123,7 @@ void NrrdSource::readPart(const std::string& file, int frame, char* to, const Re
     readStream(stream, all_, static_cast<char*>(all.get()), progress);
     pick(static_cast<const char*>(all.get()), frame, to);
   }
-  stream.checkEnd();
+  stream.checkEnd(together && frame + 1 < header_.frames);
 }
 
 void NrrdSource::readFiles(int frame, char* to, const ReadProgress& progress) const {
@@ -136,6 +136,7 @@ void NrrdSource::readFiles(int frame, char* to, const ReadProgress& progress) co
     if (layout_.compressed)
       stream.skip(static_cast<std::uint64_t>(std::max(0ll, layout_.byteSkip)), progress);
     readStream(stream, part, at, {});
+    stream.checkEnd();
     at += part;
     report(progress, static_cast<double>(at - static_cast<char*>(all.get())) / static_cast<double>(all_));
   }
