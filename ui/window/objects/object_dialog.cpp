@@ -111,6 +111,8 @@ void ObjectDialog::showFault() {
   fault_->setText(fault);
   fault_->setVisible(!fault.isEmpty());
   buttons_->button(QDialogButtonBox::Ok)->setEnabled(fault.isEmpty());
+  const int needed = layout()->totalHeightForWidth(width());
+  if (needed > height()) resize(width(), needed);  // it stays so large: nothing jumps back
 }
 
 void ObjectDialog::accept() {

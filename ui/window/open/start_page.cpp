@@ -29,7 +29,6 @@ QLabel* title(QWidget* parent) {
 
 QLabel* symbol(QWidget* parent) {
   auto* label = new QLabel(parent);
-  label->setMinimumHeight(84);  // or the layout, short of a wrapped line, takes it from the picture
   label->setPixmap(programIcon().pixmap(QSize(72, 72), parent->devicePixelRatioF()));
   label->setAlignment(Qt::AlignHCenter);
   return label;
@@ -61,7 +60,11 @@ StartPage::StartPage(const Commands& commands, QWidget* parent)
 
   auto* outer = new QVBoxLayout(this);
   outer->addStretch(1);
-  outer->addWidget(column, 0, Qt::AlignHCenter);
+  auto* row = new QHBoxLayout;  // not by alignment: that asks for no height of wrapped text
+  row->addStretch();
+  row->addWidget(column);
+  row->addStretch();
+  outer->addLayout(row);
   outer->addStretch(2);
 }
 
