@@ -3685,10 +3685,6 @@ Mittel ± SA</translation>
         <translation>Objekt in der Liste verschieben</translation>
     </message>
     <message>
-        <source>The name “%1” %2.</source>
-        <translation>Der Name „%1“ %2.</translation>
-    </message>
-    <message>
         <source>Another object is called “%1”.</source>
         <translation>Ein anderes Objekt heißt „%1“.</translation>
     </message>
@@ -3875,6 +3871,26 @@ Mittel ± SA</translation>
     <message>
         <source>A surface that comes from a file is not carried over time: grow one from a click.</source>
         <translation>Eine Oberfläche aus einer Datei wird nicht durch die Zeit getragen: Lassen Sie eine aus einem Klick wachsen.</translation>
+    </message>
+    <message>
+        <source>The name is empty.</source>
+        <translation>Der Name ist leer.</translation>
+    </message>
+    <message>
+        <source>The name “%1” is not UTF-8.</source>
+        <translation>Der Name „%1“ ist kein UTF-8.</translation>
+    </message>
+    <message>
+        <source>The name “%1” has more than %2 characters.</source>
+        <translation>Der Name „%1“ hat mehr als %2 Zeichen.</translation>
+    </message>
+    <message>
+        <source>The name “%1” holds a control character.</source>
+        <translation>Der Name „%1“ enthält ein Steuerzeichen.</translation>
+    </message>
+    <message>
+        <source>The name “%1” holds %2, which separates in some of the formats.</source>
+        <translation>Der Name „%1“ enthält %2, das in manchen Formaten trennt.</translation>
     </message>
 </context>
 <context>

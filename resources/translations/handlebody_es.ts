@@ -3685,10 +3685,6 @@ cercano (mm)</translation>
         <translation>Mover objeto en la lista</translation>
     </message>
     <message>
-        <source>The name “%1” %2.</source>
-        <translation>El nombre «%1» %2.</translation>
-    </message>
-    <message>
         <source>Another object is called “%1”.</source>
         <translation>Otro objeto se llama «%1».</translation>
     </message>
@@ -3875,6 +3871,26 @@ cercano (mm)</translation>
     <message>
         <source>A surface that comes from a file is not carried over time: grow one from a click.</source>
         <translation>Una superficie que viene de un archivo no se propaga en el tiempo: haga crecer una a partir de un clic.</translation>
+    </message>
+    <message>
+        <source>The name is empty.</source>
+        <translation>El nombre está vacío.</translation>
+    </message>
+    <message>
+        <source>The name “%1” is not UTF-8.</source>
+        <translation>El nombre «%1» no está en UTF-8.</translation>
+    </message>
+    <message>
+        <source>The name “%1” has more than %2 characters.</source>
+        <translation>El nombre «%1» tiene más de %2 caracteres.</translation>
+    </message>
+    <message>
+        <source>The name “%1” holds a control character.</source>
+        <translation>El nombre «%1» contiene un carácter de control.</translation>
+    </message>
+    <message>
+        <source>The name “%1” holds %2, which separates in some of the formats.</source>
+        <translation>El nombre «%1» contiene %2, que es un separador en algunos formatos.</translation>
     </message>
 </context>
 <context>

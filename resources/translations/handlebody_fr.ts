@@ -3685,10 +3685,6 @@ proche (mm)</translation>
         <translation>Déplacer l’objet dans la liste</translation>
     </message>
     <message>
-        <source>The name “%1” %2.</source>
-        <translation>Le nom « %1 » %2.</translation>
-    </message>
-    <message>
         <source>Another object is called “%1”.</source>
         <translation>Un autre objet s’appelle « %1 ».</translation>
     </message>
@@ -3875,6 +3871,26 @@ proche (mm)</translation>
     <message>
         <source>A surface that comes from a file is not carried over time: grow one from a click.</source>
         <translation>Une surface qui vient d’un fichier n’est pas portée dans le temps : faites-en croître une à partir d’un clic.</translation>
+    </message>
+    <message>
+        <source>The name is empty.</source>
+        <translation>Le nom est vide.</translation>
+    </message>
+    <message>
+        <source>The name “%1” is not UTF-8.</source>
+        <translation>Le nom « %1 » n’est pas en UTF-8.</translation>
+    </message>
+    <message>
+        <source>The name “%1” has more than %2 characters.</source>
+        <translation>Le nom « %1 » a plus de %2 caractères.</translation>
+    </message>
+    <message>
+        <source>The name “%1” holds a control character.</source>
+        <translation>Le nom « %1 » contient un caractère de contrôle.</translation>
+    </message>
+    <message>
+        <source>The name “%1” holds %2, which separates in some of the formats.</source>
+        <translation>Le nom « %1 » contient %2, qui sert de séparateur dans certains formats.</translation>
     </message>
 </context>
 <context>

@@ -3685,10 +3685,6 @@ mean ± SD</source>
         <translation>在列表中移动目标</translation>
     </message>
     <message>
-        <source>The name “%1” %2.</source>
-        <translation>名称“%1”%2。</translation>
-    </message>
-    <message>
         <source>Another object is called “%1”.</source>
         <translation>另一个目标已叫“%1”。</translation>
     </message>
@@ -3875,6 +3871,26 @@ mean ± SD</source>
     <message>
         <source>A surface that comes from a file is not carried over time: grow one from a click.</source>
         <translation>来自文件的表面不随时间传递：请从一次点击生长出一个表面。</translation>
+    </message>
+    <message>
+        <source>The name is empty.</source>
+        <translation>名称为空。</translation>
+    </message>
+    <message>
+        <source>The name “%1” is not UTF-8.</source>
+        <translation>名称“%1”不是 UTF-8。</translation>
+    </message>
+    <message>
+        <source>The name “%1” has more than %2 characters.</source>
+        <translation>名称“%1”超过 %2 个字符。</translation>
+    </message>
+    <message>
+        <source>The name “%1” holds a control character.</source>
+        <translation>名称“%1”含有控制字符。</translation>
+    </message>
+    <message>
+        <source>The name “%1” holds %2, which separates in some of the formats.</source>
+        <translation>名称“%1”含有 %2，它在某些格式中是分隔符。</translation>
     </message>
 </context>
 <context>

@@ -3,9 +3,37 @@
 #include <algorithm>
 #include <set>
 
+#include "core/io/meshes/object_name.h"
 #include "ui/model/document_private.h"
 
 namespace handlebody::ui {
+
+namespace {
+
+//! Why an object cannot be called so; empty if it can.
+QString nameFaultInWords(const std::string& utf8) {
+  const QString name = QString::fromStdString(utf8);
+  switch (nameFaultOf(utf8)) {
+    case NameFault::none:
+      return {};
+    case NameFault::empty:
+      return Document::tr("The name is empty.");
+    case NameFault::notUtf8:
+      return Document::tr("The name “%1” is not UTF-8.").arg(name);
+    case NameFault::tooLong:
+      return Document::tr("The name “%1” has more than %2 characters.")
+          .arg(name, QString::number(kLongestName));
+    case NameFault::controlCharacter:
+      return Document::tr("The name “%1” holds a control character.").arg(name);
+    case NameFault::separator:
+      break;
+  }
+  const char separator = utf8[utf8.find_first_of(kNameSeparators)];
+  return Document::tr("The name “%1” holds %2, which separates in some of the formats.")
+      .arg(name, QString(QLatin1Char(separator)));
+}
+
+}  // namespace
 
 // --- what the objects ask and tell ---
 
@@ -284,9 +312,8 @@ void Document::moveObject(int index, int to) {
 }
 
 QString Document::objectLabelFault(int index, const ObjectLabel& label) const {
+  if (const QString fault = nameFaultInWords(label.name); !fault.isEmpty()) return fault;
   const QString name = QString::fromStdString(label.name);
-  if (const std::string fault = objectNameFault(label.name); !fault.empty())
-    return tr("The name “%1” %2.").arg(name, QString::fromStdString(fault));
   for (int i = 0; i < objectCount(); ++i) {
     const ObjectLabel& other = d_->object(i).traits.label;
     if (i != index && other.name == label.name) return tr("Another object is called “%1”.").arg(name);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/io/meshes/object_name.h"
+
 namespace handlebody {
 
 namespace {
@@ -86,18 +88,33 @@ int freeLabelValue(const std::vector<int>& taken) {
   return value;
 }
 
-std::string objectNameFault(const std::string& name) {
-  constexpr std::size_t kMostCharacters = 64;  // of DICOM's LO
-  if (name.find_first_not_of(' ') == std::string::npos) return "is empty";
+NameFault nameFaultOf(const std::string& name) {
+  if (name.find_first_not_of(' ') == std::string::npos) return NameFault::empty;
   const std::optional<std::size_t> characters = charactersOf(name);
-  if (!characters) return "is not UTF-8";
-  if (*characters > kMostCharacters) return "has more than 64 characters";
-  for (const char c : name) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) return "holds a control character";
-    if (std::string("\"\\|~^").find(c) != std::string::npos)
-      return std::string("holds ") + c + ", which separates in some of the formats";
+  if (!characters) return NameFault::notUtf8;
+  if (*characters > kLongestName) return NameFault::tooLong;
+  const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
+  if (std::any_of(name.begin(), name.end(), isControl)) return NameFault::controlCharacter;
+  return name.find_first_of(kNameSeparators) == std::string::npos ? NameFault::none : NameFault::separator;
+}
+
+std::string objectNameFault(const std::string& name) {
+  switch (nameFaultOf(name)) {
+    case NameFault::none:
+      return {};
+    case NameFault::empty:
+      return "is empty";
+    case NameFault::notUtf8:
+      return "is not UTF-8";
+    case NameFault::tooLong:
+      return "has more than " + std::to_string(kLongestName) + " characters";
+    case NameFault::controlCharacter:
+      return "holds a control character";
+    case NameFault::separator:
+      break;
   }
-  return {};
+  return std::string("holds ") + name[name.find_first_of(kNameSeparators)] +
+         ", which separates in some of the formats";
 }
 
 }  // namespace handlebody
