@@ -136,6 +136,7 @@ TEST_CASE("a cancelled flag ends the reading of every format") {
   for (const char* name : names) {
     INFO(name);
     CHECK_THROWS_AS(loadVolume(folder / name), Cancelled);
+    expectNoChildren();
   }
 }
 

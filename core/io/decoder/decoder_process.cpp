@@ -88,7 +88,8 @@ template <typename Error>
 
 void setDicomDecoder(const DicomDecoder& decoder) { settings() = decoder; }
 
-DecoderProcess::DecoderProcess(std::string path) : path_(std::move(path)) {
+//! By way of another constructor: so the destructor ends the child where this one throws.
+DecoderProcess::DecoderProcess(std::string path) : DecoderProcess(std::move(path), NotStarted{}) {
   const std::string program = decoderProgram();
   if (::access(program.c_str(), X_OK) != 0)
     refuseInput(path_, {FindingKind::decoderMissing, {{"program", program}}});

@@ -26,6 +26,8 @@ class DecoderProcess {
   std::shared_ptr<void> takeMemory(std::uint64_t bytes);
 
  private:
+  struct NotStarted {};
+  DecoderProcess(std::string path, NotStarted) : path_(std::move(path)) {}
   void start(const std::string& program);
   void waitForMessage();
   void noteProgress(const Message& message, const ReadProgress& progress, double from, double to);
