@@ -321,9 +321,9 @@ void CollisionDetector::Tables::testSeparate() {
 
 //! False if the vertices are too crowded.
 bool CollisionDetector::Tables::testPairs() {
-  const auto testAll = [this](auto& found) {
+  const auto testAll = [this](auto& near) {
     inShares([&](Worker& w, Share share) {
-      found.forEachPair([&](int u, int v, double d) { testPair(w, u, v, d); }, share);
+      near.forEachPair([&](int u, int v, double d) { testPair(w, u, v, d); }, share);
     });
     return true;
   };
