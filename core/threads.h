@@ -7,21 +7,11 @@
 #include <exception>
 #include <mutex>
 #include <thread>
-#include <utility>
 #include <vector>
 
 #include "core/cancellation.h"
 
 namespace handlebody {
-
-//! One of several equal parts of some work.
-struct Share {
-  std::size_t part = 0, parts = 1;
-  //! Of n pieces: from the first to before the last.
-  std::pair<std::size_t, std::size_t> of(std::size_t n) const {
-    return {part * n / parts, (part + 1) * n / parts};
-  }
-};
 
 //! Calls f(i) once for each i below `n`, on up to `threads` threads, this one among them. What one of them
 //! throws is thrown here once all have ended; those not begun by then are left out. All notice a wish to

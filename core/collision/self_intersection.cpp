@@ -14,7 +14,6 @@
 #include "core/collision/vertex_pairs.h"
 #include "core/collision/vertex_stars.h"
 #include "core/indices.h"
-#include "core/threads.h"
 
 namespace handlebody {
 namespace {
@@ -23,8 +22,6 @@ namespace {
 constexpr double kRounding = 1 + 0x1p-40;
 // A star is measured as larger than its longest edge by no more than this (StarSize, squared).
 constexpr double kMeasured = 1 + 0x1p-8;
-// Below this many vertices a thread costs more than it saves.
-constexpr std::size_t kVerticesPerThread = 2000;
 
 Box boxOf(std::span<const Vec3> points, const Triangle& t) {
   const Vec3& a = points[idx(t[0])];
@@ -64,16 +61,9 @@ unsigned notSkipped(std::span<const Corner> corners, bool inOrder, Skip&& skip) 
   return ~(behind | same) & ((1u << n) - 1);
 }
 
-//! What one thread works with. In which order pairs are found does not matter: they are sorted in the end.
-struct Worker {
-  StarTest starTest;
-  std::vector<FacePair> pairs;
-};
-
 }  // namespace
 
 struct CollisionDetector::Tables {
-  int threads = 1;
   std::span<const Vec3> points;
   std::span<const Triangle> faces;
   bool all = true;                       //!< else only pairs with a face in `movedFace`
@@ -86,7 +76,7 @@ struct CollisionDetector::Tables {
   double longestSquared = 0;    //!< of all edges that may meet one of `vertices`
   std::vector<FacePair> pairs;
   VertexStars stars;
-  std::vector<Worker> workers = std::vector<Worker>(1);
+  StarTest starTest;
   VertexPairs nearPairs;
   LevelPairs levelPairs;           //!< instead, where the sizes of the stars differ much
   std::vector<double> starSizes;   //!< squared, of `vertices`: see sizeSquared
@@ -99,18 +89,9 @@ struct CollisionDetector::Tables {
   std::vector<int> boxFaces;
 
   bool wanted(int f, int g) const { return all || movedFace[idx(f)] != 0 || movedFace[idx(g)] != 0; }
-  void test(Worker& w, int f, int g) const {
+  void test(int f, int g) {
     if (facesIntersect(points, faces[idx(f)], faces[idx(g)]))
-      w.pairs.emplace_back(std::min(f, g), std::max(f, g));
-  }
-  //! work(worker, share) for shares that are all of it together.
-  template <typename F>
-  void inShares(F&& work) {
-    const std::size_t parts = std::clamp<std::size_t>(vertices.size() / kVerticesPerThread, 1, idx(threads));
-    if (workers.size() < parts) workers.resize(parts);
-    forEachOnThreads(parts, static_cast<int>(parts), [&](std::size_t part) {
-      work(workers[part], Share{part, parts});
-    });
+      pairs.emplace_back(std::min(f, g), std::max(f, g));
   }
   void runAll();
   void runMoved(std::span<const unsigned char> moved);
@@ -122,10 +103,9 @@ struct CollisionDetector::Tables {
   void addResting(int v);
   bool areLevelsWorth();
   double reach() const { return std::sqrt(longestSquared * VertexLevels::kReachSquared) * kRounding; }
-  void collectPairs();
-  void testStars();
-  void testStar(Worker& w, int v);
-  void testStarPairs(Worker& w, int v) const;
+  void sortPairs();
+  void testStar(int v);
+  void testStarPairs(int v);
   void testSeparate();
   //! How near (mm², squared) the vertex u of a face T must be to the vertex v = P; see testSeparate.
   double reachSquared(int u, int v) const {
@@ -134,21 +114,15 @@ struct CollisionDetector::Tables {
   //! A size s of a star such that its spokes are not longer than s and its circles not larger than s/√3.
   double sizeSquared(int v) const { return std::max(sizes[idx(v)].spoke, 3 * sizes[idx(v)].circle); }
   bool testPairs();
-  void testPair(Worker& w, int u, int v, double distanceSquared) const;
-  void testNear(Worker& w, int u, int v, double distanceSquared) const;
+  void testPair(int u, int v, double distanceSquared);
+  void testNear(int u, int v, double distanceSquared);
   bool isFirstNear(int u, const Triangle& t, int v) const;
-  void testFan(Worker& w, int f, int v) const;
+  void testFan(int f, int v);
   void markCells();
   void testSeparateByTree();
 };
 
-void CollisionDetector::Tables::collectPairs() {
-  for (Worker& w : workers) {
-    pairs.insert(pairs.end(), w.pairs.begin(), w.pairs.end());
-    w.pairs.clear();
-  }
-  sortUnique(pairs);
-}
+void CollisionDetector::Tables::sortPairs() { sortUnique(pairs); }
 
 void CollisionDetector::Tables::runAll() {
   all = true;
@@ -159,11 +133,11 @@ void CollisionDetector::Tables::runAll() {
   for (int v = 0; v < stars.vertexCount(); ++v) {
     if (stars.corners(v).empty()) continue;
     vertices.push_back(v);
+    testStar(v);
+    longestSquared = std::max(longestSquared, sizes[idx(v)].spoke);
   }
-  testStars();
-  for (const int v : vertices) longestSquared = std::max(longestSquared, sizes[idx(v)].spoke);
   testSeparate();
-  collectPairs();
+  sortPairs();
 }
 
 void CollisionDetector::Tables::runMoved(std::span<const unsigned char> moved) {
@@ -171,12 +145,12 @@ void CollisionDetector::Tables::runMoved(std::span<const unsigned char> moved) {
   pairs.clear();
   sizes.resize(points.size());
   listActive(moved);
-  testStars();
+  for (const int v : vertices) testStar(v);
   addNear();
   testSeparate();
   for (const int f : movedFaces) movedFace[idx(f)] = 0;
   for (const int v : vertices) active[idx(v)] = 0;
-  collectPairs();
+  sortPairs();
 }
 
 //! The faces that moved and their vertices. The flags are all 0 before.
@@ -275,29 +249,22 @@ void CollisionDetector::Tables::addNearOfLevels() {
       addResting(v);
 }
 
-void CollisionDetector::Tables::testStars() {
-  inShares([this](Worker& w, Share share) {
-    const auto [first, last] = share.of(vertices.size());
-    for (std::size_t i = first; i < last; ++i) testStar(w, vertices[i]);
-  });
-}
-
-void CollisionDetector::Tables::testStar(Worker& w, int v) {
+void CollisionDetector::Tables::testStar(int v) {
   if (stars.isCycle(v)) {
-    if (!w.starTest.isEmbedded(points, v, stars.corners(v), sizes[idx(v)])) testStarPairs(w, v);
+    if (!starTest.isEmbedded(points, v, stars.corners(v), sizes[idx(v)])) testStarPairs(v);
   } else {
     sizes[idx(v)] = measureStar(points, v, stars.corners(v));
-    testStarPairs(w, v);
+    testStarPairs(v);
   }
 }
 
-void CollisionDetector::Tables::testStarPairs(Worker& w, int v) const {
+void CollisionDetector::Tables::testStarPairs(int v) {
   const auto corners = stars.corners(v);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     for (std::size_t j = i + 1; j < corners.size(); ++j) {
       const int f = corners[i].face;
       const int g = corners[j].face;
-      if (f != g && wanted(f, g)) test(w, f, g);
+      if (f != g && wanted(f, g)) test(f, g);
     }
   }
 }
@@ -321,34 +288,32 @@ void CollisionDetector::Tables::testSeparate() {
 
 //! False if the vertices are too crowded.
 bool CollisionDetector::Tables::testPairs() {
-  const auto testAll = [this](auto& near) {
-    inShares([&](Worker& w, Share share) {
-      near.forEachPair([&](int u, int v, double d) { testPair(w, u, v, d); }, share);
-    });
-    return true;
-  };
-  if (areLevelsWorth())
-    return levelPairs.build(points, vertices, starSizes, longestSquared) && testAll(levelPairs);
-  return nearPairs.build(points, vertices, reach()) && testAll(nearPairs);
+  const auto test = [this](int u, int v, double distanceSquared) { testPair(u, v, distanceSquared); };
+  if (areLevelsWorth()) {
+    if (!levelPairs.build(points, vertices, starSizes, longestSquared)) return false;
+    levelPairs.forEachPair(test);
+  } else {
+    if (!nearPairs.build(points, vertices, reach())) return false;
+    nearPairs.forEachPair(test);
+  }
+  return true;
 }
 
-void CollisionDetector::Tables::testPair(Worker& w, int u, int v, double distanceSquared) const {
+void CollisionDetector::Tables::testPair(int u, int v, double distanceSquared) {
   if (!all && (active[idx(u)] | active[idx(v)]) == 0) return;
-  if (distanceSquared <= reachSquared(u, v)) testNear(w, u, v, distanceSquared);
-  if (distanceSquared <= reachSquared(v, u)) testNear(w, v, u, distanceSquared);
+  if (distanceSquared <= reachSquared(u, v)) testNear(u, v, distanceSquared);
+  if (distanceSquared <= reachSquared(v, u)) testNear(v, u, distanceSquared);
 }
 
 //! The faces T at u against the faces at P = v.
-void CollisionDetector::Tables::testNear(Worker& w, int u, int v, double distanceSquared) const {
+void CollisionDetector::Tables::testNear(int u, int v, double distanceSquared) {
   const double nearSquared = sizes[idx(v)].spoke * (0.25 * kRounding);
   const Vec3& pu = points[idx(u)];
-  const Vec3 towards = points[idx(v)] - pu;
-  // First a cheap rejection: a face whose corners stay behind `end` towards v is too far from v.
+  const Vec3 w = points[idx(v)] - pu;
+  // First a cheap rejection: a face whose corners stay behind `end` along w is too far from v.
   const double end = std::max(0.0, distanceSquared - std::sqrt(distanceSquared * nearSquared) -
                                        (kRounding - 1) * (distanceSquared + sizes[idx(u)].spoke));
-  const auto skip = [&](int r) {
-    return SkipBits{end > 0 && towards.dot(points[idx(r)] - pu) < end, r == v};
-  };
+  const auto skip = [&](int r) { return SkipBits{end > 0 && w.dot(points[idx(r)] - pu) < end, r == v}; };
   const std::span<const Corner> corners = stars.corners(u);
   for (std::size_t first = 0; first < corners.size(); first += kSkipBits) {
     const auto some = corners.subspan(first, std::min(kSkipBits, corners.size() - first));
@@ -356,7 +321,7 @@ void CollisionDetector::Tables::testNear(Worker& w, int u, int v, double distanc
       const Corner& c = some[static_cast<std::size_t>(std::countr_zero(left))];
       if (!all && (active[idx(v)] | movedFace[idx(c.face)]) == 0) continue;
       if (isFarFrom(points[idx(v)], pu, points[idx(c.next)], points[idx(c.prev)], nearSquared)) continue;
-      if (isFirstNear(u, faces[idx(c.face)], v)) testFan(w, c.face, v);
+      if (isFirstNear(u, faces[idx(c.face)], v)) testFan(c.face, v);
     }
   }
 }
@@ -370,12 +335,12 @@ bool CollisionDetector::Tables::isFirstNear(int u, const Triangle& t, int v) con
 }
 
 //! Face f against the faces at v.
-void CollisionDetector::Tables::testFan(Worker& w, int f, int v) const {
+void CollisionDetector::Tables::testFan(int f, int v) {
   const Triangle& t = faces[idx(f)];
   const Box box = boxOf(points, t);
   for (const Corner& c : stars.corners(v)) {
     const Triangle& s = faces[idx(c.face)];
-    if (wanted(f, c.face) && boxOf(points, s).overlaps(box) && !shareVertex(s, t)) test(w, f, c.face);
+    if (wanted(f, c.face) && boxOf(points, s).overlaps(box) && !shareVertex(s, t)) test(f, c.face);
   }
 }
 
@@ -405,7 +370,7 @@ void CollisionDetector::Tables::testSeparateByTree() {
   tree.forEachOverlap([&](int i, int j) {
     const int f = boxFaces[idx(i)];
     const int g = boxFaces[idx(j)];
-    if (wanted(f, g) && !shareVertex(faces[idx(f)], faces[idx(g)])) test(workers.front(), f, g);
+    if (wanted(f, g) && !shareVertex(faces[idx(f)], faces[idx(g)])) test(f, g);
   });
 }
 
@@ -413,8 +378,6 @@ CollisionDetector::CollisionDetector() : tables_(std::make_unique<Tables>()) {}
 CollisionDetector::~CollisionDetector() = default;
 CollisionDetector::CollisionDetector(CollisionDetector&&) noexcept = default;
 CollisionDetector& CollisionDetector::operator=(CollisionDetector&&) noexcept = default;
-
-void CollisionDetector::useThreads(int threads) { tables_->threads = std::max(1, threads); }
 
 void CollisionDetector::use(BroadPhase phase) {
   tables_->nearPairs.use(phase);

@@ -22,7 +22,6 @@
 #include "core/collision/half_boxes.h"
 #include "core/collision/lanes.h"
 #include "core/geometry/vec.h"
-#include "core/threads.h"
 
 namespace handlebody {
 
@@ -34,10 +33,9 @@ class SortedBoxes {
   //! The points must stay as they are until the last forEachPair.
   bool build(std::span<const Vec3> points, std::span<const int> vertices, double radius);
 
-  //! Calls f(u, v, squared distance) once for each pair of vertices not farther apart than `radius`. All
-  //! shares together give all pairs.
+  //! Calls f(u, v, squared distance) once for each pair of vertices not farther apart than `radius`.
   template <typename F>
-  void forEachPair(F&& f, Share share = {}) const;
+  void forEachPair(F&& f) const;
 
  private:
   // The sum of squares of the numbers of vertices in the half boxes may be this many times the number of
@@ -130,12 +128,9 @@ void SortedBoxes::visit(std::uint32_t own, Windows& windows, F&& f) const {
 }
 
 template <typename F>
-void SortedBoxes::forEachPair(F&& f, Share share) const {
-  const auto [begin, end] = share.of(vertex_.size());
-  std::size_t r = 0;
-  while (rows_[r].first < begin) ++r;
+void SortedBoxes::forEachPair(F&& f) const {
   std::size_t above = 0;  // the first row that does not come before (y-1, z+1)
-  for (; rows_[r].first < end; ++r) {
+  for (std::size_t r = 0; rows_[r].first < vertex_.size(); ++r) {
     const Row& row = rows_[r];
     while (rows_[above] < Row{row.y - 1, row.z + 1, 0}) ++above;
     Windows windows{Window{row.first, rows_[r + 1].first}, windowOf(r + 1, {row.y + 1, row.z, 0})};

@@ -48,17 +48,14 @@ class LevelPairs {
   bool build(std::span<const Vec3> points, std::span<const int> vertices,
              std::span<const double> sizesSquared, double largestSquared);
   //! Calls f(u, v, squared distance) once for each pair within reach, in either order, and for some others.
-  //! Shares as in VertexPairs.
   template <typename F>
-  void forEachPair(F&& f, Share share = {}) {
+  void forEachPair(F&& f) {
     for (std::size_t k = 0; k < pairs_.size(); ++k)
       if (isUsed_[k])
-        pairs_[k].forEachPair(
-            [&](int u, int v, double d) {
-              if (std::min(level_[static_cast<std::size_t>(u)], level_[static_cast<std::size_t>(v)]) == k)
-                f(u, v, d);
-            },
-            share);
+        pairs_[k].forEachPair([&](int u, int v, double d) {
+          if (std::min(level_[static_cast<std::size_t>(u)], level_[static_cast<std::size_t>(v)]) == k)
+            f(u, v, d);
+        });
   }
 
  private:

@@ -21,13 +21,12 @@ class VertexPairs {
   }
 
   //! Calls f(u, v, squared distance) once for each pair of vertices not farther apart than `radius`, in
-  //! either order. All shares together give all pairs, and may be asked for at the same time; with hashing
-  //! the first has all.
+  //! either order.
   template <typename F>
-  void forEachPair(F&& f, Share share = {}) {
+  void forEachPair(F&& f) {
     if (phase_ == BroadPhase::sorted)
-      sorted_.forEachPair(std::forward<F>(f), share);
-    else if (share.part == 0)
+      sorted_.forEachPair(std::forward<F>(f));
+    else
       hash_.forEachPair(std::forward<F>(f));
   }
 

@@ -79,7 +79,6 @@ void ActiveContour::State::adapt(Attempt& a) {
   AdaptationSettings settings{!mayShrink(), traces, iteration, topology, {}, limits.forbidden, &work};
   settings.cameBack = [this](const Vec3& p) { return resting.cameBack(p, longestAt(p)); };
   detector.use(parameters.broadPhase);
-  detector.useThreads(parameters.threads);
   adaptInRounds(mesh, detector, std::move(settings), limits.longest, a);
 }
 
