@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Which lines of core its tests and those of io run, folder by folder; a build of its own, an hour or so.
+# Which lines of core its tests and those of io run; a build of its own, an hour or so.
 # Fails below 95 % of core's lines. What no test runs: build/coverage/core.html
 set -euo pipefail
 cd "$(dirname "$0")/.."

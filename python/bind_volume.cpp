@@ -3,7 +3,6 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include "core/cancellation.h"
 #include "core/errors.h"
 #include "core/io/report/parse.h"
 #include "python/bind.h"
@@ -102,10 +101,9 @@ VolumePointer readVolumeOf(const py::object& path, const py::object& series, std
     throw UsageError("--uneven: '" + uneven + "' is not resample or refuse.");
   if (uneven == "refuse") reference.selection.uneven = UnevenSlices::refuse;
   auto volume = std::make_shared<PythonVolume>();
-  withoutLock([&](const std::atomic<bool>& cancelled) {
+  withoutLock([&](const std::atomic<bool>&) {
     const std::lock_guard lock(filesMutex());
     reference.sha256 = sha256OfPath(reference.path);
-    const CancelScope scope(cancelled);
     volume->loaded = loadVolume(reference.path, reference.selection);
   });
   volume->reference = std::move(reference);

@@ -17,7 +17,7 @@ class DecoderProcess {
   DecoderProcess& operator=(const DecoderProcess&) = delete;
 
   void send(const Message& message);
-  //! The next message that is no progress; which goes to `progress` as from + part · (to − from). Throws
+  //! The next message but for progress, which is passed on as from + part · (to − from). Throws
   //! InputError for what the child refuses and for its death or silence, UsageError, Cancelled.
   Message receive(const ReadProgress& progress, double from, double to);
   //! The child may have so many bytes of address space more than when it was ready.

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "core/io/formats/volume_source.h"
-#include "core/told_error.h"
 
 namespace handlebody {
 namespace {
