@@ -23,6 +23,7 @@ constexpr ui::EventStage kStages[] = {ui::EventStage::colliding, ui::EventStage:
 const QStringList kStageWords{QStringLiteral("collide"), QStringLiteral("open"), QStringLiteral("handle"),
                               QStringLiteral("close")};
 constexpr int kSettle = 400;  // ms for layouts and the last drawing
+constexpr int kLayouts = 3;
 
 }  // namespace
 
@@ -131,6 +132,8 @@ void Screenshot::showStage() {
 
 void Screenshot::settle() {
   QTimer::singleShot(kSettle, this, [this] {
+    // On a busy machine layouts may still wait, and those that follow from them.
+    for (int i = 0; i < kLayouts; ++i) QCoreApplication::sendPostedEvents();
     const QString& view = options_.view;
     const QImage picture = view == QStringLiteral("window") ? window_.grab().toImage()
                                                             : window_.views().picture(ui::cellFromWord(view));
