@@ -222,13 +222,13 @@ StepReport ActiveContour::State::step() {
 }
 
 ActiveContour::ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters parameters,
-                             const Constraints& constraints)
+                             const Constraints& constraints, ObjectMemory* memory)
     : state_(std::make_unique<State>()) {
   requireSensible(parameters);
   requireSensible(constraints, volume.grid);
   state_->volume = std::move(volume);
   state_->seeds = std::move(seeds);
-  state_->object = objectOf(state_->volume, state_->seeds, parameters, constraints.start);
+  state_->object = objectOf(state_->volume, state_->seeds, parameters, constraints.start, memory);
   state_->start(parameters, constraints);
 }
 ActiveContour::ActiveContour(std::unique_ptr<State> state) : state_(std::move(state)) {}

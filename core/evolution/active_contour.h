@@ -18,6 +18,7 @@
 namespace handlebody {
 
 class AskedChoices;  // clicked_object.h
+class ObjectMemory;
 
 //! Grows a closed surface from seeds in a volume. The same volume, seeds, parameters and version give the
 //! same mesh, bit for bit, with any number of threads.
@@ -25,11 +26,12 @@ class ActiveContour {
  public:
   //! Resolves the automatic parameters from the image around the seeds and makes the seed spheres, or takes
   //! the surface of Constraints::start in their place; without a seed the image around a place within it.
+  //! `memory`: of earlier contours in the volume, which makes this one quicker and changes nothing else.
   //! Throws SeedError (seed outside the volume or not in an object), UsageError (a parameter without meaning,
   //! a range without voxels, a wall outside of the volume, a start in a wall or that meets an object of them,
   //! a pin of iteration 0 without a vertex), Cancelled (cancellation.h).
   ActiveContour(Volume volume, std::vector<Seed> seeds, Parameters parameters,
-                const Constraints& constraints = {});
+                const Constraints& constraints = {}, ObjectMemory* memory = nullptr);
   ~ActiveContour();
   ActiveContour(ActiveContour&&) noexcept;
   ActiveContour& operator=(ActiveContour&&) noexcept;

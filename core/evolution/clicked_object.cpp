@@ -59,15 +59,15 @@ Volume onScale(const Volume& volume, const IntensityScale& scale) {
 
 std::shared_ptr<const ObjectImage> imageOf(const Volume& volume, const ObjectModel& model,
                                            const Parameters& p, std::shared_ptr<const FieldOfView> view) {
-  const RegionLevels levels = levelsOn(model.work, model.region, model.work.cells().grid);
+  const RegionLevels levels = levelsOn(*model.work, model.region, model.work->cells().grid);
   const double halfStep = levels.halfStep > 0 ? levels.halfStep : model.noise;
   const double voxel = volume.grid.meanSpacing();
   const double sigma = p.smoothing.value_or(smoothingFor(model.noise, halfStep) * voxel);
-  const CellGrid& cells = model.work.cells();
+  const CellGrid& cells = model.work->cells();
   const double cell = cells.grid.meanSpacing();
   // A star-shaped region was chosen because the image around it leads astray: its own surface counts.
   const double trust = model.isStar ? 0 : std::min(1.0, halfStep / (kTrusted * model.noise));
-  RegionLimits region{std::make_shared<RegionField>(model.work, model.region),
+  RegionLimits region{std::make_shared<RegionField>(*model.work, model.region),
                       cells.grid,
                       levels.low,
                       levels.high,
@@ -96,12 +96,12 @@ Boundary strongestBoundary(const Volume& volume, const std::vector<Seed>& seeds,
 //! The boundary next to a region, between two intensities, if there is one.
 std::optional<ObjectChoice> boundaryNextTo(const ObjectModel& model, const Volume& volume,
                                            const std::vector<Seed>& seeds, const Parameters& p) {
-  const RegionLevels levels = levelsOn(model.work, model.region, volume.grid);
+  const RegionLevels levels = levelsOn(*model.work, model.region, volume.grid);
   if (!(levels.halfStep > 0)) return {};
   ObjectKind kind = levels.kind;
   if (std::isfinite(model.low) != std::isfinite(model.high))
     kind = std::isfinite(model.high) ? ObjectKind::dark : ObjectKind::bright;
-  const auto& factor = model.work.cells().factor;
+  const auto& factor = model.work->cells().factor;
   const double perCell = static_cast<double>(factor[0]) * factor[1] * factor[2];
   return objectNextTo({kind, kind == ObjectKind::dark ? *levels.high : *levels.low,
                        static_cast<double>(model.region.count()) * perCell, model.neckRadius > 0},
@@ -130,7 +130,7 @@ bool isSameObject(const Volume& volume, const ObjectChoice& choice, const std::v
   for (const Seed& s : clicks) (s.background ? outside : indices).push_back(volume.grid.toIndex(s.centre));
   const double sign = choice.object == ObjectKind::dark ? 1 : -1;
   const ObjectRegion flooded = floodObject(*choice.volume, indices, sign, *choice.levels, kMostVoxels);
-  const CellGrid& cells = model.work.cells();
+  const CellGrid& cells = model.work->cells();
   double both = 0, in = 0;
   for (const ObjectRegion::Voxel& v : flooded.voxels) {
     const Vec3 index(v[0], v[1], v[2]);
@@ -150,8 +150,8 @@ bool isSameObject(const Volume& volume, const ObjectChoice& choice, const std::v
 //! leak where it has a gap of less than a voxel.
 std::shared_ptr<const ObjectImage> imageOf(const ObjectChoice& choice, const ObjectModel& model) {
   const Grid& grid = choice.volume->grid();
-  const double cell = model.work.cells().grid.meanSpacing();
-  RegionLimits region{std::make_shared<RegionField>(model.work, model.region),
+  const double cell = model.work->cells().grid.meanSpacing();
+  RegionLimits region{std::make_shared<RegionField>(*model.work, model.region),
                       grid,
                       choice.levels,
                       choice.levels,
@@ -215,7 +215,14 @@ bool AskedChoices::areKnown() const {
   return found_.has_value();
 }
 
-ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& clicks, const Parameters& p) {
+std::optional<ObjectModel> ObjectMemory::find(const Volume& volume, const ObjectQuery& query,
+                                              std::shared_ptr<const FieldOfView> view) {
+  const std::unique_lock lock(guard_, std::try_to_lock);
+  return lock ? finder_.find(volume, query, std::move(view)) : findObject(volume, query, view.get());
+}
+
+ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& clicks, const Parameters& p,
+                                ObjectMemory* memory) {
   const std::vector<Seed> seeds = seedsOfSide(clicks, false);
   requireClicksInside(volume.grid, clicks);
   ClickedObject out;
@@ -233,7 +240,8 @@ ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& c
   if (isMeantByBoundary(clicks, p))
     if (const Boundary meant = strongestBoundary(volume, seeds, p); meant.choice)
       return meantObject(volume, clicks, p, *meant.choice, std::move(view));
-  const std::optional<ObjectModel> model = findObject(volume, queryOf(clicks, p), view.get());
+  const std::optional<ObjectModel> model = memory ? memory->find(volume, queryOf(clicks, p), view)
+                                                  : findObject(volume, queryOf(clicks, p), view.get());
   Boundary boundary;
   if (!model)
     boundary = strongestBoundary(volume, seeds, p);

@@ -45,10 +45,24 @@ struct ClickedObject {
   int candidate = 1;
 };
 
+//! What earlier clicks found, so that one more takes no longer than itself (ObjectFinder). Any number of
+//! threads may use it; one that would have to wait for another searches anew.
+class ObjectMemory {
+ public:
+  //! As ObjectFinder::find.
+  std::optional<ObjectModel> find(const Volume& volume, const ObjectQuery& query,
+                                  std::shared_ptr<const FieldOfView> view);
+
+ private:
+  std::mutex guard_;
+  ObjectFinder finder_;
+};
+
 //! From clicks to the object: the strongest boundary around the seeds (object_range.h) where it is that of
 //! the likeliest region, else the region itself, whose surface follows the image within a cell. Throws as
 //! chooseObject; SeedError also if there is nothing but one intensity, or no image, at the first click.
+//! `memory` may be null; the object does not depend on it.
 ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& clicks,
-                                const Parameters& parameters);
+                                const Parameters& parameters, ObjectMemory* memory = nullptr);
 
 }  // namespace handlebody

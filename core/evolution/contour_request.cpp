@@ -178,11 +178,11 @@ void ActiveContour::State::beginWithStart() {
 
 //! Where nothing is to grow the image is not asked.
 ClickedObject objectOf(const Volume& volume, std::vector<Seed> seeds, const Parameters& parameters,
-                       const std::optional<StartSurface>& start) {
-  if (!start) return findClickedObject(volume, seeds, parameters);
+                       const std::optional<StartSurface>& start, ObjectMemory* memory) {
+  if (!start) return findClickedObject(volume, seeds, parameters, memory);
   if (!start->isDone) {
     if (seedsOfSide(seeds, false).empty()) seeds.push_back(seedWithin(*start));
-    return findClickedObject(volume, seeds, parameters);
+    return findClickedObject(volume, seeds, parameters, memory);
   }
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   ClickedObject object;
@@ -229,7 +229,7 @@ void ActiveContour::State::change(const Request& to, const State* prepared) {
   if (prepared)
     object = prepared->object;
   else if (otherImage)
-    object = objectOf(volume, seeds, to.parameters, constraints.start);
+    object = objectOf(volume, seeds, to.parameters, constraints.start, nullptr);
   if (otherImage && !otherClicks) chooseEdge();
   const double edge = parameters.edgeLength;
   resolve(to.parameters);

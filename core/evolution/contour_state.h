@@ -34,7 +34,7 @@ inline constexpr int kFitsIntoCache = 3000;  // vertices: any order of them will
 
 //! What the clicks mean; where there are none inside, what a start encloses.
 ClickedObject objectOf(const Volume& volume, std::vector<Seed> seeds, const Parameters& parameters,
-                       const std::optional<StartSurface>& start);
+                       const std::optional<StartSurface>& start, ObjectMemory* memory);
 
 struct ActiveContour::State {
   Mesh mesh;

@@ -21,8 +21,10 @@ enum class Contrast { any, dark, bright };  //!< of the object against what is a
 
 //! What is looked for.
 struct ObjectQuery {
-  std::vector<ObjectClick> inside, outside;  //!< the first inside one decides, the others correct
-  int candidate = 1;                         //!< 1 = the likeliest
+  //! The first inside one decides, the others correct. Of either side in the order given: what a click has
+  //! changed stays as it is when another one of its side is added.
+  std::vector<ObjectClick> inside, outside;
+  int candidate = 1;  //!< 1 = the likeliest
   Contrast contrast = Contrast::any;
   int threads = 1;
 };
@@ -35,7 +37,7 @@ class ObjectModel {
   int chosen = 1;              //!< of them
   bool isCloseChoice = false;  //!< another one is about as likely
   IntensityScale scale;        //!< of `work`, `level` and `noise`
-  WorkImage work;
+  std::shared_ptr<const WorkImage> work;
   Region region;             //!< what was chosen, corrected by the clicks
   bool isCorrected = false;  //!< further clicks have changed it
   double neckRadius = 0;     //!< mm: narrower passages are cut
@@ -46,8 +48,25 @@ class ObjectModel {
   double noise = 0;          //!< standard deviation there
 };
 
-//! None if the image is constant around the first click, or holds no image there. Precondition: at least one
-//! click inside; all lie in the volume.
+//! Finds what clicks mean, and keeps what was found on the way: for one more click in the same volume only
+//! what that click changes is looked for. What it finds does not depend on what it was asked before.
+class ObjectFinder {
+ public:
+  explicit ObjectFinder(const ObjectPolicy& policy = {});
+  ~ObjectFinder();
+  //! None if the image is constant around the first click, or holds no image there; `view` may be null.
+  //! Precondition: at least one click inside; all lie in the volume. Throws Cancelled (cancellation.h); it
+  //! may be asked again then.
+  std::optional<ObjectModel> find(const Volume& volume, const ObjectQuery& query,
+                                  std::shared_ptr<const FieldOfView> view);
+
+ private:
+  class Search;
+  ObjectPolicy policy_;
+  std::unique_ptr<Search> search_;
+};
+
+//! The same once.
 std::optional<ObjectModel> findObject(const Volume& volume, const ObjectQuery& query, const FieldOfView* view,
                                       const ObjectPolicy& policy = {});
 

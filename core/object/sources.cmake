@@ -12,6 +12,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/object/intensity_shares.cpp
   ${CMAKE_SOURCE_DIR}/core/object/morphology.cpp
   ${CMAKE_SOURCE_DIR}/core/object/object_model.cpp
+  ${CMAKE_SOURCE_DIR}/core/object/offers.cpp
   ${CMAKE_SOURCE_DIR}/core/object/rays.cpp
   ${CMAKE_SOURCE_DIR}/core/object/region.cpp
   ${CMAKE_SOURCE_DIR}/core/object/region_field.cpp

@@ -16,11 +16,11 @@ class WorkCells {
 
   //! The box is widened by that around a point of the volume. False if it holds that already.
   bool reach(const Reach& box);
+  CellGrid cells() const { return cellsAround(volume_.grid, boxes_, policy_.workCells); }
   //! The image in the box on a scale, smoothed.
   WorkImage image(const IntensityScale& scale) const;
 
  private:
-  CellGrid cells() const { return cellsAround(volume_.grid, boxes_, policy_.workCells); }
   bool holds(const Reach& box) const;
 
   const Volume& volume_;

@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "core/cancellation.h"
+#include "core/evolution/clicked_object.h"
 #include "core/errors.h"
 #include "core/told_error.h"
 #include "ui/model/error_sentence.h"
@@ -24,17 +25,21 @@ std::shared_ptr<const ActiveContour> startedFrom(const ActiveContour& made, cons
 
 }  // namespace
 
-ActiveContour Preparation::make(const Volume& volume, const Request& request) const {
+ActiveContour Preparation::make(const Volume& volume, const Request& request) {
   const auto& [seeds, parameters, constraints] = request;
   for (const Known& known : known_)
     if (known.contour->requestedSeeds() == seeds && chooseSameImage(known.contour->requested(), parameters))
       return known.contour->restarted(parameters, constraints);
-  return {volume, seeds, parameters, constraints};
+  if (!memory_) memory_ = std::make_shared<ObjectMemory>();
+  return {volume, seeds, parameters, constraints, memory_.get()};
 }
 
 Prepared Preparation::prepare(const Volume& volume, const Request& request, const CarriedStart* surface) {
   const auto start = std::chrono::steady_clock::now();
-  if (!known_.empty() && known_.front().volume.voxels != volume.voxels) known_.clear();
+  if (!known_.empty() && known_.front().volume.voxels != volume.voxels) {
+    known_.clear();
+    memory_.reset();
+  }
   Prepared prepared;
   const auto made = std::make_shared<const ActiveContour>(make(volume, request));
   prepared.contour = surface ? startedFrom(*made, request, *surface) : made;
@@ -51,7 +56,10 @@ void Preparation::cancel() { *cancelled_ = true; }
 
 void Preparation::forget() {
   cancel();
-  background_.postInstead([this] { known_.clear(); });
+  background_.postInstead([this] {
+    known_.clear();
+    memory_.reset();
+  });
 }
 
 void Preparation::request(const Volume& volume, const Request& request,

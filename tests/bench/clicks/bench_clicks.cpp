@@ -44,7 +44,7 @@ struct UserRow {
 //! Region of cells → voxels.
 Mask voxelsOf(const ObjectModel& model, const Grid& grid) {
   Mask out(grid.voxelCount());
-  const CellGrid& cells = model.work.cells();
+  const CellGrid& cells = model.work->cells();
   std::size_t i = 0;
   for (int z = 0; z < grid.size[2]; ++z)
     for (int y = 0; y < grid.size[1]; ++y)
@@ -66,23 +66,30 @@ struct Answer {
   double expected = 0;
 };
 //! What a system makes of clicks; the last is the candidate, from 1 on, that is asked for.
-using System = std::function<Answer(const Volume&, const FieldOfView*, const std::vector<UserClick>&, int)>;
+using System = std::function<Answer(const Volume&, const std::shared_ptr<const FieldOfView>&,
+                                    const std::vector<UserClick>&, int)>;
+//! A system for one user: it may keep what it found for earlier clicks.
+using SystemMaker = std::function<System()>;
 
-System handlebodyWith(const ObjectPolicy& policy) {
-  return [policy](const Volume& volume, const FieldOfView* view, const std::vector<UserClick>& clicks,
-                  int candidate) {
-    ObjectQuery query;
-    query.candidate = candidate;
-    for (const UserClick& c : clicks) (c.isInside ? query.inside : query.outside).push_back({c.place, {}});
-    if (view && view->isPaddingNear(volume.grid.toIndex(clicks[0].place))) view = nullptr;
-    const auto model = findObject(volume, query, view, policy);
-    if (!model) return Answer{Mask(volume.grid.voxelCount()), 0};
-    return Answer{voxelsOf(*model, volume.grid), model->candidates[0].score};
+SystemMaker handlebodyWith(const ObjectPolicy& policy) {
+  return [policy]() -> System {
+    return [finder = std::make_shared<ObjectFinder>(policy)](
+               const Volume& volume, const std::shared_ptr<const FieldOfView>& view,
+               const std::vector<UserClick>& clicks, int candidate) {
+      ObjectQuery query;
+      query.candidate = candidate;
+      for (const UserClick& c : clicks) (c.isInside ? query.inside : query.outside).push_back({c.place, {}});
+      const bool hasView = view && !view->isPaddingNear(volume.grid.toIndex(clicks[0].place));
+      const auto model = finder->find(volume, query, hasView ? view : nullptr);
+      if (!model) return Answer{Mask(volume.grid.voxelCount()), 0};
+      return Answer{voxelsOf(*model, volume.grid), model->candidates[0].score};
+    };
   };
 }
 
-UserRow oneUser(const LabelledVolume& v, const FieldOfView* view, const Vec3& first, const Options& o,
-                const System& system) {
+UserRow oneUser(const LabelledVolume& v, const std::shared_ptr<const FieldOfView>& view, const Vec3& first,
+                const Options& o, const SystemMaker& make) {
+  const System system = make();
   UserRow row;
   std::vector<UserClick> given{{first, true}};
   for (int k = 0; k < o.clicks; ++k) {
@@ -102,8 +109,8 @@ UserRow oneUser(const LabelledVolume& v, const FieldOfView* view, const Vec3& fi
   return row;
 }
 
-std::vector<UserRow> allUsers(const LabelledVolume& v, const FieldOfView* view, const Options& o,
-                              const System& system) {
+std::vector<UserRow> allUsers(const LabelledVolume& v, const std::shared_ptr<const FieldOfView>& view,
+                              const Options& o, const SystemMaker& system) {
   const std::vector<Vec3> firsts = firstClicks(v, o.users, o.seed);
   std::vector<UserRow> rows(firsts.size());
   std::atomic<std::size_t> next{0};
@@ -146,7 +153,7 @@ struct Total {
 
 struct NamedSystem {
   std::string name;
-  System run;
+  SystemMaker run;
 };
 
 //! The policy as it is, with what was set, or once with each threshold to vary 20 % lower and higher.
@@ -181,8 +188,11 @@ std::vector<NamedSystem> systemsOf(const Options& o) {
   }
   if (o.peers) {
     const auto peer = [](Mask (*segment)(const Volume&, const std::vector<UserClick>&)) {
-      return [segment](const Volume& volume, const FieldOfView*, const std::vector<UserClick>& clicks, int) {
-        return Answer{segment(volume, clicks), 0};
+      return [segment]() -> System {
+        return [segment](const Volume& volume, const std::shared_ptr<const FieldOfView>&,
+                         const std::vector<UserClick>& clicks, int) {
+          return Answer{segment(volume, clicks), 0};
+        };
       };
     };
     out.push_back({"confidence connected", peer(confidenceConnected)});
@@ -199,7 +209,7 @@ void run(const Options& o) {
     const LabelledVolume v = readLabelled(c);
     const auto view = FieldOfView::find(v.volume);
     for (std::size_t s = 0; s < systems.size(); ++s) {
-      const std::vector<UserRow> rows = allUsers(v, view.get(), o, systems[s].run);
+      const std::vector<UserRow> rows = allUsers(v, view, o, systems[s].run);
       for (const UserRow& r : rows) {
         totals[{s, c.grade}].rows.push_back(r);
         totals[{s, "all"}].rows.push_back(r);

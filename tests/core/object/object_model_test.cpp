@@ -1,7 +1,10 @@
 #include "core/object/object_model.h"
 
+#include <array>
+#include <atomic>
 #include <random>
 
+#include "core/cancellation.h"
 #include "tests/support/catch.h"
 #include "tests/support/test_volume.h"
 
@@ -25,7 +28,7 @@ Volume imageOf(const Grid& grid, const Inside& inside, double in, double out, do
 }
 
 double diceOf(const ObjectModel& model, const Inside& truth) {
-  const CellGrid& cells = model.work.cells();
+  const CellGrid& cells = model.work->cells();
   double both = 0, in = 0, wanted = 0;
   forBox({{0, 0, 0}, {cells.grid.size[0] - 1, cells.grid.size[1] - 1, cells.grid.size[2] - 1}},
          [&](const std::array<int, 3>& c) {
@@ -128,7 +131,7 @@ TEST_CASE("every click is true in the end, and one outside cuts off what hangs o
   query.outside.push_back({Vec3(33, 24, 24), {}});
   const auto model = findObject(volume, query, nullptr);
   REQUIRE(model);
-  const CellGrid& cells = model->work.cells();
+  const CellGrid& cells = model->work->cells();
   CHECK(model->region.inside[cells.at(cells.nearest(Vec3(33, 24, 24)))] == 0);
   CHECK(model->region.inside[cells.at(cells.nearest(Vec3(16, 24, 24)))] == 1);
   CHECK(diceOf(*model, left) > 0.85);
@@ -152,6 +155,100 @@ TEST_CASE("a further click inside takes in what has other intensities, and leave
   CHECK(diceOf(*whole, kBall) > 0.9);
 }
 
+namespace {
+
+//! A ball of three intensities, and another one that touches it.
+Volume patchwork() {
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal(0, 3);
+  return volumeByIndex(cubicGrid(52), [&](int i, int j, int k) {
+    const Vec3 p(i, j, k);
+    const double in = p[0] < 24 ? 40 : p[1] < 24 ? 160 : 200;
+    const bool other = inBall(p, Vec3(10, 24, 24), 6);
+    return (kBall(p) ? in : other ? 45 : 100) + normal(random);
+  });
+}
+
+void checkSame(const std::optional<ObjectModel>& a, const std::optional<ObjectModel>& b) {
+  REQUIRE((a && b));
+  CHECK(a->region.inside == b->region.inside);
+  CHECK(a->chosen == b->chosen);
+  CHECK(a->isCloseChoice == b->isCloseChoice);
+  CHECK(a->isCorrected == b->isCorrected);
+  CHECK(std::array{a->low, a->high, a->rise, a->level, a->noise} ==
+        std::array{b->low, b->high, b->rise, b->level, b->noise});
+  REQUIRE(a->candidates.size() == b->candidates.size());
+  for (std::size_t i = 0; i < a->candidates.size(); ++i) {
+    CHECK(a->candidates[i].volume == b->candidates[i].volume);
+    CHECK(a->candidates[i].score == b->candidates[i].score);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a finder that is asked click by click finds what it would find at once") {
+  const Volume volume = patchwork();
+  const ObjectClick left{Vec3(19, 24, 24)}, lower{Vec3(30, 19, 24)}, upper{Vec3(30, 30, 24)},
+      beside{Vec3(8, 24, 24)};
+  const std::vector<ObjectQuery> queries{
+      {{left}, {}},
+      {{left, lower}, {}},
+      {{left, lower}, {beside}},
+      {{left, lower, upper}, {beside}},
+      {{left, lower}, {}},                      // taken back
+      {{left, upper}, {beside}},                // another one
+      {{left, lower, upper}, {beside}, 2},      // another candidate
+      {{left, lower, upper}, {beside}},         // and the first again
+      {{upper}, {}},                            // another object
+      {{left}, {beside}, 1, Contrast::bright},  // what is asked for
+      {{left, lower, upper}, {beside}},
+  };
+  ObjectFinder finder;
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    INFO("query " << i);
+    const auto known = finder.find(volume, queries[i], nullptr),
+               anew = findObject(volume, queries[i], nullptr);
+    REQUIRE(known.has_value() == anew.has_value());
+    if (anew) checkSame(known, anew);
+  }
+}
+
+TEST_CASE("a finder that gave up finds the same afterwards, and keeps volumes apart") {
+  const Volume volume = patchwork(), other = imageOf(cubicGrid(52), kBall, 120, 40, 8);
+  const ObjectQuery query{{{Vec3(19, 24, 24)}, {Vec3(30, 19, 24)}}, {{Vec3(8, 24, 24)}}};
+  ObjectFinder finder;
+  REQUIRE(finder.find(volume, {{query.inside[0]}, {}}, nullptr));
+  {
+    const std::atomic<bool> cancelled{true};
+    const CancelScope scope(cancelled);
+    CHECK_THROWS_AS(finder.find(volume, query, nullptr), Cancelled);
+  }
+  checkSame(finder.find(volume, query, nullptr), findObject(volume, query, nullptr));
+  checkSame(finder.find(other, query, nullptr), findObject(other, query, nullptr));
+  Volume wider = other;  // the same voxels, another spacing
+  wider.grid.spacing = Vec3(1, 1, 1.5);
+  const ObjectQuery there{{{Vec3(19, 24, 36)}}, {}};
+  checkSame(finder.find(wider, there, nullptr), findObject(wider, there, nullptr));
+}
+
+TEST_CASE("what a click has changed stays when another one of its side is added, however deep that lies") {
+  const Volume volume = patchwork();
+  ObjectQuery query = clickAt(Vec3(19, 24, 24));
+  query.inside.push_back({Vec3(26, 18, 24)});
+  const auto before = findObject(volume, query, nullptr);
+  REQUIRE(before);
+  const CellGrid& cells = before->work->cells();
+  const auto holds = [&](const ObjectModel& m, const Vec3& p) {
+    return m.region.inside[cells.at(cells.nearest(p))] != 0;
+  };
+  // Deeper behind the first surface than the click before, which took it in.
+  const Vec3 deeper(30, 20, 24);
+  REQUIRE(holds(*before, deeper));
+  REQUIRE_FALSE(holds(*findObject(volume, clickAt(Vec3(19, 24, 24)), nullptr), deeper));
+  query.inside.push_back({deeper});
+  CHECK(findObject(volume, query, nullptr)->region.inside == before->region.inside);
+}
+
 TEST_CASE("the same clicks give the same object with any number of threads") {
   const Volume volume = imageOf(cubicGrid(49), kBall, 40, 120, 20);
   ObjectQuery query = clickAt(kMiddle);
@@ -168,7 +265,7 @@ TEST_CASE("a click close to the surface of something thick is a close choice, on
   const auto middle = findObject(volume, clickAt(kMiddle), nullptr);
   REQUIRE(middle);
   CHECK_FALSE(middle->isCloseChoice);
-  CHECK(deepestInside(middle->work, middle->region) == Approx(11).margin(1));
+  CHECK(deepestInside(*middle->work, middle->region) == Approx(11).margin(1));
   const auto surface = findObject(volume, clickAt(kMiddle + Vec3(9, 0, 0)), nullptr);
   REQUIRE(surface);
   REQUIRE(surface->candidates.size() > 1);

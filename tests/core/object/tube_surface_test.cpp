@@ -128,7 +128,7 @@ TEST_CASE("One click in a bent tube with an open wall finds the tube") {
   const Volume volume = ring();
   const auto model = findObject(volume, {{{kOnRing}}, {}, 1, Contrast::any, 2}, nullptr);
   REQUIRE(model);
-  const CellGrid& cells = model->work.cells();
+  const CellGrid& cells = model->work->cells();
   std::size_t both = 0, truth = 0;
   for (std::size_t i = 0; i < cells.count(); ++i) {
     const auto c = cells.cellOf(i);
@@ -150,7 +150,7 @@ TEST_CASE("A tube is followed further than the search around a click reaches") {
   });
   const auto model = findObject(volume, {{{Vec3(20, 20, 60)}}, {}, 1, Contrast::any, 2}, nullptr);
   REQUIRE(model);
-  const CellGrid& cells = model->work.cells();
+  const CellGrid& cells = model->work->cells();
   const auto holds = [&](const Vec3& p) {
     return cells.contains(p) && model->region.inside[cells.at(cells.nearest(p))];
   };
