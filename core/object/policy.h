@@ -108,7 +108,6 @@ struct ObjectPolicy {
   double renewed = 0.6;  //!< and of another candidate as a whole, once a click has said what it must not hold
   double correctionReach = 2.5;  //!< what is further from the click stays
   double makeshiftReach = 0.8;   //!< of a ball where nothing else serves
-  double edgesGained = 0.4;      //!< times how much stronger the edges are on the new surface, octaves
   double tooDeep = 2;            //!< cost of the log of how much deeper a change is than the click
   double against = 1;            //!< cost of the log of how much deeper one against the click's sense is than
   double againstDeep = 0.3;      //!< this

@@ -91,13 +91,17 @@ TEST_CASE("other clicks keep their side when a rim is relabelled") {
   CHECK_FALSE(relabelled(work, ballOf(work, 8), r, {}).inside[r.outside[0].cell]);
 }
 
-TEST_CASE("a change onto an edge gains edges, one away from it loses them") {
+TEST_CASE("a change as deep as its click costs nothing, one much deeper or against the click's sense does") {
   const WorkImage work = rimmedBall();
-  const EdgeChange onto = edgesOfChange(work, ballOf(work, 10), ballOf(work, 12), kNoise);
-  CHECK(onto.gained > onto.lost + 1);
-  const EdgeChange away = edgesOfChange(work, ballOf(work, 12), ballOf(work, 15), kNoise);
-  CHECK(away.lost > away.gained + 1);
-  const EdgeChange none = edgesOfChange(work, ballOf(work, 12), ballOf(work, 12), kNoise);
-  CHECK(none.gained == 0);
-  CHECK(none.lost == 0);
+  const Region from = ballOf(work, 10);
+  const auto cost = [&](double radius, bool isInside, double depth) {
+    return costOfChange(work, from, ballOf(work, radius), {isInside, depth}, {});
+  };
+  CHECK(cost(10, true, 2) == 0);
+  CHECK(cost(12, true, 2) == 0);
+  CHECK(cost(15, true, 2) > cost(13, true, 2));
+  CHECK(cost(15, true, 1) > cost(15, true, 2));
+  CHECK(cost(8, false, 2) == 0);
+  CHECK(cost(8, true, 2) > 0);
+  CHECK(cost(12, false, 2) > 0);
 }
