@@ -162,6 +162,31 @@ ChangeDepth depthOfChange(const WorkImage& work, const Region& from, const Regio
   return {deepestBeyond(work, to, from, around), deepestBeyond(work, from, to, around)};
 }
 
+EdgeChange edgesOfChange(const WorkImage& work, const Region& from, const Region& to, double noise) {
+  const CellGrid& cells = work.cells();
+  const auto& n = cells.grid.size;
+  const std::array<std::size_t, 3> steps{1, idx(n[0]), idx(n[0]) * idx(n[1])};
+  const CellBox box = boxOfChange(cells, from, to);
+  if (box.empty()) return {};
+  EdgeChange sum, area;
+  forBox(box.grown(1, n), [&](const Cell& c) {
+    const std::size_t i = cells.at(c);
+    for (std::size_t a = 0; a < 3; ++a) {
+      if (c[a] + 1 >= n[a]) continue;
+      const std::size_t j = i + steps[a];
+      const bool before = from.inside[i] != from.inside[j], after = to.inside[i] != to.inside[j];
+      if (before == after) continue;
+      const std::size_t i2 = c[a] > 0 ? i - steps[a] : i, j2 = c[a] + 2 < n[a] ? j + steps[a] : j;
+      const float jump = std::max(std::abs(work.values[i] - work.values[j]),
+                                  0.5f * std::abs(work.values[i2] - work.values[j2]));
+      const double face = 1 / cells.grid.spacing[static_cast<Eigen::Index>(a)];
+      (after ? sum.gained : sum.lost) += face * std::log2(1 + static_cast<double>(jump) / noise);
+      (after ? area.gained : area.lost) += face;
+    }
+  });
+  return {sum.gained / std::max(area.gained, 1e-12), sum.lost / std::max(area.lost, 1e-12)};
+}
+
 Region cutAway(const WorkImage& work, const Region& region, const CellClick& click,
                const std::vector<CellClick>& inside, double noise, double depth) {
   const CellGrid& cells = work.cells();
@@ -201,7 +226,9 @@ double costOfChange(const WorkImage& work, const Region& from, const Region& to,
   const auto excess = [&](double change, double allowed) {
     return std::max(0.0, std::log(std::max(change, 0.5 * cell) / (allowed + 0.5 * cell)));
   };
-  return policy.tooDeep * excess(wanted.isInside ? added : removed, wanted.depth) +
+  const EdgeChange edges = edgesOfChange(work, from, to, wanted.noise);
+  return policy.edgesLost * std::max(0.0, edges.lost - edges.gained) +
+         policy.tooDeep * excess(wanted.isInside ? added : removed, wanted.depth) +
          policy.against * excess(wanted.isInside ? removed : added, policy.againstDeep * wanted.depth);
 }
 

@@ -17,6 +17,13 @@ struct ChangeDepth {
 };
 ChangeDepth depthOfChange(const WorkImage& work, const Region& from, const Region& to);
 
+//! How strong the edges are (mean log2 of 1 + jump over noise) on the surface that a change gains and on that
+//! which it loses.
+struct EdgeChange {
+  double gained = 0, lost = 0;
+};
+EdgeChange edgesOfChange(const WorkImage& work, const Region& from, const Region& to, double noise);
+
 //! The region without what hangs closer to the click than to the rest: paths are long across edges and
 //! through thin places. Only cells within twice the click's depth can go.
 Region cutAway(const WorkImage& work, const Region& region, const CellClick& click,
@@ -30,9 +37,11 @@ void stamp(const WorkImage& work, Region& region, const std::vector<CellClick>& 
 struct WantedChange {
   bool isInside;  //!< the click: the region grows
   double depth;   //!< mm: of the click behind the surface
+  double noise;   //!< standard deviation, intensities
 };
-//! What speaks against a change (score, at least 0): it is deeper than the click in the click's sense, or
-//! deep at all against it.
+//! What speaks against a change (score, at least 0): its surface has weaker edges than the one it gives
+//! up, it is deeper than the click in the click's sense, or deep at all against it. Stronger edges win
+//! nothing: what is around an object has strong ones, too.
 double costOfChange(const WorkImage& work, const Region& from, const Region& to, const WantedChange& wanted,
                     const ObjectPolicy& policy);
 

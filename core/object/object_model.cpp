@@ -305,10 +305,11 @@ class ObjectFinder::Search {
     const std::vector<CellClick> inside = clicksOf(c.done, true), outside = clicksOf(c.done, false);
     const std::vector<RankedRegion> ranked = rank(inside, outside);  // as if later clicks were not there
     const Asked asked{c, click, depth, policy_.corrected * (c.inARow + 1)};
-    Offers offers(*work_, c.region, {click.isInside, depth}, policy_, [&](Region r) -> std::optional<Region> {
-      r = tidied(std::move(r), c.done);
-      return isTrue(r, click) ? std::optional(std::move(r)) : std::nullopt;
-    });
+    Offers offers(*work_, c.region, {click.isInside, depth, noise()}, policy_,
+                  [&](Region r) -> std::optional<Region> {
+                    r = tidied(std::move(r), c.done);
+                    return isTrue(r, click) ? std::optional(std::move(r)) : std::nullopt;
+                  });
     const double made = bestScore(ranked) - asked.local;
     if (click.isInside) offerRelabelled(offers, asked, made);
     offerCandidates(offers, asked, ranked);

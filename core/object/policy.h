@@ -108,6 +108,7 @@ struct ObjectPolicy {
   double renewed = 0.6;  //!< and of another candidate as a whole, once a click has said what it must not hold
   double correctionReach = 2.5;  //!< what is further from the click stays
   double makeshiftReach = 0.8;   //!< of a ball where nothing else serves
+  double edgesLost = 0.4;        //!< cost of each octave by which the edges on the new surface are weaker
   double tooDeep = 2;            //!< cost of the log of how much deeper a change is than the click
   double against = 1;            //!< cost of the log of how much deeper one against the click's sense is than
   double againstDeep = 0.3;      //!< this

@@ -3,8 +3,8 @@
 #include <chrono>
 
 #include "core/cancellation.h"
-#include "core/evolution/clicked_object.h"
 #include "core/errors.h"
+#include "core/evolution/clicked_object.h"
 #include "core/told_error.h"
 #include "ui/model/error_sentence.h"
 

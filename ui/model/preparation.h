@@ -49,7 +49,7 @@ class Preparation {
   Prepared prepare(const Volume& volume, const Request& request, const CarriedStart* surface);
   ActiveContour make(const Volume& volume, const Request& request);
 
-  std::deque<Known> known_;                // the worker's
+  std::deque<Known> known_;               // the worker's
   std::shared_ptr<ObjectMemory> memory_;  // likewise: of clicks in the open volume
   std::shared_ptr<std::atomic<bool>> cancelled_ = std::make_shared<std::atomic<bool>>(false);
   Background background_;  // last: its job uses the others

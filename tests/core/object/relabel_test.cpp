@@ -91,17 +91,35 @@ TEST_CASE("other clicks keep their side when a rim is relabelled") {
   CHECK_FALSE(relabelled(work, ballOf(work, 8), r, {}).inside[r.outside[0].cell]);
 }
 
-TEST_CASE("a change as deep as its click costs nothing, one much deeper or against the click's sense does") {
+TEST_CASE("a change onto an edge gains edges, one away from it loses them") {
   const WorkImage work = rimmedBall();
-  const Region from = ballOf(work, 10);
-  const auto cost = [&](double radius, bool isInside, double depth) {
-    return costOfChange(work, from, ballOf(work, radius), {isInside, depth}, {});
+  const EdgeChange onto = edgesOfChange(work, ballOf(work, 10), ballOf(work, 12), kNoise);
+  CHECK(onto.gained > onto.lost + 1);
+  const EdgeChange away = edgesOfChange(work, ballOf(work, 12), ballOf(work, 15), kNoise);
+  CHECK(away.lost > away.gained + 1);
+  const EdgeChange none = edgesOfChange(work, ballOf(work, 12), ballOf(work, 12), kNoise);
+  CHECK(none.gained == 0);
+  CHECK(none.lost == 0);
+}
+
+TEST_CASE(
+    "a change as deep as its click costs nothing, one much deeper, against its sense or off an edge does") {
+  const WorkImage work = rimmedBall();
+  const auto cost = [&](double from, double radius, bool isInside, double depth) {
+    ObjectPolicy byDepth;
+    byDepth.edgesLost = 0;
+    return costOfChange(work, ballOf(work, from), ballOf(work, radius), {isInside, depth, kNoise}, byDepth);
   };
-  CHECK(cost(10, true, 2) == 0);
-  CHECK(cost(12, true, 2) == 0);
-  CHECK(cost(15, true, 2) > cost(13, true, 2));
-  CHECK(cost(15, true, 1) > cost(15, true, 2));
-  CHECK(cost(8, false, 2) == 0);
-  CHECK(cost(8, true, 2) > 0);
-  CHECK(cost(12, false, 2) > 0);
+  CHECK(cost(10, 10, true, 2) == 0);
+  CHECK(cost(10, 12, true, 2) == 0);
+  CHECK(cost(10, 15, true, 2) > cost(10, 13, true, 2));
+  CHECK(cost(10, 15, true, 1) > cost(10, 15, true, 2));
+  CHECK(cost(10, 8, false, 2) == 0);
+  CHECK(cost(10, 8, true, 2) > 0);
+  CHECK(cost(10, 12, false, 2) > 0);
+  const auto withEdges = [&](double from, double radius) {
+    return costOfChange(work, ballOf(work, from), ballOf(work, radius), {true, 4, kNoise}, {});
+  };
+  CHECK(withEdges(10, 12) == 0);   // onto the edge: it wins nothing
+  CHECK(withEdges(12, 15) > 0.4);  // off it
 }
