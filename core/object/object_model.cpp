@@ -206,8 +206,9 @@ class ObjectFinder::Search {
   }
 
   void startWith(int candidate) {
-    candidate_ = candidate;
+    start_.reset();  // so that nothing of another candidate is left if this gives up
     steps_.clear();
+    candidate_ = candidate;
     const Pending first{cellClick({first_, {}}, true), true};
     Corrected start{onImage(chosen()), {first}, 0};
     reachClick(start.region, first.click);

@@ -224,6 +224,13 @@ TEST_CASE("a finder that gave up finds the same afterwards, and keeps volumes ap
     CHECK_THROWS_AS(finder.find(volume, query, nullptr), Cancelled);
   }
   checkSame(finder.find(volume, query, nullptr), findObject(volume, query, nullptr));
+  ObjectQuery second{{query.inside[0]}, {}, 2};  // given up while its region is made
+  {
+    const std::atomic<bool> cancelled{true};
+    const CancelScope scope(cancelled);
+    CHECK_THROWS_AS(finder.find(volume, second, nullptr), Cancelled);
+  }
+  checkSame(finder.find(volume, second, nullptr), findObject(volume, second, nullptr));
   checkSame(finder.find(other, query, nullptr), findObject(other, query, nullptr));
   Volume wider = other;  // the same voxels, another spacing
   wider.grid.spacing = Vec3(1, 1, 1.5);
