@@ -201,6 +201,8 @@ TEST_CASE("the files of one run agree: labels, groups, names, and each object by
                        folder / "all.3mf",
                        "-o",
                        folder / "all.nii.gz",
+                       "-o",
+                       folder / "names.label",
                        "--label-description",
                        folder / "labels.txt"};
   const Arguments cyst = joined({kCystGroup, {"--label-value", "300", "--term", "cyst"}});
@@ -225,6 +227,7 @@ TEST_CASE("the files of one run agree: labels, groups, names, and each object by
                            "Segment1_Name:=liver", "Segment1_LabelValue:=1"})
     CHECK(seg.find(part) != std::string::npos);
   CHECK(text.find("\"cyst\"") < text.find("\"liver\""));
+  CHECK(test::readBytes(folder / "names.label") == text);
   const Volume labels = readVolume(folder / "all.nii.gz");
   std::map<int, int> counts;
   visitVoxels(labels, [&](const auto* v) {

@@ -4,9 +4,9 @@
     abdomen.py HANDLEBODY_CLI VOLUMES [--keep FOLDER]
 
 VOLUMES/ct_abdomen_dicom_j2k is the series. Label maps are read by nibabel (NIfTI), by the lines below (NRRD, MetaImage, 3D Slicer's
-segmentation) and by our own reader (DICOM), voxel for voxel; meshes are drawn on the grid again (`compare`: Dice 1 is every
+segmentation) and by pydicom and our own reader (DICOM), voxel for voxel; meshes are drawn on the grid again (`compare`: Dice 1 is every
 voxel), out of 3MF's zip and out of the DICOM element too; tetrahedra must fill the volume of the surface. A line each;
-exit code 1 if one differs. Needs numpy and nibabel.
+exit code 1 if one differs. Needs numpy, nibabel and pydicom.
 """
 import argparse
 import gzip
@@ -23,16 +23,18 @@ from xml.etree import ElementTree
 
 import nibabel
 import numpy as np
+import pydicom
 
-# Clicks (mm LPS), and what was corrected after a look: a click outside, a wall.
+# Clicks (mm LPS), and what was corrected after a look: more of them inside, and outside.
 ORGANS = {
     "liver": ["--seed", "-90.3,-127,-766.5", "--term", "liver", "--background", "52,-166,-770"],
     "spleen": ["--seed", "83.5,-98.6,-790.5", "--term", "spleen", "--background", "26.9,-60.6,-792.5"],
-    "stomach": ["--seed", "52.2,-166,-770.5", "--term", "stomach", "--wall", "20,-166,-770,8"],
+    "stomach": ["--seed", "37.6,-221.7,-782.5", "--seed", "52.2,-192.4,-782.5", "--seed", "47.4,-227.5,-780.5", "--seed", "22.9,-238.3,-798.5",
+                "--term", "stomach"],
     "aorta": ["--seed", "7.3,-145.5,-782.5", "--term", "aorta"],
     "back muscle": ["--seed", "26.9,-60.6,-792.5", "--term", "muscle", "--background", "5,-60,-790"],
 }
-TOGETHER = ["nii.gz", "nii", "nrrd", "mha", "seg.nrrd", "seg.dcm", "stl", "vtp", "ply", "obj", "3mf", "stl.dcm"]
+TOGETHER = ["label", "gltf", "nii.gz", "nii", "nrrd", "mha", "seg.nrrd", "seg.dcm", "stl", "vtp", "ply", "obj", "3mf", "stl.dcm"]
 ALONE = ["stl", "vtp", "ply", "obj", "3mf", "stl.dcm", "msh", "vtu", "inp"]
 
 
@@ -60,6 +62,17 @@ def read_mha(path):
     body = zlib.decompress(data[end:]) if fields.get("CompressedData") == "True" else data[end:]
     kind = {"MET_UCHAR": "u1", "MET_USHORT": "<u2"}[fields["ElementType"]]
     return np.frombuffer(body, kind).reshape([int(n) for n in fields["DimSize"].split()], order="F")
+
+
+def read_seg(path, like, affine):
+    """Segment numbers of a DICOM Segmentation on the grid of a label map, whose affine is in RAS."""
+    made, out = pydicom.dcmread(path), np.zeros(like.shape, like.dtype)
+    to_index = np.linalg.inv(np.diag([-1, -1, 1, 1]) @ affine)
+    for pixels, item in zip(made.pixel_array.reshape(-1, made.Rows, made.Columns), made.PerFrameFunctionalGroupsSequence):
+        k = to_index @ [*map(float, item.PlanePositionSequence[0].ImagePositionPatient), 1]
+        assert np.allclose(k[:2], 0, atol=1e-3), "the planes lie on the grid of the series"
+        out[:, :, round(k[2])][pixels.T > 0] = item.SegmentIdentificationSequence[0].ReferencedSegmentNumber
+    return out
 
 
 def stl_of_3mf(path, to):
@@ -150,6 +163,13 @@ def main():
                          ("mha", read_mha(folder + "/all.mha")), ("seg.nrrd", slicer)):
         tell(f"all.{name}", voxels.shape == meant.shape and (voxels == meant).all())
     named = {int(keys[f"Segment{i}_LabelValue"]): keys[f"Segment{i}_Name"] for i in range(len(objects))}
+    numbers = read_seg(folder + "/all.seg.dcm", meant, nibabel.load(folder + "/all.nii.gz").affine)
+    values = np.array([0, *(r["label_value"] for r in objects)])
+    tell("all.seg.dcm by pydicom", (values[numbers] == meant).all())
+    described = re.findall(r'^ *(\d+) .*"(.*)"$', open(folder + "/all.label").read(), re.M)
+    tell("names in all.label", {int(n): name for n, name in described} == {0: "Clear Label", **{r["label_value"]: r["name"] for r in objects}})
+    scene = json.load(open(folder + "/all.gltf"))
+    tell("names in all.gltf", {r["name"] for r in objects} <= {part.get("name") for key in ("nodes", "meshes") for part in scene.get(key, [])})
     tell("names in all.seg.nrrd", named == {r["label_value"]: r["name"] for r in objects})
 
     def compared(path, label, to=None):

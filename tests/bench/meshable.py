@@ -5,8 +5,8 @@
 
 All phantoms; the cases of FOLDER/cases.json that have a seed; N random label maps by `mesh` and N random fields by
 `segment` (half of the N each). Every surface goes to TetGen (.off, -pYQ) and to gmsh (its bodies, cavities taken
-out), each for at most five minutes. A line each, a table at the end. Needs numpy; programs that are not installed
-are left out.
+out), each for at most five minutes. A line each, a table at the end; exit code 1 if one is not filled or not made.
+Needs numpy; programs that are not installed are left out.
 """
 import argparse
 import json
@@ -119,10 +119,11 @@ MESHERS = [(name, fill) for name, fill in (("tetgen", fill_by_tetgen), ("gmsh", 
 
 class Tally:
     def __init__(self):
-        self.groups = {}
+        self.groups, self.faults = {}, 0
 
     def add(self, group, name, polish, filled, seconds):
         self.groups.setdefault(group, []).append((polish, filled))
+        self.faults += not all(filled.values())
         was, now = polish["before"], polish["after"]
         print(f"{group:9s} {name:22s} angle {was['least_angle_degrees']:5.2f} -> {now['least_angle_degrees']:5.2f}  dihedral "
               f"{was['least_dihedral_angle_degrees']:6.2f} -> {now['least_dihedral_angle_degrees']:6.2f}  bad {was['thin_faces'] + was['sharp_edges']:5d} -> "
@@ -161,6 +162,7 @@ def one(cli, group, name, words, tally, polish_switch):
         if not done or done.returncode not in (0, 5) or not os.path.exists(folder + "/s.obj"):
             why = "takes too long" if not done else done.stderr.strip().splitlines()[-1:] or done.returncode
             print(f"{group:9s} {name:22s} no surface: {why}", flush=True)
+            tally.faults += 1
             return
         told = json.loads(done.stdout) if words[0] == "mesh" else json.load(open(report))
         if "polish" not in told:
@@ -179,8 +181,8 @@ def phantoms(cli, tally, switch):
         with tempfile.TemporaryDirectory() as folder:
             made = subprocess.run([cli, "phantom", name, "-o", folder + "/v.nrrd"], capture_output=True, text=True)
             seed = json.loads(made.stdout)["seed"]
-            centre = ",".join(str(x) for x in seed["centre"])
-            one(cli, "phantoms", name, ["segment", folder + "/v.nrrd", "--seed", f"{centre},{seed['radius']}"], tally, switch)
+            place = ",".join(str(x) for x in [*seed["centre"], seed["radius"]] if x is not None)
+            one(cli, "phantoms", name, ["segment", folder + "/v.nrrd", "--seed", place], tally, switch)
 
 
 def real(cli, tally, switch, volumes):
@@ -249,6 +251,7 @@ def main():
     if "fields" in wanted:
         fields(cli, tally, o.polish, o.random - o.random // 2)
     tally.table()
+    return tally.faults > 0
 
 
-main()
+sys.exit(main())

@@ -87,12 +87,19 @@ std::string referenceGeometry(const Grid& grid) {
 
 }  // namespace
 
-bool isSlicerSegmentationPath(const std::string& path) {
-  std::string name = path;
-  std::transform(name.begin(), name.end(), name.begin(),
+namespace {
+
+bool endsInAnyCase(std::string path, const char* ending) {
+  std::transform(path.begin(), path.end(), path.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return name.ends_with(".seg.nrrd");
+  return path.ends_with(ending);
 }
+
+}  // namespace
+
+bool isSlicerSegmentationPath(const std::string& path) { return endsInAnyCase(path, ".seg.nrrd"); }
+
+bool isLabelDescriptionPath(const std::string& path) { return endsInAnyCase(path, ".label"); }
 
 Volume labelMap(const std::vector<ExportedObject>& objects, const Grid& grid) {
   const bool wide = std::any_of(objects.begin(), objects.end(),

@@ -25,5 +25,7 @@ void writeSlicerSegmentation(const Volume& labels, const std::vector<ExportedObj
 
 //! ITK-SNAP's label description file: index, colour, visibility and name of every label, and the clear label.
 std::string labelDescription(const std::vector<ExportedObject>& objects);
+//! True for .label (any case), ITK-SNAP's own ending for such a file.
+bool isLabelDescriptionPath(const std::string& path);
 
 }  // namespace handlebody

@@ -7,6 +7,7 @@
 
 #include "core/collision/certify.h"
 #include "core/errors.h"
+#include "core/io/atomic_file.h"
 #include "core/io/formats/label_map.h"
 #include "core/io/meshes/gltf.h"
 #include "core/io/meshes/three_mf.h"
@@ -94,7 +95,7 @@ bool isDicomResult(const std::string& path) { return isDicomSegmentationPath(pat
 
 bool isResultPath(const std::string& path) {
   return isMeshPath(path) || isLabelMapPath(path) || isThreeMfPath(path) || isGltfPath(path) ||
-         isDicomResult(path) || isTetrahedraPath(path);
+         isDicomResult(path) || isTetrahedraPath(path) || isLabelDescriptionPath(path);
 }
 
 void checkResult(const std::string& path, const ExportContext& context) {
@@ -107,9 +108,7 @@ void checkResult(const std::string& path, const ExportContext& context) {
 
 const char* resultEndings() {
   return "a mesh is .stl, .vtp, .ply, .obj, .3mf, .gltf or .stl.dcm, tetrahedra are .msh, .vtu or .inp, a "
-         "label map "
-         ".seg.nrrd, .seg.dcm, .nii, "
-         ".nii.gz, .nrrd or .mha";
+         "label map .seg.nrrd, .seg.dcm, .nii, .nii.gz, .nrrd or .mha, a label description .label";
 }
 
 namespace {
@@ -155,6 +154,7 @@ class Writer {
     if (isGltfPath(path)) return writeGltf(objects_, path);
     if (isTetrahedraPath(path)) return writeTetrahedra(tetrahedra(path), objects_, path, context_.space);
     if (isMeshPath(path)) return writeMesh(together(objects_), path, context_.space, partsOf(objects_));
+    if (isLabelDescriptionPath(path)) return writeTextAtomically(path, labelDescription(objects_));
     if (isSlicerSegmentationPath(path)) return writeSlicerSegmentation(labels(), objects_, path);
     writeVolume(labels(), path);
   }

@@ -30,8 +30,8 @@ TriangleSoup placed(TriangleSoup s, const Vec3& scale, const Eigen::Matrix3d& tu
   return s;
 }
 
-TriangleSoup ball(double radius, const Vec3& centre) {
-  return placed(zoo::sphere(24), Vec3::Constant(radius), Eigen::Matrix3d::Identity(), centre);
+TriangleSoup ball(double radius, const Vec3& centre, int fineness = 24) {
+  return placed(zoo::sphere(fineness), Vec3::Constant(radius), Eigen::Matrix3d::Identity(), centre);
 }
 
 double slowFarthest(const std::vector<Vec3>& points) {
@@ -165,9 +165,9 @@ TEST_CASE("two bodies are as far from each other as their nearest points", "[mea
   CHECK(gap.distance == Approx(far.norm() - 10).epsilon(0.01));
   CHECK((gap.onA - gap.onB).norm() == Approx(gap.distance));
   CHECK((gap.onA - 6 * far.normalized()).norm() < 0.8);
-  const SurfaceGap within = surfaceGap(ball(10, Vec3(0, 0, 0)), ball(4, Vec3(3, 0, 0)));
+  const SurfaceGap within = surfaceGap(ball(10, Vec3(0, 0, 0), 60), ball(4, Vec3(3, 0, 0), 60));
   CHECK(within.contact == BodyContact::inside);
-  CHECK(within.distance == Approx(3).epsilon(0.02));
+  CHECK(within.distance == Approx(3).epsilon(0.01));
   CHECK(surfaceGap(ball(10, Vec3(0, 0, 0)), ball(4, Vec3(8, 0, 0))).distance == 0);
   // Edge against edge: two wedges, crosswise.
   const TriangleSoup below{{Vec3(-5, 0, 0), Vec3(5, 0, 0), Vec3(0, 3, -4), Vec3(0, -3, -4)},
@@ -180,13 +180,13 @@ TEST_CASE("two bodies are as far from each other as their nearest points", "[mea
 }
 
 TEST_CASE("the wall between two balls is as thick as their radii differ", "[measure]") {
-  const TriangleSoup shell = together(ball(10, Vec3(0, 0, 0)), ball(7, Vec3(0, 0, 0)), true);
+  const TriangleSoup shell = together(ball(10, Vec3(0, 0, 0), 60), ball(7, Vec3(0, 0, 0), 60), true);
   const auto [outer, inner] = outerAndInner(shell);
   REQUIRE(outer.triangles.size() == inner.triangles.size());
   const WallThickness wall = wallThickness(outer, inner);
   for (const DirectedDistances& d : {wall.fromFirst, wall.fromSecond}) {
     CHECK(d.mean == Approx(3).epsilon(0.01));
-    CHECK(d.smallest == Approx(3).epsilon(0.02));
+    CHECK(d.smallest == Approx(3).epsilon(0.01));
     CHECK(d.percentile95 == Approx(3).epsilon(0.01));
   }
   CHECK(outerAndInner(ball(3, Vec3(0, 0, 0)))[1].triangles.empty());

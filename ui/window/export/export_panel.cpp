@@ -104,6 +104,7 @@ void ExportPanel::addFormats() {
   add(tr("NRRD label map"), ".nrrd");
   add(tr("MetaImage label map"), ".mha");
   add(tr("3D Slicer segmentation"), ".seg.nrrd");
+  add(tr("ITK-SNAP label description"), ".label");
   format_->insertSeparator(format_->count());
   add(tr("DICOM segmentation"), ".seg.dcm");
   add(tr("DICOM with STL surface"), ".stl.dcm");
