@@ -372,7 +372,7 @@ constexpr FindingWords kWords[] = {
     {K::meshDamaged, "mesh-damaged", QT_TRANSLATE_NOOP("Findings", "the mesh file is truncated or damaged")},
     {K::notStl, "not-stl", QT_TRANSLATE_NOOP("Findings", "it is not an STL file, or it is truncated")},
     {K::notAMesh, "not-a-mesh",
-     QT_TRANSLATE_NOOP("Findings", "it is not a mesh file (.stl, .vtp, .ply, .obj)")},
+     QT_TRANSLATE_NOOP("Findings", "it is not a mesh file (.stl, .vtp, .ply, .obj, .stl.dcm)")},
     {K::triangleStrips, "triangle-strips",
      QT_TRANSLATE_NOOP("Findings", "triangle strips are not supported")},
     {K::noTriangles, "no-triangles", QT_TRANSLATE_NOOP("Findings", "it holds no triangles")},

@@ -15,6 +15,12 @@ CLI::App* addCommand(CLI::App& app, const std::string& name, const std::string& 
   return command;
 }
 
+void addAnonymous(CLI::App& command, bool& isAnonymous) {
+  command.add_flag("--anonymous", isAnonymous,
+                   "Leave names, dates and identifiers of the source out of every file, and of what is "
+                   "printed: paths, and names of objects that are those of their files");
+}
+
 void addSelection(CLI::App& command, VolumeSelection& selection) {
   const auto set = [&selection](const std::string& text) {
     selection.frame = parseInteger("--frame", text, 0, std::numeric_limits<int>::max());

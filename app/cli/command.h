@@ -51,6 +51,9 @@ Action segmentSeveralObjects(const std::vector<std::string>& arguments);
 //! A subcommand with the notice under its help.
 CLI::App* addCommand(CLI::App& app, const std::string& name, const std::string& description);
 
+//! Adds --anonymous of a command that tells figures.
+void addAnonymous(CLI::App& command, bool& isAnonymous);
+
 //! Adds --series, --frame, --spacing and --uneven.
 void addSelection(CLI::App& command, VolumeSelection& selection);
 

@@ -24,13 +24,14 @@ struct CompareOptions {
   std::optional<int> label, labelA, labelB;
   std::string distances, report, csv;
   ComparisonOptions how;
-  bool json = false;
+  bool json = false, isAnonymous = false;
 };
 
 void checkOptions(const CompareOptions& o) {
-  if (o.labelA && isMeshPath(o.a)) throw UsageError("--label-a: " + o.a + " is a mesh.");
-  if (o.labelB && isMeshPath(o.b)) throw UsageError("--label-b: " + o.b + " is a mesh.");
-  if (o.label && isMeshPath(o.a) && isMeshPath(o.b)) throw UsageError("--label: both objects are meshes.");
+  if (o.labelA && isMeshInputPath(o.a)) throw UsageError("--label-a: " + o.a + " is a mesh.");
+  if (o.labelB && isMeshInputPath(o.b)) throw UsageError("--label-b: " + o.b + " is a mesh.");
+  if (o.label && isMeshInputPath(o.a) && isMeshInputPath(o.b))
+    throw UsageError("--label: both objects are meshes.");
   std::vector<OutputFile> files;
   if (!o.distances.empty()) files.push_back({"-o", o.distances});
   if (!o.report.empty()) files.push_back({"--report", o.report});
@@ -62,6 +63,7 @@ int compare(const CompareOptions& o) {
   pair.a = readCompared(o.a, o.labelA ? o.labelA : o.label, pair.warnings);
   pair.b = readCompared(o.b, o.labelB ? o.labelB : o.label, pair.warnings);
   handlebody::compare(pair, o.how);
+  if (o.isAnonymous) pair = anonymous(std::move(pair));
   write(pair, o);
   std::fputs((o.json ? comparisonJson(pair) : comparisonText(pair)).c_str(), stdout);
   return kDone;
@@ -95,7 +97,7 @@ void addCompare(CLI::App& app, Action& action) {
       app, "compare", "Two objects against each other: Dice, IoU, volumes, surface distances, topology");
   auto options = std::make_shared<CompareOptions>();
   const char* help =
-      "A mesh (.stl .vtp .ply .obj) or a label map (any volume, .seg.nrrd, DICOM Segmentation)";
+      "A mesh (.stl .vtp .ply .obj .stl.dcm) or a label map (any volume, .seg.nrrd, DICOM Segmentation)";
   command->add_option("A", options->a, help)->required();
   command->add_option("B", options->b, std::string(help) + "; the reference")->required();
   addLabelOption(*command, "--label", options->label,
@@ -109,6 +111,7 @@ void addCompare(CLI::App& app, Action& action) {
   command->add_option("--report", options->report, "The figures as JSON")->type_name("F.json");
   command->add_option("--csv", options->csv, "The figures as a table of one row")->type_name("F.csv");
   command->add_flag("--json", options->json, "Print JSON instead of text");
+  addAnonymous(*command, options->isAnonymous);
   addMeasures(*command, options->how);
   command->callback([&action, options] { action = [options] { return compare(*options); }; });
 }

@@ -9,6 +9,7 @@
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
 #include "core/io/meshes/mesh_io.h"
+#include "core/io/report/anonymous_names.h"
 #include "core/io/report/measured.h"
 #include "core/io/report/parse.h"
 
@@ -20,7 +21,7 @@ struct MeasureOptions {
   std::string path, volume, other;
   VolumeSelection selection;
   std::vector<Vec3> between;
-  bool wall = false;
+  bool wall = false, isAnonymous = false;
   std::string csv, json, sections;
 };
 
@@ -62,6 +63,7 @@ std::vector<OutputFile> outputsOf(const MeasureOptions& o) {
 void measureSession(const MeasureOptions& o, Measured& m) {
   std::vector<Session> sessions = readSessions(o.path, {o.volume, {}, {}});
   std::erase_if(sessions, [](const Session& session) { return !isSeeded(session); });
+  if (o.isAnonymous) hideFileNames(sessions);
   if (o.selection.series) sessions[0].volume.selection.series = o.selection.series;
   m.volume = sessions[0].volume.path;
   m.placed = sessions[0].measurements;  // of the volume: each object has them
@@ -127,7 +129,7 @@ void check(const MeasureOptions& o) {
   if (!o.other.empty()) inputs.push_back(o.other);
   checkWritable(outputsOf(o), inputs);
   if (!o.sections.empty() && o.between.empty()) throw UsageError("--sections needs --between.");
-  const bool isMesh = isMeshPath(o.path);
+  const bool isMesh = isMeshInputPath(o.path);
   if (isMesh && o.volume.empty() && (o.selection.series || o.selection.frame || o.selection.spacing))
     throw UsageError("--series, --frame and --spacing need --volume.");
   if (!isMesh && (o.selection.frame || o.selection.spacing))
@@ -148,7 +150,7 @@ int measure(const MeasureOptions& o) {
   TriangleSoup other;
   Certificate certificate;
   if (!o.other.empty()) other = readBody(o.other, certificate);
-  isMeshPath(o.path) ? measureMesh(o, m) : measureSession(o, m);
+  isMeshInputPath(o.path) ? measureMesh(o, m) : measureSession(o, m);
   for (const MeasuredObject& object : m.objects)
     for (const Finding& w : object.measures.warnings)
       m.warnings.push_back(m.objects.size() > 1 ? Finding(FindingKind::ofObject, {{"object", object.name}}, w)
@@ -156,6 +158,8 @@ int measure(const MeasureOptions& o) {
   addGaps(o, other, m);
   if (o.wall) addWall(o, other, m);
   if (!o.between.empty()) addLine(o, m);
+  // Meshes are called by their paths.
+  if (o.isAnonymous) m = anonymous(std::move(m), {{o.path, "MESH"}, {o.other, "MESH2"}});
   write(o, m);
   std::fputs(measuredText(m).c_str(), stdout);
   return kDone;
@@ -168,9 +172,9 @@ void addMeasure(CLI::App& app, Action& action) {
       app, "measure", "Volume, area, diameters, intensities, distances, centre lines and wall thickness");
   auto options = std::make_shared<MeasureOptions>();
   command
-      ->add_option(
-          "MESH", options->path,
-          "A certified mesh (.stl .vtp .ply .obj), or a session or report (JSON), which is grown again")
+      ->add_option("MESH", options->path,
+                   "A certified mesh (.stl .vtp .ply .obj .stl.dcm), or a session or report (JSON), which is "
+                   "grown again")
       ->required();
   command
       ->add_option("--volume", options->volume,
@@ -195,6 +199,7 @@ void addMeasure(CLI::App& app, Action& action) {
                     "Thickness of the wall between the surface and that of --to, or its own cavities");
   command->add_option("--csv", options->csv, "The table, a line per object")->type_name("F.csv");
   command->add_option("--json", options->json, "Everything as JSON")->type_name("F.json");
+  addAnonymous(*command, options->isAnonymous);
   command->callback([&action, options] { action = [options] { return measure(*options); }; });
 }
 

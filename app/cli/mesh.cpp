@@ -16,6 +16,7 @@
 #include "core/io/report/parse.h"
 #include "core/io/report/polished_export.h"
 #include "core/io/report/result.h"
+#include "core/io/report/start_surface.h"
 #include "core/solid/label_mesh.h"
 #include "core/solid/simplify.h"
 
@@ -114,7 +115,8 @@ int mesh(const MeshOptions& o) {
   {
     const DeferSignals whole;
     const CancelScope scope(DeferSignals::wish());
-    writeResults({{chosenLabel(o.object, {}), made.mesh}}, context, o.results);
+    const ObjectLabel label = chosenLabel(o.object, labelledAs(labelIn(o.labels, o.label), {}));
+    writeResults({{label, made.mesh}}, context, o.results);
   }
   for (const std::string& w : sentences(warnings))
     std::fprintf(stderr, "handlebody-cli: warning: %s\n", w.c_str());

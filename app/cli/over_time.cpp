@@ -14,6 +14,8 @@
 #include "core/io/picture/picture.h"
 #include "core/io/report/over_time_report.h"
 #include "core/io/report/parse.h"
+#include "core/io/report/polished_export.h"
+#include "core/io/report/polished_frames.h"
 #include "core/io/report/result.h"
 #include "core/io/report/single_precision.h"
 #include "core/mesh/validity.h"
@@ -158,13 +160,14 @@ Volume loadFrame(const VolumeReference& reference, int frame) {
   return readVolume(reference.path, selection);
 }
 
+//! As it is carried: before any polish, so that neither growth nor what is told of it depends on that.
 FrameResult grownFrame(const GrownObject& grown) {
   FrameResult result;
   result.frame = *grown.report.session.volume.selection.frame;
-  result.mesh = grown.mesh;
-  result.volume = grown.report.mesh.volume;
-  result.components = grown.report.mesh.components;
-  for (const int g : grown.report.mesh.genus) result.genus += g;
+  result.mesh = grown.unpolished.mesh;
+  result.volume = grown.unpolished.certificate.volume;
+  result.components = grown.unpolished.certificate.components;
+  for (const int g : grown.unpolished.certificate.genus) result.genus += g;
   result.iterations = grown.report.iterations;
   result.stopped = grown.report.stopped;
   result.seconds = grown.report.seconds.load + grown.report.seconds.prepare + grown.report.seconds.evolve;
@@ -199,6 +202,15 @@ class OverTimeRun {
     report_.drifts = checkCycle(carrier_, report_.frames, start_, report_.request.drift, edgeLength_);
   }
 
+  //! The meshes as they are written. That of the frame that was grown is polished already.
+  void polish(const GrownObject& grown) {
+    if (!grown.report.polish) return;
+    for (FrameResult& r : report_.frames)
+      if (r.frame == start_.frame) r.mesh = grown.mesh;
+    report_.polish[start_.frame] = *grown.report.polish;
+    polishFrames(report_);
+  }
+
  private:
   std::function<void(const FrameResult&)> told() const {
     return [this](const FrameResult& r) {
@@ -226,12 +238,27 @@ void printOverTime(const OverTimeReport& report) {
         c.points.size(), *d.volume / 1000, d.frame, *s.volume / 1000, s.frame, c.strokeVolume / 1000,
         100 * c.ejectionFraction);
   }
+  if (const std::string text = polishText(together(report.polish)); !text.empty())
+    std::printf("over %zu frames, %s\n", report.polish.size(), text.c_str());
   for (const Drift& d : report.drifts)
     if (d.isBack)
       std::printf(
           "from frame %d back at frame %d: Dice %.4f, %.3g mm (95 %% of it less than %.3g), volume %+.2f "
           "%%\n",
           d.from, d.at, d.dice, d.mean, d.percentile95, 100 * (d.volumeRatio - 1));
+}
+
+//! Carried through the frames, and polished where that is wanted; what is doubtful is said on standard error.
+OverTimeReport carried(GrownObject& grown, OverTimeReport over, bool quiet) {
+  Stopwatch watch;
+  OverTimeRun through(grown, over, quiet);
+  through.carry();
+  grown.report.seconds.evolve += watch.lap();
+  through.polish(grown);
+  for (const std::string& doubt : overTimeDoubts(over))
+    std::fprintf(stderr, "handlebody-cli: warning: %s\n", doubt.c_str());
+  grown.report.seconds.exported += watch.lap();
+  return over;
 }
 
 int codeOf(const RunReport& report) {
@@ -252,12 +279,8 @@ int runOverTime(LoadedSession loaded, const RunOutputs& outputs, const OverTimeO
   if (!session.overTime->frames) session.overTime->frames = OverTimeRequest::Range{0, frames - 1};
   OverTimeReport over{*session.overTime, timesOf(session, frames)};
   GrownObject grown = grow(std::move(loaded), outputs);
+  grown.report.overTime = carried(grown, std::move(over), outputs.quiet);
   Stopwatch watch;
-  OverTimeRun(grown, over, outputs.quiet).carry();
-  for (const std::string& doubt : overTimeDoubts(over))
-    std::fprintf(stderr, "handlebody-cli: warning: %s\n", doubt.c_str());
-  grown.report.seconds.evolve += watch.lap();
-  grown.report.overTime = std::move(over);
   {
     DeferSignals whole;
     writeFrameFiles(grown.report, outputs, options.curves);

@@ -6,6 +6,7 @@
 #include "app/cli/over_time.h"
 #include "app/cli/run_objects.h"
 #include "core/errors.h"
+#include "core/io/report/anonymous_names.h"
 
 namespace handlebody::cli {
 
@@ -65,6 +66,7 @@ int replay(ReplayOptions o) {
     for (std::string& path : inputsOf(session)) inputs.push_back(std::move(path));
   }
   assignResults(o.outputs, labelsOf(o.path, sessions, o.outputs.object));
+  if (o.outputs.content.anonymous) hideFileNames(sessions);
   if (sessions[0].overTime) {
     chooseFrame(sessions[0]);
     checkOverTime(sessions[0], o.outputs, o.overTime);

@@ -35,7 +35,7 @@ void addContent(CLI::App& command, DicomContent& content) {
     command.add_option_function<std::string>(name, set, help)->type_name(type);
   };
   add("--creator", content.creator, "FAMILY^GIVEN",
-      "Who made it, for DICOM files (default: nobody is named)");
+      "Who made it, for .seg.dcm (default: nobody is named); .stl.dcm has no place for it");
   command.add_flag(
       "--anonymous", content.anonymous,
       "Leave names, dates and identifiers of the source out of every file: paths, series, and in DICOM "
@@ -303,7 +303,7 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, Among among, c
   candidates.tell(report);
   report.seconds.prepare += watch.lap();
 
-  CertifiedMesh made = grownMesh(contour);
+  CertifiedMesh made = grownMesh(contour), unpolished = made;
   PolishOptions polishing;
   if (isPolished(report.session)) polishing = polishOptions(contour, made.mesh);
   if (isPolished(report.session) && among == Among::none) tellPolish(polish(made, polishing), report);
@@ -319,7 +319,7 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, Among among, c
     for (Finding& d : sensitivityDoubts(*report.sensitivity)) report.doubts.push_back(std::move(d));
   warn(report.doubts, name);
   report.seconds.exported += watch.lap();
-  return {std::move(report), std::move(made.mesh), std::move(polishing)};
+  return {std::move(report), std::move(made.mesh), std::move(polishing), std::move(unpolished)};
 }
 
 int run(LoadedSession loaded, const RunOutputs& outputs) {
@@ -327,7 +327,7 @@ int run(LoadedSession loaded, const RunOutputs& outputs) {
   if (!outputs.picture.empty()) shown = loaded.volume;
   loaded.session.label = chosenLabel(outputs.object, loaded.session.label);
   loadStarts(loaded.session);
-  auto [report, mesh, polishing] = grow(std::move(loaded), outputs);
+  auto [report, mesh, polishing, unpolished] = grow(std::move(loaded), outputs);
   Stopwatch watch;
   {
     DeferSignals whole;

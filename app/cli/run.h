@@ -84,9 +84,10 @@ int run(LoadedSession loaded, const RunOutputs& outputs);
 
 //! An object that has been grown and passed its certificate.
 struct GrownObject {
-  RunReport report;      //!< without the seconds of the export, and of all
-  TriangleSoup mesh;     //!< as it is written, but for a polish that has yet to come
-  PolishOptions polish;  //!< for that
+  RunReport report;          //!< without the seconds of the export, and of all
+  TriangleSoup mesh;         //!< as it is written, but for a polish that has yet to come
+  PolishOptions polish;      //!< for that
+  CertifiedMesh unpolished;  //!< as it grew
 };
 
 //! Which of the objects of a run it is.

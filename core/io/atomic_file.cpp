@@ -8,6 +8,8 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <utility>
+#include <vector>
 
 #include "core/errors.h"
 #include "core/told_error.h"
@@ -16,21 +18,28 @@ namespace handlebody {
 namespace fs = std::filesystem;
 namespace {
 
-//! Removes the temporary file when it goes out of scope, unless the file has been renamed.
+//! Removes the temporary file when it goes out of scope, unless it has got its name.
 class Temporary {
  public:
-  explicit Temporary(std::string path) : path_(std::move(path)) {}
-  Temporary(const Temporary&) = delete;
-  Temporary& operator=(const Temporary&) = delete;
+  Temporary(std::string path, std::string name) : path_(std::move(path)), name_(std::move(name)) {}
+  Temporary(Temporary&& other) noexcept
+      : path_(std::exchange(other.path_, {})), name_(std::move(other.name_)) {}
+  Temporary& operator=(Temporary&&) = delete;
   ~Temporary() {
     if (!path_.empty()) ::unlink(path_.c_str());
   }
   const std::string& path() const { return path_; }
-  void release() { path_.clear(); }
+  //! Throws OutputError.
+  void rename() {
+    if (::rename(path_.c_str(), name_.c_str()) != 0) refuseOutput(name_, systemFinding(errno));
+    path_.clear();
+  }
 
  private:
-  std::string path_;
+  std::string path_, name_;
 };
+
+thread_local FileSet* openSet = nullptr;
 
 std::string temporaryName(const std::string& path) {
   static std::atomic<unsigned> counter{0};
@@ -61,6 +70,10 @@ void flushToDisk(const std::string& temporary, const std::string& path) {
 }
 
 }  // namespace
+
+struct FileSet::Waiting {
+  std::vector<Temporary> files;
+};
 
 void refuseOutput(const std::string& path, const Finding& cause) {
   throw Told<OutputError>(Finding(FindingKind::fileNotWritten, {{"file", path}}, cause));
@@ -93,12 +106,22 @@ void writeAtomically(const std::string& path, const std::function<void(const std
   if (fs::path(path).filename().empty()) refuseOutput(path, FindingKind::nameIsFolder);
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) refuseOutput(path, FindingKind::folderHasName);
-  Temporary temporary(temporaryName(path));
+  Temporary temporary(temporaryName(path), path);
   create(temporary.path(), path);
   write(temporary.path());
   flushToDisk(temporary.path(), path);
-  if (::rename(temporary.path().c_str(), path.c_str()) != 0) refuseOutput(path, systemFinding(errno));
-  temporary.release();
+  if (openSet != nullptr)
+    openSet->waiting_->files.push_back(std::move(temporary));
+  else
+    temporary.rename();
+}
+
+FileSet::FileSet() : waiting_(std::make_unique<Waiting>()), outer_(std::exchange(openSet, this)) {}
+FileSet::~FileSet() { openSet = outer_; }
+
+void FileSet::commit() {
+  for (Temporary& file : waiting_->files) file.rename();
+  waiting_->files.clear();
 }
 
 void writeTextAtomically(const std::string& path, const std::string& text) {

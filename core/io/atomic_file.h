@@ -2,6 +2,7 @@
 // Files that are written whole or not at all.
 
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "core/finding.h"
@@ -22,5 +23,24 @@ void writeAtomically(const std::string& path, const std::function<void(const std
 
 //! Writes `text` to `path`, whole or not at all. Throws OutputError.
 void writeTextAtomically(const std::string& path, const std::string& text);
+
+//! Files that belong together. While it lives, what this thread writes atomically keeps its temporary name
+//! until commit(); what was not committed is removed.
+class FileSet {
+ public:
+  FileSet();
+  ~FileSet();
+  FileSet(const FileSet&) = delete;
+  FileSet& operator=(const FileSet&) = delete;
+
+  //! All get their names. Throws OutputError where one cannot: those that were written before it have theirs.
+  void commit();
+
+ private:
+  friend void writeAtomically(const std::string&, const std::function<void(const std::string&)>&);
+  struct Waiting;
+  std::unique_ptr<Waiting> waiting_;
+  FileSet* outer_;
+};
 
 }  // namespace handlebody

@@ -305,7 +305,7 @@ class ObjectFinder::Search {
     const Pending click = c.done.back();
     const std::vector<CellClick> inside = clicksOf(c.done, true), outside = clicksOf(c.done, false);
     const std::vector<RankedRegion> ranked = rank(inside, outside);  // as if later clicks were not there
-    const Asked asked{c, click, depth, policy_.corrected * (c.inARow + 1)};
+    const Asked asked{c, click, depth, policy_.corrected * (click.isInside ? 1 : c.inARow + 1)};
     Offers offers(*work_, c.region, {click.isInside, depth, noise()}, policy_,
                   [&](Region r) -> std::optional<Region> {
                     r = tidied(std::move(r), c.done);

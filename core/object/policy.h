@@ -103,8 +103,9 @@ struct ObjectPolicy {
   // --- corrections: lengths in depths of the click behind the surface, costs in scores ---
   std::size_t tried = 6;    //!< regions of the click's own search that are tried
   std::size_t weighed = 8;  //!< best corrections that are weighed against each other
-  double corrected = 0.3;   //!< cost of the first correction near a click; n times that of the nth in a row
-  double mixed = 0.2;       //!< cost besides, of the part of another candidate
+  double corrected =
+      0.3;  //!< cost of a correction near a click; for one outside n times that of the nth in a row
+  double mixed = 0.2;    //!< cost besides, of the part of another candidate
   double renewed = 0.6;  //!< and of another candidate as a whole, once a click has said what it must not hold
   double correctionReach = 2.5;  //!< what is further from the click stays
   double makeshiftReach = 0.8;   //!< of a ball where nothing else serves

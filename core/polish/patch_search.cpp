@@ -96,8 +96,8 @@ bool isNearFaces(const Vec3& p, const PolishPatch& patch, double distance) {
 }  // namespace
 
 PatchSearch::PatchSearch(const WantedShape& wanted, const PolishPatch& patch,
-                         std::span<const Corners> surface, double distance)
-    : wanted_(wanted), surface_(surface), distance_(distance) {
+                         std::span<const Corners> surface, double distance, std::size_t mostWork)
+    : wanted_(wanted), surface_(surface), distance_(distance), mostWork_(mostWork) {
   for (const Corners& c : surface) {
     const auto samples = samplesOf(c);
     covered_.insert(covered_.end(), c.begin(), c.end());
@@ -216,6 +216,7 @@ bool PatchSearch::tryChanges(const PolishPatch& patch, const std::vector<int>& p
   for (const double reach : kReaches)
     for (const Trial& trial : trials) {
       giveUpIfCancelled();
+      if (isSpent()) return false;
       Attempt attempt = relaxed(trial, reach);
       if (attempt.isNear && attempt.badness.sum == 0 && take(attempt)) return true;
       attempts.push_back(std::move(attempt));

@@ -24,7 +24,7 @@ class PatchSearch {
   //! `surface`: the one that was there at first, around the patch; no point is put farther from it than
   //! `distance`. What is given outlives it.
   PatchSearch(const WantedShape& wanted, const PolishPatch& patch, std::span<const Corners> surface,
-              double distance);
+              double distance, std::size_t mostWork);
 
   //! True if it was what was looked for.
   using Take = std::function<bool(const Attempt&)>;
@@ -38,6 +38,8 @@ class PatchSearch {
   std::vector<int> worstPlace(const PolishPatch& patch) const;
   //! Shapes that were looked at, for a budget.
   std::size_t work() const { return work_; }
+  //! The budget is: what is left was not tried.
+  bool isSpent() const { return work_ > mostWork_; }
 
   static constexpr std::size_t kWidth = 12;
   //! The kWidth best ones; those that seem to stay near the surface before the others.
@@ -74,7 +76,7 @@ class PatchSearch {
   };
   std::vector<Ball> balls_;    // around each triangle of the first surface
   std::vector<Vec3> covered_;  // points of the first surface that the patch was near to
-  std::size_t work_ = 0;
+  std::size_t work_ = 0, mostWork_;
 };
 
 //! To single precision, so that what is written is what was tried.

@@ -20,8 +20,11 @@ constexpr int kMostPasses = 6;
 constexpr int kMostChanges = 6;  // at one place in a pass
 //! Operations, one after the other, that are tried as one; more for the few that are left at last.
 constexpr std::size_t kDepth = 2, kLastDepth = 4;
-constexpr std::size_t kBeam = 3;           // attempts that are gone on with
-constexpr std::size_t kMostWork = 600000;  // shapes of stars, some three seconds
+constexpr std::size_t kBeam = 3;            // attempts that are gone on with
+constexpr std::size_t kMostWork = 2400000;  // shapes of stars, some twelve seconds
+// At one place in the first pass, so that one that cannot be bettered does not take the work of all others;
+// so many times as much in each further one.
+constexpr std::size_t kPlaceWork = 20000, kMorePlaceWork = 4;
 
 //! A bad face, or the two of a bad edge.
 struct Place {
@@ -41,10 +44,12 @@ class Polisher {
     surface_.prepare();
     for (int pass = 1; pass <= kMostPasses; ++pass) {
       bool any = false;
+      isAnyCut_ = false;
       for (const Place& place : badPlaces(nullptr))
         if (isToBeTried(place, pass)) any = better(place, pass) || any;
-      if (work_ > kMostWork || (!any && isLast_)) return;
-      isLast_ = isLast_ || !any;
+      if (work_ > kMostWork || (!any && !isAnyCut_ && isLast_)) return;
+      isLast_ = isLast_ || !(any || isAnyCut_);
+      placeWork_ *= kMorePlaceWork;
     }
   }
 
@@ -118,7 +123,7 @@ class Polisher {
   bool change(const std::vector<int>& vertices, int pass) {
     const PolishedSurface::Part part = surface_.around(vertices);
     const std::vector<Corners> first = surface_.firstNear(part.patch);
-    PatchSearch search(aim_, part.patch, first, options_.bounds.distance);
+    PatchSearch search(aim_, part.patch, first, options_.bounds.distance, placeWork_);
     const Badness now = part.patch.badness(aim_);
     std::vector<int> place;  // in the patch
     for (const int v : vertices)
@@ -132,11 +137,12 @@ class Polisher {
     for (std::size_t depth = 1; !isDone; ++depth) {
       PatchSearch::keepBest(attempts);
       isDone = std::any_of(attempts.begin(), attempts.end(), take);
-      if (isDone || depth == (isLast_ ? kLastDepth : kDepth)) break;
+      if (isDone || search.isSpent() || depth == (isLast_ ? kLastDepth : kDepth)) break;
       attempts = next(search, attempts, take, isDone);
     }
     work_ += search.work();
-    if (isDone) noteChange(part.patch, pass);
+    if (isDone || search.isSpent()) noteChange(part.patch, pass);
+    isAnyCut_ = isAnyCut_ || search.isSpent();
     return isDone;
   }
 
@@ -161,8 +167,9 @@ class Polisher {
   WantedShape aim_;
   PolishedSurface surface_;
   std::vector<int> changedAt_;  // per vertex, the pass in which something around it was changed
-  std::size_t work_ = 0;
-  bool isLast_ = false;  // what is left is looked at longer
+  std::size_t work_ = 0, placeWork_ = kPlaceWork;
+  bool isAnyCut_ = false;  // in this pass, the search at a place
+  bool isLast_ = false;    // what is left is looked at longer
 };
 
 std::vector<int> sortedGenus(const Certificate& c) {

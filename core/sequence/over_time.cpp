@@ -260,6 +260,7 @@ void FrameCarrier::judge(const FrameResult& from, const ActiveContour& contour, 
   result.stopped = contour.stopReason();
   if (result.stopped == StopReason::empty) return tell(FrameFault::vanished, K::frameVanished);
   result.mesh = hooks_.finish(contour.mesh().compact());
+  result.under = grownUnder(contour);
   measure(result);
   if (isJump(from.volume, result.volume, std::abs(result.frame - from.frame)))
     tell(FrameFault::jumped, {K::frameJumped,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/evolution/active_contour.h"
+#include "core/evolution/grown_under.h"
 #include "core/finding.h"
 #include "core/mesh/mesh.h"
 #include "core/volume/volume.h"
@@ -48,6 +49,7 @@ struct FrameResult {
   StopReason stopped = StopReason::running;
   double seconds = 0;  //!< wall clock, with reading
   std::vector<ToldFault> faults{};
+  GrownUnder under{};      //!< where there is a mesh: what binds a polish of it
   bool isTrusted() const;  //!< none of the faults is a failure, and there is a mesh
 };
 

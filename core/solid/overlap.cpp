@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/cancellation.h"
 #include "core/solid/rasterize.h"
 
 namespace handlebody {
@@ -95,6 +96,7 @@ Counts countPoints(const Grid& lattice, const Solid& solid, const Solid* other) 
   const int thick = static_cast<int>(std::clamp(kPointsOfSlab / (size.x() * size.y()), 1.0, size.z()));
   Counts counts;
   for (int z = 0; z < planes; z += thick) {
+    giveUpIfCancelled();
     slab.size[2] = std::min(thick, planes - z);
     slab.origin = lattice.toWorld(low + z * Vec3::UnitZ());
     const auto mine = insideOn(solid, slab);

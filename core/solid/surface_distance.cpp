@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/cancellation.h"
 #include "core/collision/closest_point.h"
 #include "core/indices.h"
 #include "core/threads.h"
@@ -36,11 +37,13 @@ void forPieces(const Corners& triangle, double h, F&& f) {
                                         (c[0] - c[2]).squaredNorm()};
     const auto i =
         static_cast<std::size_t>(std::max_element(squared.begin(), squared.end()) - squared.begin());
-    if (squared[i] <= h * h) {
+    const Vec3 &a = c[i], &b = c[(i + 1) % 3], &apex = c[(i + 2) % 3], middle = (a + b) / 2;
+    // Of a damaged file: so far out that no number lies between the ends.
+    const bool isWhole = middle == a || middle == b;
+    if (squared[i] <= h * h || isWhole) {
       if (!f(c)) return;
       continue;
     }
-    const Vec3 &a = c[i], &b = c[(i + 1) % 3], &apex = c[(i + 2) % 3], middle = (a + b) / 2;
     waiting.push_back({a, middle, apex});
     waiting.push_back({middle, b, apex});
   }
@@ -58,11 +61,13 @@ std::vector<Sample> takeSamples(const TriangleSoup& from, const ClosestPoint& to
   forEachOnThreads(chunks.size(), threads, [&](std::size_t chunk) {
     int hint = -1;
     const std::size_t end = std::min((chunk + 1) * kChunk, from.triangles.size());
-    for (std::size_t t = chunk * kChunk; t < end; ++t)
+    for (std::size_t t = chunk * kChunk; t < end; ++t) {
+      giveUpIfCancelled();
       forPieces(cornersOf(from, t), h, [&](const Corners& c) {
         chunks[chunk].push_back({to.distance((c[0] + c[1] + c[2]) / 3, &hint), areaOf(c)});
         return true;
       });
+    }
   });
   std::vector<Sample> all;
   for (auto& chunk : chunks) {
@@ -75,6 +80,7 @@ std::vector<Sample> takeSamples(const TriangleSoup& from, const ClosestPoint& to
 std::vector<double> distancesOf(const TriangleSoup& mesh, const ClosestPoint& to, int threads) {
   std::vector<double> distances(mesh.points.size());
   forEachOnThreads(chunksOf(distances.size()), threads, [&](std::size_t chunk) {
+    giveUpIfCancelled();
     int hint = -1;
     const std::size_t end = std::min((chunk + 1) * kChunk, distances.size());
     for (std::size_t v = chunk * kChunk; v < end; ++v) distances[v] = to.distance(mesh.points[v], &hint);
@@ -100,6 +106,8 @@ double areaOf(const TriangleSoup& mesh) {
 }
 
 std::size_t countSamples(const TriangleSoup& mesh, double h, std::size_t most) {
+  const double largestPiece = std::sqrt(3) / 4 * h * h;  // equilateral
+  if (areaOf(mesh) > static_cast<double>(most) * largestPiece) return most + 1;
   std::size_t n = 0;
   for (std::size_t t = 0; t < mesh.triangles.size() && n <= most; ++t)
     forPieces(cornersOf(mesh, t), h, [&](const Corners&) { return ++n <= most; });
@@ -138,6 +146,7 @@ std::vector<double> vertexDistances(const TriangleSoup& mesh, const TriangleSoup
   std::vector<double> distances = distancesOf(mesh, nearest, threads);
   if (!isSigned) return distances;
   forEachOnThreads(chunksOf(distances.size()), threads, [&](std::size_t chunk) {
+    giveUpIfCancelled();
     const std::size_t end = std::min((chunk + 1) * kChunk, distances.size());
     for (std::size_t v = chunk * kChunk; v < end; ++v)
       if (distances[v] > 0 && nearest.windingNumber(mesh.points[v]) > 0) distances[v] = -distances[v];

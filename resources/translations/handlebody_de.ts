@@ -1183,8 +1183,8 @@
         <translation>das ist keine STL-Datei, oder sie ist abgeschnitten</translation>
     </message>
     <message>
-        <source>it is not a mesh file (.stl, .vtp, .ply, .obj)</source>
-        <translation>das ist keine Netzdatei (.stl, .vtp, .ply, .obj)</translation>
+        <source>it is not a mesh file (.stl, .vtp, .ply, .obj, .stl.dcm)</source>
+        <translation>das ist keine Netzdatei (.stl, .vtp, .ply, .obj, .stl.dcm)</translation>
     </message>
     <message>
         <source>triangle strips are not supported</source>
@@ -4332,6 +4332,10 @@ Mittel ± SA</translation>
     <message>
         <source>What it is for. May stay empty</source>
         <translation>Wofür es ist. Darf leer bleiben</translation>
+    </message>
+    <message>
+        <source>ITK-SNAP label description</source>
+        <translation>Labelbeschreibung für ITK-SNAP</translation>
     </message>
 </context>
 <context>

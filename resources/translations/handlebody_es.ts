@@ -1183,8 +1183,8 @@
         <translation>no es un archivo STL, o está truncado</translation>
     </message>
     <message>
-        <source>it is not a mesh file (.stl, .vtp, .ply, .obj)</source>
-        <translation>no es un archivo de malla (.stl, .vtp, .ply, .obj)</translation>
+        <source>it is not a mesh file (.stl, .vtp, .ply, .obj, .stl.dcm)</source>
+        <translation>no es un archivo de malla (.stl, .vtp, .ply, .obj, .stl.dcm)</translation>
     </message>
     <message>
         <source>triangle strips are not supported</source>
@@ -4332,6 +4332,10 @@ cercano (mm)</translation>
     <message>
         <source>What it is for. May stay empty</source>
         <translation>Para qué es. Puede quedar vacío</translation>
+    </message>
+    <message>
+        <source>ITK-SNAP label description</source>
+        <translation>Descripción de etiquetas para ITK-SNAP</translation>
     </message>
 </context>
 <context>

@@ -1183,8 +1183,8 @@
         <translation>ce n’est pas un fichier STL, ou il est tronqué</translation>
     </message>
     <message>
-        <source>it is not a mesh file (.stl, .vtp, .ply, .obj)</source>
-        <translation>ce n’est pas un fichier de maillage (.stl, .vtp, .ply, .obj)</translation>
+        <source>it is not a mesh file (.stl, .vtp, .ply, .obj, .stl.dcm)</source>
+        <translation>ce n’est pas un fichier de maillage (.stl, .vtp, .ply, .obj, .stl.dcm)</translation>
     </message>
     <message>
         <source>triangle strips are not supported</source>
@@ -4332,6 +4332,10 @@ proche (mm)</translation>
     <message>
         <source>What it is for. May stay empty</source>
         <translation>À quoi cela sert. Peut rester vide</translation>
+    </message>
+    <message>
+        <source>ITK-SNAP label description</source>
+        <translation>Description des étiquettes pour ITK-SNAP</translation>
     </message>
 </context>
 <context>

@@ -1183,8 +1183,8 @@
         <translation>这不是 STL 文件，或已被截断</translation>
     </message>
     <message>
-        <source>it is not a mesh file (.stl, .vtp, .ply, .obj)</source>
-        <translation>这不是网格文件（.stl、.vtp、.ply、.obj）</translation>
+        <source>it is not a mesh file (.stl, .vtp, .ply, .obj, .stl.dcm)</source>
+        <translation>这不是网格文件（.stl、.vtp、.ply、.obj、.stl.dcm）</translation>
     </message>
     <message>
         <source>triangle strips are not supported</source>
@@ -4332,6 +4332,10 @@ mean ± SD</source>
     <message>
         <source>What it is for. May stay empty</source>
         <translation>用途。可留空</translation>
+    </message>
+    <message>
+        <source>ITK-SNAP label description</source>
+        <translation>ITK-SNAP 标签说明</translation>
     </message>
 </context>
 <context>

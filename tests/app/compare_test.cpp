@@ -118,6 +118,33 @@ TEST_CASE("the table has units, the CSV a row, and the report is the JSON", "[cl
   CHECK(runCli({"check", folder / "d.vtp"}).exitCode == 0);
 }
 
+TEST_CASE("with --anonymous neither files nor text tell the paths of what is compared", "[cli][compare]") {
+  const TempFolder folder;
+  std::string labels = cube(9, [](int x, int, int) { return x < 4 ? 0 : 1; });
+  const std::string spacing = "ElementSpacing = 1 1 1\n";
+  labels.erase(labels.find(spacing), spacing.size());  // there is a warning, which names the file
+  const std::string a = folder / "DOE_JANE.mha", b = folder / "DOE_JANE_old.mha";
+  for (const std::string& path : {a, b}) writeBytes(path, labels);
+  const auto told = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{
+        "compare", a, b, "--report", folder / "r.json", "--csv", folder / "r.csv", "-o", folder / "d.vtp"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = runCli(arguments);
+    REQUIRE(outcome.exitCode == 0);
+    return outcome.out + readBytes(folder / "r.json") + readBytes(folder / "r.csv") +
+           readBytes(folder / "d.vtp");
+  };
+  CHECK_THAT(told({}), Contains("label map " + a) && Contains("\"" + b + "\"") && Contains(b + ": "));
+  CHECK_THAT(told({"--anonymous"}), !Contains("DOE_JANE") && !Contains(folder.path()));
+  CHECK_THAT(told({"--anonymous", "--json"}), !Contains("DOE_JANE") && !Contains(folder.path()));
+  const auto json = nlohmann::json::parse(readBytes(folder / "r.json"));
+  for (const char* object : {"a", "b"}) CHECK(json.at(object).at("path").is_null());
+  REQUIRE(json.at("warnings").size() == 2);
+  CHECK_THAT(json.at("warnings")[0].get<std::string>(), Contains("A: ") && Contains("uncalibrated"));
+  CHECK_THAT(json.at("warnings")[1].get<std::string>(), Contains("B: "));
+  CHECK(json.at("dice") == 1.0);
+}
+
 TEST_CASE("an open mesh has distances alone", "[cli][compare]") {
   const TempFolder folder;
   const std::string tetrahedron = "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";

@@ -113,6 +113,58 @@ TEST_CASE("a session is measured object by object, and the report has the same f
   CHECK(readBytes(phantom.path) == voxels);
 }
 
+TEST_CASE("with --anonymous neither files nor text tell the paths of what is measured", "[cli][measure]") {
+  const TempFolder folder;
+  const PhantomFile phantom = makePhantomFile(folder, "DOE_JANE.mha");
+  std::string volume = readBytes(phantom.path);
+  const auto spacing = volume.find("ElementSpacing");
+  // Without it there is a warning, which names the file.
+  volume.erase(spacing, volume.find('\n', spacing) + 1 - spacing);
+  writeBytes(phantom.path, volume);
+  const std::string large = writeBall(folder, "DOE_JANE.ply", Vec3(15, 15, 15), 10),
+                    small = writeBall(folder, "DOE_JANE_old.ply", Vec3(15, 15, 15), 7);
+  const auto told = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"measure",          large,      "--to",           small,
+                                       "--wall-thickness", "--volume", phantom.path,     "--csv",
+                                       folder / "m.csv",   "--json",   folder / "m.json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = runCli(arguments);
+    INFO(outcome.err);
+    REQUIRE(outcome.exitCode == 0);
+    return outcome.out + readBytes(folder / "m.csv") + readBytes(folder / "m.json");
+  };
+  CHECK_THAT(told({}), Contains(large) && Contains(small) && Contains(phantom.path + ": "));
+  CHECK_THAT(told({"--anonymous"}),
+             !Contains("DOE_JANE") && !Contains(folder.path()) && Contains("uncalibrated"));
+  const auto json = nlohmann::json::parse(readBytes(folder / "m.json"));
+  CHECK(json.at("path").is_null());
+  CHECK(json.at("volume").is_null());
+  CHECK(json.at("objects").at(0).at("name") == "MESH");
+  CHECK(json.at("distances").at(0).at("to") == "MESH2");
+  CHECK(json.at("wall_thickness").at("surfaces").at(1).at("from") == "MESH2");
+}
+
+// The window calls what it opens so.
+TEST_CASE("an object of a session that is called after its file is not called so with --anonymous",
+          "[cli][measure]") {
+  const TempFolder folder;
+  const PhantomFile phantom = makePhantomFile(folder);
+  const auto centre = phantom.json.at("seed").at("centre").get<std::vector<double>>();
+  const std::string given = writeBall(folder, "DOE_JANE.ply", Vec3(centre[0], centre[1], centre[2]), 10);
+  REQUIRE(runCli({"segment", phantom.path, "--object-name", "DOE_JANE", "--given", given, "-o",
+                  folder / "a.gltf", "--session", folder / "s.json", "--quiet"})
+              .exitCode == 0);
+  CHECK_THAT(readBytes(folder / "a.gltf"), Contains("DOE_JANE"));
+  CHECK(measured(folder, {folder / "s.json"}).at("objects").at(0).at("name") == "DOE_JANE");
+  CHECK(measured(folder, {folder / "s.json", "--anonymous"}).at("objects").at(0).at("name") == "Object 1");
+  CHECK_THAT(readBytes(folder / "m.json"), !Contains("DOE_JANE"));
+  REQUIRE(runCli({"replay", folder / "s.json", "-o", folder / "b.gltf", "--session", folder / "n.json",
+                  "--report", folder / "r.json", "--anonymous", "--quiet"})
+              .exitCode == 0);
+  for (const char* name : {"b.gltf", "n.json", "r.json"})
+    CHECK_THAT(readBytes(folder / name), Contains("Object 1") && !Contains("DOE_JANE"));
+}
+
 TEST_CASE("rulers and angles of a session are in text and JSON", "[cli][measure]") {
   const TempFolder folder;
   const PhantomFile phantom = makePhantomFile(folder);

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+#include "core/io/dicom/dicom_writer.h"
+#include "core/io/formats/file_labels.h"
+#include "core/io/formats/label_map.h"
+#include "core/mesh/shapes.h"
 #include "tests/app/refusal.h"
 #include "tests/app/run_cli.h"
 #include "tests/support/catch.h"
@@ -67,6 +71,32 @@ TEST_CASE("the topology is made simpler on request", "[cli][mesh]") {
   const auto steps = mesh({"--label", "1", "--smooth", "0"});
   CHECK(steps.at("genus") == nlohmann::json::array({1}));
   CHECK(mesh({"--label", "1", "--edge-length", "2"}).at("faces") < steps.at("faces"));
+}
+
+TEST_CASE("the mesh of a segment is called as there, and that of a DICOM Segmentation can be DICOM, too",
+          "[cli][mesh]") {
+  using namespace handlebody;
+  const TempFolder folder;
+  Grid grid;
+  grid.size = {24, 24, 24};
+  const std::vector<ExportedObject> objects{
+      {{"Left kidney", {17, 200, 33}, 1, "kidney"}, icosphere(Vec3(7, 12, 12), 4, 1)},
+      {{"Some cyst", {250, 5, 128}, 2, "cyst"}, icosphere(Vec3(17, 12, 12), 4, 1)}};
+  DicomOrigin origin;
+  origin.values = {{0x10, 0x10, "Doe^Jane"}};
+  origin.straight = false;
+  writeDicomSegmentation(labelMap(objects, grid), objects, origin, {}, folder / "all.seg.dcm");
+  const Outcome run = runCli({"mesh", folder / "all.seg.dcm", "--label", "2", "-o", folder / "m.seg.nrrd",
+                              "-o", folder / "m.stl.dcm", "-o", folder / "m.seg.dcm"});
+  INFO(run.err);
+  REQUIRE(run.exitCode == 0);
+  const FileLabels said = readSlicerLabels(folder / "m.seg.nrrd");
+  REQUIRE(said.size() == 1);
+  CHECK(said.at(1).name == "Some cyst");
+  CHECK(said.at(1).term == "cyst");
+  for (const char* name : {"m.stl.dcm", "m.seg.dcm"})
+    CHECK(readBytes(folder / name).find("Doe^Jane") != std::string::npos);
+  CHECK(runCli({"check", folder / "m.stl.dcm"}).exitCode == 0);
 }
 
 TEST_CASE("what is no label map, or has nothing to mesh, is refused in one sentence", "[cli][mesh]") {

@@ -42,7 +42,59 @@ std::string withText(std::string text, const std::string& from, const std::strin
   return text.replace(at, from.size(), to);
 }
 
+//! Two frames of a small gyroid, each with its own noise. Grown with coarse edges it has thin triangles in
+//! both.
+struct Gyroids {
+  std::string folder, seed;
+};
+
+Gyroids makeGyroids(const TempFolder& folder) {
+  Gyroids made{folder / "gyroids", {}};
+  std::filesystem::create_directory(made.folder);
+  for (const std::string number : {"1", "2"}) {
+    const auto json =
+        runForJson({"phantom", "gyroid", "-o", made.folder + "/f" + number + ".nii.gz", "--size", "34,34,34",
+                    "--spacing", "3,3,3", "--noise", "0.2", "--random-seed", number});
+    made.seed.clear();
+    for (const auto& x : json.at("seed").at("centre")) made.seed += x.dump() + ",";
+    made.seed += json.at("seed").at("radius").dump();
+  }
+  return made;
+}
+
+double leastOf(const std::string& mesh, const std::string& angles) {
+  return runForJson({"check", mesh, "--json"}).at("quality").at(angles).at("least");
+}
+
 }  // namespace
+
+TEST_CASE("every frame is polished as it is written, and nothing of its growth depends on that",
+          "[cli][time][polish]") {
+  const TempFolder folder;
+  const Gyroids gyroids = makeGyroids(folder);
+  const auto reportWith = [&](const std::string& polish) {
+    run({"segment", gyroids.folder, "--seed", gyroids.seed, "--range", "-inf,110", "--edge-length", "6",
+         "--frames", "all", "--drift-check", "none", "--polish", polish, "-o", folder / (polish + ".ply"),
+         "--report", folder / (polish + ".json"), "--quiet"});
+    return nlohmann::json::parse(readBytes(folder / (polish + ".json")));
+  };
+  const auto on = reportWith("on"), off = reportWith("off");
+  CHECK(on.at("iterations") == off.at("iterations"));
+  CHECK(on.at("events") == off.at("events"));
+  CHECK(on.at("over_time").at("curve") == off.at("over_time").at("curve"));
+  for (std::size_t f = 0; f < 2; ++f) {
+    const std::string file = f == 0 ? "_0000.ply" : "_0001.ply";
+    INFO(file);
+    REQUIRE(leastOf(folder / ("off" + file), "angles_degrees") < 15);
+    CHECK(leastOf(folder / ("on" + file), "angles_degrees") >= 15);
+    CHECK(leastOf(folder / ("on" + file), "dihedral_angles_degrees") >= 20);
+    const auto &is = on.at("over_time").at("results").at(f), &was = off.at("over_time").at("results").at(f);
+    for (const char* key : {"volume_mm3", "components", "genus", "iterations", "stopped", "faults"})
+      CHECK(is.at(key) == was.at(key));
+    CHECK(is.at("polish").at("changed_faces") > 0);
+    CHECK_FALSE(was.contains("polish"));
+  }
+}
 
 TEST_CASE("segment --frames writes numbered meshes, a 4D label map, the curve and a report", "[cli][time]") {
   const TempFolder folder;

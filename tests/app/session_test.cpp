@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/errors.h"
+#include "core/io/report/anonymous_names.h"
 #include "core/io/report/over_time_report.h"
 #include "tests/app/temp_folder.h"
 #include "tests/support/catch.h"
@@ -263,6 +264,25 @@ TEST_CASE("label maps of walls in corrected frames are named, found and left out
   REQUIRE(hidden.request.corrections.size() == 1);
   CHECK(hidden.request.corrections[0].request.constraints.walls.map->path.empty());
   CHECK(hidden.request.corrections[0].changes[0].constraints->walls.map->path.empty());
+}
+
+TEST_CASE("an object that is called after its file has another name where the patient is not to be named",
+          "[session]") {
+  using Names = std::vector<std::string>;
+  const std::string file = "/scans/DOE_JANE.nii.gz";
+  CHECK(anonymousNames({{"DOE_JANE", file}, {"DOE_JANE 3", file}, {"DOE_JANE (2)", file}}) ==
+        Names{"Object 1", "Object 2", "Object 3"});
+  // What somebody has typed stays, and is nobody else's name.
+  CHECK(anonymousNames({{"Object 2", ""}, {"DOE_JANE", file}, {"Liver", "L.stl"}, {"Aorta", file}}) ==
+        Names{"Object 2", "Object 3", "Liver", "Aorta"});
+
+  std::vector<Session> sessions(2);
+  sessions[0].label.name = "DOE_JANE";
+  sessions[0].constraints.start.emplace();
+  sessions[0].constraints.start->path = file;
+  hideFileNames(sessions);
+  CHECK(sessions[0].label.name == "Object 1");
+  CHECK(sessions[1].label == ObjectLabel{});
 }
 
 TEST_CASE("what is not a session is an input error that names the file", "[session]") {

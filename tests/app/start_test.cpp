@@ -5,6 +5,9 @@
 
 #include "core/collision/body_contact.h"
 #include "core/collision/certify.h"
+#include "core/io/dicom/dicom_writer.h"
+#include "core/io/formats/file_labels.h"
+#include "core/io/formats/label_map.h"
 #include "core/io/formats/volume_io.h"
 #include "core/io/meshes/mesh_io.h"
 #include "core/mesh/shapes.h"
@@ -183,6 +186,63 @@ TEST_CASE("the labels of a map become objects that do not meet, one within anoth
   CHECK(changed < 0.2 * area);
   require({"replay", folder / "s.json", "-o", folder / "again.nrrd"});
   CHECK(bytes(folder / "again.nrrd") == bytes(folder / "all.nrrd"));
+}
+
+TEST_CASE("a given segment is called, coloured and termed as in its file, unless it is said otherwise",
+          "[cli][start]") {
+  const TempFolder folder;
+  const std::string volume = ballVolume(folder), all = folder / "all.seg.nrrd", out = folder / "out.seg.nrrd";
+  const std::vector<ExportedObject> objects{
+      {{"Left kidney", {17, 200, 33}, 3, "kidney"}, icosphere(Vec3(12, 20, 20), 4, 1)},
+      {{"Some cyst", {250, 5, 128}, 9, "cyst"}, icosphere(Vec3(28, 20, 20), 4, 1)}};
+  writeSlicerSegmentation(labelMap(objects, cubicGrid(41)), objects, all);
+  const auto given = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"segment", volume, "--given", all, "--start-label", "9", "-o", out});
+    require(more);
+    const FileLabels said = readSlicerLabels(out);
+    REQUIRE(said.size() == 1);
+    return said.begin()->second;
+  };
+  const FileLabel asThere = given({});
+  CHECK(asThere.name == "Some cyst");
+  CHECK(asThere.colour == Colour{250, 5, 128});
+  CHECK(asThere.term == "cyst");
+  const FileLabel named = given({"--object-name", "Mine", "--color", "1,2,3"});
+  CHECK(named.name == "Mine");
+  CHECK(named.colour == Colour{1, 2, 3});
+  CHECK(named.term == "cyst");
+  CHECK(given({"--term", "liver"}).colour == termFromName("liver")->colour);
+  const FileLabel anonymous = given({"--anonymous"});
+  CHECK(anonymous.name == "Object");
+  CHECK(anonymous.term == "cyst");
+  SECTION("also where several are named") {
+    require({"segment", volume, "--given", all, "--object-name", "A", "--start-label", "3", "--object-name",
+             "B", "--start-label", "9", "--term", "mass", "-o", out});
+    const FileLabels said = readSlicerLabels(out);
+    REQUIRE(said.size() == 2);
+    CHECK(said.at(1).name == "A");
+    CHECK(said.at(1).colour == Colour{17, 200, 33});
+    CHECK(said.at(1).term == "kidney");
+    CHECK(said.at(2).term == "mass");
+    CHECK(said.at(2).colour == termFromName("mass")->colour);
+  }
+}
+
+TEST_CASE("an encapsulated STL is given, checked, compared and measured as any mesh", "[cli][start]") {
+  const TempFolder folder;
+  const std::string volume = ballVolume(folder), stl = ballMesh(folder, "m.stl", 6),
+                    dicom = folder / "m.stl.dcm";
+  writeDicomStl({{{}, readMesh(stl)}}, {}, {}, dicom);
+  require({"check", dicom});
+  require({"measure", dicom, "--csv", folder / "m.csv"});
+  require({"edit", dicom, "--keep-largest", "-o", folder / "edited.stl"});
+  require({"segment", volume, "--given", dicom, "-o", folder / "given.stl"});
+  CHECK(readMesh(folder / "given.stl").points == readMesh(stl).points);
+  const auto same = runForJson({"compare", dicom, stl, "--json"});
+  CHECK(same.at("a").at("kind") == "mesh");
+  CHECK(same.at("distances").at("hausdorff_mm") < 1e-9);
+  requireRefusal(folder, {"check", folder / "none.stl.dcm"}, 3, "none.stl.dcm");
+  requireRefusal(folder, {"edit", stl, "--keep-largest", "-o", folder / "out.stl.dcm"}, 2, "a mesh is");
 }
 
 TEST_CASE("what cannot be a start is refused with its file and why", "[cli][start]") {

@@ -63,6 +63,16 @@ void addDicom(std::vector<Sample>& corpus) {
   corpus.push_back({"us.dcm", dicomBytes(us, "1.2")});
 }
 
+//! Of a series of that many slices.
+DicomOrigin originOf(int slices) {
+  DicomOrigin origin;
+  origin.studyUid = "1.2.3";
+  origin.seriesUid = "1.2.3.4";
+  for (int k = 0; k < slices; ++k)
+    origin.images.push_back({"1.2.840.10008.5.1.4.1.1.4", "1.2.3.4." + std::to_string(k + 1), 0});
+  return origin;
+}
+
 //! Two segments, in every format that holds some: in DICOM their frames do not fill whole bytes.
 void addSegmentations(const std::string& folder, std::vector<Sample>& corpus) {
   const Grid grid = obliqueGrid();
@@ -72,12 +82,7 @@ void addSegmentations(const std::string& folder, std::vector<Sample>& corpus) {
     static_cast<std::uint8_t*>(buffer)[i] = static_cast<std::uint8_t>(i % 3);
   std::vector<ExportedObject> objects(2);
   objects[1].label.value = 2;
-  DicomOrigin origin;
-  origin.studyUid = "1.2.3";
-  origin.seriesUid = "1.2.3.4";
-  for (int k = 0; k < grid.size[2]; ++k)
-    origin.images.push_back({"1.2.840.10008.5.1.4.1.1.4", "1.2.3.4." + std::to_string(k + 1), 0});
-  writeDicomSegmentation(labels, objects, origin, {}, folder + "/s.seg.dcm");
+  writeDicomSegmentation(labels, objects, originOf(grid.size[2]), {}, folder + "/s.seg.dcm");
   writeSlicerSegmentation(labels, objects, folder + "/s.seg.nrrd");
   writeVolume(labels, folder + "/s.mha");
   for (const char* name : {"s.seg.dcm", "s.seg.nrrd", "s.mha"})
@@ -95,6 +100,8 @@ void addMeshes(const std::string& folder, std::vector<Sample>& corpus) {
     writeMesh(sphere(Vec3(1, 2, 3), 4, 1), path);
     corpus.push_back({name, readBytes(path)});
   }
+  writeDicomStl({{{}, sphere(Vec3(1, 2, 3), 4, 1)}}, originOf(2), {}, folder + "/m.stl.dcm");
+  corpus.push_back({"m.stl.dcm", readBytes(folder + "/m.stl.dcm")});
 }
 
 void addSession(const std::string& folder, std::vector<Sample>& corpus) {

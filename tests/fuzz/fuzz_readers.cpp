@@ -18,6 +18,7 @@
 #include "core/errors.h"
 #include "core/io/meshes/mesh_io.h"
 #include "core/io/report/session.h"
+#include "core/io/report/start_surface.h"
 #include "tests/fuzz/corpus.h"
 #include "tests/fuzz/mutate.h"
 #include "tests/fuzz/run_program.h"
@@ -53,9 +54,10 @@ void writeFile(const std::string& path, const std::string& bytes) {
 
 //! True if it was read, false if it was refused as it should be.
 bool readAny(const std::string& path) try {
+  labelIn(path, 1);
   if (path.ends_with(".json"))
     readSession(path);
-  else if (isMeshPath(path))
+  else if (isMeshInputPath(path))
     readMesh(path);
   else
     readVolume(path);
@@ -110,7 +112,7 @@ bool runCommands(const std::string& cli, const std::string& path, const std::str
   return isFine;
 }
 
-//! What they are for; and a whole label map to compare with.
+//! What they are for; and a whole label map to compare with. The STL within DICOM is m.stl's.
 std::vector<Sample> samplesOfCommands(std::vector<Sample> all, const std::string& folder) {
   std::erase_if(all, [](const Sample& s) {
     return !s.name.starts_with("s.seg.") && s.name != "s.mha" && s.name != "p.3mf" && !isMeshPath(s.name);
@@ -161,12 +163,17 @@ void one(const Options& o, const std::vector<Sample>& samples, std::size_t i, co
   std::cerr << "broken after " << seconds << " s: " << kept << std::endl;
 }
 
+//! What only a child process reads.
+bool needsDecoder(const std::string& name) {
+  return name.ends_with(".vtp") || (name.ends_with(".dcm") && !isMeshInputPath(name));
+}
+
 //! Which libFuzzer target reads it; none for what only a child process does.
 std::string targetOf(const std::string& name) {
-  if (name.ends_with(".dcm")) return "dicom";
   if (name.ends_with(".json")) return "sessions";
   if (name.ends_with(".vtp")) return {};
-  return isMeshPath(name) ? "meshes" : "volumes";
+  if (isMeshInputPath(name)) return "meshes";
+  return name.ends_with(".dcm") ? "dicom" : "volumes";
 }
 
 int writeCorpus(const std::string& folder) {
@@ -190,9 +197,7 @@ int fuzz(const Options& o) {
   if (o.commands)
     samples = samplesOfCommands(std::move(samples), folder);
   else if (o.files.empty())
-    std::erase_if(samples, [&](const Sample& s) {
-      return (s.name.ends_with(".dcm") || s.name.ends_with(".vtp")) == o.decoder.empty();
-    });
+    std::erase_if(samples, [&](const Sample& s) { return needsDecoder(s.name) == o.decoder.empty(); });
   if (!o.decoder.empty()) setDicomDecoder({o.decoder});
   Tally tally;
   for (std::size_t i = o.first; i < o.first + o.count; ++i) {

@@ -216,6 +216,8 @@ TEST_CASE("walls stay where they are in every frame") {
   REQUIRE_FALSE(r.mesh.triangles.empty());
   for (const Vec3& p : r.mesh.points) CHECK((p - (kMiddle + Vec3(12, 0, 0))).norm() > 3.99);
   CHECK(r.volume > ball(11));
+  CHECK(r.under.walls == constraints.walls);  // a polish keeps out of them, too
+  CHECK(r.under.edgeLength > 0);
 }
 
 TEST_CASE("clicks are carried where the surface holds them, and replaced by its deepest place where not") {

@@ -138,14 +138,18 @@ class Document : public QObject {
   int objectCount() const;
   int activeObject() const;  //!< index
   ObjectInfo objectInfo(int index) const;
+  //! What the objects are called where nothing is to name the patient: those that are called after the file
+  //! that they were opened from have another name (core/io/report/anonymous_names.h).
+  std::vector<std::string> anonymousNames() const;
   //! No undo entry; what grows goes on. Undoing a change of another object makes that active.
   void setActiveObject(int index);
   //! Behind the others, and active. Name, colour and label value are such as no other has.
   void addObject();
-  //! What is in a mesh (.stl .vtp .ply .obj) or a label map of any format as objects, in one undo entry:
-  //! those that are done before the first object that has no surface yet, so that they are walls for it; else
-  //! behind the others, the first of them active. Read and made on a worker thread: openingObjects(), then
-  //! objectsOpened(), openingObjectsFailed() or openingObjectsCancelled(). Nothing without a volume.
+  //! What is in a mesh (.stl .vtp .ply .obj .stl.dcm) or a label map of any format as objects, in one undo
+  //! entry: those that are done before the first object that has no surface yet, so that they are walls for
+  //! it; else behind the others, the first of them active. Read and made on a worker thread:
+  //! openingObjects(), then objectsOpened(), openingObjectsFailed() or openingObjectsCancelled(). Nothing
+  //! without a volume.
   void openObjects(const QString& path, OpenAs as);
   void cancelOpeningObjects();
   //! Behind it, and active: seeds, parameters and constraints, without the growth and the vetoes, pins
@@ -269,7 +273,8 @@ class Document : public QObject {
   void endCorrection(bool keeps);
   //! As an entry of the undo list.
   void setOverTime(const OverTimeRequest& request, const QString& undoText, int gesture = -1);
-  //! The surfaces of all frames, as numbered meshes or a 4D label map by extension; told as exportResult().
+  //! The surfaces of all frames, as numbered meshes or a 4D label map by extension; polished, told and
+  //! cancelled as exportResult(): all of them are written, or nothing.
   void exportFrames(const QString& path, CoordinateSpace space);
 
   // --- growth ---
@@ -328,7 +333,7 @@ class Document : public QObject {
   //! Nothing is left of the file that is being written; nothing if there is none.
   void cancelExport();
   //! Of all objects that have a surface; tells as exportResult(). `anonymous`: without what may name the
-  //! patient.
+  //! patient, as in the files above if the content says so.
   void exportReport(const QString& path, bool anonymous = false);
   //! What `handlebody-cli replay` needs to make the shown meshes again. Throws nothing; saveFailed() tells
   //! why.

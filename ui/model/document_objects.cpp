@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/io/meshes/object_name.h"
+#include "core/io/report/anonymous_names.h"
 #include "ui/model/document_private.h"
 
 namespace handlebody::ui {
@@ -159,6 +160,16 @@ ObjectInfo Document::objectInfo(int index) const {
   const ObjectWork& object = d_->object(index);
   return {object.traits.label, object.traits.visible, object.traits.locked,       object.isSeeded(),
           object.state(),      d_->shownOf(object),   d_->madeWithEarlier(object)};
+}
+
+std::vector<std::string> Document::anonymousNames() const {
+  std::vector<NamedObject> named;
+  for (const auto& object : d_->objects) {
+    // One that is being corrected in another frame is called as the one that was carried there.
+    const auto& start = (d_->home ? d_->home : object)->edits().constraints.start;
+    named.push_back({object->traits.label.name, start ? start->path : std::string()});
+  }
+  return handlebody::anonymousNames(named);
 }
 
 std::shared_ptr<const FinishedMesh> Document::finishedMesh(int index) const {

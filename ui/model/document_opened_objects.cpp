@@ -16,7 +16,7 @@ void Document::openObjects(const QString& path, OpenAs as) {
   d_->objectsCancelled = std::make_shared<std::atomic<bool>>(false);
   Q_EMIT openingObjects(path);
   d_->files.post([this, path, as, grid = volume().grid, stop = d_->objectsCancelled, opening = d_->openings] {
-    auto opened = std::make_shared<std::vector<Session>>();
+    auto opened = std::make_shared<std::vector<OpenedObject>>();
     QString failed;
     try {
       const CancelScope scope(*stop);
@@ -66,7 +66,7 @@ ObjectLabel Document::Private::labelFor(const ObjectLabel& wanted,
   return label;
 }
 
-void Document::Private::addOpened(const QString& path, OpenAs as, const std::vector<Session>& opened) {
+void Document::Private::addOpened(const QString& path, OpenAs as, const std::vector<OpenedObject>& opened) {
   ObjectList after = list();
   auto place = after.entries.end();
   if (as == OpenAs::done)
@@ -76,8 +76,13 @@ void Document::Private::addOpened(const QString& path, OpenAs as, const std::vec
   std::vector<ObjectLabel> labels;
   std::vector<ObjectList::Entry> fresh;
   QStringList names;
-  for (Session session : opened) {
-    session.label = labelFor(session.label, labels);
+  for (auto [session, hasLook] : opened) {
+    ObjectLabel label = labelFor(session.label, labels);
+    if (hasLook) {
+      label.colour = session.label.colour;
+      label.term = session.label.term;
+    }
+    session.label = label;
     labels.push_back(session.label);
     names << QString::fromStdString(session.label.name);
     auto object = newObject();

@@ -177,17 +177,35 @@ void Document::setPolishes(bool on) {
 
 WrittenObject Document::Private::objectToWrite(const ObjectWork& object,
                                                std::shared_ptr<const FinishedMesh> surface) const {
-  return {object.traits.label, std::move(surface), object.request().constraints.walls, true,
+  const ObjectLabel& label = object.traits.label;
+  return {label,
+          label.name,
+          std::move(surface),
+          object.request().constraints.walls,
+          true,
           isMeshAsItIs(object.edits().constraints)};
 }
 
+std::string Document::Private::nameInFiles(const std::string& name, bool isAnonymous) const {
+  if (!isAnonymous) return name;
+  const std::vector<std::string> names = q.anonymousNames();
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    if (objects[i]->traits.label.name == name) return names[i];
+  return ObjectLabel{}.name;
+}
+
 //! All that have a surface; those that are not among `which` are not wanted.
-std::vector<WrittenObject> Document::Private::writtenObjects(const std::vector<int>& which) const {
+std::vector<WrittenObject> Document::Private::writtenObjects(const std::vector<int>& which,
+                                                             bool isAnonymous) const {
   std::vector<WrittenObject> all;
   for (int i = 0; i < q.objectCount(); ++i) {
     auto surface = q.finishedMesh(i);  // of the frame that is shown
     if (!surface) continue;
-    all.push_back(objectToWrite(object(i), std::move(surface)));
+    all.push_back(objectToWrite(object(i), surface));
+    if (const CarriedFrame* carried = time.carriedTo(time.shownFrame());
+        carried && carried->finished == surface)
+      all.back().walls = carried->result.under.walls;  // of a corrected frame its own
+    all.back().nameInFiles = nameInFiles(all.back().label.name, isAnonymous);
     all.back().isWanted = std::find(which.begin(), which.end(), i) != which.end();
   }
   return all;
@@ -224,13 +242,16 @@ void Document::Private::write(const QString& path, std::function<QString()> job)
 void Document::Private::exportFiles(const QString& path, CoordinateSpace coordinates,
                                     const DicomContent& content, const std::vector<int>& which) {
   space = coordinates;
-  write(path, [this, path, betters = polishes, toWrite = writtenObjects(which),
+  write(path, [this, path, betters = polishes, toWrite = writtenObjects(which, content.anonymous),
                context = ExportContext{work->volume.grid, coordinates, work->info.dicom, content}] {
     const auto meshes = writtenMeshes(toWrite, context.grid, betters, polishing());
     requireApart(toWrite, meshes);
     std::vector<ExportedObject> made;
-    for (std::size_t i = 0; i < meshes.size(); ++i)
-      if (toWrite[i].isWanted) made.push_back({toWrite[i].label, meshes[i].made.mesh});
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+      if (!toWrite[i].isWanted) continue;
+      made.push_back({toWrite[i].label, meshes[i].made.mesh});
+      made.back().label.name = toWrite[i].nameInFiles;
+    }
     giveUpIfCancelled();
     writeResults(made, context, {fileName(path)});
     return polishTexts(toWrite, meshes);
@@ -251,7 +272,7 @@ void Document::exportReport(const QString& path, bool isAnonymous) {
     Q_EMIT exportFailed(tr("A frame is being corrected: end that first."));
     return;
   }
-  const auto made = hasVolume() ? d_->pendingReports() : std::vector<PendingReport>();
+  const auto made = hasVolume() ? d_->pendingReports(isAnonymous) : std::vector<PendingReport>();
   if (made.empty())
     Q_EMIT exportFailed(tr("There is no surface to report on yet: grow one first."));
   else
@@ -259,12 +280,13 @@ void Document::exportReport(const QString& path, bool isAnonymous) {
 }
 
 //! Of what is known on this thread; the rest is added on the files'.
-std::vector<PendingReport> Document::Private::pendingReports() const {
+std::vector<PendingReport> Document::Private::pendingReports(bool isAnonymous) const {
   std::vector<PendingReport> all;
   for (const auto& object : objects) {
     const auto shown = object->growth().snapshot();
     if (!shown || !object->finished()) continue;
     RunReport r = object->report();
+    r.session.label.name = nameInFiles(r.session.label.name, isAnonymous);
     r.session.version = HANDLEBODY_VERSION;
     r.session.volume = work->reference;
     r.session.polish = polishes;
@@ -277,7 +299,8 @@ std::vector<PendingReport> Document::Private::pendingReports() const {
       r.seconds.load = work->seconds;
     }
     if (const QString earlier = madeWithEarlier(*object); !earlier.isEmpty())
-      r.doubts.push_back({FindingKind::madeWithEarlier, {{"object", earlier.toStdString()}}});
+      r.doubts.push_back(
+          {FindingKind::madeWithEarlier, {{"object", nameInFiles(earlier.toStdString(), isAnonymous)}}});
     if (objects.size() == 1 && q.isCarriedCurrent()) r.overTime = overTimeReport();
     all.push_back({std::move(r), objectToWrite(*object, object->finished())});
   }

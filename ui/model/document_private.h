@@ -19,6 +19,8 @@
 
 namespace handlebody::ui {
 
+struct OpenedObject;
+
 //! What is told of an object but what takes time.
 struct PendingReport {
   RunReport report;
@@ -66,7 +68,7 @@ class Document::Private : public ObjectHost {
   //! Such as none of the objects has, nor any of `more`.
   ObjectLabel freshLabel(const std::vector<ObjectLabel>& more = {}) const;
   ObjectLabel labelFor(const ObjectLabel& wanted, const std::vector<ObjectLabel>& more) const;
-  void addOpened(const QString& path, OpenAs as, const std::vector<Session>& opened);
+  void addOpened(const QString& path, OpenAs as, const std::vector<OpenedObject>& opened);
   QString madeWithEarlier(const ObjectWork& object) const;
   //! False, and says so, if the active object is locked, or another frame is shown than it is grown in.
   bool mayChange();
@@ -109,11 +111,13 @@ class Document::Private : public ObjectHost {
 
   // --- out ---
   std::vector<Session> sessions() const;
-  std::vector<PendingReport> pendingReports() const;
+  //! What an object is called in files: one that there was, too.
+  std::string nameInFiles(const std::string& name, bool isAnonymous) const;
+  std::vector<PendingReport> pendingReports(bool isAnonymous) const;
   QByteArray viewWithObjects() const;
   void readView();
   WrittenObject objectToWrite(const ObjectWork& object, std::shared_ptr<const FinishedMesh> surface) const;
-  std::vector<WrittenObject> writtenObjects(const std::vector<int>& which) const;
+  std::vector<WrittenObject> writtenObjects(const std::vector<int>& which, bool isAnonymous) const;
   //! Tells on the GUI thread what is being polished.
   std::function<void(const std::string&)> polishing();
   //! On the files' thread: has `job` done until it is cancelled, and tells how it ended.

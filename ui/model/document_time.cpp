@@ -6,23 +6,14 @@
 
 #include "core/io/formats/sequence_writer.h"
 #include "core/io/report/frame_files.h"
+#include "core/io/report/polished_frames.h"
 #include "ui/model/document_private.h"
-#include "ui/model/error_sentence.h"
 
 namespace handlebody::ui {
 
 namespace {
 
 constexpr int kOverTimeId = 0x7135;
-
-//! Does `job`; its error as a sentence, or nothing.
-template <typename Job>
-QString sentenceOf(Job&& job) try {
-  job();
-  return {};
-} catch (...) {
-  return errorSentence();
-}
 
 class GrownFrameCommand : public QUndoCommand {
  public:
@@ -186,6 +177,9 @@ void Document::Private::carryAgain(const std::optional<int>& again) {
   for (const FoundLeak& found : growth.leaks())
     if (found.leak.iteration <= growth.iteration()) order.start.faults.push_back(leakFault(found.leak));
   order.settings = carrySettings();
+  const MeshSnapshot& shown = *order.surface->shown();
+  order.start.under = {work->volume.grid, order.settings.request.constraints.walls, shown.edgeLength,
+                       shown.pinned};
   time.carry(std::move(order));
 }
 
@@ -212,23 +206,20 @@ void Document::exportFrames(const QString& path, CoordinateSpace space) {
 }
 
 void Document::Private::exportFrames(const QString& path, CoordinateSpace coordinates) {
-  files.post([this, path, coordinates, over = overTimeReport(), from = time.carriedFrom(),
-              grown = time.grownFrame(), label = active->traits.label, grid = work->volume.grid]() mutable {
-    const QString failed = sentenceOf([&] {
-      for (FrameResult& r : over.frames)
-        if (r.frame == grown) r.mesh = from->get().mesh;
-      const std::string file = QFile::encodeName(path).toStdString();
-      if (isMeshPath(file))
-        writeFrameMeshes(over, coordinates, file);
-      else
-        writeFrameLabels(over, label, grid, file);
-    });
-    QMetaObject::invokeMethod(
-        &q,
-        [this, path, failed] { failed.isEmpty() ? Q_EMIT q.exported(path) : Q_EMIT q.exportFailed(failed); },
-        Qt::QueuedConnection);
+  space = coordinates;
+  write(path, [this, path, coordinates, over = overTimeReport(), from = time.carriedFrom(),
+               grown = time.grownFrame(), label = active->traits.label, grid = work->volume.grid,
+               betters = polishes]() mutable {
+    for (FrameResult& r : over.frames)
+      if (r.frame == grown) r.mesh = from->get().mesh;
+    if (betters) polishFrames(over, [told = polishing(), &label](int) { told(label.name); });
+    const std::string file = QFile::encodeName(path).toStdString();
+    if (isMeshPath(file))
+      writeFrameMeshes(over, coordinates, file);
+    else
+      writeFrameLabels(over, label, grid, file);
+    return polishSentence(together(over.polish));
   });
-  Q_EMIT q.exporting(path);
 }
 
 }  // namespace handlebody::ui

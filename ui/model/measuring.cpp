@@ -31,10 +31,18 @@ std::optional<MeasuredWall> wallOf(Measured& m, const WantedWall& wanted) {
 
 std::vector<MeasuredSurface> shownSurfaces(const Document& document) {
   std::vector<MeasuredSurface> all;
+  const std::vector<std::string> names = document.anonymousNames();
   for (int i = 0; i < document.objectCount(); ++i)
     if (auto mesh = document.finishedMesh(i))
-      all.push_back({QString::fromStdString(document.objectInfo(i).label.name), std::move(mesh)});
+      all.push_back({QString::fromStdString(document.objectInfo(i).label.name), std::move(mesh),
+                     QString::fromStdString(names.at(static_cast<std::size_t>(i)))});
   return all;
+}
+
+std::map<std::string, std::string> anonymousNames(const std::vector<MeasuredSurface>& surfaces) {
+  std::map<std::string, std::string> names;
+  for (const MeasuredSurface& s : surfaces) names[s.name.toStdString()] = s.anonymousName.toStdString();
+  return names;
 }
 
 Measured measureAll(const MeasureQuestion& q, const std::function<void(double)>& progress) {

@@ -4,6 +4,7 @@
 #include <QString>
 #include <atomic>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -18,11 +19,14 @@ namespace handlebody::ui {
 struct MeasuredSurface {
   QString name;
   std::shared_ptr<const FinishedMesh> mesh;
+  QString anonymousName{};  //!< where nothing is to name the patient
   bool operator==(const MeasuredSurface&) const = default;
 };
 
 //! Of all objects that have one, in their order.
 std::vector<MeasuredSurface> shownSurfaces(const Document& document);
+//! Their anonymous names by their names.
+std::map<std::string, std::string> anonymousNames(const std::vector<MeasuredSurface>& surfaces);
 
 //! Whose wall is measured: between two of the surfaces, or one and its own cavities.
 struct WantedWall {

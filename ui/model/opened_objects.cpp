@@ -35,17 +35,18 @@ Session objectOf(const std::string& file, OpenAs as) {
   return session;
 }
 
-std::vector<Session> labelled(const QString& path, const std::string& file, OpenAs as) {
-  std::vector<Session> objects;
+std::vector<OpenedObject> labelled(const QString& path, const std::string& file, OpenAs as) {
+  std::vector<OpenedObject> objects;
   const std::vector<NamedLabel> labels = labelsIn(file);
   for (const NamedLabel& label : labels) {
-    objects.push_back(objectOf(file, as));
-    Session& object = objects.back();
+    objects.push_back({objectOf(file, as), label.hasLook()});
+    Session& object = objects.back().session;
     object.constraints.start->label = label.value;
     object.label.value = label.value;
     const QString plain =
         labels.size() == 1 ? baseName(path) : Document::tr("%1 %2").arg(baseName(path)).arg(label.value);
-    object.label.name = named(label.name.empty() ? plain : QString::fromStdString(label.name));
+    object.label.name = named(plain);
+    object.label = labelledAs(label, object.label);
   }
   return objects;
 }
@@ -59,20 +60,20 @@ bool isWithin(const Grid& grid, const Vec3& world) {
 
 }  // namespace
 
-std::vector<Session> readObjects(const QString& path, OpenAs as, const Grid& grid) {
+std::vector<OpenedObject> readObjects(const QString& path, OpenAs as, const Grid& grid) {
   const std::string file = QFile::encodeName(path).toStdString();
-  std::vector<Session> objects;
-  if (isMeshPath(file)) {
-    objects.push_back(objectOf(file, as));
-    objects.back().label.name = named(baseName(path));
+  std::vector<OpenedObject> objects;
+  if (isMeshInputPath(file)) {
+    objects.push_back({objectOf(file, as)});
+    objects.back().session.label.name = named(baseName(path));
   } else {
     objects = labelled(path, file, as);
   }
   giveUpIfCancelled();
   std::vector<Session*> all;
-  for (Session& object : objects) all.push_back(&object);
+  for (OpenedObject& object : objects) all.push_back(&object.session);
   loadStarts(all);
-  for (const Session& object : objects)
+  for (const auto& [object, hasLook] : objects)
     if (!isWithin(grid, object.constraints.start->inside))
       throw Told<InputError>(
           Finding(FindingKind::otherVolume, {{"file", file}, {"object", object.label.name}}));

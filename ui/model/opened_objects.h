@@ -10,9 +10,14 @@
 
 namespace handlebody::ui {
 
-//! One for a mesh, one for each value of a label map, by the names that the file has for them. They show the
-//! surface as it is read, and go no farther by themselves. Takes long: not on the GUI thread. Throws
+struct OpenedObject {
+  Session session;
+  bool hasLook = false;  //!< its colour and term are those of the file
+};
+
+//! One for a mesh, one for each value of a label map, called, coloured and termed as the file says. They show
+//! the surface as it is read, and go no farther by themselves. Takes long: not on the GUI thread. Throws
 //! InputError; Cancelled (cancellation.h).
-std::vector<Session> readObjects(const QString& path, OpenAs as, const Grid& grid);
+std::vector<OpenedObject> readObjects(const QString& path, OpenAs as, const Grid& grid);
 
 }  // namespace handlebody::ui

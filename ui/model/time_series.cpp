@@ -44,6 +44,8 @@ CarriedFrame shownAs(FrameResult result) {
   snapshot->mesh = mesh;
   snapshot->states.assign(mesh.triangles.size(), FaceState::settled);
   snapshot->certificate = certify(mesh);
+  snapshot->edgeLength = frame.result.under.edgeLength;
+  snapshot->pinned = frame.result.under.pinned;
   for (const ToldFault& f : frame.result.faults) snapshot->doubts.push_back(f.finding);
   frame.snapshot = std::move(snapshot);
   frame.finished = std::make_shared<const FinishedMesh>(frame.snapshot);

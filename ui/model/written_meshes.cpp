@@ -54,6 +54,25 @@ void requireApart(const std::vector<WrittenObject>& objects, const std::vector<W
                 .toStdString());
 }
 
+namespace {
+
+//! As polishSentence, but for its first letter.
+QString withoutCapital(const PolishReport& report) {
+  if (report.before.faces + report.before.edges == 0) return {};
+  const auto counted = [](const PolishCount& c) { return QString::number(c.faces + c.edges); };
+  const auto degrees = [](double angle) { return QString::number(angle, 'f', 1); };
+  return Document::tr("polished: %1 bad places, now %2; least angle %3°, was %4°.")
+      .arg(counted(report.before), counted(report.after), degrees(report.after.leastAngle),
+           degrees(report.before.leastAngle));
+}
+
+}  // namespace
+
+QString polishSentence(const PolishReport& report) {
+  const QString text = withoutCapital(report);
+  return text.left(1).toUpper() + text.mid(1);
+}
+
 QString polishTexts(const std::vector<WrittenObject>& objects, const std::vector<WrittenMesh>& meshes) {
   QString all;
   const auto add = [&](const QString& sentence) {
@@ -62,14 +81,9 @@ QString polishTexts(const std::vector<WrittenObject>& objects, const std::vector
   };
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     const auto& done = meshes[i].polish;
-    if (!done || !objects[i].isWanted || done->before.faces + done->before.edges == 0) continue;
-    const auto counted = [](const PolishCount& c) { return QString::number(c.faces + c.edges); };
-    const auto degrees = [](double angle) { return QString::number(angle, 'f', 1); };
-    const QString text = Document::tr("polished: %1 bad places, now %2; least angle %3°, was %4°.")
-                             .arg(counted(done->before), counted(done->after),
-                                  degrees(done->after.leastAngle), degrees(done->before.leastAngle));
-    add(objects.size() > 1 ? Document::tr("“%1” %2").arg(nameOf(objects[i]), text)
-                           : text.left(1).toUpper() + text.mid(1));
+    if (!done || !objects[i].isWanted || polishSentence(*done).isEmpty()) continue;
+    add(objects.size() > 1 ? Document::tr("“%1” %2").arg(nameOf(objects[i]), withoutCapital(*done))
+                           : polishSentence(*done));
   }
   return all;
 }

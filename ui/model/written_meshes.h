@@ -13,6 +13,7 @@ namespace handlebody::ui {
 //! An object whose surface is written, or that lies beside one that is.
 struct WrittenObject {
   ObjectLabel label{};
+  std::string nameInFiles{};  //!< the label's, if that does not name the patient where nothing is to
   std::shared_ptr<const FinishedMesh> surface{};
   WallList walls{};  //!< of its growth, the objects before it among them
   bool isWanted = true;
@@ -34,7 +35,9 @@ std::vector<WrittenMesh> writtenMeshes(const std::vector<WrittenObject>& objects
 //! The guarantee of several objects in one file: throws OutputError if two that are wanted meet.
 void requireApart(const std::vector<WrittenObject>& objects, const std::vector<WrittenMesh>& meshes);
 
-//! What polishing did, for those that are wanted and had something bad, one sentence each; empty: nothing.
+//! What polishing did, as a sentence; empty: nothing was bad.
+QString polishSentence(const PolishReport& report);
+//! What it did, for those that are wanted and had something bad, one sentence each; empty: nothing.
 QString polishTexts(const std::vector<WrittenObject>& objects, const std::vector<WrittenMesh>& meshes);
 
 }  // namespace handlebody::ui

@@ -3,10 +3,10 @@
 #include <QDockWidget>
 
 #include "ui/model/measurements.h"
+#include "ui/model/measuring.h"
 #include "ui/window/export/export_panel.h"
 #include "ui/window/main_window.h"
 #include "ui/window/measures/measures_panel.h"
-#include "ui/window/measures/object_measures_page.h"
 #include "ui/window/measures/sensitivity_page.h"
 #include "ui/window/open/file_work.h"
 
@@ -71,7 +71,7 @@ void MainWindow::connectMeasureCommands() {
   connect(&state_.measure(), &MeasureTool::modeChanged, this, &MainWindow::updateMeasureCommands);
   connect(measures_, &MeasuresPanel::wanted, this, &MainWindow::showMeasures);
   connect(measures_, &MeasuresPanel::saveRequested, files_, &FileWork::saveText);
-  connect(export_, &ExportPanel::anonymousChanged, &measures_->objects(), &ObjectMeasuresPage::setAnonymous);
+  connect(export_, &ExportPanel::anonymousChanged, measures_, &MeasuresPanel::setAnonymous);
   updateMeasureCommands();
 }
 

@@ -60,6 +60,7 @@ void MainWindow::connectTimeCommands() {
   on(Command::exportFrameMeshes, [this] { files_->exportFrames(false); });
   on(Command::exportFrameLabels, [this] { files_->exportFrames(true); });
   connect(overTime_, &OverTimePanel::saveRequested, files_, &FileWork::saveText);
+  connect(export_, &ExportPanel::anonymousChanged, overTime_, &OverTimePanel::setAnonymous);
   for (auto changed : {&TimeSeries::shownChanged, &TimeSeries::wantedChanged, &TimeSeries::playingChanged,
                        &TimeSeries::carriedChanged, &TimeSeries::carryingChanged})
     connect(&time, changed, this, &MainWindow::updateTimeCommands);

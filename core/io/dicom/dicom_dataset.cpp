@@ -154,29 +154,6 @@ std::string decimal(double value) {
   return {text.data(), end};
 }
 
-std::array<Uint16, 3> cieLab(const Colour& colour) {
-  std::array<double, 3> linear{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double c = colour[i] / 255.0;
-    linear[i] = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-  }
-  // sRGB to XYZ adapted to D50 (Bradford), each row over the white point's coordinate.
-  constexpr double kMatrix[3][3] = {{0.4360747 / 0.9642, 0.3850649 / 0.9642, 0.1430804 / 0.9642},
-                                    {0.2225045, 0.7168786, 0.0606169},
-                                    {0.0139322 / 0.8249, 0.0971045 / 0.8249, 0.7141733 / 0.8249}};
-  std::array<double, 3> f{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double t = kMatrix[i][0] * linear[0] + kMatrix[i][1] * linear[1] + kMatrix[i][2] * linear[2];
-    constexpr double kEdge = 216.0 / 24389.0;
-    f[i] = t > kEdge ? std::cbrt(t) : (24389.0 / 27.0 * t + 16) / 116;
-  }
-  const auto scaled = [](double part) {
-    return static_cast<Uint16>(std::lround(std::clamp(part, 0.0, 1.0) * 65535));
-  };
-  return {scaled((116 * f[1] - 16) / 100), scaled((500 * (f[0] - f[1]) + 128) / 255),
-          scaled((200 * (f[1] - f[2]) + 128) / 255)};
-}
-
 void checkExport(const DicomOrigin& origin, const DicomContent& content, const std::string& path) {
   OFLog::configure(OFLogger::OFF_LOG_LEVEL);  // errors reach us as conditions
   if (!dcmDataDict.isDictionaryLoaded())

@@ -4,7 +4,6 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -28,9 +27,6 @@ using Texts = std::vector<std::string>;
 //! What PS3.3 wants is there, empty if the source has none. Throws OutputError.
 void addPatientAndStudy(DcmItem& data, const DicomOrigin& origin, const DicomContent& content,
                         const Texts& texts, const std::string& path);
-
-//! CIELab of an sRGB colour under D50 (PS3.3 C.10.7.1.1), as DICOM scales it to 16 bits.
-std::array<Uint16, 3> cieLab(const Colour& colour);
 
 //! The name of this program, as manufacturer and model.
 inline constexpr const char* kMaker = "Handlebody";

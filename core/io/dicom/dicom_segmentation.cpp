@@ -16,6 +16,7 @@
 #include <memory>
 
 #include "core/io/atomic_file.h"
+#include "core/io/dicom/cie_lab.h"
 
 namespace handlebody {
 
@@ -180,7 +181,7 @@ void Maker::add(const ExportedObject& object) {
   check(DcmSegment::create(made, "Segment", codeOf(term.category), codeOf(term.type),
                            DcmSegTypes::SAT_SEMIAUTOMATIC, dicom::kMaker));
   std::unique_ptr<DcmSegment> segment(made);
-  const auto lab = dicom::cieLab(object.label.colour);
+  const dicom::CieLab lab = dicom::cieLab(object.label.colour);
   check(segment->setRecommendedDisplayCIELabValue(lab[0], lab[1], lab[2]));
   Uint16 number = 0;
   check(document_->addSegment(segment.get(), number));

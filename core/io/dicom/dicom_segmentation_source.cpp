@@ -25,6 +25,7 @@ class SegmentationSource : public DecodedSource {
  private:
   [[noreturn]] void refuse(const Finding& cause) const { refuseInput(path_, cause); }
   void checkPixels() const;
+  void setOrigin();
   void setGrid();
   void setSlices(double pitch);
   template <typename T>
@@ -48,6 +49,7 @@ SegmentationSource::SegmentationSource(DicomFile file, std::string path)
   }
   header_.component = segments > 255 ? Component::uint16 : Component::uint8;
   header_.warnings.push_back(FindingKind::isSegmentation);
+  setOrigin();
   checkHeader(header_, path_);
 }
 
@@ -57,6 +59,14 @@ void SegmentationSource::checkPixels() const {
   if (!file_.structure.walked || file_.structure.pixelBytes == 0) refuse(FindingKind::segmentationPacked);
   const std::uint64_t bits = file_.pixelsPerFrame() * static_cast<std::uint64_t>(file_.frames);
   if ((bits + 7) / 8 > file_.structure.pixelBytes) refuse(FindingKind::holdsLess);
+}
+
+//! What is made of it belongs to its patient and study, and refers to it as a whole: several of its frames
+//! may lie in one slice.
+void SegmentationSource::setOrigin() {
+  header_.dicom = std::make_shared<DicomOrigin>(readDicomOrigin(file_.file));
+  header_.dicom->images = {{file_.classUid, file_.instanceUid, 0}};
+  header_.dicom->straight = false;
 }
 
 //! One plane for all frames, at multiples of a distance.

@@ -71,6 +71,7 @@ void addSources(DcmItem& data, const DicomOrigin& origin, const DicomContent& co
   }
 }
 
+//! None of its modules (PS3.3 C.24.2, C.35.1) has a place for the content's creator.
 void addDocument(DcmItem& data, const std::vector<ExportedObject>& objects, const DicomContent& content) {
   std::string title;
   for (const ExportedObject& o : objects) title += (title.empty() ? "" : ", ") + o.label.name;

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/io/meshes/mesh_io.h"
@@ -29,6 +30,12 @@ MeshFile readObj(const std::string& path);
 
 //! Text or binary, of either byte order.
 MeshFile readPly(const std::string& path);
+
+//! A binary STL in memory, of the file `path`. Throws InputError.
+MeshFile readStlBytes(std::string_view bytes, const std::string& path);
+//! The STL within DICOM (Encapsulated STL). In this process: what looks for it is our own walk, which checks
+//! every bound, and no library for DICOM has a part in it.
+MeshFile readDicomStl(const std::string& path);
 
 //! VTK's messages go nowhere while one of these lives; errors are found through error codes and observers.
 class VtkSilence {

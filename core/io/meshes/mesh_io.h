@@ -15,8 +15,10 @@ namespace handlebody {
 //! Coordinates in a mesh file; RAS turns x and y. Written into the file where the format has a place for it.
 enum class CoordinateSpace { lps, ras };
 
-//! True for .stl .vtp .ply .obj (any case).
+//! True for .stl .vtp .ply .obj (any case): what writeMesh writes.
 bool isMeshPath(const std::string& path);
+//! The same and .stl.dcm, the STL within DICOM: what readMesh reads.
+bool isMeshInputPath(const std::string& path);
 //! True for .nii .nii.gz .nrrd .mha (any case).
 bool isLabelMapPath(const std::string& path);
 
@@ -42,8 +44,8 @@ void writeMesh(const TriangleSoup& mesh, const std::string& path,
 void writeMeshWithValues(const TriangleSoup& mesh, const std::vector<double>& values, const std::string& name,
                          const std::string& path);
 
-//! Reads .stl .vtp .ply .obj; STL vertices with equal coordinates are merged. RAS files that say so come back
-//! as LPS. Throws InputError.
+//! Reads .stl .vtp .ply .obj .stl.dcm; STL vertices with equal coordinates are merged. RAS files that say so
+//! come back as LPS. Throws InputError.
 TriangleSoup readMesh(const std::string& path);
 
 }  // namespace handlebody

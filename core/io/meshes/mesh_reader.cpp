@@ -102,6 +102,22 @@ class Merger {
 
 constexpr std::size_t kStlHeader = 84, kStlRecord = 50;
 
+//! The number of triangles that a header of kStlHeader bytes gives.
+std::uint32_t trianglesIn(std::string_view header) {
+  std::uint32_t count = 0;
+  std::memcpy(&count, header.data() + 80, sizeof count);
+  return count;
+}
+
+void addTriangle(const char* record, Merger& merger) {
+  float corners[9];
+  std::memcpy(corners, record + 12, sizeof corners);
+  Triangle t{};
+  for (std::size_t c = 0; c < 3; ++c)
+    t[c] = merger.vertex(Vec3(corners[3 * c], corners[3 * c + 1], corners[3 * c + 2]));
+  merger.soup.triangles.push_back(t);
+}
+
 TriangleSoup readBinaryStl(const std::string& path, std::size_t count) {
   std::ifstream stream(path, std::ios::binary);
   stream.seekg(kStlHeader);
@@ -110,12 +126,7 @@ TriangleSoup readBinaryStl(const std::string& path, std::size_t count) {
     char record[kStlRecord];
     if (!stream.read(record, kStlRecord))
       refuse(path, {FindingKind::truncatedFormat, {{"format", std::string("STL")}}});
-    float corners[9];
-    std::memcpy(corners, record + 12, sizeof corners);
-    Triangle t{};
-    for (std::size_t c = 0; c < 3; ++c)
-      t[c] = merger.vertex(Vec3(corners[3 * c], corners[3 * c + 1], corners[3 * c + 2]));
-    merger.soup.triangles.push_back(t);
+    addTriangle(record, merger);
   }
   return std::move(merger.soup);
 }
@@ -139,8 +150,7 @@ MeshFile readStl(const std::string& path) {
   const std::uint64_t size = fs::file_size(path);
   MeshFile file;
   file.space = spaceIn(start);
-  std::uint32_t count = 0;
-  if (start.size() == kStlHeader) std::memcpy(&count, start.data() + 80, 4);
+  const std::uint32_t count = start.size() == kStlHeader ? trianglesIn(start) : 0;
   if (start.size() == kStlHeader && size == kStlHeader + kStlRecord * std::uint64_t{count})
     file.mesh = readBinaryStl(path, count);
   else if (start.rfind("solid", 0) == 0 && bytesOfFile(path, 0, 4096).find("facet") != std::string::npos) {
@@ -156,6 +166,19 @@ MeshFile readStl(const std::string& path) {
 // --- VTP ---
 
 }  // namespace
+
+MeshFile readStlBytes(std::string_view bytes, const std::string& path) {
+  if (bytes.size() < kStlHeader ||
+      bytes.size() != kStlHeader + kStlRecord * std::uint64_t{trianglesIn(bytes)})
+    refuse(path, FindingKind::notStl);
+  Merger merger;
+  for (std::size_t at = kStlHeader; at < bytes.size(); at += kStlRecord)
+    addTriangle(bytes.data() + at, merger);
+  MeshFile file;
+  file.space = spaceIn(std::string(bytes.substr(0, kStlHeader)));
+  file.mesh = std::move(merger.soup);
+  return file;
+}
 
 MeshFile readVtpHere(const std::string& path) {
   const VtkSilence silence;
@@ -178,24 +201,29 @@ MeshFile readVtpHere(const std::string& path) {
 
 namespace {
 
-MeshFile readAny(const std::string& path) {
-  const std::string ending = fs::path(path).extension().string();
-  std::string lower = ending;
-  std::transform(lower.begin(), lower.end(), lower.begin(),
+bool endsIn(std::string path, const char* ending) {
+  std::transform(path.begin(), path.end(), path.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (lower == ".stl") return readStl(path);
-  if (lower == ".ply") return readPly(path);
-  if (lower == ".vtp") return readVtp(path);
+  return path.ends_with(ending);
+}
+
+MeshFile readAny(const std::string& path) {
+  if (endsIn(path, ".stl.dcm")) return readDicomStl(path);
+  if (endsIn(path, ".stl")) return readStl(path);
+  if (endsIn(path, ".ply")) return readPly(path);
+  if (endsIn(path, ".vtp")) return readVtp(path);
   return readObj(path);
 }
 
 }  // namespace
 
+bool isMeshInputPath(const std::string& path) { return isMeshPath(path) || endsIn(path, ".stl.dcm"); }
+
 TriangleSoup readMesh(const std::string& path) {
   std::error_code failed;
   if (!fs::exists(path, failed)) refuse(path, FindingKind::noSuchFile);
   if (!fs::is_regular_file(path, failed)) refuse(path, FindingKind::notAFile);
-  if (!isMeshPath(path)) refuse(path, FindingKind::notAMesh);
+  if (!isMeshInputPath(path)) refuse(path, FindingKind::notAMesh);
   if (fs::file_size(path) == 0) refuse(path, FindingKind::emptyFile);
   if (!std::ifstream(path)) refuse(path, FindingKind::notOpened);
   const VtkSilence silence;

@@ -5,6 +5,7 @@
 
 #include "core/io/formats/volume_source.h"
 #include "core/io/meshes/mesh_io.h"
+#include "core/io/report/anonymous_names.h"
 #include "core/io/report/comparison_json.h"
 
 namespace handlebody {
@@ -28,7 +29,7 @@ Json volumeJson(const Solid& s) { return s.isClosed() ? Json(s.volume()) : Json(
 
 Json objectJson(const ComparedObject& o) {
   const Solid& s = o.solid;
-  Json json = {{"path", o.path}, {"kind", s.mask ? "label map" : "mesh"}};
+  Json json = {{"path", orNull(!o.path.empty(), o.path)}, {"kind", s.mask ? "label map" : "mesh"}};
   json["label"] = o.label ? Json(*o.label) : Json(nullptr);
   json["volume_mm3"] = volumeJson(s);
   json["area_mm2"] = s.certificate.area;
@@ -84,13 +85,25 @@ ComparedObject comparedLabels(const std::string& name, const Volume& labels, std
 
 ComparedObject readCompared(const std::string& path, std::optional<int> label,
                             std::vector<Finding>& warnings) {
-  if (isMeshPath(path)) return comparedMesh(path, readMesh(path));
+  if (isMeshInputPath(path)) return comparedMesh(path, readMesh(path));
   return comparedLabels(path, readLabels(path, warnings).volume, label);
 }
 
 void compare(ComparedPair& pair, const ComparisonOptions& how) {
   pair.found = compare(pair.a.solid, pair.b.solid, how);
   pair.warnings.insert(pair.warnings.end(), pair.found.warnings.begin(), pair.found.warnings.end());
+}
+
+ComparedPair anonymous(ComparedPair pair) {
+  for (Finding& warning : pair.warnings) {
+    if (warning.kind != FindingKind::ofFile) continue;
+    const bool isOfA = std::get<std::string>(*warning.find("file")) == pair.a.path;
+    warning = {
+        FindingKind::ofFile, {{"file", std::string(isOfA ? "A" : "B")}}, unnamed(warning.causes.at(0))};
+  }
+  pair.a.path.clear();
+  pair.b.path.clear();
+  return pair;
 }
 
 Json comparisonToJson(const ComparedPair& p) {

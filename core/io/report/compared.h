@@ -12,7 +12,7 @@
 namespace handlebody {
 
 struct ComparedObject {
-  std::string path;          //!< or what it is called
+  std::string path;          //!< or what it is called; empty: not told
   std::optional<int> label;  //!< asked for, of a label map
   Solid solid;
 };
@@ -39,6 +39,9 @@ ComparedObject readCompared(const std::string& path, std::optional<int> label,
 
 //! Fills `found` and adds its warnings. Throws as compare.
 void compare(ComparedPair& pair, const ComparisonOptions& how);
+
+//! Without what may name the patient: paths; warnings speak of A and B in their place.
+ComparedPair anonymous(ComparedPair pair);
 
 //! "version", "notice", "a", "b", "dice", "iou" … (docs/compare.md) as JSON text.
 std::string comparisonJson(const ComparedPair& pair);

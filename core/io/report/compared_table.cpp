@@ -37,7 +37,8 @@ std::string line(const std::string& name, const std::string& a, const std::strin
 }
 
 std::string objectLine(const char* name, const ComparedObject& o) {
-  std::string text = std::string(name) + ": " + (o.solid.mask ? "label map " : "mesh ") + o.path;
+  std::string text = std::string(name) + ": " + (o.solid.mask ? "label map" : "mesh");
+  if (!o.path.empty()) text += " " + o.path;
   if (o.label) text += ", label " + std::to_string(*o.label);
   return text + "\n";
 }

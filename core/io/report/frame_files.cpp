@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include "core/cancellation.h"
+#include "core/io/atomic_file.h"
 #include "core/io/formats/label_map.h"
 #include "core/io/formats/sequence_writer.h"
 
@@ -15,13 +17,17 @@ bool hasCollection(const std::string& path) {
 }
 
 void writeFrameMeshes(const OverTimeReport& over, CoordinateSpace space, const std::string& path) {
+  FileSet files;
   std::vector<int> written;
   for (const FrameResult& r : over.frames) {
+    giveUpIfCancelled();
     if (r.mesh.triangles.empty()) continue;
     writeMesh(r.mesh, numberedPath(path, r.frame), space);
     written.push_back(r.frame);
   }
   if (hasCollection(path)) writeCollection(path, written, over.times);
+  giveUpIfCancelled();
+  files.commit();
 }
 
 void writeFrameLabels(const OverTimeReport& over, const ObjectLabel& label, const Grid& grid,
@@ -35,6 +41,7 @@ void writeFrameLabels(const OverTimeReport& over, const ObjectLabel& label, cons
     if (p.time) times.push_back(*p.time);
   layout.times = checkedTimes(layout.frames, std::move(times), over.times.source);
   writeSequence(layout, path, [&](int i) {
+    giveUpIfCancelled();
     const FrameResult& r = over.frames[static_cast<std::size_t>(i)];
     void* zeros = nullptr;
     if (r.mesh.triangles.empty()) return makeVolume(layout.grid, layout.type, &zeros);

@@ -14,11 +14,12 @@ namespace handlebody {
 bool hasCollection(const std::string& path);
 
 //! One file for each frame that has a surface (numberedPath); of .vtp also the list of them for ParaView
-//! (collectionPath). Throws as writeMesh and writeCollection.
+//! (collectionPath). None of them gets its name before all are written. Throws as writeMesh and
+//! writeCollection, and Cancelled (cancellation.h).
 void writeFrameMeshes(const OverTimeReport& over, CoordinateSpace space, const std::string& path);
 
 //! A 4D label map of the frames of the range on `grid`; frames without a surface are empty. Precondition:
-//! isSequencePath(path). Throws as writeSequence.
+//! isSequencePath(path). Throws as writeSequence, and Cancelled.
 void writeFrameLabels(const OverTimeReport& over, const ObjectLabel& label, const Grid& grid,
                       const std::string& path);
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <numeric>
 
+#include "core/io/report/anonymous_names.h"
 #include "core/io/report/csv_line.h"
 #include "core/io/report/measures_json.h"
 
@@ -206,7 +207,34 @@ void addWall(Row& row, const MeasuredWall& wall) {
   add("wall_from_second", wall.wall.fromSecond);
 }
 
+using Names = std::map<std::string, std::string>;
+
+void rename(std::string& name, const Names& names) {
+  if (const auto other = names.find(name); other != names.end()) name = other->second;
+}
+
+Finding renamed(Finding warning, const Names& names) {
+  if (warning.kind == FindingKind::ofFile) return unnamed(warning.causes.at(0));
+  for (auto& [key, value] : warning.values)
+    if (auto* text = std::get_if<std::string>(&value); text && key == "object") rename(*text, names);
+  for (Finding& cause : warning.causes) cause = renamed(std::move(cause), names);
+  return warning;
+}
+
 }  // namespace
+
+Measured anonymous(Measured m, const Names& names) {
+  m.path.clear();
+  m.volume.clear();
+  for (MeasuredObject& object : m.objects) rename(object.name, names);
+  for (MeasuredGap& gap : m.gaps)
+    for (std::string* name : {&gap.from, &gap.to}) rename(*name, names);
+  if (m.wall)
+    for (std::string* name : {&m.wall->first, &m.wall->second}) rename(*name, names);
+  if (m.line) rename(m.line->object, names);
+  for (Finding& warning : m.warnings) warning = renamed(std::move(warning), names);
+  return m;
+}
 
 std::string measuredText(const Measured& m) {
   std::string text;
@@ -220,7 +248,8 @@ std::string measuredText(const Measured& m) {
 }
 
 std::string measuredJson(const Measured& m) {
-  Json json = {{"version", HANDLEBODY_VERSION}, {"notice", kNotice}, {"path", m.path}};
+  Json json = {{"version", HANDLEBODY_VERSION}, {"notice", kNotice}};
+  json["path"] = m.path.empty() ? Json(nullptr) : Json(m.path);
   json["volume"] = m.volume.empty() ? Json(nullptr) : Json(m.volume);
   Json& objects = json["objects"] = Json::array();
   for (const MeasuredObject& o : m.objects) {

@@ -1,6 +1,7 @@
 #pragma once
 // What is measured of objects, as text, JSON and CSV: what `measure` and the window show and write.
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,7 +38,7 @@ struct MeasuredLine {
 };
 
 struct Measured {
-  std::string path;    //!< of the mesh or session
+  std::string path;    //!< of the mesh or session; empty: not told
   std::string volume;  //!< whose intensities; empty: none
   std::vector<MeasuredObject> objects;
   std::vector<MeasuredGap> gaps;
@@ -46,6 +47,9 @@ struct Measured {
   std::vector<Measurement> placed;  //!< rulers and angles of the session
   std::vector<Finding> warnings;    //!< sentences; those of an object behind its name if there are several
 };
+
+//! Without what may name the patient: paths, and the names of objects that `names` has others for.
+Measured anonymous(Measured measured, const std::map<std::string, std::string>& names);
 
 //! A table for the eye, with units.
 std::string measuredText(const Measured& m);

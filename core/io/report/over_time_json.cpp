@@ -1,6 +1,7 @@
 #include "core/io/report/over_time_json.h"
 
 #include "core/errors.h"
+#include "core/io/report/polished_export.h"
 #include "core/io/report/session.h"
 
 namespace handlebody {
@@ -143,7 +144,11 @@ Json overTimeToJson(const OverTimeReport& report) {
   json["time_ms"] = known ? Json(report.times.milliseconds) : Json(nullptr);
   if (known) json["time_source"] = report.times.source;
   Json& results = json["results"] = Json::array();
-  for (const FrameResult& r : report.frames) results.push_back(resultToJson(r));
+  for (const FrameResult& r : report.frames) {
+    results.push_back(resultToJson(r));
+    if (const auto found = report.polish.find(r.frame); found != report.polish.end())
+      results.back()["polish"] = polishToJson(found->second);
+  }
   json["curve"] = curveToJson(report.curve);
   Json& drifts = json["drift"] = Json::array();
   for (const Drift& d : report.drifts) drifts.push_back(driftToJson(d));

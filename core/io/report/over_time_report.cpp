@@ -48,9 +48,13 @@ VolumeCurve curveOf(const std::vector<FrameResult>& frames, const TimeAxis& time
 
 std::vector<std::string> overTimeDoubts(const OverTimeReport& report) {
   std::vector<std::string> doubts;
-  for (const FrameResult& r : report.frames)
-    for (const ToldFault& f : r.faults)
-      doubts.push_back("frame " + std::to_string(r.frame) + ": " + sentence(f.finding));
+  for (const FrameResult& r : report.frames) {
+    const std::string behind = "frame " + std::to_string(r.frame) + ": ";
+    for (const ToldFault& f : r.faults) doubts.push_back(behind + sentence(f.finding));
+    if (const auto found = report.polish.find(r.frame); r.from && found != report.polish.end())
+      if (const Finding left = polishDoubt(found->second); left.any())
+        doubts.push_back(behind + sentence(left));
+  }
   for (const Drift& d : report.drifts)
     if (!d.isBack)
       doubts.push_back("frame " + std::to_string(d.at) +

@@ -1,11 +1,13 @@
 #pragma once
 // What is told of a surface over time: in the report, as a table and as a plot.
 
+#include <map>
 #include <string>
 #include <vector>
 
 #include "core/io/formats/time_axis.h"
 #include "core/io/report/over_time_request.h"
+#include "core/polish/polish.h"
 #include "core/sequence/drift.h"
 #include "core/sequence/over_time.h"
 #include "core/sequence/volume_curve.h"
@@ -18,12 +20,14 @@ struct OverTimeReport {
   std::vector<FrameResult> frames{};  //!< of the range, in its order
   VolumeCurve curve{};                //!< of them
   std::vector<Drift> drifts{};
+  std::map<int, PolishReport> polish{};  //!< of the meshes by frame; empty: they are as they were carried
 };
 
 //! The volumes of these frames, each with its time where that is known.
 VolumeCurve curveOf(const std::vector<FrameResult>& frames, const TimeAxis& times);
 
-//! Sentences without a full stop, "frame 3: …": every fault, a surface that was lost on its way back.
+//! Sentences without a full stop, "frame 3: …": every fault, what polishing left (but in the frame that was
+//! grown, whose own report tells it), a surface that was lost on its way back.
 std::vector<std::string> overTimeDoubts(const OverTimeReport& report);
 
 //! Without what may name the patient: paths, of walls in corrected frames and in what is told of frames.

@@ -12,10 +12,6 @@ double polishDistance(const Grid& grid) { return kPolishVoxels * grid.spacing.mi
 
 double polishDistance(const TriangleSoup& mesh) { return kPolishVoxels * meshQuality(mesh).edges.median; }
 
-GrownUnder grownUnder(const ActiveContour& contour) {
-  return {contour.grid(), contour.constraints().walls, contour.parameters().edgeLength, contour.pinned()};
-}
-
 PolishOptions polishOptions(const GrownUnder& grown, const TriangleSoup& mesh) {
   PolishOptions options;
   options.bounds.distance = polishDistance(grown.grid);

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/evolution/active_contour.h"
+#include "core/evolution/grown_under.h"
 #include "core/io/report/json.h"
 #include "core/io/report/result.h"
 #include "core/polish/polish.h"
@@ -14,15 +14,6 @@ namespace handlebody {
 double polishDistance(const Grid& grid);
 //! The same for a mesh without a grid: a part of its median edge.
 double polishDistance(const TriangleSoup& mesh);
-
-//! What of a growth binds the polish of its surface.
-struct GrownUnder {
-  Grid grid;
-  WallList walls;
-  double edgeLength = 0;  //!< mm
-  std::vector<PinnedPart> pinned;
-};
-GrownUnder grownUnder(const ActiveContour& contour);
 
 //! What the constraints of the growth leave to polishing: no face in a wall, nothing of what is pinned.
 PolishOptions polishOptions(const GrownUnder& grown, const TriangleSoup& mesh);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/io/report/anonymous_names.h"
 #include "core/io/report/constraints_json.h"
 #include "core/io/report/edit_json.h"
 #include "core/io/report/measures_json.h"
@@ -186,27 +187,6 @@ std::vector<Finding> pinDoubts(const RunReport& report) {
           {FindingKind::pinNotReached, {{"pin", written(p.pin)}, {"mesh_iteration", report.iterations}}});
   return doubts;
 }
-
-namespace {
-
-//! Without the names of files and series that it lists.
-Finding unnamed(Finding warning) {
-  switch (warning.kind) {
-    case FindingKind::fileNotDicom:
-      return FindingKind::fileNotDicomUnnamed;
-    case FindingKind::filesNotDicom:
-    case FindingKind::filesNotDicomAndMore:
-      warning.kind = FindingKind::filesNotDicomUnnamed;
-      std::erase_if(warning.values, [](const auto& value) { return value.first == "names"; });
-      return warning;
-    case FindingKind::stacksAlone:
-      return FindingKind::stacksAloneUnnamed;
-    default:
-      return warning;
-  }
-}
-
-}  // namespace
 
 RunReport anonymous(RunReport report) {
   report.session = anonymous(std::move(report.session));

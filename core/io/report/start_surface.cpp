@@ -3,8 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
 #include <map>
 #include <set>
 #include <tuple>
@@ -12,6 +10,7 @@
 #include "core/cancellation.h"
 #include "core/collision/certify.h"
 #include "core/errors.h"
+#include "core/io/dicom/dicom_segments.h"
 #include "core/io/meshes/mesh_io.h"
 #include "core/io/report/compared.h"
 #include "core/io/report/result.h"
@@ -116,7 +115,7 @@ Mask maskIn(const std::string& path, const Volume& labels, std::optional<int> la
 //! By label; 0: all together.
 std::map<int, ReadStart> readFile(const FileKey& key, const std::optional<int>& label) {
   const std::string hash = sha256OfPath(key.path);
-  if (isMeshPath(key.path)) {
+  if (isMeshInputPath(key.path)) {
     if (label) refuseStart(key.path, K::meshWithoutLabels);
     return {{0, readStart(key.path, hash, readMesh(key.path))}};
   }
@@ -193,36 +192,23 @@ void loadStarts(const std::vector<Session*>& sessions) {
 void loadStarts(Session& session) { loadStarts(std::vector<Session*>{&session}); }
 
 bool isMeshAsItIs(const Constraints& constraints) {
-  return constraints.start && constraints.start->isDone && isMeshPath(constraints.start->path);
+  return constraints.start && constraints.start->isDone && isMeshInputPath(constraints.start->path);
 }
 
 namespace {
 
-//! What 3D Slicer's keys in the header of a .seg.nrrd say of its first layer, the one that is read: another
-//! layer may have the same values for other segments.
-std::map<int, std::string> namesIn(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::map<std::string, std::string> names;
-  std::map<std::string, int> values;
-  std::set<std::string> behind;
-  std::string line;
-  for (int count = 0; count < 10'000 && std::getline(in, line) && !line.empty() && line != "\r"; ++count) {
-    if (line.back() == '\r') line.pop_back();
-    const auto equals = line.find(":="), bar = line.find('_');
-    if (line.rfind("Segment", 0) != 0 || equals == std::string::npos || bar == std::string::npos) continue;
-    const std::string which = line.substr(0, bar), key = line.substr(bar + 1, equals - bar - 1),
-                      value = line.substr(equals + 2);
-    if (key == "Name") names[which] = value;
-    if (key == "LabelValue") values[which] = std::atoi(value.c_str());
-    if (key == "Layer" && std::atoi(value.c_str()) > 0) behind.insert(which);
-  }
-  std::map<int, std::string> out;
-  for (const auto& [which, value] : values)
-    if (behind.count(which) == 0) out[value] = names[which];
-  return out;
+FileLabels saidIn(const std::string& path) {
+  FileLabels labels = readSlicerLabels(path);
+  return labels.empty() ? readDicomLabels(path) : labels;
 }
 
 }  // namespace
+
+FileLabel labelIn(const std::string& path, std::optional<int> value) {
+  const FileLabels labels = saidIn(path);
+  const auto found = value ? labels.find(*value) : labels.size() == 1 ? labels.begin() : labels.end();
+  return found == labels.end() ? FileLabel() : found->second;
+}
 
 std::vector<NamedLabel> labelsIn(const std::string& path) {
   std::vector<Finding> warnings;
@@ -240,11 +226,11 @@ std::vector<NamedLabel> labelsIn(const std::string& path) {
   if (values.empty()) throw Told<InputError>(Finding(K::labelsEmpty, {{"file", path}}));
   if (values.size() > kMostLabels)
     throw Told<InputError>(Finding(K::tooManyLabels, {{"file", path}, {"most", kMostLabels}}));
-  const std::map<int, std::string> names = namesIn(path);
+  const FileLabels said = saidIn(path);
   std::vector<NamedLabel> out;
   for (const int value : values) {
-    const auto name = names.find(value);
-    out.push_back({value, name == names.end() ? std::string() : name->second});
+    const auto label = said.find(value);
+    out.push_back({label == said.end() ? FileLabel() : label->second, value});
   }
   return out;
 }

@@ -2,10 +2,12 @@
 // Surfaces that are there before anything has grown: of a mesh or a label map, as what a growth begins with,
 // or as an object that is done.
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/io/formats/file_labels.h"
 #include "core/io/report/session.h"
 
 namespace handlebody {
@@ -21,14 +23,16 @@ void loadStarts(Session& session);
 //! The object is a mesh as it is, which nothing is to change: neither growth nor polishing.
 bool isMeshAsItIs(const Constraints& constraints);
 
-//! A value of a label map, and the name that the file has for it; empty: none.
-struct NamedLabel {
+//! A value of a label map, and what the file says of it.
+struct NamedLabel : FileLabel {
   int value = 0;
-  std::string name{};
 };
 //! The values of the voxels that are not 0, in ascending order, kMostLabels at most. Throws InputError, also
 //! if a voxel is no whole number or there is none of them.
 std::vector<NamedLabel> labelsIn(const std::string& path);
+//! What a file says of one of its labels, or of the only one that it knows, by its header alone. Nothing of a
+//! mesh, of what says nothing and of what cannot be read, which is told by whoever reads the voxels.
+FileLabel labelIn(const std::string& path, std::optional<int> value);
 
 inline constexpr std::size_t kMostLabels = 255;
 

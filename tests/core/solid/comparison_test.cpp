@@ -1,11 +1,15 @@
 #include "core/solid/comparison.h"
 
 #include <Eigen/Geometry>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 
+#include "core/cancellation.h"
 #include "core/errors.h"
 #include "core/geometry/triangle_distance.h"
+#include "core/solid/overlap.h"
+#include "core/solid/surface_distance.h"
 #include "tests/core/solid/voxel_topology.h"
 #include "tests/support/catch.h"
 #include "tests/support/mesh_zoo.h"
@@ -331,6 +335,16 @@ TEST_CASE("needles and large triangles take few samples, and a sampling that is 
   CHECK_THROWS_AS(compare(a, a, {0.001, 1}), UsageError);
 }
 
+TEST_CASE("a surface that reaches farther than numbers are fine is counted to an end", "[solid][compare]") {
+  TriangleSoup far = icosphere(Vec3(0, 0, 0), 3, 1);
+  far.points[0] = Vec3(1e24, -1e24, 0);
+  CHECK(countSamples(far, 1, 50'000'000) > 50'000'000);
+  TriangleSoup needle;
+  needle.points = {Vec3(0, 0, 0), Vec3(1e24, 0, 0), Vec3(1e24, 1e-30, 0)};
+  needle.triangles = {{0, 1, 2}};
+  CHECK(countSamples(needle, 1, 10'000) > 10'000);
+}
+
 TEST_CASE("a lattice that would be too large is made coarser", "[solid][compare]") {
   Mask small = draw(gridAround(5, 0.01), ball(Vec3(0, 0, 0), 0.018));
   const Solid large = solidOf(zoo::scaled(zoo::cube(2), 50));
@@ -338,4 +352,13 @@ TEST_CASE("a lattice that would be too large is made coarser", "[solid][compare]
   REQUIRE(c.overlap);
   CHECK_FALSE(c.overlap->onVoxels);
   CHECK(c.overlap->b == Approx(125000).epsilon(0.02));
+}
+
+TEST_CASE("a comparison that nobody wants any more ends", "[solid][compare]") {
+  const Solid a = solidOf(zoo::sphere(40)), b = solidOf(zoo::scaled(zoo::sphere(40), 1.1));
+  const std::atomic<bool> cancelled = true;
+  const CancelScope scope(cancelled);
+  CHECK_THROWS_AS(compare(a, b, {}), Cancelled);
+  CHECK_THROWS_AS(overlapOf(a, b, 0.05), Cancelled);
+  CHECK_THROWS_AS(vertexDistances(a.surface, b.surface, true, 2), Cancelled);
 }

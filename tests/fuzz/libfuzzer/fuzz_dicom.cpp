@@ -1,6 +1,8 @@
-// The walk through a DICOM file before GDCM sees it, and the messages of the child process that decodes.
+// The walk through a DICOM file before GDCM sees it, what it says of segments, and the messages of the child
+// process that decodes.
 
 #include "core/io/decoder/decoder_channel.h"
+#include "core/io/dicom/dicom_segments.h"
 #include "core/io/dicom/dicom_structure.h"
 #include "tests/fuzz/libfuzzer/scratch_file.h"
 
@@ -17,5 +19,9 @@ void readMessage(const std::uint8_t* bytes, std::size_t n) try {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t n) {
   static const handlebody::test::ScratchFile file("slice");
   readMessage(bytes, n);
-  return handlebody::test::answeredOrRefused([&] { handlebody::walkDicom(file.write(bytes, n)); });
+  return handlebody::test::answeredOrRefused([&] {
+    const std::string& path = file.write(bytes, n);
+    handlebody::readDicomLabels(path);
+    handlebody::walkDicom(path);
+  });
 }

@@ -1,4 +1,6 @@
-// STL, PLY and OBJ. (VTP is read by a child process.)
+// STL, alone and within DICOM, PLY and OBJ. (VTP is read by a child process.)
+
+#include <cstring>
 
 #include "core/io/formats/volume_source.h"
 #include "core/io/meshes/mesh_files.h"
@@ -12,10 +14,13 @@ bool isMeshPath(const std::string&) { return true; }  // stands beside the write
 }  // namespace handlebody
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t n) {
-  static const handlebody::test::ScratchFile stl("m.stl"), ply("m.ply"), obj("m.obj");
-  const bool isPly = n >= 3 && bytes[0] == 'p' && bytes[1] == 'l' && bytes[2] == 'y';
-  for (const handlebody::test::ScratchFile* file : {&stl, &ply, &obj})
-    if ((file == &ply) == isPly)
+  static const handlebody::test::ScratchFile stl("m.stl"), ply("m.ply"), obj("m.obj"), dicom("m.stl.dcm");
+  const auto begins = [&](std::size_t at, const char* magic, std::size_t length) {
+    return n >= at + length && std::memcmp(bytes + at, magic, length) == 0;
+  };
+  const bool isPly = begins(0, "ply", 3), isDicom = begins(128, "DICM", 4);
+  for (const handlebody::test::ScratchFile* file : {&stl, &ply, &obj, &dicom})
+    if ((file == &ply) == isPly && (file == &dicom) == isDicom)
       handlebody::test::answeredOrRefused([&] { handlebody::readMesh(file->write(bytes, n)); });
   return 0;
 }

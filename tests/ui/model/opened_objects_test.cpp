@@ -1,6 +1,8 @@
 // Meshes and label maps as objects of a Document.
 
 #include "core/collision/body_contact.h"
+#include "core/io/dicom/dicom_writer.h"
+#include "core/io/formats/label_map.h"
 #include "core/io/report/session.h"
 #include "core/mesh/shapes.h"
 #include "tests/ui/model/objects_support.h"
@@ -76,6 +78,32 @@ TEST_CASE("a mesh that is opened as done is shown, locked, and a wall for what g
   }
 }
 
+TEST_CASE("an object that is called after its file is not called so in what is not to name the patient",
+          "[objects][opened]") {
+  OpeningWork work;
+  Document& document = work.document;
+  REQUIRE(work.open(work.ball(), OpenAs::done));
+  REQUIRE(waitFor([&] { return work.isShown(0); }));
+  const auto exported = [&](bool isAnonymous) {
+    const QString path = work.torus.file("all.gltf");
+    work.written.clear();
+    document.exportObjects(path, CoordinateSpace::lps, {{}, {}, isAnonymous});
+    REQUIRE(work.isWritten(path));
+    return bytesOf(path);
+  };
+  CHECK(exported(false).contains("\"ball\""));
+  CHECK_FALSE(exported(true).contains("\"ball\""));
+  CHECK(exported(true).contains("\"Object 1\""));
+  const QString report = work.torus.file("r.json");
+  document.exportReport(report, true);
+  REQUIRE(work.isWritten(report));
+  CHECK(bytesOf(report).contains("\"Object 1\""));
+  CHECK_FALSE(bytesOf(report).contains("\"ball\""));
+  rename(document, 0, "Lesion");
+  CHECK(exported(true).contains("\"Lesion\""));
+  CHECK(nameOf(document, 0) == "Lesion");
+}
+
 TEST_CASE("opening objects is one entry of the undo list", "[objects][opened]") {
   OpeningWork work;
   REQUIRE(work.open(work.ball(), OpenAs::done));
@@ -120,6 +148,42 @@ TEST_CASE("the labels of a map become objects with names and values of their own
   CHECK(bodyContact(other.document.objectInfo(0).snapshot->mesh,
                     other.document.objectInfo(1).snapshot->mesh) == BodyContact::none);
   CHECK(other.document.objectInfo(0).label.value != other.document.objectInfo(1).label.value);
+}
+
+TEST_CASE("the segments of a file become objects with the names, colours and terms that it has for them",
+          "[objects][opened]") {
+  setDicomDecoder({HANDLEBODY_CLI});
+  OpeningWork work;
+  const Vec3 aside(9, 0, 0);
+  // The second is as one that nobody has named or coloured.
+  const std::vector<ExportedObject> meant{
+      {{"Left kidney", {17, 200, 33}, 3, "kidney"}, icosphere(testing::kMiddle + aside, 4, 1.0)},
+      {{"Cyst \u00e9", ObjectLabel{}.colour, 7, "tissue"}, icosphere(testing::kMiddle - aside, 3, 1.0)}};
+  const Volume labels = labelMap(meant, work.document.volume().grid);
+  const QString path = work.torus.file(GENERATE("all.seg.nrrd", "all.seg.dcm"));
+  DicomOrigin origin;
+  origin.straight = false;  // no series stands behind it
+  if (path.endsWith(QLatin1String(".dcm")))
+    writeDicomSegmentation(labels, meant, origin, {}, path.toStdString());
+  else
+    writeSlicerSegmentation(labels, meant, path.toStdString());
+  REQUIRE(work.open(path, OpenAs::done));
+  REQUIRE(work.document.objectCount() == 3);
+  for (int i = 0; i < 2; ++i) {
+    const ObjectLabel is = work.document.objectInfo(i).label, was = meant[static_cast<std::size_t>(i)].label;
+    CHECK(is.name == was.name);
+    CHECK(is.term == was.term);
+    for (std::size_t c = 0; c < 3; ++c) CHECK(std::abs(int{is.colour[c]} - int{was.colour[c]}) <= 1);
+  }
+}
+
+TEST_CASE("an encapsulated STL is opened as any mesh", "[objects][opened]") {
+  OpeningWork work;
+  const QString path = work.torus.file("ball.stl.dcm");
+  writeDicomStl({{{}, icosphere(testing::kMiddle, 4, 1.0)}}, {}, {}, path.toStdString());
+  REQUIRE(work.open(path, OpenAs::done));
+  CHECK(nameOf(work.document, 0) == "ball");
+  REQUIRE(waitFor([&] { return work.isShown(0); }));
 }
 
 TEST_CASE("what is no object of this volume is refused in a sentence, and nothing changes",

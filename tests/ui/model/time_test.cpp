@@ -148,6 +148,81 @@ TEST_CASE("the surface is carried both ways as the command line does it, bit for
   CHECK(bytesOf(heart.file("window.nii")) == bytesOf(heart.file("cli.nii")));
 }
 
+TEST_CASE(
+    "frames are polished as they are exported, one alone as among all, and a replay makes the same bits",
+    "[document][time][polish]") {
+  const BeatingFile heart;
+  Document document;
+  QString told;
+  QStringList written;
+  QObject::connect(&document, &Document::polished, [&](const QString& text) { told = text; });
+  QObject::connect(&document, &Document::exported, [&](const QString& path) { written << path; });
+  QObject::connect(&document, &Document::sessionSaved, [&](const QString& path) { written << path; });
+  REQUIRE(openAndWait(document, heart.path));
+  REQUIRE(showFrame(document, 2));
+  document.addSeed({heart.seed, {}});
+  Constraints constraints;  // the rim around this wall is sharp in the largest frames
+  constraints.walls.balls = {{heart.seed + Vec3(0, 0, 25), 12}};
+  document.setConstraints(constraints, "Wall");
+  REQUIRE(runToEnd(document));
+  OverTimeRequest request;
+  request.drift = DriftCheck::none;
+  document.setOverTime(request, "Drift");
+  REQUIRE(carryAll(document));
+  document.exportFrames(heart.file("window.ply"), CoordinateSpace::ras);
+  document.exportFrames(heart.file("window.nii"), CoordinateSpace::ras);
+  document.saveSession(heart.file("session.json"));
+  REQUIRE(waitFor([&] { return written.size() == 3; }));
+  CHECK(told.contains("Polished"));
+  REQUIRE(runCli({"replay", heart.file("session.json"), "-o", heart.file("cli.ply"), "-o",
+                  heart.file("cli.nii"), "--quiet"}) == 0);
+  CHECK(bytesOf(heart.file("window.nii")) == bytesOf(heart.file("cli.nii")));
+
+  REQUIRE(showFrame(document, 0));
+  document.exportResult(heart.file("alone.ply"), CoordinateSpace::ras);
+  document.setPolishes(false);
+  document.exportFrames(heart.file("off.ply"), CoordinateSpace::ras);
+  REQUIRE(waitFor([&] { return written.size() == 5; }));
+  CHECK(bytesOf(heart.file("alone.ply")) == bytesOf(heart.file("window_0000.ply")));
+  int changed = 0;
+  for (int f = 0; f < BeatingFile::kFrames; ++f) {
+    const QString number = QStringLiteral("_%1.ply").arg(f, 4, 10, QLatin1Char('0'));
+    const QByteArray mesh = bytesOf(heart.folder.filePath("window" + number));
+    CHECK(mesh == bytesOf(heart.folder.filePath("cli" + number)));
+    if (mesh != bytesOf(heart.folder.filePath("off" + number))) ++changed;
+  }
+  CHECK(changed > 0);
+}
+
+TEST_CASE("an export of frames that is cancelled leaves nothing of them and is told", "[document][time]") {
+  const BeatingFile heart;
+  Document document;
+  QStringList written, cancelled;
+  QString failed;
+  QObject::connect(&document, &Document::exported, [&](const QString& path) { written << path; });
+  QObject::connect(&document, &Document::exportCancelled, [&](const QString& path) { cancelled << path; });
+  QObject::connect(&document, &Document::exportFailed, [&](const QString& why) { failed = why; });
+  REQUIRE(growInFrame(document, heart));
+  OverTimeRequest request;
+  request.drift = DriftCheck::none;
+  document.setOverTime(request, "Drift");
+  REQUIRE(carryAll(document));
+  const QStringList before = QDir(heart.folder.path()).entryList(QDir::Files | QDir::Hidden);
+  for (const char* name : {"gone.vtp", "gone.nii.gz"}) {
+    const QString kept = heart.file("kept.nii.gz");
+    document.exportFrames(kept, CoordinateSpace::lps);  // the cancelled one waits for it
+    document.exportFrames(heart.file(name), CoordinateSpace::lps);
+    document.cancelExport();
+    const auto ended = written.size() + cancelled.size() + 2;
+    REQUIRE(waitFor([&] { return written.size() + cancelled.size() == ended; }));
+    CHECK(cancelled.contains(heart.file(name)));
+    CHECK(written.last() == kept);
+  }
+  CHECK(failed.isEmpty());
+  const QStringList now = QDir(heart.folder.path()).entryList(QDir::Files | QDir::Hidden);
+  CHECK(now == before + QStringList{QStringLiteral("kept.nii.gz")});
+}
+
 TEST_CASE("a frame in which it fails is told with its sentence, and the others are carried on",
           "[document][time]") {
   const BeatingFile heart(3);

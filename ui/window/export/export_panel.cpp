@@ -296,7 +296,9 @@ void ExportPanel::showWhatIsWritten() {
   const std::string example = "x" + extension().toStdString();
   spaceRow_->setEnabled(isMeshPath(example) || isThreeMfPath(example) || isTetrahedraPath(example));
   const bool isDicom = isDicomSegmentationPath(example) || isDicomStlPath(example);
-  for (QLineEdit* field : {creator_, description_}) form_->setRowVisible(field, isDicom);
+  form_->setRowVisible(description_, isDicom);
+  // An Encapsulated STL has no place for it.
+  form_->setRowVisible(creator_, isDicomSegmentationPath(example));
   showFault();
   form_->setRowVisible(objects_, document_.objectCount() > 1);
   if (takesAll()) return showAllObjects();

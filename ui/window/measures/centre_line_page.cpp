@@ -69,10 +69,15 @@ void CentreLinePage::buildTools(const Commands& commands) {
   connect(csv_, &QPushButton::clicked, this, [this] {
     Q_EMIT saveRequested(tr("Save the sections"), QStringLiteral(".csv"), sectionsCsv(shown_->line));
   });
-  connect(json_, &QPushButton::clicked, this, [this] {
-    Q_EMIT saveRequested(tr("Save the sections"), QStringLiteral(".json"), centreLineJson(*shown_));
-  });
+  connect(json_, &QPushButton::clicked, this,
+          [this] { Q_EMIT saveRequested(tr("Save the sections"), QStringLiteral(".json"), json()); });
   connect(remove_, &QPushButton::clicked, this, &CentreLinePage::forget);
+}
+
+std::string CentreLinePage::json() const {
+  MeasuredLine told = *shown_;
+  if (isAnonymous_) told.object = anonymousNames(made_).at(told.object);
+  return centreLineJson(told);
 }
 
 void CentreLinePage::find(const Vec3& from, const Vec3& to) {

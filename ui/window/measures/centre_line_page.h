@@ -27,6 +27,7 @@ class CentreLinePage : public QWidget {
   bool isSearching() const { return isSearching_; }
   //! From one place to another, mm LPS, in the object that holds the first.
   void find(const Vec3& from, const Vec3& to);
+  void setAnonymous(bool anonymous) { isAnonymous_ = anonymous; }
 
  Q_SIGNALS:
   void saveRequested(const QString& title, const QString& extension, const std::string& text);
@@ -38,6 +39,7 @@ class CentreLinePage : public QWidget {
   void showState();
   void markPoint(int index);
   void forget();
+  std::string json() const;
 
   Document& document_;
   ViewState& state_;
@@ -48,6 +50,7 @@ class CentreLinePage : public QWidget {
   std::vector<MeasuredSurface> made_;  //!< of which surfaces
   QString error_;
   bool isSearching_ = false;
+  bool isAnonymous_ = false;
   int number_ = 0;
 
   Measurer measurer_;  // last: its thread ends before what it reports to

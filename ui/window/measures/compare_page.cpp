@@ -86,10 +86,10 @@ ComparePage::ComparePage(Document& document, ViewState& state, QWidget* parent)
   connect(again_, &QPushButton::clicked, this, &ComparePage::compareOrCancel);
   connect(colours_, &QCheckBox::toggled, this, &ComparePage::colour);
   connect(csv_, &QPushButton::clicked, this, [this] {
-    Q_EMIT saveRequested(tr("Save the comparison"), QStringLiteral(".csv"), comparisonCsv(*answer_.pair));
+    Q_EMIT saveRequested(tr("Save the comparison"), QStringLiteral(".csv"), comparisonCsv(*told()));
   });
   connect(json_, &QPushButton::clicked, this, [this] {
-    Q_EMIT saveRequested(tr("Save the comparison"), QStringLiteral(".json"), comparisonJson(*answer_.pair));
+    Q_EMIT saveRequested(tr("Save the comparison"), QStringLiteral(".json"), comparisonJson(*told()));
   });
   connect(&document_, &Document::opened, this, &ComparePage::forget);
   for (auto changed : {&Document::snapshotChanged, &Document::objectsChanged, &Document::stateChanged})
@@ -169,9 +169,11 @@ void ComparePage::compareWith(const QString& path) {
   path_ = path;
   CompareQuestion question;
   const ObjectInfo info = document_.objectInfo(document_.activeObject());
-  question.surface = {QString::fromStdString(info.label.name), mesh};
+  const auto active = static_cast<std::size_t>(document_.activeObject());
+  anonymousName_ = QString::fromStdString(document_.anonymousNames().at(active));
+  question.surface = {QString::fromStdString(info.label.name), mesh, anonymousName_};
   question.path = path;
-  if (label_->value() != kAllLabels && !isMeshPath(path.toStdString())) question.label = label_->value();
+  if (label_->value() != kAllLabels && !isMeshInputPath(path.toStdString())) question.label = label_->value();
   compared_ = info.snapshot;
   isComparing_ = true;
   comparer_.compare(std::move(question), [this, number = ++number_](CompareAnswer answer) {
@@ -191,6 +193,14 @@ void ComparePage::showAnswer(CompareAnswer answer) {
   showTable();
   colour();
   showState();
+}
+
+//! What is saved.
+std::shared_ptr<const ComparedPair> ComparePage::told() const {
+  if (!isAnonymous_) return answer_.pair;
+  auto pair = std::make_shared<ComparedPair>(anonymous(*answer_.pair));
+  pair->a.path = anonymousName_.toStdString();
+  return pair;
 }
 
 void ComparePage::forget() {
@@ -234,7 +244,7 @@ void ComparePage::showState() {
   again_->setAccessibleName(again_->text());
   progress_->setVisible(isComparing_);
   for (QPushButton* button : {csv_, json_}) button->setEnabled(answer_.pair != nullptr);
-  label_->setEnabled(!isComparing_ && !isMeshPath(path_.toStdString()));
+  label_->setEnabled(!isComparing_ && !isMeshInputPath(path_.toStdString()));
   reference_->setText(path_.isEmpty() ? tr("No reference is chosen.")
                                       : QFontMetrics(font()).elidedText(QFileInfo(path_).fileName(),
                                                                         Qt::ElideMiddle, kTools - 10));

@@ -30,6 +30,7 @@ class ComparePage : public QWidget {
   //! Null: nothing yet.
   const ComparedPair* shown() const { return answer_.pair.get(); }
   bool isComparing() const { return isComparing_; }
+  void setAnonymous(bool anonymous) { isAnonymous_ = anonymous; }
 
  Q_SIGNALS:
   void saveRequested(const QString& title, const QString& extension, const std::string& text);
@@ -44,6 +45,7 @@ class ComparePage : public QWidget {
   void showState();
   void colour();
   void forget();
+  std::shared_ptr<const ComparedPair> told() const;
 
   Document& document_;
   ViewState& state_;
@@ -55,8 +57,10 @@ class ComparePage : public QWidget {
   QTableWidget* table_;
   QString path_;
   CompareAnswer answer_;
+  QString anonymousName_;                         //!< of the object that was compared
   std::shared_ptr<const MeshSnapshot> compared_;  //!< the shown mesh that was compared
   bool isComparing_ = false;
+  bool isAnonymous_ = false;
   int number_ = 0;
 
   Comparer comparer_;  // last: its thread ends before what it reports to

@@ -56,6 +56,12 @@ MeasuresPanel::MeasuresPanel(Document& document, ViewState& state, const Command
   });
 }
 
+void MeasuresPanel::setAnonymous(bool anonymous) {
+  objects_->setAnonymous(anonymous);
+  line_->setAnonymous(anonymous);
+  compare_->setAnonymous(anonymous);
+}
+
 void MeasuresPanel::show(Page page) { tabs_->setCurrentIndex(static_cast<int>(page)); }
 
 }  // namespace handlebody::ui

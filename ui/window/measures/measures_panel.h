@@ -27,6 +27,8 @@ class MeasuresPanel : public QWidget {
 
   void show(Page page);
   using QWidget::show;
+  //! Nothing that names the patient is to stand in what is saved.
+  void setAnonymous(bool anonymous);
   ObjectMeasuresPage& objects() { return *objects_; }
   CentreLinePage& centreLine() { return *line_; }
   ComparePage& compare() { return *compare_; }

@@ -105,9 +105,8 @@ QWidget* ObjectMeasuresPage::buildBelow() {
   json_ = addButton(tr("Save as JSON…"), tr("The same as “handlebody-cli measure --json” writes"), part);
   connect(measure_, &QPushButton::clicked, this, &ObjectMeasuresPage::measureOrCancel);
   connect(copy_, &QPushButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(copyText()); });
-  connect(csv_, &QPushButton::clicked, this, [this] {
-    Q_EMIT saveRequested(tr("Save the measures"), QStringLiteral(".csv"), measuredCsv(*shown_));
-  });
+  connect(csv_, &QPushButton::clicked, this,
+          [this] { Q_EMIT saveRequested(tr("Save the measures"), QStringLiteral(".csv"), csv()); });
   connect(json_, &QPushButton::clicked, this,
           [this] { Q_EMIT saveRequested(tr("Save the measures"), QStringLiteral(".json"), json()); });
   return part;
@@ -275,17 +274,16 @@ void ObjectMeasuresPage::showState() {
   note_->setVisible(!text.isEmpty());
 }
 
-std::string ObjectMeasuresPage::json() const {
-  Measured measured = *shown_;
-  if (isAnonymous_) {
-    measured.path.clear();
-    measured.volume.clear();
-  }
-  return measuredJson(measured);
+//! What leaves the page.
+Measured ObjectMeasuresPage::told() const {
+  return isAnonymous_ ? anonymous(*shown_, anonymousNames(measured_)) : *shown_;
 }
 
+std::string ObjectMeasuresPage::csv() const { return measuredCsv(told()); }
+std::string ObjectMeasuresPage::json() const { return measuredJson(told()); }
+
 QString ObjectMeasuresPage::copyText() const {
-  return shown_ ? QString::fromStdString(measuredColumns(*shown_, '\t')) : QString();
+  return shown_ ? QString::fromStdString(measuredColumns(told(), '\t')) : QString();
 }
 
 }  // namespace handlebody::ui

@@ -31,7 +31,8 @@ class ObjectMeasuresPage : public QWidget {
   bool isMeasuring() const { return isMeasuring_; }
   //! Table and details without the numbers' rounding, columns apart by tabs.
   QString copyText() const;
-  //! As it is saved.
+  //! As they are saved.
+  std::string csv() const;
   std::string json() const;
   //! The names of files are left out of what is saved.
   void setAnonymous(bool anonymous) { isAnonymous_ = anonymous; }
@@ -58,6 +59,7 @@ class ObjectMeasuresPage : public QWidget {
   void showState();
   void fillWalls();
   MeasureQuestion question() const;
+  Measured told() const;
 
   Document& document_;
   ViewState& state_;

@@ -198,10 +198,10 @@ void FileWork::connectObjects() {
 
 void FileWork::open(const QString& path, const VolumeSelection& selection) {
   const std::string name = QFile::encodeName(path).toStdString();
-  if (isMeshPath(name) && !document_.hasVolume())
+  if (isMeshInputPath(name) && !document_.hasVolume())
     return messages_.show(MessageBar::Kind::error,
                           tr("%1 is a surface: open the volume first that it lies in.").arg(path));
-  if (isMeshPath(name) ||
+  if (isMeshInputPath(name) ||
       (document_.hasVolume() && (isSlicerSegmentationPath(name) || isDicomSegmentationPath(name))))
     return openObjects(path);
   whenSaved([this, path, selection] {

@@ -169,12 +169,18 @@ void OverTimePanel::addSaving(QGridLayout& grid, QWidget* tools, const Commands&
   grid.addWidget(labels, 8, 3);
   connect(csv_, &QPushButton::clicked, this, [this] {
     Q_EMIT saveRequested(tr("Save the volume over time"), QStringLiteral("curve"), QStringLiteral(".csv"),
-                         curveCsv(document_.time().report()));
+                         curveCsv(told()));
   });
   connect(svg_, &QPushButton::clicked, this, [this] {
     Q_EMIT saveRequested(tr("Save the volume over time"), QStringLiteral("curve"), QStringLiteral(".svg"),
-                         curveSvg(document_.time().report()));
+                         curveSvg(told()));
   });
+}
+
+//! What is saved.
+OverTimeReport OverTimePanel::told() const {
+  OverTimeReport report = document_.time().report();
+  return isAnonymous_ ? anonymous(std::move(report)) : report;
 }
 
 void OverTimePanel::ask(const QString& undoText, int gesture) {

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <string>
 
-#include "core/io/report/over_time_request.h"
+#include "core/io/report/over_time_report.h"
 
 class QComboBox;
 class QGridLayout;
@@ -27,6 +27,8 @@ class OverTimePanel : public QWidget {
   OverTimePanel(Document& document, const Commands& commands, QWidget* parent = nullptr);
 
   VolumePlot& plot() { return *plot_; }
+  //! Nothing that names the patient is to stand in what is saved.
+  void setAnonymous(bool anonymous) { isAnonymous_ = anonymous; }
 
  Q_SIGNALS:
   void saveRequested(const QString& title, const QString& what, const QString& extension,
@@ -41,6 +43,7 @@ class OverTimePanel : public QWidget {
   void showFrames();
   void showState();
   QString figures() const;
+  OverTimeReport told() const;
 
   Document& document_;
   QComboBox *topology_, *check_;
@@ -52,6 +55,7 @@ class OverTimePanel : public QWidget {
   VolumePlot* plot_;
   QTableWidget* table_;
   int firstGesture_, lastGesture_;
+  bool isAnonymous_ = false;
 };
 
 }  // namespace handlebody::ui

@@ -1,0 +1,131 @@
+// Our own walk over the elements, which checks every bound, so that no process of its own is needed for it.
+
+#include "core/io/dicom/dicom_segments.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+
+#include "core/io/dicom/cie_lab.h"
+#include "core/io/dicom/dicom_elements.h"
+#include "core/io/dicom/dicom_header.h"
+
+namespace handlebody {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint32_t kCharacterSet = 0x00080005u, kCodeValue = 0x00080100u, kCodeScheme = 0x00080102u,
+                        kSegments = 0x00620002u, kNumber = 0x00620004u, kLabel = 0x00620005u,
+                        kColour = 0x0062000du, kType = 0x0062000fu;
+
+//! Where the segments lie at the latest: behind the references to images, of which 100,000 take some 15 MB.
+constexpr std::size_t kMostBytes = std::size_t{32} << 20;
+
+std::string beginningOf(const fs::path& file) {
+  std::error_code failed;
+  const auto size = fs::file_size(file, failed);
+  if (failed || !fs::is_regular_file(file, failed)) return {};
+  std::string bytes(static_cast<std::size_t>(std::min<std::uintmax_t>(size, kMostBytes)), '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
+  return bytes;
+}
+
+std::string utf8OfLatin1(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x80) out += static_cast<char>(0xc0 | byte >> 6);
+    out += byte < 0x80 ? c : static_cast<char>(0x80 | (byte & 0x3f));
+  }
+  return out;
+}
+
+class Reader {
+ public:
+  explicit Reader(const std::string& bytes) : file_(bytes) {}
+  FileLabels read();
+
+ private:
+  struct Segment {
+    int number = 0;
+    std::string scheme{}, code{};
+    FileLabel label{};
+  };
+  void takeSegments(const DicomElement& sequence, bool isExplicit);
+  void take(const DicomElement& e, bool isExplicit, Segment& segment) const;
+  DicomElements file_;
+  std::string characters_;
+  FileLabels labels_;
+};
+
+void Reader::take(const DicomElement& e, bool isExplicit, Segment& segment) const {
+  if (e.tag == kNumber) segment.number = file_.number(e);
+  if (e.tag == kLabel)
+    segment.label.name = characters_ == "ISO_IR 100" ? utf8OfLatin1(file_.text(e)) : file_.text(e);
+  if (e.tag == kColour && e.hasLength() && e.length >= sizeof(dicom::CieLab))
+    segment.label.colour = dicom::colourOf({file_.number(e, 0), file_.number(e, 1), file_.number(e, 2)});
+  if (e.tag != kType) return;
+  const auto takeCode = [&](const DicomElement& code, bool) {
+    if (code.tag == kCodeScheme) segment.scheme = file_.text(code);
+    if (code.tag == kCodeValue) segment.code = file_.text(code);
+  };
+  file_.forEachItem(e, isExplicit, takeCode, [] {});
+}
+
+void Reader::takeSegments(const DicomElement& sequence, bool isExplicit) {
+  Segment segment;
+  const auto takeElement = [&](const DicomElement& e, bool inner) { take(e, inner, segment); };
+  const auto end = [&] {
+    segment.label.term = termOfCode(segment.scheme, segment.code);
+    if (segment.number > 0) labels_[segment.number] = segment.label;
+    segment = {};
+  };
+  file_.forEachItem(sequence, isExplicit, takeElement, end);
+}
+
+FileLabels Reader::read() {
+  const DicomBeginning beginning = file_.beginning();
+  if (!beginning.whole || !beginning.isLittleEndian()) return {};
+  const bool isExplicit = beginning.isExplicit();
+  file_.forEach(beginning.at, file_.size(), isExplicit, [&](const DicomElement& e) {
+    if (e.tag == kCharacterSet) characters_ = file_.text(e);
+    if (e.tag == kSegments) takeSegments(e, isExplicit);
+  });
+  return labels_;
+}
+
+//! By the class in the first elements, before anything is read: a folder may hold many large files.
+bool isSegmentation(const fs::path& file) {
+  std::array<char, 1024> start{};
+  std::ifstream(file, std::ios::binary).read(start.data(), start.size());
+  const std::string_view text(start.data(), start.size());
+  return text.substr(128, 4) == "DICM" && text.find(kSegmentationClass) != std::string_view::npos;
+}
+
+FileLabels labelsOfFile(const fs::path& file) {
+  if (!isSegmentation(file)) return {};
+  const std::string bytes = beginningOf(file);
+  return Reader(bytes).read();
+}
+
+}  // namespace
+
+FileLabels readDicomLabels(const std::string& path) {
+  std::error_code failed;
+  if (!fs::is_directory(path, failed)) return labelsOfFile(path);
+  FileLabels found;
+  for (fs::directory_iterator entry(path, failed), end; !failed && entry != end; entry.increment(failed)) {
+    FileLabels labels = labelsOfFile(entry->path());
+    if (!labels.empty() && !found.empty()) return {};
+    if (!labels.empty()) found = std::move(labels);
+  }
+  return found;
+}
+
+}  // namespace handlebody

@@ -1,0 +1,36 @@
+#pragma once
+// What files of several segments say of each: name, colour, coded term. DICOM's are read in dicom/.
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "core/io/meshes/exported_object.h"
+
+namespace handlebody {
+
+//! What a file says of one of its labels; what it does not say is empty.
+struct FileLabel {
+  std::string name{};
+  std::optional<Colour> colour{};
+  std::string term{};  //!< name of one of terms()
+
+  //! It has a look of its own: a colour, or a term that brings one.
+  bool hasLook() const { return colour || !term.empty(); }
+};
+
+//! By the values of the voxels.
+using FileLabels = std::map<int, FileLabel>;
+
+//! The name of the term whose type has this code; empty if the list has none.
+std::string termOfCode(const std::string& scheme, const std::string& value);
+
+//! `label` called, coloured and termed as the file says; what it does not say stays, and a name that a format
+//! could not hold is none. A term without a colour brings its own.
+ObjectLabel labelledAs(const FileLabel& said, ObjectLabel label);
+
+//! The segments of 3D Slicer's .seg.nrrd, by the keys in its header: those of the first layer, which is the
+//! one that is read; another one may have the same values for other segments. Empty for any other file.
+FileLabels readSlicerLabels(const std::string& path);
+
+}  // namespace handlebody

@@ -1,0 +1,235 @@
+// The switch "Without what names the patient": nothing that the window writes with it names the patient.
+
+#include <QDir>
+#include <QFile>
+#include <set>
+
+#include "core/io/meshes/mesh_io.h"
+#include "core/mesh/shapes.h"
+#include "tests/io/dicom_test_support.h"
+#include "tests/io/unpacked.h"
+#include "tests/ui/window/time_window_support.h"
+#include "ui/model/time_series.h"
+#include "ui/window/export/export_panel.h"
+#include "ui/window/measures/centre_line_page.h"
+#include "ui/window/measures/compare_page.h"
+#include "ui/window/measures/measures_panel.h"
+#include "ui/window/measures/object_measures_page.h"
+#include "ui/window/time/over_time_panel.h"
+
+using namespace handlebody;
+using namespace handlebody::test;
+using ui::Command;
+using ui::GrowthState;
+using ui::MeasuresPanel;
+
+namespace {
+
+//! What is looked for in every file; long enough, and with characters, not to stand there by chance.
+const std::set<std::string> kValues{"DOE_", "_JANE", "Doe^Jane", "PID0815"};
+
+//! A series with a bright ball, and an older mesh among its files, of Jane Doe.
+struct Jane {
+  QTemporaryDir folder;
+  QString series = folder.filePath("DOE_JANE"), mesh = folder.filePath("DOE_JANE/DOE_JANE.stl");
+  Vec3 seed{0, 0, 0}, place{0, 0, 0};  //!< in the ball; in the middle of the mesh
+
+  Jane() {
+    std::vector<Slice> slices = evenStack(24);
+    for (std::size_t k = 0; k < slices.size(); ++k) {
+      slices[k].columns = slices[k].rows = 40;
+      slices[k].spacing = "2.5\\2.5";
+      slices[k].more = {{0x00100010, {"PN", "Doe^Jane"}}, {0x00100020, {"LO", "PID0815"}}};
+      slices[k].number = static_cast<int>(k) + 1;
+      slices[k].pixel = [k](int x, int y) {
+        return (Vec3(x, y, static_cast<double>(k)) - Vec3(19.5, 19.5, 11.5)).norm() < 9 ? 500 : 100;
+      };
+    }
+    writeSeries(series.toStdString(), slices);
+    const Grid grid = readVolume(series.toStdString()).grid;
+    seed = grid.toWorld(Vec3(19, 19, 11));
+    place = grid.toWorld(Vec3(6, 6, 4));
+    TriangleSoup old = icosphere(Vec3(0, 0, 0), 3, 0.5);
+    for (Vec3& p : old.points) p = place + Vec3(4 * p.x(), p.y(), p.z());
+    writeMesh(old, mesh.toStdString());
+  }
+};
+
+//! A window in which the mesh is open as an object that is done, and the ball has grown.
+std::unique_ptr<ui::MainWindow> workOn(const Jane& jane) {
+  auto window = shownWindow();
+  if (!window || !open(*window, jane.series)) return nullptr;
+  ui::Document& document = window->document();
+  QSignalSpy opened(&document, &ui::Document::objectsOpened);
+  document.openObjects(jane.mesh, ui::OpenAs::done);
+  if (opened.isEmpty() && !opened.wait(kPatience)) return nullptr;
+  if (!QTest::qWaitFor([&] { return document.objectInfo(0).snapshot != nullptr; }, kPatience)) return nullptr;
+  document.addSeed({jane.seed, {}});
+  document.run();
+  return waitFor(*window, GrowthState::finished) ? std::move(window) : nullptr;
+}
+
+void switchOn(ui::MainWindow& window) {
+  window.showStep(Command::stepExport);
+  buttonSaying(window, "Without what names the patient")->click();
+}
+
+//! Writes all objects and the report into a folder that is made; empty, or the format that failed.
+QString failedExport(ui::MainWindow& window, const QString& folder, const QStringList& endings) {
+  QDir().mkpath(folder);
+  ui::Document& document = window.document();
+  const auto* panel = window.findChild<ui::ExportPanel*>();
+  for (const QString& ending : endings) {
+    QSignalSpy exported(&document, &ui::Document::exported), failed(&document, &ui::Document::exportFailed);
+    const QString path = folder + "/a" + ending;
+    if (ending == ".json")
+      document.exportReport(path, panel->isAnonymous());
+    else
+      document.exportObjects(path, panel->space(), panel->content());
+    if (!QTest::qWaitFor([&] { return !exported.isEmpty() || !failed.isEmpty(); }, kPatience) ||
+        !failed.isEmpty())
+      return ending;
+  }
+  return {};
+}
+
+std::set<std::string> foundIn(const std::string& text, const std::set<std::string>& values) {
+  std::set<std::string> hits;
+  for (const std::string& value : values)
+    if (text.find(value) != std::string::npos) hits.insert(value);
+  return hits;
+}
+
+//! In all files of a folder, and in what is packed in them.
+std::set<std::string> found(const QString& folder) {
+  std::set<std::string> hits;
+  for (const QString& name : QDir(folder).entryList(QDir::Files))
+    hits.merge(foundIn(unpacked(readBytes((folder + "/" + name).toStdString())), kValues));
+  return hits;
+}
+
+//! The formats that can be written of the series on this machine: tetrahedra need another program.
+QStringList endingsFor(const ui::Document& document) {
+  QStringList endings{".stl", ".vtp",      ".ply",     ".obj",     ".3mf",   ".gltf", ".nii.gz", ".nrrd",
+                      ".mha", ".seg.nrrd", ".seg.dcm", ".stl.dcm", ".label", ".msh",  ".vtu",    ".inp"};
+  endings.removeIf([&](const QString& ending) { return !document.exportFault(ending).isEmpty(); });
+  return endings << ".json";
+}
+
+QAbstractButton* buttonOf(QWidget& page, const char* text) {
+  for (QAbstractButton* button : page.findChildren<QAbstractButton*>())
+    if (button->text() == QString::fromUtf8(text)) return button;
+  return nullptr;
+}
+
+//! The measures of all objects, a line through the mesh, and the mesh beside its own file.
+bool measure(ui::MainWindow& window, const Jane& jane) {
+  window.commands()[Command::showMeasures]->trigger();
+  window.document().setActiveObject(0);
+  MeasuresPanel& panel = window.measures();
+  panel.compare().compareWith(jane.mesh);
+  panel.centreLine().find(jane.place - Vec3(6, 0, 0), jane.place + Vec3(6, 0, 0));
+  return QTest::qWaitFor(
+      [&] {
+        return panel.objects().shown() && panel.objects().shown()->objects.size() == 2 &&
+               !panel.objects().isMeasuring() && panel.compare().shown() && panel.centreLine().shown();
+      },
+      kPatience);
+}
+
+//! What the buttons of these pages save, one after the other.
+template <typename Panel>
+std::string savedBy(Panel& panel, std::initializer_list<QWidget*> pages,
+                    std::initializer_list<const char*> buttons) {
+  QSignalSpy saved(&panel, &Panel::saveRequested);
+  for (QWidget* page : pages)
+    for (const char* text : buttons) buttonOf(*page, text)->click();
+  std::string all;
+  for (const QList<QVariant>& save : saved) all += save[3].value<std::string>();
+  return saved.size() == static_cast<qsizetype>(pages.size() * buttons.size()) ? all : std::string();
+}
+
+std::string savedMeasures(ui::MainWindow& window) {
+  MeasuresPanel& panel = window.measures();
+  return savedBy(panel, {&panel.objects(), &panel.compare(), &panel.centreLine()},
+                 {"Save as CSV…", "Save as JSON…"}) +
+         panel.objects().copyText().toStdString();
+}
+
+}  // namespace
+
+class AnonymousWindowTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() { setDicomDecoder({HANDLEBODY_CLI}); }
+  void noFileThatIsExportedNamesThePatient();
+  void norDoesWhatIsSavedOfMeasures();
+  void norDoesTheCurveOfFramesThatCannotBeRead();
+};
+
+void AnonymousWindowTest::noFileThatIsExportedNamesThePatient() {
+  const Jane jane;
+  auto window = workOn(jane);
+  QVERIFY(window);
+  const QString named = jane.folder.filePath("named"), hidden = jane.folder.filePath("hidden");
+  QCOMPARE(failedExport(*window, named, {".obj", ".3mf", ".seg.dcm", ".json"}), QString());
+  QCOMPARE(found(named), kValues);  // else the search would prove nothing
+  switchOn(*window);
+  const QStringList endings = endingsFor(window->document());
+  QVERIFY(endings.size() >= 13 && endings.contains(".seg.dcm") && endings.contains(".stl.dcm"));
+  QCOMPARE(failedExport(*window, hidden, endings), QString());
+  QCOMPARE(QDir(hidden).entryList(QDir::Files).size(), endings.size());
+  QCOMPARE(found(hidden), std::set<std::string>());
+  const std::string report = readBytes((hidden + "/a.json").toStdString());
+  QCOMPARE(foundIn(report, {"DOE", "JANE", "Doe", "Jane", "Object 1"}), std::set<std::string>{"Object 1"});
+}
+
+void AnonymousWindowTest::norDoesWhatIsSavedOfMeasures() {
+  const Jane jane;
+  auto window = workOn(jane);
+  QVERIFY(window && measure(*window, jane));
+  QObject::disconnect(&window->measures(), nullptr, &window->files(), nullptr);  // a dialog would wait
+  const std::string named = savedMeasures(*window);
+  QVERIFY(named.find(jane.mesh.toStdString()) != std::string::npos);
+  QVERIFY(named.find("\"object\": \"DOE_JANE\"") != std::string::npos);  // of the centre line
+  switchOn(*window);
+  const std::string hidden = savedMeasures(*window);
+  QVERIFY(hidden.find("\"object\": \"Object 1\"") != std::string::npos);
+  QCOMPARE(foundIn(hidden, {"DOE", "JANE", jane.folder.path().toStdString(), "Object 1"}),
+           std::set<std::string>{"Object 1"});
+}
+
+void AnonymousWindowTest::norDoesTheCurveOfFramesThatCannotBeRead() {
+  BeatingSample sample;
+  sample.volume = sample.folder.filePath("DOE_JANE.nii.gz");
+  QVERIFY(sample.make());
+  auto window = shownWindow();
+  QVERIFY(window && open(*window, sample.volume));
+  ui::Document& document = window->document();
+  document.addSeed({sample.seed, {}});
+  document.run();
+  QVERIFY(waitFor(*window, GrowthState::finished));
+  document.time().store().setBound(1);  // byte: nothing is kept
+  QVERIFY(QFile::remove(sample.volume));
+  window->commands()[Command::carryOverTime]->trigger();
+  QVERIFY(QTest::qWaitFor([&] { return !document.time().isCarrying(); }, kPatience));
+  ui::OverTimePanel& panel = window->overTime();
+  QObject::disconnect(&panel, nullptr, &window->files(), nullptr);  // a dialog would wait
+  const std::string named = savedBy(panel, {&panel}, {"CSV…", "Plot…"});
+  QVERIFY(named.find("DOE_JANE") != std::string::npos);
+  switchOn(*window);
+  const std::string hidden = savedBy(panel, {&panel}, {"CSV…", "Plot…"});
+  QVERIFY(!hidden.empty());
+  QCOMPARE(foundIn(hidden, {"DOE", "JANE", sample.folder.path().toStdString()}), std::set<std::string>());
+}
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName("Handlebody");
+  QApplication::setApplicationName("handlebody-test");
+  AnonymousWindowTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "anonymous_window_test.moc"
