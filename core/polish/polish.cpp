@@ -20,11 +20,11 @@ constexpr int kMostPasses = 6;
 constexpr int kMostChanges = 6;  // at one place in a pass
 //! Operations, one after the other, that are tried as one; more for the few that are left at last.
 constexpr std::size_t kDepth = 2, kLastDepth = 4;
-constexpr std::size_t kBeam = 3;            // attempts that are gone on with
-constexpr std::size_t kMostWork = 2400000;  // shapes of stars, some twelve seconds
+constexpr std::size_t kBeam = 3;           // attempts that are gone on with
+constexpr std::size_t kMostWork = 800000;  // shapes of stars, some four seconds
 // At one place in the first pass, so that one that cannot be bettered does not take the work of all others;
 // so many times as much in each further one.
-constexpr std::size_t kPlaceWork = 20000, kMorePlaceWork = 4;
+constexpr std::size_t kPlaceWork = 10000, kMorePlaceWork = 4;
 
 //! A bad face, or the two of a bad edge.
 struct Place {
