@@ -14,22 +14,13 @@
 
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
+#include "core/io/lowered.h"
 #include "core/told_error.h"
 
 namespace handlebody {
 
-namespace {
-
-bool endsWith(std::string path, const char* ending) {
-  std::transform(path.begin(), path.end(), path.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return path.ends_with(ending);
-}
-
-}  // namespace
-
-bool isDicomSegmentationPath(const std::string& path) { return endsWith(path, ".seg.dcm"); }
-bool isDicomStlPath(const std::string& path) { return endsWith(path, ".stl.dcm"); }
+bool isDicomSegmentationPath(const std::string& path) { return lowered(path).ends_with(".seg.dcm"); }
+bool isDicomStlPath(const std::string& path) { return lowered(path).ends_with(".stl.dcm"); }
 
 Finding dicomFinding(const DicomOrigin* origin) {
   return origin ? origin->displaced : FindingKind::notFromDicom;

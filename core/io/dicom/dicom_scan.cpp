@@ -8,6 +8,7 @@
 #include "core/io/dicom/dicom_echo.h"
 #include "core/io/formats/itk_guard.h"
 #include "core/io/formats/volume_source.h"
+#include "core/io/lowered.h"
 
 namespace handlebody {
 namespace {
@@ -28,9 +29,7 @@ Kind kindOf(const fs::path& file) {
   if (got == kPreamble && std::memcmp(start + 128, "DICM", 4) == 0) return Kind::dicom;
   if (got >= 8 && (start[0] == 2 || start[0] == 8) && start[1] == 0 && start[3] == 0) return Kind::dicom;
   if (got >= kPreamble) return Kind::foreign;
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
+  const std::string ending = lowered(file.extension().string());
   const bool zero =
       std::all_of(start, start + std::min<std::size_t>(got, 128), [](char c) { return c == 0; });
   return zero || ending == ".dcm" || ending == ".ima" ? Kind::cut : Kind::foreign;

@@ -1,6 +1,5 @@
 // Encapsulated STL (DICOM Supplement 205), by our own walk over its elements.
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -8,6 +7,7 @@
 #include <string_view>
 
 #include "core/io/dicom/dicom_elements.h"
+#include "core/io/lowered.h"
 #include "core/io/meshes/mesh_files.h"
 #include "core/io/refuse_input.h"
 
@@ -67,12 +67,6 @@ std::optional<double> millimetresIn(const std::string& unit) {
   return found == kLengths.end() ? std::nullopt : std::optional(found->second);
 }
 
-bool isStlType(std::string type) {
-  std::transform(type.begin(), type.end(), type.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return type == "model/stl";
-}
-
 //! For a sentence: what a damaged file says may be anything.
 std::string shown(const std::string& text) {
   constexpr std::size_t kLongest = 64;  // characters, of DICOM's texts
@@ -92,7 +86,7 @@ MeshFile readDicomStl(const std::string& path) {
   const Document document = documentIn(file, path);
   if (!document.value) refuseAs(path, "DICOM Encapsulated STL");
   if (document.type.empty()) refuse(path, "no MIME type (0042,0012)");
-  if (!isStlType(document.type)) refuse(path, shown(document.type) + ", not model/stl");
+  if (lowered(document.type) != "model/stl") refuse(path, shown(document.type) + ", not model/stl");
   if (!document.value->hasLength()) refuse(path, "the document (0042,0011) is of undefined length");
   const std::optional<double> scale = millimetresIn(document.unit);
   if (!scale) refuse(path, "unit " + shown(document.unit));

@@ -1,10 +1,10 @@
 // A folder of 3D volumes, one per time point.
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 #include "core/io/formats/volume_source.h"
+#include "core/io/lowered.h"
 
 namespace handlebody {
 namespace {
@@ -12,12 +12,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kSamePlace = 1e-3;  // mm between the corners of two grids that are one
-
-std::string lowered(std::string s) {
-  std::transform(s.begin(), s.end(), s.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return s;
-}
 
 bool endsWithAny(const std::string& name, std::initializer_list<const char*> endings) {
   return std::any_of(endings.begin(), endings.end(), [&](const char* e) { return name.ends_with(e); });

@@ -7,6 +7,7 @@
 
 #include "core/cancellation.h"
 #include "core/io/formats/volume_keys.h"
+#include "core/io/lowered.h"
 #include "core/io/meshes/mesh_io.h"
 
 namespace handlebody {
@@ -87,19 +88,9 @@ std::string referenceGeometry(const Grid& grid) {
 
 }  // namespace
 
-namespace {
+bool isSlicerSegmentationPath(const std::string& path) { return lowered(path).ends_with(".seg.nrrd"); }
 
-bool endsInAnyCase(std::string path, const char* ending) {
-  std::transform(path.begin(), path.end(), path.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return path.ends_with(ending);
-}
-
-}  // namespace
-
-bool isSlicerSegmentationPath(const std::string& path) { return endsInAnyCase(path, ".seg.nrrd"); }
-
-bool isLabelDescriptionPath(const std::string& path) { return endsInAnyCase(path, ".label"); }
+bool isLabelDescriptionPath(const std::string& path) { return lowered(path).ends_with(".label"); }
 
 Volume labelMap(const std::vector<ExportedObject>& objects, const Grid& grid) {
   const bool wide = std::any_of(objects.begin(), objects.end(),

@@ -1,4 +1,5 @@
 #include "core/io/formats/nrrd_header.h"
+#include "core/io/lowered.h"
 
 #include <algorithm>
 #include <bit>
@@ -19,12 +20,6 @@ std::string trimmed(const std::string& s) {
   const auto first = s.find_first_not_of(" \t\r\n");
   if (first == std::string::npos) return {};
   return s.substr(first, s.find_last_not_of(" \t\r\n") - first + 1);
-}
-
-std::string lowered(std::string s) {
-  std::transform(s.begin(), s.end(), s.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return s;
 }
 
 std::vector<std::string> words(const std::string& text) {

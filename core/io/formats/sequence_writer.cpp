@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cctype>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -17,6 +16,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/formats/byte_stream.h"
 #include "core/io/formats/label_map.h"
+#include "core/io/lowered.h"
 
 namespace handlebody {
 namespace {
@@ -24,12 +24,6 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "headers are written as they lie in memory");
 
 constexpr int kLargestNifti = 32767;  // sizes are held in 16 bits
-
-std::string lowered(std::string s) {
-  std::transform(s.begin(), s.end(), s.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return s;
-}
 
 //! NIfTI-1, 348 bytes and 4 that say that nothing follows before the voxels. Fields:
 //! https://nifti.nimh.nih.gov/pub/dist/src/niftilib/nifti1.h

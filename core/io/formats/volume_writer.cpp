@@ -6,7 +6,6 @@
 #include <itkNiftiImageIO.h>
 #include <itkNrrdImageIO.h>
 
-#include <algorithm>
 #include <cstring>
 
 #include "core/errors.h"
@@ -14,16 +13,11 @@
 #include "core/io/formats/itk_source.h"
 #include "core/io/formats/volume_io.h"
 #include "core/io/formats/volume_keys.h"
+#include "core/io/lowered.h"
 #include "core/io/meshes/mesh_io.h"
 
 namespace handlebody {
 namespace {
-
-std::string lowered(std::string s) {
-  std::transform(s.begin(), s.end(), s.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return s;
-}
 
 itk::ImageIOBase::Pointer writerFor(const std::string& path) {
   const std::string name = lowered(path);

@@ -7,13 +7,13 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
-#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
+#include "core/io/lowered.h"
 #include "core/io/meshes/mesh_files.h"
 
 namespace handlebody {
@@ -99,12 +99,7 @@ bool complete(Json& json, const std::vector<ExportedObject>& objects) {
 
 }  // namespace
 
-bool isGltfPath(const std::string& path) {
-  std::string name = path;
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return name.ends_with(".gltf");
-}
+bool isGltfPath(const std::string& path) { return lowered(path).ends_with(".gltf"); }
 
 void writeGltf(const std::vector<ExportedObject>& objects, const std::string& path) {
   writeAtomically(path, [&](const std::string& temporary) {

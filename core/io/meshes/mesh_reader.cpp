@@ -18,6 +18,7 @@
 #include <fstream>
 #include <unordered_map>
 
+#include "core/io/lowered.h"
 #include "core/io/meshes/mesh_files.h"
 #include "core/io/refuse_input.h"
 
@@ -201,23 +202,20 @@ MeshFile readVtpHere(const std::string& path) {
 
 namespace {
 
-bool endsIn(std::string path, const char* ending) {
-  std::transform(path.begin(), path.end(), path.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return path.ends_with(ending);
-}
-
 MeshFile readAny(const std::string& path) {
-  if (endsIn(path, ".stl.dcm")) return readDicomStl(path);
-  if (endsIn(path, ".stl")) return readStl(path);
-  if (endsIn(path, ".ply")) return readPly(path);
-  if (endsIn(path, ".vtp")) return readVtp(path);
+  const std::string name = lowered(path);
+  if (name.ends_with(".stl.dcm")) return readDicomStl(path);
+  if (name.ends_with(".stl")) return readStl(path);
+  if (name.ends_with(".ply")) return readPly(path);
+  if (name.ends_with(".vtp")) return readVtp(path);
   return readObj(path);
 }
 
 }  // namespace
 
-bool isMeshInputPath(const std::string& path) { return isMeshPath(path) || endsIn(path, ".stl.dcm"); }
+bool isMeshInputPath(const std::string& path) {
+  return isMeshPath(path) || lowered(path).ends_with(".stl.dcm");
+}
 
 TriangleSoup readMesh(const std::string& path) {
   std::error_code failed;

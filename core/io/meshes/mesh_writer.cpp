@@ -14,10 +14,9 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkXMLPolyDataWriter.h>
 
-#include <algorithm>
-
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
+#include "core/io/lowered.h"
 #include "core/io/meshes/mesh_files.h"
 
 namespace handlebody {
@@ -25,10 +24,7 @@ namespace {
 
 std::string endingOf(const std::string& path) {
   const auto dot = path.rfind('.');
-  std::string ending = dot == std::string::npos ? "" : path.substr(dot);
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
+  return dot == std::string::npos ? "" : lowered(path.substr(dot));
 }
 
 vtkNew<vtkPolyData> toVtk(const MeshFile& file) {

@@ -5,12 +5,12 @@
 
 #include <zlib.h>
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdio>
 
 #include "core/io/atomic_file.h"
+#include "core/io/lowered.h"
 
 namespace handlebody {
 
@@ -155,12 +155,7 @@ class Zip {
 
 }  // namespace
 
-bool isThreeMfPath(const std::string& path) {
-  std::string name = path;
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return name.ends_with(".3mf");
-}
+bool isThreeMfPath(const std::string& path) { return lowered(path).ends_with(".3mf"); }
 
 void writeThreeMf(const std::vector<ExportedObject>& objects, const std::string& path,
                   CoordinateSpace space) {

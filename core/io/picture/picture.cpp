@@ -1,11 +1,11 @@
 #include "core/io/picture/picture.h"
 
-#include <algorithm>
 #include <array>
 #include <limits>
 
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
+#include "core/io/lowered.h"
 #include "core/io/meshes/mesh_files.h"
 #include "core/io/picture/picture_slice.h"
 #include "core/io/picture/picture_surface.h"
@@ -88,14 +88,7 @@ std::array<SliceView, 3> planSlices(const Grid& grid, const TriangleSoup& mesh,
   return planAround(grid, toIndices(grid, mesh), options);
 }
 
-bool isPicturePath(const std::string& path) {
-  constexpr std::size_t kEnding = 4;
-  if (path.size() < kEnding) return false;
-  std::string ending = path.substr(path.size() - kEnding);
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending == ".png";
-}
+bool isPicturePath(const std::string& path) { return lowered(path).ends_with(".png"); }
 
 void writePicture(const Volume& volume, const TriangleSoup& mesh, const std::string& path,
                   const PictureOptions& options) {

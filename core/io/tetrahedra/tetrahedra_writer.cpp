@@ -1,6 +1,5 @@
 // .msh, .vtu and .inp.
 
-#include <algorithm>
 #include <cctype>
 #include <fstream>
 #include <limits>
@@ -9,6 +8,7 @@
 
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
+#include "core/io/lowered.h"
 #include "core/io/tetrahedra/tetrahedra.h"
 
 namespace handlebody {
@@ -17,11 +17,7 @@ namespace {
 
 std::string endingOf(const std::string& path) {
   const auto dot = path.rfind('.');
-  if (dot == std::string::npos) return {};
-  std::string ending = path.substr(dot);
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
+  return dot == std::string::npos ? "" : lowered(path.substr(dot));
 }
 
 struct Contents {
