@@ -13,6 +13,11 @@
 
 namespace handlebody {
 
+//! As many threads as are asked for; 0: as many as the machine lets this process have.
+inline int threadCount(int wanted) {
+  return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
 //! Calls f(i) once for each i below `n`, on up to `threads` threads, this one among them. What one of them
 //! throws is thrown here once all have ended; those not begun by then are left out. All notice a wish to
 //! cancel.

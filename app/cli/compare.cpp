@@ -12,6 +12,7 @@
 #include "core/io/meshes/mesh_io.h"
 #include "core/io/report/compared_table.h"
 #include "core/io/report/parse.h"
+#include "core/threads.h"
 
 namespace handlebody::cli {
 
@@ -70,6 +71,7 @@ int compare(const CompareOptions& o) {
 }
 
 void addMeasures(CLI::App& command, ComparisonOptions& how) {
+  how.threads = threadCount(0);
   command
       .add_option_function<std::string>(
           "--sampling",
@@ -86,7 +88,7 @@ void addMeasures(CLI::App& command, ComparisonOptions& how) {
       .add_option_function<std::string>(
           "--threads",
           [&how](const std::string& text) { how.threads = parseInteger("--threads", text, 1, kMostThreads); },
-          "The figures do not depend on it (default 1)")
+          "The figures do not depend on it (default: all of the machine)")
       ->type_name("N");
 }
 

@@ -19,6 +19,7 @@
 #include "core/io/report/start_surface.h"
 #include "core/solid/label_mesh.h"
 #include "core/solid/simplify.h"
+#include "core/threads.h"
 
 namespace handlebody::cli {
 
@@ -133,6 +134,7 @@ double positive(const std::string& option, const std::string& text, bool orZero)
 }
 
 void addShape(CLI::App& command, MeshOptions& o) {
+  o.how.threads = threadCount(0);
   const auto add = [&](const char* name, const char* type, const char* help,
                        std::function<void(const std::string&)> set) {
     command.add_option_function<std::string>(name, set, help)->type_name(type);
@@ -147,7 +149,7 @@ void addShape(CLI::App& command, MeshOptions& o) {
       [&o](const std::string& t) { o.how.smoothing = positive("--smooth", t, true); });
   add("--edge-length", "MM", "Target edge length (default: the mean voxel size)",
       [&o](const std::string& t) { o.how.edgeLength = positive("--edge-length", t, false); });
-  add("--threads", "N", "The mesh does not depend on it (default 1)",
+  add("--threads", "N", "The mesh does not depend on it (default: all of the machine)",
       [&o](const std::string& t) { o.how.threads = parseInteger("--threads", t, 1, kMostThreads); });
   add("--space", "LPS|RAS", "Coordinates of mesh files (default LPS)", [&o](const std::string& t) {
     if (t != "LPS" && t != "RAS") throw UsageError("--space: '" + t + "' is not LPS or RAS.");

@@ -9,6 +9,7 @@
 #include "core/evolution/object_range.h"
 #include "core/evolution/region_levels.h"
 #include "core/object/region_field.h"
+#include "core/threads.h"
 #include "core/told_error.h"
 
 namespace handlebody {
@@ -30,7 +31,7 @@ ObjectQuery queryOf(const std::vector<Seed>& clicks, const Parameters& p) {
   ObjectQuery query;
   for (const Seed& s : clicks) (s.background ? query.outside : query.inside).push_back({s.centre, s.radius});
   query.candidate = p.candidate;
-  query.threads = p.threads;
+  query.threads = threadCount(p.threads);
   if (p.object != ObjectKind::automatic)
     query.contrast = p.object == ObjectKind::dark ? Contrast::dark : Contrast::bright;
   return query;

@@ -13,6 +13,7 @@
 #include "core/geometry/triangle_distance.h"
 #include "core/indices.h"
 #include "core/mesh/structure.h"
+#include "core/threads.h"
 #include "core/told_error.h"
 
 namespace handlebody {
@@ -62,7 +63,7 @@ void ActiveContour::State::resolve(const Parameters& p) {
   parameters.balloon = p.balloon;
   parameters.curvature = p.curvature;
   parameters.maxIterations = p.maxIterations;
-  parameters.threads = p.threads;
+  parameters.threads = threadCount(p.threads);
   parameters.broadPhase = p.broadPhase;
   parameters.resolution = p.resolution;
 
@@ -71,7 +72,7 @@ void ActiveContour::State::resolve(const Parameters& p) {
   motion.edgeLength = edge;
   motion.largestStep = std::min(kStep * edge, kStepVoxels * volume.grid.spacing.minCoeff());
   motion.outwardOnly = p.direction == Direction::outward;
-  motion.threads = p.threads;
+  motion.threads = parameters.threads;
   limits.longest = kLongest * edge;
   limits.shortest = kShortest * edge;
   chooseWalls();

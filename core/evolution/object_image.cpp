@@ -41,7 +41,12 @@ bool ObjectImage::holds(const std::array<int, 3>& voxel) const {
   if (!neck_ && value > surely_.low && value < surely_.high) return true;
   const Vec3 index(voxel[0], voxel[1], voxel[2]);
   Limits limits{range_.low, range_.high, scale_, 1};
-  if (region_.field || levels_) limits = limitsWithin(index, volume_->grid().toWorld(index), true);
+  if (region_.field || levels_) {
+    const Vec3 world = volume_->grid().toWorld(index);
+    // Most voxels are too far from the region for any level; a side is no more than 1.
+    if (region_.field && region_.field->at(world) <= -region_.slack) return false;
+    limits = limitsWithin(index, world, true);
+  }
   if (neck_) limits.most = std::min(limits.most, neck_->barrier->openness(index));
   return limits.inside(value) > 0;
 }

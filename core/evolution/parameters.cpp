@@ -24,7 +24,7 @@ void requireSensible(const Parameters& p) {
   require(p.curvature >= 0 && std::isfinite(p.curvature),
           "The curvature weight must be a number of at least 0.");
   require(p.maxIterations >= 0, "The number of iterations must not be negative.");
-  require(p.threads >= 1 && p.threads <= 1024, "The number of threads must be between 1 and 1024.");
+  require(p.threads >= 0 && p.threads <= 1024, "The number of threads must be between 0 and 1024.");
   require(!p.smoothing || (*p.smoothing >= 0 && std::isfinite(*p.smoothing)),
           "The smoothing must be at least 0 mm.");
   require(!p.edgeLength || (*p.edgeLength > 0 && std::isfinite(*p.edgeLength)),

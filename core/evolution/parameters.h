@@ -46,7 +46,7 @@ struct Parameters {
   double balloon = 1.0;    //!< weight of the balloon force, > 0
   double curvature = 0.2;  //!< weight of the curvature regularisation, >= 0
   int maxIterations = 3000;
-  int threads = 1;
+  int threads = 0;  //!< 0 = all that the machine has; the mesh does not depend on it
   BroadPhase broadPhase = BroadPhase::sorted;  //!< of the detection; the mesh does not depend on it
   Resolution resolution = Resolution::uniform;
   bool operator==(const Parameters&) const = default;

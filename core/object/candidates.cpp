@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -9,6 +10,7 @@
 #include "core/cancellation.h"
 #include "core/indices.h"
 #include "core/object/star_surface.h"
+#include "core/threads.h"
 
 namespace handlebody {
 
@@ -79,6 +81,15 @@ void addFace(SumsPerRung& sums, int inner, int outer, double outside, std::size_
   }
 }
 
+//! Which rows of cells have any that joins.
+std::vector<std::uint8_t> rowsOf(const ArrivalMap& map, std::size_t row) {
+  const std::vector<std::uint8_t> none(row, kNever);
+  std::vector<std::uint8_t> out;
+  for (std::size_t i = 0; i < map.level.size(); i += row)
+    out.push_back(std::memcmp(&map.level[i], none.data(), row) != 0);
+  return out;
+}
+
 //! One pass over the cells: a face between cells that join at l < m lies on the surface of the regions of the
 //! rungs l to m - 1.
 SumsPerRung gather(const ClickSearch& s, const ArrivalMap& map, const std::vector<std::uint8_t>& gradients) {
@@ -89,10 +100,14 @@ SumsPerRung gather(const ClickSearch& s, const ArrivalMap& map, const std::vecto
   const double voxel = cells.grid.voxelVolume();
   const std::array<double, 3> areas{voxel / cells.grid.spacing[0], voxel / cells.grid.spacing[1],
                                     voxel / cells.grid.spacing[2]};
-  std::size_t i = 0;
+  const std::vector<std::uint8_t> rows = rowsOf(map, idx(n[0]));
   for (int z = 0; z < n[2]; ++z) {
     giveUpIfCancelled();
-    for (int y = 0; y < n[1]; ++y)
+    for (int y = 0; y < n[1]; ++y) {
+      const std::size_t row = idx(z) * idx(n[1]) + idx(y);
+      if (!rows[row] && (y + 1 == n[1] || !rows[row + 1]) && (z + 1 == n[2] || !rows[row + idx(n[1])]))
+        continue;
+      std::size_t i = row * idx(n[0]);
       for (int x = 0; x < n[0]; ++x, ++i) {
         const int level = map.level[i];
         const std::array<int, 3> c{x, y, z};
@@ -116,6 +131,7 @@ SumsPerRung gather(const ClickSearch& s, const ArrivalMap& map, const std::vecto
                   (gradients[i] + std::size_t{gradients[j]}) / 2, areas[a]);
         }
       }
+    }
   }
   return sums;
 }
@@ -168,13 +184,15 @@ void countVotes(std::vector<RankedRegion>& regions, const std::vector<RankedRegi
 }
 
 std::vector<RankedRegion> regionsOf(const ClickSearch& s, const std::vector<ArrivalMap>& maps,
-                                    const ObjectPolicy& policy) {
+                                    const ObjectPolicy& policy, int threads) {
+  std::vector<SumsPerRung> sums(maps.size());
+  forEachOnThreads(maps.size(), threads, [&](std::size_t m) { sums[m] = gather(s, maps[m], s.gradients); });
   std::vector<RankedRegion> out;
-  for (const ArrivalMap& map : maps) {
-    const SumsPerRung sums = gather(s, map, s.gradients);
+  for (std::size_t m = 0; m < maps.size(); ++m) {
+    const ArrivalMap& map = maps[m];
     Sums upTo;
     for (int rung = 0; rung < map.end; ++rung) {
-      upTo.add(sums[idx(rung)]);
+      upTo.add(sums[m][idx(rung)]);
       if (upTo.voxels < static_cast<double>(policy.fewest)) continue;
       if (upTo.voxels > policy.largestPart * static_cast<double>(s.image.cells.count())) break;
       out.push_back(describe(s, map, rung, upTo));
@@ -184,10 +202,10 @@ std::vector<RankedRegion> regionsOf(const ClickSearch& s, const std::vector<Arri
 }
 
 //! What the clicks do not change.
-void learn(ClickSearch& s, const ObjectPolicy& policy) {
+void learn(ClickSearch& s, const ObjectPolicy& policy, int threads) {
   if (!s.gradients.empty() || (s.maps.empty() && s.stars.empty())) return;
   s.gradients = gradientBins(s);
-  s.known = regionsOf(s, s.maps, policy);
+  s.known = regionsOf(s, s.maps, policy, threads);
   countVotes(s.known, s.known, policy);
 }
 
@@ -307,15 +325,15 @@ std::array<double, 2> RankedRegion::bounds() const {
 }
 
 std::vector<RankedRegion> rankRegions(const std::vector<std::unique_ptr<ClickSearch>>& searches,
-                                      const ObjectPolicy& policy) {
+                                      const ObjectPolicy& policy, int threads) {
   std::vector<RankedRegion> all;
   double searched = 0;  // mm³
   for (const auto& s : searches) {
     const CellGrid& cells = s->image.cells;
     const bool last = s == searches.back();
     searched = std::max(searched, static_cast<double>(cells.count()) * cells.grid.voxelVolume());
-    learn(*s, policy);
-    std::vector<RankedRegion> stars = regionsOf(*s, s->stars, policy);
+    learn(*s, policy, threads);
+    std::vector<RankedRegion> stars = regionsOf(*s, s->stars, policy, threads);
     countVotes(stars, s->known, policy);
     for (const auto* own : {&s->known, &stars})
       std::copy_if(own->begin(), own->end(), std::back_inserter(all),

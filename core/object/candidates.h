@@ -63,7 +63,7 @@ void addStars(ClickSearch& search, const std::vector<CellClick>& inside,
 //! All regions of the searches with their scores. A region that the box of its search cuts is left out if
 //! another search is `wider`.
 std::vector<RankedRegion> rankRegions(const std::vector<std::unique_ptr<ClickSearch>>& searches,
-                                      const ObjectPolicy& policy);
+                                      const ObjectPolicy& policy, int threads = 1);
 
 //! The best `most` that differ, best first. Orders `regions` by score.
 std::vector<RankedRegion> distinctRegions(std::vector<RankedRegion>& regions, std::size_t most,

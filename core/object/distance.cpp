@@ -90,15 +90,42 @@ void alongLines(std::vector<float>& d, int n, std::size_t step, double h) {
     }
 }
 
+//! The same where only distances up to `reach` steps count: rows of memory, beside each other in the plane of
+//! the axis, are compared as they are.
+void alongLinesWithin(std::vector<float>& d, int n, std::size_t step, std::size_t row, double h, int reach) {
+  std::vector<float> lines(idx(n) * row);
+  for (std::size_t slab = 0; slab < d.size(); slab += step * idx(n))
+    for (std::size_t j = slab; j < slab + step; j += row) {
+      for (int i = 0; i < n; ++i) std::copy_n(&d[j + idx(i) * step], row, &lines[idx(i) * row]);
+      for (int i = 0; i < n; ++i) {
+        float* to = &d[j + idx(i) * step];
+        for (int k = -std::min(reach, i); k <= std::min(reach, n - 1 - i); ++k) {
+          const float* from = &lines[idx(i + k) * row];
+          const auto far = static_cast<float>(h * k * (h * k));
+          for (std::size_t x = 0; x < row; ++x) to[x] = std::min(to[x], from[x] + far);
+        }
+      }
+    }
+}
+
+constexpr int kFewSteps = 16;  // up to here comparing takes less than the envelope
+
 }  // namespace
 
 std::vector<float> distanceTo(const std::array<int, 3>& size, const Vec3& spacing,
-                              const std::vector<std::uint8_t>& mask) {
+                              const std::vector<std::uint8_t>& mask, double limit) {
   std::vector<float> d(mask.size());
   for (std::size_t i = 0; i < d.size(); ++i) d[i] = mask[i] ? 0 : kInfinity;
   alongRows(d, size[0], spacing[0]);
-  alongLines(d, size[1], idx(size[0]), spacing[1]);
-  alongLines(d, size[2], idx(size[0]) * idx(size[1]), spacing[2]);
+  std::size_t step = idx(size[0]);
+  for (std::size_t a = 1; a < 3; ++a) {
+    const double h = spacing[static_cast<Eigen::Index>(a)];
+    if (limit <= kFewSteps * h)
+      alongLinesWithin(d, size[a], step, idx(size[0]), h, static_cast<int>(std::ceil(limit / h)));
+    else
+      alongLines(d, size[a], step, h);
+    step *= idx(size[a]);
+  }
   for (float& x : d) x = std::sqrt(x);
   return d;
 }

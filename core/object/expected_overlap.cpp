@@ -34,13 +34,22 @@ std::vector<std::uint8_t> maskOn(const CellGrid& grid, const RankedRegion& r) {
   std::array<std::vector<int>, 3> cell;
   for (std::size_t a = 0; a < 3; ++a) cell[a] = cellsAlong(a, own, grid);
   std::vector<std::uint8_t> out(grid.count(), 0);
-  std::size_t i = 0;
+  const auto rung = static_cast<std::uint8_t>(r.rung);
+  const std::size_t row = cell[0].size();
+  const auto isThere = [](int c) { return c != kNone; };
+  const auto first =
+      static_cast<std::size_t>(std::find_if(cell[0].begin(), cell[0].end(), isThere) - cell[0].begin());
+  std::size_t end = row;
+  while (end > first && cell[0][end - 1] == kNone) --end;
+  std::uint8_t* to = out.data();
   for (const int z : cell[2])
-    for (const int y : cell[1])
-      for (const int x : cell[0]) {
-        if (x != kNone && y != kNone && z != kNone) out[i] = r.holds(own.at(x, y, z));
-        ++i;
+    for (const int y : cell[1]) {
+      if (y != kNone && z != kNone) {
+        const std::uint8_t* level = &r.map->level[own.at(0, y, z)];
+        for (std::size_t x = first; x < end; ++x) to[x] = level[cell[0][x]] <= rung;
       }
+      to += row;
+    }
   return out;
 }
 std::vector<std::uint8_t> maskOf(const RankedRegion& r) {

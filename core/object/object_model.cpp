@@ -142,7 +142,7 @@ class ObjectFinder::Search {
     for (auto& s : searches_) addStars(*s, inside, outside, policy_, threads_);
     auto tubes = tubeSearches(*work_, *searches_[0], inside, outside, policy_, threads_);
     for (auto& t : tubes) searches_.insert(searches_.end() - 1, std::move(t));
-    std::vector<RankedRegion> ranked = rankRegions(searches_, policy_);
+    std::vector<RankedRegion> ranked = rankRegions(searches_, policy_, threads_);
     const double sign = contrast_ == Contrast::dark ? 1 : -1;
     if (contrast_ != Contrast::any)
       std::erase_if(ranked, [&](const RankedRegion& r) { return sign * r.rise <= noise(); });
@@ -380,7 +380,7 @@ class ObjectFinder::Search {
   //! What a search from the click finds: other intensities belong to the object, too.
   void offerOwnRegions(Offers& offers, const Asked& asked) const {
     const Searches own = searchesAround(asked.click.click.place);
-    std::vector<RankedRegion> ranked = rankRegions(own, policy_);
+    std::vector<RankedRegion> ranked = rankRegions(own, policy_, threads_);
     std::erase_if(ranked, [&](const RankedRegion& r) {
       return std::any_of(asked.from.done.begin(), asked.from.done.end(),
                          [&](const Pending& o) { return !o.isInside && r.holds(o.click.place); });

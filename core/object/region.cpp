@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <numeric>
+#include <utility>
 
 namespace handlebody {
 
@@ -45,29 +46,66 @@ std::vector<Place> placesOf(const RankedRegion& r) {
   return out;
 }
 
-//! Connected cells of one kind of a box, by face neighbours: calls f(cells) for each.
+//! Calls f(number) for the neighbours of a cell of a box by its faces.
 template <typename F>
-void forParts(const std::array<int, 3>& n, const std::vector<std::uint8_t>& mask, std::uint8_t kind, F&& f) {
+void forNeighbours(const std::array<int, 3>& n, std::size_t v, F&& f) {
   const std::array<std::size_t, 3> steps{1, idx(n[0]), idx(n[0]) * idx(n[1])};
-  std::vector<std::uint8_t> seen(mask.size(), 0);
-  std::vector<std::size_t> part;
-  for (std::size_t start = 0; start < mask.size(); ++start) {
-    if (seen[start] || mask[start] != kind) continue;
-    part.assign(1, start);
-    seen[start] = 1;
-    for (std::size_t k = 0; k < part.size(); ++k) {
-      const std::size_t v = part[k];
-      const std::array<std::size_t, 3> c{v % steps[1], v / steps[1] % idx(n[1]), v / steps[2]};
-      for (std::size_t a = 0; a < 3; ++a)
-        for (const bool up : {false, true}) {
-          if (up ? c[a] + 1 >= idx(n[a]) : c[a] == 0) continue;
-          const std::size_t w = up ? v + steps[a] : v - steps[a];
-          if (seen[w] || mask[w] != kind) continue;
-          seen[w] = 1;
-          part.push_back(w);
-        }
+  const std::array<std::size_t, 3> c{v % steps[1], v / steps[1] % idx(n[1]), v / steps[2]};
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (c[a] > 0) f(v - steps[a]);
+    if (c[a] + 1 < idx(n[a])) f(v + steps[a]);
+  }
+}
+
+constexpr std::uint8_t kOut = 0, kIn = 1, kFarOut = 2;
+
+//! The cells (1) that hang together with the starts.
+std::vector<std::uint8_t> partsOf(const std::array<int, 3>& n, const std::vector<std::uint8_t>& inside,
+                                  std::vector<std::size_t> starts) {
+  std::vector<std::uint8_t> out(inside.size(), kOut);
+  const auto enter = [&](std::size_t i) {
+    if (out[i] == kIn || !inside[i]) return false;
+    out[i] = kIn;
+    return true;
+  };
+  std::erase_if(starts, [&](std::size_t i) { return !enter(i); });
+  while (!starts.empty()) {
+    const std::size_t v = starts.back();
+    starts.pop_back();
+    forNeighbours(n, v, [&](std::size_t w) {
+      if (enter(w)) starts.push_back(w);
+    });
+  }
+  return out;
+}
+
+//! Parts of what is outside with fewer cells than `cavity` come in. Most cells lie in rows that are too long
+//! for that; only what is left is followed from neighbour to neighbour, until it is too much or meets them.
+void fillCavities(const std::array<int, 3>& n, std::vector<std::uint8_t>& cells, std::size_t cavity) {
+  for (std::size_t row = 0; row < cells.size(); row += idx(n[0])) {
+    const auto end = cells.begin() + static_cast<std::ptrdiff_t>(row + idx(n[0]));
+    for (auto from = cells.begin() + static_cast<std::ptrdiff_t>(row); from != end;) {
+      from = std::find(from, end, kOut);
+      const auto last = std::find(from, end, kIn);
+      if (last - from >= static_cast<std::ptrdiff_t>(cavity)) std::fill(from, last, kFarOut);
+      from = last;
     }
-    f(part);
+  }
+  std::vector<std::size_t> part;
+  for (std::size_t start = 0; start < cells.size(); ++start) {
+    if (cells[start] != kOut) continue;
+    part.assign(1, start);
+    cells[start] = kIn;
+    bool isFar = false;
+    for (std::size_t k = 0; k < part.size() && part.size() < cavity && !isFar; ++k)
+      forNeighbours(n, part[k], [&](std::size_t w) {
+        isFar |= cells[w] == kFarOut;
+        if (cells[w] != kOut) return;
+        cells[w] = kIn;
+        part.push_back(w);
+      });
+    if (isFar || part.size() >= cavity)
+      for (const std::size_t i : part) cells[i] = kFarOut;
   }
 }
 
@@ -81,9 +119,9 @@ Region regionOn(const WorkImage& work, const RankedRegion& r) {
   const CellGrid& to = work.cells();
   const CellGrid& from = r.search->image.cells;
   Region out{std::vector<std::uint8_t>(to.count(), 0)};
-  const std::vector<Place> places = placesOf(r);
   const auto [low, high] = r.bounds();
   const bool same = from.factor == to.factor;
+  const std::vector<Place> places = same || r.isStar() ? std::vector<Place>{} : placesOf(r);
   std::array<std::vector<int>, 3> map;
   for (std::size_t a = 0; a < 3; ++a) map[a] = cellMap(to, from, a);
   std::size_t i = 0;
@@ -110,23 +148,15 @@ void keepParts(const WorkImage& work, Region& region, const std::vector<std::siz
   if (box.empty()) return;
   box = box.grown(1, cells.grid.size);  // so that what is outside hangs together
   const std::vector<std::uint8_t> inside = cutOut(cells, region.inside, box);
-  std::vector<std::uint8_t> wanted(inside.size(), 0);
+  std::vector<std::size_t> starts;
   for (const std::size_t i : holding)
-    if (const Cell c = cells.cellOf(i); box.holds(c)) wanted[box.at(c)] = 1;
-  std::vector<std::uint8_t> kept(inside.size(), 0);
-  forParts(box.size(), inside, 1, [&](const std::vector<std::size_t>& part) {
-    if (std::any_of(part.begin(), part.end(), [&](std::size_t i) { return wanted[i]; }))
-      for (const std::size_t i : part) kept[i] = 1;
-  });
-  const std::vector<std::uint8_t> withHoles = kept;
-  forParts(box.size(), withHoles, 0, [&](const std::vector<std::size_t>& part) {
-    if (part.size() < cavity)
-      for (const std::size_t i : part) kept[i] = 1;
-  });
+    if (const Cell c = cells.cellOf(i); box.holds(c)) starts.push_back(box.at(c));
+  std::vector<std::uint8_t> kept = partsOf(box.size(), inside, std::move(starts));
+  fillCavities(box.size(), kept, cavity);
   std::size_t from = 0;
   for (int z = box.low[2]; z <= box.high[2]; ++z)
     for (int y = box.low[1]; y <= box.high[1]; ++y)
-      for (int x = box.low[0]; x <= box.high[0]; ++x) region.inside[cells.at(x, y, z)] = kept[from++];
+      for (int x = box.low[0]; x <= box.high[0]; ++x) region.inside[cells.at(x, y, z)] = kept[from++] == kIn;
 }
 
 void CellBox::widen(const Cell& cell) {

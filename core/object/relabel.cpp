@@ -109,7 +109,7 @@ class RandomWalk {
     if (click_) box.widen(cells_.cellOf(click_->click.cell));
     for (std::size_t a = 0; a < 3; ++a) {
       const double h = cells_.grid.spacing[static_cast<Eigen::Index>(a)];
-      const int more = static_cast<int>(std::ceil((2 * walk_.outer + 2 * cell_) / h));
+      const int more = static_cast<int>(std::ceil(background() / h));
       box.low[a] = std::max(0, box.low[a] - more);
       box.high[a] = std::min(cells_.grid.size[a] - 1, box.high[a] + more);
     }
@@ -121,12 +121,14 @@ class RandomWalk {
     }
     return box;
   }
+  //! mm from the surface up to where the intensities outside are read.
+  double background() const { return 2 * walk_.outer + 2 * cell_; }
   bool isReached(std::size_t i) const { return !click_ || fromClick_[i] <= click_->reach; }
   void measure() {
     std::vector<std::uint8_t> outside(inside_.size());
     std::transform(inside_.begin(), inside_.end(), outside.begin(), [](std::uint8_t in) { return !in; });
-    out_ = distanceTo(size_, cells_.grid.spacing, inside_);
-    in_ = distanceTo(size_, cells_.grid.spacing, outside);
+    out_ = distanceTo(size_, cells_.grid.spacing, inside_, background());
+    in_ = distanceTo(size_, cells_.grid.spacing, outside, std::max(walk_.inner, cell_));
     if (!click_) return;
     const Cell click = cells_.cellOf(click_->click.cell);
     forBox(box_, [&](const Cell& c) {
@@ -162,27 +164,30 @@ class RandomWalk {
     CellGrid part = cells_;
     part.grid.size = size_;
     const std::vector<float> wide = smoothed(part, values_, kWideScale * cell_);
-    const std::vector<double> all(values_.begin(), values_.end());
-    const double low = quantile(all, 0.01), step = std::max((quantile(all, 0.99) - low) / (kBins - 1), 1e-12);
+    const double low = quantile(values_, 0.01),
+                 step = std::max((quantile(values_, 0.99) - low) / (kBins - 1), 1e-12);
     const auto binOf = [&](float v) { return std::clamp(static_cast<int>((v - low) / step), 0, kBins - 1); };
+    const auto add = [&](Density& to, std::size_t i) { to.add(binOf(values_[i]), binOf(wide[i])); };
     Density in, near, out;
     for (std::size_t i = 0; i < values_.size(); ++i) {
-      const int a = binOf(values_[i]), b = binOf(wide[i]);
-      if (inside_[i] && in_[i] > 0.5 * cell_) in.add(a, b);
-      if (click_ && fromClick_[i] <= policy_.relabelBall * click_->depth + 0.5 * cell_) near.add(a, b);
-      if (!inside_[i] && out_[i] > walk_.outer && out_[i] <= 2 * walk_.outer + 2 * cell_) out.add(a, b);
+      if (inside_[i] && in_[i] > 0.5 * cell_) add(in, i);
+      if (click_ && fromClick_[i] <= policy_.relabelBall * click_->depth + 0.5 * cell_) add(near, i);
+      if (!inside_[i] && out_[i] > walk_.outer && out_[i] <= background()) add(out, i);
     }
     in.mix(near, policy_.relabelClick);
     const double sigma = std::max(1.0, 0.7 * walk_.noise / step);  // the search's Gaussian leaves so much
     in.smooth(sigma);
     out.smooth(sigma);
+    std::vector<float> chance(idx(kBins) * idx(kBins));
+    for (int a = 0; a < kBins; ++a)
+      for (int b = 0; b < kBins; ++b) {
+        const double odds = std::log((in.at(a, b) + kEmpty) / (out.at(a, b) + kEmpty));
+        const double sure = policy_.relabelSure;
+        chance[bin(a, b)] = static_cast<float>(1 / (1 + std::exp(-std::clamp(odds, -sure, sure))));
+      }
     prior_.resize(values_.size());
-    for (std::size_t i = 0; i < values_.size(); ++i) {
-      const int a = binOf(values_[i]), b = binOf(wide[i]);
-      const double odds = std::log((in.at(a, b) + kEmpty) / (out.at(a, b) + kEmpty));
-      const double sure = policy_.relabelSure;
-      prior_[i] = static_cast<float>(1 / (1 + std::exp(-std::clamp(odds, -sure, sure))));
-    }
+    for (std::size_t i = 0; i < values_.size(); ++i)
+      if (kind_[i] == Kind::open) prior_[i] = chance[bin(binOf(values_[i]), binOf(wide[i]))];
   }
 
   float pull(std::size_t i, std::size_t j, std::size_t axis) const {

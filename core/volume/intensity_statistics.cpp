@@ -8,9 +8,10 @@ namespace handlebody {
 
 namespace {
 
-std::size_t rankOf(double percent, std::size_t count) {
-  return static_cast<std::size_t>(percent / 100.0 * static_cast<double>(count - 1));
+std::size_t rankAt(double q, std::size_t count) {
+  return static_cast<std::size_t>(q * static_cast<double>(count - 1));
 }
+std::size_t rankOf(double percent, std::size_t count) { return rankAt(percent / 100.0, count); }
 
 template <typename T>
 T valueAtRank(std::vector<T>& values, std::size_t rank) {
@@ -69,7 +70,10 @@ IntensityStatistics intensityStatistics(const Volume& volume, std::span<const do
 }
 
 double quantile(std::vector<double> values, double q) {
-  return valueAtRank(values, static_cast<std::size_t>(q * static_cast<double>(values.size() - 1)));
+  return valueAtRank(values, rankAt(q, values.size()));
+}
+double quantile(std::vector<float> values, double q) {
+  return static_cast<double>(valueAtRank(values, rankAt(q, values.size())));
 }
 
 }  // namespace handlebody

@@ -21,5 +21,6 @@ IntensityStatistics intensityStatistics(const Volume& volume, std::span<const do
 
 //! The value at rank floor(q · (n - 1)) of the sorted values, q in [0, 1]. Precondition: not empty, no NaN.
 double quantile(std::vector<double> values, double q);
+double quantile(std::vector<float> values, double q);
 
 }  // namespace handlebody

@@ -58,6 +58,7 @@ Field makeField(int seeds) {
 void stepAt10k(benchmark::State& state) {
   const Field field = makeField(static_cast<int>(state.range(0)));
   Parameters parameters;
+  parameters.threads = 1;
   parameters.range = IntensityRange{0, 0.5};
   parameters.smoothing = 0;
   parameters.edgeLength = 2;
@@ -160,6 +161,7 @@ void partSupport(benchmark::State& state) {
 void partSupportOfRegion(benchmark::State& state) {
   const Phantom phantom = makePhantom("sphere");
   Parameters parameters;
+  parameters.threads = 1;
   parameters.edgeLength = 0.014 * phantom.volume.grid.spacing[0] * phantom.volume.grid.size[0];
   ActiveContour contour(phantom.volume, {{phantom.seed, phantom.seedRadius}}, parameters);
   while (contour.stopReason() == StopReason::running) contour.step();

@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 #include <stdexcept>
+#include <thread>
 
 #include "tests/support/catch.h"
 
@@ -15,6 +16,11 @@ TEST_CASE("each piece of work is done once, with any number of threads") {
     for (const auto& c : calls) CHECK(c == 1);
   }
   forEachOnThreads(0, 4, [](std::size_t) { FAIL("there is nothing to do"); });
+}
+
+TEST_CASE("no number of threads asks for all that there are") {
+  CHECK(threadCount(3) == 3);
+  CHECK(threadCount(0) == static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 TEST_CASE("what a piece of work throws arrives, whichever thread it was on") {

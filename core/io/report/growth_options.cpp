@@ -96,7 +96,7 @@ std::vector<GrowthOption> makeParameterOptions() {
       parameter(
           "--max-iterations", "N", "Stop after so many (exit code 5)",
           [](Parameters& p, Text t) { p.maxIterations = parseInteger("--max-iterations", t, 1, kAnyCount); }),
-      parameter("--threads", "N", "The mesh does not depend on it (default 1)",
+      parameter("--threads", "N", "The mesh does not depend on it (default: all of the machine)",
                 [](Parameters& p, Text t) { p.threads = parseInteger("--threads", t, 1, kMostThreads); }),
       parameter("--broad-phase", "hashing|sorted",
                 "How near vertices are found: the paper's eight hash functions, or one sorted table "

@@ -169,7 +169,7 @@ TEST_CASE("parameters without meaning are refused") {
     refused([bad](Parameters& p) { p.smoothing = bad; });
   }
   refused([](Parameters& p) { p.maxIterations = -1; });
-  refused([](Parameters& p) { p.threads = 0; });
+  refused([](Parameters& p) { p.threads = -1; });
   refused([](Parameters& p) { p.range = IntensityRange{10, 0}; });
 }
 
