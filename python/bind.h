@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "core/io/decoder_settings.h"
 #include "core/volume/volume.h"
 #include "python/contour.h"
 
@@ -24,6 +25,8 @@ using VolumePointer = std::shared_ptr<PythonVolume>;
 std::string pathOf(const py::object& path);
 //! That of a Grid or a Volume. Throws TypeError.
 Grid gridOf(const py::object& grid);
+//! For readings that begin now. Precondition: the caller holds the interpreter's lock.
+DecoderSettings decoderToUse();
 //! Issues handlebody.HandlebodyWarning for each sentence.
 void warn(const std::vector<std::string>& sentences);
 

@@ -30,9 +30,10 @@ Side sideFrom(const py::object& given, const char* name, std::optional<int> labe
   return {pathOf(given), nullptr, nullptr, label};
 }
 
-ComparedObject comparedSide(const Side& side, std::vector<Finding>& warnings) {
+ComparedObject comparedSide(const Side& side, const DecoderSettings& decoder,
+                            std::vector<Finding>& warnings) {
   if (side.mesh) return comparedMesh(side.name, *side.mesh);
-  if (!side.labels) return readCompared(side.name, side.label, warnings);
+  if (!side.labels) return readCompared(side.name, side.label, warnings, decoder);
   if (!holdsWholeNumbers(side.labels->loaded.volume))
     throw InputError(side.name + ": it is no label map: it has voxels whose values are no whole numbers.");
   return comparedLabels(side.name, side.labels->loaded.volume, side.label);
@@ -46,11 +47,12 @@ py::object comparison(const py::object& a, const py::object& b, std::optional<in
   if (threads < 1) throw UsageError("threads: it is below 1.");
   const Side first = sideFrom(a, "a", labelA ? labelA : label),
              second = sideFrom(b, "b", labelB ? labelB : label);
+  const DecoderSettings decoder = decoderToUse();
   ComparedPair pair;
   withoutLock([&](const std::atomic<bool>&) {
     const std::lock_guard lock(filesMutex());
-    pair.a = comparedSide(first, pair.warnings);
-    pair.b = comparedSide(second, pair.warnings);
+    pair.a = comparedSide(first, decoder, pair.warnings);
+    pair.b = comparedSide(second, decoder, pair.warnings);
     compare(pair, {sampling.value_or(0), threads});
   });
   return toPython(comparisonToJson(pair));

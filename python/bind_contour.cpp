@@ -31,6 +31,7 @@ ContourPointer contourFrom(const VolumePointer& volume, const py::kwargs& option
                                volume->loaded.volume.grid);
   session.requested = asked.parameters;
   session.constraints = std::move(asked.constraints);
+  session.volume.selection.decoder = decoderToUse();
   ContourPointer contour;
   withoutLock(
       [&](const std::atomic<bool>&) { contour = std::make_shared<Contour>(volume, std::move(session)); });

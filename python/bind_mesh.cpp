@@ -59,10 +59,11 @@ void saveMesh(const PythonMesh& mesh, const py::object& to, const VolumePointer&
 
 MeshPointer readMeshOf(const py::object& from) {
   const std::string path = pathOf(from);
+  const DecoderSettings decoder = decoderToUse();
   MeshPointer mesh;
   withoutLock([&](const std::atomic<bool>&) {
     const std::lock_guard lock(filesMutex());
-    mesh = std::make_shared<PythonMesh>(readMesh(path));
+    mesh = std::make_shared<PythonMesh>(readMesh(path, decoder));
   });
   return mesh;
 }

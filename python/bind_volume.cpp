@@ -94,6 +94,7 @@ VolumePointer volumeFrom(const py::object& given, const py::object& spacing, con
 VolumePointer readVolumeOf(const py::object& path, const py::object& series, std::optional<int> frame,
                            const py::object& spacing, const std::string& uneven) {
   VolumeReference reference{pathOf(path), {}, {}};
+  reference.selection.decoder = decoderToUse();
   if (!series.is_none()) reference.selection.series = series.cast<std::string>();
   reference.selection.frame = frame;
   if (!spacing.is_none()) reference.selection.spacing = vectorFrom(spacing, "spacing");

@@ -17,7 +17,9 @@ namespace {
 RunReport begun(const PythonVolume& volume, Session asked) {
   RunReport report;
   asked.version = HANDLEBODY_VERSION;
+  DecoderSettings decoder = std::move(asked.volume.selection.decoder);
   asked.volume = volume.reference;
+  asked.volume.selection.decoder = std::move(decoder);
   loadWalls(asked, volume.loaded.volume.grid);
   loadStarts(asked);
   report.session = std::move(asked);
@@ -88,6 +90,7 @@ void Contour::change(ParameterChange what) {
     throw UsageError("The contour was changed at iteration " + std::to_string(what.iteration) +
                      " already; give all options in one call, or step before.");
   Session walls;
+  walls.volume = told_.session.volume;
   walls.constraints = std::move(*what.constraints);
   loadWalls(walls, active_.grid());
   loadStarts(walls);

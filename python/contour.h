@@ -20,8 +20,8 @@ struct PythonVolume {
 
 class Contour {
  public:
-  //! `asked` holds seeds (mm LPS) and parameters; label maps of walls are read. Throws as ActiveContour and
-  //! loadWalls.
+  //! `asked` holds seeds (mm LPS) and parameters; label maps of walls are read, with the decoder of its
+  //! volume's selection. Throws as ActiveContour and loadWalls.
   Contour(std::shared_ptr<const PythonVolume> volume, Session asked);
   //! Goes on exactly as the original would.
   Contour(const Contour& other);

@@ -5,7 +5,6 @@
 
 #include "core/cancellation.h"
 #include "core/errors.h"
-#include "core/io/formats/volume_io.h"
 #include "python/bind.h"
 #include "python/convert.h"
 
@@ -13,6 +12,7 @@ namespace handlebody::python {
 
 namespace {
 
+// pybind11 takes a translator without state.
 PyObject* inputError = nullptr;
 PyObject* outputError = nullptr;
 PyObject* usageError = nullptr;
@@ -47,6 +47,11 @@ void translate(std::exception_ptr thrown) {
   }
 }
 
+//! What set_decoder was told: an attribute of the module, which is where Python keeps such things.
+constexpr const char* kDecoder = "_decoder";
+
+py::module_ core() { return py::module_::import("handlebody._core"); }
+
 void bindErrors(py::module_& module) {
   PyObject* base = newException(module, "Error", py::reinterpret_borrow<py::object>(PyExc_Exception),
                                 "What a caller or a file can cause; the message is one sentence.");
@@ -72,6 +77,8 @@ std::string pathOf(const py::object& path) {
   return bytes.cast<std::string>();
 }
 
+DecoderSettings decoderToUse() { return {core().attr(kDecoder).cast<std::string>()}; }
+
 void warn(const std::vector<std::string>& sentences) {
   for (const std::string& sentence : sentences)
     if (PyErr_WarnEx(warning, inPythonWords(sentence).c_str(), 1) != 0) throw py::error_already_set();
@@ -86,17 +93,13 @@ PYBIND11_MODULE(_core, module) {
   py::options options;
   options.disable_function_signatures();
   bindErrors(module);
+  module.attr(kDecoder) = py::bytes();
   bindVolume(module);
   bindMesh(module);
   bindContour(module);
   bindCompare(module);
   module.def(
-      "set_decoder",
-      [](const py::object& program) {
-        handlebody::DicomDecoder decoder;
-        decoder.program = pathOf(program);
-        handlebody::setDicomDecoder(decoder);
-      },
+      "set_decoder", [](const py::object& program) { core().attr(kDecoder) = py::bytes(pathOf(program)); },
       py::arg("program"),
       "set_decoder(program)\n\nThe path of the handlebody-cli that decodes DICOM, TIFF and VTP files in a "
       "process of "

@@ -39,10 +39,8 @@ class Temporary {
   std::string path_, name_;
 };
 
-thread_local FileSet* openSet = nullptr;
-
 std::string temporaryName(const std::string& path) {
-  static std::atomic<unsigned> counter{0};
+  static std::atomic<unsigned> counter{0};  // of the process: two threads may write the same path
   const fs::path target(path);
   // In front, so that the ending stays; in lower case, because libraries know endings only so.
   std::string name = ".tmp-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + "-" +
@@ -102,7 +100,8 @@ Finding systemFinding(int error) {
   }
 }
 
-void writeAtomically(const std::string& path, const std::function<void(const std::string&)>& write) {
+void writeAtomically(const std::string& path, const std::function<void(const std::string&)>& write,
+                     FileSet* set) {
   if (fs::path(path).filename().empty()) refuseOutput(path, FindingKind::nameIsFolder);
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) refuseOutput(path, FindingKind::folderHasName);
@@ -110,22 +109,22 @@ void writeAtomically(const std::string& path, const std::function<void(const std
   create(temporary.path(), path);
   write(temporary.path());
   flushToDisk(temporary.path(), path);
-  if (openSet != nullptr)
-    openSet->waiting_->files.push_back(std::move(temporary));
+  if (set != nullptr)
+    set->waiting_->files.push_back(std::move(temporary));
   else
     temporary.rename();
 }
 
-FileSet::FileSet() : waiting_(std::make_unique<Waiting>()), outer_(std::exchange(openSet, this)) {}
-FileSet::~FileSet() { openSet = outer_; }
+FileSet::FileSet() : waiting_(std::make_unique<Waiting>()) {}
+FileSet::~FileSet() = default;
 
 void FileSet::commit() {
   for (Temporary& file : waiting_->files) file.rename();
   waiting_->files.clear();
 }
 
-void writeTextAtomically(const std::string& path, const std::string& text) {
-  writeAtomically(path, [&](const std::string& temporary) {
+void writeTextAtomically(const std::string& path, const std::string& text, FileSet* set) {
+  const auto write = [&](const std::string& temporary) {
     const int file = ::open(temporary.c_str(), O_WRONLY | O_CLOEXEC);
     if (file < 0) refuseOutput(path, systemFinding(errno));
     const char* at = text.data();
@@ -142,7 +141,8 @@ void writeTextAtomically(const std::string& path, const std::string& text) {
       left -= static_cast<std::size_t>(written);
     }
     if (::close(file) != 0) refuseOutput(path, systemFinding(errno));
-  });
+  };
+  writeAtomically(path, write, set);
 }
 
 }  // namespace handlebody

@@ -9,6 +9,8 @@
 
 namespace handlebody {
 
+class FileSet;
+
 //! Throws OutputError: "path: cannot be written: cause.", with the finding.
 [[noreturn]] void refuseOutput(const std::string& path, const Finding& cause);
 
@@ -19,13 +21,15 @@ Finding systemFinding(int error);
 //! writer can choose its format by it) and then renames that file to `path`. If anything fails or throws, the
 //! temporary file is removed and what was at `path` before stays. Throws OutputError (which names `path`) if
 //! the file cannot be created or renamed, and whatever `write` throws.
-void writeAtomically(const std::string& path, const std::function<void(const std::string& temporary)>& write);
+//! With `set` it is renamed by FileSet::commit.
+void writeAtomically(const std::string& path, const std::function<void(const std::string& temporary)>& write,
+                     FileSet* set = nullptr);
 
-//! Writes `text` to `path`, whole or not at all. Throws OutputError.
-void writeTextAtomically(const std::string& path, const std::string& text);
+//! Writes `text` to `path`, whole or not at all. Throws OutputError. `set` as above.
+void writeTextAtomically(const std::string& path, const std::string& text, FileSet* set = nullptr);
 
-//! Files that belong together. While it lives, what this thread writes atomically keeps its temporary name
-//! until commit(); what was not committed is removed.
+//! Files that belong together. What is written as one of it keeps its temporary name until commit(); what was
+//! not committed is removed.
 class FileSet {
  public:
   FileSet();
@@ -37,10 +41,9 @@ class FileSet {
   void commit();
 
  private:
-  friend void writeAtomically(const std::string&, const std::function<void(const std::string&)>&);
+  friend void writeAtomically(const std::string&, const std::function<void(const std::string&)>&, FileSet*);
   struct Waiting;
   std::unique_ptr<Waiting> waiting_;
-  FileSet* outer_;
 };
 
 }  // namespace handlebody

@@ -53,14 +53,14 @@ void writeFile(const std::string& path, const std::string& bytes) {
 }
 
 //! True if it was read, false if it was refused as it should be.
-bool readAny(const std::string& path) try {
+bool readAny(const std::string& path, const DecoderSettings& decoder) try {
   labelIn(path, 1);
   if (path.ends_with(".json"))
     readSession(path);
   else if (isMeshInputPath(path))
-    readMesh(path);
+    readMesh(path, decoder);
   else
-    readVolume(path);
+    readVolume(path, {.decoder = decoder});
   return true;
 } catch (const InputError&) {
   return false;
@@ -135,7 +135,7 @@ std::vector<Sample> realFiles(const std::string& folder) {
 bool feed(const Options& o, const std::string& path, const std::string& folder, Tally& tally) try {
   if (o.commands) return runCommands(o.cli, path, folder, tally);
   if (!o.files.empty()) return runAll(o.cli, path, folder, tally);
-  (readAny(path) ? tally.read : tally.refused) += 1;
+  (readAny(path, {o.decoder}) ? tally.read : tally.refused) += 1;
   return true;
 } catch (const std::exception& error) {
   std::cerr << "unexpected: " << error.what() << "\n";
@@ -198,7 +198,6 @@ int fuzz(const Options& o) {
     samples = samplesOfCommands(std::move(samples), folder);
   else if (o.files.empty())
     std::erase_if(samples, [&](const Sample& s) { return needsDecoder(s.name) == o.decoder.empty(); });
-  if (!o.decoder.empty()) setDicomDecoder({o.decoder});
   Tally tally;
   for (std::size_t i = o.first; i < o.first + o.count; ++i) {
     one(o, samples, i, folder, tally);

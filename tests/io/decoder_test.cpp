@@ -16,12 +16,10 @@ using namespace handlebody::test;
 
 namespace {
 
-//! A decoder for the length of a test.
-class WithDecoder {
- public:
-  explicit WithDecoder(const DicomDecoder& decoder) { setDicomDecoder(decoder); }
-  ~WithDecoder() { setDicomDecoder({HANDLEBODY_CLI}); }
-};
+//! In one line that begins with the path and holds `cause`, whether read or inspected.
+void expectRefused(const DecoderSettings& decoder, const std::string& path, const std::string& cause) {
+  expectInputError(path, cause, false, decoder);
+}
 
 double secondsOf(const std::function<void()>& f) {
   const auto start = std::chrono::steady_clock::now();
@@ -43,31 +41,32 @@ void expectNoChildren() {
 
 TEST_CASE("a DICOM decoder that dies is a sentence with the file it worked on") {
   const TemporaryFolder folder;
-  const WithDecoder decoder({MISBEHAVING_DECODER});
+  const DecoderSettings decoder{MISBEHAVING_DECODER};
   const std::string crash = folderCalled(folder, "crash");
-  expectInputError(crash, "broke down on " + crash + "/slice-7 (signal: Aborted)");
-  expectInputError(folderCalled(folder, "leave"), "exit code 9");
+  expectRefused(decoder, crash, "broke down on " + crash + "/slice-7 (signal: Aborted)");
+  expectRefused(decoder, folderCalled(folder, "leave"), "exit code 9");
   expectNoChildren();
 }
 
 TEST_CASE("a DICOM decoder that hangs is stopped when patience is over") {
   const TemporaryFolder folder;
-  const WithDecoder decoder({MISBEHAVING_DECODER, 0.3});
+  const DecoderSettings decoder{MISBEHAVING_DECODER, 0.3};
   const std::string path = folderCalled(folder, "hang");
-  const double seconds = secondsOf([&] { CHECK_THROWS_AS(readVolume(path), InputError); });
+  const double seconds =
+      secondsOf([&] { CHECK_THROWS_AS(readVolume(path, {.decoder = decoder}), InputError); });
   CHECK(seconds >= 0.3);
   CHECK(seconds < 10);
-  expectInputError(path, "got stuck on " + path + "/slice-7");
+  expectRefused(decoder, path, "got stuck on " + path + "/slice-7");
   expectNoChildren();
 }
 
 TEST_CASE("a DICOM decoder has no more memory than the image needs") {
   const TemporaryFolder folder;
-  const WithDecoder decoder({MISBEHAVING_DECODER});
+  const DecoderSettings decoder{MISBEHAVING_DECODER};
   const std::string path = folderCalled(folder, "eat");
   std::string message;
   try {
-    readVolume(path);
+    readVolume(path, {.decoder = decoder});
   } catch (const InputError& error) {
     message = error.what();
   }
@@ -81,20 +80,20 @@ TEST_CASE("a DICOM decoder has no more memory than the image needs") {
 
 TEST_CASE("answers without meaning are refused") {
   const TemporaryFolder folder;
-  const WithDecoder decoder({MISBEHAVING_DECODER});
-  expectInputError(folderCalled(folder, "nonsense"), "without meaning");
-  expectInputError(folderCalled(folder, "noise"), "broke down");
+  const DecoderSettings decoder{MISBEHAVING_DECODER};
+  expectRefused(decoder, folderCalled(folder, "nonsense"), "without meaning");
+  expectRefused(decoder, folderCalled(folder, "noise"), "broke down");
 }
 
 TEST_CASE("without its decoder DICOM is refused, and the message names the program") {
   const TemporaryFolder folder;
-  const WithDecoder decoder({folder / "nothing-here"});
-  expectInputError(folderCalled(folder, "series"), "the decoder " + (folder / "nothing-here"));
+  const DecoderSettings decoder{folder / "nothing-here"};
+  expectRefused(decoder, folderCalled(folder, "series"), "the decoder " + (folder / "nothing-here"));
 }
 
 TEST_CASE("a reading that is cancelled ends at once and leaves no process") {
   const TemporaryFolder folder;
-  const WithDecoder decoder({MISBEHAVING_DECODER, 30});
+  const DecoderSettings decoder{MISBEHAVING_DECODER, 30};
   writeBytes(folder / "hang.tif", std::string("II*\0\0\0\0\0", 8));  // libtiff cannot be told to stop
   for (const std::string& path : {folderCalled(folder, "hang"), folder / "hang.tif"}) {
     INFO(path);
@@ -104,7 +103,8 @@ TEST_CASE("a reading that is cancelled ends at once and leaves no process") {
       cancelled = true;
     });
     const CancelScope scope(cancelled);
-    const double seconds = secondsOf([&] { CHECK_THROWS_AS(loadVolume(path), Cancelled); });
+    const double seconds =
+        secondsOf([&] { CHECK_THROWS_AS(loadVolume(path, {.decoder = decoder}), Cancelled); });
     user.join();
     CHECK(seconds < 5);
     expectNoChildren();
@@ -152,10 +152,7 @@ TEST_CASE("VTP meshes are read by the child process, whose death and hang are se
   const std::string path = folder / "mesh.vtp";
   writeMesh(sphere(Vec3(1, 2, 3), 4, 1), path);
   CHECK(readMesh(path).triangles.size() == 32);
-  {
-    const WithDecoder decoder({folder / "nothing-here"});
-    CHECK_THROWS_AS(readMesh(path), InputError);
-  }
+  CHECK_THROWS_AS(readMesh(path, {folder / "nothing-here"}), InputError);
   // Blocks of compressed data that claim to be larger than any memory.
   std::string bytes = readBytes(path);
   const auto data = bytes.find("_", bytes.find("<AppendedData"));

@@ -38,16 +38,16 @@ TEST_CASE("files of a set get their names together, or leave nothing and keep wh
   writeTextAtomically(folder / "a", "old");
   {
     FileSet set;
-    writeTextAtomically(folder / "a", "new");
-    writeTextAtomically(folder / "b", "new");
+    writeTextAtomically(folder / "a", "new", &set);
+    writeTextAtomically(folder / "b", "new", &set);
     CHECK(readBytes(folder / "a") == "old");
     CHECK_FALSE(fs::exists(folder / "b"));
   }
   CHECK(readBytes(folder / "a") == "old");
   CHECK(folder.fileCount() == 1);
   FileSet set;
-  writeTextAtomically(folder / "a", "new");
-  writeTextAtomically(folder / "b", "new");
+  writeTextAtomically(folder / "a", "new", &set);
+  writeTextAtomically(folder / "b", "new", &set);
   set.commit();
   CHECK(readBytes(folder / "a") == "new");
   CHECK(readBytes(folder / "b") == "new");

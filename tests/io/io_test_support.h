@@ -123,12 +123,13 @@ inline void expectAmong(const VolumeInfo& info, FindingKind kind, const std::str
 
 //! Reading and inspecting are refused alike (`onlyReading`: what only the voxels show), in one line that
 //! begins with the path and holds `cause`.
-inline void expectInputError(const std::string& path, const std::string& cause, bool onlyReading = false) {
+inline void expectInputError(const std::string& path, const std::string& cause, bool onlyReading = false,
+                             const DecoderSettings& decoder = {}) {
   INFO(path);
   std::string message;
   Finding finding;
   try {
-    readVolume(path);
+    readVolume(path, {.decoder = decoder});
   } catch (const InputError& e) {
     message = e.what();
     finding = findingOf(e);
@@ -138,7 +139,7 @@ inline void expectInputError(const std::string& path, const std::string& cause, 
   CHECK(message.find('\n') == std::string::npos);
   CHECK(hasKinds(finding));
   CHECK(sentence(finding) == message);
-  if (!onlyReading) CHECK_THROWS_AS(inspectVolume(path), InputError);
+  if (!onlyReading) CHECK_THROWS_AS(inspectVolume(path, {.decoder = decoder}), InputError);
 }
 
 //! A GIPL file of 16-bit voxels: everything in it is big-endian.

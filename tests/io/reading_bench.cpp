@@ -140,7 +140,6 @@ int main(int argc, char** argv) {
   if (argc < 2) return 2;
   const std::string folder = argv[1];
   const int slices = argc > 2 ? std::atoi(argv[2]) : 600;
-  handlebody::setDicomDecoder({HANDLEBODY_CLI});
   registerItkFormats();
   std::filesystem::create_directories(folder);
   {

@@ -11,7 +11,7 @@ constexpr double kScanPart = 0.2;
 class DecodedClient : public VolumeSource {
  public:
   DecodedClient(const OpenRequest& request, const ReadProgress& progress, bool* several)
-      : decoder_(request.path) {
+      : decoder_(request.path, request.selection.decoder) {
     decoder_.send(requestToMessage(request));
     const Message answer = decoder_.receive(progress, 0, kScanPart);
     try {

@@ -28,19 +28,15 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-DicomDecoder& settings() {
-  static DicomDecoder decoder;
-  return decoder;
-}
-
-std::string decoderProgram() {
-  if (!settings().program.empty()) return settings().program;
+std::string decoderProgram(const DecoderSettings& settings) {
+  if (!settings.program.empty()) return settings.program;
   std::error_code failed;
   const fs::path folder = fs::read_symlink("/proc/self/exe", failed).parent_path();
-  // In a build tree the tests lie two folders beside the programs.
-  const fs::path built = folder / "../../app/handlebody-cli";
-  const bool beside = fs::exists(folder / "handlebody-cli", failed);
-  return !beside && fs::exists(built, failed) ? built.string() : (folder / "handlebody-cli").string();
+  // In a build tree the tests lie two or three folders beside the programs.
+  for (const char* app : {"", "../../app", "../../../app"})
+    if (const fs::path program = folder / app / "handlebody-cli"; fs::exists(program, failed))
+      return program.string();
+  return (folder / "handlebody-cli").string();
 }
 
 //! Above the numbers that the child is to find, so that nothing is overwritten on the way.
@@ -86,11 +82,10 @@ template <typename Error>
 
 }  // namespace
 
-void setDicomDecoder(const DicomDecoder& decoder) { settings() = decoder; }
-
 //! By way of another constructor: so the destructor ends the child where this one throws.
-DecoderProcess::DecoderProcess(std::string path) : DecoderProcess(std::move(path), NotStarted{}) {
-  const std::string program = decoderProgram();
+DecoderProcess::DecoderProcess(std::string path, const DecoderSettings& settings)
+    : DecoderProcess(std::move(path), settings.patience, NotStarted{}) {
+  const std::string program = decoderProgram(settings);
   if (::access(program.c_str(), X_OK) != 0)
     refuseInput(path_, {FindingKind::decoderMissing, {{"program", program}}});
   start(program);
@@ -163,7 +158,7 @@ void DecoderProcess::refuseHang() {
 
 void DecoderProcess::waitForMessage() {
   constexpr double kSlowestDisk = 20e6;  // bytes per second
-  const double patience = settings().patience + static_cast<double>(bytes_) / kSlowestDisk;
+  const double patience = patience_ + static_cast<double>(bytes_) / kSlowestDisk;
   const auto end = Clock::now() + std::chrono::duration<double>(patience);
   while (Clock::now() < end) {
     pollfd waiting{socket_, POLLIN, 0};

@@ -10,7 +10,7 @@ namespace handlebody {
 class DecoderProcess {
  public:
   //! Starts it. Throws InputError (which begins with `path`) if the program is not there.
-  explicit DecoderProcess(std::string path);
+  DecoderProcess(std::string path, const DecoderSettings& settings);
   //! Kills it if it still runs.
   ~DecoderProcess();
   DecoderProcess(const DecoderProcess&) = delete;
@@ -27,7 +27,8 @@ class DecoderProcess {
 
  private:
   struct NotStarted {};
-  DecoderProcess(std::string path, NotStarted) : path_(std::move(path)) {}
+  DecoderProcess(std::string path, double patience, NotStarted)
+      : path_(std::move(path)), patience_(patience) {}
   void start(const std::string& program);
   void waitForMessage();
   void noteProgress(const Message& message, const ReadProgress& progress, double from, double to);
@@ -37,6 +38,7 @@ class DecoderProcess {
   //! That something went wrong with the whole, or with the file that came next.
   [[noreturn]] void refuseOn(FindingKind whole, FindingKind part, Finding::Values values = {}) const;
   std::string path_;
+  double patience_;          // DecoderSettings::patience
   std::string file_;         // which the child works on
   std::uint64_t bytes_ = 0;  // of it
   int child_ = -1, socket_ = -1, memory_ = -1;

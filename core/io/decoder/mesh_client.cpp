@@ -8,8 +8,8 @@
 
 namespace handlebody {
 
-MeshFile readVtp(const std::string& path) {
-  DecoderProcess decoder(path);
+MeshFile readVtp(const std::string& path, const DecoderSettings& settings) {
+  DecoderProcess decoder(path, settings);
   // Points and faces of packed data, VTK's own arrays of them and ours.
   constexpr std::uint64_t kForReading = 512u << 20, kTimesPacked = 64;
   decoder.allowMemory(kForReading + kTimesPacked * std::filesystem::file_size(path));

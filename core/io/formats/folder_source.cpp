@@ -57,9 +57,10 @@ std::vector<std::string> volumesIn(const std::string& folder) {
   return names;
 }
 
-SourcePointer openFrame(const std::string& path) {
+SourcePointer openFrame(const std::string& path, const DecoderSettings& decoder) {
   OpenRequest request;
   request.path = path;
+  request.selection.decoder = decoder;
   bool several = false;
   return openVolume(request, {}, &several);
 }
@@ -76,10 +77,11 @@ bool isSameGrid(const Grid& a, const Grid& b) {
 
 class FolderSource : public VolumeSource {
  public:
-  FolderSource(const std::string& folder, const std::vector<std::string>& names);
+  FolderSource(const std::string& folder, const std::vector<std::string>& names,
+               const DecoderSettings& decoder);
   std::shared_ptr<void> read(int frame, const std::string&, const ReadProgress& progress) override {
     const std::string& path = paths_[static_cast<std::size_t>(frame)];
-    const SourcePointer source = openFrame(path);
+    const SourcePointer source = openFrame(path, decoder_);
     requireSame(source->header(), path);
     return source->read(0, path, progress);
   }
@@ -90,12 +92,15 @@ class FolderSource : public VolumeSource {
  private:
   void requireSame(const VolumeHeader& other, const std::string& path) const;
   std::vector<std::string> paths_;
+  DecoderSettings decoder_;
 };
 
-FolderSource::FolderSource(const std::string& folder, const std::vector<std::string>& names) {
+FolderSource::FolderSource(const std::string& folder, const std::vector<std::string>& names,
+                           const DecoderSettings& decoder)
+    : decoder_(decoder) {
   for (const std::string& name : names) paths_.push_back((fs::path(folder) / name).string());
-  header_ = openFrame(paths_.front())->header();
-  for (const std::string& path : paths_) requireSame(openFrame(path)->header(), path);
+  header_ = openFrame(paths_.front(), decoder_)->header();
+  for (const std::string& path : paths_) requireSame(openFrame(path, decoder_)->header(), path);
   header_.frames = static_cast<int>(paths_.size());
   header_.format += " (a folder, one file per time point)";
 }
@@ -111,9 +116,9 @@ void FolderSource::requireSame(const VolumeHeader& other, const std::string& pat
 
 }  // namespace
 
-SourcePointer openVolumeFolder(const std::string& path) try {
+SourcePointer openVolumeFolder(const std::string& path, const DecoderSettings& decoder) try {
   const std::vector<std::string> names = volumesIn(path);
-  return names.empty() ? nullptr : std::make_unique<FolderSource>(path, names);
+  return names.empty() ? nullptr : std::make_unique<FolderSource>(path, names, decoder);
 } catch (const fs::filesystem_error&) {
   refuseInput(path, FindingKind::folderUnreadable);
 }

@@ -228,7 +228,8 @@ std::string collectionPath(const std::string& path) {
   return std::filesystem::path(path).replace_extension(".pvd").string();
 }
 
-void writeCollection(const std::string& path, const std::vector<int>& files, const TimeAxis& times) {
+void writeCollection(const std::string& path, const std::vector<int>& files, const TimeAxis& times,
+                     FileSet* set) {
   std::ostringstream out;
   out.precision(12);
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
@@ -243,7 +244,7 @@ void writeCollection(const std::string& path, const std::vector<int>& files, con
         << "\" part=\"0\" file=\"" << quoted << "\"/>\n";
   }
   out << "  </Collection>\n</VTKFile>\n";
-  writeTextAtomically(collectionPath(path), out.str());
+  writeTextAtomically(collectionPath(path), out.str(), set);
 }
 
 }  // namespace handlebody

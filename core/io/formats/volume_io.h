@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/io/decoder_settings.h"
 #include "core/io/formats/dicom_origin.h"
 #include "core/told_error.h"
 #include "core/volume/volume.h"
@@ -26,6 +27,7 @@ struct VolumeSelection {
   std::optional<int> frame{};           //!< time point of a 4D file, zero-based
   std::optional<Vec3> spacing{};        //!< mm, instead of the file's; for files that have none
   UnevenSlices uneven = UnevenSlices::resample;
+  DecoderSettings decoder{};  //!< of DICOM and TIFF; no part of what a session keeps
 };
 
 //! One image series or file, as found. The stacks of a series that are no one volume together (other size,
@@ -85,7 +87,7 @@ struct LoadedVolume {
 //! not supported, and UsageError for a frame or series that is not there. The type is the file's own; 64-bit
 //! integers become float64, scaled integers float32 or float64, colour (RGB, RGBA of 8 or 16 bits) luminance.
 //!
-//! DICOM is decoded in a child process (setDicomDecoder), whose crash, hang or hunger is an InputError.
+//! DICOM is decoded in a child process (DecoderSettings), whose crash, hang or hunger is an InputError.
 //!
 //! inspectVolume reads no voxels. A folder with several series of which none is chosen is listed: frames is 0
 //! and the grid empty, where readVolume and loadVolume throw SeriesChoiceNeeded. A series of two pitches one
@@ -108,16 +110,8 @@ Grid checkedGrid(const Grid& grid, VoxelType type, const std::string& name);
 //! above.
 LoadedVolume fillVolume(const Grid& grid, VoxelType type, const std::string& name,
                         const std::function<void(void*)>& fill);
-//! The program that decodes DICOM volumes and VTP meshes, and how long it may go without a sign of life.
-struct DicomDecoder {
-  //! Started as `program decode-dicom`. Empty: handlebody-cli in the folder of the running program (in a
-  //! build tree, ../../app from it).
-  std::string program{};
-  double patience = 8;  //!< seconds for one image, and for every 100 MB of its file 5 more
-};
-//! For all readings that begin later. Not while another thread reads.
-void setDicomDecoder(const DicomDecoder& decoder);
-//! What that program does; returns its exit code. Talks on file descriptor 3, fills the memory behind 4.
+//! What the program of DecoderSettings does; returns its exit code. Talks on file descriptor 3, fills the
+//! memory behind 4.
 int runDicomDecoder();
 
 //! Writes by extension (.nii.gz .nii .nrrd .mha), compressed except .nii, whole or not at all; what was

@@ -92,7 +92,8 @@ SourcePointer openFile(const OpenRequest& request, const ReadProgress& progress,
 SourcePointer openVolume(const OpenRequest& request, const ReadProgress& progress, bool* several) {
   std::error_code failed;
   const bool isFolder = fs::is_directory(request.path, failed);
-  SourcePointer source = isFolder ? openVolumeFolder(request.path) : openFile(request, progress, several);
+  SourcePointer source = isFolder ? openVolumeFolder(request.path, request.selection.decoder)
+                                  : openFile(request, progress, several);
   if (!source) return openDicom(request, progress, several);
   if (request.selection.series && source->header().format != "DICOM")
     throw UsageError(request.path + ": --series is for DICOM, this is " + source->header().format + ".");

@@ -113,8 +113,9 @@ SourcePointer openDicom(const OpenRequest& request, const ReadProgress& progress
 
 //! A folder of 3D volumes as the time points of one, in the order of their names, numbers by value. Null if
 //! it holds other files than volumes that are told by their ending (.nii .nii.gz .nrrd .nhdr .mha .mhd, with
-//! their data files), or none. Throws InputError for volumes that do not go together.
-SourcePointer openVolumeFolder(const std::string& path);
+//! their data files), or none. `decoder` is for those that hold something else than their name says. Throws
+//! InputError for volumes that do not go together.
+SourcePointer openVolumeFolder(const std::string& path, const DecoderSettings& decoder);
 
 //! Finds the format by content and opens; `several` as for openDicom.
 SourcePointer openVolume(const OpenRequest& request, const ReadProgress& progress, bool* several);

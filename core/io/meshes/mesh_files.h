@@ -50,7 +50,7 @@ class VtkSilence {
 };
 
 //! VTP through VTK, in a child process: its reader crashes on some damaged files.
-MeshFile readVtp(const std::string& path);
+MeshFile readVtp(const std::string& path, const DecoderSettings& settings);
 //! The same in this process.
 MeshFile readVtpHere(const std::string& path);
 

@@ -6,11 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "core/io/decoder_settings.h"
 #include "core/mesh/mesh.h"
 #include "core/solid/rasterize.h"
 #include "core/volume/volume.h"
 
 namespace handlebody {
+
+class FileSet;
 
 //! Coordinates in a mesh file; RAS turns x and y. Written into the file where the format has a place for it.
 enum class CoordinateSpace { lps, ras };
@@ -36,8 +39,10 @@ struct MeshPart {
 //!
 //! `parts`: the objects of the mesh, if there are several. .obj holds each as a group, .vtp its label per
 //! face (and names and labels as field data), .ply its colour per face; .stl has no place for them.
+//! `set`: gets its name with the others of it (atomic_file.h).
 void writeMesh(const TriangleSoup& mesh, const std::string& path,
-               CoordinateSpace space = CoordinateSpace::lps, const std::vector<MeshPart>& parts = {});
+               CoordinateSpace space = CoordinateSpace::lps, const std::vector<MeshPart>& parts = {},
+               FileSet* set = nullptr);
 
 //! Writes .vtp alone, with a value per point in an array of that name (single precision, the active scalars).
 //! Throws as writeMesh.
@@ -45,7 +50,7 @@ void writeMeshWithValues(const TriangleSoup& mesh, const std::vector<double>& va
                          const std::string& path);
 
 //! Reads .stl .vtp .ply .obj .stl.dcm; STL vertices with equal coordinates are merged. RAS files that say so
-//! come back as LPS. Throws InputError.
-TriangleSoup readMesh(const std::string& path);
+//! come back as LPS. `decoder` reads .vtp. Throws InputError.
+TriangleSoup readMesh(const std::string& path, const DecoderSettings& decoder = {});
 
 }  // namespace handlebody

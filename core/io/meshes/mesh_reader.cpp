@@ -202,12 +202,12 @@ MeshFile readVtpHere(const std::string& path) {
 
 namespace {
 
-MeshFile readAny(const std::string& path) {
+MeshFile readAny(const std::string& path, const DecoderSettings& decoder) {
   const std::string name = lowered(path);
   if (name.ends_with(".stl.dcm")) return readDicomStl(path);
   if (name.ends_with(".stl")) return readStl(path);
   if (name.ends_with(".ply")) return readPly(path);
-  if (name.ends_with(".vtp")) return readVtp(path);
+  if (name.ends_with(".vtp")) return readVtp(path, decoder);
   return readObj(path);
 }
 
@@ -217,7 +217,7 @@ bool isMeshInputPath(const std::string& path) {
   return isMeshPath(path) || lowered(path).ends_with(".stl.dcm");
 }
 
-TriangleSoup readMesh(const std::string& path) {
+TriangleSoup readMesh(const std::string& path, const DecoderSettings& decoder) {
   std::error_code failed;
   if (!fs::exists(path, failed)) refuse(path, FindingKind::noSuchFile);
   if (!fs::is_regular_file(path, failed)) refuse(path, FindingKind::notAFile);
@@ -227,7 +227,7 @@ TriangleSoup readMesh(const std::string& path) {
   const VtkSilence silence;
   MeshFile file;
   try {
-    file = readAny(path);
+    file = readAny(path, decoder);
   } catch (const std::bad_alloc&) {
     refuse(path, FindingKind::notEnoughMemory);
   }

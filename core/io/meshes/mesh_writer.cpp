@@ -150,10 +150,10 @@ bool arrived(const MeshFile& file, const std::string& temporary) {
   }
 }
 
-void writeWhole(const MeshFile& file, const std::string& path) {
+void writeWhole(const MeshFile& file, const std::string& path, FileSet* set) {
   for (const Vec3& p : file.mesh.points)
     if (!p.allFinite()) refuseOutput(path, FindingKind::badCoordinate);
-  writeAtomically(path, [&](const std::string& temporary) {
+  const auto write = [&](const std::string& temporary) {
     const VtkSilence silence;
     bool written = false;
     try {
@@ -162,7 +162,8 @@ void writeWhole(const MeshFile& file, const std::string& path) {
       // Said below, with the right name.
     }
     if (!written) refuseOutput(path, FindingKind::notOnDisk);
-  });
+  };
+  writeAtomically(path, write, set);
 }
 
 }  // namespace
@@ -173,19 +174,19 @@ bool isMeshPath(const std::string& path) {
 }
 
 void writeMesh(const TriangleSoup& mesh, const std::string& path, CoordinateSpace space,
-               const std::vector<MeshPart>& parts) {
+               const std::vector<MeshPart>& parts, FileSet* set) {
   if (!isMeshPath(path)) throw UsageError(path + ": meshes are written as .stl, .vtp, .ply or .obj.");
   MeshFile file{mesh, space};
   file.parts = parts;
   if (space == CoordinateSpace::ras)
     for (Vec3& p : file.mesh.points) p = Vec3(-p.x(), -p.y(), p.z());  // a rotation: the winding stays
-  writeWhole(file, path);
+  writeWhole(file, path, set);
 }
 
 void writeMeshWithValues(const TriangleSoup& mesh, const std::vector<double>& values, const std::string& name,
                          const std::string& path) {
   if (endingOf(path) != ".vtp") throw UsageError(path + ": a mesh with values is written as .vtp.");
-  writeWhole({mesh, CoordinateSpace::lps, values, name}, path);
+  writeWhole({mesh, CoordinateSpace::lps, values, name}, path, nullptr);
 }
 
 }  // namespace handlebody

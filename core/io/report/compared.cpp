@@ -62,8 +62,9 @@ std::optional<double> volumeDifferencePercent(const ComparedPair& p) {
 
 }  // namespace
 
-LoadedVolume readLabels(const std::string& path, std::vector<Finding>& warnings) {
-  LoadedVolume loaded = loadVolume(path);
+LoadedVolume readLabels(const std::string& path, std::vector<Finding>& warnings,
+                        const DecoderSettings& decoder) {
+  LoadedVolume loaded = loadVolume(path, {.decoder = decoder});
   for (const Finding& w : loaded.info.warnings)
     warnings.push_back({FindingKind::ofFile, {{"file", path}}, w});
   if (!holdsWholeNumbers(loaded.volume)) refuseInput(path, FindingKind::notWholeNumbers);
@@ -83,10 +84,10 @@ ComparedObject comparedLabels(const std::string& name, const Volume& labels, std
   throw InputError(name + ": it " + error.what() + ".");
 }
 
-ComparedObject readCompared(const std::string& path, std::optional<int> label,
-                            std::vector<Finding>& warnings) {
-  if (isMeshInputPath(path)) return comparedMesh(path, readMesh(path));
-  return comparedLabels(path, readLabels(path, warnings).volume, label);
+ComparedObject readCompared(const std::string& path, std::optional<int> label, std::vector<Finding>& warnings,
+                            const DecoderSettings& decoder) {
+  if (isMeshInputPath(path)) return comparedMesh(path, readMesh(path, decoder));
+  return comparedLabels(path, readLabels(path, warnings, decoder).volume, label);
 }
 
 void compare(ComparedPair& pair, const ComparisonOptions& how) {

@@ -25,7 +25,8 @@ struct ComparedPair {
 
 //! A label map, with the warnings of its file added to `warnings`. Throws InputError, also if a voxel is no
 //! whole number.
-LoadedVolume readLabels(const std::string& path, std::vector<Finding>& warnings);
+LoadedVolume readLabels(const std::string& path, std::vector<Finding>& warnings,
+                        const DecoderSettings& decoder = {});
 
 //! A mesh, as it is called. Throws InputError if its triangles have no area.
 ComparedObject comparedMesh(const std::string& name, TriangleSoup mesh);
@@ -34,8 +35,8 @@ ComparedObject comparedMesh(const std::string& name, TriangleSoup mesh);
 ComparedObject comparedLabels(const std::string& name, const Volume& labels, std::optional<int> label);
 
 //! A mesh or label map, by the ending of its path. Throws InputError.
-ComparedObject readCompared(const std::string& path, std::optional<int> label,
-                            std::vector<Finding>& warnings);
+ComparedObject readCompared(const std::string& path, std::optional<int> label, std::vector<Finding>& warnings,
+                            const DecoderSettings& decoder = {});
 
 //! Fills `found` and adds its warnings. Throws as compare.
 void compare(ComparedPair& pair, const ComparisonOptions& how);

@@ -22,10 +22,10 @@ void writeFrameMeshes(const OverTimeReport& over, CoordinateSpace space, const s
   for (const FrameResult& r : over.frames) {
     giveUpIfCancelled();
     if (r.mesh.triangles.empty()) continue;
-    writeMesh(r.mesh, numberedPath(path, r.frame), space);
+    writeMesh(r.mesh, numberedPath(path, r.frame), space, {}, &files);
     written.push_back(r.frame);
   }
-  if (hasCollection(path)) writeCollection(path, written, over.times);
+  if (hasCollection(path)) writeCollection(path, written, over.times, &files);
   giveUpIfCancelled();
   files.commit();
 }

@@ -113,14 +113,15 @@ Mask maskIn(const std::string& path, const Volume& labels, std::optional<int> la
 }
 
 //! By label; 0: all together.
-std::map<int, ReadStart> readFile(const FileKey& key, const std::optional<int>& label) {
+std::map<int, ReadStart> readFile(const FileKey& key, const std::optional<int>& label,
+                                  const DecoderSettings& decoder) {
   const std::string hash = sha256OfPath(key.path);
   if (isMeshInputPath(key.path)) {
     if (label) refuseStart(key.path, K::meshWithoutLabels);
-    return {{0, readStart(key.path, hash, readMesh(key.path))}};
+    return {{0, readStart(key.path, hash, readMesh(key.path, decoder))}};
   }
   std::vector<Finding> warnings;
-  const Volume labels = readLabels(key.path, warnings).volume;
+  const Volume labels = readLabels(key.path, warnings, decoder).volume;
   std::vector<int> values = key.among;
   if (values.empty()) values.push_back(label.value_or(0));
   std::vector<Mask> masks;
@@ -184,7 +185,10 @@ void loadStarts(const std::vector<Session*>& sessions) {
       const FileKey file{start.path, start.among};
       const int alone = start.among.empty() ? start.label.value_or(0) : 0;
       auto at = known.find({file, alone});
-      if (at == known.end()) at = known.emplace(std::pair(file, alone), readFile(file, start.label)).first;
+      if (at == known.end()) {
+        auto read = readFile(file, start.label, session->volume.selection.decoder);
+        at = known.emplace(std::pair(file, alone), std::move(read)).first;
+      }
       take(start, at->second);
     });
 }

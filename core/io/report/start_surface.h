@@ -16,7 +16,8 @@ namespace handlebody {
 //! in their changes. Those of one label map that name the same labels (`among`) become surfaces together;
 //! where they have none, and several are of the same label map, they get them. Throws InputError that names
 //! the file: it cannot be read, is not the one that the session was made with, fails its certificate, holds
-//! no voxel of that value, or two of them meet. Takes long: gives up when that is wished (cancellation.h).
+//! no voxel of that value, or two of them meet. Each decodes as its volume (VolumeSelection::decoder). Takes
+//! long: gives up when that is wished (cancellation.h).
 void loadStarts(const std::vector<Session*>& sessions);
 void loadStarts(Session& session);
 

@@ -26,11 +26,12 @@ bool isSamePlace(const Grid& a, const Grid& b) {
   return true;
 }
 
-void load(Constraints& constraints, const Grid& grid, std::map<std::string, WallMap>& known) {
+void load(Constraints& constraints, const Grid& grid, const DecoderSettings& decoder,
+          std::map<std::string, WallMap>& known) {
   std::optional<WallMap>& map = constraints.walls.map;
   if (!map || map->voxels) return;
   auto at = known.find(map->path);
-  if (at == known.end()) at = known.emplace(map->path, readWallMap(map->path, grid)).first;
+  if (at == known.end()) at = known.emplace(map->path, readWallMap(map->path, grid, decoder)).first;
   if (!map->sha256.empty() && map->sha256 != at->second.sha256)
     throw Told<InputError>(Finding(FindingKind::wallsChanged, {{"file", map->path}}));
   map = at->second;
@@ -38,9 +39,9 @@ void load(Constraints& constraints, const Grid& grid, std::map<std::string, Wall
 
 }  // namespace
 
-WallMap readWallMap(const std::string& path, const Grid& grid) {
+WallMap readWallMap(const std::string& path, const Grid& grid, const DecoderSettings& decoder) {
   WallMap map{path, sha256OfPath(path), nullptr};
-  const Volume labels = readVolume(path);
+  const Volume labels = readVolume(path, {.decoder = decoder});
   if (labels.grid.size != grid.size)
     throw Told<InputError>(
         Finding(FindingKind::wallsOtherSize,
@@ -59,14 +60,17 @@ WallMap readWallMap(const std::string& path, const Grid& grid) {
 
 void loadWalls(Session& session, const Grid& grid) {
   std::map<std::string, WallMap> known;
-  load(session.constraints, grid, known);
+  const auto loadThose = [&](Constraints& constraints) {
+    load(constraints, grid, session.volume.selection.decoder, known);
+  };
+  loadThose(session.constraints);
   for (ParameterChange& change : session.changes)
-    if (change.constraints) load(*change.constraints, grid, known);
+    if (change.constraints) loadThose(*change.constraints);
   if (!session.overTime) return;
   for (FrameCorrection& c : session.overTime->corrections) {
-    load(c.request.constraints, grid, known);
+    loadThose(c.request.constraints);
     for (ParameterChange& change : c.changes)
-      if (change.constraints) load(*change.constraints, grid, known);
+      if (change.constraints) loadThose(*change.constraints);
   }
 }
 

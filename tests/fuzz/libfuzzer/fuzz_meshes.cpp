@@ -8,7 +8,7 @@
 
 namespace handlebody {
 
-MeshFile readVtp(const std::string& path) { refuseInput(path, "not here"); }
+MeshFile readVtp(const std::string& path, const DecoderSettings&) { refuseInput(path, "not here"); }
 bool isMeshPath(const std::string&) { return true; }  // stands beside the writers
 
 }  // namespace handlebody

@@ -152,7 +152,6 @@ TEST_CASE("the labels of a map become objects with names and values of their own
 
 TEST_CASE("the segments of a file become objects with the names, colours and terms that it has for them",
           "[objects][opened]") {
-  setDicomDecoder({HANDLEBODY_CLI});
   OpeningWork work;
   const Vec3 aside(9, 0, 0);
   // The second is as one that nobody has named or coloured.

@@ -162,7 +162,6 @@ class AnonymousWindowTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { setDicomDecoder({HANDLEBODY_CLI}); }
   void noFileThatIsExportedNamesThePatient();
   void norDoesWhatIsSavedOfMeasures();
   void norDoesTheCurveOfFramesThatCannotBeRead();

@@ -53,7 +53,6 @@ class WindowTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { setDicomDecoder({HANDLEBODY_CLI}); }
   void aClickAndReturnPlaceASeedAndSpaceGrowsItIntoARing();
   void steppingBackIsExactAndANewParameterGoesOnFromThere();
   void anEventIsInspectedInItsStages();
