@@ -19,8 +19,8 @@ inline int threadCount(int wanted) {
 }
 
 //! Calls f(i) once for each i below `n`, on up to `threads` threads, this one among them. What one of them
-//! throws is thrown here once all have ended; those not begun by then are left out. All notice a wish to
-//! cancel.
+//! throws is thrown here once all have ended; those not begun by then are left out. All have the
+//! stop token of this one (CancelScope).
 template <typename F>
 void forEachOnThreads(std::size_t n, int threads, F&& f) {
   std::atomic<std::size_t> next{0};
@@ -38,10 +38,9 @@ void forEachOnThreads(std::size_t n, int threads, F&& f) {
   {
     std::vector<std::jthread> others;
     const std::size_t most = std::min(n, static_cast<std::size_t>(std::max(1, threads)));
-    const std::atomic<bool>* wish = detail::wish;
     for (std::size_t t = 1; t < most; ++t)
-      others.emplace_back([&work, wish] {
-        detail::wish = wish;
+      others.emplace_back([&work, cancelled = CancelScope::current()] {
+        const CancelScope scope(cancelled);
         work();
       });
     work();

@@ -49,7 +49,7 @@ py::object comparison(const py::object& a, const py::object& b, std::optional<in
              second = sideFrom(b, "b", labelB ? labelB : label);
   const DecoderSettings decoder = decoderToUse();
   ComparedPair pair;
-  withoutLock([&](const std::atomic<bool>&) {
+  withoutLock([&] {
     const std::lock_guard lock(filesMutex());
     pair.a = comparedSide(first, decoder, pair.warnings);
     pair.b = comparedSide(second, decoder, pair.warnings);

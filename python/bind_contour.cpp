@@ -20,7 +20,7 @@ using ContourPointer = std::shared_ptr<Contour>;
 template <typename F>
 void with(const Contour& contour, F&& work) {
   const std::unique_lock held = contour.hold();
-  withoutLock([&](const std::atomic<bool>&) { work(); });
+  withoutLock([&] { work(); });
 }
 
 ContourPointer contourFrom(const VolumePointer& volume, const py::kwargs& options) {
@@ -33,8 +33,7 @@ ContourPointer contourFrom(const VolumePointer& volume, const py::kwargs& option
   session.constraints = std::move(asked.constraints);
   session.volume.selection.decoder = decoderToUse();
   ContourPointer contour;
-  withoutLock(
-      [&](const std::atomic<bool>&) { contour = std::make_shared<Contour>(volume, std::move(session)); });
+  withoutLock([&] { contour = std::make_shared<Contour>(volume, std::move(session)); });
   return contour;
 }
 

@@ -21,7 +21,7 @@ std::mutex& certificateMutex() {
 }
 
 py::object certificateOf(const PythonMesh& mesh) {
-  withoutLock([&](const std::atomic<bool>&) {
+  withoutLock([&] {
     const std::lock_guard lock(certificateMutex());
     mesh.certificate();
   });
@@ -31,7 +31,7 @@ py::object certificateOf(const PythonMesh& mesh) {
 py::array labelMapOf(const PythonMesh& mesh, const py::object& on) {
   const Grid grid = gridOf(on);
   Volume labels;
-  withoutLock([&](const std::atomic<bool>&) {
+  withoutLock([&] {
     const std::lock_guard lock(certificateMutex());
     labels = mesh.labelMap(grid);
   });
@@ -40,7 +40,7 @@ py::array labelMapOf(const PythonMesh& mesh, const py::object& on) {
 
 py::object measureMesh(const PythonMesh& mesh, const VolumePointer& volume) {
   ObjectMeasures measures;
-  withoutLock([&](const std::atomic<bool>&) {
+  withoutLock([&] {
     const std::lock_guard lock(certificateMutex());
     mesh.requireBody("measure");
     measures = objectMeasures(*mesh.soup(), volume ? &volume->loaded.volume : nullptr);
@@ -51,7 +51,7 @@ py::object measureMesh(const PythonMesh& mesh, const VolumePointer& volume) {
 void saveMesh(const PythonMesh& mesh, const py::object& to, const VolumePointer& volume,
               const std::string& space, const std::string& name, int label) {
   const std::string path = pathOf(to);
-  withoutLock([&](const std::atomic<bool>&) {
+  withoutLock([&] {
     const std::lock_guard lock(filesMutex());
     save(*mesh.soup(), volume ? &volume->loaded.info : nullptr, {path}, {space, name, label});
   });
@@ -61,7 +61,7 @@ MeshPointer readMeshOf(const py::object& from) {
   const std::string path = pathOf(from);
   const DecoderSettings decoder = decoderToUse();
   MeshPointer mesh;
-  withoutLock([&](const std::atomic<bool>&) {
+  withoutLock([&] {
     const std::lock_guard lock(filesMutex());
     mesh = std::make_shared<PythonMesh>(readMesh(path, decoder));
   });

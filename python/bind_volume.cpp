@@ -102,7 +102,7 @@ VolumePointer readVolumeOf(const py::object& path, const py::object& series, std
     throw UsageError("--uneven: '" + uneven + "' is not resample or refuse.");
   if (uneven == "refuse") reference.selection.uneven = UnevenSlices::refuse;
   auto volume = std::make_shared<PythonVolume>();
-  withoutLock([&](const std::atomic<bool>&) {
+  withoutLock([&] {
     const std::lock_guard lock(filesMutex());
     reference.sha256 = sha256OfPath(reference.path);
     volume->loaded = loadVolume(reference.path, reference.selection);
@@ -115,7 +115,7 @@ VolumePointer readVolumeOf(const py::object& path, const py::object& series, std
 void saveVolume(const PythonVolume& volume, const py::object& to) {
   const std::string path = pathOf(to);
   requireOther(path, volume.reference.path);
-  withoutLock([&](const std::atomic<bool>&) {
+  withoutLock([&] {
     const std::lock_guard lock(filesMutex());
     writeVolume(volume.loaded.volume, path);
   });
@@ -234,7 +234,7 @@ PythonPhantom phantomOf(const std::string& name, const std::array<int, 3>& size,
   options.gapVoxels = gap;
   options.randomSeed = randomSeed;
   Phantom made;
-  withoutLock([&](const std::atomic<bool>&) { made = makePhantom(name, options); });
+  withoutLock([&] { made = makePhantom(name, options); });
   return {made.name,
           volumeOf(made.volume, name),
           volumeOf(made.truth, name),

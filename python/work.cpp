@@ -2,6 +2,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <atomic>
 #include <chrono>
 #include <exception>
 #include <future>
@@ -27,14 +28,14 @@ std::optional<py::error_already_set> raisedBySignal() {
 
 }  // namespace
 
-void withoutLock(const std::function<void(const std::atomic<bool>& cancelled)>& work) {
+void withoutLock(const std::function<void()>& work) {
   std::atomic<bool> cancelled{false};
   std::optional<py::error_already_set> raised;
   {
     const py::gil_scoped_release unlocked;
     std::future<void> end = std::async(std::launch::async, [&] {
       const CancelScope scope(cancelled);
-      work(cancelled);
+      work();
     });
     while (end.wait_for(kBetweenLooks) != std::future_status::ready && !raised)
       if (raised = raisedBySignal(); raised) cancelled = true;

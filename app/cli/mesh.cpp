@@ -115,7 +115,7 @@ int mesh(const MeshOptions& o) {
   const std::optional<PolishReport> polished = polish(made, loaded.volume.grid, o);
   {
     const DeferSignals whole;
-    const CancelScope scope(DeferSignals::wish());
+    const CancelScope scope(DeferSignals::stopToken());
     const ObjectLabel label = chosenLabel(o.object, labelledAs(labelIn(o.labels, o.label), {}));
     writeResults({{label, made.mesh}}, context, o.results);
   }

@@ -83,6 +83,7 @@ void checkResultExtension(const OutputFile& file) {
 namespace {
 
 constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
+// A handler is given nothing but the number of the signal.
 volatile std::sig_atomic_t receivedSignal = 0;
 std::atomic<bool> isReceived{false};
 static_assert(std::atomic<bool>::is_always_lock_free);  // a signal's handler sets it
@@ -104,7 +105,7 @@ DeferSignals::DeferSignals() {
 
 bool DeferSignals::isPending() { return receivedSignal != 0; }
 
-const std::atomic<bool>& DeferSignals::wish() { return isReceived; }
+const std::atomic<bool>& DeferSignals::stopToken() { return isReceived; }
 
 DeferSignals::~DeferSignals() {
   for (std::size_t i = 0; i < kSignals.size(); ++i) std::signal(kSignals[i], previous_[i]);

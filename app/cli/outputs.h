@@ -39,7 +39,7 @@ class DeferSignals {
   //! One came.
   static bool isPending();
   //! The same, for a CancelScope: work that takes long need not be waited for.
-  static const std::atomic<bool>& wish();
+  static const std::atomic<bool>& stopToken();
 
  private:
   std::array<void (*)(int), 3> previous_{};

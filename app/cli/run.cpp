@@ -224,7 +224,7 @@ ExportContext contextOf(const RunReport& report, const RunOutputs& outputs) {
 
 void writeObjects(const std::vector<ExportedObject>& objects, const RunReport& report,
                   const RunOutputs& outputs) {
-  const CancelScope scope(DeferSignals::wish());
+  const CancelScope scope(DeferSignals::stopToken());
   const ExportContext context = contextOf(report, outputs);
   std::vector<std::string> together;
   for (const ResultFile& file : outputs.files)

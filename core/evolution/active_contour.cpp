@@ -1,7 +1,6 @@
 #include "core/evolution/active_contour.h"
 
 #include <algorithm>
-#include <atomic>
 #include <tuple>
 
 #include "core/cancellation.h"
@@ -137,8 +136,7 @@ Event ActiveContour::State::rolledBack(const Vec3& place, Finding reason) const 
 
 //! For leaks. The step has been made: it is not to be cancelled any more.
 void ActiveContour::State::watch(const Attempt& kept, StepReport& report) {
-  static const std::atomic<bool> never{false};
-  const CancelScope scope(never);
+  const CancelScope scope(nullptr);
   std::vector<Vec3> starts;
   for (const Seed& s : seedsOfSide(parameters.seeds, false)) starts.push_back(s.centre);
   report.leaks = alarm.look(mesh, kept.moving, {*object.image, walls.all().get(), starts, iteration});

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <thread>
 
 #include "core/evolution/normal_profile.h"
+#include "core/threads.h"
 
 namespace handlebody {
 
@@ -107,11 +107,9 @@ std::vector<Vec3> computeMotion(const Mesh& mesh, const ObjectImage& image, cons
   };
   const std::size_t threads = std::clamp<std::size_t>(
       vertices.size() / kVerticesPerThread, 1, static_cast<std::size_t>(std::max(1, settings.threads)));
-  std::vector<std::jthread> others;
-  for (std::size_t t = 1; t < threads; ++t)
-    others.emplace_back(work, t * vertices.size() / threads, (t + 1) * vertices.size() / threads);
-  work(0, vertices.size() / threads);
-  others.clear();
+  forEachOnThreads(threads, static_cast<int>(threads), [&](std::size_t t) {
+    work(t * vertices.size() / threads, (t + 1) * vertices.size() / threads);
+  });
   return moves;
 }
 

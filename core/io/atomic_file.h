@@ -21,7 +21,7 @@ Finding systemFinding(int error);
 //! writer can choose its format by it) and then renames that file to `path`. If anything fails or throws, the
 //! temporary file is removed and what was at `path` before stays. Throws OutputError (which names `path`) if
 //! the file cannot be created or renamed, and whatever `write` throws.
-//! With `set` it is renamed by FileSet::commit.
+//! With `set` it is FileSet::commit that renames it.
 void writeAtomically(const std::string& path, const std::function<void(const std::string& temporary)>& write,
                      FileSet* set = nullptr);
 

@@ -33,7 +33,7 @@ TEST_CASE("what a piece of work throws arrives, whichever thread it was on") {
                       std::runtime_error);
 }
 
-TEST_CASE("a wish to cancel reaches every thread") {
+TEST_CASE("every thread that helps is cancelled") {
   const std::atomic<bool> cancelled{true};
   const CancelScope scope(cancelled);
   std::atomic<int> done{0};
@@ -44,4 +44,14 @@ TEST_CASE("a wish to cancel reaches every thread") {
                                    }),
                   Cancelled);
   CHECK(done == 0);
+}
+
+TEST_CASE("work that is not to be cancelled is not, on any thread, though what it is a part of is") {
+  const std::atomic<bool> cancelled{true};
+  const CancelScope scope(cancelled);
+  {
+    const CancelScope never(nullptr);
+    CHECK_NOTHROW(forEachOnThreads(100, 4, [](std::size_t) { giveUpIfCancelled(); }));
+  }
+  CHECK_THROWS_AS(giveUpIfCancelled(), Cancelled);
 }

@@ -8,6 +8,9 @@
 
 #include "core/cancellation.h"
 #include "core/io/meshes/mesh_io.h"
+#include "core/io/report/compared.h"
+#include "core/io/report/start_surface.h"
+#include "core/io/report/wall_map.h"
 #include "tests/io/dicom_test_support.h"
 #include "tests/io/mesh_test_support.h"
 
@@ -89,6 +92,22 @@ TEST_CASE("without its decoder DICOM is refused, and the message names the progr
   const TemporaryFolder folder;
   const DecoderSettings decoder{folder / "nothing-here"};
   expectRefused(decoder, folderCalled(folder, "series"), "the decoder " + (folder / "nothing-here"));
+}
+
+TEST_CASE("what belongs to a session is decoded as its volume") {
+  const TemporaryFolder folder;
+  const DecoderSettings decoder{folder / "nothing-here"};
+  const std::string series = folderCalled(folder, "series"), mesh = folder / "mesh.vtp";
+  writeMesh(sphere(Vec3(1, 2, 3), 4, 1), mesh);
+  Session session;
+  session.volume.selection.decoder = decoder;
+  session.constraints.walls.map = WallMap{series, {}, nullptr};
+  session.constraints.start.emplace().path = mesh;
+  CHECK_THROWS_WITH(loadWalls(session, obliqueGrid()), Contains(decoder.program));
+  CHECK_THROWS_WITH(loadStarts(session), Contains(decoder.program));
+  std::vector<Finding> warnings;
+  for (const std::string& path : {series, mesh})
+    CHECK_THROWS_WITH(readCompared(path, {}, warnings, decoder), Contains(decoder.program));
 }
 
 TEST_CASE("a reading that is cancelled ends at once and leaves no process") {

@@ -54,6 +54,13 @@ TEST_CASE("files of a set get their names together, or leave nothing and keep wh
   CHECK(folder.fileCount() == 2);
 }
 
+TEST_CASE("a file that is of no set gets its name at once, whatever sets there are") {
+  const TemporaryFolder folder;
+  const FileSet set;
+  writeTextAtomically(folder / "a", "alone");
+  CHECK(readBytes(folder / "a") == "alone");
+}
+
 TEST_CASE("meshes of frames of which one cannot be written leave those of before") {
   const TemporaryFolder folder;
   OverTimeReport over = ballsOverTime();

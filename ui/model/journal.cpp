@@ -22,14 +22,14 @@ QString lockOf(const QString& path) { return path + QLatin1String(".lock"); }
 void write(const std::vector<Session>& objects, const std::string& path) try {
   writeSessions(objects, path);
 } catch (const std::exception& error) {
-  static std::atomic<bool> said{false};
+  static std::atomic<bool> said{false};  // as stderr is one for all journals
   if (!said.exchange(true)) std::fprintf(stderr, "handlebody: no journal is kept: %s\n", error.what());
 }
 
 }  // namespace
 
 Journal::Journal() {
-  static std::atomic<int> count{0};
+  static std::atomic<int> count{0};  // of the process: two journals of one second must not share a file
   const QDir dir = folder();
   dir.mkpath(QLatin1String("."));
   const QString stamp = QDateTime::currentDateTimeUtc().toString(QLatin1String("yyyyMMdd-HHmmss"));

@@ -36,7 +36,8 @@ struct OpeningFailed {
 
 using OpeningResult = std::variant<OpenedWork, SeriesChoice, OpeningFailed>;
 
-//! To be held while a volume is read: the libraries below are not for several threads at once.
+//! To be held while a volume is read: the libraries below are not for several threads at once,
+//! whichever documents these work for.
 std::mutex& readingVolumes();
 
 //! True for the ending of sessions and reports.

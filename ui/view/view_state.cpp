@@ -69,7 +69,7 @@ void ViewState::setDistances(std::shared_ptr<const DistanceColours> distances) {
 }
 
 int ViewState::nextGesture() {
-  static int last = 0;
+  static int last = 0;  // of the GUI thread, for all windows: documents only compare it
   return ++last;
 }
 

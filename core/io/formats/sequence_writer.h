@@ -34,8 +34,8 @@ std::string numberedPath(const std::string& path, int frame);
 std::string collectionPath(const std::string& path);
 
 //! ParaView's list of files, each with its time (ms; where none is known, the number of the frame). `files`:
-//! numbers of frames whose file is numberedPath(path). `set`: gets its name with the others of it
-//! (atomic_file.h). Throws OutputError.
+//! numbers of frames whose file is numberedPath(path). With `set` the list gets its name by
+//! FileSet::commit (atomic_file.h). Throws OutputError.
 void writeCollection(const std::string& path, const std::vector<int>& files, const TimeAxis& times,
                      FileSet* set = nullptr);
 

@@ -39,7 +39,7 @@ struct MeshPart {
 //!
 //! `parts`: the objects of the mesh, if there are several. .obj holds each as a group, .vtp its label per
 //! face (and names and labels as field data), .ply its colour per face; .stl has no place for them.
-//! `set`: gets its name with the others of it (atomic_file.h).
+//! With `set` the file gets its name by FileSet::commit (atomic_file.h).
 void writeMesh(const TriangleSoup& mesh, const std::string& path,
                CoordinateSpace space = CoordinateSpace::lps, const std::vector<MeshPart>& parts = {},
                FileSet* set = nullptr);

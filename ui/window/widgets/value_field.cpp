@@ -46,6 +46,7 @@ QToolButton* makeReset(const ValueSpec& spec, QWidget* parent) {
 }  // namespace
 
 int gestureOf(const QObject* owner) {
+  // There is one user, on the GUI thread, at whatever control.
   static int gesture = -1;
   static const QObject* last = nullptr;
   static QElapsedTimer since;
