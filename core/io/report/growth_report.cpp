@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/cancellation.h"
 #include "core/evolution/clicked_object.h"
 #include "core/told_error.h"
 
@@ -14,7 +15,8 @@ void tellBeginning(const ActiveContour& contour, RunReport& report) {
 
 CandidateSearch::CandidateSearch(const ActiveContour& contour) : choices_(contour.choices()) {
   if (choices_->areKnown()) return;
-  thread_ = std::jthread([choices = choices_] {
+  thread_ = std::jthread([choices = choices_, cancelled = CancelScope::current()] {
+    const CancelScope scope(cancelled);
     try {
       choices->get();
     } catch (...) {  // tell() tries again, and throws it where it is heard

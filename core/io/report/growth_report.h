@@ -12,11 +12,12 @@ namespace handlebody {
 //! Of the contour as it was made: parameters as used.
 void tellBeginning(const ActiveContour& contour, RunReport& report);
 
-//! Looks for the objects that the clicks of a contour may mean, while its surface grows.
+//! Looks for the objects that the clicks of a contour may mean, while its surface grows. Cancelled with the
+//! work that makes it, whose CancelScope outlives it.
 class CandidateSearch {
  public:
   explicit CandidateSearch(const ActiveContour& contour);
-  //! Waits for them. Throws what the search threw.
+  //! Waits for them. Throws what the search threw, Cancelled.
   void tell(RunReport& report);
 
  private:
