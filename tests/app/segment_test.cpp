@@ -489,7 +489,7 @@ TEST_CASE("an anonymous session replays with the volume named, and says so witho
     CHECK(run.json(name).at("input").at("path").is_null());
     const Outcome lost = runCli({"replay", run.folder / name, "-o", run.folder / "b.stl"});
     CHECK(lost.exitCode == 3);
-    CHECK_THAT(lost.err, Contains(std::string(name)) && Contains("--volume"));
+    CHECK_THAT(lost.err, Contains(std::string(name) + ": it names no volume") && Contains("--volume"));
     const Outcome found =
         runCli({"replay", run.folder / name, "--volume", run.phantom.path, "-o", run.folder / "b.stl"});
     CHECK(found.exitCode == 0);

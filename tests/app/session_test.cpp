@@ -7,6 +7,7 @@
 #include "core/errors.h"
 #include "core/io/report/anonymous_names.h"
 #include "core/io/report/over_time_report.h"
+#include "core/io/report/unnamed_files.h"
 #include "tests/app/temp_folder.h"
 #include "tests/support/catch.h"
 
@@ -264,6 +265,47 @@ TEST_CASE("label maps of walls in corrected frames are named, found and left out
   REQUIRE(hidden.request.corrections.size() == 1);
   CHECK(hidden.request.corrections[0].request.constraints.walls.map->path.empty());
   CHECK(hidden.request.corrections[0].changes[0].constraints->walls.map->path.empty());
+}
+
+TEST_CASE("files that anonymous sessions do not name are asked for in turn, and known by their hashes",
+          "[session]") {
+  const TempFolder folder;
+  const std::vector<std::string> names{"DOE.mha", "DOE_walls.mha", "DOE_a.stl", "DOE_b.stl"};
+  for (const std::string& name : names) test::writeBytes(folder / name, name);
+  test::writeBytes(folder / "another", "another");
+  std::vector<Session> sessions(2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    Session& s = sessions[i];
+    s.version = "1.2.3";
+    s.volume = {folder / names[0], sha256OfPath(folder / names[0]), {}};
+    s.constraints.walls.map = WallMap{folder / names[1], sha256OfPath(folder / names[1]), nullptr};
+    s.constraints.start.emplace();
+    s.constraints.start->path = folder / names[2 + i];
+    s.constraints.start->sha256 = sha256OfPath(s.constraints.start->path);
+    s = anonymous(std::move(s));
+  }
+  writeSessions(sessions, folder / "s.json");
+  CHECK(test::readBytes(folder / "s.json").find("DOE") == std::string::npos);
+  CHECK_THROWS_WITH(readSessions(folder / "s.json"),
+                    Catch::Matchers::Contains("s.json: it names no volume") &&
+                        Catch::Matchers::Contains("replay --volume"));
+
+  InputPaths later;
+  later.mayBeUnnamed = true;
+  std::vector<Session> back = readSessions(folder / "s.json", later);
+  for (const std::string& name : names) {
+    const auto file = unnamedFile(back);
+    REQUIRE(file);
+    for (const char* other : {"another", "missing"})
+      CHECK_THROWS_AS(nameFile(back, *file, folder / other), InputError);
+    nameFile(back, *file, folder / name);
+  }
+  CHECK_FALSE(unnamedFile(back));
+  for (std::size_t i = 0; i < 2; ++i) {
+    CHECK(back[i].volume.path == folder / names[0]);
+    CHECK(back[i].constraints.walls.map->path == folder / names[1]);
+    CHECK(back[i].constraints.start->path == folder / names[2 + i]);
+  }
 }
 
 TEST_CASE("an object that is called after its file has another name where the patient is not to be named",

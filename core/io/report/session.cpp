@@ -12,6 +12,8 @@
 #include "core/io/report/json.h"
 #include "core/io/report/measures_json.h"
 #include "core/io/report/over_time_json.h"
+#include "core/io/report/session_files.h"
+#include "core/io/report/unnamed_files.h"
 #include "core/told_error.h"
 
 namespace handlebody {
@@ -40,48 +42,23 @@ std::string storedPath(const std::string& volume, const std::string& session) {
   return relative.empty() ? target.string() : relative.string();
 }
 
+//! Empty where none is stored.
 std::string openablePath(const std::string& stored, const std::string& session) {
-  if (fs::path(stored).is_absolute()) return stored;
+  if (stored.empty() || fs::path(stored).is_absolute()) return stored;
   const fs::path beside = fs::path(session).parent_path() / stored;
   return fs::exists(beside) || !fs::exists(stored) ? beside.string() : stored;
 }
 
-template <typename F>
-void forEachWallMap(Constraints& first, std::vector<ParameterChange>& changes, F&& f) {
-  if (first.walls.map) f(*first.walls.map);
-  for (ParameterChange& change : changes)
-    if (change.constraints && change.constraints->walls.map) f(*change.constraints->walls.map);
-}
-
-template <typename F>
-void forEachWallMap(Session& session, F&& f) {
-  forEachWallMap(session.constraints, session.changes, f);
-  if (!session.overTime) return;
-  for (FrameCorrection& c : session.overTime->corrections)
-    forEachWallMap(c.request.constraints, c.changes, f);
-}
-
-template <typename F>
-void forEachStart(Session& session, F&& f) {
-  if (session.constraints.start) f(*session.constraints.start);
-  for (ParameterChange& change : session.changes)
-    if (change.constraints && change.constraints->start) f(*change.constraints->start);
-}
-
 //! `start`: where the file of the surface to begin with is now; empty: where the session says.
 void locateStarts(Session& session, const std::string& path, const std::string& start) {
-  forEachStart(session, [&](StartSurface& s) {
-    if (s.path.empty() && start.empty()) throw Told<UsageError>(K::sessionWithoutStart);
-    s.path = start.empty() ? openablePath(s.path, path) : start;
-  });
+  forEachStart(session,
+               [&](StartSurface& s) { s.path = start.empty() ? openablePath(s.path, path) : start; });
 }
 
 //! `walls`: where the label map of the walls is now; empty: where the session says.
 void locateWalls(Session& session, const std::string& path, const std::string& walls) {
-  forEachWallMap(session, [&](WallMap& map) {
-    if (map.path.empty() && walls.empty()) throw Told<UsageError>(K::sessionWithoutWalls);
-    map.path = walls.empty() ? openablePath(map.path, path) : walls;
-  });
+  forEachWallMap(session,
+                 [&](WallMap& map) { map.path = walls.empty() ? openablePath(map.path, path) : walls; });
 }
 
 //! What all objects have in common.
@@ -90,8 +67,8 @@ Session headFromJson(const Json& json, const std::string& path, const std::strin
   session.version = json.at("version").get<std::string>();
   const Json& input = json.at("input");
   session.volume.path = volume;
-  if (volume.empty() && input.at("path").is_null()) throw Told<UsageError>(K::sessionWithoutVolume);
-  if (volume.empty()) session.volume.path = openablePath(input.at("path").get<std::string>(), path);
+  if (volume.empty() && !input.at("path").is_null())
+    session.volume.path = openablePath(input.at("path").get<std::string>(), path);
   if (!input.at("sha256").is_null()) {
     session.volume.sha256 = input.at("sha256").get<std::string>();
     if (session.volume.sha256.empty()) throw UsageError("the volume's SHA-256 is empty.");
@@ -134,6 +111,20 @@ std::vector<Session> sessionsFromJson(const Json& json, const std::string& path,
 std::string withoutTag(const std::string& message) {
   const auto end = message.find("] ");
   return message.rfind("[json", 0) == 0 && end != std::string::npos ? message.substr(end + 2) + "." : message;
+}
+
+//! `path`: of the session or report.
+std::vector<Session> parsed(const std::string& text, const std::string& path, const InputPaths& inputs) {
+  try {
+    return sessionsFromJson(Json::parse(text), path, inputs);
+  } catch (const Json::parse_error&) {
+    throw Told<InputError>(Finding(K::notJson, {{"file", path}}));
+  } catch (const std::exception& error) {
+    const Finding told = findingOf(error);
+    throw Told<InputError>(
+        Finding(K::notASession, {{"file", path}},
+                told.any() ? told : Finding(K::other, {{"text", withoutTag(error.what())}})));
+  }
 }
 
 }  // namespace
@@ -212,17 +203,11 @@ Session readSession(const std::string& path, const InputPaths& inputs) {
 }
 
 std::vector<Session> readSessions(const std::string& path, const InputPaths& inputs) {
-  const std::string text = readText(path);
-  try {
-    return sessionsFromJson(Json::parse(text), path, inputs);
-  } catch (const Json::parse_error&) {
-    throw Told<InputError>(Finding(K::notJson, {{"file", path}}));
-  } catch (const std::exception& error) {
-    const Finding told = findingOf(error);
-    throw Told<InputError>(
-        Finding(K::notASession, {{"file", path}},
-                told.any() ? told : Finding(K::other, {{"text", withoutTag(error.what())}})));
-  }
+  std::vector<Session> sessions = parsed(readText(path), path, inputs);
+  if (inputs.mayBeUnnamed) return sessions;
+  if (const auto file = unnamedFile(sessions))
+    throw Told<InputError>(Finding(K::fileRefusedWith, {{"file", path}}, file->missing));
+  return sessions;
 }
 
 }  // namespace handlebody

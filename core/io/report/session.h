@@ -67,6 +67,8 @@ struct InputPaths {
   std::string volume{};
   std::string walls{};  //!< the label map of its walls
   std::string start{};  //!< the mesh or label map that it begins with
+  //! What neither these nor the session say stays empty, to be asked for (unnamed_files.h), and is no error.
+  bool mayBeUnnamed = false;
 };
 
 //! Reads a session or a report. A relative path is looked for beside the file first, then from the current

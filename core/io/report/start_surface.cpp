@@ -14,6 +14,7 @@
 #include "core/io/meshes/mesh_io.h"
 #include "core/io/report/compared.h"
 #include "core/io/report/result.h"
+#include "core/io/report/session_files.h"
 #include "core/measure/inscribed_balls.h"
 #include "core/solid/label_mesh.h"
 #include "core/told_error.h"
@@ -139,13 +140,6 @@ std::map<int, ReadStart> readFile(const FileKey& key, const std::optional<int>& 
     refuseStart(key.path, why.any() ? why : Finding(K::other, {{"text", text}}));
   }
   return read;
-}
-
-template <typename F>
-void forEachStart(Session& session, F&& f) {
-  if (session.constraints.start) f(*session.constraints.start);
-  for (ParameterChange& change : session.changes)
-    if (change.constraints && change.constraints->start) f(*change.constraints->start);
 }
 
 //! Labels of one map that several objects name.
