@@ -18,6 +18,7 @@
 #include "core/evolution/parameters.h"
 #include "core/evolution/pinned_parts.h"
 #include "core/evolution/step_report.h"
+#include "core/finding.h"
 #include "core/io/dicom/dicom_writer.h"
 #include "core/io/formats/volume_io.h"
 #include "core/io/meshes/exported_object.h"
@@ -117,8 +118,9 @@ class Document : public QObject {
   // --- open ---
   //! Reads a volume, DICOM folder, session or report on a worker thread; opening() tells the progress, then
   //! opened() or openFailed(). What is open stays as it is until the new volume is complete, and for good if
-  //! that fails. A folder of several series without a choice in `selection` ends in seriesChoiceNeeded().
-  void open(const QString& path, const VolumeSelection& selection = {});
+  //! that fails. A folder of several series without a choice in `selection` ends in seriesChoiceNeeded(), an
+  //! anonymous session in fileNeeded() until `files` has all that it was asked for, in that order.
+  void open(const QString& path, const VolumeSelection& selection = {}, const QStringList& files = {});
   void cancelOpening();
   bool isOpening() const;
   bool hasVolume() const;
@@ -335,14 +337,20 @@ class Document : public QObject {
   //! Of all objects that have a surface; tells as exportResult(). `anonymous`: without what may name the
   //! patient, as in the files above if the content says so.
   void exportReport(const QString& path, bool anonymous = false);
+  //! Why no session can be written now, as a sentence; empty: it can.
+  QString sessionFault() const;
   //! What `handlebody-cli replay` needs to make the shown meshes again. Throws nothing; saveFailed() tells
   //! why.
   void saveSession(const QString& path);
+  //! The same without what may name the patient: no file, no series, and the names that objects have from
+  //! files (core/io/report/anonymous_names.h). Whoever opens it is asked for its volume. Not the session that
+  //! is open from then on; tells as exportResult().
+  void exportAnonymousSession(const QString& path);
   //! Objects whose shown surface a replay does not make: of several, those with seeds that are not grown yet
   //! or are made with earlier ones, and those after them.
   QStringList notReplayed() const;
-  QString sessionPath() const;
-  bool isModified() const;  //!< since the session was saved or opened
+  QString sessionPath() const;  //!< where to save again; empty: nowhere yet, or it is an anonymous one
+  bool isModified() const;      //!< since the session was saved or opened
 
   // --- crash recovery ---
   //! Journals that ended without a clean close, newest first (paths to session files).
@@ -359,6 +367,9 @@ class Document : public QObject {
   void objectsOpened(const QString& path, const QStringList& names);
   void openingObjectsFailed(const QString& sentence);
   void openingObjectsCancelled();
+  //! The session at `path` does not name one of its files: the rest as in FileNeeded.
+  void fileNeeded(const QString& path, handlebody::FindingKind missing, const QString& refused,
+                  const QStringList& taken);
   void seriesChoiceNeeded(const QString& path, const std::vector<handlebody::SeriesInfo>& series);
   void seedsChanged();
   void selectedSeedChanged(int index);

@@ -6,16 +6,19 @@
 
 namespace handlebody::ui {
 
-void Document::open(const QString& path, const VolumeSelection& selection) { d_->open(path, selection); }
+void Document::open(const QString& path, const VolumeSelection& selection, const QStringList& files) {
+  d_->open({path, selection, files});
+}
 
-void Document::Private::open(const QString& path, const VolumeSelection& selection) {
+void Document::Private::open(const OpeningRequest& asked) {
+  const QString path = asked.path;
   *cancelled = true;
   cancelled = std::make_shared<std::atomic<bool>>(false);
   isOpening = true;
   time.store().rest();
   const int number = ++openings;
   Q_EMIT q.opening(path, 0);
-  files.post([this, number, path, selection, stop = cancelled] {
+  files.post([this, number, path, asked, stop = cancelled] {
     if (*stop) return;
     const auto progress = [&](double part) {
       QMetaObject::invokeMethod(
@@ -25,7 +28,7 @@ void Document::Private::open(const QString& path, const VolumeSelection& selecti
           },
           Qt::QueuedConnection);
     };
-    auto result = std::make_shared<OpeningResult>(openWork(path, selection, progress, *stop));
+    auto result = std::make_shared<OpeningResult>(openWork(asked, progress, *stop));
     QMetaObject::invokeMethod(
         &q, [this, number, path, result] { finishOpening(number, path, std::move(*result)); },
         Qt::QueuedConnection);
@@ -39,6 +42,8 @@ void Document::Private::finishOpening(int number, const QString& path, OpeningRe
     adopt(path, std::move(*opened));
   } else if (const auto* choice = std::get_if<SeriesChoice>(&result)) {
     Q_EMIT q.seriesChoiceNeeded(path, choice->series);
+  } else if (const auto* needed = std::get_if<FileNeeded>(&result)) {
+    Q_EMIT q.fileNeeded(path, needed->missing, needed->refused, needed->taken);
   } else {
     const auto& failed = std::get<OpeningFailed>(result);
     Q_EMIT q.openFailed(failed.sentence, failed.needsSpacing);
@@ -97,7 +102,7 @@ void Document::Private::adoptObjects(const QString& path, const std::vector<Sess
   if (Journal::isJournal(path)) {
     undo.resetClean();
     journalNow();
-  } else {
+  } else if (!work->isAnonymous) {  // what is saved names the volume, and is not to take its place unasked
     sessionPath = path;
   }
 }

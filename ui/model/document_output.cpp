@@ -10,6 +10,7 @@
 #include "core/cancellation.h"
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
+#include "core/io/report/anonymous_names.h"
 #include "core/io/report/result.h"
 #include "core/io/report/start_surface.h"
 #include "core/told_error.h"
@@ -87,7 +88,7 @@ std::vector<Session> Document::Private::sessions() const {
     all.back().polish = polishes;
     all.back().space = space;
   }
-  all.front().view = viewWithObjects().toStdString();
+  all.front().view = viewWithObjects(view).toStdString();
   all.front().measurements = measurements.all();
   if (all.size() == 1 && time.isAsked()) {  // several are not carried
     all.front().overTime = time.request();
@@ -97,10 +98,10 @@ std::vector<Session> Document::Private::sessions() const {
 }
 
 //! What a session of the command line has no place for stands among what the window keeps for itself.
-QByteArray Document::Private::viewWithObjects() const {
-  QJsonObject json = QJsonDocument::fromJson(view).object();
+QByteArray Document::Private::viewWithObjects(const QByteArray& window) const {
+  QJsonObject json = QJsonDocument::fromJson(window).object();
   const bool isPlain = objects.size() == 1 && active->traits.visible && !active->traits.locked;
-  if (isPlain && !json.contains(kObjectsKey)) return view;
+  if (isPlain && !json.contains(kObjectsKey)) return window;
   json.remove(kObjectsKey);
   json.remove(kActiveKey);
   if (isPlain) return json.isEmpty() ? QByteArray() : QJsonDocument(json).toJson(QJsonDocument::Compact);
@@ -294,7 +295,7 @@ std::vector<PendingReport> Document::Private::pendingReports(bool isAnonymous) c
     r.volume = work->info;
     r.volume.grid = work->volume.grid;
     if (all.empty()) {
-      r.session.view = viewWithObjects().toStdString();
+      r.session.view = viewWithObjects(view).toStdString();
       r.session.measurements = measurements.all();
       r.seconds.load = work->seconds;
     }
@@ -328,14 +329,38 @@ void Document::Private::exportReport(const QString& path, const std::vector<Pend
 
 // --- session ---
 
-void Document::saveSession(const QString& path) {
+QString Document::sessionFault() const {
   const auto& all = d_->objects;
-  if (!hasVolume())
-    Q_EMIT saveFailed(tr("There is nothing to save yet: open a volume first."));
-  else if (std::none_of(all.begin(), all.end(), [](const auto& object) { return object->isSeeded(); }))
-    Q_EMIT saveFailed(tr("A session needs a seed: place one inside the object first."));
+  if (!hasVolume()) return tr("There is nothing to save yet: open a volume first.");
+  if (std::none_of(all.begin(), all.end(), [](const auto& object) { return object->isSeeded(); }))
+    return tr("A session needs a seed: place one inside the object first.");
+  return {};
+}
+
+void Document::saveSession(const QString& path) {
+  if (const QString fault = sessionFault(); !fault.isEmpty())
+    Q_EMIT saveFailed(fault);
   else
     d_->saveSession(path);
+}
+
+void Document::exportAnonymousSession(const QString& path) {
+  if (const QString fault = sessionFault(); !fault.isEmpty())
+    Q_EMIT exportFailed(fault);
+  else
+    d_->exportAnonymousSession(path);
+}
+
+void Document::Private::exportAnonymousSession(const QString& path) {
+  // Which objects are shown and locked names nobody; what the window keeps may have come with a file.
+  write(path, [path, made = sessions(), known = hash, own = viewWithObjects({}).toStdString()]() mutable {
+    for (Session& session : made) complete(session, *known);
+    hideFileNames(made);
+    for (Session& session : made) session = anonymous(std::move(session));
+    made.front().view = own;
+    writeSessions(made, fileName(path));
+    return QString();
+  });
 }
 
 void Document::Private::saveSession(const QString& path) {

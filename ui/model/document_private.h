@@ -47,7 +47,7 @@ class Document::Private : public ObjectHost {
   void editRefused(const ObjectWork& object, const Request& asked, const QString& why) override;
 
   // --- opening ---
-  void open(const QString& path, const VolumeSelection& selection);
+  void open(const OpeningRequest& asked);
   void finishOpening(int number, const QString& path, OpeningResult result);
   void adopt(const QString& path, OpenedWork opened);
   void adoptObjects(const QString& path, const std::vector<Session>& sessions);
@@ -114,7 +114,8 @@ class Document::Private : public ObjectHost {
   //! What an object is called in files: one that there was, too.
   std::string nameInFiles(const std::string& name, bool isAnonymous) const;
   std::vector<PendingReport> pendingReports(bool isAnonymous) const;
-  QByteArray viewWithObjects() const;
+  //! `window`: what that keeps.
+  QByteArray viewWithObjects(const QByteArray& window) const;
   void readView();
   WrittenObject objectToWrite(const ObjectWork& object, std::shared_ptr<const FinishedMesh> surface) const;
   std::vector<WrittenObject> writtenObjects(const std::vector<int>& which, bool isAnonymous) const;
@@ -126,6 +127,7 @@ class Document::Private : public ObjectHost {
                    const std::vector<int>& which);
   void exportReport(const QString& path, const std::vector<PendingReport>& reports, bool isAnonymous);
   void saveSession(const QString& path);
+  void exportAnonymousSession(const QString& path);
   void saved(const QString& path, int edit, const std::vector<int>& iterations);
   void journalNow();
 

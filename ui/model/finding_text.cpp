@@ -96,16 +96,14 @@ constexpr Words kWords[] = {
      QT_TRANSLATE_NOOP("Findings", "the surface rests, but parts that could not be mended would still move")},
     {K::frameUnfinished, QT_TRANSLATE_NOOP("Findings", "the surface was stopped before it was at rest")},
     {K::sessionWithoutVolume,
-     QT_TRANSLATE_NOOP(
-         "Findings", "it names no volume, as it is anonymous; “handlebody-cli replay --volume” says which.")},
+     QT_TRANSLATE_NOOP("Findings", "This session does not say where its volume is. Choose it.")},
     {K::sessionWithoutWalls,
      QT_TRANSLATE_NOOP("Findings",
-                       "it names no label map of its walls, as it is anonymous; “handlebody-cli replay "
-                       "--walls” says which.")},
+                       "This session does not say where the label map of its walls is. Choose it.")},
     {K::sessionWithoutStart,
-     QT_TRANSLATE_NOOP("Findings",
-                       "it does not name the file of the surface to begin with, as it is anonymous; "
-                       "“handlebody-cli replay --start” says which.")},
+     QT_TRANSLATE_NOOP(
+         "Findings",
+         "This session does not say where the file of a surface is that an object begins with. Choose it.")},
     {K::cine,
      QT_TRANSLATE_NOOP("Findings",
                        "this is a cine (2D images over time: {frames:0f} frames), not a volume; if its "

@@ -9,6 +9,7 @@
 #include "core/cancellation.h"
 #include "core/errors.h"
 #include "core/io/report/start_surface.h"
+#include "core/io/report/unnamed_files.h"
 #include "core/io/report/wall_map.h"
 #include "core/told_error.h"
 #include "ui/model/error_sentence.h"
@@ -34,20 +35,48 @@ TimeAxis timesOf(const OpenedWork& work) {
   }
 }
 
+std::string fileName(const QString& path) { return QFile::encodeName(path).toStdString(); }
+
+//! Names what the sessions do not, as far as `files` go. Returns what is to be asked for next.
+std::optional<FileNeeded> nameFiles(std::vector<Session>& sessions, const QStringList& files) {
+  QStringList taken;
+  while (const auto unnamed = unnamedFile(sessions)) {
+    giveUpIfCancelled();
+    if (taken.size() == files.size()) return FileNeeded{unnamed->missing, taken};
+    try {
+      nameFile(sessions, *unnamed, fileName(files[taken.size()]));
+    } catch (const InputError&) {
+      return FileNeeded{unnamed->missing, taken, errorSentence()};
+    }
+    taken << files[taken.size()];
+  }
+  return std::nullopt;
+}
+
+//! Returns which file is to be asked for first; none: all are there, and the volume is the session's.
+std::optional<FileNeeded> takeSession(const OpeningRequest& asked, OpenedWork& work) {
+  InputPaths inputs;
+  inputs.mayBeUnnamed = true;
+  work.sessions = readSessions(fileName(asked.path), inputs);
+  work.isAnonymous = unnamedFile(work.sessions).has_value();
+  const bool saysVolume = !work.sessions.front().volume.path.empty();
+  if (auto needed = nameFiles(work.sessions, asked.files)) return needed;
+  work.reference = work.sessions.front().volume;
+  // Relative to the session's folder it may be full of "..", which nobody wants to read.
+  work.reference.path = std::filesystem::weakly_canonical(work.reference.path).string();
+  if (asked.selection.series) work.reference.selection.series = asked.selection.series;
+  if (saysVolume) verifyHash(work.reference);  // the others were looked at when they were named
+  return std::nullopt;
+}
+
 // The voxels come last: everything that can be wrong cheaply is found before them.
-OpeningResult read(const QString& path, const VolumeSelection& selection,
-                   const std::function<void(double)>& progress) {
+OpeningResult read(const OpeningRequest& asked, const std::function<void(double)>& progress) {
   const auto start = std::chrono::steady_clock::now();
   OpenedWork work;
-  work.reference = {QFile::encodeName(path).toStdString(), {}, selection};
-  if (isSessionPath(path)) {
-    work.sessions = readSessions(work.reference.path);
-    work.reference = work.sessions.front().volume;
-    // Relative to the session's folder it may be full of "..", which nobody wants to read.
-    work.reference.path = std::filesystem::weakly_canonical(work.reference.path).string();
-  }
+  work.reference = {fileName(asked.path), {}, asked.selection};
   progress(-1);
-  if (!work.sessions.empty()) verifyHash(work.reference);
+  if (isSessionPath(asked.path))
+    if (auto needed = takeSession(asked, work)) return *needed;
   giveUpIfCancelled();
   const std::lock_guard lock(readingVolumes());
   LoadedVolume loaded = loadVolume(work.reference.path, work.reference.selection, progress);
@@ -71,10 +100,10 @@ std::mutex& readingVolumes() {
 
 bool isSessionPath(const QString& path) { return path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive); }
 
-OpeningResult openWork(const QString& path, const VolumeSelection& selection,
-                       const std::function<void(double)>& progress, const std::atomic<bool>& cancelled) try {
+OpeningResult openWork(const OpeningRequest& asked, const std::function<void(double)>& progress,
+                       const std::atomic<bool>& cancelled) try {
   const CancelScope scope(cancelled);
-  return read(path, selection, progress);
+  return read(asked, progress);
 } catch (const Cancelled&) {
   return OpeningFailed{};
 } catch (const SeriesChoiceNeeded& choice) {

@@ -142,7 +142,7 @@ QStringList englishParts(const QString& code) {
 QString whyNot(const QString& path) {
   const std::atomic<bool> cancelled{false};
   const ui::OpeningResult result = ui::openWork(
-      path, {}, [](double) {}, cancelled);
+      {path, {}, {}}, [](double) {}, cancelled);
   const auto* failed = std::get_if<ui::OpeningFailed>(&result);
   return failed ? failed->sentence : QString();
 }
@@ -176,7 +176,6 @@ QStringList brokenFiles(const QTemporaryDir& folder) {
         "ElementDataFile = LOCAL\nabcd");
   write("slice.dcm", QByteArray(128, '\0') + "DICM");
   write("letter.json", "This is a letter, not a session.");
-  write("anonymous.json", QByteArray(session).replace("\"cyst.nii.gz\"", "null") + R"("requested": {}})");
   write("unseeded.json", session + R"("requested": {"seeds": []}})");
   files << folder.filePath(QStringLiteral("images"));
   QDir().mkdir(files.back());
