@@ -32,6 +32,7 @@ Screenshot::Screenshot(const Options& options, ui::MainWindow& window) : options
   window_.views().surface().setFlightTime(0);
   connect(&document, &ui::Document::openFailed, this, [this](const QString& why) { end(kInput, why); });
   connect(&document, &ui::Document::seriesChoiceNeeded, this, [this] { take(); });
+  connect(&document, &ui::Document::fileNeeded, this, [this] { take(); });
   connect(&document, &ui::Document::opened, this, &Screenshot::grow);
   connect(&document, &ui::Document::stateChanged, this, &Screenshot::continueGrowing);
   connect(&document, &ui::Document::snapshotChanged, this, &Screenshot::continueGrowing);

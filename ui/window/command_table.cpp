@@ -32,6 +32,10 @@ void addFileCommands(std::vector<CommandSpec>& t) {
              T("Write the surface or its label map to a file"), kPlain, true},
             {Command::exportReport, menu, "", T("Export repor&t…"), "Ctrl+Shift+E", "report",
              T("Write parameters, numbers and events as JSON"), kPlain, false},
+            {Command::exportAnonymousSession, menu, "", T("Export a&nonymous session…"), "", "session",
+             T("Write a session that names neither the patient nor a file: it asks for its volume when it is "
+               "opened"),
+             kPlain, false},
             {Command::exportPicture, menu, "", T("Export &picture…"), "Ctrl+Shift+P", "picture",
              T("Write what the views show as PNG"), kPlain, false},
             {Command::quit, menu, "", T("&Quit"), "Ctrl+Q", "", T("Close the program"), kPlain, true}});

@@ -20,6 +20,7 @@ enum class Command {
   saveSessionAs,
   exportResult,
   exportReport,
+  exportAnonymousSession,
   exportPicture,
   quit,
   undo,

@@ -70,6 +70,7 @@ void MainWindow::connectFileCommands() {
   on(Command::saveSessionAs, [this] { files_->saveAs(); });
   on(Command::exportResult, [this] { files_->exportResult(); });
   on(Command::exportReport, [this] { files_->exportReport(); });
+  on(Command::exportAnonymousSession, [this] { files_->exportAnonymousSession(); });
   on(Command::exportPicture, [this] { files_->exportPicture(); });
   on(Command::quit, [this] { close(); });
   connect(start_, &StartPage::openRequested, files_, [this](const QString& path) { files_->open(path); });
@@ -240,10 +241,10 @@ void MainWindow::updateCommands() {
   const bool running =
       document_.state() == GrowthState::running || document_.state() == GrowthState::preparing;
   const bool seeded = open && document_.isSeeded();
-  enable({Command::openObjects, Command::saveSession, Command::saveSessionAs, Command::exportPicture,
-          Command::addSeed, Command::addOutside, Command::autoWindow, Command::windowSoftTissue,
-          Command::windowLung, Command::windowBone, Command::windowBrain, Command::windowVessels,
-          Command::resetViews},
+  enable({Command::openObjects, Command::saveSession, Command::saveSessionAs, Command::exportAnonymousSession,
+          Command::exportPicture, Command::addSeed, Command::addOutside, Command::autoWindow,
+          Command::windowSoftTissue, Command::windowLung, Command::windowBone, Command::windowBrain,
+          Command::windowVessels, Command::resetViews},
          open);
   enable({Command::deleteSeed, Command::growSeed, Command::shrinkSeed},
          open && document_.selectedSeed() >= 0);

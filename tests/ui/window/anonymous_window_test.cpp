@@ -2,6 +2,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QUndoStack>
 #include <set>
 
 #include "core/io/meshes/mesh_io.h"
@@ -149,6 +150,35 @@ std::string savedBy(Panel& panel, std::initializer_list<QWidget*> pages,
   return saved.size() == static_cast<qsizetype>(pages.size() * buttons.size()) ? all : std::string();
 }
 
+//! The session as it is saved, or without what names the patient; empty if that failed.
+std::string sessionOf(ui::MainWindow& window, const QString& path, bool isAnonymous) {
+  ui::Document& document = window.document();
+  QSignalSpy saved(&document, &ui::Document::sessionSaved), exported(&document, &ui::Document::exported);
+  if (isAnonymous)
+    document.exportAnonymousSession(path);
+  else
+    document.saveSession(path);
+  const bool isWritten = QTest::qWaitFor([&] { return !saved.isEmpty() || !exported.isEmpty(); }, kPatience);
+  return isWritten ? readBytes(path.toStdString()) : std::string();
+}
+
+//! The message that comes next after `act`, if it asks for a file.
+template <typename Act>
+QString askedAfter(ui::MainWindow& window, Act&& act) {
+  QSignalSpy asked(&window.document(), &ui::Document::fileNeeded);
+  act();
+  if (asked.isEmpty() && !asked.wait(kPatience)) return {};
+  return window.messages().isVisible() ? window.messages().text() : QString();
+}
+
+bool isOpenAfterGiving(ui::MainWindow& window, const QString& file) {
+  QSignalSpy opened(&window.document(), &ui::Document::opened);
+  window.files().give(file);
+  return !opened.isEmpty() || opened.wait(kPatience);
+}
+
+const QString kAsksForVolume = QStringLiteral("This session does not say where its volume is. Choose it.");
+
 std::string savedMeasures(ui::MainWindow& window) {
   MeasuresPanel& panel = window.measures();
   return savedBy(panel, {&panel.objects(), &panel.compare(), &panel.centreLine()},
@@ -165,6 +195,9 @@ class AnonymousWindowTest : public QObject {
   void noFileThatIsExportedNamesThePatient();
   void norDoesWhatIsSavedOfMeasures();
   void norDoesTheCurveOfFramesThatCannotBeRead();
+  void norDoesASessionThatIsExported();
+  void suchASessionAsksForItsFilesAndGoesOn();
+  void theSeriesOfItsFolderIsChosenAgain();
 };
 
 void AnonymousWindowTest::noFileThatIsExportedNamesThePatient() {
@@ -221,6 +254,89 @@ void AnonymousWindowTest::norDoesTheCurveOfFramesThatCannotBeRead() {
   const std::string hidden = savedBy(panel, {&panel}, {"CSV…", "Plot…"});
   QVERIFY(!hidden.empty());
   QCOMPARE(foundIn(hidden, {"DOE", "JANE", sample.folder.path().toStdString()}), std::set<std::string>());
+}
+
+void AnonymousWindowTest::norDoesASessionThatIsExported() {
+  const Jane jane;
+  auto window = workOn(jane);
+  QVERIFY(window);
+  window->showStep(Command::stepExport);
+  auto* panel = window->findChild<ui::ExportPanel*>();
+  const QAbstractButton *save = buttonOf(*panel, "Save session"),
+                        *exports = buttonOf(*panel, "Export anonymous session…");
+  QVERIFY(save && exports && save->isVisible() && !exports->isVisible());
+  const std::string named = sessionOf(*window, jane.folder.filePath("named.json"), false);
+  QVERIFY(named.find("DOE_JANE.stl") != std::string::npos);  // else the search would prove nothing
+  switchOn(*window);
+  QVERIFY(!save->isVisible() && exports->isVisible() && exports->isEnabled());
+  const std::string hidden = sessionOf(*window, jane.folder.filePath("hidden.json"), true);
+  std::set<std::string> values{"DOE", "JANE", "Doe", "Jane", "PID0815", "\"series\"", "Object 1"};
+  values.insert(jane.folder.path().toStdString());
+  QCOMPARE(foundIn(hidden, values), std::set<std::string>{"Object 1"});
+  QCOMPARE(window->document().sessionPath(), jane.folder.filePath("named.json"));
+}
+
+void AnonymousWindowTest::suchASessionAsksForItsFilesAndGoesOn() {
+  const Jane jane;
+  const QString session = jane.folder.filePath("hidden.json"), named = jane.folder.filePath("named.json");
+  double volume = 0;
+  {
+    auto window = workOn(jane);
+    QVERIFY(window && !sessionOf(*window, session, true).empty());
+    volume = window->document().snapshot()->certificate.volume;
+    QVERIFY(!sessionOf(*window, named, false).empty());  // nothing is unsaved when it closes
+  }
+  auto window = shownWindow();
+  QVERIFY(window);
+  QCOMPARE(askedAfter(*window, [&] { window->files().open(session); }), kAsksForVolume);
+  QVERIFY(buttonSaying(*window, "Choose the file")->isVisible());
+  QVERIFY(buttonSaying(*window, "Choose the folder")->isVisible());
+  const QString refused = askedAfter(*window, [&] { window->files().give(jane.mesh); });
+  QVERIFY2(refused.contains("DOE_JANE.stl") && refused.contains("SHA-256"), qPrintable(refused));
+  QVERIFY(buttonSaying(*window, "Choose the folder")->isVisible());
+  const QString surface = askedAfter(*window, [&] { window->files().give(jane.series); });
+  QVERIFY2(surface.contains("surface"), qPrintable(surface));
+  QVERIFY(isOpenAfterGiving(*window, jane.mesh));
+  ui::Document& document = window->document();
+  QVERIFY(window->files().recent().contains(session));
+  QVERIFY(document.sessionPath().isEmpty());  // to save is not to name the volume in it
+  QVERIFY(waitFor(*window, GrowthState::finished));
+  QCOMPARE(document.snapshot()->certificate.volume, volume);
+  const std::string hidden = readBytes(session.toStdString());
+  QVERIFY(sessionOf(*window, named, false).find("DOE_JANE") != std::string::npos);
+  QCOMPARE(readBytes(session.toStdString()), hidden);
+  QVERIFY(open(*window, named));
+  QCOMPARE(document.sessionPath(), named);
+}
+
+void AnonymousWindowTest::theSeriesOfItsFolderIsChosenAgain() {
+  const QTemporaryDir folder;
+  const QString series = folder.filePath("DOE_JANE"), session = folder.filePath("hidden.json");
+  std::vector<Slice> slices = evenStack(3), larger = evenStack(4);
+  for (Slice& s : larger) s.rows = 6, s.number = 10;
+  slices.insert(slices.end(), larger.begin(), larger.end());
+  writeSeries(series.toStdString(), slices);
+  VolumeSelection second;
+  second.series = "1.2.3.4#2";
+  auto window = shownWindow();
+  QVERIFY(window);
+  QSignalSpy opened(&window->document(), &ui::Document::opened);
+  window->files().open(series, second);
+  QVERIFY(!opened.isEmpty() || opened.wait(kPatience));
+  ui::Document& document = window->document();
+  document.addSeed({document.volume().grid.toWorld(Vec3(1, 1, 1)), 1.0});
+  QVERIFY(sessionOf(*window, session, true).find("1.2.3.4") == std::string::npos);
+  document.undoStack()->undo();
+  QCOMPARE(askedAfter(*window, [&] { window->files().open(session); }), kAsksForVolume);
+  QSignalSpy choice(&document, &ui::Document::seriesChoiceNeeded);
+  window->files().give(series);
+  QVERIFY(!choice.isEmpty() || choice.wait(kPatience));
+  QCOMPARE(choice.front().front().toString(), session);
+  opened.clear();
+  window->files().open(session, second);  // as the list of the step Open does it
+  QVERIFY(!opened.isEmpty() || opened.wait(kPatience));
+  QCOMPARE(document.volume().grid.size[1], 6);
+  QCOMPARE(document.seeds().size(), std::size_t(1));
 }
 
 int main(int argc, char** argv) {

@@ -45,6 +45,7 @@ bool isSafe(Command id) {
     case Command::saveSessionAs:
     case Command::exportResult:
     case Command::exportReport:
+    case Command::exportAnonymousSession:
     case Command::exportPicture:
     case Command::exportFrameMeshes:
     case Command::exportFrameLabels:

@@ -161,8 +161,8 @@ void ExportPanel::addAnonymous() {
   describe(
       anonymous_, tr("Without what names the patient"),
       tr("DICOM files, report and measures are written without patient, study, dates and names of files, "
-         "and the names that are suggested do not tell the volume's. A session always says where its "
-         "volume lies."));
+         "and the names that are suggested do not tell the volume's. In place of saving the session one "
+         "is exported that does not say where its volume is: it asks for it when it is opened."));
   layout()->addWidget(anonymous_);
   connect(anonymous_, &QCheckBox::toggled, this, &ExportPanel::anonymousChanged);
 }
@@ -242,7 +242,18 @@ void ExportPanel::buildRest(const Commands& commands) {
               "“handlebody-cli replay” makes the same mesh of it."),
            this));
   layout()->addWidget(new ActionButton(commands[Command::exportReport], this));
-  layout()->addWidget(new ActionButton(commands[Command::saveSession], this));
+  addSession(commands);
+}
+
+//! One that is saved has to say where its volume is: where nothing is to name the patient the other is
+//! offered.
+void ExportPanel::addSession(const Commands& commands) {
+  auto* save = new ActionButton(commands[Command::saveSession], this);
+  auto* anonymous = new ActionButton(commands[Command::exportAnonymousSession], this);
+  anonymous->hide();
+  for (QWidget* button : {save, anonymous}) layout()->addWidget(button);
+  connect(anonymous_, &QCheckBox::toggled, save, &QWidget::setHidden);
+  connect(anonymous_, &QCheckBox::toggled, anonymous, &QWidget::setVisible);
 }
 
 QString ExportPanel::extension() const { return format_->currentData().toString(); }

@@ -47,6 +47,7 @@ class ExportPanel : public QWidget {
   void addFormats();
   void addContent();
   void addAnonymous();
+  void addSession(const Commands& commands);
   void addPolish();
   void showManner();
   QWidget* buildProgress();

@@ -19,6 +19,7 @@
 #include "core/io/formats/label_map.h"
 #include "core/io/meshes/mesh_io.h"
 #include "ui/model/document.h"
+#include "ui/model/finding_text.h"
 #include "ui/window/export/export_panel.h"
 #include "ui/window/views/view_grid.h"
 #include "ui/window/widgets/message_bar.h"
@@ -84,6 +85,7 @@ void FileWork::connectMessages() {
   const auto said = [this](const QString& text) { messages_.show(MessageBar::Kind::information, text); };
   const auto failed = [this](const QString& text) { messages_.show(MessageBar::Kind::error, text); };
   connect(&document_, &Document::openFailed, this, &FileWork::sayOpenFailed);
+  connect(&document_, &Document::fileNeeded, this, &FileWork::askForFile);
   connect(&document_, &Document::opened, this, [this] {
     if (!remembered_.isEmpty()) remember(remembered_);
   });
@@ -211,10 +213,39 @@ void FileWork::open(const QString& path, const VolumeSelection& selection) {
 }
 
 void FileWork::begin(const QString& path, const VolumeSelection& selection) {
+  // When only its series is chosen the session is still told where its files are.
+  if (path != asked_ || !selection.series) given_.clear();
   asked_ = path;
   askedSelection_ = selection;
   remembered_.clear();
-  document_.open(path, selection);
+  document_.open(path, selection, given_);
+}
+
+//! The offer waits: until it is taken the work that is open goes on.
+void FileWork::askForFile(const QString& session, FindingKind missing, const QString& refused,
+                          const QStringList& taken) {
+  asked_ = session;
+  given_ = taken;
+  std::vector<MessageBar::Answer> answers{
+      {tr("Choose the file…"), [this, session, missing] { chooseNeeded(session, missing, false); }}};
+  if (missing == FindingKind::sessionWithoutVolume)
+    answers.push_back(
+        {tr("Choose the folder…"), [this, session, missing] { chooseNeeded(session, missing, true); }});
+  messages_.show(MessageBar::Kind::warning, refused.isEmpty() ? findingSentence(missing) : refused, answers);
+}
+
+void FileWork::chooseNeeded(const QString& session, FindingKind missing, bool isFolder) {
+  if (session != asked_) return;  // another one is being opened by now
+  const QString folder = QSettings().value(kFolder).toString(), title = tr("Choose what the session needs");
+  const QString path = isFolder ? QFileDialog::getExistingDirectory(window_, title, folder)
+                                : QFileDialog::getOpenFileName(window_, title, folder);
+  if (path.isEmpty()) return askForFile(session, missing, {}, given_);
+  whenSaved([this, path] { give(path); });
+}
+
+void FileWork::give(const QString& path) {
+  given_ << path;
+  document_.open(asked_, askedSelection_, given_);
 }
 
 void FileWork::sayOpenFailed(const QString& sentence, bool needsSpacing) {
@@ -279,9 +310,9 @@ void FileWork::saveAs() {
   document_.saveSession(path);
 }
 
-QString FileWork::suggestedBase() const {
+QString FileWork::suggestedBase(bool mayTell) const {
   const QString folder = QSettings().value(kFolder, QDir::homePath()).toString();
-  const bool isNamed = document_.hasVolume() && !exports_.isAnonymous();
+  const bool isNamed = mayTell && document_.hasVolume() && !exports_.isAnonymous();
   return QDir(folder).filePath(isNamed ? baseName(document_.path()) : QStringLiteral("handlebody"));
 }
 
@@ -327,6 +358,13 @@ void FileWork::exportReport() {
   const QString path = askForName(tr("Export the report"), suggestedBase() + QStringLiteral("_report"),
                                   QStringLiteral("*.json"), QStringLiteral(".json"));
   if (!path.isEmpty()) document_.exportReport(path, exports_.isAnonymous());
+}
+
+void FileWork::exportAnonymousSession() {
+  const QString path =
+      askForName(tr("Export an anonymous session"), suggestedBase(false) + QStringLiteral("_session"),
+                 tr("Sessions (*.json)"), QStringLiteral(".json"));
+  if (!path.isEmpty()) document_.exportAnonymousSession(path);
 }
 
 void FileWork::exportPicture() {

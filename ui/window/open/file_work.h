@@ -5,6 +5,7 @@
 #include <QStringList>
 #include <functional>
 
+#include "core/finding.h"
 #include "core/io/formats/volume_io.h"
 
 class QWidget;
@@ -31,12 +32,15 @@ class FileWork : public QObject {
   //! Asks about unsaved work first. What can only be the surface of something is opened as an object of the
   //! volume that is open.
   void open(const QString& path, const VolumeSelection& selection = {});
+  //! The file that the anonymous session which is being opened was asked for last.
+  void give(const QString& path);
   //! The ultrasound sample with its seed. To save it asks for a name: the sample itself stays as it is.
   void openSample();
   void save();
   void saveAs();
   void exportResult();
   void exportReport();
+  void exportAnonymousSession();
   void exportPicture();
   //! Of all frames that the surface was carried through: numbered meshes, or a 4D label map.
   void exportFrames(bool asLabels);
@@ -65,10 +69,14 @@ class FileWork : public QObject {
   void recover(const QString& journal);
   QString askForName(const QString& title, const QString& suggestion, const QString& filter,
                      const QString& extension);
-  QString suggestedBase() const;
+  //! `mayTell`: it may tell the volume's name, if the step Export does not say otherwise.
+  QString suggestedBase(bool mayTell = true) const;
   void connectMessages();
   void connectObjects();
   void sayOpenFailed(const QString& sentence, bool needsSpacing);
+  void askForFile(const QString& session, FindingKind missing, const QString& refused,
+                  const QStringList& taken);
+  void chooseNeeded(const QString& session, FindingKind missing, bool isFolder);
 
   Document& document_;
   ViewGrid& views_;
@@ -78,6 +86,7 @@ class FileWork : public QObject {
   std::function<void()> next_;      //!< what waits for the session to be saved
   QString asked_;                   //!< what was to be opened last
   VolumeSelection askedSelection_;  //!< and how
+  QStringList given_;               //!< the files of that session, which does not name them
   QString polished_;                //!< what polishing did to the file that is being written
   QString remembered_;              //!< stands among the recent ones once it is open; empty: does not
   bool closing_ = false;

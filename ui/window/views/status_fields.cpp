@@ -63,6 +63,7 @@ StatusFields::StatusFields(QStatusBar* bar, Document& document)
   connect(&document_, &Document::opened, this, &StatusFields::endProgress);
   connect(&document_, &Document::openFailed, this, &StatusFields::endProgress);
   connect(&document_, &Document::seriesChoiceNeeded, this, &StatusFields::endProgress);
+  connect(&document_, &Document::fileNeeded, this, &StatusFields::endProgress);
   for (auto changed : {&Document::stateChanged, &Document::snapshotChanged, &Document::summariesChanged,
                        &Document::seedsChanged, &Document::opened})
     connect(&document_, changed, this, &StatusFields::showState);
