@@ -65,7 +65,7 @@ std::vector<std::string> overTimeDoubts(const OverTimeReport& report) {
 
 OverTimeReport anonymous(OverTimeReport report) {
   Session session;
-  session.overTime = std::move(report.request);
+  session.overTime.emplace(std::move(report.request));
   report.request = *anonymous(std::move(session)).overTime;
   for (FrameResult& r : report.frames)
     for (ToldFault& f : r.faults)
