@@ -41,6 +41,20 @@ void CrossEdges::forbid(std::span<const Triangle> faces) {
   std::sort(forbiddenFaces_.begin(), forbiddenFaces_.end());
 }
 
+double CrossEdges::lengthOf(std::span<const Triangle> faces) const {
+  std::vector<VertexPair> pairs;
+  for (const Triangle& t : faces) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [u, v] = std::minmax(t[i], t[(i + 1) % 3]);
+      if (loopOf(u) != loopOf(v)) pairs.push_back({u, v});
+    }
+  }
+  sortUnique(pairs);
+  double sum = 0;
+  for (const auto& [u, v] : pairs) sum += length(u, v);
+  return sum;
+}
+
 bool CrossEdges::isForbidden(const Triangle& face) const {
   Triangle corners = face;
   std::sort(corners.begin(), corners.end());

@@ -35,6 +35,8 @@ class CrossEdges {
   int behind(int v) const { return v + 1 == firstOf(loopOf(v) + 1) ? firstOf(loopOf(v)) : v + 1; }
   //! Of the edge uv, mm; kNone within a loop, if the edge is forbidden, and if it is not finite.
   double length(int u, int v) const { return length_[idx(u) * loop_.size() + idx(v)]; }
+  //! Of the edges between loops of these faces, each once, mm.
+  double lengthOf(std::span<const Triangle> faces) const;
   bool anyFaceForbidden() const { return !forbiddenFaces_.empty(); }
   bool allows(const Triangle& face) const {
     return !anyFaceForbidden() ||

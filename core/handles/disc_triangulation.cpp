@@ -148,7 +148,9 @@ std::vector<DiscTriangulation::Option> DiscTriangulation::options(const Chord& b
   return out;
 }
 
-DiscTriangulation::Derivation DiscTriangulation::derive(std::span<const int> prefix, int rank) const {
+//! `apexOf`: of a chord, by its number in the order of the stack; below 0: none, and no derivation.
+template <typename F>
+DiscTriangulation::Derivation DiscTriangulation::takeApart(F&& apexOf) const {
   Derivation d;
   std::vector<Chord> open;
   for (std::size_t e = ends_.size(); e-- > 0;) open.push_back({e == 0 ? 0 : ends_[e - 1], ends_[e] - 1});
@@ -156,22 +158,51 @@ DiscTriangulation::Derivation DiscTriangulation::derive(std::span<const int> pre
     const Chord base = open.back();
     open.pop_back();
     if (base.to - base.from < 2) continue;
-    const std::size_t step = d.bases.size();
-    int apex = 0;
-    if (step < prefix.size()) {
-      apex = prefix[step];
-    } else {
-      const std::vector<Option> all = options(base);
-      const std::size_t wanted = step == prefix.size() ? idx(rank) : 0;
-      if (wanted >= all.size()) return {};
-      apex = all[wanted].apex;
-    }
+    const int apex = apexOf(base, d.bases.size());
+    if (apex < 0) return {};
     d.bases.push_back(base);
     d.apexes.push_back(apex);
     open.push_back({apex, base.to});
     open.push_back({base.from, apex});
   }
   return d;
+}
+
+DiscTriangulation::Derivation DiscTriangulation::derive(std::span<const int> prefix, int rank) const {
+  return takeApart([&](const Chord& base, std::size_t step) {
+    if (step < prefix.size()) return prefix[step];
+    const std::vector<Option> all = options(base);
+    const std::size_t wanted = step == prefix.size() ? idx(rank) : 0;
+    return wanted < all.size() ? all[wanted].apex : -1;
+  });
+}
+
+DiscTriangulation::Derivation DiscTriangulation::derivationOf(std::span<const Triangle> faces) const {
+  return takeApart([&](const Chord& base, std::size_t) {
+    int apex = -1;
+    forEachApex(base, [&](int m) {
+      Triangle face{places_[idx(base.from)], places_[idx(m)], places_[idx(base.to)]};
+      std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+      if (std::binary_search(faces.begin(), faces.end(), face)) apex = m;
+    });
+    return apex;
+  });
+}
+
+double DiscTriangulation::lengthOf(const Derivation& d) const {
+  std::vector<double> below(n_ * n_, 0);
+  const auto of = [&](int from, int to) -> double& { return below[idx(from) * n_ + idx(to)]; };
+  for (std::size_t step = d.bases.size(); step-- > 0;) {
+    const auto [from, to] = d.bases[step];
+    of(from, to) = chord_[idx(from) * n_ + idx(to)] + (of(from, d.apexes[step]) + of(d.apexes[step], to));
+  }
+  double total = 0;
+  int first = 0;
+  for (const int end : ends_) {
+    total += of(first, end - 1);
+    first = end;
+  }
+  return total;
 }
 
 double DiscTriangulation::detour(const Derivation& d, std::size_t step, int rank) const {

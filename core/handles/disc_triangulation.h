@@ -51,6 +51,11 @@ class DiscTriangulation {
   //! among those possible there, and from there on the best. No bases if there is none of this rank.
   //! Precondition: solve() was called.
   Derivation derive(std::span<const int> prefix, int rank) const;
+  //! The triangulation with these faces, of two loops; each with its least vertex first, and sorted. No bases
+  //! if it has others.
+  Derivation derivationOf(std::span<const Triangle> faces) const;
+  //! Sum of the lengths of its chords, added up as solve() does it: the same bits.
+  double lengthOf(const Derivation& d) const;
   //! By how much the length grows if the apex at place `step` is replaced by the one of the given rank and
   //! the rest below it by the best, compared to the apex it has; kNone if there is none.
   double detour(const Derivation& d, std::size_t step, int rank) const;
@@ -71,6 +76,8 @@ class DiscTriangulation {
   double through(const Chord& base, int apex) const;
   double bestThrough(const Chord& base) const;
   double bestOfRun(const Chord& base, int first, int end) const;
+  template <typename F>
+  Derivation takeApart(F&& apexOf) const;
   template <typename F>
   void forEachApex(const Chord& base, F&& f) const;
   std::vector<Option> options(const Chord& base) const;

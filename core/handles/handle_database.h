@@ -5,8 +5,8 @@
 // The text (resources/handles/handles.txt) has a line for each family and sizes, with the number of handles
 // and of generators, and a line for each generator: the apexes of the faces on the boundary edges 0, 1, …,
 // then the Type 2 faces. Its last line is a checksum of all before it. It is made by make_handles and built
-// into the library. The choice of a handle for a mesh does not need it: ShortestHandles searches all handles
-// for loops of any sizes.
+// into the library. Where it lists all handles of two loops it is what chooses one for a mesh
+// (listed_handles.h); ShortestHandles searches all handles for loops of any sizes.
 
 #include <cstdint>
 #include <span>

@@ -4,10 +4,13 @@
 #include <cassert>
 #include <deque>
 #include <numeric>
+#include <utility>
 
 #include "core/cancellation.h"
 #include "core/handles/disc_triangulation.h"
 #include "core/handles/handle_bound.h"
+#include "core/handles/listed_handles.h"
+#include "core/handles/partial_handle.h"
 #include "core/indices.h"
 
 namespace handlebody {
@@ -20,31 +23,22 @@ constexpr int kRoundsAgain = 20;
 constexpr int kRounds = 1000;                    // of the search for a good lower bound
 constexpr std::size_t kRoundsWork = 30'000'000;  // that they may cost, for long loops
 
-//! A boundary polygon of what is left of the handle; its faces hold the sides in this direction.
-using Word = std::vector<int>;
-
-//! Some faces of a handle, and what is left of it without them.
-struct Partial {
-  std::vector<Triangle> taken;
-  std::vector<Word> loops;  // of the part that is no disc; none: there are only discs
-  std::vector<Word> discs;
-};
-
-std::vector<Triangle> sortedFaces(const Partial& p) {
+std::vector<Triangle> sortedFaces(const PartialHandle& p) {
   std::vector<Triangle> faces = p.taken;
   std::sort(faces.begin(), faces.end());
   return faces;
 }
 
-//! The face on the side of loops.back() or of a whole loop that is to be joined next, by its third corner.
-struct Branch {
-  int partial = 0;  // index of what it continues
-  int loop = 0;     // with the side
-  int side = 0;     // its place
-  int otherLoop = 0;
-  int apex = 0;            // its place in otherLoop
-  bool restBehind = true;  // apex on the same loop: the other loops lie between side and apex, not behind it
-};
+HandleCandidate candidate(const PartialHandle& p, const std::vector<Triangle>& rest, double length) {
+  HandleCandidate handle{p.taken, length};
+  handle.faces.insert(handle.faces.end(), rest.begin(), rest.end());
+  return handle;
+}
+
+bool has(const Handle& handle, Triangle face) {
+  std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+  return std::binary_search(handle.begin(), handle.end(), face);
+}
 
 //! One polygon that is left, with the triangulation that comes next in it.
 struct Next {
@@ -60,10 +54,11 @@ class ShortestHandles::Search {
  public:
   Search(std::span<const std::vector<Vec3>> loops, std::span<const VertexPair> forbiddenEdges,
          std::size_t maxWork);
+  std::optional<HandleCandidate> nextListed();
   std::optional<HandleCandidate> next();
   void forbid(std::span<const Triangle> faces, std::span<const VertexPair> edges);
   bool gaveUp() const { return gaveUp_; }
-  std::size_t workDone() const { return workDone_; }
+  std::size_t workDone() const { return work_.done; }
 
  private:
   enum class Kind { branch, solved, next };
@@ -84,27 +79,24 @@ class ShortestHandles::Search {
 
   void start(int rounds);
   void chooseTellingEdges();
-  std::optional<Partial> anyPartial();
+  std::optional<PartialHandle> anyPartial();
   void giveUp();
   void count(std::size_t steps);
-  static Triangle faceOf(const Partial& p, const Branch& b);
   void push(double length, Kind kind, std::size_t index);
-  double takenLength(const Partial& p) const;
-  bool isUsed(const Partial& p, int u, int v) const;
+  bool isUsed(const PartialHandle& p, int u, int v) const;
 
   void expand(int partial);
-  std::pair<int, int> sideToJoin(const Partial& p) const;
-  void branchTo(Branch b, const Triangle& face);
-  void branchWithin(Branch b);
-  void take(const Branch& b);
-  void join(Partial& p, const Branch& b) const;
-  void split(Partial& p, const Branch& b) const;
+  std::pair<int, int> sideToJoin(const PartialHandle& p) const;
+  void branchTo(HandleBranch b, const Triangle& face);
+  void branchWithin(HandleBranch b);
+  void takeBranch(const HandleBranch& b);
 
-  DiscTriangulation discsOf(const Partial& p) const;
+  DiscTriangulation discsOf(const PartialHandle& p) const;
   void solve(int partial);
   void openSolved(const Solved& s, double length);
   void separate(const DiscTriangulation& discs, int partial, const std::array<Chord, 2>& pair);
   std::optional<HandleCandidate> follow(const Next& n, double length);
+  std::optional<HandleCandidate> searchOn();
 
   CrossEdges edges_;
   HandleBound bound_;
@@ -112,20 +104,26 @@ class ShortestHandles::Search {
   std::vector<int> tellingVertex_;  // of each loop: where its edge starts
   std::vector<Entry> heap_;
   std::size_t pushed_ = 0;
-  std::deque<Partial> partials_;
-  std::deque<Branch> branches_;
+  std::deque<PartialHandle> partials_;
+  std::deque<HandleBranch> branches_;
   std::deque<Solved> solved_;
   std::deque<Next> nexts_;
-  std::size_t workLeft_;
-  std::size_t workDone_ = 0;
+  struct Work {
+    std::size_t left;
+    std::size_t done;
+  };
+  Work work_;
   bool gaveUp_ = false;
+  bool isFresh_ = false;  // nothing has been taken from the heap
+  // As it was before a handle came from the list, which the search has yet to find: else none.
+  std::optional<Work> beforeListed_;
 };
 
 ShortestHandles::Search::Search(std::span<const std::vector<Vec3>> loops,
                                 std::span<const VertexPair> forbiddenEdges, std::size_t maxWork)
-    : edges_(loops, forbiddenEdges), bound_(edges_), workLeft_(maxWork) {
+    : edges_(loops, forbiddenEdges), bound_(edges_), work_{maxWork, 0} {
   assert(loops.size() >= 2 && loops.size() <= kMaxLoops);
-  Partial whole;
+  PartialHandle whole;
   for (int k = 0; k < edges_.loopCount(); ++k) {
     if (edges_.firstOf(k + 1) - edges_.firstOf(k) < 3) return;
     Word& word = whole.loops.emplace_back(idx(edges_.firstOf(k + 1) - edges_.firstOf(k)));
@@ -136,16 +134,17 @@ ShortestHandles::Search::Search(std::span<const std::vector<Vec3>> loops,
 }
 
 void ShortestHandles::Search::start(int rounds) {
+  isFresh_ = true;
   if (!(bound_.ofAll() < kNone)) return;
   chooseTellingEdges();
   if (edges_.loopCount() > 2) {
-    const std::optional<Partial> any = anyPartial();
+    const std::optional<PartialHandle> any = anyPartial();
     if (any) {
       const auto vertices = idx(edges_.vertexCount());
       const auto affordable = std::max<std::size_t>(kRoundsAgain, kRoundsWork / (vertices * vertices));
-      workDone_ += idx(bound_.tighten(discsOf(*any).solve() + takenLength(*any),
-                                      std::min(rounds, static_cast<int>(affordable)))) *
-                   vertices * vertices;
+      work_.done += idx(bound_.tighten(discsOf(*any).solve() + edges_.lengthOf(any->taken),
+                                       std::min(rounds, static_cast<int>(affordable)))) *
+                    vertices * vertices;
     }
     chooseTellingEdges();
   }
@@ -162,6 +161,7 @@ void ShortestHandles::Search::forbid(std::span<const Triangle> faces, std::span<
   branches_.clear();
   solved_.clear();
   nexts_.clear();
+  beforeListed_.reset();
   bound_.update(edges);
   start(kRoundsAgain);
   if (gaveUp_) giveUp();
@@ -183,18 +183,18 @@ void ShortestHandles::Search::chooseTellingEdges() {
 }
 
 void ShortestHandles::Search::count(std::size_t steps) {
-  workLeft_ -= std::min(workLeft_, steps);
-  workDone_ += steps;
+  work_.left -= std::min(work_.left, steps);
+  work_.done += steps;
   giveUpIfCancelled();
 }
 
 //! Behind the branches that look best one by one.
-std::optional<Partial> ShortestHandles::Search::anyPartial() {
-  Partial p = partials_[0];
+std::optional<PartialHandle> ShortestHandles::Search::anyPartial() {
+  PartialHandle p = partials_[0];
   while (!p.loops.empty()) {
     const auto [loop, side] = sideToJoin(p);
     const Word& word = p.loops[idx(loop)];
-    Branch best;
+    HandleBranch best;
     double least = kNone;
     for (std::size_t l = 0; l < p.loops.size(); ++l) {
       if (static_cast<int>(l) == loop) continue;
@@ -207,8 +207,7 @@ std::optional<Partial> ShortestHandles::Search::anyPartial() {
       }
     }
     if (least == kNone) return std::nullopt;
-    p.taken.push_back(faceOf(p, best));
-    join(p, best);
+    take(p, best);
   }
   return p;
 }
@@ -216,7 +215,7 @@ std::optional<Partial> ShortestHandles::Search::anyPartial() {
 //! From now on only what has been found counts, and the handle that looked best at first.
 void ShortestHandles::Search::giveUp() {
   gaveUp_ = true;
-  std::optional<Partial> any = anyPartial();
+  std::optional<PartialHandle> any = anyPartial();
   if (!any) return;
   const auto same = [&](const Solved& s) {
     return sortedFaces(partials_[idx(s.partial)]) == sortedFaces(*any);
@@ -226,32 +225,12 @@ void ShortestHandles::Search::giveUp() {
   solve(static_cast<int>(partials_.size()) - 1);
 }
 
-Triangle ShortestHandles::Search::faceOf(const Partial& p, const Branch& b) {
-  const Word& word = p.loops[idx(b.loop)];
-  return {word[idx(b.side)], word[(idx(b.side) + 1) % word.size()], p.loops[idx(b.otherLoop)][idx(b.apex)]};
-}
-
 void ShortestHandles::Search::push(double length, Kind kind, std::size_t index) {
   heap_.push_back({length, pushed_++, kind, index});
   std::push_heap(heap_.begin(), heap_.end());
 }
 
-//! Of the edges between loops of the faces taken, each once.
-double ShortestHandles::Search::takenLength(const Partial& p) const {
-  std::vector<VertexPair> pairs;
-  for (const Triangle& t : p.taken) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto [u, v] = std::minmax(t[i], t[(i + 1) % 3]);
-      if (edges_.loopOf(u) != edges_.loopOf(v)) pairs.push_back({u, v});
-    }
-  }
-  sortUnique(pairs);
-  double sum = 0;
-  for (const auto& [u, v] : pairs) sum += edges_.length(u, v);
-  return sum;
-}
-
-bool ShortestHandles::Search::isUsed(const Partial& p, int u, int v) const {
+bool ShortestHandles::Search::isUsed(const PartialHandle& p, int u, int v) const {
   return std::any_of(p.taken.begin(), p.taken.end(), [&](const Triangle& t) {
     return std::count(t.begin(), t.end(), u) + std::count(t.begin(), t.end(), v) == 2;
   });
@@ -259,7 +238,7 @@ bool ShortestHandles::Search::isUsed(const Partial& p, int u, int v) const {
 
 //! The loop and the place of the side whose face is to be chosen: the telling edge of a loop that has not
 //! been joined to another, or, of two joined pairs, the side of the last that comes closest to the other.
-std::pair<int, int> ShortestHandles::Search::sideToJoin(const Partial& p) const {
+std::pair<int, int> ShortestHandles::Search::sideToJoin(const PartialHandle& p) const {
   for (const int k : joinOrder_) {
     for (std::size_t l = 0; l < p.loops.size(); ++l) {
       const Word& word = p.loops[l];
@@ -284,7 +263,7 @@ std::pair<int, int> ShortestHandles::Search::sideToJoin(const Partial& p) const 
 }
 
 void ShortestHandles::Search::expand(int partial) {
-  const Partial& p = partials_[idx(partial)];
+  const PartialHandle& p = partials_[idx(partial)];
   if (p.loops.empty()) return solve(partial);
   const auto [loop, side] = sideToJoin(p);
   const Word& word = p.loops[idx(loop)];
@@ -302,7 +281,7 @@ void ShortestHandles::Search::expand(int partial) {
   }
 }
 
-void ShortestHandles::Search::branchTo(Branch b, const Triangle& face) {
+void ShortestHandles::Search::branchTo(HandleBranch b, const Triangle& face) {
   if (!edges_.allows(face)) return;
   const double length = bound_.with(partials_[idx(b.partial)].taken, face);
   if (length == kNone) return;
@@ -312,8 +291,8 @@ void ShortestHandles::Search::branchTo(Branch b, const Triangle& face) {
 
 //! The third corner lies on the loop of the side itself. Between them are a side of the loop or a new chord;
 //! the part with the other loops is bounded by a new chord.
-void ShortestHandles::Search::branchWithin(Branch b) {
-  const Partial& p = partials_[idx(b.partial)];
+void ShortestHandles::Search::branchWithin(HandleBranch b) {
+  const PartialHandle& p = partials_[idx(b.partial)];
   const Word& word = p.loops[idx(b.loop)];
   const int n = static_cast<int>(word.size());
   const int u = word[idx(b.side)];
@@ -327,46 +306,14 @@ void ShortestHandles::Search::branchWithin(Branch b) {
   branchTo(b, {u, v, w});
 }
 
-void ShortestHandles::Search::take(const Branch& b) {
-  const Partial& from = partials_[idx(b.partial)];
-  Partial p = from;
-  p.taken.push_back(faceOf(from, b));
-  if (b.loop == b.otherLoop)
-    split(p, b);
-  else
-    join(p, b);
+void ShortestHandles::Search::takeBranch(const HandleBranch& b) {
+  PartialHandle p = partials_[idx(b.partial)];
+  take(p, b);
   partials_.push_back(std::move(p));
   expand(static_cast<int>(partials_.size()) - 1);
 }
 
-//! Two loops become one: from the end of the side round to its start, over to the apex, round the other loop
-//! back to the apex.
-void ShortestHandles::Search::join(Partial& p, const Branch& b) const {
-  Word first = p.loops[idx(b.loop)];
-  Word second = p.loops[idx(b.otherLoop)];
-  std::rotate(first.begin(), first.begin() + (b.side + 1) % static_cast<int>(first.size()), first.end());
-  std::rotate(second.begin(), second.begin() + b.apex, second.end());
-  first.insert(first.end(), second.begin(), second.end());
-  first.push_back(second[0]);
-  p.loops.erase(p.loops.begin() + std::max(b.loop, b.otherLoop));
-  p.loops.erase(p.loops.begin() + std::min(b.loop, b.otherLoop));
-  (p.loops.empty() ? p.discs : p.loops).push_back(std::move(first));
-}
-
-//! One of the two parts of the loop is a disc (or a mere side), the other stays with the other loops.
-void ShortestHandles::Search::split(Partial& p, const Branch& b) const {
-  Word word = p.loops[idx(b.loop)];
-  const int n = static_cast<int>(word.size());
-  std::rotate(word.begin(), word.begin() + (b.side + 1) % n, word.end());  // v … w … u
-  const auto apex = word.begin() + (b.apex - b.side - 1 + n) % n;
-  Word ahead(word.begin(), apex + 1);
-  Word behind(apex, word.end());
-  Word& disc = b.restBehind ? ahead : behind;
-  p.loops[idx(b.loop)] = b.restBehind ? behind : ahead;
-  if (disc.size() > 2) p.discs.push_back(std::move(disc));
-}
-
-DiscTriangulation ShortestHandles::Search::discsOf(const Partial& p) const {
+DiscTriangulation ShortestHandles::Search::discsOf(const PartialHandle& p) const {
   std::vector<int> places;
   std::vector<int> ends;
   for (const Word& disc : p.discs) {
@@ -377,10 +324,10 @@ DiscTriangulation ShortestHandles::Search::discsOf(const Partial& p) const {
 }
 
 void ShortestHandles::Search::solve(int partial) {
-  const Partial& p = partials_[idx(partial)];
+  const PartialHandle& p = partials_[idx(partial)];
   DiscTriangulation discs = discsOf(p);
   count(discs.work());
-  const double length = discs.solve() + takenLength(p);
+  const double length = discs.solve() + edges_.lengthOf(p.taken);
   if (length == kNone) return;
   solved_.push_back({partial, nullptr});
   push(length, Kind::solved, solved_.size() - 1);
@@ -392,7 +339,7 @@ void ShortestHandles::Search::openSolved(const Solved& s, double length) {
   if (!discs) {
     auto again = std::make_shared<DiscTriangulation>(discsOf(partials_[idx(s.partial)]));
     again->solve();
-    workDone_ += again->work();
+    work_.done += again->work();
     discs = std::move(again);
   }
   const auto pair = discs->repeatedPair(discs->derive({}, 0));
@@ -409,7 +356,7 @@ void ShortestHandles::Search::separate(const DiscTriangulation& discs, int parti
   without->exclude(pair[0]);
   with->require(pair[0]);
   with->exclude(pair[1]);
-  const double taken = takenLength(partials_[idx(partial)]);
+  const double taken = edges_.lengthOf(partials_[idx(partial)].taken);
   for (auto& part : {without, with}) {
     count(part->work());
     const double length = part->solve() + taken;
@@ -433,21 +380,19 @@ std::optional<HandleCandidate> ShortestHandles::Search::follow(const Next& n, do
     push(length + detour, Kind::next, nexts_.size() - 1);
   }
   if (discs.repeatedPair(d)[0].to != 0) return std::nullopt;
-  HandleCandidate handle{partials_[idx(n.partial)].taken, length};
-  const std::vector<Triangle> rest = discs.faces(d);
-  handle.faces.insert(handle.faces.end(), rest.begin(), rest.end());
-  return handle;
+  return candidate(partials_[idx(n.partial)], discs.faces(d), length);
 }
 
-std::optional<HandleCandidate> ShortestHandles::Search::next() {
+std::optional<HandleCandidate> ShortestHandles::Search::searchOn() {
+  isFresh_ = false;
   while (!heap_.empty()) {
-    if (workLeft_ == 0 && !gaveUp_) giveUp();
+    if (work_.left == 0 && !gaveUp_) giveUp();
     std::pop_heap(heap_.begin(), heap_.end());
     const Entry entry = heap_.back();
     heap_.pop_back();
     count(1);
     if (entry.kind == Kind::branch) {
-      if (!gaveUp_) take(branches_[entry.index]);
+      if (!gaveUp_) takeBranch(branches_[entry.index]);
     } else if (entry.kind == Kind::solved) {
       openSolved(solved_[entry.index], entry.length);
     } else {
@@ -458,6 +403,41 @@ std::optional<HandleCandidate> ShortestHandles::Search::next() {
   return std::nullopt;
 }
 
+//! The faces in the order in which the search gives them, and with its work, as if it had been done: neither
+//! the numbers of faces in a mesh nor what a step may still take depends on who found the handle.
+std::optional<HandleCandidate> ShortestHandles::Search::nextListed() {
+  if (!isFresh_ || gaveUp_) return std::nullopt;
+  const std::optional<Handle> listed = shortestListed(edges_);
+  if (!listed) return std::nullopt;
+  const auto own = std::find_if(heap_.begin(), heap_.end(), [&](const Entry& e) {
+    return has(*listed, faceOf(partials_[0], branches_[e.index]));
+  });
+  assert(own != heap_.end());
+  PartialHandle p = partials_[0];
+  take(p, branches_[own->index]);
+  const DiscTriangulation discs = discsOf(p);
+  const auto d = discs.derivationOf(*listed);
+  HandleCandidate handle = candidate(p, discs.faces(d), discs.lengthOf(d) + edges_.lengthOf(p.taken));
+  // It would solve all branches that can be as short, and open this one.
+  const auto solved = static_cast<std::size_t>(std::count_if(
+      heap_.begin(), heap_.end(), [&](const Entry& e) { return e.length <= handle.length || !(e < *own); }));
+  const std::size_t steps = solved * (1 + discs.work()) + 2;
+  if (work_.left <= steps) return std::nullopt;
+  isFresh_ = false;
+  beforeListed_ = work_;
+  count(steps);
+  work_.done += discs.work();
+  return handle;
+}
+
+std::optional<HandleCandidate> ShortestHandles::Search::next() {
+  if (beforeListed_) {
+    work_ = *std::exchange(beforeListed_, std::nullopt);
+    searchOn();
+  }
+  return searchOn();
+}
+
 ShortestHandles::ShortestHandles(std::span<const std::vector<Vec3>> loops,
                                  std::span<const VertexPair> forbiddenEdges, std::size_t maxWork)
     : search_(std::make_unique<Search>(loops, forbiddenEdges, maxWork)) {}
@@ -465,6 +445,7 @@ ShortestHandles::~ShortestHandles() = default;
 ShortestHandles::ShortestHandles(ShortestHandles&&) noexcept = default;
 ShortestHandles& ShortestHandles::operator=(ShortestHandles&&) noexcept = default;
 
+std::optional<HandleCandidate> ShortestHandles::nextListed() { return search_->nextListed(); }
 std::optional<HandleCandidate> ShortestHandles::next() { return search_->next(); }
 void ShortestHandles::forbid(std::span<const Triangle> faces, std::span<const VertexPair> edges) {
   search_->forbid(faces, edges);

@@ -55,6 +55,12 @@ class ShortestHandles {
   ShortestHandles(ShortestHandles&&) noexcept;
   ShortestHandles& operator=(ShortestHandles&&) noexcept;
 
+  //! As next() before anything else was asked of it, or since forbid(), if the handle database tells the
+  //! handle: the same faces in the same order, the same length and workDone(), and the same handles after it.
+  //! None, and next() is to be asked, if the database does not tell it (listed_handles.h), or the work may
+  //! not be enough for a search.
+  std::optional<HandleCandidate> nextListed();
+
   //! The next handle; none if there are no more. Equal lengths come in an order that depends on the numbering
   //! only. After maxWork steps the search is not widened: handles still come shortest first, but not all of
   //! them.

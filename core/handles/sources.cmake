@@ -7,6 +7,8 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/handles/handle_enumeration.cpp
   ${CMAKE_SOURCE_DIR}/core/handles/handle_orbits.cpp
   ${CMAKE_SOURCE_DIR}/core/handles/homology.cpp
+  ${CMAKE_SOURCE_DIR}/core/handles/listed_handles.cpp
+  ${CMAKE_SOURCE_DIR}/core/handles/partial_handle.cpp
   ${CMAKE_SOURCE_DIR}/core/handles/smith_normal_form.cpp
   ${CMAKE_SOURCE_DIR}/core/handles/shortest_handles.cpp)
 
