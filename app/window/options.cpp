@@ -42,7 +42,7 @@ void addOptions(CLI::App& app, Texts& texts, Options& options) {
       ->check(CLI::Range(0, 1'000'000))
       ->needs(screenshot);
   app.add_option("--stage", texts.stage, "Show this stage of the event at that iteration")
-      ->check(CLI::IsMember({"collide", "open", "handle", "close"}))
+      ->check(CLI::IsMember({"collide", "refine", "open", "handle", "close"}))
       ->needs("--iteration");
   app.add_option("--size", texts.size, "Of the window in logical pixels")
       ->type_name("WxH")

@@ -19,9 +19,10 @@ namespace {
 
 enum Code { kDone = 0, kOutput = 2, kInput = 3, kSeed = 4 };
 constexpr ui::EventStage kStages[] = {ui::EventStage::colliding, ui::EventStage::opened,
-                                      ui::EventStage::handle, ui::EventStage::closed};
+                                      ui::EventStage::handle, ui::EventStage::closed,
+                                      ui::EventStage::refined};
 const QStringList kStageWords{QStringLiteral("collide"), QStringLiteral("open"), QStringLiteral("handle"),
-                              QStringLiteral("close")};
+                              QStringLiteral("close"), QStringLiteral("refine")};
 constexpr int kSettle = 400;  // ms for layouts and the last drawing
 constexpr int kLayouts = 3;
 

@@ -32,10 +32,20 @@ const char* eventKindName(EventKind kind);
 //! move the surface.
 bool changesTopology(EventKind kind);
 
+//! Where the handle was found that joins fronts, or the band that joins the polygons of one.
+enum class HandleSource {
+  none,      //!< no handle: caps, or nothing
+  database,  //!< told by the handle database
+  search,    //!< sizes that it does not list, or lengths that do not tell
+};
+
 //! The stages of a change of topology (the paper's Figures 1 and 7), in mm; recorded only on request.
 struct EventTrace {
-  std::vector<std::array<Vec3, 3>> collidingFaces;
-  std::vector<std::vector<Vec3>> lambda;         //!< the sets Λ, one list of vertex positions each
+  std::vector<std::array<Vec3, 3>> collidingFaces;  //!< as they met, before any refinement
+  std::vector<std::vector<Vec3>> lambda;            //!< the sets Λ, one list of vertex positions each
+  //! The mesh near the place with new vertices on the middles of the edges around Λ; empty if no opening
+  //! needed them.
+  std::vector<std::array<Vec3, 3>> refinedFaces;
   std::vector<std::array<Vec3, 3>> openedFaces;  //!< M_b near the place
   std::vector<std::vector<Vec3>> boundaryLoops;  //!< the boundary polygons of M_b
   std::vector<std::array<Vec3, 3>> handleFaces;  //!< K (handle or caps)
@@ -54,6 +64,7 @@ struct Event {
   Vec3 location{0, 0, 0};      //!< mm
   int fronts = 0;              //!< k, for handles
   std::vector<int> loopSizes;  //!< vertices of each boundary polygon
+  HandleSource handleFrom = HandleSource::none;
   TopologyNumbers before;
   //! What the change predicts (predicted_change.h). A step that ends with other numbers, counted on its mesh,
   //! is rolled back: in an event of a step that was kept these are the true ones.

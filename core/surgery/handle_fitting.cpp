@@ -162,7 +162,9 @@ FittingHandle shortestFittingHandle(const Mesh& mesh, std::span<const Opening> o
   Faults faults(polygons, surroundings, caps);
   std::size_t done = 0;
   for (; out.tried < kFitTries && !budget.isSpent(); ++out.tried) {
-    const auto handle = search.next();
+    auto handle = search.nextListed();
+    out.isListed = handle.has_value();
+    if (!handle) handle = search.next();
     budget.spend(search.workDone() - done + kFaceWork * polygons.size());
     done = search.workDone();
     if (search.gaveUp() && most < ShortestHandles::kMaxWork) return out;  // it would be found with more

@@ -21,14 +21,16 @@ std::vector<Patch> handlesBetween(const Mesh& mesh, std::span<const Opening> ope
 struct FittingHandle {
   Patch patch;  //!< handle and caps
   bool found = false;
-  bool shortest = true;  //!< false: the search was cut short, and there may be a shorter one
-  int tried = 0;         //!< handles that did not fit before this one
+  bool shortest = true;   //!< false: the search was cut short, and there may be a shorter one
+  bool isListed = false;  //!< chosen from the handle database, without a search
+  int tried = 0;          //!< handles that did not fit before this one
 };
 
 //! The shortest of all handles for the polygons that intersects neither itself, nor the caps, nor what stays
 //! of the mesh, together with the caps. A face that intersects the mesh or a cap is in no handle that fits:
-//! the search goes on among those without it, so that next best handles with the same fault are not tried one
-//! by one. Exact up to kFitTries handles, or until the work is spent; then none.
+//! the choice goes on among those without it, so that next best handles with the same fault are not tried one
+//! by one. The handle database is asked first, each time, and the search where it tells none: both choose the
+//! same. Exact up to kFitTries handles, or until the work is spent; then none.
 FittingHandle shortestFittingHandle(const Mesh& mesh, std::span<const Opening> openings,
                                     std::span<const std::vector<int>> loops, const Patch& caps,
                                     const Surroundings& surroundings, WorkBudget* work = nullptr);

@@ -98,6 +98,7 @@ Opening openWithRefinement(Mesh& mesh, const std::vector<int>& lambda) {
     mesh.splitEdge(mesh.findHalfedge(v, w), (mesh.position(v) + mesh.position(w)) / 2);
   auto opening = planOpening(mesh, lambda);
   assert(opening);
+  opening->isRefined = true;
   return *opening;
 }
 

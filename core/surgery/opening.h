@@ -15,6 +15,7 @@ struct Opening {
   std::vector<int> faces;   //!< faces that go, ascending: the stars of lambda
   //! The boundary polygons; each runs in the direction in which the faces that close the hole hold its edges.
   std::vector<std::vector<int>> loops;
+  bool isRefined = false;  //!< the mesh was refined for it: the loops are of new vertices
 };
 
 //! Λ together with its neighbours.

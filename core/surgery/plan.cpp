@@ -43,9 +43,14 @@ struct ClosingChoice {
   Patch patch;
   EventKind kind = EventKind::smoothed;
   std::vector<int> joined{};  // as in the plan
-  double area = 0;            // mm²
+  HandleSource handleFrom = HandleSource::none;
+  double area = 0;  // mm²
   bool shrinks = false;
 };
+
+HandleSource sourceOf(const FittingHandle& handle) {
+  return handle.isListed ? HandleSource::database : HandleSource::search;
+}
 
 std::vector<int> oneOfEach(const Loops& loops) {
   std::vector<int> out;
@@ -105,6 +110,7 @@ bool Planner::joinFronts(std::span<const Opening> openings) {
     plan_.patch = std::move(best.patch);
     plan_.kind = EventKind::handleInserted;
     plan_.shortest = best.shortest;
+    plan_.handleFrom = sourceOf(best);
     plan_.fronts = static_cast<int>(openings.size());
     return true;
   }
@@ -148,7 +154,9 @@ bool Planner::closeOne(const Opening& opening) {
     noCaps.firstNew = mesh_.vertexSlots();
     FittingHandle band =
         shortestFittingHandle(mesh_, one, opening.loops, noCaps, surroundings_, settings_.work);
-    if (band.found) choices.push_back({std::move(band.patch), EventKind::smoothed, oneOfEach(opening.loops)});
+    if (band.found)
+      choices.push_back(
+          {std::move(band.patch), EventKind::smoothed, oneOfEach(opening.loops), sourceOf(band)});
   }
   for (ClosingChoice& c : choices) {
     c.area = area(mesh_, c.patch);
@@ -163,6 +171,7 @@ bool Planner::closeOne(const Opening& opening) {
       plan_.patch = std::move(c.patch);
       plan_.kind = c.kind;
       plan_.joined = std::move(c.joined);
+      plan_.handleFrom = c.handleFrom;
       return true;
     }
   reason_ = FindingKind::noPatch;

@@ -23,6 +23,7 @@ struct Plan {
   //! One vertex of each polygon that a handle or a band joins; all other polygons get caps.
   std::vector<int> joined;
   bool shortest = true;  //!< false: there may be a shorter handle, the search for it was cut short
+  HandleSource handleFrom = HandleSource::none;
 };
 
 struct PlanSettings {

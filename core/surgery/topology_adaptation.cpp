@@ -113,6 +113,8 @@ class Adaptation {
   bool close(const CollisionGroup& group, std::vector<std::vector<int>> sets, int enlargements,
              const std::vector<Finding>& before, FindingKind& reason) {
     std::vector<Finding> why = before;
+    // Now: where the mesh is refined the faces that collide are no more.
+    const EventTrace met = settings_.recordTraces ? traceOfCollision(mesh_, group.pairs) : EventTrace{};
     for (int ring = 0; ring <= enlargements && !isSpent(); ++ring) {
       for (const auto& lambda : sets) spend(kPlaceWork * lambda.size());
       colliding_.resize(idx(mesh_.faceSlots()), 0);
@@ -121,7 +123,7 @@ class Adaptation {
                   {settings_.outwardOnly, colliding_, settings_.forbidden, settings_.work}, reason);
       const bool deletes = plan && plan->kind == EventKind::componentDeleted && ring > kDeletes;
       if (plan && !deletes) {
-        apply(group, *plan, why);
+        apply(group, *plan, why, met);
         return true;
       }
       if (deletes) reason = FindingKind::nothingLeft;
@@ -143,8 +145,10 @@ class Adaptation {
     return true;
   }
 
-  void apply(const CollisionGroup& group, const Plan& plan, const std::vector<Finding>& why) {
+  void apply(const CollisionGroup& group, const Plan& plan, const std::vector<Finding>& why,
+             const EventTrace& met) {
     Event event = describe(group, plan);
+    if (settings_.recordTraces) traceOpening(mesh_, plan.openings, event.trace = met);
     event.reasons = why;
     if (!plan.shortest) event.reasons.push_back(FindingKind::maybeShorter);
     std::vector<int> faces, vertices;
@@ -251,10 +255,10 @@ class Adaptation {
     event.kind = plan.kind;
     event.iteration = settings_.iteration;
     event.fronts = plan.fronts;
+    event.handleFrom = plan.handleFrom;
     event.location = middle(group);
     for (const Opening& o : plan.openings)
       for (const auto& loop : o.loops) event.loopSizes.push_back(static_cast<int>(loop.size()));
-    if (settings_.recordTraces) event.trace = traceOfOpening(mesh_, group.pairs, plan.openings);
     return event;
   }
 

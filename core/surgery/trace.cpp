@@ -36,14 +36,17 @@ std::vector<int> facesAround(const Mesh& mesh, const Opening& opening, std::span
 
 }  // namespace
 
-EventTrace traceOfOpening(const Mesh& mesh, std::span<const FacePair> pairs,
-                          std::span<const Opening> openings) {
+EventTrace traceOfCollision(const Mesh& mesh, std::span<const FacePair> pairs) {
   EventTrace trace;
   std::vector<int> colliding;
   for (const auto& [f, g] : pairs) colliding.insert(colliding.end(), {f, g});
   sortUnique(colliding);
   for (const int f : colliding)
     if (mesh.isFace(f)) trace.collidingFaces.push_back(cornersOf(mesh, mesh.face(f)));
+  return trace;
+}
+
+void traceOpening(const Mesh& mesh, std::span<const Opening> openings, EventTrace& trace) {
   std::vector<int> opened;
   for (const Opening& o : openings) {
     trace.lambda.push_back(positionsOf(mesh, o.lambda));
@@ -53,7 +56,10 @@ EventTrace traceOfOpening(const Mesh& mesh, std::span<const FacePair> pairs,
   }
   sortUnique(opened);
   for (const int f : opened) trace.openedFaces.push_back(cornersOf(mesh, mesh.face(f)));
-  return trace;
+  if (std::none_of(openings.begin(), openings.end(), [](const Opening& o) { return o.isRefined; })) return;
+  trace.refinedFaces = trace.openedFaces;
+  for (const Opening& o : openings)
+    for (const int f : o.faces) trace.refinedFaces.push_back(cornersOf(mesh, mesh.face(f)));
 }
 
 void traceClosing(const Mesh& mesh, std::span<const Triangle> patch, EventTrace& trace) {

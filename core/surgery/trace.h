@@ -9,10 +9,12 @@
 
 namespace handlebody {
 
-//! The stages of a change of topology before it is made: colliding faces, Λ, and the opened mesh within a few
-//! rings of it.
-EventTrace traceOfOpening(const Mesh& mesh, std::span<const FacePair> pairs,
-                          std::span<const Opening> openings);
+//! The first stage of a change of topology: the colliding faces of the mesh as it is before any refinement.
+EventTrace traceOfCollision(const Mesh& mesh, std::span<const FacePair> pairs);
+
+//! Adds Λ, the mesh within a few rings of it, opened, and refined where an opening needed it. Precondition:
+//! the mesh is refined, and not yet open.
+void traceOpening(const Mesh& mesh, std::span<const Opening> openings, EventTrace& trace);
 
 //! Adds the faces that closed the mesh, which are in the mesh now.
 void traceClosing(const Mesh& mesh, std::span<const Triangle> patch, EventTrace& trace);

@@ -37,7 +37,7 @@ TEST_CASE("a report holds every field of the contract", "[report]") {
   const auto json = nlohmann::json::parse(reportText(smallReport()));
   for (const char* key :
        {"version", "notice", "input", "parameters", "requested", "seeds", "candidates", "close_choice",
-        "unsupported_surface", "iterations", "stopped", "seconds", "mesh", "events"}) {
+        "unsupported_surface", "iterations", "stopped", "seconds", "mesh", "handles", "events"}) {
     INFO(key);
     CHECK(json.contains(key));
   }
@@ -58,6 +58,18 @@ TEST_CASE("a report holds every field of the contract", "[report]") {
        {"kind", "iteration", "location", "fronts", "loop_sizes", "before", "after", "reason"})
     CHECK(json["events"][0].contains(key));
   for (const char* key : {"components", "genus", "euler"}) CHECK(json["events"][0]["before"].contains(key));
+}
+
+TEST_CASE("it is told how many handles came from the database and how many from the search", "[report]") {
+  RunReport report = smallReport();
+  report.events.resize(6);
+  for (const std::size_t i : {1, 4}) report.events[i].handleFrom = HandleSource::database;
+  report.events[5].handleFrom = HandleSource::search;
+  const auto json = nlohmann::json::parse(reportText(report));
+  CHECK(json.at("handles") == nlohmann::json{{"from_database", 2}, {"from_search", 1}});
+  CHECK_FALSE(json.at("events").at(0).contains("handle_from"));
+  CHECK(json.at("events").at(1).at("handle_from") == "database");
+  CHECK(json.at("events").at(5).at("handle_from") == "search");
 }
 
 TEST_CASE("what is told of a result and of an event has a kind, its numbers and a sentence", "[report]") {
@@ -140,7 +152,8 @@ TEST_CASE("traces are in the trace file only", "[report]") {
   CHECK_FALSE(nlohmann::json::parse(reportText(report))["events"][0].contains("trace"));
   const auto trace = nlohmann::json::parse(traceText(report))["events"][0]["trace"];
   CHECK(trace["boundary_loops"][0][1] == nlohmann::json::array({1.0, 0.0, 0.0}));
-  for (const char* key : {"colliding_faces", "lambda", "opened_faces", "handle_faces", "closed_faces"})
+  for (const char* key :
+       {"colliding_faces", "lambda", "refined_faces", "opened_faces", "handle_faces", "closed_faces"})
     CHECK(trace[key].is_array());
 }
 

@@ -89,11 +89,11 @@ void paintStageCaption(QPainter& painter, EventStage stage) {
     paintKey(painter, {kOverlayMargin, y}, colour, text);
     y += lineHeight();
   };
-  if (stage == EventStage::colliding) {
-    key(colliding, tr("colliding triangles"));
-    key(Qt::white, tr("vertices that are taken out"));
-  }
-  if (stage == EventStage::opened || stage == EventStage::handle) key(loops, tr("boundary polygons"));
+  const bool refined = stage == EventStage::refined;
+  if (stage == EventStage::colliding) key(colliding, tr("colliding triangles"));
+  if (stage == EventStage::colliding || refined) key(Qt::white, tr("vertices that are taken out"));
+  if (stage == EventStage::opened || stage == EventStage::handle || refined)
+    key(loops, tr("boundary polygons"));
   if (stage == EventStage::handle) key(handle, tr("handle"));
   if (stage == EventStage::closed) key(QColor(0xb9, 0xc3, 0xd0), tr("closed mesh"));
 }

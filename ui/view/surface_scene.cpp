@@ -217,6 +217,7 @@ SurfaceScene::~SurfaceScene() = default;
 
 void SurfaceScene::Private::updateVisibility() {
   const bool staged = stage != EventStage::none;
+  const bool refined = stage == EventStage::refined;
   const bool open = stage == EventStage::opened || stage == EventStage::handle;
   mesh.actor()->SetVisibility(hasMesh && !staged);
   pinned.actor()->SetVisibility(hasMesh && hasPinned && !staged);
@@ -225,8 +226,8 @@ void SurfaceScene::Private::updateVisibility() {
   for (Shown& other : others) other.actor.actor()->SetVisibility(!staged);
   around.actor()->SetVisibility(staged);
   red.actor()->SetVisibility(stage == EventStage::colliding);
-  lambda.actor->SetVisibility(stage == EventStage::colliding);
-  loops.actor->SetVisibility(open);
+  lambda.actor->SetVisibility(stage == EventStage::colliding || refined);
+  loops.actor->SetVisibility(open || refined);
   handle.actor()->SetVisibility(stage == EventStage::handle);
   walls.actor()->SetVisibility(hasWalls && !staged);
   for (LineActor& part : marked) part.actor->SetVisibility(part.data->GetNumberOfLines() > 0 && !staged);
@@ -367,7 +368,9 @@ void SurfaceScene::showSlices(bool on) {
 void SurfaceScene::showStage(const EventTrace& trace, EventStage stage) {
   d_->stage = stage;
   if (stage != EventStage::none) {
-    d_->around.setFaces(stage == EventStage::closed ? trace.closedFaces : trace.openedFaces);
+    d_->around.setFaces(stage == EventStage::closed    ? trace.closedFaces
+                        : stage == EventStage::refined ? trace.refinedFaces
+                                                       : trace.openedFaces);
     d_->red.setFaces(trace.collidingFaces);
     d_->handle.setFaces(trace.handleFaces);
     d_->loops.set(trace.boundaryLoops, true);

@@ -11,8 +11,9 @@ namespace handlebody::ui {
 
 class Document;
 
-//! Which stage of an event is shown (the paper's Figures 1 and 7).
-enum class EventStage { none, colliding, opened, handle, closed };
+//! Which stage of an event is shown (the paper's Figures 1 and 7); `refined`, between colliding and opened,
+//! only some events have.
+enum class EventStage { none, colliding, opened, handle, closed, refined };
 
 //! Parallel projection. Mouse: left rotates, right or wheel zooms, middle or Shift+left pans. With the brush
 //! for the surface on, left does there what it is for (brush.h), and rotates beside it; Ctrl+wheel changes

@@ -211,6 +211,8 @@ Json eventToJson(const Event& event) {
     if (event.edit->loop > 0) json["edit"]["loop_mm"] = event.edit->loop;
   }
   if (event.held) json["held"] = eventKindName(*event.held);
+  if (event.handleFrom != HandleSource::none)
+    json["handle_from"] = event.handleFrom == HandleSource::database ? "database" : "search";
   return json;
 }
 
@@ -228,6 +230,7 @@ Json leakToJson(const Leak& leak) {
 Json traceToJson(const EventTrace& trace) {
   return {{"colliding_faces", trianglesToJson(trace.collidingFaces)},
           {"lambda", polygonsToJson(trace.lambda)},
+          {"refined_faces", trianglesToJson(trace.refinedFaces)},
           {"opened_faces", trianglesToJson(trace.openedFaces)},
           {"boundary_loops", polygonsToJson(trace.boundaryLoops)},
           {"handle_faces", trianglesToJson(trace.handleFaces)},

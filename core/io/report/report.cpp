@@ -197,6 +197,15 @@ RunReport anonymous(RunReport report) {
 
 namespace {
 
+//! How many handles and bands the database has told, and how many were searched.
+Json handlesToJson(const std::vector<Event>& events) {
+  const auto from = [&](HandleSource source) {
+    return std::count_if(events.begin(), events.end(),
+                         [source](const Event& e) { return e.handleFrom == source; });
+  };
+  return {{"from_database", from(HandleSource::database)}, {"from_search", from(HandleSource::search)}};
+}
+
 //! What is told of the object.
 void addObject(Json& json, const RunReport& report) {
   const ResolvedParameters& resolved = report.session.resolved.value();
@@ -227,6 +236,7 @@ void addObject(Json& json, const RunReport& report) {
   if (!report.pinned.empty()) json["pinned"] = pinnedToJson(report.pinned);
   if (!report.questions.empty()) json["questions"] = questionsToJson(report);
   if (!report.leaks.empty()) json["leaks"] = leaksToJson(report.leaks);
+  json["handles"] = handlesToJson(report.events);
   Json& events = json["events"] = Json::array();
   for (const Event& event : report.events) events.push_back(eventToJson(event));
 }

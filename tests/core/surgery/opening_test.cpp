@@ -131,7 +131,7 @@ TEST_CASE("a set that is a whole component has no boundary") {
 TEST_CASE("where the boundary is simple the mesh is not refined") {
   Mesh mesh(zoo::sphere(8));
   const int before = mesh.vertexCount();
-  openWithRefinement(mesh, {5});
+  CHECK_FALSE(openWithRefinement(mesh, {5}).isRefined);
   CHECK(mesh.vertexCount() == before);
 }
 
@@ -142,6 +142,7 @@ TEST_CASE("a pinched boundary is refined and the surface does not move") {
   REQUIRE(lambda.size() == 2);
   const Opening o = openWithRefinement(mesh, lambda);
   CHECK(o.lambda == lambda);
+  CHECK(o.isRefined);
   CHECK(o.loops.size() == 2);  // the two stars have come apart
   CHECK(mesh.vertexCount() > before.vertexCount());
   expectLoopsBoundOpening(mesh, o);

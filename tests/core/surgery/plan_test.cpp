@@ -8,6 +8,7 @@
 using namespace handlebody;
 using testing::graphDistances;
 using testing::pinchingPair;
+using testing::vertexNear;
 
 namespace {
 
@@ -33,6 +34,23 @@ TEST_CASE("a plan refines the mesh where an opening needs it") {
   const PlanTrial trial(false);
   REQUIRE(trial.plan);
   CHECK(trial.mesh.vertexCount() > trial.before.vertexCount());
+}
+
+TEST_CASE("small openings are joined by a handle from the database, larger ones by one that was searched") {
+  const Mesh before(zoo::both(zoo::sphere(8), zoo::moved(zoo::sphere(8), Vec3(2.1, 0.03, 0.01))));
+  std::vector<int> left{vertexNear(before, Vec3(1, 0, 0))}, right{vertexNear(before, Vec3(1.1, 0.03, 0.01))};
+  for (const HandleSource expected : {HandleSource::database, HandleSource::search}) {
+    Mesh mesh = before;
+    FaceBlocks blocks(mesh);
+    FindingKind reason = FindingKind::none;
+    const std::vector<unsigned char> none;
+    const auto plan = planFor(mesh, blocks, {left, right}, {true, none}, reason);
+    REQUIRE(plan);
+    CHECK(plan->kind == EventKind::handleInserted);
+    CHECK(plan->handleFrom == expected);
+    left = enlarge(mesh, left);
+    right = enlarge(mesh, right);
+  }
 }
 
 TEST_CASE("where no plan is found the mesh is as it was") {

@@ -1,4 +1,5 @@
 // What the events of a change of topology say, and that it is true of the mesh.
+#include <random>
 #include <set>
 
 #include "core/mesh/topology.h"
@@ -19,8 +20,8 @@ AdaptationResult adaptSpheres(Mesh& mesh, const AdaptationSettings& settings) {
 }
 
 bool isEmpty(const EventTrace& t) {
-  return t.collidingFaces.empty() && t.lambda.empty() && t.openedFaces.empty() && t.boundaryLoops.empty() &&
-         t.handleFaces.empty() && t.closedFaces.empty();
+  return t.collidingFaces.empty() && t.lambda.empty() && t.refinedFaces.empty() && t.openedFaces.empty() &&
+         t.boundaryLoops.empty() && t.handleFaces.empty() && t.closedFaces.empty();
 }
 
 //! Edges of the triangles that have only one of them, each as its two ends in order.
@@ -41,6 +42,38 @@ std::size_t borderEdges(const std::vector<std::array<Vec3, 3>>& faces) {
     single += !before && !after;
   }
   return single;
+}
+
+using Point = std::array<double, 3>;
+Point pointOf(const Vec3& p) { return {p[0], p[1], p[2]}; }
+
+std::set<Point> pointsOf(const std::vector<std::array<Vec3, 3>>& faces) {
+  std::set<Point> out;
+  for (const auto& face : faces)
+    for (const Vec3& p : face) out.insert(pointOf(p));
+  return out;
+}
+
+std::vector<std::array<Vec3, 3>> facesOf(const Mesh& mesh) {
+  std::vector<std::array<Vec3, 3>> out;
+  for (const Triangle& t : mesh.compact().triangles)
+    out.push_back({mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2])});
+  return out;
+}
+
+//! Faces of one part of a mesh, as if each collided with another: sets of all shapes.
+std::vector<FacePair> madeUpCollisions(const Mesh& mesh, unsigned seed) {
+  std::mt19937 random(seed);
+  const std::vector<int> distances = graphDistances(mesh, {static_cast<int>(seed)});
+  std::vector<int> near;
+  for (int f = 0; f < mesh.faceSlots(); ++f)
+    if (distances[static_cast<std::size_t>(mesh.face(f)[0])] <= 6) near.push_back(f);
+  std::vector<FacePair> pairs;
+  for (unsigned i = 0; i < 2 + seed % 12; ++i) {
+    const int f = near[random() % near.size()], g = near[random() % near.size()];
+    if (f != g) pairs.push_back({std::min(f, g), std::max(f, g)});
+  }
+  return pairs;
 }
 
 }  // namespace
@@ -94,6 +127,42 @@ TEST_CASE("the trace of a handle holds its sets, its polygons and its faces, and
   CHECK(e.trace.handleFaces.size() == corners);        // a handle of two fronts has no Type 2 face
   CHECK(borderEdges(e.trace.handleFaces) == corners);  // and ends on the two polygons
   CHECK_FALSE(e.trace.openedFaces.empty());
+  CHECK(e.trace.refinedFaces.empty());  // the polygons are simple
+}
+
+TEST_CASE("where an opening is refined the trace shows it, and the colliding faces as they met") {
+  const Mesh before(zoo::sphere(8));
+  const auto wholes = facesOf(before);
+  const std::set<Point> old = pointsOf(wholes);
+  int refined = 0;
+  for (unsigned seed = 1; refined < 2 && seed < 280; ++seed) {
+    CAPTURE(seed);
+    Mesh mesh = before;
+    const std::vector<FacePair> pairs = madeUpCollisions(mesh, seed);
+    AdaptationSettings settings;
+    settings.outwardOnly = false;
+    settings.recordTraces = true;
+    settings.cameBack = [](const Vec3&) { return true; };  // it is cut and not smoothed
+    std::vector<unsigned char> touched;
+    const AdaptationResult result = adaptOnce(mesh, pairs, settings, touched);
+    if (result.events.empty() || result.events[0].trace.refinedFaces.empty()) continue;
+    ++refined;
+    const EventTrace& t = result.events[0].trace;
+    for (const auto& face : t.collidingFaces)
+      REQUIRE(std::find(wholes.begin(), wholes.end(), face) != wholes.end());
+    CHECK(t.refinedFaces.size() > t.openedFaces.size());
+    for (const auto& face : t.openedFaces)
+      REQUIRE(std::find(t.refinedFaces.begin(), t.refinedFaces.end(), face) != t.refinedFaces.end());
+    const std::set<Point> shown = pointsOf(t.refinedFaces);
+    int fresh = 0;
+    for (const auto& loop : t.boundaryLoops)
+      for (const Vec3& p : loop) {
+        REQUIRE(shown.count(pointOf(p)) == 1);
+        fresh += static_cast<int>(old.count(pointOf(p)) == 0);
+      }
+    CHECK(fresh >= 3);  // at least one polygon is new
+  }
+  CHECK(refined == 2);
 }
 
 TEST_CASE("the trace of a handle shows the closed mesh near the place") {

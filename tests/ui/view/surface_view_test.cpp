@@ -18,6 +18,7 @@ EventTrace exampleTrace(const Vec3& at) {
   };
   trace.collidingFaces = {face(0, 0)};
   trace.openedFaces = {face(6, 0), face(-6, 0)};
+  trace.refinedFaces = {face(6, 0), face(-6, 0), face(0, -6)};
   trace.handleFaces = {face(0, 6)};
   trace.closedFaces = {face(6, 0), face(-6, 0), face(0, 6)};
   trace.boundaryLoops = {{at, at + Vec3(2, 0, 0), at + Vec3(0, 0, 2)}};
@@ -218,6 +219,9 @@ TEST_CASE("Each stage of an event shows its own parts, and the mesh comes back a
   CHECK(count(EventStage::opened, isGreen) == 0);
   CHECK(count(EventStage::handle, isGreen) > 300);
   const auto neutral = [](const QColor& c) { return c.lightness() > 90 && c.saturation() < 60; };
+  CHECK(count(EventStage::refined, isRed) == 0);
+  CHECK(count(EventStage::refined, isGreen) == 0);
+  CHECK(count(EventStage::refined, neutral) > count(EventStage::opened, neutral) + 100);
   CHECK(count(EventStage::closed, neutral) > count(EventStage::opened, neutral) + 100);
   surface.view.clearStage();
   CHECK(largestDifference(surface.picture(), before) <= 1);

@@ -12,13 +12,14 @@
 #include "ui/window/widgets/choice_row.h"
 #include "ui/window/widgets/numbers.h"
 #include "ui/window/widgets/panel_tools.h"
+#include "ui/window/widgets/toggle_button.h"
 
 namespace handlebody::ui {
 
 namespace {
 
-constexpr EventStage kStages[] = {EventStage::none, EventStage::colliding, EventStage::opened,
-                                  EventStage::handle, EventStage::closed};
+constexpr EventStage kStages[] = {EventStage::none,   EventStage::colliding, EventStage::opened,
+                                  EventStage::handle, EventStage::closed,    EventStage::refined};
 
 QString explanation(EventStage stage) {
   switch (stage) {
@@ -31,6 +32,10 @@ QString explanation(EventStage stage) {
       return EventInspector::tr("Stage 3 of 4: the handle, or the caps, that close the openings.");
     case EventStage::closed:
       return EventInspector::tr("Stage 4 of 4: the mesh with the handle in place.");
+    case EventStage::refined:
+      return EventInspector::tr(
+          "Before stage 2: the edges around them are halved, or the openings would not be bounded by simple "
+          "polygons.");
     default:
       return {};
   }
@@ -38,6 +43,10 @@ QString explanation(EventStage stage) {
 
 bool isEmpty(const EventTrace& trace) {
   return trace.collidingFaces.empty() && trace.openedFaces.empty() && trace.closedFaces.empty();
+}
+
+bool has(const EventTrace& trace, EventStage stage) {
+  return stage == EventStage::refined ? !trace.refinedFaces.empty() : !isEmpty(trace);
 }
 
 QString loopsText(const Event& event) {
@@ -102,6 +111,10 @@ EventInspector::EventInspector(Document& document, SurfaceView& surface, QWidget
        explanation(EventStage::handle), explanation(EventStage::closed)},
       stage_, this);
   layout->addWidget(stages_);
+  refine_ = new ToggleButton(tr("Refine"), this);
+  describe(refine_, tr("Stage") + QStringLiteral(": ") + refine_->text(), explanation(EventStage::refined));
+  stage_->addButton(refine_, static_cast<int>(EventStage::refined));
+  layout->addWidget(refine_);
   stageText_ = hint(QString(), this);
   layout->addWidget(stageText_);
   constrain_ = new QPushButton(tr("Keep it"), this);
@@ -118,9 +131,9 @@ EventInspector::EventInspector(Document& document, SurfaceView& surface, QWidget
 
 void EventInspector::setEvent(int index) {
   if (index == index_ && index >= 0) return;
-  leaveStage();
   index_ = index;
   trace_.reset();
+  leaveStage();
   showText();
 }
 
@@ -214,7 +227,7 @@ void EventInspector::showStage(EventStage stage) {
   explain();
   if (stage == EventStage::none)
     surface_.clearStage();
-  else if (trace_ && isEmpty(*trace_))
+  else if (trace_ && !has(*trace_, stage))
     surface_.clearStage();
   else if (trace_)
     surface_.showStage(*trace_, stage);
@@ -225,9 +238,12 @@ void EventInspector::showStage(EventStage stage) {
 void EventInspector::explain() {
   const bool waiting = wanted_ != EventStage::none && !trace_;
   const bool none = trace_ && isEmpty(*trace_) && wanted_ != EventStage::none;
-  stageText_->setText(waiting ? tr("The step is worked out again…")
-                      : none  ? tr("The mesh was not opened here: there are no stages to show.")
-                              : explanation(wanted_));
+  const bool unrefined = trace_ && !none && wanted_ == EventStage::refined && !has(*trace_, wanted_);
+  stageText_->setText(waiting     ? tr("The step is worked out again…")
+                      : none      ? tr("The mesh was not opened here: there are no stages to show.")
+                      : unrefined ? tr("Nothing was refined here: the polygons were simple.")
+                                  : explanation(wanted_));
+  refine_->setVisible(trace_ && has(*trace_, EventStage::refined));
   stageText_->setVisible(!stageText_->text().isEmpty());
 }
 

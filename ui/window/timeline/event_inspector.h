@@ -15,6 +15,7 @@ class QPushButton;
 namespace handlebody::ui {
 
 class Document;
+class ToggleButton;
 
 //! "Handle inserted", "Split" …, translated.
 QString eventName(EventKind kind);
@@ -50,6 +51,7 @@ class EventInspector : public QWidget {
   QPushButton* constrain_;
   QWidget* stages_;
   QButtonGroup* stage_;
+  ToggleButton* refine_;  // shown where the event has this stage
   int index_ = -1;
   EventStage wanted_ = EventStage::none;
   std::optional<EventTrace> trace_;
