@@ -1,6 +1,6 @@
 #pragma once
 // The shortest handle of two loops, out of the handle database (paper, section 4, "Inserting handles from the
-// database"): no search where all handles of these sizes are stored.
+// database"), where all handles of these sizes are stored.
 
 #include <optional>
 

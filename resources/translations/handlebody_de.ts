@@ -3912,6 +3912,10 @@ Mittel ± SA</translation>
         <translation>Stufe 4 von 4: das Netz mit dem Henkel darin.</translation>
     </message>
     <message>
+        <source>Before stage 2: the edges around them are halved, or the openings would not be bounded by simple polygons.</source>
+        <translation>Vor Stufe 2: die Kanten um sie werden halbiert, sonst wären die Öffnungen nicht von einfachen Polygonen begrenzt.</translation>
+    </message>
+    <message>
         <source>Handle inserted</source>
         <translation>Henkel eingesetzt</translation>
     </message>
@@ -4000,6 +4004,10 @@ Mittel ± SA</translation>
         <translation>Die ganze Oberfläche zeigen</translation>
     </message>
     <message>
+        <source>Refine</source>
+        <translation>Verfeinern</translation>
+    </message>
+    <message>
         <source>Keep it</source>
         <translation>Behalten</translation>
     </message>
@@ -4062,6 +4070,10 @@ Mittel ± SA</translation>
     <message>
         <source>The mesh was not opened here: there are no stages to show.</source>
         <translation>Das Netz wurde hier nicht geöffnet: es gibt keine Stufen zu zeigen.</translation>
+    </message>
+    <message>
+        <source>Nothing was refined here: the polygons were simple.</source>
+        <translation>Hier wurde nichts verfeinert: die Polygone waren einfach.</translation>
     </message>
 </context>
 <context>

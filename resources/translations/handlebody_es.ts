@@ -3912,6 +3912,10 @@ cercano (mm)</translation>
         <translation>Etapa 4 de 4: la malla con el asa en su sitio.</translation>
     </message>
     <message>
+        <source>Before stage 2: the edges around them are halved, or the openings would not be bounded by simple polygons.</source>
+        <translation>Antes de la etapa 2: las aristas a su alrededor se dividen por la mitad; si no, las aberturas no estarían bordeadas por polígonos simples.</translation>
+    </message>
+    <message>
         <source>Handle inserted</source>
         <translation>Asa insertada</translation>
     </message>
@@ -4000,6 +4004,10 @@ cercano (mm)</translation>
         <translation>Mostrar toda la superficie</translation>
     </message>
     <message>
+        <source>Refine</source>
+        <translation>Refinar</translation>
+    </message>
+    <message>
         <source>Keep it</source>
         <translation>Conservar</translation>
     </message>
@@ -4062,6 +4070,10 @@ cercano (mm)</translation>
     <message>
         <source>The mesh was not opened here: there are no stages to show.</source>
         <translation>La malla no se abrió aquí: no hay etapas que mostrar.</translation>
+    </message>
+    <message>
+        <source>Nothing was refined here: the polygons were simple.</source>
+        <translation>Aquí no se refinó nada: los polígonos eran simples.</translation>
     </message>
 </context>
 <context>

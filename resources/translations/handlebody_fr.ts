@@ -3912,6 +3912,10 @@ proche (mm)</translation>
         <translation>Phase 4 sur 4 : le maillage avec l’anse en place.</translation>
     </message>
     <message>
+        <source>Before stage 2: the edges around them are halved, or the openings would not be bounded by simple polygons.</source>
+        <translation>Avant la phase 2 : les arêtes autour d’eux sont coupées en deux, sans quoi les ouvertures ne seraient pas bordées de polygones simples.</translation>
+    </message>
+    <message>
         <source>Handle inserted</source>
         <translation>Anse insérée</translation>
     </message>
@@ -4000,6 +4004,10 @@ proche (mm)</translation>
         <translation>Montrer toute la surface</translation>
     </message>
     <message>
+        <source>Refine</source>
+        <translation>Affiner</translation>
+    </message>
+    <message>
         <source>Keep it</source>
         <translation>Garder</translation>
     </message>
@@ -4062,6 +4070,10 @@ proche (mm)</translation>
     <message>
         <source>The mesh was not opened here: there are no stages to show.</source>
         <translation>Le maillage n’a pas été ouvert ici : il n’y a pas de phases à montrer.</translation>
+    </message>
+    <message>
+        <source>Nothing was refined here: the polygons were simple.</source>
+        <translation>Rien n’a été affiné ici : les polygones étaient simples.</translation>
     </message>
 </context>
 <context>

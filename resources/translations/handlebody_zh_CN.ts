@@ -3912,6 +3912,10 @@ mean ± SD</source>
         <translation>阶段 4/4：装上环柄后的网格。</translation>
     </message>
     <message>
+        <source>Before stage 2: the edges around them are halved, or the openings would not be bounded by simple polygons.</source>
+        <translation>阶段 2 之前：将其周围的边对半分开，否则开口的边界不是简单多边形。</translation>
+    </message>
+    <message>
         <source>Handle inserted</source>
         <translation>插入环柄</translation>
     </message>
@@ -4000,6 +4004,10 @@ mean ± SD</source>
         <translation>显示整个表面</translation>
     </message>
     <message>
+        <source>Refine</source>
+        <translation>细化</translation>
+    </message>
+    <message>
         <source>Keep it</source>
         <translation>保留</translation>
     </message>
@@ -4062,6 +4070,10 @@ mean ± SD</source>
     <message>
         <source>The mesh was not opened here: there are no stages to show.</source>
         <translation>网格未在此处打开：没有可显示的阶段。</translation>
+    </message>
+    <message>
+        <source>Nothing was refined here: the polygons were simple.</source>
+        <translation>此处没有细化：多边形本来就是简单的。</translation>
     </message>
 </context>
 <context>

@@ -66,7 +66,8 @@ std::vector<std::string> overTimeDoubts(const OverTimeReport& report) {
 OverTimeReport anonymous(OverTimeReport report) {
   Session session;
   session.overTime.emplace(std::move(report.request));
-  report.request = *anonymous(std::move(session)).overTime;
+  session = anonymous(std::move(session));
+  report.request = std::move(session.overTime).value();
   for (FrameResult& r : report.frames)
     for (ToldFault& f : r.faults)
       if (f.fault == FrameFault::unreadable) f.finding = FindingKind::frameNotRead;
