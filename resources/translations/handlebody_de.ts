@@ -555,18 +555,6 @@
         <translation>ein anderes Objekt ist dort wahrscheinlicher, aber es scheitert ({cause}); Kandidat {candidate} wurde genommen</translation>
     </message>
     <message>
-        <source>it names no volume, as it is anonymous; “handlebody-cli replay --volume” says which.</source>
-        <translation>sie nennt kein Bildvolumen, da sie anonym ist; „handlebody-cli replay --volume“ gibt es an.</translation>
-    </message>
-    <message>
-        <source>it names no label map of its walls, as it is anonymous; “handlebody-cli replay --walls” says which.</source>
-        <translation>sie nennt keine Labelkarte ihrer Wände, da sie anonym ist; „handlebody-cli replay --walls“ gibt sie an.</translation>
-    </message>
-    <message>
-        <source>it does not name the file of the surface to begin with, as it is anonymous; “handlebody-cli replay --start” says which.</source>
-        <translation>sie nennt die Datei der Anfangsoberfläche nicht, da sie anonym ist; „handlebody-cli replay --start“ gibt sie an.</translation>
-    </message>
-    <message>
         <source>this is a cine (2D images over time: {frames:0f} frames), not a volume; if its frames are slices in space, enter their spacing in step 1, Open</source>
         <translation>das ist ein Cine (2D-Bilder über die Zeit: {frames:0f}), kein Bildvolumen; liegen die Bilder als Schichten im Raum, geben Sie ihren Abstand in Schritt 1, Öffnen, ein</translation>
     </message>
@@ -1733,6 +1721,18 @@
     <message>
         <source>it holds several series or stacks, choose one in step 1, Open</source>
         <translation>darin sind mehrere Serien oder Stapel, wählen Sie in Schritt 1, Öffnen</translation>
+    </message>
+    <message>
+        <source>This session does not say where its volume is. Choose it.</source>
+        <translation>Diese Sitzung sagt nicht, wo ihr Volumen liegt. Bitte auswählen.</translation>
+    </message>
+    <message>
+        <source>This session does not say where the label map of its walls is. Choose it.</source>
+        <translation>Diese Sitzung sagt nicht, wo die Labelkarte ihrer Wände liegt. Bitte auswählen.</translation>
+    </message>
+    <message>
+        <source>This session does not say where the file of a surface is that an object begins with. Choose it.</source>
+        <translation>Diese Sitzung sagt nicht, wo die Datei einer Oberfläche liegt, mit der ein Objekt beginnt. Bitte auswählen.</translation>
     </message>
 </context>
 <context>
@@ -3323,6 +3323,14 @@ Mittel ± SA</translation>
         <source>Grow it again with clicks, smoothing and noise a little different: how much do volume and surface change?</source>
         <translation>Mit etwas anderen Punkten, Glättung und Rauschen neu wachsen: Wie sehr ändern sich Volumen und Oberfläche?</translation>
     </message>
+    <message>
+        <source>Export a&amp;nonymous session…</source>
+        <translation>A&amp;nonyme Sitzung exportieren…</translation>
+    </message>
+    <message>
+        <source>Write a session that names neither the patient nor a file: it asks for its volume when it is opened</source>
+        <translation>Schreibt eine Sitzung, die weder Patienten noch Dateien nennt: Beim Öffnen fragt sie nach ihrem Volumen</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::CentreLinePage</name>
@@ -4222,10 +4230,6 @@ Mittel ± SA</translation>
         <translation>Ohne Angaben zum Patienten</translation>
     </message>
     <message>
-        <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume&apos;s. A session always says where its volume lies.</source>
-        <translation>DICOM-Dateien, Bericht und Messwerte werden ohne Patient, Untersuchung, Daten und Dateinamen geschrieben, und die vorgeschlagenen Namen verraten den des Bildvolumens nicht. Eine Sitzung nennt immer den Ort ihres Bildvolumens.</translation>
-    </message>
-    <message>
         <source>What is being written</source>
         <translation>Was gerade geschrieben wird</translation>
     </message>
@@ -4348,6 +4352,10 @@ Mittel ± SA</translation>
     <message>
         <source>ITK-SNAP label description</source>
         <translation>Labelbeschreibung für ITK-SNAP</translation>
+    </message>
+    <message>
+        <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume&apos;s. In place of saving the session one is exported that does not say where its volume is: it asks for it when it is opened.</source>
+        <translation>DICOM-Dateien, Bericht und Maße werden ohne Patient, Studie, Daten und Dateinamen geschrieben, und die vorgeschlagenen Namen verraten nicht den des Volumens. Statt die Sitzung zu speichern, wird eine exportiert, die nicht sagt, wo ihr Volumen liegt: Beim Öffnen fragt sie danach.</translation>
     </message>
 </context>
 <context>
@@ -4487,6 +4495,22 @@ Mit den anderen beginnen Objekte: Sie wachsen von dort auf das Bild oder geben n
     <message>
         <source>Export the meshes of all frames</source>
         <translation>Die Netze aller Bilder exportieren</translation>
+    </message>
+    <message>
+        <source>Choose the file…</source>
+        <translation>Datei auswählen…</translation>
+    </message>
+    <message>
+        <source>Choose the folder…</source>
+        <translation>Ordner auswählen…</translation>
+    </message>
+    <message>
+        <source>Choose what the session needs</source>
+        <translation>Auswählen, was die Sitzung braucht</translation>
+    </message>
+    <message>
+        <source>Export an anonymous session</source>
+        <translation>Anonyme Sitzung exportieren</translation>
     </message>
 </context>
 <context>

@@ -555,18 +555,6 @@
         <translation>otro objeto es más probable allí, pero falla ({cause}); se tomó el candidato {candidate}</translation>
     </message>
     <message>
-        <source>it names no volume, as it is anonymous; “handlebody-cli replay --volume” says which.</source>
-        <translation>no nombra ningún volumen, porque es anónima; «handlebody-cli replay --volume» lo indica.</translation>
-    </message>
-    <message>
-        <source>it names no label map of its walls, as it is anonymous; “handlebody-cli replay --walls” says which.</source>
-        <translation>no nombra ningún mapa de etiquetas de sus barreras, porque es anónima; «handlebody-cli replay --walls» lo indica.</translation>
-    </message>
-    <message>
-        <source>it does not name the file of the surface to begin with, as it is anonymous; “handlebody-cli replay --start” says which.</source>
-        <translation>no nombra el archivo de la superficie inicial, porque es anónima; «handlebody-cli replay --start» lo indica.</translation>
-    </message>
-    <message>
         <source>this is a cine (2D images over time: {frames:0f} frames), not a volume; if its frames are slices in space, enter their spacing in step 1, Open</source>
         <translation>es un cine (imágenes 2D en el tiempo: {frames:0f}), no un volumen; si sus fotogramas son cortes en el espacio, introduzca su espaciado en el paso 1, Abrir</translation>
     </message>
@@ -1733,6 +1721,18 @@
     <message>
         <source>it holds several series or stacks, choose one in step 1, Open</source>
         <translation>contiene varias series o pilas, elija una en el paso 1, Abrir</translation>
+    </message>
+    <message>
+        <source>This session does not say where its volume is. Choose it.</source>
+        <translation>Esta sesión no dice dónde está su volumen. Elíjalo.</translation>
+    </message>
+    <message>
+        <source>This session does not say where the label map of its walls is. Choose it.</source>
+        <translation>Esta sesión no dice dónde está el mapa de etiquetas de sus paredes. Elíjalo.</translation>
+    </message>
+    <message>
+        <source>This session does not say where the file of a surface is that an object begins with. Choose it.</source>
+        <translation>Esta sesión no dice dónde está el archivo de una superficie con la que empieza un objeto. Elíjalo.</translation>
     </message>
 </context>
 <context>
@@ -3323,6 +3323,14 @@ cercano (mm)</translation>
         <source>Grow it again with clicks, smoothing and noise a little different: how much do volume and surface change?</source>
         <translation>Hacer crecer de nuevo con puntos, suavizado y ruido algo distintos: ¿cuánto cambian el volumen y la superficie?</translation>
     </message>
+    <message>
+        <source>Export a&amp;nonymous session…</source>
+        <translation>Exportar sesión a&amp;nónima…</translation>
+    </message>
+    <message>
+        <source>Write a session that names neither the patient nor a file: it asks for its volume when it is opened</source>
+        <translation>Escribe una sesión que no nombra ni al paciente ni ningún archivo: al abrirla pide su volumen</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::CentreLinePage</name>
@@ -4222,10 +4230,6 @@ cercano (mm)</translation>
         <translation>Sin datos del paciente</translation>
     </message>
     <message>
-        <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume&apos;s. A session always says where its volume lies.</source>
-        <translation>Los archivos DICOM, el informe y las medidas se escriben sin paciente, estudio, fechas ni nombres de archivos, y los nombres propuestos no revelan el del volumen. Una sesión siempre dice dónde está su volumen.</translation>
-    </message>
-    <message>
         <source>What is being written</source>
         <translation>Lo que se está escribiendo</translation>
     </message>
@@ -4348,6 +4352,10 @@ cercano (mm)</translation>
     <message>
         <source>ITK-SNAP label description</source>
         <translation>Descripción de etiquetas para ITK-SNAP</translation>
+    </message>
+    <message>
+        <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume&apos;s. In place of saving the session one is exported that does not say where its volume is: it asks for it when it is opened.</source>
+        <translation>Los archivos DICOM, el informe y las medidas se escriben sin paciente, estudio, fechas ni nombres de archivos, y los nombres propuestos no revelan el del volumen. En lugar de guardar la sesión se exporta una que no dice dónde está su volumen: lo pide al abrirla.</translation>
     </message>
 </context>
 <context>
@@ -4487,6 +4495,22 @@ Los otros son donde empiezan los objetos: crecen desde allí hacia la imagen, o 
     <message>
         <source>Export the meshes of all frames</source>
         <translation>Exportar las mallas de todos los fotogramas</translation>
+    </message>
+    <message>
+        <source>Choose the file…</source>
+        <translation>Elegir el archivo…</translation>
+    </message>
+    <message>
+        <source>Choose the folder…</source>
+        <translation>Elegir la carpeta…</translation>
+    </message>
+    <message>
+        <source>Choose what the session needs</source>
+        <translation>Elegir lo que la sesión necesita</translation>
+    </message>
+    <message>
+        <source>Export an anonymous session</source>
+        <translation>Exportar una sesión anónima</translation>
     </message>
 </context>
 <context>

@@ -555,18 +555,6 @@
         <translation>un autre objet y est plus probable, mais il échoue ({cause}) ; le candidat {candidate} a été pris</translation>
     </message>
     <message>
-        <source>it names no volume, as it is anonymous; “handlebody-cli replay --volume” says which.</source>
-        <translation>elle ne nomme aucun volume, car elle est anonyme ; « handlebody-cli replay --volume » l’indique.</translation>
-    </message>
-    <message>
-        <source>it names no label map of its walls, as it is anonymous; “handlebody-cli replay --walls” says which.</source>
-        <translation>elle ne nomme aucune carte d’étiquettes de ses barrières, car elle est anonyme ; « handlebody-cli replay --walls » l’indique.</translation>
-    </message>
-    <message>
-        <source>it does not name the file of the surface to begin with, as it is anonymous; “handlebody-cli replay --start” says which.</source>
-        <translation>elle ne nomme pas le fichier de la surface de départ, car elle est anonyme ; « handlebody-cli replay --start » l’indique.</translation>
-    </message>
-    <message>
         <source>this is a cine (2D images over time: {frames:0f} frames), not a volume; if its frames are slices in space, enter their spacing in step 1, Open</source>
         <translation>c’est un ciné (des images 2D au fil du temps : {frames:0f}), pas un volume ; si ses images sont des coupes dans l’espace, saisissez leur espacement à l’étape 1, Ouvrir</translation>
     </message>
@@ -1733,6 +1721,18 @@
     <message>
         <source>it holds several series or stacks, choose one in step 1, Open</source>
         <translation>il contient plusieurs séries ou piles, choisissez-en une à l’étape 1, Ouvrir</translation>
+    </message>
+    <message>
+        <source>This session does not say where its volume is. Choose it.</source>
+        <translation>Cette session ne dit pas où se trouve son volume. Choisissez-le.</translation>
+    </message>
+    <message>
+        <source>This session does not say where the label map of its walls is. Choose it.</source>
+        <translation>Cette session ne dit pas où se trouve la carte d’étiquettes de ses parois. Choisissez-la.</translation>
+    </message>
+    <message>
+        <source>This session does not say where the file of a surface is that an object begins with. Choose it.</source>
+        <translation>Cette session ne dit pas où se trouve le fichier d’une surface avec laquelle un objet commence. Choisissez-le.</translation>
     </message>
 </context>
 <context>
@@ -3323,6 +3323,14 @@ proche (mm)</translation>
         <source>Grow it again with clicks, smoothing and noise a little different: how much do volume and surface change?</source>
         <translation>Refaire croître avec des points, un lissage et un bruit un peu différents : de combien changent le volume et la surface ?</translation>
     </message>
+    <message>
+        <source>Export a&amp;nonymous session…</source>
+        <translation>Exporter une session a&amp;nonyme…</translation>
+    </message>
+    <message>
+        <source>Write a session that names neither the patient nor a file: it asks for its volume when it is opened</source>
+        <translation>Écrit une session qui ne nomme ni le patient ni aucun fichier : à l’ouverture, elle demande son volume</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::CentreLinePage</name>
@@ -4222,10 +4230,6 @@ proche (mm)</translation>
         <translation>Sans ce qui nomme le patient</translation>
     </message>
     <message>
-        <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume&apos;s. A session always says where its volume lies.</source>
-        <translation>Fichiers DICOM, rapport et mesures sont écrits sans patient, examen, dates ni noms de fichiers, et les noms proposés ne révèlent pas celui du volume. Une session dit toujours où se trouve son volume.</translation>
-    </message>
-    <message>
         <source>What is being written</source>
         <translation>Ce qui est en cours d’écriture</translation>
     </message>
@@ -4348,6 +4352,10 @@ proche (mm)</translation>
     <message>
         <source>ITK-SNAP label description</source>
         <translation>Description des étiquettes pour ITK-SNAP</translation>
+    </message>
+    <message>
+        <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume&apos;s. In place of saving the session one is exported that does not say where its volume is: it asks for it when it is opened.</source>
+        <translation>Les fichiers DICOM, le rapport et les mesures sont écrits sans patient, étude, dates ni noms de fichiers, et les noms proposés ne révèlent pas celui du volume. Au lieu d’enregistrer la session, on en exporte une qui ne dit pas où se trouve son volume : elle le demande à l’ouverture.</translation>
     </message>
 </context>
 <context>
@@ -4487,6 +4495,22 @@ Avec les autres commencent des objets : ils croissent de là vers l’image, ou 
     <message>
         <source>Export the meshes of all frames</source>
         <translation>Exporter les maillages de toutes les images</translation>
+    </message>
+    <message>
+        <source>Choose the file…</source>
+        <translation>Choisir le fichier…</translation>
+    </message>
+    <message>
+        <source>Choose the folder…</source>
+        <translation>Choisir le dossier…</translation>
+    </message>
+    <message>
+        <source>Choose what the session needs</source>
+        <translation>Choisir ce dont la session a besoin</translation>
+    </message>
+    <message>
+        <source>Export an anonymous session</source>
+        <translation>Exporter une session anonyme</translation>
     </message>
 </context>
 <context>

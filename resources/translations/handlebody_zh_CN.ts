@@ -555,18 +555,6 @@
         <translation>那里另一目标可能性更大，但失败（{cause}）；已采用候选 {candidate}</translation>
     </message>
     <message>
-        <source>it names no volume, as it is anonymous; “handlebody-cli replay --volume” says which.</source>
-        <translation>由于匿名，它未指明体数据；可用“handlebody-cli replay --volume”指定。</translation>
-    </message>
-    <message>
-        <source>it names no label map of its walls, as it is anonymous; “handlebody-cli replay --walls” says which.</source>
-        <translation>由于匿名，它未指明屏障的标签图；可用“handlebody-cli replay --walls”指定。</translation>
-    </message>
-    <message>
-        <source>it does not name the file of the surface to begin with, as it is anonymous; “handlebody-cli replay --start” says which.</source>
-        <translation>由于匿名，它未指明起始表面的文件；可用“handlebody-cli replay --start”指定。</translation>
-    </message>
-    <message>
         <source>this is a cine (2D images over time: {frames:0f} frames), not a volume; if its frames are slices in space, enter their spacing in step 1, Open</source>
         <translation>这是电影序列（随时间变化的二维图像：{frames:0f} 帧），不是体数据；如果各帧是空间中的切面，请在第 1 步“打开”中输入其间距</translation>
     </message>
@@ -1733,6 +1721,18 @@
     <message>
         <source>it holds several series or stacks, choose one in step 1, Open</source>
         <translation>其中有多个序列或堆栈，请在第 1 步“打开”中选择一个</translation>
+    </message>
+    <message>
+        <source>This session does not say where its volume is. Choose it.</source>
+        <translation>此会话未说明其体数据的位置。请选择。</translation>
+    </message>
+    <message>
+        <source>This session does not say where the label map of its walls is. Choose it.</source>
+        <translation>此会话未说明其壁的标签图的位置。请选择。</translation>
+    </message>
+    <message>
+        <source>This session does not say where the file of a surface is that an object begins with. Choose it.</source>
+        <translation>此会话未说明某个对象起始表面的文件位置。请选择。</translation>
     </message>
 </context>
 <context>
@@ -3323,6 +3323,14 @@ mean ± SD</source>
         <source>Grow it again with clicks, smoothing and noise a little different: how much do volume and surface change?</source>
         <translation>略微改变点击位置、平滑和噪声后重新生长：体积和表面会改变多少？</translation>
     </message>
+    <message>
+        <source>Export a&amp;nonymous session…</source>
+        <translation>导出匿名会话(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>Write a session that names neither the patient nor a file: it asks for its volume when it is opened</source>
+        <translation>写出既不含患者姓名也不含文件名的会话：打开时会询问其体数据</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::CentreLinePage</name>
@@ -4222,10 +4230,6 @@ mean ± SD</source>
         <translation>不含患者信息</translation>
     </message>
     <message>
-        <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume&apos;s. A session always says where its volume lies.</source>
-        <translation>写出的 DICOM 文件、报告和测量值不含患者、检查、日期和文件名，建议的名称也不透露体数据的名称。会话始终记录其体数据的位置。</translation>
-    </message>
-    <message>
         <source>What is being written</source>
         <translation>正在写入的内容</translation>
     </message>
@@ -4348,6 +4352,10 @@ mean ± SD</source>
     <message>
         <source>ITK-SNAP label description</source>
         <translation>ITK-SNAP 标签说明</translation>
+    </message>
+    <message>
+        <source>DICOM files, report and measures are written without patient, study, dates and names of files, and the names that are suggested do not tell the volume&apos;s. In place of saving the session one is exported that does not say where its volume is: it asks for it when it is opened.</source>
+        <translation>DICOM 文件、报告和测量结果写出时不含患者、检查、日期和文件名，建议的名称也不透露体数据的名称。不保存会话，而是导出一个不说明体数据位置的会话：打开时会询问。</translation>
     </message>
 </context>
 <context>
@@ -4487,6 +4495,22 @@ Others are where objects begin: they grow from there onto the image, or give gro
     <message>
         <source>Export the meshes of all frames</source>
         <translation>导出所有帧的网格</translation>
+    </message>
+    <message>
+        <source>Choose the file…</source>
+        <translation>选择文件…</translation>
+    </message>
+    <message>
+        <source>Choose the folder…</source>
+        <translation>选择文件夹…</translation>
+    </message>
+    <message>
+        <source>Choose what the session needs</source>
+        <translation>选择会话所需的内容</translation>
+    </message>
+    <message>
+        <source>Export an anonymous session</source>
+        <translation>导出匿名会话</translation>
     </message>
 </context>
 <context>

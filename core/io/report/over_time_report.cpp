@@ -4,7 +4,7 @@
 #include <locale>
 #include <sstream>
 
-#include "core/io/report/session.h"
+#include "core/io/report/session_files.h"
 
 namespace handlebody {
 
@@ -64,10 +64,8 @@ std::vector<std::string> overTimeDoubts(const OverTimeReport& report) {
 }
 
 OverTimeReport anonymous(OverTimeReport report) {
-  Session session;
-  session.overTime.emplace(std::move(report.request));
-  session = anonymous(std::move(session));
-  report.request = std::move(session.overTime).value();
+  for (FrameCorrection& c : report.request.corrections)
+    forEachWallMap(c.request.constraints, c.changes, [](WallMap& map) { map.path.clear(); });
   for (FrameResult& r : report.frames)
     for (ToldFault& f : r.faults)
       if (f.fault == FrameFault::unreadable) f.finding = FindingKind::frameNotRead;

@@ -5,17 +5,20 @@
 
 namespace handlebody {
 
-//! f(map) of the label maps of walls at the beginning, in changes on the way and in corrected frames.
+//! f(map) of the label maps of walls at the beginning of a growth and in changes on the way.
+template <typename AnyConstraints, typename Changes, typename F>
+void forEachWallMap(AnyConstraints& first, Changes& changes, F&& f) {
+  if (first.walls.map) f(*first.walls.map);
+  for (auto& change : changes)
+    if (change.constraints && change.constraints->walls.map) f(*change.constraints->walls.map);
+}
+
+//! The same of a session, in its corrected frames, too.
 template <typename AnySession, typename F>
 void forEachWallMap(AnySession& session, F&& f) {
-  const auto visit = [&](auto& first, auto& changes) {
-    if (first.walls.map) f(*first.walls.map);
-    for (auto& change : changes)
-      if (change.constraints && change.constraints->walls.map) f(*change.constraints->walls.map);
-  };
-  visit(session.constraints, session.changes);
+  forEachWallMap(session.constraints, session.changes, f);
   if (!session.overTime) return;
-  for (auto& c : session.overTime->corrections) visit(c.request.constraints, c.changes);
+  for (auto& c : session.overTime->corrections) forEachWallMap(c.request.constraints, c.changes, f);
 }
 
 //! f(start) of the surfaces to begin with, at the beginning and in changes on the way.
