@@ -185,6 +185,32 @@ TEST_CASE("a damaged NIfTI-2 header and Analyze are refused, metres become milli
   CHECK((info.grid.toWorld(Vec3(3, 4, 2)) - 1000 * grid.toWorld(Vec3(3, 4, 2))).norm() < 0.02);
 }
 
+TEST_CASE("a NIfTI whose sform is no number is refused, though its qform is sound") {
+  const TemporaryFolder folder;
+  writeVolume(randomVolume(obliqueGrid(), VoxelType::uint8), folder / "v.nii");
+  std::string bytes = readBytes(folder / "v.nii");
+  patch(bytes, 254, std::int16_t{1});
+  patch(bytes, 284, std::numeric_limits<float>::quiet_NaN());
+  writeBytes(folder / "v.nii", bytes);
+  expectInputError(folder / "v.nii", "sform");
+}
+
+TEST_CASE("voxels written as text that their type cannot hold are refused") {
+  const TemporaryFolder folder;
+  const auto write = [&](const std::string& type, const std::string& last) {
+    writeBytes(folder / "v.nrrd", "NRRD0004\ntype: " + type +
+                                      "\ndimension: 3\nsizes: 2 2 2\nspacings: 1 1 1\nencoding: text\n\n1 "
+                                      "2 3 4 5 6 7 " +
+                                      last + "\n");
+    return folder / "v.nrrd";
+  };
+  CHECK(readVolume(write("uint8", "255")).data<std::uint8_t>()[7] == 255);
+  expectInputError(write("uint8", "256"), "", true);
+  expectInputError(write("int8", "-129"), "", true);
+  expectInputError(write("short", "70000"), "", true);
+  expectInputError(write("float", "1e400"), "", true);
+}
+
 TEST_CASE("a MetaImage whose data file is missing and a tracked sequence are refused") {
   const TemporaryFolder folder;
   writeBytes(

@@ -245,3 +245,54 @@ TEST_CASE("voxels that are not a number are read below all others, with a warnin
   REQUIRE(view != nullptr);
   for (std::size_t i = 0; i < voxels.size(); ++i) REQUIRE(view->isPadding(i) == std::isnan(voxels[i]));
 }
+
+// What ITK's readers lose (docs/formats.md).
+
+TEST_CASE("a packed NIfTI gives its own voxels where another one of its name lies beside it unpacked") {
+  const TemporaryFolder folder;
+  const Volume packed = randomVolume(obliqueGrid(), VoxelType::int16, 1),
+               plain = randomVolume(obliqueGrid(), VoxelType::int16, 2);
+  writeVolume(packed, folder / "v.nii.gz");
+  writeVolume(plain, folder / "v.nii");
+  CHECK((voxelBytes(readVolume(folder / "v.nii.gz")) == voxelBytes(packed)));
+  CHECK((voxelBytes(readVolume(folder / "v.nii")) == voxelBytes(plain)));
+}
+
+TEST_CASE("voxels of a NIfTI that are not a number are no zeros, and infinite ones are refused") {
+  const TemporaryFolder folder;
+  writeVolume(randomVolume(obliqueGrid(), VoxelType::float32), folder / "v.nii");
+  std::string bytes = readBytes(folder / "v.nii");
+  patch(bytes, bytes.size() - 4, std::numeric_limits<float>::quiet_NaN());
+  writeBytes(folder / "nan.nii", bytes);
+  const LoadedVolume loaded = loadVolume(folder / "nan.nii");
+  expectAmong(loaded.info, FindingKind::voxelsNotNumbers,
+              "1 of 140 voxels are not a number: they count as outside of the field of view.");
+  patch(bytes, bytes.size() - 4, std::numeric_limits<float>::infinity());
+  writeBytes(folder / "inf.nii", bytes);
+  expectInputError(folder / "inf.nii", "is infinite", true);
+}
+
+TEST_CASE("an NRRD in left-anterior-superior axes lies where it says") {
+  const TemporaryFolder folder;
+  writeBytes(folder / "v.nrrd", nrrdOf("2 2 2",
+                                       "space: left-anterior-superior\nspace directions: (1,0,0) (0,2,0) "
+                                       "(0,0,3)\nspace origin: (5,6,7)\n") +
+                                    "abcdefgh");
+  const Grid grid = inspectVolume(folder / "v.nrrd").grid;
+  CHECK(grid.toWorld(Vec3(0, 0, 0)) == Vec3(5, -6, 7));
+  CHECK(grid.toWorld(Vec3(1, 1, 1)) == Vec3(6, -8, 10));
+}
+
+TEST_CASE("a packed MetaImage is read whole where its header says nothing, or wrongly, how long it is") {
+  const TemporaryFolder folder;
+  const Volume volume = randomVolume(obliqueGrid(), VoxelType::int16);
+  writeVolume(volume, folder / "v.mha");
+  const std::string bytes = readBytes(folder / "v.mha");
+  const auto at = bytes.find("CompressedDataSize"), end = bytes.find('\n', at) + 1;
+  REQUIRE(at != std::string::npos);
+  for (const char* line : {"", "CompressedDataSize = 100\n", "CompressedDataSize = 99999999999\n"}) {
+    INFO(line);
+    writeBytes(folder / "v.mha", bytes.substr(0, at) + line + bytes.substr(end));
+    CHECK((voxelBytes(readVolume(folder / "v.mha")) == voxelBytes(volume)));
+  }
+}

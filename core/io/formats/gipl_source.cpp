@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "core/io/formats/byte_stream.h"
+#include "core/io/formats/stored_voxels.h"
 
 namespace handlebody {
 namespace {
@@ -18,7 +19,8 @@ constexpr std::size_t kSizes = 0, kType = 8, kSpacing = 10, kOrigin = 204;
 
 class Header {
  public:
-  Header(const std::string& path, ByteStream& stream) {
+  Header(const std::string& path, bool isPacked) {
+    ByteStream stream(path, 0, isPacked ? ByteStream::Coding::deflate : ByteStream::Coding::raw);
     if (stream.read(bytes_.data(), bytes_.size()) != bytes_.size())
       refuseInput(path, {FindingKind::headerTruncated, {{"format", std::string("GIPL")}}});
   }
@@ -58,49 +60,26 @@ Component componentOf(int type, const std::string& path) {
   }
 }
 
-class GiplSource : public VolumeSource {
- public:
-  explicit GiplSource(const std::string& path) : path_(path), isCompressed_(isGzip(path)) {
-    ByteStream stream = open();
-    const Header header(path, stream);
-    header_.format = "GIPL";
-    header_.component = componentOf(header.at<std::uint16_t>(kType), path);
-    for (std::size_t a = 0; a < 3; ++a) {
-      header_.grid.size[a] = header.at<std::uint16_t>(kSizes + 2 * a);
-      const auto i = static_cast<Eigen::Index>(a);
-      header_.grid.spacing[i] = static_cast<double>(header.at<float>(kSpacing + 4 * a));
-      header_.grid.origin[i] = header.at<double>(kOrigin + 8 * a);
-    }
-    header_.frames = std::max<int>(1, header.at<std::uint16_t>(kSizes + 6));
-    if (header_.grid.size[2] <= 1) refuseInput(path, FindingKind::flatImage);
-    header_.sources = {"sizes", {"pixdim", "pixdim", "pixdim"}, "origin", "assumed"};
-    checkHeader(header_, path);
-    checkDataSize(path, path, isCompressed_ ? 0 : kHeaderBytes, header_.bytesPerFrame() * frames(),
-                  isCompressed_);
-  }
-
- protected:
-  void readFrame(int frame, void* to, const ReadProgress& progress) override {
-    ByteStream stream = open();
-    stream.skip(kHeaderBytes + header_.bytesPerFrame() * static_cast<std::uint64_t>(frame), progress);
-    stream.readAll(to, static_cast<std::size_t>(header_.bytesPerFrame()), progress);
-    stream.checkEnd(frame + 1 < header_.frames);
-    if (std::endian::native == std::endian::little)
-      swapBytes(to, header_.grid.voxelCount(), bytesOf(header_.component));
-  }
-
- private:
-  ByteStream open() const {
-    return ByteStream(path_, 0, isCompressed_ ? ByteStream::Coding::deflate : ByteStream::Coding::raw);
-  }
-  std::uint64_t frames() const { return static_cast<std::uint64_t>(header_.frames); }
-
-  std::string path_;
-  bool isCompressed_;
-};
-
 }  // namespace
 
-SourcePointer openGipl(const std::string& path) { return std::make_unique<GiplSource>(path); }
+SourcePointer openGipl(const std::string& path) {
+  const bool isPacked = isGzip(path);
+  const Header fields(path, isPacked);
+  VolumeHeader header;
+  header.format = "GIPL";
+  header.component = componentOf(fields.at<std::uint16_t>(kType), path);
+  for (std::size_t a = 0; a < 3; ++a) {
+    header.grid.size[a] = fields.at<std::uint16_t>(kSizes + 2 * a);
+    const auto i = static_cast<Eigen::Index>(a);
+    header.grid.spacing[i] = static_cast<double>(fields.at<float>(kSpacing + 4 * a));
+    header.grid.origin[i] = fields.at<double>(kOrigin + 8 * a);
+  }
+  header.frames = std::max<int>(1, fields.at<std::uint16_t>(kSizes + 6));
+  if (header.grid.size[2] <= 1) refuseInput(path, FindingKind::flatImage);
+  header.sources = {"sizes", {"pixdim", "pixdim", "pixdim"}, "origin", "assumed"};
+  checkHeader(header, path);
+  return storedSource(header, {path, 0, kHeaderBytes, isPacked, std::endian::native == std::endian::little},
+                      path);
+}
 
 }  // namespace handlebody

@@ -108,10 +108,19 @@ void checkDataSize(const std::string& path, const std::string& file, std::uint64
                        {{"declared", bytes}, {"held", held}}});
 }
 
+void refuseHeader(const std::string& path, const std::string& format, const std::string& field) {
+  refuseInput(path, {FindingKind::headerDamaged, {{"format", format}, {"field", field}}});
+}
+
 void swapBytes(void* values, std::size_t count, std::size_t size) {
   auto* at = static_cast<unsigned char*>(values);
   if (size < 2) return;
   for (std::size_t i = 0; i < count; ++i, at += size) std::reverse(at, at + size);
+}
+
+void swapVoxels(const VolumeHeader& header, void* voxels) {
+  swapBytes(voxels, header.grid.voxelCount() * static_cast<std::size_t>(header.components),
+            bytesOf(header.component));
 }
 
 }  // namespace handlebody

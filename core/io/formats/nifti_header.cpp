@@ -158,9 +158,7 @@ NiftiHeader readNiftiHeader(const std::string& path) {
   h.pair = magic[0] == 'n' && magic[1] == 'i' && magic[2] == version;
   const bool single = magic[0] == 'n' && magic[1] == '+' && magic[2] == version;
   if (!h.pair && !single)
-    refuseInput(path, size == 540 ? Finding(FindingKind::headerDamaged, {{"format", std::string("NIfTI-2")},
-                                                                         {"field", std::string("magic")}})
-                                  : Finding(FindingKind::analyzeFile));
+    size == 540 ? refuseHeader(path, "NIfTI-2", "magic") : refuseInput(path, FindingKind::analyzeFile);
   if (size == 540)
     readSecond(b, h);
   else
@@ -179,10 +177,12 @@ void setNiftiGeometry(const NiftiHeader& nifti, VolumeHeader& header, const std:
     header.sources = {"dim", {"pixdim", "pixdim", "pixdim"}, "assumed", "assumed (RAS axes)"};
     header.warnings.push_back(FindingKind::placeUnknown);
   }
-  const double apart = nifti.qform > 0 && nifti.sform > 0 ? distanceFromSform(nifti, header.grid) : 0;
+  const bool hasBoth = nifti.qform > 0 && nifti.sform > 0;
+  if (hasBoth && std::any_of(nifti.rows.begin(), nifti.rows.end(), [](double v) { return std::isnan(v); }))
+    refuseInput(path, FindingKind::sformNoNumber);
+  const double apart = hasBoth ? distanceFromSform(nifti, header.grid) : 0;
   if (apart > 0.1)
     header.warnings.push_back({FindingKind::formsDisagree, {{"apart_mm", std::ceil(std::min(apart, 1e9))}}});
-  if (!(apart >= 0)) refuseInput(path, FindingKind::sformNoNumber);
   setUnit(nifti, header);
 }
 

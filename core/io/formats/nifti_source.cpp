@@ -1,4 +1,4 @@
-// NIfTI-1 and NIfTI-2, with their voxels through our own stream, which sees truncation and wrong checksums.
+// NIfTI-1 and NIfTI-2, in one file or as a pair.
 
 #include <algorithm>
 #include <cmath>
@@ -7,14 +7,13 @@
 
 #include "core/io/formats/byte_stream.h"
 #include "core/io/formats/nifti_header.h"
+#include "core/io/formats/stored_voxels.h"
 
 namespace handlebody {
 namespace {
 
 void checkDimensions(const NiftiHeader& h, const std::string& path) {
-  if (h.dim[0] < 1 || h.dim[0] > 7)
-    refuseInput(path, {FindingKind::headerDamaged,
-                       {{"format", std::string("NIfTI")}, {"field", std::string("number of dimensions")}}});
+  if (h.dim[0] < 1 || h.dim[0] > 7) refuseHeader(path, "NIfTI", "number of dimensions");
   const auto dim = [&](int a) { return h.dim[static_cast<std::size_t>(a)]; };
   for (int a = 1; a <= h.dim[0]; ++a) {
     if (dim(a) < 1) refuseInput(path, FindingKind::noVoxelsInHeader);
@@ -69,53 +68,25 @@ std::string pairOf(const std::string& headerPath) {
   refuseInput(headerPath, {FindingKind::dataFileMissing, {{"data", stem + ".img"}}});
 }
 
-class NiftiSource : public VolumeSource {
- public:
-  explicit NiftiSource(const std::string& path);
-
- protected:
-  void readFrame(int frame, void* to, const ReadProgress& progress) override;
-
- private:
-  NiftiHeader nifti_;
-  std::string dataFile_;
-  std::uint64_t offset_ = 0;
-  bool compressed_ = false;
-};
-
-NiftiSource::NiftiSource(const std::string& path) : nifti_(readNiftiHeader(path)) {
-  checkDimensions(nifti_, path);
-  dataFile_ = nifti_.pair ? pairOf(path) : path;
-  compressed_ = isGzip(dataFile_);
-  header_.format = nifti_.version == 1 ? "NIfTI" : "NIfTI-2";
-  setStoredType(nifti_, path, header_);
-  for (std::size_t a = 0; a < 3; ++a) header_.grid.size[a] = static_cast<int>(nifti_.dim[a + 1]);
-  header_.frames = nifti_.dim[0] >= 4 ? static_cast<int>(nifti_.dim[4]) : 1;
-  setNiftiGeometry(nifti_, header_, path);
-  setTimes(nifti_, header_);
-  setScaling(nifti_, header_);
-  checkHeader(header_, path);
-  if (nifti_.voxOffset < 0)
-    refuseInput(path, {FindingKind::headerDamaged,
-                       {{"format", std::string("NIfTI")}, {"field", std::string("offset")}}});
-  offset_ = static_cast<std::uint64_t>(nifti_.voxOffset);
-  const auto first = static_cast<std::uint64_t>(nifti_.headerBytes());
-  if (!nifti_.pair && offset_ < first) offset_ = first + 4;
-  checkDataSize(path, dataFile_, compressed_ ? 0 : offset_,
-                header_.bytesPerFrame() * static_cast<std::uint64_t>(header_.frames), compressed_);
+VolumeHeader headerOf(const NiftiHeader& nifti, const std::string& path) {
+  VolumeHeader header;
+  header.format = nifti.version == 1 ? "NIfTI" : "NIfTI-2";
+  setStoredType(nifti, path, header);
+  for (std::size_t a = 0; a < 3; ++a) header.grid.size[a] = static_cast<int>(nifti.dim[a + 1]);
+  header.frames = nifti.dim[0] >= 4 ? static_cast<int>(nifti.dim[4]) : 1;
+  setNiftiGeometry(nifti, header, path);
+  setTimes(nifti, header);
+  setScaling(nifti, header);
+  checkHeader(header, path);
+  return header;
 }
 
-void NiftiSource::readFrame(int frame, void* to, const ReadProgress& progress) {
-  const std::uint64_t bytes = header_.bytesPerFrame();
-  const std::uint64_t before = offset_ + bytes * static_cast<std::uint64_t>(frame);
-  ByteStream stream(dataFile_, compressed_ ? 0 : before,
-                    compressed_ ? ByteStream::Coding::deflate : ByteStream::Coding::raw);
-  if (compressed_) stream.skip(before, progress);
-  stream.readAll(to, static_cast<std::size_t>(bytes), progress);
-  stream.checkEnd(frame + 1 < header_.frames);
-  if (nifti_.swapped)
-    swapBytes(to, header_.grid.voxelCount() * static_cast<std::size_t>(header_.components),
-              bytesOf(header_.component));
+//! The offset counts in what is unpacked.
+std::uint64_t offsetOf(const NiftiHeader& nifti, const std::string& path) {
+  if (nifti.voxOffset < 0) refuseHeader(path, "NIfTI", "offset");
+  return !nifti.pair && nifti.voxOffset < nifti.headerBytes()
+             ? static_cast<std::uint64_t>(nifti.headerBytes()) + 4
+             : static_cast<std::uint64_t>(nifti.voxOffset);
 }
 
 }  // namespace
@@ -125,7 +96,12 @@ SourcePointer openNifti(const std::string& path) {
   // A pair begins with its header.
   for (const std::string ending : {".img", ".img.gz"})
     if (path.ends_with(ending)) headerPath = path.substr(0, path.size() - ending.size()) + ".hdr";
-  return std::make_unique<NiftiSource>(headerPath);
+  const NiftiHeader nifti = readNiftiHeader(headerPath);
+  checkDimensions(nifti, headerPath);
+  const std::string data = nifti.pair ? pairOf(headerPath) : headerPath;
+  const VolumeHeader header = headerOf(nifti, headerPath);
+  return storedSource(header, {data, 0, offsetOf(nifti, headerPath), isGzip(data), nifti.swapped},
+                      headerPath);
 }
 
 }  // namespace handlebody

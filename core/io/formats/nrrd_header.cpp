@@ -1,42 +1,20 @@
 #include "core/io/formats/nrrd_header.h"
-#include "core/io/lowered.h"
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <optional>
-#include <sstream>
+
+#include "core/io/formats/header_text.h"
+#include "core/io/lowered.h"
 
 namespace handlebody {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string trimmed(const std::string& s) {
-  const auto first = s.find_first_not_of(" \t\r\n");
-  if (first == std::string::npos) return {};
-  return s.substr(first, s.find_last_not_of(" \t\r\n") - first + 1);
-}
-
-std::vector<std::string> words(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> list;
-  for (std::string word; stream >> word;) list.push_back(word);
-  return list;
-}
-
-template <typename T>
-std::optional<T> parsed(const std::string& word) {
-  T value{};
-  const char* first = word.data() + (word.size() > 1 && word[0] == '+');
-  const auto [end, error] = std::from_chars(first, word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-  return value;
-}
 
 //! "(1,0,0) none (0,1,0)": one list of numbers per axis, empty for none.
 std::vector<std::vector<double>> vectors(const std::string& text, const std::string& path) {
@@ -48,16 +26,12 @@ std::vector<std::vector<double>> vectors(const std::string& text, const std::str
       at += 4;
     } else {
       const auto close = text.find(')', at);
-      if (text[at] != '(' || close == std::string::npos)
-        refuseInput(path, {FindingKind::headerDamaged,
-                           {{"format", std::string("NRRD")}, {"field", std::string("space")}}});
+      if (text[at] != '(' || close == std::string::npos) refuseHeader(path, "NRRD", "space");
       std::string inside = text.substr(at + 1, close - at - 1);
       std::replace(inside.begin(), inside.end(), ',', ' ');
       for (const std::string& word : words(inside)) {
         const auto value = parsed<double>(word);
-        if (!value)
-          refuseInput(path, {FindingKind::headerDamaged,
-                             {{"format", std::string("NRRD")}, {"field", std::string("space")}}});
+        if (!value) refuseHeader(path, "NRRD", "space");
         numbers.push_back(*value);
       }
       at = close + 1;
@@ -92,49 +66,24 @@ std::vector<std::string> numbered(const std::vector<std::string>& parts, const f
 }
 
 Component componentOf(const std::string& type, const std::string& path) {
-  static const std::map<std::string, Component> kTypes{{"signed char", Component::int8},
-                                                       {"int8", Component::int8},
-                                                       {"int8_t", Component::int8},
-                                                       {"uchar", Component::uint8},
-                                                       {"unsigned char", Component::uint8},
-                                                       {"uint8", Component::uint8},
-                                                       {"uint8_t", Component::uint8},
-                                                       {"short", Component::int16},
-                                                       {"short int", Component::int16},
-                                                       {"signed short", Component::int16},
-                                                       {"signed short int", Component::int16},
-                                                       {"int16", Component::int16},
-                                                       {"int16_t", Component::int16},
-                                                       {"ushort", Component::uint16},
-                                                       {"unsigned short", Component::uint16},
-                                                       {"unsigned short int", Component::uint16},
-                                                       {"uint16", Component::uint16},
-                                                       {"uint16_t", Component::uint16},
-                                                       {"int", Component::int32},
-                                                       {"signed int", Component::int32},
-                                                       {"int32", Component::int32},
-                                                       {"int32_t", Component::int32},
-                                                       {"uint", Component::uint32},
-                                                       {"unsigned int", Component::uint32},
-                                                       {"uint32", Component::uint32},
-                                                       {"uint32_t", Component::uint32},
-                                                       {"longlong", Component::int64},
-                                                       {"long long", Component::int64},
-                                                       {"long long int", Component::int64},
-                                                       {"signed long long", Component::int64},
-                                                       {"signed long long int", Component::int64},
-                                                       {"int64", Component::int64},
-                                                       {"int64_t", Component::int64},
-                                                       {"ulonglong", Component::uint64},
-                                                       {"unsigned long long", Component::uint64},
-                                                       {"unsigned long long int", Component::uint64},
-                                                       {"uint64", Component::uint64},
-                                                       {"uint64_t", Component::uint64},
-                                                       {"float", Component::float32},
-                                                       {"double", Component::float64}};
-  const auto found = kTypes.find(lowered(type));
-  if (found == kTypes.end()) refuseInput(path, {FindingKind::voxelType, {{"type", type}}});
-  return found->second;
+  using Names = std::vector<std::string>;
+  static const std::pair<Component, Names> kTypes[] = {
+      {Component::int8, {"signed char", "int8", "int8_t"}},
+      {Component::uint8, {"uchar", "unsigned char", "uint8", "uint8_t"}},
+      {Component::int16, {"short", "short int", "signed short", "signed short int", "int16", "int16_t"}},
+      {Component::uint16, {"ushort", "unsigned short", "unsigned short int", "uint16", "uint16_t"}},
+      {Component::int32, {"int", "signed int", "int32", "int32_t"}},
+      {Component::uint32, {"uint", "unsigned int", "uint32", "uint32_t"}},
+      {Component::int64,
+       {"longlong", "long long", "long long int", "signed long long", "signed long long int", "int64",
+        "int64_t"}},
+      {Component::uint64,
+       {"ulonglong", "unsigned long long", "unsigned long long int", "uint64", "uint64_t"}},
+      {Component::float32, {"float"}},
+      {Component::float64, {"double"}}};
+  for (const auto& [component, names] : kTypes)
+    if (std::find(names.begin(), names.end(), lowered(type)) != names.end()) return component;
+  refuseInput(path, {FindingKind::voxelType, {{"type", type}}});
 }
 
 //! One axis of the array, fastest first.
@@ -155,15 +104,11 @@ std::vector<Axis> axesOf(const NrrdFields& f, const std::string& path) {
     axes.push_back({*size, {}});
   }
   if (axes.empty() || std::to_string(axes.size()) != f.value("dimension"))
-    refuseInput(path, {FindingKind::headerDamaged,
-                       {{"format", std::string("NRRD")}, {"field", std::string("dimension and sizes")}}});
+    refuseHeader(path, "NRRD", "dimension and sizes");
   const auto kinds = words(lowered(f.value("kinds"))), spacings = words(lowered(f.value("spacings")));
   const auto directions = vectors(f.value("space directions"), path);
   for (const std::size_t n : {kinds.size(), spacings.size(), directions.size()})
-    if (n != 0 && n != axes.size())
-      refuseInput(path, {FindingKind::headerDamaged,
-                         {{"format", std::string("NRRD")},
-                          {"field", std::string("a field has not one value per axis")}}});
+    if (n != 0 && n != axes.size()) refuseHeader(path, "NRRD", "a field has not one value per axis");
   for (std::size_t i = 0; i < axes.size(); ++i) {
     Axis& a = axes[i];
     if (!kinds.empty()) a.kind = kinds[i];
@@ -237,9 +182,7 @@ std::optional<Vec3> toLps(const std::string& space) {
 }
 
 void setDirection(const Axis& axis, int a, const Vec3& flip, const std::string& path, VolumeHeader& h) {
-  if (axis.direction.size() < 3)
-    refuseInput(path, {FindingKind::headerDamaged,
-                       {{"format", std::string("NRRD")}, {"field", std::string("space directions")}}});
+  if (axis.direction.size() < 3) refuseHeader(path, "NRRD", "space directions");
   const Vec3 v = Vec3(axis.direction[0], axis.direction[1], axis.direction[2]).cwiseProduct(flip);
   h.grid.spacing[a] = v.norm();
   if (v.norm() > 0) h.grid.direction.col(a) = v / v.norm();
@@ -294,8 +237,7 @@ void setEncoding(const NrrdFields& f, const std::string& path, const VolumeHeade
     refuseInput(path, {FindingKind::encodingNotSupported, {{"encoding", encoding}}});
   const std::string endian = lowered(f.value("endian"));
   if (endian.empty() && bytesOf(header.component) > 1 && !layout.text)
-    refuseInput(path, {FindingKind::headerDamaged,
-                       {{"format", std::string("NRRD")}, {"field", std::string("no endian")}}});
+    refuseHeader(path, "NRRD", "no endian");
   if (bytesOf(header.component) > 1)
     layout.swapped = (endian == "big") != (std::endian::native == std::endian::big);
   for (const auto& [name, skip] :
@@ -304,9 +246,7 @@ void setEncoding(const NrrdFields& f, const std::string& path, const VolumeHeade
             f.value(name).empty() ? f.value(std::string(name).erase(4, 1)) : f.value(name);
         !text.empty()) {
       const auto value = parsed<long long>(text);
-      if (!value || *value < -1 || *value > (1ll << 60))
-        refuseInput(path, {FindingKind::headerDamaged,
-                           {{"format", std::string("NRRD")}, {"field", std::string(name)}}});
+      if (!value || *value < -1 || *value > (1ll << 60)) refuseHeader(path, "NRRD", name);
       *skip = *value;
     }
 }

@@ -1,11 +1,11 @@
 // NRRD, attached or detached, with one or many data files; a time axis may stand at any place.
 
 #include <algorithm>
-#include <charconv>
 #include <cstring>
 #include <filesystem>
 
 #include "core/io/formats/byte_stream.h"
+#include "core/io/formats/header_text.h"
 #include "core/io/formats/nrrd_header.h"
 
 namespace handlebody {
@@ -22,9 +22,9 @@ class NrrdSource : public VolumeSource {
 
  private:
   std::uint64_t offsetIn(const std::string& file) const;
-  void readStream(ByteStream& stream, std::uint64_t bytes, char* to, const ReadProgress& progress) const;
-  void readPart(const std::string& file, int frame, char* to, const ReadProgress& progress) const;
-  void readFiles(int frame, char* to, const ReadProgress& progress) const;
+  void readPart(const std::string& file, std::uint64_t before, std::uint64_t bytes, char* to,
+                const ReadProgress& progress) const;
+  void readFiles(const std::vector<std::string>& files, char* to, const ReadProgress& progress) const;
   void readText(ByteStream& stream, std::uint64_t values, char* to) const;
   void pick(const char* from, int frame, char* to) const;
   std::string path_;
@@ -43,8 +43,7 @@ NrrdSource::NrrdSource(const std::string& path) : path_(path), fields_(readNrrdF
   all_ = header_.bytesPerFrame() * static_cast<std::uint64_t>(header_.frames);
   if (header_.frames > 1 &&
       layout_.inner * layout_.outer * bytesOf(header_.component) != header_.bytesPerFrame())
-    refuseInput(path, {FindingKind::headerDamaged,
-                       {{"format", std::string("NRRD")}, {"field", std::string("sizes")}}});
+    refuseHeader(path, "NRRD", "sizes");
   if (all_ % parts != 0) refuseInput(path, FindingKind::dataFilesUneven);
   // As text, a digit for every value and a space between them at least.
   const std::uint64_t bytes =
@@ -69,6 +68,17 @@ std::uint64_t NrrdSource::offsetIn(const std::string& file) const {
   return size - bytes;
 }
 
+//! The value that the word is; characters are numbers here. False if it is none of the type.
+template <typename T>
+bool writeValue(const std::string& word, const T*, char* to) {
+  using Number = std::conditional_t<sizeof(T) == 1, int, T>;
+  const std::optional<Number> number = parsed<Number>(word);
+  if (!number) return false;
+  const T value = static_cast<T>(*number);
+  std::memcpy(to, &value, sizeof value);
+  return sizeof(T) > 1 || static_cast<Number>(value) == *number;
+}
+
 void NrrdSource::readText(ByteStream& stream, std::uint64_t values, char* to) const {
   const std::size_t size = bytesOf(header_.component);
   std::string word;
@@ -78,20 +88,10 @@ void NrrdSource::readText(ByteStream& stream, std::uint64_t values, char* to) co
     const bool space = !more || std::isspace(static_cast<unsigned char>(c)) || c == ',';
     if (!space) word += c;
     if (space && !word.empty()) {
-      bool good = false;
-      visitComponents(header_.component, to + i * size, [&](auto* at) {
-        auto& value = const_cast<std::remove_const_t<std::remove_pointer_t<decltype(at)>>&>(*at);
-        int small = 0;  // characters are numbers here
-        if constexpr (sizeof value == 1) {
-          good =
-              std::from_chars(word.data(), word.data() + word.size(), small).ptr == word.data() + word.size();
-          value = static_cast<std::remove_reference_t<decltype(value)>>(small);
-        } else {
-          good =
-              std::from_chars(word.data(), word.data() + word.size(), value).ptr == word.data() + word.size();
-        }
-      });
-      if (!good) refuseInput(path_, {FindingKind::voxelsNoNumbers, {{"word", word.substr(0, 20)}}});
+      bool isValue = false;
+      visitComponents(header_.component, to,
+                      [&](const auto* type) { isValue = writeValue(word, type, to + i * size); });
+      if (!isValue) refuseInput(path_, {FindingKind::voxelsNoNumbers, {{"word", word.substr(0, 20)}}});
       word.clear();
       ++i;
     }
@@ -99,71 +99,52 @@ void NrrdSource::readText(ByteStream& stream, std::uint64_t values, char* to) co
   }
 }
 
-void NrrdSource::readStream(ByteStream& stream, std::uint64_t bytes, char* to,
-                            const ReadProgress& progress) const {
+//! Of one file, or of what follows the header, `bytes` from `before` on.
+void NrrdSource::readPart(const std::string& file, std::uint64_t before, std::uint64_t bytes, char* to,
+                          const ReadProgress& progress) const {
+  const bool isPacked = layout_.compressed;
+  ByteStream stream(file, offsetIn(file) + (isPacked ? 0 : before),
+                    isPacked ? ByteStream::Coding::deflate : ByteStream::Coding::raw);
+  if (isPacked) stream.skip(before + static_cast<std::uint64_t>(std::max(0ll, layout_.byteSkip)), progress);
   if (layout_.text)
     readText(stream, bytes / bytesOf(header_.component), to);
   else
     stream.readAll(to, bytes, progress);
+  stream.checkEnd(before + bytes < all_ / std::max<std::uint64_t>(1, fields_.dataFiles.size()));
 }
 
-//! One file, or what follows the header. Time points that follow one another are passed over.
-void NrrdSource::readPart(const std::string& file, int frame, char* to, const ReadProgress& progress) const {
-  const auto coding = layout_.compressed ? ByteStream::Coding::deflate : ByteStream::Coding::raw;
-  const std::uint64_t bytes = header_.bytesPerFrame();
-  const bool together = layout_.outer == 1 && !layout_.text;
-  const std::uint64_t before = together ? bytes * static_cast<std::uint64_t>(frame) : 0;
-  ByteStream stream(file, offsetIn(file) + (layout_.compressed ? 0 : before), coding);
-  if (layout_.compressed)
-    stream.skip(before + static_cast<std::uint64_t>(std::max(0ll, layout_.byteSkip)), progress);
-  if (together || header_.frames == 1) {
-    readStream(stream, bytes, to, progress);
-  } else {
-    const std::shared_ptr<void> all = allocate(all_, path_);
-    readStream(stream, all_, static_cast<char*>(all.get()), progress);
-    pick(static_cast<const char*>(all.get()), frame, to);
-  }
-  stream.checkEnd(together && frame + 1 < header_.frames);
-}
-
-void NrrdSource::readFiles(int frame, char* to, const ReadProgress& progress) const {
-  const auto coding = layout_.compressed ? ByteStream::Coding::deflate : ByteStream::Coding::raw;
-  const std::uint64_t part = all_ / fields_.dataFiles.size();
-  const std::shared_ptr<void> all = allocate(all_, path_);
-  char* at = static_cast<char*>(all.get());
-  for (const std::string& file : fields_.dataFiles) {
-    ByteStream stream(file, offsetIn(file), coding);
-    if (layout_.compressed)
-      stream.skip(static_cast<std::uint64_t>(std::max(0ll, layout_.byteSkip)), progress);
-    readStream(stream, part, at, {});
-    stream.checkEnd();
-    at += part;
-    report(progress, static_cast<double>(at - static_cast<char*>(all.get())) / static_cast<double>(all_));
-  }
-  pick(static_cast<const char*>(all.get()), frame, to);
+//! All time points, from all files.
+void NrrdSource::readFiles(const std::vector<std::string>& files, char* to,
+                           const ReadProgress& progress) const {
+  const std::uint64_t part = all_ / files.size();
+  for (std::size_t i = 0; i < files.size(); ++i)
+    readPart(files[i], 0, part, to + i * part, [&](double done) {
+      report(progress, (static_cast<double>(i) + done) / static_cast<double>(files.size()));
+    });
 }
 
 //! The values of one time point from those of all.
 void NrrdSource::pick(const char* from, int frame, char* to) const {
-  const std::uint64_t size = bytesOf(header_.component);
-  if (header_.frames == 1) {
-    std::memcpy(to, from, header_.bytesPerFrame());
-    return;
-  }
-  const std::uint64_t run = layout_.inner * size, step = run * static_cast<std::uint64_t>(header_.frames);
+  const std::uint64_t run = layout_.inner * bytesOf(header_.component),
+                      step = run * static_cast<std::uint64_t>(header_.frames);
   from += run * static_cast<std::uint64_t>(frame);
   for (std::uint64_t o = 0; o < layout_.outer; ++o, from += step, to += run) std::memcpy(to, from, run);
 }
 
 void NrrdSource::readFrame(int frame, void* to, const ReadProgress& progress) {
-  if (fields_.dataFiles.size() > 1)
-    readFiles(frame, static_cast<char*>(to), progress);
-  else
-    readPart(fields_.dataFiles.empty() ? path_ : fields_.dataFiles[0], frame, static_cast<char*>(to),
-             progress);
-  if (layout_.swapped && !layout_.text)
-    swapBytes(to, header_.grid.voxelCount() * static_cast<std::size_t>(header_.components),
-              bytesOf(header_.component));
+  const std::vector<std::string> files = fields_.dataFiles.empty() ? std::vector{path_} : fields_.dataFiles;
+  const std::uint64_t bytes = header_.bytesPerFrame();
+  if (header_.frames == 1) {
+    readFiles(files, static_cast<char*>(to), progress);
+  } else if (files.size() == 1 && layout_.outer == 1 && !layout_.text) {
+    // Time points follow one another: those before are passed over.
+    readPart(files[0], bytes * static_cast<std::uint64_t>(frame), bytes, static_cast<char*>(to), progress);
+  } else {
+    const std::shared_ptr<void> all = allocate(all_, path_);
+    readFiles(files, static_cast<char*>(all.get()), progress);
+    pick(static_cast<const char*>(all.get()), frame, static_cast<char*>(to));
+  }
+  if (layout_.swapped && !layout_.text) swapVoxels(header_, to);
 }
 
 }  // namespace

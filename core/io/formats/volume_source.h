@@ -128,8 +128,12 @@ void checkHeader(VolumeHeader& header, const std::string& path);
 //! most 1032 to 1, so that a larger claim is wrong whatever the data are.
 void checkDataSize(const std::string& path, const std::string& file, std::uint64_t offset,
                    std::uint64_t bytes, bool compressed);
+//! Throws InputError: its header of this format is damaged, in that field.
+[[noreturn]] void refuseHeader(const std::string& path, const std::string& format, const std::string& field);
 //! Reverses the bytes of `count` values of `size` bytes.
 void swapBytes(void* values, std::size_t count, std::size_t size);
+//! The same for the components of all voxels of one time point.
+void swapVoxels(const VolumeHeader& header, void* voxels);
 //! True for a header field of the second or a later frame of a tracked sequence ("Seq_Frame0001_…"), as Plus
 //! and 3D Slicer write them. (Volumes reconstructed by them may carry the fields of one frame, 0.)
 bool isLaterFrame(const std::string& field);
