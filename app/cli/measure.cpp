@@ -111,16 +111,16 @@ void addWall(const MeasureOptions& o, const TriangleSoup& other, Measured& m) {
 
 //! In the object that holds the first point.
 void addLine(const MeasureOptions& o, Measured& m) {
-  std::string fault;
+  CentreLineFault fault = CentreLineFault::firstOutside;
   for (const MeasuredObject& object : m.objects) {
     CentreLine line = centreLine(object.mesh, o.between[0], o.between[1]);
     if (!line.points.empty()) {
       m.line = MeasuredLine{object.name, std::move(line)};
       return;
     }
-    if (fault.empty() || fault.rfind("the first", 0) == 0) fault = line.fault;
+    if (fault == CentreLineFault::firstOutside) fault = line.fault;
   }
-  throw UsageError("--between: " + fault + ".");
+  throw UsageError(std::string("--between: ") + centreLineFaultText(fault) + ".");
 }
 
 void check(const MeasureOptions& o) {

@@ -100,9 +100,9 @@ BallPath findBallPath(InscribedBalls& balls, const Vec3& from, const Vec3& to, d
     Search search(balls, from, to, spacing);
     const int last = search.run();
     if (last >= 0) return {search.wayTo(last), {}};
-    if (search.isFull()) return {{}, "the way between them is too long and thin to be searched"};
+    if (search.isFull()) return {{}, CentreLineFault::tooLongAndThin};
   }
-  return {{}, "there is no way from one to the other inside of the object"};
+  return {{}, CentreLineFault::noWay};
 }
 
 }  // namespace handlebody

@@ -1,16 +1,16 @@
 #pragma once
 // Internal: the way from ball to ball.
 
-#include <string>
 #include <vector>
 
+#include "core/measure/centre_line.h"
 #include "core/measure/inscribed_balls.h"
 
 namespace handlebody {
 
 struct BallPath {
   std::vector<Vec3> points;  //!< from `from` to `to`; none if there is no way
-  std::string fault;         //!< why, as the end of a sentence
+  CentreLineFault fault = CentreLineFault::none;
 };
 
 //! Dijkstra's search on a lattice of centres; two of them are joined if their balls overlap, which no two do

@@ -164,13 +164,30 @@ double CentreLinePoint::equivalentDiameter() const {
   return 2 * std::sqrt(area.value_or(0) / std::numbers::pi);
 }
 
+const char* centreLineFaultText(CentreLineFault fault) {
+  switch (fault) {
+    case CentreLineFault::firstOutside:
+      return "the first point lies outside of the object";
+    case CentreLineFault::secondOutside:
+      return "the second point lies outside of the object";
+    case CentreLineFault::samePlace:
+      return "the two points lie in the same place of the object";
+    case CentreLineFault::tooLongAndThin:
+      return "the way between them is too long and thin to be searched";
+    case CentreLineFault::noWay:
+      return "there is no way from one to the other inside of the object";
+    default:
+      return "";
+  }
+}
+
 CentreLine centreLine(const TriangleSoup& mesh, const Vec3& from, const Vec3& to) {
   InscribedBalls balls(mesh);
-  if (!balls.isInside(from)) return {{}, 0, "the first point lies outside of the object"};
-  if (!balls.isInside(to)) return {{}, 0, "the second point lies outside of the object"};
+  if (!balls.isInside(from)) return {{}, 0, CentreLineFault::firstOutside};
+  if (!balls.isInside(to)) return {{}, 0, CentreLineFault::secondOutside};
   const Vec3 first = balls.medialCentre(from), last = balls.medialCentre(to);
   const double thinner = std::min(balls.radius(first), balls.radius(last));
-  if ((last - first).norm() < thinner) return {{}, 0, "the two points lie in the same place of the object"};
+  if ((last - first).norm() < thinner) return {{}, 0, CentreLineFault::samePlace};
   const double spacing =
       std::max(thinner / kCellsPerRadius, std::cbrt(std::abs(signedVolume(Mesh(mesh))) / kBallsInVolume));
   const BallPath path = findBallPath(balls, first, last, std::min(spacing, thinner));

@@ -2,7 +2,6 @@
 // The middle of a tube from one place in it to another, and how wide it is there.
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/mesh/mesh.h"
@@ -21,10 +20,16 @@ struct CentreLinePoint {
   double equivalentDiameter() const;
 };
 
+//! Why there is no line.
+enum class CentreLineFault { none, firstOutside, secondOutside, samePlace, tooLongAndThin, noWay };
+
+//! In English, as the end of a sentence.
+const char* centreLineFaultText(CentreLineFault fault);
+
 struct CentreLine {
   std::vector<CentreLinePoint> points;  //!< evenly spaced; none if there is no way
   double length = 0;                    //!< mm
-  std::string fault;                    //!< why there is none, as the end of a sentence
+  CentreLineFault fault = CentreLineFault::none;
 };
 
 //! From the ball that fits around `from` to the one around `to` (a click is moved away from the surface to

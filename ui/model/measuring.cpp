@@ -27,6 +27,23 @@ std::optional<MeasuredWall> wallOf(Measured& m, const WantedWall& wanted) {
   return std::nullopt;
 }
 
+QString endOfSentence(CentreLineFault fault) {
+  switch (fault) {
+    case CentreLineFault::firstOutside:
+      return tr("the first point lies outside of the object");
+    case CentreLineFault::secondOutside:
+      return tr("the second point lies outside of the object");
+    case CentreLineFault::samePlace:
+      return tr("the two points lie in the same place of the object");
+    case CentreLineFault::tooLongAndThin:
+      return tr("the way between them is too long and thin to be searched");
+    case CentreLineFault::noWay:
+      return tr("there is no way from one to the other inside of the object");
+    default:
+      return {};
+  }
+}
+
 }  // namespace
 
 std::vector<MeasuredSurface> shownSurfaces(const Document& document) {
@@ -83,8 +100,7 @@ LineAnswer lineOf(const LineQuestion& q) {
     if (ClosestPoint(mesh).windingNumber(q.from) <= 0) continue;
     CentreLine line = centreLine(mesh, q.from, q.to);
     if (!line.points.empty()) return {MeasuredLine{surface.name.toStdString(), std::move(line)}, {}};
-    return {{},
-            tr("There is no centre line in “%1”: %2.").arg(surface.name, QString::fromStdString(line.fault))};
+    return {{}, tr("There is no centre line in “%1”: %2.").arg(surface.name, endOfSentence(line.fault))};
   }
   return {{}, tr("The first place lies in none of the objects.")};
 }
