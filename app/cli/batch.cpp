@@ -18,6 +18,7 @@
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
 #include "core/io/report/json.h"
+#include "core/io/report/option_error.h"
 #include "core/io/report/parse.h"
 #include "core/threads.h"
 
@@ -83,8 +84,8 @@ class Batch {
   int runRow(int number) {
     const DeferSignals stopCleanly;
     if (number > static_cast<int>(cases_.size()))
-      throw UsageError("--only-row: '" + std::to_string(number) + "' is not there: " + options_.study +
-                       " has " + std::to_string(cases_.size()) + " rows.");
+      throw OptionError("--only-row", "'" + std::to_string(number) + "' is not there: " + options_.study +
+                                          " has " + std::to_string(cases_.size()) + " rows.");
     const std::size_t i = static_cast<std::size_t>(number) - 1;
     SummaryRow& row = summary_.rows[i];
     if (row.status == CaseStatus::refused) {

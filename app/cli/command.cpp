@@ -3,8 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <limits>
 
-#include "core/errors.h"
 #include "core/io/report/json.h"
+#include "core/io/report/option_error.h"
 #include "core/io/report/parse.h"
 
 namespace handlebody::cli {
@@ -33,7 +33,7 @@ void addSelection(CLI::App& command, VolumeSelection& selection) {
       ->type_name("N");
   const auto setSpacing = [&selection](const std::string& text) {
     selection.spacing = parseVector("--spacing", text);
-    if (selection.spacing->minCoeff() <= 0) throw UsageError("--spacing: '" + text + "' is not above 0.");
+    if (selection.spacing->minCoeff() <= 0) throw OptionError("--spacing", "'" + text + "' is not above 0.");
   };
   command
       .add_option_function<std::string>("--spacing", setSpacing,
@@ -41,7 +41,7 @@ void addSelection(CLI::App& command, VolumeSelection& selection) {
       ->type_name("X,Y,Z");
   const auto setUneven = [&selection](const std::string& text) {
     if (text != "resample" && text != "refuse")
-      throw UsageError("--uneven: '" + text + "' is not resample or refuse.");
+      throw OptionError("--uneven", "'" + text + "' is not resample or refuse.");
     selection.uneven = text == "refuse" ? UnevenSlices::refuse : UnevenSlices::resample;
   };
   command

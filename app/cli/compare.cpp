@@ -11,6 +11,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/meshes/mesh_io.h"
 #include "core/io/report/compared_table.h"
+#include "core/io/report/option_error.h"
 #include "core/io/report/parse.h"
 #include "core/threads.h"
 
@@ -29,10 +30,10 @@ struct CompareOptions {
 };
 
 void checkOptions(const CompareOptions& o) {
-  if (o.labelA && isMeshInputPath(o.a)) throw UsageError("--label-a: " + o.a + " is a mesh.");
-  if (o.labelB && isMeshInputPath(o.b)) throw UsageError("--label-b: " + o.b + " is a mesh.");
+  if (o.labelA && isMeshInputPath(o.a)) throw OptionError("--label-a", o.a + " is a mesh.");
+  if (o.labelB && isMeshInputPath(o.b)) throw OptionError("--label-b", o.b + " is a mesh.");
   if (o.label && isMeshInputPath(o.a) && isMeshInputPath(o.b))
-    throw UsageError("--label: both objects are meshes.");
+    throw OptionError("--label", "both objects are meshes.");
   std::vector<OutputFile> files;
   if (!o.distances.empty()) files.push_back({"-o", o.distances});
   if (!o.report.empty()) files.push_back({"--report", o.report});
@@ -78,7 +79,7 @@ void addMeasures(CLI::App& command, ComparisonOptions& how) {
           [&how](const std::string& text) {
             how.sampling = parseNumber("--sampling", text);
             if (!(how.sampling > 0) || !std::isfinite(how.sampling))
-              throw UsageError("--sampling: '" + text + "' is not a finite number above 0.");
+              throw OptionError("--sampling", "'" + text + "' is not a finite number above 0.");
           },
           "Distance between samples of the surfaces, and of the overlap of two meshes (default: about a "
           "million "

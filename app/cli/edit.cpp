@@ -16,6 +16,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/meshes/mesh_io.h"
 #include "core/io/report/edit_json.h"
+#include "core/io/report/option_error.h"
 #include "core/io/report/parse.h"
 #include "core/io/report/polished_export.h"
 #include "core/io/report/result.h"
@@ -256,11 +257,11 @@ void setClosing(EditOptions& o) {
     words.erase(words.begin());
     if (words.empty()) throw UsageError("--close-tunnels shorter-than needs a length in mm.");
   } else if (words.size() == 2) {
-    if (!o.path.empty()) throw UsageError("--close-tunnels: '" + words.front() + "' is not shorter-than.");
+    if (!o.path.empty()) throw OptionError("--close-tunnels", "'" + words.front() + "' is not shorter-than.");
     o.path = words.back();
   }
   const double length = parseNumber("--close-tunnels", words.front());
-  if (!(length > 0)) throw UsageError("--close-tunnels: '" + words.front() + "' is not above 0.");
+  if (!(length > 0)) throw OptionError("--close-tunnels", "'" + words.front() + "' is not above 0.");
   o.shorterThan = length;
 }
 
@@ -272,7 +273,7 @@ void setCut(EditOptions& o, const std::string& text) {
   else if (text == "tunnel")
     o.cut = TunnelCut::tunnel;
   else
-    throw UsageError("--cut: '" + text + "' is not shorter, handle or tunnel.");
+    throw OptionError("--cut", "'" + text + "' is not shorter, handle or tunnel.");
 }
 
 void setPolish(EditOptions& o, const std::string& text) {
@@ -283,7 +284,7 @@ void setPolish(EditOptions& o, const std::string& text) {
   else if (text == "off")
     o.polish = Polish::off;
   else
-    throw UsageError("--polish: '" + text + "' is not edits, all or off.");
+    throw OptionError("--polish", "'" + text + "' is not edits, all or off.");
 }
 
 struct TouchOption {

@@ -12,6 +12,7 @@
 #include "core/errors.h"
 #include "core/evolution/history.h"
 #include "core/io/report/growth_report.h"
+#include "core/io/report/option_error.h"
 
 namespace handlebody::cli {
 
@@ -26,7 +27,7 @@ void addOnLeak(CLI::App& command, OnLeak& onLeak) {
     else if (text == "wall")
       onLeak = OnLeak::wall;
     else
-      throw UsageError("--on-leak: '" + text + "' is not go-on, pause, stop or wall.");
+      throw OptionError("--on-leak", "'" + text + "' is not go-on, pause, stop or wall.");
   };
   command
       .add_option_function<std::string>(
@@ -47,7 +48,7 @@ void addOnHeld(CLI::App& command, OnHeld& onHeld) {
     else if (text == "stop")
       onHeld = OnHeld::stop;
     else
-      throw UsageError("--on-held: '" + text + "' is not hold, pause or stop.");
+      throw OptionError("--on-held", "'" + text + "' is not hold, pause or stop.");
   };
   command
       .add_option_function<std::string>(

@@ -3,14 +3,14 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "core/errors.h"
+#include "core/io/report/option_error.h"
 #include "core/io/report/parse.h"
 
 namespace handlebody::cli {
 
 void addPolish(CLI::App& command, std::optional<bool>& polish) {
   const auto set = [&polish](const std::string& text) {
-    if (text != "on" && text != "off") throw UsageError("--polish: '" + text + "' is not on or off.");
+    if (text != "on" && text != "off") throw OptionError("--polish", "'" + text + "' is not on or off.");
     polish = text == "on";
   };
   command
@@ -25,7 +25,7 @@ void addPolish(CLI::App& command, std::optional<bool>& polish) {
 void addMesherSeconds(CLI::App& command, double& seconds) {
   const auto set = [&seconds](const std::string& text) {
     seconds = parseNumber("--mesher-seconds", text);
-    if (!(seconds > 0)) throw UsageError("--mesher-seconds: '" + text + "' is not above 0.");
+    if (!(seconds > 0)) throw OptionError("--mesher-seconds", "'" + text + "' is not above 0.");
   };
   command
       .add_option_function<std::string>(

@@ -5,13 +5,15 @@
 #include "core/io/formats/sequence_writer.h"
 #include "core/io/meshes/mesh_io.h"
 #include "core/io/report/frame_files.h"
+#include "core/io/report/option_error.h"
 
 namespace handlebody::cli {
 
 void checkFrameFile(const std::string& option, const std::string& path) {
   if (isMeshPath(path) || isSequencePath(path)) return;
-  throw UsageError(option + " " + path +
-                   ": with --frames a mesh is .stl, .vtp, .ply or .obj, a label map .nii.gz, .nii or .nrrd.");
+  throw OptionError(
+      option,
+      path + ": with --frames a mesh is .stl, .vtp, .ply or .obj, a label map .nii.gz, .nii or .nrrd.", " ");
 }
 
 void checkFrameFiles(const RunOutputs& outputs, const std::vector<std::string>& curves,

@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "app/cli/command.h"
-#include "core/errors.h"
 #include "core/handles/handle_enumeration.h"
 #include "core/io/report/json.h"
+#include "core/io/report/option_error.h"
 #include "core/io/report/parse.h"
 
 namespace handlebody::cli {
@@ -22,13 +22,13 @@ Family parseFamily(const std::string& text) {
   if (text == "balanced") return Family::balanced;
   if (text == "monotone") return Family::monotone;
   if (text == "all") return Family::all;
-  throw UsageError("--family: '" + text + "' is not balanced, monotone or all.");
+  throw OptionError("--family", "'" + text + "' is not balanced, monotone or all.");
 }
 
 int handles(const HandlesOptions& o) {
   const std::vector<int> sizes = parseIntegers("--sizes", o.sizes, 3);
   if (sizes.size() < 2)
-    throw UsageError("--sizes: '" + o.sizes + "' is not two or more loop sizes M1,M2,...");
+    throw OptionError("--sizes", "'" + o.sizes + "' is not two or more loop sizes M1,M2,...");
   const HandleCount count = countHandles(sizes, o.family);
   if (o.json)
     std::fputs(jsonText({{"handles", count.handles}, {"generators", count.generators}}).c_str(), stdout);

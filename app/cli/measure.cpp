@@ -11,6 +11,7 @@
 #include "core/io/meshes/mesh_io.h"
 #include "core/io/report/anonymous_names.h"
 #include "core/io/report/measured.h"
+#include "core/io/report/option_error.h"
 #include "core/io/report/parse.h"
 
 namespace handlebody::cli {
@@ -95,8 +96,8 @@ void addGaps(const MeasureOptions& o, const TriangleSoup& other, Measured& m) {
 
 void addWall(const MeasureOptions& o, const TriangleSoup& other, Measured& m) {
   if (m.objects.size() > 1)
-    throw UsageError("--wall-thickness: " + o.path +
-                     " holds several objects; give two meshes (MESH --to MESH2).");
+    throw OptionError("--wall-thickness",
+                      o.path + " holds several objects; give two meshes (MESH --to MESH2).");
   const MeasuredObject& object = m.objects[0];
   if (!o.other.empty()) {
     m.wall = MeasuredWall{object.name, o.other, wallThickness(object.mesh, other)};
@@ -104,8 +105,7 @@ void addWall(const MeasureOptions& o, const TriangleSoup& other, Measured& m) {
   }
   const auto [outer, inner] = outerAndInner(object.mesh);
   if (inner.triangles.empty())
-    throw UsageError("--wall-thickness: " + o.path +
-                     " has no cavity; the second surface is given with --to.");
+    throw OptionError("--wall-thickness", o.path + " has no cavity; the second surface is given with --to.");
   m.wall = MeasuredWall{"the outer surface", "the cavities", wallThickness(outer, inner)};
 }
 

@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "core/errors.h"
+#include "core/io/report/option_error.h"
 #include "core/io/report/parse.h"
 
 namespace handlebody::cli {
@@ -13,16 +13,16 @@ using Text = const std::string&;
 
 void setName(ObjectOptions& o, Text text) {
   if (const std::string fault = objectNameFault(text); !fault.empty())
-    throw UsageError("--object-name: '" + text + "' " + fault + ".");
+    throw OptionError("--object-name", "'" + text + "' " + fault + ".");
   o.name = text;
 }
 
 void setColour(ObjectOptions& o, Text text) {
   const std::vector<int> parts = parseIntegers("--color", text, 0);
   Colour colour{};
-  if (parts.size() != colour.size()) throw UsageError("--color: '" + text + "' is not R,G,B.");
+  if (parts.size() != colour.size()) throw OptionError("--color", "'" + text + "' is not R,G,B.");
   for (std::size_t i = 0; i < colour.size(); ++i) {
-    if (parts[i] > 255) throw UsageError("--color: '" + text + "' is not within 0 and 255.");
+    if (parts[i] > 255) throw OptionError("--color", "'" + text + "' is not within 0 and 255.");
     colour[i] = static_cast<std::uint8_t>(parts[i]);
   }
   o.colour = colour;
@@ -35,7 +35,7 @@ std::string termNames() {
 }
 
 void setTerm(ObjectOptions& o, Text text) {
-  if (!termFromName(text)) throw UsageError("--term: '" + text + "' is none of " + termNames() + ".");
+  if (!termFromName(text)) throw OptionError("--term", "'" + text + "' is none of " + termNames() + ".");
   o.term = text;
 }
 

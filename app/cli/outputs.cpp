@@ -13,6 +13,7 @@
 #include "core/errors.h"
 #include "core/io/meshes/mesh_io.h"
 #include "core/io/picture/picture.h"
+#include "core/io/report/option_error.h"
 #include "core/io/report/result.h"
 
 namespace handlebody::cli {
@@ -22,7 +23,7 @@ namespace fs = std::filesystem;
 namespace {
 
 [[noreturn]] void refuse(const OutputFile& file, const std::string& why) {
-  throw UsageError(file.option + " " + file.path + " cannot be written: " + why + ".");
+  throw OptionError(file.option, file.path + " cannot be written: " + why + ".", " ");
 }
 
 // Permission bits do not tell the truth for root, read-only mounts or /proc: only trying does.
@@ -60,24 +61,24 @@ void checkWritable(const std::vector<OutputFile>& files, const std::vector<std::
 
 void checkMeshExtension(const OutputFile& file) {
   if (!isMeshPath(file.path))
-    throw UsageError(file.option + " " + file.path +
-                     ": unknown extension; a mesh is .stl, .vtp, .ply or .obj.");
+    throw OptionError(file.option, file.path + ": unknown extension; a mesh is .stl, .vtp, .ply or .obj.",
+                      " ");
 }
 
 void checkVolumeExtension(const OutputFile& file) {
   if (!isLabelMapPath(file.path))
-    throw UsageError(file.option + " " + file.path +
-                     ": unknown extension; a volume is .nii, .nii.gz, .nrrd or .mha.");
+    throw OptionError(file.option,
+                      file.path + ": unknown extension; a volume is .nii, .nii.gz, .nrrd or .mha.", " ");
 }
 
 void checkPictureExtension(const OutputFile& file) {
   if (!isPicturePath(file.path))
-    throw UsageError(file.option + " " + file.path + ": unknown extension; a picture is .png.");
+    throw OptionError(file.option, file.path + ": unknown extension; a picture is .png.", " ");
 }
 
 void checkResultExtension(const OutputFile& file) {
   if (!isResultPath(file.path))
-    throw UsageError(file.option + " " + file.path + ": unknown extension; " + resultEndings() + ".");
+    throw OptionError(file.option, file.path + ": unknown extension; " + resultEndings() + ".", " ");
 }
 
 namespace {

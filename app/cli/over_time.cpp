@@ -12,6 +12,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/meshes/mesh_io.h"
 #include "core/io/picture/picture.h"
+#include "core/io/report/option_error.h"
 #include "core/io/report/over_time_report.h"
 #include "core/io/report/parse.h"
 #include "core/io/report/polished_export.h"
@@ -30,7 +31,7 @@ using Text = const std::string&;
 OverTimeRequest::Range parseRange(Text text) {
   const auto dash = text.find('-');
   if (dash == std::string::npos || dash == 0)
-    throw UsageError("--frames: '" + text + "' is neither 'all' nor a range A-B.");
+    throw OptionError("--frames", "'" + text + "' is neither 'all' nor a range A-B.");
   const int most = std::numeric_limits<int>::max();
   const int first = parseInteger("--frames", text.substr(0, dash), 0, most);
   return {first, parseInteger("--frames", text.substr(dash + 1), first, most)};
@@ -50,7 +51,8 @@ void addOther(CLI::App& command, OverTimeOptions& o, Text name, Text type, Text 
 }
 
 void setTopology(OverTimeRequest& r, Text text) {
-  if (text != "held" && text != "free") throw UsageError("--topology: '" + text + "' is not held or free.");
+  if (text != "held" && text != "free")
+    throw OptionError("--topology", "'" + text + "' is not held or free.");
   r.holdTopology = text == "held";
 }
 
@@ -62,13 +64,13 @@ void setDrift(OverTimeRequest& r, Text text) {
   else if (text == "wrap")
     r.drift = DriftCheck::wrap;
   else
-    throw UsageError("--drift-check: '" + text + "' is not back, wrap or none.");
+    throw OptionError("--drift-check", "'" + text + "' is not back, wrap or none.");
 }
 
 void setFrameTime(OverTimeRequest& r, Text text) {
   r.frameTime = parseNumber("--frame-time", text);
   if (!(*r.frameTime > 0) || !std::isfinite(*r.frameTime))
-    throw UsageError("--frame-time: '" + text + "' is not a finite number above 0.");
+    throw OptionError("--frame-time", "'" + text + "' is not a finite number above 0.");
 }
 
 }  // namespace

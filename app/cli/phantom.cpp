@@ -15,6 +15,7 @@
 #include "core/io/formats/volume_io.h"
 #include "core/io/meshes/mesh_io.h"
 #include "core/io/report/json.h"
+#include "core/io/report/option_error.h"
 #include "core/io/report/parse.h"
 
 namespace handlebody::cli {
@@ -34,13 +35,13 @@ using Text = const std::string&;
 
 void setSize(PhantomOptions& o, Text text) {
   const std::vector<int> size = parseIntegers("--size", text, 1);
-  if (size.size() != 3) throw UsageError("--size: '" + text + "' is not three whole numbers X,Y,Z.");
+  if (size.size() != 3) throw OptionError("--size", "'" + text + "' is not three whole numbers X,Y,Z.");
   std::copy(size.begin(), size.end(), o.size.begin());
 }
 
 void setSpacing(PhantomOptions& o, Text text) {
   o.spacing = parseVector("--spacing", text);
-  if (!(o.spacing.minCoeff() > 0)) throw UsageError("--spacing: '" + text + "' is not above 0.");
+  if (!(o.spacing.minCoeff() > 0)) throw OptionError("--spacing", "'" + text + "' is not above 0.");
 }
 
 void setType(PhantomOptions& o, Text text) {
@@ -49,14 +50,14 @@ void setType(PhantomOptions& o, Text text) {
       o.type = type;
       return;
     }
-  throw UsageError("--type: '" + text + "' is not uint8, int16 or float32.");
+  throw OptionError("--type", "'" + text + "' is not uint8, int16 or float32.");
 }
 
 double atLeast(Text option, Text text, double lowest) {
   const double value = parseNumber(option, text);
   if (!(value >= lowest) || !std::isfinite(value))
-    throw UsageError(option + ": '" + text + "' is not a finite number of at least " +
-                     std::to_string(static_cast<int>(lowest)) + ".");
+    throw OptionError(option, "'" + text + "' is not a finite number of at least " +
+                                  std::to_string(static_cast<int>(lowest)) + ".");
   return value;
 }
 
@@ -135,7 +136,8 @@ void checkFiles(const PhantomCommand& c) {
 
 int beating(PhantomCommand c) {
   if (!c.surface.empty())
-    throw UsageError("--surface: the phantom beating has a surface per frame; its truth is --truth LABEL.");
+    throw OptionError("--surface",
+                      "the phantom beating has a surface per frame; its truth is --truth LABEL.");
   c.beating.image = c.options;
   const BeatingPhantom made(c.beating);
   TimeAxis times;

@@ -16,6 +16,7 @@
 #include "core/io/meshes/mesh_io.h"
 #include "core/io/picture/picture.h"
 #include "core/io/report/growth_report.h"
+#include "core/io/report/option_error.h"
 #include "core/io/report/result.h"
 #include "core/io/report/start_surface.h"
 #include "core/io/report/wall_map.h"
@@ -29,7 +30,7 @@ void addContent(CLI::App& command, DicomContent& content) {
                               const std::string& help) {
     const auto set = [&text, name](const std::string& given) {
       if (const std::string fault = dicomTextFault(given); !fault.empty())
-        throw UsageError(name + ": '" + given + "' " + fault + ".");
+        throw OptionError(name, "'" + given + "' " + fault + ".");
       text = given;
     };
     command.add_option_function<std::string>(name, set, help)->type_name(type);
@@ -79,7 +80,7 @@ void addRunOutputs(CLI::App& command, RunOutputs& outputs) {
 
 void addSpace(CLI::App& command, std::optional<CoordinateSpace>& space) {
   const auto set = [&space](const std::string& text) {
-    if (text != "LPS" && text != "RAS") throw UsageError("--space: '" + text + "' is not LPS or RAS.");
+    if (text != "LPS" && text != "RAS") throw OptionError("--space", "'" + text + "' is not LPS or RAS.");
     space = text == "RAS" ? CoordinateSpace::ras : CoordinateSpace::lps;
   };
   command

@@ -9,6 +9,7 @@
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
 #include "core/io/picture/picture.h"
+#include "core/io/report/option_error.h"
 #include "core/io/report/start_surface.h"
 #include "core/io/report/wall_map.h"
 
@@ -146,15 +147,15 @@ void requireDistinct(const std::vector<ObjectLabel>& objects) {
   std::set<int> values;
   for (const ObjectLabel& object : objects) {
     if (!names.insert(object.name).second)
-      throw UsageError("--object-name: two objects have the name '" + object.name + "'.");
+      throw OptionError("--object-name", "two objects have the name '" + object.name + "'.");
     if (!values.insert(object.value).second)
-      throw UsageError("--label-value: two objects have the value " + std::to_string(object.value) + ".");
+      throw OptionError("--label-value", "two objects have the value " + std::to_string(object.value) + ".");
   }
 }
 
 int runObjects(LoadedSession first, std::vector<Session> others, const RunOutputs& outputs) {
   if (!outputs.sensitivity.surface.empty())
-    throw UsageError("--sensitivity-surface: there are several objects, and it is the surface of one.");
+    throw OptionError("--sensitivity-surface", "there are several objects, and it is the surface of one.");
   std::optional<Volume> shown;
   if (!outputs.picture.empty()) shown = first.volume;
   std::vector<GrownObject> grown = growObjects(std::move(first), std::move(others), outputs);

@@ -12,6 +12,7 @@
 #include "app/cli/csv.h"
 #include "app/cli/segment.h"
 #include "core/errors.h"
+#include "core/io/report/option_error.h"
 #include "core/io/report/parse.h"
 
 namespace handlebody::cli {
@@ -186,6 +187,8 @@ class RowReader {
       for (at_ = 0; at_ < columns_.size(); ++at_)
         if (at_ < row.cells.size()) take(columns_[at_], row.cells[at_].text);
       finish();
+    } catch (const OptionError& error) {
+      refuse(row, at_, error.reason());
     } catch (const UsageError& error) {
       refuse(row, at_, error.what());
     } catch (const CellFault& fault) {
@@ -288,7 +291,7 @@ class RowReader {
     checkArguments();
   }
 
-  //! With the column that a message begins with.
+  //! With the column of the option that is wrong.
   void checkArguments() {
     std::vector<std::string> arguments{case_.volumePath};
     for (const StudyInput& input : case_.inputs) arguments.push_back(argumentOf(input));
@@ -296,15 +299,21 @@ class RowReader {
     for (const std::string& file : case_.outputs) arguments.push_back("--output=" + file);
     try {
       checkSegmentArguments(arguments);
+    } catch (const OptionError& error) {
+      const std::size_t column = columnOfOption(error.option());
+      throw CellFault{column, column < columns_.size() ? error.reason() : error.what()};
     } catch (const UsageError& error) {
-      const std::string message = error.what();
-      for (std::size_t i = 0; i < columns_.size(); ++i)
-        if (const std::string begin = "--" + columns_[i].header;
-            !columns_[i].header.empty() && message.rfind(begin + ": ", 0) == 0)
-          throw CellFault{i, message.substr(begin.size() + 2)};
-      throw CellFault{message.rfind("--output", 0) == 0 ? columnOfKind(ColumnKind::output) : columns_.size(),
-                      message};
+      throw CellFault{columns_.size(), error.what()};
     }
+  }
+
+  //! With its dashes. As many as there are: none.
+  std::size_t columnOfOption(const std::string& option) const {
+    if (option == "--output") return columnOfKind(ColumnKind::output);
+    const auto found = std::find_if(columns_.begin(), columns_.end(), [&option](const Column& c) {
+      return !c.header.empty() && "--" + c.header == option;
+    });
+    return static_cast<std::size_t>(found - columns_.begin());
   }
 
   //! As many as there are: none.
@@ -321,10 +330,7 @@ class RowReader {
       text += " (" + columns_[column].header + ")";
     case_.name = shortened(case_.name, kLongestName);
     case_.volume = shortened(case_.volume, kLongestSaid);
-    // The column has been named.
-    const std::string named = column < columns_.size() ? columns_[column].header + ": " : "";
-    const std::string rest = !named.empty() && why.rfind(named, 0) == 0 ? why.substr(named.size()) : why;
-    case_.fault = text + ": " + shortened(rest, kLongestSaid) + (why.back() == '.' ? "" : ".");
+    case_.fault = text + ": " + shortened(why, kLongestSaid) + (why.back() == '.' ? "" : ".");
     const bool isHarmless = column < columns_.size() && columns_[column].header == kAnonymous;
     case_.toldFault = case_.isAnonymous && !isHarmless
                           ? text + ": why is told on standard error alone, as the case is anonymous."
@@ -386,7 +392,7 @@ std::vector<StudyCase> readStudy(const std::string& path, const StudyDefaults& d
 double parseTimeLimit(const std::string& option, const std::string& text) {
   const double seconds = parseNumber(option, text);
   if (!(seconds >= 0) || !std::isfinite(seconds))
-    throw UsageError(option + ": '" + text + "' is below 0 or infinite.");
+    throw OptionError(option, "'" + text + "' is below 0 or infinite.");
   return seconds;
 }
 

@@ -98,7 +98,7 @@ TEST_CASE("every bad row is a row with line, column and sentence, and the others
       {8, ", column 1 (case): '=1+1'"},
       {9, ", column 5 (time-limit): 'soon'"},
       {10, ", column 6 (anonymous): 'maybe'"},
-      {11, ", column 7 (output): "},
+      {11, ", column 7 (output): x.doc: unknown extension"},
       {12, ", column 7 (output): '../x.stl'"},
       {13, ", column 2 (volume): "},
       {14, ", column 3 (seed): "},

@@ -3,7 +3,7 @@
 #include <clocale>
 #include <cmath>
 
-#include "core/errors.h"
+#include "core/io/report/option_error.h"
 #include "tests/support/catch.h"
 
 using namespace handlebody;
@@ -23,6 +23,17 @@ TEST_CASE("what is not a number is refused by the option's name", "[cli]") {
     CHECK_THROWS_AS(parseNumber("--balloon", text), UsageError);
   }
   CHECK_THROWS_WITH(parseNumber("--balloon", "x"), Contains("--balloon"));
+}
+
+TEST_CASE("the error of an option says apart which option it is and what is wrong", "[cli]") {
+  try {
+    parseNumber("--balloon", "x");
+    FAIL("it was taken");
+  } catch (const OptionError& error) {
+    CHECK(error.option() == "--balloon");
+    CHECK(error.reason() == "'x' is not a number.");
+    CHECK(error.what() == std::string("--balloon: 'x' is not a number."));
+  }
 }
 
 TEST_CASE("a decimal point is a point in every locale", "[cli]") {

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "core/errors.h"
+#include "core/io/report/option_error.h"
 #include "core/io/report/parameter_names.h"
 #include "core/io/report/parse.h"
 
@@ -20,38 +20,38 @@ using Text = const std::string&;
 double positive(Text option, Text text) {
   const double value = parseNumber(option, text);
   if (!(value > 0) || value == std::numeric_limits<double>::infinity())
-    throw UsageError(option + ": '" + text + "' is not above 0.");
+    throw OptionError(option, "'" + text + "' is not above 0.");
   return value;
 }
 
 double notNegative(Text option, Text text) {
   const double value = parseNumber(option, text);
   if (!(value >= 0) || value == std::numeric_limits<double>::infinity())
-    throw UsageError(option + ": '" + text + "' is below 0 or infinite.");
+    throw OptionError(option, "'" + text + "' is below 0 or infinite.");
   return value;
 }
 
 void setObject(Parameters& p, Text text) {
   const auto kind = objectKindFromName(text);
-  if (!kind) throw UsageError("--object: '" + text + "' is not auto, dark or bright.");
+  if (!kind) throw OptionError("--object", "'" + text + "' is not auto, dark or bright.");
   p.object = *kind;
 }
 
 void setDirection(Parameters& p, Text text) {
   const auto direction = directionFromName(text);
-  if (!direction) throw UsageError("--direction: '" + text + "' is not outward or both.");
+  if (!direction) throw OptionError("--direction", "'" + text + "' is not outward or both.");
   p.direction = *direction;
 }
 
 void setBroadPhase(Parameters& p, Text text) {
   const auto phase = broadPhaseFromName(text);
-  if (!phase) throw UsageError("--broad-phase: '" + text + "' is not hashing or sorted.");
+  if (!phase) throw OptionError("--broad-phase", "'" + text + "' is not hashing or sorted.");
   p.broadPhase = *phase;
 }
 
 void setResolution(Parameters& p, Text text) {
   const auto resolution = resolutionFromName(text);
-  if (!resolution) throw UsageError("--resolution: '" + text + "' is not adaptive or uniform.");
+  if (!resolution) throw OptionError("--resolution", "'" + text + "' is not adaptive or uniform.");
   p.resolution = *resolution;
 }
 
@@ -129,7 +129,7 @@ std::vector<GrowthOption> wallOptions() {
 //! --start and --given exclude each other; --start-label may stand before or behind them.
 void setStart(Constraints& c, Text option, Text path, bool isDone) {
   if (c.start && !c.start->path.empty() && c.start->isDone != isDone)
-    throw UsageError(option + ": an object begins with one surface (--start) or is one (--given), not both.");
+    throw OptionError(option, "an object begins with one surface (--start) or is one (--given), not both.");
   StartSurface start;
   start.path = path;
   start.isDone = isDone;

@@ -5,14 +5,14 @@
 #include <limits>
 #include <string_view>
 
-#include "core/errors.h"
+#include "core/io/report/option_error.h"
 
 namespace handlebody {
 
 namespace {
 
 [[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& wanted) {
-  throw UsageError(option + ": '" + text + "' is not " + wanted + ".");
+  throw OptionError(option, "'" + text + "' is not " + wanted + ".");
 }
 
 std::string_view trimmed(std::string_view text) {
