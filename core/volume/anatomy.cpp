@@ -69,4 +69,6 @@ SliceAxes sliceAxes(const Grid& grid, Anatomical plane) {
   return view;
 }
 
+Vec3 obliqueSight() { return Vec3(0.62, -1, 0.55).normalized(); }
+
 }  // namespace handlebody

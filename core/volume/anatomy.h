@@ -34,4 +34,7 @@ struct SliceAxes {
 };
 SliceAxes sliceAxes(const Grid& grid, Anatomical plane);
 
+//! Unit vector (LPS) towards the eye that surfaces are shown to at first: from the front, left and above.
+Vec3 obliqueSight();
+
 }  // namespace handlebody

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/volume/anatomy.h"
 #include "ui/view/surface_scene.h"
 
 namespace handlebody::ui {
@@ -59,7 +60,7 @@ CameraPose lookingFrom(const CameraPose& pose, Plane plane, bool opposite) {
 
 CameraPose obliquePose() {
   CameraPose pose;
-  pose.towardsEye = Vec3(0.62, -1, 0.55).normalized();
+  pose.towardsEye = obliqueSight();
   pose.up = (Vec3::UnitZ() - pose.towardsEye.z() * pose.towardsEye).normalized();
   return pose;
 }

@@ -1,11 +1,13 @@
 #include "core/io/picture/picture_surface.h"
-#include "core/indices.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+
+#include "core/indices.h"
+#include "core/volume/anatomy.h"
 
 namespace handlebody {
 namespace {
@@ -18,7 +20,7 @@ const Colour kText(0.85F, 0.87F, 0.90F);
 
 //! Rows: right, up and towards the eye, in LPS.
 Eigen::Matrix3d camera() {
-  const Vec3 eye = Vec3(0.62, -1, 0.55).normalized();
+  const Vec3 eye = obliqueSight();
   const Vec3 right = (-eye).cross(Vec3::UnitZ()).normalized();
   Eigen::Matrix3d rows;
   rows << right.transpose(), eye.cross(right).transpose(), eye.transpose();
