@@ -13,6 +13,7 @@
 #include "core/errors.h"
 #include "core/io/report/compared.h"
 #include "core/io/report/json.h"
+#include "core/io/report/option_error.h"
 #include "core/io/report/parse.h"
 #include "core/io/report/polished_export.h"
 #include "core/io/report/result.h"
@@ -59,14 +60,11 @@ Mask readMask(const MeshOptions& o, const Volume& volume) {
   return *simpler;
 }
 
-CertifiedMesh meshOf(const MeshOptions& o, const Volume& volume) {
-  try {
-    return certifiedForExport(handlebody::meshOf(readMask(o, volume), o.how).mesh);
-  } catch (const InputError& error) {
-    const std::string text = error.what();
-    if (text.rfind(o.labels, 0) == 0) throw;
-    throw InputError(o.labels + ": it " + text + ".");
-  }
+//! What is wrong with a mask is told without a subject.
+LabelMesh meshOf(const Mask& mask, const MeshOptions& o) try {
+  return handlebody::meshOf(mask, o.how);
+} catch (const InputError& error) {
+  throw InputError(o.labels + ": it " + error.what() + ".");
 }
 
 std::optional<PolishReport> polish(CertifiedMesh& made, const Grid& grid, const MeshOptions& o) {
@@ -111,7 +109,7 @@ int mesh(const MeshOptions& o) {
                               {},
                               o.mesherSeconds};
   for (const std::string& path : o.results) checkResult(path, context);
-  CertifiedMesh made = meshOf(o, loaded.volume);
+  CertifiedMesh made = certifiedForExport(meshOf(readMask(o, loaded.volume), o).mesh);
   const std::optional<PolishReport> polished = polish(made, loaded.volume.grid, o);
   {
     const DeferSignals whole;
@@ -128,8 +126,8 @@ int mesh(const MeshOptions& o) {
 double positive(const std::string& option, const std::string& text, bool orZero) {
   const double value = parseNumber(option, text);
   if (!std::isfinite(value) || !(orZero ? value >= 0 : value > 0))
-    throw UsageError(option + ": '" + text + "' is not a finite number " +
-                     (orZero ? "of at least" : "above") + " 0.");
+    throw OptionError(option,
+                      "'" + text + "' is not a finite number " + (orZero ? "of at least" : "above") + " 0.");
   return value;
 }
 
@@ -152,7 +150,7 @@ void addShape(CLI::App& command, MeshOptions& o) {
   add("--threads", "N", "The mesh does not depend on it (default: all of the machine)",
       [&o](const std::string& t) { o.how.threads = parseInteger("--threads", t, 1, kMostThreads); });
   add("--space", "LPS|RAS", "Coordinates of mesh files (default LPS)", [&o](const std::string& t) {
-    if (t != "LPS" && t != "RAS") throw UsageError("--space: '" + t + "' is not LPS or RAS.");
+    if (t != "LPS" && t != "RAS") throw OptionError("--space", "'" + t + "' is not LPS or RAS.");
     o.space = t;
   });
 }

@@ -71,12 +71,12 @@ struct SpawnSetup {
   }
 };
 
-//! What the child says is wrong; a finding is one only where it says the same.
+//! What the child says is wrong.
 template <typename Error>
 [[noreturn]] void throwTold(const Message& message, const char* key) {
   const auto text = message.at(key).get<std::string>();
   const Finding finding = message.contains("finding") ? findingFromMessage(message.at("finding")) : Finding();
-  if (finding.any() && sentence(finding) == text) throw Told<Error>(finding);
+  if (finding.any()) throw Told<Error>(finding, text);
   throw Error(text);
 }
 

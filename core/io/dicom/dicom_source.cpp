@@ -288,11 +288,10 @@ SeriesInfo Chooser::measured(const DicomSeries& series) const {
   try {
     addGeometry(openOne(series)->header(), info);
   } catch (const InputError& error) {
-    const Finding finding = findingOf(error);
-    info.note = finding.kind == FindingKind::fileRefused
-                    ? Finding(FindingKind::noVolume, {}, finding.causes)
-                    : Finding(FindingKind::other,
-                              {{"text", std::string(error.what()).substr(request_.path.size() + 2)}});
+    const Finding told = findingOf(error);
+    info.note = told.kind == FindingKind::fileRefused
+                    ? Finding(FindingKind::noVolume, {}, told.causes)
+                    : Finding(FindingKind::other, {{"text", std::string(error.what())}});
   }
   return info;
 }

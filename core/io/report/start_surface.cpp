@@ -113,6 +113,14 @@ Mask maskIn(const std::string& path, const Volume& labels, std::optional<int> la
   return mask;
 }
 
+//! What is wrong with masks is told without a subject.
+std::vector<LabelMesh> meshesIn(const std::string& path, const std::vector<Mask>& masks) try {
+  return meshesOf(masks, {});
+} catch (const InputError& error) {
+  const Finding why = findingOf(error);
+  refuseStart(path, why.any() ? why : Finding(K::other, {{"text", std::string(error.what())}}));
+}
+
 //! By label; 0: all together.
 std::map<int, ReadStart> readFile(const FileKey& key, const std::optional<int>& label,
                                   const DecoderSettings& decoder) {
@@ -129,16 +137,9 @@ std::map<int, ReadStart> readFile(const FileKey& key, const std::optional<int>& 
   for (const int value : values)
     masks.push_back(maskIn(key.path, labels, value == 0 ? std::nullopt : std::optional(value)));
   std::map<int, ReadStart> read;
-  try {
-    std::vector<LabelMesh> meshes = meshesOf(masks, {});
-    for (std::size_t i = 0; i < values.size(); ++i)
-      read.emplace(values[i], readStart(key.path, hash, std::move(meshes[i].mesh)));
-  } catch (const InputError& error) {
-    const std::string text = error.what();
-    if (text.rfind(key.path, 0) == 0) throw;
-    const Finding why = findingOf(error);
-    refuseStart(key.path, why.any() ? why : Finding(K::other, {{"text", text}}));
-  }
+  std::vector<LabelMesh> meshes = meshesIn(key.path, masks);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    read.emplace(values[i], readStart(key.path, hash, std::move(meshes[i].mesh)));
   return read;
 }
 
