@@ -18,15 +18,17 @@ namespace {
 
 constexpr int kNoDisplay = 1;
 
+bool isStarting = true;  // Qt is looking for a display, the only thing that can be fatal then
+
 // Qt ends the program with an abort if it gets no display; a sentence and an exit code serve better.
-void endOnFatal(QtMsgType type, const QMessageLogContext&, const QString& text) {
+void endOnFatal(QtMsgType type, const QMessageLogContext& context, const QString& text) {
   if (type == QtDebugMsg || type == QtInfoMsg) return;
   if (type != QtFatalMsg) {
-    if (!text.startsWith(QLatin1String("qt.qpa")) && !text.contains(QLatin1String("platform plugin")))
-      std::cerr << "handlebody: " << text.toStdString() << std::endl;
+    const bool isOfPlatform = QByteArrayView(context.category).startsWith("qt.qpa");
+    if (!isOfPlatform) std::cerr << "handlebody: " << text.toStdString() << std::endl;
     return;
   }
-  if (text.contains(QLatin1String("platform plugin")))
+  if (isStarting)
     std::cerr
         << "handlebody: there is no display to open the window on; handlebody-cli does the same work without "
            "one.\n";
@@ -68,6 +70,7 @@ int main(int argc, char** argv) {
   qInstallMessageHandler(handlebody::app::endOnFatal);
   int qtArguments = 1;  // ours are read
   QApplication application(qtArguments, argv);
+  handlebody::app::isStarting = false;
   QApplication::setOrganizationName(QStringLiteral("Handlebody"));
   QApplication::setApplicationName(QStringLiteral("handlebody"));
   QApplication::setApplicationVersion(QStringLiteral(HANDLEBODY_VERSION));
