@@ -14,6 +14,7 @@
 #include <iomanip>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "core/errors.h"
 #include "core/io/address_space.h"
@@ -23,9 +24,8 @@ namespace handlebody::cli {
 namespace {
 
 constexpr int kNotStarted = 127;
-constexpr const char* kTooLong = "handlebody-cli: its options are longer than the system takes.\n";
-constexpr const char* kNoProgram = "handlebody-cli: the program cannot be started.\n";
-const std::string kPrefix = "handlebody-cli: ";
+constexpr const char* kTooLong = "its options are longer than the system takes.\n";
+constexpr const char* kNoProgram = "the program cannot be started.\n";
 
 //! Only the soft limit: the child's own decoder must be able to set its.
 void limitMemory(std::uint64_t bytes) {
@@ -44,7 +44,7 @@ void offerToKernel() {
 }
 
 //! What the child does between fork and exec: system calls alone. posix_spawn could not tie its life to ours.
-[[noreturn]] void becomeCase(char* const* argv, int log, std::uint64_t bytes, pid_t parent) {
+[[noreturn]] void becomeCase(char* const* argv, int log, int failures, std::uint64_t bytes, pid_t parent) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(kNotStarted);  // it was killed before that
@@ -54,6 +54,8 @@ void offerToKernel() {
   const int nothing = ::open("/dev/null", O_RDWR | O_CLOEXEC);
   if (::dup2(nothing, 0) < 0 || ::dup2(nothing, 1) < 0 || ::dup2(log, 2) < 0) ::_exit(kNotStarted);
   ::close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);
+  if (::dup2(failures, kFailurePipe) < 0) ::_exit(kNotStarted);
+  ::fcntl(kFailurePipe, F_SETFD, 0);  // where it was that already, dup2 has done nothing
   const rlimit noCore{0, 0};
   ::setrlimit(RLIMIT_CORE, &noCore);
   if (bytes > 0) limitMemory(bytes);
@@ -64,14 +66,27 @@ void offerToKernel() {
   ::_exit(kNotStarted);
 }
 
-//! The message of the last line that is an error's; empty if there is none.
-std::string lastError(const std::string& log) {
+std::string lastLine(const std::string& log) {
   std::ifstream file(log);
   std::string line, last;
   while (std::getline(file, line))
-    if (line.rfind(kPrefix, 0) == 0 && line.rfind(kPrefix + "warning: ", 0) != 0)
-      last = line.substr(kPrefix.size());
+    if (!line.empty()) last = line;
   return last;
+}
+
+//! Open as long as this lives.
+struct Descriptor {
+  explicit Descriptor(int n) : number(n) {}
+  ~Descriptor() {
+    if (number >= 0) ::close(number);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int number;
+};
+
+[[noreturn]] void refuseToStart() {
+  throw std::runtime_error(std::string("a process cannot be started: ") + std::strerror(errno));
 }
 
 std::string megabytes(std::uint64_t bytes) { return std::to_string(bytes >> 20U) + " MB"; }
@@ -93,26 +108,29 @@ std::string stopSentence(const CaseEnd& end, const CaseLimits& limits) {
 CaseProcess::CaseProcess(const std::vector<std::string>& arguments, const std::string& log,
                          const CaseLimits& limits)
     : limits_(limits) {
-  std::vector<std::string> words{"handlebody-cli"};
+  std::vector<std::string> words{"handlebody-cli", kAsCase};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   argv.reserve(words.size() + 1);
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
-  const int file = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) throw OutputError(log + ": cannot be written: " + std::strerror(errno) + ".");
+  const Descriptor file(::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  if (file.number < 0) throw OutputError(log + ": cannot be written: " + std::strerror(errno) + ".");
+  int ends[2] = {-1, -1};
+  if (::pipe2(ends, O_CLOEXEC) != 0) refuseToStart();
+  Descriptor read(ends[0]);
+  const Descriptor write(ends[1]);
   const std::uint64_t bytes = canLimitAddressSpace(addressSpace(::getpid())) ? limits.bytes : 0;
   const pid_t parent = ::getpid();
   child_ = ::fork();
-  if (child_ == 0) becomeCase(argv.data(), file, bytes, parent);
-  const int cause = errno;
-  ::close(file);
-  if (child_ < 0)
-    throw std::runtime_error(std::string("a process cannot be started: ") + std::strerror(cause));
+  if (child_ == 0) becomeCase(argv.data(), file.number, write.number, bytes, parent);
+  if (child_ < 0) refuseToStart();
   ::setpgid(child_, child_);  // whoever comes first
+  failurePipe_ = std::exchange(read.number, -1);
 }
 
 CaseProcess::~CaseProcess() {
+  ::close(failurePipe_);
   if (child_ < 0) return;
   kill();
   while (::waitpid(child_, nullptr, 0) < 0 && errno == EINTR) {
@@ -147,6 +165,7 @@ void CaseProcess::note() {
   while (::wait4(child_, &status, 0, &used) < 0 && errno == EINTR) {
   }
   child_ = -1;
+  end_.failure = toldFailure(failurePipe_);
   if (WIFEXITED(status)) end_.exitCode = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) end_.signal = WTERMSIG(status);
   end_.isTimedOut = end_.isTimedOut && end_.signal == SIGKILL;
@@ -157,13 +176,13 @@ void CaseProcess::note() {
 
 std::string failureSentence(const CaseEnd& end, const CaseLimits& limits, const std::string& log) {
   if (std::string stopped = stopSentence(end, limits); !stopped.empty()) return stopped;
-  const std::string error = lastError(log);
+  const std::string error = end.failure.message.empty() ? lastLine(log) : end.failure.message;
   if (error.empty())
     return "it ended with exit code " + std::to_string(end.exitCode) + " and without a word.";
   // The loader ends with that code when the program's libraries have no room.
-  const bool isHungry = error.find("not enough memory") != std::string::npos || end.exitCode == kNotStarted;
+  const bool isOutOfMemory = end.failure.isOutOfMemory || end.exitCode == kNotStarted;
   return error +
-         (isHungry && limits.bytes > 0 ? " (Its memory limit is " + megabytes(limits.bytes) + ".)" : "");
+         (isOutOfMemory && limits.bytes > 0 ? " (Its memory limit is " + megabytes(limits.bytes) + ".)" : "");
 }
 
 std::string anonymousFailureSentence(const CaseEnd& end, const CaseLimits& limits) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/case_failure.h"
 #include "app/cli/study.h"
 
 namespace handlebody::cli {
@@ -17,6 +18,7 @@ struct CaseEnd {
   double seconds = 0;  //!< by the clock
   double cpuSeconds = 0;
   double peakMegabytes = 0;  //!< of resident memory
+  CaseFailure failure;       //!< as it told
 };
 
 class CaseProcess {
@@ -39,12 +41,13 @@ class CaseProcess {
   void kill() const;
   void note();
   int child_ = -1;
+  int failurePipe_ = -1;
   CaseLimits limits_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   CaseEnd end_;
 };
 
-//! The sentence for one that failed: the last error of its log, or what stopped it.
+//! The sentence for one that failed: what it told, or what stopped it; else the last line of its log.
 std::string failureSentence(const CaseEnd& end, const CaseLimits& limits, const std::string& log);
 //! The same without what the case said, which may name its volume: for what is written of an anonymous one.
 std::string anonymousFailureSentence(const CaseEnd& end, const CaseLimits& limits);

@@ -5,25 +5,32 @@
 #include <iostream>
 #include <new>
 
+#include "app/cli/case_failure.h"
 #include "app/cli/command.h"
 #include "app/cli/object_groups.h"
 #include "app/cli/slurm.h"
 #include "core/cancellation.h"
-#include "core/errors.h"
 #include "core/io/report/json.h"
+#include "core/told_error.h"
 
 namespace handlebody::cli {
 
 namespace {
 
 // One error, one line: messages of libraries may hold several.
-int fail(const std::string& message, ExitCode code) {
+int fail(const std::string& message, ExitCode code, bool isOutOfMemory = false) {
   std::string line = message;
   std::replace_if(
       line.begin(), line.end(), [](unsigned char c) { return c < ' '; }, ' ');
   if (line.empty() || line.back() != '.') line += '.';
   std::cerr << "handlebody-cli: " << line << std::endl;
+  tellFailure({line, isOutOfMemory});
   return code;
+}
+
+bool isOutOfMemory(const Finding& finding) {
+  return finding.kind == FindingKind::notEnoughMemory || finding.kind == FindingKind::noMemoryToUnpack ||
+         std::any_of(finding.causes.begin(), finding.causes.end(), isOutOfMemory);
 }
 
 int perform(const Action& action) try {
@@ -35,13 +42,13 @@ int perform(const Action& action) try {
 } catch (const OutputError& error) {
   return fail(error.what(), kUsage);
 } catch (const InputError& error) {
-  return fail(error.what(), kInput);
+  return fail(error.what(), kInput, isOutOfMemory(findingOf(error)));
 } catch (const SeedError& error) {
   return fail(error.what(), kSeed);
 } catch (const Cancelled&) {
   return fail("it was interrupted.", kInternalError);
 } catch (const std::bad_alloc&) {
-  return fail("internal error: there is not enough memory.", kInternalError);
+  return fail("internal error: there is not enough memory.", kInternalError, true);
 } catch (const std::exception& error) {
   return fail(std::string("internal error: ") + error.what(), kInternalError);
 }
@@ -63,7 +70,7 @@ int parseAndPerform(int argc, char** argv) {
   for (auto add : {addSegment, addInfo, addCheck, addEdit, addHandles, addPhantom, addReplay, addCompare,
                    addMesh, addMeasure, addBatch, addDecode})
     add(app, action);
-  const std::vector<std::string> arguments = withSlurmOptions({argv + 1, argv + argc});
+  const std::vector<std::string> arguments = withSlurmOptions(asCase({argv + 1, argv + argc}));
   try {
     if (!arguments.empty() && arguments[0] == "segment" && nameSeveralObjects(arguments))
       action = segmentSeveralObjects({arguments.begin() + 1, arguments.end()});

@@ -284,8 +284,13 @@ TEST_CASE("a case that hangs is stopped at its time limit, and the others run", 
 
 TEST_CASE("a case that is killed or has no memory is a row with its sentence", "[batch]") {
   const Study s;
+  // More voxels than "full" may have, which takes no place on the disk.
+  writeBytes(s.folder / "full.mha",
+             "ObjectType = Image\nNDims = 3\nDimSize = 640 640 640\nElementType = MET_UCHAR\n"
+             "ElementDataFile = LOCAL\n");
+  fs::resize_file(s.folder / "full.mha", fs::file_size(s.folder / "full.mha") + 640ull * 640 * 640);
   writeBytes(s.csv, kHeader + ",memory-limit\n" + s.row("killed", ",") + s.row("hungry", ",20") +
-                        s.row("works", ","));
+                        s.row("works", ",") + "full,full.mha,\"1,1,1\",200\n");
   RunningCli batch(s.arguments());
   kill(batch.waitForChild(), SIGKILL);
   CHECK(batch.wait().exitCode == kIncomplete);
@@ -293,9 +298,10 @@ TEST_CASE("a case that is killed or has no memory is a row with its sentence", "
 #ifndef __SANITIZE_ADDRESS__
   CHECK(s.row(1).at("message").get<std::string>().find("20 MB") != std::string::npos);
   CHECK(fs::exists(s.out + "/" + s.row(1).at("log").get<std::string>()));
+  CHECK(s.row(3).at("message").get<std::string>().find("200 MB") != std::string::npos);
 #endif
   CHECK(s.row(2).at("status") == "done");
-  expectWholeResults(s, 3);
+  expectWholeResults(s, 4);
 }
 
 TEST_CASE("a case does not outlive a batch that is killed", "[batch]") {
