@@ -3331,6 +3331,26 @@ Mittel ± SA</translation>
         <source>Write a session that names neither the patient nor a file: it asks for its volume when it is opened</source>
         <translation>Schreibt eine Sitzung, die weder Patienten noch Dateien nennt: Beim Öffnen fragt sie nach ihrem Volumen</translation>
     </message>
+    <message>
+        <source>the first point lies outside of the object</source>
+        <translation>der erste Punkt liegt außerhalb des Objekts</translation>
+    </message>
+    <message>
+        <source>the second point lies outside of the object</source>
+        <translation>der zweite Punkt liegt außerhalb des Objekts</translation>
+    </message>
+    <message>
+        <source>the two points lie in the same place of the object</source>
+        <translation>beide Punkte liegen an derselben Stelle des Objekts</translation>
+    </message>
+    <message>
+        <source>the way between them is too long and thin to be searched</source>
+        <translation>der Weg zwischen ihnen ist zu lang und dünn, um durchsucht zu werden</translation>
+    </message>
+    <message>
+        <source>there is no way from one to the other inside of the object</source>
+        <translation>im Innern des Objekts führt kein Weg vom einen zum anderen</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::CentreLinePage</name>

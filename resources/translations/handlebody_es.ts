@@ -3331,6 +3331,26 @@ cercano (mm)</translation>
         <source>Write a session that names neither the patient nor a file: it asks for its volume when it is opened</source>
         <translation>Escribe una sesión que no nombra ni al paciente ni ningún archivo: al abrirla pide su volumen</translation>
     </message>
+    <message>
+        <source>the first point lies outside of the object</source>
+        <translation>el primer punto está fuera del objeto</translation>
+    </message>
+    <message>
+        <source>the second point lies outside of the object</source>
+        <translation>el segundo punto está fuera del objeto</translation>
+    </message>
+    <message>
+        <source>the two points lie in the same place of the object</source>
+        <translation>los dos puntos están en el mismo lugar del objeto</translation>
+    </message>
+    <message>
+        <source>the way between them is too long and thin to be searched</source>
+        <translation>el camino entre ellos es demasiado largo y delgado para explorarlo</translation>
+    </message>
+    <message>
+        <source>there is no way from one to the other inside of the object</source>
+        <translation>no hay camino de uno a otro dentro del objeto</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::CentreLinePage</name>

@@ -3331,6 +3331,26 @@ proche (mm)</translation>
         <source>Write a session that names neither the patient nor a file: it asks for its volume when it is opened</source>
         <translation>Écrit une session qui ne nomme ni le patient ni aucun fichier : à l’ouverture, elle demande son volume</translation>
     </message>
+    <message>
+        <source>the first point lies outside of the object</source>
+        <translation>le premier point se trouve hors de l’objet</translation>
+    </message>
+    <message>
+        <source>the second point lies outside of the object</source>
+        <translation>le second point se trouve hors de l’objet</translation>
+    </message>
+    <message>
+        <source>the two points lie in the same place of the object</source>
+        <translation>les deux points se trouvent au même endroit de l’objet</translation>
+    </message>
+    <message>
+        <source>the way between them is too long and thin to be searched</source>
+        <translation>le chemin qui les relie est trop long et trop fin pour être exploré</translation>
+    </message>
+    <message>
+        <source>there is no way from one to the other inside of the object</source>
+        <translation>aucun chemin ne mène de l’un à l’autre à l’intérieur de l’objet</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::CentreLinePage</name>

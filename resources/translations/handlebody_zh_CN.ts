@@ -3331,6 +3331,26 @@ mean ± SD</source>
         <source>Write a session that names neither the patient nor a file: it asks for its volume when it is opened</source>
         <translation>写出既不含患者姓名也不含文件名的会话：打开时会询问其体数据</translation>
     </message>
+    <message>
+        <source>the first point lies outside of the object</source>
+        <translation>第一个点位于目标之外</translation>
+    </message>
+    <message>
+        <source>the second point lies outside of the object</source>
+        <translation>第二个点位于目标之外</translation>
+    </message>
+    <message>
+        <source>the two points lie in the same place of the object</source>
+        <translation>两个点位于目标的同一处</translation>
+    </message>
+    <message>
+        <source>the way between them is too long and thin to be searched</source>
+        <translation>两点之间的通路过长过细，无法搜索</translation>
+    </message>
+    <message>
+        <source>there is no way from one to the other inside of the object</source>
+        <translation>目标内部没有从一点到另一点的通路</translation>
+    </message>
 </context>
 <context>
     <name>handlebody::ui::CentreLinePage</name>
