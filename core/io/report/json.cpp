@@ -123,7 +123,7 @@ Json requestedToJson(const Parameters& parameters) {
                {"balloon", parameters.balloon},
                {"curvature", parameters.curvature},
                {"max_iterations", parameters.maxIterations},
-               {"threads", parameters.threads}};
+               {"threads", std::max(1, parameters.threads)}};  // as earlier versions, where nobody asked
   addRare(json, parameters);
   return json;
 }
@@ -375,7 +375,10 @@ Parameters parametersFromJson(const Json& json) {
   if (json.contains("balloon")) p.balloon = finiteFromJson(json.at("balloon"));
   if (json.contains("curvature")) p.curvature = finiteFromJson(json.at("curvature"));
   if (json.contains("max_iterations")) p.maxIterations = integerFromJson(json.at("max_iterations"));
+  // What changes nothing needs no memory: 1, which is also written where nobody asked, leaves it to the
+  // machine.
   if (json.contains("threads")) p.threads = integerFromJson(json.at("threads"));
+  if (p.threads == 1) p.threads = 0;
   if (json.contains("broad_phase")) p.broadPhase = wordFromJson(json.at("broad_phase"), broadPhaseFromName);
   if (json.contains("resolution")) p.resolution = wordFromJson(json.at("resolution"), resolutionFromName);
   return p;

@@ -221,7 +221,12 @@ TEST_CASE("Each stage of an event shows its own parts, and the mesh comes back a
   const auto neutral = [](const QColor& c) { return c.lightness() > 90 && c.saturation() < 60; };
   CHECK(count(EventStage::refined, isRed) == 0);
   CHECK(count(EventStage::refined, isGreen) == 0);
-  CHECK(count(EventStage::refined, neutral) > count(EventStage::opened, neutral) + 100);
+  // Its loops and the vertices to be taken out lie over its one more face.
+  const auto picture = [&](EventStage stage) {
+    surface.view.showStage(trace, stage);
+    return surface.picture();
+  };
+  CHECK(largestDifference(picture(EventStage::refined), picture(EventStage::opened)) > 50);
   CHECK(count(EventStage::closed, neutral) > count(EventStage::opened, neutral) + 100);
   surface.view.clearStage();
   CHECK(largestDifference(surface.picture(), before) <= 1);
