@@ -6,6 +6,7 @@
 #include <fstream>
 #include <regex>
 #include <sstream>
+#include <utility>
 
 namespace handlebody::test {
 
@@ -50,6 +51,17 @@ void addWords(const std::string& text, std::set<std::string>& words) {
   for (std::sregex_iterator w(text.begin(), text.end(), word), end; w != end; ++w) words.insert(w->str());
 }
 
+std::vector<std::string> linesOf(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+bool hasWord(const std::string& line, const std::string& word) {
+  return std::regex_search(line, std::regex("\\b" + word + "\\b"));
+}
+
 //! "core/mesh/mesh" for core/mesh/mesh.h and .cpp; other paths as they are.
 std::string withoutEnding(const std::string& path) {
   for (const std::string ending : {".h", ".cpp"})
@@ -74,6 +86,7 @@ class Line {
       before_ = (*s)[1];
       checkSpan(before_);
     }
+    endPlace();
   }
   void checkLinks(const std::string& text, const fs::path& folder) {
     static const std::regex link(R"(\]\(([^)#\s]+)(#[^)]*)?\))");
@@ -93,8 +106,11 @@ class Line {
     static const std::regex quoted(R"re("([^"]+)")re");
     static const std::regex identifier(R"re((?:\w+(?:::|\.|->))*([A-Za-z_]\w*)(?:\(\))?)re");
     static const std::regex option("--[a-z][a-z-]*");
+    static const std::regex place(R"(([\w.-]+(?:/[\w.-]+)+):(\d{1,6}))");
     std::smatch match;
-    if (project_.paths.count(span) > 0 || (std::regex_match(span, path) && startsAtTop(span)))
+    if (std::regex_match(span, match, place))
+      checkPlace(match[1], std::stoul(match[2]));
+    else if (project_.paths.count(span) > 0 || (std::regex_match(span, path) && startsAtTop(span)))
       checkPath(span.ends_with('/') ? span.substr(0, span.size() - 1) : span);
     else if (std::regex_match(span, match, quoted))
       checkTest(match[1]);
@@ -112,6 +128,26 @@ class Line {
     const bool isModule = project_.paths.count(path + ".h") > 0 || project_.paths.count(path + ".cpp") > 0;
     if (project_.paths.count(path) == 0 && !isModule) tell("there is no file " + path);
   }
+  void endPlace() {
+    if (!at_.empty()) tell("behind " + at_ + ":" + std::to_string(number_) + " stands no name");
+    at_.clear();
+  }
+  void checkPlace(const std::string& path, std::size_t number) {
+    endPlace();
+    if (project_.linesOf.count(path) == 0) return tell("there is no source " + path);
+    at_ = path;
+    number_ = number;
+  }
+  void checkNameAtPlace(const std::string& name) {
+    const std::string path = std::exchange(at_, {});
+    const std::vector<std::string>& lines = project_.linesOf.at(path);
+    if (number_ >= 1 && number_ <= lines.size() && hasWord(lines[number_ - 1], name)) return;
+    std::string found;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      if (hasWord(lines[i], name)) found += (found.empty() ? "" : ", ") + std::to_string(i + 1);
+    tell(path + ":" + std::to_string(number_) + " does not say " + name + ", which stands on " +
+         (found.empty() ? "no line there" : "line " + found));
+  }
   void checkTest(const std::string& name) {
     if (!testSource_.empty()) {
       if (project_.tests.at(testSource_).count(name) == 0)
@@ -123,6 +159,7 @@ class Line {
     if (!any) tell("there is no test \"" + name + "\"");
   }
   void checkWord(const std::string& word) {
+    if (!at_.empty()) return checkNameAtPlace(word);
     const auto source = project_.wordsOf.find(withoutEnding(list_));
     if (project_.words.count(word) == 0)
       tell("nothing is called " + word);
@@ -134,6 +171,8 @@ class Line {
   std::string place_;
   std::vector<std::string>& broken_;
   std::string testSource_;
+  std::string at_;  // the source of which a line was named that has to hold the next name
+  std::size_t number_ = 0;
   std::string before_, list_;  // the span before; what stands before the colon of the list that it is in
 };
 
@@ -151,6 +190,7 @@ Project readProject(const std::string& root) {
     if (!it->is_regular_file() || !isSource(path)) continue;
     const std::string text = textOf(it->path());
     addWords(text, project.words);
+    project.linesOf[path] = linesOf(text);
     if (withoutEnding(path) != path) addWords(text, project.wordsOf[withoutEnding(path)]);
     // These tests name tests that are not there.
     if (path.rfind("tests/", 0) != 0 || path.rfind("tests/references/", 0) == 0) continue;

@@ -13,7 +13,8 @@ struct Project {
   std::set<std::string> paths;  //!< of files and folders, from the top: "core/mesh/mesh.h", "core/mesh"
   std::map<std::string, std::set<std::string>> tests;  //!< path of a test's source → names of its tests
   std::set<std::string> words;  //!< of sources, scripts and build files: identifiers and options
-  std::map<std::string, std::set<std::string>> wordsOf;  //!< path without ending → words of .h and .cpp
+  std::map<std::string, std::set<std::string>> wordsOf;     //!< path without ending → words of .h and .cpp
+  std::map<std::string, std::vector<std::string>> linesOf;  //!< path of a source → its lines
 };
 
 //! The project at `root`: all that is not hidden, but build folders.
@@ -25,6 +26,7 @@ Project readProject(const std::string& root);
 //! - `name`, `Type::name`, `name()`, `--option`: identifiers and options, which occur somewhere; in a list
 //! behind
 //!   a source and a colon (`core/mesh/mesh.h`: `Mesh`, `Mesh::next`) in that header or its source;
+//! - `core/mesh/mesh.h:12` `Mesh`: a line of a source, and the name that stands on it;
 //! - [text](path): a file, from the page's folder; links to the web are not followed.
 //! Other code spans (commands, formulas, text with spaces) are left alone. Blocks of code are, too.
 std::vector<std::string> brokenReferences(const Project& project, const std::string& page,

@@ -3,6 +3,8 @@
 #include "tests/references/references.h"
 
 #include <fstream>
+#include <numeric>
+#include <regex>
 #include <sstream>
 
 #include "tests/support/catch.h"
@@ -15,7 +17,8 @@ const Project kSmall{
     {"core", "core/mesh.h", "tests", "tests/a_test.cpp", "tests/b_test.cpp", "docs", "docs/page.md"},
     {{"tests/a_test.cpp", {"a mesh is closed"}}, {"tests/b_test.cpp", {"a hole is open"}}},
     {"Mesh", "findEdge", "--seed"},
-    {{"core/mesh", {"Mesh"}}}};
+    {{"core/mesh", {"Mesh"}}},
+    {{"core/mesh.h", {"class Mesh;", "int findEdge(const Mesh& mesh);", "// findEdges"}}}};
 
 std::vector<std::string> broken(const std::string& text) {
   return brokenReferences(kSmall, "docs/page.md", text);
@@ -33,8 +36,8 @@ TEST_CASE("every file, test and name in the pages for developers is there") {
   const Project project = readProject(HANDLEBODY_SOURCE_DIR);
   REQUIRE(project.paths.count("core/mesh/mesh.h") == 1);
   REQUIRE(project.tests.count("tests/layering/layering_test.cpp") == 1);
-  for (const char* page : {"docs/paper.md", "docs/architecture.md", "docs/glossary.md", "docs/reference.md",
-                           "CONTRIBUTING.md"}) {
+  for (const char* page : {"docs/paper.md", "docs/architecture.md", "docs/formats.md", "docs/glossary.md",
+                           "docs/reference.md", "CONTRIBUTING.md"}) {
     const std::string text = pageOf(page);
     CHECK(text.size() > 500);
     std::string all;
@@ -73,6 +76,34 @@ TEST_CASE("names in a list behind a source are looked for there") {
   const auto found = broken("`core/mesh.h`: `Mesh`, `findEdge`");
   REQUIRE(found.size() == 1);
   CHECK(found[0] == "docs/page.md:1: nothing is called findEdge in core/mesh.h");
+}
+
+TEST_CASE("a line that is named holds the name that stands behind it") {
+  CHECK(broken("`core/mesh.h:1` `Mesh`, `core/mesh.h:2` `Mesh::findEdge` | `findEdge`").empty());
+  const auto moved = broken("`core/mesh.h:1` `findEdge`");
+  REQUIRE(moved.size() == 1);
+  CHECK(moved[0] == "docs/page.md:1: core/mesh.h:1 does not say findEdge, which stands on line 2");
+  const auto beyond = broken("`core/mesh.h:9` `Mesh`");
+  REQUIRE(beyond.size() == 1);
+  CHECK(beyond[0] == "docs/page.md:1: core/mesh.h:9 does not say Mesh, which stands on line 1, 2");
+  CHECK(broken("`core/mesh.h:0` `Mesh`").size() == 1);
+  CHECK(broken("`core/gone.h:1` `Mesh`").size() == 1);
+  CHECK(broken("`core/mesh.h:1`").size() == 1);
+  CHECK(broken("`core/mesh.h:1`, `core/mesh.h:2` `findEdge`").size() == 1);
+}
+
+TEST_CASE("each of the twenty statements of the paper has a line and a test") {
+  const std::string page = pageOf("docs/paper.md");
+  const auto from = page.find("## Twenty statements");
+  REQUIRE(from != std::string::npos);
+  std::istringstream section(page.substr(from, page.find("\n## ", from) - from));
+  const std::regex row(R"re(\| (\d+) \| .* \| `core/[\w./]+:\d+` `.* \| `tests/[\w./]+`: `".*"` \|)re");
+  std::vector<int> rows, twenty(20);
+  std::iota(twenty.begin(), twenty.end(), 1);
+  std::smatch match;
+  for (std::string line; std::getline(section, line);)
+    if (std::regex_match(line, match, row)) rows.push_back(std::stoi(match[1]));
+  CHECK(rows == twenty);
 }
 
 TEST_CASE("links lead to files of the project, from the page's folder") {
