@@ -1,13 +1,14 @@
-# Sourced by run.sh and test.sh: installs the Debian packages that are missing (Debian 12 and 13).
+# Sourced by the scripts beside it: installs the Debian packages that are missing (Debian 12 and 13).
 # shellcheck shell=bash
 
 BUILD_PACKAGES="g++ cmake ninja-build ccache libvtk9-dev libinsighttoolkit5-dev libdcmtk-dev libeigen3-dev libcli11-dev nlohmann-json3-dev libssl-dev zlib1g-dev qt6-base-dev qt6-svg-dev qt6-l10n-tools libqt6svg6 pybind11-dev python3-dev"
-TEST_PACKAGES="catch2 clang-format libcgal-dev xvfb xauth fonts-dejavu-core fonts-droid-fallback qt6-translations-l10n python3-numpy python3-pytest python3-matplotlib python3-pydicom dcmtk dicom3tools gmsh tetgen slurmctld slurmd slurm-client"
+TEST_PACKAGES="catch2 clang-format doxygen libcgal-dev xvfb xauth fonts-dejavu-core fonts-droid-fallback qt6-translations-l10n python3-numpy python3-pytest python3-matplotlib python3-pydicom dcmtk dicom3tools gmsh tetgen slurmctld slurmd slurm-client"
 PACKAGE_PACKAGES="file dpkg-dev fakeroot"
 COVERAGE_PACKAGES="gcovr"
+LINT_PACKAGES="clang-tidy"
 RUN_PACKAGES="qt6-qpa-plugins qt6-wayland qt6-translations-l10n fonts-dejavu-core libgl1-mesa-dri"
 
-# The packages of the groups named ("build", "test", "package", "coverage", "run"), on this release of Debian.
+# The packages of the groups named ("build", "test", "package", "coverage", "lint", "run"), on this release of Debian.
 wanted_packages() {
   local group
   for group in "$@"; do
@@ -16,6 +17,7 @@ wanted_packages() {
       test) echo "$TEST_PACKAGES" ;;
       package) echo "$PACKAGE_PACKAGES" ;;
       coverage) echo "$COVERAGE_PACKAGES" ;;
+      lint) echo "$LINT_PACKAGES" ;;
       run) echo "$RUN_PACKAGES" ;;
       *) echo "unknown group of packages: $group" >&2; return 1 ;;
     esac

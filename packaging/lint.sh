@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # The layout and the lint of our C++: clang-format and clang-tidy, both as errors.
 #   packaging/lint.sh               all of it (clang-tidy: about ten seconds a file and core)
-#   packaging/lint.sh --since REV   the files that changed since a revision
+#   packaging/lint.sh --since REV   the files that changed since a revision, and the sources of headers that did;
+#                                   before a merge: --since "$(git merge-base main HEAD)"
 #   packaging/lint.sh --format      the layout alone, in seconds (in ctest as "the layout of all sources")
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -9,7 +10,7 @@ cd "$(dirname "$0")/.."
 # Other versions lay out differently: that of Debian 12 decides, elsewhere the layout is not looked at.
 FORMAT_VERSION=14
 
-usage() { sed -n '2,5s/^# \{0,1\}//p' "$0" >&2; exit 2; }
+usage() { sed -n '2,6s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 
 # The files of ours, or those of them that changed, with their endings as arguments.
 sources() {
@@ -32,10 +33,24 @@ check_format() {
   sources '*.cpp' '*.h' | xargs -r clang-format --dry-run -Werror
 }
 
+# What clang-tidy reads. A header is looked at through the source of its name. Not among them: tests/ui, whose sources
+# include what moc would make of them, and nothing is built here; tests/fuzz, half of which other presets compile;
+# docs/examples, projects of their own; all in Python.
+tidy_sources() {
+  local folders=(core app ui python sample_volumes resources tests) header
+  {
+    sources "${folders[@]/%//*.cpp}"
+    sources "${folders[@]/%//*.h}" | while read -r header; do git ls-files -- "${header%.h}.cpp"; done
+  } | sort -u | grep -v -e '^tests/ui/' -e '^tests/fuzz/'
+}
+
 # A build folder of its own: clang does not read GCC's precompiled headers. Nothing is built in it.
 check_tidy() {
-  cmake --preset lint >/dev/null
-  sources 'core/*.cpp' 'app/*.cpp' 'ui/*.cpp' |
+  # shellcheck source=packaging/dependencies.sh
+  . packaging/dependencies.sh
+  install_dependencies build test lint
+  configure lint >/dev/null
+  tidy_sources |
     xargs -r -n 1 -P "$(nproc)" clang-tidy -p build/lint --quiet 2> >(grep -v ' warnings generated\.$' >&2)
 }
 
