@@ -137,7 +137,7 @@ std::optional<Patch> leastAreaCap(const Mesh& mesh, const Opening& opening, cons
 }
 
 double volumeGain(const Mesh& mesh, std::span<const Opening> openings, const Patch& patch) {
-  const Vec3 origin = mesh.position(openings[0].lambda[0]);
+  const Vec3& origin = mesh.position(openings[0].lambda[0]);
   const auto cone = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
     return (a - origin).dot((b - origin).cross(c - origin)) / 6;
   };
