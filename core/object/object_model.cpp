@@ -251,7 +251,7 @@ class ObjectFinder::Search {
   //! A region in the cells of the object, with its surface on the edges next to it. That of a star-shaped one
   //! stays: it lies where edges and intensities together said.
   Region onImage(const RankedRegion& r) const {
-    const Region found = regionOn(*work_, r);
+    Region found = regionOn(*work_, r);
     if (r.isStar()) return found;
     Region moved = refined(*work_, found, noise(), policy_);
     return moved.count() > 0 ? moved : found;  // one of a few cells is nothing but surface
@@ -366,7 +366,7 @@ class ObjectFinder::Search {
     const std::vector<std::shared_ptr<const Region>> regions = onImageOnce(offered);
     for (std::size_t i = 0; i < offered.size(); ++i) {
       const double score = offered[i].region.score;
-      const std::shared_ptr<const Region> whole = regions[i];
+      const std::shared_ptr<const Region>& whole = regions[i];
       offers.add([whole] { return *whole; }, score - (asked.click.isInside ? 0 : policy_.renewed), false);
       offers.add(
           [this, whole, &asked] {

@@ -174,7 +174,7 @@ TEST_CASE("VTP meshes are read by the child process, whose death and hang are se
   CHECK_THROWS_AS(readMesh(path, {folder / "nothing-here"}), InputError);
   // Blocks of compressed data that claim to be larger than any memory.
   std::string bytes = readBytes(path);
-  const auto data = bytes.find("_", bytes.find("<AppendedData"));
+  const auto data = bytes.find('_', bytes.find("<AppendedData"));
   REQUIRE(data != std::string::npos);
   for (std::size_t i = 1; i < 200; ++i) bytes[data + i] = '\xff';
   writeBytes(path, bytes);
