@@ -2,13 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
-    <name>Document</name>
-    <message>
-        <source>Object</source>
-        <translation>Objekt</translation>
-    </message>
-</context>
-<context>
     <name>Findings</name>
     <message>
         <source>the surface is held at a neck of radius {radius_mm:3g} mm: behind it the same intensities go on for at least {behind_ml:3g} ml, in front of it they fill {in_front_ml:3g} ml; where that belongs to the object, put a seed there too, or set the range in step 3, Tune, which holds nothing back</source>
@@ -3919,6 +3912,10 @@ Mittel ± SA</translation>
     <message>
         <source>The name “%1” holds %2, which separates in some of the formats.</source>
         <translation>Der Name „%1“ enthält %2, das in manchen Formaten trennt.</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objekt</translation>
     </message>
 </context>
 <context>

@@ -15,7 +15,7 @@ namespace {
 //! A name that no format refuses.
 std::string named(const QString& wanted) {
   const std::string name = wanted.toStdString();
-  return objectNameFault(name).empty() ? name : Document::tr("Object").toStdString();
+  return objectNameFault(name).empty() ? name : handlebody::ui::Document::tr("Object").toStdString();
 }
 
 // A file name without ".nii.gz" and its like.
@@ -43,8 +43,9 @@ std::vector<OpenedObject> labelled(const QString& path, const std::string& file,
     Session& object = objects.back().session;
     object.constraints.start->label = label.value;
     object.label.value = label.value;
-    const QString plain =
-        labels.size() == 1 ? baseName(path) : Document::tr("%1 %2").arg(baseName(path)).arg(label.value);
+    const QString plain = labels.size() == 1
+                              ? baseName(path)
+                              : handlebody::ui::Document::tr("%1 %2").arg(baseName(path)).arg(label.value);
     object.label.name = named(plain);
     object.label = labelledAs(label, object.label);
   }
