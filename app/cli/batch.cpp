@@ -199,9 +199,9 @@ class Batch {
     const std::string folder = folder_.begin(c);
     std::vector<std::string> arguments{"segment", c.volumePath, "--quiet"};
     arguments.insert(arguments.end(), c.options.begin(), c.options.end());
+    // Jobs beside each other share the machine.
     const auto namesThreads = [](const std::string& o) { return o.starts_with("--threads"); };
-    if (std::none_of(c.options.begin(), c.options.end(),
-                     namesThreads))  // jobs beside each other share the machine
+    if (std::none_of(c.options.begin(), c.options.end(), namesThreads))
       arguments.push_back("--threads=" + std::to_string(std::max(1, threadCount(0) / jobsAtATime_)));
     for (const StudyInput& input : c.inputs) arguments.push_back(argumentOf(input));
     for (const std::string& file : c.outputs) arguments.push_back("--output=" + folder + "/" + file);

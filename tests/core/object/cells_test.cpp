@@ -79,6 +79,16 @@ TEST_CASE("distances are those of a search over all pairs, in spacings that diff
       if (mask[j]) nearest = std::min(nearest, (place(i) - place(j)).norm());
     CHECK(d[i] == Approx(nearest).margin(1e-5));
   }
+  for (const double limit : {1.5, 4.0, 9.0}) {
+    const std::vector<float> near = distanceTo(size, spacing, mask, limit);
+    for (std::size_t i = 0; i < d.size(); ++i) {
+      INFO(limit << " mm, cell " << i);
+      if (d[i] <= limit)
+        CHECK(near[i] == Approx(d[i]));
+      else
+        CHECK(near[i] > limit);
+    }
+  }
 }
 
 TEST_CASE("without a marked cell all distances are infinite") {
