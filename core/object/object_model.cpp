@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "core/object/displacement.h"
 #include "core/object/expected_overlap.h"
 #include "core/object/offers.h"
 #include "core/object/relabel.h"
@@ -327,7 +328,20 @@ class ObjectFinder::Search {
     if (!offers.any()) return;
     Offer best = offers.take();
     c.inARow = best.isLocal ? c.inARow + 1 : 0;
-    c.region = std::move(best.region);
+    const Region before = std::exchange(c.region, std::move(best.region));
+    widen(c, before, click, depth);
+  }
+
+  //! What is wrong is mostly a shell as wide as the object: its surface moves around the click as well. One
+  //! so far behind the surface that it lies in another part says nothing of that.
+  void widen(Corrected& c, const Region& before, const Pending& click, double depth) const {
+    const double radius = deepestInside(*work_, before);
+    if (depth >= policy_.otherPart * radius) return;
+    Region wide = displaced(*work_, before, c.region,
+                            {click.click, click.isInside, policy_.displaced * depth,
+                             policy_.displacedWidth * radius, clicksOf(c.done, !click.isInside)});
+    wide = tidied(std::move(wide), c.done);
+    if (isTrue(wide, click)) c.region = std::move(wide);
   }
 
   //! 0 where nothing is of the contrast that is asked for.

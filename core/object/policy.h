@@ -121,8 +121,11 @@ struct ObjectPolicy {
   double relabelPrior = 0.2;                //!< pull of the cell's intensities against that of a neighbour
   double relabelClick = 0.5;                //!< share of the click's cells in the intensities inside
   double refineOuter = 2, refineInner = 1;  //!< cells: so near to a region's surface all are open
-  double relabelSure = 2.5;                 //!< log of the odds that intensities may give at most
-  std::size_t cavity = 14;  //!< cells: smaller cavities are noise; a ball of one and a half cells' radius
+  double displaced = 1.25;                  //!< the surface moves so far at the click,
+  double displacedWidth = 0.9;              //!< around it by a bell so wide in depths of the object's
+  double otherPart = 1.2;    //!< deepest place, and as deep as this in them the click lies in another part
+  double relabelSure = 2.5;  //!< log of the odds that intensities may give at most
+  std::size_t cavity = 14;   //!< cells: smaller cavities are noise; a ball of one and a half cells' radius
 };
 
 }  // namespace handlebody

@@ -6,6 +6,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/object/closure.cpp
   ${CMAKE_SOURCE_DIR}/core/object/corrections.cpp
   ${CMAKE_SOURCE_DIR}/core/object/cross_section.cpp
+  ${CMAKE_SOURCE_DIR}/core/object/displacement.cpp
   ${CMAKE_SOURCE_DIR}/core/object/distance.cpp
   ${CMAKE_SOURCE_DIR}/core/object/expected_overlap.cpp
   ${CMAKE_SOURCE_DIR}/core/object/intensity_scale.cpp

@@ -1,0 +1,22 @@
+#pragma once
+// The surface of a region moved around a click. What a click says is wrong there is mostly a shell about as
+// wide as the object, not a ball as deep as the click.
+
+#include "core/object/region.h"
+
+namespace handlebody {
+
+//! How far a surface moves: a bell around a click.
+struct Displacement {
+  CellClick click;
+  bool isInside = true;            //!< the click: the surface moves outwards
+  double height = 0;               //!< mm: at the click
+  double width = 0;                //!< mm: standard deviation of the bell
+  std::vector<CellClick> against;  //!< clicks of the other kind: what is nearer to one of them stays
+};
+
+//! `region` with the cells that the surface of `from` passes over when it is displaced. Cells of either
+//! region's other side, and those that the bell does not lift by half a cell, stay.
+Region displaced(const WorkImage& work, const Region& from, Region region, const Displacement& d);
+
+}  // namespace handlebody
