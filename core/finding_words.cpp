@@ -358,7 +358,9 @@ constexpr FindingWords kWords[] = {
     {K::frameUnfinished, "frame-unfinished", "the surface was not at rest of its own accord ({stopped})"},
 };
 
-std::array<std::span<const FindingWords>, 3> tables() { return {kWords, wordsOfFiles(), wordsOfWarnings()}; }
+std::array<std::span<const FindingWords>, 4> tables() {
+  return {kWords, wordsOfFiles(), wordsOfDicom(), wordsOfWarnings()};
+}
 
 const FindingWords& wordsOf(FindingKind kind) {
   for (const auto table : tables()) {

@@ -1,5 +1,5 @@
 #pragma once
-// Internal: the table of words of findings, which is in two sources.
+// Internal: the table of words of findings, which is in four sources.
 
 #include <span>
 
@@ -13,8 +13,11 @@ struct FindingWords {
   const char* text;
 };
 
-//! Of the kinds from fileRefused on.
+//! Of the kinds from fileRefused on, but for those of wordsOfDicom.
 std::span<const FindingWords> wordsOfFiles();
+
+//! Of the kinds from dicomDamaged to decodingFailed.
+std::span<const FindingWords> wordsOfDicom();
 
 //! Of the kinds from colourAsLuminance on.
 std::span<const FindingWords> wordsOfWarnings();

@@ -243,6 +243,7 @@ void LanguageTest::theTranslationsHaveAllTextsOfTheSources() {
             << "app/window"
             << "core/finding_words.cpp"
             << "core/finding_file_words.cpp"
+            << "core/finding_dicom_words.cpp"
             << "core/finding_warning_words.cpp"
             << "-ts";
   for (const QString& code : translatedLanguages()) {
