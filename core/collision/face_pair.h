@@ -2,10 +2,14 @@
 // Two faces of a mesh: what they share by index, and whether they intersect besides.
 
 #include <span>
+#include <utility>
 
 #include "core/geometry/vec.h"
 
 namespace handlebody {
+
+//! Two faces by slot, first < second.
+using FacePair = std::pair<int, int>;
 
 //! True if the faces have a vertex in common.
 inline bool shareVertex(const Triangle& a, const Triangle& b) {

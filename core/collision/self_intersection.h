@@ -4,17 +4,14 @@
 
 #include <memory>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "core/collision/broad_phase.h"
+#include "core/collision/face_pair.h"
 #include "core/geometry/vec.h"
 #include "core/mesh/mesh.h"
 
 namespace handlebody {
-
-//! Two faces by slot, first < second.
-using FacePair = std::pair<int, int>;
 
 //! All pairs of faces that intersect, sorted. Faces that share a vertex or an edge intersect if they have a
 //! point in common outside that vertex or edge; degenerate triangles are treated as the point sets they are.

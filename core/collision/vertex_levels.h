@@ -17,7 +17,7 @@ namespace handlebody {
 class VertexLevels {
  public:
   static constexpr int kLevels = 4;
-  //! Squared: reach in parts of the size. See CollisionDetector for why 7/12.
+  //! Squared: reach in parts of the size. See SeparateFaces for why 7/12.
   static constexpr double kReachSquared = 7.0 / 12.0;
 
   //! `largestSquared`: of the sizes, mm².
