@@ -8,7 +8,6 @@
 #include "core/collision/certify.h"
 #include "core/errors.h"
 #include "core/evolution/contour_state.h"
-#include "core/evolution/image_doubts.h"
 #include "core/evolution/seeds.h"
 #include "core/geometry/triangle_distance.h"
 #include "core/indices.h"
@@ -51,9 +50,9 @@ void ActiveContour::State::chooseEdge() {
 }
 
 //! Everything but the seeds' radii. Precondition: object and automatic edge length are chosen.
-void ActiveContour::State::resolve(const Parameters& p) {
+void ActiveContour::State::resolve() {
+  const Parameters& p = asked.parameters;
   const double edge = p.edgeLength.value_or(automaticEdge);
-  requested = p;
   parameters.object = object.kind;
   parameters.range = object.range;
   parameters.smoothing = object.smoothing;
@@ -79,33 +78,33 @@ void ActiveContour::State::resolve(const Parameters& p) {
 }
 
 void ActiveContour::State::chooseWalls() {
-  walls.choose(constraints.walls, volume.grid, parameters.edgeLength, motion.largestStep);
+  walls.choose(asked.constraints.walls, volume.grid, parameters.edgeLength, motion.largestStep);
   object.image = object.image->behind(walls.all());
   chooseForbidden();
 }
 
 void ActiveContour::State::chooseForbidden() {
   limits.forbidden = walls.forbidden();
-  limits.forbidden.pinned = pins.mask();
+  limits.forbidden.pinned = locked.pins.mask();
 }
 
 //! Of a mesh with longer edges than from now on. If it would not be valid then, it stays as it is, and the
 //! steps that follow split them where it moves.
 void ActiveContour::State::splitLongEdges() {
   Mesh split = mesh;
-  std::vector<unsigned char> active(idx(mesh.vertexSlots()), kActive);
+  std::vector<unsigned char> regulated(idx(mesh.vertexSlots()), kActive);
   for (int v = 0; v < mesh.vertexSlots(); ++v)
-    if (!mesh.isVertex(v) || pins.holds(v)) active[idx(v)] = kAtRest;
-  regulate(split, {limits.longest, 0, {}, limits.forbidden}, active);
+    if (!mesh.isVertex(v) || locked.pins.holds(v)) regulated[idx(v)] = kAtRest;
+  regulate(split, {limits.longest, 0, {}, limits.forbidden}, regulated);
   if (findStructureFault(split) || !certify(split.compact()).boundsBody()) return;
   mesh = std::move(split);
-  quiet.resize(idx(mesh.vertexSlots()), 0);
+  active.resize(mesh.vertexSlots());
 }
 
 //! Walls and pins rest on edges that are nowhere longer than the target: with any, the sizes are uniform.
 void ActiveContour::State::chooseSizes(const std::vector<Seed>& inside, bool anew) {
-  const bool isUniform =
-      requested.resolution == Resolution::uniform || isDone() || walls.all() || !constraints.pins.empty();
+  const bool isUniform = asked.parameters.resolution == Resolution::uniform || isDone() || walls.all() ||
+                         !asked.constraints.pins.empty();
   if (isUniform) {
     const bool wasLonger = motion.sizes != nullptr;
     motion.sizes = nullptr;
@@ -121,47 +120,46 @@ void ActiveContour::State::chooseSizes(const std::vector<Seed>& inside, bool ane
   limits.size = [sizes = motion.sizes](const Vec3& p) { return sizes->at(p); };
 }
 
-//! Precondition: volume, seeds and object are chosen.
-void ActiveContour::State::start(const Parameters& p, const Constraints& c) {
-  held.choose(c, 0);
-  pins.choose(c.pins, 0);
-  edits.choose(c.edits, 0);
-  constraints = c;
+//! Precondition: volume and object are chosen.
+void ActiveContour::State::start(Request request) {
+  asked = std::move(request);
+  locked.held.choose(asked.constraints, 0);
+  locked.pins.choose(asked.constraints.pins, 0);
+  edits.choose(asked.constraints.edits, 0);
   chooseEdge();
-  resolve(p);
+  resolve();
   begin(true);
   takePins();
 }
 
 std::vector<Seed> ActiveContour::State::seedsInside() const {
-  std::vector<Seed> inside = seedsOfSide(seeds, false);
-  if (inside.empty() && constraints.start) inside.push_back(seedWithin(*constraints.start));
+  std::vector<Seed> inside = seedsOfSide(asked.seeds, false);
+  const std::optional<StartSurface>& surface = asked.constraints.start;
+  if (inside.empty() && surface) inside.push_back(seedWithin(*surface));
   return inside;
 }
 
 void ActiveContour::State::begin(bool withStart) {
-  if (withStart && constraints.start) {
+  if (withStart && asked.constraints.start) {
     beginWithStart();
   } else {
-    const std::vector<Seed> asked = seedsInside();
+    const std::vector<Seed> clicks = seedsInside();
     std::vector<Seed> inside =
-        fitSeeds(*object.image, asked, parameters.edgeLength, parameters.direction == Direction::both);
-    if (walls.all()) inside = clearOfWalls(inside, asked, *walls.all(), limits.shortest);
+        fitSeeds(*object.image, clicks, parameters.edgeLength, parameters.direction == Direction::both);
+    if (walls.all()) inside = clearOfWalls(inside, clicks, *walls.all(), limits.shortest);
     chooseSizes(inside, true);
     mesh = seedMesh(inside, parameters.edgeLength, motion.sizes.get());
     resolveSeeds(inside);
   }
-  quiet.assign(idx(mesh.vertexSlots()), 0);
+  active.wakeAll(mesh.vertexSlots());
   topology = topologyNumbers(mesh);
-  if (parameters.maxIterations == 0) stop = StopReason::maxIterations;
-  if (isDone()) stop = StopReason::given;
-  if (leadsToEdit()) stop = StopReason::running;
+  stop.begin(facts());
 }
 
 //! Its vertices and edges are as they were given until the first step regulates them.
 void ActiveContour::State::beginWithStart() {
-  const StartSurface& start = *constraints.start;
-  for (const WallObject& other : constraints.walls.objects)
+  const StartSurface& start = *asked.constraints.start;
+  for (const WallObject& other : asked.constraints.walls.objects)
     if (bodyContact(*other.mesh, *start.mesh) != BodyContact::none)
       throw Told<UsageError>(
           Finding(FindingKind::startMeetsObject, {{"file", start.path}, {"object", other.name}}));
@@ -196,16 +194,16 @@ ClickedObject objectOf(const Volume& volume, std::vector<Seed> seeds, const Para
 
 void ActiveContour::State::startFrom(const Mesh& surface, bool holdTopology) {
   mesh = surface;
-  quiet.assign(idx(mesh.vertexSlots()), 0);
+  active.wakeAll(mesh.vertexSlots());
   topology = topologyNumbers(mesh);
-  held.holdTopology(holdTopology);
+  locked.held.holdTopology(holdTopology);
   walls.putUp(mesh, {}, mayShrink());
   chooseForbidden();
 }
 
 void ActiveContour::State::resolveSeeds(const std::vector<Seed>& inside) {
   parameters.seeds = inside;
-  for (Seed s : seedsOfSide(seeds, true)) {
+  for (Seed s : seedsOfSide(asked.seeds, true)) {
     s.radius = s.radius.value_or(volume.grid.meanSpacing());
     parameters.seeds.push_back(s);
   }
@@ -214,54 +212,50 @@ void ActiveContour::State::resolveSeeds(const std::vector<Seed>& inside) {
 void ActiveContour::State::change(const Request& to, const State* prepared) {
   requireSensible(to.parameters);
   requireSensible(to.constraints, volume.grid);
-  if (to.constraints.start != constraints.start) throw Told<UsageError>(FindingKind::startCannotChange);
-  const WallList known = constraints.walls;
+  if (to.constraints.start != asked.constraints.start) throw Told<UsageError>(FindingKind::startCannotChange);
+  const WallList known = asked.constraints.walls;
+  const Parameters before = asked.parameters;
   const bool otherWalls = to.constraints.walls != known;
-  const bool otherClicks = to.seeds != seeds;
-  const bool otherImage = prepared || otherClicks || !chooseSameImage(to.parameters, requested);
-  const bool freed = held.choose(to.constraints, iteration);
-  const bool unpinned = pins.choose(to.constraints.pins, iteration);
+  const bool otherClicks = to.seeds != asked.seeds;
+  const bool otherImage = prepared || otherClicks || !chooseSameImage(to.parameters, before);
+  const bool freed = locked.held.choose(to.constraints, iteration);
+  const bool unpinned = locked.pins.choose(to.constraints.pins, iteration);
   takePins();
   edits.choose(to.constraints.edits, iteration);
-  const bool wake = otherClicks || otherWalls || freed || unpinned || !moveAlike(to.parameters, requested);
-  const bool sleepsOn = otherClicks && haveSameForces(to.parameters, requested);
-  seeds = to.seeds;
-  constraints = to.constraints;
+  const bool wake = otherClicks || otherWalls || freed || unpinned || !moveAlike(to.parameters, before);
+  const bool sleepsOn = otherClicks && haveSameForces(to.parameters, before);
+  asked = to;
   if (prepared)
     object = prepared->object;
   else if (otherImage)
-    object = objectOf(volume, seeds, to.parameters, constraints.start, nullptr);
+    object = objectOf(volume, asked.seeds, to.parameters, asked.constraints.start, nullptr);
   if (otherImage && !otherClicks) chooseEdge();
   const double edge = parameters.edgeLength;
-  resolve(to.parameters);
+  resolve();
   const bool isOtherEdge = parameters.edgeLength != edge;
   if (wake) forgetRest();
-  if (wake && !sleepsOn) quiet.assign(idx(mesh.vertexSlots()), 0);
+  if (wake && !sleepsOn) active.wakeAll(mesh.vertexSlots());
   if (otherClicks && !isDone()) correct();
   if (otherClicks || otherImage || otherWalls) alarm.forget();
   chooseSizes(seedsOfSide(parameters.seeds, false), otherImage || isOtherEdge);
   walls.putUp(mesh, known, mayShrink());
   chooseForbidden();
-  if (stop == StopReason::maxIterations || (wake && mesh.faceCount() > 0)) stop = StopReason::running;
-  if (stop == StopReason::running && iteration >= to.parameters.maxIterations)
-    stop = StopReason::maxIterations;
-  if (isDone()) stop = StopReason::given;
-  if (leadsToEdit()) stop = StopReason::running;
+  stop.change(facts(), wake);
 }
 
 void ActiveContour::State::forgetRest() {
-  resting = {};
-  stillness = {};
-  collapsed.forget();
-  pins.forgetStops();
+  locked.forgetRollbacks();
+  stop.forgetRest();
+  transaction.forgetCollapsed();
 }
 
 //! After a change of the clicks. What had settled and agrees with the new image sleeps on.
 void ActiveContour::State::correct() {
   std::vector<Seed> fronts;
-  const auto isPinned = [this](int v) { return pins.holds(v); };
-  correction = correctComponents(mesh, *object.image, seeds, parameters.edgeLength, limits.longest, fronts,
-                                 pins.any() ? isPinned : std::function<bool(int)>());
+  const PinnedParts& pins = locked.pins;
+  const auto isPinned = [&pins](int v) { return pins.holds(v); };
+  correction = correctComponents(mesh, *object.image, asked.seeds, parameters.edgeLength, limits.longest,
+                                 fronts, pins.any() ? isPinned : std::function<bool(int)>());
   if (correction->beganAnew) {
     if (pins.any()) throw Told<UsageError>(Finding(FindingKind::clicksVersusPins));
     beginAnew();
@@ -272,15 +266,15 @@ void ActiveContour::State::correct() {
   resolveSeeds(inside);
   const Disagreement differs = findDisagreement(mesh, *object.image, kAgrees * volume.grid.meanSpacing());
   correction->givesGround = differs.isOutside;
-  quiet.resize(idx(mesh.vertexSlots()), 0);
-  for (std::size_t v = 0; v < quiet.size(); ++v)
-    if (differs.vertices[v]) quiet[v] = 0;
+  active.resize(mesh.vertexSlots());
+  for (int v = 0; v < mesh.vertexSlots(); ++v)
+    if (differs.vertices[idx(v)] != 0) active.wake(v);
   topology = topologyNumbers(mesh);
 }
 
 void ActiveContour::State::beginAnew() {
   chooseEdge();
-  resolve(requested);
+  resolve();
   orderedVertices = kFitsIntoCache;
   begin(false);
 }

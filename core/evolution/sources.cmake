@@ -1,11 +1,10 @@
 target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/active_contour.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/active_vertices.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/adaptation_rounds.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/clicked_object.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/collapsed_components.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/constraints.cpp
-  ${CMAKE_SOURCE_DIR}/core/evolution/contour_edits.cpp
-  ${CMAKE_SOURCE_DIR}/core/evolution/contour_pins.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/contour_request.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/correction.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/edge_profile.cpp
@@ -18,6 +17,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/leak_alarm.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/level_field.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/object_boundary.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/locked_regions.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/motion.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/neck.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/normal_profile.cpp
@@ -29,6 +29,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/painted_walls.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/passage_disc.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/passages.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/pinned_check.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/pinned_parts.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/quiet_vertices.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/region_growth.cpp
@@ -40,7 +41,10 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/size_field.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/space_tree.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/step_check.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/step_edits.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/step_transaction.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/stillness.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/stop_decision.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/thickness_map.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/transaction.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/wall_disc.cpp

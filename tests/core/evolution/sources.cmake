@@ -1,5 +1,6 @@
 target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/active_contour_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/evolution/active_vertices_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/adaptive_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/clicked_object_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/contour_reports_test.cpp
@@ -11,6 +12,7 @@ target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/image_doubts_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/leak_alarm_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/level_field_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/evolution/locked_regions_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/motion_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/mutation_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/neck_test.cpp
@@ -19,12 +21,15 @@ target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/object_range_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/painted_pins_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/painted_walls_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/evolution/pinned_check_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/pinned_parts_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/region_growth_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/region_levels_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/resting_places_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/shrinking_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/start_surface_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/evolution/step_transaction_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/evolution/stop_decision_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/touch_steps_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/wall_disc_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/walls_test.cpp)

@@ -1,0 +1,30 @@
+#include "core/evolution/active_vertices.h"
+
+namespace handlebody {
+
+void ActiveVertices::reorder(std::span<const int> order) {
+  std::vector<unsigned char> inOrder;
+  for (const int v : order) inOrder.push_back(quiet_[idx(v)]);
+  quiet_ = std::move(inOrder);
+}
+
+void ActiveVertices::convergeChanged(const Mesh& before, const Mesh& mesh,
+                                     std::span<const unsigned char> touched) {
+  resize(mesh.vertexSlots());
+  for (int v = 0; v < mesh.vertexSlots(); ++v)
+    if (touched[idx(v)] != 0 &&
+        (v >= before.vertexSlots() || !before.isVertex(v) || before.position(v) != mesh.position(v)))
+      quiet_[idx(v)] = kQuietToSleep;
+}
+
+std::vector<int> ActiveVertices::list(const Mesh& mesh, const LockedRegions& locked, int iteration) const {
+  std::vector<int> out;
+  const bool anyRest = locked.resting.any(iteration);
+  for (int v = 0; v < mesh.vertexSlots(); ++v)
+    if (mesh.isVertex(v) && !isConverged(v) &&
+        !(anyRest && locked.resting.rests(mesh.position(v), iteration)) && !locked.isHeld(mesh, v))
+      out.push_back(v);
+  return out;
+}
+
+}  // namespace handlebody

@@ -1,0 +1,45 @@
+#pragma once
+// Which vertices are active: asked to move in the next step.
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/evolution/locked_regions.h"
+#include "core/evolution/quiet_vertices.h"
+#include "core/indices.h"
+#include "core/mesh/mesh.h"
+
+namespace handlebody {
+
+//! Counts, per vertex slot, the iterations in a row without motion: a byte each. A vertex that has come to
+//! kQuietToSleep of them has converged and is not asked any more, until something near it moves. Owned by the
+//! contour and copied with it; every slot of its mesh is known between two steps.
+class ActiveVertices {
+ public:
+  //! No vertex of a mesh with that many slots has converged.
+  void wakeAll(int slots) { quiet_.assign(idx(slots), 0); }
+  //! The mesh has that many slots now; vertices in new ones have not converged.
+  void resize(int slots) { quiet_.resize(idx(slots), 0); }
+  //! Precondition, here and below: the slot is known.
+  void wake(int vertex) { quiet_[idx(vertex)] = 0; }
+  bool isConverged(int vertex) const { return quiet_[idx(vertex)] >= kQuietToSleep; }
+  //! After mesh.reorder(order).
+  void reorder(std::span<const int> order);
+  //! After a step, with what it did to the vertices (quiet_vertices.h).
+  void count(const Mesh& mesh, const StepMotion& motion, double edgeLength) {
+    countQuiet(mesh, motion, edgeLength, quiet_);
+  }
+  //! After an edit by hand: what it made or moved stays as it was made, until something near it moves.
+  //! `touched`: per slot of the mesh, among them all such vertices.
+  void convergeChanged(const Mesh& before, const Mesh& mesh, std::span<const unsigned char> touched);
+  //! Those that have not converged and lie in no locked region, ascending.
+  std::vector<int> list(const Mesh& mesh, const LockedRegions& locked, int iteration) const;
+  //! Bytes.
+  std::size_t memory() const { return quiet_.size(); }
+
+ private:
+  std::vector<unsigned char> quiet_;  // iterations in a row, up to kQuietToSleep
+};
+
+}  // namespace handlebody

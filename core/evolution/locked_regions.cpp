@@ -1,0 +1,24 @@
+#include "core/evolution/locked_regions.h"
+
+namespace handlebody {
+
+void LockedRegions::lock(const Trouble& trouble, const Mesh& mesh, double longest, double size,
+                         int iteration) {
+  if (trouble.atPin)
+    pins.stop(mesh, trouble.centre, trouble.radius, longest);
+  else
+    resting.add(trouble.centre, size * (trouble.radius + 0.5 * longest), iteration, trouble.waits);
+}
+
+void LockedRegions::forgetRollbacks() {
+  resting = {};
+  pins.forgetStops();
+}
+
+void LockedRegions::takeBack(const LockedRegions& before) {
+  resting = before.resting;
+  held = before.held;
+  pins.takeStopsBack(before.pins);
+}
+
+}  // namespace handlebody
