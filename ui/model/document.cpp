@@ -23,8 +23,8 @@ bool meanOthers(const Edits& a, const Edits& b) {
 }  // namespace
 
 Document::Private::Private(Document& document) : q(document) {
-  objects.push_back(newObject());
-  active = objects.front();
+  const auto first = newObject();
+  objects.hold({first}, first);
   undo.setUndoLimit(kMostUndone);
   QObject::connect(&undo, &QUndoStack::cleanChanged, &q, [this] { updateModified(); });
   QObject::connect(&time, &TimeSeries::shownChanged, &q, [this] { shownFrameChanged(); });
@@ -39,7 +39,7 @@ Document::Private::Private(Document& document) : q(document) {
 // The undo list says that it is clear when it goes, and the growth, which would be asked, goes before it.
 Document::Private::~Private() {
   QObject::disconnect(&undo, nullptr, &q, nullptr);
-  *cancelled = true;
+  opening.cancel();
 }
 
 Document::Document(QObject* parent) : QObject(parent), d_(std::make_unique<Private>(*this)) {}
@@ -48,46 +48,46 @@ Document::~Document() = default;
 // --- seeds and parameters ---
 
 bool Document::Private::mayGoOn() {
-  if (!active->traits.locked) {
-    if (isGrown())
+  if (!active().traits.locked) {
+    if (objects.isGrown())
       time.show(time.workFrame());
     else
       growInShown();
     return true;
   }
   Q_EMIT q.refused(
-      tr("“%1” is locked: unlock it to change it.").arg(QString::fromStdString(active->traits.label.name)));
+      tr("“%1” is locked: unlock it to change it.").arg(QString::fromStdString(active().traits.label.name)));
   Q_EMIT q.seedsChanged();  // fields show again what holds
   Q_EMIT q.parametersChanged();
   return false;
 }
 
-bool Document::Private::mayChange() { return active->traits.locked ? mayGoOn() : isInGrownFrame(); }
+bool Document::Private::mayChange() { return active().traits.locked ? mayGoOn() : isInGrownFrame(); }
 
 void Document::Private::push(const QString& text, Edits after, int gesture) {
   if (!mayChange()) return;
-  if (meanOthers(active->edits(), after)) after.parameters.candidate = 1;
-  undo.push(new EditCommand(text, active->edits(), std::move(after), gesture,
-                            [this, object = active](const Edits& e, EditCommand::Way way) {
+  if (meanOthers(active().edits(), after)) after.parameters.candidate = 1;
+  undo.push(new EditCommand(text, active().edits(), std::move(after), gesture,
+                            [this, object = objects.active()](const Edits& e, EditCommand::Way way) {
                               activate(object);
-                              if (isGrown()) time.show(time.workFrame());
+                              if (objects.isGrown()) time.show(time.workFrame());
                               object->apply(e, way);
                             }));
 }
 
-const std::vector<Seed>& Document::seeds() const { return d_->active->edits().seeds; }
+const std::vector<Seed>& Document::seeds() const { return d_->active().edits().seeds; }
 
-bool Document::isSeeded() const { return d_->active->isSeeded(); }
+bool Document::isSeeded() const { return d_->active().isSeeded(); }
 
 void Document::addSeed(const Seed& seed) {
-  Edits after = d_->active->edits();
+  Edits after = d_->active().edits();
   after.seeds.push_back(seed);
   after.selectedSeed = static_cast<int>(after.seeds.size()) - 1;
   d_->push(seed.background ? tr("Add click outside") : tr("Add seed"), std::move(after), -1);
 }
 
 void Document::removeSeed(int index) {
-  Edits after = d_->active->edits();
+  Edits after = d_->active().edits();
   if (index < 0 || idx(index) >= after.seeds.size()) return;
   const bool outside = after.seeds[idx(index)].background;
   after.seeds.erase(after.seeds.begin() + index);
@@ -96,7 +96,7 @@ void Document::removeSeed(int index) {
 }
 
 void Document::moveSeed(int index, const Vec3& centre, int gesture) {
-  Edits after = d_->active->edits();
+  Edits after = d_->active().edits();
   if (index < 0 || idx(index) >= after.seeds.size() || after.seeds[idx(index)].centre == centre) return;
   after.seeds[idx(index)].centre = centre;
   after.selectedSeed = index;
@@ -105,7 +105,7 @@ void Document::moveSeed(int index, const Vec3& centre, int gesture) {
 }
 
 void Document::setSeedRadius(int index, std::optional<double> radius, int gesture) {
-  Edits after = d_->active->edits();
+  Edits after = d_->active().edits();
   if (index < 0 || idx(index) >= after.seeds.size() || after.seeds[idx(index)].radius == radius) return;
   after.seeds[idx(index)].radius = radius;
   after.selectedSeed = index;
@@ -114,14 +114,14 @@ void Document::setSeedRadius(int index, std::optional<double> radius, int gestur
            gesture);
 }
 
-int Document::selectedSeed() const { return d_->active->edits().selectedSeed; }
+int Document::selectedSeed() const { return d_->active().edits().selectedSeed; }
 
 void Document::selectSeed(int index) {
-  if (d_->active->select(index)) Q_EMIT selectedSeedChanged(selectedSeed());
+  if (d_->active().select(index)) Q_EMIT selectedSeedChanged(selectedSeed());
 }
 
 double Document::shownRadius(int index) const {
-  const Seed& seed = d_->active->edits().seeds.at(idx(index));
+  const Seed& seed = d_->active().edits().seeds.at(idx(index));
   if (seed.radius) return *seed.radius;
   if (resolved())
     for (const Seed& known : resolved()->seeds)
@@ -129,23 +129,23 @@ double Document::shownRadius(int index) const {
   return d_->work ? 2 * d_->work->volume.grid.meanSpacing() : 1;
 }
 
-const Parameters& Document::parameters() const { return d_->active->edits().parameters; }
+const Parameters& Document::parameters() const { return d_->active().edits().parameters; }
 
 void Document::setParameters(const Parameters& parameters, const QString& undoText, int gesture) {
-  if (parameters == d_->active->edits().parameters) return;
-  Edits after = d_->active->edits();
+  if (parameters == d_->active().edits().parameters) return;
+  Edits after = d_->active().edits();
   after.parameters = parameters;
   d_->push(undoText, std::move(after), gesture);
 }
 
-const std::optional<ResolvedParameters>& Document::resolved() const { return d_->active->resolved(); }
-QString Document::resolveError() const { return d_->active->resolveError(); }
-CandidateChoice Document::candidateChoice() const { return d_->active->candidateChoice(); }
+const std::optional<ResolvedParameters>& Document::resolved() const { return d_->active().resolved(); }
+QString Document::resolveError() const { return d_->active().resolveError(); }
+CandidateChoice Document::candidateChoice() const { return d_->active().candidateChoice(); }
 
 void Document::chooseCandidate(SizeStep step) {
   const std::optional<int> next = neighbour(candidateChoice(), step);
   if (!next) return;
-  Parameters parameters = d_->active->edits().parameters;
+  Parameters parameters = d_->active().edits().parameters;
   parameters.candidate = *next;
   setParameters(parameters, step == SizeStep::smaller ? tr("Smaller object") : tr("Larger object"));
 }
@@ -157,9 +157,7 @@ QUndoStack* Document::undoStack() const { return &d_->undo; }
 bool Document::isModified() const { return d_->wasModified; }
 
 void Document::Private::updateModified() {
-  const bool areAsSaved =
-      std::all_of(objects.begin(), objects.end(), [](const auto& object) { return object->isAsSaved(); });
-  const bool modified = work && (!undo.isClean() || !areAsSaved);
+  const bool modified = work && (!undo.isClean() || !objects.isAsSaved());
   if (modified == wasModified) return;
   wasModified = modified;
   Q_EMIT q.modifiedChanged();

@@ -26,11 +26,11 @@ QString written(const Vec3& place) {
 
 }  // namespace
 
-const Constraints& Document::constraints() const { return d_->active->edits().constraints; }
+const Constraints& Document::constraints() const { return d_->active().edits().constraints; }
 
 void Document::setConstraints(const Constraints& constraints, const QString& undoText, int gesture) {
   if (constraints == this->constraints()) return;
-  Edits after = d_->active->edits();
+  Edits after = d_->active().edits();
   after.constraints = constraints;
   d_->push(undoText, std::move(after), gesture);
 }
@@ -59,13 +59,13 @@ void Document::eraseWalls(const std::vector<WallBall>& eraser) {
   setConstraints(after, tr("Erase wall"));
 }
 
-const std::optional<WallConflict>& Document::wallConflict() const { return d_->active->wallConflict(); }
+const std::optional<WallConflict>& Document::wallConflict() const { return d_->active().wallConflict(); }
 
 bool Document::Private::mayPin() {
   const auto shown = q.snapshot();
   const bool rests = q.state() != GrowthState::running && q.state() != GrowthState::preparing;
   if (!shown || !rests || !mayChange()) return false;
-  if (active->growth().isSettled()) return true;
+  if (active().growth().isSettled()) return true;
   Q_EMIT q.refused(tr("The surface has not come to rest yet: nothing is pinned."));
   return false;
 }
@@ -105,14 +105,14 @@ void Document::unpin(const std::vector<WallBall>& eraser) {
 }
 
 void Document::goOnBeforeWalls() {
-  if (d_->mayChange()) d_->active->goOnBeforeWalls();
+  if (d_->mayChange()) d_->active().goOnBeforeWalls();
 }
 
 void Document::forbid(int index) {
   const Event& event = events().at(static_cast<std::size_t>(index));
   if (event.edit) return leaveOutEdit(event.iteration);
   const bool isMeeting = event.kind == EventKind::handleInserted;
-  Edits after = d_->active->edits();
+  Edits after = d_->active().edits();
   after.constraints.vetoes.push_back({event.iteration, event.location});
   if (!d_->mayChange()) return;
   goTo(event.iteration - 1);
@@ -121,7 +121,7 @@ void Document::forbid(int index) {
 
 void Document::wallAt(int index) {
   const FoundLeak found = leaks().at(static_cast<std::size_t>(index));
-  Edits after = d_->active->edits();
+  Edits after = d_->active().edits();
   after.constraints.walls.discs.push_back(found.leak.disc);
   if (!d_->mayChange()) return;
   goTo(found.before);
@@ -129,7 +129,7 @@ void Document::wallAt(int index) {
 }
 
 void Document::allow(const HeldPlace& held) {
-  Edits after = d_->active->edits();
+  Edits after = d_->active().edits();
   std::vector<Veto>& vetoes = after.constraints.vetoes;
   const auto distance = [&](const Veto& v) {
     return v.iteration == held.iteration ? (v.place - held.place).norm() : 1e300;
@@ -144,7 +144,7 @@ void Document::allow(const HeldPlace& held) {
 }
 
 void Document::keepHeld(const HeldPlace& held) {
-  Edits after = d_->active->edits();
+  Edits after = d_->active().edits();
   after.constraints.topology.kept.push_back(held.place);
   d_->push(tr("Hold it"), std::move(after), -1);
 }

@@ -43,13 +43,13 @@ int startOf(const TimeSeries& time, int frame) {
 }  // namespace
 
 std::optional<int> Document::correctedFrame() const {
-  return d_->home ? std::optional(d_->time.workFrame()) : std::nullopt;
+  return d_->corrected.isOpen() ? std::optional(d_->time.workFrame()) : std::nullopt;
 }
 
 QString Document::correctionFault() const {
   const TimeSeries& time = d_->time;
   if (!hasVolume() || !time.hasTime()) return tr("The volume has one time point only.");
-  if (d_->home) return tr("Frame %1 is being corrected: end that first.").arg(time.workFrame());
+  if (d_->corrected.isOpen()) return tr("Frame %1 is being corrected: end that first.").arg(time.workFrame());
   if (time.showsGrownFrame()) return tr("In this frame the surface is grown: change it there as ever.");
   if (time.isCarrying()) return tr("The surface is being carried: wait until that is done, or cancel it.");
   if (!time.resultOf(time.shownFrame()) || !isCarriedCurrent())
@@ -58,14 +58,12 @@ QString Document::correctionFault() const {
 }
 
 void Document::correctShownFrame() {
-  if (!correctionFault().isEmpty() || (d_->active->traits.locked && !d_->mayGoOn())) return;
+  if (!correctionFault().isEmpty() || (d_->active().traits.locked && !d_->mayGoOn())) return;
   d_->time.play(false);
   const int frame = d_->time.shownFrame();
-  auto& all = d_->correcting;
-  const auto known = std::find_if(all.begin(), all.end(), [&](const auto& c) { return c.frame == frame; });
-  const bool isNew = known == all.end();
-  if (isNew) all.push_back({frame, d_->newCorrection(frame), d_->time.volume()});
-  const Private::Correcting now = isNew ? all.back() : *known;
+  const bool isNew = !d_->corrected.at(frame);
+  if (isNew) d_->corrected.add({frame, d_->newCorrection(frame), d_->time.volume()});
+  const CorrectedFrame now = *d_->corrected.at(frame);
   d_->enter(now);
   if (isNew && now.object->isReplaying())
     now.object->begin();
@@ -98,48 +96,42 @@ std::shared_ptr<ObjectWork> Document::Private::newCorrection(int frame) {
   return object;
 }
 
-void Document::Private::enter(const Correcting& correction) {
-  if (!home) {
-    home = active;
-    homeVolume = work->volume;
-  }
-  active->pause();
-  active->beHidden();
-  objects = {correction.object};
-  active = correction.object;
-  work->volume = correction.volume;
-  time.setWorkFrame(correction.frame, correction.volume);
-  time.show(correction.frame);
+void Document::Private::enter(const CorrectedFrame& frame) {
+  corrected.putAway(objects.active(), work->volume);
+  active().pause();
+  active().beHidden();
+  objects.hold({frame.object}, frame.object);
+  work->volume = frame.volume;
+  time.setWorkFrame(frame.frame, frame.volume);
+  time.show(frame.frame);
   tellAll();
-  active->beShown();
+  active().beShown();
 }
 
 void Document::Private::leaveCorrection() {
-  if (!home) return;
-  active->pause();
-  active->beHidden();
-  active = std::exchange(home, nullptr);
-  objects = {active};
-  work->volume = std::exchange(homeVolume, {});
+  if (!corrected.isOpen()) return;
+  active().pause();
+  active().beHidden();
+  const auto [home, volume] = corrected.takeBack();
+  objects.hold({home}, home);
+  work->volume = volume;
   time.setWorkFrame(time.grownFrame(), work->volume);
   tellAll();
-  active->beShown();
+  active().beShown();
 }
-
-//! Their growths start from surfaces that are carried anew; what is recorded of them stays.
-void Document::Private::forgetCorrections() { correcting.clear(); }
 
 //! With what is being corrected now, if something of it was grown.
 std::vector<FrameCorrection> Document::Private::corrections() const {
   std::vector<FrameCorrection> all = time.request().corrections;
-  if (home && active->growth().exists()) put(all, asCorrection(active->session(), time.workFrame()));
+  if (corrected.isOpen() && active().growth().exists())
+    put(all, asCorrection(active().session(), time.workFrame()));
   return all;
 }
 
 void Document::endCorrection(bool keeps) {
-  if (!d_->home) return;
+  if (!d_->corrected.isOpen()) return;
   const int frame = d_->time.workFrame();
-  if (keeps && (d_->active->isBusy() || !d_->active->finished())) {
+  if (keeps && (d_->active().isBusy() || !d_->active().finished())) {
     Q_EMIT refused(tr("The correction has no surface at rest yet: let it grow, or pause it."));
     return;
   }

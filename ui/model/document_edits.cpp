@@ -34,7 +34,7 @@ QString nameOf(const MeshEdit& edit) {
 void Document::editMesh(MeshEdit edit) {
   if (iteration() < 0 || state() == GrowthState::running || state() == GrowthState::preparing) return;
   edit.iteration = iteration() + 1;
-  Edits after = d_->active->edits();
+  Edits after = d_->active().edits();
   // Those of later steps were of a surface that is not there any more.
   std::erase_if(after.constraints.edits, [&](const MeshEdit& e) { return e.iteration >= edit.iteration; });
   std::erase_if(after.constraints.vetoes, [&](const Veto& v) { return v.iteration == edit.iteration; });
@@ -43,7 +43,7 @@ void Document::editMesh(MeshEdit edit) {
 }
 
 void Document::leaveOutEdit(int iteration) {
-  Edits after = d_->active->edits();
+  Edits after = d_->active().edits();
   const auto removed =
       std::erase_if(after.constraints.edits, [&](const MeshEdit& e) { return e.iteration == iteration; });
   if (removed == 0 || !d_->mayChange()) return;
@@ -53,13 +53,13 @@ void Document::leaveOutEdit(int iteration) {
 
 void Document::Private::edited(const ObjectWork& object) {
   journalNow();
-  if (&object == active.get()) Q_EMIT q.meshEdited();
+  if (&object == &active()) Q_EMIT q.meshEdited();
 }
 
 // Nothing of it stays, not even an entry to do it again.
 void Document::Private::editRefused(const ObjectWork& object, const Request& asked, const QString& why) {
   const auto* last = dynamic_cast<const EditCommand*>(undo.command(undo.index() - 1));
-  if (&object == active.get() && last && last->after().request() == asked) {
+  if (&object == &active() && last && last->after().request() == asked) {
     auto* command = const_cast<EditCommand*>(last);
     command->undo();
     command->setObsolete(true);

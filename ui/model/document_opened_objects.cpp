@@ -6,6 +6,7 @@
 #include "core/cancellation.h"
 #include "ui/model/document_private.h"
 #include "ui/model/error_sentence.h"
+#include "ui/model/object_labels.h"
 #include "ui/model/opened_objects.h"
 
 namespace handlebody::ui {
@@ -13,9 +14,9 @@ namespace handlebody::ui {
 void Document::openObjects(const QString& path, OpenAs as) {
   if (!hasVolume()) return;
   cancelOpeningObjects();
-  d_->objectsCancelled = std::make_shared<std::atomic<bool>>(false);
+  const StopFlag flag = d_->openingObjects.begin();
   Q_EMIT openingObjects(path);
-  d_->files.post([this, path, as, grid = volume().grid, stop = d_->objectsCancelled, opening = d_->openings] {
+  d_->files.post([this, path, as, grid = volume().grid, stop = flag, opening = d_->opening.number()] {
     auto opened = std::make_shared<std::vector<OpenedObject>>();
     QString failed;
     try {
@@ -28,7 +29,7 @@ void Document::openObjects(const QString& path, OpenAs as) {
     QMetaObject::invokeMethod(
         this,
         [this, path, as, opened, failed, stop, opening] {
-          if (*stop || opening != d_->openings)
+          if (*stop || opening != d_->opening.number())
             Q_EMIT openingObjectsCancelled();
           else if (!failed.isEmpty())
             Q_EMIT openingObjectsFailed(failed);
@@ -39,41 +40,16 @@ void Document::openObjects(const QString& path, OpenAs as) {
   });
 }
 
-void Document::cancelOpeningObjects() {
-  if (d_->objectsCancelled) *d_->objectsCancelled = true;
-}
-
-//! With name and value of the file where they are free.
-ObjectLabel Document::Private::labelFor(const ObjectLabel& wanted,
-                                        const std::vector<ObjectLabel>& more) const {
-  std::vector<ObjectLabel> known = more;
-  for (const auto& object : objects) known.push_back(object->traits.label);
-  const auto isTaken = [&](const std::string& name) {
-    return std::any_of(known.begin(), known.end(), [&](const ObjectLabel& o) { return o.name == name; });
-  };
-  ObjectLabel label = freshLabel(more);
-  if (std::none_of(known.begin(), known.end(),
-                   [&](const ObjectLabel& o) { return o.value == wanted.value; }) &&
-      wanted.value >= 1 && wanted.value <= kLargestLabel)
-    label.value = wanted.value;
-  for (int n = 1;; ++n) {
-    const std::string name = n == 1 ? wanted.name : wanted.name + " (" + std::to_string(n) + ")";
-    if (!objectNameFault(name).empty()) break;  // too long with a number
-    if (isTaken(name)) continue;
-    label.name = name;
-    break;
-  }
-  return label;
-}
+void Document::cancelOpeningObjects() { d_->openingObjects.cancel(); }
 
 void Document::Private::addOpened(const QString& path, OpenAs as, const std::vector<OpenedObject>& opened) {
-  ObjectList after = list();
+  ObjectList after = objects.list();
   auto place = after.entries.end();
   if (as == OpenAs::done)
     place = std::find_if(after.entries.begin(), after.entries.end(), [](const ObjectList::Entry& entry) {
       return !entry.object->growth().exists() && !entry.object->isBusy();
     });
-  std::vector<ObjectLabel> labels;
+  std::vector<ObjectLabel> labels = objects.labels();
   std::vector<ObjectList::Entry> fresh;
   QStringList names;
   for (auto [session, hasLook] : opened) {

@@ -12,19 +12,18 @@ void Document::open(const QString& path, const VolumeSelection& selection, const
 
 void Document::Private::open(const OpeningRequest& asked) {
   const QString path = asked.path;
-  *cancelled = true;
-  cancelled = std::make_shared<std::atomic<bool>>(false);
-  isOpening = true;
+  opening.cancel();
+  const StopFlag flag = opening.begin();
   time.store().rest();
-  const int number = ++openings;
+  const int number = opening.number();
   Q_EMIT q.opening(path, 0);
-  files.post([this, number, path, asked, stop = cancelled] {
+  files.post([this, number, path, asked, stop = flag] {
     if (*stop) return;
     const auto progress = [&](double part) {
       QMetaObject::invokeMethod(
           &q,
           [this, number, path, part] {
-            if (number == openings && isOpening) Q_EMIT q.opening(path, part);
+            if (opening.isAwaited(number)) Q_EMIT q.opening(path, part);
           },
           Qt::QueuedConnection);
     };
@@ -36,8 +35,8 @@ void Document::Private::open(const OpeningRequest& asked) {
 }
 
 void Document::Private::finishOpening(int number, const QString& path, OpeningResult result) {
-  if (number != openings || !isOpening) return;  // cancelled, or a newer one is under way
-  isOpening = false;
+  if (!opening.isAwaited(number)) return;  // cancelled, or a newer one is under way
+  opening.end();
   if (auto* opened = std::get_if<OpenedWork>(&result)) {
     adopt(path, std::move(*opened));
   } else if (const auto* choice = std::get_if<SeriesChoice>(&result)) {
@@ -50,17 +49,14 @@ void Document::Private::finishOpening(int number, const QString& path, OpeningRe
   }
 }
 
-void Document::cancelOpening() {
-  *d_->cancelled = true;
-  d_->isOpening = false;
-}
+void Document::cancelOpening() { d_->opening.cancel(); }
 
 void Document::Private::adopt(const QString& path, OpenedWork opened) {
   const std::vector<Session> sessions = std::move(opened.sessions);
   for (const auto& object : objects) object->pause();
-  objects.resize(1);
-  active = objects.front();
-  active->reset();
+  const auto first = objects[0];
+  objects.hold({first}, first);
+  first->reset();
   undo.clear();
   journal.clear();
   work = std::move(opened);
@@ -68,12 +64,10 @@ void Document::Private::adopt(const QString& path, OpenedWork opened) {
   view.clear();
   hashInBackground();
   growsIn = -1;
-  home.reset();
-  homeVolume = {};
-  correcting.clear();
+  corrected = {};
   carriesLater = false;
-  polishes = sessions.empty() || sessions.front().polish;
-  space = sessions.empty() ? CoordinateSpace::lps : sessions.front().space;
+  output = {};
+  if (!sessions.empty()) output = {sessions.front().polish, sessions.front().space};
   measurements.startWith(sessions.empty() ? std::vector<Measurement>() : sessions.front().measurements);
   if (!sessions.empty()) adoptObjects(path, sessions);
   {
@@ -87,16 +81,16 @@ void Document::Private::adopt(const QString& path, OpenedWork opened) {
   Q_EMIT q.opened();
   tellAll();
   for (const auto& object : objects) object->begin();
-  active->beShown();
-  carriesLater = time.isAsked() && objects.size() == 1 && active->isReplaying();
+  active().beShown();
+  carriesLater = time.isAsked() && objects.size() == 1 && active().isReplaying();
   updateModified();
 }
 
 void Document::Private::adoptObjects(const QString& path, const std::vector<Session>& sessions) {
   view = QByteArray::fromStdString(sessions.front().view);
   for (const Session& session : sessions) {
-    if (&session != &sessions.front()) objects.push_back(newObject());
-    objects.back()->adopt(session);
+    if (&session != &sessions.front()) objects.add(newObject());
+    objects.all().back()->adopt(session);
   }
   readView();
   if (Journal::isJournal(path)) {
@@ -118,7 +112,7 @@ void Document::Private::hashInBackground() {
   });
 }
 
-bool Document::isOpening() const { return d_->isOpening; }
+bool Document::isOpening() const { return d_->opening.isUnderWay(); }
 bool Document::hasVolume() const { return d_->work.has_value(); }
 const Volume& Document::volume() const {
   return d_->time.showsWorkFrame() ? d_->work->volume : d_->time.volume();

@@ -80,13 +80,13 @@ void complete(Session& session, std::string& hash) {
 
 std::vector<Session> Document::Private::sessions() const {
   std::vector<Session> all;
-  const auto grown = home ? std::vector{home} : objects;
+  const auto grown = corrected.isOpen() ? std::vector{corrected.home()} : objects.all();
   for (const auto& object : grown) {
     all.push_back(object->session());
     all.back().version = HANDLEBODY_VERSION;
     all.back().volume = work->reference;
-    all.back().polish = polishes;
-    all.back().space = space;
+    all.back().polish = output.polishes;
+    all.back().space = output.space;
   }
   all.front().view = viewWithObjects(view).toStdString();
   all.front().measurements = measurements.all();
@@ -100,7 +100,7 @@ std::vector<Session> Document::Private::sessions() const {
 //! What a session of the command line has no place for stands among what the window keeps for itself.
 QByteArray Document::Private::viewWithObjects(const QByteArray& window) const {
   QJsonObject json = QJsonDocument::fromJson(window).object();
-  const bool isPlain = objects.size() == 1 && active->traits.visible && !active->traits.locked;
+  const bool isPlain = objects.size() == 1 && active().traits.visible && !active().traits.locked;
   if (isPlain && !json.contains(kObjectsKey)) return window;
   json.remove(kObjectsKey);
   json.remove(kActiveKey);
@@ -109,7 +109,7 @@ QByteArray Document::Private::viewWithObjects(const QByteArray& window) const {
   for (const auto& object : objects)
     rows.append(QJsonObject{{kVisibleKey, object->traits.visible}, {kLockedKey, object->traits.locked}});
   json[kObjectsKey] = rows;
-  json[kActiveKey] = indexOf(*active);
+  json[kActiveKey] = objects.indexOf(active());
   return QJsonDocument(json).toJson(QJsonDocument::Compact);
 }
 
@@ -124,7 +124,7 @@ void Document::Private::readView() {
   }
   const int index = json[kActiveKey].toInt(0);
   if (index >= 0 && index < static_cast<int>(objects.size()))
-    active = objects[static_cast<std::size_t>(index)];
+    objects.activate(objects[static_cast<std::size_t>(index)]);
 }
 
 // --- results ---
@@ -162,16 +162,14 @@ QString Document::exportFault(const QString& extension) const {
   });
 }
 
-void Document::cancelExport() {
-  if (d_->exportCancelled) *d_->exportCancelled = true;
-}
+void Document::cancelExport() { d_->exporting.cancel(); }
 
-bool Document::polishes() const { return d_->polishes; }
-CoordinateSpace Document::space() const { return d_->space; }
+bool Document::polishes() const { return d_->output.polishes; }
+CoordinateSpace Document::space() const { return d_->output.space; }
 
 void Document::setPolishes(bool on) {
-  if (on == d_->polishes) return;
-  d_->polishes = on;
+  if (on == d_->output.polishes) return;
+  d_->output.polishes = on;
   d_->journalNow();
   Q_EMIT polishesChanged();
 }
@@ -202,7 +200,7 @@ std::vector<WrittenObject> Document::Private::writtenObjects(const std::vector<i
   for (int i = 0; i < q.objectCount(); ++i) {
     auto surface = q.finishedMesh(i);  // of the frame that is shown
     if (!surface) continue;
-    all.push_back(objectToWrite(object(i), surface));
+    all.push_back(objectToWrite(objects.at(i), surface));
     if (const CarriedFrame* carried = time.carriedTo(time.shownFrame());
         carried && carried->finished == surface)
       all.back().walls = carried->result.under.walls;  // of a corrected frame its own
@@ -213,8 +211,7 @@ std::vector<WrittenObject> Document::Private::writtenObjects(const std::vector<i
 }
 
 void Document::Private::write(const QString& path, std::function<QString()> job) {
-  exportCancelled = std::make_shared<std::atomic<bool>>(false);
-  files.post([this, path, stop = exportCancelled, job = std::move(job)] {
+  files.post([this, path, stop = exporting.begin(), job = std::move(job)] {
     bool gaveUp = false;
     QString told;
     const QString failed = sentenceOf([&] {
@@ -242,8 +239,8 @@ void Document::Private::write(const QString& path, std::function<QString()> job)
 
 void Document::Private::exportFiles(const QString& path, CoordinateSpace coordinates,
                                     const DicomContent& content, const std::vector<int>& which) {
-  space = coordinates;
-  write(path, [this, path, betters = polishes, toWrite = writtenObjects(which, content.anonymous),
+  output.space = coordinates;
+  write(path, [this, path, betters = output.polishes, toWrite = writtenObjects(which, content.anonymous),
                context = ExportContext{work->volume.grid, coordinates, work->info.dicom, content}] {
     const auto meshes = writtenMeshes(toWrite, context.grid, betters, polishing());
     requireApart(toWrite, meshes);
@@ -269,7 +266,7 @@ std::function<void(const std::string&)> Document::Private::polishing() {
 // --- report ---
 
 void Document::exportReport(const QString& path, bool isAnonymous) {
-  if (d_->home) {
+  if (d_->corrected.isOpen()) {
     Q_EMIT exportFailed(tr("A frame is being corrected: end that first."));
     return;
   }
@@ -290,8 +287,8 @@ std::vector<PendingReport> Document::Private::pendingReports(bool isAnonymous) c
     r.session.label.name = nameInFiles(r.session.label.name, isAnonymous);
     r.session.version = HANDLEBODY_VERSION;
     r.session.volume = work->reference;
-    r.session.polish = polishes;
-    r.session.space = space;
+    r.session.polish = output.polishes;
+    r.session.space = output.space;
     r.volume = work->info;
     r.volume.grid = work->volume.grid;
     if (all.empty()) {
@@ -299,7 +296,7 @@ std::vector<PendingReport> Document::Private::pendingReports(bool isAnonymous) c
       r.session.measurements = measurements.all();
       r.seconds.load = work->seconds;
     }
-    if (const QString earlier = madeWithEarlier(*object); !earlier.isEmpty())
+    if (const QString earlier = objects.madeWithEarlier(*object); !earlier.isEmpty())
       r.doubts.push_back(
           {FindingKind::madeWithEarlier, {{"object", nameInFiles(earlier.toStdString(), isAnonymous)}}});
     if (objects.size() == 1 && q.isCarriedCurrent()) r.overTime = overTimeReport();
@@ -310,7 +307,7 @@ std::vector<PendingReport> Document::Private::pendingReports(bool isAnonymous) c
 
 void Document::Private::exportReport(const QString& path, const std::vector<PendingReport>& reports,
                                      bool isAnonymous) {
-  write(path, [this, path, made = reports, known = hash, isAnonymous, betters = polishes,
+  write(path, [this, path, made = reports, known = hash, isAnonymous, betters = output.polishes,
                volume = work->volume]() mutable {
     std::vector<WrittenObject> told;
     for (const PendingReport& pending : made) told.push_back(pending.object);
@@ -330,10 +327,8 @@ void Document::Private::exportReport(const QString& path, const std::vector<Pend
 // --- session ---
 
 QString Document::sessionFault() const {
-  const auto& all = d_->objects;
   if (!hasVolume()) return tr("There is nothing to save yet: open a volume first.");
-  if (std::none_of(all.begin(), all.end(), [](const auto& object) { return object->isSeeded(); }))
-    return tr("A session needs a seed: place one inside the object first.");
+  if (!d_->objects.isSeeded()) return tr("A session needs a seed: place one inside the object first.");
   return {};
 }
 
@@ -367,19 +362,19 @@ void Document::Private::saveSession(const QString& path) {
   std::vector<int> iterations;
   for (const auto& object : objects) iterations.push_back(object->growth().iteration());
   files.post([this, path, made = sessions(), known = hash, edit = undo.index(), iterations,
-              opening = openings]() mutable {
+              number = opening.number()]() mutable {
     const QString failed = sentenceOf([&] {
       for (Session& session : made) complete(session, *known);
       writeSessions(made, fileName(path));
     });
     QMetaObject::invokeMethod(
         &q,
-        [this, path, failed, edit, iterations, opening] {
+        [this, path, failed, edit, iterations, number] {
           if (!failed.isEmpty()) {
             Q_EMIT q.saveFailed(failed);
             return;
           }
-          if (opening == openings) saved(path, edit, iterations);  // else other work is open by now
+          if (number == opening.number()) saved(path, edit, iterations);  // else other work is open by now
           Q_EMIT q.sessionSaved(path);
         },
         Qt::QueuedConnection);
@@ -408,10 +403,8 @@ QStringList Document::notReplayed() const {
 }
 
 void Document::Private::journalNow() {
-  const bool isWorthIt = objects.size() > 1 || active->isSeeded();
-  const bool isSeeded =
-      std::any_of(objects.begin(), objects.end(), [](const auto& object) { return object->isSeeded(); });
-  if (work && isWorthIt && isSeeded)
+  const bool isWorthIt = objects.size() > 1 || active().isSeeded();
+  if (work && isWorthIt && objects.isSeeded())
     journal.write(sessions());
   else
     journal.clear();

@@ -8,10 +8,12 @@
 
 #include "core/io/report/report.h"
 #include "ui/model/background.h"
+#include "ui/model/corrected_frames.h"
 #include "ui/model/document.h"
 #include "ui/model/journal.h"
 #include "ui/model/measurements.h"
-#include "ui/model/object_work.h"
+#include "ui/model/newest_job.h"
+#include "ui/model/object_set.h"
 #include "ui/model/opening.h"
 #include "ui/model/time_series.h"
 #include "ui/model/undo_commands.h"
@@ -25,6 +27,22 @@ struct OpenedObject;
 struct PendingReport {
   RunReport report;
   WrittenObject object;
+};
+
+//! How any object is grown, one that is added later, too.
+struct GrowthChoices {
+  int stepsPerFrame = 1;
+  bool pausesAtLeaks = false;
+  void applyTo(Growth& growth) const {
+    growth.setStepsPerFrame(stepsPerFrame);
+    growth.setPausesAtLeaks(pausesAtLeaks);
+  }
+};
+
+//! How files are written; a session keeps it.
+struct OutputChoices {
+  bool polishes = true;
+  CoordinateSpace space = CoordinateSpace::lps;
 };
 
 class Document::Private : public ObjectHost {
@@ -54,29 +72,21 @@ class Document::Private : public ObjectHost {
   void hashInBackground();
 
   // --- objects ---
-  ObjectWork& object(int index) const { return *objects.at(static_cast<std::size_t>(index)); }
-  int indexOf(const ObjectWork& object) const;
-  //! Set up as the others are; not in the list.
+  ObjectWork& active() const { return *objects.active(); }
+  //! Grown as the others are; not among them.
   std::shared_ptr<ObjectWork> newObject();
-  void setUp(ObjectWork& object) const;
   void activate(const std::shared_ptr<ObjectWork>& object);
   void tellAll();
-  ObjectList list() const;
   void pushList(const QString& text, ObjectList after, int gesture = -1);
   void applyList(const ObjectList& after);
   void pokeAfter(const ObjectWork& object);
-  //! Such as none of the objects has, nor any of `more`.
-  ObjectLabel freshLabel(const std::vector<ObjectLabel>& more = {}) const;
-  ObjectLabel labelFor(const ObjectLabel& wanted, const std::vector<ObjectLabel>& more) const;
   void addOpened(const QString& path, OpenAs as, const std::vector<OpenedObject>& opened);
-  QString madeWithEarlier(const ObjectWork& object) const;
   //! False, and says so, if the active object is locked, or another frame is shown than it is grown in.
   bool mayChange();
   //! False, and says so, if it is locked. Shows the frame that it is grown in.
   bool mayGoOn();
 
   // --- time ---
-  bool isGrown() const;
   bool isInGrownFrame();
   void growInShown();
   void setGrownFrame(int frame);
@@ -84,18 +94,13 @@ class Document::Private : public ObjectHost {
   std::shared_ptr<const MeshSnapshot> shownOf(const ObjectWork& object) const;
   void carryAgain(const std::optional<int>& again = {});
   OverTimeSettings carrySettings() const;
-  //! A frame that is or was being corrected: what was done there can be undone.
-  struct Correcting {
-    int frame = 0;
-    std::shared_ptr<ObjectWork> object;
-    Volume volume;
-  };
-  void enter(const Correcting& correction);
+  void enter(const CorrectedFrame& frame);
   void leaveCorrection();
-  void forgetCorrections();
   std::shared_ptr<ObjectWork> newCorrection(int frame);
   //! What of a session belongs to the grown frame, also while another one is corrected.
-  const std::shared_ptr<ObjectWork>& base() const { return home ? home : active; }
+  const std::shared_ptr<ObjectWork>& base() const {
+    return corrected.isOpen() ? corrected.home() : objects.active();
+  }
   std::vector<FrameCorrection> corrections() const;
   void carryAfterReplay();
   OverTimeReport overTimeReport() const;
@@ -133,31 +138,27 @@ class Document::Private : public ObjectHost {
 
   Document& q;
 
+  // What is open, and where it is saved.
   std::optional<OpenedWork> work;
   std::shared_ptr<std::string> hash;  // of the volume; used by jobs of the files' thread alone
   QString sessionPath;
   QByteArray view;
-  int openings = 0;  // number of the newest
-  bool isOpening = false;
-  std::shared_ptr<std::atomic<bool>> cancelled = std::make_shared<std::atomic<bool>>(false);
+  bool wasModified = false;
+  NewestJob opening, openingObjects, exporting;
 
-  std::vector<std::shared_ptr<ObjectWork>> objects;  // one at least
-  std::shared_ptr<ObjectWork> active;                // one of them
+  // What is edited, and how that is undone.
+  ObjectSet objects;
   QUndoStack undo;
   Measurements measurements{undo};
+
+  // Over time.
   TimeSeries time;
-  int growsIn = -1;                    // frame in which to grow when it is shown; -1: none
-  std::vector<Correcting> correcting;  // those that can be gone back to
-  std::shared_ptr<ObjectWork> home;    // of the grown frame, while another one is corrected; else null
-  Volume homeVolume;                   // the same
-  bool carriesLater = false;           // when what a session says has been grown
-  std::shared_ptr<std::atomic<bool>> exportCancelled;  // of the newest export; null: there was none
-  bool polishes = true;
-  CoordinateSpace space = CoordinateSpace::lps;
-  std::shared_ptr<std::atomic<bool>> objectsCancelled;  // of the newest opening of objects
-  bool wasModified = false;
-  int stepsPerFrame = 1;
-  bool pausesAtLeaks = false;
+  CorrectedFrames corrected;
+  int growsIn = -1;           // frame in which to grow when it is shown; -1: none
+  bool carriesLater = false;  // when what a session says has been grown
+
+  GrowthChoices growthChoices;
+  OutputChoices output;
 
   // Threads: last, so that they end before what their jobs report to.
   Journal journal;

@@ -60,14 +60,9 @@ TimeSeries& Document::time() const { return d_->time; }
 
 // --- which frame ---
 
-bool Document::Private::isGrown() const {
-  return std::any_of(objects.begin(), objects.end(),
-                     [](const auto& object) { return object->growth().exists() || object->isBusy(); });
-}
-
 bool Document::Private::isInGrownFrame() {
   if (time.showsWorkFrame()) return true;
-  if (!isGrown()) {
+  if (!objects.isGrown()) {
     growInShown();
     return true;
   }
@@ -84,7 +79,7 @@ void Document::Private::growInShown() {
   work->volume = time.volume();
   work->reference.selection.frame = time.shownFrame();
   time.setGrownFrame();
-  const auto now = objects;
+  const auto now = objects.all();  // what they tell may change the list
   for (const auto& object : now) object->volumeReplaced();
   journalNow();
   updateModified();
@@ -110,15 +105,15 @@ void Document::Private::shownFrameChanged() {
 }
 
 std::shared_ptr<const MeshSnapshot> Document::Private::shownOf(const ObjectWork& object) const {
-  if (home && time.showsGrownFrame()) return home->growth().snapshot();
+  if (corrected.isOpen() && time.showsGrownFrame()) return corrected.home()->growth().snapshot();
   if (time.showsWorkFrame()) return object.growth().snapshot();
   const CarriedFrame* carried = objects.size() == 1 ? time.carriedTo(time.shownFrame()) : nullptr;
   return carried ? carried->snapshot : nullptr;
 }
 
 void Document::growInShownFrame() {
-  if (!hasVolume() || d_->home || d_->time.showsWorkFrame()) return;
-  if (d_->active->traits.locked) {
+  if (!hasVolume() || d_->corrected.isOpen() || d_->time.showsWorkFrame()) return;
+  if (d_->active().traits.locked) {
     d_->mayChange();
     return;
   }
@@ -136,8 +131,8 @@ QString Document::carryFault() const {
     return tr("Several objects are not carried over time: open the volume with one of them.");
   if (constraints().start)
     return tr("A surface that comes from a file is not carried over time: grow one from a click.");
-  if (d_->active->isBusy()) return tr("The surface still grows: wait until it is at rest.");
-  if (!d_->active->finished() || !d_->active->growth().resolved())
+  if (d_->active().isBusy()) return tr("The surface still grows: wait until it is at rest.");
+  if (!d_->active().finished() || !d_->active().growth().resolved())
     return tr("There is no surface yet: grow one in a frame first.");
   return {};
 }
@@ -151,7 +146,7 @@ bool Document::isCarriedCurrent() const {
 void Document::carryOverTime() {
   if (!carryFault().isEmpty()) return;
   if (!d_->time.isAsked()) setOverTime(d_->time.request(), tr("Over time"));
-  d_->forgetCorrections();
+  d_->corrected.forget();  // what is recorded of them stays
   d_->carryAgain();
 }
 
@@ -184,7 +179,7 @@ void Document::Private::carryAgain(const std::optional<int>& again) {
 }
 
 void Document::Private::carryAfterReplay() {
-  if (!carriesLater || active->isBusy() || active->isReplaying()) return;
+  if (!carriesLater || active().isBusy() || active().isReplaying()) return;
   carriesLater = false;
   if (q.carryFault().isEmpty()) carryAgain();
 }
@@ -206,10 +201,10 @@ void Document::exportFrames(const QString& path, CoordinateSpace space) {
 }
 
 void Document::Private::exportFrames(const QString& path, CoordinateSpace coordinates) {
-  space = coordinates;
+  output.space = coordinates;
   write(path, [this, path, coordinates, over = overTimeReport(), from = time.carriedFrom(),
-               grown = time.grownFrame(), label = active->traits.label, grid = work->volume.grid,
-               betters = polishes]() mutable {
+               grown = time.grownFrame(), label = active().traits.label, grid = work->volume.grid,
+               betters = output.polishes]() mutable {
     for (FrameResult& r : over.frames)
       if (r.frame == grown) r.mesh = from->get().mesh;
     if (betters) polishFrames(over, [told = polishing(), &label](int) { told(label.name); });
