@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "core/errors.h"
+#include "core/io/trimmed.h"
 
 namespace handlebody::cli {
 
@@ -45,10 +46,7 @@ bool isUtf8(const std::string& text) {
 
 bool isControl(char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }
 
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t");
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
+constexpr const char* kBlanks = " \t";  // around a cell; the ends of lines are the reader's
 
 class CsvReader {
  public:
@@ -91,10 +89,10 @@ class CsvReader {
     while (!atCellEnd() && (isNext(" ") || isNext("\t"))) ++at_;
     if (skip("\"")) {
       cell.text = quoted();
-      if (!trimmed(toCellEnd()).empty()) cell.fault = "goes on behind its closing quotation mark";
+      if (!trimmed(toCellEnd(), kBlanks).empty()) cell.fault = "goes on behind its closing quotation mark";
     } else {
       at_ = begin;
-      cell.text = trimmed(toCellEnd());
+      cell.text = trimmed(toCellEnd(), kBlanks);
       if (cell.text.find('"') != std::string::npos)
         cell.fault = "has a quotation mark in it: the whole cell must be quoted, and that mark doubled";
     }

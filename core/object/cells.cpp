@@ -5,6 +5,7 @@
 
 #include "core/cancellation.h"
 #include "core/indices.h"
+#include "core/volume/voxel_walk.h"
 
 namespace handlebody {
 
@@ -127,30 +128,8 @@ CellImage makeCells(const Volume& volume, const CellGrid& cells, const FieldOfVi
   return out;
 }
 
-double interpolated(const Grid& grid, const std::vector<float>& values, Vec3 p) {
-  std::array<std::size_t, 3> low, step{1, idx(grid.size[0]), idx(grid.size[0]) * idx(grid.size[1])};
-  Vec3 f;
-  for (int a = 0; a < 3; ++a) {
-    const double last = grid.size[idx(a)] - 1.0;
-    p[a] = std::clamp(p[a], 0.0, last);
-    const double floor = std::min(std::floor(p[a]), std::max(0.0, last - 1));
-    low[idx(a)] = static_cast<std::size_t>(floor);
-    f[a] = p[a] - floor;
-    if (grid.size[idx(a)] < 2) step[idx(a)] = 0;
-  }
-  const std::size_t i = low[0] + low[1] * idx(grid.size[0]) + low[2] * idx(grid.size[0]) * idx(grid.size[1]);
-  double sum = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    double w = 1;
-    std::size_t at = i;
-    for (int a = 0; a < 3; ++a) {
-      const bool up = (corner >> a & 1) != 0;
-      w *= up ? f[a] : 1 - f[a];
-      if (up) at += step[idx(a)];
-    }
-    sum += w * static_cast<double>(values[at]);
-  }
-  return sum;
+double interpolated(const Grid& grid, const std::vector<float>& values, const Vec3& index) {
+  return trilinear(values.data(), grid.size, index);
 }
 
 std::vector<float> smoothed(const CellGrid& cells, std::vector<float> values, double sigma) {

@@ -59,7 +59,7 @@ struct CellImage {
 CellImage makeCells(const Volume& volume, const CellGrid& cells, const FieldOfView* view);
 
 //! Trilinear between the centres of a grid, at a continuous index; beyond the outermost as there.
-double interpolated(const Grid& grid, const std::vector<float>& values, Vec3 index);
+double interpolated(const Grid& grid, const std::vector<float>& values, const Vec3& index);
 
 //! Gaussian, standard deviation in mm; cells beyond the border count as those of the border.
 std::vector<float> smoothed(const CellGrid& cells, std::vector<float> values, double sigma);

@@ -7,6 +7,7 @@
 
 #include "core/indices.h"
 #include "core/object/distance.h"
+#include "core/volume/voxel_walk.h"
 
 namespace handlebody {
 
@@ -65,7 +66,9 @@ class Competition {
       const auto [l, i] = queue.top();
       queue.pop();
       if (l > length[i]) continue;
-      forNeighbours(i, [&](std::size_t j, double step) {
+      forFaceNeighbours(size_, i, [&](std::size_t j, std::size_t axis) {
+        if (!inside_[j]) return;
+        const double step = work_.cells().grid.spacing[static_cast<Eigen::Index>(axis)];
         const float there = static_cast<float>(l + step * weight(i, j));
         if (there >= length[j]) return;
         length[j] = there;
@@ -86,16 +89,6 @@ class Competition {
     const double jump = (value(i) - value(j)) / (kEdge * noise_);
     const double deep = std::min(depth_[i], depth_[j]) / work_.cells().grid.meanSpacing();
     return (1 + jump * jump) * (1 + kThin / std::max(0.5, deep));
-  }
-  template <typename F>
-  void forNeighbours(std::size_t i, F&& f) const {
-    const std::size_t nx = idx(size_[0]), ny = idx(size_[1]);
-    const std::array<std::size_t, 3> c{i % nx, i / nx % ny, i / (nx * ny)}, steps{1, nx, nx * ny};
-    for (std::size_t a = 0; a < 3; ++a) {
-      const double h = work_.cells().grid.spacing[static_cast<Eigen::Index>(a)];
-      if (c[a] > 0 && inside_[i - steps[a]]) f(i - steps[a], h);
-      if (c[a] + 1 < idx(size_[a]) && inside_[i + steps[a]]) f(i + steps[a], h);
-    }
   }
 
   const WorkImage& work_;

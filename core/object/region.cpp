@@ -1,11 +1,13 @@
 #include "core/object/region.h"
-#include "core/indices.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <numeric>
 #include <utility>
+
+#include "core/indices.h"
+#include "core/volume/voxel_walk.h"
 
 namespace handlebody {
 
@@ -46,17 +48,6 @@ std::vector<Place> placesOf(const RankedRegion& r) {
   return out;
 }
 
-//! Calls f(number) for the neighbours of a cell of a box by its faces.
-template <typename F>
-void forNeighbours(const std::array<int, 3>& n, std::size_t v, F&& f) {
-  const std::array<std::size_t, 3> steps{1, idx(n[0]), idx(n[0]) * idx(n[1])};
-  const std::array<std::size_t, 3> c{v % steps[1], v / steps[1] % idx(n[1]), v / steps[2]};
-  for (std::size_t a = 0; a < 3; ++a) {
-    if (c[a] > 0) f(v - steps[a]);
-    if (c[a] + 1 < idx(n[a])) f(v + steps[a]);
-  }
-}
-
 constexpr std::uint8_t kOut = 0, kIn = 1, kFarOut = 2;
 
 //! The cells (1) that hang together with the starts.
@@ -72,7 +63,7 @@ std::vector<std::uint8_t> partsOf(const std::array<int, 3>& n, const std::vector
   while (!starts.empty()) {
     const std::size_t v = starts.back();
     starts.pop_back();
-    forNeighbours(n, v, [&](std::size_t w) {
+    forFaceNeighbours(n, v, [&](std::size_t w, std::size_t) {
       if (enter(w)) starts.push_back(w);
     });
   }
@@ -98,7 +89,7 @@ void fillCavities(const std::array<int, 3>& n, std::vector<std::uint8_t>& cells,
     cells[start] = kIn;
     bool isFar = false;
     for (std::size_t k = 0; k < part.size() && part.size() < cavity && !isFar; ++k)
-      forNeighbours(n, part[k], [&](std::size_t w) {
+      forFaceNeighbours(n, part[k], [&](std::size_t w, std::size_t) {
         isFar |= cells[w] == kFarOut;
         if (cells[w] != kOut) return;
         cells[w] = kIn;

@@ -7,6 +7,7 @@
 #include "core/indices.h"
 #include "core/object/distance.h"
 #include "core/volume/intensity_statistics.h"
+#include "core/volume/voxel_walk.h"
 
 namespace handlebody {
 
@@ -212,11 +213,9 @@ class RandomWalk {
       u_[i] = kind_[i] == Kind::open ? prior_[i] : kind_[i] == Kind::inside ? 1.f : 0.f;
       if (kind_[i] != Kind::open) continue;
       Open o{i, {}, static_cast<float>(walk_.prior)};
-      const std::array<std::size_t, 3> c{i % nx, i / nx % ny, i / (nx * ny)};
-      for (std::size_t a = 0; a < 3; ++a) {
-        if (c[a] > 0) o.all += o.pulls[2 * a] = pull(i, i - steps[a], a);
-        if (c[a] + 1 < idx(size_[a])) o.all += o.pulls[2 * a + 1] = pull(i, i + steps[a], a);
-      }
+      forFaceNeighbours(size_, i, [&](std::size_t j, std::size_t a) {
+        o.all += o.pulls[2 * a + (j > i ? 1 : 0)] = pull(i, j, a);
+      });
       open.push_back(o);
     }
     for (int sweep = 0; sweep < kSweeps; ++sweep) {

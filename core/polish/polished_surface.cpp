@@ -100,8 +100,7 @@ PolishedSurface::Part PolishedSurface::around(std::span<const int> vertices) con
   Part part;
   for (const int v : inner)
     part.faces.insert(part.faces.end(), facesAt_[idx(v)].begin(), facesAt_[idx(v)].end());
-  std::sort(part.faces.begin(), part.faces.end());
-  part.faces.erase(std::unique(part.faces.begin(), part.faces.end()), part.faces.end());
+  sortUnique(part.faces);
   PolishPatch& patch = part.patch;
   std::map<int, int> place;  // of a vertex in the patch
   const auto pointOf = [&](int v) {

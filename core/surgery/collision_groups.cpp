@@ -131,8 +131,7 @@ void mergeTouching(const Mesh& mesh, std::vector<std::vector<int>>& sets) {
       }
       sets[i].insert(sets[i].end(), sets[j].begin(), sets[j].end());
       sets[i].insert(sets[i].end(), common.begin(), common.end());
-      std::sort(sets[i].begin(), sets[i].end());
-      sets[i].erase(std::unique(sets[i].begin(), sets[i].end()), sets[i].end());
+      sortUnique(sets[i]);
       sets.erase(sets.begin() + static_cast<std::ptrdiff_t>(j));
       j = i + 1;
     }

@@ -57,8 +57,7 @@ bool smoothFold(Mesh& mesh, FaceBlocks& blocks, const std::vector<int>& lambda,
   Opening moved;  // the faces that move, as if they were taken out
   moved.lambda = vertices;
   for (int v : vertices) mesh.forEachOutgoing(v, [&](int h) { moved.faces.push_back(Mesh::faceOf(h)); });
-  std::sort(moved.faces.begin(), moved.faces.end());
-  moved.faces.erase(std::unique(moved.faces.begin(), moved.faces.end()), moved.faces.end());
+  sortUnique(moved.faces);
   moved.loops.push_back(cornersOf(mesh, moved.faces));  // what lies near any of them may be hit
   Patch patch;
   patch.firstNew = mesh.vertexSlots();

@@ -8,13 +8,16 @@
 #include <type_traits>
 #include <unordered_map>
 
+#include "core/indices.h"
 #include "core/volume/not_a_number.h"
+#include "core/volume/voxel_walk.h"
 
 namespace handlebody {
 
 namespace {
 
 struct Size {
+  explicit Size(const std::array<int, 3>& n) : x(idx(n[0])), y(idx(n[1])), z(idx(n[2])) {}
   std::size_t x, y, z;
   std::size_t at(std::size_t i, std::size_t j, std::size_t k) const { return (k * y + j) * x + i; }
 };
@@ -31,7 +34,8 @@ void forEachBorderVoxel(const Size& n, F&& f) {
 }
 
 template <typename T>
-std::vector<bool> findPadding(const T* voxels, const Size& n, double& paddingValue) {
+std::vector<bool> findPadding(const T* voxels, const std::array<int, 3>& size, double& paddingValue) {
+  const Size n(size);
   std::unordered_map<T, std::size_t> count;
   std::size_t border = 0;
   forEachBorderVoxel(n, [&](std::size_t v) {
@@ -59,13 +63,7 @@ std::vector<bool> findPadding(const T* voxels, const Size& n, double& paddingVal
   while (!front.empty()) {
     const std::size_t v = front.front();
     front.pop_front();
-    const std::size_t i = v % n.x, j = v / n.x % n.y, k = v / (n.x * n.y);
-    if (i > 0) push(v - 1);
-    if (i + 1 < n.x) push(v + 1);
-    if (j > 0) push(v - n.x);
-    if (j + 1 < n.y) push(v + n.x);
-    if (k > 0) push(v - n.x * n.y);
-    if (k + 1 < n.z) push(v + n.x * n.y);
+    forFaceNeighbours(size, v, [&](std::size_t w, std::size_t) { push(w); });
   }
   return padding;
 }
@@ -91,8 +89,8 @@ std::optional<T> notANumberIn(const T* voxels, std::size_t count) {
 
 //! Voxels that are not a number are padding wherever they lie.
 template <typename T>
-std::vector<bool> withNotANumber(const T* voxels, const Size& n, std::vector<bool> padding, double& value) {
-  const std::size_t count = n.x * n.y * n.z;
+std::vector<bool> withNotANumber(const T* voxels, std::size_t count, std::vector<bool> padding,
+                                 double& value) {
   const std::optional<T> none = notANumberIn(voxels, count);
   if (!none) return padding;
   padding.resize(count, false);
@@ -105,12 +103,11 @@ std::vector<bool> withNotANumber(const T* voxels, const Size& n, std::vector<boo
 }  // namespace
 
 std::shared_ptr<const FieldOfView> FieldOfView::find(const Volume& volume) {
-  const Size n{static_cast<std::size_t>(volume.grid.size[0]), static_cast<std::size_t>(volume.grid.size[1]),
-               static_cast<std::size_t>(volume.grid.size[2])};
   auto found = std::make_shared<FieldOfView>();
   found->size_ = volume.grid.size;
   found->padding_ = visitVoxels(volume, [&](const auto* voxels) {
-    return withNotANumber(voxels, n, findPadding(voxels, n, found->value_), found->value_);
+    return withNotANumber(voxels, volume.grid.voxelCount(),
+                          findPadding(voxels, volume.grid.size, found->value_), found->value_);
   });
   return found->padding_.empty() ? nullptr : found;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/io/trimmed.h"
+
 namespace handlebody {
 namespace {
 
@@ -9,11 +11,10 @@ constexpr std::uint32_t kTransferSyntax = 0x00020010u;
 constexpr std::uint64_t kPreamble = 128;  // bytes, before "DICM"
 constexpr int kDeepest = 32;              // sequences within sequences; real files have a handful
 
-//! UIDs are padded to even lengths.
-std::string trimmed(std::string_view text) {
-  while (!text.empty() && (text.back() == '\0' || text.back() == ' ')) text.remove_suffix(1);
-  text.remove_prefix(std::min(text.size(), text.find_first_not_of(' ')));
-  return std::string(text);
+//! Values are padded to even lengths, UIDs by a zero.
+std::string withoutPadding(std::string_view value) {
+  using namespace std::string_view_literals;
+  return std::string(trimmed(value.substr(0, value.find_last_not_of(" \0"sv) + 1), " "));
 }
 
 }  // namespace
@@ -104,7 +105,7 @@ DicomBeginning DicomElements::beginning() const {
 }
 
 std::string DicomElements::text(const DicomElement& e) const {
-  return e.hasLength() ? trimmed(value(e)) : std::string();
+  return e.hasLength() ? withoutPadding(value(e)) : std::string();
 }
 
 std::uint16_t DicomElements::number(const DicomElement& e, std::uint32_t i) const {

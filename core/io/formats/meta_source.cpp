@@ -6,9 +6,11 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <string_view>
 
 #include "core/io/formats/header_text.h"
 #include "core/io/formats/stored_voxels.h"
+#include "core/io/trimmed.h"
 
 namespace handlebody {
 namespace {
@@ -42,9 +44,9 @@ MetaText readText(const std::string& path) {
   while (std::getline(file, line) && line.size() < 100000) {
     const auto equal = line.find('=');
     if (equal == std::string::npos) continue;
-    const std::string key = trimmed(line.substr(0, equal));
+    const std::string key(trimmed(std::string_view(line).substr(0, equal)));
     if (isLaterFrame(key)) refuseInput(path, FindingKind::trackedFrames);
-    text.fields[key] = trimmed(line.substr(equal + 1));
+    text.fields[key] = trimmed(std::string_view(line).substr(equal + 1));
     if (key == "ElementDataFile") break;
   }
   if (text.value("ElementDataFile").empty())

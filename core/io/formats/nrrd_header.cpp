@@ -7,9 +7,11 @@
 #include <fstream>
 #include <limits>
 #include <optional>
+#include <string_view>
 
 #include "core/io/formats/header_text.h"
 #include "core/io/lowered.h"
+#include "core/io/trimmed.h"
 
 namespace handlebody {
 namespace {
@@ -261,14 +263,15 @@ NrrdFields readNrrdFields(const std::string& path) {
   std::getline(file, line);  // the magic
   constexpr std::size_t kLongestHeader = 16u << 20;
   while (std::getline(file, line) && static_cast<std::size_t>(file.tellg()) < kLongestHeader) {
-    line = trimmed(line);
+    line = std::string(trimmed(line));
     if (line.empty()) break;
     f.sequence |= isLaterFrame(line);
     if (listed) f.dataFiles.push_back((fs::path(path).parent_path() / line).string());
     const auto colon = line.find(": "), pair = line.find(":=");
     if (!listed && line[0] != '#' && pair < colon) f.keys[line.substr(0, pair)] = line.substr(pair + 2);
     if (listed || line[0] == '#' || colon == std::string::npos || pair < colon) continue;
-    f.fields[lowered(trimmed(line.substr(0, colon)))] = trimmed(line.substr(colon + 2));
+    const std::string_view whole = line;
+    f.fields[lowered(std::string(trimmed(whole.substr(0, colon))))] = trimmed(whole.substr(colon + 2));
     listed = f.value("data file") == "LIST" || f.value("datafile") == "LIST";
   }
   if (file) f.end = static_cast<std::uint64_t>(file.tellg());

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "core/mesh/plane_section.h"
+#include "core/volume/voxel_walk.h"
 
 namespace handlebody {
 namespace {
@@ -78,41 +79,14 @@ SliceView planSlice(const Grid& grid, Anatomical plane, const Vec3& point, const
 
 namespace {
 
-//! Linear between voxel centres; constant in the outer half of the border voxels.
-template <typename T>
-double interpolate(const T* voxels, const Grid& grid, const Vec3& index) {
-  std::array<std::size_t, 3> first{}, step{};
-  std::array<double, 3> part{};
-  std::size_t stride = 1;
-  for (std::size_t a = 0; a < 3; ++a) {
-    const double x = std::clamp(index[static_cast<int>(a)], 0.0, grid.size[a] - 1.0);
-    const int low = std::max(0, std::min(static_cast<int>(x), grid.size[a] - 2));
-    part[a] = x - low;
-    first[a] = at(low) * stride;
-    step[a] = grid.size[a] > 1 ? stride : 0;
-    stride *= at(grid.size[a]);
-  }
-  double sum = 0;
-  for (unsigned corner = 0; corner < 8; ++corner) {
-    double weight = 1;
-    std::size_t offset = 0;
-    for (std::size_t a = 0; a < 3; ++a) {
-      const bool upper = (corner >> a & 1U) != 0;
-      weight *= upper ? part[a] : 1 - part[a];
-      offset += first[a] + (upper ? step[a] : 0);
-    }
-    if (weight > 0) sum += weight * static_cast<double>(voxels[offset]);
-  }
-  return sum;
-}
-
 //! Mean over a pixel: where pixels are larger than voxels, one sample would flicker.
 template <typename T>
 double pixelValue(const T* voxels, const Grid& grid, const SliceView& view, int x, int y, int samples) {
   double sum = 0;
   for (int j = 0; j < samples; ++j)
     for (int i = 0; i < samples; ++i)
-      sum += interpolate(voxels, grid, view.toIndex(Vec2(x + (i + 0.5) / samples, y + (j + 0.5) / samples)));
+      sum +=
+          trilinear(voxels, grid.size, view.toIndex(Vec2(x + (i + 0.5) / samples, y + (j + 0.5) / samples)));
   return sum / (samples * samples);
 }
 

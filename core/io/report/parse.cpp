@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/io/report/option_error.h"
+#include "core/io/trimmed.h"
 
 namespace handlebody {
 
@@ -15,16 +16,10 @@ namespace {
   throw OptionError(option, "'" + text + "' is not " + wanted + ".");
 }
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(' ');
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
-
 // The whole text as a T; false if anything is left over or it does not fit.
 template <typename T>
 bool convert(std::string_view text, T& value) {
-  text = trimmed(text);
+  text = trimmed(text, " ");
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   return error == std::errc() && end == text.data() + text.size();

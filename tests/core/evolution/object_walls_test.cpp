@@ -5,6 +5,7 @@
 #include "core/collision/body_contact.h"
 #include "core/errors.h"
 #include "core/evolution/wall_surface.h"
+#include "core/indices.h"
 #include "core/mesh/shapes.h"
 #include "tests/core/evolution/contour_support.h"
 #include "tests/support/wall_support.h"
@@ -130,8 +131,7 @@ TEST_CASE("which objects a triangle meets or comes near is what all of their tri
     const std::vector<int> expected = bodies.metBy(a, b, c);
     std::vector<int> which;
     CHECK(surface.meets(a, b, c, &which) == !expected.empty());
-    std::sort(which.begin(), which.end());
-    which.erase(std::unique(which.begin(), which.end()), which.end());
+    sortUnique(which);
     CHECK(which == expected);
     double least = 1e300;  // of a fine sampling: too large by a little
     for (int s = 0; s <= 8; ++s)

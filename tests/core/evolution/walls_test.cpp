@@ -5,6 +5,7 @@
 
 #include "core/errors.h"
 #include "core/evolution/history.h"
+#include "core/indices.h"
 #include "tests/core/evolution/contour_support.h"
 #include "tests/support/wall_support.h"
 
@@ -59,8 +60,7 @@ TEST_CASE("which walls a triangle touches is what every wall by itself says", "[
         expected.push_back(static_cast<int>(w));
     Walls::Touched which;
     CHECK(walls.touches(a, b, c, &which) == !expected.empty());
-    std::sort(which.balls.begin(), which.balls.end());
-    which.balls.erase(std::unique(which.balls.begin(), which.balls.end()), which.balls.end());
+    sortUnique(which.balls);
     CHECK(which.balls == expected);
     if (!expected.empty()) CHECK((walls.isNear(a) && !walls.clears(a, b, c)));
     touched += !expected.empty();

@@ -2,6 +2,7 @@
 #include <random>
 #include <set>
 
+#include "core/indices.h"
 #include "core/mesh/topology.h"
 #include "tests/core/surgery/adaptation_support.h"
 
@@ -121,8 +122,7 @@ TEST_CASE("the trace of a handle holds its sets, its polygons and its faces, and
   }
   std::vector<int> colliding;
   for (const auto& [f, g] : pairs) colliding.insert(colliding.end(), {f, g});
-  std::sort(colliding.begin(), colliding.end());
-  colliding.erase(std::unique(colliding.begin(), colliding.end()), colliding.end());
+  sortUnique(colliding);
   CHECK(e.trace.collidingFaces.size() == colliding.size());
   CHECK(e.trace.handleFaces.size() == corners);        // a handle of two fronts has no Type 2 face
   CHECK(borderEdges(e.trace.handleFaces) == corners);  // and ends on the two polygons
