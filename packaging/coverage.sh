@@ -8,9 +8,9 @@ cd "$(dirname "$0")/.."
 . packaging/dependencies.sh
 install_dependencies build test coverage
 configure coverage
-cmake --build --preset coverage -j "$(nproc)" --target core_tests io_tests sequence_tests cli_tests batch_time_tests
+cmake --build --preset coverage -j "$(nproc)" --target core_tests io_tests sequence_tests cli_tests batch_time_tests result_picture_tests
 find build/coverage -name '*.gcda' -delete
-for program in core_tests io/io_tests sequence/sequence_tests app/cli_tests app/batch_time_tests; do
+for program in core_tests io/io_tests sequence/sequence_tests app/cli_tests app/batch_time_tests app/result_picture_tests; do
   "build/coverage/tests/$program"
 done
 gcovr --root . --object-directory build/coverage --filter 'core/' --exclude-throw-branches \

@@ -12,13 +12,13 @@
 #include <fstream>
 #include <thread>
 
+#include "app/picture/picture.h"
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
 #include "core/io/formats/sequence_writer.h"
 #include "core/io/formats/sha256.h"
 #include "core/io/formats/volume_io.h"
 #include "core/io/meshes/mesh_io.h"
-#include "core/io/picture/picture.h"
 #include "core/io/report/frame_files.h"
 #include "core/io/report/json.h"
 

@@ -10,9 +10,9 @@
 #include <cstring>
 #include <filesystem>
 
+#include "app/picture/picture.h"
 #include "core/errors.h"
 #include "core/io/meshes/mesh_io.h"
-#include "core/io/picture/picture.h"
 #include "core/io/report/option_error.h"
 #include "core/io/report/result.h"
 

@@ -8,10 +8,10 @@
 
 #include "app/cli/command.h"
 #include "app/cli/frame_files.h"
+#include "app/picture/picture.h"
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
 #include "core/io/meshes/mesh_io.h"
-#include "core/io/picture/picture.h"
 #include "core/io/report/option_error.h"
 #include "core/io/report/over_time_report.h"
 #include "core/io/report/parse.h"

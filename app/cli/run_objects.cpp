@@ -5,10 +5,10 @@
 #include <stdexcept>
 
 #include "app/cli/command.h"
+#include "app/picture/picture.h"
 #include "core/collision/body_contact.h"
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
-#include "core/io/picture/picture.h"
 #include "core/io/report/option_error.h"
 #include "core/io/report/start_surface.h"
 #include "core/io/report/wall_map.h"

@@ -4,8 +4,8 @@
 
 #include <csignal>
 
+#include "app/picture/picture.h"
 #include "core/io/meshes/mesh_io.h"
-#include "core/io/picture/picture.h"
 #include "tests/io/io_test_support.h"
 
 using namespace handlebody;

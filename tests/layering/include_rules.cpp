@@ -55,14 +55,14 @@ const Layers& layers() {
     add("core/io/dicom", {"core/io/formats"});
     add("core/io/decoder", {"core/io/dicom"});
     add("core/io/tetrahedra", {"core/io/meshes"});
-    add("core/io/picture", {"core/io/meshes"});
     add("core/io/report", {"core/io/dicom", "core/io/tetrahedra"});
     add("sample_volumes", {"core/io/formats"});
+    add("app/picture", {"core/io/meshes"});
     add("python", {"sample_volumes", "core/io/report", "core/io/decoder"});
-    add("ui/model", {"core/io/report", "core/io/picture"});
+    add("ui/model", {"core/io/report"});
     add("ui/view", {"ui/model"});
     add("ui/window", {"ui/view"});
-    add("app", {"ui/window", "sample_volumes"});
+    add("app", {"ui/window", "sample_volumes", "app/picture"});
     return l;
   }();
   return all;
@@ -75,7 +75,8 @@ bool contains(const std::set<std::string>& set, const std::string& value) { retu
 bool isIo(const std::string& path) { return startsWith(path, "core/io/"); }
 
 // "core/mesh/mesh.h" → "core/mesh", "core/errors.h" → "core", "core/io/report/json.h" → "core/io/report",
-// "ui/view/slice_view.h" → "ui/view", "app/cli/run.h" → "app"; "" for other people's.
+// "ui/view/slice_view.h" → "ui/view", "app/cli/run.h" → "app", "app/picture/picture.h" →
+// "app/picture", a library of the programs; "" for other people's.
 std::string partOf(const std::string& path) {
   if (isIo(path)) return path.substr(0, path.rfind('/'));
   const auto slash = path.find('/');
@@ -83,6 +84,7 @@ std::string partOf(const std::string& path) {
   const std::string top = path.substr(0, slash);
   if (top == "tests") return top;
   if (std::find(kSourceFolders.begin(), kSourceFolders.end(), top) == kSourceFolders.end()) return {};
+  if (startsWith(path, "app/picture/")) return "app/picture";
   const auto second = path.find('/', slash + 1);
   return (top == "core" || top == "ui") && second != std::string::npos ? path.substr(0, second) : top;
 }
@@ -146,6 +148,7 @@ std::string faultOfProjectInclude(const std::string& path, const std::string& na
 }
 
 std::string faultOfForeignInclude(const std::string& path, const std::string& name) {
+  if (startsWith(path, "app/picture/") && isQt(name)) return "no Qt in what draws without a display";
   if (!startsWith(path, "core/")) return {};
   if (isQt(name)) return "no Qt in core";
   if (!isIo(path) && !isEigenOrStandard(name)) return "the engine uses Eigen and the standard library only";

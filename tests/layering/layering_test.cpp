@@ -61,7 +61,6 @@ TEST_CASE("the rooms of io use each other one way") {
       CHECK(breaks("core/io/" + line[lower] + "/b.cpp", "\"core/io/" + line[upper] + "/a.h\""));
     }
   CHECK(breaks("core/io/report/a.cpp", "\"core/io/decoder/b.h\""));
-  CHECK(breaks("core/io/picture/a.cpp", "\"core/io/report/b.h\""));
   CHECK(breaks("core/io/atomic_file.cpp", "\"core/io/formats/b.h\""));
   CHECK_FALSE(breaks("core/io/meshes/a.cpp", "\"core/io/atomic_file.h\""));
   CHECK(breaks("core/measure/a.cpp", "\"core/io/formats/b.h\""));
@@ -79,6 +78,17 @@ TEST_CASE("the model does not know its views, nor the views the window") {
   CHECK_FALSE(breaks("app/handlebody/main.cpp", "\"ui/window/b.h\""));
 }
 
+TEST_CASE("pictures without a display are the programs' alone, and know nothing of the window") {
+  CHECK_FALSE(breaks("app/cli/run.cpp", "\"app/picture/picture.h\""));
+  CHECK_FALSE(breaks("app/picture/a.cpp", "\"core/io/meshes/b.h\""));
+  CHECK_FALSE(breaks("app/picture/a.cpp", "<vtkPNGWriter.h>"));
+  for (const char* beside : {"core/io/report/b.h", "sample_volumes/b.h", "ui/view/b.h", "app/cli/b.h"})
+    CHECK(breaks("app/picture/a.cpp", '"' + std::string(beside) + '"'));
+  CHECK(breaks("app/picture/a.cpp", "<QPainter>"));
+  for (const char* other : {"core/io/a.cpp", "core/mesh/a.cpp", "ui/model/a.cpp", "python/a.cpp"})
+    CHECK(breaks(other, "\"app/picture/picture.h\""));
+}
+
 TEST_CASE("the Python module stands on the engine, its files and the phantoms, and nothing on it") {
   for (const char* under : {"core/evolution/a.h", "core/io/a.h", "sample_volumes/a.h"})
     CHECK_FALSE(breaks("python/b.cpp", '"' + std::string(under) + '"'));
@@ -94,8 +104,8 @@ TEST_CASE("angle brackets do not get round the rule") {
 }
 
 TEST_CASE("core does not use the programs, the window, the phantoms or the tests") {
-  for (const char* above :
-       {"app/cli/run.h", "ui/view/view.h", "sample_volumes/phantom.h", "tests/support/catch.h"}) {
+  for (const char* above : {"app/cli/run.h", "ui/view/view.h", "sample_volumes/phantom.h",
+                            "app/picture/picture.h", "tests/support/catch.h"}) {
     INFO(above);
     CHECK(breaks("core/evolution/a.cpp", '"' + std::string(above) + '"'));
     CHECK(breaks("core/io/a.cpp", '"' + std::string(above) + '"'));

@@ -1,14 +1,14 @@
-#include "core/io/picture/picture.h"
+#include "app/picture/picture.h"
 
 #include <array>
 #include <limits>
 
+#include "app/picture/picture_slice.h"
+#include "app/picture/picture_surface.h"
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
 #include "core/io/lowered.h"
 #include "core/io/meshes/mesh_files.h"
-#include "core/io/picture/picture_slice.h"
-#include "core/io/picture/picture_surface.h"
 #include "core/volume/intensity_statistics.h"
 
 namespace handlebody {

@@ -1,4 +1,4 @@
-#include "core/io/picture/picture_surface.h"
+#include "app/picture/picture_surface.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

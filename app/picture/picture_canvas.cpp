@@ -1,4 +1,4 @@
-#include "core/io/picture/picture_canvas.h"
+#include "app/picture/picture_canvas.h"
 
 #include <vtkFreeTypeTools.h>
 #include <vtkImageData.h>

@@ -1,7 +1,7 @@
 #pragma once
 // Internal: the mesh seen from the front, left and above, drawn with a depth buffer in memory.
 
-#include "core/io/picture/picture_canvas.h"
+#include "app/picture/picture_canvas.h"
 #include "core/mesh/mesh.h"
 
 namespace handlebody {

@@ -2,10 +2,10 @@
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
 
+#include "app/picture/picture.h"
+#include "app/picture/picture_canvas.h"
 #include "core/errors.h"
 #include "core/io/meshes/mesh_files.h"
-#include "core/io/picture/picture.h"
-#include "core/io/picture/picture_canvas.h"
 
 namespace handlebody {
 namespace {

@@ -5,8 +5,8 @@
 #include <array>
 #include <string>
 
-#include "core/io/picture/picture.h"
-#include "core/io/picture/picture_canvas.h"
+#include "app/picture/picture.h"
+#include "app/picture/picture_canvas.h"
 #include "core/mesh/mesh.h"
 #include "core/volume/anatomy.h"
 #include "core/volume/volume.h"

@@ -1,6 +1,6 @@
 // Pictures are read back and measured: nothing here is compared with an earlier picture.
 
-#include "core/io/picture/picture.h"
+#include "app/picture/picture.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -11,7 +11,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "core/io/picture/picture_slice.h"
+#include "app/picture/picture_slice.h"
 #include "tests/io/io_test_support.h"
 #include "tests/io/mesh_test_support.h"
 

@@ -1,4 +1,4 @@
-#include "core/io/picture/picture_slice.h"
+#include "app/picture/picture_slice.h"
 
 #include <algorithm>
 #include <cmath>
