@@ -212,6 +212,14 @@ constexpr FindingWords kWords[] = {
      QT_TRANSLATE_NOOP("Findings",
                        "its voxels are not of the same type and scale as in {first}; the volumes of a folder "
                        "are the time points of one")},
+    {K::slicePages, "slice-pages",
+     QT_TRANSLATE_NOOP("Findings",
+                       "it has {pages:0f} pages; of the TIFF files of a folder each is one slice")},
+    {K::sliceDiffers, "slice-differs",
+     QT_TRANSLATE_NOOP(
+         "Findings",
+         "its size, resolution or type of voxels is not the same as in {first}; the TIFF files of a "
+         "folder are the slices of one volume")},
     {K::notWholeNumbers, "not-whole-numbers",
      QT_TRANSLATE_NOOP("Findings", "it is no label map: it has voxels whose values are no whole numbers")},
 

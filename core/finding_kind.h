@@ -252,6 +252,8 @@ enum class FindingKind {
   folderTimePoints,  //!< frames
   folderOtherGrid,   //!< first
   folderOtherType,   //!< first
+  slicePages,        //!< pages
+  sliceDiffers,      //!< first
   notWholeNumbers,
 
   // … a DICOM series: slice and part are names of files …

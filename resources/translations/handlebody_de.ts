@@ -916,6 +916,14 @@
         <translation>die Voxel sind nicht von Typ und Skalierung wie in {first}; die Bildvolumen eines Ordners sind die Zeitpunkte eines einzigen</translation>
     </message>
     <message>
+        <source>it has {pages:0f} pages; of the TIFF files of a folder each is one slice</source>
+        <translation>die Datei hat {pages:0f} Seiten; von den TIFF-Dateien eines Ordners ist jede eine Schicht</translation>
+    </message>
+    <message>
+        <source>its size, resolution or type of voxels is not the same as in {first}; the TIFF files of a folder are the slices of one volume</source>
+        <translation>Größe, Auflösung oder Art der Voxel sind andere als in {first}; die TIFF-Dateien eines Ordners sind die Schichten eines Bildvolumens</translation>
+    </message>
+    <message>
         <source>it is no label map: it has voxels whose values are no whole numbers</source>
         <translation>das ist keine Labelkarte: sie hat Voxel, deren Werte keine ganzen Zahlen sind</translation>
     </message>

@@ -916,6 +916,14 @@
         <translation>sus vóxeles no son del mismo tipo y escala que en {first}; los volúmenes de una carpeta son los instantes de uno solo</translation>
     </message>
     <message>
+        <source>it has {pages:0f} pages; of the TIFF files of a folder each is one slice</source>
+        <translation>tiene {pages:0f} páginas; de los archivos TIFF de una carpeta cada uno es un corte</translation>
+    </message>
+    <message>
+        <source>its size, resolution or type of voxels is not the same as in {first}; the TIFF files of a folder are the slices of one volume</source>
+        <translation>su tamaño, su resolución o el tipo de sus vóxeles no es el mismo que en {first}; los archivos TIFF de una carpeta son los cortes de un volumen</translation>
+    </message>
+    <message>
         <source>it is no label map: it has voxels whose values are no whole numbers</source>
         <translation>no es un mapa de etiquetas: tiene vóxeles cuyos valores no son números enteros</translation>
     </message>

@@ -916,6 +916,14 @@
         <translation>ses voxels ne sont pas du même type et de la même échelle que dans {first} ; les volumes d’un dossier sont les instants d’un seul</translation>
     </message>
     <message>
+        <source>it has {pages:0f} pages; of the TIFF files of a folder each is one slice</source>
+        <translation>il a {pages:0f} pages ; parmi les fichiers TIFF d’un dossier, chacun est une coupe</translation>
+    </message>
+    <message>
+        <source>its size, resolution or type of voxels is not the same as in {first}; the TIFF files of a folder are the slices of one volume</source>
+        <translation>sa taille, sa résolution ou le type de ses voxels n’est pas le même que dans {first} ; les fichiers TIFF d’un dossier sont les coupes d’un même volume</translation>
+    </message>
+    <message>
         <source>it is no label map: it has voxels whose values are no whole numbers</source>
         <translation>ce n’est pas une carte d’étiquettes : des voxels ont des valeurs qui ne sont pas entières</translation>
     </message>

@@ -916,6 +916,14 @@
         <translation>其体素的类型或标度与 {first} 不同；文件夹中的体数据是同一体数据的各时间点</translation>
     </message>
     <message>
+        <source>it has {pages:0f} pages; of the TIFF files of a folder each is one slice</source>
+        <translation>它有 {pages:0f} 页；文件夹中的每个 TIFF 文件都是一个切面</translation>
+    </message>
+    <message>
+        <source>its size, resolution or type of voxels is not the same as in {first}; the TIFF files of a folder are the slices of one volume</source>
+        <translation>它的大小、分辨率或体素类型与 {first} 中的不同；文件夹中的 TIFF 文件是同一体数据的切面</translation>
+    </message>
+    <message>
         <source>it is no label map: it has voxels whose values are no whole numbers</source>
         <translation>这不是标签图：有体素的值不是整数</translation>
     </message>

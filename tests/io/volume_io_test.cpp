@@ -331,6 +331,50 @@ TEST_CASE("a TIFF of several pages is a volume, with a warning about its geometr
   expectInputError(folder / "short.tif", "", true);
 }
 
+TEST_CASE("a folder of TIFF files is a volume of slices, in the order of their numbers") {
+  const TemporaryFolder folder;
+  const std::string slices = folder / "slices";
+  std::filesystem::create_directories(slices);
+  const char* const names[] = {"cut1.tif", "cut2.TIF", "cut9.tiff", "cut10.tif"};
+  const std::vector<std::string> pages{"abcdef", "ghijkl", "mnopqr", "stuvwx"};
+  for (std::size_t i = 0; i < 4; ++i) writeBytes(slices + "/" + names[i], tiffBytes(3, 2, {pages[i]}));
+  writeBytes(slices + "/notes.txt", "of the scanner");
+  const Volume volume = readVolume(slices);
+  CHECK(volume.grid.size == std::array<int, 3>{3, 2, 4});
+  CHECK(voxelBytes(volume) == "abcdefghijklmnopqrstuvwx");
+  // As that of a file with these pages.
+  writeBytes(folder / "v.tif", tiffBytes(3, 2, pages));
+  const VolumeInfo info = inspectVolume(slices), asFile = inspectVolume(folder / "v.tif");
+  CHECK(info.frames == 1);
+  CHECK_FALSE(info.calibrated);
+  CHECK(info.grid.spacing == asFile.grid.spacing);
+  REQUIRE(info.warnings.size() == asFile.warnings.size());
+  CHECK(info.warnings[0].kind == FindingKind::tiffWithoutPlace);
+  CHECK(readVolume(slices, {.spacing = Vec3(0.5, 0.5, 2)}).grid.spacing == Vec3(0.5, 0.5, 2));
+  CHECK_THROWS_AS(readVolume(slices, {.series = "1.2"}), UsageError);
+}
+
+TEST_CASE("TIFF files of a folder that are no slices of one volume are refused, each by its name") {
+  const TemporaryFolder folder;
+  const std::string slices = folder / "slices";
+  std::filesystem::create_directories(slices);
+  writeBytes(slices + "/a.tif", tiffBytes(3, 2, {"abcdef"}));
+  const auto refused = [&](const std::string& other, const std::string& cause) {
+    writeBytes(slices + "/b.tif", other);
+    expectInputError(slices, "b.tif: " + cause);
+  };
+  refused(tiffBytes(2, 3, {"abcdef"}), "its size, resolution or type of voxels");
+  refused(tiffBytes(3, 2, {"abcdef", "ghijkl"}), "it has 2 pages");
+  refused(tiffBytes(3, 2, {"abcdef"}).substr(0, 60), "");
+  refused("no TIFF at all", "");
+  // Alone it is what it would be by itself.
+  std::filesystem::remove(slices + "/b.tif");
+  expectInputError(slices, "2D image");
+  std::filesystem::remove(slices + "/a.tif");
+  writeBytes(slices + "/v.tif", tiffBytes(3, 2, {"abcdef", "ghijkl"}));
+  CHECK(voxelBytes(readVolume(slices)) == "abcdefghijkl");
+}
+
 TEST_CASE("reading an uncompressed volume takes its own size of memory and little more") {
   const TemporaryFolder folder;
   Grid grid;

@@ -10,17 +10,16 @@ constexpr double kScanPart = 0.2;
 
 class DecodedClient : public VolumeSource {
  public:
-  DecodedClient(const OpenRequest& request, const ReadProgress& progress, bool* several)
+  DecodedClient(const OpenRequest& request, const ReadProgress& progress)
       : decoder_(request.path, request.selection.decoder) {
     decoder_.send(requestToMessage(request));
     const Message answer = decoder_.receive(progress, 0, kScanPart);
     try {
       header_ = headerFromMessage(answer.at("header"));
-      *several = answer.at("header").at("several").get<bool>();
     } catch (const Message::exception&) {
       refuseInput(request.path, FindingKind::decoderAnswer);
     }
-    if (!*several) checkHeader(header_, request.path);
+    if (!header_.isChoice) checkHeader(header_, request.path);
   }
 
   std::shared_ptr<void> read(int frame, const std::string&, const ReadProgress& progress) override {
@@ -45,12 +44,11 @@ class DecodedClient : public VolumeSource {
 SourcePointer openTiff(const OpenRequest& request, const ReadProgress& progress) {
   OpenRequest tiff = request;
   tiff.format = "TIFF";
-  bool several = false;
-  return std::make_unique<DecodedClient>(tiff, progress, &several);
+  return std::make_unique<DecodedClient>(tiff, progress);
 }
 
-SourcePointer openDicom(const OpenRequest& request, const ReadProgress& progress, bool* several) {
-  return std::make_unique<DecodedClient>(request, progress, several);
+SourcePointer openDicom(const OpenRequest& request, const ReadProgress& progress) {
+  return std::make_unique<DecodedClient>(request, progress);
 }
 
 }  // namespace handlebody

@@ -47,14 +47,11 @@ void fillMemory(DecodedSource& source, int frame, const std::string& path, const
 void answer(const OpenRequest& request) {
   Teller teller;
   const DecodingProgress tell = std::ref(teller);
-  bool several = false;
   const SourcePointer source =
-      request.format == "TIFF" ? openTiffHere(request, tell) : openDicomHere(request, tell, &several);
-  Message header = headerToMessage(source->header());
-  header["several"] = several;
-  if (!sendMessage(kDecoderSocket, {{"header", header}})) return;
+      request.format == "TIFF" ? openTiffHere(request, tell) : openDicomHere(request, tell);
+  if (!sendMessage(kDecoderSocket, {{"header", headerToMessage(source->header())}})) return;
   const std::optional<Message> go = receiveMessage(kDecoderSocket);
-  if (!go || several) return;  // only the header was wanted
+  if (!go || source->header().isChoice) return;  // only the header was wanted
   fillMemory(dynamic_cast<DecodedSource&>(*source), go->at("frame").get<int>(), request.path, tell);
   sendMessage(kDecoderSocket, {{"done", true}});
 }

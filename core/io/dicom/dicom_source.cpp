@@ -190,6 +190,7 @@ class SeriesList : public DecodedSource {
   explicit SeriesList(std::vector<SeriesInfo> series) {
     header_.format = "DICOM";
     header_.series = std::move(series);
+    header_.isChoice = true;
   }
   void decode(int, void*, const DecodingProgress&) override {}
 
@@ -236,7 +237,7 @@ class Chooser {
         scan_(std::make_shared<DicomScan>(scanDicom(request.path, progress))),
         series_(seriesOf(*scan_)) {}
 
-  SourcePointer open(bool* several) const;
+  SourcePointer open() const;
 
  private:
   using Choices = std::vector<const DicomSeries*>;
@@ -331,10 +332,9 @@ void Chooser::addStacks(const DicomSeries& chosen, VolumeHeader& header) const {
   if (!stacks.empty()) header.warnings.push_back({FindingKind::stacksAlone, {}, std::move(stacks)});
 }
 
-SourcePointer Chooser::open(bool* several) const {
+SourcePointer Chooser::open() const {
   const Choices open = choices();
-  *several = open.size() > 1;
-  if (*several) return list(open);
+  if (open.size() > 1) return list(open);
   const DicomSeries& chosen = *open.front();
   SourcePointer source = openOne(chosen);
   VolumeHeader& header = source->header();
@@ -350,8 +350,8 @@ SourcePointer Chooser::open(bool* several) const {
 
 }  // namespace
 
-SourcePointer openDicomHere(const OpenRequest& request, const DecodingProgress& progress, bool* several) {
-  return Chooser(request, progress).open(several);
+SourcePointer openDicomHere(const OpenRequest& request, const DecodingProgress& progress) {
+  return Chooser(request, progress).open();
 }
 
 }  // namespace handlebody

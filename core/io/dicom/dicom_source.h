@@ -7,7 +7,7 @@
 namespace handlebody {
 
 //! As openDicom, here.
-SourcePointer openDicomHere(const OpenRequest& request, const DecodingProgress& progress, bool* several);
+SourcePointer openDicomHere(const OpenRequest& request, const DecodingProgress& progress);
 
 //! The label map of a binary DICOM Segmentation: the number of the segment, 0 outside of all, on the smallest
 //! grid that holds its frames. `path` is what the user named. Throws InputError.

@@ -2,17 +2,13 @@
 
 #include <gdcmTrace.h>
 #include <itkObject.h>
-#include <itkTIFFImageIO.h>
 
-#include <cstring>
-#include <filesystem>
-#include <fstream>
+#include <algorithm>
 #include <iostream>
 #include <limits>
 #include <sstream>
 
 #include "core/errors.h"
-#include "core/io/formats/decoded_source.h"
 
 namespace handlebody {
 namespace {
@@ -54,33 +50,6 @@ void readComponents(const itk::ImageIOBase& io, const std::string& path, VolumeH
     refuseInput(path, {FindingKind::vectorVoxels, {{"components", std::to_string(header.components)}}});
   header.warnings.push_back(FindingKind::colourAsLuminance);
 }
-
-//! TIFF: ITK reads it straight into our buffer.
-class ItkSource : public DecodedSource {
- public:
-  ItkSource(itk::ImageIOBase::Pointer io, std::string path, const std::string& format)
-      : io_(std::move(io)), path_(std::move(path)) {
-    header_ = readItkHeader(*io_, path_, format);
-  }
-  void decode(int frame, void* to, const DecodingProgress& progress) override {
-    const Quiet quiet;
-    progress(0, path_, header_.bytesPerFrame() * static_cast<std::uint64_t>(header_.frames));
-    const std::size_t bytes = static_cast<std::size_t>(header_.bytesPerFrame());
-    std::unique_ptr<char[]> all;
-    if (header_.frames > 1) all.reset(new char[bytes * static_cast<std::size_t>(header_.frames)]);
-    withItk(path_, FindingKind::truncatedOrDamagedFor, [&] { io_->Read(all ? all.get() : to); });
-    if (all) std::memcpy(to, all.get() + bytes * static_cast<std::size_t>(frame), bytes);
-  }
-
- protected:
-  void readFrame(int frame, void* to, const ReadProgress&) override {
-    decode(frame, to, [](double, const std::string&, std::uint64_t) {});
-  }
-
- private:
-  itk::ImageIOBase::Pointer io_;
-  std::string path_;
-};
 
 }  // namespace
 
@@ -155,7 +124,8 @@ Component itkComponent(const itk::ImageIOBase& io, const std::string& path) {
   }
 }
 
-VolumeHeader readItkHeader(itk::ImageIOBase& io, const std::string& path, const std::string& format) {
+VolumeHeader readItkHeader(itk::ImageIOBase& io, const std::string& path, const std::string& format,
+                           unsigned least) {
   const Quiet quiet;
   VolumeHeader header;
   header.format = format;
@@ -164,41 +134,24 @@ VolumeHeader readItkHeader(itk::ImageIOBase& io, const std::string& path, const 
     io.ReadImageInformation();
   });
   const unsigned dimensions = io.GetNumberOfDimensions();
-  if (dimensions < 3) refuseInput(path, FindingKind::flatImage);
+  if (dimensions < least) refuseInput(path, FindingKind::flatImage);
   for (unsigned a = 4; a < dimensions; ++a)
     if (io.GetDimensions(a) > 1)
       refuseInput(path, {FindingKind::tooManyDimensions, {{"dimensions", dimensions}}});
   itk::ImageIORegion region(dimensions);
   for (unsigned a = 0; a < dimensions; ++a) region.SetSize(a, io.GetDimensions(a));
   io.SetIORegion(region);
-  for (unsigned a = 0; a < 3; ++a) {
+  header.grid.size = {1, 1, 1};
+  for (unsigned a = 0; a < std::min(3U, dimensions); ++a) {
     header.grid.size[a] = sizeOf(io, a, path);
     header.grid.spacing[a] = io.GetSpacing(a);
     header.grid.origin[a] = io.GetOrigin(a);
     const std::vector<double> axis = io.GetDirection(a);
-    for (unsigned r = 0; r < 3; ++r) header.grid.direction(r, a) = axis[r];
+    for (unsigned r = 0; r < std::min(3U, dimensions); ++r) header.grid.direction(r, a) = axis[r];
   }
   if (dimensions > 3) header.frames = sizeOf(io, 3, path);
   readComponents(io, path, header);
   return header;
-}
-
-SourcePointer openTiffHere(const OpenRequest& request, const DecodingProgress& progress) {
-  const std::string& path = request.path;
-  std::error_code ignored;
-  progress(0, path, std::filesystem::file_size(path, ignored));
-  auto source = std::make_unique<ItkSource>(itk::TIFFImageIO::New().GetPointer(), path, "TIFF");
-  VolumeHeader& header = source->header();
-  checkHeader(header, path);
-  // Whatever its compression, so many voxels do not come from so few bytes.
-  checkDataSize(path, path, 0, header.bytesPerFrame(), true);
-  const bool resolution = header.grid.spacing.x() != 1 || header.grid.spacing.y() != 1;
-  const std::string inPlane = resolution ? "XResolution, YResolution" : "assumed";
-  header.sources = {
-      "ImageWidth, ImageLength and the number of pages", {inPlane, inPlane, "assumed"}, "assumed", "assumed"};
-  header.calibrated = false;
-  header.warnings.push_back(FindingKind::tiffWithoutPlace);
-  return source;
 }
 
 }  // namespace handlebody

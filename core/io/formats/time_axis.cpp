@@ -36,9 +36,8 @@ double evenStep(const TimeAxis& times) {
 }
 
 TimeAxis readTimeAxis(const std::string& path, const VolumeSelection& selection) {
-  bool several = false;
-  const SourcePointer source = openVolume({path, selection}, {}, &several);
-  if (several) refuseInput(path, FindingKind::severalToChoose);
+  const SourcePointer source = openVolume({path, selection}, {});
+  if (source->header().isChoice) refuseInput(path, FindingKind::severalToChoose);
   return source->header().times;
 }
 

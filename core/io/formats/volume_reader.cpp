@@ -186,10 +186,9 @@ void fillNotANumber(void* voxels, LoadedVolume& loaded, const std::string& path)
 
 LoadedVolume load(const OpenRequest& request, const ReadProgress& progress) {
   const std::string& path = request.path;
-  bool several = false;
-  const SourcePointer source = openVolume(request, progress, &several);
+  const SourcePointer source = openVolume(request, progress);
   VolumeHeader& h = source->header();
-  if (several)
+  if (h.isChoice)
     throw SeriesChoiceNeeded({FindingKind::fileRefused, {{"file", path}}, seriesChoice(h.series)}, h.series);
   setSpacing(request.selection, h, path);
   LoadedVolume loaded{{}, infoOf(h, request.selection, path)};
@@ -211,10 +210,9 @@ void report(const ReadProgress& progress, double part) {
 }
 
 VolumeInfo inspectVolume(const std::string& path, const VolumeSelection& selection) {
-  bool several = false;
-  const SourcePointer source = openVolume({path, selection}, {}, &several);
+  const SourcePointer source = openVolume({path, selection}, {});
   VolumeHeader& h = source->header();
-  if (!several) {
+  if (!h.isChoice) {
     setSpacing(selection, h, path);
     return infoOf(h, selection, path);
   }

@@ -67,13 +67,13 @@ void checkExists(const std::string& path) {
   if (fs::file_size(path, failed) == 0) refuseInput(path, FindingKind::emptyFile);
 }
 
-SourcePointer openFile(const OpenRequest& request, const ReadProgress& progress, bool* several) {
+SourcePointer openFile(const OpenRequest& request, const ReadProgress& progress) {
   const std::string& path = request.path;
   checkExists(path);
   const Start start = startOf(path, false);
   if (beginsWith(start, "version https://git-lfs")) refuseInput(path, FindingKind::gitPointer);
   if (looksLikeGipl(start)) return openGipl(path);
-  if (looksLikeDicom(start) && !looksLikeNifti(start)) return openDicom(request, progress, several);
+  if (looksLikeDicom(start) && !looksLikeNifti(start)) return openDicom(request, progress);
   if (beginsWith(start, "NRRD0")) return openNrrd(path);
   if (looksLikeTiff(start)) return openTiff(request, progress);
   if (looksLikeNifti(start) || path.ends_with(".img") || path.ends_with(".img.gz")) return openNifti(path);
@@ -87,14 +87,19 @@ SourcePointer openFile(const OpenRequest& request, const ReadProgress& progress,
   refuseInput(path, FindingKind::unknownVolume);
 }
 
+//! Null: DICOM, or nothing that is known.
+SourcePointer openFolder(const OpenRequest& request, const ReadProgress& progress) {
+  if (isTiffFolder(request.path)) return openTiff(request, progress);
+  return openVolumeFolder(request.path, request.selection.decoder);
+}
+
 }  // namespace
 
-SourcePointer openVolume(const OpenRequest& request, const ReadProgress& progress, bool* several) {
+SourcePointer openVolume(const OpenRequest& request, const ReadProgress& progress) {
   std::error_code failed;
   const bool isFolder = fs::is_directory(request.path, failed);
-  SourcePointer source = isFolder ? openVolumeFolder(request.path, request.selection.decoder)
-                                  : openFile(request, progress, several);
-  if (!source) return openDicom(request, progress, several);
+  SourcePointer source = isFolder ? openFolder(request, progress) : openFile(request, progress);
+  if (!source) return openDicom(request, progress);
   if (request.selection.series && source->header().format != "DICOM")
     throw UsageError(request.path + ": --series is for DICOM, this is " + source->header().format + ".");
   return source;

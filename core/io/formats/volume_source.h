@@ -59,6 +59,7 @@ struct VolumeHeader {
   GeometrySources sources{};
   std::vector<Finding> warnings{};
   std::shared_ptr<DicomOrigin> dicom{};  //!< of DICOM images, of all time points one behind the other
+  bool isChoice = false;                 //!< several series and none chosen: it holds only them, no volume
 
   bool scaled() const { return slope != 1 || intercept != 0; }
   std::uint64_t bytesPerFrame() const {
@@ -105,11 +106,11 @@ struct OpenRequest {
 SourcePointer openNifti(const std::string& path);
 SourcePointer openMetaImage(const std::string& path);
 SourcePointer openNrrd(const std::string& path);
-//! In a child process: its reader cannot be cancelled otherwise.
+//! A file, or a folder of the slices of a volume, in a child process: its reader cannot be cancelled
+//! otherwise.
 SourcePointer openTiff(const OpenRequest& request, const ReadProgress& progress);
-//! A folder or a file, in a child process. With several series and none chosen, `several` is set and
-//! the header holds only them.
-SourcePointer openDicom(const OpenRequest& request, const ReadProgress& progress, bool* several);
+//! A folder or a file, in a child process. With several series and none chosen the header is a choice.
+SourcePointer openDicom(const OpenRequest& request, const ReadProgress& progress);
 
 //! A folder of 3D volumes as the time points of one, in the order of their names, numbers by value. Null if
 //! it holds other files than volumes that are told by their ending (.nii .nii.gz .nrrd .nhdr .mha .mhd, with
@@ -117,8 +118,11 @@ SourcePointer openDicom(const OpenRequest& request, const ReadProgress& progress
 //! InputError for volumes that do not go together.
 SourcePointer openVolumeFolder(const std::string& path, const DecoderSettings& decoder);
 
-//! Finds the format by content and opens; `several` as for openDicom.
-SourcePointer openVolume(const OpenRequest& request, const ReadProgress& progress, bool* several);
+//! True for a folder of TIFF files alone (data files, notes and hidden files aside). Throws InputError.
+bool isTiffFolder(const std::string& path);
+
+//! Finds the format by content and opens; a choice as for openDicom.
+SourcePointer openVolume(const OpenRequest& request, const ReadProgress& progress);
 
 // --- checks before memory is allocated ---
 

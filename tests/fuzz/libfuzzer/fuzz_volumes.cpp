@@ -8,7 +8,7 @@
 namespace handlebody {
 
 // What a child process decodes is no part of this target.
-SourcePointer openDicom(const OpenRequest& request, const ReadProgress&, bool*) {
+SourcePointer openDicom(const OpenRequest& request, const ReadProgress&) {
   refuseInput(request.path, "not here");
 }
 SourcePointer openTiff(const OpenRequest& request, const ReadProgress&) {
