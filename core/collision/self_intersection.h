@@ -9,6 +9,7 @@
 #include "core/collision/broad_phase.h"
 #include "core/collision/face_pair.h"
 #include "core/geometry/vec.h"
+#include "core/mesh/marks.h"
 #include "core/mesh/mesh.h"
 
 namespace handlebody {
@@ -41,10 +42,10 @@ class CollisionDetector {
   //! Only the pairs with at least one face that has a vertex v with moved[v] != 0 (one flag per point). Equal
   //! to detectAll when the faces without such a vertex do not intersect each other.
   const std::vector<FacePair>& detectMoved(std::span<const Vec3> points, std::span<const Triangle> faces,
-                                           std::span<const unsigned char> moved);
+                                           VertexMarkSpan moved);
   //! The same for a mesh, whose faces need not be sorted by vertex: costs what the moved vertices cost, and
   //! one look at each of the others.
-  const std::vector<FacePair>& detectMoved(const Mesh& mesh, std::span<const unsigned char> moved);
+  const std::vector<FacePair>& detectMoved(const Mesh& mesh, VertexMarkSpan moved);
 
  private:
   struct Tables;

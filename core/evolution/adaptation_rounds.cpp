@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kRounds = 5;
 
-std::vector<unsigned char> verticesOf(const Mesh& mesh, const std::vector<FacePair>& pairs) {
-  std::vector<unsigned char> marked(idx(mesh.vertexSlots()), 0);
+VertexMarks verticesOf(const Mesh& mesh, const std::vector<FacePair>& pairs) {
+  VertexMarks marked(idx(mesh.vertexSlots()), 0);
   for (const auto& [f, g] : pairs)
     for (int face : {f, g})
       for (int v : mesh.face(face)) marked[idx(v)] = 1;
@@ -23,7 +23,7 @@ std::vector<unsigned char> verticesOf(const Mesh& mesh, const std::vector<FacePa
 
 void adaptInRounds(Mesh& mesh, CollisionDetector& detector, AdaptationSettings settings, double longest,
                    Attempt& a) {
-  std::vector<unsigned char> changed = a.touched;
+  VertexMarks changed = a.touched;
   for (int round = 0; round < kRounds; ++round) {
     const std::vector<FacePair>& pairs = detector.detectMoved(mesh, changed);
     if (pairs.empty()) return;

@@ -92,7 +92,7 @@ void ActiveContour::State::chooseForbidden() {
 //! steps that follow split them where it moves.
 void ActiveContour::State::splitLongEdges() {
   Mesh split = mesh;
-  std::vector<unsigned char> regulated(idx(mesh.vertexSlots()), kActive);
+  VertexStates regulated(idx(mesh.vertexSlots()), kActive);
   for (int v = 0; v < mesh.vertexSlots(); ++v)
     if (!mesh.isVertex(v) || locked.pins.holds(v)) regulated[idx(v)] = kAtRest;
   regulate(split, {limits.longest, 0, {}, limits.forbidden}, regulated);

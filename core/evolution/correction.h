@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/evolution/object_image.h"
+#include "core/mesh/marks.h"
 #include "core/mesh/mesh.h"
 
 namespace handlebody {
@@ -43,8 +44,8 @@ Correction correctComponents(Mesh& mesh, const ObjectImage& image, const std::ve
 
 //! Where the surface and the image do not agree on where the boundary lies.
 struct Disagreement {
-  std::vector<unsigned char> vertices;  //!< per slot: 1 where they disagree, and a few edges around that
-  bool isOutside = false;               //!< some vertex lies outside of the object
+  VertexMarks vertices;    //!< per slot: 1 where they disagree, and a few edges around that
+  bool isOutside = false;  //!< some vertex lies outside of the object
 };
 
 //! They agree at a vertex if the boundary lies within `tolerance` (mm) of it along the normal.

@@ -130,12 +130,11 @@ bool shows(const Rule& rule, const Stage& stage, double structure) {
 
 //! The side of the seeds: what a ball of the neck's radius covers without passing the neck, and all crumbs
 //! that hang on it alone. Marks: 1 = kept, 2 = cut off, 0 = no part of the region.
-std::vector<unsigned char> splitAt(const ThicknessMap& map, const WidestPathFlood& flood,
-                                   const Stage& stage) {
-  std::vector<unsigned char> core(map.count(), 0);
+VoxelMarks splitAt(const ThicknessMap& map, const WidestPathFlood& flood, const Stage& stage) {
+  VoxelMarks core(map.count(), 0);
   for (std::size_t i = 0; i < stage.first; ++i) core[flood.order[i]] = 1;
   const std::vector<float> fromCore = map.distanceTo(core);
-  std::vector<unsigned char> side(map.count(), 0);
+  VoxelMarks side(map.count(), 0);
   std::vector<std::size_t> front;
   for (std::size_t i : flood.order) side[i] = fromCore[i] <= stage.neck ? 1 : 3;
   for (std::size_t k = stage.first; k < stage.last; ++k) {
@@ -161,16 +160,16 @@ std::vector<unsigned char> splitAt(const ThicknessMap& map, const WidestPathFloo
 
 //! 1 for the voxels that `chosen` picks.
 template <typename F>
-std::vector<unsigned char> marksOf(const ThicknessMap& map, F&& chosen) {
-  std::vector<unsigned char> marks(map.count());
+VoxelMarks marksOf(const ThicknessMap& map, F&& chosen) {
+  VoxelMarks marks(map.count());
   for (std::size_t i = 0; i < marks.size(); ++i) marks[i] = chosen(i);
   return marks;
 }
 
 //! Everything that `from` reaches by faces over voxels that `open` says are open; marks it 1.
 template <typename F>
-std::vector<unsigned char> reachedFrom(const ThicknessMap& map, std::vector<std::size_t> from, F&& open) {
-  std::vector<unsigned char> reached(map.count(), 0);
+VoxelMarks reachedFrom(const ThicknessMap& map, std::vector<std::size_t> from, F&& open) {
+  VoxelMarks reached(map.count(), 0);
   const auto enter = [&](std::size_t i) {
     if (reached[i] || !open(i)) return false;
     reached[i] = 1;
@@ -189,8 +188,7 @@ std::vector<unsigned char> reachedFrom(const ThicknessMap& map, std::vector<std:
 
 //! The side of the seeds where no neck shows: what balls about as wide as the seeded structure reach without
 //! entering the wide part, and all crumbs that do not touch the wide part. Marks as splitAt().
-std::vector<unsigned char> splitByWidth(const ThicknessMap& map, const std::vector<std::size_t>& starts,
-                                        double structure) {
+VoxelMarks splitByWidth(const ThicknessMap& map, const std::vector<std::size_t>& starts, double structure) {
   const double widest = kWidens * structure, narrowest = kNarrows * structure;
   const auto wide = map.coveredByBalls(marksOf(map, [&](std::size_t i) { return map.distance(i) > widest; }));
   const auto near = map.coveredByBalls(
@@ -201,23 +199,23 @@ std::vector<unsigned char> splitByWidth(const ThicknessMap& map, const std::vect
     if (wide[i]) map.forEachFaceNeighbour(i, [&](std::size_t w) { rim.push_back(w); });
   const auto beside = reachedFrom(map, std::move(rim),
                                   [&](std::size_t i) { return map.distance(i) > 0 && !wide[i] && !near[i]; });
-  std::vector<unsigned char> side(map.count(), 0);
+  VoxelMarks side(map.count(), 0);
   for (std::size_t i = 0; i < side.size(); ++i)
     if (map.distance(i) > 0) side[i] = wide[i] || beside[i] ? 2 : 1;
   return side;
 }
 
 //! Distance (mm) to the wide part of a side: what balls of `wide` mm around its voxels cover.
-std::vector<float> distanceToWide(const ThicknessMap& map, const std::vector<unsigned char>& side,
-                                  unsigned char which, double wide) {
+std::vector<float> distanceToWide(const ThicknessMap& map, const VoxelMarks& side, unsigned char which,
+                                  double wide) {
   return map.distanceTo(map.coveredByBalls(marksOf(
       map, [&](std::size_t i) { return side[i] == which && static_cast<double>(map.distance(i)) >= wide; })));
 }
 
 //! The largest balls (radius in mm) that fit into the region and the thin walls between its two sides: walls
 //! no thicker than `neck` is wide, and than the voxel that the smoothing adds or takes away.
-std::vector<float> ballsWithoutWall(const ThicknessMap& map, const std::vector<unsigned char>& side,
-                                    double neck, double voxel) {
+std::vector<float> ballsWithoutWall(const ThicknessMap& map, const VoxelMarks& side, double neck,
+                                    double voxel) {
   const auto toKept = distanceToWide(map, side, 1, kHoleWidens * neck);
   const auto toCut = distanceToWide(map, side, 2, kHoleWidens * neck);
   // Both distances are measured to centres of voxels: across a wall of one voxel they add up to two.
@@ -229,11 +227,11 @@ std::vector<float> ballsWithoutWall(const ThicknessMap& map, const std::vector<u
 }
 
 //! True if the two sides meet in holes of a wall and nowhere else.
-bool meetInHoles(const ThicknessMap& map, const std::vector<unsigned char>& side, double neck, double voxel) {
+bool meetInHoles(const ThicknessMap& map, const VoxelMarks& side, double neck, double voxel) {
   std::vector<float> balls = ballsWithoutWall(map, side, neck, voxel);
   for (float& radius : balls)
     if (static_cast<double>(radius) < kHoleWidens * neck) radius = 0;
-  const std::vector<unsigned char> wide = map.coveredByBalls(balls);
+  const VoxelMarks wide = map.coveredByBalls(balls);
   for (std::size_t i = 0; i < side.size(); ++i) {
     if (side[i] != 1 || wide[i]) continue;
     bool meets = false;
@@ -243,8 +241,8 @@ bool meetInHoles(const ThicknessMap& map, const std::vector<unsigned char>& side
   return true;
 }
 
-std::shared_ptr<const Barrier> barrierOf(const ThicknessMap& map, const std::vector<unsigned char>& side) {
-  std::vector<unsigned char> closed(side.size());
+std::shared_ptr<const Barrier> barrierOf(const ThicknessMap& map, const VoxelMarks& side) {
+  VoxelMarks closed(side.size());
   for (std::size_t i = 0; i < side.size(); ++i) closed[i] = side[i] == 2;
   return std::make_shared<Barrier>(map.low(), map.size(), closed);
 }
@@ -294,7 +292,7 @@ class NeckSearch {
     for (std::size_t number = 0; number < flood.stages.size(); ++number) {
       const Stage& stage = flood.stages[number];
       if (!mayBeHole(stage) || !isBetweenWideParts(flood, number)) continue;
-      const std::vector<unsigned char> side = splitAt(map_, flood, stage);
+      const VoxelMarks side = splitAt(map_, flood, stage);
       if (!meetInHoles(map_, side, stage.neck, voxel)) continue;
       auto cut = cutAt(stage, side, kBehindHole);
       if (!cut) continue;
@@ -330,8 +328,7 @@ class NeckSearch {
     return stage.first > 0 && structure_ >= wide && stage.widest >= wide && more >= kBehindHole * before;
   }
   //! None if a seed is cut off, or too little is.
-  std::optional<NeckCut> cutAt(const Stage& stage, const std::vector<unsigned char>& side,
-                               double larger) const {
+  std::optional<NeckCut> cutAt(const Stage& stage, const VoxelMarks& side, double larger) const {
     const auto kept = static_cast<double>(std::count(side.begin(), side.end(), 1));
     const auto cut = static_cast<double>(std::count(side.begin(), side.end(), 2));
     const bool seedCut =
@@ -357,8 +354,7 @@ class NeckSearch {
 
 }  // namespace
 
-Barrier::Barrier(const std::array<int, 3>& low, const std::array<int, 3>& size,
-                 const std::vector<unsigned char>& closed)
+Barrier::Barrier(const std::array<int, 3>& low, const std::array<int, 3>& size, const VoxelMarks& closed)
     : low_(low), size_(size), values_(closed.size()) {
   for (std::size_t i = 0; i < closed.size(); ++i) values_[i] = closed[i] ? -1.0f : 1.0f;
   // Rounds the steps of the voxels off.

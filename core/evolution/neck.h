@@ -13,8 +13,7 @@ namespace handlebody {
 class Barrier {
  public:
   //! A box of voxels from `low` on; 1 = closed.
-  Barrier(const std::array<int, 3>& low, const std::array<int, 3>& size,
-          const std::vector<unsigned char>& closed);
+  Barrier(const std::array<int, 3>& low, const std::array<int, 3>& size, const VoxelMarks& closed);
   //! -1 within what is closed, +1 away from it; smooth between. At a continuous voxel index.
   double openness(const Vec3& index) const;
 
@@ -25,14 +24,14 @@ class Barrier {
 
 //! A region cut at its neck.
 struct NeckCut {
-  double neckRadius = 0;            //!< mm: of the widest ball that passes to what was cut off
-  bool widens = false;              //!< no neck: cut where the structure grows wider than neckRadius
-  bool hole = false;                //!< the neck is a hole in a thin wall
-  double structureRadius = 0;       //!< mm: of the ball that fits into the seeded structure
-  double widestBehind = 0;          //!< mm: of the widest ball behind the neck
-  double keptVolume = 0;            //!< mm³
-  double cutVolume = 0;             //!< mm³; a lower bound if the region was not whole
-  std::vector<unsigned char> kept;  //!< for each voxel of the region: 1 = on the side of the seeds
+  double neckRadius = 0;       //!< mm: of the widest ball that passes to what was cut off
+  bool widens = false;         //!< no neck: cut where the structure grows wider than neckRadius
+  bool hole = false;           //!< the neck is a hole in a thin wall
+  double structureRadius = 0;  //!< mm: of the ball that fits into the seeded structure
+  double widestBehind = 0;     //!< mm: of the widest ball behind the neck
+  double keptVolume = 0;       //!< mm³
+  double cutVolume = 0;        //!< mm³; a lower bound if the region was not whole
+  VoxelMarks kept;             //!< for each voxel of the region: 1 = on the side of the seeds
   std::shared_ptr<const Barrier> barrier;
 };
 

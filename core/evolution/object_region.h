@@ -10,6 +10,9 @@
 
 namespace handlebody {
 
+//! Yes or no for each voxel of a box, or of a region in its order: 0 is no.
+using VoxelMarks = std::vector<unsigned char>;
+
 //! A connected region of voxels (face neighbours), and the faces between it and the rest of the volume.
 struct ObjectRegion {
   using Voxel = std::array<std::int32_t, 3>;

@@ -69,10 +69,10 @@ void PinnedParts::makeMask() {
   if (parts_.empty()) return;
   int last = 0;
   for (const Part& p : parts_) last = std::max(last, p.vertices.back());
-  std::vector<unsigned char> mask(idx(last) + 1, 0);
+  VertexMarks mask(idx(last) + 1, 0);
   for (const Part& p : parts_)
     for (const int v : p.vertices) mask[idx(v)] = 1;
-  mask_ = std::make_shared<const std::vector<unsigned char>>(std::move(mask));
+  mask_ = std::make_shared<const VertexMarks>(std::move(mask));
 }
 
 void PinnedParts::reorder(std::span<const int> order) {

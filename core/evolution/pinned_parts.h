@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/evolution/constraints.h"
+#include "core/mesh/marks.h"
 #include "core/mesh/mesh.h"
 
 namespace handlebody {
@@ -38,7 +39,7 @@ class PinnedParts {
            (*mask_)[static_cast<std::size_t>(vertex)] != 0;
   }
   //! Per vertex slot, as in Forbidden; null: none.
-  const std::shared_ptr<const std::vector<unsigned char>>& mask() const { return mask_; }
+  const std::shared_ptr<const VertexMarks>& mask() const { return mask_; }
   //! A place where an attempt has changed what is held; none if all is as it was. `before`: what
   //! the attempt started from, with the same vertex slots.
   std::optional<Vec3> broken(const Mesh& before, const Mesh& mesh) const;
@@ -74,7 +75,7 @@ class PinnedParts {
   std::vector<Pin> asked_;
   std::vector<Part> parts_;
   std::vector<Stop> stops_;
-  std::shared_ptr<const std::vector<unsigned char>> mask_;
+  std::shared_ptr<const VertexMarks> mask_;
 };
 
 }  // namespace handlebody

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/mesh/marks.h"
 #include "core/mesh/mesh.h"
 
 namespace handlebody {
@@ -13,9 +14,9 @@ inline constexpr int kQuietToSleep = 3;  // iterations
 
 //! What one step did to the vertices.
 struct StepMotion {
-  std::span<const int> moving;             //!< those that were asked to move
-  std::span<const double> distances;       //!< how far, mm
-  std::span<const unsigned char> touched;  //!< per slot: moved, or with other faces than before
+  std::span<const int> moving;        //!< those that were asked to move
+  std::span<const double> distances;  //!< how far, mm
+  VertexMarkSpan touched;             //!< per slot: moved, or with other faces than before
 };
 
 //! Counts in `quiet` (per slot, up to kQuietToSleep) the iterations in which a vertex was quiet. What surgery

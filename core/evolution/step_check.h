@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/mesh/marks.h"
 #include "core/mesh/structure.h"
 #include "core/surgery/topology_adaptation.h"
 
@@ -13,8 +14,8 @@ namespace handlebody {
 struct StepResult {
   const Mesh& before;  //!< valid, slot by slot what the step started from
   const Mesh& mesh;
-  TopologyNumbers topology;                //!< of `before`
-  std::span<const unsigned char> touched;  //!< per vertex: detection has looked at its faces as they are now
+  TopologyNumbers topology;  //!< of `before`
+  VertexMarkSpan touched;    //!< per vertex: detection has looked at its faces as they are now
   std::span<const Event> events;
   double longest = 0;  //!< mm, of an edge
 };

@@ -30,28 +30,28 @@ ThicknessMap::ThicknessMap(const Grid& grid, const ObjectRegion& region) : grid_
   for (std::size_t i : beyond) distance_[i] = 0;
 }
 
-std::vector<float> ThicknessMap::distanceTo(const std::vector<unsigned char>& marked) const {
+std::vector<float> ThicknessMap::distanceTo(const VoxelMarks& marked) const {
   std::vector<float> d(distance_.size());
   for (std::size_t i = 0; i < d.size(); ++i) d[i] = marked[i] ? 0.0f : kFar;
   sweep(d);
   return d;
 }
 
-std::vector<unsigned char> ThicknessMap::coveredByBalls(const std::vector<unsigned char>& centres) const {
+VoxelMarks ThicknessMap::coveredByBalls(const VoxelMarks& centres) const {
   std::vector<float> radii(distance_.size(), 0.0f);
   for (std::size_t i = 0; i < radii.size(); ++i)
     if (centres[i]) radii[i] = distance_[i];
-  std::vector<unsigned char> covered = coveredByBalls(radii);
+  VoxelMarks covered = coveredByBalls(radii);
   for (std::size_t i = 0; i < covered.size(); ++i) covered[i] = covered[i] && distance_[i] > 0;
   return covered;
 }
 
-std::vector<unsigned char> ThicknessMap::coveredByBalls(const std::vector<float>& radii) const {
+VoxelMarks ThicknessMap::coveredByBalls(const std::vector<float>& radii) const {
   std::vector<float> d(radii.size(), kFar);  // to the surface of the nearest ball
   for (std::size_t i = 0; i < d.size(); ++i)
     if (radii[i] > 0) d[i] = -radii[i];
   sweep(d);
-  std::vector<unsigned char> covered(d.size());
+  VoxelMarks covered(d.size());
   for (std::size_t i = 0; i < d.size(); ++i) covered[i] = d[i] < 0;
   return covered;
 }

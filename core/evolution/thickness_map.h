@@ -19,11 +19,11 @@ class ThicknessMap {
   ThicknessMap(const Grid& grid, const ObjectRegion& region);
 
   //! Distance of every voxel of the box to the marked ones, mm.
-  std::vector<float> distanceTo(const std::vector<unsigned char>& marked) const;
+  std::vector<float> distanceTo(const VoxelMarks& marked) const;
   //! 1 for the voxels of the region within the largest balls around the marked ones.
-  std::vector<unsigned char> coveredByBalls(const std::vector<unsigned char>& centres) const;
+  VoxelMarks coveredByBalls(const VoxelMarks& centres) const;
   //! 1 for the voxels of the box within balls of these radii (mm) around its voxels; 0 = no ball.
-  std::vector<unsigned char> coveredByBalls(const std::vector<float>& radii) const;
+  VoxelMarks coveredByBalls(const std::vector<float>& radii) const;
   //! False for the outermost layer of the box where it lies beyond the border of the volume.
   bool isInVolume(std::size_t i) const;
 

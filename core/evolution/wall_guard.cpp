@@ -112,7 +112,7 @@ void WallGuard::holdBack(Mesh& mesh, const Mesh& before, std::span<const int> mo
   }
 }
 
-std::optional<Vec3> WallGuard::broken(const Mesh& mesh, std::span<const unsigned char> touched,
+std::optional<Vec3> WallGuard::broken(const Mesh& mesh, VertexMarkSpan touched,
                                       std::span<const Event> events) const {
   if (!holding_) return std::nullopt;
   const auto isTouched = [&](int v) { return idx(v) >= touched.size() || touched[idx(v)] != 0; };

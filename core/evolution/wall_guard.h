@@ -10,6 +10,7 @@
 #include "core/evolution/parameters.h"
 #include "core/evolution/walls.h"
 #include "core/mesh/forbidden.h"
+#include "core/mesh/marks.h"
 #include "core/mesh/mesh.h"
 #include "core/surgery/event.h"
 
@@ -37,8 +38,7 @@ class WallGuard {
   void holdBack(Mesh& mesh, const Mesh& before, std::span<const int> moving, std::vector<Vec3>& moves) const;
   //! A place where the mesh has come into a wall, or has swallowed one by one of the events. Precondition:
   //! faces without a touched vertex are as they were before the step.
-  std::optional<Vec3> broken(const Mesh& mesh, std::span<const unsigned char> touched,
-                             std::span<const Event> events) const;
+  std::optional<Vec3> broken(const Mesh& mesh, VertexMarkSpan touched, std::span<const Event> events) const;
   //! A place of a wall that the mesh has come into or swallowed, wherever it is. For changes that may have
   //! come anywhere: each looks at every face and every wall.
   std::optional<Vec3> brokenAnywhere(const Mesh& mesh) const;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/geometry/vec.h"
+#include "core/mesh/marks.h"
 
 namespace handlebody {
 
@@ -19,7 +20,7 @@ struct Forbidden {
   std::function<std::vector<Vec3>(const Vec3&, const Vec3&)> places{};
   //! Per vertex slot, 1 if the vertex is neither moved nor removed, nor a face between three such; slots that
   //! it does not reach are free. Null: none is pinned.
-  std::shared_ptr<const std::vector<unsigned char>> pinned{};
+  std::shared_ptr<const VertexMarks> pinned{};
 
   bool isPinned(int v) const {
     const auto slot = static_cast<std::size_t>(v);

@@ -15,7 +15,7 @@ Vec3 normal(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(
 
 class Regulator {
  public:
-  Regulator(Mesh& mesh, const RemeshLimits& limits, std::vector<unsigned char>& active)
+  Regulator(Mesh& mesh, const RemeshLimits& limits, VertexStates& active)
       : mesh_(mesh), limits_(limits), active_(active) {
     active_.resize(idx(mesh.vertexSlots()), 0);
     if (limits.size) sizes_.assign(idx(mesh.vertexSlots()), kUnknown);
@@ -306,7 +306,7 @@ class Regulator {
 
   Mesh& mesh_;
   const RemeshLimits& limits_;
-  std::vector<unsigned char>& active_;
+  VertexStates& active_;
   std::vector<int> faces_;             // that hold an active vertex, ascending
   std::vector<unsigned char> obtuse_;  // per half-edge: the angle that faces it
   mutable std::vector<double> sizes_;  // per vertex, kUnknown until asked for; with limits_.size
@@ -314,7 +314,7 @@ class Regulator {
 
 }  // namespace
 
-void regulate(Mesh& mesh, const RemeshLimits& limits, std::vector<unsigned char>& active) {
+void regulate(Mesh& mesh, const RemeshLimits& limits, VertexStates& active) {
   Regulator(mesh, limits, active).run();
 }
 

@@ -24,8 +24,9 @@ struct RemeshLimits {
 //! at most the longest edge times the sine of it. (cosine)
 inline constexpr double kFlatEnough = 0.8;
 
-//! What `active` holds per vertex: it rests; it may be moved, merged and turned about; it rests, but faces of
-//! it changed.
+//! One per vertex slot: it rests; it may be moved, merged and turned about; it rests, but faces of it
+//! changed. Read as VertexMarks: something of it moved.
+using VertexStates = std::vector<unsigned char>;
 inline constexpr unsigned char kAtRest = 0, kActive = 1, kTouched = 2;
 
 //! Regulates the mesh around the active vertices. Topology never changes. New vertices become active;
@@ -35,6 +36,6 @@ inline constexpr unsigned char kAtRest = 0, kActive = 1, kTouched = 2;
 //! vertices (beside such an edge the others may be up to three quarters of it). Collapses and flips are done
 //! only where the surface is nearly flat (kFlatEnough), so that it moves by little; they may still make it
 //! intersect another sheet close by, which the caller's detection sees.
-void regulate(Mesh& mesh, const RemeshLimits& limits, std::vector<unsigned char>& active);
+void regulate(Mesh& mesh, const RemeshLimits& limits, VertexStates& active);
 
 }  // namespace handlebody

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/finding.h"
+#include "core/mesh/marks.h"
 #include "core/mesh/mesh.h"
 
 namespace handlebody {
@@ -47,13 +48,13 @@ class StructureCheck {
   void listVertices(const Mesh& before, const Mesh& mesh);
   void markCorners(const Mesh& mesh, int f, Counts& counts);
 
-  std::vector<int> changedFaces_;         // with other vertices or opposites than before
-  std::vector<int> newFaces_;             // with other vertices than before
-  std::vector<unsigned char> isChanged_;  // per vertex: of a changed face, before or now, or made or removed
-  std::vector<int> changedVertices_;      // the same, or with another half-edge of their own
-  std::vector<int> seenAt_;               // per vertex: the last link in which it was met
-  int links_ = 0;                         // looked at so far
-  Counts was_, is_;                       // of what has changed
+  std::vector<int> changedFaces_;     // with other vertices or opposites than before
+  std::vector<int> newFaces_;         // with other vertices than before
+  VertexMarks isChanged_;             // per vertex: of a changed face, before or now, or made or removed
+  std::vector<int> changedVertices_;  // the same, or with another half-edge of their own
+  std::vector<int> seenAt_;           // per vertex: the last link in which it was met
+  int links_ = 0;                     // looked at so far
+  Counts was_, is_;                   // of what has changed
 };
 
 //! The same without a workspace.

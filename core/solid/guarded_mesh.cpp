@@ -102,12 +102,12 @@ void GuardedMesh::putBack(const Faults& faults, std::span<const Vec3> before, bo
 bool GuardedMesh::regulate(const RemeshLimits& limits, const std::function<bool(const Vec3&)>& mayLie) {
   std::vector<int> faces(volume_.size(), 0);
   for (const Triangle& t : mesh_.faces()) ++faces[idx(component_[idx(t[0])])];
-  std::vector<unsigned char> allowed(idx(mesh_.vertexSlots()));
+  VertexStates allowed(idx(mesh_.vertexSlots()));
   for (std::size_t v = 0; v < allowed.size(); ++v)
     allowed[v] = faces[idx(component_[v])] < kFewestFaces ? kAtRest : kActive;
   for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
     Mesh changed = mesh_;
-    std::vector<unsigned char> active = allowed;
+    VertexStates active = allowed;
     handlebody::regulate(changed, limits, active);
     if (findStructureFault(changed)) return false;
     const auto component = componentsOf(changed);
@@ -125,8 +125,8 @@ bool GuardedMesh::regulate(const RemeshLimits& limits, const std::function<bool(
   return false;
 }
 
-std::vector<unsigned char> GuardedMesh::restOf(const Faults& faults, const Mesh& changed, double reach,
-                                               std::vector<unsigned char> allowed) const {
+VertexStates GuardedMesh::restOf(const Faults& faults, const Mesh& changed, double reach,
+                                 VertexStates allowed) const {
   NearPoints near;
   if (!faults.vertices.empty()) near.build(changed.positions(), faults.vertices, reach);
   for (int v = 0; v < mesh_.vertexSlots(); ++v)

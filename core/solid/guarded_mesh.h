@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/collision/self_intersection.h"
+#include "core/mesh/marks.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/remesh.h"
 
@@ -43,8 +44,7 @@ class GuardedMesh {
   };
   Faults faultsOf(const Mesh& mesh, const std::vector<int>& component, const std::vector<FacePair>& pairs);
   void putBack(const Faults& faults, std::span<const Vec3> before, bool withRing);
-  std::vector<unsigned char> restOf(const Faults& faults, const Mesh& changed, double reach,
-                                    std::vector<unsigned char> allowed) const;
+  VertexStates restOf(const Faults& faults, const Mesh& changed, double reach, VertexStates allowed) const;
   std::vector<int> componentsOf(const Mesh& changed) const;
   void take(const Mesh& changed);
 
@@ -52,7 +52,7 @@ class GuardedMesh {
   std::vector<int> component_;  // per vertex
   std::vector<double> volume_;  // mm³ at first, per component, signed
   CollisionDetector detector_;
-  std::vector<unsigned char> moved_;  // per vertex
+  VertexMarks moved_;  // per vertex
 };
 
 inline constexpr double kLeastVolume = 0.6;  //!< of what it was at first

@@ -190,7 +190,7 @@ bool Replaced::sweepsOver(const Mesh& mesh, const Patch& patch) const {
 }
 
 Surroundings::Surroundings(const Mesh& mesh, const FaceBlocks& blocks, std::span<const Opening> openings,
-                           std::span<const unsigned char> ignored, const Forbidden& forbidden, double about)
+                           FaceMarkSpan ignored, const Forbidden& forbidden, double about)
     : mesh_(mesh), forbidden_(forbidden), replaced_(mesh, openings, forbidden) {
   for (const Opening& o : openings)
     for (const auto& loop : o.loops)

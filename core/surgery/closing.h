@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/mesh/forbidden.h"
+#include "core/mesh/marks.h"
 #include "core/mesh/mesh.h"
 #include "core/surgery/face_blocks.h"
 #include "core/surgery/opening.h"
@@ -65,7 +66,7 @@ class Surroundings {
   //! will be dealt with. What lies where it is forbidden counts as if it intersected a face that stays.
   //! `about`: mm; faces are known whose boxes meet the box of the openings' loops, widened by this.
   Surroundings(const Mesh& mesh, const FaceBlocks& blocks, std::span<const Opening> openings,
-               std::span<const unsigned char> ignored, const Forbidden& forbidden = {}, double about = 0);
+               FaceMarkSpan ignored, const Forbidden& forbidden = {}, double about = 0);
   //! True if all faces are known that the patch can meet.
   bool reach(const Patch& patch) const;
   //! True if no face of the patch intersects another or one that stays.

@@ -46,9 +46,8 @@ double sizeOf(const Mesh& mesh, const std::vector<int>& vertices) {
 
 }  // namespace
 
-bool smoothFold(Mesh& mesh, FaceBlocks& blocks, const std::vector<int>& lambda,
-                std::span<const unsigned char> ignored, const Forbidden& forbidden,
-                std::vector<unsigned char>& touched) {
+bool smoothFold(Mesh& mesh, FaceBlocks& blocks, const std::vector<int>& lambda, FaceMarkSpan ignored,
+                const Forbidden& forbidden, VertexMarks& touched) {
   std::vector<int> vertices = enlarge(mesh, lambda);
   std::erase_if(vertices, [&](int v) { return forbidden.isPinned(v); });
   if (vertices.empty()) return false;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/mesh/forbidden.h"
+#include "core/mesh/marks.h"
 #include "core/mesh/mesh.h"
 #include "core/surgery/face_blocks.h"
 
@@ -14,9 +15,8 @@ namespace handlebody {
 //! swept over nothing that is forbidden; pinned vertices stay. Returns false, with the mesh unchanged, if
 //! they still do after kFoldPasses passes. `ignored` marks faces that collide elsewhere; touched[v] = 1 for
 //! moved vertices, and `blocks` are those of the mesh.
-bool smoothFold(Mesh& mesh, FaceBlocks& blocks, const std::vector<int>& lambda,
-                std::span<const unsigned char> ignored, const Forbidden& forbidden,
-                std::vector<unsigned char>& touched);
+bool smoothFold(Mesh& mesh, FaceBlocks& blocks, const std::vector<int>& lambda, FaceMarkSpan ignored,
+                const Forbidden& forbidden, VertexMarks& touched);
 
 inline constexpr int kFoldPasses = 4;
 

@@ -66,7 +66,7 @@ double volumeOver(const Mesh& mesh, const std::vector<int>& faces, const Vec3& o
 }
 
 std::vector<int> facesAround(const Mesh& mesh, const std::vector<WeightedVertex>& vertices) {
-  std::vector<unsigned char> isThere(idx(mesh.faceSlots()), 0);
+  FaceMarks isThere(idx(mesh.faceSlots()), 0);
   for (const WeightedVertex& w : vertices)
     mesh.forEachOutgoing(w.vertex, [&](int h) { isThere[idx(Mesh::faceOf(h))] = 1; });
   std::vector<int> faces;

@@ -106,12 +106,12 @@ class TunnelCloser {
   double shorterThan_;
   TunnelCut cut_;
   TunnelsClosed& out_;
-  std::vector<OpenTunnel> refused_;     // in the round before
-  std::vector<unsigned char> touched_;  // per vertex slot, since the tunnels were listed
+  std::vector<OpenTunnel> refused_;  // in the round before
+  VertexMarks touched_;              // per vertex slot, since the tunnels were listed
 };
 
 //! Removes the components that are marked, one edit each.
-std::vector<Event> remove(Mesh& mesh, const Components& parts, const std::vector<unsigned char>& marked) {
+std::vector<Event> remove(Mesh& mesh, const Components& parts, const ComponentMarks& marked) {
   std::vector<Event> out;
   std::vector<Eigen::AlignedBox3d> boxes(idx(parts.count()));
   std::vector<int> vertex(idx(parts.count()), -1);
@@ -142,7 +142,7 @@ std::vector<Event> remove(Mesh& mesh, const Components& parts, const std::vector
 }
 
 //! Marks all that lies in a marked component.
-void markWithin(std::vector<unsigned char>& marked, const std::vector<int>& surrounding) {
+void markWithin(ComponentMarks& marked, const std::vector<int>& surrounding) {
   for (std::size_t c = 0; c < marked.size(); ++c) {
     int around = surrounding[c];
     // As deep as there are components at most.
@@ -169,7 +169,7 @@ std::optional<TunnelClosed> closeOneTunnel(Mesh& mesh, const Tunnel& tunnel, Tun
 
 std::vector<Event> removeComponent(Mesh& mesh, int component) {
   const Components parts = findComponents(mesh);
-  std::vector<unsigned char> marked(idx(parts.count()), 0);
+  ComponentMarks marked(idx(parts.count()), 0);
   marked[idx(component)] = 1;
   markWithin(marked, surroundingComponents(mesh, parts));
   return remove(mesh, parts, marked);
@@ -178,7 +178,7 @@ std::vector<Event> removeComponent(Mesh& mesh, int component) {
 namespace {
 
 std::vector<Event> keepBody(Mesh& mesh, const Components& parts, const std::vector<int>& bodyOf, int body) {
-  std::vector<unsigned char> marked;
+  ComponentMarks marked;
   for (const int b : bodyOf) marked.push_back(b != body);
   return remove(mesh, parts, marked);
 }
@@ -204,7 +204,7 @@ std::vector<Event> keepLargest(Mesh& mesh) {
 
 std::vector<Event> fillCavities(Mesh& mesh) {
   const Components parts = findComponents(mesh);
-  std::vector<unsigned char> marked;
+  ComponentMarks marked;
   for (const double volume : parts.volume) marked.push_back(volume < 0);
   markWithin(marked, surroundingComponents(mesh, parts));
   return remove(mesh, parts, marked);

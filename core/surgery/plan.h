@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/mesh/marks.h"
 #include "core/mesh/mesh.h"
 #include "core/surgery/closing.h"
 #include "core/surgery/event.h"
@@ -29,7 +30,7 @@ struct Plan {
 struct PlanSettings {
   bool outwardOnly = true;
   //! Faces that collide (per face slot): they do not stand in the way of a patch.
-  std::span<const unsigned char> colliding;
+  FaceMarkSpan colliding;
   //! Where no patch may lie, what it may not swallow, and which vertices are pinned.
   Forbidden forbidden{};
   WorkBudget* work = nullptr;  //!< none: no bound

@@ -205,7 +205,7 @@ bool Cut::divide(const std::vector<std::vector<std::size_t>>& chosen) {
   soup_.points.assign(mesh_.positions().begin(), mesh_.positions().end());
   std::map<int, int> low, high;  // per half-edge that leads up
   std::vector<int> firstLow(rings_.size()), firstHigh(rings_.size());
-  std::vector<unsigned char> isCrossed(idx(mesh_.faceSlots()), 0);
+  FaceMarks isCrossed(idx(mesh_.faceSlots()), 0);
   for (const auto& region : chosen)
     for (const std::size_t ring : region) {
       const auto add = [&](double above, std::map<int, int>& points, std::vector<int>& rim) {
@@ -236,7 +236,7 @@ bool Cut::divide(const std::vector<std::vector<std::size_t>>& chosen) {
 
 //! Merges what is close to each other on a rim, within the plane, where the surface is nearly flat beside it.
 void Cut::mergeRims(Mesh& mesh, Rims& rims) const {
-  std::vector<unsigned char> isRim(idx(mesh.vertexSlots()), 0);
+  VertexMarks isRim(idx(mesh.vertexSlots()), 0);
   for (const int v : rims.all()) isRim[idx(v)] = 1;
   const auto isOnRim = [&](int h) {
     const auto isCap = [&](int side) { return isRim[idx(mesh.apex(side))] != 0; };
@@ -279,8 +279,8 @@ bool Cut::staysFlat(const Mesh& mesh, int v, int other, const Vec3& p) {
 Mesh Cut::evened(const Mesh& raw, Rims& rims) const {
   Mesh mesh = raw;
   mergeRims(mesh, rims);
-  std::vector<unsigned char> active(idx(mesh.vertexSlots()), kAtRest);
-  std::vector<unsigned char> isRim(idx(mesh.vertexSlots()), 0);
+  VertexStates active(idx(mesh.vertexSlots()), kAtRest);
+  VertexMarks isRim(idx(mesh.vertexSlots()), 0);
   for (const int v : rims.all()) isRim[idx(v)] = 1;
   std::vector<std::pair<double, std::pair<int, int>>> chords;
   const auto isCap = [&](int side) { return isRim[idx(mesh.apex(side))] != 0; };
@@ -307,14 +307,14 @@ Mesh Cut::evened(const Mesh& raw, Rims& rims) const {
 FindingKind Cut::dropOtherSide(Mesh& mesh, const Rims& rims) const {
   if (cut_.keep == KeptSide::both) return FindingKind::none;
   const Components parts = findComponents(mesh);
-  std::vector<unsigned char> isLow(idx(parts.count()), 0), isHigh(idx(parts.count()), 0);
+  ComponentMarks isLow(idx(parts.count()), 0), isHigh(idx(parts.count()), 0);
   for (const int v : rims.low) isLow[idx(parts.ofVertex[idx(v)])] = 1;
   for (const int v : rims.high) isHigh[idx(parts.ofVertex[idx(v)])] = 1;
   std::vector<int> anyVertex(idx(parts.count()), -1);
   for (int v = 0; v < mesh.vertexSlots(); ++v)
     if (mesh.isVertex(v)) anyVertex[idx(parts.ofVertex[idx(v)])] = v;
   const std::vector<int> around = surroundingComponents(mesh, parts);
-  std::vector<unsigned char> goes(idx(parts.count()), 0);
+  ComponentMarks goes(idx(parts.count()), 0);
   for (int c = 0; c < parts.count(); ++c) {
     if (isLow[idx(c)] != 0 && isHigh[idx(c)] != 0) return FindingKind::cutPartsNothing;
     const bool isCut = isLow[idx(c)] != 0 || isHigh[idx(c)] != 0;

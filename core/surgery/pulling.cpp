@@ -132,7 +132,7 @@ class Pull {
   void run() {
     for (int pass = 0; pass < kRefinements && refine(); ++pass) {
     }
-    std::vector<unsigned char> moved(idx(mesh_.vertexSlots()), kAtRest);
+    VertexStates moved(idx(mesh_.vertexSlots()), kAtRest);
     for (int v = 0; v < mesh_.vertexSlots(); ++v) {
       if (!mesh_.isVertex(v) || !(weight(v) > 0)) continue;
       mesh_.setPosition(v, placeOf(v));

@@ -29,7 +29,7 @@ constexpr std::size_t kPlaceWork = 1000;
 
 class Adaptation {
  public:
-  Adaptation(Mesh& mesh, const AdaptationSettings& settings, std::vector<unsigned char>& touched)
+  Adaptation(Mesh& mesh, const AdaptationSettings& settings, VertexMarks& touched)
       : mesh_(mesh),
         settings_(settings),
         touched_(touched),
@@ -302,18 +302,18 @@ class Adaptation {
 
   Mesh& mesh_;
   const AdaptationSettings& settings_;
-  std::vector<unsigned char>& touched_;
+  VertexMarks& touched_;
   FaceBlocks blocks_;
-  std::vector<unsigned char> colliding_;  // per face
-  std::vector<unsigned char> replaced_;   // per vertex
-  TopologyNumbers topology_;              // as after the last event
+  FaceMarks colliding_;       // per face
+  VertexMarks replaced_;      // per vertex
+  TopologyNumbers topology_;  // as after the last event
   AdaptationResult result_;
 };
 
 }  // namespace
 
 AdaptationResult adaptTopology(Mesh& mesh, std::span<const FacePair> pairs,
-                               const AdaptationSettings& settings, std::vector<unsigned char>& touched) {
+                               const AdaptationSettings& settings, VertexMarks& touched) {
   return Adaptation(mesh, settings, touched).run(pairs);
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/collision/self_intersection.h"
 #include "core/mesh/forbidden.h"
+#include "core/mesh/marks.h"
 #include "core/mesh/mesh.h"
 #include "core/surgery/event.h"
 #include "core/work_budget.h"
@@ -46,6 +47,6 @@ struct AdaptationResult {
 //! vertices of every face that is new or was moved. Places listed as troubles are unchanged but for
 //! refinement, and still collide.
 AdaptationResult adaptTopology(Mesh& mesh, std::span<const FacePair> pairs,
-                               const AdaptationSettings& settings, std::vector<unsigned char>& touched);
+                               const AdaptationSettings& settings, VertexMarks& touched);
 
 }  // namespace handlebody

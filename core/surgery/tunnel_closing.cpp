@@ -166,7 +166,7 @@ class Cutter {
 
   //! Whether a face that is new, or beside one, meets another.
   static bool collides(const LoopCut& out) {
-    std::vector<unsigned char> moved(idx(out.mesh.vertexSlots()), 0);
+    VertexMarks moved(idx(out.mesh.vertexSlots()), 0);
     for (const int v : out.touched)
       if (idx(v) < moved.size()) moved[idx(v)] = 1;
     CollisionDetector detector;
