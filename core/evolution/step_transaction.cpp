@@ -46,6 +46,7 @@ StepOutcome StepTransaction::move(Mesh& mesh, const StepScene& scene) {
   const auto judgeKept = [&](const Attempt& a) { return judge(mesh, scene, a, events); };
   const auto rollBack = [&](const Trouble& t) {
     events.push_back(rolledBack(t.centre, t.reason, scene.topology, scene.iteration));
+    events.back().faces = t.faces;
     scene.locked.lock(t, mesh, scene.limits.longest, scene.sizeAt(t.centre), scene.iteration);
   };
   Attempt last = transaction_.run({mesh, scene.topology, scene.limits.longest, std::ref(attemptOnce),

@@ -72,7 +72,10 @@ struct Event {
   std::vector<Finding> reasons;        //!< why it was rolled back, or what did not fit before this
   std::optional<EventKind> held{};     //!< rolled back: the change that may not happen, as the user asked
   std::optional<EditMeasures> edit{};  //!< it is an edit, no change that the surface made by itself
-  EventTrace trace;                    //!< empty unless traces are recorded
+  //! By the vertex slots of the mesh: the faces of the handle, or those that collided and were rolled back.
+  //! Of a later step they tell where such faces have come to, as long as their vertices are there.
+  std::vector<Triangle> faces{};
+  EventTrace trace;  //!< empty unless traces are recorded
 };
 
 }  // namespace handlebody

@@ -197,6 +197,7 @@ class Adaptation {
 
   void report(Event event, const std::vector<Triangle>& patch) {
     if (settings_.recordTraces) traceClosing(mesh_, patch, event.trace);
+    if (event.kind == EventKind::handleInserted) event.faces = patch;
     result_.events.push_back(std::move(event));
   }
 
@@ -297,6 +298,11 @@ class Adaptation {
     for (const auto& lambda : group.lambda)
       for (int v : enlarge(mesh_, lambda))
         t.radius = std::max(t.radius, (mesh_.position(v) - t.centre).norm());
+    std::vector<int> faces;
+    for (const auto& [f, g] : group.pairs) faces.insert(faces.end(), {f, g});
+    sortUnique(faces);
+    for (const int f : faces)
+      if (mesh_.isFace(f)) t.faces.push_back(mesh_.face(f));
     result_.troubles.push_back(t);
   }
 

@@ -34,8 +34,9 @@ struct Trouble {
   Vec3 centre{0, 0, 0};  //!< mm
   double radius = 0;     //!< mm; holds all colliding vertices and the patches that were tried
   Finding reason{};
-  bool waits = false;  //!< nothing is wrong there: others have spent the work of the step
-  bool atPin = false;  //!< nothing is wrong there: a front has met pinned vertices
+  bool waits = false;             //!< nothing is wrong there: others have spent the work of the step
+  bool atPin = false;             //!< nothing is wrong there: a front has met pinned vertices
+  std::vector<Triangle> faces{};  //!< that collide
 };
 
 struct AdaptationResult {

@@ -6401,8 +6401,8 @@ oder eine Datei hier ablegen</translation>
         <translation>Iteration</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Iterations; diamonds are changes of topology. Click or drag to go there.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Iterationen; Rauten sind Änderungen der Topologie. Klicken oder ziehen, um dorthin zu gehen.&lt;/p&gt;</translation>
+        <source>&lt;p&gt;Iterations; diamonds are changes of topology, strokes below the line places that were rolled back. Click or drag to go there.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Iterationen; Rauten sind Änderungen der Topologie, Striche unter der Linie Stellen, die zurückgenommen wurden. Klicken oder ziehen, um dorthin zu gehen.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>

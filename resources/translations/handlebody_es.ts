@@ -6401,8 +6401,8 @@ o soltar aquí un archivo</translation>
         <translation>Iteración</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Iterations; diamonds are changes of topology. Click or drag to go there.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Iteraciones; los rombos son cambios de topología. Haga clic o arrastre para ir allí.&lt;/p&gt;</translation>
+        <source>&lt;p&gt;Iterations; diamonds are changes of topology, strokes below the line places that were rolled back. Click or drag to go there.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Iteraciones; los rombos son cambios de topología, los trazos bajo la línea lugares que se revirtieron. Haga clic o arrastre para ir allí.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>

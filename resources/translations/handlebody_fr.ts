@@ -6401,8 +6401,8 @@ ou déposer un fichier ici</translation>
         <translation>Itération</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Iterations; diamonds are changes of topology. Click or drag to go there.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Itérations ; les losanges sont des changements de topologie. Cliquer ou glisser pour y aller.&lt;/p&gt;</translation>
+        <source>&lt;p&gt;Iterations; diamonds are changes of topology, strokes below the line places that were rolled back. Click or drag to go there.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Itérations ; les losanges sont des changements de topologie, les traits sous la ligne des endroits ramenés en arrière. Cliquer ou glisser pour y aller.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>

@@ -6401,8 +6401,8 @@ or drop a file here</source>
         <translation>迭代</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Iterations; diamonds are changes of topology. Click or drag to go there.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;迭代；菱形为拓扑变化。点击或拖动以到达。&lt;/p&gt;</translation>
+        <source>&lt;p&gt;Iterations; diamonds are changes of topology, strokes below the line places that were rolled back. Click or drag to go there.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;迭代；菱形为拓扑变化，线下的短线为被撤回的位置。点击或拖动以到达。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>

@@ -61,6 +61,7 @@ struct IterationSummary {
   double volume = 0;       //!< mm³
   double movingShare = 0;  //!< 0 … 1 of the vertices
   int events = 0;          //!< changes of topology; repairs of the mesh are not counted
+  int rollBacks = 0;       //!< places that were taken back
 };
 
 //! A narrow passage that the surface came through.

@@ -1,6 +1,8 @@
 // Changes of topology: fronts that meet, tunnels that close, necks, folds and scraps.
 #include "core/surgery/topology_adaptation.h"
 
+#include <set>
+
 #include "core/mesh/topology.h"
 #include "tests/core/surgery/adaptation_support.h"
 
@@ -163,6 +165,12 @@ TEST_CASE("a place where nothing fits is reported and the surface stays where it
   REQUIRE(result.troubles.size() == 1);
   CHECK(result.troubles[0].radius > 0.8);  // holds the circle in which they meet
   CHECK(result.troubles[0].reason.kind == FindingKind::openingTooLarge);
+  std::set<int> collide;
+  for (const auto& [f, g] : intersections(mesh)) collide.insert({f, g});
+  std::set<Triangle> expected;
+  for (const int f : collide) expected.insert(mesh.face(f));
+  const std::vector<Triangle>& told = result.troubles[0].faces;
+  CHECK(std::set<Triangle>(told.begin(), told.end()) == expected);
   for (int v = 0; v < before.vertexSlots(); ++v) REQUIRE(mesh.position(v) == before.position(v));
   CHECK(volumeOf(mesh) == Approx(volumeOf(before)).epsilon(1e-9));
   expectValid(mesh);

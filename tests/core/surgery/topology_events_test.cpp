@@ -126,6 +126,11 @@ TEST_CASE("the trace of a handle holds its sets, its polygons and its faces, and
   CHECK(e.trace.collidingFaces.size() == colliding.size());
   CHECK(e.trace.handleFaces.size() == corners);        // a handle of two fronts has no Type 2 face
   CHECK(borderEdges(e.trace.handleFaces) == corners);  // and ends on the two polygons
+  CHECK(e.faces.size() == corners);
+  for (const Triangle& t : e.faces) {
+    const std::array<Vec3, 3> face{mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2])};
+    CHECK(std::count(e.trace.handleFaces.begin(), e.trace.handleFaces.end(), face) == 1);
+  }
   CHECK_FALSE(e.trace.openedFaces.empty());
   CHECK(e.trace.refinedFaces.empty());  // the polygons are simple
 }

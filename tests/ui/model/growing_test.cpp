@@ -1,6 +1,9 @@
 // Growing, stepping back, changing parameters on the way, export.
 
+#include <algorithm>
+#include <array>
 #include <random>
+#include <set>
 
 #include "tests/ui/model/document_support.h"
 #include "ui/model/snapshot.h"
@@ -50,6 +53,42 @@ TEST_CASE("a seed grows into the torus and stops by itself", "[document]") {
   int events = 0;
   for (const IterationSummary& s : document.summaries()) events += s.events;
   CHECK(events >= 1);
+}
+
+TEST_CASE("the faces of a new handle are marked, in its step each of them and no other", "[document]") {
+  History history(ActiveContour(testing::torusVolume(),
+                                {{testing::kMiddle + Vec3(testing::kTorusR, 0, 0), 3.0}}, Parameters{}));
+  int handles = 0, later = 0;
+  for (; history.stopReason() == StopReason::running; history.advance()) {
+    std::multiset<std::array<double, 9>> expected, marked;
+    const auto corners = [](const Vec3& a, const Vec3& b, const Vec3& c) {
+      std::array<std::array<double, 3>, 3> p{
+          {{a.x(), a.y(), a.z()}, {b.x(), b.y(), b.z()}, {c.x(), c.y(), c.z()}}};
+      std::sort(p.begin(), p.end());
+      return std::array<double, 9>{p[0][0], p[0][1], p[0][2], p[1][0], p[1][1],
+                                   p[1][2], p[2][0], p[2][1], p[2][2]};
+    };
+    const Mesh& mesh = history.shown().mesh();
+    for (const Event& e : history.events())
+      if (e.kind == EventKind::handleInserted && e.iteration == history.iteration())
+        for (const Triangle& t : e.faces)
+          expected.insert(corners(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2])));
+    const auto snapshot = makeSnapshot(history, Checking::structure);
+    for (std::size_t f = 0; f < snapshot->states.size(); ++f) {
+      const Triangle& t = snapshot->mesh.triangles[f];
+      const auto& p = snapshot->mesh.points;
+      const auto at = [&](std::size_t i) { return p[static_cast<std::size_t>(t[i])]; };
+      if (snapshot->states[f] == FaceState::newHandle) marked.insert(corners(at(0), at(1), at(2)));
+    }
+    if (!expected.empty()) {
+      ++handles;
+      CHECK(marked == expected);
+    } else if (!marked.empty()) {
+      ++later;
+    }
+  }
+  CHECK(handles == 1);
+  CHECK(later > 0);  // it stays marked for a while
 }
 
 TEST_CASE("what is shown on the way has the numbers of the full certificate", "[document]") {

@@ -100,10 +100,12 @@ void TimelinePanel::showIterations() {
   slider_->setEnabled(document_.lastIteration() > 0);
   slider_->setRange(0, std::max(0, document_.lastIteration()));
   slider_->setValue(std::max(0, document_.iteration()));
-  std::vector<int> marks;
-  for (const IterationSummary& s : document_.summaries())
+  std::vector<int> marks, rollBacks;
+  for (const IterationSummary& s : document_.summaries()) {
     if (s.events > 0) marks.push_back(s.iteration);
-  slider_->setMarks(std::move(marks));
+    if (s.rollBacks > 0) rollBacks.push_back(s.iteration);
+  }
+  slider_->setMarks(std::move(marks), std::move(rollBacks));
   const bool any = events_->rowCount() > 0;
   table_->setVisible(any);
   empty_->setVisible(!any);

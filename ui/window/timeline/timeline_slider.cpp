@@ -6,8 +6,9 @@
 namespace handlebody::ui {
 
 namespace {
-const QColor kAccent(0x3B, 0x82, 0xC4);
-constexpr double kMark = 4;    // half the diagonal of an event's mark, pixels
+const QColor kAccent(0x3B, 0x82, 0xC4), kRolledBack(0xC2, 0x41, 0x3B);
+constexpr double kMark = 4;    // half the diagonal of the mark of a change, pixels
+constexpr double kStroke = 5;  // height of the mark of what was rolled back, below the line
 constexpr double kHandle = 6;  // radius
 }  // namespace
 
@@ -16,11 +17,14 @@ TimelineSlider::TimelineSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setPageStep(10);
   setAccessibleName(tr("Iteration"));
-  setToolTip(tr("<p>Iterations; diamonds are changes of topology. Click or drag to go there.</p>"));
+  setToolTip(tr(
+      "<p>Iterations; diamonds are changes of topology, strokes below the line places that were rolled back. "
+      "Click or drag to go there.</p>"));
 }
 
-void TimelineSlider::setMarks(std::vector<int> marks) {
-  marks_ = std::move(marks);
+void TimelineSlider::setMarks(std::vector<int> changes, std::vector<int> rollBacks) {
+  changes_ = std::move(changes);
+  rollBacks_ = std::move(rollBacks);
   update();
 }
 
@@ -49,9 +53,12 @@ void TimelineSlider::paintEvent(QPaintEvent*) {
   painter.setPen(QPen(kAccent, 2));
   painter.drawLine(QPointF(a.toX(0), y), QPointF(a.toX(value()), y));
 
+  painter.setPen(QPen(kRolledBack, 1.5));
+  for (int mark : rollBacks_)
+    painter.drawLine(QPointF(a.toX(mark), y + 2), QPointF(a.toX(mark), y + 2 + kStroke));
   painter.setPen(Qt::NoPen);
   painter.setBrush(QColor(0xE0, 0x8A, 0x1E));
-  for (int mark : marks_) {
+  for (int mark : changes_) {
     const QPointF centre(a.toX(mark), y);
     const QPointF diamond[] = {centre + QPointF(0, -kMark - 1), centre + QPointF(kMark, 0),
                                centre + QPointF(0, kMark + 1), centre + QPointF(-kMark, 0)};

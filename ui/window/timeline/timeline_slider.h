@@ -14,8 +14,8 @@ class TimelineSlider : public QSlider {
  public:
   explicit TimelineSlider(QWidget* parent = nullptr);
 
-  //! Iterations with an event, ascending.
-  void setMarks(std::vector<int> marks);
+  //! Iterations with a change of topology, and those in which places were rolled back; ascending.
+  void setMarks(std::vector<int> changes, std::vector<int> rollBacks);
   QSize sizeHint() const override { return {300, 26}; }
   QSize minimumSizeHint() const override { return {120, 26}; }
 
@@ -28,7 +28,7 @@ class TimelineSlider : public QSlider {
  private:
   TimelineAxis axis() const { return {width(), maximum()}; }
 
-  std::vector<int> marks_;
+  std::vector<int> changes_, rollBacks_;
 };
 
 }  // namespace handlebody::ui
