@@ -39,6 +39,11 @@ struct CameraPose {
   Vec3 focus{0, 0, 0}, towardsEye{0, -1, 0}, up{0, 0, 1};  //!< the last two of length 1
   double height = 1;                                       //!< mm that the view is high
 };
+//! What a session keeps of the camera.
+struct StandingCamera {
+  CameraPose pose{};
+  bool follows = true;  //!< the mesh: it was not moved by hand
+};
 //! Half way and so on from one pose to another, for a flight; share 0 … 1.
 CameraPose between(const CameraPose& from, const CameraPose& to, double share);
 //! From superior (axial), anterior (coronal) or left (sagittal), or from the other side.

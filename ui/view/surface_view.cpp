@@ -8,6 +8,7 @@
 #include <QStyle>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/view/distance_colours.h"
 #include "ui/view/measure_overlay.h"
@@ -52,12 +53,25 @@ void SurfaceView::Private::startVolume() {
   follows = true;
   stage = EventStage::none;
   wallsShown = false;
+  const auto camera = std::exchange(wanted, std::nullopt);
   if (!scene) return;
   flight.stop();
   scene->showStage({}, EventStage::none);
   scene->setVolume(document.hasVolume() ? &document.volume().grid : nullptr);
   scene->setPose(document.hasVolume() ? around(document.volume().grid, obliquePose(), aspect())
                                       : obliquePose());
+  if (camera) stand(*camera);
+}
+
+void SurfaceView::Private::stand(const StandingCamera& camera) {
+  if (!scene) {
+    wanted = camera;
+    return;
+  }
+  flight.stop();
+  follows = camera.follows;
+  scene->setPose(camera.pose);
+  draw(poseChanged);
 }
 
 double SurfaceView::Private::heightFor(const Sight& sight, double margin) const {
@@ -387,6 +401,15 @@ void SurfaceView::lookFrom(Plane plane, bool opposite) {
   const bool flying = d_->flight.state() == QAbstractAnimation::Running;
   d_->flyTo(lookingFrom(flying ? d_->flightTo : d_->scene->pose(), plane, opposite));
 }
+
+std::optional<StandingCamera> SurfaceView::camera() const {
+  if (!d_->scene) return d_->wanted;
+  if (d_->stage != EventStage::none) return StandingCamera{d_->beforeStage, d_->follows};
+  const bool flying = d_->flight.state() == QAbstractAnimation::Running;
+  return StandingCamera{flying ? d_->flightTo : d_->scene->pose(), d_->follows};
+}
+
+void SurfaceView::setCamera(const StandingCamera& camera) { d_->stand(camera); }
 
 void SurfaceView::setFlightTime(int ms) { d_->flightTime = ms; }
 

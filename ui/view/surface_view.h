@@ -3,6 +3,7 @@
 
 #include <QWidget>
 #include <memory>
+#include <optional>
 
 #include "core/surgery/event.h"
 #include "ui/view/view_state.h"
@@ -10,6 +11,7 @@
 namespace handlebody::ui {
 
 class Document;
+struct StandingCamera;
 
 //! Which stage of an event is shown (the paper's Figures 1 and 7); `refined`, between colliding and opened,
 //! only some events have.
@@ -35,6 +37,10 @@ class SurfaceView : public QWidget {
   //! All of the mesh, or of the volume where there is none; follows the mesh from now on.
   void resetCamera();
   void lookFrom(Plane plane, bool opposite = false);
+  //! Where the camera stands, or stood before a stage was shown. None: there is no picture yet.
+  std::optional<StandingCamera> camera() const;
+  //! Of the open volume; it may be asked for before there is a picture.
+  void setCamera(const StandingCamera& camera);
   //! Of the camera's flights, ms; 0: it jumps. Without a call the style's (0 where the system asks for less
   //! motion).
   void setFlightTime(int ms);

@@ -39,6 +39,7 @@ struct SurfaceView::Private {
   }
   double heightFor(const Sight& sight, double margin) const;
   void flyTo(const CameraPose& pose);
+  void stand(const StandingCamera& camera);
   const QImage& frame(double pixelRatio);
   void paint(QPainter& painter, double pixelRatio, bool focused);
   void paintOver(QPainter& painter, const QSizeF& size);
@@ -69,7 +70,8 @@ struct SurfaceView::Private {
   WallList shownWalls;
   bool wallsShown = false;
   bool constraintsShown = true;
-  bool follows = true;  // the mesh, until the camera is moved by hand
+  bool follows = true;                   // the mesh, until the camera is moved by hand
+  std::optional<StandingCamera> wanted;  // asked for before there was a scene
   bool dragging = false;
   EventStage stage = EventStage::none;
   std::optional<Sight> stageSight;

@@ -11,8 +11,12 @@
 #include <QSettings>
 #include <QStackedWidget>
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "ui/model/time_series.h"
+#include "ui/view/surface_scene.h"
+#include "ui/view/surface_view.h"
 #include "ui/window/help/help_window.h"
 #include "ui/window/main_window.h"
 #include "ui/window/open/file_work.h"
@@ -32,6 +36,14 @@ const QString kNoticeShown = QStringLiteral("noticeShown"), kGeometry = QStringL
 
 QJsonArray toJson(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
+QJsonObject toJson(const StandingCamera& camera) {
+  return {{QStringLiteral("focus"), toJson(camera.pose.focus)},
+          {QStringLiteral("towardsEye"), toJson(camera.pose.towardsEye)},
+          {QStringLiteral("up"), toJson(camera.pose.up)},
+          {QStringLiteral("height"), camera.pose.height},
+          {QStringLiteral("follows"), camera.follows}};
+}
+
 //! Precondition: there is one.
 int firstInside(const std::vector<Seed>& seeds) {
   return static_cast<int>(
@@ -40,6 +52,26 @@ int firstInside(const std::vector<Seed>& seeds) {
 
 bool isPoint(const QJsonArray& array) {
   return array.size() == 3 && array[0].isDouble() && array[1].isDouble() && array[2].isDouble();
+}
+
+std::optional<Vec3> pointIn(const QJsonObject& object, const QString& key) {
+  const QJsonArray p = object[key].toArray();
+  if (!isPoint(p)) return std::nullopt;
+  return Vec3(p[0].toDouble(), p[1].toDouble(), p[2].toDouble());
+}
+
+//! None if it looks nowhere.
+std::optional<StandingCamera> cameraIn(const QJsonObject& camera) {
+  constexpr double kSquare = 1e-3;  // the two directions, of length 1, are at right angles
+  const auto focus = pointIn(camera, QStringLiteral("focus")),
+             towardsEye = pointIn(camera, QStringLiteral("towardsEye")),
+             up = pointIn(camera, QStringLiteral("up"));
+  const double height = camera[QStringLiteral("height")].toDouble();
+  if (!focus || !towardsEye || !up || !(height > 0)) return std::nullopt;
+  const bool isSquare = std::abs(towardsEye->norm() - 1) < kSquare && std::abs(up->norm() - 1) < kSquare &&
+                        std::abs(towardsEye->dot(*up)) < kSquare;
+  if (!isSquare) return std::nullopt;
+  return StandingCamera{{*focus, *towardsEye, *up, height}, camera[QStringLiteral("follows")].toBool(true)};
 }
 
 }  // namespace
@@ -102,6 +134,8 @@ void MainWindow::keepView() {
   view[QStringLiteral("colourMap")] = static_cast<int>(state_.colourMap());
   view[QStringLiteral("surface")] = static_cast<int>(state_.meshColouring());
   view[QStringLiteral("slicesIn3d")] = state_.slicesIn3d();
+  if (const auto camera = views_->surface().camera()) view[QStringLiteral("camera")] = toJson(*camera);
+  view[QStringLiteral("views")] = QString::fromLatin1(views_->saveLayout().toBase64());
   if (const TimeSeries& time = document_.time(); time.hasTime() && !time.showsGrownFrame())
     view[QStringLiteral("frame")] = time.shownFrame();
   document_.setView(QJsonDocument(view).toJson(QJsonDocument::Compact));
@@ -110,8 +144,7 @@ void MainWindow::keepView() {
 // A session may come from anywhere: what makes no sense is left as it is.
 void MainWindow::restoreView() {
   const QJsonObject view = QJsonDocument::fromJson(document_.view()).object();
-  const QJsonArray point = view[QStringLiteral("crosshair")].toArray();
-  if (isPoint(point)) state_.setCrosshair({point[0].toDouble(), point[1].toDouble(), point[2].toDouble()});
+  if (const auto point = pointIn(view, QStringLiteral("crosshair"))) state_.setCrosshair(*point);
   const double window = view[QStringLiteral("window")].toDouble();
   if (window > 0) state_.setWindowLevel(window, view[QStringLiteral("level")].toDouble());
   const int map = view[QStringLiteral("colourMap")].toInt(-1);
@@ -121,6 +154,10 @@ void MainWindow::restoreView() {
   if (surface >= 0 && surface <= static_cast<int>(MeshColouring::support))
     state_.setMeshColouring(static_cast<MeshColouring>(surface));
   if (const int frame = view[QStringLiteral("frame")].toInt(-1); frame >= 0) document_.time().show(frame);
+  if (const QByteArray layout = view[QStringLiteral("views")].toString().toLatin1(); !layout.isEmpty())
+    views_->restoreLayout(QByteArray::fromBase64(layout));
+  if (const auto camera = cameraIn(view[QStringLiteral("camera")].toObject()))
+    views_->surface().setCamera(*camera);
   state_.setSlicesIn3d(view[QStringLiteral("slicesIn3d")].toBool(state_.slicesIn3d()));
 }
 

@@ -7,6 +7,7 @@
 
 #include "tests/ui/window/correct_support.h"
 #include "ui/view/surface_brush.h"
+#include "ui/view/surface_scene.h"
 #include "ui/window/grow/held_section.h"
 #include "ui/window/grow/touch_section.h"
 
@@ -83,6 +84,7 @@ class TouchTest : public QObject {
   void aClickSmoothsUnderTheBrush();
   void theKeysAndTheButtonsTurnItOnAndASurfaceThatGoesTurnsItOff();
   void aSessionOpensWithItsCrosshairAndWithoutSlicesIn3d();
+  void aSessionOpensWithItsCameraAndItsViews();
 };
 
 void TouchTest::aStrokeInASlicePinsWhatItCoversIsListedAndTakenAway() {
@@ -337,6 +339,41 @@ void TouchTest::aSessionOpensWithItsCrosshairAndWithoutSlicesIn3d() {
   QCOMPARE(o.window->viewState().crosshair(), Vec3(21, 20, 23));
   QVERIFY(!o.window->viewState().slicesIn3d());
   QVERIFY(!o.window->commands()[Command::slicesIn3d]->isChecked());
+}
+
+void TouchTest::aSessionOpensWithItsCameraAndItsViews() {
+  Opened o;
+  QVERIFY(o.ok);
+  ui::ViewGrid& views = o.window->views();
+  if (!views.surface().hasOpenGl()) QSKIP("no OpenGL");
+  views.maximise(ui::Cell::surface);
+  const ui::CameraPose pose{Vec3(20, 21, 22), Vec3(0, -0.6, 0.8), Vec3(0, 0.8, 0.6), 33};
+  views.surface().setCamera({pose, false});
+  QSignalSpy saved(&o.document(), &ui::Document::sessionSaved);
+  const QString session = o.folder.filePath("camera.json");
+  const auto isSaved = [&] { return !saved.isEmpty() || saved.wait(kPatience); };
+  o.document().saveSession(session);
+  QVERIFY(isSaved());
+  saved.clear();
+  o.window->commands()[Command::saveSession]->trigger();  // with what the window keeps
+  QVERIFY(isSaved());
+  views.maximise(std::nullopt);
+  views.resetViews();
+  QVERIFY(open(*o.window, session));
+  QVERIFY(views.maximised() == ui::Cell::surface);
+  const auto camera = views.surface().camera();
+  QVERIFY(camera && !camera->follows);
+  QVERIFY((camera->pose.focus - pose.focus).norm() < 1e-9 && (camera->pose.up - pose.up).norm() < 1e-9);
+  QVERIFY((camera->pose.towardsEye - pose.towardsEye).norm() < 1e-9);
+  QVERIFY(std::abs(camera->pose.height - pose.height) < 1e-9);
+  // One that looks nowhere is left out.
+  o.document().setView(
+      R"({"camera": {"focus": [1, 2, 3], "towardsEye": [0, 0, 0], "up": [0, 0, 0], "height": -1}})");
+  saved.clear();
+  o.document().saveSession(session);
+  QVERIFY(isSaved());
+  QVERIFY(open(*o.window, session));
+  QVERIFY(views.surface().camera()->follows);
 }
 
 int main(int argc, char** argv) {
