@@ -25,7 +25,7 @@ std::size_t samplesAt(const Solid& a, const Solid& b, double h) {
 double samplingFor(const Solid& a, const Solid& b, double wanted) {
   if (wanted > 0) {
     if (samplesAt(a, b, wanted) > kMostSamples)
-      throw UsageError("--sampling: " + number(wanted) + " mm would take more than " +
+      throw UsageError("A sampling of " + number(wanted) + " mm would take more than " +
                        std::to_string(kMostSamples) + " samples of these surfaces.");
     return wanted;
   }

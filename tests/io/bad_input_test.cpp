@@ -219,6 +219,19 @@ TEST_CASE("a MetaImage whose data file is missing and a tracked sequence are ref
   expectInputError(folder / "v.mhd", "v.raw is missing");
   writeBytes(folder / "v.raw", "abcdefgh");
   CHECK(voxelBytes(readVolume(folder / "v.mhd")) == "abcdefgh");
+  const std::string header = readBytes(folder / "v.mhd");
+  const auto withSize = [&](const std::string& size) {
+    return "ObjectType = Image\nHeaderSize = " + size + header.substr(header.find('\n'));
+  };
+  writeBytes(folder / "v.raw", "1234abcdefgh");
+  for (const char* size : {"4", "-1"}) {  // -1: the data are the end of the file
+    writeBytes(folder / "v.mhd", withSize(size));
+    CHECK(voxelBytes(readVolume(folder / "v.mhd")) == "abcdefgh");
+  }
+  for (const char* size : {"four", "4x", "0.5"}) {
+    writeBytes(folder / "v.mhd", withSize(size));
+    expectInputError(folder / "v.mhd", "MetaImage");
+  }
   writeBytes(folder / "one.mha", metaHeader("Seq_Frame0000_ImageStatus = OK\n") + "abcdefgh");
   CHECK_NOTHROW(readVolume(folder / "one.mha"));
   writeBytes(folder / "sequence.mha",

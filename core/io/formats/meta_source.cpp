@@ -152,8 +152,10 @@ StoredVoxels voxelsOf(const MetaText& text, const std::string& path, const Volum
   const bool isBig = text.isTrue("BinaryDataByteOrderMSB") || text.isTrue("ElementByteOrderMSB");
   voxels.isSwapped = isBig != (std::endian::native == std::endian::big);
   if (isLocal) return voxels;
-  const long long skip = std::atoll(text.value("HeaderSize").c_str());
-  voxels.offset = static_cast<std::uint64_t>(std::max(0ll, skip));
+  const std::vector<double> given = numbers(text.value("HeaderSize"), path);
+  const double skip = given.empty() ? 0 : given.front();
+  if (std::floor(skip) != skip || std::abs(skip) > std::ldexp(1.0, 53)) refuseField(path, "HeaderSize");
+  voxels.offset = static_cast<std::uint64_t>(std::max(0.0, skip));
   // -1: the data are the end of the file.
   const std::uint64_t bytes = header.bytesPerFrame() * static_cast<std::uint64_t>(header.frames);
   if (const std::uint64_t size = fs::file_size(voxels.file); skip == -1 && size > bytes)

@@ -101,7 +101,8 @@ SourcePointer openVolume(const OpenRequest& request, const ReadProgress& progres
   SourcePointer source = isFolder ? openFolder(request, progress) : openFile(request, progress);
   if (!source) return openDicom(request, progress);
   if (request.selection.series && source->header().format != "DICOM")
-    throw UsageError(request.path + ": --series is for DICOM, this is " + source->header().format + ".");
+    throw UsageError(request.path + ": a series is chosen in DICOM alone, this is " +
+                     source->header().format + ".");
   return source;
 }
 
