@@ -48,4 +48,14 @@ void forEachOnThreads(std::size_t n, int threads, F&& f) {
   if (thrown) std::rethrow_exception(thrown);
 }
 
+//! Calls f(from, to) for ranges that cover 0 to n, one for each of up to `threads` threads, none of them of
+//! fewer than `least` unless it is the only one.
+template <typename F>
+void forRangesOnThreads(std::size_t n, int threads, std::size_t least, F&& f) {
+  const std::size_t parts = std::clamp<std::size_t>(n / std::max<std::size_t>(1, least), 1,
+                                                    static_cast<std::size_t>(std::max(1, threads)));
+  forEachOnThreads(parts, static_cast<int>(parts),
+                   [&](std::size_t t) { f(t * n / parts, (t + 1) * n / parts); });
+}
+
 }  // namespace handlebody

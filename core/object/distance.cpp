@@ -1,5 +1,6 @@
 #include "core/object/distance.h"
 #include "core/indices.h"
+#include "core/threads.h"
 
 #include <algorithm>
 #include <array>
@@ -15,13 +16,33 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 //! Lower envelope of the parabolas f(q) + (h (x - q))².
 class Envelope {
  public:
-  explicit Envelope(int n = 0) : f_(idx(n)), apex_(idx(n)), from_(idx(n) + 1) {}
+  explicit Envelope(int n = 0) : f_(idx(n)), result_(idx(n)), apex_(idx(n)), from_(idx(n) + 1) {}
   std::vector<float>& values() { return f_; }
 
+  //! Where f is 0 the envelope is 0, too, and no parabola is the lowest beyond it: what lies between two such
+  //! places is done by itself.
   void run(double h) {
-    if (std::none_of(f_.begin(), f_.end(), [](float x) { return x > 0; })) return;
+    const int n = static_cast<int>(f_.size());
+    for (int first = 0, zero = -1; first < n; ++first) {
+      if (f_[idx(first)] == 0) {
+        zero = first;
+        continue;
+      }
+      int end = first;
+      while (end < n && f_[idx(end)] != 0) ++end;
+      if (zero >= 0 && end < n && end - first == 1)
+        f_[idx(first)] = std::min(f_[idx(first)], static_cast<float>(h * h));
+      else
+        runWithin(std::max(0, zero), std::min(end, n - 1), h);
+      first = zero = end;
+    }
+  }
+
+ private:
+  //! Both ends included; places where f is 0 lie nowhere between them.
+  void runWithin(int first, int last, double h) {
     int k = -1;
-    for (int q = 0; q < static_cast<int>(f_.size()); ++q) {
+    for (int q = first; q <= last; ++q) {
       if (f_[idx(q)] == kInfinity) continue;
       double s = -std::numeric_limits<double>::infinity();
       while (k >= 0) {
@@ -34,16 +55,14 @@ class Envelope {
       from_[idx(k)] = s;
     }
     if (k < 0) return;
-    result_.resize(f_.size());
-    for (int x = 0, j = 0; x < static_cast<int>(f_.size()); ++x) {
+    for (int x = first, j = 0; x <= last; ++x) {
       while (j < k && from_[idx(j + 1)] < x) ++j;
       const double d = h * (x - apex_[idx(j)]);
       result_[idx(x)] = static_cast<float>(d * d) + f_[idx(apex_[idx(j)])];
     }
-    f_.swap(result_);
+    std::copy(result_.begin() + first, result_.begin() + last + 1, f_.begin() + first);
   }
 
- private:
   double crossing(int a, int b, double h) const {
     const double fa = f_[idx(a)], fb = f_[idx(b)];
     return ((fb - fa) / (h * h) + static_cast<double>(b) * b - static_cast<double>(a) * a) / (2.0 * (b - a));
@@ -53,6 +72,8 @@ class Envelope {
   std::vector<double> from_;
 };
 
+// Below this many values a thread costs more than it saves.
+constexpr std::size_t kValuesPerThread = 100'000;
 constexpr std::size_t kTogether = 16;  // lines: a cache line of each is read at once
 
 //! Along the first axis there are only steps to count.
@@ -76,18 +97,28 @@ void alongRows(std::vector<float>& d, int n, double h) {
 }
 
 //! Along another axis; `step` values lie between neighbours.
-void alongLines(std::vector<float>& d, int n, std::size_t step, double h) {
-  std::array<Envelope, kTogether> lines;
-  for (Envelope& e : lines) e = Envelope(n);
-  for (std::size_t slab = 0; slab < d.size(); slab += step * idx(n))
-    for (std::size_t j = slab; j < slab + step; j += kTogether) {
-      const std::size_t some = std::min(kTogether, slab + step - j);
-      for (int i = 0; i < n; ++i)
-        for (std::size_t k = 0; k < some; ++k) lines[k].values()[idx(i)] = d[j + k + idx(i) * step];
-      for (std::size_t k = 0; k < some; ++k) lines[k].run(h);
-      for (int i = 0; i < n; ++i)
-        for (std::size_t k = 0; k < some; ++k) d[j + k + idx(i) * step] = lines[k].values()[idx(i)];
-    }
+void alongLines(std::vector<float>& d, int n, std::size_t step, double h, int threads) {
+  const std::size_t across = (step + kTogether - 1) / kTogether, all = d.size() / (step * idx(n)) * across;
+  forRangesOnThreads(
+      all, threads, kValuesPerThread / (idx(n) * kTogether) + 1, [&](std::size_t from, std::size_t to) {
+        std::array<Envelope, kTogether> lines;
+        for (Envelope& e : lines) e = Envelope(n);
+        for (std::size_t bundle = from; bundle < to; ++bundle) {
+          const std::size_t first = bundle % across * kTogether, some = std::min(kTogether, step - first);
+          float* const at = &d[bundle / across * step * idx(n) + first];
+          bool any = false;
+          for (int i = 0; i < n; ++i)
+            for (std::size_t k = 0; k < some; ++k) {
+              const float value = at[k + idx(i) * step];
+              lines[k].values()[idx(i)] = value;
+              any |= value > 0;
+            }
+          if (!any) continue;
+          for (std::size_t k = 0; k < some; ++k) lines[k].run(h);
+          for (int i = 0; i < n; ++i)
+            for (std::size_t k = 0; k < some; ++k) at[k + idx(i) * step] = lines[k].values()[idx(i)];
+        }
+      });
 }
 
 //! The same where only distances up to `reach` steps count: rows of memory, beside each other in the plane of
@@ -113,7 +144,7 @@ constexpr int kFewSteps = 16;  // up to here comparing takes less than the envel
 }  // namespace
 
 std::vector<float> distanceTo(const std::array<int, 3>& size, const Vec3& spacing,
-                              const std::vector<std::uint8_t>& mask, double limit) {
+                              const std::vector<std::uint8_t>& mask, double limit, int threads) {
   std::vector<float> d(mask.size());
   for (std::size_t i = 0; i < d.size(); ++i) d[i] = mask[i] ? 0 : kInfinity;
   alongRows(d, size[0], spacing[0]);
@@ -123,7 +154,7 @@ std::vector<float> distanceTo(const std::array<int, 3>& size, const Vec3& spacin
     if (limit <= kFewSteps * h)
       alongLinesWithin(d, size[a], step, idx(size[0]), h, static_cast<int>(std::ceil(limit / h)));
     else
-      alongLines(d, size[a], step, h);
+      alongLines(d, size[a], step, h, threads);
     step *= idx(size[a]);
   }
   for (float& x : d) x = std::sqrt(x);

@@ -18,6 +18,21 @@ TEST_CASE("each piece of work is done once, with any number of threads") {
   forEachOnThreads(0, 4, [](std::size_t) { FAIL("there is nothing to do"); });
 }
 
+TEST_CASE("ranges cover all once, and none is smaller than it pays") {
+  for (const int threads : {-1, 1, 3, 50})
+    for (const std::size_t n : {1, 9, 10, 39, 40}) {
+      std::array<std::atomic<int>, 40> calls{};
+      std::atomic<int> small{0}, ranges{0};
+      forRangesOnThreads(n, threads, 10, [&](std::size_t from, std::size_t to) {
+        ++ranges;
+        small += to - from < 10;
+        for (std::size_t i = from; i < to; ++i) ++calls[i];
+      });
+      for (std::size_t i = 0; i < calls.size(); ++i) CHECK(calls[i] == (i < n ? 1 : 0));
+      CHECK((n < 10 ? ranges == 1 : small == 0));
+    }
+}
+
 TEST_CASE("no number of threads asks for all that there are") {
   CHECK(threadCount(3) == 3);
   CHECK(threadCount(0) == static_cast<int>(std::thread::hardware_concurrency()));

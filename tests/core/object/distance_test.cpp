@@ -48,3 +48,14 @@ TEST_CASE("where nothing is marked every distance is infinite, and none where al
   expectExact(std::vector<std::uint8_t>(19 * 7 * 23, 0));
   expectExact(std::vector<std::uint8_t>(19 * 7 * 23, 1));
 }
+
+TEST_CASE("distances are the same bits with any number of threads") {
+  std::mt19937 random(8);
+  std::bernoulli_distribution marked(0.001);
+  const std::array<int, 3> size{131, 70, 90};
+  std::vector<std::uint8_t> mask(131 * 70 * 90);
+  for (auto& m : mask) m = marked(random);
+  const std::vector<float> one = distanceTo(size, kSpacing, mask);
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  for (const int threads : {2, 3, 8}) CHECK(distanceTo(size, kSpacing, mask, kNone, threads) == one);
+}
