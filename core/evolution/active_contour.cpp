@@ -53,7 +53,8 @@ void ActiveContour::State::watch(const Attempt& kept, StepReport& report) {
   const CancelScope scope(nullptr);
   std::vector<Vec3> starts;
   for (const Seed& s : seedsOfSide(parameters.seeds, false)) starts.push_back(s.centre);
-  report.leaks = alarm.look(mesh, kept.moving, {*object.image, walls.all().get(), starts, iteration});
+  const LeakAlarm::Scene scene{*object.image, walls.all().get(), starts, iteration, motion.threads};
+  report.leaks = alarm.look(mesh, kept.moving, scene);
 }
 
 //! Of the mesh that is left, also when all of the step was rolled back.

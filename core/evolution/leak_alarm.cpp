@@ -107,7 +107,7 @@ void LeakAlarm::chart(const Mesh& mesh, const Scene& scene) {
   starts.insert(starts.end(), known_.begin(), known_.end());
   map_ = charts_->find(box_, starts);
   if (!map_) {
-    map_ = std::make_shared<const PassageMap>(scene.image, scene.walls, box_, starts);
+    map_ = std::make_shared<const PassageMap>(scene.image, scene.walls, box_, starts, scene.threads);
     charts_->add(box_, std::move(starts), map_);
   }
   entered_.assign(map_->passages().size(), false);

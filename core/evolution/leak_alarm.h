@@ -41,6 +41,7 @@ class LeakAlarm {
     const Walls* walls;           //!< null: none
     std::span<const Vec3> seeds;  //!< mm
     int iteration;
+    int threads = 1;
   };
   //! `moving`: the vertices that may have come to lie somewhere else since the last look.
   std::vector<Leak> look(const Mesh& mesh, std::span<const int> moving, const Scene& scene);

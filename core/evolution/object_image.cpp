@@ -36,7 +36,22 @@ void ObjectImage::findBounds() {
 }
 
 bool ObjectImage::holds(const std::array<int, 3>& voxel) const {
-  const auto value = static_cast<double>(volume_->at(voxel[0], voxel[1], voxel[2]));
+  return holds(voxel, static_cast<double>(volume_->at(voxel[0], voxel[1], voxel[2])));
+}
+
+void ObjectImage::holdsRow(const std::array<int, 3>& first, int n, std::uint8_t* held) const {
+  constexpr int kShift = SmoothedVolume::kBrickShift, kBrick = SmoothedVolume::kBrick, kMask = kBrick - 1;
+  constexpr int kStored = SmoothedVolume::kStored;
+  for (int i = 0; i < n;) {
+    const int x = first[0] + i, end = std::min(n, i + kBrick - (x & kMask));
+    const float* row = volume_->brick(x >> kShift, first[1] >> kShift, first[2] >> kShift) +
+                       ((first[2] & kMask) * kStored + (first[1] & kMask)) * kStored - (x - (x & kMask));
+    for (; i < end; ++i)
+      held[i] = holds({first[0] + i, first[1], first[2]}, static_cast<double>(row[first[0] + i]));
+  }
+}
+
+bool ObjectImage::holds(const std::array<int, 3>& voxel, double value) const {
   if (value < maybe_.low || value > maybe_.high) return false;
   if (!neck_ && value > surely_.low && value < surely_.high) return true;
   const Vec3 index(voxel[0], voxel[1], voxel[2]);

@@ -2,6 +2,8 @@
 // The image as a force sees it: how far inside the object's intensities a point lies.
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <limits>
 #include <memory>
 
@@ -68,6 +70,8 @@ class ObjectImage {
   //! inside() > 0 at the centre of a voxel of the grid; walls do not count. Quick where only the intensity
   //! decides.
   bool holds(const std::array<int, 3>& voxel) const;
+  //! The same for a row of `n` voxels along the first axis; 1 = held.
+  void holdsRow(const std::array<int, 3>& first, int n, std::uint8_t* held) const;
   //! The same for all voxels of a box, its corners included, with the limits of an intensity as they are in
   //! its middle.
   bool holdsBox(const std::array<int, 3>& low, const std::array<int, 3>& high) const;
@@ -110,6 +114,7 @@ class ObjectImage {
 
  private:
   void findBounds();
+  bool holds(const std::array<int, 3>& voxel, double value) const;
   Limits limitsWithin(const Vec3& index, const Vec3& world, bool held) const;  // without the neck
 
   std::shared_ptr<const SmoothedVolume> volume_;

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/evolution/space_tree.h"
 #include "core/indices.h"
 #include "core/object/distance.h"
+#include "core/threads.h"
 
 namespace handlebody {
 
@@ -17,7 +19,10 @@ constexpr double kLeastBall = 1.5;    // the same, of the balls that mark it
 // A cell whose centre is nearer than this to where fronts rest before a wall, in cells, is closed: no way of
 // neighbours leads through a wall that is thinner than they are.
 constexpr double kAtWall = 0.6;
-constexpr float kUnlimited = 1e6f;  // mm
+constexpr float kUnlimited = 1e6f;                                    // mm
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();  // of a distance
+// Below this many cells a thread costs more than it saves.
+constexpr std::size_t kCellsPerThread = 50'000;
 
 //! Calls f(cell number, x, y, z) for all cells but the outermost layer.
 template <typename F>
@@ -57,11 +62,10 @@ void fillCavities(const std::array<int, 3>& size, std::vector<std::uint8_t>& out
 }  // namespace
 
 PassageMap::PassageMap(const ObjectImage& image, const Walls* walls, const VoxelBox& box,
-                       std::span<const Vec3> starts)
+                       std::span<const Vec3> starts, int threads)
     : grid_(image.volume().grid()) {
   layOut(box);
-  const std::vector<float> radius = findRadii(findOutside(image, walls));
-  SpaceTree tree(size_, radius);
+  const std::vector<float> radius = findRadii(findOutside(image, walls, threads), threads);
   std::vector<std::uint32_t> cells;
   for (const Vec3& s : starts)
     if (const std::int64_t at = cellAt(s); at >= 0)
@@ -69,6 +73,8 @@ PassageMap::PassageMap(const ObjectImage& image, const Walls* walls, const Voxel
   NarrowRule rule;
   rule.narrow = kNarrow;
   rule.leastBehind = kLeastVoxels * cell_;
+  if (surelyTellsNothing(size_, radius, cells, rule)) return;
+  SpaceTree tree(size_, radius);
   const std::vector<Merging> mergings = tree.merge(cells, rule);
   if (mergings.empty()) return;
 
@@ -120,26 +126,37 @@ Vec3 PassageMap::placeOf(std::size_t cell) const {
   return grid_.toWorld(index);
 }
 
-std::vector<std::uint8_t> PassageMap::findOutside(const ObjectImage& image, const Walls* walls) const {
+std::vector<std::uint8_t> PassageMap::findOutside(const ObjectImage& image, const Walls* walls,
+                                                  int threads) const {
   std::vector<std::uint8_t> outside(idx(size_[0]) * idx(size_[1]) * idx(size_[2]), 0);
   const double closed = kAtWall * cell_;
-  forInner(size_, [&](std::size_t i, int x, int y, int z) {
-    const std::array<int, 3> v{low_[0] + step_ * (x - 1), low_[1] + step_ * (y - 1),
-                               low_[2] + step_ * (z - 1)};
-    bool in = image.holds(v);
-    if (in && walls) {
-      const Vec3 index(v[0], v[1], v[2]);
-      in = walls->room(grid_.toWorld(index), index) > closed;
+  const auto lookAtRow = [&](int y, int z) {
+    const std::array<int, 3> first{low_[0], low_[1] + step_ * (y - 1), low_[2] + step_ * (z - 1)};
+    const int n = size_[0] - 2;
+    std::uint8_t* row = &outside[(idx(z) * idx(size_[1]) + idx(y)) * idx(size_[0]) + 1];
+    if (step_ == 1)
+      image.holdsRow(first, n, row);
+    else
+      for (int x = 0; x < n; ++x) row[x] = image.holds({first[0] + step_ * x, first[1], first[2]});
+    for (int x = 0; x < n; ++x) {
+      const Vec3 index(first[0] + step_ * x, first[1], first[2]);
+      const bool in = row[x] && (!walls || walls->room(grid_.toWorld(index), index) > closed);
+      row[x] = !in;
     }
-    outside[i] = !in;
-  });
+  };
+  const std::size_t cellsOfSlab = idx(size_[0]) * idx(size_[1]);
+  forRangesOnThreads(idx(size_[2] - 2), threads, kCellsPerThread / cellsOfSlab + 1,
+                     [&](std::size_t from, std::size_t to) {
+                       for (int z = static_cast<int>(from) + 1; z <= static_cast<int>(to); ++z)
+                         for (int y = 1; y < size_[1] - 1; ++y) lookAtRow(y, z);
+                     });
   fillCavities(size_, outside);
   return outside;
 }
 
 //! Measured to where the object ends: half a cell before the first centre outside.
-std::vector<float> PassageMap::findRadii(const std::vector<std::uint8_t>& outside) const {
-  std::vector<float> radius = distanceTo(size_, step_ * grid_.spacing, outside);
+std::vector<float> PassageMap::findRadii(const std::vector<std::uint8_t>& outside, int threads) const {
+  std::vector<float> radius = distanceTo(size_, step_ * grid_.spacing, outside, kNoLimit, threads);
   std::vector<float> inner(radius.size(), 0.0f);
   const auto half = static_cast<float>(cell_ / 2);
   forInner(size_, [&](std::size_t i, int, int, int) {

@@ -41,7 +41,9 @@ class PassageMap {
  public:
   //! `starts`: mm, on the side of the seeds; those that lie outside of the object or the box do not count.
   //! `walls` may be null. A box of more than kMostCells voxels is looked at in coarser cells.
-  PassageMap(const ObjectImage& image, const Walls* walls, const VoxelBox& box, std::span<const Vec3> starts);
+  //! The map does not depend on the number of threads.
+  PassageMap(const ObjectImage& image, const Walls* walls, const VoxelBox& box, std::span<const Vec3> starts,
+             int threads = 1);
 
   //! Index of the passage that a place lies behind; -1: none.
   int behindWhich(const Vec3& world) const {
@@ -57,8 +59,8 @@ class PassageMap {
   void layOut(const VoxelBox& box);
   std::int64_t cellAt(const Vec3& world) const;
   Vec3 placeOf(std::size_t cell) const;
-  std::vector<std::uint8_t> findOutside(const ObjectImage& image, const Walls* walls) const;
-  std::vector<float> findRadii(const std::vector<std::uint8_t>& outside) const;
+  std::vector<std::uint8_t> findOutside(const ObjectImage& image, const Walls* walls, int threads) const;
+  std::vector<float> findRadii(const std::vector<std::uint8_t>& outside, int threads) const;
   std::uint32_t uphill(std::uint32_t cell, const std::vector<float>& radius) const;
   void markBehind(std::size_t passage, const std::vector<float>& radius,
                   const std::vector<std::uint32_t>& core, double ball);

@@ -83,4 +83,10 @@ class SpaceTree {
   std::vector<Merging> told_;
 };
 
+//! True if merge() of a tree of these radii surely tells nothing, in a fraction of the time of making it: it
+//! is so for widths from w on, up to what makes them narrow beside it, if all that is as wide as w hangs
+//! together with starts as wide. False says nothing.
+bool surelyTellsNothing(const std::array<int, 3>& size, const std::vector<float>& radius,
+                        std::span<const std::uint32_t> starts, const NarrowRule& rule);
+
 }  // namespace handlebody
