@@ -129,7 +129,7 @@ WallDisc discAcross(const ObjectImage& image, const Passage& passage) {
     best = *found;
     normal = n;
   };
-  for (const Vec3& n : Rays(kDirections).directions)
+  for (const Vec3& n : directionsOverSphere(kDirections))
     if (n.dot(behind) >= 0) look(passage.place, n);
   // From the middle outwards, so that of equal sections the nearest is taken.
   const Vec3 along = normal, middle = best.middle;

@@ -19,12 +19,22 @@ namespace {
 // Gradients are kept in half octaves of the noise per cell.
 constexpr int kGradients = 24;
 constexpr int kNoiseGradient = 8;
+constexpr double kAtEnd = 1e-9;  // of an octave: far more than roots and logarithms are rounded by
 // A part of the surface on a cut side that is an accident of a cell or two.
 constexpr double kHardlyCut = 0.005;
 
 std::uint8_t gradientBin(double perNoise) {
   const double bin = 2 * std::log2(std::max(perNoise, 1e-9)) + kNoiseGradient;
   return static_cast<std::uint8_t>(std::clamp(static_cast<int>(std::floor(bin)), 0, kGradients - 1));
+}
+
+//! The same of the square of it, whose octaves the bins are: only next to the end of one it takes a logarithm
+//! to tell which side it falls on.
+std::uint8_t gradientBinOfSquare(double squared) {
+  int octave = 0;
+  const double part = std::frexp(squared, &octave);  // 1/2 to 1
+  if (!(squared > 1e-17) || part < 0.5 + kAtEnd || part > 1 - kAtEnd) return gradientBin(std::sqrt(squared));
+  return static_cast<std::uint8_t>(std::clamp(octave - 1 + kNoiseGradient, 0, kGradients - 1));
 }
 
 //! Gradient of the values over a cell's mean spacing.
@@ -48,7 +58,7 @@ std::vector<std::uint8_t> gradientBins(const ClickSearch& s) {
           }
           step *= idx(g.size[a]);
         }
-        out[i] = gradientBin(std::sqrt(sum));
+        out[i] = gradientBinOfSquare(sum);
       }
   return out;
 }
@@ -81,12 +91,25 @@ void addFace(SumsPerRung& sums, int inner, int outer, double outside, std::size_
   }
 }
 
-//! Which rows of cells have any that joins.
-std::vector<std::uint8_t> rowsOf(const ArrivalMap& map, std::size_t row) {
+//! Where cells that join lie in a row: the first and the last of them.
+struct RowSpan {
+  int first, last;
+};
+
+std::vector<RowSpan> spansOf(const ArrivalMap& map, std::size_t row) {
   const std::vector<std::uint8_t> none(row, kNever);
-  std::vector<std::uint8_t> out;
-  for (std::size_t i = 0; i < map.level.size(); i += row)
-    out.push_back(std::memcmp(&map.level[i], none.data(), row) != 0);
+  const int n = static_cast<int>(row);
+  std::vector<RowSpan> out;
+  for (std::size_t i = 0; i < map.level.size(); i += row) {
+    const std::uint8_t* level = &map.level[i];
+    RowSpan span{n, -1};
+    if (std::memcmp(level, none.data(), row) != 0) {
+      span = {0, n - 1};
+      while (level[span.first] == kNever) ++span.first;
+      while (level[span.last] == kNever) --span.last;
+    }
+    out.push_back(span);
+  }
   return out;
 }
 
@@ -100,25 +123,28 @@ SumsPerRung gather(const ClickSearch& s, const ArrivalMap& map, const std::vecto
   const double voxel = cells.grid.voxelVolume();
   const std::array<double, 3> areas{voxel / cells.grid.spacing[0], voxel / cells.grid.spacing[1],
                                     voxel / cells.grid.spacing[2]};
-  const std::vector<std::uint8_t> rows = rowsOf(map, idx(n[0]));
+  const std::vector<RowSpan> spans = spansOf(map, idx(n[0]));
   for (int z = 0; z < n[2]; ++z) {
     giveUpIfCancelled();
     for (int y = 0; y < n[1]; ++y) {
       const std::size_t row = idx(z) * idx(n[1]) + idx(y);
-      if (!rows[row] && (y + 1 == n[1] || !rows[row + 1]) && (z + 1 == n[2] || !rows[row + idx(n[1])]))
-        continue;
-      std::size_t i = row * idx(n[0]);
-      for (int x = 0; x < n[0]; ++x, ++i) {
+      const RowSpan none{n[0], -1}, own = spans[row], above = y + 1 < n[1] ? spans[row + 1] : none,
+                                    behind = z + 1 < n[2] ? spans[row + idx(n[1])] : none;
+      // With the cell before them, which has a face to the first.
+      const int first = std::max(0, std::min({own.first, above.first, behind.first}) - 1);
+      const int last = std::max({own.last, above.last, behind.last});
+      std::size_t i = row * idx(n[0]) + idx(first);
+      for (int x = first; x <= last; ++x, ++i) {
         const int level = map.level[i];
         const std::array<int, 3> c{x, y, z};
         if (level < kNever) {
-          Sums& own = sums[idx(level)];
+          Sums& of = sums[idx(level)];
           const double d = s.values[i] - s.intensities.level;
-          own.voxels += 1, own.inside += d, own.inside2 += d * d;
+          of.voxels += 1, of.inside += d, of.inside2 += d * d;
           for (std::size_t a = 0; a < 3; ++a) {
             if (n[a] < 2) continue;
-            if (c[a] == 0) ++(cells.goesOn[a][0] ? own.cut : own.border);
-            if (c[a] == n[a] - 1) ++(cells.goesOn[a][1] ? own.cut : own.border);
+            if (c[a] == 0) ++(cells.goesOn[a][0] ? of.cut : of.border);
+            if (c[a] == n[a] - 1) ++(cells.goesOn[a][1] ? of.cut : of.border);
           }
         }
         for (std::size_t a = 0; a < 3; ++a) {
@@ -169,13 +195,15 @@ RankedRegion describe(const ClickSearch& s, const ArrivalMap& map, int rung, con
 //! in size.
 void countVotes(std::vector<RankedRegion>& regions, const std::vector<RankedRegion>& voters,
                 const ObjectPolicy& policy) {
-  std::vector<double> sizes;
-  for (const RankedRegion& v : voters) sizes.push_back(std::log(v.volume));
+  std::vector<std::pair<double, const RankedRegion*>> sizes;
+  for (const RankedRegion& v : voters) sizes.emplace_back(std::log(v.volume), &v);
+  std::sort(sizes.begin(), sizes.end());
   for (RankedRegion& a : regions) {
     const double size = std::log(a.volume);
-    for (std::size_t j = 0; j < voters.size(); ++j) {
-      if (std::abs(size - sizes[j]) >= policy.sameSize) continue;
-      const RankedRegion& b = voters[j];
+    auto voter = std::partition_point(sizes.begin(), sizes.end(),
+                                      [&](const auto& v) { return size - v.first >= policy.sameSize; });
+    for (; voter != sizes.end() && voter->first - size < policy.sameSize; ++voter) {
+      const RankedRegion& b = *voter->second;
       const bool wider = b.map->band >= a.map->band && b.rung >= a.rung && b.map->passes <= a.map->passes;
       const bool narrower = b.map->band <= a.map->band && b.rung <= a.rung && b.map->passes >= a.map->passes;
       a.votes += wider || narrower;

@@ -41,14 +41,19 @@ std::vector<std::uint8_t> maskOn(const CellGrid& grid, const RankedRegion& r) {
       static_cast<std::size_t>(std::find_if(cell[0].begin(), cell[0].end(), isThere) - cell[0].begin());
   std::size_t end = row;
   while (end > first && cell[0][end - 1] == kNone) --end;
+  const std::size_t plane = row * cell[1].size();
   std::uint8_t* to = out.data();
-  for (const int z : cell[2])
-    for (const int y : cell[1]) {
-      if (y != kNone && z != kNone) {
-        const std::uint8_t* level = &r.map->level[own.at(0, y, z)];
+  for (std::size_t z = 0; z < cell[2].size(); ++z)
+    for (std::size_t y = 0; y < cell[1].size(); ++y, to += row) {
+      if (cell[1][y] == kNone || cell[2][z] == kNone) continue;
+      if (z > 0 && cell[2][z] == cell[2][z - 1]) {  // finer cells in coarser ones: the same again
+        std::memcpy(to, to - plane, row);
+      } else if (y > 0 && cell[1][y] == cell[1][y - 1]) {
+        std::memcpy(to, to - row, row);
+      } else {
+        const std::uint8_t* level = &r.map->level[own.at(0, cell[1][y], cell[2][z])];
         for (std::size_t x = first; x < end; ++x) to[x] = level[cell[0][x]] <= rung;
       }
-      to += row;
     }
   return out;
 }

@@ -11,22 +11,9 @@ namespace {
 // Distance on the unit sphere at which a ray's weight is halved, so that a direction on a ray is no
 // exception.
 constexpr double kOnRay = 0.02;
-// Squares along a side of the cube, and the widest angle (radians) from the middle of one to its corner.
-constexpr int kSquares = 16;
+constexpr int kSquares = Rays::kSquares;
+// The widest angle (radians) from the middle of a square to its corner.
 constexpr double kWidest = 0.09;
-
-//! The square in which a direction meets the cube around the sphere.
-std::size_t squareOf(const Vec3& direction) {
-  Eigen::Index axis = 0;
-  const double most = direction.cwiseAbs().maxCoeff(&axis);
-  const auto square = [&](Eigen::Index a) {
-    const double at = 0.5 + 0.5 * direction[a] / most;
-    return std::clamp(static_cast<int>(at * kSquares), 0, kSquares - 1);
-  };
-  const int side = 2 * static_cast<int>(axis) + (direction[axis] < 0 ? 1 : 0);
-  return static_cast<std::size_t>((side * kSquares + square((axis + 1) % 3)) * kSquares +
-                                  square((axis + 2) % 3));
-}
 
 //! The middle of a square, as a direction.
 Vec3 middleOf(std::size_t square) {
@@ -53,6 +40,8 @@ std::vector<std::uint16_t> raysNear(const std::vector<Vec3>& rays, const Vec3& m
 
 }  // namespace
 
+std::vector<Vec3> directionsOverSphere(double spacing) { return icosphere(Vec3(0, 0, 0), 1, spacing).points; }
+
 Rays::Rays(double spacing) {
   const TriangleSoup sphere = icosphere(Vec3(0, 0, 0), 1, spacing);
   directions = sphere.points;
@@ -61,18 +50,27 @@ Rays::Rays(double spacing) {
       const auto a = static_cast<std::size_t>(t[k]), b = static_cast<std::size_t>(t[(k + 1) % 3]);
       if (a < b) pairs.push_back({a, b});
     }
-  for (std::size_t square = 0; square < 6 * kSquares * kSquares; ++square)
+  for (std::size_t square = 0; square < kSquareCount; ++square)
     near_.push_back(raysNear(directions, middleOf(square)));
 }
 
-const std::vector<std::uint16_t>& Rays::near(const Vec3& direction) const {
-  return near_[squareOf(direction)];
+//! The square in which a direction meets the cube around the sphere.
+std::size_t Rays::squareOf(const Vec3& direction) {
+  Eigen::Index axis = 0;
+  const double most = direction.cwiseAbs().maxCoeff(&axis);
+  const auto square = [&](Eigen::Index a) {
+    const double at = 0.5 + 0.5 * direction[a] / most;
+    return std::clamp(static_cast<int>(at * kSquares), 0, kSquares - 1);
+  };
+  const int side = 2 * static_cast<int>(axis) + (direction[axis] < 0 ? 1 : 0);
+  return static_cast<std::size_t>((side * kSquares + square((axis + 1) % 3)) * kSquares +
+                                  square((axis + 2) % 3));
 }
 
 NearestRays nearestRays(const Rays& rays, const Vec3& direction) {
   std::array<double, 3> best{-2, -2, -2};  // cosines
   NearestRays out;
-  for (const std::uint16_t i : rays.near(direction)) {
+  for (const std::uint16_t i : rays.near(Rays::squareOf(direction))) {
     const double d = rays.directions[i].dot(direction);
     if (d <= best[2]) continue;
     std::size_t k = 2;

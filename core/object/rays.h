@@ -10,17 +10,26 @@
 
 namespace handlebody {
 
-//! Unit vectors, and which are neighbours: the vertices and edges of a divided icosahedron.
+//! Unit vectors: the vertices of a divided icosahedron. `spacing`: longest distance of neighbours on the unit
+//! sphere.
+std::vector<Vec3> directionsOverSphere(double spacing);
+
+//! Such directions, and which are neighbours.
 struct Rays {
   std::vector<Vec3> directions;
   std::vector<std::array<std::size_t, 2>> pairs;
-  //! `spacing`: longest distance of neighbours on the unit sphere.
   explicit Rays(double spacing);
-  //! The three nearest to a direction (of unit length) are among these; ascending.
-  const std::vector<std::uint16_t>& near(const Vec3& direction) const;
+  //! Which of kSquareCount parts of the sphere holds a direction (of unit length).
+  static std::size_t squareOf(const Vec3& direction);
+  //! The three nearest to any direction in that part are among these; ascending.
+  const std::vector<std::uint16_t>& near(std::size_t square) const { return near_[square]; }
+
+  // Squares along a side of a cube around the sphere, and on all of them.
+  static constexpr int kSquares = 16;
+  static constexpr std::size_t kSquareCount = 6 * kSquares * kSquares;
 
  private:
-  std::vector<std::vector<std::uint16_t>> near_;  // per square of a cube around the sphere
+  std::vector<std::vector<std::uint16_t>> near_;  // per square
 };
 
 //! The three rays nearest to a direction, with weights that sum to 1, the nearer the more.

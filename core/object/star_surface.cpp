@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "core/cancellation.h"
@@ -21,6 +22,7 @@ constexpr std::size_t kRadii = 40;  // per ray, from the innermost to the outerm
 constexpr int kBins = 32;           // of the intensities
 constexpr double kSettled = 0.1;    // cells: a shorter move is the last
 constexpr double kForced = 1e3;     // cost: more than a surface can win
+constexpr double kRounding = 1e-9;  // of a radius: far more than weights that sum to 1 are rounded by
 
 //! A surface holds all that lies further in on its rays, and bends little between them.
 std::vector<std::array<std::size_t, 2>> pairsOfSurface(const Rays& rays, std::size_t bend) {
@@ -218,15 +220,36 @@ class StarSearch {
     Mask out(cells.count(), 0);
     const auto [low, high] = std::minmax_element(last_.begin(), last_.end());
     const double least = radii_[*low], most = radii_[*high];
+    std::vector<Shell> shells(Rays::kSquareCount);
     forBox(boxAround(cells, cells.nearest(centre_), most + cells.grid.spacing.maxCoeff()),
            [&](const std::array<int, 3>& c) {
              const std::size_t i = cells.at(c);
              const Vec3 to = cells.grid.toWorld(Vec3(c[0], c[1], c[2])) - centre_;
              const double distance = to.norm();
              if (distance > most || task_.image.padding[i]) return;
-             out[i] = distance <= least || distance <= radiusTowards(to / distance);
+             out[i] = distance <= least || isWithin(to / distance, distance, shells);
            });
     return out;
+  }
+  //! Between which distances the surface lies in a part of the sphere.
+  struct Shell {
+    double low = -1, high = -1;
+  };
+  Shell shellOf(std::size_t square) const {
+    Shell out{std::numeric_limits<double>::infinity(), 0};
+    for (const std::uint16_t d : task_.rays.near(square)) {
+      out.low = std::min(out.low, radii_[last_[d]] * (1 - kRounding));
+      out.high = std::max(out.high, radii_[last_[d]] * (1 + kRounding));
+    }
+    return out;
+  }
+  //! Few places lie where it takes the rays beside them to tell. `shells`: those asked for already.
+  bool isWithin(const Vec3& direction, double distance, std::vector<Shell>& shells) const {
+    const std::size_t square = Rays::squareOf(direction);
+    Shell& shell = shells[square];
+    if (shell.high < 0) shell = shellOf(square);
+    if (distance < shell.low || distance > shell.high) return distance < shell.low;
+    return distance <= radiusTowards(direction);
   }
   double radiusTowards(const Vec3& direction) const {
     const NearestRays near = nearestRays(task_.rays, direction);

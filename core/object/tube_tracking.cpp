@@ -113,7 +113,7 @@ class TubeTracking {
   //! The direction in which planes before and behind look like the one at the click.
   void begin(double radius) {
     std::vector<CrossSection> first;
-    for (const Vec3& d : Rays(policy_.tubeDirections).directions)
+    for (const Vec3& d : directionsOverSphere(policy_.tubeDirections))
       if (isHalf(d)) first.push_back(CrossSection::across(inside_[0].place, d, radius, Vec3(1, 0, 0)));
     for (CrossSection& s : first) {
       s.read(work_);

@@ -26,28 +26,24 @@ void forFaceNeighbours(const std::array<int, 3>& size, std::size_t voxel, F&& f)
 //! without weight may be anything. Precondition: the box is not empty.
 template <typename T>
 double trilinear(const T* values, const std::array<int, 3>& size, const Vec3& index) {
-  std::array<std::size_t, 3> first{}, step{};
-  std::array<double, 3> part{};
+  std::array<std::array<std::size_t, 2>, 3> offset{};  // of the lower and the upper one
+  std::array<std::array<double, 2>, 3> part{};
   std::size_t stride = 1;
   for (std::size_t a = 0; a < 3; ++a) {
     const double x = std::clamp(index[static_cast<int>(a)], 0.0, size[a] - 1.0);
     const int low = std::max(0, std::min(static_cast<int>(x), size[a] - 2));
-    part[a] = x - low;
-    first[a] = idx(low) * stride;
-    step[a] = size[a] > 1 ? stride : 0;
+    part[a] = {1 - (x - low), x - low};
+    offset[a] = {idx(low) * stride, idx(size[a] > 1 ? low + 1 : low) * stride};
     stride *= idx(size[a]);
   }
   double sum = 0;
-  for (unsigned corner = 0; corner < 8; ++corner) {
-    double weight = 1;
-    std::size_t offset = 0;
-    for (std::size_t a = 0; a < 3; ++a) {
-      const bool upper = (corner >> a & 1U) != 0;
-      weight *= upper ? part[a] : 1 - part[a];
-      offset += first[a] + (upper ? step[a] : 0);
-    }
-    if (weight > 0) sum += weight * static_cast<double>(values[offset]);
-  }
+  for (std::size_t z = 0; z < 2; ++z)
+    for (std::size_t y = 0; y < 2; ++y)
+      for (std::size_t x = 0; x < 2; ++x) {
+        const double weight = part[0][x] * part[1][y] * part[2][z];
+        if (weight > 0)
+          sum += weight * static_cast<double>(values[offset[0][x] + offset[1][y] + offset[2][z]]);
+      }
   return sum;
 }
 
