@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "core/collision/near_points.h"
 #include "core/indices.h"
@@ -35,9 +37,25 @@ std::vector<GuardedMesh::Measure> measuresOf(const Mesh& mesh, const std::vector
   return measures;
 }
 
+//! Cosine between the normals of the two faces at an edge: -1 where they are folded together.
+double bend(const Mesh& mesh, int h) {
+  const Vec3 a = mesh.areaVector(Mesh::faceOf(h)), b = mesh.areaVector(Mesh::faceOf(mesh.opposite(h)));
+  const double size = a.norm() * b.norm();
+  return size > 0 ? a.dot(b) / size : 1;
+}
+
+//! f(h) once for each edge.
+template <typename F>
+void forEachEdge(const Mesh& mesh, F&& f) {
+  for (int h = 0; h < 3 * mesh.faceSlots(); ++h)
+    if (mesh.isFace(Mesh::faceOf(h)) && h < mesh.opposite(h)) f(h);
+}
+
 }  // namespace
 
-GuardedMesh::GuardedMesh(Mesh mesh) : mesh_(std::move(mesh)) {
+GuardedMesh::GuardedMesh(Mesh mesh)
+    : mesh_(std::move(mesh)), sharpest_(-std::cos(kSharpest * std::numbers::pi / 180)) {
+  forEachEdge(mesh_, [&](int h) { sharpest_ = std::min(sharpest_, bend(mesh_, h)); });
   Components parts = findComponents(mesh_);
   component_ = std::move(parts.ofVertex);
   for (const Measure& m : measuresOf(mesh_, component_, parts.vertices.size())) volume_.push_back(m.volume);
@@ -54,7 +72,8 @@ GuardedMesh::Faults GuardedMesh::faultsOf(const Mesh& mesh, const std::vector<in
   for (const auto& [f, g] : pairs)
     for (const int face : {f, g})
       for (const int v : mesh.face(face)) faults.vertices.push_back(v);
-  faults.any = !pairs.empty();
+  if (pairs.empty()) addFolds(mesh, faults);
+  faults.any = !faults.vertices.empty();
   if (faults.any) return faults;  // the rest is for a mesh without intersections
   const std::vector<Measure> now = measuresOf(mesh, component, volume_.size());
   for (std::size_t c = 0; c < now.size(); ++c)
@@ -67,6 +86,14 @@ GuardedMesh::Faults GuardedMesh::faultsOf(const Mesh& mesh, const std::vector<in
   }
   faults.any = std::find(faults.component.begin(), faults.component.end(), 1) != faults.component.end();
   return faults;
+}
+
+void GuardedMesh::addFolds(const Mesh& mesh, Faults& faults) const {
+  forEachEdge(mesh, [&](int h) {
+    if (bend(mesh, h) >= sharpest_) return;
+    for (const int v : {mesh.origin(h), mesh.target(h), mesh.apex(h), mesh.apex(mesh.opposite(h))})
+      faults.vertices.push_back(v);
+  });
 }
 
 void GuardedMesh::move(std::span<const Vec3> targets) {

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """What share of the surfaces that are written TetGen and gmsh fill with tetrahedra, and what polishing makes of them.
 
-    meshable.py HANDLEBODY_CLI [--volumes FOLDER] [--random N] [--only phantoms,real,labels,fields] [--polish on|off]
+    meshable.py HANDLEBODY_CLI [--volumes FOLDER] [--random N] [--first N] [--only phantoms,real,labels,fields] [--polish on|off]
 
 All phantoms; the cases of FOLDER/cases.json that have a seed; N random label maps by `mesh` and N random fields by
-`segment` (half of the N each). Every surface goes to TetGen (.off, -pYQ) and to gmsh (its bodies, cavities taken
+`segment` (half of the N each, numbered from --first on). Every surface goes to TetGen (.off, -pYQ) and to gmsh (its bodies, cavities taken
 out), each for at most five minutes. A line each, a table at the end; exit code 1 if one is not filled or not made.
 Needs numpy; programs that are not installed are left out.
 """
@@ -203,8 +203,8 @@ def smoothed(noise, passes):
     return noise
 
 
-def labels(cli, tally, switch, count):
-    for i in range(count):
+def labels(cli, tally, switch, numbers):
+    for i in numbers:
         random = np.random.default_rng(1000 + i)
         noise = smoothed(random.normal(size=(18, 18, 18)), int(random.integers(1, 6)))
         mask = np.zeros((22, 22, 22), np.uint8)
@@ -215,8 +215,8 @@ def labels(cli, tally, switch, count):
             one(cli, "labels", f"label map {i}", ["mesh", folder + "/v.nrrd"], tally, switch)
 
 
-def fields(cli, tally, switch, count):
-    for i in range(count):
+def fields(cli, tally, switch, numbers):
+    for i in numbers:
         random = np.random.default_rng(5000 + i)
         noise = smoothed(random.normal(size=(28, 28, 28)), int(random.integers(3, 10)))
         noise = (100 * (noise - noise.mean()) / noise.std()).astype(np.float32)
@@ -236,6 +236,7 @@ def main():
     parser.add_argument("cli")
     parser.add_argument("--volumes")
     parser.add_argument("--random", type=int, default=200)
+    parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--only", default="phantoms,real,labels,fields")
     parser.add_argument("--polish", default="on", choices=["on", "off"])
     o = parser.parse_args()
@@ -247,9 +248,9 @@ def main():
     if "real" in wanted and o.volumes:
         real(cli, tally, o.polish, os.path.abspath(o.volumes))
     if "labels" in wanted:
-        labels(cli, tally, o.polish, o.random // 2)
+        labels(cli, tally, o.polish, range(o.first, o.first + o.random // 2))
     if "fields" in wanted:
-        fields(cli, tally, o.polish, o.random - o.random // 2)
+        fields(cli, tally, o.polish, range(o.first, o.first + o.random - o.random // 2))
     tally.table()
     return tally.faults > 0
 

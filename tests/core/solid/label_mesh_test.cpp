@@ -7,6 +7,7 @@
 
 #include "core/collision/certify.h"
 #include "core/collision/closest_point.h"
+#include "core/mesh/quality.h"
 #include "core/solid/guarded_mesh.h"
 #include "core/solid/mask_surface.h"
 #include "core/solid/simplify.h"
@@ -66,6 +67,9 @@ void requireMeshOf(const Mask& mask) {
   REQUIRE(c.components == counted.components + counted.cavities);
   REQUIRE(tunnelsOf(c) == counted.tunnels);
   REQUIRE(made.farthest <= kMostApart);
+  // No sharper folds than the steps have, or than what a mesher fills.
+  const double steps = meshQuality(maskSurface(mask)).dihedral.least;
+  REQUIRE(meshQuality(made.mesh).dihedral.least >= std::min(steps, kSharpest) - 1e-3);
 }
 
 void requireRandomMeshes(unsigned first, unsigned last) {
@@ -160,6 +164,23 @@ TEST_CASE("vertices that would cross other faces go back, and the others move", 
   guarded.move(targets);
   CHECK(certify(guarded.mesh().compact()).boundsBody());
   CHECK(certify(guarded.mesh().compact()).volume > 1.5 * certify(two).volume);
+}
+
+TEST_CASE("vertices that would fold the surface go back, and the others move", "[solid][label-mesh]") {
+  const TriangleSoup sphere = zoo::sphere(6);
+  const auto farthest =
+      static_cast<std::size_t>(std::max_element(sphere.points.begin(), sphere.points.end(),
+                                                [](const Vec3& p, const Vec3& q) { return p.x() < q.x(); }) -
+                               sphere.points.begin());
+  GuardedMesh guarded{Mesh(sphere)};
+  std::vector<Vec3> targets = sphere.points;
+  for (Vec3& p : targets) p *= 1.2;
+  targets[farthest] *= 5;  // a needle, which intersects nothing
+  guarded.move(targets);
+  const TriangleSoup after = guarded.mesh().compact();
+  CHECK(after.points[farthest] == sphere.points[farthest]);
+  CHECK(meshQuality(after).dihedral.least >= kSharpest - 1e-6);
+  CHECK(certify(after).volume > 1.5 * certify(sphere).volume);
 }
 
 TEST_CASE("a component is not turned inside out, nor made to nothing", "[solid][label-mesh]") {
