@@ -9,7 +9,7 @@
 namespace handlebody {
 
 //! So many units of work may be done; one is about an addition in an inner loop, a nanosecond or two. Whoever
-//! works says so in portions of a millisecond at most: there a wish to cancel is noticed, too.
+//! works says so in portions of a millisecond at most: there a stop token that is set is noticed, too.
 class WorkBudget {
  public:
   explicit WorkBudget(std::size_t units) : all_(units), left_(units) {}

@@ -48,7 +48,7 @@ Json leakOf(const Leak& leak) {
 Json stepToJson(const StepReport& step) {
   Json json = {{"iteration", step.iteration},
                {"moved_vertices", step.movedVertices},
-               {"settled_vertices", step.settledVertices},
+               {"settled_vertices", step.unmovedVertices},
                {"volume_mm3", step.volume},
                {"largest_move_mm", step.largestMove}};
   json["events"] = Json::array();
@@ -214,7 +214,7 @@ void bindResults(ContourClass& contour) {
       "certificate()\n\nOf mesh(): see Mesh.certificate.");
   contour.def("measure", &measuresOf, "measure()\n\nOf mesh(), with the intensities of the volume inside.");
   contour.def(
-      "warnings", [](const Contour& c) { return inPythonWords(sentences(reportOf(c, false).doubts)); },
+      "warnings", [](const Contour& c) { return inPythonWords(sentences(reportOf(c, false).warnings)); },
       "warnings()\n\nWhat to look at before the result is trusted: sentences, as the command line prints "
       "them.");
   contour.def(

@@ -135,8 +135,8 @@ RunReport Contour::report(bool isComplete) const {
     report.tunnels = findTunnelsQuickly(soup, report.mesh);
   }
   report.polish = polish_;
-  if (Finding doubt = polishDoubt(*polish_); doubt.any()) report.doubts.push_back(std::move(doubt));
-  tellDoubts(active_, soup, report);
+  if (Finding warning = polishWarning(*polish_); warning.any()) report.warnings.push_back(std::move(warning));
+  addWarnings(active_, soup, report);
   return report;
 }
 

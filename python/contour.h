@@ -49,7 +49,7 @@ class Contour {
   std::shared_ptr<const TriangleSoup> surface() const;
   //! The mesh of this iteration as the command line writes it. Throws as grownMesh.
   const PythonMesh& mesh() const;
-  //! With doubts; with measures and tunnels if `isComplete`. Throws as mesh().
+  //! With warnings; with measures and tunnels if `isComplete`. Throws as mesh().
   RunReport report(bool isComplete) const;
   const RunReport& told() const { return told_; }
   const ActiveContour& active() const { return active_; }

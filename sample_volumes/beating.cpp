@@ -23,7 +23,7 @@ constexpr double kMargin = 4;                   // mm around the wall
 constexpr double kSystole = 0.35, kFull = 0.8;  // of the period
 constexpr double kWidest = 4;                   // mm, spacing: half of the thinnest wall
 constexpr double kNoise = 0.1, kSpeckle = 0.2;  // of the contrast: as in the phantom cyst
-constexpr double kMostFrames = 10000;
+constexpr double kMaxFrames = 10000;
 
 const Vec3 kHalf(kAcross*(1 + kLobes) + kWall + kMargin, kAcross*(1 + kLobes) + kWall + kMargin,
                  kAlong + kWall + kMargin);
@@ -34,7 +34,7 @@ void require(bool good, const std::string& message) {
 
 void check(const BeatingOptions& o) {
   const PhantomOptions& i = o.image;
-  require(o.frames >= 2 && o.frames <= kMostFrames, "The beating phantom has 2 to 10000 frames (--frames).");
+  require(o.frames >= 2 && o.frames <= kMaxFrames, "The beating phantom has 2 to 10000 frames (--frames).");
   require(o.ejection >= 0 && o.ejection <= 0.8, "The ejection fraction (--ejection) is 0 to 80 per cent.");
   require(std::isfinite(o.period) && o.period > 0, "The period (--period) is above 0 ms.");
   require(std::isfinite(o.torsion) && std::abs(o.torsion) <= 90,
@@ -49,7 +49,7 @@ void check(const BeatingOptions& o) {
 }
 
 Grid gridOf(const PhantomOptions& o) {
-  constexpr double kMostVoxels = 1e9;
+  constexpr double kMaxVoxels = 1e9;
   Grid grid;
   grid.spacing = o.spacing;
   double voxels = 1;
@@ -58,7 +58,7 @@ Grid gridOf(const PhantomOptions& o) {
     require(o.size[a] == 0 || o.size[a] >= own - 2 * kMargin / o.spacing[static_cast<int>(a)],
             "The size (--size) of the phantom beating is too small for its wall.");
     voxels *= o.size[a] > 0 ? o.size[a] : own;
-    require(voxels <= kMostVoxels,
+    require(voxels <= kMaxVoxels,
             "The phantom would have more than 1e9 voxels; a larger --spacing is needed.");
     grid.size[a] = o.size[a] > 0 ? o.size[a] : static_cast<int>(own);
   }

@@ -11,7 +11,7 @@
 namespace handlebody::phantoms {
 namespace {
 
-constexpr double kMostVoxels = 1e9;
+constexpr double kMaxVoxels = 1e9;
 
 // The message is a callable: distances are asked for by the million, and a text would cost more than they do.
 template <typename Message>
@@ -56,8 +56,8 @@ std::array<int, 3> gridSize(const Shape& shape, const PhantomOptions& options) {
     require(size[a] >= 0, [&] { return "The phantom's size (--size) must be three numbers of voxels."; });
     const double own = std::ceil(shape.extent[axis] / h - 1e-9);  // 1e-9: 100 mm at 0.1 mm are 1000 voxels
     voxels *= size[a] > 0 ? size[a] : own;
-    require(voxels <= kMostVoxels, [&] {
-      return "The phantom would have more than " + number(kMostVoxels) +
+    require(voxels <= kMaxVoxels, [&] {
+      return "The phantom would have more than " + number(kMaxVoxels) +
              " voxels; a larger --spacing or a smaller --size is needed.";
     });
     if (size[a] == 0) size[a] = static_cast<int>(own);

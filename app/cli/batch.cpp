@@ -28,7 +28,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kMostJobs = 256;
+constexpr int kMaxJobs = 256;
 constexpr double kHour = 3600;
 constexpr auto kPause = std::chrono::milliseconds(10);
 constexpr const char* kEndedFromOutside =
@@ -407,7 +407,7 @@ void addBatch(CLI::App& app, Action& action) {
         ->type_name(type);
   };
   add("--jobs", "N", "Cases at a time (default 1)",
-      [o](auto& name, auto& text) { o->jobs = parseInteger(name, text, 1, kMostJobs); });
+      [o](auto& name, auto& text) { o->jobs = parseInteger(name, text, 1, kMaxJobs); });
   add("--time-limit", "SECONDS", "For each case (default 3600; 0: none)",
       [o](auto& name, auto& text) { o->defaults.limits.seconds = parseTimeLimit(name, text); });
   add("--memory-limit", "MB", "Address space of each case (default 0: none)",

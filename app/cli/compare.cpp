@@ -19,7 +19,7 @@ namespace handlebody::cli {
 
 namespace {
 
-constexpr int kMostThreads = 1024;
+constexpr int kMaxThreads = 1024;
 
 struct CompareOptions {
   std::string a, b;
@@ -88,7 +88,7 @@ void addMeasures(CLI::App& command, ComparisonOptions& how) {
   command
       .add_option_function<std::string>(
           "--threads",
-          [&how](const std::string& text) { how.threads = parseInteger("--threads", text, 1, kMostThreads); },
+          [&how](const std::string& text) { how.threads = parseInteger("--threads", text, 1, kMaxThreads); },
           "The figures do not depend on it (default: all of the machine)")
       ->type_name("N");
 }

@@ -178,24 +178,24 @@ CertifiedMesh certified(const EditOptions& o, const Mesh& mesh, const Certificat
 
 //! Per triangle of the mesh: 1 if the one before had none with the same corners.
 std::vector<char> newTriangles(const TriangleSoup& mesh, const TriangleSoup& before) {
-  using Place = std::array<double, 9>;
-  const auto placeOf = [](const TriangleSoup& of, const Triangle& t) {
+  using Corners = std::array<double, 9>;
+  const auto cornersOf = [](const TriangleSoup& of, const Triangle& t) {
     std::array<std::array<double, 3>, 3> corners{};
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 p = inSingle(of.points[static_cast<std::size_t>(t[i])]);
       corners[i] = {p.x(), p.y(), p.z()};
     }
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-    Place place{};
+    Corners place{};
     for (std::size_t i = 0; i < 9; ++i) place[i] = corners[i / 3][i % 3];
     return place;
   };
-  std::vector<Place> known;
-  for (const Triangle& t : before.triangles) known.push_back(placeOf(before, t));
+  std::vector<Corners> known;
+  for (const Triangle& t : before.triangles) known.push_back(cornersOf(before, t));
   std::sort(known.begin(), known.end());
   std::vector<char> isNew;
   for (const Triangle& t : mesh.triangles)
-    isNew.push_back(std::binary_search(known.begin(), known.end(), placeOf(mesh, t)) ? 0 : 1);
+    isNew.push_back(std::binary_search(known.begin(), known.end(), cornersOf(mesh, t)) ? 0 : 1);
   return isNew;
 }
 

@@ -35,9 +35,9 @@ void addMesherSeconds(CLI::App& command, double& seconds) {
 }
 
 void warnOfPolish(const PolishReport& report, const std::string& name) {
-  if (const std::string doubt = sentence(polishDoubt(report)); !doubt.empty())
+  if (const std::string warning = sentence(polishWarning(report)); !warning.empty())
     std::fprintf(stderr, "handlebody-cli: warning: %s%s\n", name.empty() ? "" : (name + ": ").c_str(),
-                 doubt.c_str());
+                 warning.c_str());
 }
 
 }  // namespace handlebody::cli

@@ -26,7 +26,7 @@ namespace handlebody::cli {
 
 namespace {
 
-constexpr int kMostThreads = 1024;
+constexpr int kMaxThreads = 1024;
 
 struct MeshOptions {
   std::string labels;
@@ -148,7 +148,7 @@ void addShape(CLI::App& command, MeshOptions& o) {
   add("--edge-length", "MM", "Target edge length (default: the mean voxel size)",
       [&o](const std::string& t) { o.how.edgeLength = positive("--edge-length", t, false); });
   add("--threads", "N", "The mesh does not depend on it (default: all of the machine)",
-      [&o](const std::string& t) { o.how.threads = parseInteger("--threads", t, 1, kMostThreads); });
+      [&o](const std::string& t) { o.how.threads = parseInteger("--threads", t, 1, kMaxThreads); });
   add("--space", "LPS|RAS", "Coordinates of mesh files (default LPS)", [&o](const std::string& t) {
     if (t != "LPS" && t != "RAS") throw OptionError("--space", "'" + t + "' is not LPS or RAS.");
     o.space = t;

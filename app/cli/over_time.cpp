@@ -250,15 +250,15 @@ void printOverTime(const OverTimeReport& report) {
           d.from, d.at, d.dice, d.mean, d.percentile95, 100 * (d.volumeRatio - 1));
 }
 
-//! Carried through the frames, and polished where that is wanted; what is doubtful is said on standard error.
+//! Carried through the frames, and polished where that is wanted; its warnings are said on standard error.
 OverTimeReport carried(GrownObject& grown, OverTimeReport over, bool quiet) {
   Stopwatch watch;
   OverTimeRun through(grown, over, quiet);
   through.carry();
   grown.report.seconds.evolve += watch.lap();
   through.polish(grown);
-  for (const std::string& doubt : overTimeDoubts(over))
-    std::fprintf(stderr, "handlebody-cli: warning: %s\n", doubt.c_str());
+  for (const std::string& warning : overTimeWarnings(over))
+    std::fprintf(stderr, "handlebody-cli: warning: %s\n", warning.c_str());
   grown.report.seconds.exported += watch.lap();
   return over;
 }

@@ -251,9 +251,9 @@ void tellSurface(const CertifiedMesh& made, const Volume& volume, const RunOutpu
   report.seconds.tunnels += watch.lap();
 }
 
-void warn(const std::vector<Finding>& doubts, const std::string& name) {
+void warn(const std::vector<Finding>& warnings, const std::string& name) {
   const std::string behind = name.empty() ? name : name + ": ";
-  for (const Finding& d : doubts)
+  for (const Finding& d : warnings)
     std::fprintf(stderr, "handlebody-cli: warning: %s%s\n", behind.c_str(), sentence(d).c_str());
 }
 
@@ -261,7 +261,7 @@ bool isPolished(const Session& session) { return session.polish && !isMeshAsItIs
 
 void tellPolish(const PolishReport& polish, RunReport& report) {
   report.polish = polish;
-  if (Finding doubt = polishDoubt(polish); doubt.any()) report.doubts.push_back(std::move(doubt));
+  if (Finding warning = polishWarning(polish); warning.any()) report.warnings.push_back(std::move(warning));
 }
 
 }  // namespace
@@ -273,11 +273,11 @@ void polishAmong(GrownObject& object, const std::vector<const TriangleSoup*>& ot
   Stopwatch watch;
   object.polish.bounds.obstacles = others;
   CertifiedMesh made{std::move(object.mesh), report.mesh};
-  const std::size_t told = report.doubts.size();
+  const std::size_t told = report.warnings.size();
   tellPolish(polish(made, object.polish), report);
   report.seconds.exported += watch.lap();
   if (report.polish->isChanged()) tellSurface(made, volume, outputs, report);
-  warn({report.doubts.begin() + static_cast<std::ptrdiff_t>(told), report.doubts.end()},
+  warn({report.warnings.begin() + static_cast<std::ptrdiff_t>(told), report.warnings.end()},
        report.session.label.name);
   object.mesh = std::move(made.mesh);
 }
@@ -315,10 +315,10 @@ GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, Among among, c
     report.sensitivity = sensitivityOf(made.mesh, {volume, contour.request(), contour.parameters()},
                                        outputs.sensitivity, outputs.quiet);
   report.seconds.sensitivity = watch.lap();
-  tellDoubts(contour, made.mesh, report);
+  addWarnings(contour, made.mesh, report);
   if (report.sensitivity)
-    for (Finding& d : sensitivityDoubts(*report.sensitivity)) report.doubts.push_back(std::move(d));
-  warn(report.doubts, name);
+    for (Finding& d : sensitivityWarnings(*report.sensitivity)) report.warnings.push_back(std::move(d));
+  warn(report.warnings, name);
   report.seconds.exported += watch.lap();
   return {std::move(report), std::move(made.mesh), std::move(polishing), std::move(unpolished)};
 }

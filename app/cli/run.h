@@ -74,7 +74,7 @@ struct LoadedSession {
   double loadSeconds = 0;
 };
 
-//! Reads the volume of a session; what is doubtful about it is said on standard error. Throws InputError: if
+//! Reads the volume of a session; its warnings are said on standard error. Throws InputError: if
 //! the session holds a hash that is not the file's, too; where it holds none, it gets it.
 LoadedSession load(Session session);
 
@@ -93,7 +93,7 @@ struct GrownObject {
 //! Which of the objects of a run it is.
 enum class Among { none, others };
 
-//! Grows one object; says its doubts on standard error, behind `name` if that is not empty. Throws as run.
+//! Grows one object; says its warnings on standard error, behind `name` if that is not empty. Throws as run.
 //! Among others it is not polished yet: what they grow up to, as walls, is the surface that grew.
 GrownObject grow(LoadedSession loaded, const RunOutputs& outputs, Among among = Among::none,
                  const std::string& name = {});

@@ -10,7 +10,7 @@ namespace handlebody::cli {
 
 namespace {
 
-constexpr int kMostRuns = 1000;
+constexpr int kMaxRuns = 1000;
 constexpr double kMillilitre = 1000;  // mm³
 
 }  // namespace
@@ -20,7 +20,7 @@ void addSensitivity(CLI::App& command, SensitivityOptions& options) {
       .add_option_function<std::string>(
           "--sensitivity",
           [&options](const std::string& text) {
-            options.runs = parseInteger("--sensitivity", text, 2, kMostRuns);
+            options.runs = parseInteger("--sensitivity", text, 2, kMaxRuns);
           },
           "Grow it so many times again with clicks, smoothing and noise a little different, and tell how "
           "much "

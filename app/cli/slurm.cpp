@@ -22,8 +22,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kMostTasks = 1000;  // of an array: Slurm's MaxArraySize is 1001 unless it was changed
-constexpr std::size_t kMostSaid = 300;
+constexpr int kMaxTasks = 1000;  // of an array: Slurm's MaxArraySize is 1001 unless it was changed
+constexpr std::size_t kMaxSaid = 300;
 
 //! As one word of a shell.
 std::string shellWord(const std::string& text) {
@@ -81,7 +81,7 @@ std::string newFolder(const std::string& folder) {
 std::string said(const std::string& file) {
   std::string text = readFile(file);
   while (!text.empty() && (text.back() == '\n' || text.back() == '.')) text.pop_back();
-  return shortened(text, kMostSaid);
+  return shortened(text, kMaxSaid);
 }
 
 //! The number that sbatch gives a job. Throws UsageError.
@@ -144,9 +144,9 @@ class Submission {
  private:
   //! The rows from the i-th on that one array can hold; gives the first that it does not.
   std::size_t submitArray(std::size_t i, SlurmJobs& jobs) {
-    const int before = (study_.rows[i] - 1) / kMostTasks * kMostTasks;
+    const int before = (study_.rows[i] - 1) / kMaxTasks * kMaxTasks;
     std::vector<int> tasks;
-    for (; i < study_.rows.size() && study_.rows[i] <= before + kMostTasks; ++i)
+    for (; i < study_.rows.size() && study_.rows[i] <= before + kMaxTasks; ++i)
       tasks.push_back(study_.rows[i] - before);
     const std::string script =
         writeScript("cases-" + std::to_string(jobs.arrays.size() + 1) + ".sh",

@@ -397,8 +397,8 @@ double parseTimeLimit(const std::string& option, const std::string& text) {
 }
 
 std::uint64_t parseMemoryLimit(const std::string& option, const std::string& text) {
-  constexpr int kMost = 1 << 30;  // a petabyte
-  return static_cast<std::uint64_t>(parseInteger(option, text, 0, kMost)) << 20U;
+  constexpr int kMaxMegabytes = 1 << 30;  // a petabyte
+  return static_cast<std::uint64_t>(parseInteger(option, text, 0, kMaxMegabytes)) << 20U;
 }
 
 }  // namespace handlebody::cli

@@ -19,19 +19,19 @@ class MarkedCells {
   }
   void mark(const Box& box) {
     const Cells cells = cellsOf(box);
-    marksAll_ = marksAll_ || cells.count() > kMostMarked;
+    marksAll_ = marksAll_ || cells.count() > kMaxMarked;
     if (!marksAll_) anyOf(cells, [this](std::uint32_t at) { return bits_[at / 64] |= bit(at), false; });
   }
   //! True for every box that meets a marked one (touching counts), and for some others.
   bool mayMeet(const Box& box) const {
     const Cells cells = cellsOf(box);
-    return marksAll_ || cells.count() > kMostAsked ||
+    return marksAll_ || cells.count() > kMaxAsked ||
            anyOf(cells, [this](std::uint32_t at) { return (bits_[at / 64] & bit(at)) != 0; });
   }
 
  private:
   static constexpr std::uint32_t kBits = 1u << 19;
-  static constexpr double kMostMarked = 4096, kMostAsked = 64;  // cells of one box
+  static constexpr double kMaxMarked = 4096, kMaxAsked = 64;  // cells of one box
   struct Cells {
     Vec3 low, high;  // whole numbers
     //! Not finite, or not a number, where they cannot be numbered.

@@ -8,9 +8,9 @@ namespace handlebody {
 
 namespace {
 // The cubes are larger than asked for by this factor, so that rounding in scaled coordinates (relative error
-// 2^-51 of at most kMostBoxes) puts no point within the radius into an unmarked box.
+// 2^-51 of at most kMaxBoxes) puts no point within the radius into an unmarked box.
 constexpr double kMargin = 1 + 0x1p-18;
-constexpr double kMostBoxes = 0x1p30;
+constexpr double kMaxBoxes = 0x1p30;
 // Bits per marked box: one box in eight that should not be looked at is.
 constexpr std::size_t kBitsPerVertex = 64;
 }  // namespace
@@ -22,7 +22,7 @@ void NearPoints::build(std::span<const Vec3> points, std::span<const int> vertic
     high_ = high_.cwiseMax(points[static_cast<std::size_t>(v)]);
   }
   // So large boxes that they can be numbered.
-  const double reach = std::max(radius * kMargin, (high_ - low_).maxCoeff() / kMostBoxes);
+  const double reach = std::max(radius * kMargin, (high_ - low_).maxCoeff() / kMaxBoxes);
   low_ -= Vec3::Constant(2 * reach);
   high_ += Vec3::Constant(2 * reach);
   scale_ = reach > 0 ? 1 / (2 * reach) : 0;

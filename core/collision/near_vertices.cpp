@@ -12,7 +12,7 @@ double longestOf(const DetectionWorkspace& work, const Triangle& t) {
   return std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
 }
 
-void addResting(DetectionWorkspace& work, int v) {
+void addInactive(DetectionWorkspace& work, int v) {
   work.stars.need(v);
   if (work.stars.corners(v).empty()) return;  // free, or without a face
   work.sizes[idx(v)] = measureStar(work.points, v, work.stars.corners(v));
@@ -31,7 +31,7 @@ void NearVertices::add(DetectionWorkspace& work) {
   if (!nearlyAll && work.areLevelsWorth()) return addOfLevels(work);
   if (!nearlyAll) near_.build(work.points, work.vertices, work.reach());
   for (int v = 0; v < static_cast<int>(work.points.size()); ++v)
-    if (!work.isActive(v) && (nearlyAll || near_.mayBeNear(work.points[idx(v)]))) addResting(work, v);
+    if (!work.isActive(v) && (nearlyAll || near_.mayBeNear(work.points[idx(v)]))) addInactive(work, v);
 }
 
 //! Each of the others by its own size, as its faces tell it.
@@ -46,7 +46,7 @@ void NearVertices::addOfLevels(DetectionWorkspace& work) {
   for (int v = 0; v < static_cast<int>(work.points.size()); ++v)
     if (!work.isActive(v) && mostAround_[idx(v)] > 0 &&
         nearLevels_.mayBeNear(work.points[idx(v)], mostAround_[idx(v)] * kMeasured))
-      addResting(work, v);
+      addInactive(work, v);
 }
 
 }  // namespace handlebody

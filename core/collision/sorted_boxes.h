@@ -48,11 +48,11 @@ class SortedBoxes {
     std::array<int, 3> box;  // half box
   };
   //! Half boxes (x, y, z) that hold a vertex, all x.
-  struct Row {
+  struct BoxRow {
     int y, z;
     std::uint32_t first;  // up to the next row's
-    bool operator<(const Row& o) const { return z != o.z ? z < o.z : y < o.y; }
-    bool operator==(const Row& o) const { return z == o.z && y == o.y; }
+    bool operator<(const BoxRow& o) const { return z != o.z ? z < o.z : y < o.y; }
+    bool operator==(const BoxRow& o) const { return z == o.z && y == o.y; }
   };
   //! Vertices of a row that are still ahead.
   struct Window {
@@ -65,7 +65,7 @@ class SortedBoxes {
   void sortAlong(std::size_t axis, int most);
   double listRows();
   void placePoints(const HalfBoxes& boxes);
-  Window windowOf(std::size_t row, const Row& wanted) const {
+  Window windowOf(std::size_t row, const BoxRow& wanted) const {
     return rows_[row] == wanted ? Window{rows_[row].first, rows_[row + 1].first} : Window{0, 0};
   }
   template <typename F>
@@ -73,7 +73,7 @@ class SortedBoxes {
   template <typename F>
   void visitRest(std::uint32_t own, std::uint32_t first, std::uint32_t last, F&& f) const;
   template <typename F>
-  void report(std::uint32_t own, std::uint32_t other, F&& f) const {
+  void handPair(std::uint32_t own, std::uint32_t other, F&& f) const {
     const auto u = static_cast<std::size_t>(vertex_[own]), v = static_cast<std::size_t>(vertex_[other]);
     const double d = (points_[v] - points_[u]).squaredNorm();
     if (d <= radiusSquared_) f(vertex_[own], vertex_[other], d);
@@ -89,7 +89,7 @@ class SortedBoxes {
   std::span<const Vec3> points_;
   std::vector<Entry> entries_, scratch_;  // while they are sorted
   std::vector<std::uint32_t> start_;
-  std::vector<Row> rows_;  // in order; three more at the end, beyond all
+  std::vector<BoxRow> rows_;  // in order; three more at the end, beyond all
   std::vector<int> vertex_, x_;
   //! Coordinates in half boxes from the lower corner of all, rounded: for rejection only. kLanes more at the
   //! end.
@@ -101,7 +101,7 @@ void SortedBoxes::visitRest(std::uint32_t own, std::uint32_t first, std::uint32_
   const std::array<float, 3> centre = placeOf(own);
   for (std::uint32_t i = first; i < last && x_[i] <= x_[own] + 1; i += kLanes)
     for (unsigned bits = anyLane(near(centre, {i, last}) & LaneBits{1, 2, 4, 8}); bits != 0; bits &= bits - 1)
-      report(own, i + static_cast<std::uint32_t>(std::countr_zero(bits)), f);
+      handPair(own, i + static_cast<std::uint32_t>(std::countr_zero(bits)), f);
 }
 
 //! The windows move on with the vertices of the own row. What lies beyond the neighbouring half boxes, but in
@@ -121,7 +121,7 @@ void SortedBoxes::visit(std::uint32_t own, Windows& windows, F&& f) const {
   static_assert(kLanes == 4);
   for (unsigned bits = anyLane(all); bits != 0; bits &= bits - 1) {
     const auto bit = static_cast<std::uint32_t>(std::countr_zero(bits));
-    report(own, windows[bit / kLanes].next + bit % kLanes, f);
+    handPair(own, windows[bit / kLanes].next + bit % kLanes, f);
   }
   for (const Window& w : windows)
     if (w.end > w.next + kLanes) visitRest(own, w.next + kLanes, w.end, f);
@@ -131,8 +131,8 @@ template <typename F>
 void SortedBoxes::forEachPair(F&& f) const {
   std::size_t above = 0;  // the first row that does not come before (y-1, z+1)
   for (std::size_t r = 0; rows_[r].first < vertex_.size(); ++r) {
-    const Row& row = rows_[r];
-    while (rows_[above] < Row{row.y - 1, row.z + 1, 0}) ++above;
+    const BoxRow& row = rows_[r];
+    while (rows_[above] < BoxRow{row.y - 1, row.z + 1, 0}) ++above;
     Windows windows{Window{row.first, rows_[r + 1].first}, windowOf(r + 1, {row.y + 1, row.z, 0})};
     std::size_t next = above;
     for (std::size_t k = 2; k < windows.size(); ++k) {

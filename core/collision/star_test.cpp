@@ -36,16 +36,16 @@ constexpr double kLonger = 1 + 0x1p-19;
 
 // The radius of a circle is computed where the face is not so thin that rounding spoils it; elsewhere a third
 // of the squared longest edge will do for its square (Jung). Where the squared area vector is above
-// kThinCircle of the squared longest edge's square, all that comes from single precision is off by less than
+// kThinFace of the squared longest edge's square, all that comes from single precision is off by less than
 // 2^-11.
-constexpr float kThinCircle = 0x1p-12f;
+constexpr float kThinFace = 0x1p-12f;
 constexpr float kWider = 1 + 0x1p-10f;
 
 //! Squared radius of the smallest circle around a triangle, not too small, by its squared edges and the
 //! square of the cross product of two of them.
-double circleSquared(double a, double b, double c, double areaSquared) {
+double enclosingCircleSquared(double a, double b, double c, double areaSquared) {
   const double longest = std::max({a, b, c});
-  const bool isThin = !(areaSquared > static_cast<double>(kThinCircle) * longest * longest);
+  const bool isThin = !(areaSquared > static_cast<double>(kThinFace) * longest * longest);
   if (isThin || longest < kTiny) return longest / 3;
   if (a + b + c <= 2 * longest) return longest / 4;  // obtuse: the longest edge is a diameter
   return std::min(longest / 3, a * b / (4 * areaSquared) * c);
@@ -53,10 +53,10 @@ double circleSquared(double a, double b, double c, double areaSquared) {
 
 double norm1(const Vec3& v) { return std::abs(v.x()) + std::abs(v.y()) + std::abs(v.z()); }
 
-//! Up to seven edges at a vertex, the first once more after the last, noughts from there on.
+//! Up to seven edges at a vertex, the first once more after the last, zeros from there on.
 class FewEdges {
  public:
-  static constexpr std::size_t kMost = 7;
+  static constexpr std::size_t kMaxEdges = 7;
 
   FewEdges(std::span<const Vec3> points, int v, std::span<const Corner> corners) : count_(corners.size()) {
     const Vec3& centre = points[static_cast<std::size_t>(v)];
@@ -77,7 +77,7 @@ class FewEdges {
   }
 
   bool isEmbedded(StarSize& size) const {
-    LaneFloats spoke{}, circle{};
+    LaneFloats longestEdge{}, enclosingCircle{};
     Lanes sum{};
     std::array<Lanes, 2> normals;
     for (const std::size_t half : {0, 1}) {
@@ -88,13 +88,15 @@ class FewEdges {
       const Lanes along{b.x - a.x, b.y - a.y, b.z - a.z};
       const LaneFloats aa = a.dot(a);
       const LaneBits isFace = (LaneBits{0, 1, 2, 3} + static_cast<int>(4 * half)) < static_cast<int>(count_);
-      spoke = larger(spoke, aa);
-      circle = larger(circle, isFace ? circleSquared(aa, b.dot(b), along.dot(along), n.dot(n)) : circle);
+      longestEdge = larger(longestEdge, aa);
+      enclosingCircle =
+          larger(enclosingCircle,
+                 isFace ? enclosingCircleSquared(aa, b.dot(b), along.dot(along), n.dot(n)) : enclosingCircle);
     }
-    const float longest = greatest(spoke);
+    const float longest = greatest(longestEdge);
     if (!(longest > kSmallest && longest < kLargest)) return false;
-    size.spoke = kLonger * static_cast<double>(longest);
-    size.circle = static_cast<double>(kWider * greatest(circle));
+    size.longestEdge = kLonger * static_cast<double>(longest);
+    size.enclosingCircle = static_cast<double>(kWider * greatest(enclosingCircle));
 
     const std::array<float, 3> up{total(sum.x), total(sum.y), total(sum.z)}, odd{0.4217f, -0.7353f, 0.5306f};
     const float up1 = std::abs(up[0]) + std::abs(up[1]) + std::abs(up[2]);
@@ -126,12 +128,12 @@ class FewEdges {
     LaneFloats dot(const std::array<float, 3>& o) const { return x * o[0] + y * o[1] + z * o[2]; }
   };
   //! As above, in single precision.
-  static LaneFloats circleSquared(const LaneFloats& a, const LaneFloats& b, const LaneFloats& c,
-                                  const LaneFloats& areaSquared) {
+  static LaneFloats enclosingCircleSquared(const LaneFloats& a, const LaneFloats& b, const LaneFloats& c,
+                                           const LaneFloats& areaSquared) {
     const LaneFloats longest = larger(larger(a, b), c), third = longest * (1.0f / 3);
-    const LaneFloats around = a * b / (4 * areaSquared) * c;  // only where that is no division by nought
+    const LaneFloats around = a * b / (4 * areaSquared) * c;  // only where that is no division by zero
     const LaneFloats wide = a + b + c <= 2 * longest ? longest * 0.25f : around < third ? around : third;
-    return areaSquared > kThinCircle * longest * longest ? wide : third;
+    return areaSquared > kThinFace * longest * longest ? wide : third;
   }
   //! Lanes 1, 2, 3 and then the first of `next`.
   static LaneFloats following(const LaneFloats& lanes, const LaneFloats& next) {
@@ -149,7 +151,7 @@ class FewEdges {
 
 bool StarTest::isEmbedded(std::span<const Vec3> points, int v, std::span<const Corner> corners,
                           StarSize& size) {
-  if (corners.size() <= FewEdges::kMost && FewEdges(points, v, corners).isEmbedded(size)) return true;
+  if (corners.size() <= FewEdges::kMaxEdges && FewEdges(points, v, corners).isEmbedded(size)) return true;
   return isEmbeddedInDouble(points, v, corners, size);
 }
 
@@ -160,11 +162,12 @@ StarSize measureStar(std::span<const Vec3> points, int v, std::span<const Corner
     const Vec3& a = points[static_cast<std::size_t>(c.next)];
     const Vec3& b = points[static_cast<std::size_t>(c.prev)];
     const Vec3 ea = a - centre, eb = b - centre;
-    size.spoke = std::max({size.spoke, ea.squaredNorm(), eb.squaredNorm()});
-    size.circle = std::max(size.circle, circleSquared(ea.squaredNorm(), eb.squaredNorm(),
-                                                      (b - a).squaredNorm(), ea.cross(eb).squaredNorm()));
+    size.longestEdge = std::max({size.longestEdge, ea.squaredNorm(), eb.squaredNorm()});
+    size.enclosingCircle = std::max(
+        size.enclosingCircle, enclosingCircleSquared(ea.squaredNorm(), eb.squaredNorm(),
+                                                     (b - a).squaredNorm(), ea.cross(eb).squaredNorm()));
   }
-  size.circle *= static_cast<double>(kWider);
+  size.enclosingCircle *= static_cast<double>(kWider);
   return size;
 }
 
@@ -179,7 +182,7 @@ bool StarTest::isEmbeddedInDouble(std::span<const Vec3> points, int v, std::span
   for (std::size_t i = 0; i < k; ++i) edges_[i] = points[static_cast<std::size_t>(corners[i].next)] - centre;
   edges_[k] = edges_[0];
   size = measureStar(points, v, corners);
-  const double longest = size.spoke;
+  const double longest = size.longestEdge;
   if (longest < kTiny) return false;
 
   Vec3 up = Vec3::Zero();

@@ -22,7 +22,7 @@ double VertexLevels::reachOf(int level) const {
 
 bool VertexLevels::areWorth(std::span<const double> sizesSquared, double largestSquared) {
   double sum = 0;
-  for (const double s : sizesSquared) sum += std::min(largestSquared / s, 1e6);  // a size may be nought
+  for (const double s : sizesSquared) sum += std::min(largestSquared / s, 1e6);  // a size may be zero
   return sum > kUneven * static_cast<double>(sizesSquared.size());
 }
 

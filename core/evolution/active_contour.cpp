@@ -5,7 +5,7 @@
 #include "core/cancellation.h"
 #include "core/errors.h"
 #include "core/evolution/contour_state.h"
-#include "core/evolution/image_doubts.h"
+#include "core/evolution/image_warnings.h"
 #include "core/mesh/morton_order.h"
 
 namespace handlebody {
@@ -42,7 +42,7 @@ void ActiveContour::State::keepOrder() {
 void ActiveContour::State::accept(const Attempt& a, StepReport& report) {
   active.count(mesh, {a.moving, a.distances, a.touched}, parameters.edgeLength);
   for (double d : a.distances) {
-    report.movedVertices += d >= kQuiet * parameters.edgeLength;
+    report.movedVertices += d >= kUnmoved * parameters.edgeLength;
     report.largestMove = std::max(report.largestMove, d);
   }
   if (!report.events.empty()) topology = report.events.back().after;
@@ -60,11 +60,11 @@ void ActiveContour::State::watch(const Attempt& kept, StepReport& report) {
 //! Of the mesh that is left, also when all of the step was rolled back.
 void ActiveContour::State::finish(StepReport& report) {
   const bool isEdit = !report.events.empty() && report.events.front().edit;
-  const bool calm = report.events.empty() && !locked.resting.anyWillWake(iteration);
+  const bool isUneventful = report.events.empty() && !locked.lockedRegions.anyWillUnlock(iteration);
   const auto whyAtRest = [this] {
-    return reasonOfRest(mesh, *object.image, motion, locked.resting, iteration);
+    return reasonOfRest(mesh, *object.image, motion, locked.lockedRegions, iteration);
   };
-  stop.afterStep(facts(), {isEdit, calm, report.movedVertices}, whyAtRest);
+  stop.afterStep(facts(), {isEdit, isUneventful, report.movedVertices}, whyAtRest);
   takePins();
 }
 
@@ -106,7 +106,7 @@ StepReport ActiveContour::State::step() {
   report.events = std::move(made.events);
   if (made.last.isKept()) accept(made.last, report);
   releaseWalls();
-  report.settledVertices = std::max(0, mesh.vertexCount() - report.movedVertices);
+  report.unmovedVertices = std::max(0, mesh.vertexCount() - report.movedVertices);
   report.volume = transaction.volume();
   report.questions = locked.held.questions(iteration);
   watch(made.last, report);
@@ -124,7 +124,7 @@ StepReport ActiveContour::State::editStep(const MeshEdit& edit) {
   topology = made.events.back().after;
   report.events = std::move(made.events);
   releaseWalls();
-  report.settledVertices = mesh.vertexCount();
+  report.unmovedVertices = mesh.vertexCount();
   report.volume = transaction.volume();
   finish(report);
   return report;
@@ -192,7 +192,7 @@ const std::vector<ObjectCandidate>& ActiveContour::candidates() const {
 }
 bool ActiveContour::isCloseChoice() const { return state_->object.choices->get().isCloseChoice; }
 std::shared_ptr<const AskedChoices> ActiveContour::choices() const { return state_->object.choices; }
-bool ActiveContour::isSettled(int vertex) const { return state_->active.isConverged(vertex); }
+bool ActiveContour::isConverged(int vertex) const { return state_->active.isConverged(vertex); }
 bool ActiveContour::isPinned(int vertex) const { return state_->locked.pins.holds(vertex); }
 std::size_t ActiveContour::memory() const {
   return sizeof(State) + state_->mesh.memory() + state_->active.memory();
@@ -202,14 +202,14 @@ SurfaceSupport ActiveContour::support() const {
   return {std::vector<FaceSupport>(static_cast<std::size_t>(state_->mesh.faceCount()), FaceSupport::edge), 0,
           0};
 }
-std::vector<Finding> ActiveContour::doubts(const SurfaceSupport& support) const {
-  std::vector<Finding> doubts;
-  if (!state_->isDone()) doubts = imageDoubts(state_->mesh, *state_->object.image, support);
-  if (state_->walls.isPushing()) doubts.push_back(FindingKind::liesInWall);
-  for (Finding& d : state_->locked.held.doubts()) doubts.push_back(std::move(d));
+std::vector<Finding> ActiveContour::warnings(const SurfaceSupport& support) const {
+  std::vector<Finding> warnings;
+  if (!state_->isDone()) warnings = imageWarnings(state_->mesh, *state_->object.image, support);
+  if (state_->walls.isPushing()) warnings.push_back(FindingKind::liesInWall);
+  for (Finding& d : state_->locked.held.warnings()) warnings.push_back(std::move(d));
   if (state_->object.neckRadius > 0)
-    doubts.push_back({FindingKind::heldAtPassages, {{"radius_mm", state_->object.neckRadius}}});
-  return doubts;
+    warnings.push_back({FindingKind::heldAtPassages, {{"radius_mm", state_->object.neckRadius}}});
+  return warnings;
 }
 void ActiveContour::recordTraces(bool on) { state_->traces = on; }
 

@@ -7,7 +7,7 @@
 
 #include "core/evolution/correction.h"
 #include "core/evolution/held_changes.h"
-#include "core/evolution/image_doubts.h"
+#include "core/evolution/image_warnings.h"
 #include "core/evolution/parameters.h"
 #include "core/evolution/pinned_parts.h"
 #include "core/evolution/step_report.h"
@@ -45,19 +45,19 @@ class ActiveContour {
   //! no vertex; no further step may be taken then. An edit of that iteration (mesh_edit.h) is made in place
   //! of motion; if it finds nothing, would change what is pinned, or what it would leave is not certain to be
   //! valid, UsageError, and the contour is as it was before the step. Throws Cancelled (cancellation.h)
-  //! within some 20 ms of the wish; the contour is as it was before the step.
+  //! within some 20 ms after the stop token is set; the contour is as it was before the step.
   StepReport step();
 
   //! Goes on with other clicks and parameters from here. What is automatic is chosen as for a new contour;
-  //! the mesh and the seeds' radii stay. With other parameters alone everything that has settled or rests
-  //! wakes, unless only the iterations or threads have changed. With other clicks the automatic edge length
-  //! stays too, and what has settled where the new image has the boundary sleeps on; elsewhere the surface
-  //! grows, or gives ground, and its components are corrected (correction.h). If it has next to nothing in
-  //! common with the new object it begins anew, at the same iteration: correction() tells. Throws as the
-  //! constructor, and nothing has changed then.
-  //! Walls may not be put where the surface is, unless it may move in both directions and crosses them
-  //! (UsageError otherwise); objects never. What is pinned neither moves nor goes; a surface that would have
-  //! to begin anew may not be pinned (UsageError). A pin of this iteration holds from here on.
+  //! the mesh and the seeds' radii stay. With other parameters alone everything that has converged or is
+  //! locked becomes active, unless only the iterations or threads have changed. With other clicks the
+  //! automatic edge length stays too, and what has converged where the new image has the boundary stays so;
+  //! elsewhere the surface grows, or gives ground, and its components are corrected (correction.h). If it has
+  //! next to nothing in common with the new object it begins anew, at the same iteration: correction() tells.
+  //! Throws as the constructor, and nothing has changed then. Walls may not be put where the surface is,
+  //! unless it may move in both directions and crosses them (UsageError otherwise); objects never. What is
+  //! pinned neither moves nor goes; a surface that would have to begin anew may not be pinned (UsageError). A
+  //! pin of this iteration holds from here on.
   void change(const Request& request);
   //! The same with what `prepared` was made from, whose image is taken over instead of being chosen again.
   //! Precondition: it was made for the same volume.
@@ -109,17 +109,18 @@ class ActiveContour {
   bool isCloseChoice() const;
   //! What both tell, to be asked for on another thread while this one goes on.
   std::shared_ptr<const AskedChoices> choices() const;
-  //! True if the vertex has not moved for a while and sleeps. Precondition: mesh().isVertex(vertex).
-  bool isSettled(int vertex) const;
+  //! True if the vertex has not moved for some iterations and is not asked to any more. Precondition:
+  //! mesh().isVertex(vertex).
+  bool isConverged(int vertex) const;
   //! True if a pin holds the vertex. Precondition: the same.
   bool isPinned(int vertex) const;
   //! Bytes of a copy that are its own: not the image.
   std::size_t memory() const;
   //! Where the image shows an edge at the surface as it is now, and where none.
   SurfaceSupport support() const;
-  //! What in the image speaks against the surface as it is now (image_doubts.h). `support`: of the surface as
-  //! it is now.
-  std::vector<Finding> doubts(const SurfaceSupport& support) const;
+  //! What in the image speaks against the surface as it is now (image_warnings.h). `support`: of the surface
+  //! as it is now.
+  std::vector<Finding> warnings(const SurfaceSupport& support) const;
   //! Traces of events are recorded from the next step on. Off by default.
   void recordTraces(bool on);
 

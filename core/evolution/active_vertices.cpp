@@ -14,15 +14,15 @@ void ActiveVertices::convergeChanged(const Mesh& before, const Mesh& mesh,
   for (int v = 0; v < mesh.vertexSlots(); ++v)
     if (touched[idx(v)] != 0 &&
         (v >= before.vertexSlots() || !before.isVertex(v) || before.position(v) != mesh.position(v)))
-      quiet_[idx(v)] = kQuietToSleep;
+      quiet_[idx(v)] = kStepsToConverge;
 }
 
 std::vector<int> ActiveVertices::list(const Mesh& mesh, const LockedRegions& locked, int iteration) const {
   std::vector<int> out;
-  const bool anyRest = locked.resting.any(iteration);
+  const bool anyLocked = locked.lockedRegions.any(iteration);
   for (int v = 0; v < mesh.vertexSlots(); ++v)
     if (mesh.isVertex(v) && !isConverged(v) &&
-        !(anyRest && locked.resting.rests(mesh.position(v), iteration)) && !locked.isHeld(mesh, v))
+        !(anyLocked && locked.lockedRegions.isLocked(mesh.position(v), iteration)) && !locked.isHeld(mesh, v))
       out.push_back(v);
   return out;
 }

@@ -5,16 +5,16 @@
 #include <span>
 #include <vector>
 
+#include "core/evolution/converged_vertices.h"
 #include "core/evolution/locked_regions.h"
-#include "core/evolution/quiet_vertices.h"
 #include "core/indices.h"
 #include "core/mesh/mesh.h"
 
 namespace handlebody {
 
 //! Counts, per vertex slot, the iterations in a row without motion: a byte each. A vertex that has come to
-//! kQuietToSleep of them has converged and is not asked any more, until something near it moves. Owned by the
-//! contour and copied with it; every slot of its mesh is known between two steps.
+//! kStepsToConverge of them has converged and is not asked any more, until something near it moves. Owned by
+//! the contour and copied with it; every slot of its mesh is known between two steps.
 class ActiveVertices {
  public:
   //! No vertex of a mesh with that many slots has converged.
@@ -23,12 +23,12 @@ class ActiveVertices {
   void resize(int slots) { quiet_.resize(idx(slots), 0); }
   //! Precondition, here and below: the slot is known.
   void wake(int vertex) { quiet_[idx(vertex)] = 0; }
-  bool isConverged(int vertex) const { return quiet_[idx(vertex)] >= kQuietToSleep; }
+  bool isConverged(int vertex) const { return quiet_[idx(vertex)] >= kStepsToConverge; }
   //! After mesh.reorder(order).
   void reorder(std::span<const int> order);
-  //! After a step, with what it did to the vertices (quiet_vertices.h).
+  //! After a step, with what it did to the vertices (converged_vertices.h).
   void count(const Mesh& mesh, const StepMotion& motion, double edgeLength) {
-    countQuiet(mesh, motion, edgeLength, quiet_);
+    countUnmoved(mesh, motion, edgeLength, quiet_);
   }
   //! After an edit by hand: what it made or moved stays as it was made, until something near it moves.
   //! `touched`: per slot of the mesh, among them all such vertices.
@@ -39,7 +39,7 @@ class ActiveVertices {
   std::size_t memory() const { return quiet_.size(); }
 
  private:
-  std::vector<unsigned char> quiet_;  // iterations in a row, up to kQuietToSleep
+  std::vector<unsigned char> quiet_;  // iterations in a row, up to kStepsToConverge
 };
 
 }  // namespace handlebody

@@ -36,14 +36,14 @@ void adaptInRounds(Mesh& mesh, CollisionDetector& detector, AdaptationSettings s
     a.touched.resize(idx(mesh.vertexSlots()), 0);
     changed.resize(idx(mesh.vertexSlots()), 0);
     for (std::size_t v = 0; v < changed.size(); ++v) a.touched[v] = a.touched[v] | changed[v];
-    if (!result.troubles.empty()) {
-      a.troubles = std::move(result.troubles);
+    if (!result.conflicts.empty()) {
+      a.conflicts = std::move(result.conflicts);
       return;
     }
   }
   for (const auto& [f, g] : detector.detectMoved(mesh, changed)) {
     const Vec3& centre = mesh.position(mesh.face(f)[0]);
-    a.troubles.push_back({centre, 2 * longest, FindingKind::stillIntersects});
+    a.conflicts.push_back({centre, 2 * longest, FindingKind::stillIntersects});
   }
 }
 

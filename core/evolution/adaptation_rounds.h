@@ -7,7 +7,7 @@
 
 namespace handlebody {
 
-//! Until nothing intersects, or until a place has to be rolled back: then it is in the attempt's troubles.
+//! Until nothing intersects, or until a place has to be rolled back: then it is in the attempt's conflicts.
 //! Precondition: faces without a vertex that a.touched marks intersect nothing. `longest`: mm, of an edge.
 void adaptInRounds(Mesh& mesh, CollisionDetector& detector, AdaptationSettings settings, double longest,
                    Attempt& a);

@@ -20,7 +20,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // A boundary and a region are of one object if they share this part of what either holds.
 constexpr double kSameObject = 0.75;
 constexpr double kNextTo = 1.5;  // cells: a boundary that is that near to the region's surface is its own
-constexpr std::size_t kMostVoxels = 20'000'000;  // of a boundary that is compared
+constexpr std::size_t kMaxVoxels = 20'000'000;  // of a boundary that is compared
 // An edge of half a step of so many standard deviations of the noise is trusted for a whole cell.
 constexpr double kTrusted = 2;
 // Standard deviations that are tried, in voxels, and the part of the half-step that noise may be.
@@ -130,7 +130,7 @@ bool isSameObject(const Volume& volume, const ObjectChoice& choice, const std::v
   std::vector<Vec3> indices, outside;
   for (const Seed& s : clicks) (s.background ? outside : indices).push_back(volume.grid.toIndex(s.centre));
   const double sign = choice.object == ObjectKind::dark ? 1 : -1;
-  const ObjectRegion flooded = floodObject(*choice.volume, indices, sign, *choice.levels, kMostVoxels);
+  const ObjectRegion flooded = floodObject(*choice.volume, indices, sign, *choice.levels, kMaxVoxels);
   const CellGrid& cells = model.work->cells();
   double both = 0, in = 0;
   for (const ObjectRegion::Voxel& v : flooded.voxels) {

@@ -225,8 +225,8 @@ void ActiveContour::State::change(const Request& to, const State* prepared) {
   const bool unpinned = locked.pins.choose(to.constraints.pins, iteration);
   takePins();
   edits.choose(to.constraints.edits, iteration);
-  const bool wake = otherClicks || otherWalls || freed || unpinned || !moveAlike(to.parameters, before);
-  const bool sleepsOn = otherClicks && haveSameForces(to.parameters, before);
+  const bool activates = otherClicks || otherWalls || freed || unpinned || !moveAlike(to.parameters, before);
+  const bool staysConverged = otherClicks && haveSameForces(to.parameters, before);
   asked = to;
   if (prepared)
     object = prepared->object;
@@ -236,23 +236,23 @@ void ActiveContour::State::change(const Request& to, const State* prepared) {
   const double edge = parameters.edgeLength;
   resolve();
   const bool isOtherEdge = parameters.edgeLength != edge;
-  if (wake) forgetRest();
-  if (wake && !sleepsOn) active.wakeAll(mesh.vertexSlots());
+  if (activates) forgetLocks();
+  if (activates && !staysConverged) active.wakeAll(mesh.vertexSlots());
   if (otherClicks && !isDone()) correct();
   if (otherClicks || otherImage || otherWalls) alarm.forget();
   chooseSizes(seedsOfSide(parameters.seeds, false), otherImage || isOtherEdge);
   walls.putUp(mesh, known, mayShrink());
   chooseForbidden();
-  stop.change(facts(), wake);
+  stop.change(facts(), activates);
 }
 
-void ActiveContour::State::forgetRest() {
+void ActiveContour::State::forgetLocks() {
   locked.forgetRollbacks();
-  stop.forgetRest();
+  stop.forgetLocks();
   transaction.forgetCollapsed();
 }
 
-//! After a change of the clicks. What had settled and agrees with the new image sleeps on.
+//! After a change of the clicks. What had converged and agrees with the new image stays so.
 void ActiveContour::State::correct() {
   std::vector<Seed> fronts;
   const PinnedParts& pins = locked.pins;
@@ -271,7 +271,7 @@ void ActiveContour::State::correct() {
   correction->givesGround = differs.isOutside;
   active.resize(mesh.vertexSlots());
   for (int v = 0; v < mesh.vertexSlots(); ++v)
-    if (differs.vertices[idx(v)] != 0) active.wake(v);
+    if (differs.vertices[idx(v)] != 0) active.activates(v);
   topology = topologyNumbers(mesh);
 }
 

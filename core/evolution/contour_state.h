@@ -78,7 +78,7 @@ struct ActiveContour::State {
   void beginWithStart();
   void beginAnew();
   void resolveSeeds(const std::vector<Seed>& inside);
-  void forgetRest();
+  void forgetLocks();
   void correct();
 
   // active_contour.cpp: steps

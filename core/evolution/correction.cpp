@@ -19,8 +19,8 @@ namespace handlebody {
 namespace {
 
 constexpr int kNoComponent = -1;  // none is left out of a winding number
-constexpr int kAround = 3;        // edges from a vertex that disagrees to those that wake with it
-constexpr int kMostPlaces = 64;   // of the surface's inside from which a front may come
+constexpr int kAround = 3;        // edges from a vertex that disagrees to those that become active with it
+constexpr int kMaxPlaces = 64;    // of the surface's inside from which a front may come
 
 std::vector<Vec3> placesOf(const ObjectImage& image, const std::vector<Seed>& clicks, double edgeLength) {
   std::vector<Vec3> places;
@@ -90,7 +90,7 @@ std::vector<Vec3> startsOf(const Mesh& mesh, const std::vector<Vec3>& clicks,
     if (windingNumber(mesh, parts, kNoComponent, p) == 1) starts.push_back(p);
   if (!starts.empty()) return starts;
   for (const Enclosed& e : enclosed) {
-    const std::size_t every = e.samples.size() / kMostPlaces + 1;
+    const std::size_t every = e.samples.size() / kMaxPlaces + 1;
     for (std::size_t i = 0; i < e.samples.size(); i += every) starts.push_back(e.samples[i]);
   }
   return starts;

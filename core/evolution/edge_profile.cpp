@@ -58,7 +58,7 @@ EdgeReader::Look EdgeReader::lookAt(const Voxel& v) const {
   return look;
 }
 
-std::optional<Edge> EdgeReader::halfWay(const Voxel& inner, const ObjectRegion::Face& face) const {
+std::optional<ImageEdge> EdgeReader::halfWay(const Voxel& inner, const ObjectRegion::Face& face) const {
   const auto axis = static_cast<std::size_t>(face.axis);
   double weight = 0, sum = 0, largest = 0;
   double before = value(moved(inner, axis, -kReach * face.step));
@@ -71,18 +71,19 @@ std::optional<Edge> EdgeReader::halfWay(const Voxel& inner, const ObjectRegion::
     before = here;
   }
   if (!(weight > 0)) return {};
-  return Edge{placeOf(inner), sum / weight, largest};
+  return ImageEdge{placeOf(inner), sum / weight, largest};
 }
 
-std::optional<Edge> EdgeReader::halfWayAlong(const Voxel& inner, const ObjectRegion::Face& face) const {
+std::optional<ImageEdge> EdgeReader::halfWayAlong(const Voxel& inner, const ObjectRegion::Face& face) const {
   return read(inner, face, 0);
 }
 
-std::optional<Edge> EdgeReader::ofShape(const Voxel& inner, const ObjectRegion::Face& face) const {
+std::optional<ImageEdge> EdgeReader::ofShape(const Voxel& inner, const ObjectRegion::Face& face) const {
   return read(inner, face, 1);
 }
 
-std::optional<Edge> EdgeReader::read(const Voxel& inner, const ObjectRegion::Face& face, double again) const {
+std::optional<ImageEdge> EdgeReader::read(const Voxel& inner, const ObjectRegion::Face& face,
+                                          double again) const {
   const auto axis = static_cast<std::size_t>(face.axis);
   double weight = 0, sum = 0, largest = 0, aligned = 0, rise = 0, slope = 0;
   Look before = lookAt(moved(inner, axis, -kReach * face.step));
@@ -103,8 +104,8 @@ std::optional<Edge> EdgeReader::read(const Voxel& inner, const ObjectRegion::Fac
   if (!(aligned > 0)) return {};
   aligned /= weight;  // cos² of the angle between the line and the normal
   const double corner = rise / (kCorner * perCurvature_ * slope);
-  return Edge{placeOf(inner), 0.5 * (sum + again * rise) / weight, largest / std::sqrt(aligned),
-              aligned * aligned / (1 + corner * corner)};
+  return ImageEdge{placeOf(inner), 0.5 * (sum + again * rise) / weight, largest / std::sqrt(aligned),
+                   aligned * aligned / (1 + corner * corner)};
 }
 
 }  // namespace handlebody

@@ -10,7 +10,7 @@ namespace handlebody {
 
 //! An edge across a face between a voxel of a region and its outer neighbour. Intensities are signed: they
 //! rise outwards.
-struct Edge {
+struct ImageEdge {
   Vec3 place;         //!< continuous voxel index
   double level;       //!< mean of the intensities across it, weighted with the squares of the steps
   double step;        //!< the largest between neighbouring voxels
@@ -25,12 +25,13 @@ class EdgeReader {
   EdgeReader(const SmoothedVolume& volume, double sign);
 
   //! Between two plateaus the half-way level, wherever the region's boundary lay in the ramp between them.
-  std::optional<Edge> halfWay(const ObjectRegion::Voxel& inner, const ObjectRegion::Face& face) const;
+  std::optional<ImageEdge> halfWay(const ObjectRegion::Voxel& inner, const ObjectRegion::Face& face) const;
 
   //! The same for small and thin objects. Lines that cross the edge at a slant see less of the plateau within
   //! such an object and take the edge for a higher one: they count with the fourth power of the cosine, and
   //! `step` is as it would be along the normal. Corners, with radii below two voxels, hardly count.
-  std::optional<Edge> halfWayAlong(const ObjectRegion::Voxel& inner, const ObjectRegion::Face& face) const;
+  std::optional<ImageEdge> halfWayAlong(const ObjectRegion::Voxel& inner,
+                                        const ObjectRegion::Face& face) const;
 
   //! As halfWayAlong(), but the level that the boundary itself has after the smoothing. On a curved boundary
   //! it is not the half-way one: a Gaussian moves the half-way level of an edge towards the centre of the
@@ -39,7 +40,7 @@ class EdgeReader {
   //! boundary stayed where it was, and its level rose by what a second smoothing of the same kind adds at the
   //! half-way level: to first order half the variance times the Laplacian. The variance is that of the
   //! Gaussian and of the voxel itself.
-  std::optional<Edge> ofShape(const ObjectRegion::Voxel& inner, const ObjectRegion::Face& face) const;
+  std::optional<ImageEdge> ofShape(const ObjectRegion::Voxel& inner, const ObjectRegion::Face& face) const;
 
  private:
   struct Look;
@@ -47,8 +48,8 @@ class EdgeReader {
     return sign_ * static_cast<double>(volume_.at(v[0], v[1], v[2]));
   }
   ObjectRegion::Voxel moved(ObjectRegion::Voxel v, std::size_t axis, int steps) const;
-  std::optional<Edge> read(const ObjectRegion::Voxel& inner, const ObjectRegion::Face& face,
-                           double again) const;
+  std::optional<ImageEdge> read(const ObjectRegion::Voxel& inner, const ObjectRegion::Face& face,
+                                double again) const;
   Look lookAt(const ObjectRegion::Voxel& v) const;
 
   const SmoothedVolume& volume_;

@@ -9,12 +9,12 @@ namespace handlebody {
 
 namespace {
 
-// Longest edges: radius within which fronts rest, and by how much it grows where they meet all the same. Two
-// fronts that meet in a step were at most 0.4 of one apart (kStep of both).
+// Longest edges: radius within which fronts are locked, and by how much it grows where they meet all the
+// same. Two fronts that meet in a step were at most 0.4 of one apart (kStep of both).
 constexpr double kSmallest = 0.75;
 constexpr double kGrowth = 0.25;
-// Fronts that rest in their middle would meet beside it: within so many longest edges of a place that rests
-// it is the same change.
+// Fronts that are locked in their middle would meet beside it: within so many longest edges of a place that
+// is locked it is the same change.
 constexpr double kSameChange = 2.75;
 
 bool contains(const std::vector<Veto>& list, const Veto& veto) {
@@ -113,8 +113,8 @@ bool HeldChanges::breaksLimit(const Event& e) const {
   return components || genus;
 }
 
-//! A new place, or, in the middle of one that did not suffice, that one made larger: so everything near
-//! rests in the end.
+//! A new place, or, in the middle of one that did not suffice, that one made larger: so everything near is
+//! locked in the end.
 HeldChange HeldChanges::hold(const Event& event, const std::optional<Veto>& veto, double longest,
                              const Measure& measure) {
   const auto known = std::find_if(places_.begin(), places_.end(), [&](const Place& p) {
@@ -174,7 +174,7 @@ const Event* HeldChanges::metByVeto(std::span<const Event> events, const Veto& v
   return nearest;
 }
 
-bool HeldChanges::rests(const Vec3& p) const {
+bool HeldChanges::isLocked(const Vec3& p) const {
   return std::any_of(places_.begin(), places_.end(), [&](const Place& place) {
     return (p - place.centre).squaredNorm() < place.radius * place.radius;
   });
@@ -213,12 +213,12 @@ std::vector<HeldPlace> HeldChanges::questions(int iteration) const {
   return all;
 }
 
-std::vector<Finding> HeldChanges::doubts() const {
-  std::vector<Finding> doubts;
+std::vector<Finding> HeldChanges::warnings() const {
+  std::vector<Finding> warnings;
   for (const Vec3& p : asked_.topology.allowed)
     if (std::find(used_.begin(), used_.end(), p) == used_.end())
-      doubts.push_back({FindingKind::nothingAllowed, {{"place", placeValue(p)}}});
-  return doubts;
+      warnings.push_back({FindingKind::nothingAllowed, {{"place", placeValue(p)}}});
+  return warnings;
 }
 
 std::optional<Veto> HeldChanges::waiting() const {

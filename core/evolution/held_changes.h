@@ -1,6 +1,6 @@
 #pragma once
 // Changes of topology that are not to happen: those that were vetoed, and those that would break a limit. The
-// fronts rest there.
+// fronts are locked there.
 
 #include <functional>
 #include <optional>
@@ -47,29 +47,29 @@ class HeldChanges {
   //! No change of topology at all may happen from now on, or all that nothing else forbids.
   void holdTopology(bool on) { holdsTopology_ = on; }
 
-  //! Which events of an attempt may not happen; around each of them the surface rests from now on.
+  //! Which events of an attempt may not happen; around each of them the surface is locked from now on.
   //! Precondition: the attempt would be accepted otherwise. Throws UsageError if a veto of this iteration
   //! finds no change. `longest`: mm, of the mesh's edges. `measure`: tells how large that is which a limit
   //! holds, asked for the first of what hangs together; empty: it is not known.
   std::vector<HeldChange> judge(std::span<const Event> events, int iteration, double longest,
                                 const std::function<HeldSize(const Event&)>& measure = {});
 
-  //! True where the surface rests for good.
-  bool rests(const Vec3& p) const;
+  //! True where the surface is locked for good.
+  bool isLocked(const Vec3& p) const;
   //! In the order in which they came.
   std::vector<HeldPlace> list() const;
   //! Of the list what a limit has held since this iteration's step and nobody has answered yet; none unless
   //! the limits ask.
   std::vector<HeldPlace> questions(int iteration) const;
   //! Allowed places at which nothing has come that a limit would have held.
-  std::vector<Finding> doubts() const;
+  std::vector<Finding> warnings() const;
   //! The first veto whose iteration has not come yet.
   std::optional<Veto> waiting() const;
 
  private:
   struct Place {
     Vec3 centre;
-    double radius;             // mm, within which the surface rests
+    double radius;             // mm, within which the surface is locked
     double reach;              // mm, within which it is the same change
     std::optional<Veto> veto;  // none: for the limits
     HeldPlace told;

@@ -33,7 +33,7 @@ class LevelField {
     void add(const Vec3& index, double level, double weight);
     bool empty() const;
     //! Weighted mean of the samples around each node: the weight of a sample falls smoothly with its distance
-    //! (half at about 8 voxels) and is small but never nought far from it, so that a place without samples
+    //! (half at about 8 voxels) and is small but never zero far from it, so that a place without samples
     //! has the level of the nearest ones. Precondition: not empty().
     LevelField spread() const;
 

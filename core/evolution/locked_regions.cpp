@@ -2,21 +2,21 @@
 
 namespace handlebody {
 
-void LockedRegions::lock(const Trouble& trouble, const Mesh& mesh, double longest, double size,
+void LockedRegions::lock(const Conflict& trouble, const Mesh& mesh, double longest, double size,
                          int iteration) {
   if (trouble.atPin)
     pins.stop(mesh, trouble.centre, trouble.radius, longest);
   else
-    resting.add(trouble.centre, size * (trouble.radius + 0.5 * longest), iteration, trouble.waits);
+    lockedRegions.add(trouble.centre, size * (trouble.radius + 0.5 * longest), iteration, trouble.waits);
 }
 
 void LockedRegions::forgetRollbacks() {
-  resting = {};
+  lockedRegions = {};
   pins.forgetStops();
 }
 
 void LockedRegions::takeBack(const LockedRegions& before) {
-  resting = before.resting;
+  lockedRegions = before.lockedRegions;
   held = before.held;
   pins.takeStopsBack(before.pins);
 }

@@ -11,7 +11,7 @@ namespace handlebody {
 
 namespace {
 
-// Part of the tangential umbrella vector that a moving vertex follows; settled ones do not slide.
+// Part of the tangential umbrella vector that a moving vertex follows; converged ones do not slide.
 constexpr double kTangential = 0.4;
 // Below this many vertices a thread costs more than it saves.
 constexpr std::size_t kVerticesPerThread = 500;

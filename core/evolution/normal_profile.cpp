@@ -7,11 +7,11 @@ namespace handlebody {
 
 namespace {
 
-// What the image says around a vertex sways what it says at the vertex by up to this much; less the clearer
-// that is, nothing from kClear on. Units of the contrast.
-constexpr double kSway = 0.3, kClear = 0.5;
+// What the image says around a vertex corrects what it says at the vertex by up to this much; less the
+// clearer that is, by nothing from kClear on. Units of the contrast.
+constexpr double kMaxCorrection = 0.3, kClear = 0.5;
 // Noise lets a vertex stand out by up to so many edge lengths; what is more is a crease.
-constexpr double kMostProud = 0.05;
+constexpr double kMaxProtrusion = 0.05;
 
 }  // namespace
 
@@ -36,7 +36,7 @@ NormalProfile::NormalProfile(const ObjectImage& image, const Mesh& mesh, RingHei
 double NormalProfile::at(double along) {
   const auto [intensity, limits] = image_.read(from_ + along * normal_);
   const double own = limits.inside(intensity);
-  const double most = kSway * (1 - std::abs(own) / kClear);
+  const double most = kMaxCorrection * (1 - std::abs(own) / kClear);
   if (most <= 0) return own;
   return own + std::clamp(limits.inside(meanAround(along, intensity)) - own, -most, most);
 }
@@ -57,9 +57,9 @@ double NormalProfile::meanAround(double along, double own) {
 
 //! Half-way to each neighbour, on the paraboloid through vertex and neighbour.
 void NormalProfile::lookAround() {
-  const Vec3 p = mesh_.position(v_), from = from_ + 0.5 * proud() * normal_;
+  const Vec3 p = mesh_.position(v_), from = from_ + 0.5 * protrusion() * normal_;
   mesh_.forEachOutgoing(v_, [&](int h) {
-    if (neighbours_ == kMostNeighbours) return;
+    if (neighbours_ == kMaxNeighbours) return;
     const Vec3 to = mesh_.position(mesh_.target(h)) - p;
     places_[neighbours_++] = from + 0.5 * to - 0.25 * to.dot(normal_) * normal_;
   });
@@ -68,14 +68,14 @@ void NormalProfile::lookAround() {
 //! How far the vertex stands out of the surface around it: its ring lies lower than those of its neighbours
 //! do. By its own ring alone such a vertex would seem to stand where it should. At a crease the rings differ
 //! by more than noise makes them: there it is bounded.
-double NormalProfile::proud() {
+double NormalProfile::protrusion() {
   const double own = heights_.of(v_);
   double sum = own, n = 1;
   mesh_.forEachOutgoing(v_, [&](int h) {
     sum += heights_.of(mesh_.target(h));
     n += 1;
   });
-  return std::clamp(sum / n - own, -kMostProud * edgeLength_, kMostProud * edgeLength_);
+  return std::clamp(sum / n - own, -kMaxProtrusion * edgeLength_, kMaxProtrusion * edgeLength_);
 }
 
 }  // namespace handlebody

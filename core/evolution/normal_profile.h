@@ -60,8 +60,8 @@ class RingHeights {
 
 //! The image along the normal of a vertex v. Noise of the image at one place says less about where the
 //! boundary lies than its mean over the surface around it; so near the boundary what the image says at v is
-//! swayed by that mean. It is swayed only so far, and the less the clearer the image speaks at v: corners and
-//! thin parts stay what they are.
+//! corrected by that mean. The correction is bounded, and the smaller the clearer the image speaks at v:
+//! corners and thin parts stay what they are.
 class NormalProfile {
  public:
   //! `from`: where v asks the image, `normal`: its unit normal (both mm).
@@ -70,16 +70,16 @@ class NormalProfile {
 
   //! As ObjectImage::inside, at `along` (mm) from `from`.
   double at(double along);
-  //! Where it is nought between 0 and `reach`, where it is `here` and `there`, of opposite signs: one step of
+  //! Where it is zero between 0 and `reach`, where it is `here` and `there`, of opposite signs: one step of
   //! regula falsi, improved once.
   double crossing(double reach, double here, double there);
 
  private:
-  static constexpr std::size_t kMostNeighbours = 12;  // of more the first ones are asked
+  static constexpr std::size_t kMaxNeighbours = 12;  // of more the first ones are asked
 
   double meanAround(double along, double own);  // intensities
   void lookAround();
-  double proud();
+  double protrusion();
 
   const ObjectImage& image_;
   const Mesh& mesh_;
@@ -87,8 +87,8 @@ class NormalProfile {
   int v_;
   Vec3 from_, normal_;
   double edgeLength_;
-  std::size_t neighbours_ = 0;                // 0: not looked at yet
-  std::array<Vec3, kMostNeighbours> places_;  // where the image is asked for them, from v's place on
+  std::size_t neighbours_ = 0;               // 0: not looked at yet
+  std::array<Vec3, kMaxNeighbours> places_;  // where the image is asked for them, from v's place on
 };
 
 }  // namespace handlebody

@@ -13,7 +13,7 @@ namespace {
 // Edges of this part of the typical step around them count most.
 constexpr double kLowerEdges = 0.5;
 
-constexpr int kMostPasses = 6;
+constexpr int kMaxPasses = 6;
 // Levels that change by less than this part of the contrast in a pass stay: a fiftieth of the half-step is a
 // hundredth of a voxel on an edge of one voxel.
 constexpr double kStays = 0.02;
@@ -25,11 +25,11 @@ constexpr double kIsLeak = 2;
 // A region of so many times the size of the last one in which a hole was looked for may have another.
 constexpr double kIsNew = 1.03;
 // Smaller parts of the way to new levels are not tried.
-constexpr double kLeastPart = 0.1;
+constexpr double kMinFraction = 0.1;
 
 // A flood ends when it is this many times what was expected, but within these numbers of voxels.
 constexpr double kEnough = 25;
-constexpr double kLeastVoxels = 500'000, kMostVoxels = 3'000'000;
+constexpr double kMinVoxels = 500'000, kMaxVoxels = 3'000'000;
 
 // Parts of the way from the object's level to that of the boundary at which a neck is looked for.
 constexpr double kNeckLevels[] = {1, 0.7, 0.5, 0.35, 0.25, 0.18, 0.12};
@@ -47,13 +47,13 @@ enum class Edges { lowerDecide, higherDecide };
 //! What a search came to.
 struct Found {
   ObjectBoundary boundary;
-  bool settled;  // else the boundary is that of the levels it began with
+  bool converged;  // else the boundary is that of the levels it began with
 };
 
 class BoundarySearch {
  public:
-  using Read = std::optional<Edge> (EdgeReader::*)(const ObjectRegion::Voxel&,
-                                                   const ObjectRegion::Face&) const;
+  using Read = std::optional<ImageEdge> (EdgeReader::*)(const ObjectRegion::Voxel&,
+                                                        const ObjectRegion::Face&) const;
 
   BoundarySearch(const ObjectSearch& s, Edges edges, Read read = &EdgeReader::halfWay)
       : s_(s), edges_(edges), read_(read), expected_(s.expectedVoxels) {}
@@ -63,26 +63,26 @@ class BoundarySearch {
     const double contrast = std::abs(trial.at(s_.seeds[0]) - s_.object);
     std::optional<ObjectBoundary> best, first;
     double part = 1, lastChange = 0;
-    for (int pass = 0; pass < kMostPasses; ++pass) {
+    for (int pass = 0; pass < kMaxPasses; ++pass) {
       Candidate c = grow(trial, best && best->neck);
       if (best && isLeak(c, *best)) {
         part *= 0.5;
-        if (part < kLeastPart) break;
+        if (part < kMinFraction) break;
         trial = LevelField::between(best->levels, trial, 0.5);
         continue;
       }
       expected_ = c.voxels;
       LevelField next = levelsAt(c, trial, read_);
       const double change = meanChange(c.region, next, trial);
-      const bool rests = change <= kStays * contrast;
+      const bool isConverged = change <= kStays * contrast;
       if (pass >= 2 && change > kContracts * lastChange) return {*std::move(first), false};
       lastChange = change;
       // A neck belongs to the levels at which it was found.
       const bool hasNeck = c.neck.has_value();
-      best =
-          ObjectBoundary{rests && !hasNeck ? levelsOfShape(c, next) : trial, withoutMarks(std::move(c.neck))};
+      best = ObjectBoundary{isConverged && !hasNeck ? levelsOfShape(c, next) : trial,
+                            withoutMarks(std::move(c.neck))};
       if (!first) first = best;
-      if (rests) break;
+      if (isConverged) break;
       trial = LevelField::between(trial, next, part);
     }
     return {*std::move(best), true};
@@ -97,7 +97,7 @@ class BoundarySearch {
 
   //! `wasHeld`: at a neck or hole before, which is looked for again whatever the region's size.
   Candidate grow(const LevelField& levels, bool wasHeld) {
-    const double most = std::clamp(kEnough * expected_, kLeastVoxels, std::max(2 * expected_, kMostVoxels));
+    const double most = std::clamp(kEnough * expected_, kMinVoxels, std::max(2 * expected_, kMaxVoxels));
     Candidate c;
     c.region = floodObject(s_.volume, s_.seeds, s_.sign, levels, static_cast<std::size_t>(most));
     c.voxels = static_cast<double>(c.region.voxels.size());
@@ -118,7 +118,7 @@ class BoundarySearch {
 
   LevelField levelsAt(const Candidate& c, const LevelField& fallback, Read read) const {
     const EdgeReader reader(s_.volume, s_.sign);
-    std::vector<Edge> edges;
+    std::vector<ImageEdge> edges;
     LevelField::Samples steps(s_.volume.grid()), levels(s_.volume.grid());
     for (const ObjectRegion::Face& face : c.region.faces) {
       const auto voxel = static_cast<std::size_t>(face.voxel);
@@ -130,14 +130,14 @@ class BoundarySearch {
     }
     if (edges.empty()) return fallback;
     const LevelField typical = steps.spread();
-    for (const Edge& e : edges)
+    for (const ImageEdge& e : edges)
       levels.add(e.place, s_.sign * e.level,
                  e.weight * (edges_ == Edges::lowerDecide ? weightOf(e.step, typical.at(e.place))
                                                           : e.step * e.step));
     return levels.empty() ? fallback : levels.spread();
   }
 
-  //! The levels of the boundary itself, where half-way levels have come to rest; those if the region would
+  //! The levels of the boundary itself, where half-way levels have converged; those if the region would
   //! leak within the others.
   LevelField levelsOfShape(const Candidate& c, const LevelField& halfWay) {
     LevelField levels = levelsAt(c, halfWay, &EdgeReader::ofShape);
@@ -173,11 +173,11 @@ class BoundarySearch {
 
 ObjectBoundary findBoundary(const ObjectSearch& search) {
   Found found = BoundarySearch(search, Edges::lowerDecide).run();
-  if (!found.settled) found = BoundarySearch(search, Edges::higherDecide).run();
-  if (!found.settled) {
+  if (!found.converged) found = BoundarySearch(search, Edges::higherDecide).run();
+  if (!found.converged) {
     // On a small object half-way levels creep up with the lines that cross it at a slant.
     Found shaped = BoundarySearch(search, Edges::lowerDecide, &EdgeReader::halfWayAlong).run();
-    if (shaped.settled && !shaped.boundary.neck) found = std::move(shaped);
+    if (shaped.converged && !shaped.boundary.neck) found = std::move(shaped);
   }
   return std::move(found.boundary);
 }
@@ -187,7 +187,7 @@ std::optional<ObjectBoundary> findBoundaryAtNeck(const ObjectSearch& s) {
   for (double part : kNeckLevels) {
     LevelField level = LevelField::between(object, s.levels, part);
     const ObjectRegion region =
-        floodObject(s.volume, s.seeds, s.sign, level, static_cast<std::size_t>(kLeastVoxels));
+        floodObject(s.volume, s.seeds, s.sign, level, static_cast<std::size_t>(kMinVoxels));
     std::optional<NeckCut> neck = findNeck(s.volume.grid(), region, s.seeds);
     if (!neck) continue;
     neck->kept = {};

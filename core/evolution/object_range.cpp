@@ -6,10 +6,10 @@
 #include <limits>
 #include <numbers>
 
-#include "core/evolution/growth_level.h"
 #include "core/evolution/object_boundary.h"
 #include "core/evolution/object_image.h"
 #include "core/evolution/object_region.h"
+#include "core/evolution/region_growth_level.h"
 #include "core/evolution/seed_statistics.h"
 #include "core/evolution/seeds.h"
 #include "core/told_error.h"
@@ -82,8 +82,8 @@ std::vector<Vec3> indicesOf(const Grid& grid, const std::vector<Seed>& seeds) {
   return indices;
 }
 
-std::optional<GrowthLevel> searchLevel(const SmoothedVolume& volume, const std::vector<Seed>& seeds,
-                                       const Statistics& s, ObjectKind kind) {
+std::optional<RegionGrowthLevel> searchLevel(const SmoothedVolume& volume, const std::vector<Seed>& seeds,
+                                             const Statistics& s, ObjectKind kind) {
   const double sign = signOf(kind);
   const double from = sign * s.level, to = sign > 0 ? s.highest : -s.lowest;
   if (!(to > from)) return {};
@@ -214,7 +214,7 @@ void takeBoundary(ObjectChoice& choice, ObjectBoundary boundary, const Vec3& see
 }
 
 //! The boundary place by place. `found`: what the growth said about the level in the range.
-void setBoundary(ObjectChoice& choice, const std::vector<Seed>& seeds, const GrowthLevel& found) {
+void setBoundary(ObjectChoice& choice, const std::vector<Seed>& seeds, const RegionGrowthLevel& found) {
   const Grid& grid = choice.volume->grid();
   const ObjectSearch search{*choice.volume, indicesOf(grid, seeds),          signOf(choice.object),
                             choice.level,   LevelField(grid, endOf(choice)), found.voxels};
@@ -288,9 +288,9 @@ ObjectChoice withGivenRange(const Volume& volume, const std::vector<Seed>& seeds
 //! Dark or bright, and the level of the boundary, on an image of one smoothing. None if there is none, or if
 //! what is asked for has a far weaker boundary than the opposite, or if what was found is the background
 //! around everything.
-std::optional<GrowthLevel> chooseLevel(ObjectChoice& choice, const Volume& volume, double sigma,
-                                       const FieldOfViewPointer& view, const std::vector<Seed>& seeds,
-                                       Statistics& whole, ObjectKind asked) {
+std::optional<RegionGrowthLevel> chooseLevel(ObjectChoice& choice, const Volume& volume, double sigma,
+                                             const FieldOfViewPointer& view, const std::vector<Seed>& seeds,
+                                             Statistics& whole, ObjectKind asked) {
   choice.volume = std::make_shared<SmoothedVolume>(volume, sigma);
   const SmoothedVolume& plain = *choice.volume;
   whole.level = quantile(valuesNear(plain, seeds, statisticsRadius(volume.grid, seeds)), 0.5);

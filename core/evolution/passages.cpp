@@ -13,10 +13,10 @@ namespace handlebody {
 
 namespace {
 
-constexpr double kNarrow = 0.41;      // a passage is no more than this part of both sides
-constexpr double kLeastVoxels = 2.5;  // radius of what lies behind, cells
-constexpr double kLeastBall = 1.5;    // the same, of the balls that mark it
-// A cell whose centre is nearer than this to where fronts rest before a wall, in cells, is closed: no way of
+constexpr double kNarrow = 0.41;    // a passage is no more than this part of both sides
+constexpr double kMinVoxels = 2.5;  // radius of what lies behind, cells
+constexpr double kMinBall = 1.5;    // the same, of the balls that mark it
+// A cell whose centre is nearer than this to where fronts end before a wall, in cells, is closed: no way of
 // neighbours leads through a wall that is thinner than they are.
 constexpr double kAtWall = 0.6;
 constexpr float kUnlimited = 1e6f;                                    // mm
@@ -72,7 +72,7 @@ PassageMap::PassageMap(const ObjectImage& image, const Walls* walls, const Voxel
       cells.push_back(uphill(static_cast<std::uint32_t>(at), radius));
   NarrowRule rule;
   rule.narrow = kNarrow;
-  rule.leastBehind = kLeastVoxels * cell_;
+  rule.leastBehind = kMinVoxels * cell_;
   if (surelyTellsNothing(size_, radius, cells, rule)) return;
   SpaceTree tree(size_, radius);
   const std::vector<Merging> mergings = tree.merge(cells, rule);
@@ -80,7 +80,7 @@ PassageMap::PassageMap(const ObjectImage& image, const Walls* walls, const Voxel
 
   zones_.assign(radius.size(), 0);
   std::vector<std::vector<std::uint32_t>> cores(mergings.size());
-  const auto ballOf = [&](const Merging& m) { return std::max(m.level / kNarrow, kLeastBall * cell_); };
+  const auto ballOf = [&](const Merging& m) { return std::max(m.level / kNarrow, kMinBall * cell_); };
   for (std::uint32_t i = 0; i < radius.size(); ++i)
     if (const int n = tree.behindWhich(i);
         n > 0 && static_cast<double>(radius[i]) >= ballOf(mergings[idx(n - 1)]))
@@ -101,7 +101,7 @@ void PassageMap::layOut(const VoxelBox& box) {
       size_[a] = (box.high[a] - box.low[a]) / step_ + 3;
       count *= idx(size_[a]);
     }
-    if (count <= kMostCells) break;
+    if (count <= kMaxCells) break;
   }
   cell_ = step_ * grid_.meanSpacing();
 }

@@ -40,7 +40,7 @@ struct Passage {
 class PassageMap {
  public:
   //! `starts`: mm, on the side of the seeds; those that lie outside of the object or the box do not count.
-  //! `walls` may be null. A box of more than kMostCells voxels is looked at in coarser cells.
+  //! `walls` may be null. A box of more than kMaxCells voxels is looked at in coarser cells.
   //! The map does not depend on the number of threads.
   PassageMap(const ObjectImage& image, const Walls* walls, const VoxelBox& box, std::span<const Vec3> starts,
              int threads = 1);
@@ -53,7 +53,7 @@ class PassageMap {
   }
   const std::vector<Passage>& passages() const { return passages_; }
 
-  static constexpr std::size_t kMostCells = 4'000'000;
+  static constexpr std::size_t kMaxCells = 4'000'000;
 
  private:
   void layOut(const VoxelBox& box);

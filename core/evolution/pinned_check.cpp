@@ -13,9 +13,9 @@ constexpr double kFlat = 0.01;  // cubes of the edge length: a component of less
 
 }  // namespace
 
-std::vector<Trouble> pressedFlat(const Mesh& mesh, const PinnedParts& pins,
-                                 std::span<const unsigned char> touched, double edgeLength) {
-  std::vector<Trouble> out;
+std::vector<Conflict> pressedFlat(const Mesh& mesh, const PinnedParts& pins,
+                                  std::span<const unsigned char> touched, double edgeLength) {
+  std::vector<Conflict> out;
   if (!pins.any()) return out;
   const Components parts = findComponents(mesh);
   const double least = kFlat * std::pow(edgeLength, 3);
@@ -38,9 +38,9 @@ std::vector<Trouble> pressedFlat(const Mesh& mesh, const PinnedParts& pins,
   return out;
 }
 
-std::vector<Trouble> changesOfPinned(const Mesh& before, const Mesh& mesh, const PinnedParts& pins,
-                                     std::span<const Event> events, double radius) {
-  std::vector<Trouble> out;
+std::vector<Conflict> changesOfPinned(const Mesh& before, const Mesh& mesh, const PinnedParts& pins,
+                                      std::span<const Event> events, double radius) {
+  std::vector<Conflict> out;
   const auto place = pins.broken(before, mesh);
   if (!place) return out;
   constexpr FindingKind kReason = FindingKind::pinnedWouldChange;

@@ -11,7 +11,8 @@ namespace handlebody {
 
 namespace {
 
-// Longest edges: what rests beyond the vertices that met, and by how much more when they meet all the same.
+// Longest edges: what is locked beyond the vertices that met, and by how much more when they meet all the
+// same.
 constexpr double kBeyond = 0.5;
 constexpr double kGrowth = 0.25;
 
@@ -128,7 +129,7 @@ void PinnedParts::takeStopsBack(const PinnedParts& before) {
   for (std::size_t i = 0; i < parts_.size(); ++i) parts_[i].stops = before.parts_[i].stops;
 }
 
-bool PinnedParts::rests(const Vec3& p) const {
+bool PinnedParts::isLocked(const Vec3& p) const {
   return std::any_of(stops_.begin(), stops_.end(),
                      [&](const Stop& s) { return (p - s.centre).squaredNorm() < s.radius * s.radius; });
 }

@@ -1,6 +1,6 @@
 #pragma once
 // Parts of the surface that stay as they are: which vertices the pins hold, and where fronts that came to
-// them rest.
+// them are locked.
 
 #include <memory>
 #include <optional>
@@ -44,11 +44,11 @@ class PinnedParts {
   //! the attempt started from, with the same vertex slots.
   std::optional<Vec3> broken(const Mesh& before, const Mesh& mesh) const;
 
-  //! A front came to what is held: it rests within that many mm, and further when it comes again. `longest`:
-  //! mm, of the mesh's edges; `mesh`: as it was before the front came.
+  //! A front came to what is held: it is locked within that many mm, and further when it comes again.
+  //! `longest`: mm, of the mesh's edges; `mesh`: as it was before the front came.
   void stop(const Mesh& mesh, const Vec3& place, double radius, double longest);
   //! True where a front was stopped.
-  bool rests(const Vec3& p) const;
+  bool isLocked(const Vec3& p) const;
   //! What was stopped may come again.
   void forgetStops() { stops_.clear(); }
   //! No front was stopped since `before`, a copy of this. The mesh may have been put into another order.

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/cancellation.h"
-#include "core/evolution/region_patch.h"
+#include "core/evolution/region_brick.h"
 #include "core/indices.h"
 
 namespace handlebody {
@@ -27,7 +27,7 @@ constexpr double kReachesBorder = 3e-3;
 constexpr std::size_t kFewBricks = 300;
 constexpr std::size_t kPartOfVolume = 5;
 // And so is one of which one level lets in more than this, and a fifth of the volume.
-constexpr std::size_t kMostVoxels = 2'000'000;
+constexpr std::size_t kMaxVoxels = 2'000'000;
 // If it has let in more than this part of the volume's border with it, it is the background: no level after
 // it is that of an object.
 constexpr double kBackground = 0.5;
@@ -61,15 +61,15 @@ class Flood {
         queue_(kBins),
         sumGradient_(kBins, 0),
         sumSquared_(kBins, 0),
-        mostVoxels_(std::max(kMostVoxels, volume.grid().voxelCount() / kPartOfVolume)),
+        mostVoxels_(std::max(kMaxVoxels, volume.grid().voxelCount() / kPartOfVolume)),
         borderVoxels_(voxelsOnFaces(volume.grid())),
-        patches_(volume.brickCount()) {
+        bricks_(volume.brickCount()) {
     startRows(first);
   }
 
   void start(const Voxel& v) {
-    Patch& patch = patchOf({v.i >> kShift, v.j >> kShift, v.k >> kShift});
-    reach(patch, placeOf(v) >> kShift, Row{1} << (v.i & kBrickMask));
+    Brick& brick = brickOf({v.i >> kShift, v.j >> kShift, v.k >> kShift});
+    reach(brick, placeOf(v) >> kShift, RowBits{1} << (v.i & kBrickMask));
   }
 
   RegionGrowth run() {
@@ -109,70 +109,70 @@ class Flood {
   bool isPadding(const Voxel& v) const { return volume_.isPadding(indexOf(v)); }
 
   //! By the brick's place among the bricks.
-  Patch& patchOf(const Voxel& at) {
+  Brick& brickOf(const Voxel& at) {
     const std::array<int, 3>& n = volume_.bricks();
-    std::unique_ptr<Patch>& patch = patches_[idx((at.k * n[1] + at.j) * n[0] + at.i)];
-    if (!patch) patch = makePatch(at);
-    return *patch;
+    std::unique_ptr<Brick>& brick = bricks_[idx((at.k * n[1] + at.j) * n[0] + at.i)];
+    if (!brick) brick = makeBrick(at);
+    return *brick;
   }
-  std::unique_ptr<Patch> makePatch(const Voxel& at) const {
+  std::unique_ptr<Brick> makeBrick(const Voxel& at) const {
     const std::array<int, 3>&n = volume_.bricks(), &size = volume_.grid().size;
-    auto patch = std::make_unique<Patch>();
-    patch->values = volume_.brick(at.i, at.j, at.k);
-    patch->first = {at.i * kBrick, at.j * kBrick, at.k * kBrick};
-    patch->last = {std::min(kBrickMask, size[0] - 1 - patch->first.i),
-                   std::min(kBrickMask, size[1] - 1 - patch->first.j),
-                   std::min(kBrickMask, size[2] - 1 - patch->first.k)};
-    patch->onBorder =
+    auto brick = std::make_unique<Brick>();
+    brick->values = volume_.brick(at.i, at.j, at.k);
+    brick->first = {at.i * kBrick, at.j * kBrick, at.k * kBrick};
+    brick->last = {std::min(kBrickMask, size[0] - 1 - brick->first.i),
+                   std::min(kBrickMask, size[1] - 1 - brick->first.j),
+                   std::min(kBrickMask, size[2] - 1 - brick->first.k)};
+    brick->onBorder =
         at.i == 0 || at.j == 0 || at.k == 0 || at.i == n[0] - 1 || at.j == n[1] - 1 || at.k == n[2] - 1;
     for (int row = 0; row < kRows; ++row) {
-      const bool inGrid = (row & kBrickMask) <= patch->last.j && row >> kShift <= patch->last.k;
-      patch->seen[idx(row)] = inGrid ? ~(~Row{0} >> (kBrickMask - patch->last.i)) : ~Row{0};
+      const bool inGrid = (row & kBrickMask) <= brick->last.j && row >> kShift <= brick->last.k;
+      brick->seen[idx(row)] = inGrid ? ~(~RowBits{0} >> (kBrickMask - brick->last.i)) : ~RowBits{0};
     }
-    if (volume_.hasPadding()) markPadding(*patch);
-    return patch;
+    if (volume_.hasPadding()) markPadding(*brick);
+    return brick;
   }
   //! Padding is never entered.
-  void markPadding(Patch& patch) const {
-    for (int k = 0; k <= patch.last.k; ++k)
-      for (int j = 0; j <= patch.last.j; ++j)
-        for (int i = 0; i <= patch.last.i; ++i)
-          if (isPadding(patch.inGrid({i, j, k}))) patch.visit(placeOf({i, j, k}));
+  void markPadding(Brick& brick) const {
+    for (int k = 0; k <= brick.last.k; ++k)
+      for (int j = 0; j <= brick.last.j; ++j)
+        for (int i = 0; i <= brick.last.i; ++i)
+          if (isPadding(brick.inGrid({i, j, k}))) brick.visit(placeOf({i, j, k}));
   }
 
   //! The voxel before (side 0) or after (side 1) the given one along an axis. Null patch: outside the grid.
   struct Neighbour {
-    Patch* patch;
-    Place place;
+    Brick* brick;
+    BrickVoxel place;
   };
-  Neighbour neighbour(Patch& patch, const Voxel& at, Place place, int axis, int side) {
+  Neighbour neighbour(Brick& brick, const Voxel& at, BrickVoxel place, int axis, int side) {
     const int stride = kPlaceStride[idx(axis)];
     const int local = at.along(axis);
-    if (side == 0 ? local > 0 : local < patch.last.along(axis))
-      return {&patch, static_cast<Place>(side == 0 ? place - stride : place + stride)};
-    return {beyond(patch, axis, side), static_cast<Place>(place ^ kBrickMask * stride)};
+    if (side == 0 ? local > 0 : local < brick.last.along(axis))
+      return {&brick, static_cast<BrickVoxel>(side == 0 ? place - stride : place + stride)};
+    return {beyond(brick, axis, side), static_cast<BrickVoxel>(place ^ kBrickMask * stride)};
   }
-  float value(const Neighbour& n) const { return sign_ * n.patch->values[valueIndex(inBrick(n.place))]; }
+  float value(const Neighbour& n) const { return sign_ * n.brick->values[valueIndex(inBrick(n.place))]; }
 
-  Patch* beyond(Patch& patch, int axis, int side) {
-    Patch*& other = patch.neighbours[idx(2 * axis + side)];
+  Brick* beyond(Brick& brick, int axis, int side) {
+    Brick*& other = brick.neighbours[idx(2 * axis + side)];
     if (other) return other;
-    std::array<int, 3> at{patch.first.i / kBrick, patch.first.j / kBrick, patch.first.k / kBrick};
+    std::array<int, 3> at{brick.first.i / kBrick, brick.first.j / kBrick, brick.first.k / kBrick};
     at[idx(axis)] += 2 * side - 1;
     if (at[idx(axis)] < 0 || at[idx(axis)] >= volume_.bricks()[idx(axis)]) return nullptr;
-    return other = &patchOf({at[0], at[1], at[2]});
+    return other = &brickOf({at[0], at[1], at[2]});
   }
 
   //! Queues the voxel if it has not been seen before.
   void push(const Neighbour& n) {
-    if (n.patch->visit(n.place)) queue(*n.patch, n.place, value(n));
+    if (n.brick->visit(n.place)) queue(*n.brick, n.place, value(n));
   }
-  void queue(Patch& patch, Place place, float signedValue) {
+  void queue(Brick& brick, BrickVoxel place, float signedValue) {
     const double bin = signedValue < levelStart_ ? level_ : (signedValue - lowest_) * perStep_;
     if (!(bin < kBins) || level_ >= kBins) return;
     const std::size_t target = idx(std::max(static_cast<int>(bin), level_));
-    std::vector<Entry>& waiting = patch.waiting[target];
-    if (waiting.empty()) queue_[target].push_back(&patch);
+    std::vector<Entry>& waiting = brick.waiting[target];
+    if (waiting.empty()) queue_[target].push_back(&brick);
     waiting.push_back({place, signedValue});
   }
 
@@ -186,31 +186,31 @@ class Flood {
   }
 
   //! Has the rows of a brick looked at for the level that is taken in by rows.
-  void lookAtRows(Patch& patch) const {
-    if (patch.rowLevel == rowLevel_) return;
-    patch.rowLevel = rowLevel_;
-    patch.taken = patch.todo = {};
-    patch.rows.clear();
+  void lookAtRows(Brick& brick) const {
+    if (brick.rowLevel == rowLevel_) return;
+    brick.rowLevel = rowLevel_;
+    brick.taken = brick.todo = {};
+    brick.rows.clear();
     for (int row = 0; row < kRows; ++row)
-      patch.low[idx(row)] = rowBelow(patch.values + rowIndex(row), sign_, rowEnd_);
+      brick.low[idx(row)] = rowBelow(brick.values + rowIndex(row), sign_, rowEnd_);
   }
 
   //! Voxels of a row beside voxels that were taken. Those above the level wait for theirs.
-  void reach(Patch& patch, int row, Row bits) {
-    lookAtRows(patch);
-    bits &= ~patch.seen[idx(row)];
-    const Row high = bits & ~patch.low[idx(row)];
-    for (Row left = high; left != 0; left &= left - 1)
-      push({&patch, static_cast<Place>(row << kShift | std::countr_zero(left))});
-    if ((bits & patch.low[idx(row)]) == 0) return;
-    if (patch.rows.empty()) queue_[idx(rowLevel_)].push_back(&patch);
-    if (patch.todo[idx(row)] == 0) patch.rows.push_back(row);
-    patch.todo[idx(row)] |= bits & patch.low[idx(row)];
+  void reach(Brick& brick, int row, RowBits bits) {
+    lookAtRows(brick);
+    bits &= ~brick.seen[idx(row)];
+    const RowBits high = bits & ~brick.low[idx(row)];
+    for (RowBits left = high; left != 0; left &= left - 1)
+      push({&brick, static_cast<BrickVoxel>(row << kShift | std::countr_zero(left))});
+    if ((bits & brick.low[idx(row)]) == 0) return;
+    if (brick.rows.empty()) queue_[idx(rowLevel_)].push_back(&brick);
+    if (brick.todo[idx(row)] == 0) brick.rows.push_back(row);
+    brick.todo[idx(row)] |= bits & brick.low[idx(row)];
   }
 
   //! Takes in what the level lets in, brick by brick. `taken`: what it has let in already.
   std::size_t drainByRows(std::size_t taken = 0) {
-    std::vector<Patch*>& queue = queue_[idx(rowLevel_)];
+    std::vector<Brick*>& queue = queue_[idx(rowLevel_)];
     for (std::size_t q = 0; q < queue.size() && !isLeak(static_cast<double>(taken)); ++q) {
       giveUpIfCancelled();
       std::vector<int>& rows = queue[q]->rows;
@@ -219,60 +219,61 @@ class Flood {
     }
     level_ = rowLevel_;
     levelStart_ = lowest_ + step_ * level_;
-    for (const auto& patch : patches_)
-      if (patch && patch->rowLevel == rowLevel_) addRowEdges(*patch);
+    for (const auto& brick : bricks_)
+      if (brick && brick->rowLevel == rowLevel_) addRowEdges(*brick);
     return taken;
   }
 
   //! Goes on by rows with a level that was begun voxel by voxel, from place q in its queue on.
   std::size_t drainRestByRows(std::size_t q, std::size_t taken) {
     startRows(level_);
-    const std::vector<Patch*> begun = std::exchange(queue_[idx(rowLevel_)], {});
+    const std::vector<Brick*> begun = std::exchange(queue_[idx(rowLevel_)], {});
     for (; q < begun.size(); ++q) {
-      Patch& patch = *begun[q];
-      const std::vector<Entry> waiting = std::exchange(patch.waiting[idx(rowLevel_)], {});
-      for (const Entry& entry : waiting) patch.forget(entry.place);
+      Brick& brick = *begun[q];
+      const std::vector<Entry> waiting = std::exchange(brick.waiting[idx(rowLevel_)], {});
+      for (const Entry& entry : waiting) brick.forget(entry.place);
       for (const Entry& entry : waiting)
-        reach(patch, entry.place >> kShift, Row{1} << (entry.place & kBrickMask));
+        reach(brick, entry.place >> kShift, RowBits{1} << (entry.place & kBrickMask));
     }
     return drainByRows(taken);
   }
 
-  std::size_t takeRow(Patch& patch, int row) {
-    const Row free = patch.low[idx(row)] & ~patch.seen[idx(row)];
-    const Row start = std::exchange(patch.todo[idx(row)], 0) & free;
+  std::size_t takeRow(Brick& brick, int row) {
+    const RowBits free = brick.low[idx(row)] & ~brick.seen[idx(row)];
+    const RowBits start = std::exchange(brick.todo[idx(row)], 0) & free;
     if (start == 0) return 0;
-    const Row taken = fillRow(start, free);
-    patch.seen[idx(row)] |= taken;
-    patch.taken[idx(row)] |= taken;
-    reach(patch, row, taken << 1 | taken >> 1);
-    if (Patch* before = taken & 1 ? beyond(patch, 0, 0) : nullptr) reach(*before, row, Row{1} << kBrickMask);
-    if (Patch* after = taken >> kBrickMask ? beyond(patch, 0, 1) : nullptr) reach(*after, row, 1);
+    const RowBits taken = fillRow(start, free);
+    brick.seen[idx(row)] |= taken;
+    brick.taken[idx(row)] |= taken;
+    reach(brick, row, taken << 1 | taken >> 1);
+    if (Brick* before = taken & 1 ? beyond(brick, 0, 0) : nullptr)
+      reach(*before, row, RowBits{1} << kBrickMask);
+    if (Brick* after = taken >> kBrickMask ? beyond(brick, 0, 1) : nullptr) reach(*after, row, 1);
     for (int axis : {1, 2})
       for (int side : {0, 1}) {
         // The row beside is the neighbour of its first voxel.
-        const auto place = static_cast<Place>(row << kShift);
-        const Neighbour n = neighbour(patch, inBrick(place), place, axis, side);
-        if (n.patch) reach(*n.patch, n.place >> kShift, taken);
+        const auto place = static_cast<BrickVoxel>(row << kShift);
+        const Neighbour n = neighbour(brick, inBrick(place), place, axis, side);
+        if (n.brick) reach(*n.brick, n.place >> kShift, taken);
       }
-    if (patch.onBorder) countBorder(patch, row, taken);
+    if (brick.onBorder) countBorder(brick, row, taken);
     return static_cast<std::size_t>(std::popcount(taken));
   }
 
-  void countBorder(const Patch& patch, int row, Row taken) {
+  void countBorder(const Brick& brick, int row, RowBits taken) {
     for (; taken != 0; taken &= taken - 1)
-      if (isOnBorder(patch.inGrid({std::countr_zero(taken), row & kBrickMask, row >> kShift}))) ++border_;
+      if (isOnBorder(brick.inGrid({std::countr_zero(taken), row & kBrickMask, row >> kShift}))) ++border_;
   }
 
-  void addRowEdges(Patch& patch) {
+  void addRowEdges(Brick& brick) {
     for (int row = 0; row < kRows; ++row) {
-      if (patch.taken[idx(row)] == 0) continue;
-      const float* values = patch.values + rowIndex(row);
-      Row edge = patch.taken[idx(row)] & ~rowBelow(values, sign_, static_cast<float>(levelStart_));
+      if (brick.taken[idx(row)] == 0) continue;
+      const float* values = brick.values + rowIndex(row);
+      RowBits edge = brick.taken[idx(row)] & ~rowBelow(values, sign_, static_cast<float>(levelStart_));
       for (; edge != 0; edge &= edge - 1) {
         const int x = std::countr_zero(edge);
-        const auto place = static_cast<Place>(row << kShift | x);
-        addEdge(patch, {place, sign_ * values[x]}, inBrick(place));
+        const auto place = static_cast<BrickVoxel>(row << kShift | x);
+        addEdge(brick, {place, sign_ * values[x]}, inBrick(place));
       }
     }
   }
@@ -287,8 +288,8 @@ class Flood {
     levelStart_ = lowest_ + step_ * bin;
     std::size_t taken = 0;
     for (std::size_t q = 0; q < queue_[idx(bin)].size(); ++q) {
-      Patch& patch = *queue_[idx(bin)][q];
-      std::vector<Entry>& waiting = patch.waiting[idx(bin)];
+      Brick& brick = *queue_[idx(bin)][q];
+      std::vector<Entry>& waiting = brick.waiting[idx(bin)];
       for (std::size_t i = 0; i < waiting.size(); ++i, ++taken) {
         if (taken % kBetweenLooks == 0) giveUpIfCancelled();
         if (isLeak(static_cast<double>(taken))) return taken;
@@ -296,8 +297,8 @@ class Flood {
           waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(i));
           return drainRestByRows(q, taken);
         }
-        if (i + kAhead < waiting.size()) prefetchAround(patch, waiting[i + kAhead].place);
-        take(patch, Entry(waiting[i]));
+        if (i + kAhead < waiting.size()) prefetchAround(brick, waiting[i + kAhead].place);
+        take(brick, Entry(waiting[i]));
       }
       waiting = {};  // from here on the brick may come again
     }
@@ -305,49 +306,49 @@ class Flood {
   }
 
   //! The values that take() will ask for: a level has few voxels in each brick, which lie anywhere in it.
-  static void prefetchAround(const Patch& patch, Place place) {
-    const float* here = patch.values + valueIndex(inBrick(place));
+  static void prefetchAround(const Brick& brick, BrickVoxel place) {
+    const float* here = brick.values + valueIndex(inBrick(place));
     __builtin_prefetch(here);
     for (const int stride : {kValueStride[1], kValueStride[2]})
       for (const int side : {-stride, stride}) __builtin_prefetch(here + side);
   }
 
-  void take(Patch& patch, const Entry& entry) {
+  void take(Brick& brick, const Entry& entry) {
     const Voxel at = inBrick(entry.place);
-    if (patch.onBorder && isOnBorder(patch.inGrid(at))) ++border_;
-    if (isWithin(patch, at)) {
-      pushWithin(patch, at, entry.place);
+    if (brick.onBorder && isOnBorder(brick.inGrid(at))) ++border_;
+    if (isWithin(brick, at)) {
+      pushWithin(brick, at, entry.place);
     } else {
       for (int axis = 0; axis < 3; ++axis)
         for (int side : {0, 1}) {
-          const Neighbour n = neighbour(patch, at, entry.place, axis, side);
-          if (n.patch) push(n);
+          const Neighbour n = neighbour(brick, at, entry.place, axis, side);
+          if (n.brick) push(n);
         }
     }
     // Only voxels at the level itself lie on the boundary; lower ones are the inside of what has just been
     // joined.
-    if (entry.value >= levelStart_) addEdge(patch, entry, at);
+    if (entry.value >= levelStart_) addEdge(brick, entry, at);
   }
 
   //! True if all neighbours of the voxel lie in its brick.
-  static bool isWithin(const Patch& patch, const Voxel& at) {
-    return at.i > 0 && at.j > 0 && at.k > 0 && at.i < patch.last.i && at.j < patch.last.j &&
-           at.k < patch.last.k;
+  static bool isWithin(const Brick& brick, const Voxel& at) {
+    return at.i > 0 && at.j > 0 && at.k > 0 && at.i < brick.last.i && at.j < brick.last.j &&
+           at.k < brick.last.k;
   }
 
   //! The neighbours of such a voxel, in the same order as of any other.
-  void pushWithin(Patch& patch, const Voxel& at, Place place) {
-    const float* here = patch.values + valueIndex(at);
+  void pushWithin(Brick& brick, const Voxel& at, BrickVoxel place) {
+    const float* here = brick.values + valueIndex(at);
     for (std::size_t axis = 0; axis < 3; ++axis)
       for (const int side : {-1, 1}) {
-        const auto beside = static_cast<Place>(place + side * kPlaceStride[axis]);
-        if (patch.visit(beside)) queue(patch, beside, sign_ * here[side * kValueStride[axis]]);
+        const auto beside = static_cast<BrickVoxel>(place + side * kPlaceStride[axis]);
+        if (brick.visit(beside)) queue(brick, beside, sign_ * here[side * kValueStride[axis]]);
       }
   }
 
   //! Square of the gradient at such a voxel.
-  double squaredGradientWithin(const Patch& patch, const Voxel& at) const {
-    const float* here = patch.values + valueIndex(at);
+  double squaredGradientWithin(const Brick& brick, const Voxel& at) const {
+    const float* here = brick.values + valueIndex(at);
     double squared = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double low = sign_ * here[-kValueStride[axis]], high = sign_ * here[kValueStride[axis]];
@@ -358,22 +359,22 @@ class Flood {
   }
 
   //! Counts the gradient at a voxel of the boundary. Beside padding an edge says nothing about the object.
-  void addEdge(Patch& patch, const Entry& entry, const Voxel& at) {
-    if (volume_.hasPadding() && isBesidePadding(patch.inGrid(at))) return;
+  void addEdge(Brick& brick, const Entry& entry, const Voxel& at) {
+    if (volume_.hasPadding() && isBesidePadding(brick.inGrid(at))) return;
     const double squared =
-        isWithin(patch, at) ? squaredGradientWithin(patch, at) : squaredGradient(patch, entry, at);
+        isWithin(brick, at) ? squaredGradientWithin(brick, at) : squaredGradient(brick, entry, at);
     sumGradient_[idx(level_)] += std::sqrt(squared);
     sumSquared_[idx(level_)] += squared;
   }
 
-  double squaredGradient(Patch& patch, const Entry& entry, const Voxel& at) {
+  double squaredGradient(Brick& brick, const Entry& entry, const Voxel& at) {
     double squared = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      const Neighbour before = neighbour(patch, at, entry.place, axis, 0);
-      const Neighbour after = neighbour(patch, at, entry.place, axis, 1);
-      const double low = before.patch ? value(before) : entry.value;
-      const double high = after.patch ? value(after) : entry.value;
-      const double span = volume_.grid().spacing[axis] * ((before.patch ? 1 : 0) + (after.patch ? 1 : 0));
+      const Neighbour before = neighbour(brick, at, entry.place, axis, 0);
+      const Neighbour after = neighbour(brick, at, entry.place, axis, 1);
+      const double low = before.brick ? value(before) : entry.value;
+      const double high = after.brick ? value(after) : entry.value;
+      const double span = volume_.grid().spacing[axis] * ((before.brick ? 1 : 0) + (after.brick ? 1 : 0));
       if (span > 0) squared += (high - low) * (high - low) / (span * span);
     }
     return squared;
@@ -412,11 +413,11 @@ class Flood {
   double border_ = 0;                                             // voxels taken on the faces of the grid
   int level_;                                                     // the bin that is being drained
   double levelStart_ = -std::numeric_limits<double>::infinity();  // its signed level
-  std::vector<std::vector<Patch*>> queue_;                        // per bin: bricks with voxels that wait
+  std::vector<std::vector<Brick*>> queue_;                        // per bin: bricks with voxels that wait
   std::vector<double> sumGradient_, sumSquared_;
-  std::size_t mostVoxels_;                       // of one level
-  double borderVoxels_;                          // on the faces of the grid
-  std::vector<std::unique_ptr<Patch>> patches_;  // per brick; null: not reached
+  std::size_t mostVoxels_;                      // of one level
+  double borderVoxels_;                         // on the faces of the grid
+  std::vector<std::unique_ptr<Brick>> bricks_;  // per brick; null: not reached
 };
 
 }  // namespace

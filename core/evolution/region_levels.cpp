@@ -67,7 +67,7 @@ RegionLevels levelsOn(const WorkImage& work, const Region& region, const Grid& g
     const auto rise = rising.halfWay(v, face), fall = falling.halfWay(v, face);
     if (!rise && !fall) continue;
     const bool rises = !fall || (rise && rise->step >= fall->step);
-    const Edge& e = rises ? *rise : *fall;
+    const ImageEdge& e = rises ? *rise : *fall;
     const Vec3 place = same ? e.place : grid.toIndex(cells.toWorld(e.place));
     const double weight = e.step * e.step;
     if (rises)

@@ -10,30 +10,30 @@ namespace handlebody {
 
 //! Changes at one place after which it rests for good. A neck that closes, a crease that fills take a few
 //! each.
-inline constexpr int kMostRepeats = 12;
+inline constexpr int kMaxRepeats = 12;
 //! Changes at one place after which smoothing alone is not expected to help.
 inline constexpr int kCameBack = 3;
 
-class RestingPlaces {
+class LockedRegions {
  public:
   //! A place rests from `iteration` on; each time it comes again it rests longer, and at last for good:
   //! unless it only waits.
   void add(const Vec3& centre, double radius, int iteration, bool waits = false);
-  //! Counts a change of the mesh at `p`. True when it is the kMostRepeats-th within `radius`: the place then
+  //! Counts a change of the mesh at `p`. True when it is the kMaxRepeats-th within `radius`: the place then
   //! rests for good, so that attaching and splitting, or folding and smoothing, cannot go on for ever.
   bool repeats(const Vec3& p, double radius);
   //! True if the mesh has changed kCameBack times or more within `radius` of p.
   bool cameBack(const Vec3& p, double radius) const;
-  bool rests(const Vec3& p, int iteration) const;
+  bool isLocked(const Vec3& p, int iteration) const;
   bool any(int iteration) const;
   //! True if some place rests now but will move again.
-  bool anyWillWake(int iteration) const;
+  bool anyWillUnlock(int iteration) const;
   //! Part of its step that a vertex at p may take: places that have rested move on more slowly, so that the
   //! fronts there meet in another way than the one that failed.
-  double pace(const Vec3& p) const;
+  double speedFactor(const Vec3& p) const;
 
  private:
-  struct Place {
+  struct Region {
     Vec3 centre;
     double radius;  // mm
     int until;      // first iteration at which it moves again
@@ -43,7 +43,7 @@ class RestingPlaces {
     Vec3 centre;
     int times;
   };
-  std::vector<Place> places_;
+  std::vector<Region> regions_;
   std::vector<Change> changes_;
 };
 

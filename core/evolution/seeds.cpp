@@ -30,7 +30,7 @@ std::vector<Vec3> directions(int n) {
 }
 
 //! More than a growth can handle in any patience; without a limit a mistyped edge length fills the memory.
-constexpr double kMostTriangles = 2e6;
+constexpr double kMaxTriangles = 2e6;
 
 void requireManageable(const std::vector<Seed>& seeds, double edgeLength) {
   double triangles = 0;  // of that edge length on the spheres
@@ -38,7 +38,7 @@ void requireManageable(const std::vector<Seed>& seeds, double edgeLength) {
     const double ratio = *s.radius / edgeLength;
     triangles += 16 * kPi / std::sqrt(3.0) * ratio * ratio;
   }
-  if (triangles <= kMostTriangles) return;
+  if (triangles <= kMaxTriangles) return;
   throw Told<UsageError>(Finding(FindingKind::edgeTooShort, {{"edge_mm", edgeLength}}));
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 using Cell = std::array<int, 3>;
 
-constexpr int kMostVoxels = 8;  // of a cell, along an axis
+constexpr int kMaxVoxels = 8;  // of a cell, along an axis
 // The boundary lies less than a voxel's diagonal beside a voxel that is not of the object, and that within
 // its cell: from the cell's middle half a diagonal of each. Between the middles of cells distances are up to
 // a quarter of a cell too large.
@@ -31,7 +31,7 @@ class CellFlood {
     Vec3 middle;
     for (int a = 0; a < 3; ++a) {
       const double wanted = std::round(edgeLength / voxels_.spacing[a]);
-      perCell_[idx(a)] = static_cast<int>(std::clamp<double>(wanted, 1, kMostVoxels));
+      perCell_[idx(a)] = static_cast<int>(std::clamp<double>(wanted, 1, kMaxVoxels));
       cells_.size[idx(a)] = (voxels_.size[idx(a)] + perCell_[idx(a)] - 1) / perCell_[idx(a)];
       cells_.spacing[a] = voxels_.spacing[a] * perCell_[idx(a)];
       middle[a] = 0.5 * (perCell_[idx(a)] - 1);

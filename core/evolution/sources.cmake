@@ -9,11 +9,11 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/correction.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/edge_profile.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/edit_step.cpp
-  ${CMAKE_SOURCE_DIR}/core/evolution/growth_level.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/region_growth_level.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/held_changes.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/held_size.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/history.cpp
-  ${CMAKE_SOURCE_DIR}/core/evolution/image_doubts.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/image_warnings.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/leak_alarm.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/level_field.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/object_boundary.cpp
@@ -31,10 +31,10 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/passages.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/pinned_check.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/pinned_parts.cpp
-  ${CMAKE_SOURCE_DIR}/core/evolution/quiet_vertices.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/converged_vertices.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/region_growth.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/region_levels.cpp
-  ${CMAKE_SOURCE_DIR}/core/evolution/resting_places.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/locked_regions.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/seed_statistics.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/seeds.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/shown_object.cpp
@@ -43,7 +43,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/step_check.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/step_edits.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/step_transaction.cpp
-  ${CMAKE_SOURCE_DIR}/core/evolution/stillness.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/convergence.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/stop_decision.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/thickness_map.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/transaction.cpp

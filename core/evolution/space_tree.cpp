@@ -154,7 +154,7 @@ void SpaceTree::judge(const Border& border, const Space& before, std::uint32_t b
     m.isWidening = true;
     if (!isWidening(m, rule)) return;
   }
-  if (told_.size() >= kMost) return;
+  if (told_.size() >= kMaxPassages) return;
   told_.push_back(m);
   for (std::uint32_t b = 0; b < marks_.size(); ++b)
     if (find(b) == behind) marks_[b] = static_cast<std::uint8_t>(told_.size());
@@ -167,7 +167,7 @@ void SpaceTree::judgeUnconnected(const NarrowRule& rule) {
   for (std::uint32_t b = 0; b < spaces_.size() && before > 0; ++b) {
     if (find(b) != b || spaces_[b].isStarted) continue;
     const Merging m{0, 0, before, static_cast<double>(peakOf(spaces_[b])), spaces_[b].peak};
-    if (!isNarrow(m, rule) || told_.size() >= kMost) continue;
+    if (!isNarrow(m, rule) || told_.size() >= kMaxPassages) continue;
     told_.push_back(m);
     for (std::uint32_t other = 0; other < marks_.size(); ++other)
       if (find(other) == b) marks_[other] = static_cast<std::uint8_t>(told_.size());
@@ -256,7 +256,7 @@ class WideRuns {
   std::vector<std::uint32_t> firstOfRow_, parent_;
 };
 
-constexpr std::size_t kMostWidths = 32;
+constexpr std::size_t kMaxWidths = 32;
 constexpr double kLess = 0.999;  // of the next width, so that rounding decides nothing
 
 }  // namespace
@@ -272,7 +272,7 @@ bool surelyTellsNothing(const std::array<int, 3>& size, const std::vector<float>
   if (!(rule.leastBehind > 0) || factor < 1.1) return false;
   std::vector<double> widths;
   for (double w = rule.leastBehind; w <= widest; w *= factor) widths.push_back(w);
-  if (widths.size() > kMostWidths) return false;
+  if (widths.size() > kMaxWidths) return false;
   WideRuns runs(size, radius);
   for (std::size_t w = widths.size(); w-- > 0;)  // the fewest cells first
     if (!runs.allHold(starts, widths[w])) return false;

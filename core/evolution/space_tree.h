@@ -39,15 +39,15 @@ class SpaceTree {
   //! the tree.
   SpaceTree(const std::array<int, 3>& size, const std::vector<float>& radius);
 
-  //! The passages, the widest first; at most kMost. `starts`: cells; those outside of the region do not
-  //! count.
+  //! The passages, the widest first; at most kMaxPassages. `starts`: cells; those outside of the region do
+  //! not count.
   std::vector<Merging> merge(std::span<const std::uint32_t> starts, const NarrowRule& rule);
   //! Number (from 1 on) of the passage behind which a cell lies, 0 for none. Precondition: after merge.
   std::uint8_t behindWhich(std::size_t cell) const {
     return basin_[cell] < 0 ? std::uint8_t{0} : marks_[static_cast<std::size_t>(basin_[cell])];
   }
 
-  static constexpr std::size_t kMost = 255;
+  static constexpr std::size_t kMaxPassages = 255;
 
  private:
   struct Border {

@@ -27,28 +27,28 @@ bool isTouched(const StepResult& step, int v) {
   return idx(v) < step.touched.size() && step.touched[idx(v)] != 0;
 }
 
-Trouble troubleAt(const StepResult& step, const Vec3& place, FindingKind reason) {
+Conflict conflictAt(const StepResult& step, const Vec3& place, FindingKind reason) {
   return {place, kAround * step.longest, reason};
 }
 
 //! Where the vertex was when all was well, or else where it is.
-Trouble troubleAt(const StepResult& step, int vertex, FindingKind reason) {
-  if (has(step.before, vertex)) return troubleAt(step, step.before.position(vertex), reason);
-  if (has(step.mesh, vertex)) return troubleAt(step, step.mesh.position(vertex), reason);
+Conflict conflictAt(const StepResult& step, int vertex, FindingKind reason) {
+  if (has(step.before, vertex)) return conflictAt(step, step.before.position(vertex), reason);
+  if (has(step.mesh, vertex)) return conflictAt(step, step.mesh.position(vertex), reason);
   int any = 0;
   while (!step.before.isVertex(any)) ++any;  // there is one: what follows from nothing is nothing
-  return troubleAt(step, step.before.position(any), reason);
+  return conflictAt(step, step.before.position(any), reason);
 }
 
 //! A fault of the numbers shows nowhere: all that the step has changed on purpose is taken back.
-std::vector<Trouble> troubleAtEvents(const StepResult& step, FindingKind reason) {
-  std::vector<Trouble> out;
+std::vector<Conflict> conflictsAtEvents(const StepResult& step, FindingKind reason) {
+  std::vector<Conflict> out;
   for (const Event& e : step.events) {
-    Trouble t = troubleAt(step, e.location, reason);
+    Conflict t = conflictAt(step, e.location, reason);
     for (const int size : e.loopSizes) t.radius = std::max(t.radius, size * step.longest / 4);
     out.push_back(t);
   }
-  if (out.empty()) out.push_back(troubleAt(step, -1, reason));
+  if (out.empty()) out.push_back(conflictAt(step, -1, reason));
   return out;
 }
 
@@ -63,8 +63,8 @@ std::optional<TopologyNumbers> predicted(const StepResult& step) {
 }
 
 //! Where the components lie, of a surface that intersects nothing.
-std::vector<Trouble> nestingFaults(const StepResult& step, const Components& parts) {
-  std::vector<Trouble> out;
+std::vector<Conflict> nestingFaults(const StepResult& step, const Components& parts) {
+  std::vector<Conflict> out;
   for (const int c : misplacedComponents(labelled(step.mesh, parts))) {
     const auto at = std::find(parts.ofVertex.begin(), parts.ofVertex.end(), c);
     const Vec3 place = step.mesh.position(static_cast<int>(at - parts.ofVertex.begin()));
@@ -75,18 +75,18 @@ std::vector<Trouble> nestingFaults(const StepResult& step, const Components& par
 }
 
 //! Without an event nothing can have joined or parted, and the Euler number is known from the counts.
-std::vector<Trouble> topologyFaults(const StepResult& step) {
+std::vector<Conflict> topologyFaults(const StepResult& step) {
   const std::optional<TopologyNumbers> expected = predicted(step);
-  if (!expected) return troubleAtEvents(step, FindingKind::eventsDisagree);
+  if (!expected) return conflictsAtEvents(step, FindingKind::eventsDisagree);
   const int euler = step.mesh.vertexCount() - step.mesh.faceCount() / 2;  // E = 3F / 2 on a closed mesh
-  if (euler != expected->euler) return troubleAtEvents(step, FindingKind::otherEuler);
+  if (euler != expected->euler) return conflictsAtEvents(step, FindingKind::otherEuler);
   if (step.events.empty()) return {};
   const bool areSeveral = expected->components > 1;
   const Components parts = areSeveral ? findComponents(step.mesh) : Components();
   const int components = areSeveral ? parts.count() : countComponents(step.mesh);
   if (components != expected->components || expected->genus != (2 * components - euler) / 2)
-    return troubleAtEvents(step, FindingKind::otherComponents);
-  return areSeveral ? nestingFaults(step, parts) : std::vector<Trouble>();
+    return conflictsAtEvents(step, FindingKind::otherComponents);
+  return areSeveral ? nestingFaults(step, parts) : std::vector<Conflict>();
 }
 
 void certifyWhole(const Mesh& mesh) {
@@ -97,19 +97,19 @@ void certifyWhole(const Mesh& mesh) {
 
 }  // namespace
 
-std::vector<Trouble> StepCheck::structureFaults(const StepResult& step) {
+std::vector<Conflict> StepCheck::structureFaults(const StepResult& step) {
   const auto fault = structure_.examineChanges(step.before, step.mesh);
   if (!fault) return {};
-  return {troubleAt(step, fault->vertex, fault->what)};
+  return {conflictAt(step, fault->vertex, fault->what)};
 }
 
 //! Precondition: the structure has been examined.
-std::vector<Trouble> StepCheck::coverageFaults(const StepResult& step) const {
+std::vector<Conflict> StepCheck::coverageFaults(const StepResult& step) const {
   constexpr FindingKind kUnseen = FindingKind::unseenChange;
   for (const int f : structure_.newFaces()) {
     const Triangle& t = step.mesh.face(f);
     if (!isTouched(step, t[0]) && !isTouched(step, t[1]) && !isTouched(step, t[2]))
-      return {troubleAt(step, t[0], kUnseen)};
+      return {conflictAt(step, t[0], kUnseen)};
   }
   const int common = std::min(step.before.vertexSlots(), step.mesh.vertexSlots());
   const int known = std::min(common, static_cast<int>(step.touched.size()));
@@ -121,18 +121,18 @@ std::vector<Trouble> StepCheck::coverageFaults(const StepResult& step) const {
         if (v < known && step.touched[idx(v)] != 0) return;
         if (step.mesh.isVertex(v) && is[v] != was[v]) unseen = v;
       });
-  if (unseen >= 0) return {troubleAt(step, unseen, kUnseen)};
+  if (unseen >= 0) return {conflictAt(step, unseen, kUnseen)};
   return {};
 }
 
-std::vector<Trouble> StepCheck::faultsOf(const StepResult& step) {
-  std::vector<Trouble> faults = structureFaults(step);
+std::vector<Conflict> StepCheck::faultsOf(const StepResult& step) {
+  std::vector<Conflict> faults = structureFaults(step);
   if (faults.empty()) faults = coverageFaults(step);
   if (faults.empty()) faults = topologyFaults(step);
   if (!faults.empty()) return faults;
   volume_ = signedVolume(step.mesh);
   if (step.mesh.faceCount() > 0 && !(std::isfinite(volume_) && volume_ > 0))
-    return troubleAtEvents(step, FindingKind::enclosesNothing);
+    return conflictsAtEvents(step, FindingKind::enclosesNothing);
   if constexpr (kChecksWhole) certifyWhole(step.mesh);
   return {};
 }

@@ -32,13 +32,13 @@ struct StepResult {
 class StepCheck {
  public:
   //! The places that are to be taken back, with the reasons; none if the step may be kept.
-  std::vector<Trouble> faultsOf(const StepResult& step);
+  std::vector<Conflict> faultsOf(const StepResult& step);
   //! mm³ enclosed by the mesh last looked at.
   double volume() const { return volume_; }
 
  private:
-  std::vector<Trouble> structureFaults(const StepResult& step);
-  std::vector<Trouble> coverageFaults(const StepResult& step) const;
+  std::vector<Conflict> structureFaults(const StepResult& step);
+  std::vector<Conflict> coverageFaults(const StepResult& step) const;
   StructureCheck structure_;
   double volume_ = 0;
 };

@@ -31,12 +31,12 @@ Attempt StepTransaction::attemptEdit(Mesh& mesh, const MeshEdit& edit, const Ste
   for (const int v : done.touched)
     if (v < mesh.vertexSlots()) a.touched[idx(v)] = 1;
   if (const auto place = scene.walls.brokenAnywhere(mesh))
-    a.troubles.push_back({*place, 0, FindingKind::editIntoWall});
+    a.conflicts.push_back({*place, 0, FindingKind::editIntoWall});
   else if (const auto pinned = scene.locked.pins.broken(before(), mesh))
-    a.troubles.push_back({*pinned, 0, FindingKind::editOfPinned});
+    a.conflicts.push_back({*pinned, 0, FindingKind::editOfPinned});
   else if (const FindingKind broken = limitBroken(limits, scene.topology, a.events.back().after);
            broken != FindingKind::none)
-    a.troubles.push_back({edit.place, 0, broken});
+    a.conflicts.push_back({edit.place, 0, broken});
   return a;
 }
 
@@ -51,7 +51,7 @@ Attempt StepTransaction::edit(Mesh& mesh, const MeshEdit& edit, const StepScene&
                                        {}});
   if (!made.isKept())
     throw Told<UsageError>(
-        Finding(FindingKind::editRefused, {{"iteration", edit.iteration}}, made.troubles[0].reason));
+        Finding(FindingKind::editRefused, {{"iteration", edit.iteration}}, made.conflicts[0].reason));
   collapsed_.forget();
   return made;
 }

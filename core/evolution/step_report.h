@@ -12,7 +12,7 @@ namespace handlebody {
 struct StepReport {
   int iteration = 0;
   int movedVertices = 0;
-  int settledVertices = 0;
+  int unmovedVertices = 0;
   double volume = 0;       //!< mm³ enclosed
   double largestMove = 0;  //!< mm
   std::vector<Event> events;
@@ -28,8 +28,8 @@ enum class StopReason {
   converged,      //!< nothing moves any more of its own accord
   maxIterations,  //!< the limit was reached
   empty,          //!< nothing is left
-  frozen,         //!< nothing moves any more, but places that rest for good would
-  stuck,          //!< no part of a step could be kept, again and again: everything rests
+  frozen,         //!< nothing moves any more, but regions that are locked for good would
+  stuck,          //!< no part of a step could be kept, again and again: everything is locked
   given,          //!< the surface was there already, and nothing is to grow (StartSurface::isDone)
 };
 //! "converged", "max-iterations", "empty", "frozen", "stuck", "given", "running".

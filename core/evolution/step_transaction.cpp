@@ -12,7 +12,7 @@ namespace handlebody {
 namespace {
 
 // Of surgery in an attempt after those that have spent what a step has (units of WorkBudget).
-constexpr std::size_t kLeastWork = 10'000'000;
+constexpr std::size_t kMinWork = 10'000'000;
 
 //! `topology`: of the mesh, which it leaves as it is.
 Event rolledBack(const Vec3& place, Finding reason, const TopologyNumbers& topology, int iteration) {
@@ -32,7 +32,7 @@ void lockRepeated(const StepScene& scene, std::vector<Event>& events) {
   for (std::size_t i = 0, n = events.size(); i < n; ++i) {
     const Event& e = events[i];
     if (e.kind != EventKind::rolledBack &&
-        scene.locked.resting.repeats(e.location, scene.longestAt(e.location)))
+        scene.locked.lockedRegions.repeats(e.location, scene.longestAt(e.location)))
       events.push_back(rolledBack(e.location, FindingKind::changesAgain, topology, scene.iteration));
   }
 }
@@ -44,7 +44,7 @@ StepOutcome StepTransaction::move(Mesh& mesh, const StepScene& scene) {
   std::vector<Event> events;
   const auto attemptOnce = [&] { return attempt(mesh, scene); };
   const auto judgeKept = [&](const Attempt& a) { return judge(mesh, scene, a, events); };
-  const auto rollBack = [&](const Trouble& t) {
+  const auto rollBack = [&](const Conflict& t) {
     events.push_back(rolledBack(t.centre, t.reason, scene.topology, scene.iteration));
     events.back().faces = t.faces;
     scene.locked.lock(t, mesh, scene.limits.longest, scene.sizeAt(t.centre), scene.iteration);
@@ -63,14 +63,14 @@ StepOutcome StepTransaction::move(Mesh& mesh, const StepScene& scene) {
 
 Attempt StepTransaction::attempt(Mesh& mesh, const StepScene& scene) {
   giveUpIfCancelled();
-  work_.allowAtLeast(kLeastWork);
+  work_.allowAtLeast(kMinWork);
   Attempt a;
   displace(mesh, scene, a);
   regulate(mesh, scene.limits, a.touched);
   giveUpIfCancelled();
   adapt(mesh, scene, a);
   giveUpIfCancelled();
-  if (a.troubles.empty()) deleteCollapsed(mesh, scene, a);
+  if (a.conflicts.empty()) deleteCollapsed(mesh, scene, a);
   findFaults(mesh, scene, a);
   return a;
 }
@@ -79,7 +79,7 @@ void StepTransaction::displace(Mesh& mesh, const StepScene& scene, Attempt& a) c
   a.moving = scene.active.list(mesh, scene.locked, scene.iteration);
   std::vector<Vec3> moves = computeMotion(mesh, scene.image, scene.motion, a.moving);
   for (std::size_t i = 0; i < moves.size(); ++i)
-    moves[i] *= scene.locked.resting.pace(mesh.position(a.moving[i]));
+    moves[i] *= scene.locked.lockedRegions.speedFactor(mesh.position(a.moving[i]));
   giveUpIfCancelled();
   a.touched.assign(idx(mesh.vertexSlots()), 0);
   scene.walls.bound(mesh, a.moving, scene.motion.largestStep, moves);
@@ -95,7 +95,7 @@ void StepTransaction::adapt(Mesh& mesh, const StepScene& scene, Attempt& a) {
   AdaptationSettings settings{!scene.mayShrink,       scene.traces, scene.iteration, scene.topology, {},
                               scene.limits.forbidden, &work_};
   settings.cameBack = [&scene](const Vec3& p) {
-    return scene.locked.resting.cameBack(p, scene.longestAt(p));
+    return scene.locked.lockedRegions.cameBack(p, scene.longestAt(p));
   };
   detector_.use(scene.broadPhase);
   adaptInRounds(mesh, detector_, std::move(settings), scene.limits.longest, a);
@@ -103,7 +103,7 @@ void StepTransaction::adapt(Mesh& mesh, const StepScene& scene, Attempt& a) {
 
 void StepTransaction::deleteCollapsed(Mesh& mesh, const StepScene& scene, Attempt& a) {
   const LockedRegions& locked = scene.locked;
-  const auto isKept = [&locked](const Vec3& p) { return locked.held.rests(p); };
+  const auto isKept = [&locked](const Vec3& p) { return locked.held.isLocked(p); };
   std::function<bool(int)> isPinned;
   if (locked.pins.any()) isPinned = [&locked](int v) { return locked.pins.holds(v); };
   const TopologyNumbers& now = a.events.empty() ? scene.topology : a.events.back().after;
@@ -114,15 +114,15 @@ void StepTransaction::deleteCollapsed(Mesh& mesh, const StepScene& scene, Attemp
 
 //! What of the attempt walls and pins do not allow; nothing if something was wrong already.
 void StepTransaction::findFaults(const Mesh& mesh, const StepScene& scene, Attempt& a) const {
-  if (!a.troubles.empty()) return;
+  if (!a.conflicts.empty()) return;
   const double around = 2 * scene.limits.longest;
   if (const auto place = scene.walls.broken(mesh, a.touched, a.events))
-    a.troubles.push_back({*place, around, FindingKind::entersWall});
+    a.conflicts.push_back({*place, around, FindingKind::entersWall});
   const TopologyNumbers& now = a.events.empty() ? scene.topology : a.events.back().after;
   const PinnedParts& pins = scene.locked.pins;
-  if (a.troubles.empty() && now.components > 1)
-    a.troubles = pressedFlat(mesh, pins, a.touched, scene.motion.edgeLength);
-  if (a.troubles.empty()) a.troubles = changesOfPinned(before(), mesh, pins, a.events, around);
+  if (a.conflicts.empty() && now.components > 1)
+    a.conflicts = pressedFlat(mesh, pins, a.touched, scene.motion.edgeLength);
+  if (a.conflicts.empty()) a.conflicts = changesOfPinned(before(), mesh, pins, a.events, around);
 }
 
 //! The changes that may not happen, each with an event.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/evolution/quiet_vertices.h"
+#include "core/evolution/converged_vertices.h"
 
 namespace handlebody {
 
@@ -35,7 +35,7 @@ void StopDecision::change(const StopFacts& facts, bool wakes) {
 void StopDecision::afterStep(const StopFacts& facts, const StepStir& stir,
                              const std::function<StopReason()>& whyAtRest) {
   // What was at rest before an edit is so after it: nothing that it made stirs.
-  if (!stir.isEdit) stillness_.count(stir.calm, stir.movedVertices, facts.vertices);
+  if (!stir.isEdit) stillness_.count(stir.isUneventful, stir.movedVertices, facts.vertices);
   if (facts.faces == 0)
     reason_ = StopReason::empty;
   else if (leadsToEdit(facts))
@@ -49,15 +49,15 @@ void StopDecision::afterStep(const StopFacts& facts, const StepStir& stir,
 }
 
 StopReason reasonOfRest(const Mesh& mesh, const ObjectImage& image, const MotionSettings& motion,
-                        const RestingPlaces& resting, int iteration) {
-  std::vector<int> resters;
+                        const LockedRegions& lockedRegions, int iteration) {
+  std::vector<int> locked;
   for (int v = 0; v < mesh.vertexSlots(); ++v)
-    if (mesh.isVertex(v) && resting.rests(mesh.position(v), iteration)) resters.push_back(v);
-  const std::vector<Vec3> moves = computeMotion(mesh, image, motion, resters);
+    if (mesh.isVertex(v) && lockedRegions.isLocked(mesh.position(v), iteration)) locked.push_back(v);
+  const std::vector<Vec3> moves = computeMotion(mesh, image, motion, locked);
   const bool wouldMove = std::any_of(moves.begin(), moves.end(),
-                                     [&](const Vec3& m) { return m.norm() >= kQuiet * motion.edgeLength; });
+                                     [&](const Vec3& m) { return m.norm() >= kUnmoved * motion.edgeLength; });
   if (!wouldMove) return StopReason::converged;
-  return static_cast<int>(resters.size()) == mesh.vertexCount() ? StopReason::stuck : StopReason::frozen;
+  return static_cast<int>(locked.size()) == mesh.vertexCount() ? StopReason::stuck : StopReason::frozen;
 }
 
 }  // namespace handlebody

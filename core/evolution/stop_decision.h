@@ -4,10 +4,10 @@
 #include <functional>
 #include <optional>
 
+#include "core/evolution/convergence.h"
+#include "core/evolution/locked_regions.h"
 #include "core/evolution/motion.h"
-#include "core/evolution/resting_places.h"
 #include "core/evolution/step_report.h"
-#include "core/evolution/stillness.h"
 #include "core/mesh/mesh.h"
 
 namespace handlebody {
@@ -26,8 +26,8 @@ struct StopFacts {
 //! What the last step did.
 struct StepStir {
   bool isEdit = false;
-  bool calm = false;      //!< nothing happened in it, and nothing that rests will wake
-  int movedVertices = 0;  //!< by more than kQuiet
+  bool isUneventful = false;  //!< nothing happened in it, and nothing that rests will wake
+  int movedVertices = 0;      //!< by more than kUnmoved
 };
 
 //! Owned by the contour and copied with it. An edit that steps come to keeps it going, whatever else there
@@ -43,18 +43,18 @@ class StopDecision {
   //! After a step. `whyAtRest` is asked if the surface has come to rest (see reasonOfRest).
   void afterStep(const StopFacts& facts, const StepStir& stir, const std::function<StopReason()>& whyAtRest);
   //! Rest is counted from here on.
-  void forgetRest() { stillness_ = {}; }
+  void forgetLocks() { stillness_ = {}; }
 
  private:
   void applyGivenAndEdit(const StopFacts& facts);
 
-  Stillness stillness_;
+  Convergence stillness_;
   StopReason reason_ = StopReason::running;
 };
 
 //! Why nothing moves: of its own accord (converged), or because all of it (stuck) or some of it (frozen)
 //! rests for good and would move if it did not.
 StopReason reasonOfRest(const Mesh& mesh, const ObjectImage& image, const MotionSettings& motion,
-                        const RestingPlaces& resting, int iteration);
+                        const LockedRegions& lockedRegions, int iteration);
 
 }  // namespace handlebody

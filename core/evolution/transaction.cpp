@@ -9,10 +9,10 @@ namespace handlebody {
 
 Attempt Transaction::tryOnce(const StepWork& work) {
   Attempt a = work.attempt();
-  if (a.troubles.empty())
-    a.troubles = check_.faultsOf({before_, work.mesh, work.topology, a.touched, a.events, work.longest});
+  if (a.conflicts.empty())
+    a.conflicts = check_.faultsOf({before_, work.mesh, work.topology, a.touched, a.events, work.longest});
   giveUpIfCancelled();  // the check can take as long as the attempt
-  if (a.troubles.empty()) a.held = work.judge(a);
+  if (a.conflicts.empty()) a.held = work.judge(a);
   return a;
 }
 
@@ -39,7 +39,7 @@ Attempt Transaction::run(const StepWork& work) {
   for (int tries = 1;; ++tries) {
     Attempt a = keptOrNot(work);
     if (a.isKept()) return a;
-    std::for_each(a.troubles.begin(), a.troubles.end(), work.restAt);
+    std::for_each(a.conflicts.begin(), a.conflicts.end(), work.lockAt);
     if (tries < (a.isHeldBack() ? kHeldAttempts : kAttempts)) continue;
     volume_ = signedVolume(work.mesh);
     return a;

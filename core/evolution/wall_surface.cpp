@@ -14,7 +14,7 @@ namespace handlebody {
 
 namespace {
 
-constexpr double kMostCells = 4e6;
+constexpr double kMaxCells = 4e6;
 
 }  // namespace
 
@@ -60,7 +60,7 @@ void WallSurface::layOut(double cell) {
     high_ = high_.cwiseMax(p);
   }
   const Vec3 sides = (high_ - low_).array() + cell;
-  cell_ = std::max(cell, std::cbrt(sides.prod() / kMostCells));
+  cell_ = std::max(cell, std::cbrt(sides.prod() / kMaxCells));
   for (std::size_t a = 0; a < 3; ++a) {
     const int axis = static_cast<int>(a);
     size_[a] = static_cast<int>((high_[axis] - low_[axis]) / cell_) + 1;

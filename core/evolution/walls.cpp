@@ -10,8 +10,8 @@ namespace handlebody {
 
 namespace {
 
-constexpr double kBrick = 4;         // voxels of mean size
-constexpr double kMostBricks = 256;  // along an axis
+constexpr double kBrick = 4;        // voxels of mean size
+constexpr double kMaxBricks = 256;  // along an axis
 // What is left free between a wall and the faces, voxels of the finest axis: far above the rounding of
 // coordinates, in single precision, too.
 constexpr double kClearance = 0.01;
@@ -22,13 +22,13 @@ constexpr double kCircumradius = 0.81;
 constexpr double kHalfFlip = 0.2;
 constexpr double kRest =
     0.05;  // voxels between where corners come to rest at the map's voxels or an object and its margin
-constexpr double kSmallPart = 4;      // edge lengths: no step carries a front over anything larger
-constexpr double kLeastBulge = 0.08;  // voxels of mean size: that edges stand out of a surface that is smooth
-constexpr double kMostBulge = 0.3;    // voxels of mean size: what objects may lie apart is half of one
+constexpr double kSmallPart = 4;    // edge lengths: no step carries a front over anything larger
+constexpr double kMinBulge = 0.08;  // voxels of mean size: that edges stand out of a surface that is smooth
+constexpr double kMaxBulge = 0.3;   // voxels of mean size: what objects may lie apart is half of one
 // Voxels of mean size that faces before a hollow object may lie below their corners: what they leave to half
 // a voxel is for the corners' own distance, and for the faces of the object, which do the same.
-constexpr double kMostSagitta = 0.12;
-constexpr double kLeastPart = 0.5;
+constexpr double kMaxSagitta = 0.12;
+constexpr double kMinFraction = 0.5;
 constexpr double kPartGrade = 0.6;    // as SizeField::kGrade
 constexpr double kObjectCell = 2;     // voxels of mean size
 constexpr double kNotMore = 0.999;    // of what is free: far above the rounding of single precision
@@ -61,7 +61,7 @@ Walls::Walls(const WallList& list, const Grid& grid, double edgeLength, double l
 void Walls::chooseBricks() {
   for (std::size_t a = 0; a < 3; ++a) {
     const double voxels = kBrick * grid_.meanSpacing() / grid_.spacing[static_cast<int>(a)];
-    brickSize_[a] = static_cast<int>(std::ceil(std::max({voxels, 1.0, grid_.size[a] / kMostBricks})));
+    brickSize_[a] = static_cast<int>(std::ceil(std::max({voxels, 1.0, grid_.size[a] / kMaxBricks})));
     bricks_[a] = (grid_.size[a] + brickSize_[a] - 1) / brickSize_[a];
   }
   const std::size_t count = idx(bricks_[0]) * idx(bricks_[1]) * idx(bricks_[2]);
@@ -233,11 +233,11 @@ bool Walls::isNear(const Vec3& world) const { return near_[idx(brickAt(clampedBr
 namespace {
 
 //! The least that edges may be before an object, in parts of the target: half of it, or a voxel.
-double leastPart(double edgeLength, double voxel) { return std::min(kLeastPart, voxel / edgeLength); }
+double leastPart(double edgeLength, double voxel) { return std::min(kMinFraction, voxel / edgeLength); }
 
 //! Walls::edgePart. `voxel`: mm, mean size.
 double partBefore(const WallSurface::Nearest& wall, double edgeLength, double voxel) {
-  const double across = kCircumradius * edgeLength, most = kMostSagitta * voxel;
+  const double across = kCircumradius * edgeLength, most = kMaxSagitta * voxel;
   const double sagitta = wall.hollow * across * across;
   if (sagitta <= most) return 1;
   const double part = std::max(leastPart(edgeLength, voxel), std::sqrt(most / sagitta));
@@ -261,11 +261,11 @@ double Walls::room(const Vec3& world, const Vec3& index) const {
   if (!objects_) return room;
   // Corners that are no nearer than what bulges between them stay out of each other's way: where some came
   // nearer, the faces at them would hold back the others.
-  const double least = clearance_ + kRest * grid_.meanSpacing(), most = kMostBulge * grid_.meanSpacing();
+  const double least = clearance_ + kRest * grid_.meanSpacing(), most = kMaxBulge * grid_.meanSpacing();
   const WallSurface::Nearest nearest = objects_->nearest(world, far_ + least + most);
   const double part = partBefore(nearest, edgeLength_, grid_.meanSpacing());
   const double across = part * kCircumradius * edgeLength_;
-  const double bulge = std::clamp(nearest.bulge * across * across, kLeastBulge * grid_.meanSpacing(), most);
+  const double bulge = std::clamp(nearest.bulge * across * across, kMinBulge * grid_.meanSpacing(), most);
   return std::min(room, nearest.distance - least - bulge);
 }
 

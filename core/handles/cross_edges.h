@@ -31,8 +31,8 @@ class CrossEdges {
   int loopOf(int v) const { return loop_[idx(v)]; }
   //! The first vertex of a loop; of loopCount(): the number of all vertices.
   int firstOf(int loop) const { return first_[idx(loop)]; }
-  //! The vertex behind v on its loop.
-  int behind(int v) const { return v + 1 == firstOf(loopOf(v) + 1) ? firstOf(loopOf(v)) : v + 1; }
+  //! The vertex next to v along its loop.
+  int next(int v) const { return v + 1 == firstOf(loopOf(v) + 1) ? firstOf(loopOf(v)) : v + 1; }
   //! Of the edge uv, mm; kNone within a loop, if the edge is forbidden, and if it is not finite.
   double length(int u, int v) const { return length_[idx(u) * loop_.size() + idx(v)]; }
   //! Of the edges between loops of these faces, each once, mm.

@@ -25,7 +25,7 @@ struct Chord {
 class DiscTriangulation {
  public:
   //! `places`: the vertices of the discs, one disc after the other; `ends[d]`: one past the last place of
-  //! disc d (of at least 3 places). Faces hold the sides from each place to the one behind it. `taken`: the
+  //! disc d (of at least 3 places). Faces hold the sides from each place to the next. `taken`: the
   //! faces taken out.
   DiscTriangulation(const CrossEdges& edges, std::vector<int> places, std::vector<int> ends,
                     std::span<const Triangle> taken);

@@ -12,8 +12,8 @@ namespace handlebody {
 namespace {
 
 constexpr double kNone = CrossEdges::kNone;
-constexpr int kPatience = 20;         // rounds without a better bound, before steps are made smaller
-constexpr double kLeastPace = 0.002;  // of Polyak's step: below, the bound hardly rises
+constexpr int kPatience = 20;             // rounds without a better bound, before steps are made smaller
+constexpr double kMinStepFactor = 0.002;  // of Polyak's step: below, the bound hardly rises
 
 //! The class of a face that holds loops in this order. With four loops, the missing one names the three.
 int classOfLoops(const std::array<int, 3>& l) {
@@ -85,10 +85,10 @@ void HandleBound::findLeast() {
 }
 
 void HandleBound::findLeastOnLoopEdge(int v) {
-  const double* in = share_.data() + idx(edges_.behind(v)) * count_;
+  const double* in = share_.data() + idx(edges_.next(v)) * count_;
   for (int w = 0; w < edges_.vertexCount(); ++w) {
     const double sum = in[w] + shareOf(w, v);
-    if (sum >= least_[idx(v)] || !edges_.allows({v, edges_.behind(v), w})) continue;
+    if (sum >= least_[idx(v)] || !edges_.allows({v, edges_.next(v), w})) continue;
     least_[idx(v)] = sum;
     apex_[idx(v)] = w;
   }
@@ -124,7 +124,7 @@ double HandleBound::meanExcess(int v) const {
   double sum = 0;
   int count = 0;
   for (int w = 0; w < edges_.vertexCount(); ++w) {
-    const double s = shareOf(edges_.behind(v), w) + shareOf(w, v);
+    const double s = shareOf(edges_.next(v), w) + shareOf(w, v);
     if (s == kNone) continue;
     sum += s;
     ++count;
@@ -175,7 +175,7 @@ int HandleBound::chooseFaces() {
   slope_.resize(count_ * count_, 0);
   for (const auto& [u, v] : sloped_) slope_[idx(u) * count_ + idx(v)] = slope_[idx(v) * count_ + idx(u)] = 0;
   sloped_.clear();
-  for (int v = 0; v < edges_.vertexCount(); ++v) addSlope({v, edges_.behind(v), apex_[idx(v)]});
+  for (int v = 0; v < edges_.vertexCount(); ++v) addSlope({v, edges_.next(v), apex_[idx(v)]});
   for (unsigned rest = leastCombination(0).classes; rest != 0; rest &= rest - 1)
     addSlope(faceOfClass_[idx(std::countr_zero(rest))]);
   for (auto& [u, v] : sloped_) std::tie(u, v) = std::make_tuple(std::min(u, v), std::max(u, v));
@@ -190,13 +190,13 @@ int HandleBound::tighten(double target, int rounds) {
   if (!(ofAll() < kNone) || !(target < kNone)) return 0;
   std::vector<double> best = share_;
   double bound = ofAll();
-  double pace = 1;
+  double stepFactor = 1;
   int round = 0;
-  for (int since = 0; round < rounds && pace > kLeastPace; ++round) {
+  for (int since = 0; round < rounds && stepFactor > kMinStepFactor; ++round) {
     giveUpIfCancelled();
     const int squares = chooseFaces();
     if (squares == 0 || ofAll() >= target) break;  // the faces fit together
-    const double step = pace * (target - ofAll()) / squares;
+    const double step = stepFactor * (target - ofAll()) / squares;
     for (const auto& [u, v] : sloped_) {
       share_[idx(u) * count_ + idx(v)] += step * slope_[idx(u) * count_ + idx(v)];
       share_[idx(v) * count_ + idx(u)] -= step * slope_[idx(u) * count_ + idx(v)];
@@ -207,7 +207,7 @@ int HandleBound::tighten(double target, int rounds) {
       best = share_;
       since = 0;
     } else if (++since == kPatience) {
-      pace /= 2;
+      stepFactor /= 2;
       since = 0;
     }
   }

@@ -27,8 +27,8 @@ class HandleBound {
 
   //! Share of a face; kNone if it has an edge that is not allowed.
   double share(const Triangle& face) const;
-  //! The least share of a face on the loop edge behind v, and the mean over all its third corners of what
-  //! they have more.
+  //! The least share of a face on the loop edge from v to the next vertex, and the mean over all its third
+  //! corners of what they have more.
   double least(int v) const { return least_[idx(v)]; }
   double meanExcess(int v) const;
   //! Lower bound of the length of all handles with these faces and one more.

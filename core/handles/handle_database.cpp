@@ -70,22 +70,22 @@ Family familyOf(std::string_view name) {
   throwDamaged("it has an unknown family");
 }
 
-//! The vertex behind each on its cap.
-std::vector<int> vertexBehind(std::span<const int> sizes) {
-  std::vector<int> behind;
+//! The vertex next to each along its cap.
+std::vector<int> nextVertices(std::span<const int> sizes) {
+  std::vector<int> next;
   for (const int size : sizes) {
-    const int first = static_cast<int>(behind.size());
-    for (int i = 0; i < size; ++i) behind.push_back(first + (i + 1) % size);
+    const int first = static_cast<int>(next.size());
+    for (int i = 0; i < size; ++i) next.push_back(first + (i + 1) % size);
   }
-  return behind;
+  return next;
 }
 
 Handle readHandle(Words& words, std::span<const int> sizes) {
-  const std::vector<int> behind = vertexBehind(sizes);
-  const int m = static_cast<int>(behind.size());
+  const std::vector<int> next = nextVertices(sizes);
+  const int m = static_cast<int>(next.size());
   Handle handle;
   for (int v = 0; v < m; ++v)
-    handle.push_back({v, behind[static_cast<std::size_t>(v)], words.number(0, m - 1)});
+    handle.push_back({v, next[static_cast<std::size_t>(v)], words.number(0, m - 1)});
   for (std::size_t i = 0; i < 2 * sizes.size() - 4; ++i) {
     const int a = words.number(0, m - 1);
     const int b = words.number(0, m - 1);
@@ -110,13 +110,13 @@ StoredHandles readEntry(Words& words) {
 auto keyOf(const StoredHandles& entry) { return std::tie(entry.family, entry.sizes); }
 
 std::string textOf(const Handle& handle, std::span<const int> sizes) {
-  const std::vector<int> behind = vertexBehind(sizes);
-  std::vector<int> apexes(behind.size(), -1);
+  const std::vector<int> next = nextVertices(sizes);
+  std::vector<int> apexes(next.size(), -1);
   std::string typeTwo;
   for (const Triangle& f : handle) {
     bool isTypeTwo = true;
     for (std::size_t i = 0; i < 3; ++i) {
-      if (behind[static_cast<std::size_t>(f[i])] != f[(i + 1) % 3]) continue;
+      if (next[static_cast<std::size_t>(f[i])] != f[(i + 1) % 3]) continue;
       apexes[static_cast<std::size_t>(f[i])] = f[(i + 2) % 3];
       isTypeTwo = false;
     }

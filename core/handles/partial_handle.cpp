@@ -28,10 +28,10 @@ void split(PartialHandle& p, const HandleBranch& b) {
   const int n = static_cast<int>(word.size());
   std::rotate(word.begin(), word.begin() + (b.side + 1) % n, word.end());  // v … w … u
   const auto apex = word.begin() + (b.apex - b.side - 1 + n) % n;
-  Word ahead(word.begin(), apex + 1);
-  Word behind(apex, word.end());
-  Word& disc = b.restBehind ? ahead : behind;
-  p.loops[idx(b.loop)] = b.restBehind ? behind : ahead;
+  Word toApex(word.begin(), apex + 1);
+  Word fromApex(apex, word.end());
+  Word& disc = b.restAfterApex ? toApex : fromApex;
+  p.loops[idx(b.loop)] = b.restAfterApex ? fromApex : toApex;
   if (disc.size() > 2) p.discs.push_back(std::move(disc));
 }
 

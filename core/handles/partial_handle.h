@@ -23,8 +23,8 @@ struct HandleBranch {
   int side = 0;     //!< its place
   int otherLoop = 0;
   int apex = 0;  //!< its place in otherLoop
-  bool restBehind =
-      true;  //!< apex on the same loop: the other loops lie between side and apex, not behind it
+  bool restAfterApex =
+      true;  //!< apex on the same loop: the other loops lie between apex and side, not between side and apex
 };
 
 Triangle faceOf(const PartialHandle& p, const HandleBranch& b);

@@ -78,7 +78,7 @@ class ShortestHandles::Search {
   };
 
   void start(int rounds);
-  void chooseTellingEdges();
+  void chooseBranchingEdges();
   std::optional<PartialHandle> anyPartial();
   void giveUp();
   void count(std::size_t steps);
@@ -100,8 +100,8 @@ class ShortestHandles::Search {
 
   CrossEdges edges_;
   HandleBound bound_;
-  std::vector<int> joinOrder_;      // loops, those with the most telling edge first
-  std::vector<int> tellingVertex_;  // of each loop: where its edge starts
+  std::vector<int> joinOrder_;        // loops, those with the best branching edge first
+  std::vector<int> branchingVertex_;  // of each loop: where its edge starts
   std::vector<Entry> heap_;
   std::size_t pushed_ = 0;
   std::deque<PartialHandle> partials_;
@@ -136,7 +136,7 @@ ShortestHandles::Search::Search(std::span<const std::vector<Vec3>> loops,
 void ShortestHandles::Search::start(int rounds) {
   isFresh_ = true;
   if (!(bound_.ofAll() < kNone)) return;
-  chooseTellingEdges();
+  chooseBranchingEdges();
   if (edges_.loopCount() > 2) {
     const std::optional<PartialHandle> any = anyPartial();
     if (any) {
@@ -146,7 +146,7 @@ void ShortestHandles::Search::start(int rounds) {
                                        std::min(rounds, static_cast<int>(affordable)))) *
                     vertices * vertices;
     }
-    chooseTellingEdges();
+    chooseBranchingEdges();
   }
   expand(0);
 }
@@ -168,17 +168,17 @@ void ShortestHandles::Search::forbid(std::span<const Triangle> faces, std::span<
 }
 
 //! Where a wrong third corner costs most, so that few branches are followed.
-void ShortestHandles::Search::chooseTellingEdges() {
+void ShortestHandles::Search::chooseBranchingEdges() {
   std::vector<double> excess;
   for (int v = 0; v < edges_.vertexCount(); ++v) excess.push_back(bound_.meanExcess(v));
-  tellingVertex_.clear();
+  branchingVertex_.clear();
   for (const Word& word : partials_[0].loops)
-    tellingVertex_.push_back(*std::max_element(
+    branchingVertex_.push_back(*std::max_element(
         word.begin(), word.end(), [&](int u, int v) { return excess[idx(u)] < excess[idx(v)]; }));
-  joinOrder_.resize(tellingVertex_.size());
+  joinOrder_.resize(branchingVertex_.size());
   std::iota(joinOrder_.begin(), joinOrder_.end(), 0);
   std::stable_sort(joinOrder_.begin(), joinOrder_.end(), [&](int a, int b) {
-    return excess[idx(tellingVertex_[idx(a)])] > excess[idx(tellingVertex_[idx(b)])];
+    return excess[idx(branchingVertex_[idx(a)])] > excess[idx(branchingVertex_[idx(b)])];
   });
 }
 
@@ -236,7 +236,7 @@ bool ShortestHandles::Search::isUsed(const PartialHandle& p, int u, int v) const
   });
 }
 
-//! The loop and the place of the side whose face is to be chosen: the telling edge of a loop that has not
+//! The loop and the place of the side whose face is to be chosen: the branching edge of a loop that has not
 //! been joined to another, or, of two joined pairs, the side of the last that comes closest to the other.
 std::pair<int, int> ShortestHandles::Search::sideToJoin(const PartialHandle& p) const {
   for (const int k : joinOrder_) {
@@ -244,7 +244,7 @@ std::pair<int, int> ShortestHandles::Search::sideToJoin(const PartialHandle& p) 
       const Word& word = p.loops[l];
       const int size = edges_.firstOf(k + 1) - edges_.firstOf(k);
       if (edges_.loopOf(word[0]) == k && static_cast<int>(word.size()) == size)
-        return {static_cast<int>(l), tellingVertex_[idx(k)] - edges_.firstOf(k)};
+        return {static_cast<int>(l), branchingVertex_[idx(k)] - edges_.firstOf(k)};
     }
   }
   assert(p.loops.size() == 2);
@@ -298,11 +298,11 @@ void ShortestHandles::Search::branchWithin(HandleBranch b) {
   const int u = word[idx(b.side)];
   const int v = word[idx((b.side + 1) % n)];
   const int w = word[idx(b.apex)];
-  const int ahead = (b.apex - b.side - 1 + n) % n;  // sides from v to the apex
-  const int behind = n - 1 - ahead;                 // and on to u
-  if (b.restBehind ? behind < 2 : ahead < 2) return;
+  const int toApex = (b.apex - b.side - 1 + n) % n;  // sides from v to the apex
+  const int fromApex = n - 1 - toApex;               // and on to u
+  if (b.restAfterApex ? fromApex < 2 : toApex < 2) return;
   const auto open = [&](int from, int to) { return edges_.length(from, to) < kNone && !isUsed(p, from, to); };
-  if ((ahead > 1 && !open(v, w)) || (behind > 1 && !open(w, u))) return;
+  if ((toApex > 1 && !open(v, w)) || (fromApex > 1 && !open(w, u))) return;
   branchTo(b, {u, v, w});
 }
 

@@ -70,8 +70,8 @@ class ShortestHandles {
   //! shortest of all without them, also if it came before.
   void forbid(std::span<const Triangle> faces, std::span<const VertexPair> edges = {});
 
-  //! Steps taken so far, those after maxWork as well. The calls give up by Cancelled where it is wished
-  //! (cancellation.h); the search is of no use then.
+  //! Steps taken so far, those after maxWork as well. The calls give up by Cancelled where the stop token is
+  //! set (cancellation.h); the search is of no use then.
   std::size_t workDone() const;
 
   //! True if the search reached maxWork: the last handle may not have been the next, nor have been the last.

@@ -37,18 +37,18 @@ void swapColumns(IntegerMatrix& m, int a, int b) {
   for (int r = 0; r < m.rows; ++r) std::swap(m.at(r, a), m.at(r, b));
 }
 
-using Place = std::pair<int, int>;
+using Pivot = std::pair<int, int>;
 
 //! The entry of least absolute value, not zero, in the rows and columns from k on: small pivots keep the
 //! entries small.
-std::optional<Place> smallestEntry(const IntegerMatrix& m, int k) {
-  std::optional<Place> best;
+std::optional<Pivot> smallestEntry(const IntegerMatrix& m, int k) {
+  std::optional<Pivot> best;
   std::int64_t least = 0;
   for (int r = k; r < m.rows; ++r) {
     for (int c = k; c < m.columns; ++c) {
       const std::int64_t size = std::abs(m.at(r, c));
       if (size == 0 || (best && size >= least)) continue;
-      best = Place{r, c};
+      best = Pivot{r, c};
       least = size;
       if (size == 1) return best;
     }

@@ -44,7 +44,7 @@ class Search {
     }
     return -1;
   }
-  bool isFull() const { return static_cast<int>(all_.size()) > kMostBalls; }
+  bool isFull() const { return static_cast<int>(all_.size()) > kMaxBalls; }
   std::vector<Vec3> wayTo(int last) const {
     std::vector<Vec3> way{to_};
     for (int i = last; i >= 0; i = all_[static_cast<std::size_t>(i)].before)

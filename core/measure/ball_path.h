@@ -15,9 +15,9 @@ struct BallPath {
 
 //! Dijkstra's search on a lattice of centres; two of them are joined if their balls overlap, which no two do
 //! that the surface lies between. A millimetre costs 1/radius². `spacing` (mm) is halved where that finds no
-//! way, until kMostBalls. Precondition: both are inside.
+//! way, until kMaxBalls. Precondition: both are inside.
 BallPath findBallPath(InscribedBalls& balls, const Vec3& from, const Vec3& to, double spacing);
 
-inline constexpr int kMostBalls = 3'000'000;
+inline constexpr int kMaxBalls = 3'000'000;
 
 }  // namespace handlebody

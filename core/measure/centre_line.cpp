@@ -93,7 +93,7 @@ class Line {
     std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
                      sorted.end());
     const double wanted = sorted[sorted.size() / 2] / kPointsPerRadius;
-    const int n = static_cast<int>(std::clamp(std::ceil(length / wanted), 4.0, kMostLinePoints - 1.0));
+    const int n = static_cast<int>(std::clamp(std::ceil(length / wanted), 4.0, kMaxLinePoints - 1.0));
     points_ = resampled(points_, n);
     step_ = length / n;
     measure();

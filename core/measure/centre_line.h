@@ -39,6 +39,6 @@ struct CentreLine {
 //! keep bends. Precondition: closed, manifold, oriented, without self-intersections. Deterministic.
 CentreLine centreLine(const TriangleSoup& mesh, const Vec3& from, const Vec3& to);
 
-inline constexpr int kMostLinePoints = 500;
+inline constexpr int kMaxLinePoints = 500;
 
 }  // namespace handlebody

@@ -90,8 +90,8 @@ std::vector<int> unfitOf(const LabelledSurface& surface, const std::vector<int>&
 
 //! One vertex settles nearly all.
 std::vector<int> misplacedOf(const LabelledSurface& surface, const std::vector<int>& wanted) {
-  const std::vector<int> doubtful = unfitOf(surface, wanted, 1);
-  return doubtful.empty() ? doubtful : unfitOf(surface, doubtful, kNestingSamples);
+  const std::vector<int> suspects = unfitOf(surface, wanted, 1);
+  return suspects.empty() ? suspects : unfitOf(surface, suspects, kNestingSamples);
 }
 
 }  // namespace

@@ -90,10 +90,10 @@ class Regulator {
     }
   }
 
-  //! Calls f(h) once for each edge between two vertices at rest whose squared length is above the limit, in
+  //! Calls f(h) once for each edge between two inactive vertices whose squared length is above the limit, in
   //! those of the listed faces that hold an active vertex.
   template <typename F>
-  void forEachRestingEdge(const std::vector<int>& faces, double limit, F&& f) {
+  void forEachInactiveEdge(const std::vector<int>& faces, double limit, F&& f) {
     for (const int face : faces) {
       if (!mesh_.isFace(face) || !anyLonger(face, limit) || !isActiveFace(face)) continue;
       for (int h = 3 * face; h < 3 * face + 3; ++h) {
@@ -145,7 +145,7 @@ class Regulator {
     faces_ = std::move(all);
   }
 
-  //! One pass; returns the faces at the new vertices, and beside them. Edges between vertices at rest that
+  //! One pass; returns the faces at the new vertices, and beside them. Edges between inactive vertices that
   //! are far too long are split with the others: see kFarTooLong.
   std::vector<int> splitLongEdges(const std::vector<int>& faces) {
     const double limit = limits_.longest * limits_.longest;
@@ -154,8 +154,8 @@ class Regulator {
     forEachActiveEdge(faces, isCandidate, [&](int h) {
       if (isTooLong(h) && !isBesideFixed(h)) edges.emplace_back(-squaredLength(h), h);
     });
-    forEachRestingEdge(faces, kFarTooLong * kFarTooLong * limit,
-                       [&](int h) { edges.emplace_back(-squaredLength(h), h); });
+    forEachInactiveEdge(faces, kFarTooLong * kFarTooLong * limit,
+                        [&](int h) { edges.emplace_back(-squaredLength(h), h); });
     // Longest first: that is what keeps the triangles well shaped.
     std::sort(edges.begin(), edges.end());
     std::vector<int> fresh;
@@ -220,13 +220,13 @@ class Regulator {
         forgetSize(a);
         return;
       }
-      // The vertex that rests stays where it is; but its faces are new ones.
+      // The inactive vertex stays where it is; but its faces are new ones.
       const int e = isActive(b) ? h : mesh_.opposite(h);
-      const int resting = mesh_.origin(e);
-      if (!collapseAllowed(e, mesh_.position(resting))) return;
-      mesh_.collapseEdge(e, mesh_.position(resting));
-      forgetSize(resting);
-      active_[idx(resting)] = kTouched;
+      const int inactive = mesh_.origin(e);
+      if (!collapseAllowed(e, mesh_.position(inactive))) return;
+      mesh_.collapseEdge(e, mesh_.position(inactive));
+      forgetSize(inactive);
+      active_[idx(inactive)] = kTouched;
     });
   }
 

@@ -30,7 +30,7 @@ using VertexStates = std::vector<unsigned char>;
 inline constexpr unsigned char kAtRest = 0, kActive = 1, kTouched = 2;
 
 //! Regulates the mesh around the active vertices. Topology never changes. New vertices become active;
-//! `active` grows with the mesh. Vertices at rest are neither moved nor removed. No edge beside an active
+//! `active` grows with the mesh. Inactive vertices are neither moved nor removed. No edge beside an active
 //! vertex is longer than limits.longest afterwards, unless its other faces hold longer edges between vertices
 //! at rest; of those, what is half as long again is split too, unless it is the edge of a face between pinned
 //! vertices (beside such an edge the others may be up to three quarters of it). Collapses and flips are done

@@ -11,10 +11,10 @@ namespace handlebody {
 
 namespace {
 
-constexpr int kFirstBases = 6, kMostBases = 60;  // spread over the surface
+constexpr int kFirstBases = 6, kMaxBases = 60;  // spread over the surface
 constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr int kBasesPerLoop = 6;
-constexpr double kMostTimes = 8;    // as long as its partner, for a loop to be searched for there again
+constexpr double kMaxTimes = 8;     // as long as its partner, for a loop to be searched for there again
 constexpr int kRounds = 3;          // of searches from the loops found so far
 constexpr double kProgress = 0.98;  // of the total length, below which another round follows
 
@@ -129,7 +129,7 @@ class ShortLoops {
   void searchAllOver() {
     std::vector<double> nearest(idx(mesh_.vertexSlots()), std::numeric_limits<double>::infinity());
     int base = 0;
-    for (int n = 1; n <= std::min(kMostBases, mesh_.vertexSlots()); ++n) {
+    for (int n = 1; n <= std::min(kMaxBases, mesh_.vertexSlots()); ++n) {
       search_.searchFrom(base);
       for (std::size_t v = 0; v < nearest.size(); ++v)
         nearest[v] = std::min(nearest[v], search_.distances()[v]);
@@ -147,7 +147,7 @@ class ShortLoops {
       if (pairing.ofTunnel()[t] < 0) continue;
       const EdgeLoop& handle = handles[idx(pairing.ofTunnel()[t])];
       searchAlong(tunnels[t], handle.length);
-      searchAlong(handle, std::min(tunnels[t].length, kMostTimes * handle.length));
+      searchAlong(handle, std::min(tunnels[t].length, kMaxTimes * handle.length));
     }
   }
   //! Whatever meets a loop that has no partner passes through one of its vertices.
@@ -254,8 +254,8 @@ void addTunnels(const Mesh& mesh, const Part& part, int component, TunnelList& l
   lister.pairUp(loops.others, loops.tunnels);
 }
 
-constexpr int kPlacesBeside = 12;  // around the other loop
-constexpr double kMostLonger = 2;  // than the shortest
+constexpr int kPlacesBeside = 12;      // around the other loop
+constexpr double kMaxLengthRatio = 2;  // to the shortest
 
 //! The key of a loop, with each of its places drawn back to the lower end of its edge.
 ClassKey keyOf(const Mesh& mesh, const LoopClasses& classes, const SurfaceLoop& loop) {
@@ -295,7 +295,7 @@ std::vector<SurfaceLoop> loopsBeside(const Mesh& mesh, const Tunnel& tunnel, Loo
   for (std::size_t i = 0; i < kPlacesBeside; ++i) {
     const int base = numberIn(part, other.points[i * n / kPlacesBeside].from);
     if (base < 0) continue;
-    const EdgeLoop beside = search.loopThrough(base, key, kMostLonger * loop.length / 2);
+    const EdgeLoop beside = search.loopThrough(base, key, kMaxLengthRatio * loop.length / 2);
     SurfaceLoop out;
     out.length = beside.length;
     for (const int v : beside.vertices) out.points.push_back({part.slots[idx(v)], part.slots[idx(v)], 0});
@@ -316,7 +316,7 @@ TunnelList findTunnels(const Mesh& mesh) {
     const int genus = 1 - (parts.vertices[idx(c)] - parts.faces[idx(c)] / 2) / 2;
     if (genus <= 0) continue;
     total += genus;
-    if (genus <= kMostListed) addTunnels(mesh, partOf(mesh, parts, c), c, out);
+    if (genus <= kMaxListed) addTunnels(mesh, partOf(mesh, parts, c), c, out);
   }
   out.unlisted = total - static_cast<int>(out.tunnels.size());
   std::stable_sort(out.tunnels.begin(), out.tunnels.end(),

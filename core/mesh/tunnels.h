@@ -28,13 +28,13 @@ struct Tunnel {
 
 struct TunnelList {
   std::vector<Tunnel> tunnels;  //!< by the length of the shorter loop, ascending
-  //! Tunnels for which no pair of loops was found: of components of a genus above kMostListed, or that fold
+  //! Tunnels for which no pair of loops was found: of components of a genus above kMaxListed, or that fold
   //! so tightly that their loops cannot be told apart.
   int unlisted = 0;
 };
 
 //! A component of a greater genus is not searched: time and memory grow with the square of it.
-inline constexpr int kMostListed = 400;
+inline constexpr int kMaxListed = 400;
 
 //! All tunnels of a closed, manifold, oriented mesh without self-intersections. The loops of each kind are
 //! independent in the first homology (modulo 2) and short: the shortest through base points all over the

@@ -27,14 +27,14 @@ std::vector<int> cellMap(const CellGrid& from, const CellGrid& to, std::size_t a
   return out;
 }
 
-enum class Place : std::uint8_t { outside, inside, surface };
+enum class CellSide : std::uint8_t { outside, inside, surface };
 
 //! Of each cell of a search: well inside, well outside, or with a neighbour of the other kind.
-std::vector<Place> placesOf(const RankedRegion& r) {
+std::vector<CellSide> sidesOf(const RankedRegion& r) {
   const CellGrid& cells = r.search->image.cells;
   const auto& n = cells.grid.size;
-  std::vector<Place> out(cells.count());
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = r.holds(i) ? Place::inside : Place::outside;
+  std::vector<CellSide> out(cells.count());
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = r.holds(i) ? CellSide::inside : CellSide::outside;
   const std::array<std::size_t, 3> steps{1, idx(n[0]), idx(n[0]) * idx(n[1])};
   std::size_t i = 0;
   for (int z = 0; z < n[2]; ++z)
@@ -43,7 +43,7 @@ std::vector<Place> placesOf(const RankedRegion& r) {
         const Cell c{x, y, z};
         for (std::size_t a = 0; a < 3; ++a)
           if (c[a] + 1 < n[a] && r.holds(i) != r.holds(i + steps[a]))
-            out[i] = out[i + steps[a]] = Place::surface;
+            out[i] = out[i + steps[a]] = CellSide::surface;
       }
   return out;
 }
@@ -112,7 +112,7 @@ Region regionOn(const WorkImage& work, const RankedRegion& r) {
   Region out{std::vector<std::uint8_t>(to.count(), 0)};
   const auto [low, high] = r.bounds();
   const bool same = from.factor == to.factor;
-  const std::vector<Place> places = same || r.isStar() ? std::vector<Place>{} : placesOf(r);
+  const std::vector<CellSide> sides = same || r.isStar() ? std::vector<CellSide>{} : sidesOf(r);
   std::array<std::vector<int>, 3> map;
   for (std::size_t a = 0; a < 3; ++a) map[a] = cellMap(to, from, a);
   std::size_t i = 0;
@@ -124,10 +124,10 @@ Region regionOn(const WorkImage& work, const RankedRegion& r) {
         const std::size_t there = from.at(c);
         if (same || r.isStar())
           out.inside[i] = r.holds(there);
-        else if (places[there] == Place::surface)
+        else if (sides[there] == CellSide::surface)
           out.inside[i] = work.values[i] >= low && work.values[i] <= high && !work.image.padding[i];
         else
-          out.inside[i] = places[there] == Place::inside;
+          out.inside[i] = sides[there] == CellSide::inside;
       }
   return out;
 }

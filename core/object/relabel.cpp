@@ -14,12 +14,12 @@ namespace handlebody {
 namespace {
 
 using Cell = std::array<int, 3>;
-constexpr int kBins = 48;            // of the intensities, at either scale
-constexpr double kWideScale = 1.5;   // cells: Gaussian of the second scale
-constexpr double kEmpty = 1e-4;      // share of a bin in which nothing is
-constexpr float kLeastPull = 1e-3f;  // across the strongest edge
-constexpr int kSweeps = 60;          // of successive over-relaxation at most; a zone is some ten cells thick
-constexpr std::size_t kSettled = 20'000;  // one open cell of so many still changes its side
+constexpr int kBins = 48;           // of the intensities, at either scale
+constexpr double kWideScale = 1.5;  // cells: Gaussian of the second scale
+constexpr double kEmpty = 1e-4;     // share of a bin in which nothing is
+constexpr float kMinPull = 1e-3f;   // across the strongest edge
+constexpr int kSweeps = 60;         // of successive over-relaxation at most; a zone is some ten cells thick
+constexpr std::size_t kConverged = 20'000;  // one open cell of so many still changes its side
 constexpr float kOverRelaxation = 1.6f;
 
 std::size_t bin(int i, int j) { return idx(i) * idx(kBins) + idx(j); }
@@ -194,7 +194,7 @@ class RandomWalk {
   float pull(std::size_t i, std::size_t j, std::size_t axis) const {
     const double jump = (values_[i] - values_[j]) / (policy_.relabelEdge * walk_.noise);
     const double h = cell_ / cells_.grid.spacing[static_cast<Eigen::Index>(axis)];
-    return static_cast<float>(h * h) * (static_cast<float>(1 / (1 + jump * jump)) + kLeastPull);
+    return static_cast<float>(h * h) * (static_cast<float>(1 / (1 + jump * jump)) + kMinPull);
   }
 
   //! An open cell and how strongly its neighbours pull: below and above along each axis.
@@ -231,7 +231,7 @@ class RandomWalk {
         u_[o.cell] += kOverRelaxation * (sum / o.all - u_[o.cell]);
         flips += before != (u_[o.cell] > 0.5f);
       }
-      if (flips * kSettled <= open.size()) return;
+      if (flips * kConverged <= open.size()) return;
     }
   }
 

@@ -20,7 +20,7 @@ namespace {
 using Mask = std::vector<std::uint8_t>;
 constexpr std::size_t kRadii = 40;  // per ray, from the innermost to the outermost
 constexpr int kBins = 32;           // of the intensities
-constexpr double kSettled = 0.1;    // cells: a shorter move is the last
+constexpr double kConverged = 0.1;  // cells: a shorter move is the last
 constexpr double kForced = 1e3;     // cost: more than a surface can win
 constexpr double kRounding = 1e-9;  // of a radius: far more than weights that sum to 1 are rounded by
 
@@ -72,7 +72,7 @@ class StarSearch {
       if (isLast) break;
       const Vec3 from = centre_;
       before = recentre();
-      if ((centre_ - from).norm() < kSettled * cell_) move = task_.policy.starMoves;
+      if ((centre_ - from).norm() < kConverged * cell_) move = task_.policy.starMoves;
       radius = std::max(quantile(before, 0.5), 2 * cell_);
     }
     const Mask out = cellsInside();

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kFarthestSteps = 8;
 constexpr double kSmallest = 0.04;  // of the distance: pieces that are not halved any more
-constexpr int kMostPieces = 20000;  // of one triangle: what is far larger than the distance is not shown
+constexpr int kMaxPieces = 20000;   // of one triangle: what is far larger than the distance is not shown
 
 double squaredTo(const Vec3& p, const Corners& t) { return squaredDistance(p, t[0], t[1], t[2]); }
 
@@ -63,7 +63,7 @@ bool isCovered(const Corners& triangle, std::span<const Corners> where, std::spa
   std::vector<Piece> left{Piece(triangle)};
   for (int pieces = 0; !left.empty(); ++pieces) {
     giveUpIfCancelled();
-    if (pieces > kMostPieces) return false;
+    if (pieces > kMaxPieces) return false;
     const Piece piece = left.back();
     left.pop_back();
     const double there = where.empty() ? 0 : distanceTo(piece.centre, where);

@@ -8,8 +8,8 @@ namespace handlebody {
 
 namespace {
 
-constexpr int kFinest = -40;        // 2^-40 mm: points
-constexpr double kMostCells = 512;  // above that all faces of a level are looked at
+constexpr int kFinest = -40;       // 2^-40 mm: points
+constexpr double kMaxCells = 512;  // above that all faces of a level are looked at
 
 }  // namespace
 
@@ -35,11 +35,11 @@ int FaceGrid::levelOf(const Box& box) {
 FaceGrid::Range FaceGrid::rangeOf(const Box& box, int level) {
   Range range{};
   const double size = std::ldexp(1.0, level);
-  constexpr double kMost = 1 << 30;
+  constexpr double kMaxCell = 1 << 30;
   for (std::size_t a = 0; a < 3; ++a) {
     const auto axis = static_cast<int>(a);
-    range.low[a] = static_cast<int>(std::clamp(std::floor(box.low[axis] / size), -kMost, kMost));
-    range.high[a] = static_cast<int>(std::clamp(std::floor(box.high[axis] / size), -kMost, kMost));
+    range.low[a] = static_cast<int>(std::clamp(std::floor(box.low[axis] / size), -kMaxCell, kMaxCell));
+    range.high[a] = static_cast<int>(std::clamp(std::floor(box.high[axis] / size), -kMaxCell, kMaxCell));
   }
   return range;
 }
@@ -70,7 +70,7 @@ void FaceGrid::findNear(const Box& box, std::vector<int>& found) const {
   };
   for (const auto& [level, cells] : levels_) {
     const Range range = rangeOf(box, level);
-    if (range.count() > kMostCells) {
+    if (range.count() > kMaxCells) {
       for (const auto& [cell, faces] : cells) {
         bool meets = true;
         for (std::size_t a = 0; a < 3; ++a)

@@ -17,10 +17,10 @@ namespace handlebody {
 
 namespace {
 
-constexpr std::size_t kMostTrials = 40;
+constexpr std::size_t kMaxTrials = 40;
 constexpr int kSweeps = 2;
 constexpr int kDirections = 8;
-constexpr int kMostSteps = 24;
+constexpr int kMaxSteps = 24;
 constexpr double kFirstStep = 0.3, kLastStep = 0.015;  // of the mean edge at a point
 constexpr double kOffSurface = 0.5;                    // of the distance allowed: a step along the normal
 //! Of the distance allowed: where points may go. First as far as seems safe; less where that was too far.
@@ -206,7 +206,7 @@ std::vector<PatchSearch::Trial> PatchSearch::trialsAt(const PolishPatch& patch,
     }
   std::stable_sort(trials.begin() + 1, trials.end(),
                    [](const Trial& x, const Trial& y) { return x.sum < y.sum; });
-  if (trials.size() > kMostTrials) trials.erase(trials.begin() + kMostTrials, trials.end());
+  if (trials.size() > kMaxTrials) trials.erase(trials.begin() + kMaxTrials, trials.end());
   return trials;
 }
 
@@ -237,7 +237,7 @@ Attempt PatchSearch::relaxed(Trial trial, double reach) {
 void PatchSearch::move(PolishPatch& patch, int v) {
   Badness now = patch.badnessAt(v, wanted_);
   double step = kFirstStep;
-  for (int i = 0; i < kMostSteps && now.sum > 0 && step > kLastStep; ++i)
+  for (int i = 0; i < kMaxSteps && now.sum > 0 && step > kLastStep; ++i)
     if (!moveByStep(patch, v, step, now)) step /= 2;
 }
 

@@ -16,18 +16,18 @@ namespace {
 
 //! Part of what is wanted that is aimed at, so that what was bettered is above it by more than rounding.
 constexpr double kAim = 1.02;
-constexpr int kMostPasses = 6;
-constexpr int kMostChanges = 6;  // at one place in a pass
+constexpr int kMaxPasses = 6;
+constexpr int kMaxChanges = 6;  // at one place in a pass
 //! Operations, one after the other, that are tried as one; more for the few that are left at last.
 constexpr std::size_t kDepth = 2, kLastDepth = 4;
-constexpr std::size_t kBeam = 3;           // attempts that are gone on with
-constexpr std::size_t kMostWork = 800000;  // shapes of stars, some four seconds
+constexpr std::size_t kBeam = 3;          // attempts that are gone on with
+constexpr std::size_t kMaxWork = 800000;  // shapes of stars, some four seconds
 // At one place in the first pass, so that one that cannot be bettered does not take the work of all others;
 // so many times as much in each further one.
 constexpr std::size_t kPlaceWork = 10000, kMorePlaceWork = 4;
 
 //! A bad face, or the two of a bad edge.
-struct Place {
+struct BadPlace {
   double part;  // of what is wanted
   std::vector<int> vertices;
 };
@@ -42,23 +42,23 @@ class Polisher {
 
   void run() {
     surface_.prepare();
-    for (int pass = 1; pass <= kMostPasses; ++pass) {
+    for (int pass = 1; pass <= kMaxPasses; ++pass) {
       bool any = false;
       isAnyCut_ = false;
-      for (const Place& place : badPlaces(nullptr))
+      for (const BadPlace& place : badPlaces(nullptr))
         if (isToBeTried(place, pass)) any = better(place, pass) || any;
-      if (work_ > kMostWork || (!any && !isAnyCut_ && isLast_)) return;
+      if (work_ > kMaxWork || (!any && !isAnyCut_ && isLast_)) return;
       isLast_ = isLast_ || !(any || isAnyCut_);
       placeWork_ *= kMorePlaceWork;
     }
   }
 
   const PolishedSurface& surface() const { return surface_; }
-  bool isCutShort() const { return work_ > kMostWork; }
+  bool isCutShort() const { return work_ > kMaxWork; }
 
   //! The worst first.
-  std::vector<Place> badPlaces(PolishCount* count) const {
-    std::vector<Place> places;
+  std::vector<BadPlace> badPlaces(PolishCount* count) const {
+    std::vector<BadPlace> places;
     for (std::size_t f = 0; f < surface_.faces().size(); ++f) {
       const Triangle& t = surface_.faces()[f];
       if (t[0] < 0) continue;
@@ -71,7 +71,7 @@ class Polisher {
       addBadEdges(f, places, count);
     }
     std::stable_sort(places.begin(), places.end(),
-                     [](const Place& a, const Place& b) { return a.part < b.part; });
+                     [](const BadPlace& a, const BadPlace& b) { return a.part < b.part; });
     return places;
   }
 
@@ -79,7 +79,7 @@ class Polisher {
   const Vec3& point(int v) const { return surface_.points()[idx(v)]; }
   bool isOwn(std::size_t face) const { return face >= options_.isOwn.size() || options_.isOwn[face] != 0; }
 
-  void addBadEdges(std::size_t face, std::vector<Place>& places, PolishCount* count) const {
+  void addBadEdges(std::size_t face, std::vector<BadPlace>& places, PolishCount* count) const {
     const Triangle& t = surface_.faces()[face];
     for (std::size_t i = 0; i < 3; ++i) {
       const int p = t[i], q = t[(i + 1) % 3], c = t[(i + 2) % 3];
@@ -94,15 +94,15 @@ class Polisher {
   }
 
   //! Where nothing has changed since it was tried in vain it is not tried again.
-  bool isToBeTried(const Place& place, int pass) const {
-    if (work_ > kMostWork) return false;
+  bool isToBeTried(const BadPlace& place, int pass) const {
+    if (work_ > kMaxWork) return false;
     return pass == 1 || isLast_ || std::any_of(place.vertices.begin(), place.vertices.end(), [&](int v) {
              return changedAt_[idx(v)] >= pass - 1;
            });
   }
 
   //! Still as it was listed: its face, or its edge with both.
-  bool isThere(const Place& place) const {
+  bool isThere(const BadPlace& place) const {
     const auto& v = place.vertices;
     if (surface_.apex(v[0], v[1]) != v[2]) return false;
     if (v.size() == 3) return options_.wanted.ofFace(point(v[0]), point(v[1]), point(v[2])) < 1;
@@ -110,9 +110,9 @@ class Polisher {
            options_.wanted.ofEdge(point(v[0]), point(v[1]), point(v[2]), point(v[3])) < 1;
   }
 
-  bool better(const Place& place, int pass) {
+  bool better(const BadPlace& place, int pass) {
     bool any = false;
-    for (int i = 0; i < kMostChanges && isThere(place); ++i) {
+    for (int i = 0; i < kMaxChanges && isThere(place); ++i) {
       if (!change(place.vertices, pass)) break;
       any = true;
     }
@@ -183,9 +183,9 @@ bool isAsGood(const Certificate& before, const Certificate& after) {
          after.cavities == before.cavities && sortedGenus(after) == sortedGenus(before);
 }
 
-std::vector<Vec3> worstOf(const std::vector<Place>& places, std::span<const Vec3> points) {
+std::vector<Vec3> worstOf(const std::vector<BadPlace>& places, std::span<const Vec3> points) {
   std::vector<Vec3> worst;
-  for (std::size_t i = 0; i < std::min(kMostLeft, places.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(kMaxLeft, places.size()); ++i) {
     Vec3 sum = Vec3::Zero();
     for (const int v : places[i].vertices) sum += points[idx(v)];
     worst.push_back(sum / static_cast<double>(places[i].vertices.size()));
@@ -199,7 +199,7 @@ PolishedMesh polished(const TriangleSoup& mesh, const PolishOptions& options) {
   PolishedMesh out;
   out.report.limit = options.bounds.distance;
   Polisher polisher(mesh, options);
-  const std::vector<Place> bad = polisher.badPlaces(&out.report.before);
+  const std::vector<BadPlace> bad = polisher.badPlaces(&out.report.before);
   out.report.after = out.report.before;
   if (bad.empty()) {
     out.mesh = mesh;
@@ -217,14 +217,14 @@ PolishedMesh polished(const TriangleSoup& mesh, const PolishOptions& options) {
   }
   out.mesh = std::move(made);
   out.report.after = {};
-  const std::vector<Place> left = polisher.badPlaces(&out.report.after);
+  const std::vector<BadPlace> left = polisher.badPlaces(&out.report.after);
   out.report.left = worstOf(left, polisher.surface().points());
   out.report.changedFaces = polisher.surface().changedFaces();
   out.report.farthest = polisher.surface().farthest();
   return out;
 }
 
-Finding polishDoubt(const PolishReport& report) {
+Finding polishWarning(const PolishReport& report) {
   const PolishCount& left = report.after;
   if (left.faces == 0 && left.edges == 0) return {};
   char text[400];

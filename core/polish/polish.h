@@ -39,12 +39,12 @@ struct PolishReport {
   int changedFaces = 0;     //!< of the new mesh: that were not in the old one
   bool isCutShort = false;  //!< the budget of work was spent before all places had been tried
   bool isRefused = false;   //!< the whole failed its certificate, and the mesh is as it was
-  std::vector<Vec3> left;   //!< the worst of the bad places that are left, kMostLeft at most
+  std::vector<Vec3> left;   //!< the worst of the bad places that are left, kMaxLeft at most
 
   bool isChanged() const { return changedFaces > 0; }
 };
 
-inline constexpr std::size_t kMostLeft = 10;
+inline constexpr std::size_t kMaxLeft = 10;
 
 struct PolishedMesh {
   TriangleSoup mesh;
@@ -63,6 +63,6 @@ struct PolishedMesh {
 PolishedMesh polished(const TriangleSoup& mesh, const PolishOptions& options);
 
 //! What is left, or none: how many, the least angles, why.
-Finding polishDoubt(const PolishReport& report);
+Finding polishWarning(const PolishReport& report);
 
 }  // namespace handlebody

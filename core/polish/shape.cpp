@@ -10,8 +10,8 @@ namespace handlebody {
 namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
-constexpr double kLeastPart = 1e-4;  // below that all are alike, so that sums stay sums
-constexpr double kClearly = 1e-3;    // of the sum: what rounding cannot make, so that it ends
+constexpr double kMinFraction = 1e-4;  // below that all are alike, so that sums stay sums
+constexpr double kClearly = 1e-3;      // of the sum: what rounding cannot make, so that it ends
 
 }  // namespace
 
@@ -43,7 +43,7 @@ double WantedShape::ofEdge(const Vec3& p, const Vec3& q, const Vec3& c, const Ve
 void Badness::add(double part) {
   if (part >= 1) return;
   worst = std::min(worst, part);
-  const double p = std::max(part, kLeastPart);
+  const double p = std::max(part, kMinFraction);
   sum += 1 / (p * p) - 1 + 0.1;
 }
 

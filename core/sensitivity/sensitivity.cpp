@@ -84,7 +84,7 @@ void summarizeSpread(Sensitivity& s, const std::vector<Grown>& all, std::size_t 
 
 }  // namespace
 
-std::vector<Finding> sensitivityDoubts(const Sensitivity& s) {
+std::vector<Finding> sensitivityWarnings(const Sensitivity& s) {
   std::vector<Finding> out;
   const int count = static_cast<int>(s.runs.size());
   if (s.grown < count)

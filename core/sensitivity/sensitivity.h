@@ -31,9 +31,9 @@ struct Sensitivity {
   double meanSpread = 0, spread95 = 0, largestSpread = 0;  //!< mm, over the vertices
 };
 
-//! What is doubtful about a result: runs that left no surface, another topology, a volume that changes by
+//! The warnings of a result: runs that left no surface, another topology, a volume that changes by
 //! more than a tenth.
-std::vector<Finding> sensitivityDoubts(const Sensitivity& s);
+std::vector<Finding> sensitivityWarnings(const Sensitivity& s);
 
 //! What is grown again.
 struct GrownFrom {

@@ -17,16 +17,16 @@ std::string number(double value) {
 }
 
 std::size_t samplesAt(const Solid& a, const Solid& b, double h) {
-  const std::size_t n = countSamples(a.surface, h, kMostSamples);
-  return n > kMostSamples ? n : n + countSamples(b.surface, h, kMostSamples - n);
+  const std::size_t n = countSamples(a.surface, h, kMaxSamples);
+  return n > kMaxSamples ? n : n + countSamples(b.surface, h, kMaxSamples - n);
 }
 
 //! Pieces whose longest edge is at most h have some h²/8 of area each.
 double samplingFor(const Solid& a, const Solid& b, double wanted) {
   if (wanted > 0) {
-    if (samplesAt(a, b, wanted) > kMostSamples)
+    if (samplesAt(a, b, wanted) > kMaxSamples)
       throw UsageError("A sampling of " + number(wanted) + " mm would take more than " +
-                       std::to_string(kMostSamples) + " samples of these surfaces.");
+                       std::to_string(kMaxSamples) + " samples of these surfaces.");
     return wanted;
   }
   const double area = areaOf(a.surface) + areaOf(b.surface);

@@ -36,10 +36,10 @@ struct ComparisonOptions {
   int threads = 1;
 };
 
-//! Throws UsageError that names --sampling if it asks for more than kMostSamples.
+//! Throws UsageError that names --sampling if it asks for more than kMaxSamples.
 Comparison compare(const Solid& a, const Solid& b, const ComparisonOptions& options);
 
 inline constexpr std::size_t kUsualSamples = 1'000'000;  //!< on both surfaces together, if not told otherwise
-inline constexpr std::size_t kMostSamples = 50'000'000;
+inline constexpr std::size_t kMaxSamples = 50'000'000;
 
 }  // namespace handlebody

@@ -16,8 +16,8 @@ namespace handlebody {
 namespace {
 
 constexpr int kRoundsAlone = 3;  // in which a vertex goes back without its neighbours
-constexpr int kMostRounds = 40;
-constexpr int kMostAttempts = 6;
+constexpr int kMaxRounds = 40;
+constexpr int kMaxAttempts = 6;
 constexpr double kSurroundings = 2;  // longest edges
 
 //! Relative to a point of each component, so that far from the origin no digits are lost.
@@ -77,7 +77,7 @@ GuardedMesh::Faults GuardedMesh::faultsOf(const Mesh& mesh, const std::vector<in
   if (faults.any) return faults;  // the rest is for a mesh without intersections
   const std::vector<Measure> now = measuresOf(mesh, component, volume_.size());
   for (std::size_t c = 0; c < now.size(); ++c)
-    if (!(now[c].volume / volume_[c] >= kLeastVolume)) faults.component[c] = 1;
+    if (!(now[c].volume / volume_[c] >= kMinVolume)) faults.component[c] = 1;
   if (volume_.size() > 1) {
     const Components parts = findComponents(mesh);
     for (const int c : misplacedComponents(labelled(mesh, parts)))
@@ -104,7 +104,7 @@ void GuardedMesh::move(std::span<const Vec3> targets) {
       mesh_.setPosition(v, targets[idx(v)]);
       moved_[idx(v)] = 1;
     }
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kMaxRounds; ++round) {
     const Faults faults = faultsOf(mesh_, component_, detector_.detectMoved(mesh_, moved_));
     if (!faults.any) return;
     putBack(faults, before, round >= kRoundsAlone);
@@ -132,7 +132,7 @@ bool GuardedMesh::regulate(const RemeshLimits& limits, const std::function<bool(
   VertexStates allowed(idx(mesh_.vertexSlots()));
   for (std::size_t v = 0; v < allowed.size(); ++v)
     allowed[v] = faces[idx(component_[v])] < kFewestFaces ? kAtRest : kActive;
-  for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+  for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
     Mesh changed = mesh_;
     VertexStates active = allowed;
     handlebody::regulate(changed, limits, active);

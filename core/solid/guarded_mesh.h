@@ -30,7 +30,7 @@ class GuardedMesh {
 
   //! Puts every vertex at its target. Those whose faces then intersect or meet in a fold (kSharpest), and
   //! what lies around them, go back until none do; so do the components that have lost too much of their
-  //! volume (kLeastVolume) or lie where they cannot.
+  //! volume (kMinVolume) or lie where they cannot.
   void move(std::span<const Vec3> targets);
   //! Regulates the edges, but not those of components of fewer than kFewestFaces. Where something is wrong
   //! then, as above, or a vertex lies where it may not, all is taken back and done anew without the
@@ -58,7 +58,7 @@ class GuardedMesh {
   VertexMarks moved_;  // per vertex
 };
 
-inline constexpr double kLeastVolume = 0.6;  //!< of what it was at first
+inline constexpr double kMinVolume = 0.6;  //!< of what it was at first
 inline constexpr int kFewestFaces = 60;
 //! Degrees between two faces that share an edge, inside or outside, at least; where the first mesh has less,
 //! that. A little above what polishing asks for (kWantedShape).

@@ -30,7 +30,7 @@ constexpr int kMovesBetween = 3;
 constexpr double kTangential = 0.5;                // of the way to the neighbours' mean
 constexpr double kLongest = 1.5, kShortest = 0.6;  // of the edge length that is wanted
 constexpr Reach kFirstReach{0.75, 0.8}, kLaterReach{0.15, 0.3};
-constexpr double kMostOffset = 0.3;  // of the smallest spacing, to keep the volume
+constexpr double kMaxOffset = 0.3;  // of the smallest spacing, to keep the volume
 constexpr std::size_t kChunk = 1024;
 // Objects that become meshes together, voxels: how far their surfaces, which coincide where they touch, are
 // drawn back at first (where that is not enough, the next), and how far they keep from each other.
@@ -38,7 +38,7 @@ constexpr std::array kDrawnBack{0.05, 0.1, 0.2, 0.3};
 constexpr double kKeptApart = 0.1;
 
 //! To the mean of the neighbours, as far as it lies in the tangent plane.
-SmoothSurface::Place evened(const Mesh& mesh, int v) {
+SmoothSurface::VertexAim evened(const Mesh& mesh, int v) {
   Vec3 mean = Vec3::Zero(), normal = Vec3::Zero();
   int n = 0;
   mesh.forEachOutgoing(v, [&](int h) {
@@ -163,7 +163,7 @@ class Moves {
       const int end = static_cast<int>(std::min((chunk + 1) * kChunk, targets.size()));
       for (int v = static_cast<int>(chunk * kChunk); v < end; ++v) {
         if (!mesh.isVertex(v)) continue;
-        SmoothSurface::Place place = evened(mesh, v);
+        SmoothSurface::VertexAim place = evened(mesh, v);
         const Meant& meant = meant_[idx(guarded_.component(v))];
         place.offset = offsets_.of(guarded_.component(v));
         if (meant.crowd->isBeside(place.from)) place.offset -= meant.apart;
@@ -314,7 +314,7 @@ void Together::choose(const GuardedMesh& guarded) {
 double Together::distance(const Vec3& p) const {
   double nearest = 0;
   for (const SmoothSurface& surface : surfaces_)
-    if ((nearest = surface.distance(p)) <= kMostApart) break;
+    if ((nearest = surface.distance(p)) <= kMaxApart) break;
   return nearest;
 }
 
@@ -325,7 +325,7 @@ void Together::smoothAndRegulate(GuardedMesh& guarded, Offsets& offsets) const {
   moves.make(kFirstMoves, kFirstReach);
   for (int i = 0; i < kRegulations; ++i) {
     offsets.update(guarded);
-    guarded.regulate(limits, [&](const Vec3& p) { return distance(p) <= kMostApart; });
+    guarded.regulate(limits, [&](const Vec3& p) { return distance(p) <= kMaxApart; });
     moves.make(kMovesBetween, kLaterReach);
   }
 }
@@ -365,7 +365,7 @@ std::vector<LabelMesh> Together::smoothed() {
   }
   GuardedMesh guarded{Mesh(apart())};
   choose(guarded);
-  Offsets offsets(volumes_, kMostOffset * masks_[0].grid.spacing.minCoeff());
+  Offsets offsets(volumes_, kMaxOffset * masks_[0].grid.spacing.minCoeff());
   if (options_.smoothing != 0) smoothAndRegulate(guarded, offsets);
   std::vector<LabelMesh> meshes;
   for (std::size_t i = 0; i < masks_.size(); ++i) meshes.push_back(taken(guarded, i));

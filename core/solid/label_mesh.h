@@ -19,7 +19,7 @@ struct LabelMesh {
 };
 
 //! The maskSurface, smoothed and regulated. No vertex is moved farther
-//! than kMostMove voxels from that surface, nor put farther than kMostApart where edges are regulated; what
+//! than kMaxMove voxels from that surface, nor put farther than kMaxApart where edges are regulated; what
 //! would make the mesh intersect itself is not done, vertex by vertex. Components, cavities and genus are
 //! those of the mask (see maskSurface). Throws as maskSurface; std::logic_error if a step has broken the
 //! topology. Precondition: the mask has a voxel.
@@ -31,6 +31,6 @@ LabelMesh meshOf(const Mask& mask, const LabelMeshOptions& options);
 //! are cut from one grid, no voxel is in two of them, and each has one.
 std::vector<LabelMesh> meshesOf(const std::vector<Mask>& masks, const LabelMeshOptions& options);
 
-inline constexpr double kMostMove = 0.5, kMostApart = 0.8;
+inline constexpr double kMaxMove = 0.5, kMaxApart = 0.8;
 
 }  // namespace handlebody

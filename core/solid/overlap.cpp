@@ -114,7 +114,7 @@ Overlap overlapOf(const Solid& a, const Solid& b, double spacing) {
   Grid lattice = latticeOf(a, b, spacing);
   Overlap overlap;
   overlap.onVoxels = a.mask || b.mask;
-  while (std::max(pointsIn(extentOn(lattice, a)), pointsIn(extentOn(lattice, b))) > kMostLatticePoints) {
+  while (std::max(pointsIn(extentOn(lattice, a)), pointsIn(extentOn(lattice, b))) > kMaxLatticePoints) {
     lattice.spacing *= 2;
     overlap.onVoxels = false;
   }

@@ -15,10 +15,10 @@ struct Overlap {
 //! the mesh an odd number of times. The lattice is that of the label map with the smaller voxels, carried on
 //! as far as the objects reach; for two meshes a cubic one along the axes, of `spacing` mm if that is above
 //! 0, else of 1/256 of the cube root of the larger object's box. Made coarser by twos while one box has more
-//! than kMostLatticePoints. Needs 32 MB besides the objects, more where one plane of the lattice does.
+//! than kMaxLatticePoints. Needs 32 MB besides the objects, more where one plane of the lattice does.
 //! Precondition: both are closed and not empty.
 Overlap overlapOf(const Solid& a, const Solid& b, double spacing = 0);
 
-inline constexpr double kMostLatticePoints = 0x1p28;
+inline constexpr double kMaxLatticePoints = 0x1p28;
 
 }  // namespace handlebody

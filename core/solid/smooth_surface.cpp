@@ -49,7 +49,7 @@ SmoothSurface::SmoothSurface(const Mask& mask, const TriangleSoup& surface, cons
       nearest_(inVoxels_),
       levels_(meanLevels(Mesh(surface))) {}
 
-Vec3 SmoothSurface::towards(const Place& place, int& hint) const {
+Vec3 SmoothSurface::towards(const VertexAim& place, int& hint) const {
   const Vec3 start = grid_.toIndex(place.from);
   Vec3 index = grid_.toIndex(place.to);
   if (hint < 0) nearest_.distance(index, &hint);
@@ -61,7 +61,7 @@ Vec3 SmoothSurface::towards(const Place& place, int& hint) const {
   const Vec3 normal = normalInVoxels(place.normal);
   index = withinReach(grid_.toIndex(place.anchor), index, normal, place.reach);
   for (int i = 0; i < 4; ++i, index = (index + start) / 2)
-    if (nearest_.distance(index, &hint) <= kMostMove && facesLike(normal, hint)) return grid_.toWorld(index);
+    if (nearest_.distance(index, &hint) <= kMaxMove && facesLike(normal, hint)) return grid_.toWorld(index);
   return place.from;
 }
 

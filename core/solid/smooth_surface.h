@@ -30,7 +30,7 @@ class SmoothSurface {
   SmoothSurface& operator=(const SmoothSurface&) = delete;
 
   //! Where a vertex is, and what it is to do.
-  struct Place {
+  struct VertexAim {
     Vec3 from, to;  //!< mm
     Vec3 normal;    //!< of the mesh, of any length
     double offset;  //!< mm, outside of the surface that is meant
@@ -38,9 +38,9 @@ class SmoothSurface {
     Reach reach;    //!< from there
   };
 
-  //! From `to` towards the surface. Never farther than kMostMove from the voxels' surface, and only to where
+  //! From `to` towards the surface. Never farther than kMaxMove from the voxels' surface, and only to where
   //! that faces the same way: else what is as thin as a voxel would draw back along itself.
-  Vec3 towards(const Place& place, int& hint) const;
+  Vec3 towards(const VertexAim& place, int& hint) const;
   //! From the voxels' surface, in voxels.
   double distance(const Vec3& p) const { return nearest_.distance(grid_.toIndex(p)); }
 

@@ -45,7 +45,7 @@ class Reach {
   }
 
  private:
-  struct Place {
+  struct Reached {
     int set;
     int from;  // the vertex it was reached from, -1 in the set
     int distance;
@@ -58,7 +58,7 @@ class Reach {
     for (const int v : front) {
       const int set = nearest_.at(v).set;
       mesh_.forEachNeighbour(v, [&](int w) {
-        if (nearest_.try_emplace(w, Place{set, v, distance}).second) next.push_back(w);
+        if (nearest_.try_emplace(w, Reached{set, v, distance}).second) next.push_back(w);
       });
     }
     return next;
@@ -66,7 +66,7 @@ class Reach {
   void meet(int u, int v, int reach) {
     const auto other = nearest_.find(v);
     if (other == nearest_.end()) return;
-    const Place &a = nearest_.at(u), &b = other->second;
+    const Reached &a = nearest_.at(u), &b = other->second;
     const int length = a.distance + b.distance + 1;
     if (a.set >= b.set || length > reach) return;
     const auto [it, fresh] = meeting_.try_emplace({a.set, b.set}, Meeting{length, u, v});
@@ -74,7 +74,7 @@ class Reach {
   }
 
   const Mesh& mesh_;
-  std::map<int, Place> nearest_;
+  std::map<int, Reached> nearest_;
   std::map<std::pair<int, int>, Meeting> meeting_;
 };
 

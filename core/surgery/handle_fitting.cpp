@@ -14,7 +14,7 @@ namespace {
 // In units of WorkBudget: for the square of the vertices of all polygons, and for each vertex of a handle.
 constexpr std::size_t kLoopWork = 8;
 constexpr std::size_t kFaceWork = 200;
-constexpr std::size_t kMostBeside = 4000;  // edges that are looked at beside one that is blocked
+constexpr std::size_t kMaxBeside = 4000;  // edges that are looked at beside one that is blocked
 
 //! The polygons as the search for handles numbers them, and back.
 class HandleLoops {
@@ -120,7 +120,7 @@ class Faults {
   //! each would cost a search of its own.
   bool addIfBlocked(const VertexPair& edge) {
     std::vector<VertexPair> open{edge};
-    for (std::size_t i = 0; i < open.size() && i < kMostBeside; ++i) {
+    for (std::size_t i = 0; i < open.size() && i < kMaxBeside; ++i) {
       if (!isBlocked(open[i]) || !added_.insert(open[i]).second) continue;
       const auto [u, v] = open[i];
       edges.push_back(open[i]);

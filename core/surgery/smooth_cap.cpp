@@ -12,7 +12,7 @@ constexpr double kLongest = 1.5;  // edge, in mean sides of the polygon
 constexpr int kPasses = 12;       // of splitting: an edge may be 2^12 times too long
 constexpr int kRelaxations = 12;  // after each pass
 constexpr int kLastRelaxations = 60;
-constexpr int kMostVertices = 50000;
+constexpr int kMaxVertices = 50000;
 
 //! A disc with the first `rim` vertices on its boundary, in order, made a sphere by a pole that is joined to
 //! all of them: the mesh's operations are for closed surfaces. The pole comes next, then the vertices within.
@@ -29,7 +29,7 @@ class Membrane {
       const bool any = splitLongEdges();
       flip();
       relax(kRelaxations);
-      if (!any || mesh_.vertexSlots() > kMostVertices) break;
+      if (!any || mesh_.vertexSlots() > kMaxVertices) break;
     }
     flip();
     relax(kLastRelaxations);

@@ -87,7 +87,7 @@ class Adaptation {
   void treatPinned(const CollisionGroup& group) {
     if (smoothed(group)) return;
     giveUp(group, FindingKind::meetsPinned);
-    result_.troubles.back().atPin = true;
+    result_.conflicts.back().atPin = true;
   }
 
   void treat(const CollisionGroup& group, std::vector<Finding> before) {
@@ -290,11 +290,11 @@ class Adaptation {
 
   void wait(const CollisionGroup& group) {
     giveUp(group, FindingKind::workIsDone);
-    result_.troubles.back().waits = true;
+    result_.conflicts.back().waits = true;
   }
 
   void giveUp(const CollisionGroup& group, FindingKind reason) {
-    Trouble t{middle(group), 0, reason};
+    Conflict t{middle(group), 0, reason};
     for (const auto& lambda : group.lambda)
       for (int v : enlarge(mesh_, lambda))
         t.radius = std::max(t.radius, (mesh_.position(v) - t.centre).norm());
@@ -303,7 +303,7 @@ class Adaptation {
     sortUnique(faces);
     for (const int f : faces)
       if (mesh_.isFace(f)) t.faces.push_back(mesh_.face(f));
-    result_.troubles.push_back(t);
+    result_.conflicts.push_back(t);
   }
 
   Mesh& mesh_;

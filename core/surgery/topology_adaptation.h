@@ -30,7 +30,7 @@ struct AdaptationSettings {
 };
 
 //! A place where nothing fitted: the caller rolls it back.
-struct Trouble {
+struct Conflict {
   Vec3 centre{0, 0, 0};  //!< mm
   double radius = 0;     //!< mm; holds all colliding vertices and the patches that were tried
   Finding reason{};
@@ -41,11 +41,11 @@ struct Trouble {
 
 struct AdaptationResult {
   std::vector<Event> events;
-  std::vector<Trouble> troubles;
+  std::vector<Conflict> conflicts;
 };
 
 //! Handles every group of colliding faces once. `touched` grows with the mesh; touched[v] = 1 for the
-//! vertices of every face that is new or was moved. Places listed as troubles are unchanged but for
+//! vertices of every face that is new or was moved. Places listed as conflicts are unchanged but for
 //! refinement, and still collide.
 AdaptationResult adaptTopology(Mesh& mesh, std::span<const FacePair> pairs,
                                const AdaptationSettings& settings, VertexMarks& touched);

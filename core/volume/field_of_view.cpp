@@ -49,7 +49,7 @@ std::vector<bool> findPadding(const T* voxels, const std::array<int, 3>& size, d
       most = c;
       value = v;
     }
-  if (static_cast<double>(most) < kLeastPadding * static_cast<double>(border)) return {};
+  if (static_cast<double>(most) < kMinPadding * static_cast<double>(border)) return {};
 
   paddingValue = static_cast<double>(value);
   std::vector<bool> padding(n.x * n.y * n.z, false);

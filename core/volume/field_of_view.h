@@ -14,7 +14,7 @@ namespace handlebody {
 //! below the least of the others (volume_io.h), wherever they lie. One bit per voxel.
 class FieldOfView {
  public:
-  //! Null if there is no padding: fewer than kLeastPadding of the border voxels have the same value, and all
+  //! Null if there is no padding: fewer than kMinPadding of the border voxels have the same value, and all
   //! are numbers.
   static std::shared_ptr<const FieldOfView> find(const Volume& volume);
 
@@ -32,6 +32,6 @@ class FieldOfView {
 
 //! Part of the border voxels. A circular field of view leaves 21 % of four faces out; noise never repeats one
 //! value so often.
-inline constexpr double kLeastPadding = 0.1;
+inline constexpr double kMinPadding = 0.1;
 
 }  // namespace handlebody

@@ -74,7 +74,7 @@ TEST_CASE("it is told how many handles came from the database and how many from 
 
 TEST_CASE("what is told of a result and of an event has a kind, its numbers and a sentence", "[report]") {
   RunReport report = smallReport();
-  report.doubts = {{FindingKind::noEdge, {{"percent", 45.4}}}, FindingKind::liesInWall};
+  report.warnings = {{FindingKind::noEdge, {{"percent", 45.4}}}, FindingKind::liesInWall};
   report.events[0].reasons = {{FindingKind::ringsAdded, {{"rings", 2}}, FindingKind::noHandle},
                               FindingKind::maybeShorter};
   const auto json = nlohmann::json::parse(reportText(report));

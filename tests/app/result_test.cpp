@@ -32,36 +32,37 @@ bool mentions(const std::vector<Finding>& findings, const char* word) {
 }  // namespace
 
 TEST_CASE("a surface that has grown and converged gives no doubts") {
-  CHECK(doubts(reportOf(StopReason::converged), sphere(20)).empty());
+  CHECK(resultWarnings(reportOf(StopReason::converged), sphere(20)).empty());
 }
 
 TEST_CASE("a surface that has contracted from an over-grown start gives no doubts") {
   RunReport report = reportOf(StopReason::converged);
   report.session.resolved->seeds[0].radius = 40;
-  CHECK(doubts(report, sphere(20)).empty());
+  CHECK(resultWarnings(report, sphere(20)).empty());
 }
 
 TEST_CASE("a surface that rests because it was frozen or got stuck is doubted, and for the right reason") {
-  CHECK(doubts(reportOf(StopReason::frozen), sphere(20)).size() == 1);
-  CHECK(mentions(doubts(reportOf(StopReason::frozen), sphere(20)), "would still move"));
-  CHECK(mentions(doubts(reportOf(StopReason::stuck), sphere(20)), "stuck"));
+  CHECK(resultWarnings(reportOf(StopReason::frozen), sphere(20)).size() == 1);
+  CHECK(mentions(resultWarnings(reportOf(StopReason::frozen), sphere(20)), "would still move"));
+  CHECK(mentions(resultWarnings(reportOf(StopReason::stuck), sphere(20)), "stuck"));
 }
 
 TEST_CASE("a surface that is still at its seed is doubted, with the curvature named where it is the cause") {
   RunReport report = reportOf(StopReason::converged);
-  CHECK(mentions(doubts(report, sphere(5.2)), "hardly grew"));
-  CHECK_FALSE(mentions(doubts(report, sphere(5.2)), "--curvature"));
+  CHECK(mentions(resultWarnings(report, sphere(5.2)), "hardly grew"));
+  CHECK_FALSE(mentions(resultWarnings(report, sphere(5.2)), "--curvature"));
   report.session.resolved->curvature = 3;  // holds fronts of 3 · 2 mm
-  CHECK(mentions(doubts(report, sphere(5.2)), "--curvature holds every front of a radius below 6 mm"));
+  CHECK(
+      mentions(resultWarnings(report, sphere(5.2)), "--curvature holds every front of a radius below 6 mm"));
 }
 
 TEST_CASE("a click in the background is not where the surface started") {
   RunReport report = reportOf(StopReason::converged);
   report.session.resolved->seeds.push_back({kCentre + Vec3(30, 0, 0), {}, true});
-  CHECK(mentions(doubts(report, sphere(5.2)), "hardly grew"));
-  CHECK(doubts(report, sphere(20)).empty());
+  CHECK(mentions(resultWarnings(report, sphere(5.2)), "hardly grew"));
+  CHECK(resultWarnings(report, sphere(20)).empty());
   report.session.resolved->seeds.back() = {kCentre, 20.0, true};
-  CHECK(doubts(report, sphere(20)).empty());
+  CHECK(resultWarnings(report, sphere(20)).empty());
 }
 
 TEST_CASE("a close choice is doubted, with what the next candidate holds") {
@@ -70,9 +71,9 @@ TEST_CASE("a close choice is doubted, with what the next candidate holds") {
   report.candidates[0].volume = 4510;
   report.candidates[0].score = 0.618;
   report.candidates[1].volume = 1234567;
-  CHECK(doubts(report, sphere(20)).empty());
+  CHECK(resultWarnings(report, sphere(20)).empty());
   report.isCloseChoice = true;
-  CHECK(sentences(doubts(report, sphere(20))) ==
+  CHECK(sentences(resultWarnings(report, sphere(20))) ==
         std::vector<std::string>{
             "the choice among 3 objects is close (expected overlap with the one that is meant: "
             "Dice 0.62): the next candidate holds 1235 ml where this one holds 4.51 ml; "
@@ -82,10 +83,10 @@ TEST_CASE("a close choice is doubted, with what the next candidate holds") {
 TEST_CASE("a choice that is the only one, or was made by hand, is not doubted") {
   RunReport report = reportOf(StopReason::converged);
   report.isCloseChoice = true;
-  CHECK(doubts(report, sphere(20)).empty());
+  CHECK(resultWarnings(report, sphere(20)).empty());
   report.candidates.resize(1);
-  CHECK(doubts(report, sphere(20)).empty());
+  CHECK(resultWarnings(report, sphere(20)).empty());
   report.candidates.resize(2);
   report.session.resolved->candidate = 2;
-  CHECK(doubts(report, sphere(20)).empty());
+  CHECK(resultWarnings(report, sphere(20)).empty());
 }

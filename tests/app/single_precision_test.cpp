@@ -92,7 +92,7 @@ TEST_CASE("sheets that rounding makes touch are moved apart by a few units in th
       const TriangleSoup rounded = roundedToSingle(mesh);
       CHECK(isSingle(rounded));
       CHECK(certify(rounded).passes());
-      CHECK(farthestMove(mesh, rounded) <= (kMostNudge + 1) * kUnit);
+      CHECK(farthestMove(mesh, rounded) <= (kMaxNudge + 1) * kUnit);
       CHECK(certifiedForExport(mesh).certificate.passes());
     }
   CHECK(touched > 3);  // the test would be empty if rounding did no harm
@@ -109,7 +109,7 @@ TEST_CASE("edges that cross so close that rounding makes them touch are moved ap
       touched += !certify(plainlyRounded(mesh)).passes();
       const TriangleSoup rounded = roundedToSingle(mesh);
       CHECK(certify(rounded).passes());
-      CHECK(farthestMove(mesh, rounded) <= (kMostNudge + 1) * kUnit);
+      CHECK(farthestMove(mesh, rounded) <= (kMaxNudge + 1) * kUnit);
     }
   CHECK(touched > 10);
 }
@@ -124,7 +124,7 @@ TEST_CASE("a part so thin that rounding makes its sides touch keeps them apart")
       touched += !certify(plainlyRounded(mesh)).passes();
       const TriangleSoup rounded = roundedToSingle(mesh);
       CHECK(certify(rounded).passes());
-      CHECK(farthestMove(mesh, rounded) <= (kMostNudge + 1) * kUnit);
+      CHECK(farthestMove(mesh, rounded) <= (kMaxNudge + 1) * kUnit);
     }
   CHECK(touched > 0);
 }

@@ -222,7 +222,7 @@ TEST_CASE("a program that hangs is killed at the time limit, with its children a
 TEST_CASE("a program that hangs is killed when somebody cancels", "[tetrahedra]") {
   const HangingGmsh gmsh;
   std::atomic<bool> cancelled{false};
-  std::jthread wish([&] {
+  std::jthread stopRequest([&] {
     while (!gmsh.hasBegun()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     cancelled = true;
   });

@@ -7,7 +7,7 @@
 
 #include "core/collision/self_intersection.h"
 #include "core/evolution/active_contour.h"
-#include "core/evolution/image_doubts.h"
+#include "core/evolution/image_warnings.h"
 #include "core/evolution/motion.h"
 #include "core/evolution/object_image.h"
 #include "core/evolution/object_range.h"

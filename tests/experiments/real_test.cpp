@@ -24,7 +24,7 @@ namespace {
 struct RealOutcome {
   double millilitres = 0;
   double dice = 0;  // 0 without a label
-  std::vector<std::string> doubts;
+  std::vector<std::string> warnings;
 };
 
 ActiveContour begun(const RealCase& c, const Constraints& constraints = {}) {
@@ -47,19 +47,19 @@ RealOutcome expectCertified(const std::string& name) {
 #ifdef HANDLEBODY_WITH_ORACLE
   CHECK(oracle::selfIntersections(mesh).empty());
 #endif
-  RealOutcome out{certificate.volume / 1000, 0, sentences(contour.doubts(contour.support()))};
+  RealOutcome out{certificate.volume / 1000, 0, sentences(contour.warnings(contour.support()))};
   if (c.label) out.dice = dice(mesh, readVolume(folder() + "/" + c.label));
   std::cout << c.name << ": iterations " << contour.iteration() << ", vertices " << certificate.vertices
             << ", components " << certificate.components << ", volume " << out.millilitres << " ml";
   if (c.label) std::cout << ", Dice " << out.dice;
   std::cout << '\n';
-  for (const std::string& doubt : out.doubts) std::cout << "  " << doubt << '\n';
+  for (const std::string& warning : out.warnings) std::cout << "  " << warning << '\n';
   return out;
 }
 
 bool warnsOf(const RealOutcome& o, const char* what) {
-  return std::any_of(o.doubts.begin(), o.doubts.end(),
-                     [&](const std::string& doubt) { return doubt.find(what) != std::string::npos; });
+  return std::any_of(o.warnings.begin(), o.warnings.end(),
+                     [&](const std::string& warning) { return warning.find(what) != std::string::npos; });
 }
 
 const char* const kNeck = "held at a neck";

@@ -33,12 +33,12 @@ std::string pathOfRequest() {
 void eat(const std::string& path) {
   constexpr std::size_t kBite = 16u << 20;
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  constexpr int kMost = 50;  // sanitizers need so much address space that there is no limit
+  constexpr int kMaxBites = 50;  // sanitizers need so much address space that there is no limit
 #else
-  constexpr int kMost = 1000;
+  constexpr int kMaxBites = 1000;
 #endif
   int bites = 0;
-  while (void* memory = bites < kMost ? std::malloc(kBite) : nullptr) {
+  while (void* memory = bites < kMaxBites ? std::malloc(kBite) : nullptr) {
     std::memset(memory, 1, kBite);
     ++bites;
   }

@@ -94,13 +94,13 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-//! Seconds from the wish to cancel, half way through, to the return.
+//! Seconds from setting the stop token, half way through, to the return.
 double cancelTime(const std::string& path, double whole) {
   std::atomic<bool> cancelled = false;
-  Clock::time_point wished;
+  Clock::time_point asked;
   std::thread user([&] {
     std::this_thread::sleep_for(std::chrono::duration<double>(whole / 2));
-    wished = Clock::now();
+    asked = Clock::now();
     cancelled = true;
   });
   const CancelScope scope(cancelled);
@@ -112,7 +112,7 @@ double cancelTime(const std::string& path, double whole) {
   }
   const auto end = Clock::now();
   user.join();
-  return read ? -1 : std::chrono::duration<double>(end - wished).count();
+  return read ? -1 : std::chrono::duration<double>(end - asked).count();
 }
 
 void compare(const std::string& name, const std::string& path) {

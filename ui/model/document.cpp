@@ -10,7 +10,7 @@ namespace handlebody::ui {
 
 namespace {
 
-constexpr int kMostUndone = 1000;  // entries, about a kilobyte each
+constexpr int kMaxUndone = 1000;  // entries, about a kilobyte each
 
 bool lieAlike(const Seed& a, const Seed& b) { return a.centre == b.centre && a.background == b.background; }
 
@@ -25,7 +25,7 @@ bool meanOthers(const Edits& a, const Edits& b) {
 Document::Private::Private(Document& document) : q(document) {
   const auto first = newObject();
   objects.hold({first}, first);
-  undo.setUndoLimit(kMostUndone);
+  undo.setUndoLimit(kMaxUndone);
   QObject::connect(&undo, &QUndoStack::cleanChanged, &q, [this] { updateModified(); });
   QObject::connect(&time, &TimeSeries::shownChanged, &q, [this] { shownFrameChanged(); });
   QObject::connect(&time, &TimeSeries::carriedChanged, &q, [this] {

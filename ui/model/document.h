@@ -13,7 +13,7 @@
 
 #include "core/evolution/correction.h"
 #include "core/evolution/held_changes.h"
-#include "core/evolution/image_doubts.h"
+#include "core/evolution/image_warnings.h"
 #include "core/evolution/leak_alarm.h"
 #include "core/evolution/parameters.h"
 #include "core/evolution/pinned_parts.h"
@@ -38,7 +38,7 @@ class Measurements;
 class TimeSeries;
 
 //! What a face of the shown mesh is, for colouring.
-enum class FaceState : unsigned char { moving, settled, newHandle, colliding };
+enum class FaceState : unsigned char { moving, converged, newHandle, colliding };
 
 //! The mesh after one iteration, as the views draw it. Never changed once it was handed out.
 struct MeshSnapshot {
@@ -52,7 +52,7 @@ struct MeshSnapshot {
   std::vector<PinnedPart> pinned;
   std::vector<bool> pinnedVertices;  //!< one per point of the mesh: some pin holds it
   //! What the image says against the surface; only of a surface at rest.
-  std::vector<Finding> doubts;
+  std::vector<Finding> warnings;
 };
 
 //! One row of the timeline, cheap to copy; iteration 0 is the seed surface.

@@ -65,7 +65,7 @@ bool Document::Private::mayPin() {
   const auto shown = q.snapshot();
   const bool rests = q.state() != GrowthState::running && q.state() != GrowthState::preparing;
   if (!shown || !rests || !mayChange()) return false;
-  if (active().growth().isSettled()) return true;
+  if (active().growth().isUpToDate()) return true;
   Q_EMIT q.refused(tr("The surface has not come to rest yet: nothing is pinned."));
   return false;
 }

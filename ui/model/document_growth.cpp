@@ -49,7 +49,7 @@ const std::vector<RecordedCorrection>& Document::corrections() const {
 }
 const std::vector<Event>& Document::events() const { return d_->active().growth().events(); }
 std::optional<GrownFrom> Document::grownFrom() const {
-  const Growth& growth = d_->active().growth();
+  const SurfaceGrowth& growth = d_->active().growth();
   if (!d_->work || !growth.snapshot() || !growth.resolved()) return std::nullopt;
   return GrownFrom{d_->work->volume, d_->active().request(), *growth.resolved()};
 }

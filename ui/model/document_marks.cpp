@@ -42,7 +42,7 @@ void addFirst(const Constraints& first, std::map<int, QStringList>& marks) {
 }  // namespace
 
 std::vector<ChangeMark> Document::changeMarks() const {
-  const Growth& growth = d_->active().growth();
+  const SurfaceGrowth& growth = d_->active().growth();
   if (!growth.exists()) return {};
   std::map<int, QStringList> marks;
   const Constraints* constraints = &growth.beginning().constraints();

@@ -35,21 +35,22 @@ QString sentenceOf(Job&& job) try {
 const QString kObjectsKey = QStringLiteral("objects"), kActiveKey = QStringLiteral("activeObject"),
               kVisibleKey = QStringLiteral("visible"), kLockedKey = QStringLiteral("locked");
 
-//! What takes time: measures, and doubts.
+//! What takes time: measures, and warnings.
 RunReport completed(PendingReport pending, const WrittenMesh& mesh, const Volume& volume) {
   const auto start = std::chrono::steady_clock::now();
   RunReport made = std::move(pending.report);
-  const std::vector<Finding> known = std::move(made.doubts);
+  const std::vector<Finding> known = std::move(made.warnings);
   const MeshSnapshot& shown = *pending.object.surface->shown();
   made.mesh = mesh.made.certificate;
   made.measures = objectMeasures(mesh.made.mesh, &volume);
   made.polish = mesh.polish;
-  made.doubts = doubts(made, mesh.made.mesh);
+  made.warnings = resultWarnings(made, mesh.made.mesh);
   if (mesh.polish)
-    if (Finding doubt = polishDoubt(*mesh.polish); doubt.any()) made.doubts.push_back(std::move(doubt));
-  made.doubts.insert(made.doubts.end(), shown.doubts.begin(), shown.doubts.end());
-  made.doubts.insert(made.doubts.end(), known.begin(), known.end());
-  for (Finding& d : pinDoubts(made)) made.doubts.push_back(std::move(d));
+    if (Finding warning = polishWarning(*mesh.polish); warning.any())
+      made.warnings.push_back(std::move(warning));
+  made.warnings.insert(made.warnings.end(), shown.warnings.begin(), shown.warnings.end());
+  made.warnings.insert(made.warnings.end(), known.begin(), known.end());
+  for (Finding& d : pinWarnings(made)) made.warnings.push_back(std::move(d));
   made.unsupportedSurface = shown.support.withoutEdge;
   Timings& s = made.seconds;
   s.exported = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -297,7 +298,7 @@ std::vector<PendingReport> Document::Private::pendingReports(bool isAnonymous) c
       r.seconds.load = work->seconds;
     }
     if (const QString earlier = objects.madeWithEarlier(*object); !earlier.isEmpty())
-      r.doubts.push_back(
+      r.warnings.push_back(
           {FindingKind::madeWithEarlier, {{"object", nameInFiles(earlier.toStdString(), isAnonymous)}}});
     if (objects.size() == 1 && q.isCarriedCurrent()) r.overTime = overTimeReport();
     all.push_back({std::move(r), objectToWrite(*object, object->finished())});

@@ -33,7 +33,7 @@ struct PendingReport {
 struct GrowthChoices {
   int stepsPerFrame = 1;
   bool pausesAtLeaks = false;
-  void applyTo(Growth& growth) const {
+  void applyTo(SurfaceGrowth& growth) const {
     growth.setStepsPerFrame(stepsPerFrame);
     growth.setPausesAtLeaks(pausesAtLeaks);
   }

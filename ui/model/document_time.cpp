@@ -151,7 +151,7 @@ void Document::carryOverTime() {
 }
 
 OverTimeSettings Document::Private::carrySettings() const {
-  const Growth& growth = base()->growth();
+  const SurfaceGrowth& growth = base()->growth();
   return {base()->request(),
           growth.resolved()->edgeLength,
           growth.resolved()->smoothing,
@@ -161,7 +161,7 @@ OverTimeSettings Document::Private::carrySettings() const {
 }
 
 void Document::Private::carryAgain(const std::optional<int>& again) {
-  const Growth& growth = base()->growth();
+  const SurfaceGrowth& growth = base()->growth();
   CarryOrder order;
   order.again = again;
   order.surface = base()->finished();

@@ -11,7 +11,7 @@ namespace handlebody::ui {
 namespace {
 
 constexpr double kShareOfMemory = 0.25;
-constexpr std::size_t kLeast = 2;  // the one that is shown, and the next
+constexpr std::size_t kMinFrames = 2;  // the one that is shown, and the next
 
 double physicalMemory() {
   return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
@@ -113,7 +113,7 @@ void FrameStore::keep(const Source& source, int frame, const Volume& volume) {
   std::size_t fits = 0;
   for (const Kept& k : kept_) {
     sum += bytesOf(k.volume);
-    if (sum > bound_ && fits >= kLeast) break;
+    if (sum > bound_ && fits >= kMinFrames) break;
     ++fits;
   }
   while (kept_.size() > fits) kept_.pop_back();

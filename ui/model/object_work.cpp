@@ -43,7 +43,7 @@ void ObjectWork::reset() {
   walls_.clear();
   look_.forget();
   conflict_.reset();
-  isLooking_ = looksWhenSettled_ = false;
+  isLooking_ = looksWhenUpToDate_ = false;
   replays_ = isShown_ = false;
   savedIteration_ = -1;
   traits = {};

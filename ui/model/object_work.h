@@ -7,8 +7,8 @@
 
 #include "core/io/report/report.h"
 #include "ui/model/finished_mesh.h"
-#include "ui/model/growth.h"
 #include "ui/model/preparation.h"
+#include "ui/model/surface_growth.h"
 #include "ui/model/undo_commands.h"
 #include "ui/model/wall_look.h"
 
@@ -109,8 +109,8 @@ class ObjectWork : public QObject {
   void goToPreviousEvent();
   //! Back to before the surface came to the walls that the growth does not know, and on.
   void goOnBeforeWalls();
-  const Growth& growth() const { return growth_; }
-  Growth& growth() { return growth_; }
+  const SurfaceGrowth& growth() const { return growth_; }
+  SurfaceGrowth& growth() { return growth_; }
   //! It grows, or is going to when it can.
   bool isBusy() const { return wanted_ != Wanted::nothing || growth_.isRunning(); }
   //! What a session says of it is still to be done, or under way.
@@ -181,7 +181,7 @@ class ObjectWork : public QObject {
 
   std::optional<WallConflict> conflict_;
   WallQuestion asked_;  // the last one about walls
-  bool isLooking_ = false, tellsAgain_ = false, looksWhenSettled_ = false;
+  bool isLooking_ = false, tellsAgain_ = false, looksWhenUpToDate_ = false;
 
   Wanted wanted_ = Wanted::nothing;
   bool goesOnThere_ = false;        // when the iteration that was asked for is shown
@@ -196,7 +196,7 @@ class ObjectWork : public QObject {
   int savedIteration_ = -1;
 
   // Threads: last, so that they end before what their jobs report to.
-  Growth growth_;
+  SurfaceGrowth growth_;
   Preparation preparation_;
   WallLook look_;
 };

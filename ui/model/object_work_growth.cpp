@@ -114,9 +114,9 @@ GrowthState ObjectWork::state() const {
 }
 
 void ObjectWork::updateState() {
-  if (goesOnThere_ && growth_.isSettled()) goOnThere();
-  if (editing_ && !isBusy() && growth_.isSettled()) tellOfEdit();
-  if (looksWhenSettled_ && growth_.isSettled())
+  if (goesOnThere_ && growth_.isUpToDate()) goOnThere();
+  if (editing_ && !isBusy() && growth_.isUpToDate()) tellOfEdit();
+  if (looksWhenUpToDate_ && growth_.isUpToDate())
     lookAtWalls(tellsAgain_);
   else if (conflict_ && !growth_.isRunning())
     lookAgain();
@@ -170,7 +170,7 @@ void ObjectWork::lookAtWalls(bool tells) {
   const WallList fresh = without(edits_.constraints.walls, growth_.request().constraints.walls);
   const auto shown = growth_.snapshot();
   asked_ = {shown, fresh, edits_.parameters.direction == Direction::both};
-  isLooking_ = looksWhenSettled_ = false;
+  isLooking_ = looksWhenUpToDate_ = false;
   tellsAgain_ = tells;
   if (!growth_.exists() || !shown || shown->mesh.triangles.empty() || fresh.empty()) {
     look_.forget();
@@ -184,9 +184,9 @@ void ObjectWork::lookAtWalls(bool tells) {
         this,
         [this, question, found] {
           if (!isLooking_ || question != asked_) return;
-          if (!growth_.isRunning() && !growth_.isSettled()) {  // it is on its way to another iteration
+          if (!growth_.isRunning() && !growth_.isUpToDate()) {  // it is on its way to another iteration
             isLooking_ = false;
-            looksWhenSettled_ = true;
+            looksWhenUpToDate_ = true;
             return;
           }
           isOutdated(question) ? lookAtWalls(tellsAgain_) : wallsLookedAt(found);

@@ -11,7 +11,7 @@
 namespace handlebody::ui {
 
 namespace {
-constexpr std::size_t kMostKnown = 4;
+constexpr std::size_t kMaxKnown = 4;
 
 //! Throws UsageError.
 std::shared_ptr<const ActiveContour> startedFrom(const ActiveContour& made, const Request& request,
@@ -46,7 +46,7 @@ Prepared Preparation::prepare(const Volume& volume, const Request& request, cons
   prepared.contour->candidates();  // here, and not on the window's thread, which shows them
   prepared.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   known_.push_front({volume, made});
-  if (known_.size() > kMostKnown) known_.pop_back();
+  if (known_.size() > kMaxKnown) known_.pop_back();
   return prepared;
 }
 

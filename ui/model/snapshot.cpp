@@ -67,8 +67,8 @@ FaceState stateOf(const ActiveContour& contour, const Triangle& face, const std:
   const double edge = contour.parameters().edgeLength;
   for (const Mark& m : marks)
     if (isMarked(face, middle, edge, m)) return m.state;
-  const bool settled = std::all_of(face.begin(), face.end(), [&](int v) { return contour.isSettled(v); });
-  return settled ? FaceState::settled : FaceState::moving;
+  const bool converged = std::all_of(face.begin(), face.end(), [&](int v) { return contour.isConverged(v); });
+  return converged ? FaceState::converged : FaceState::moving;
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ std::shared_ptr<const MeshSnapshot> makeSnapshot(const History& history, Checkin
   snapshot->pinned = contour.pinned();
   for (int v = 0; v < contour.mesh().vertexSlots(); ++v)  // in the order of compact()
     if (contour.mesh().isVertex(v)) snapshot->pinnedVertices.push_back(contour.isPinned(v));
-  if (checking == Checking::everything) snapshot->doubts = contour.doubts(snapshot->support);
+  if (checking == Checking::everything) snapshot->warnings = contour.warnings(snapshot->support);
   return snapshot;
 }
 
@@ -104,7 +104,7 @@ std::vector<IterationSummary> summariesFrom(const History& history, std::size_t 
   std::vector<IterationSummary> out;
   const std::vector<StepReport>& steps = history.steps();
   for (std::size_t i = from; i < steps.size(); ++i) {
-    const double all = std::max(1, steps[i].movedVertices + steps[i].settledVertices);
+    const double all = std::max(1, steps[i].movedVertices + steps[i].unmovedVertices);
     out.push_back({steps[i].iteration, steps[i].volume, steps[i].movedVertices / all});
   }
   if (out.empty()) return out;

@@ -42,11 +42,11 @@ CarriedFrame shownAs(FrameResult result) {
   auto snapshot = std::make_shared<MeshSnapshot>();
   snapshot->iteration = frame.result.iterations;
   snapshot->mesh = mesh;
-  snapshot->states.assign(mesh.triangles.size(), FaceState::settled);
+  snapshot->states.assign(mesh.triangles.size(), FaceState::converged);
   snapshot->certificate = certify(mesh);
   snapshot->edgeLength = frame.result.under.edgeLength;
   snapshot->pinned = frame.result.under.pinned;
-  for (const ToldFault& f : frame.result.faults) snapshot->doubts.push_back(f.finding);
+  for (const ToldFault& f : frame.result.faults) snapshot->warnings.push_back(f.finding);
   frame.snapshot = std::move(snapshot);
   frame.finished = std::make_shared<const FinishedMesh>(frame.snapshot);
   return frame;

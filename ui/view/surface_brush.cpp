@@ -96,9 +96,9 @@ void SurfaceBrush::move(const Eye& eye, const QPointF& pixel) {
   if (!hand_.isDown()) return;
   if (const auto& pull = state_.brush().pull()) return hand_.drawTo(eye.toWorld(pixel, pull->from));
   // A mouse that is fast leaves no gap: the surface between is not a straight line.
-  constexpr double kMostParts = 32;
+  constexpr double kMaxParts = 32;
   const double step = std::max(2.0, state_.brush().radius() / eye.mmPerPixel() / 2);
-  const double parts = std::clamp(std::ceil(QLineF(before, pixel).length() / step), 1.0, kMostParts);
+  const double parts = std::clamp(std::ceil(QLineF(before, pixel).length() / step), 1.0, kMaxParts);
   for (double i = 1; i <= parts; ++i) drawTo(eye, before + i / parts * (pixel - before));
 }
 

@@ -3,7 +3,7 @@
 
 #include <QPainter>
 
-#include "core/evolution/image_doubts.h"
+#include "core/evolution/image_warnings.h"
 #include "ui/view/surface_scene.h"
 
 namespace handlebody::ui {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/evolution/image_doubts.h"
+#include "core/evolution/image_warnings.h"
 #include "core/evolution/parameters.h"
 #include "core/surgery/event.h"
 #include "core/volume/volume.h"

@@ -119,10 +119,10 @@ TriangleSoup unionOf(const std::vector<WallBall>& balls) {
 
 //! Cells of several voxels are within if one of theirs is.
 TriangleSoup voxelsOf(const std::vector<bool>& voxels, const Grid& grid) {
-  constexpr int kMostCells = 128;
+  constexpr int kMaxCells = 128;
   std::array<int, 3> step{}, size{};
   for (std::size_t a = 0; a < 3; ++a) {
-    step[a] = (grid.size[a] + kMostCells - 1) / kMostCells;
+    step[a] = (grid.size[a] + kMaxCells - 1) / kMaxCells;
     size[a] = (grid.size[a] + step[a] - 1) / step[a] + 2;  // and a rim, so that it is closed
   }
   Field field(size, 1);

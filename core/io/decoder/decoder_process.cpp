@@ -171,7 +171,7 @@ void DecoderProcess::waitForMessage() {
 void DecoderProcess::noteProgress(const Message& m, const ReadProgress& progress, double from, double to) {
   file_ = m.at("file").get<std::string>();
   bytes_ = m.at("bytes").get<std::uint64_t>();
-  handlebody::report(progress, from + m.at("part").get<double>() * (to - from));
+  handlebody::tellProgress(progress, from + m.at("part").get<double>() * (to - from));
 }
 
 Message DecoderProcess::receive(const ReadProgress& progress, double from, double to) try {

@@ -1,7 +1,7 @@
 #pragma once
 // Internal: the child process that decodes DICOM and VTP, as its parent sees it. GDCM's build in Debian
-// aborts on some malformed files, VTK's XML reader crashes or hangs; here that and a hunger for memory are
-// sentences.
+// aborts on some malformed files, VTK's XML reader crashes or hangs; here that and an excessive memory use
+// are sentences.
 
 #include "core/io/decoder/decoder_channel.h"
 

@@ -42,8 +42,8 @@ bool namesImages(const DicomOrigin& origin) {
 namespace {
 
 Finding textFinding(const std::string& text) {
-  constexpr std::size_t kMostBytes = 64;  // characters, of LO and PN; bytes are never less
-  if (text.size() > kMostBytes) return {FindingKind::dicomTextTooLong, {{"text", text}}};
+  constexpr std::size_t kMaxBytes = 64;  // characters, of LO and PN; bytes are never less
+  if (text.size() > kMaxBytes) return {FindingKind::dicomTextTooLong, {{"text", text}}};
   for (const char c : text)
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '\\')
       return {FindingKind::dicomTextControl, {{"text", text}}};

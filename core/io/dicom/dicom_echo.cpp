@@ -17,7 +17,7 @@ const Tag kColumnDistance(0x0018, 0x602c), kRowDistance(0x0018, 0x602e);
 const Tag kFrameTime(0x0018, 0x1063);  // ms
 
 //! More slices than any probe resolves; a header that says more is damaged.
-constexpr std::uint32_t kMostSlices = 4096;
+constexpr std::uint32_t kMaxSlices = 4096;
 
 double millimetres(const gdcm::DataSet& data, const Tag& tag) {
   const double cm = dicom::binary<double>(data, tag).value_or(0);
@@ -50,7 +50,7 @@ void readCartesianEcho(const gdcm::DataSet& data, DicomFile& f) {
   const std::uint32_t slices = dicom::binary<std::uint32_t>(data, kSlices).value_or(0);
   const Vec3 distance(millimetres(data, kColumnDistance), millimetres(data, kRowDistance),
                       millimetres(data, kSliceDistance));
-  if (slices < 2 || slices > kMostSlices || !(distance.minCoeff() > 0)) return;
+  if (slices < 2 || slices > kMaxSlices || !(distance.minCoeff() > 0)) return;
   std::optional<double> frameTime = dicom::number(data, kFrameTime);
   if (frameTime && !(*frameTime > 0 && std::isfinite(*frameTime))) frameTime.reset();
   f.echo = {static_cast<int>(slices), f.frames};

@@ -147,12 +147,12 @@ void Stacking::straighten() {
 
 //! "13 gaps of 4 mm, 1 of 1.08 mm, 13 of 7 mm"
 std::vector<Finding> runsOf(const std::vector<double>& gaps) {
-  constexpr std::size_t kMost = 5;
+  constexpr std::size_t kMaxRuns = 5;
   std::vector<Finding> runs;
   for (std::size_t i = 0; i < gaps.size();) {
     std::size_t end = i + 1;
     while (end < gaps.size() && std::abs(gaps[end] - gaps[i]) < std::max(0.02 * gaps[i], 0.01)) ++end;
-    if (runs.size() == kMost) {
+    if (runs.size() == kMaxRuns) {
       runs.back().kind = FindingKind::nextGapsOfMore;
       break;
     }

@@ -38,7 +38,7 @@ using gdcm::Tag;
 
 const Tag kPixelData(0x7fe0, 0x0010);
 //! More frames than any scanner makes; a header that says more is damaged.
-constexpr double kMostFrames = 100000;
+constexpr double kMaxFrames = 100000;
 
 int whole(const DataSet& data, const Tag& tag, int otherwise) {
   const auto value = dicom::number(data, tag);
@@ -259,7 +259,7 @@ DicomFile fileOf(const gdcm::File& read, const std::string& file) {
   f.acquisitionNumber = whole(data, {0x0020, 0x0012}, 0);
   readPixelFormat(data, f);
   const double frames = dicom::number(data, {0x0028, 0x0008}).value_or(1);
-  f.frames = frames >= 1 && frames <= kMostFrames ? static_cast<int>(frames) : frames > 1 ? -1 : 1;
+  f.frames = frames >= 1 && frames <= kMaxFrames ? static_cast<int>(frames) : frames > 1 ? -1 : 1;
   if (!f.isImage() || f.frames < 1) return f;
   const DicomPlace plain = plainPlace(data, f);
   f.sliceDistance = dicom::number(data, {0x0018, 0x0088});
@@ -280,7 +280,7 @@ std::optional<DicomFile> readDicomFile(const std::string& file, const std::strin
   reader.SetFileName(file.c_str());
   if (!reader.ReadUpToTag(kPixelData)) return std::nullopt;
   DicomFile f = fileOf(reader.GetFile(), file);
-  if (f.frames < 0 || f.frames > kMostFrames)
+  if (f.frames < 0 || f.frames > kMaxFrames)
     refuseInput(path, {FindingKind::framesImplausible, {{"slice", file}}});
   return f;
 }

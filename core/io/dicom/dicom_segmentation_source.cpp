@@ -105,9 +105,9 @@ void SegmentationSource::setGrid() {
 }
 
 void SegmentationSource::setSlices(double pitch) {
-  constexpr double kMostSlices = 100000;
+  constexpr double kMaxSlices = 100000;
   const double highest = *std::max_element(along_.begin(), along_.end());
-  if (highest / pitch > kMostSlices) refuse(FindingKind::frameDistance);
+  if (highest / pitch > kMaxSlices) refuse(FindingKind::frameDistance);
   for (const double a : along_) {
     if (std::abs(a / pitch - std::round(a / pitch)) > 0.1) refuse(FindingKind::framesUneven);
     slice_.push_back(static_cast<int>(std::lround(a / pitch)));

@@ -23,13 +23,13 @@ constexpr std::uint32_t kCharacterSet = 0x00080005u, kCodeValue = 0x00080100u, k
                         kColour = 0x0062000du, kType = 0x0062000fu;
 
 //! Where the segments lie at the latest: behind the references to images, of which 100,000 take some 15 MB.
-constexpr std::size_t kMostBytes = std::size_t{32} << 20;
+constexpr std::size_t kMaxBytes = std::size_t{32} << 20;
 
 std::string beginningOf(const fs::path& file) {
   std::error_code failed;
   const auto size = fs::file_size(file, failed);
   if (failed || !fs::is_regular_file(file, failed)) return {};
-  std::string bytes(static_cast<std::size_t>(std::min<std::uintmax_t>(size, kMostBytes)), '\0');
+  std::string bytes(static_cast<std::size_t>(std::min<std::uintmax_t>(size, kMaxBytes)), '\0');
   std::ifstream stream(file, std::ios::binary);
   stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));

@@ -17,7 +17,7 @@ namespace {
 using Slices = std::vector<DicomSlice>;
 
 //! More stacks than this are no stacks: a damaged header, or images in every direction.
-constexpr std::size_t kMostStacks = 64;
+constexpr std::size_t kMaxStacks = 64;
 //! Three slices make two equal distances, the fewest that show a pitch.
 constexpr std::size_t kShortestRun = 3;
 
@@ -54,7 +54,7 @@ std::vector<Slices> splitByPlane(const Slices& all) {
           std::find_if(stacks.begin(), stacks.end(), [&](const Slices& stack) { return belongs(s, stack); });
       if (found != stacks.end())
         found->push_back(s);
-      else if (stacks.size() == kMostStacks)
+      else if (stacks.size() == kMaxStacks)
         return {all};
       else
         stacks.push_back({s});
@@ -96,7 +96,7 @@ class Runs {
       if (runs.back().size() == 1) pitch = step;
       runs.back().push_back(s);
     }
-    if (runs.size() < 2 || runs.size() > kMostStacks || runs.back().size() < kShortestRun) return {};
+    if (runs.size() < 2 || runs.size() > kMaxStacks || runs.back().size() < kShortestRun) return {};
     return runs;
   }
 

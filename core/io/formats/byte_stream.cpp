@@ -85,7 +85,7 @@ std::size_t ByteStream::read(void* to, std::size_t n) {
 void ByteStream::readAll(void* to, std::size_t n, const ReadProgress& progress) {
   constexpr std::size_t kPart = 4u << 20;  // a few milliseconds, also where it is inflated
   for (std::size_t done = 0; done < n;) {
-    handlebody::report(progress, static_cast<double>(done) / static_cast<double>(n));
+    handlebody::tellProgress(progress, static_cast<double>(done) / static_cast<double>(n));
     const std::size_t part = std::min(kPart, n - done);
     if (read(static_cast<char*>(to) + done, part) != part)
       refuseInput(state_->path, FindingKind::voxelDataTruncated);
@@ -97,7 +97,7 @@ void ByteStream::skip(std::uint64_t n, const ReadProgress& progress) {
   std::vector<char> sink(1 << 16);
   while (n > 0) {
     const auto part = static_cast<std::size_t>(std::min<std::uint64_t>(n, sink.size()));
-    handlebody::report(progress, 0);
+    handlebody::tellProgress(progress, 0);
     readAll(sink.data(), part);
     n -= part;
   }

@@ -54,9 +54,9 @@ std::vector<std::string> numbered(const std::vector<std::string>& parts, const f
   const bool plain = letter != std::string::npos && pattern.find('%', percent + 1) == std::string::npos;
   const std::string width = plain ? pattern.substr(percent + 1, letter - percent - 1) : "";
   const auto digits = width.empty() ? std::optional(0) : parsed<int>(width);
-  constexpr int kMostFiles = 100000;
+  constexpr int kMaxFiles = 100000;
   if (!plain || !first || !last || !step || *step == 0 || !digits || *digits < 0 || *digits > 20 ||
-      parts.size() > 4 || std::abs(static_cast<double>(*last) - *first) / std::abs(*step) > kMostFiles)
+      parts.size() > 4 || std::abs(static_cast<double>(*last) - *first) / std::abs(*step) > kMaxFiles)
     refuseInput(path, {FindingKind::listNotSupported, {{"pattern", pattern}}});
   std::vector<std::string> files;
   for (long long i = *first; *step > 0 ? i <= *last : i >= *last; i += *step) {

@@ -119,7 +119,7 @@ void NrrdSource::readFiles(const std::vector<std::string>& files, char* to,
   const std::uint64_t part = all_ / files.size();
   for (std::size_t i = 0; i < files.size(); ++i)
     readPart(files[i], 0, part, to + i * part, [&](double done) {
-      report(progress, (static_cast<double>(i) + done) / static_cast<double>(files.size()));
+      tellProgress(progress, (static_cast<double>(i) + done) / static_cast<double>(files.size()));
     });
 }
 

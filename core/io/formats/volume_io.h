@@ -87,7 +87,8 @@ struct LoadedVolume {
 //! not supported, and UsageError for a frame or series that is not there. The type is the file's own; 64-bit
 //! integers become float64, scaled integers float32 or float64, colour (RGB, RGBA of 8 or 16 bits) luminance.
 //!
-//! DICOM is decoded in a child process (DecoderSettings), whose crash, hang or hunger is an InputError.
+//! DICOM is decoded in a child process (DecoderSettings), whose crash, hang or excessive memory use is an
+//! InputError.
 //!
 //! inspectVolume reads no voxels. A folder with several series of which none is chosen is listed: frames is 0
 //! and the grid empty, where readVolume and loadVolume throw SeriesChoiceNeeded. A series of two pitches one
@@ -99,7 +100,7 @@ VolumeInfo inspectVolume(const std::string& path, const VolumeSelection& selecti
 //! that is how FieldOfView knows them. Without a selection the first time point. Not for several threads at
 //! once: output of the libraries below to std::cerr and std::cout is held back meanwhile.
 Volume readVolume(const std::string& path, const VolumeSelection& selection = {});
-//! Both in one reading. Throws Cancelled (cancellation.h) within some 50 ms of the wish.
+//! Both in one reading. Throws Cancelled (cancellation.h) within some 50 ms after the stop token is set.
 LoadedVolume loadVolume(const std::string& path, const VolumeSelection& selection = {},
                         const ReadProgress& progress = {});
 //! The grid of a volume that no file holds, with the checks that a file's header gets: sizes, spacing,

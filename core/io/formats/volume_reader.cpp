@@ -198,13 +198,13 @@ LoadedVolume load(const OpenRequest& request, const ReadProgress& progress) {
       converted(h, volume.type, source->read(request.selection.frame.value_or(0), path, progress), path);
   fillNotANumber(voxels.get(), loaded, path);
   volume.voxels = voxels;
-  report(progress, 1);
+  tellProgress(progress, 1);
   return loaded;
 }
 
 }  // namespace
 
-void report(const ReadProgress& progress, double part) {
+void tellProgress(const ReadProgress& progress, double part) {
   giveUpIfCancelled();
   if (progress) progress(std::clamp(part, 0.0, 1.0));
 }

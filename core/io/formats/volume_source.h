@@ -69,7 +69,7 @@ struct VolumeHeader {
 };
 
 //! Reports `part` (0 … 1). Throws Cancelled (cancellation.h).
-void report(const ReadProgress& progress, double part);
+void tellProgress(const ReadProgress& progress, double part);
 
 //! Memory for a volume, not cleared: every byte is read from the file or the reading throws. Aligned for
 //! every type. Throws InputError.

@@ -11,9 +11,8 @@ namespace handlebody {
 namespace {
 
 constexpr int kAnyCount = std::numeric_limits<int>::max();
-constexpr int kMostCandidates = 5;  // ActiveContour::candidates()
-constexpr int kMostThreads =
-    256;  // far above what helps; keeps a slip of the hand from exhausting the system
+constexpr int kMaxCandidates = 5;  // ActiveContour::candidates()
+constexpr int kMaxThreads = 256;  // far above what helps; keeps a slip of the hand from exhausting the system
 
 using Text = const std::string&;
 
@@ -84,7 +83,7 @@ std::vector<GrowthOption> makeParameterOptions() {
       parameter(
           "--candidate", "N",
           "Which of the objects that the clicks may mean, 1 = the likeliest (default); the report lists them",
-          [](Parameters& p, Text t) { p.candidate = parseInteger("--candidate", t, 1, kMostCandidates); }),
+          [](Parameters& p, Text t) { p.candidate = parseInteger("--candidate", t, 1, kMaxCandidates); }),
       parameter("--smoothing", "auto|SIGMA", "Gaussian smoothing of the image, mm", setSmoothing),
       parameter("--edge-length", "MM", "Target edge length of the mesh",
                 [](Parameters& p, Text t) { p.edgeLength = positive("--edge-length", t); }),
@@ -97,7 +96,7 @@ std::vector<GrowthOption> makeParameterOptions() {
           "--max-iterations", "N", "Stop after so many (exit code 5)",
           [](Parameters& p, Text t) { p.maxIterations = parseInteger("--max-iterations", t, 1, kAnyCount); }),
       parameter("--threads", "N", "The mesh does not depend on it (default: all of the machine)",
-                [](Parameters& p, Text t) { p.threads = parseInteger("--threads", t, 1, kMostThreads); }),
+                [](Parameters& p, Text t) { p.threads = parseInteger("--threads", t, 1, kMaxThreads); }),
       parameter("--broad-phase", "hashing|sorted",
                 "How near vertices are found: the paper's eight hash functions, or one sorted table "
                 "(default); the mesh does not depend on it",

@@ -55,16 +55,16 @@ CertifiedMesh grownMesh(const ActiveContour& contour) {
   return certifiedForExport(contour.mesh().compact());
 }
 
-void tellDoubts(const ActiveContour& contour, const TriangleSoup& mesh, RunReport& report) {
+void addWarnings(const ActiveContour& contour, const TriangleSoup& mesh, RunReport& report) {
   const auto add = [&report](std::vector<Finding> found) {
-    std::move(found.begin(), found.end(), std::back_inserter(report.doubts));
+    std::move(found.begin(), found.end(), std::back_inserter(report.warnings));
   };
-  add(doubts(report, mesh));
+  add(resultWarnings(report, mesh));
   const SurfaceSupport support = contour.support();
-  add(contour.doubts(support));
-  add(leakDoubts(report));
-  add(questionDoubts(report));
-  add(pinDoubts(report));
+  add(contour.warnings(support));
+  add(leakWarnings(report));
+  add(questionWarnings(report));
+  add(pinWarnings(report));
   report.unsupportedSurface = support.withoutEdge;
 }
 

@@ -34,8 +34,8 @@ void requireNothingWaiting(const ActiveContour& contour);
 //! The surface as it is written. Throws SeedError if nothing is left of it, and as certifiedForExport.
 CertifiedMesh grownMesh(const ActiveContour& contour);
 
-//! Adds what a user should look at before trusting `mesh`, which is that of grownMesh: the doubts and the
+//! Adds what a user should look at before trusting `mesh`, which is that of grownMesh: the warnings and the
 //! part of the surface without an edge. The report holds everything else already.
-void tellDoubts(const ActiveContour& contour, const TriangleSoup& mesh, RunReport& report);
+void addWarnings(const ActiveContour& contour, const TriangleSoup& mesh, RunReport& report);
 
 }  // namespace handlebody

@@ -152,7 +152,7 @@ Json lineJson(const MeasuredLine& m) {
 }
 
 //! Names and values of one line of a table.
-struct Row {
+struct TableRow {
   std::vector<std::string> names, values;
   void add(const std::string& name, const Json& value) {
     names.push_back(name);
@@ -164,11 +164,11 @@ struct Row {
   }
 };
 
-Row rowOf(const Measured& m, const MeasuredObject& o) {
+TableRow rowOf(const Measured& m, const MeasuredObject& o) {
   const ShapeMeasures& s = o.measures.shape;
   const auto& in = o.measures.intensity;
   const bool has = in && in->voxels > 0;
-  Row row;
+  TableRow row;
   row.add("object", o.name);
   row.add("volume_mm3", s.volume);
   row.add("area_mm2", s.area);
@@ -196,7 +196,7 @@ Row rowOf(const Measured& m, const MeasuredObject& o) {
   return row;
 }
 
-void addWall(Row& row, const MeasuredWall& wall) {
+void addWall(TableRow& row, const MeasuredWall& wall) {
   const auto add = [&](const std::string& name, const DirectedDistances& d) {
     row.add(name + "_mean_mm", d.mean);
     row.add(name + "_least_mm", d.smallest);
@@ -274,10 +274,10 @@ std::string measuredJson(const Measured& m) {
 
 namespace {
 
-std::vector<Row> rowsOf(const Measured& m) {
-  std::vector<Row> rows;
+std::vector<TableRow> rowsOf(const Measured& m) {
+  std::vector<TableRow> rows;
   for (const MeasuredObject& o : m.objects) {
-    Row& row = rows.emplace_back(rowOf(m, o));
+    TableRow& row = rows.emplace_back(rowOf(m, o));
     if (m.wall) addWall(row, *m.wall);
     if (m.line) row.add("centre_line_mm", o.name == m.line->object ? Json(m.line->line.length) : Json());
   }
@@ -288,7 +288,7 @@ std::vector<Row> rowsOf(const Measured& m) {
 
 std::string measuredCsv(const Measured& m) {
   std::string text;
-  for (const Row& row : rowsOf(m)) {
+  for (const TableRow& row : rowsOf(m)) {
     if (text.empty()) text = csvLine(row.names);
     text += csvLine(row.values);
   }
@@ -302,7 +302,7 @@ std::string measuredColumns(const Measured& m, char separator) {
       text += (i > 0 ? std::string(1, separator) : "") + cells[i];
     text += '\n';
   };
-  for (const Row& row : rowsOf(m)) {
+  for (const TableRow& row : rowsOf(m)) {
     if (text.empty()) add(row.names);
     add(row.values);
   }
@@ -312,7 +312,7 @@ std::string measuredColumns(const Measured& m, char separator) {
 std::string sectionsCsv(const CentreLine& line) {
   std::string text;
   for (const CentreLinePoint& p : line.points) {
-    Row row;
+    TableRow row;
     row.add("along_mm", p.along);
     row.addPlace("place", p.place);
     row.addPlace("direction", p.direction, "");
@@ -329,7 +329,7 @@ std::string measurementsCsv(const std::vector<Measurement>& placed) {
   std::string text;
   for (const Measurement& m : placed) {
     const bool isRuler = m.kind == MeasurementKind::ruler;
-    Row row;
+    TableRow row;
     row.add("kind", isRuler ? "ruler" : "angle");
     row.add("length_mm", isRuler ? Json(valueOf(m)) : Json());
     row.add("angle_degrees", isRuler ? Json() : Json(valueOf(m)));

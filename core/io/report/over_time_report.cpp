@@ -46,21 +46,21 @@ VolumeCurve curveOf(const std::vector<FrameResult>& frames, const TimeAxis& time
   return volumeCurve(std::move(points));
 }
 
-std::vector<std::string> overTimeDoubts(const OverTimeReport& report) {
-  std::vector<std::string> doubts;
+std::vector<std::string> overTimeWarnings(const OverTimeReport& report) {
+  std::vector<std::string> warnings;
   for (const FrameResult& r : report.frames) {
     const std::string behind = "frame " + std::to_string(r.frame) + ": ";
-    for (const ToldFault& f : r.faults) doubts.push_back(behind + sentence(f.finding));
+    for (const ToldFault& f : r.faults) warnings.push_back(behind + sentence(f.finding));
     if (const auto found = report.polish.find(r.frame); r.from && found != report.polish.end())
-      if (const Finding left = polishDoubt(found->second); left.any())
-        doubts.push_back(behind + sentence(left));
+      if (const Finding left = polishWarning(found->second); left.any())
+        warnings.push_back(behind + sentence(left));
   }
   for (const Drift& d : report.drifts)
     if (!d.isBack)
-      doubts.push_back("frame " + std::to_string(d.at) +
-                       ": the surface was lost on its way back from frame " + std::to_string(d.from) +
-                       ", and its drift is not known");
-  return doubts;
+      warnings.push_back("frame " + std::to_string(d.at) +
+                         ": the surface was lost on its way back from frame " + std::to_string(d.from) +
+                         ", and its drift is not known");
+  return warnings;
 }
 
 OverTimeReport anonymous(OverTimeReport report) {

@@ -28,7 +28,7 @@ VolumeCurve curveOf(const std::vector<FrameResult>& frames, const TimeAxis& time
 
 //! Sentences without a full stop, "frame 3: …": every fault, what polishing left (but in the frame that was
 //! grown, whose own report tells it), a surface that was lost on its way back.
-std::vector<std::string> overTimeDoubts(const OverTimeReport& report);
+std::vector<std::string> overTimeWarnings(const OverTimeReport& report);
 
 //! Without what may name the patient: paths, of walls in corrected frames and in what is told of frames.
 OverTimeReport anonymous(OverTimeReport report);

@@ -148,15 +148,15 @@ HeldAnswer answerTo(const HeldPlace& question, const Session& session) {
   return answer;
 }
 
-std::vector<Finding> questionDoubts(const RunReport& report) {
-  std::vector<Finding> doubts;
+std::vector<Finding> questionWarnings(const RunReport& report) {
+  std::vector<Finding> warnings;
   for (const HeldPlace& held : report.questions)
     if (answerTo(held, report.session) == HeldAnswer::none)
-      doubts.push_back(
+      warnings.push_back(
           {FindingKind::undecided,
            {{"iteration", held.iteration}, {"allow", allowOption(held)}, {"hold", holdOption(held)}},
            findingOf(held)});
-  return doubts;
+  return warnings;
 }
 
 const char* endName(const RunReport& report) {
@@ -165,27 +165,27 @@ const char* endName(const RunReport& report) {
   return report.stopped == StopReason::running ? "stop-at" : stopReasonName(report.stopped);
 }
 
-std::vector<Finding> leakDoubts(const RunReport& report) {
-  std::vector<Finding> doubts;
+std::vector<Finding> leakWarnings(const RunReport& report) {
+  std::vector<Finding> warnings;
   for (const auto& [leak, answer] : report.leaks) {
     const FindingKind kind = answer == LeakAnswer::wall   ? FindingKind::leakWalled
                              : answer == LeakAnswer::stop ? FindingKind::leakStopped
                                                           : FindingKind::leaked;
-    doubts.push_back(
+    warnings.push_back(
         {kind,
          {{"iteration", leak.iteration}, {"mesh_iteration", report.iterations}, {"disc", written(leak.disc)}},
          findingOf(leak)});
   }
-  return doubts;
+  return warnings;
 }
 
-std::vector<Finding> pinDoubts(const RunReport& report) {
-  std::vector<Finding> doubts;
+std::vector<Finding> pinWarnings(const RunReport& report) {
+  std::vector<Finding> warnings;
   for (const PinnedPart& p : report.pinned)
     if (p.vertices == 0)
-      doubts.push_back(
+      warnings.push_back(
           {FindingKind::pinNotReached, {{"pin", written(p.pin)}, {"mesh_iteration", report.iterations}}});
-  return doubts;
+  return warnings;
 }
 
 RunReport anonymous(RunReport report) {
@@ -221,8 +221,8 @@ void addObject(Json& json, const RunReport& report) {
   json["close_choice"] = report.isCloseChoice;
   json["iterations"] = report.iterations;
   json["stopped"] = endName(report);
-  json["warnings"] = sentences(report.doubts);
-  json["findings"] = findingsToJson(report.doubts);
+  json["warnings"] = sentences(report.warnings);
+  json["findings"] = findingsToJson(report.warnings);
   json["unsupported_surface"] = report.unsupportedSurface;
   json["seconds"] = secondsToJson(report.seconds);
   json["mesh"] = certificateToJson(report.mesh);

@@ -46,7 +46,7 @@ struct RunReport {
   bool isCloseChoice = false;               //!< the same
   VolumeInfo volume;                        //!< its grid and where that comes from, warnings
   //! About the result: hardly grown, a close choice, much of it on the volume's border.
-  std::vector<Finding> doubts;
+  std::vector<Finding> warnings;
   double unsupportedSurface = 0;  //!< part of the surface where the image shows no edge
   int iterations = 0;
   StopReason stopped = StopReason::running;
@@ -78,13 +78,13 @@ HeldAnswer answerTo(const HeldPlace& question, const Session& session);
 const char* endName(const RunReport& report);
 
 //! One for every leak.
-std::vector<Finding> leakDoubts(const RunReport& report);
+std::vector<Finding> leakWarnings(const RunReport& report);
 
 //! The same for every question without an answer, with the options that answer it.
-std::vector<Finding> questionDoubts(const RunReport& report);
+std::vector<Finding> questionWarnings(const RunReport& report);
 
 //! One for every pin whose iteration was never reached.
-std::vector<Finding> pinDoubts(const RunReport& report);
+std::vector<Finding> pinWarnings(const RunReport& report);
 
 //! Without what may name the patient: as the session's, and without the names of files and series that
 //! warnings of the volume list.

@@ -78,7 +78,7 @@ CertifiedMesh certifiedForExport(const TriangleSoup& mesh) {
   return out;
 }
 
-std::vector<Finding> doubts(const RunReport& report, const TriangleSoup& mesh) {
+std::vector<Finding> resultWarnings(const RunReport& report, const TriangleSoup& mesh) {
   std::vector<Finding> out;
   if (Finding why = unfinished(report); why.any()) out.push_back(std::move(why));
   if (!report.session.constraints.start && atItsSeeds(report, mesh))

@@ -22,9 +22,9 @@ struct CertifiedMesh {
 CertifiedMesh certifiedForExport(const TriangleSoup& mesh);
 
 //! What a user should look at before trusting the result, besides what the image says against it
-//! (ActiveContour::doubts). Uses the session's resolved seeds, the candidates
+//! (ActiveContour::warnings). Uses the session's resolved seeds, the candidates
 //! and why the growth stopped.
-std::vector<Finding> doubts(const RunReport& report, const TriangleSoup& mesh);
+std::vector<Finding> resultWarnings(const RunReport& report, const TriangleSoup& mesh);
 
 //! What the objects are written with.
 struct ExportContext {

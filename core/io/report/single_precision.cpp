@@ -16,7 +16,7 @@ namespace handlebody {
 
 namespace {
 
-constexpr int kDistances = 9;  // 1, 2, 4 … kMostNudge units; along the normals, and then at random
+constexpr int kDistances = 9;  // 1, 2, 4 … kMaxNudge units; along the normals, and then at random
 
 //! By way of a volatile: GCC 12 takes a vectorised conversion to float and back for nothing at all.
 Vec3 rounded(const Vec3& p) {
@@ -60,7 +60,7 @@ bool voteByPlane(const TriangleSoup& exact, int mine, int other, Votes& votes) {
   for (int v : exact.triangles[static_cast<std::size_t>(mine)]) {
     const Vec3& p = exact.points[static_cast<std::size_t>(v)];
     const double side = (p - plane.centre).dot(plane.normal);
-    if (std::abs(side) > kMostNudge * unitInLastPlace(p)) continue;
+    if (std::abs(side) > kMaxNudge * unitInLastPlace(p)) continue;
     voteFor(v, side < 0 ? Vec3(-plane.normal) : plane.normal, votes);
     any = true;
   }

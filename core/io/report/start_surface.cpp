@@ -215,7 +215,7 @@ std::vector<NamedLabel> labelsIn(const std::string& path) {
   std::set<int> values;
   visitVoxels(labels, [&](const auto* value) {
     double last = 0;
-    for (std::size_t i = 0; i < labels.grid.voxelCount() && values.size() <= kMostLabels; ++i) {
+    for (std::size_t i = 0; i < labels.grid.voxelCount() && values.size() <= kMaxLabels; ++i) {
       const auto v = static_cast<double>(value[i]);
       if (v == last || v == 0) continue;
       values.insert(static_cast<int>(std::lround(v)));
@@ -223,8 +223,8 @@ std::vector<NamedLabel> labelsIn(const std::string& path) {
     }
   });
   if (values.empty()) throw Told<InputError>(Finding(K::labelsEmpty, {{"file", path}}));
-  if (values.size() > kMostLabels)
-    throw Told<InputError>(Finding(K::tooManyLabels, {{"file", path}, {"most", kMostLabels}}));
+  if (values.size() > kMaxLabels)
+    throw Told<InputError>(Finding(K::tooManyLabels, {{"file", path}, {"most", kMaxLabels}}));
   const FileLabels said = saidIn(path);
   std::vector<NamedLabel> out;
   for (const int value : values) {

@@ -17,7 +17,7 @@ namespace handlebody {
 //! where they have none, and several are of the same label map, they get them. Throws InputError that names
 //! the file: it cannot be read, is not the one that the session was made with, fails its certificate, holds
 //! no voxel of that value, or two of them meet. Each decodes as its volume (VolumeSelection::decoder). Takes
-//! long: gives up when that is wished (cancellation.h).
+//! long: gives up when the stop token is set (cancellation.h).
 void loadStarts(const std::vector<Session*>& sessions);
 void loadStarts(Session& session);
 
@@ -28,13 +28,13 @@ bool isMeshAsItIs(const Constraints& constraints);
 struct NamedLabel : FileLabel {
   int value = 0;
 };
-//! The values of the voxels that are not 0, in ascending order, kMostLabels at most. Throws InputError, also
+//! The values of the voxels that are not 0, in ascending order, kMaxLabels at most. Throws InputError, also
 //! if a voxel is no whole number or there is none of them.
 std::vector<NamedLabel> labelsIn(const std::string& path);
 //! What a file says of one of its labels, or of the only one that it knows, by its header alone. Nothing of a
 //! mesh, of what says nothing and of what cannot be read, which is told by whoever reads the voxels.
 FileLabel labelIn(const std::string& path, std::optional<int> value);
 
-inline constexpr std::size_t kMostLabels = 255;
+inline constexpr std::size_t kMaxLabels = 255;
 
 }  // namespace handlebody

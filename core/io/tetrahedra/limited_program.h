@@ -16,7 +16,7 @@ struct ProgramEnd {
 
 //! Starts command[0], a path, without a shell, in a process group of its own; what it says goes to the file
 //! `log`. Numbers have a point there, whatever the user's language. When it has ended, after `seconds` by the
-//! clock, or when somebody wishes to cancel (cancellation.h: Cancelled is thrown), it is killed with all that
+//! clock, or when the stop token is set (cancellation.h: Cancelled is thrown), it is killed with all that
 //! it has started and that is of its group. It ends with this thread, even if that is killed.
 ProgramEnd runLimited(std::vector<std::string> command, const std::string& log, double seconds);
 

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kMostSaid = 300;  // characters of what a program said
+constexpr std::size_t kMaxSaid = 300;  // characters of what a program said
 
 //! A folder of its own, removed with what is in it.
 class WorkFolder {
@@ -53,7 +53,7 @@ std::string complaintOf(const std::string& log) {
     last = line;
     if (isError) break;
   }
-  if (last.size() > kMostSaid) last.resize(kMostSaid);
+  if (last.size() > kMaxSaid) last.resize(kMaxSaid);
   while (!last.empty() && (last.back() == '.' || last.back() == ' ')) last.pop_back();
   return last;
 }

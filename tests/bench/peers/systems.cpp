@@ -14,7 +14,7 @@ namespace handlebody::bench {
 
 namespace {
 
-constexpr int kMostIterations = 1500;
+constexpr int kMaxIterations = 1500;
 constexpr int kPatience = 200;            // iterations without a better overlap
 constexpr double kAsGood = 0.0005;        // of overlap
 constexpr double kThresholdRange = 0.45;  // of the contrast, around the half-way level
@@ -61,7 +61,7 @@ struct Best {
 
 //! Runs a level set to its best overlap and somewhat further.
 Best findIterations(Peer peer, PeerSettings settings, const Phantom& phantom) {
-  settings.iterations = kMostIterations;
+  settings.iterations = kMaxIterations;
   std::vector<Best> seen;
   Best best;
   segmentWith(peer, peerImage(phantom), settings, [&](int n, const float* field) {

@@ -12,7 +12,7 @@ using namespace handlebody;
 
 namespace {
 
-//! A star of k faces around vertex 0: spokes of 0.7 to 1.3 at even angles, out of the plane by up to `rough`.
+//! A star of k faces around vertex 0: edges of 0.7 to 1.3 at even angles, out of the plane by up to `rough`.
 struct RandomStar {
   std::vector<Vec3> points{Vec3(0, 0, 0)};
   std::vector<Corner> corners;
@@ -28,7 +28,7 @@ struct RandomStar {
 };
 
 //! Squared radius of the smallest circle around a triangle: over two points, or else through all three.
-double smallestCircle(const Vec3& a, const Vec3& b, const Vec3& c) {
+double smallestEnclosingCircle(const Vec3& a, const Vec3& b, const Vec3& c) {
   double best = std::numeric_limits<double>::infinity();
   const Vec3* corners[] = {&a, &b, &c};
   for (int i = 0; i < 3; ++i) {
@@ -50,21 +50,21 @@ TEST_CASE("a star's circle holds every face, and is hardly larger than the small
   std::mt19937 random(17);
   for (int round = 0; round < 2000; ++round) {
     const RandomStar star(3 + round % 8, round % 3 * 0.2, random);  // up to 7 faces in single precision
-    double spoke = 0, circle = 0;
+    double longestEdge = 0, enclosingCircle = 0;
     for (const Corner& c : star.corners) {
       const Vec3 &a = star.points[static_cast<std::size_t>(c.next)],
                  &b = star.points[static_cast<std::size_t>(c.prev)];
-      spoke = std::max({spoke, a.squaredNorm(), b.squaredNorm()});
-      circle = std::max(circle, smallestCircle(star.points[0], a, b));
+      longestEdge = std::max({longestEdge, a.squaredNorm(), b.squaredNorm()});
+      enclosingCircle = std::max(enclosingCircle, smallestEnclosingCircle(star.points[0], a, b));
     }
     StarSize tested;
     StarTest().isEmbedded(star.points, 0, star.corners, tested);
     for (const StarSize& size : {tested, measureStar(star.points, 0, star.corners)}) {
       INFO("round " << round);
-      REQUIRE(size.spoke >= spoke * (1 - 1e-14));
-      REQUIRE(size.spoke <= spoke * (1 + 0x1p-18));
-      REQUIRE(size.circle >= circle * (1 - 1e-14));
-      REQUIRE(size.circle <= circle * (1 + 0x1p-9));
+      REQUIRE(size.longestEdge >= longestEdge * (1 - 1e-14));
+      REQUIRE(size.longestEdge <= longestEdge * (1 + 0x1p-18));
+      REQUIRE(size.enclosingCircle >= enclosingCircle * (1 - 1e-14));
+      REQUIRE(size.enclosingCircle <= enclosingCircle * (1 + 0x1p-9));
     }
   }
 }
@@ -73,8 +73,8 @@ TEST_CASE("the circle of a thin face is not too small") {
   for (double height : {1e-2, 1e-4, 1e-9, 0.0}) {
     const std::vector<Vec3> points{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, height, 0)};
     const std::vector<Corner> corners{{0, 1, 2}};
-    const double circle = measureStar(points, 0, corners).circle;
-    CHECK(circle >= 0.25 * (1 + height * height) * (1 - 1e-14));
-    CHECK(circle <= 0.34);  // a third of the longest edge's square
+    const double enclosingCircle = measureStar(points, 0, corners).enclosingCircle;
+    CHECK(enclosingCircle >= 0.25 * (1 + height * height) * (1 - 1e-14));
+    CHECK(enclosingCircle <= 0.34);  // a third of the longest edge's square
   }
 }

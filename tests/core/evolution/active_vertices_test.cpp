@@ -30,7 +30,7 @@ void stepWith(ActiveVertices& active, const Mesh& mesh, double first) {
 ActiveVertices convergedIn(const Mesh& mesh) {
   ActiveVertices active;
   active.wakeAll(mesh.vertexSlots());
-  for (int i = 0; i < kQuietToSleep; ++i) stepWith(active, mesh, 0);
+  for (int i = 0; i < kStepsToConverge; ++i) stepWith(active, mesh, 0);
   return active;
 }
 
@@ -40,7 +40,7 @@ TEST_CASE("vertices have converged after so many steps without motion, and are n
   const Mesh mesh = sphereMesh();
   ActiveVertices active;
   active.wakeAll(mesh.vertexSlots());
-  for (int i = 0; i < kQuietToSleep; ++i) {
+  for (int i = 0; i < kStepsToConverge; ++i) {
     CHECK(active.list(mesh, {}, 1) == allVertices(mesh));
     stepWith(active, mesh, 0);
   }

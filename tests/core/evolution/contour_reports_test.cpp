@@ -52,7 +52,7 @@ TEST_CASE("an evolution that converges does so with nothing moved and nothing ha
   CHECK(contour.stopReason() == StopReason::converged);
   CHECK(reports.back().movedVertices == 0);
   CHECK(reports.back().events.empty());
-  CHECK(reports.back().settledVertices == contour.mesh().vertexCount());
+  CHECK(reports.back().unmovedVertices == contour.mesh().vertexCount());
   CHECK(reports.front().movedVertices > 0);
 }
 

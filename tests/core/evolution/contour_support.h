@@ -120,7 +120,7 @@ inline PlainCount countPlainly(const TriangleSoup& soup) {
 inline void expectReported(const StepReport& report, const PlainCount& before, const PlainCount& now) {
   // Both sum some thousand terms of a size like the volume's: 1e-16 each, with room for ten thousand.
   CHECK(report.volume == Approx(now.volume).epsilon(1e-11).margin(1e-9));
-  CHECK(report.settledVertices == std::max(0, now.vertices - report.movedVertices));
+  CHECK(report.unmovedVertices == std::max(0, now.vertices - report.movedVertices));
   CHECK(report.movedVertices <= before.vertices);
   CHECK((report.movedVertices == 0 || report.largestMove > 0));
 }

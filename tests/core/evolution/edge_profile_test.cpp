@@ -15,7 +15,8 @@ namespace {
 constexpr double kObject = 40, kBackground = 140, kHalfWay = 90, kContrast = kBackground - kObject;
 const Vec3 kMiddle(20, 20, 20);
 
-using Read = std::optional<Edge> (EdgeReader::*)(const ObjectRegion::Voxel&, const ObjectRegion::Face&) const;
+using Read = std::optional<ImageEdge> (EdgeReader::*)(const ObjectRegion::Voxel&,
+                                                      const ObjectRegion::Face&) const;
 
 //! Weighted mean of the signed levels over the whole boundary of the region around `seed` (voxels).
 double meanLevel(const SmoothedVolume& volume, double sign, Read read, const Vec3& seed = kMiddle) {

@@ -114,7 +114,7 @@ TEST_CASE("what an edit made sleeps, and goes on with everything else when that 
   contour.change(with(contour, closing(contour, TunnelCut::tunnel)));
   const int known = contour.mesh().vertexSlots();
   std::vector<unsigned char> was;
-  for (int v = 0; v < known; ++v) was.push_back(contour.mesh().isVertex(v) && contour.isSettled(v));
+  for (int v = 0; v < known; ++v) was.push_back(contour.mesh().isVertex(v) && contour.isConverged(v));
   const Mesh before = contour.mesh();
   contour.step();
   int fresh = 0;
@@ -122,7 +122,7 @@ TEST_CASE("what an edit made sleeps, and goes on with everything else when that 
     if (!contour.mesh().isVertex(v)) continue;
     const bool isNew = v >= known || !before.isVertex(v);
     fresh += isNew;
-    CHECK(contour.isSettled(v) == (isNew || was[static_cast<std::size_t>(v)] != 0));
+    CHECK(contour.isConverged(v) == (isNew || was[static_cast<std::size_t>(v)] != 0));
   }
   CHECK(fresh > 0);
   Parameters other = contour.requested();
@@ -330,8 +330,8 @@ TEST_CASE("an edit that is cancelled has not begun", "[edit]") {
   contour.change(with(contour, closing(contour)));
   const Mesh before = contour.mesh();
   {
-    const std::atomic<bool> wish{true};
-    const CancelScope scope(wish);
+    const std::atomic<bool> stopRequest{true};
+    const CancelScope scope(stopRequest);
     CHECK_THROWS_AS(contour.step(), Cancelled);
   }
   CHECK(isSame(contour.mesh(), before));

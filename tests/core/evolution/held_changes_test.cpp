@@ -93,7 +93,7 @@ TEST_CASE("a torus whose fronts may not meet stays a sphere with a gap", "[veto]
   REQUIRE(meeting.kind == EventKind::handleInserted);
   ActiveContour contour(torusVolume(), {kTorusSeed}, {}, vetoing({{meeting.iteration, meeting.location}}));
   const auto reports = runCertified(contour);
-  CHECK(contour.stopReason() == StopReason::converged);  // what rests does so because it was asked for
+  CHECK(contour.stopReason() == StopReason::converged);  // what is locked is so because it was asked for
   CHECK(certify(contour.mesh().compact()).genus == std::vector<int>{0});
   CHECK(countHeld(reports) >= 1);
   CHECK_FALSE(contour.waitingVeto().has_value());
@@ -163,7 +163,7 @@ TEST_CASE("a component that may not be deleted is kept, as small as it is", "[ve
   CHECK(certify(contour.mesh().compact()).components == 1);
   REQUIRE(contour.held().size() == 1);
   CHECK(contour.held()[0].kind == EventKind::componentDeleted);
-  CHECK(contour.held()[0].times == 1);  // and then it rests in peace
+  CHECK(contour.held()[0].times == 1);  // and then it stays locked
 }
 
 TEST_CASE("a veto without sense is refused with one sentence", "[veto]") {
@@ -247,13 +247,13 @@ TEST_CASE("what a limit holds may happen at an allowed place, known from the sta
   CHECK(held.held().empty());
   run(held);
   CHECK(certify(held.mesh().compact()).genus == std::vector<int>{1});
-  CHECK(held.doubts(held.support()).empty());
+  CHECK(held.warnings(held.support()).empty());
 
   ActiveContour elsewhere(torusVolume(), {kTorusSeed}, {}, limited({}, 0, {kTorusSeed.centre}));
   run(elsewhere);
   CHECK(certify(elsewhere.mesh().compact()).genus == std::vector<int>{0});
-  const auto doubts = sentences(elsewhere.doubts(elsewhere.support()));
-  CHECK(std::any_of(doubts.begin(), doubts.end(),
+  const auto warnings = sentences(elsewhere.warnings(elsewhere.support()));
+  CHECK(std::any_of(warnings.begin(), warnings.end(),
                     [](const std::string& d) { return d.find("allowed place") != std::string::npos; }));
 }
 

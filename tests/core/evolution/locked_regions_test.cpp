@@ -17,8 +17,8 @@ struct Pinned {
   }
 };
 
-Trouble troubleAt(const Vec3& place, bool atPin) {
-  Trouble t{place, 0.1, FindingKind::stillIntersects};
+Conflict conflictAt(const Vec3& place, bool atPin) {
+  Conflict t{place, 0.1, FindingKind::stillIntersects};
   t.atPin = atPin;
   return t;
 }
@@ -29,13 +29,13 @@ TEST_CASE("what fails rests for a while, what comes to a pin stops before it") {
   Pinned p;
   const Vec3 top = p.mesh.position(0);
   CHECK(p.locked.isHeld(p.mesh, 0));
-  p.locked.lock(troubleAt(top, false), p.mesh, 0.3, 1, 5);
-  CHECK(p.locked.resting.rests(top, 5));
-  CHECK_FALSE(p.locked.pins.rests(top));
+  p.locked.lock(conflictAt(top, false), p.mesh, 0.3, 1, 5);
+  CHECK(p.locked.resting.isLocked(top, 5));
+  CHECK_FALSE(p.locked.pins.isLocked(top));
   LockedRegions atPin = Pinned().locked;
-  atPin.lock(troubleAt(top, true), p.mesh, 0.3, 1, 5);
-  CHECK_FALSE(atPin.resting.rests(top, 5));
-  CHECK(atPin.pins.rests(top));
+  atPin.lock(conflictAt(top, true), p.mesh, 0.3, 1, 5);
+  CHECK_FALSE(atPin.resting.isLocked(top, 5));
+  CHECK(atPin.pins.isLocked(top));
   CHECK(atPin.pins.list()[0].stops == 1);
 }
 
@@ -44,8 +44,8 @@ TEST_CASE("where edges are longer, more around a place rests") {
   const Vec3 place(5, 0, 0);
   const auto restsAt = [&](double size, double away) {
     LockedRegions locked;
-    locked.lock(troubleAt(place, false), p.mesh, 0.3, size, 1);
-    return locked.resting.rests(place + Vec3(away, 0, 0), 1);
+    locked.lock(conflictAt(place, false), p.mesh, 0.3, size, 1);
+    return locked.resting.isLocked(place + Vec3(away, 0, 0), 1);
   };
   CHECK(restsAt(1, 0.2));
   CHECK_FALSE(restsAt(1, 0.4));
@@ -55,26 +55,26 @@ TEST_CASE("where edges are longer, more around a place rests") {
 TEST_CASE("a step that is cancelled locks nothing") {
   Pinned p;
   const Vec3 top = p.mesh.position(0);
-  p.locked.lock(troubleAt(Vec3(5, 0, 0), false), p.mesh, 0.3, 1, 1);
+  p.locked.lock(conflictAt(Vec3(5, 0, 0), false), p.mesh, 0.3, 1, 1);
   const LockedRegions before = p.locked;
-  p.locked.lock(troubleAt(top, false), p.mesh, 0.3, 1, 2);
-  p.locked.lock(troubleAt(top, true), p.mesh, 0.3, 1, 2);
+  p.locked.lock(conflictAt(top, false), p.mesh, 0.3, 1, 2);
+  p.locked.lock(conflictAt(top, true), p.mesh, 0.3, 1, 2);
   p.locked.takeBack(before);
-  CHECK_FALSE(p.locked.resting.rests(top, 2));
-  CHECK_FALSE(p.locked.pins.rests(top));
+  CHECK_FALSE(p.locked.resting.isLocked(top, 2));
+  CHECK_FALSE(p.locked.pins.isLocked(top));
   CHECK(p.locked.pins.list()[0].stops == 0);
-  CHECK(p.locked.resting.rests(Vec3(5, 0, 0), 1));
+  CHECK(p.locked.resting.isLocked(Vec3(5, 0, 0), 1));
   CHECK(p.locked.pins.holds(0));
 }
 
 TEST_CASE("after other forces what was rolled back moves again, and what is pinned stays") {
   Pinned p;
   const Vec3 top = p.mesh.position(0);
-  p.locked.lock(troubleAt(top, false), p.mesh, 0.3, 1, 1);
-  p.locked.lock(troubleAt(top, true), p.mesh, 0.3, 1, 1);
+  p.locked.lock(conflictAt(top, false), p.mesh, 0.3, 1, 1);
+  p.locked.lock(conflictAt(top, true), p.mesh, 0.3, 1, 1);
   p.locked.forgetRollbacks();
   CHECK_FALSE(p.locked.resting.any(1));
-  CHECK_FALSE(p.locked.pins.rests(top));
+  CHECK_FALSE(p.locked.pins.isLocked(top));
   CHECK(p.locked.isHeld(p.mesh, 0));
   CHECK_FALSE(p.locked.isHeld(p.mesh, 1));
 }

@@ -39,9 +39,9 @@ Attempt moveAndAdapt(Mesh& mesh, const std::vector<Vec3>& goal) {
   for (std::size_t v = 0; v < goal.size(); ++v) mesh.setPosition(static_cast<int>(v), goal[v]);
   AdaptationResult result = adaptFully(mesh);
   a.events = std::move(result.events);
-  a.troubles = std::move(result.troubles);
+  a.conflicts = std::move(result.conflicts);
   a.touched.assign(static_cast<std::size_t>(mesh.vertexSlots()), 1);
-  REQUIRE(a.troubles.empty());
+  REQUIRE(a.conflicts.empty());
   REQUIRE_FALSE(a.events.empty());
   REQUIRE(a.events[0].before == before);
   return a;
@@ -50,7 +50,7 @@ Attempt moveAndAdapt(Mesh& mesh, const std::vector<Vec3>& goal) {
 struct Outcome {
   Mesh mesh;
   bool isKept = false;
-  std::vector<Trouble> taken;  // back, in order
+  std::vector<Conflict> taken;  // back, in order
 };
 
 //! Only the first `times` attempts are tampered with.
@@ -65,7 +65,7 @@ Outcome step(const Scene& scene, const Tamper& tamper, int times) {
   Transaction transaction;
   const auto allowAll = [](const Attempt&) { return std::vector<HeldChange>(); };
   const Attempt last = transaction.run({out.mesh, topologyNumbers(scene.start), 0.3, attempt, allowAll,
-                                        [&](const Trouble& t) { out.taken.push_back(t); }});
+                                        [&](const Conflict& t) { out.taken.push_back(t); }});
   out.isKept = last.isKept();
   CHECK(transaction.volume() == Approx(signedVolume(out.mesh)));
   return out;
@@ -76,7 +76,7 @@ void expectCaught(const Scene& scene, const char* reason, const Tamper& tamper) 
   const Outcome never = step(scene, tamper, Transaction::kAttempts);
   CHECK_FALSE(never.isKept);
   REQUIRE(never.taken.size() >= static_cast<std::size_t>(Transaction::kAttempts));
-  for (const Trouble& t : never.taken) {
+  for (const Conflict& t : never.taken) {
     CHECK_THAT(sentence(t.reason), Catch::Matchers::Contains(reason));
     CHECK(t.centre.allFinite());
     CHECK(t.radius > 0);

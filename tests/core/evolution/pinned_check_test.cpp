@@ -31,7 +31,7 @@ TEST_CASE("a flat cavity over a pinned vertex stops; one with room in it, or wit
   const Mesh flat = withCavity(1e-4), round = withCavity(1);
   const std::vector<unsigned char> touched(idx(flat.vertexSlots()), 1);
   const int last = flat.vertexSlots() - 1;
-  const std::vector<Trouble> told = pressedFlat(flat, pinnedAt(flat, last), touched, kEdge);
+  const std::vector<Conflict> told = pressedFlat(flat, pinnedAt(flat, last), touched, kEdge);
   REQUIRE(told.size() == 1);
   CHECK(told[0].atPin);
   CHECK(told[0].centre.norm() < 1.1);  // on the cavity
@@ -53,7 +53,7 @@ TEST_CASE("a change of what is pinned is told with the places of all events") {
   mesh.setPosition(1, 1.1 * mesh.position(1));
   CHECK(changesOfPinned(before, mesh, pins, std::vector{event}, 0.5).empty());
   mesh.setPosition(0, 1.1 * mesh.position(0));
-  const std::vector<Trouble> told = changesOfPinned(before, mesh, pins, std::vector{event}, 0.5);
+  const std::vector<Conflict> told = changesOfPinned(before, mesh, pins, std::vector{event}, 0.5);
   REQUIRE(told.size() == 2);
   CHECK(told[0].centre == before.position(0));
   CHECK(told[1].centre == event.location);

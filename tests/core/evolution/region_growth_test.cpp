@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "core/evolution/growth_level.h"
+#include "core/evolution/region_growth_level.h"
 #include "tests/support/catch.h"
 #include "tests/support/test_volume.h"
 

@@ -9,7 +9,7 @@ target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/edit_step_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/held_changes_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/history_test.cpp
-  ${CMAKE_SOURCE_DIR}/tests/core/evolution/image_doubts_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/evolution/image_warnings_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/leak_alarm_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/level_field_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/locked_regions_test.cpp
@@ -26,7 +26,7 @@ target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/pinned_parts_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/region_growth_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/region_levels_test.cpp
-  ${CMAKE_SOURCE_DIR}/tests/core/evolution/resting_places_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/evolution/locked_regions_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/shrinking_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/start_surface_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/step_transaction_test.cpp

@@ -82,7 +82,7 @@ TEST_CASE("what has stopped goes on after a change that wakes it, or with more i
   REQUIRE(stop.reason() == StopReason::converged);
   stop.change(facts, false);
   CHECK(stop.reason() == StopReason::converged);
-  stop.forgetRest();
+  stop.forgetLocks();
   stop.change(facts, true);
   CHECK(stop.reason() == StopReason::running);
   CHECK(stepsToRest(stop, facts) == stepsToRest(StopDecision(), facts));
@@ -100,7 +100,7 @@ TEST_CASE("a surface that would move is stuck if all of it rests for good, froze
   const auto smoothed = std::make_shared<SmoothedVolume>(volume, 0);
   MotionSettings motion;
   const auto reason = [&](const ObjectImage& image, double radius) {
-    RestingPlaces resting;
+    LockedRegions resting;
     if (radius > 0) resting.add(mesh.position(0), radius, 1);
     return reasonOfRest(mesh, image, motion, resting, 1);
   };

@@ -223,7 +223,7 @@ TEST_CASE("where the surface may shrink it is pushed out of a wall that is put o
     REQUIRE(clearance(contour.mesh(), {free}) > 0);
   }
   CHECK(clearance(contour.mesh(), {over}) > 0);
-  CHECK(contour.doubts(contour.support()).empty());
+  CHECK(contour.warnings(contour.support()).empty());
 }
 
 TEST_CASE("the history finds where a wall was free, and goes on from there", "[walls][history]") {

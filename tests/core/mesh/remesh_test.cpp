@@ -190,7 +190,7 @@ TEST_CASE("regulating random meshes keeps them valid, of their topology and with
         longestBesideActive(mesh, active) * (0.25 + 0.1 * static_cast<double>(random() % 12));
     regulate(mesh, {longest, 0.4 * longest}, active);
     for (int round = 0; round < 4; ++round) {
-      // Like a step of the evolution: some vertices move by part of an edge, the rest sleeps.
+      // Like a step of the evolution: some vertices move by part of an edge, the rest is inactive.
       active.assign(static_cast<std::size_t>(mesh.vertexSlots()), 0);
       for (int v = 0; v < mesh.vertexSlots(); ++v) {
         if (!mesh.isVertex(v) || random() % 3 == 0) continue;

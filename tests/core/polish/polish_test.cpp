@@ -77,12 +77,12 @@ void expectPolished(const TriangleSoup& before, const PolishedMesh& done, double
 }
 
 void expectGood(const PolishedMesh& done) {
-  INFO(sentence(polishDoubt(done.report)));
+  INFO(sentence(polishWarning(done.report)));
   CHECK(done.report.after.faces == 0);
   CHECK(done.report.after.edges == 0);
   CHECK(meshQuality(done.mesh).angles.least >= 15);
   CHECK(meshQuality(done.mesh).dihedral.least >= 20);
-  CHECK_FALSE(polishDoubt(done.report).any());
+  CHECK_FALSE(polishWarning(done.report).any());
 }
 
 double meanEdge(const TriangleSoup& mesh) { return meshQuality(mesh).edges.median; }
@@ -169,7 +169,7 @@ TEST_CASE("nearly all thin faces of a plane cut go, and the others are told", "[
     expectPolished(mesh, done, distance);
     CHECK(done.report.before.faces >= 10);
     CHECK(10 * done.report.after.faces <= done.report.before.faces);
-    CHECK(polishDoubt(done.report).any() != (done.report.after.faces + done.report.after.edges == 0));
+    CHECK(polishWarning(done.report).any() != (done.report.after.faces + done.report.after.edges == 0));
   }
 }
 
@@ -198,7 +198,7 @@ TEST_CASE("what the shape forces stays and is told", "[polish]") {
   expectPolished(mesh, done, 0.05, true);
   CHECK(done.report.after.edges > 0);
   CHECK_FALSE(done.report.left.empty());
-  CHECK_THAT(sentence(polishDoubt(done.report)), Contains("sharp edge"));
+  CHECK_THAT(sentence(polishWarning(done.report)), Contains("sharp edge"));
 }
 
 TEST_CASE("a sheet close by is not run into", "[polish]") {

@@ -97,9 +97,9 @@ TEST_CASE("runs that leave no surface are told, and do not count") {
   CHECK(s.grown == 0);
   CHECK_FALSE(s.runs[0].failure.empty());
   CHECK(s.mean == 0);
-  const auto doubts = sentences(sensitivityDoubts(s));
-  REQUIRE(doubts.size() == 1);
-  CHECK(doubts[0].find("2 of 2 runs leave no surface") != std::string::npos);
+  const auto warnings = sentences(sensitivityWarnings(s));
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].find("2 of 2 runs leave no surface") != std::string::npos);
 }
 
 TEST_CASE("doubts about another topology and a volume that changes") {
@@ -109,13 +109,13 @@ TEST_CASE("doubts about another topology and a volume that changes") {
   s.sameTopology = 7;
   s.mean = 100;
   s.deviation = 25;
-  const auto doubts = sentences(sensitivityDoubts(s));
-  REQUIRE(doubts.size() == 2);
-  CHECK(doubts[0].find("3 of 10 runs have another topology") != std::string::npos);
-  CHECK(doubts[1].find("25 %") != std::string::npos);
+  const auto warnings = sentences(sensitivityWarnings(s));
+  REQUIRE(warnings.size() == 2);
+  CHECK(warnings[0].find("3 of 10 runs have another topology") != std::string::npos);
+  CHECK(warnings[1].find("25 %") != std::string::npos);
   s.sameTopology = 10;
   s.deviation = 5;
-  CHECK(sensitivityDoubts(s).empty());
+  CHECK(sensitivityWarnings(s).empty());
 }
 
 TEST_CASE("a growth with a constraint that names an iteration is not perturbed") {

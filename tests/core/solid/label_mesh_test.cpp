@@ -66,7 +66,7 @@ void requireMeshOf(const Mask& mask) {
   REQUIRE(c.cavities == counted.cavities);
   REQUIRE(c.components == counted.components + counted.cavities);
   REQUIRE(tunnelsOf(c) == counted.tunnels);
-  REQUIRE(made.farthest <= kMostApart);
+  REQUIRE(made.farthest <= kMaxApart);
   // No sharper folds than the steps have, or than what a mesher fills.
   const double steps = meshQuality(maskSurface(mask)).dihedral.least;
   REQUIRE(meshQuality(made.mesh).dihedral.least >= std::min(steps, kSharpest) - 1e-3);
@@ -126,7 +126,7 @@ TEST_CASE("a mesh of a label map has no steps, keeps its volume and stays close 
   double farthest = 0;
   for (const Vec3& p : made.mesh.points)
     farthest = std::max(farthest, nearest.distance(mask.grid.toIndex(p)));
-  CHECK(farthest <= kMostApart);
+  CHECK(farthest <= kMaxApart);
   CHECK(farthest == Approx(made.farthest));
 }
 

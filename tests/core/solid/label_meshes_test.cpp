@@ -72,7 +72,7 @@ TEST_CASE("labels that touch become certified meshes that do not meet, each with
       REQUIRE(c.cavities == counted.cavities);
       REQUIRE(c.components == counted.components + counted.cavities);
       REQUIRE(tunnelsOf(c) == counted.tunnels);
-      REQUIRE(made[i].farthest <= kMostApart);
+      REQUIRE(made[i].farthest <= kMaxApart);
     }
   }
 }

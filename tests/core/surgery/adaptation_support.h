@@ -24,7 +24,7 @@ inline AdaptationResult adaptOnce(Mesh& mesh, std::span<const FacePair> pairs, A
 //! and lead to those of the mesh.
 inline AdaptationResult adaptFully(Mesh& mesh, const AdaptationSettings& settings = {}) {
   AdaptationResult all;
-  for (int round = 0; round < 6 && all.troubles.empty(); ++round) {
+  for (int round = 0; round < 6 && all.conflicts.empty(); ++round) {
     const auto pairs = intersections(mesh);
     if (pairs.empty()) break;
     std::string now = text(topologyNumbers(mesh));
@@ -37,7 +37,7 @@ inline AdaptationResult adaptFully(Mesh& mesh, const AdaptationSettings& setting
       all.events.push_back(std::move(e));
     }
     CHECK(text(topologyNumbers(mesh)) == now);
-    all.troubles = std::move(result.troubles);
+    all.conflicts = std::move(result.conflicts);
   }
   return all;
 }

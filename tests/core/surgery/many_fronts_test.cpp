@@ -24,7 +24,7 @@ void expectJoinedAtOnce(int fronts, int finer) {
   REQUIRE_FALSE(intersections(mesh).empty());
   REQUIRE(topologyNumbers(mesh).components == fronts);
   const AdaptationResult result = adaptFully(mesh);
-  CHECK(result.troubles.empty());
+  CHECK(result.conflicts.empty());
   expectAdapted(mesh, 1, fronts - 1);
   const auto handles = handlesOf(result);
   REQUIRE(handles.size() == 2);
@@ -55,7 +55,7 @@ TEST_CASE("four fronts that meet in one step are joined by one handle, and the g
 TEST_CASE("of five fronts four are joined at once, and an event says that one waits") {
   Mesh mesh(meridians(5, meetingGap(5)));
   const AdaptationResult result = adaptFully(mesh);
-  CHECK(result.troubles.empty());
+  CHECK(result.conflicts.empty());
   const auto handles = handlesOf(result);
   REQUIRE(handles.size() == 2);  // one for each pole
   for (const Event* e : handles) {

@@ -71,7 +71,7 @@ TEST_CASE("where only outward motion is allowed, a neck of the object is smoothe
   Mesh mesh(peanut(-0.02));
   const double before = volumeOf(mesh);
   const AdaptationResult result = adaptFully(mesh);
-  CHECK(result.troubles.empty());
+  CHECK(result.conflicts.empty());
   expectAdapted(mesh, 1, 0);
   CHECK(findEvent(result, EventKind::smoothed));
   CHECK(volumeOf(mesh) > before);  // neither bulb is gone, and the neck has come back out
@@ -113,8 +113,8 @@ TEST_CASE(
   std::vector<unsigned char> touched;
   const AdaptationResult result = adaptOnce(mesh, intersections(mesh), settings, touched);
   CHECK(result.events.empty());
-  REQUIRE(result.troubles.size() == 1);
-  CHECK(result.troubles[0].reason.kind == FindingKind::meetInside);
+  REQUIRE(result.conflicts.size() == 1);
+  CHECK(result.conflicts[0].reason.kind == FindingKind::meetInside);
   CHECK(areaOf(mesh) == Approx(area).epsilon(1e-9));
   CHECK(volumeOf(mesh) == Approx(volume).epsilon(1e-9));
   expectValid(mesh);
@@ -162,14 +162,14 @@ TEST_CASE("a place where nothing fits is reported and the surface stays where it
   std::vector<unsigned char> touched;
   const AdaptationResult result = adaptOnce(mesh, intersections(mesh), {}, touched);
   CHECK(result.events.empty());
-  REQUIRE(result.troubles.size() == 1);
-  CHECK(result.troubles[0].radius > 0.8);  // holds the circle in which they meet
-  CHECK(result.troubles[0].reason.kind == FindingKind::openingTooLarge);
+  REQUIRE(result.conflicts.size() == 1);
+  CHECK(result.conflicts[0].radius > 0.8);  // holds the circle in which they meet
+  CHECK(result.conflicts[0].reason.kind == FindingKind::openingTooLarge);
   std::set<int> collide;
   for (const auto& [f, g] : intersections(mesh)) collide.insert({f, g});
   std::set<Triangle> expected;
   for (const int f : collide) expected.insert(mesh.face(f));
-  const std::vector<Triangle>& told = result.troubles[0].faces;
+  const std::vector<Triangle>& told = result.conflicts[0].faces;
   CHECK(std::set<Triangle>(told.begin(), told.end()) == expected);
   for (int v = 0; v < before.vertexSlots(); ++v) REQUIRE(mesh.position(v) == before.position(v));
   CHECK(volumeOf(mesh) == Approx(volumeOf(before)).epsilon(1e-9));
@@ -215,7 +215,7 @@ TEST_CASE("random collisions of two bumpy spheres and a torus are resolved, neve
     settings.outwardOnly = seed % 2 == 0;
     REQUIRE_FALSE(intersections(mesh).empty());
     const AdaptationResult result = adaptFully(mesh, settings);
-    CHECK(result.troubles.empty());
+    CHECK(result.conflicts.empty());
     int components = 3;  // of which each two meet at one place at most: every front is of another body
     for (const Event& e : result.events) {
       CHECK(e.kind == EventKind::handleInserted);
@@ -237,7 +237,7 @@ TEST_CASE("random folds of a sphere are resolved or reported, never broken") {
     const AdaptationResult result = adaptFully(mesh);
     expectValid(mesh);
     expectTopology(mesh, 1, 0);
-    if (result.troubles.empty()) {
+    if (result.conflicts.empty()) {
       ++resolved;
       CHECK(intersections(mesh).empty());
       CHECK(findEvent(result, EventKind::smoothed));

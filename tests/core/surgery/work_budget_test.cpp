@@ -46,11 +46,11 @@ TEST_CASE("a budget counts down to nothing and can be raised to a least") {
 
 TEST_CASE("places for which no work is left wait, and the mesh is as it was") {
   const Round plenty(kPlenty), none(0);
-  REQUIRE(plenty.result.troubles.empty());
+  REQUIRE(plenty.result.conflicts.empty());
   REQUIRE(plenty.result.events.size() >= 2);
   CHECK(none.result.events.empty());
-  CHECK(none.result.troubles.size() >= 2);
-  for (const Trouble& t : none.result.troubles) CHECK(t.waits);
+  CHECK(none.result.conflicts.size() >= 2);
+  for (const Conflict& t : none.result.conflicts) CHECK(t.waits);
   CHECK(sameFaces(none.mesh, Mesh(meridians(2, -0.02))));
 }
 
@@ -65,7 +65,7 @@ TEST_CASE("what is done within a budget is the same every time, and more of it i
     CHECK(one.left == other.left);
     CHECK(one.result.events.size() >= last);
     last = one.result.events.size();
-    some = some || (!one.result.events.empty() && !one.result.troubles.empty());
+    some = some || (!one.result.events.empty() && !one.result.conflicts.empty());
   }
   CHECK(some);
 }

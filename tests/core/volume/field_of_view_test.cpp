@@ -60,7 +60,7 @@ TEST_CASE("padding goes on through faces of voxels, not through edges or corners
   CHECK_FALSE(view->isPadding(indexOf(grid, 2, 3, 2)));
 }
 
-TEST_CASE("a value on fewer border voxels than kLeastPadding is no padding, on as many it is") {
+TEST_CASE("a value on fewer border voxels than kMinPadding is no padding, on as many it is") {
   const Grid grid = cubicGrid(10);
   const int border = 10 * 10 * 10 - 8 * 8 * 8;
   const auto withRepeats = [&](int repeats) {
@@ -70,7 +70,7 @@ TEST_CASE("a value on fewer border voxels than kLeastPadding is no padding, on a
       return onBorder && left-- > 0 ? 0 : unique(i, j, k);
     });
   };
-  const int least = static_cast<int>(std::ceil(kLeastPadding * border));
+  const int least = static_cast<int>(std::ceil(kMinPadding * border));
   CHECK(FieldOfView::find(withRepeats(least - 1)) == nullptr);
   CHECK(FieldOfView::find(withRepeats(least)) != nullptr);
 }

@@ -36,12 +36,13 @@ Grown grow(const Volume& volume, const Seed& seed, int iterations) {
     }
   std::vector<int> vertices;
   grown.mesh = contour.mesh().compact(&vertices);
-  std::vector<bool> settled(grown.mesh.points.size(), false);
+  std::vector<bool> converged(grown.mesh.points.size(), false);
   for (int v = 0; v < contour.mesh().vertexSlots(); ++v)
     if (contour.mesh().isVertex(v))
-      settled[static_cast<std::size_t>(vertices[static_cast<std::size_t>(v)])] = contour.isSettled(v);
+      converged[static_cast<std::size_t>(vertices[static_cast<std::size_t>(v)])] = contour.isConverged(v);
   for (const Triangle& t : grown.mesh.triangles)
-    grown.states.push_back(settled[static_cast<std::size_t>(t[0])] ? FaceState::settled : FaceState::moving);
+    grown.states.push_back(converged[static_cast<std::size_t>(t[0])] ? FaceState::converged
+                                                                     : FaceState::moving);
   return grown;
 }
 

@@ -1,4 +1,5 @@
-// What the panels say in the states that are seldom seen: doubts, a surface that is gone, nothing known yet.
+// What the panels say in the states that are seldom seen: warnings, a surface that is gone, nothing known
+// yet.
 
 #include <QProgressBar>
 #include <QSpinBox>
@@ -49,8 +50,8 @@ class PanelTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void doubtsAreShownOfASurfaceAtRestAndOnlyThen();
-  void nothingIsDoubtedOfTheSample();
+  void warningsAreShownOfASurfaceAtRestAndOnlyThen();
+  void theSampleHasNoWarnings();
   void aSurfaceThatIsGoneIsSaidToBeGone();
   void whatCannotGrowIsNotSaidToBeReady();
   void itIsSeenThatTheImageIsPrepared();
@@ -64,7 +65,7 @@ class PanelTest : public QObject {
   void bracketsStepThroughTheObjectsBySize();
 };
 
-void PanelTest::doubtsAreShownOfASurfaceAtRestAndOnlyThen() {
+void PanelTest::warningsAreShownOfASurfaceAtRestAndOnlyThen() {
   const QTemporaryDir folder;
   auto window = shownWindow();
   QVERIFY(window && open(*window, writeRamp(folder)));
@@ -80,18 +81,18 @@ void PanelTest::doubtsAreShownOfASurfaceAtRestAndOnlyThen() {
 
   QTest::keyClick(window.get(), Qt::Key_Space);
   QVERIFY(waitFor(*window, GrowthState::finished));
-  QVERIFY(!window->document().snapshot()->doubts.empty());
+  QVERIFY(!window->document().snapshot()->warnings.empty());
   const QString shown = shownText(*window, "Doubts about the surface");
   QVERIFY2(shown.contains("Worth a look") && shown.contains("no edge"), qPrintable(shown));
   QVERIFY(!shown.contains("--"));  // no options of the command line
 
-  QTest::keyClick(window.get(), Qt::Key_Comma);  // on the way nothing is doubted
+  QTest::keyClick(window.get(), Qt::Key_Comma);  // on the way there are no warnings
   QVERIFY(QTest::qWaitFor([&] { return window->document().iteration() < window->document().lastIteration(); },
                           kPatience));
   QVERIFY(shownText(*window, "Doubts about the surface").isEmpty());
 }
 
-void PanelTest::nothingIsDoubtedOfTheSample() {
+void PanelTest::theSampleHasNoWarnings() {
   auto window = shownWindow();
   QVERIFY(window && open(*window, sample("cyst_session.json")));
   QTest::keyClick(window.get(), Qt::Key_Space);

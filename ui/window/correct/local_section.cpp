@@ -23,7 +23,7 @@ namespace handlebody::ui {
 
 namespace {
 
-constexpr double kFirstRadius = 5, kLeastRadius = 0.5;  // voxels
+constexpr double kFirstRadius = 5, kMinRadius = 0.5;  // voxels
 
 //! LPS: 0 left, 1 posterior, 2 superior.
 int worldAxis(Plane plane) { return plane == Plane::axial ? 2 : plane == Plane::coronal ? 1 : 0; }
@@ -133,8 +133,8 @@ void LocalSection::startWithVolume() {
   const Grid& grid = document_.volume().grid;
   const double voxel = grid.meanSpacing();
   const Vec3 size(grid.size[0], grid.size[1], grid.size[2]);
-  radius_->setRange(std::max(kLeastRadius * voxel, 0.01), size.cwiseProduct(grid.spacing).maxCoeff());
-  radius_->setSingleStep(std::max(kLeastRadius * voxel, 0.01));
+  radius_->setRange(std::max(kMinRadius * voxel, 0.01), size.cwiseProduct(grid.spacing).maxCoeff());
+  radius_->setSingleStep(std::max(kMinRadius * voxel, 0.01));
   radius_->setValue(kFirstRadius * voxel);
 }
 

@@ -67,18 +67,18 @@ QString finishedText(StopReason reason) {
   }
 }
 
-QString doubtText(const Finding& doubt) {
-  return QStringLiteral("<p style='margin: 4px 0 0 0'>%1</p>").arg(findingSentence(doubt).toHtmlEscaped());
+QString warningText(const Finding& warning) {
+  return QStringLiteral("<p style='margin: 4px 0 0 0'>%1</p>").arg(findingSentence(warning).toHtmlEscaped());
 }
 
 // Only what came to its end is judged: on the way much of a surface lies where there is no edge.
-QString doubtsOf(const Document& document) {
+QString warningsOf(const Document& document) {
   const auto snapshot = document.snapshot();
   const bool ended =
       document.state() == GrowthState::finished && document.iteration() == document.lastIteration();
-  if (!ended || !snapshot || snapshot->doubts.empty()) return {};
+  if (!ended || !snapshot || snapshot->warnings.empty()) return {};
   QString text = QStringLiteral("<p style='margin: 0'><b>%1</b></p>").arg(GrowPanel::tr("⚠ Worth a look"));
-  for (const Finding& doubt : snapshot->doubts) text += doubtText(doubt);
+  for (const Finding& warning : snapshot->warnings) text += warningText(warning);
   return text;
 }
 
@@ -135,8 +135,8 @@ GrowPanel::GrowPanel(Document& document, SurfaceView& surface, const Commands& c
   layout->addWidget(state_);
   error_ = notice(tr("Why it did not grow"), this);
   layout->addWidget(error_);
-  doubts_ = notice(tr("Doubts about the surface"), this);
-  layout->addWidget(doubts_);
+  warnings_ = notice(tr("Doubts about the surface"), this);
+  layout->addWidget(warnings_);
   layout->addWidget(buildNumbers());
   inspector_ = new EventInspector(document_, surface, this);
   layout->addWidget(inspector_);
@@ -229,9 +229,9 @@ void GrowPanel::showState() {
   error_->setText(document_.growthError());
   error_->setVisible(!document_.growthError().isEmpty());
   hint_->setVisible(document_.iteration() < 0);
-  const QString doubts = doubtsOf(document_);
-  doubts_->setText(doubts);
-  doubts_->setVisible(!doubts.isEmpty());
+  const QString warnings = warningsOf(document_);
+  warnings_->setText(warnings);
+  warnings_->setVisible(!warnings.isEmpty());
 }
 
 void GrowPanel::showNumbers() {

@@ -32,7 +32,7 @@ class GrowPanel : public QWidget {
   void showCertificate();
 
   Document& document_;
-  QLabel *hint_, *state_, *error_, *doubts_, *badge_;
+  QLabel *hint_, *state_, *error_, *warnings_, *badge_;
   QWidget* numbers_;
   QLabel *components_, *genus_, *euler_, *vertices_, *area_, *volume_;
   EventInspector* inspector_;

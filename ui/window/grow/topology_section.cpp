@@ -17,7 +17,7 @@ namespace handlebody::ui {
 
 namespace {
 
-constexpr int kMost = 999;
+constexpr int kMaxCount = 999;
 // What is meant by most who want a limit: one body without a tunnel.
 constexpr int kComponents = 1, kGenus = 0;
 
@@ -41,7 +41,7 @@ TopologySection::TopologySection(Document& document, QWidget* parent) : QWidget(
 
 QSpinBox* TopologySection::countField(const QString& name, const QString& tip, int least) {
   auto* field = new QSpinBox(counts_);
-  field->setRange(least - 1, kMost);
+  field->setRange(least - 1, kMaxCount);
   field->setSpecialValueText(tr("any"));
   field->setKeyboardTracking(false);
   describe(field, name, tip);

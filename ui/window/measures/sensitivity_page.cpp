@@ -22,7 +22,7 @@ namespace handlebody::ui {
 namespace {
 
 constexpr int kTools = 330;  // pixels
-constexpr int kFewest = 2, kUsual = 8, kMost = 1000;
+constexpr int kMinRuns = 2, kUsual = 8, kMaxRuns = 1000;
 
 const QString kNone = QStringLiteral("–");
 
@@ -62,7 +62,7 @@ QWidget* SensitivityPage::buildTools() {
               "how much "
               "do volume and surface change?"));
   runs_ = new QSpinBox(tools);
-  runs_->setRange(kFewest, kMost);
+  runs_->setRange(kMinRuns, kMaxRuns);
   runs_->setValue(kUsual);
   runs_->setSuffix(tr(" runs"));
   describe(runs_, tr("Number of runs"),
@@ -200,7 +200,7 @@ void SensitivityPage::showState() {
                .arg(millilitres(s.least), millilitres(s.most), QString::number(s.grown),
                     QString::number(s.runs.size()), QString::number(s.sameTopology),
                     millimetres(s.meanSpread), millimetres(s.spread95));
-    for (const Finding& doubt : sensitivityDoubts(s)) text += tr(" ⚠ %1.").arg(findingText(doubt));
+    for (const Finding& warning : sensitivityWarnings(s)) text += tr(" ⚠ %1.").arg(findingText(warning));
   } else if (answer_.found) {
     text = tr("None of the runs left a surface.");
   }

@@ -21,7 +21,7 @@ namespace handlebody::ui {
 namespace {
 
 enum Column { kName, kProgress, kVisible, kLocked, kColumns };
-constexpr int kRowHeight = 26, kMostRows = 6, kSwatch = 14;  // pixels, and rows
+constexpr int kRowHeight = 26, kMaxRows = 6, kSwatch = 14;  // pixels, and rows
 
 QIcon swatch(const Colour& colour) {
   constexpr int kScale = 3;  // sharp on any screen
@@ -167,7 +167,7 @@ void ObjectsPanel::showAll() {
   while (table_->rowCount() < count) addRow();
   for (int i = 0; i < count; ++i) showRow(i, document_.objectInfo(i));
   constexpr int kFrame = 2;
-  table_->setFixedHeight(std::min(count, kMostRows) * kRowHeight + kFrame);
+  table_->setFixedHeight(std::min(count, kMaxRows) * kRowHeight + kFrame);
   if (table_->currentRow() != document_.activeObject()) table_->selectRow(document_.activeObject());
   showNotice();
 }

@@ -28,7 +28,7 @@ namespace handlebody::ui {
 
 namespace {
 
-constexpr int kMostRecent = 10;
+constexpr int kMaxRecent = 10;
 constexpr int kBeforeProgress = 400;  // ms: what is quicker shows none
 const QString kRecent = QStringLiteral("recent");
 const QString kFolder = QStringLiteral("folder");
@@ -129,7 +129,7 @@ void FileWork::remember(const QString& path) {
   const QString absolute = QFileInfo(path).absoluteFilePath();
   paths.removeAll(absolute);
   paths.prepend(absolute);
-  settings.setValue(kRecent, paths.mid(0, kMostRecent));
+  settings.setValue(kRecent, paths.mid(0, kMaxRecent));
   settings.setValue(kFolder, QFileInfo(absolute).absolutePath());
   Q_EMIT recentChanged();
 }

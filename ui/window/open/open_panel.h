@@ -1,5 +1,5 @@
 #pragma once
-// Step 1: what is open, what is doubtful about it, and the choice where a source holds several volumes.
+// Step 1: what is open, its warnings, and the choice where a source holds several volumes.
 
 #include <QWidget>
 #include <vector>
@@ -26,7 +26,7 @@ class OpenPanel : public QWidget {
 
   //! Asks for the spacing of a file that cannot be opened without it.
   void askSpacing(const QString& path, const VolumeSelection& selection);
-  //! What is doubtful about what is open, a sentence each.
+  //! The warnings of what is open, a sentence each.
   void showWarnings(const std::vector<Finding>& warnings);
 
  Q_SIGNALS:

@@ -15,7 +15,7 @@ namespace handlebody::ui {
 
 namespace {
 
-constexpr int kMostRecent = 6;
+constexpr int kMaxRecent = 6;
 constexpr int kWidth = 460;
 
 QLabel* title(QWidget* parent) {
@@ -71,7 +71,7 @@ StartPage::StartPage(const Commands& commands, QWidget* parent)
 void StartPage::setRecent(const QStringList& paths) {
   qDeleteAll(recent_->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly));
   if (!paths.isEmpty()) recentLayout_->addWidget(heading(tr("Opened before"), recent_));
-  for (const QString& path : paths.mid(0, kMostRecent)) {
+  for (const QString& path : paths.mid(0, kMaxRecent)) {
     auto* button = new QToolButton(recent_);
     button->setText(pathText(QFileInfo(path).fileName(), button->fontMetrics(), kWidth - 40));
     button->setToolTip(path);

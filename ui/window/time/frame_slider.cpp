@@ -17,7 +17,7 @@ QColor frameMarkColour(FrameMark mark) {
   switch (mark) {
     case FrameMark::failed:
       return {0xC8, 0x32, 0x32};
-    case FrameMark::doubtful:
+    case FrameMark::warned:
       return {0xE0, 0x8A, 0x1E};
     default:
       return {0x2E, 0x9E, 0x8F};
@@ -60,8 +60,8 @@ void FrameSlider::paintEvent(QPaintEvent*) {
   line.setAlphaF(0.35F);
   painter.setPen(QPen(line, 2));
   painter.drawLine(QPointF(a.toX(0), y), QPointF(a.toX(a.last), y));
-  constexpr double kLeastApart = 5;  // pixels between ticks that are told apart
-  if ((width() - 2 * TimelineAxis::kMargin) > kLeastApart * a.last)
+  constexpr double kMinApart = 5;  // pixels between ticks that are told apart
+  if ((width() - 2 * TimelineAxis::kMargin) > kMinApart * a.last)
     for (int f = 0; f <= a.last; ++f) painter.drawLine(QPointF(a.toX(f), y - 4), QPointF(a.toX(f), y + 4));
   for (int f = 0; f < static_cast<int>(marks_.size()) && f <= a.last; ++f) {
     const FrameMark mark = marks_[static_cast<std::size_t>(f)];

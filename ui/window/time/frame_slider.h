@@ -10,10 +10,10 @@ namespace handlebody::ui {
 
 //! What a frame is marked as.
 enum class FrameMark {
-  none,      //!< not carried to
-  grown,     //!< the surface is grown there
-  carried,   //!< there is a surface
-  doubtful,  //!< the same, with a warning
+  none,     //!< not carried to
+  grown,    //!< the surface is grown there
+  carried,  //!< there is a surface
+  warned,   //!< the same, with a warning
   failed
 };
 

@@ -23,7 +23,7 @@ FrameMark markOf(const TimeSeries& time, int frame) {
   const FrameResult* result = time.resultOf(frame);
   if (!result) return FrameMark::none;
   if (!result->isTrusted()) return FrameMark::failed;
-  return result->faults.empty() ? FrameMark::carried : FrameMark::doubtful;
+  return result->faults.empty() ? FrameMark::carried : FrameMark::warned;
 }
 
 }  // namespace

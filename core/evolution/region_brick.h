@@ -24,17 +24,17 @@ struct Voxel {
 };
 
 //! A voxel of a brick: five bits per axis, x lowest; without x: a row.
-using Place = std::uint16_t;
-using Row = std::uint32_t;
+using BrickVoxel = std::uint16_t;
+using RowBits = std::uint32_t;
 inline constexpr int kRows = kBrick * kBrick;
 inline constexpr std::array<int, 3> kPlaceStride{1, kBrick, kBrick* kBrick};
 inline constexpr std::array<int, 3> kValueStride{1, kStored, kStored* kStored};
 
-inline Place placeOf(const Voxel& v) {
-  return static_cast<Place>((v.k & kBrickMask) << 2 * kShift | (v.j & kBrickMask) << kShift |
-                            (v.i & kBrickMask));
+inline BrickVoxel placeOf(const Voxel& v) {
+  return static_cast<BrickVoxel>((v.k & kBrickMask) << 2 * kShift | (v.j & kBrickMask) << kShift |
+                                 (v.i & kBrickMask));
 }
-inline Voxel inBrick(Place place) {
+inline Voxel inBrick(BrickVoxel place) {
   return {place & kBrickMask, place >> kShift & kBrickMask, place >> 2 * kShift};
 }
 inline int valueIndex(const Voxel& v) { return (v.k * kStored + v.j) * kStored + v.i; }
@@ -42,7 +42,7 @@ inline int valueIndex(const Voxel& v) { return (v.k * kStored + v.j) * kStored +
 inline int rowIndex(int row) { return ((row >> kShift) * kStored + (row & kBrickMask)) * kStored; }
 
 //! Bit x: sign · values[x] < limit. `sign` is +1 or -1.
-inline Row rowBelow(const float* values, float sign, float limit) {
+inline RowBits rowBelow(const float* values, float sign, float limit) {
   using Floats = float __attribute__((vector_size(16)));
   using Bits = std::uint32_t __attribute__((vector_size(16)));
   Bits all{0, 0, 0, 0};
@@ -55,8 +55,8 @@ inline Row rowBelow(const float* values, float sign, float limit) {
 }
 
 //! All bits of `free` that are joined to one of `start` by bits of `free`. Precondition: start within free.
-inline Row fillRow(Row start, Row free) {
-  Row up = start, down = start, pathUp = free, pathDown = free;
+inline RowBits fillRow(RowBits start, RowBits free) {
+  RowBits up = start, down = start, pathUp = free, pathDown = free;
   for (int step = 1; step < kBrick; step *= 2) {
     up |= pathUp & up << step;
     pathUp &= pathUp << step;
@@ -68,35 +68,35 @@ inline Row fillRow(Row start, Row free) {
 
 //! A voxel that waits, and its signed value.
 struct Entry {
-  Place place;
+  BrickVoxel place;
   float value;
 };
 
-struct Patch {
+struct Brick {
   const float* values = nullptr;
   Voxel first{};  // voxel of the grid
   Voxel last{};   // in the brick: beyond it a neighbour lies in another brick or outside the grid
   bool onBorder = false;
-  std::array<Patch*, 6> neighbours{};  // two per axis; null: not asked for yet, or outside
-  std::array<Row, kRows> seen{};       // or outside of the grid, or padding
+  std::array<Brick*, 6> neighbours{};  // two per axis; null: not asked for yet, or outside
+  std::array<RowBits, kRows> seen{};   // or outside of the grid, or padding
   // For the level that is taken in by rows:
   int rowLevel = -1;                              // which one the next three belong to
-  std::array<Row, kRows> low{};                   // what it lets in
-  std::array<Row, kRows> todo{};                  // of those: what a neighbour has reached
-  std::array<Row, kRows> taken{};                 // what was taken
+  std::array<RowBits, kRows> low{};               // what it lets in
+  std::array<RowBits, kRows> todo{};              // of those: what a neighbour has reached
+  std::array<RowBits, kRows> taken{};             // what was taken
   std::vector<int> rows;                          // with something to do
   std::array<std::vector<Entry>, kBins> waiting;  // per level
 
   //! True the first time.
-  bool visit(Place place) {
-    const Row bit = Row{1} << (place & kBrickMask);
-    Row& row = seen[place >> kShift];
+  bool visit(BrickVoxel place) {
+    const RowBits bit = RowBits{1} << (place & kBrickMask);
+    RowBits& row = seen[place >> kShift];
     const bool fresh = (row & bit) == 0;
     row |= bit;
     return fresh;
   }
   //! It may be seen again.
-  void forget(Place place) { seen[place >> kShift] &= ~(Row{1} << (place & kBrickMask)); }
+  void forget(BrickVoxel place) { seen[place >> kShift] &= ~(RowBits{1} << (place & kBrickMask)); }
   Voxel inGrid(const Voxel& local) const { return {first.i + local.i, first.j + local.j, first.k + local.k}; }
 };
 

@@ -1,4 +1,4 @@
-#include "core/evolution/image_doubts.h"
+#include "core/evolution/image_warnings.h"
 
 #include "core/evolution/object_image.h"
 
@@ -66,7 +66,8 @@ double partAtPadding(const Mesh& mesh, const ObjectImage& image) {
   return all > 0 ? at / all : 0;
 }
 
-std::vector<Finding> imageDoubts(const Mesh& mesh, const ObjectImage& image, const SurfaceSupport& support) {
+std::vector<Finding> imageWarnings(const Mesh& mesh, const ObjectImage& image,
+                                   const SurfaceSupport& support) {
   std::vector<Finding> out;
   if (const NeckCut* neck = image.neck())
     out.push_back({neck->widens ? FindingKind::heldWhereItWidens

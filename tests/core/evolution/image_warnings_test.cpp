@@ -1,4 +1,4 @@
-#include "core/evolution/image_doubts.h"
+#include "core/evolution/image_warnings.h"
 
 #include <Eigen/Geometry>
 #include <numeric>
@@ -59,8 +59,8 @@ double partWithoutEdge(const Mesh& mesh, const ObjectImage& image) {
   return surfaceSupport(mesh, image).withoutEdge;
 }
 
-std::vector<std::string> doubtsOf(const Mesh& mesh, const ObjectImage& image) {
-  return sentences(imageDoubts(mesh, image, surfaceSupport(mesh, image)));
+std::vector<std::string> warningsOf(const Mesh& mesh, const ObjectImage& image) {
+  return sentences(imageWarnings(mesh, image, surfaceSupport(mesh, image)));
 }
 
 //! Calls f(middle, area, support) for each face of a surface in an image.
@@ -109,15 +109,15 @@ TEST_CASE("where the surface ends beyond the border of the volume it does not co
 }
 
 TEST_CASE("a surface of which much lies on the border of the volume is doubted, in the middle of it none") {
-  const auto doubtsAt = [](const Vec3& centre) {
+  const auto warningsAt = [](const Vec3& centre) {
     const ObjectImage image = imageOf(volumeByDistance(
         cubicGrid(41), 0, 100, [centre](const Vec3& p) { return (p - centre).norm() - kRadius; }));
-    return doubtsOf(sphere(centre), image);
+    return warningsOf(sphere(centre), image);
   };
-  CHECK(doubtsAt(kCentre).empty());
-  const std::vector<std::string> doubts = doubtsAt(Vec3(20, 20, 5));
-  REQUIRE(doubts.size() == 1);
-  CHECK_THAT(doubts[0], Catch::Matchers::Contains("lies on the border of the volume"));
+  CHECK(warningsAt(kCentre).empty());
+  const std::vector<std::string> warnings = warningsAt(Vec3(20, 20, 5));
+  REQUIRE(warnings.size() == 1);
+  CHECK_THAT(warnings[0], Catch::Matchers::Contains("lies on the border of the volume"));
 }
 
 TEST_CASE("a wall with a gap leaves the surface without an edge at the gap and nowhere else") {
@@ -174,42 +174,43 @@ TEST_CASE("faces are numbered as in the compacted mesh, whatever was deleted bef
 }
 
 TEST_CASE("nothing speaks against a surface on the object's edge") {
-  CHECK(doubtsOf(sphere(), imageOf(ballVolume())).empty());
+  CHECK(warningsOf(sphere(), imageOf(ballVolume())).empty());
 }
 
 TEST_CASE("a surface in the open is doubted with the part that has no edge") {
-  const auto doubts = doubtsOf(sphere(), imageOf(constantVolume()));
-  REQUIRE(doubts.size() == 1);
-  CHECK_THAT(doubts[0], Contains("100 % of the surface") && Contains("no edge"));
+  const auto warnings = warningsOf(sphere(), imageOf(constantVolume()));
+  REQUIRE(warnings.size() == 1);
+  CHECK_THAT(warnings[0], Contains("100 % of the surface") && Contains("no edge"));
 }
 
 TEST_CASE("a neck is reported with its radius and the volumes before and behind it") {
-  const auto doubts = doubtsOf(sphere(), imageOf(ballVolume(), neckCut()));
-  REQUIRE(doubts.size() == 1);
-  CHECK_THAT(doubts[0], Contains("neck of radius 2.5 mm") && Contains("at least 12 ml") &&
-                            Contains("fill 1.5 ml") && Contains("--range"));
+  const auto warnings = warningsOf(sphere(), imageOf(ballVolume(), neckCut()));
+  REQUIRE(warnings.size() == 1);
+  CHECK_THAT(warnings[0], Contains("neck of radius 2.5 mm") && Contains("at least 12 ml") &&
+                              Contains("fill 1.5 ml") && Contains("--range"));
 }
 
 TEST_CASE("a cut where the structure widens is reported as such") {
   NeckCut cut = *neckCut();
   cut.widens = true;
-  const auto doubts = doubtsOf(sphere(), imageOf(ballVolume(), std::make_shared<NeckCut>(cut)));
-  REQUIRE(doubts.size() == 1);
-  CHECK_THAT(doubts[0], Contains("grows wider than a radius of 2.5 mm") && Contains("at least 12 ml"));
+  const auto warnings = warningsOf(sphere(), imageOf(ballVolume(), std::make_shared<NeckCut>(cut)));
+  REQUIRE(warnings.size() == 1);
+  CHECK_THAT(warnings[0], Contains("grows wider than a radius of 2.5 mm") && Contains("at least 12 ml"));
 }
 
 TEST_CASE("a cut at a hole in a wall is reported as such") {
   NeckCut cut = *neckCut();
   cut.hole = true;
-  const auto doubts = doubtsOf(sphere(), imageOf(ballVolume(), std::make_shared<NeckCut>(cut)));
-  REQUIRE(doubts.size() == 1);
-  CHECK_THAT(doubts[0], Contains("at a hole of radius 2.5 mm in a thin wall") && Contains("at least 12 ml"));
+  const auto warnings = warningsOf(sphere(), imageOf(ballVolume(), std::make_shared<NeckCut>(cut)));
+  REQUIRE(warnings.size() == 1);
+  CHECK_THAT(warnings[0],
+             Contains("at a hole of radius 2.5 mm in a thin wall") && Contains("at least 12 ml"));
 }
 
 TEST_CASE("a neck and a missing edge give a sentence each, without a full stop") {
-  const auto doubts = doubtsOf(sphere(), imageOf(constantVolume(), neckCut()));
-  REQUIRE(doubts.size() == 2);
-  for (const std::string& doubt : doubts) CHECK(doubt.back() != '.');
+  const auto warnings = warningsOf(sphere(), imageOf(constantVolume(), neckCut()));
+  REQUIRE(warnings.size() == 2);
+  for (const std::string& warning : warnings) CHECK(warning.back() != '.');
 }
 
 TEST_CASE("a surface that is held at a hole in a wall has no edge there and nowhere else") {
@@ -256,7 +257,7 @@ TEST_CASE("a surface that ends at the border of the field of view is doubted") {
   });
   ActiveContour contour(cut, {Seed{Vec3(20, 20, 14), 4.0}}, {});
   while (contour.stopReason() == StopReason::running) contour.step();
-  const std::vector<std::string> doubts = sentences(contour.doubts(contour.support()));
-  REQUIRE(doubts.size() == 1);
-  CHECK_THAT(doubts[0], Contains("border of the field of view"));
+  const std::vector<std::string> warnings = sentences(contour.warnings(contour.support()));
+  REQUIRE(warnings.size() == 1);
+  CHECK_THAT(warnings[0], Contains("border of the field of view"));
 }

@@ -1,17 +1,17 @@
-#include "ui/model/growth.h"
+#include "ui/model/surface_growth.h"
 
 #include <QMetaObject>
 
 namespace handlebody::ui {
 
-Growth::Growth(QObject* context, Listener listener)
+SurfaceGrowth::SurfaceGrowth(QObject* context, Listener listener)
     : listener_(std::move(listener)), worker_([this, context] {
         QMetaObject::invokeMethod(
             context, [this] { collect(); }, Qt::QueuedConnection);
       }) {}
 
 //! What the state is from now on, until the worker has done the commands given so far.
-void Growth::expect(bool running) {
+void SurfaceGrowth::expect(bool running) {
   expected_ = worker_.sent();
   error_.clear();
   if (running_ == running) return;
@@ -19,7 +19,7 @@ void Growth::expect(bool running) {
   listener_.stateChanged();
 }
 
-void Growth::start(std::shared_ptr<const ActiveContour> contour, const std::optional<Replay>& replay) {
+void SurfaceGrowth::start(std::shared_ptr<const ActiveContour> contour, const std::optional<Replay>& replay) {
   clear();
   start_ = contour;
   request_ = contour->request();
@@ -29,7 +29,7 @@ void Growth::start(std::shared_ptr<const ActiveContour> contour, const std::opti
   expect(replay.has_value());
 }
 
-void Growth::clear() {
+void SurfaceGrowth::clear() {
   if (!exists()) return;
   worker_.clear();
   start_.reset();
@@ -51,47 +51,47 @@ void Growth::clear() {
   listener_.stateChanged();
 }
 
-void Growth::run(const Request& request, PreparedContour prepared) {
+void SurfaceGrowth::run(const Request& request, PreparedContour prepared) {
   worker_.run(request, std::move(prepared));
   expect(true);
 }
 
-void Growth::runToEvent(const Request& request, PreparedContour prepared) {
+void SurfaceGrowth::runToEvent(const Request& request, PreparedContour prepared) {
   worker_.runToEvent(request, std::move(prepared));
   expect(true);
 }
 
-void Growth::step(const Request& request, PreparedContour prepared) {
+void SurfaceGrowth::step(const Request& request, PreparedContour prepared) {
   worker_.step(request, std::move(prepared));
   expect(false);
 }
 
-void Growth::pause() {
+void SurfaceGrowth::pause() {
   worker_.pause();
   expect(false);
 }
 
-void Growth::goTo(int iteration) {
+void SurfaceGrowth::goTo(int iteration) {
   worker_.goTo(iteration);
   expect(false);
 }
 
-void Growth::stepBack() {
+void SurfaceGrowth::stepBack() {
   worker_.stepBack();
   expect(false);
 }
 
-void Growth::goToPreviousEvent() {
+void SurfaceGrowth::goToPreviousEvent() {
   worker_.goToPreviousEvent();
   expect(false);
 }
 
-void Growth::goBefore(const WallList& walls) {
+void SurfaceGrowth::goBefore(const WallList& walls) {
   worker_.goBefore(walls);
   expect(false);
 }
 
-bool Growth::takeLists(GrowthUpdate& update) {
+bool SurfaceGrowth::takeLists(GrowthUpdate& update) {
   const bool changed = update.summariesFrom != summaries_.size() || !update.summaries.empty();
   summaries_.resize(update.summariesFrom);
   summaries_.insert(summaries_.end(), update.summaries.begin(), update.summaries.end());
@@ -100,7 +100,7 @@ bool Growth::takeLists(GrowthUpdate& update) {
   return changed;
 }
 
-void Growth::collect() {
+void SurfaceGrowth::collect() {
   GrowthUpdate update = worker_.collect();
   if (!exists() || update.processed < started_) return;  // of an earlier growth
   const bool listsChanged = takeLists(update);

@@ -8,7 +8,7 @@
 
 namespace handlebody::ui {
 
-class Growth {
+class SurfaceGrowth {
  public:
   //! All are called on the thread of `context`.
   struct Listener {
@@ -19,7 +19,7 @@ class Growth {
     std::function<void(int)> leaked;
     std::function<void()> asked;
   };
-  Growth(QObject* context, Listener listener);
+  SurfaceGrowth(QObject* context, Listener listener);
 
   //! A new growth from what was prepared, at rest; with `replay`, on its way as recorded.
   void start(std::shared_ptr<const ActiveContour> contour, const std::optional<Replay>& replay);
@@ -43,7 +43,7 @@ class Growth {
   void setPausesAtLeaks(bool on) { worker_.setPausesAtLeaks(on); }
 
   //! What was asked for is done.
-  bool isSettled() const { return processed_ >= expected_; }
+  bool isUpToDate() const { return processed_ >= expected_; }
   bool isRunning() const { return running_; }
   //! Of the shown iteration; running while it could go on.
   StopReason stopReason() const { return stopReason_; }

@@ -1,4 +1,4 @@
-#include "core/evolution/growth_level.h"
+#include "core/evolution/region_growth_level.h"
 
 namespace handlebody {
 
@@ -9,7 +9,7 @@ constexpr double kLeakFactor = 4;
 // A boundary found after a leak must be this much stronger than the best one before it.
 constexpr double kLeakAdvantage = 2.5;
 // Fewer voxels than this are no region yet.
-constexpr double kLeastRegion = 30;
+constexpr double kMinRegion = 30;
 // What is nearly as strong as the strongest edge belongs to the same boundary.
 constexpr double kSamePeak = 0.85;
 
@@ -32,18 +32,18 @@ double centreOfPeak(const RegionGrowth& g, std::size_t best, std::size_t first, 
 
 }  // namespace
 
-std::optional<GrowthLevel> strongestLevel(const RegionGrowth& g) {
-  std::optional<GrowthLevel> out;
+std::optional<RegionGrowthLevel> strongestLevel(const RegionGrowth& g) {
+  std::optional<RegionGrowthLevel> out;
   std::size_t first = 0;
   for (std::size_t b = 1; b <= g.edge.size(); ++b) {
     const bool leak =
-        b < g.edge.size() && g.voxels[b - 1] >= kLeastRegion && g.voxels[b] > kLeakFactor * g.voxels[b - 1];
+        b < g.edge.size() && g.voxels[b - 1] >= kMinRegion && g.voxels[b] > kLeakFactor * g.voxels[b - 1];
     if (!leak && b < g.edge.size()) continue;
     std::size_t best = first;
     for (std::size_t c = first; c < b; ++c)
-      if (g.voxels[c] >= kLeastRegion && g.edge[c] > g.edge[best]) best = c;
+      if (g.voxels[c] >= kMinRegion && g.edge[c] > g.edge[best]) best = c;
     const double least = out ? kLeakAdvantage * out->strength : 0;
-    if (g.voxels[best] >= kLeastRegion && g.edge[best] > least)
+    if (g.voxels[best] >= kMinRegion && g.edge[best] > least)
       out = {centreOfPeak(g, best, first, b), g.edge[best], g.border[best], g.voxels[best]};
     first = b;
   }

@@ -33,6 +33,6 @@ double partAtPadding(const Mesh& mesh, const ObjectImage& image);
 
 //! The object was cut off at a neck; much of the surface shows no edge; much of it lies on the border of the
 //! volume or of the field of view. `support`: of the same mesh and image.
-std::vector<Finding> imageDoubts(const Mesh& mesh, const ObjectImage& image, const SurfaceSupport& support);
+std::vector<Finding> imageWarnings(const Mesh& mesh, const ObjectImage& image, const SurfaceSupport& support);
 
 }  // namespace handlebody
