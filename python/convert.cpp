@@ -132,9 +132,9 @@ TriangleSoup soupFrom(const py::object& vertices, const py::object& faces) {
   if (points.shape(0) > std::numeric_limits<std::int32_t>::max())
     throw UsageError("vertices: there are more than 32-bit indices can count.");
   TriangleSoup soup;
-  soup.points.resize(static_cast<std::size_t>(points.shape(0)));
+  soup.points.resize(points.shape(0));
   for (py::ssize_t i = 0; i < points.shape(0); ++i) {
-    Vec3& p = soup.points[static_cast<std::size_t>(i)];
+    Vec3& p = soup.points[i];
     p = {points.at(i, 0), points.at(i, 1), points.at(i, 2)};
     if (!p.allFinite())
       throw UsageError("vertices: number " + std::to_string(i) + " is not a number or infinite.");
@@ -146,7 +146,7 @@ TriangleSoup soupFrom(const py::object& vertices, const py::object& faces) {
       if (corner < 0 || corner >= points.shape(0))
         throw UsageError("faces: number " + std::to_string(i) + " has a corner " + std::to_string(corner) +
                          " where there are " + std::to_string(points.shape(0)) + " vertices.");
-      t[static_cast<std::size_t>(c)] = static_cast<int>(corner);
+      t[c] = static_cast<int>(corner);
     }
   }
   return soup;

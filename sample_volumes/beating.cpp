@@ -120,8 +120,7 @@ BeatingPhantom::BeatingPhantom(const BeatingOptions& options) : options_(options
   grid_ = gridOf(options_.image);
   centre_ = kHalf;
   Vec3 corner;
-  for (int a = 0; a < 3; ++a)
-    corner[a] = 0.5 * (grid_.size[static_cast<std::size_t>(a)] - 1) * grid_.spacing[a];
+  for (int a = 0; a < 3; ++a) corner[a] = 0.5 * (grid_.size[a] - 1) * grid_.spacing[a];
   grid_.origin = centre_ - grid_.direction * corner;
 }
 

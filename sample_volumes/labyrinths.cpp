@@ -105,8 +105,7 @@ double ballsDistance(const Vec3& p) {
                                                          {-18, -22, -18},
                                                          {14, -6, -26}}};
   double distance = ballDistance(p, 45);
-  for (int i = 0; i < kBallsCavities; ++i)
-    distance = std::max(distance, 2.0 + i - (p - centres[static_cast<std::size_t>(i)]).norm());
+  for (int i = 0; i < kBallsCavities; ++i) distance = std::max(distance, 2.0 + i - (p - centres[i]).norm());
   return distance;
 }
 

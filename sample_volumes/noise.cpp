@@ -46,7 +46,7 @@ void convolve(std::vector<float>& field, std::vector<float>& scratch, const Grid
       float* out = scratch.data() + start + static_cast<std::size_t>(i) * row;
       for (int j = -radius; j <= radius; ++j) {
         const int from = ((i + j) % n + n) % n;
-        const float weight = kernel[static_cast<std::size_t>(j + radius)];
+        const float weight = kernel[j + radius];
         const float* in = field.data() + start + static_cast<std::size_t>(from) * row;
         for (std::size_t k = 0; k < row; ++k) out[k] += weight * in[k];
       }

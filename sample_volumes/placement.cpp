@@ -79,8 +79,7 @@ Hole makeHole(const Shape& shape, const PhantomOptions& options, const Placement
   for (int side = 0; side < 2; ++side) {
     const int axis = side + 1;
     const double h = options.spacing[axis];
-    const double first =
-        std::floor((place.grid.size[static_cast<std::size_t>(axis)] - std::ceil(options.gapVoxels)) / 2);
+    const double first = std::floor((place.grid.size[axis] - std::ceil(options.gapVoxels)) / 2);
     hole.low[side] = place.corner[axis] + (first - 0.5) * h;
     hole.high[side] = hole.low[side] + options.gapVoxels * h;
     require(options.gapVoxels * h <= shape.objectHalf[axis], [&] {
@@ -107,8 +106,7 @@ Placement placeShape(const Shape& shape, const PhantomOptions& options) {
   if (!options.rotationDegrees.isZero(0)) place.grid.direction = rotation(options.rotationDegrees);
   // At 1 mm, without rotation and with the phantom's own size, voxel (0,0,0) lies at the world's 0.
   place.centre = (shape.extent - Vec3::Ones()) / 2;
-  for (int a = 0; a < 3; ++a)
-    place.corner[a] = -0.5 * (place.grid.size[static_cast<std::size_t>(a)] - 1) * options.spacing[a];
+  for (int a = 0; a < 3; ++a) place.corner[a] = -0.5 * (place.grid.size[a] - 1) * options.spacing[a];
   place.grid.origin = place.toWorld(place.corner);
   place.hole = makeHole(shape, options, place);
   return place;

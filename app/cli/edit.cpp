@@ -182,7 +182,7 @@ std::vector<char> newTriangles(const TriangleSoup& mesh, const TriangleSoup& bef
   const auto cornersOf = [](const TriangleSoup& of, const Triangle& t) {
     std::array<std::array<double, 3>, 3> corners{};
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3 p = inSingle(of.points[static_cast<std::size_t>(t[i])]);
+      const Vec3 p = inSingle(of.points[t[i]]);
       corners[i] = {p.x(), p.y(), p.z()};
     }
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());

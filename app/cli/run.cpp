@@ -112,7 +112,7 @@ int namedIn(const std::string& text, const std::vector<ObjectLabel>& objects) {
   int found = -1;
   for (std::size_t i = 0; i < objects.size(); ++i)
     if (text.rfind(objects[i].name + "=", 0) == 0 &&
-        (found < 0 || objects[i].name.size() > objects[static_cast<std::size_t>(found)].name.size()))
+        (found < 0 || objects[i].name.size() > objects[found].name.size()))
       found = static_cast<int>(i);
   return found;
 }
@@ -124,8 +124,7 @@ void assignResults(RunOutputs& outputs, const std::vector<ObjectLabel>& objects)
   for (const std::string& text : outputs.results) {
     const int object = namedIn(text, objects);
     if (object >= 0) {
-      outputs.files.push_back(
-          {text.substr(objects[static_cast<std::size_t>(object)].name.size() + 1), object});
+      outputs.files.push_back({text.substr(objects[object].name.size() + 1), object});
       continue;
     }
     const std::string before = text.substr(0, text.find('='));
@@ -232,7 +231,7 @@ void writeObjects(const std::vector<ExportedObject>& objects, const RunReport& r
     if (file.object < 0)
       together.push_back(file.path);
     else
-      writeResults({objects[static_cast<std::size_t>(file.object)]}, context, {file.path});
+      writeResults({objects[file.object]}, context, {file.path});
   if (!together.empty()) writeResults(objects, context, together);
   if (!outputs.labelDescription.empty())
     writeTextAtomically(outputs.labelDescription, labelDescription(objects));

@@ -43,8 +43,8 @@ IndexMesh toIndices(const Grid& grid, const TriangleSoup& mesh) {
   for (const Vec3& p : mesh.points) result.points.push_back(grid.toIndex(p));
   for (const Triangle& t : mesh.triangles)
     for (int v : t) {
-      result.low = result.low.cwiseMin(result.points[static_cast<std::size_t>(v)]);
-      result.high = result.high.cwiseMax(result.points[static_cast<std::size_t>(v)]);
+      result.low = result.low.cwiseMin(result.points[v]);
+      result.high = result.high.cwiseMax(result.points[v]);
     }
   if (mesh.triangles.empty()) {
     result.low = Vec3::Zero();

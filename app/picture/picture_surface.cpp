@@ -31,9 +31,9 @@ Eigen::Matrix3d camera() {
 std::vector<Vec3> vertexNormals(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles) {
   std::vector<Vec3> normals(points.size(), Vec3::Zero());
   for (const Triangle& t : triangles) {
-    const Vec3 &a = points[idx(t[0])], &b = points[idx(t[1])], &c = points[idx(t[2])];
+    const Vec3 &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
     const Vec3 area = (b - a).cross(c - a);
-    for (int v : t) normals[idx(v)] += area;
+    for (int v : t) normals[v] += area;
   }
   for (Vec3& n : normals) n.normalize();
   return normals;
@@ -186,7 +186,7 @@ double drawSurface(Canvas& canvas, const Rect& area, const TriangleSoup& mesh) {
   const double depthRange = std::max(scale * extent.z(), 1e-9);
   for (const Triangle& t : mesh.triangles) {
     std::array<Corner, 3> corners;
-    for (std::size_t c = 0; c < 3; ++c) corners[c] = {seen.points[idx(t[c])], normals[idx(t[c])]};
+    for (std::size_t c = 0; c < 3; ++c) corners[c] = {seen.points[t[c]], normals[t[c]]};
     rasterizeTriangle(buffer, corners, depthRange);
   }
   paintBuffer(canvas, area, buffer);

@@ -19,10 +19,9 @@ void testStarPairs(DetectionWorkspace& work, int v) {
 
 void AdjacentFaces::test(DetectionWorkspace& work, int v) {
   if (work.stars.isCycle(v)) {
-    if (!starTest_.isEmbedded(work.points, v, work.stars.corners(v), work.sizes[idx(v)]))
-      testStarPairs(work, v);
+    if (!starTest_.isEmbedded(work.points, v, work.stars.corners(v), work.sizes[v])) testStarPairs(work, v);
   } else {
-    work.sizes[idx(v)] = measureStar(work.points, v, work.stars.corners(v));
+    work.sizes[v] = measureStar(work.points, v, work.stars.corners(v));
     testStarPairs(work, v);
   }
 }

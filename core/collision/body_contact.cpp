@@ -14,7 +14,7 @@ namespace handlebody {
 namespace {
 
 const Vec3& corner(const TriangleSoup& mesh, std::size_t triangle, std::size_t i) {
-  return mesh.points[idx(mesh.triangles[triangle][i])];
+  return mesh.points[mesh.triangles[triangle][i]];
 }
 
 void addBoxes(const TriangleSoup& mesh, std::vector<Box>& boxes) {
@@ -45,10 +45,10 @@ bool surfacesMeet(const TriangleSoup& a, const TriangleSoup& b) {
 //! True if a part of `a` lies in `b`, whose surfaces do not meet: then a vertex of it tells.
 bool liesIn(const TriangleSoup& a, const TriangleSoup& b) {
   const Components parts = findComponents(Mesh(a));
-  std::vector<unsigned char> asked(idx(parts.count()), 0);
+  std::vector<unsigned char> asked(parts.count(), 0);
   for (std::size_t v = 0; v < a.points.size(); ++v) {
-    if (parts.ofVertex[v] < 0 || asked[idx(parts.ofVertex[v])]++ != 0) continue;
-    asked[idx(parts.ofVertex[v])] = 1;
+    if (parts.ofVertex[v] < 0 || asked[parts.ofVertex[v]]++ != 0) continue;
+    asked[parts.ofVertex[v]] = 1;
     int winding = 0;
     for (std::size_t t = 0; t < b.triangles.size(); ++t)
       winding += crossing(corner(b, t, 0), corner(b, t, 1), corner(b, t, 2), a.points[v]);

@@ -69,8 +69,8 @@ class BoxTree {
 
 template <typename F>
 void BoxTree::visit(int a, int b, F&& f) const {
-  const Node& na = nodes_[static_cast<std::size_t>(a)];
-  const Node& nb = nodes_[static_cast<std::size_t>(b)];
+  const Node& na = nodes_[a];
+  const Node& nb = nodes_[b];
   if (!na.box.overlaps(nb.box)) return;
   const bool leafA = na.right == 0;
   const bool leafB = nb.right == 0;
@@ -103,8 +103,8 @@ void BoxTree::forEachHopeful(const BoxTree& other, Bound&& bound, Hopeful&& hope
     double bound;
   };
   if (nodes_.empty() || other.nodes_.empty()) return;
-  const auto nodeA = [&](int i) -> const Node& { return nodes_[static_cast<std::size_t>(i)]; };
-  const auto nodeB = [&](int i) -> const Node& { return other.nodes_[static_cast<std::size_t>(i)]; };
+  const auto nodeA = [&](int i) -> const Node& { return nodes_[i]; };
+  const auto nodeB = [&](int i) -> const Node& { return other.nodes_[i]; };
   const auto waiting = [&](int i, int j) { return Waiting{i, j, bound(nodeA(i).box, nodeB(j).box)}; };
   std::vector<Waiting> stack{waiting(0, 0)};
   while (!stack.empty()) {
@@ -114,8 +114,7 @@ void BoxTree::forEachHopeful(const BoxTree& other, Bound&& bound, Hopeful&& hope
     const Node &na = nodeA(w.a), &nb = nodeB(w.b);
     if (na.right == 0 && nb.right == 0) {
       for (int i = na.first; i < na.last; ++i)
-        for (int j = nb.first; j < nb.last; ++j)
-          f(order_[static_cast<std::size_t>(i)], other.order_[static_cast<std::size_t>(j)]);
+        for (int j = nb.first; j < nb.last; ++j) f(order_[i], other.order_[j]);
       continue;
     }
     const bool splitA = na.right != 0 && (nb.right == 0 || na.last - na.first >= nb.last - nb.first);

@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "core/geometry/triangle_distance.h"
-#include "core/indices.h"
 #include "core/mesh/nesting.h"
 
 namespace handlebody {
@@ -33,22 +32,22 @@ ClosestPoint::ClosestPoint(const TriangleSoup& mesh) : mesh_(mesh), order_(mesh.
   std::vector<Vec3> centres;
   centres.reserve(order_.size());
   for (const Triangle& t : mesh.triangles)
-    centres.push_back(mesh.points[idx(t[0])] + mesh.points[idx(t[1])] + mesh.points[idx(t[2])]);
+    centres.push_back(mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]);
   if (!order_.empty()) buildNode(centres, 0, static_cast<int>(order_.size()));
 }
 
 Box ClosestPoint::boxOf(int triangle) const {
-  const Triangle& t = mesh_.triangles[idx(triangle)];
-  const Vec3 &a = mesh_.points[idx(t[0])], &b = mesh_.points[idx(t[1])], &c = mesh_.points[idx(t[2])];
+  const Triangle& t = mesh_.triangles[triangle];
+  const Vec3 &a = mesh_.points[t[0]], &b = mesh_.points[t[1]], &c = mesh_.points[t[2]];
   return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
 }
 
 //! Halves at the median along the longest axis, so the depth is at most log2 of the number of triangles.
 int ClosestPoint::buildNode(std::vector<Vec3>& centres, int first, int last) {
   const int node = static_cast<int>(nodes_.size());
-  Box all = boxOf(order_[idx(first)]);
+  Box all = boxOf(order_[first]);
   for (int i = first + 1; i < last; ++i) {
-    const Box b = boxOf(order_[idx(i)]);
+    const Box b = boxOf(order_[i]);
     all = {all.low.cwiseMin(b.low), all.high.cwiseMax(b.high)};
   }
   nodes_.push_back({all, first, last, 0});
@@ -57,16 +56,16 @@ int ClosestPoint::buildNode(std::vector<Vec3>& centres, int first, int last) {
   (all.high - all.low).maxCoeff(&axis);
   const int middle = first + (last - first) / 2;
   std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last,
-                   [&](int i, int j) { return centres[idx(i)][axis] < centres[idx(j)][axis]; });
+                   [&](int i, int j) { return centres[i][axis] < centres[j][axis]; });
   buildNode(centres, first, middle);
   const int right = buildNode(centres, middle, last);
-  nodes_[idx(node)].right = right;
+  nodes_[node].right = right;
   return node;
 }
 
 double ClosestPoint::squaredTo(const Vec3& p, int triangle) const {
-  const Triangle& t = mesh_.triangles[idx(triangle)];
-  return squaredDistance(p, mesh_.points[idx(t[0])], mesh_.points[idx(t[1])], mesh_.points[idx(t[2])]);
+  const Triangle& t = mesh_.triangles[triangle];
+  return squaredDistance(p, mesh_.points[t[0]], mesh_.points[t[1]], mesh_.points[t[2]]);
 }
 
 double ClosestPoint::distance(const Vec3& p, int* hint) const {
@@ -83,17 +82,17 @@ double ClosestPoint::distance(const Vec3& p, int* hint) const {
   while (size > 0) {
     const Waiting w = stack[--size];
     if (!(w.squared < best)) continue;
-    const Node& node = nodes_[idx(w.node)];
+    const Node& node = nodes_[w.node];
     if (node.right == 0) {
       for (int i = node.first; i < node.last; ++i)
-        if (const double squared = squaredTo(p, order_[idx(i)]); squared < best) {
+        if (const double squared = squaredTo(p, order_[i]); squared < best) {
           best = squared;
-          nearest = order_[idx(i)];
+          nearest = order_[i];
         }
       continue;
     }
-    Waiting near{w.node + 1, squaredToBox(p, nodes_[idx(w.node + 1)].box)};
-    Waiting far{node.right, squaredToBox(p, nodes_[idx(node.right)].box)};
+    Waiting near{w.node + 1, squaredToBox(p, nodes_[w.node + 1].box)};
+    Waiting far{node.right, squaredToBox(p, nodes_[node.right].box)};
     if (far.squared < near.squared) std::swap(near, far);
     stack[size++] = far;
     stack[size++] = near;
@@ -110,7 +109,7 @@ int ClosestPoint::windingNumber(const Vec3& p) const {
   stack[size++] = 0;
   while (size > 0) {
     const int at = stack[--size];
-    const Node& node = nodes_[idx(at)];
+    const Node& node = nodes_[at];
     if (!isOnRay(p, node.box)) continue;
     if (node.right != 0) {
       stack[size++] = node.right;
@@ -118,8 +117,8 @@ int ClosestPoint::windingNumber(const Vec3& p) const {
       continue;
     }
     for (int i = node.first; i < node.last; ++i) {
-      const Triangle& t = mesh_.triangles[idx(order_[idx(i)])];
-      winding += crossing(mesh_.points[idx(t[0])], mesh_.points[idx(t[1])], mesh_.points[idx(t[2])], p);
+      const Triangle& t = mesh_.triangles[order_[i]];
+      winding += crossing(mesh_.points[t[0]], mesh_.points[t[1]], mesh_.points[t[2]], p);
     }
   }
   return winding;

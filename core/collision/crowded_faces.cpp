@@ -19,7 +19,7 @@ void CrowdedFaces::test(DetectionWorkspace& work) {
   faces_.clear();
   if (!work.all) markCells(work);
   for (int f = 0; f < static_cast<int>(work.faces.size()); ++f) {
-    if (work.faces[idx(f)][0] < 0) continue;
+    if (work.faces[f][0] < 0) continue;
     const Box box = work.boxOf(f);
     if (!work.all && !cells_.mayMeet(box)) continue;
     boxes_.push_back(box);
@@ -27,9 +27,9 @@ void CrowdedFaces::test(DetectionWorkspace& work) {
   }
   tree_.build(boxes_);
   tree_.forEachOverlap([&](int i, int j) {
-    const int f = faces_[idx(i)];
-    const int g = faces_[idx(j)];
-    if (work.isWanted(f, g) && !shareVertex(work.faces[idx(f)], work.faces[idx(g)])) work.test(f, g);
+    const int f = faces_[i];
+    const int g = faces_[j];
+    if (work.isWanted(f, g) && !shareVertex(work.faces[f], work.faces[g])) work.test(f, g);
   });
 }
 

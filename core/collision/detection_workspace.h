@@ -40,24 +40,21 @@ struct DetectionWorkspace {
   bool isWanted(int f, int g) const { return all || moved.hasFace(f) || moved.hasFace(g); }
   //! Adds the pair if it intersects.
   void test(int f, int g) {
-    if (facesIntersect(points, faces[idx(f)], faces[idx(g)]))
-      pairs.emplace_back(std::min(f, g), std::max(f, g));
+    if (facesIntersect(points, faces[f], faces[g])) pairs.emplace_back(std::min(f, g), std::max(f, g));
   }
   Box boxOf(int f) const {
-    const Triangle& t = faces[idx(f)];
-    const Vec3& a = points[idx(t[0])];
-    const Vec3& b = points[idx(t[1])];
-    const Vec3& c = points[idx(t[2])];
+    const Triangle& t = faces[f];
+    const Vec3& a = points[t[0]];
+    const Vec3& b = points[t[1]];
+    const Vec3& c = points[t[2]];
     return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
   }
   //! How near (mm², squared) the vertex u of a face T must be to the vertex v = P; see SeparateFaces.
-  double reachSquared(int u, int v) const {
-    return (sizes[idx(u)].circle + sizes[idx(v)].spoke * 0.25) * kRounding;
-  }
+  double reachSquared(int u, int v) const { return (sizes[u].circle + sizes[v].spoke * 0.25) * kRounding; }
   //! mm: no vertices that are farther apart have faces that meet.
   double reach() const;
   //! A size s of a star such that its spokes are not longer than s and its circles not larger than s/√3.
-  double sizeSquared(int v) const { return std::max(sizes[idx(v)].spoke, 3 * sizes[idx(v)].circle); }
+  double sizeSquared(int v) const { return std::max(sizes[v].spoke, 3 * sizes[v].circle); }
   //! By the sizes of the stars listed so far, whose largest becomes part of longestSquared: see VertexLevels.
   bool areLevelsWorth();
 };

@@ -16,7 +16,7 @@ int sharedFirst(const Triangle& a, const Triangle& b, Triangle& ordered) {
     const auto sharedEnd = ordered.begin() + shared;
     const bool isShared = std::find(b.begin(), b.end(), a[i]) != b.end();
     const bool isNew = std::find(ordered.begin(), sharedEnd, a[i]) == sharedEnd;
-    ordered[static_cast<std::size_t>(isShared && isNew ? shared++ : rest--)] = a[i];
+    ordered[isShared && isNew ? shared++ : rest--] = a[i];
   }
   return shared;
 }
@@ -28,7 +28,7 @@ bool facesIntersect(std::span<const Vec3> points, const Triangle& a, const Trian
   Triangle q{};
   const int shared = sharedFirst(a, b, p);
   sharedFirst(b, a, q);
-  const auto at = [&](int v) -> const Vec3& { return points[static_cast<std::size_t>(v)]; };
+  const auto at = [&](int v) -> const Vec3& { return points[v]; };
   switch (shared) {
     case 0:
       return trianglesIntersect(at(p[0]), at(p[1]), at(p[2]), at(q[0]), at(q[1]), at(q[2]));

@@ -15,11 +15,11 @@ static_assert(kMaxIndex * 0x1p-51 * 4 < kMargin - 1);
 std::optional<HalfBoxes> halfBoxesFor(std::span<const Vec3> points, std::span<const int> vertices,
                                       double radius) {
   if (!(radius > 0) || vertices.empty()) return {};
-  Vec3 low = points[static_cast<std::size_t>(vertices[0])];
+  Vec3 low = points[vertices[0]];
   Vec3 high = low;
   for (const int v : vertices) {
-    low = low.cwiseMin(points[static_cast<std::size_t>(v)]);
-    high = high.cwiseMax(points[static_cast<std::size_t>(v)]);
+    low = low.cwiseMin(points[v]);
+    high = high.cwiseMax(points[v]);
   }
   const double scale = 1 / (radius * kMargin);
   const Vec3 extent = (high - low) * scale;

@@ -20,25 +20,25 @@ void MovedFaces::mark(std::size_t pointCount, std::span<const Triangle> faces,
   else if (some > 0)
     listAtVertices(moved, stars);
   for (const int f : faces_)
-    for (const int v : faces[idx(f)]) {
-      if (isVertex_[idx(v)] != 0) continue;
-      isVertex_[idx(v)] = 1;
+    for (const int v : faces[f]) {
+      if (isVertex_[v] != 0) continue;
+      isVertex_[v] = 1;
       if (!many) vertices.push_back(v);
     }
   for (int v = 0; many && v < static_cast<int>(isVertex_.size()); ++v)
-    if (isVertex_[idx(v)] != 0) vertices.push_back(v);
+    if (isVertex_[v] != 0) vertices.push_back(v);
   for (const int v : vertices) stars.need(v);
 }
 
 void MovedFaces::clear(std::span<const int> vertices) {
-  for (const int f : faces_) isFace_[idx(f)] = 0;
-  for (const int v : vertices) isVertex_[idx(v)] = 0;
+  for (const int f : faces_) isFace_[f] = 0;
+  for (const int v : vertices) isVertex_[v] = 0;
 }
 
 void MovedFaces::listAmongAll(std::span<const Triangle> faces, std::span<const unsigned char> moved) {
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const Triangle& t = faces[f];
-    if (t[0] < 0 || (moved[idx(t[0])] | moved[idx(t[1])] | moved[idx(t[2])]) == 0) continue;
+    if (t[0] < 0 || (moved[t[0]] | moved[t[1]] | moved[t[2]]) == 0) continue;
     isFace_[f] = 1;
     faces_.push_back(static_cast<int>(f));
   }
@@ -46,11 +46,11 @@ void MovedFaces::listAmongAll(std::span<const Triangle> faces, std::span<const u
 
 void MovedFaces::listAtVertices(std::span<const unsigned char> moved, VertexStars& stars) {
   for (int v = 0; v < static_cast<int>(moved.size()); ++v) {
-    if (moved[idx(v)] == 0) continue;
+    if (moved[v] == 0) continue;
     stars.need(v);
     for (const Corner& c : stars.corners(v)) {
-      if (isFace_[idx(c.face)] != 0) continue;
-      isFace_[idx(c.face)] = 1;
+      if (isFace_[c.face] != 0) continue;
+      isFace_[c.face] = 1;
       faces_.push_back(c.face);
     }
   }

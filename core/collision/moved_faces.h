@@ -21,8 +21,8 @@ class MovedFaces {
 
   //! Those marked, by slot.
   std::span<const int> list() const { return faces_; }
-  bool hasFace(int f) const { return isFace_[static_cast<std::size_t>(f)] != 0; }
-  bool hasVertex(int v) const { return isVertex_[static_cast<std::size_t>(v)] != 0; }
+  bool hasFace(int f) const { return isFace_[f] != 0; }
+  bool hasVertex(int v) const { return isVertex_[v] != 0; }
 
  private:
   void listAmongAll(std::span<const Triangle> faces, std::span<const unsigned char> moved);

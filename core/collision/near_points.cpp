@@ -16,10 +16,10 @@ constexpr std::size_t kBitsPerVertex = 64;
 }  // namespace
 
 void NearPoints::build(std::span<const Vec3> points, std::span<const int> vertices, double radius) {
-  low_ = high_ = points[static_cast<std::size_t>(vertices[0])];
+  low_ = high_ = points[vertices[0]];
   for (const int v : vertices) {
-    low_ = low_.cwiseMin(points[static_cast<std::size_t>(v)]);
-    high_ = high_.cwiseMax(points[static_cast<std::size_t>(v)]);
+    low_ = low_.cwiseMin(points[v]);
+    high_ = high_.cwiseMax(points[v]);
   }
   // So large boxes that they can be numbered.
   const double reach = std::max(radius * kMargin, (high_ - low_).maxCoeff() / kMaxBoxes);
@@ -30,7 +30,7 @@ void NearPoints::build(std::span<const Vec3> points, std::span<const int> vertic
   mask_ = static_cast<std::uint32_t>(size - 1);
   bits_.assign(size / 64, 0);
   for (const int v : vertices) {
-    const Vec3 a = (points[static_cast<std::size_t>(v)] - low_) * scale_;
+    const Vec3 a = (points[v] - low_) * scale_;
     const Vec3 first = a - Vec3::Constant(0.5), last = a + Vec3::Constant(0.5);
     for (auto z = static_cast<std::int64_t>(first.z()); z <= static_cast<std::int64_t>(last.z()); ++z)
       for (auto y = static_cast<std::int64_t>(first.y()); y <= static_cast<std::int64_t>(last.y()); ++y)

@@ -8,14 +8,14 @@ namespace {
 constexpr double kMeasured = 1 + 0x1p-8;
 
 double longestOf(const DetectionWorkspace& work, const Triangle& t) {
-  const Vec3 &a = work.points[idx(t[0])], &b = work.points[idx(t[1])], &c = work.points[idx(t[2])];
+  const Vec3 &a = work.points[t[0]], &b = work.points[t[1]], &c = work.points[t[2]];
   return std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
 }
 
 void addInactive(DetectionWorkspace& work, int v) {
   work.stars.need(v);
   if (work.stars.corners(v).empty()) return;  // free, or without a face
-  work.sizes[idx(v)] = measureStar(work.points, v, work.stars.corners(v));
+  work.sizes[v] = measureStar(work.points, v, work.stars.corners(v));
   work.vertices.push_back(v);
 }
 
@@ -31,7 +31,7 @@ void NearVertices::add(DetectionWorkspace& work) {
   if (!nearlyAll && work.areLevelsWorth()) return addOfLevels(work);
   if (!nearlyAll) near_.build(work.points, work.vertices, work.reach());
   for (int v = 0; v < static_cast<int>(work.points.size()); ++v)
-    if (!work.isActive(v) && (nearlyAll || near_.mayBeNear(work.points[idx(v)]))) addInactive(work, v);
+    if (!work.isActive(v) && (nearlyAll || near_.mayBeNear(work.points[v]))) addInactive(work, v);
 }
 
 //! Each of the others by its own size, as its faces tell it.
@@ -40,12 +40,12 @@ void NearVertices::addOfLevels(DetectionWorkspace& work) {
   for (const Triangle& t : work.faces) {
     if (t[0] < 0) continue;
     const double longest = longestOf(work, t);
-    for (const int v : t) mostAround_[idx(v)] = std::max(mostAround_[idx(v)], longest);
+    for (const int v : t) mostAround_[v] = std::max(mostAround_[v], longest);
   }
   nearLevels_.build(work.points, work.vertices, work.starSizes, work.longestSquared * kMeasured);
   for (int v = 0; v < static_cast<int>(work.points.size()); ++v)
-    if (!work.isActive(v) && mostAround_[idx(v)] > 0 &&
-        nearLevels_.mayBeNear(work.points[idx(v)], mostAround_[idx(v)] * kMeasured))
+    if (!work.isActive(v) && mostAround_[v] > 0 &&
+        nearLevels_.mayBeNear(work.points[v], mostAround_[v] * kMeasured))
       addInactive(work, v);
 }
 

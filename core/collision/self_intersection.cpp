@@ -34,7 +34,7 @@ void CollisionDetector::Tables::runAll() {
     if (work.stars.corners(v).empty()) continue;
     work.vertices.push_back(v);
     adjacent.test(work, v);
-    work.longestSquared = std::max(work.longestSquared, work.sizes[idx(v)].longestEdge);
+    work.longestSquared = std::max(work.longestSquared, work.sizes[v].longestEdge);
   }
   testSeparate();
   sortUnique(work.pairs);

@@ -45,40 +45,38 @@ unsigned notSkipped(std::span<const Corner> corners, bool inOrder, Skip&& skip) 
 //! False if an earlier vertex of T is as near to v as u is: then T has its turn there.
 bool isFirstNear(const DetectionWorkspace& work, int u, const Triangle& t, int v) {
   for (std::size_t i = 0; t[i] != u; ++i) {
-    if ((work.points[idx(t[i])] - work.points[idx(v)]).squaredNorm() <= work.reachSquared(t[i], v))
-      return false;
+    if ((work.points[t[i]] - work.points[v]).squaredNorm() <= work.reachSquared(t[i], v)) return false;
   }
   return true;
 }
 
 //! Face f against the faces at v.
 void testFan(DetectionWorkspace& work, int f, int v) {
-  const Triangle& t = work.faces[idx(f)];
+  const Triangle& t = work.faces[f];
   const Box box = work.boxOf(f);
   for (const Corner& c : work.stars.corners(v))
-    if (work.isWanted(f, c.face) && work.boxOf(c.face).overlaps(box) &&
-        !shareVertex(work.faces[idx(c.face)], t))
+    if (work.isWanted(f, c.face) && work.boxOf(c.face).overlaps(box) && !shareVertex(work.faces[c.face], t))
       work.test(f, c.face);
 }
 
 //! The faces T at u against the faces at P = v.
 void testNear(DetectionWorkspace& work, int u, int v, double distanceSquared) {
   const std::span<const Vec3> points = work.points;
-  const double nearSquared = work.sizes[idx(v)].spoke * (0.25 * kRounding);
-  const Vec3& pu = points[idx(u)];
-  const Vec3 w = points[idx(v)] - pu;
+  const double nearSquared = work.sizes[v].spoke * (0.25 * kRounding);
+  const Vec3& pu = points[u];
+  const Vec3 w = points[v] - pu;
   // First a cheap rejection: a face whose corners stay behind `end` along w is too far from v.
   const double end = std::max(0.0, distanceSquared - std::sqrt(distanceSquared * nearSquared) -
-                                       (kRounding - 1) * (distanceSquared + work.sizes[idx(u)].spoke));
-  const auto skip = [&](int r) { return SkipBits{end > 0 && w.dot(points[idx(r)] - pu) < end, r == v}; };
+                                       (kRounding - 1) * (distanceSquared + work.sizes[u].spoke));
+  const auto skip = [&](int r) { return SkipBits{end > 0 && w.dot(points[r] - pu) < end, r == v}; };
   const std::span<const Corner> corners = work.stars.corners(u);
   for (std::size_t first = 0; first < corners.size(); first += kSkipBits) {
     const auto some = corners.subspan(first, std::min(kSkipBits, corners.size() - first));
     for (unsigned left = notSkipped(some, work.stars.isCycle(u), skip); left != 0; left &= left - 1) {
-      const Corner& c = some[static_cast<std::size_t>(std::countr_zero(left))];
+      const Corner& c = some[std::countr_zero(left)];
       if (!work.isActive(v) && !work.isWanted(c.face)) continue;
-      if (isFarFrom(points[idx(v)], pu, points[idx(c.next)], points[idx(c.prev)], nearSquared)) continue;
-      if (isFirstNear(work, u, work.faces[idx(c.face)], v)) testFan(work, c.face, v);
+      if (isFarFrom(points[v], pu, points[c.next], points[c.prev], nearSquared)) continue;
+      if (isFirstNear(work, u, work.faces[c.face], v)) testFan(work, c.face, v);
     }
   }
 }

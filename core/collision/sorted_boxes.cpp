@@ -24,7 +24,7 @@ bool SortedBoxes::build(std::span<const Vec3> points, std::span<const int> verti
   rejectBeyond_ = static_cast<float>((1 + off) * (1 + off) * (1 + 0x1p-20));
   entries_.resize(vertices.size());
   for (std::size_t i = 0; i < vertices.size(); ++i)
-    entries_[i] = {vertices[i], boxes->boxOf(points[static_cast<std::size_t>(vertices[i])])};
+    entries_[i] = {vertices[i], boxes->boxOf(points[vertices[i]])};
   for (const int axis : {0, 1, 2})
     sortAlong(static_cast<std::size_t>(axis), static_cast<int>(boxes->extent[axis]));
   if (listRows() > kCrowd * static_cast<double>(vertices.size())) return false;
@@ -73,7 +73,7 @@ void SortedBoxes::placePoints(const HalfBoxes& boxes) {
   for (std::size_t i = 0; i < count; ++i) {
     vertex_[i] = entries_[i].vertex;
     x_[i] = entries_[i].box[0];
-    const Vec3 a = boxes.placeOf(points_[static_cast<std::size_t>(vertex_[i])]);
+    const Vec3 a = boxes.placeOf(points_[vertex_[i]]);
     for (std::size_t axis = 0; axis < 3; ++axis) at_[axis][i] = static_cast<float>(a[static_cast<int>(axis)]);
   }
 }

@@ -22,8 +22,7 @@ bool SpatialHash::build(std::span<const Vec3> points, std::span<const int> verti
   radiusSquared_ = radius * radius * (1 + 0x1p-40);
   vertices_.assign(vertices.begin(), vertices.end());
   halfBoxes_.resize(vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    halfBoxes_[i] = boxes->boxOf(points[static_cast<std::size_t>(vertices[i])]);
+  for (std::size_t i = 0; i < vertices.size(); ++i) halfBoxes_[i] = boxes->boxOf(points[vertices[i]]);
   fillTable(0);
   return crowd() <= kCrowd * static_cast<double>(vertices.size());
 }
@@ -39,8 +38,7 @@ void SpatialHash::fillTable(int shift) {
   for (std::size_t i = 0; i < count; ++i) {
     std::uint32_t sum = 0;
     for (int axis = 0; axis < 3; ++axis)
-      sum += kPrimes[axis] * static_cast<std::uint32_t>(
-                                 boxIndex(halfBoxes_[i][static_cast<std::size_t>(axis)], shift >> axis & 1));
+      sum += kPrimes[axis] * static_cast<std::uint32_t>(boxIndex(halfBoxes_[i][axis], shift >> axis & 1));
     value_[i] = sum % size;
     ++start_[value_[i]];
   }

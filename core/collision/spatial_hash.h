@@ -49,7 +49,7 @@ class SpatialHash {
       for (std::uint32_t i = start_[value]; i < start_[value + 1]; ++i)
         for (std::uint32_t j = i + 1; j < start_[value + 1]; ++j) f(order_[i], order_[j]);
   }
-  const Vec3& pointOf(std::uint32_t i) const { return points_[static_cast<std::size_t>(vertices_[i])]; }
+  const Vec3& pointOf(std::uint32_t i) const { return points_[vertices_[i]]; }
   int firstSharedBox(std::uint32_t i, std::uint32_t j) const;
   double crowd() const;
 

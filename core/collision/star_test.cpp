@@ -59,10 +59,10 @@ class FewEdges {
   static constexpr std::size_t kMaxEdges = 7;
 
   FewEdges(std::span<const Vec3> points, int v, std::span<const Corner> corners) : count_(corners.size()) {
-    const Vec3& centre = points[static_cast<std::size_t>(v)];
+    const Vec3& centre = points[v];
     const auto end = [&](std::size_t i) -> const Vec3& {
       const int next = corners[i < count_ ? i : 0].next;
-      return points[static_cast<std::size_t>(i <= count_ ? next : v)];
+      return points[i <= count_ ? next : v];
     };
     // Put together in registers: what is stored one by one cannot be loaded as a vector right away.
     for (const std::size_t half : {0, 1}) {
@@ -156,11 +156,11 @@ bool StarTest::isEmbedded(std::span<const Vec3> points, int v, std::span<const C
 }
 
 StarSize measureStar(std::span<const Vec3> points, int v, std::span<const Corner> corners) {
-  const Vec3& centre = points[static_cast<std::size_t>(v)];
+  const Vec3& centre = points[v];
   StarSize size;
   for (const Corner& c : corners) {
-    const Vec3& a = points[static_cast<std::size_t>(c.next)];
-    const Vec3& b = points[static_cast<std::size_t>(c.prev)];
+    const Vec3& a = points[c.next];
+    const Vec3& b = points[c.prev];
     const Vec3 ea = a - centre, eb = b - centre;
     size.longestEdge = std::max({size.longestEdge, ea.squaredNorm(), eb.squaredNorm()});
     size.enclosingCircle = std::max(
@@ -178,8 +178,8 @@ bool StarTest::isEmbeddedInDouble(std::span<const Vec3> points, int v, std::span
     edges_.resize(k + 1);
     normals_.resize(k + 1);
   }
-  const Vec3& centre = points[static_cast<std::size_t>(v)];
-  for (std::size_t i = 0; i < k; ++i) edges_[i] = points[static_cast<std::size_t>(corners[i].next)] - centre;
+  const Vec3& centre = points[v];
+  for (std::size_t i = 0; i < k; ++i) edges_[i] = points[corners[i].next] - centre;
   edges_[k] = edges_[0];
   size = measureStar(points, v, corners);
   const double longest = size.longestEdge;

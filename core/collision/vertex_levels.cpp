@@ -1,5 +1,4 @@
 #include "core/collision/vertex_levels.h"
-#include "core/indices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,19 +30,19 @@ bool LevelPairs::build(std::span<const Vec3> points, std::span<const int> vertic
   const VertexLevels levels(largestSquared);
   level_.resize(points.size());
   for (std::size_t i = 0; i < vertices.size(); ++i)
-    level_[idx(vertices[i])] = static_cast<unsigned char>(levels.levelOf(sizesSquared[i]));
+    level_[vertices[i]] = static_cast<unsigned char>(levels.levelOf(sizesSquared[i]));
   for (int k = 0; k < VertexLevels::kLevels; ++k) {
     own_.clear();
     for (const int v : vertices)
-      if (level_[idx(v)] == k) own_.push_back(v);
-    isUsed_[idx(k)] = !own_.empty();
+      if (level_[v] == k) own_.push_back(v);
+    isUsed_[k] = !own_.empty();
     if (own_.empty()) continue;
     const double reach = levels.reachOf(k);
     if (!(reach > 0)) return false;
     near_.build(points, own_, reach);
     for (const int v : vertices)
-      if (level_[idx(v)] > k && near_.mayBeNear(points[idx(v)])) own_.push_back(v);
-    if (!pairs_[idx(k)].build(points, own_, reach)) return false;
+      if (level_[v] > k && near_.mayBeNear(points[v])) own_.push_back(v);
+    if (!pairs_[k].build(points, own_, reach)) return false;
   }
   return true;
 }
@@ -53,24 +52,24 @@ void NearLevels::build(std::span<const Vec3> points, std::span<const int> vertic
   levels_ = VertexLevels(largestSquared);
   std::array<std::vector<int>, VertexLevels::kLevels> of;
   for (std::size_t i = 0; i < vertices.size(); ++i)
-    of[idx(levels_.levelOf(sizesSquared[i]))].push_back(vertices[i]);
+    of[levels_.levelOf(sizesSquared[i])].push_back(vertices[i]);
   std::vector<int> upTo;
   for (int k = VertexLevels::kLevels - 1; k >= 0; --k) {
-    const std::vector<int>& own = of[idx(k)];
+    const std::vector<int>& own = of[k];
     upTo.insert(upTo.end(), own.begin(), own.end());
-    anyOf_[idx(k)] = !own.empty();
-    anyUpTo_[idx(k)] = !upTo.empty();
-    if (!own.empty()) of_[idx(k)].build(points, own, levels_.reachOf(k));
-    if (!upTo.empty()) upTo_[idx(k)].build(points, upTo, levels_.reachOf(k));
+    anyOf_[k] = !own.empty();
+    anyUpTo_[k] = !upTo.empty();
+    if (!own.empty()) of_[k].build(points, own, levels_.reachOf(k));
+    if (!upTo.empty()) upTo_[k].build(points, upTo, levels_.reachOf(k));
   }
 }
 
 //! With one that is not coarser it is a matter of the point's own reach, with a coarser one of the other's.
 bool NearLevels::mayBeNear(const Vec3& p, double sizeSquared) const {
   const int level = levels_.levelOf(sizeSquared);
-  if (anyUpTo_[idx(level)] && upTo_[idx(level)].mayBeNear(p)) return true;
+  if (anyUpTo_[level] && upTo_[level].mayBeNear(p)) return true;
   for (int k = 0; k < level; ++k)
-    if (anyOf_[idx(k)] && of_[idx(k)].mayBeNear(p)) return true;
+    if (anyOf_[k] && of_[k].mayBeNear(p)) return true;
   return false;
 }
 

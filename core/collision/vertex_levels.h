@@ -53,8 +53,7 @@ class LevelPairs {
     for (std::size_t k = 0; k < pairs_.size(); ++k)
       if (isUsed_[k])
         pairs_[k].forEachPair([&](int u, int v, double d) {
-          if (std::min(level_[static_cast<std::size_t>(u)], level_[static_cast<std::size_t>(v)]) == k)
-            f(u, v, d);
+          if (std::min(level_[u], level_[v]) == k) f(u, v, d);
         });
   }
 

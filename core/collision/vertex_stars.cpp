@@ -88,20 +88,20 @@ void VertexStars::fill(std::size_t pointCount) {
   stars_.assign(pointCount, {0, 0, false, 0});
   for (const Triangle& t : faces_) {
     if (t[0] < 0) continue;
-    for (const int v : t) ++stars_[idx(v)].count;
+    for (const int v : t) ++stars_[v].count;
   }
   int sum = 0;
   for (Star& star : stars_) {
     sum += star.count;
     star.first = sum;
   }
-  corners_.resize(idx(sum));
+  corners_.resize(sum);
   for (std::size_t f = faces_.size(); f-- > 0;) {  // backwards, so that corners stay in the order of faces
     const Triangle& t = faces_[f];
     if (t[0] < 0) continue;
     for (std::size_t i = 0; i < 3; ++i) {
-      const int slot = --stars_[idx(t[i])].first;
-      corners_[idx(slot)] = {static_cast<int>(f), t[(i + 1) % 3], t[(i + 2) % 3]};
+      const int slot = --stars_[t[i]].first;
+      corners_[slot] = {static_cast<int>(f), t[(i + 1) % 3], t[(i + 2) % 3]};
     }
   }
 }
@@ -122,12 +122,12 @@ void VertexStars::readFrom(const Mesh& mesh) {
 
 void VertexStars::check(int v) {
   if (!isStill(v)) read(v);
-  stars_[idx(v)].reading = reading_;
+  stars_[v].reading = reading_;
 }
 
 //! True if all faces of the cycle are still there: then they are all faces of v. Without branches for each.
 bool VertexStars::isStill(int v) const {
-  const Star& star = stars_[idx(v)];
+  const Star& star = stars_[v];
   if (!star.isCycle) return false;
   bool still = true;
   for (const Corner& c : corners(v)) {
@@ -142,7 +142,7 @@ bool VertexStars::isStill(int v) const {
 }
 
 void VertexStars::read(int v) {
-  Star& star = stars_[idx(v)];
+  Star& star = stars_[v];
   star = {static_cast<int>(corners_.size()), 0, false, 0};
   const int start = mesh_->outgoing(v);
   if (start < 0) return;
@@ -151,7 +151,7 @@ void VertexStars::read(int v) {
     const int face = Mesh::faceOf(h);
     const Triangle& t = mesh_->face(face);
     const int i = h - 3 * face, j = i == 2 ? 0 : i + 1, k = i == 0 ? 2 : i - 1;
-    corners_.push_back({face, t[idx(j)], t[idx(k)]});
+    corners_.push_back({face, t[j], t[k]});
     h = mesh_->opposite(3 * face + k);
   } while (h >= 0 && h != start);
   star.count = static_cast<int>(corners_.size()) - star.first;

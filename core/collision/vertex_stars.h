@@ -26,16 +26,16 @@ class VertexStars {
   void readFrom(const Mesh& mesh);
   //! After readFrom: makes corners(v) valid, those of other vertices stay so; spans do not.
   void need(int v) {
-    if (mesh_ && stars_[static_cast<std::size_t>(v)].reading != reading_) check(v);
+    if (mesh_ && stars_[v].reading != reading_) check(v);
   }
 
   std::span<const Corner> corners(int v) const {
-    const Star& star = stars_[static_cast<std::size_t>(v)];
+    const Star& star = stars_[v];
     return {corners_.data() + star.first, static_cast<std::size_t>(star.count)};
   }
   //! True if the faces at v form one closed cycle; corners(v) are then in that order: corner i and corner i+1
   //! share the edge from v to prev of i = next of i+1.
-  bool isCycle(int v) const { return stars_[static_cast<std::size_t>(v)].isCycle; }
+  bool isCycle(int v) const { return stars_[v].isCycle; }
   int vertexCount() const { return static_cast<int>(stars_.size()); }
 
  private:

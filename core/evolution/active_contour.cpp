@@ -199,8 +199,7 @@ std::size_t ActiveContour::memory() const {
 }
 SurfaceSupport ActiveContour::support() const {
   if (!state_->isDone()) return surfaceSupport(state_->mesh, *state_->object.image);
-  return {std::vector<FaceSupport>(static_cast<std::size_t>(state_->mesh.faceCount()), FaceSupport::edge), 0,
-          0};
+  return {std::vector<FaceSupport>(state_->mesh.faceCount(), FaceSupport::edge), 0, 0};
 }
 std::vector<Finding> ActiveContour::warnings(const SurfaceSupport& support) const {
   std::vector<Finding> warnings;

@@ -4,7 +4,7 @@ namespace handlebody {
 
 void ActiveVertices::reorder(std::span<const int> order) {
   std::vector<unsigned char> inOrder;
-  for (const int v : order) inOrder.push_back(quiet_[idx(v)]);
+  for (const int v : order) inOrder.push_back(quiet_[v]);
   quiet_ = std::move(inOrder);
 }
 
@@ -12,9 +12,9 @@ void ActiveVertices::convergeChanged(const Mesh& before, const Mesh& mesh,
                                      std::span<const unsigned char> touched) {
   resize(mesh.vertexSlots());
   for (int v = 0; v < mesh.vertexSlots(); ++v)
-    if (touched[idx(v)] != 0 &&
+    if (touched[v] != 0 &&
         (v >= before.vertexSlots() || !before.isVertex(v) || before.position(v) != mesh.position(v)))
-      quiet_[idx(v)] = kStepsToConverge;
+      quiet_[v] = kStepsToConverge;
 }
 
 std::vector<int> ActiveVertices::list(const Mesh& mesh, const LockedRegions& locked, int iteration) const {

@@ -18,12 +18,12 @@ namespace handlebody {
 class ActiveVertices {
  public:
   //! No vertex of a mesh with that many slots has converged.
-  void wakeAll(int slots) { quiet_.assign(idx(slots), 0); }
+  void wakeAll(int slots) { quiet_.assign(slots, 0); }
   //! The mesh has that many slots now; vertices in new ones have not converged.
-  void resize(int slots) { quiet_.resize(idx(slots), 0); }
+  void resize(int slots) { quiet_.resize(slots, 0); }
   //! Precondition, here and below: the slot is known.
-  void wake(int vertex) { quiet_[idx(vertex)] = 0; }
-  bool isConverged(int vertex) const { return quiet_[idx(vertex)] >= kStepsToConverge; }
+  void wake(int vertex) { quiet_[vertex] = 0; }
+  bool isConverged(int vertex) const { return quiet_[vertex] >= kStepsToConverge; }
   //! After mesh.reorder(order).
   void reorder(std::span<const int> order);
   //! After a step, with what it did to the vertices (converged_vertices.h).

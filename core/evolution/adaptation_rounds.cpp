@@ -15,7 +15,7 @@ VertexMarks verticesOf(const Mesh& mesh, const std::vector<FacePair>& pairs) {
   VertexMarks marked(idx(mesh.vertexSlots()), 0);
   for (const auto& [f, g] : pairs)
     for (int face : {f, g})
-      for (int v : mesh.face(face)) marked[idx(v)] = 1;
+      for (int v : mesh.face(face)) marked[v] = 1;
   return marked;
 }
 
@@ -33,8 +33,8 @@ void adaptInRounds(Mesh& mesh, CollisionDetector& detector, AdaptationSettings s
     if (!result.events.empty()) settings.topology = result.events.back().after;
     a.events.insert(a.events.end(), std::make_move_iterator(result.events.begin()),
                     std::make_move_iterator(result.events.end()));
-    a.touched.resize(idx(mesh.vertexSlots()), 0);
-    changed.resize(idx(mesh.vertexSlots()), 0);
+    a.touched.resize(mesh.vertexSlots(), 0);
+    changed.resize(mesh.vertexSlots(), 0);
     for (std::size_t v = 0; v < changed.size(); ++v) a.touched[v] = a.touched[v] | changed[v];
     if (!result.conflicts.empty()) {
       a.conflicts = std::move(result.conflicts);

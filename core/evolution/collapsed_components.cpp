@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "core/indices.h"
 #include "core/mesh/nesting.h"
 #include "core/surgery/predicted_change.h"
 
@@ -26,14 +25,14 @@ double extentOf(const Mesh& mesh) {
 std::vector<int> firstVertices(const Mesh& mesh, const Components& parts) {
   std::vector<int> first(parts.vertices.size(), -1);
   for (int v = mesh.vertexSlots() - 1; v >= 0; --v)
-    if (mesh.isVertex(v)) first[idx(parts.ofVertex[idx(v)])] = v;
+    if (mesh.isVertex(v)) first[parts.ofVertex[v]] = v;
   return first;
 }
 
 bool holdsPinned(const Mesh& mesh, const Components& parts, int component, const CollapsingStep& step) {
   if (!step.isPinned) return false;
   for (int v = 0; v < mesh.vertexSlots(); ++v)
-    if (mesh.isVertex(v) && parts.ofVertex[idx(v)] == component && step.isPinned(v)) return true;
+    if (mesh.isVertex(v) && parts.ofVertex[v] == component && step.isPinned(v)) return true;
   return false;
 }
 
@@ -76,9 +75,9 @@ std::vector<Event> CollapsedComponents::erase(Mesh& mesh, const CollapsingStep& 
   };
   lookForTurned();
   for (int c = 0; c < parts.count(); ++c) {
-    const Vec3 place = mesh.position(first[idx(c)]);
+    const Vec3 place = mesh.position(first[c]);
     const bool isTurned = std::binary_search(turned.begin(), turned.end(), c);
-    const bool isGone = parts.extent[idx(c)] < kCollapsed * step.edgeLength && !step.isKept(place) &&
+    const bool isGone = parts.extent[c] < kCollapsed * step.edgeLength && !step.isKept(place) &&
                         !holdsPinned(mesh, parts, c, step);
     if (!isTurned && !isGone) continue;
     Event event;
@@ -87,7 +86,7 @@ std::vector<Event> CollapsedComponents::erase(Mesh& mesh, const CollapsingStep& 
     event.location = place;
     event.before = now;
     event.after = now = predictDeletion(now, parts, c);
-    deleteComponent(mesh, first[idx(c)]);
+    deleteComponent(mesh, first[c]);
     lookForTurned();
     events.push_back(std::move(event));
   }

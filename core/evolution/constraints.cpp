@@ -21,8 +21,7 @@ using K = FindingKind;
 double outside(const Grid& grid, const Vec3& p) {
   const Vec3 index = grid.toIndex(p);
   Vec3 nearest;
-  for (int a = 0; a < 3; ++a)
-    nearest[a] = std::clamp(index[a], -0.5, grid.size[static_cast<std::size_t>(a)] - 0.5);
+  for (int a = 0; a < 3; ++a) nearest[a] = std::clamp(index[a], -0.5, grid.size[a] - 0.5);
   if (nearest == index) return 0;  // there and back again would be off by rounding where the axes are oblique
   return (grid.toWorld(nearest) - p).norm();
 }

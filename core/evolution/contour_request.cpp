@@ -34,7 +34,7 @@ Seed seedWithin(const StartSurface& start) {
   double least = std::numeric_limits<double>::infinity();
   const auto& p = start.mesh->points;
   for (const Triangle& t : start.mesh->triangles)
-    least = std::min(least, squaredDistance(start.inside, p[idx(t[0])], p[idx(t[1])], p[idx(t[2])]));
+    least = std::min(least, squaredDistance(start.inside, p[t[0]], p[t[1]], p[t[2]]));
   return {start.inside, kStartBall * std::sqrt(least), false};
 }
 
@@ -94,7 +94,7 @@ void ActiveContour::State::splitLongEdges() {
   Mesh split = mesh;
   VertexStates regulated(idx(mesh.vertexSlots()), kActive);
   for (int v = 0; v < mesh.vertexSlots(); ++v)
-    if (!mesh.isVertex(v) || locked.pins.holds(v)) regulated[idx(v)] = kAtRest;
+    if (!mesh.isVertex(v) || locked.pins.holds(v)) regulated[v] = kAtRest;
   regulate(split, {limits.longest, 0, {}, limits.forbidden}, regulated);
   if (findStructureFault(split) || !certify(split.compact()).boundsBody()) return;
   mesh = std::move(split);
@@ -271,7 +271,7 @@ void ActiveContour::State::correct() {
   correction->givesGround = differs.isOutside;
   active.resize(mesh.vertexSlots());
   for (int v = 0; v < mesh.vertexSlots(); ++v)
-    if (differs.vertices[idx(v)] != 0) active.activates(v);
+    if (differs.vertices[v] != 0) active.activates(v);
   topology = topologyNumbers(mesh);
 }
 

@@ -15,14 +15,14 @@ constexpr double kActivating =
 void countUnmoved(const Mesh& mesh, const StepMotion& a, double edgeLength,
                   std::vector<unsigned char>& unmovedSteps) {
   const std::size_t known = unmovedSteps.size();
-  unmovedSteps.resize(idx(mesh.vertexSlots()), 0);
+  unmovedSteps.resize(mesh.vertexSlots(), 0);
   // Vertices that surgery made, moved or gave new faces are active.
   std::vector<unsigned char> wasMoved(unmovedSteps.size(), 0);
-  for (int v : a.moving) wasMoved[idx(v)] = 1;
+  for (int v : a.moving) wasMoved[v] = 1;
   for (std::size_t v = 0; v < unmovedSteps.size(); ++v)
     if (v >= known || (a.touched[v] != 0 && wasMoved[v] == 0)) unmovedSteps[v] = 0;
   for (std::size_t i = 0; i < a.moving.size(); ++i) {
-    unsigned char& q = unmovedSteps[idx(a.moving[i])];
+    unsigned char& q = unmovedSteps[a.moving[i]];
     if (idx(a.moving[i]) >= known || !mesh.isVertex(a.moving[i])) continue;
     q = a.distances[i] < kUnmoved * edgeLength ? static_cast<unsigned char>(std::min(q + 1, kStepsToConverge))
                                                : static_cast<unsigned char>(0);
@@ -31,10 +31,10 @@ void countUnmoved(const Mesh& mesh, const StepMotion& a, double edgeLength,
   // a walk from neighbour to neighbour.
   std::fill(wasMoved.begin(), wasMoved.end(), static_cast<unsigned char>(0));
   for (std::size_t i = 0; i < a.moving.size(); ++i)
-    wasMoved[idx(a.moving[i])] = a.distances[i] > kActivating * edgeLength;
+    wasMoved[a.moving[i]] = a.distances[i] > kActivating * edgeLength;
   for (const Triangle& t : mesh.faces())
-    if (t[0] >= 0 && (wasMoved[idx(t[0])] | wasMoved[idx(t[1])] | wasMoved[idx(t[2])]) != 0)
-      for (const int v : t) unmovedSteps[idx(v)] = 0;
+    if (t[0] >= 0 && (wasMoved[t[0]] | wasMoved[t[1]] | wasMoved[t[2]]) != 0)
+      for (const int v : t) unmovedSteps[v] = 0;
 }
 
 }  // namespace handlebody

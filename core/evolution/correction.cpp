@@ -8,7 +8,6 @@
 #include "core/evolution/normal_profile.h"
 #include "core/evolution/seeds.h"
 #include "core/evolution/shown_object.h"
-#include "core/indices.h"
 #include "core/mesh/containment.h"
 #include "core/mesh/nesting.h"
 #include "core/mesh/shapes.h"
@@ -37,13 +36,12 @@ int anyVertexOf(const Components& parts, int component) {
 //! Per component: it, or one within it, has a pinned vertex.
 std::vector<bool> keptByPins(const Mesh& mesh, const Components& parts,
                              const std::function<bool(int)>& isPinned) {
-  std::vector<bool> kept(idx(parts.count()), false);
+  std::vector<bool> kept(parts.count(), false);
   if (!isPinned) return kept;
   const std::vector<int> surrounding = surroundingComponents(mesh, parts);
   for (int v = 0; v < mesh.vertexSlots(); ++v)
     if (mesh.isVertex(v) && isPinned(v))
-      for (int c = parts.ofVertex[idx(v)]; c >= 0 && !kept[idx(c)]; c = surrounding[idx(c)])
-        kept[idx(c)] = true;
+      for (int c = parts.ofVertex[v]; c >= 0 && !kept[c]; c = surrounding[c]) kept[c] = true;
   return kept;
 }
 
@@ -52,14 +50,13 @@ int deleteForeign(Mesh& mesh, const Components& parts, const std::vector<Enclose
                   const std::vector<bool>& kept) {
   std::vector<int> foreign;
   for (int c = 0; c < parts.count(); ++c)
-    if (parts.volume[idx(c)] >= 0 && enclosed[idx(c)].common == 0 && !kept[idx(c)])
-      foreign.push_back(anyVertexOf(parts, c));
+    if (parts.volume[c] >= 0 && enclosed[c].common == 0 && !kept[c]) foreign.push_back(anyVertexOf(parts, c));
   if (foreign.empty()) return 0;
   for (const int v : foreign) deleteComponent(mesh, v);
   const Components left = findComponents(mesh);
   std::vector<int> orphans;
   for (int c = 0; c < left.count(); ++c)
-    if (left.volume[idx(c)] < 0 && isMisplaced(mesh, left, c)) orphans.push_back(anyVertexOf(left, c));
+    if (left.volume[c] < 0 && isMisplaced(mesh, left, c)) orphans.push_back(anyVertexOf(left, c));
   for (const int v : orphans) deleteComponent(mesh, v);
   return static_cast<int>(foreign.size() + orphans.size());
 }
@@ -76,7 +73,7 @@ void addSphere(Mesh& mesh, const Seed& ball, double edgeLength) {
   std::vector<int> slots;
   for (const Vec3& p : sphere.points) slots.push_back(mesh.addVertex(p));
   for (Triangle& t : sphere.triangles)
-    for (int& v : t) v = slots[idx(v)];
+    for (int& v : t) v = slots[v];
   mesh.addFaces(sphere.triangles);
 }
 
@@ -121,9 +118,9 @@ std::vector<Seed> addFronts(Mesh& mesh, const ObjectImage& image, const std::vec
 double commonPart(const Components& parts, const std::vector<Enclosed>& enclosed) {
   double all = 0, common = 0;
   for (int c = 0; c < parts.count(); ++c) {
-    const double sign = parts.volume[idx(c)] < 0 ? -1 : 1;
-    all += sign * enclosed[idx(c)].all;
-    common += sign * enclosed[idx(c)].common;
+    const double sign = parts.volume[c] < 0 ? -1 : 1;
+    all += sign * enclosed[c].all;
+    common += sign * enclosed[c].common;
   }
   return all > 0 ? std::clamp(common / all, 0.0, 1.0) : 0;
 }
@@ -149,7 +146,7 @@ Correction correctComponents(Mesh& mesh, const ObjectImage& image, const std::ve
 
 Disagreement findDisagreement(const Mesh& mesh, const ObjectImage& image, double tolerance) {
   Disagreement out;
-  out.vertices.assign(idx(mesh.vertexSlots()), 0);
+  out.vertices.assign(mesh.vertexSlots(), 0);
   std::vector<int> rim;
   for (int v = 0; v < mesh.vertexSlots(); ++v) {
     if (!mesh.isVertex(v)) continue;
@@ -157,15 +154,15 @@ Disagreement findDisagreement(const Mesh& mesh, const ObjectImage& image, double
     const bool isOutside = image.inside(mesh.position(v) - off) < 0;
     out.isOutside = out.isOutside || isOutside;
     if (!isOutside && image.inside(mesh.position(v) + off) <= 0) continue;
-    out.vertices[idx(v)] = 1;
+    out.vertices[v] = 1;
     rim.push_back(v);
   }
   for (int ring = 0; ring < kAround; ++ring) {
     std::vector<int> next;
     for (const int v : rim)
       mesh.forEachNeighbour(v, [&](int w) {
-        if (out.vertices[idx(w)]) return;
-        out.vertices[idx(w)] = 1;
+        if (out.vertices[w]) return;
+        out.vertices[w] = 1;
         next.push_back(w);
       });
     rim = std::move(next);

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "core/cancellation.h"
-#include "core/indices.h"
 #include "core/mesh/topology.h"
 #include "core/surgery/local_smoothing.h"
 #include "core/surgery/mesh_edits.h"
@@ -61,15 +60,15 @@ int componentAt(const Mesh& mesh, const Components& parts, const Vec3& place, bo
   int nearest = -1;
   double distance = std::numeric_limits<double>::infinity();
   for (int v = 0; v < mesh.vertexSlots(); ++v) {
-    const int c = parts.ofVertex[idx(v)];
-    if (c < 0 || (cavitiesOnly && parts.volume[idx(c)] > 0)) continue;
+    const int c = parts.ofVertex[v];
+    if (c < 0 || (cavitiesOnly && parts.volume[c] > 0)) continue;
     const double d = (mesh.position(v) - place).norm();
     if (d < distance) {
       distance = d;
       nearest = c;
     }
   }
-  return nearest >= 0 && distance <= parts.extent[idx(nearest)] ? nearest : -1;
+  return nearest >= 0 && distance <= parts.extent[nearest] ? nearest : -1;
 }
 
 //! No face is new: what is left has not been touched.

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/indices.h"
 #include "core/mesh/topology.h"
 
 namespace handlebody {
@@ -32,41 +31,41 @@ std::pair<std::vector<int>, std::vector<int>> frontsAt(const Mesh& mesh, const V
   const auto distance = [&](int v) { return (mesh.position(v) - place).squaredNorm(); };
   const int first =
       *std::min_element(near.begin(), near.end(), [&](int a, int b) { return distance(a) < distance(b); });
-  std::vector<bool> isNear(idx(mesh.vertexSlots())), isReached(isNear.size());
-  for (const int v : near) isNear[idx(v)] = true;
+  std::vector<bool> isNear(mesh.vertexSlots()), isReached(isNear.size());
+  for (const int v : near) isNear[v] = true;
   std::vector<int> one{first};
-  isReached[idx(first)] = true;
+  isReached[first] = true;
   for (std::size_t i = 0; i < one.size(); ++i)
     mesh.forEachNeighbour(one[i], [&](int w) {
-      if (!isNear[idx(w)] || isReached[idx(w)]) return;
-      isReached[idx(w)] = true;
+      if (!isNear[w] || isReached[w]) return;
+      isReached[w] = true;
       one.push_back(w);
     });
   std::vector<int> other;
   for (const int v : near)
-    if (!isReached[idx(v)]) other.push_back(v);
+    if (!isReached[v]) other.push_back(v);
   return {one, other};
 }
 
 //! Along edges from the vertices of one front to the nearest of the other, and straight back; 0: there is no
 //! way.
 double loopThrough(const Mesh& mesh, const std::vector<int>& one, const std::vector<int>& other) {
-  std::vector<double> length(idx(mesh.vertexSlots()), kFar);
+  std::vector<double> length(mesh.vertexSlots(), kFar);
   std::vector<bool> isGoal(length.size());
-  for (const int v : other) isGoal[idx(v)] = true;
+  for (const int v : other) isGoal[v] = true;
   using Entry = std::pair<double, int>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   queue.emplace(0, one.front());
-  length[idx(one.front())] = 0;
+  length[one.front()] = 0;
   while (!queue.empty()) {
     const auto [way, v] = queue.top();
     queue.pop();
-    if (way > length[idx(v)]) continue;
-    if (isGoal[idx(v)]) return way + (mesh.position(v) - mesh.position(one.front())).norm();
+    if (way > length[v]) continue;
+    if (isGoal[v]) return way + (mesh.position(v) - mesh.position(one.front())).norm();
     mesh.forEachNeighbour(v, [&](int w) {
       const double longer = way + (mesh.position(w) - mesh.position(v)).norm();
-      if (longer >= length[idx(w)]) return;
-      length[idx(w)] = longer;
+      if (longer >= length[w]) return;
+      length[w] = longer;
       queue.emplace(longer, w);
     });
   }
@@ -87,7 +86,7 @@ HeldSize partAt(const Mesh& mesh, const Vec3& place, double longest) {
   const Components parts = findComponents(mesh);
   HeldSize size;
   for (const int v : verticesWithin(mesh, place, kAround[3] * longest)) {
-    const double volume = parts.volume[idx(parts.ofVertex[idx(v)])];
+    const double volume = parts.volume[parts.ofVertex[v]];
     if (size.part > 0 && std::abs(volume) >= size.part) continue;
     size.part = std::abs(volume);
     size.isCavity = volume < 0;

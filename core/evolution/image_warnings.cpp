@@ -39,7 +39,7 @@ bool isPadding(const FieldOfView& view, const Grid& grid, const Vec3& world) {
 
 SurfaceSupport surfaceSupport(const Mesh& mesh, const ObjectImage& image) {
   SurfaceSupport support;
-  support.faces.reserve(static_cast<std::size_t>(mesh.faceCount()));
+  support.faces.reserve(mesh.faceCount());
   double without = 0, border = 0, all = 0;
   forEachFacet(mesh, [&](const Vec3& middle, const Vec3& normal, double size) {
     const FaceSupport face = supportAt(image, middle, normal);

@@ -36,9 +36,9 @@ VoxelBox boxAround(const Grid& grid, const Mesh& mesh) {
   const double extent = (high - low).cwiseProduct(grid.spacing).maxCoeff();
   for (int a = 0; a < 3; ++a) {
     const double wide = std::max<double>(kWiden, kWidenPart * extent / grid.spacing[a]);
-    const double last = grid.size[idx(a)] - 1.0;
-    box.low[idx(a)] = static_cast<int>(std::clamp(std::floor(low[a] - wide), 0.0, last));
-    box.high[idx(a)] = static_cast<int>(std::clamp(std::ceil(high[a] + wide), 0.0, last));
+    const double last = grid.size[a] - 1.0;
+    box.low[a] = static_cast<int>(std::clamp(std::floor(low[a] - wide), 0.0, last));
+    box.high[a] = static_cast<int>(std::clamp(std::ceil(high[a] + wide), 0.0, last));
   }
   return box;
 }
@@ -88,8 +88,8 @@ bool LeakAlarm::isCovered(const Mesh& mesh, std::span<const int> vertices) const
   if (!map_) return false;
   Vec3 low, high;
   for (int a = 0; a < 3; ++a) {
-    low[a] = box_.low[idx(a)] == 0 ? -1e300 : box_.low[idx(a)] + kNear;
-    high[a] = box_.high[idx(a)] == grid_.size[idx(a)] - 1 ? 1e300 : box_.high[idx(a)] - kNear;
+    low[a] = box_.low[a] == 0 ? -1e300 : box_.low[a] + kNear;
+    high[a] = box_.high[a] == grid_.size[a] - 1 ? 1e300 : box_.high[a] - kNear;
   }
   if (low.maxCoeff() == -1e300 && high.minCoeff() == 1e300) return true;
   return std::all_of(vertices.begin(), vertices.end(), [&](int v) {
@@ -120,8 +120,8 @@ std::vector<LeakAlarm::Entry> LeakAlarm::enteredBy(const Mesh& mesh, std::span<c
   for (const int v : vertices) {
     if (!mesh.isVertex(v)) continue;
     const int passage = map_->behindWhich(mesh.position(v));
-    if (passage < 0 || entered_[idx(passage)]) continue;
-    entered_[idx(passage)] = true;
+    if (passage < 0 || entered_[passage]) continue;
+    entered_[passage] = true;
     fresh.push_back({idx(passage), v});
   }
   for (const Entry& e : fresh) known_.push_back(map_->passages()[e.passage].widest);

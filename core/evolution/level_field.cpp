@@ -17,8 +17,8 @@ constexpr double kWider = 0.05;
 //! there is nothing.
 void blurAxis(std::vector<double>& field, const std::array<int, 3>& n, int axis, int step) {
   std::size_t stride = 1;
-  for (int a = 0; a < axis; ++a) stride *= idx(n[idx(a)]);
-  const int length = n[idx(axis)];
+  for (int a = 0; a < axis; ++a) stride *= idx(n[a]);
+  const int length = n[axis];
   const std::vector<double> in = field;
   for (std::size_t at = 0; at < in.size(); ++at) {
     const int i = static_cast<int>(at / stride % idx(length));
@@ -97,7 +97,7 @@ void LevelField::Samples::add(const Vec3& index, double level, double weight) {
   std::size_t at = 0;
   for (int a = 2; a >= 0; --a) {
     const int node = static_cast<int>(index[a] / perNode_[a] + 0.5);
-    at = at * idx(nodes_[idx(a)]) + idx(std::clamp(node, 0, nodes_[idx(a)] - 1));
+    at = at * idx(nodes_[a]) + idx(std::clamp(node, 0, nodes_[a] - 1));
   }
   sum_[at] += weight * level;
   weight_[at] += weight;

@@ -90,21 +90,20 @@ WidestPathFlood floodThickFirst(const ThicknessMap& map, const std::vector<std::
   struct Waiting {
     Index voxel, from;
   };
-  std::vector<std::vector<Waiting>> queue(idx(bins));
+  std::vector<std::vector<Waiting>> queue(bins);
   WidestPathFlood flood;
   flood.stageOf.assign(map.count(), WidestPathFlood::kUnreached);
   int now = bins - 1;
   const auto push = [&](std::size_t i, Index from) {
     if (flood.stageOf[i] != WidestPathFlood::kUnreached || map.distance(i) == 0) return;
     flood.stageOf[i] = WidestPathFlood::kWaits;
-    queue[idx(std::min(now, static_cast<int>(map.distance(i) / bin)))].push_back(
-        {static_cast<Index>(i), from});
+    queue[std::min(now, static_cast<int>(map.distance(i) / bin))].push_back({static_cast<Index>(i), from});
   };
   for (std::size_t s : starts) push(s, WidestPathFlood::kNone);
   for (; now >= 0; --now) {
     Stage stage{now * bin, flood.order.size(), 0, 0, flood.order.size()};
-    for (std::size_t next = 0; next < queue[idx(now)].size(); ++next) {
-      const Waiting taken = queue[idx(now)][next];
+    for (std::size_t next = 0; next < queue[now].size(); ++next) {
+      const Waiting taken = queue[now][next];
       const auto rank = static_cast<Index>(flood.order.size());
       flood.order.push_back(taken.voxel);
       flood.from.push_back(taken.from);
@@ -115,7 +114,7 @@ WidestPathFlood floodThickFirst(const ThicknessMap& map, const std::vector<std::
       }
       map.forEachFaceNeighbour(taken.voxel, [&](std::size_t i) { push(i, rank); });
     }
-    queue[idx(now)] = {};
+    queue[now] = {};
     stage.last = flood.order.size();
     flood.stages.push_back(stage);
   }

@@ -52,7 +52,7 @@ class RingHeights {
   double of(int v);
 
  private:
-  std::atomic_ref<double> at(int v) { return std::atomic_ref(known_[static_cast<std::size_t>(v)]); }
+  std::atomic_ref<double> at(int v) { return std::atomic_ref(known_[v]); }
 
   const Mesh& mesh_;
   std::vector<double> known_;

@@ -150,7 +150,7 @@ class BoundarySearch {
     constexpr std::size_t kEvery = 16;
     double sum = 0, n = 0;
     for (std::size_t i = 0; i < region.faces.size(); i += kEvery, n += 1) {
-      const ObjectRegion::Voxel& v = region.voxels[static_cast<std::size_t>(region.faces[i].voxel)];
+      const ObjectRegion::Voxel& v = region.voxels[region.faces[i].voxel];
       const Vec3 at(v[0], v[1], v[2]);
       sum += std::abs(a.at(at) - b.at(at));
     }

@@ -85,7 +85,7 @@ ObjectImage::Limits ObjectImage::limitsWithin(const Vec3& index, const Vec3& wor
   const Grid& grid = volume_->grid();
   Limits limits{range_.low, range_.high, scale_, 1};
   for (int a = 0; a < 3; ++a) {
-    const double last = grid.size[static_cast<std::size_t>(a)] - 1.0;
+    const double last = grid.size[a] - 1.0;
     limits.most = std::min({limits.most, index[a] + kBorder, last + kBorder - index[a]});
   }
   if (region_.field) {

@@ -58,8 +58,7 @@ WallList erased(WallList walls, const std::vector<WallBall>& eraser) {
 std::vector<WallBall> reachingInto(const Grid& grid, std::vector<WallBall> stroke) {
   std::erase_if(stroke, [&](const WallBall& ball) {
     Vec3 index = grid.toIndex(ball.centre);
-    for (int a = 0; a < 3; ++a)
-      index[a] = std::clamp(index[a], -0.5, grid.size[static_cast<std::size_t>(a)] - 0.5);
+    for (int a = 0; a < 3; ++a) index[a] = std::clamp(index[a], -0.5, grid.size[a] - 0.5);
     return (grid.toWorld(index) - ball.centre).norm() >= ball.radius;
   });
   return stroke;

@@ -82,9 +82,8 @@ PassageMap::PassageMap(const ObjectImage& image, const Walls* walls, const Voxel
   std::vector<std::vector<std::uint32_t>> cores(mergings.size());
   const auto ballOf = [&](const Merging& m) { return std::max(m.level / kNarrow, kMinBall * cell_); };
   for (std::uint32_t i = 0; i < radius.size(); ++i)
-    if (const int n = tree.behindWhich(i);
-        n > 0 && static_cast<double>(radius[i]) >= ballOf(mergings[idx(n - 1)]))
-      cores[idx(n - 1)].push_back(i);
+    if (const int n = tree.behindWhich(i); n > 0 && static_cast<double>(radius[i]) >= ballOf(mergings[n - 1]))
+      cores[n - 1].push_back(i);
   for (std::size_t k = 0; k < mergings.size(); ++k) {
     const Merging& m = mergings[k];
     passages_.push_back(

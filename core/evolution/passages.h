@@ -49,7 +49,7 @@ class PassageMap {
   int behindWhich(const Vec3& world) const {
     if (passages_.empty()) return -1;
     const std::int64_t cell = cellAt(world);
-    return cell < 0 ? -1 : zones_[static_cast<std::size_t>(cell)] - 1;
+    return cell < 0 ? -1 : zones_[cell] - 1;
   }
   const std::vector<Passage>& passages() const { return passages_; }
 

@@ -19,20 +19,20 @@ std::vector<Conflict> pressedFlat(const Mesh& mesh, const PinnedParts& pins,
   if (!pins.any()) return out;
   const Components parts = findComponents(mesh);
   const double least = kFlat * std::pow(edgeLength, 3);
-  std::vector<unsigned char> isPinned(idx(parts.count()), 0);
-  std::vector<int> moving(idx(parts.count()), -1);  // a vertex
+  std::vector<unsigned char> isPinned(parts.count(), 0);
+  std::vector<int> moving(parts.count(), -1);  // a vertex
   for (int v = 0; v < mesh.vertexSlots(); ++v) {
-    const int c = parts.ofVertex[idx(v)];
+    const int c = parts.ofVertex[v];
     if (c < 0) continue;
     if (pins.holds(v))
-      isPinned[idx(c)] = 1;
-    else if (idx(v) < touched.size() && touched[idx(v)] != 0)
-      moving[idx(c)] = v;
+      isPinned[c] = 1;
+    else if (idx(v) < touched.size() && touched[v] != 0)
+      moving[c] = v;
   }
   for (int c = 0; c < parts.count(); ++c) {
-    const bool isFlat = std::abs(parts.volume[idx(c)]) < least;
-    if (!isFlat || isPinned[idx(c)] == 0 || moving[idx(c)] < 0) continue;
-    out.push_back({mesh.position(moving[idx(c)]), parts.extent[idx(c)], FindingKind::closesOverPinned});
+    const bool isFlat = std::abs(parts.volume[c]) < least;
+    if (!isFlat || isPinned[c] == 0 || moving[c] < 0) continue;
+    out.push_back({mesh.position(moving[c]), parts.extent[c], FindingKind::closesOverPinned});
     out.back().atPin = true;
   }
   return out;

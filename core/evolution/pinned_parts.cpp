@@ -72,7 +72,7 @@ void PinnedParts::makeMask() {
   for (const Part& p : parts_) last = std::max(last, p.vertices.back());
   VertexMarks mask(idx(last) + 1, 0);
   for (const Part& p : parts_)
-    for (const int v : p.vertices) mask[idx(v)] = 1;
+    for (const int v : p.vertices) mask[v] = 1;
   mask_ = std::make_shared<const VertexMarks>(std::move(mask));
 }
 
@@ -81,9 +81,9 @@ void PinnedParts::reorder(std::span<const int> order) {
   const auto slots = std::max<std::size_t>(
       mask_->size(), order.empty() ? 0 : idx(*std::max_element(order.begin(), order.end())) + 1);
   std::vector<int> now(slots, -1);
-  for (std::size_t i = 0; i < order.size(); ++i) now[idx(order[i])] = static_cast<int>(i);
+  for (std::size_t i = 0; i < order.size(); ++i) now[order[i]] = static_cast<int>(i);
   for (Part& p : parts_) {
-    for (int& v : p.vertices) v = now[idx(v)];
+    for (int& v : p.vertices) v = now[v];
     std::sort(p.vertices.begin(), p.vertices.end());
   }
   makeMask();

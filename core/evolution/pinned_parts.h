@@ -35,8 +35,7 @@ class PinnedParts {
   //! True if any vertex is held.
   bool any() const { return mask_ != nullptr; }
   bool holds(int vertex) const {
-    return mask_ && static_cast<std::size_t>(vertex) < mask_->size() &&
-           (*mask_)[static_cast<std::size_t>(vertex)] != 0;
+    return mask_ && static_cast<std::size_t>(vertex) < mask_->size() && (*mask_)[vertex] != 0;
   }
   //! Per vertex slot, as in Forbidden; null: none.
   const std::shared_ptr<const VertexMarks>& mask() const { return mask_; }

@@ -81,7 +81,7 @@ class Flood {
       growth.voxels.push_back(count);
       growth.border.push_back(border_ / borderVoxels_);
       if (taken >= mostVoxels_ && growth.border.back() > kBackground) break;
-      const double edge = sumGradient_[idx(bin)] > 0 ? sumSquared_[idx(bin)] / sumGradient_[idx(bin)] : 0;
+      const double edge = sumGradient_[bin] > 0 ? sumSquared_[bin] / sumGradient_[bin] : 0;
       if (edge <= strongest) continue;
       strongest = edge;
       enough = std::max(kEnoughVoxels, kEnoughTimes * count);
@@ -111,7 +111,7 @@ class Flood {
   //! By the brick's place among the bricks.
   Brick& brickOf(const Voxel& at) {
     const std::array<int, 3>& n = volume_.bricks();
-    std::unique_ptr<Brick>& brick = bricks_[idx((at.k * n[1] + at.j) * n[0] + at.i)];
+    std::unique_ptr<Brick>& brick = bricks_[(at.k * n[1] + at.j) * n[0] + at.i];
     if (!brick) brick = makeBrick(at);
     return *brick;
   }
@@ -127,7 +127,7 @@ class Flood {
         at.i == 0 || at.j == 0 || at.k == 0 || at.i == n[0] - 1 || at.j == n[1] - 1 || at.k == n[2] - 1;
     for (int row = 0; row < kRows; ++row) {
       const bool inGrid = (row & kBrickMask) <= brick->last.j && row >> kShift <= brick->last.k;
-      brick->seen[idx(row)] = inGrid ? ~(~RowBits{0} >> (kBrickMask - brick->last.i)) : ~RowBits{0};
+      brick->seen[row] = inGrid ? ~(~RowBits{0} >> (kBrickMask - brick->last.i)) : ~RowBits{0};
     }
     if (volume_.hasPadding()) markPadding(*brick);
     return brick;
@@ -146,7 +146,7 @@ class Flood {
     BrickVoxel place;
   };
   Neighbour neighbour(Brick& brick, const Voxel& at, BrickVoxel place, int axis, int side) {
-    const int stride = kPlaceStride[idx(axis)];
+    const int stride = kPlaceStride[axis];
     const int local = at.along(axis);
     if (side == 0 ? local > 0 : local < brick.last.along(axis))
       return {&brick, static_cast<BrickVoxel>(side == 0 ? place - stride : place + stride)};
@@ -155,11 +155,11 @@ class Flood {
   float value(const Neighbour& n) const { return sign_ * n.brick->values[valueIndex(inBrick(n.place))]; }
 
   Brick* beyond(Brick& brick, int axis, int side) {
-    Brick*& other = brick.neighbours[idx(2 * axis + side)];
+    Brick*& other = brick.neighbours[2 * axis + side];
     if (other) return other;
     std::array<int, 3> at{brick.first.i / kBrick, brick.first.j / kBrick, brick.first.k / kBrick};
-    at[idx(axis)] += 2 * side - 1;
-    if (at[idx(axis)] < 0 || at[idx(axis)] >= volume_.bricks()[idx(axis)]) return nullptr;
+    at[axis] += 2 * side - 1;
+    if (at[axis] < 0 || at[axis] >= volume_.bricks()[axis]) return nullptr;
     return other = &brickOf({at[0], at[1], at[2]});
   }
 
@@ -192,25 +192,25 @@ class Flood {
     brick.taken = brick.todo = {};
     brick.rows.clear();
     for (int row = 0; row < kRows; ++row)
-      brick.low[idx(row)] = rowBelow(brick.values + rowIndex(row), sign_, rowEnd_);
+      brick.low[row] = rowBelow(brick.values + rowIndex(row), sign_, rowEnd_);
   }
 
   //! Voxels of a row beside voxels that were taken. Those above the level wait for theirs.
   void reach(Brick& brick, int row, RowBits bits) {
     lookAtRows(brick);
-    bits &= ~brick.seen[idx(row)];
-    const RowBits high = bits & ~brick.low[idx(row)];
+    bits &= ~brick.seen[row];
+    const RowBits high = bits & ~brick.low[row];
     for (RowBits left = high; left != 0; left &= left - 1)
       push({&brick, static_cast<BrickVoxel>(row << kShift | std::countr_zero(left))});
-    if ((bits & brick.low[idx(row)]) == 0) return;
-    if (brick.rows.empty()) queue_[idx(rowLevel_)].push_back(&brick);
-    if (brick.todo[idx(row)] == 0) brick.rows.push_back(row);
-    brick.todo[idx(row)] |= bits & brick.low[idx(row)];
+    if ((bits & brick.low[row]) == 0) return;
+    if (brick.rows.empty()) queue_[rowLevel_].push_back(&brick);
+    if (brick.todo[row] == 0) brick.rows.push_back(row);
+    brick.todo[row] |= bits & brick.low[row];
   }
 
   //! Takes in what the level lets in, brick by brick. `taken`: what it has let in already.
   std::size_t drainByRows(std::size_t taken = 0) {
-    std::vector<Brick*>& queue = queue_[idx(rowLevel_)];
+    std::vector<Brick*>& queue = queue_[rowLevel_];
     for (std::size_t q = 0; q < queue.size() && !isLeak(static_cast<double>(taken)); ++q) {
       giveUpIfCancelled();
       std::vector<int>& rows = queue[q]->rows;
@@ -227,10 +227,10 @@ class Flood {
   //! Goes on by rows with a level that was begun voxel by voxel, from place q in its queue on.
   std::size_t drainRestByRows(std::size_t q, std::size_t taken) {
     startRows(level_);
-    const std::vector<Brick*> begun = std::exchange(queue_[idx(rowLevel_)], {});
+    const std::vector<Brick*> begun = std::exchange(queue_[rowLevel_], {});
     for (; q < begun.size(); ++q) {
       Brick& brick = *begun[q];
-      const std::vector<Entry> waiting = std::exchange(brick.waiting[idx(rowLevel_)], {});
+      const std::vector<Entry> waiting = std::exchange(brick.waiting[rowLevel_], {});
       for (const Entry& entry : waiting) brick.forget(entry.place);
       for (const Entry& entry : waiting)
         reach(brick, entry.place >> kShift, RowBits{1} << (entry.place & kBrickMask));
@@ -239,12 +239,12 @@ class Flood {
   }
 
   std::size_t takeRow(Brick& brick, int row) {
-    const RowBits free = brick.low[idx(row)] & ~brick.seen[idx(row)];
-    const RowBits start = std::exchange(brick.todo[idx(row)], 0) & free;
+    const RowBits free = brick.low[row] & ~brick.seen[row];
+    const RowBits start = std::exchange(brick.todo[row], 0) & free;
     if (start == 0) return 0;
     const RowBits taken = fillRow(start, free);
-    brick.seen[idx(row)] |= taken;
-    brick.taken[idx(row)] |= taken;
+    brick.seen[row] |= taken;
+    brick.taken[row] |= taken;
     reach(brick, row, taken << 1 | taken >> 1);
     if (Brick* before = taken & 1 ? beyond(brick, 0, 0) : nullptr)
       reach(*before, row, RowBits{1} << kBrickMask);
@@ -267,9 +267,9 @@ class Flood {
 
   void addRowEdges(Brick& brick) {
     for (int row = 0; row < kRows; ++row) {
-      if (brick.taken[idx(row)] == 0) continue;
+      if (brick.taken[row] == 0) continue;
       const float* values = brick.values + rowIndex(row);
-      RowBits edge = brick.taken[idx(row)] & ~rowBelow(values, sign_, static_cast<float>(levelStart_));
+      RowBits edge = brick.taken[row] & ~rowBelow(values, sign_, static_cast<float>(levelStart_));
       for (; edge != 0; edge &= edge - 1) {
         const int x = std::countr_zero(edge);
         const auto place = static_cast<BrickVoxel>(row << kShift | x);
@@ -287,9 +287,9 @@ class Flood {
     level_ = bin;
     levelStart_ = lowest_ + step_ * bin;
     std::size_t taken = 0;
-    for (std::size_t q = 0; q < queue_[idx(bin)].size(); ++q) {
-      Brick& brick = *queue_[idx(bin)][q];
-      std::vector<Entry>& waiting = brick.waiting[idx(bin)];
+    for (std::size_t q = 0; q < queue_[bin].size(); ++q) {
+      Brick& brick = *queue_[bin][q];
+      std::vector<Entry>& waiting = brick.waiting[bin];
       for (std::size_t i = 0; i < waiting.size(); ++i, ++taken) {
         if (taken % kBetweenLooks == 0) giveUpIfCancelled();
         if (isLeak(static_cast<double>(taken))) return taken;
@@ -363,8 +363,8 @@ class Flood {
     if (volume_.hasPadding() && isBesidePadding(brick.inGrid(at))) return;
     const double squared =
         isWithin(brick, at) ? squaredGradientWithin(brick, at) : squaredGradient(brick, entry, at);
-    sumGradient_[idx(level_)] += std::sqrt(squared);
-    sumSquared_[idx(level_)] += squared;
+    sumGradient_[level_] += std::sqrt(squared);
+    sumSquared_[level_] += squared;
   }
 
   double squaredGradient(Brick& brick, const Entry& entry, const Voxel& at) {
@@ -396,10 +396,10 @@ class Flood {
       double s1 = 0, s2 = 0;
       for (int c = std::max(0, b - kHalfWidth); c <= std::min(static_cast<int>(bins) - 1, b + kHalfWidth);
            ++c) {
-        s1 += sumGradient_[idx(c)];
-        s2 += sumSquared_[idx(c)];
+        s1 += sumGradient_[c];
+        s2 += sumSquared_[c];
       }
-      edge[idx(b)] = s1 > 0 ? s2 / s1 : 0;
+      edge[b] = s1 > 0 ? s2 / s1 : 0;
     }
     return edge;
   }

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/evolution/edge_profile.h"
-#include "core/indices.h"
 #include "core/volume/intensity_statistics.h"
 
 namespace handlebody {
@@ -28,8 +27,8 @@ ObjectRegion facesOf(const WorkImage& work, const Region& region) {
         for (std::int8_t a = 0; a < 3; ++a)
           for (const std::int8_t step : {std::int8_t{-1}, std::int8_t{1}}) {
             ObjectRegion::Voxel w = v;
-            w[idx(a)] += step;
-            if (w[idx(a)] < 0 || w[idx(a)] >= n[idx(a)]) continue;
+            w[a] += step;
+            if (w[a] < 0 || w[a] >= n[a]) continue;
             const std::size_t j = cells.at(w);
             if (region.inside[j] || work.image.padding[j]) continue;
             if (!isListed) out.voxels.push_back(v);
@@ -63,7 +62,7 @@ RegionLevels levelsOn(const WorkImage& work, const Region& region, const Grid& g
   std::vector<double> steps;
   double sides = 0;
   for (const ObjectRegion::Face& face : voxels.faces) {
-    const ObjectRegion::Voxel& v = voxels.voxels[idx(face.voxel)];
+    const ObjectRegion::Voxel& v = voxels.voxels[face.voxel];
     const auto rise = rising.halfWay(v, face), fall = falling.halfWay(v, face);
     if (!rise && !fall) continue;
     const bool rises = !fall || (rise && rise->step >= fall->step);

@@ -1,5 +1,4 @@
 #include "core/evolution/shown_object.h"
-#include "core/indices.h"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +17,7 @@ Grid coarseGrid(const Grid& voxels, double apart) {
   Grid grid = voxels;
   for (int a = 0; a < 3; ++a) {
     const int step = std::max(1, static_cast<int>(apart / voxels.spacing[a]));
-    grid.size[idx(a)] = (voxels.size[idx(a)] - 1) / step + 1;
+    grid.size[a] = (voxels.size[a] - 1) / step + 1;
     grid.spacing[a] *= step;
   }
   return grid;
@@ -54,7 +53,7 @@ void ShownObject::flood(const ObjectImage& image, const std::vector<Vec3>& place
     const Vec3 index = grid_.toIndex(place);
     for (int corner = 0; corner < 8; ++corner) {
       Point p;
-      for (int a = 0; a < 3; ++a) p[idx(a)] = static_cast<int>(std::floor(index[a])) + ((corner >> a) & 1);
+      for (int a = 0; a < 3; ++a) p[a] = static_cast<int>(std::floor(index[a])) + ((corner >> a) & 1);
       visit(p);
     }
   }
@@ -102,9 +101,7 @@ std::vector<Crossing> crossingsOf(const Mesh& mesh, const Components& parts, con
   for (const Vec3& p : mesh.positions()) indices.push_back(grid.toIndex(p));
   std::vector<Crossing> out;
   for (const Triangle& f : mesh.faces())
-    if (f[0] >= 0)
-      cross({indices[idx(f[0])], indices[idx(f[1])], indices[idx(f[2])]}, parts.ofVertex[idx(f[0])], grid,
-            out);
+    if (f[0] >= 0) cross({indices[f[0]], indices[f[1]], indices[f[2]]}, parts.ofVertex[f[0]], grid, out);
   std::sort(out.begin(), out.end());
   return out;
 }
@@ -119,7 +116,7 @@ std::vector<Enclosed> enclosedBy(const Mesh& mesh, const Components& parts, cons
   for (std::size_t c = 0; c + 1 < crossings.size(); ++c) {
     const Crossing &from = crossings[c], &to = crossings[c + 1];
     if (from.component != to.component || from.i != to.i || from.j != to.j) continue;
-    Enclosed& e = out[idx(from.component)];
+    Enclosed& e = out[from.component];
     const int last = std::min(grid.size[2] - 1, static_cast<int>(std::floor(to.k)));
     for (int k = std::max(0, static_cast<int>(std::ceil(from.k))); k <= last; ++k) {
       e.all += 1;

@@ -31,10 +31,10 @@ class CellFlood {
     Vec3 middle;
     for (int a = 0; a < 3; ++a) {
       const double wanted = std::round(edgeLength / voxels_.spacing[a]);
-      perCell_[idx(a)] = static_cast<int>(std::clamp<double>(wanted, 1, kMaxVoxels));
-      cells_.size[idx(a)] = (voxels_.size[idx(a)] + perCell_[idx(a)] - 1) / perCell_[idx(a)];
-      cells_.spacing[a] = voxels_.spacing[a] * perCell_[idx(a)];
-      middle[a] = 0.5 * (perCell_[idx(a)] - 1);
+      perCell_[a] = static_cast<int>(std::clamp<double>(wanted, 1, kMaxVoxels));
+      cells_.size[a] = (voxels_.size[a] + perCell_[a] - 1) / perCell_[a];
+      cells_.spacing[a] = voxels_.spacing[a] * perCell_[a];
+      middle[a] = 0.5 * (perCell_[a] - 1);
     }
     cells_.origin = voxels_.toWorld(middle);
     states_.assign(cells_.voxelCount(), kUnknown);
@@ -44,7 +44,7 @@ class CellFlood {
     const Vec3 index = cells_.toIndex(world);
     Cell c;
     for (int a = 0; a < 3; ++a)
-      c[idx(a)] = static_cast<int>(std::clamp<double>(std::round(index[a]), 0, cells_.size[idx(a)] - 1.0));
+      c[a] = static_cast<int>(std::clamp<double>(std::round(index[a]), 0, cells_.size[a] - 1.0));
     visit(c);
     while (!front_.empty()) {
       if (front_.size() % 4096 == 0) giveUpIfCancelled();

@@ -22,7 +22,7 @@ void SpaceTree::findBasins() {
   basin_.assign(radius_.size(), -1);
   const auto count = static_cast<std::int32_t>(radius_.size());
   for (std::int32_t c = 0; c < count; ++c) {
-    const float* here = &radius_[static_cast<std::size_t>(c)];
+    const float* here = &radius_[c];
     if (*here <= 0) continue;
     float widest = *here;
     std::ptrdiff_t to = 0;
@@ -33,25 +33,24 @@ void SpaceTree::findBasins() {
     };
     for (std::size_t n = forward_.size(); n-- > 0;) look(-forward_[n]);
     for (const std::ptrdiff_t step : forward_) look(step);
-    basin_[static_cast<std::size_t>(c)] = c + static_cast<std::int32_t>(to);
+    basin_[c] = c + static_cast<std::int32_t>(to);
   }
   std::vector<std::int32_t> way;
   for (std::int32_t c = 0; c < count; ++c) {
-    if (basin_[static_cast<std::size_t>(c)] < 0) continue;
+    if (basin_[c] < 0) continue;
     std::int32_t at = c;
-    for (way.clear(); basin_[static_cast<std::size_t>(at)] != at; at = basin_[static_cast<std::size_t>(at)])
-      way.push_back(at);
-    for (const std::int32_t w : way) basin_[static_cast<std::size_t>(w)] = at;
+    for (way.clear(); basin_[at] != at; at = basin_[at]) way.push_back(at);
+    for (const std::int32_t w : way) basin_[w] = at;
   }
   // From peaks to numbers: every cell's peak is told by its place, which is not its number yet.
   std::vector<std::int32_t> numbers(radius_.size(), -1);
   for (std::int32_t c = 0; c < count; ++c)
-    if (basin_[static_cast<std::size_t>(c)] == c) {
-      numbers[static_cast<std::size_t>(c)] = static_cast<std::int32_t>(spaces_.size());
+    if (basin_[c] == c) {
+      numbers[c] = static_cast<std::int32_t>(spaces_.size());
       spaces_.push_back({static_cast<std::uint32_t>(c)});
     }
   for (std::int32_t& b : basin_)
-    if (b >= 0) b = numbers[static_cast<std::size_t>(b)];
+    if (b >= 0) b = numbers[b];
 }
 
 void SpaceTree::findBorders() {
@@ -102,7 +101,7 @@ void SpaceTree::start(std::span<const std::uint32_t> starts) {
   }
   for (const std::uint32_t cell : starts) {
     if (basin_[cell] < 0) continue;
-    Space& space = spaces_[static_cast<std::size_t>(basin_[cell])];
+    Space& space = spaces_[basin_[cell]];
     space.isStarted = true;
     space.past = {{peakOf(space), peakOf(space)}};
   }
@@ -225,7 +224,7 @@ class WideRuns {
       for (const std::ptrdiff_t back : {std::ptrdiff_t{1}, slab - 1, slab, slab + 1}) joinRows(row, back);
   }
   void joinRows(std::ptrdiff_t row, std::ptrdiff_t back) {
-    const auto first = [&](std::ptrdiff_t r) { return firstOfRow_[static_cast<std::size_t>(r)]; };
+    const auto first = [&](std::ptrdiff_t r) { return firstOfRow_[r]; };
     const std::uint32_t shift = static_cast<std::uint32_t>(back) * static_cast<std::uint32_t>(size_[0]);
     std::uint32_t b = first(row - back);
     const std::uint32_t endB = first(row - back + 1);

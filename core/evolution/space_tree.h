@@ -44,7 +44,7 @@ class SpaceTree {
   std::vector<Merging> merge(std::span<const std::uint32_t> starts, const NarrowRule& rule);
   //! Number (from 1 on) of the passage behind which a cell lies, 0 for none. Precondition: after merge.
   std::uint8_t behindWhich(std::size_t cell) const {
-    return basin_[cell] < 0 ? std::uint8_t{0} : marks_[static_cast<std::size_t>(basin_[cell])];
+    return basin_[cell] < 0 ? std::uint8_t{0} : marks_[basin_[cell]];
   }
 
   static constexpr std::size_t kMaxPassages = 255;

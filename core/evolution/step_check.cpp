@@ -23,9 +23,7 @@ constexpr bool kChecksWhole = false;
 
 bool has(const Mesh& mesh, int v) { return v >= 0 && v < mesh.vertexSlots() && mesh.isVertex(v); }
 
-bool isTouched(const StepResult& step, int v) {
-  return idx(v) < step.touched.size() && step.touched[idx(v)] != 0;
-}
+bool isTouched(const StepResult& step, int v) { return idx(v) < step.touched.size() && step.touched[v] != 0; }
 
 Conflict conflictAt(const StepResult& step, const Vec3& place, FindingKind reason) {
   return {place, kAround * step.longest, reason};
@@ -68,8 +66,8 @@ std::vector<Conflict> nestingFaults(const StepResult& step, const Components& pa
   for (const int c : misplacedComponents(labelled(step.mesh, parts))) {
     const auto at = std::find(parts.ofVertex.begin(), parts.ofVertex.end(), c);
     const Vec3 place = step.mesh.position(static_cast<int>(at - parts.ofVertex.begin()));
-    out.push_back({place, parts.extent[idx(c)] + kAround * step.longest,
-                   parts.volume[idx(c)] < 0 ? FindingKind::cavityOutside : FindingKind::bodyInBody});
+    out.push_back({place, parts.extent[c] + kAround * step.longest,
+                   parts.volume[c] < 0 ? FindingKind::cavityOutside : FindingKind::bodyInBody});
   }
   return out;
 }
@@ -118,7 +116,7 @@ std::vector<Conflict> StepCheck::coverageFaults(const StepResult& step) const {
   visitChangedBlocks(
       common, [&](int v, int n) { return areSame(was + v, is + v, n); },
       [&](int v) {
-        if (v < known && step.touched[idx(v)] != 0) return;
+        if (v < known && step.touched[v] != 0) return;
         if (step.mesh.isVertex(v) && is[v] != was[v]) unseen = v;
       });
   if (unseen >= 0) return {conflictAt(step, unseen, kUnseen)};

@@ -27,9 +27,9 @@ Attempt StepTransaction::attemptEdit(Mesh& mesh, const MeshEdit& edit, const Ste
   Attempt a;
   a.events = std::move(done.events);
   for (Event& e : a.events) e.iteration = edit.iteration;
-  a.touched.assign(idx(mesh.vertexSlots()), 0);
+  a.touched.assign(mesh.vertexSlots(), 0);
   for (const int v : done.touched)
-    if (v < mesh.vertexSlots()) a.touched[idx(v)] = 1;
+    if (v < mesh.vertexSlots()) a.touched[v] = 1;
   if (const auto place = scene.walls.brokenAnywhere(mesh))
     a.conflicts.push_back({*place, 0, FindingKind::editIntoWall});
   else if (const auto pinned = scene.locked.pins.broken(before(), mesh))

@@ -81,11 +81,11 @@ void StepTransaction::displace(Mesh& mesh, const StepScene& scene, Attempt& a) c
   for (std::size_t i = 0; i < moves.size(); ++i)
     moves[i] *= scene.locked.lockedRegions.speedFactor(mesh.position(a.moving[i]));
   giveUpIfCancelled();
-  a.touched.assign(idx(mesh.vertexSlots()), 0);
+  a.touched.assign(mesh.vertexSlots(), 0);
   scene.walls.bound(mesh, a.moving, scene.motion.largestStep, moves);
   for (std::size_t i = 0; i < moves.size(); ++i) {
     mesh.setPosition(a.moving[i], mesh.position(a.moving[i]) + moves[i]);
-    a.touched[idx(a.moving[i])] = 1;
+    a.touched[a.moving[i]] = 1;
   }
   scene.walls.holdBack(mesh, before(), a.moving, moves);
   for (const Vec3& m : moves) a.distances.push_back(m.norm());

@@ -97,11 +97,10 @@ std::vector<std::size_t> ThicknessMap::outsideOfVolume() const {
 void ThicknessMap::sweep(std::vector<float>& d) const {
   const auto relax = [&](int x, int y, int z, int sign) {
     const std::ptrdiff_t i = x + y * steps_[1] + z * steps_[2];
-    float best = d[static_cast<std::size_t>(i)];
+    float best = d[i];
     if (best == 0) return;
-    for (const Neighbour& n : before_)
-      best = std::min(best, d[static_cast<std::size_t>(i + sign * n.offset)] + n.length);
-    d[static_cast<std::size_t>(i)] = best;
+    for (const Neighbour& n : before_) best = std::min(best, d[i + sign * n.offset] + n.length);
+    d[i] = best;
   };
   for (int z = 1; z < size_[2] - 1; ++z)
     for (int y = 1; y < size_[1] - 1; ++y)

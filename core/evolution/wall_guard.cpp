@@ -87,24 +87,24 @@ void WallGuard::holdBack(Mesh& mesh, const Mesh& before, std::span<const int> mo
   for (const int v : moving)
     if (holding_->isNear(mesh.position(v))) suspects.push_back(v);
   if (suspects.empty()) return;
-  std::vector<int> order(idx(mesh.vertexSlots()), -1);
-  for (std::size_t i = 0; i < moving.size(); ++i) order[idx(moving[i])] = static_cast<int>(i);
+  std::vector<int> order(mesh.vertexSlots(), -1);
+  for (std::size_t i = 0; i < moving.size(); ++i) order[moving[i]] = static_cast<int>(i);
   const std::vector<Vec3> whole = moves;
   std::vector<unsigned char> part(moves.size(), 0);
-  std::vector<int> lastLook(idx(mesh.faceSlots()), -1);
+  std::vector<int> lastLook(mesh.faceSlots(), -1);
   for (int round = 0; !suspects.empty(); ++round) {
     std::vector<int> cut;
     const auto look = [&](int face) {
-      if (std::exchange(lastLook[idx(face)], round) == round) return;
+      if (std::exchange(lastLook[face], round) == round) return;
       const Triangle& t = mesh.face(face);
       if (holding_->clears(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]))) return;
       for (const int v : t)
-        if (order[idx(v)] >= 0 && part[idx(order[idx(v)])] + 1u < kParts.size()) cut.push_back(v);
+        if (order[v] >= 0 && part[order[v]] + 1u < kParts.size()) cut.push_back(v);
     };
     for (const int v : suspects) mesh.forEachOutgoing(v, [&](int h) { look(Mesh::faceOf(h)); });
     sortUnique(cut);
     for (const int v : cut) {
-      const std::size_t i = idx(order[idx(v)]);
+      const std::size_t i = idx(order[v]);
       moves[i] = kParts[++part[i]] * whole[i];
       mesh.setPosition(v, before.position(v) + moves[i]);
     }
@@ -115,7 +115,7 @@ void WallGuard::holdBack(Mesh& mesh, const Mesh& before, std::span<const int> mo
 std::optional<Vec3> WallGuard::broken(const Mesh& mesh, VertexMarkSpan touched,
                                       std::span<const Event> events) const {
   if (!holding_) return std::nullopt;
-  const auto isTouched = [&](int v) { return idx(v) >= touched.size() || touched[idx(v)] != 0; };
+  const auto isTouched = [&](int v) { return idx(v) >= touched.size() || touched[v] != 0; };
   for (const Triangle& t : mesh.faces()) {
     if (t[0] < 0 || !(isTouched(t[0]) || isTouched(t[1]) || isTouched(t[2]))) continue;
     const Vec3 &a = mesh.position(t[0]), &b = mesh.position(t[1]), &c = mesh.position(t[2]);
@@ -154,7 +154,7 @@ void requireFree(const std::vector<Seed>& asked, const Walls& walls) {
     if (object >= 0)
       throw Told<SeedError>(
           Finding(FindingKind::seedInObject,
-                  {{"place", placeValue(s.centre)}, {"object", walls.list().objects[idx(object)].name}}));
+                  {{"place", placeValue(s.centre)}, {"object", walls.list().objects[object].name}}));
     if (walls.distance(s.centre, 1) <= 0)
       throw Told<SeedError>(Finding(FindingKind::wallOverSeed, {{"place", placeValue(s.centre)}}));
   }

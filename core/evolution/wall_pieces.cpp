@@ -54,13 +54,10 @@ Vec3 centreOf(const Grid& grid, std::size_t voxel) {
 
 Walls::Touched touched(const Mesh& mesh, const Walls& walls, bool one) {
   Walls::Touched which;
-  std::vector<bool> near(static_cast<std::size_t>(mesh.vertexSlots()));
-  for (int v = 0; v < mesh.vertexSlots(); ++v)
-    near[static_cast<std::size_t>(v)] = mesh.isVertex(v) && walls.isNear(mesh.position(v));
+  std::vector<bool> near(mesh.vertexSlots());
+  for (int v = 0; v < mesh.vertexSlots(); ++v) near[v] = mesh.isVertex(v) && walls.isNear(mesh.position(v));
   for (const Triangle& t : mesh.faces()) {
-    if (t[0] < 0 ||
-        std::none_of(t.begin(), t.end(), [&](int v) { return near[static_cast<std::size_t>(v)]; }))
-      continue;
+    if (t[0] < 0 || std::none_of(t.begin(), t.end(), [&](int v) { return near[v]; })) continue;
     const bool here = walls.touches(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]), &which);
     if (here && one) break;
   }

@@ -26,9 +26,7 @@ WallSurface::WallSurface(const std::vector<WallObject>& objects, double cell) {
   measureBulges();
 }
 
-const Vec3& WallSurface::corner(int triangle, int i) const {
-  return points_[idx(triangles_[idx(triangle)][idx(i)])];
-}
+const Vec3& WallSurface::corner(int triangle, int i) const { return points_[triangles_[triangle][i]]; }
 
 //! All meshes as one: they do not meet, so that together they enclose what any of them does.
 void WallSurface::gather(const std::vector<WallObject>& objects) {
@@ -48,7 +46,7 @@ void WallSurface::gather(const std::vector<WallObject>& objects) {
       if (components.ofVertex[v] < 0) continue;
       const int part = firstPart + components.ofVertex[v];
       partOf_[idx(first) + v] = part;
-      parts_[idx(part)].place = mesh.points[v];
+      parts_[part].place = mesh.points[v];
     }
   }
 }
@@ -99,10 +97,10 @@ void WallSurface::fillCells() {
     forEachCell(rangeOf_.back(), [&](const Index& i) { ++first_[idx(at(i)) + 1]; });
   }
   for (std::size_t c = 0; c < count; ++c) first_[c + 1] += first_[c];
-  held_.resize(idx(first_.back()));
+  held_.resize(first_.back());
   std::vector<int> next(first_.begin(), first_.end() - 1);
   for (int t = 0; t < static_cast<int>(triangles_.size()); ++t)
-    forEachCell(rangeOf_[idx(t)], [&](const Index& i) { held_[idx(next[idx(at(i))]++)] = t; });
+    forEachCell(rangeOf_[t], [&](const Index& i) { held_[next[at(i)]++] = t; });
 }
 
 //! A cell without a triangle lies wholly inside or outside: as its neighbour does, or as a ray from its
@@ -112,9 +110,9 @@ void WallSurface::markInside() {
   forEachCell(Range{{0, 0, 0}, {0, size_[1] - 1, size_[2] - 1}}, [&](const Index& row) {
     for (int x = size_[0] - 1; x >= 0; --x) {
       const Index c{x, row[1], row[2]};
-      if (first_[idx(at(c))] != first_[idx(at(c)) + 1]) continue;
+      if (first_[at(c)] != first_[idx(at(c)) + 1]) continue;
       const Vec3 middle = low_ + cell_ * Vec3(x + 0.5, c[1] + 0.5, c[2] + 0.5);
-      cells_[idx(at(c))] = winds(middle, {x + 1, c[1], c[2]}) ? Cell::inside : Cell::outside;
+      cells_[at(c)] = winds(middle, {x + 1, c[1], c[2]}) ? Cell::inside : Cell::outside;
     }
   });
 }
@@ -127,8 +125,8 @@ bool WallSurface::winds(const Vec3& p, Index cell) const {
     const std::size_t c = idx(at(cell));
     if (cells_[c] != Cell::surface) return winding + (cells_[c] == Cell::inside ? 1 : 0) > 0;
     for (int i = first_[c]; i < first_[c + 1]; ++i) {
-      const int t = held_[idx(i)];
-      if (std::max(rangeOf_[idx(t)].low[0], from) == cell[0])
+      const int t = held_[i];
+      if (std::max(rangeOf_[t].low[0], from) == cell[0])
         winding += crossing(corner(t, 0), corner(t, 1), corner(t, 2), p);
     }
   }
@@ -144,7 +142,7 @@ int WallSurface::objectAt(const Vec3& p) const {
   if (!encloses(p)) return -1;
   std::vector<int> winding(parts_.size(), 0);  // there are no more objects than parts
   for (int t = 0; t < static_cast<int>(triangles_.size()); ++t)
-    winding[idx(objectOf_[idx(t)])] += crossing(corner(t, 0), corner(t, 1), corner(t, 2), p);
+    winding[objectOf_[t]] += crossing(corner(t, 0), corner(t, 1), corner(t, 2), p);
   return static_cast<int>(std::find_if(winding.begin(), winding.end(), [](int w) { return w > 0; }) -
                           winding.begin());
 }
@@ -154,11 +152,11 @@ void WallSurface::forEachNear(const Vec3& low, const Vec3& high, F&& f) const {
   const Range range = cellsOf(low, high);
   if (range.isEmpty()) return;
   forEachCell(range, [&](const Index& c) {
-    for (int i = first_[idx(at(c))]; i < first_[idx(at(c)) + 1]; ++i) {
-      const Index& own = rangeOf_[idx(held_[idx(i)])].low;
+    for (int i = first_[at(c)]; i < first_[idx(at(c)) + 1]; ++i) {
+      const Index& own = rangeOf_[held_[i]].low;
       const bool isFirst = std::max(own[0], range.low[0]) == c[0] && std::max(own[1], range.low[1]) == c[1] &&
                            std::max(own[2], range.low[2]) == c[2];
-      if (isFirst) f(held_[idx(i)]);
+      if (isFirst) f(held_[i]);
     }
   });
 }
@@ -168,8 +166,8 @@ void WallSurface::forEachNear(const Vec3& low, const Vec3& high, F&& f) const {
 void WallSurface::measureBulges() {
   std::vector<Vec3> normals(points_.size(), Vec3::Zero());
   for (const Triangle& t : triangles_) {
-    const Vec3 &a = points_[idx(t[0])], &b = points_[idx(t[1])], &c = points_[idx(t[2])];
-    for (const int v : t) normals[idx(v)] += (b - a).cross(c - a);
+    const Vec3 &a = points_[t[0]], &b = points_[t[1]], &c = points_[t[2]];
+    for (const int v : t) normals[v] += (b - a).cross(c - a);
   }
   hollows_ = bulgesBeside(normals, 1);
   const std::vector<double> own = bulgesBeside(normals, -1);
@@ -177,8 +175,8 @@ void WallSurface::measureBulges() {
   bulges_.assign(points_.size(), 0);
   for (const Triangle& t : triangles_)
     for (std::size_t i = 0; i < 3; ++i) {
-      bulges_[idx(t[i])] += own[idx(t[(i + 1) % 3])];
-      ++neighbours[idx(t[i])];
+      bulges_[t[i]] += own[t[(i + 1) % 3]];
+      ++neighbours[t[i]];
     }
   for (std::size_t v = 0; v < bulges_.size(); ++v) bulges_[v] /= std::max(1, neighbours[v]);
 }
@@ -208,9 +206,9 @@ WallSurface::Nearest WallSurface::nearest(const Vec3& p, double limit) const {
   const double away = nearest < 0 ? limit : std::sqrt(squared);
   double bulge = 0, hollow = 0;
   if (nearest >= 0)
-    for (const int v : triangles_[idx(nearest)]) {
-      bulge += bulges_[idx(v)] / 3;
-      hollow = std::max(hollow, hollows_[idx(v)]);
+    for (const int v : triangles_[nearest]) {
+      bulge += bulges_[v] / 3;
+      hollow = std::max(hollow, hollows_[v]);
     }
   return {encloses(p) ? -away : away, bulge, hollow};
 }
@@ -220,7 +218,7 @@ bool WallSurface::meets(const Vec3& a, const Vec3& b, const Vec3& c, std::vector
   forEachNear(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c), [&](int t) {
     if ((any && !which) || !trianglesIntersect(a, b, c, corner(t, 0), corner(t, 1), corner(t, 2))) return;
     any = true;
-    if (which) which->push_back(objectOf_[idx(t)]);
+    if (which) which->push_back(objectOf_[t]);
   });
   return any;
 }
@@ -243,13 +241,13 @@ bool WallSurface::clears(const Vec3& a, const Vec3& b, const Vec3& c, double cle
 std::vector<Vec3> WallSurface::places(const Vec3& world, double within) const {
   std::vector<int> nearest(parts_.size(), -1);
   forEachNear(world.array() - within, world.array() + within, [&](int t) {
-    for (const int v : triangles_[idx(t)])
-      if ((points_[idx(v)] - world).squaredNorm() <= within * within && nearest[idx(partOf_[idx(v)])] < 0)
-        nearest[idx(partOf_[idx(v)])] = v;
+    for (const int v : triangles_[t])
+      if ((points_[v] - world).squaredNorm() <= within * within && nearest[partOf_[v]] < 0)
+        nearest[partOf_[v]] = v;
   });
   std::vector<Vec3> out;
   for (const int v : nearest)
-    if (v >= 0) out.push_back(points_[idx(v)]);
+    if (v >= 0) out.push_back(points_[v]);
   return out;
 }
 

@@ -125,7 +125,7 @@ void Walls::limitFree(const Index& b, const Vec3& ball, double guard) {
     const double centre = std::clamp(ball[axis], -0.5, bricks_[a] * size - 0.5);
     away[axis] = std::max({0.0, low - centre, centre - low - size}) * grid_.spacing[axis];
   }
-  float& free = free_[idx(brickAt(b))];
+  float& free = free_[brickAt(b)];
   free = std::min(free, static_cast<float>(kNotMore * std::max(0.0, away.norm() - guard)));
 }
 
@@ -134,9 +134,9 @@ void Walls::fillBalls() {
   for (std::size_t i = 0; i < list_.balls.size(); ++i) {
     const Vec3 index = grid_.toIndex(list_.balls[i].centre);
     forEach(bricksWithin(index, index, reaches_[i].rest + far_),
-            [&](const Index& b) { held[idx(brickAt(b))].push_back(static_cast<int>(i)); });
+            [&](const Index& b) { held[brickAt(b)].push_back(static_cast<int>(i)); });
     forEach(bricksWithin(index, index, reaches_[i].rest + reach_), [&](const Index& b) {
-      near_[idx(brickAt(b))] = true;
+      near_[brickAt(b)] = true;
       limitFree(b, index, reaches_[i].guard);
     });
   }
@@ -160,8 +160,8 @@ void Walls::fillDiscs() {
       high = high.cwiseMax(index);
     }
     forEach(bricksWithin(low, high, discRest_ + std::max(far_, reach_)), [&](const Index& b) {
-      near_[idx(brickAt(b))] = nearDiscs_[idx(brickAt(b))] = true;
-      free_[idx(brickAt(b))] = 0;
+      near_[brickAt(b)] = nearDiscs_[brickAt(b)] = true;
+      free_[brickAt(b)] = 0;
     });
   }
 }
@@ -173,7 +173,7 @@ void Walls::fillMap() {
   std::size_t i = 0;
   forEach(Range{{0, 0, 0}, {grid_.size[0] - 1, grid_.size[1] - 1, grid_.size[2] - 1}}, [&](const Index& v) {
     if (wall[i++])
-      hasVoxels_[idx(brickAt({v[0] / brickSize_[0], v[1] / brickSize_[1], v[2] / brickSize_[2]}))] = true;
+      hasVoxels_[brickAt({v[0] / brickSize_[0], v[1] / brickSize_[1], v[2] / brickSize_[2]})] = true;
   });
   nearVoxels_ = hasVoxels_;
   dilate(nearVoxels_, margin_ + far_);
@@ -189,20 +189,20 @@ void Walls::fillObjects() {
   if (list_.objects.empty()) return;
   objects_ = std::make_shared<const WallSurface>(list_.objects, kObjectCell * grid_.meanSpacing());
   for (const Triangle& t : objects_->triangles()) {
-    const auto corner = [&](std::size_t i) { return grid_.toIndex(objects_->points()[idx(t[i])]); };
+    const auto corner = [&](std::size_t i) { return grid_.toIndex(objects_->points()[t[i]]); };
     const Vec3 a = corner(0), b = corner(1), c = corner(2);
     forEach(bricksWithin(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c), clearance_ + reach_),
             [&](const Index& i) {
-              near_[idx(brickAt(i))] = true;
-              free_[idx(brickAt(i))] = 0;
+              near_[brickAt(i)] = true;
+              free_[brickAt(i)] = 0;
             });
   }
   forEach(Range{{0, 0, 0}, {bricks_[0] - 1, bricks_[1] - 1, bricks_[2] - 1}}, [&](const Index& b) {
     Vec3 middle;
     for (std::size_t a = 0; a < 3; ++a) middle[static_cast<int>(a)] = (b[a] + 0.5) * brickSize_[a] - 0.5;
     if (!objects_->encloses(grid_.toWorld(middle))) return;
-    near_[idx(brickAt(b))] = true;
-    free_[idx(brickAt(b))] = 0;
+    near_[brickAt(b)] = true;
+    free_[brickAt(b)] = 0;
   });
   for (const WallSurface::Part& part : objects_->parts())
     if (part.extent < kSmallPart * edgeLength_) smallParts_.push_back(part.place);
@@ -215,10 +215,10 @@ void Walls::dilate(std::vector<bool>& flags, double mm) const {
     const int wide = static_cast<int>(std::ceil(mm / brick));
     const std::vector<bool> before = flags;
     forEach(Range{{0, 0, 0}, {bricks_[0] - 1, bricks_[1] - 1, bricks_[2] - 1}}, [&](const Index& b) {
-      if (!before[idx(brickAt(b))]) return;
+      if (!before[brickAt(b)]) return;
       Index c = b;
       for (c[a] = std::max(0, b[a] - wide); c[a] <= std::min(bricks_[a] - 1, b[a] + wide); ++c[a])
-        flags[idx(brickAt(c))] = true;
+        flags[brickAt(c)] = true;
     });
   }
 }
@@ -228,7 +228,7 @@ bool Walls::isWall(const Index& v) const {
   return (*list_.map->voxels)[row * idx(grid_.size[0]) + idx(v[0])];
 }
 
-bool Walls::isNear(const Vec3& world) const { return near_[idx(brickAt(clampedBrick(inBricks(world))))]; }
+bool Walls::isNear(const Vec3& world) const { return near_[brickAt(clampedBrick(inBricks(world)))]; }
 
 namespace {
 
@@ -250,7 +250,7 @@ double Walls::room(const Vec3& world, const Vec3& index) const {
   const std::size_t brick = idx(brickAt(brickOf(index)));
   double room = far_;
   for (int i = first_[brick]; i < first_[brick + 1]; ++i) {
-    const std::size_t ball = idx(balls_[idx(i)]);
+    const std::size_t ball = idx(balls_[i]);
     const double reach = room + reaches_[ball].rest;
     const double squared = (world - list_.balls[ball].centre).squaredNorm();
     if (squared < reach * reach) room = std::sqrt(squared) - reaches_[ball].rest;
@@ -281,8 +281,7 @@ namespace {
 //! mm from a voxel, the whole of it; 0 within.
 double distanceToVoxel(const Grid& grid, const Vec3& index, const std::array<int, 3>& v) {
   Vec3 away;
-  for (int a = 0; a < 3; ++a)
-    away[a] = std::max(0.0, std::abs(index[a] - v[static_cast<std::size_t>(a)]) - 0.5) * grid.spacing[a];
+  for (int a = 0; a < 3; ++a) away[a] = std::max(0.0, std::abs(index[a] - v[a]) - 0.5) * grid.spacing[a];
   return away.norm();
 }
 
@@ -346,7 +345,7 @@ bool Walls::meets(const Vec3& a, const Vec3& b, const Vec3& c, bool withMargin, 
   const std::array<Vec3, 3> world{a, b, c};
   const double size = std::sqrt(std::max((b - a).squaredNorm(), (c - a).squaredNorm()));
   const Vec3 first = inBricks(a);
-  if (size < static_cast<double>(free_[idx(brickAt(clampedBrick(first)))])) return false;
+  if (size < static_cast<double>(free_[brickAt(clampedBrick(first))])) return false;
   const Vec3 second = inBricks(b), third = inBricks(c);
   const Range bricks{clampedBrick(first.cwiseMin(second).cwiseMin(third)),
                      clampedBrick(first.cwiseMax(second).cwiseMax(third))};
@@ -357,7 +356,7 @@ bool Walls::meets(const Vec3& a, const Vec3& b, const Vec3& c, bool withMargin, 
   const bool objects = objects_ && meetsObjects(world, withMargin, which);
   if (objects && !which) return true;
   bool voxels = false;
-  if (list_.map) forEach(bricks, [&](const Index& v) { voxels = voxels || nearVoxels_[idx(brickAt(v))]; });
+  if (list_.map) forEach(bricks, [&](const Index& v) { voxels = voxels || nearVoxels_[brickAt(v)]; });
   if (voxels) voxels = meetsVoxels({grid_.toIndex(a), grid_.toIndex(b), grid_.toIndex(c)}, withMargin, which);
   return voxels || balls || discs || objects;
 }
@@ -387,7 +386,7 @@ bool Walls::meetsBalls(const std::array<Vec3, 3>& t, double size, const Range& b
   forEach(bricks, [&](const Index& b) {
     const std::size_t brick = idx(brickAt(b));
     for (int i = first_[brick]; i < first_[brick + 1] && (which || !any); ++i) {
-      const std::size_t ball = idx(balls_[idx(i)]);
+      const std::size_t ball = idx(balls_[i]);
       const Vec3& centre = list_.balls[ball].centre;
       const double radius = withMargin ? reaches_[ball].guard : list_.balls[ball].radius;
       if ((t[0] - centre).squaredNorm() > (radius + size) * (radius + size)) continue;

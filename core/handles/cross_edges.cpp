@@ -36,7 +36,7 @@ void CrossEdges::forbid(std::span<const Triangle> faces) {
     std::sort(face.begin(), face.end());
     forbiddenFaces_.push_back(face);
     isCorner_.resize(loop_.size(), 0);
-    for (const int v : face) isCorner_[idx(v)] = 1;
+    for (const int v : face) isCorner_[v] = 1;
   }
   std::sort(forbiddenFaces_.begin(), forbiddenFaces_.end());
 }

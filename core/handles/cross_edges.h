@@ -28,9 +28,9 @@ class CrossEdges {
 
   int vertexCount() const { return static_cast<int>(loop_.size()); }
   int loopCount() const { return static_cast<int>(first_.size()) - 1; }
-  int loopOf(int v) const { return loop_[idx(v)]; }
+  int loopOf(int v) const { return loop_[v]; }
   //! The first vertex of a loop; of loopCount(): the number of all vertices.
-  int firstOf(int loop) const { return first_[idx(loop)]; }
+  int firstOf(int loop) const { return first_[loop]; }
   //! The vertex next to v along its loop.
   int next(int v) const { return v + 1 == firstOf(loopOf(v) + 1) ? firstOf(loopOf(v)) : v + 1; }
   //! Of the edge uv, mm; kNone within a loop, if the edge is forbidden, and if it is not finite.
@@ -39,8 +39,7 @@ class CrossEdges {
   double lengthOf(std::span<const Triangle> faces) const;
   bool anyFaceForbidden() const { return !forbiddenFaces_.empty(); }
   bool allows(const Triangle& face) const {
-    return !anyFaceForbidden() ||
-           (isCorner_[idx(face[0])] & isCorner_[idx(face[1])] & isCorner_[idx(face[2])]) == 0 ||
+    return !anyFaceForbidden() || (isCorner_[face[0]] & isCorner_[face[1]] & isCorner_[face[2]]) == 0 ||
            !isForbidden(face);
   }
 

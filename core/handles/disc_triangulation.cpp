@@ -18,16 +18,16 @@ DiscTriangulation::DiscTriangulation(const CrossEdges& edges, std::vector<int> p
       return std::count(t.begin(), t.end(), u) + std::count(t.begin(), t.end(), v) == 2;
     });
   };
-  std::vector<unsigned char> isTaken(idx(edges.vertexCount()), 0);
+  std::vector<unsigned char> isTaken(edges.vertexCount(), 0);
   for (const Triangle& t : taken)
-    for (const int v : t) isTaken[idx(v)] = 1;
+    for (const int v : t) isTaken[v] = 1;
   int first = 0;
   for (const int end : ends_) {
     for (int i = first; i < end; ++i) {
       for (int j = i + 2; j < end; ++j) {
-        const int u = places_[idx(i)];
-        const int v = places_[idx(j)];
-        if (isTaken[idx(u)] != 0 && isTaken[idx(v)] != 0 && repeats(u, v)) continue;
+        const int u = places_[i];
+        const int v = places_[j];
+        if (isTaken[u] != 0 && isTaken[v] != 0 && repeats(u, v)) continue;
         chord_[idx(i) * n_ + idx(j)] = edges.length(u, v);
       }
       if (i + 1 < end) chord_[idx(i) * n_ + idx(i + 1)] = 0;
@@ -43,7 +43,7 @@ void DiscTriangulation::listRuns() {
   runs_.resize(loops * loops);
   for (std::size_t pair = 0; pair < runs_.size(); ++pair) {
     const auto isThird = [&](int place) {
-      const auto loop = idx(edges_->loopOf(places_[idx(place)]));
+      const auto loop = idx(edges_->loopOf(places_[place]));
       return loop != pair / loops && loop != pair % loops;
     };
     for (int i = 0, n = static_cast<int>(n_); i < n; ++i) {
@@ -87,14 +87,14 @@ double DiscTriangulation::solve() {
 double DiscTriangulation::through(const Chord& base, int apex) const {
   const double length = below_[idx(base.from) * n_ + idx(apex)] + below_[idx(base.to) * n_ + idx(apex)];
   if (length == kNone || !edges_->anyFaceForbidden()) return length;
-  const Triangle face{places_[idx(base.from)], places_[idx(apex)], places_[idx(base.to)]};
+  const Triangle face{places_[base.from], places_[apex], places_[base.to]};
   return edges_->allows(face) ? length : kNone;
 }
 
 //! The places of loops that neither end of the chord is on.
 const std::vector<std::array<int, 2>>& DiscTriangulation::runs(const Chord& base) const {
-  const int from = edges_->loopOf(places_[idx(base.from)]), to = edges_->loopOf(places_[idx(base.to)]);
-  return runs_[idx(from * edges_->loopCount() + to)];
+  const int from = edges_->loopOf(places_[base.from]), to = edges_->loopOf(places_[base.to]);
+  return runs_[from * edges_->loopCount() + to];
 }
 
 //! The places where the third corner of a face on the chord can be, ascending.
@@ -181,7 +181,7 @@ DiscTriangulation::Derivation DiscTriangulation::derivationOf(std::span<const Tr
   return takeApart([&](const Chord& base, std::size_t) {
     int apex = -1;
     forEachApex(base, [&](int m) {
-      Triangle face{places_[idx(base.from)], places_[idx(m)], places_[idx(base.to)]};
+      Triangle face{places_[base.from], places_[m], places_[base.to]};
       std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
       if (std::binary_search(faces.begin(), faces.end(), face)) apex = m;
     });
@@ -207,13 +207,13 @@ double DiscTriangulation::lengthOf(const Derivation& d) const {
 
 double DiscTriangulation::detour(const Derivation& d, std::size_t step, int rank) const {
   const std::vector<Option> all = options(d.bases[step]);
-  return idx(rank) < all.size() ? all[idx(rank)].length - all[idx(rank) - 1].length : kNone;
+  return idx(rank) < all.size() ? all[rank].length - all[idx(rank) - 1].length : kNone;
 }
 
 std::vector<Triangle> DiscTriangulation::faces(const Derivation& d) const {
   std::vector<Triangle> out;
   for (std::size_t s = 0; s < d.bases.size(); ++s) {
-    out.push_back({places_[idx(d.bases[s].from)], places_[idx(d.apexes[s])], places_[idx(d.bases[s].to)]});
+    out.push_back({places_[d.bases[s].from], places_[d.apexes[s]], places_[d.bases[s].to]});
   }
   return out;
 }
@@ -232,7 +232,7 @@ std::array<Chord, 2> DiscTriangulation::repeatedPair(const Derivation& d) const 
   std::vector<Joined> joined;
   for (const Chord& c : d.bases) {
     if (isSide(c)) continue;
-    const auto [u, v] = std::minmax(places_[idx(c.from)], places_[idx(c.to)]);
+    const auto [u, v] = std::minmax(places_[c.from], places_[c.to]);
     joined.push_back({u, v, c});
   }
   std::sort(joined.begin(), joined.end(), [](const Joined& a, const Joined& b) {

@@ -88,11 +88,11 @@ void HandleBound::findLeastOnLoopEdge(int v) {
   const double* in = share_.data() + idx(edges_.next(v)) * count_;
   for (int w = 0; w < edges_.vertexCount(); ++w) {
     const double sum = in[w] + shareOf(w, v);
-    if (sum >= least_[idx(v)] || !edges_.allows({v, edges_.next(v), w})) continue;
-    least_[idx(v)] = sum;
-    apex_[idx(v)] = w;
+    if (sum >= least_[v] || !edges_.allows({v, edges_.next(v), w})) continue;
+    least_[v] = sum;
+    apex_[v] = w;
   }
-  sumOfLeast_ += least_[idx(v)];
+  sumOfLeast_ += least_[v];
 }
 
 //! Faces (u, v, w) on three loops in this order; most pairs (u, v) are out of the question at once.
@@ -102,14 +102,14 @@ void HandleBound::findLeastOfClass(const std::array<int, 3>& loops) {
   std::vector<double> from(count_, kNone);  // the least that leads from v to the third loop
   std::vector<double> back(count_, kNone);  // and from there to u
   for (int w = first(2); w < end(2); ++w) {
-    for (int v = first(1); v < end(1); ++v) from[idx(v)] = std::min(from[idx(v)], shareOf(v, w));
-    for (int u = first(0); u < end(0); ++u) back[idx(u)] = std::min(back[idx(u)], shareOf(w, u));
+    for (int v = first(1); v < end(1); ++v) from[v] = std::min(from[v], shareOf(v, w));
+    for (int u = first(0); u < end(0); ++u) back[u] = std::min(back[u], shareOf(w, u));
   }
   const auto id = idx(classOfLoops(loops));
   for (int u = first(0); u < end(0); ++u) {
     for (int v = first(1); v < end(1); ++v) {
       const double uv = shareOf(u, v);
-      if (uv + from[idx(v)] + back[idx(u)] >= leastOfClass_[id]) continue;
+      if (uv + from[v] + back[u] >= leastOfClass_[id]) continue;
       for (int w = first(2); w < end(2); ++w) {
         const double sum = uv + shareOf(v, w) + shareOf(w, u);
         if (sum >= leastOfClass_[id] || !edges_.allows({u, v, w})) continue;
@@ -139,7 +139,7 @@ HandleBound::Combination HandleBound::leastCombination(unsigned usedClasses) con
     if ((classes & usedClasses) != usedClasses) continue;
     double sum = 0;
     for (unsigned rest = classes & ~usedClasses; rest != 0; rest &= rest - 1)
-      sum += leastOfClass_[idx(std::countr_zero(rest))];
+      sum += leastOfClass_[std::countr_zero(rest)];
     if (sum < best.sum) best = {classes, sum};
   }
   return best;
@@ -175,9 +175,9 @@ int HandleBound::chooseFaces() {
   slope_.resize(count_ * count_, 0);
   for (const auto& [u, v] : sloped_) slope_[idx(u) * count_ + idx(v)] = slope_[idx(v) * count_ + idx(u)] = 0;
   sloped_.clear();
-  for (int v = 0; v < edges_.vertexCount(); ++v) addSlope({v, edges_.next(v), apex_[idx(v)]});
+  for (int v = 0; v < edges_.vertexCount(); ++v) addSlope({v, edges_.next(v), apex_[v]});
   for (unsigned rest = leastCombination(0).classes; rest != 0; rest &= rest - 1)
-    addSlope(faceOfClass_[idx(std::countr_zero(rest))]);
+    addSlope(faceOfClass_[std::countr_zero(rest)]);
   for (auto& [u, v] : sloped_) std::tie(u, v) = std::make_tuple(std::min(u, v), std::max(u, v));
   sortUnique(sloped_);
   int squares = 0;

@@ -29,7 +29,7 @@ class HandleBound {
   double share(const Triangle& face) const;
   //! The least share of a face on the loop edge from v to the next vertex, and the mean over all its third
   //! corners of what they have more.
-  double least(int v) const { return least_[idx(v)]; }
+  double least(int v) const { return least_[v]; }
   double meanExcess(int v) const;
   //! Lower bound of the length of all handles with these faces and one more.
   double with(std::span<const Triangle> faces, const Triangle& one) const;

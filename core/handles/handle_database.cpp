@@ -84,8 +84,7 @@ Handle readHandle(Words& words, std::span<const int> sizes) {
   const std::vector<int> next = nextVertices(sizes);
   const int m = static_cast<int>(next.size());
   Handle handle;
-  for (int v = 0; v < m; ++v)
-    handle.push_back({v, next[static_cast<std::size_t>(v)], words.number(0, m - 1)});
+  for (int v = 0; v < m; ++v) handle.push_back({v, next[v], words.number(0, m - 1)});
   for (std::size_t i = 0; i < 2 * sizes.size() - 4; ++i) {
     const int a = words.number(0, m - 1);
     const int b = words.number(0, m - 1);
@@ -116,8 +115,8 @@ std::string textOf(const Handle& handle, std::span<const int> sizes) {
   for (const Triangle& f : handle) {
     bool isTypeTwo = true;
     for (std::size_t i = 0; i < 3; ++i) {
-      if (next[static_cast<std::size_t>(f[i])] != f[(i + 1) % 3]) continue;
-      apexes[static_cast<std::size_t>(f[i])] = f[(i + 2) % 3];
+      if (next[f[i]] != f[(i + 1) % 3]) continue;
+      apexes[f[i]] = f[(i + 2) % 3];
       isTypeTwo = false;
     }
     for (const int v : f)

@@ -39,7 +39,7 @@ class HandleSearch {
   void run() { tryBoundary(0); }
 
  private:
-  bool isBoundaryEdge(int u, int v) const { return next_[idx(u)] == v; }
+  bool isBoundaryEdge(int u, int v) const { return next_[u] == v; }
   char& used(int u, int v) { return used_[idx(u) * next_.size() + idx(v)]; }
   void search();
   void complete();
@@ -94,24 +94,24 @@ int HandleSearch::apexOf(const Triangle& face) const {
 }
 
 bool HandleSearch::mayUse(int u, int v) {
-  return used(u, v) == 0 && (cap_[idx(u)] != cap_[idx(v)] || isBoundaryEdge(u, v));
+  return used(u, v) == 0 && (cap_[u] != cap_[v] || isBoundaryEdge(u, v));
 }
 
 bool HandleSearch::allowed(const Triangle& face, int apex) const {
   if (apex < 0 && typeTwo_ == mostTypeTwo_) return false;
   if (family_ != Family::balanced) return true;
-  if (apex >= 0) return apexCount_[idx(apex)] == 0;
-  return std::all_of(face.begin(), face.end(), [&](int v) { return typeTwoCount_[idx(v)] == 0; });
+  if (apex >= 0) return apexCount_[apex] == 0;
+  return std::all_of(face.begin(), face.end(), [&](int v) { return typeTwoCount_[v] == 0; });
 }
 
 void HandleSearch::mark(const Triangle& face, int apex, int sign) {
   for (std::size_t k = 0; k < 3; ++k) used(face[k], face[(k + 1) % 3]) = sign > 0 ? 1 : 0;
   if (apex >= 0) {
-    apexCount_[idx(apex)] += sign;
+    apexCount_[apex] += sign;
     return;
   }
   typeTwo_ += sign;
-  for (const int v : face) typeTwoCount_[idx(v)] += sign;
+  for (const int v : face) typeTwoCount_[v] += sign;
 }
 
 void HandleSearch::tryFace(int u, int v, int w) {
@@ -129,7 +129,7 @@ void HandleSearch::tryFace(int u, int v, int w) {
   for (std::size_t k = 0; k < 3; ++k) {
     const int from = face[(k + 1) % 3];
     const int to = face[k];
-    if (cap_[idx(from)] == cap_[idx(to)]) continue;
+    if (cap_[from] == cap_[to]) continue;
     needed_.push_back({from, to, lastNeeded_});
     lastNeeded_ = static_cast<int>(needed_.size()) - 1;
   }
@@ -143,24 +143,24 @@ void HandleSearch::tryFace(int u, int v, int w) {
 //! A face on the boundary edge that leaves v.
 void HandleSearch::tryBoundary(int v) {
   for (int w = 0; w < static_cast<int>(cap_.size()); ++w) {
-    if (cap_[idx(w)] != cap_[idx(v)]) tryFace(v, next_[idx(v)], w);
+    if (cap_[w] != cap_[v]) tryFace(v, next_[v], w);
   }
 }
 
 void HandleSearch::search() {
   while (lastNeeded_ >= 0) {
-    const NeededEdge& edge = needed_[idx(lastNeeded_)];
+    const NeededEdge& edge = needed_[lastNeeded_];
     if (used(edge.from, edge.to) == 0) break;
     lastNeeded_ = edge.below;
   }
   if (lastNeeded_ < 0) return complete();
-  const int u = needed_[idx(lastNeeded_)].from;
-  const int v = needed_[idx(lastNeeded_)].to;
-  tryFace(u, v, previous_[idx(u)]);
-  tryFace(u, v, next_[idx(v)]);
+  const int u = needed_[lastNeeded_].from;
+  const int v = needed_[lastNeeded_].to;
+  tryFace(u, v, previous_[u]);
+  tryFace(u, v, next_[v]);
   if (typeTwo_ == mostTypeTwo_) return;
   for (int w = 0; w < static_cast<int>(cap_.size()); ++w) {
-    if (cap_[idx(w)] != cap_[idx(u)] && cap_[idx(w)] != cap_[idx(v)]) tryFace(u, v, w);
+    if (cap_[w] != cap_[u] && cap_[w] != cap_[v]) tryFace(u, v, w);
   }
 }
 

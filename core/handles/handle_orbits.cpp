@@ -39,7 +39,7 @@ std::vector<Permutation> groupGenerators(std::span<const int> sizes) {
 Handle image(const Handle& handle, const Permutation& permutation) {
   Handle result = handle;
   for (Triangle& face : result) {
-    for (int& v : face) v = permutation[static_cast<std::size_t>(v)];
+    for (int& v : face) v = permutation[v];
   }
   return normalised(std::move(result));
 }

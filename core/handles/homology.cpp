@@ -52,7 +52,7 @@ IntegerMatrix firstBoundary(const Complex& complex) {
 IntegerMatrix secondBoundary(const Complex& complex) {
   IntegerMatrix matrix(static_cast<int>(complex.edges.size()), static_cast<int>(complex.faces.size()));
   for (int column = 0; column < matrix.columns; ++column) {
-    const Triangle& f = complex.faces[static_cast<std::size_t>(column)];
+    const Triangle& f = complex.faces[column];
     for (std::size_t k = 0; k < 3; ++k) {
       const int u = f[k];
       const int v = f[(k + 1) % 3];
@@ -64,7 +64,7 @@ IntegerMatrix secondBoundary(const Complex& complex) {
 
 std::vector<std::int64_t> lastColumn(const IntegerMatrix& matrix) {
   std::vector<std::int64_t> column;
-  column.reserve(static_cast<std::size_t>(matrix.rows));
+  column.reserve(matrix.rows);
   for (int r = 0; r < matrix.rows; ++r) column.push_back(matrix.at(r, matrix.columns - 1));
   return column;
 }

@@ -65,7 +65,7 @@ class Lengths {
   double of(const Listed& listed, double limit) const {
     double sum = 0;
     for (const int edge : listed.edges) {
-      sum += length_[idx(edge)];
+      sum += length_[edge];
       if (sum > limit) return CrossEdges::kNone;
     }
     if (!edges_.anyFaceForbidden()) return sum;
@@ -80,9 +80,7 @@ class Lengths {
   }
 
  private:
-  Triangle renumbered(const Triangle& f) const {
-    return {number_[idx(f[0])], number_[idx(f[1])], number_[idx(f[2])]};
-  }
+  Triangle renumbered(const Triangle& f) const { return {number_[f[0]], number_[f[1]], number_[f[2]]}; }
   const CrossEdges& edges_;
   std::vector<int> number_;  // of each vertex of the list
   std::vector<double> length_;

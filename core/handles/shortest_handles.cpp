@@ -173,13 +173,12 @@ void ShortestHandles::Search::chooseBranchingEdges() {
   for (int v = 0; v < edges_.vertexCount(); ++v) excess.push_back(bound_.meanExcess(v));
   branchingVertex_.clear();
   for (const Word& word : partials_[0].loops)
-    branchingVertex_.push_back(*std::max_element(
-        word.begin(), word.end(), [&](int u, int v) { return excess[idx(u)] < excess[idx(v)]; }));
+    branchingVertex_.push_back(
+        *std::max_element(word.begin(), word.end(), [&](int u, int v) { return excess[u] < excess[v]; }));
   joinOrder_.resize(branchingVertex_.size());
   std::iota(joinOrder_.begin(), joinOrder_.end(), 0);
-  std::stable_sort(joinOrder_.begin(), joinOrder_.end(), [&](int a, int b) {
-    return excess[idx(branchingVertex_[idx(a)])] > excess[idx(branchingVertex_[idx(b)])];
-  });
+  std::stable_sort(joinOrder_.begin(), joinOrder_.end(),
+                   [&](int a, int b) { return excess[branchingVertex_[a]] > excess[branchingVertex_[b]]; });
 }
 
 void ShortestHandles::Search::count(std::size_t steps) {
@@ -193,13 +192,13 @@ std::optional<PartialHandle> ShortestHandles::Search::anyPartial() {
   PartialHandle p = partials_[0];
   while (!p.loops.empty()) {
     const auto [loop, side] = sideToJoin(p);
-    const Word& word = p.loops[idx(loop)];
+    const Word& word = p.loops[loop];
     HandleBranch best;
     double least = kNone;
     for (std::size_t l = 0; l < p.loops.size(); ++l) {
       if (static_cast<int>(l) == loop) continue;
       for (std::size_t i = 0; i < p.loops[l].size(); ++i) {
-        const Triangle face{word[idx(side)], word[(idx(side) + 1) % word.size()], p.loops[l][i]};
+        const Triangle face{word[side], word[(idx(side) + 1) % word.size()], p.loops[l][i]};
         const double length = edges_.allows(face) ? bound_.with(p.taken, face) : kNone;
         if (length >= least) continue;
         least = length;
@@ -217,9 +216,7 @@ void ShortestHandles::Search::giveUp() {
   gaveUp_ = true;
   std::optional<PartialHandle> any = anyPartial();
   if (!any) return;
-  const auto same = [&](const Solved& s) {
-    return sortedFaces(partials_[idx(s.partial)]) == sortedFaces(*any);
-  };
+  const auto same = [&](const Solved& s) { return sortedFaces(partials_[s.partial]) == sortedFaces(*any); };
   if (std::any_of(solved_.begin(), solved_.end(), same)) return;
   partials_.push_back(std::move(*any));
   solve(static_cast<int>(partials_.size()) - 1);
@@ -244,7 +241,7 @@ std::pair<int, int> ShortestHandles::Search::sideToJoin(const PartialHandle& p) 
       const Word& word = p.loops[l];
       const int size = edges_.firstOf(k + 1) - edges_.firstOf(k);
       if (edges_.loopOf(word[0]) == k && static_cast<int>(word.size()) == size)
-        return {static_cast<int>(l), branchingVertex_[idx(k)] - edges_.firstOf(k)};
+        return {static_cast<int>(l), branchingVertex_[k] - edges_.firstOf(k)};
     }
   }
   assert(p.loops.size() == 2);
@@ -263,11 +260,11 @@ std::pair<int, int> ShortestHandles::Search::sideToJoin(const PartialHandle& p) 
 }
 
 void ShortestHandles::Search::expand(int partial) {
-  const PartialHandle& p = partials_[idx(partial)];
+  const PartialHandle& p = partials_[partial];
   if (p.loops.empty()) return solve(partial);
   const auto [loop, side] = sideToJoin(p);
-  const Word& word = p.loops[idx(loop)];
-  const int u = word[idx(side)];
+  const Word& word = p.loops[loop];
+  const int u = word[side];
   const int v = word[(idx(side) + 1) % word.size()];
   for (std::size_t l = 0; l < p.loops.size(); ++l) {
     if (static_cast<int>(l) == loop) continue;
@@ -283,7 +280,7 @@ void ShortestHandles::Search::expand(int partial) {
 
 void ShortestHandles::Search::branchTo(HandleBranch b, const Triangle& face) {
   if (!edges_.allows(face)) return;
-  const double length = bound_.with(partials_[idx(b.partial)].taken, face);
+  const double length = bound_.with(partials_[b.partial].taken, face);
   if (length == kNone) return;
   branches_.push_back(b);
   push(length, Kind::branch, branches_.size() - 1);
@@ -292,12 +289,12 @@ void ShortestHandles::Search::branchTo(HandleBranch b, const Triangle& face) {
 //! The third corner lies on the loop of the side itself. Between them are a side of the loop or a new chord;
 //! the part with the other loops is bounded by a new chord.
 void ShortestHandles::Search::branchWithin(HandleBranch b) {
-  const PartialHandle& p = partials_[idx(b.partial)];
-  const Word& word = p.loops[idx(b.loop)];
+  const PartialHandle& p = partials_[b.partial];
+  const Word& word = p.loops[b.loop];
   const int n = static_cast<int>(word.size());
-  const int u = word[idx(b.side)];
-  const int v = word[idx((b.side + 1) % n)];
-  const int w = word[idx(b.apex)];
+  const int u = word[b.side];
+  const int v = word[(b.side + 1) % n];
+  const int w = word[b.apex];
   const int toApex = (b.apex - b.side - 1 + n) % n;  // sides from v to the apex
   const int fromApex = n - 1 - toApex;               // and on to u
   if (b.restAfterApex ? fromApex < 2 : toApex < 2) return;
@@ -307,7 +304,7 @@ void ShortestHandles::Search::branchWithin(HandleBranch b) {
 }
 
 void ShortestHandles::Search::takeBranch(const HandleBranch& b) {
-  PartialHandle p = partials_[idx(b.partial)];
+  PartialHandle p = partials_[b.partial];
   take(p, b);
   partials_.push_back(std::move(p));
   expand(static_cast<int>(partials_.size()) - 1);
@@ -324,7 +321,7 @@ DiscTriangulation ShortestHandles::Search::discsOf(const PartialHandle& p) const
 }
 
 void ShortestHandles::Search::solve(int partial) {
-  const PartialHandle& p = partials_[idx(partial)];
+  const PartialHandle& p = partials_[partial];
   DiscTriangulation discs = discsOf(p);
   count(discs.work());
   const double length = discs.solve() + edges_.lengthOf(p.taken);
@@ -337,7 +334,7 @@ void ShortestHandles::Search::solve(int partial) {
 void ShortestHandles::Search::openSolved(const Solved& s, double length) {
   std::shared_ptr<const DiscTriangulation> discs = s.discs;
   if (!discs) {
-    auto again = std::make_shared<DiscTriangulation>(discsOf(partials_[idx(s.partial)]));
+    auto again = std::make_shared<DiscTriangulation>(discsOf(partials_[s.partial]));
     again->solve();
     work_.done += again->work();
     discs = std::move(again);
@@ -356,7 +353,7 @@ void ShortestHandles::Search::separate(const DiscTriangulation& discs, int parti
   without->exclude(pair[0]);
   with->require(pair[0]);
   with->exclude(pair[1]);
-  const double taken = edges_.lengthOf(partials_[idx(partial)].taken);
+  const double taken = edges_.lengthOf(partials_[partial].taken);
   for (auto& part : {without, with}) {
     count(part->work());
     const double length = part->solve() + taken;
@@ -380,7 +377,7 @@ std::optional<HandleCandidate> ShortestHandles::Search::follow(const Next& n, do
     push(length + detour, Kind::next, nexts_.size() - 1);
   }
   if (discs.repeatedPair(d)[0].to != 0) return std::nullopt;
-  return candidate(partials_[idx(n.partial)], discs.faces(d), length);
+  return candidate(partials_[n.partial], discs.faces(d), length);
 }
 
 std::optional<HandleCandidate> ShortestHandles::Search::searchOn() {

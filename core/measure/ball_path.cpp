@@ -47,15 +47,14 @@ class Search {
   bool isFull() const { return static_cast<int>(all_.size()) > kMaxBalls; }
   std::vector<Vec3> wayTo(int last) const {
     std::vector<Vec3> way{to_};
-    for (int i = last; i >= 0; i = all_[static_cast<std::size_t>(i)].before)
-      way.push_back(centre(all_[static_cast<std::size_t>(i)].cell));
+    for (int i = last; i >= 0; i = all_[i].before) way.push_back(centre(all_[i].cell));
     std::reverse(way.begin(), way.end());
     return way;
   }
 
  private:
   using Cell = std::array<int, 3>;
-  Ball& at(int i) { return all_[static_cast<std::size_t>(i)]; }
+  Ball& at(int i) { return all_[i]; }
   Vec3 centre(const Cell& c) const { return from_ + spacing_ * Vec3(c[0], c[1], c[2]); }
   int ballAt(const Cell& c) {
     const std::int64_t key = ((c[2] + kReach) * 2 * kReach + (c[1] + kReach)) * 2 * kReach + (c[0] + kReach);

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "core/cancellation.h"
-#include "core/indices.h"
 #include "core/measure/ball_path.h"
 #include "core/measure/section_area.h"
 #include "core/mesh/topology.h"
@@ -58,11 +57,11 @@ Parabola fit(const std::vector<Vec3>& line, int at, double step, double width) {
     const double weight = std::exp(-t * t / 2);
     const Vec3 powers(1, t, t * t);
     normal += weight * powers * powers.transpose();
-    right += weight * powers * (line[idx(i)] - line[idx(at)]).transpose();
+    right += weight * powers * (line[i] - line[at]).transpose();
   }
   const Eigen::Matrix3d found = normal.ldlt().solve(right);
   const Vec3 direction = found.row(1).transpose();
-  return {line[idx(at)] + found.row(0).transpose(), direction.normalized()};
+  return {line[at] + found.row(0).transpose(), direction.normalized()};
 }
 
 //! The line while it is made.
@@ -102,7 +101,7 @@ class Line {
     radii_.clear();
     for (const Vec3& p : points_) radii_.push_back(balls_.radius(p));
   }
-  double width(int i) const { return std::max(step_, 0.5 * radii_[idx(i)]); }
+  double width(int i) const { return std::max(step_, 0.5 * radii_[i]); }
 
   void smooth() {
     std::vector<Vec3> smoothed;
@@ -146,9 +145,9 @@ CentreLine lineOf(const TriangleSoup& mesh, const Line& line, InscribedBalls& ba
   const std::vector<Vec3>& points = line.points();
   for (int i = 0; i < static_cast<int>(points.size()); ++i) {
     giveUpIfCancelled();
-    if (i > 0) out.length += (points[idx(i)] - points[idx(i - 1)]).norm();
+    if (i > 0) out.length += (points[i] - points[i - 1]).norm();
     CentreLinePoint p;
-    p.place = points[idx(i)];
+    p.place = points[i];
     p.along = out.length;
     p.direction = line.at(i).direction;
     p.radius = balls.radius(p.place);

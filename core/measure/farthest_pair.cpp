@@ -71,9 +71,7 @@ FarthestPair farthestPair(std::span<const Vec3> points) {
   const BoxTree tree(boxes);
   tree.forEachHopeful(
       tree, farthestOf, [&](double bound) { return bound > best.squared; },
-      [&](int i, int j) {
-        best.offer(kept[static_cast<std::size_t>(i)], kept[static_cast<std::size_t>(j)]);
-      });
+      [&](int i, int j) { best.offer(kept[i], kept[j]); });
   return {std::sqrt(best.squared), best.from, best.to};
 }
 

@@ -15,8 +15,8 @@ constexpr int kHalvings = 30;
 
 Vec3 InscribedBalls::foot(const Vec3& p) {
   nearest_.distance(p, &hint_);
-  const Triangle& t = mesh_.triangles[static_cast<std::size_t>(hint_)];
-  const auto corner = [&](std::size_t c) { return mesh_.points[static_cast<std::size_t>(t[c])]; };
+  const Triangle& t = mesh_.triangles[hint_];
+  const auto corner = [&](std::size_t c) { return mesh_.points[t[c]]; };
   return closestPoint(p, {corner(0), corner(1), corner(2)});
 }
 

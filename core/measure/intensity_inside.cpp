@@ -17,10 +17,10 @@ struct Part {
 };
 
 Part partOf(const Grid& grid, const TriangleSoup& mesh) {
-  Vec3 low = grid.toIndex(mesh.points[static_cast<std::size_t>(mesh.triangles[0][0])]), high = low;
+  Vec3 low = grid.toIndex(mesh.points[mesh.triangles[0][0]]), high = low;
   for (const Triangle& t : mesh.triangles)
     for (const int v : t) {
-      const Vec3 index = grid.toIndex(mesh.points[static_cast<std::size_t>(v)]);
+      const Vec3 index = grid.toIndex(mesh.points[v]);
       low = low.cwiseMin(index);
       high = high.cwiseMax(index);
     }

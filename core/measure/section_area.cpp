@@ -1,5 +1,4 @@
 #include "core/measure/section_area.h"
-#include "core/indices.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -56,7 +55,7 @@ std::uint64_t edgeKey(int a, int b) {
 std::vector<Piece> cut(const TriangleSoup& mesh, const Plane& plane) {
   std::vector<double> height(mesh.points.size());
   for (std::size_t i = 0; i < height.size(); ++i) height[i] = plane.height(mesh.points[i]);
-  const auto above = [&](int v) { return height[idx(v)] >= 0; };
+  const auto above = [&](int v) { return height[v] >= 0; };
   std::vector<Piece> pieces;
   for (const Triangle& t : mesh.triangles) {
     if (above(t[0]) == above(t[1]) && above(t[1]) == above(t[2])) continue;
@@ -69,9 +68,8 @@ std::vector<Piece> cut(const TriangleSoup& mesh, const Plane& plane) {
         continue;
       }
       piece.from = edgeKey(v, w);
-      const double hv = height[idx(v)], hw = height[idx(w)];
-      piece.start =
-          plane.flat(mesh.points[idx(w)] + hw / (hw - hv) * (mesh.points[idx(v)] - mesh.points[idx(w)]));
+      const double hv = height[v], hw = height[w];
+      piece.start = plane.flat(mesh.points[w] + hw / (hw - hv) * (mesh.points[v] - mesh.points[w]));
     }
     pieces.push_back(piece);
   }

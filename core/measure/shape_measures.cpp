@@ -23,9 +23,7 @@ struct Moments {
 Moments momentsOf(const TriangleSoup& mesh, const Vec3& origin) {
   Moments m;
   for (const Triangle& t : mesh.triangles) {
-    const auto corner = [&](std::size_t c) -> Vec3 {
-      return mesh.points[static_cast<std::size_t>(t[c])] - origin;
-    };
+    const auto corner = [&](std::size_t c) -> Vec3 { return mesh.points[t[c]] - origin; };
     const Vec3 a = corner(0), b = corner(1), c = corner(2), sum = a + b + c;
     const double volume = a.dot(b.cross(c)) / 6;
     m.volume += volume;
@@ -62,7 +60,7 @@ void setAxes(const Matrix& covariance, const std::vector<Vec3>& points, ShapeMea
   std::array<int, 3> order{2, 1, 0};  // by falling moments
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return lengths[a] > lengths[b]; });
   for (int a = 0; a < 3; ++a) {
-    const int from = order[static_cast<std::size_t>(a)];
+    const int from = order[a];
     m.axes.col(a) = turned(found.col(from));
     m.extents[a] = lengths[from];
   }

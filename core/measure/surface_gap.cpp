@@ -6,7 +6,6 @@
 #include "core/collision/box_tree.h"
 #include "core/geometry/closest_points.h"
 #include "core/geometry/triangle_distance.h"
-#include "core/indices.h"
 
 namespace handlebody {
 
@@ -15,8 +14,8 @@ namespace {
 using Corners = std::array<Vec3, 3>;
 
 Corners cornersOf(const TriangleSoup& mesh, int triangle) {
-  const Triangle& t = mesh.triangles[idx(triangle)];
-  return {mesh.points[idx(t[0])], mesh.points[idx(t[1])], mesh.points[idx(t[2])]};
+  const Triangle& t = mesh.triangles[triangle];
+  return {mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]};
 }
 
 std::vector<Box> boxesOf(const TriangleSoup& mesh) {
@@ -40,7 +39,7 @@ SurfaceGap surfaceGap(const TriangleSoup& a, const TriangleSoup& b) {
   double least = std::numeric_limits<double>::infinity();
   std::array<int, 2> nearest{0, 0};
   const auto look = [&](int i, int j) {
-    if (!(squaredGap(boxesA[idx(i)], boxesB[idx(j)]) < least)) return;
+    if (!(squaredGap(boxesA[i], boxesB[j]) < least)) return;
     const double squared = squaredDistance(cornersOf(a, i), cornersOf(b, j));
     if (!(squared < least)) return;
     least = squared;

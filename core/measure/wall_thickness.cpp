@@ -30,8 +30,8 @@ std::array<TriangleSoup, 2> outerAndInner(const TriangleSoup& mesh) {
   std::array<TriangleSoup, 2> surfaces;
   for (TriangleSoup& s : surfaces) s.points = mesh.points;
   for (const Triangle& t : mesh.triangles) {
-    const int part = parts.ofVertex[static_cast<std::size_t>(t[0])];
-    surfaces[parts.volume[static_cast<std::size_t>(part)] < 0 ? 1 : 0].triangles.push_back(t);
+    const int part = parts.ofVertex[t[0]];
+    surfaces[parts.volume[part] < 0 ? 1 : 0].triangles.push_back(t);
   }
   for (TriangleSoup& s : surfaces) s = withoutLoosePoints(s);
   return surfaces;

@@ -61,7 +61,7 @@ std::vector<Piece> dualPieces(const Mesh& mesh, const TreeCotree& trees, const E
   };
   for (int k = 0; k < static_cast<int>(trees.generators.size()); ++k)
     for (const int h : dualLoop(mesh, trees, k)) {
-      const Vec3 place = crossingPlace(mesh, h, h == trees.generators[idx(k)]);
+      const Vec3 place = crossingPlace(mesh, h, h == trees.generators[k]);
       const int g = mesh.opposite(h);
       for (const auto& [side, sign] : {std::pair(h, 1), std::pair(g, -1)}) {
         Piece& p = pieces[{Mesh::faceOf(side), side}];
@@ -115,7 +115,7 @@ class PlaneGrid {
     bool go = true;
     forCells(p, [&](std::int64_t x, std::int64_t y) {
       for (const int i : at(x, y)) {
-        const Piece& q = pieces_[idx(i)];
+        const Piece& q = pieces_[i];
         const Eigen::Vector2d corner = low(p).cwiseMax(low(q)), far = high(p).cwiseMin(high(q));
         if (!go || (corner.array() > far.array()).any()) continue;
         if (column(corner.x()) == x && row(corner.y()) == y) go = f(q);
@@ -132,9 +132,7 @@ class PlaneGrid {
   static std::int64_t clamped(double cells, std::int64_t n) {
     return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(cells)), 0, n - 1);
   }
-  std::vector<int>& at(std::int64_t x, std::int64_t y) {
-    return cells_[static_cast<std::size_t>(y * width_ + x)];
-  }
+  std::vector<int>& at(std::int64_t x, std::int64_t y) { return cells_[y * width_ + x]; }
   template <typename F>
   void forCells(const Piece& p, F&& f) {
     const Eigen::Vector2d a = low(p), b = high(p);

@@ -80,14 +80,14 @@ void LoopClasses::setCrossings(const Mesh& mesh, const TreeCotree& trees) {
   crossings_.resize(first_.back());
   std::vector<std::size_t> fill(first_.begin(), first_.end() - 1);
   for (int k = 0; k < rank_; ++k)
-    for (const int h : loops[idx(k)]) {
-      crossings_[fill[idx(h)]++] = {k, 1};
-      crossings_[fill[idx(mesh.opposite(h))]++] = {k, -1};
+    for (const int h : loops[k]) {
+      crossings_[fill[h]++] = {k, 1};
+      crossings_[fill[mesh.opposite(h)]++] = {k, -1};
     }
 }
 
 std::span<const LoopClasses::Crossing> LoopClasses::crossings(int halfedge) const {
-  return {crossings_.data() + first_[idx(halfedge)], crossings_.data() + first_[idx(halfedge) + 1]};
+  return {crossings_.data() + first_[halfedge], crossings_.data() + first_[idx(halfedge) + 1]};
 }
 
 void LoopClasses::setKeys(const Mesh& mesh) {
@@ -107,14 +107,14 @@ void LoopClasses::setKeys(const Mesh& mesh) {
   for (int h = 0; h < 3 * mesh.faceSlots(); ++h)
     for (const Crossing& c : crossings(h)) {
       if (c.sign > 0)
-        keys_[idx(h)] += ofGenerator[idx(c.loop)];
+        keys_[h] += ofGenerator[c.loop];
       else
-        keys_[idx(h)] -= ofGenerator[idx(c.loop)];
+        keys_[h] -= ofGenerator[c.loop];
     }
 }
 
 void LoopClasses::addTo(std::span<std::int64_t> coordinates, int halfedge) const {
-  for (const Crossing& c : crossings(halfedge)) coordinates[idx(c.loop)] += c.sign;
+  for (const Crossing& c : crossings(halfedge)) coordinates[c.loop] += c.sign;
 }
 
 bool LoopClasses::isOfKind(std::span<const std::int64_t> coordinates, LoopKind kind) const {

@@ -41,7 +41,7 @@ class LoopClasses {
   static std::optional<LoopClasses> of(const Mesh& mesh);
 
   int rank() const { return rank_; }  //!< 2g
-  const ClassKey& key(int halfedge) const { return keys_[static_cast<std::size_t>(halfedge)]; }
+  const ClassKey& key(int halfedge) const { return keys_[halfedge]; }
   //! Adds the coordinates of a half-edge to those of a class: `rank` numbers.
   void addTo(std::span<std::int64_t> coordinates, int halfedge) const;
   //! Exactly; the kind is handle or tunnel.

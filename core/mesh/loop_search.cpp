@@ -53,29 +53,29 @@ LoopSearch::LoopSearch(const Mesh& mesh, const LoopClasses& classes) : mesh_(mes
 
 void LoopSearch::spread(int base, double radius) {
   giveUpIfCancelled();
-  for (const int v : reached_) distance_[idx(v)] = kFar;
+  for (const int v : reached_) distance_[v] = kFar;
   reached_.clear();
   using Entry = std::pair<double, int>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  distance_[idx(base)] = 0;
-  parent_[idx(base)] = -1;
-  key_[idx(base)] = {};
+  distance_[base] = 0;
+  parent_[base] = -1;
+  key_[base] = {};
   reached_.push_back(base);
   queue.emplace(0, base);
   while (!queue.empty()) {
     const auto [d, v] = queue.top();
     queue.pop();
-    if (d > distance_[idx(v)]) continue;
-    for (std::size_t a = firstArc_[idx(v)]; a < firstArc_[idx(v) + 1]; ++a) {
+    if (d > distance_[v]) continue;
+    for (std::size_t a = firstArc_[v]; a < firstArc_[idx(v) + 1]; ++a) {
       const Arc& arc = arcs_[a];
       const double there = d + arc.length;
-      double& known = distance_[idx(arc.target)];
+      double& known = distance_[arc.target];
       if (there >= known || there > radius) continue;
       if (known == kFar) reached_.push_back(arc.target);
       known = there;
-      parent_[idx(arc.target)] = arc.halfedge;
-      key_[idx(arc.target)] = key_[idx(v)];
-      key_[idx(arc.target)] += classes_.key(arc.halfedge);
+      parent_[arc.target] = arc.halfedge;
+      key_[arc.target] = key_[v];
+      key_[arc.target] += classes_.key(arc.halfedge);
       queue.emplace(there, arc.target);
     }
   }
@@ -93,13 +93,13 @@ void LoopSearch::collect(double radius) {
   };
   std::map<Key, Closing> best[3];
   for (const int v : reached_)
-    for (std::size_t a = firstArc_[idx(v)]; a < firstArc_[idx(v) + 1]; ++a) {
+    for (std::size_t a = firstArc_[v]; a < firstArc_[idx(v) + 1]; ++a) {
       const Arc& arc = arcs_[a];
-      const double length = distance_[idx(v)] + arc.length + distance_[idx(arc.target)];
-      if (length > 2 * radius || parent_[idx(arc.target)] == arc.halfedge) continue;
-      ClassKey key = key_[idx(v)];
+      const double length = distance_[v] + arc.length + distance_[arc.target];
+      if (length > 2 * radius || parent_[arc.target] == arc.halfedge) continue;
+      ClassKey key = key_[v];
       key += classes_.key(arc.halfedge);
-      key -= key_[idx(arc.target)];
+      key -= key_[arc.target];
       if (key.outer == 0 && key.inner == 0) continue;  // bounds on the surface
       const auto kind = key.outer == 0   ? LoopKind::handle
                         : key.inner == 0 ? LoopKind::tunnel
@@ -134,13 +134,13 @@ EdgeLoop LoopSearch::loopThrough(int base, const ClassKey& key, double radius) {
   double shortest = 2 * radius;
   const Arc* closing = nullptr;
   for (const int v : reached_)
-    for (std::size_t a = firstArc_[idx(v)]; a < firstArc_[idx(v) + 1]; ++a) {
+    for (std::size_t a = firstArc_[v]; a < firstArc_[idx(v) + 1]; ++a) {
       const Arc& arc = arcs_[a];
-      const double length = distance_[idx(v)] + arc.length + distance_[idx(arc.target)];
+      const double length = distance_[v] + arc.length + distance_[arc.target];
       if (!(length < shortest)) continue;
-      ClassKey sum = key_[idx(v)];
+      ClassKey sum = key_[v];
       sum += classes_.key(arc.halfedge);
-      sum -= key_[idx(arc.target)];
+      sum -= key_[arc.target];
       if (!(sum == key)) continue;
       shortest = length;
       closing = &arc;
@@ -157,7 +157,7 @@ EdgeLoop LoopSearch::loopThrough(int base, const ClassKey& key, double radius) {
 std::vector<int> LoopSearch::path(int u, int w) const {
   const auto toBase = [&](int v) {
     std::vector<int> out{v};
-    while (parent_[idx(v)] >= 0) out.push_back(v = mesh_.origin(parent_[idx(v)]));
+    while (parent_[v] >= 0) out.push_back(v = mesh_.origin(parent_[v]));
     return out;
   };
   std::vector<int> there = toBase(u), back = toBase(w);
@@ -172,7 +172,7 @@ std::vector<int> LoopSearch::path(int u, int w) const {
 
 EdgeLoop LoopSearch::described(const Found& found, LoopKind kind) const {
   EdgeLoop out{found.vertices, found.length, kind, {}, {}};
-  out.coordinates.assign(idx(classes_.rank()), 0);
+  out.coordinates.assign(classes_.rank(), 0);
   for (std::size_t i = 0; i < out.vertices.size(); ++i) {
     const int h = mesh_.findHalfedge(out.vertices[i], out.vertices[(i + 1) % out.vertices.size()]);
     classes_.addTo(out.coordinates, h);

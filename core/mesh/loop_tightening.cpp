@@ -104,37 +104,37 @@ void Band::addNodes(int f) {
     for (int k = 1; k <= kEdgePoints; ++k) all.push_back(node({u, v, k / (kEdgePoints + 1.0)}));
   }
   facesOfNode_.resize(points_.size());
-  for (const int n : all) facesOfNode_[idx(n)].push_back(static_cast<int>(nodesOfFace_.size()));
+  for (const int n : all) facesOfNode_[n].push_back(static_cast<int>(nodesOfFace_.size()));
   nodesOfFace_.push_back(std::move(all));
 }
 
 template <typename F>
 void Band::forEachNeighbour(int n, F&& f) const {
-  for (const int face : facesOfNode_[idx(n)])
-    for (const int m : nodesOfFace_[idx(face)])
+  for (const int face : facesOfNode_[n])
+    for (const int m : nodesOfFace_[face])
       if (m != n) f(m);
 }
 
 ClassKey Band::keyBetween(int n, int m) const {
-  const int u = points_[idx(n)].from, v = points_[idx(m)].from;
+  const int u = points_[n].from, v = points_[m].from;
   return u == v ? ClassKey{} : classes_.key(mesh_.findHalfedge(u, v));
 }
 
 void Band::spread(int base) {
   nodes_.assign(points_.size(), {});
-  nodes_[idx(base)].distance = 0;
+  nodes_[base].distance = 0;
   using Entry = std::pair<double, int>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   queue.emplace(0, base);
   while (!queue.empty()) {
     const auto [d, n] = queue.top();
     queue.pop();
-    if (d > nodes_[idx(n)].distance) continue;
+    if (d > nodes_[n].distance) continue;
     forEachNeighbour(n, [&, d = d, n = n](int m) {
-      const double there = d + (places_[idx(m)] - places_[idx(n)]).norm();
-      if (there >= nodes_[idx(m)].distance) return;
-      nodes_[idx(m)] = {there, n, nodes_[idx(n)].key};
-      nodes_[idx(m)].key += keyBetween(n, m);
+      const double there = d + (places_[m] - places_[n]).norm();
+      if (there >= nodes_[m].distance) return;
+      nodes_[m] = {there, n, nodes_[n].key};
+      nodes_[m].key += keyBetween(n, m);
       queue.emplace(there, m);
     });
   }
@@ -144,14 +144,13 @@ SurfaceLoop Band::best(const SurfaceLoop& current) const {
   double length = current.length * (1 - 1e-9);
   int from = -1, to = -1;
   for (int n = 0; n < static_cast<int>(points_.size()); ++n) {
-    if (2 * nodes_[idx(n)].distance > length) continue;
+    if (2 * nodes_[n].distance > length) continue;
     forEachNeighbour(n, [&](int m) {
-      const double there =
-          nodes_[idx(n)].distance + (places_[idx(m)] - places_[idx(n)]).norm() + nodes_[idx(m)].distance;
-      if (there >= length || nodes_[idx(m)].parent == n || nodes_[idx(n)].parent == m) return;
-      ClassKey key = nodes_[idx(n)].key;
+      const double there = nodes_[n].distance + (places_[m] - places_[n]).norm() + nodes_[m].distance;
+      if (there >= length || nodes_[m].parent == n || nodes_[n].parent == m) return;
+      ClassKey key = nodes_[n].key;
       key += keyBetween(n, m);
-      key -= nodes_[idx(m)].key;
+      key -= nodes_[m].key;
       if (!(key == wanted_)) return;
       length = there;
       from = n;
@@ -164,7 +163,7 @@ SurfaceLoop Band::best(const SurfaceLoop& current) const {
 SurfaceLoop Band::loopThrough(int n, int m) const {
   const auto toBase = [&](int v) {
     std::vector<int> out{v};
-    while (nodes_[idx(v)].parent >= 0) out.push_back(v = nodes_[idx(v)].parent);
+    while (nodes_[v].parent >= 0) out.push_back(v = nodes_[v].parent);
     return out;
   };
   std::vector<int> there = toBase(n), back = toBase(m);
@@ -176,8 +175,8 @@ SurfaceLoop Band::loopThrough(int n, int m) const {
   there.insert(there.end(), back.begin(), back.end() - 1);
   SurfaceLoop out;
   for (std::size_t i = 0; i < there.size(); ++i) {
-    out.points.push_back(points_[idx(there[i])]);
-    out.length += (places_[idx(there[(i + 1) % there.size()])] - places_[idx(there[i])]).norm();
+    out.points.push_back(points_[there[i]]);
+    out.length += (places_[there[(i + 1) % there.size()]] - places_[there[i]]).norm();
   }
   return out;
 }

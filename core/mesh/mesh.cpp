@@ -49,8 +49,8 @@ int Mesh::valence(int v) const {
 }
 
 void Mesh::link(int h, int g) {
-  opposite_[idx(h)] = g;
-  opposite_[idx(g)] = h;
+  opposite_[h] = g;
+  opposite_[g] = h;
 }
 
 int Mesh::addVertex(const Vec3& p) {
@@ -61,8 +61,8 @@ int Mesh::addVertex(const Vec3& p) {
   }
   const int v = freeVertices_.back();
   freeVertices_.pop_back();
-  positions_[idx(v)] = p;
-  outgoing_[idx(v)] = kIsolated;
+  positions_[v] = p;
+  outgoing_[v] = kIsolated;
   return v;
 }
 
@@ -74,14 +74,14 @@ int Mesh::newFace(const Triangle& corners) {
   } else {
     f = freeFaces_.back();
     freeFaces_.pop_back();
-    faces_[idx(f)] = corners;
-    for (int i = 0; i < 3; ++i) opposite_[idx(3 * f + i)] = -1;
+    faces_[f] = corners;
+    for (int i = 0; i < 3; ++i) opposite_[3 * f + i] = -1;
   }
   return f;
 }
 
 void Mesh::deleteFaceSlot(int f) {
-  faces_[idx(f)] = {-1, -1, -1};
+  faces_[f] = {-1, -1, -1};
   freeFaces_.push_back(f);
 }
 
@@ -106,11 +106,11 @@ void Mesh::addFaces(std::span<const Triangle> faces) {
   for (const DirectedEdge& e : added) {
     const int reverse = findReverse(open, e);
     if (reverse >= 0) link(e.halfedge, reverse);
-    outgoing_[idx(e.from)] = e.halfedge;
+    outgoing_[e.from] = e.halfedge;
   }
   // A boundary vertex must start at its boundary half-edge, so that `turn` meets all its faces.
   for (const DirectedEdge& e : open)
-    if (opposite(e.halfedge) < 0) outgoing_[idx(e.from)] = e.halfedge;
+    if (opposite(e.halfedge) < 0) outgoing_[e.from] = e.halfedge;
 }
 
 void Mesh::removeFaces(std::span<const int> faces) {
@@ -128,15 +128,15 @@ void Mesh::removeFaces(std::span<const int> faces) {
     }
   for (int f : doomed) {
     for (int h = 3 * f; h < 3 * f + 3; ++h)
-      if (opposite(h) >= 0) opposite_[idx(opposite(h))] = -1;
+      if (opposite(h) >= 0) opposite_[opposite(h)] = -1;
     deleteFaceSlot(f);
   }
-  for (const auto& [v, h] : fresh) outgoing_[idx(v)] = h;
+  for (const auto& [v, h] : fresh) outgoing_[v] = h;
 }
 
 void Mesh::removeVertex(int v) {
   assert(outgoing(v) == kIsolated);
-  outgoing_[idx(v)] = kDeleted;
+  outgoing_[v] = kDeleted;
   freeVertices_.push_back(v);
 }
 
@@ -147,8 +147,8 @@ int Mesh::splitEdge(int h, const Vec3& p) {
   const int b = target(h), c = apex(h), d = apex(g);
   const int beyondC = opposite(hn), beyondD = opposite(gp);
   const int m = addVertex(p);
-  faces_[idx(faceOf(hn))][idx(hn % 3)] = m;
-  faces_[idx(faceOf(g))][idx(g % 3)] = m;
+  faces_[faceOf(hn)][hn % 3] = m;
+  faces_[faceOf(g)][g % 3] = m;
   const int f2 = newFace({m, b, c});
   const int f3 = newFace({b, m, d});
   link(3 * f2 + 1, beyondC);
@@ -156,8 +156,8 @@ int Mesh::splitEdge(int h, const Vec3& p) {
   link(3 * f3 + 2, beyondD);
   link(3 * f3 + 1, gp);
   link(3 * f2, 3 * f3);
-  outgoing_[idx(m)] = hn;
-  outgoing_[idx(b)] = 3 * f2 + 1;
+  outgoing_[m] = hn;
+  outgoing_[b] = 3 * f2 + 1;
   return m;
 }
 
@@ -174,7 +174,7 @@ void Mesh::flipEdge(int h) {
   const int hn = next(h), hp = prev(h), gn = next(g), gp = prev(g);
   const int a = origin(h), b = origin(g), c = apex(h), d = apex(g);
   const int bc = opposite(hn), ca = opposite(hp), ad = opposite(gn), db = opposite(gp);
-  const auto setOrigin = [&](int e, int v) { faces_[idx(faceOf(e))][idx(e % 3)] = v; };
+  const auto setOrigin = [&](int e, int v) { faces_[faceOf(e)][e % 3] = v; };
   setOrigin(h, d);
   setOrigin(hn, c);
   setOrigin(hp, a);
@@ -185,10 +185,10 @@ void Mesh::flipEdge(int h) {
   link(hp, ad);
   link(gn, db);
   link(gp, bc);
-  outgoing_[idx(a)] = hp;
-  outgoing_[idx(b)] = gp;
-  outgoing_[idx(c)] = hn;
-  outgoing_[idx(d)] = gn;
+  outgoing_[a] = hp;
+  outgoing_[b] = gp;
+  outgoing_[c] = hn;
+  outgoing_[d] = gn;
 }
 
 bool Mesh::canCollapse(int h) const {
@@ -207,17 +207,17 @@ void Mesh::collapseEdge(int h, const Vec3& p) {
   const int g = opposite(h);
   const int a = origin(h), b = target(h), c = apex(h), d = apex(g);
   const int cb = opposite(next(h)), ac = opposite(prev(h)), da = opposite(next(g)), bd = opposite(prev(g));
-  forEachOutgoing(b, [&](int e) { faces_[idx(faceOf(e))][idx(e % 3)] = a; });
+  forEachOutgoing(b, [&](int e) { faces_[faceOf(e)][e % 3] = a; });
   deleteFaceSlot(faceOf(h));
   deleteFaceSlot(faceOf(g));
   link(cb, ac);
   link(da, bd);
-  outgoing_[idx(a)] = ac;
-  outgoing_[idx(c)] = cb;
-  outgoing_[idx(d)] = da;
-  outgoing_[idx(b)] = kDeleted;
+  outgoing_[a] = ac;
+  outgoing_[c] = cb;
+  outgoing_[d] = da;
+  outgoing_[b] = kDeleted;
   freeVertices_.push_back(b);
-  positions_[idx(a)] = p;
+  positions_[a] = p;
 }
 
 void Mesh::reorder(std::span<const int> vertices) {
@@ -225,22 +225,22 @@ void Mesh::reorder(std::span<const int> vertices) {
   std::vector<Vec3> positions;
   positions.reserve(vertices.size());
   for (const int v : vertices) {
-    newVertex[idx(v)] = static_cast<int>(positions.size());
+    newVertex[v] = static_cast<int>(positions.size());
     positions.push_back(position(v));
   }
   std::vector<Triangle> faces;
-  faces.reserve(idx(faceCount()));
+  faces.reserve(faceCount());
   for (const int v : vertices)
     forEachOutgoing(v, [&](int h) {
-      if (newFace[idx(faceOf(h))] >= 0) return;
-      newFace[idx(faceOf(h))] = static_cast<int>(faces.size());
+      if (newFace[faceOf(h)] >= 0) return;
+      newFace[faceOf(h)] = static_cast<int>(faces.size());
       const Triangle& t = face(faceOf(h));
-      faces.push_back({newVertex[idx(t[0])], newVertex[idx(t[1])], newVertex[idx(t[2])]});
+      faces.push_back({newVertex[t[0]], newVertex[t[1]], newVertex[t[2]]});
     });
-  const auto newHalfedge = [&](int h) { return h < 0 ? h : 3 * newFace[idx(faceOf(h))] + h % 3; };
+  const auto newHalfedge = [&](int h) { return h < 0 ? h : 3 * newFace[faceOf(h)] + h % 3; };
   std::vector<int> opposite(3 * faces.size()), outgoing;
   for (int h = 0; h < 3 * faceSlots(); ++h)
-    if (isFace(faceOf(h))) opposite[idx(newHalfedge(h))] = newHalfedge(this->opposite(h));
+    if (isFace(faceOf(h))) opposite[newHalfedge(h)] = newHalfedge(this->opposite(h));
   for (const int v : vertices) outgoing.push_back(newHalfedge(this->outgoing(v)));
   positions_ = std::move(positions);
   faces_ = std::move(faces);
@@ -261,11 +261,11 @@ TriangleSoup Mesh::compact(std::vector<int>* vertexMap) const {
   soup.points.reserve(positions_.size());
   for (int v = 0; v < vertexSlots(); ++v)
     if (isVertex(v)) {
-      map[idx(v)] = static_cast<int>(soup.points.size());
+      map[v] = static_cast<int>(soup.points.size());
       soup.points.push_back(position(v));
     }
   for (const Triangle& t : faces_)
-    if (t[0] >= 0) soup.triangles.push_back({map[idx(t[0])], map[idx(t[1])], map[idx(t[2])]});
+    if (t[0] >= 0) soup.triangles.push_back({map[t[0]], map[t[1]], map[t[2]]});
   if (vertexMap) *vertexMap = std::move(map);
   return soup;
 }

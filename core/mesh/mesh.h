@@ -33,12 +33,12 @@ class Mesh {
   int faceCount() const { return faceSlots() - static_cast<int>(freeFaces_.size()); }
   //! Bytes of the arrays that a copy of the mesh takes.
   std::size_t memory() const;
-  bool isVertex(int v) const { return outgoing_[idx(v)] != kDeleted; }
-  bool isFace(int f) const { return faces_[idx(f)][0] >= 0; }
+  bool isVertex(int v) const { return outgoing_[v] != kDeleted; }
+  bool isFace(int f) const { return faces_[f][0] >= 0; }
 
   // --- geometry ---
-  const Vec3& position(int v) const { return positions_[idx(v)]; }
-  void setPosition(int v, const Vec3& p) { positions_[idx(v)] = p; }
+  const Vec3& position(int v) const { return positions_[v]; }
+  void setPosition(int v, const Vec3& p) { positions_[v] = p; }
   std::span<const Vec3> positions() const { return positions_; }
   //! Vertex indices per face slot; deleted faces hold -1.
   std::span<const Triangle> faces() const { return faces_; }
@@ -46,7 +46,7 @@ class Mesh {
   std::span<const int> opposites() const { return opposite_; }
   //! Per vertex slot: outgoing(), and a negative number for what has none.
   std::span<const int> outgoing() const { return outgoing_; }
-  const Triangle& face(int f) const { return faces_[idx(f)]; }
+  const Triangle& face(int f) const { return faces_[f]; }
   //! Cross product of two edges of face f: its length is twice the area (mm²), outward.
   Vec3 areaVector(int f) const;
 
@@ -54,13 +54,13 @@ class Mesh {
   static int faceOf(int h) { return h / 3; }
   static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static int prev(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
-  int origin(int h) const { return faces_[idx(h / 3)][idx(h % 3)]; }
+  int origin(int h) const { return faces_[h / 3][h % 3]; }
   int target(int h) const { return origin(next(h)); }
   int apex(int h) const { return origin(prev(h)); }
-  int opposite(int h) const { return opposite_[idx(h)]; }
+  int opposite(int h) const { return opposite_[h]; }
   //! One half-edge that leaves v; on a boundary vertex the one from which rotating with `turn` meets all
   //! faces. -1 for an isolated vertex.
-  int outgoing(int v) const { return outgoing_[idx(v)]; }
+  int outgoing(int v) const { return outgoing_[v]; }
   //! Next half-edge that leaves the same vertex, counter-clockwise seen from outside; -1 at a boundary.
   int turn(int h) const { return opposite(prev(h)); }
   //! The half-edge from u to v, or -1.

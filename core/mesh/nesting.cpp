@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "core/geometry/predicates.h"
-#include "core/indices.h"
 
 namespace handlebody {
 
@@ -59,32 +58,32 @@ void wind(const LabelledSurface& surface, std::vector<Query>& queries) {
             [](const Query& a, const Query& b) { return a.place.z() < b.place.z(); });
   for (const Triangle& t : surface.faces) {
     if (t[0] < 0) continue;
-    const Vec3 &a = surface.points[idx(t[0])], &b = surface.points[idx(t[1])], &c = surface.points[idx(t[2])];
+    const Vec3 &a = surface.points[t[0]], &b = surface.points[t[1]], &c = surface.points[t[2]];
     const double high = std::max({a.z(), b.z(), c.z()});
     auto q = std::lower_bound(queries.begin(), queries.end(), std::min({a.z(), b.z(), c.z()}), before);
     for (; q != queries.end() && q->place.z() <= high; ++q)
-      if (surface.parts.ofVertex[idx(t[0])] != q->without) q->winding += crossing(a, b, c, q->place);
+      if (surface.parts.ofVertex[t[0]] != q->without) q->winding += crossing(a, b, c, q->place);
   }
 }
 
 //! Of the components in `wanted` those of whose samples none fits, ascending.
 std::vector<int> unfitOf(const LabelledSurface& surface, const std::vector<int>& wanted, int samples) {
   const Components& parts = surface.parts;
-  std::vector<int> seen(idx(parts.count()), -1);  // vertices of those that are wanted
-  for (const int c : wanted) seen[idx(c)] = 0;
+  std::vector<int> seen(parts.count(), -1);  // vertices of those that are wanted
+  for (const int c : wanted) seen[c] = 0;
   std::vector<Query> queries;
   for (std::size_t v = 0; v < surface.points.size(); ++v) {
     const int c = parts.ofVertex[v];
-    if (c < 0 || seen[idx(c)] < 0) continue;
-    const int stride = std::max(1, parts.vertices[idx(c)] / samples);
-    if (seen[idx(c)]++ % stride == 0) queries.push_back({surface.points[v], c, 0});
+    if (c < 0 || seen[c] < 0) continue;
+    const int stride = std::max(1, parts.vertices[c] / samples);
+    if (seen[c]++ % stride == 0) queries.push_back({surface.points[v], c, 0});
   }
   if (parts.count() > 1) wind(surface, queries);  // there is nothing to wind around a single one
-  std::vector<unsigned char> fits(idx(parts.count()), 0);
+  std::vector<unsigned char> fits(parts.count(), 0);
   for (const Query& q : queries)
-    if (q.winding == (parts.volume[idx(q.without)] < 0 ? 1 : 0)) fits[idx(q.without)] = 1;
+    if (q.winding == (parts.volume[q.without] < 0 ? 1 : 0)) fits[q.without] = 1;
   std::vector<int> out;
-  std::copy_if(wanted.begin(), wanted.end(), std::back_inserter(out), [&](int c) { return !fits[idx(c)]; });
+  std::copy_if(wanted.begin(), wanted.end(), std::back_inserter(out), [&](int c) { return !fits[c]; });
   return out;
 }
 
@@ -107,7 +106,7 @@ bool isMisplaced(const Mesh& mesh, const Components& parts, int component) {
 }
 
 std::vector<int> misplacedComponents(const LabelledSurface& surface) {
-  std::vector<int> all(idx(surface.parts.count()));
+  std::vector<int> all(surface.parts.count());
   std::iota(all.begin(), all.end(), 0);
   return misplacedOf(surface, all);
 }

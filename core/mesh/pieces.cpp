@@ -12,8 +12,7 @@ std::vector<Piece> listPieces(const Mesh& mesh) {
   const std::vector<int> within = surroundingComponents(mesh, parts);
   std::vector<Eigen::AlignedBox3d> boxes(within.size());
   for (int v = 0; v < mesh.vertexSlots(); ++v)
-    if (mesh.isVertex(v))
-      boxes[static_cast<std::size_t>(parts.ofVertex[static_cast<std::size_t>(v)])].extend(mesh.position(v));
+    if (mesh.isVertex(v)) boxes[parts.ofVertex[v]].extend(mesh.position(v));
   std::vector<Piece> out;
   for (std::size_t c = 0; c < within.size(); ++c) {
     Piece p;
@@ -32,7 +31,7 @@ std::vector<Piece> listPieces(const Mesh& mesh) {
 TriangleSoup withoutLoosePoints(const TriangleSoup& soup) {
   std::vector<int> number(soup.points.size(), -1);
   for (const Triangle& t : soup.triangles)
-    for (const int v : t) number[static_cast<std::size_t>(v)] = 0;
+    for (const int v : t) number[v] = 0;
   TriangleSoup out;
   for (std::size_t v = 0; v < number.size(); ++v) {
     if (number[v] < 0) continue;
@@ -40,7 +39,7 @@ TriangleSoup withoutLoosePoints(const TriangleSoup& soup) {
     out.points.push_back(soup.points[v]);
   }
   for (Triangle t : soup.triangles) {
-    for (int& v : t) v = number[static_cast<std::size_t>(v)];
+    for (int& v : t) v = number[v];
     out.triangles.push_back(t);
   }
   return out;

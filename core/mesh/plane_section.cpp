@@ -3,8 +3,6 @@
 namespace handlebody {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 //! From the lower corner always, so that both triangles of an edge get the same point.
 Vec3 crossing(const Vec3& below, const Vec3& above, double hBelow, double hAbove) {
   return below + (hBelow / (hBelow - hAbove)) * (above - below);
@@ -19,7 +17,7 @@ void planeSection(const std::vector<Vec3>& points, const std::vector<Triangle>& 
   std::vector<double> heights(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) heights[i] = normal.dot(points[i]) - offset;
   for (const Triangle& t : triangles) {
-    const bool above[3] = {heights[at(t[0])] >= 0, heights[at(t[1])] >= 0, heights[at(t[2])] >= 0};
+    const bool above[3] = {heights[t[0]] >= 0, heights[t[1]] >= 0, heights[t[2]] >= 0};
     if (above[0] == above[1] && above[1] == above[2]) continue;
     std::array<Vec3, 2> ends;
     std::size_t count = 0;
@@ -27,7 +25,7 @@ void planeSection(const std::vector<Vec3>& points, const std::vector<Triangle>& 
       const std::size_t d = (c + 1) % 3;
       if (above[c] == above[d]) continue;
       const int low = above[c] ? t[d] : t[c], high = above[c] ? t[c] : t[d];
-      ends[count++] = crossing(points[at(low)], points[at(high)], heights[at(low)], heights[at(high)]);
+      ends[count++] = crossing(points[low], points[high], heights[low], heights[high]);
     }
     section.push_back(ends);
     if (crossed) crossed->push_back(static_cast<int>(&t - triangles.data()));

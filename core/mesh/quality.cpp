@@ -16,7 +16,7 @@ struct Side {
   int face;
 };
 
-Vec3 at(const TriangleSoup& mesh, int v) { return mesh.points[static_cast<std::size_t>(v)]; }
+Vec3 at(const TriangleSoup& mesh, int v) { return mesh.points[v]; }
 
 Spread spreadOf(std::vector<double> values) {
   if (values.empty()) return {};
@@ -54,7 +54,7 @@ std::vector<Side> sidesOf(const TriangleSoup& mesh) {
 double dihedral(const TriangleSoup& mesh, const Side& a, const Side& b) {
   const Vec3 from = at(mesh, a.low), along = (at(mesh, a.high) - from).normalized();
   const auto across = [&](int face) {
-    const Triangle& t = mesh.triangles[static_cast<std::size_t>(face)];
+    const Triangle& t = mesh.triangles[face];
     const Vec3 v = at(mesh, t[0] + t[1] + t[2] - a.low - a.high) - from;
     return Vec3(v - v.dot(along) * along);
   };

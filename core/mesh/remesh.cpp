@@ -17,8 +17,8 @@ class Regulator {
  public:
   Regulator(Mesh& mesh, const RemeshLimits& limits, VertexStates& active)
       : mesh_(mesh), limits_(limits), active_(active) {
-    active_.resize(idx(mesh.vertexSlots()), 0);
-    if (limits.size) sizes_.assign(idx(mesh.vertexSlots()), kUnknown);
+    active_.resize(mesh.vertexSlots(), 0);
+    if (limits.size) sizes_.assign(mesh.vertexSlots(), kUnknown);
   }
 
   void run() {
@@ -39,7 +39,7 @@ class Regulator {
   static constexpr double kBesideFixed = 0.75;
   static constexpr double kUnknown = -1;
 
-  bool isActive(int v) const { return active_[idx(v)] == kActive; }
+  bool isActive(int v) const { return active_[v] == kActive; }
   bool isActiveFace(int face) const {
     const Triangle& t = mesh_.face(face);
     return t[0] >= 0 && (isActive(t[0]) || isActive(t[1]) || isActive(t[2]));
@@ -55,7 +55,7 @@ class Regulator {
   }
   double squaredSizeOf(int h) const { return squaredSize(mesh_.origin(h), mesh_.target(h)); }
   double sizeAt(int v) const {
-    double& s = sizes_[idx(v)];
+    double& s = sizes_[v];
     if (s == kUnknown) s = limits_.size(mesh_.position(v));
     return s;
   }
@@ -63,7 +63,7 @@ class Regulator {
   void forgetSize(int v) {
     if (!limits_.size) return;
     if (idx(v) >= sizes_.size()) sizes_.resize(idx(v) + 1, kUnknown);
-    sizes_[idx(v)] = kUnknown;
+    sizes_[v] = kUnknown;
   }
   using SquaredLengths = std::array<double, 3>;
   SquaredLengths squaredLengths(int face) const {
@@ -164,7 +164,7 @@ class Regulator {
       const int m =
           mesh_.splitEdge(h, (mesh_.position(mesh_.origin(h)) + mesh_.position(mesh_.target(h))) / 2);
       if (idx(m) >= active_.size()) active_.resize(idx(m) + 1, 0);
-      active_[idx(m)] = kActive;
+      active_[m] = kActive;
       forgetSize(m);
       fresh.push_back(m);
     }
@@ -226,7 +226,7 @@ class Regulator {
       if (!collapseAllowed(e, mesh_.position(inactive))) return;
       mesh_.collapseEdge(e, mesh_.position(inactive));
       forgetSize(inactive);
-      active_[idx(inactive)] = kTouched;
+      active_[inactive] = kTouched;
     });
   }
 
@@ -273,7 +273,7 @@ class Regulator {
     for (const int face : faces_)
       for (int h = 3 * face; mesh_.isFace(face) && h < 3 * face + 3; ++h) {
         const int g = mesh_.opposite(h);
-        if (h >= g || (obtuse_[idx(h)] | obtuse_[idx(g)]) == 0) continue;
+        if (h >= g || (obtuse_[h] | obtuse_[g]) == 0) continue;
         if (!isActive(mesh_.origin(h)) || !isActive(mesh_.target(h)) || !flipImproves(h) || !mesh_.canFlip(h))
           continue;
         mesh_.flipEdge(h);

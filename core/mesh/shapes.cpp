@@ -31,7 +31,7 @@ class PointTable {
       if (w[i] > 0) {
         key[t[i]] = w[i];
       }
-    for (const auto& [v, weight] : key) p += weight * base_.points[static_cast<std::size_t>(v)];
+    for (const auto& [v, weight] : key) p += weight * base_.points[v];
     const auto [it, isNew] = known_.try_emplace(key, static_cast<int>(out_.points.size()));
     if (isNew) out_.points.push_back(p.normalized());
     return it->second;

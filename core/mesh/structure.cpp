@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "core/indices.h"
 #include "core/mesh/changed_blocks.h"
 
 namespace handlebody {
@@ -25,12 +24,12 @@ int fanSize(const Mesh& mesh, int v) {
 
 //! A vertex that more faces hold than its fan does; -1 if there is none. Slow.
 int vertexWithFans(const Mesh& mesh) {
-  std::vector<int> corners(idx(mesh.vertexSlots()), 0);
+  std::vector<int> corners(mesh.vertexSlots(), 0);
   for (int f = 0; f < mesh.faceSlots(); ++f)
     if (mesh.isFace(f))
-      for (const int v : mesh.face(f)) ++corners[idx(v)];
+      for (const int v : mesh.face(f)) ++corners[v];
   for (int v = 0; v < mesh.vertexSlots(); ++v)
-    if (corners[idx(v)] != (mesh.isVertex(v) ? fanSize(mesh, v) : 0)) return v;
+    if (corners[v] != (mesh.isVertex(v) ? fanSize(mesh, v) : 0)) return v;
   return -1;
 }
 
@@ -82,7 +81,7 @@ std::optional<StructureFault> StructureCheck::examineFace(const Mesh& mesh, int 
 void StructureCheck::markCorners(const Mesh& mesh, int f, Counts& counts) {
   ++counts.faces;
   counts.corners += 3;
-  for (const int v : mesh.face(f)) isChanged_[idx(v)] = 1;
+  for (const int v : mesh.face(f)) isChanged_[v] = 1;
 }
 
 //! Also looks at the faces that lay beside changed ones: they may still hold the opposites of before.
@@ -110,7 +109,7 @@ std::optional<StructureFault> StructureCheck::examineLink(const Mesh& mesh, int 
   ++links_;
   bool isTwice = false;
   mesh.forEachOutgoing(v, [&](int h) {
-    int& seen = seenAt_[idx(mesh.target(h))];
+    int& seen = seenAt_[mesh.target(h)];
     isTwice = isTwice || seen == links_;
     seen = links_;
     ++is_.fans;
@@ -128,7 +127,7 @@ void StructureCheck::listVertices(const Mesh& before, const Mesh& mesh) {
     return areSame(was + v, is + v, n) && areSame(isChanged_.data() + v, kNone.data(), n);
   };
   visitChangedBlocks(common, isSame, [&](int v) {
-    if (isChanged_[idx(v)] != 0 || was[v] != is[v]) changedVertices_.push_back(v);
+    if (isChanged_[v] != 0 || was[v] != is[v]) changedVertices_.push_back(v);
   });
   for (int v = common; v < std::max(before.vertexSlots(), mesh.vertexSlots()); ++v)
     changedVertices_.push_back(v);
@@ -159,8 +158,8 @@ std::optional<StructureFault> StructureCheck::examineVertices(const Mesh& before
 std::optional<StructureFault> StructureCheck::examineChanges(const Mesh& before, const Mesh& mesh) {
   was_ = is_ = {};
   const int slots = std::max(before.vertexSlots(), mesh.vertexSlots());
-  isChanged_.assign(idx(slots), 0);
-  seenAt_.resize(idx(slots), 0);
+  isChanged_.assign(slots, 0);
+  seenAt_.resize(slots, 0);
   listChanges(before, mesh);
   if (auto fault = examineFaces(before, mesh)) return fault;
   return examineVertices(before, mesh);

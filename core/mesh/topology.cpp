@@ -15,11 +15,11 @@ namespace {
 //! The vertices reached from v, v first.
 std::vector<int> flood(const Mesh& mesh, int v, std::vector<int>& label, int value) {
   std::vector<int> reached{v};
-  label[static_cast<std::size_t>(v)] = value;
+  label[v] = value;
   for (std::size_t i = 0; i < reached.size(); ++i)
     mesh.forEachNeighbour(reached[i], [&](int w) {
-      if (label[static_cast<std::size_t>(w)] == value) return;
-      label[static_cast<std::size_t>(w)] = value;
+      if (label[w] == value) return;
+      label[w] = value;
       reached.push_back(w);
     });
   return reached;
@@ -27,13 +27,13 @@ std::vector<int> flood(const Mesh& mesh, int v, std::vector<int>& label, int val
 
 //! Face by face, in the order of memory: far quicker than a walk from neighbour to neighbour.
 UnionFind joinedByFaces(const Mesh& mesh) {
-  std::vector<int> lower(static_cast<std::size_t>(mesh.vertexSlots()));
+  std::vector<int> lower(mesh.vertexSlots());
   std::iota(lower.begin(), lower.end(), 0);
   for (const Triangle& t : mesh.faces()) {
     if (t[0] < 0) continue;
     const int lowest = std::min({t[0], t[1], t[2]});
     for (const int v : t) {
-      int& l = lower[static_cast<std::size_t>(v)];
+      int& l = lower[v];
       l = std::min(l, lowest);
     }
   }
@@ -75,14 +75,14 @@ Components findComponents(const Mesh& mesh) {
     if (!mesh.isVertex(v)) continue;
     const int lowest = parts.find(v);
     if (lowest == v) {
-      c.ofVertex[at(v)] = c.count();
+      c.ofVertex[v] = c.count();
       c.vertices.push_back(0);
       boxes.emplace_back();
       first.push_back(v);
     }
-    const int part = c.ofVertex[at(v)] = c.ofVertex[at(lowest)];
-    ++c.vertices[at(part)];
-    boxes[at(part)].extend(mesh.position(v));
+    const int part = c.ofVertex[v] = c.ofVertex[lowest];
+    ++c.vertices[part];
+    boxes[part].extend(mesh.position(v));
   }
   for (const auto& box : boxes) c.extent.push_back(box.sizes().maxCoeff());
   c.faces.assign(c.vertices.size(), 0);
@@ -90,7 +90,7 @@ Components findComponents(const Mesh& mesh) {
   for (int f = 0; f < mesh.faceSlots(); ++f) {
     if (!mesh.isFace(f)) continue;
     const Triangle& t = mesh.face(f);
-    const std::size_t part = at(c.ofVertex[at(t[0])]);
+    const int part = c.ofVertex[t[0]];
     ++c.faces[part];
     c.volume[part] +=
         volumeTerm(mesh.position(first[part]), mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
@@ -109,7 +109,7 @@ double signedVolume(const Mesh& mesh) {
 }
 
 void deleteComponent(Mesh& mesh, int v) {
-  std::vector<int> label(static_cast<std::size_t>(mesh.vertexSlots()), 0);
+  std::vector<int> label(mesh.vertexSlots(), 0);
   const std::vector<int> part = flood(mesh, v, label, 1);
   std::vector<int> faces;
   for (int w : part) mesh.forEachOutgoing(w, [&](int h) { faces.push_back(Mesh::faceOf(h)); });

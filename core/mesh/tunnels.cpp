@@ -27,16 +27,15 @@ struct Part {
 Part partOf(const Mesh& mesh, const Components& parts, int component) {
   Part out;
   TriangleSoup soup;
-  std::vector<int> number(idx(mesh.vertexSlots()), -1);
+  std::vector<int> number(mesh.vertexSlots(), -1);
   for (int v = 0; v < mesh.vertexSlots(); ++v) {
-    if (parts.ofVertex[idx(v)] != component) continue;
-    number[idx(v)] = static_cast<int>(out.slots.size());
+    if (parts.ofVertex[v] != component) continue;
+    number[v] = static_cast<int>(out.slots.size());
     out.slots.push_back(v);
     soup.points.push_back(mesh.position(v));
   }
   for (const Triangle& t : mesh.faces())
-    if (t[0] >= 0 && number[idx(t[0])] >= 0)
-      soup.triangles.push_back({number[idx(t[0])], number[idx(t[1])], number[idx(t[2])]});
+    if (t[0] >= 0 && number[t[0]] >= 0) soup.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
   out.mesh = Mesh(soup);
   return out;
 }
@@ -77,11 +76,11 @@ class Pairing {
     return (middle(mesh, a) - middle(mesh, b)).norm();
   }
   bool place(int h) {
-    for (const int t : choices_[idx(h)]) {
-      if (tried_[idx(t)] != 0) continue;
-      tried_[idx(t)] = 1;
-      if (ofTunnel_[idx(t)] >= 0 && !place(ofTunnel_[idx(t)])) continue;
-      ofTunnel_[idx(t)] = h;
+    for (const int t : choices_[h]) {
+      if (tried_[t] != 0) continue;
+      tried_[t] = 1;
+      if (ofTunnel_[t] >= 0 && !place(ofTunnel_[t])) continue;
+      ofTunnel_[t] = h;
       return true;
     }
     return false;
@@ -127,7 +126,7 @@ class ShortLoops {
   }
   //! Each base as far as possible from those before.
   void searchAllOver() {
-    std::vector<double> nearest(idx(mesh_.vertexSlots()), std::numeric_limits<double>::infinity());
+    std::vector<double> nearest(mesh_.vertexSlots(), std::numeric_limits<double>::infinity());
     int base = 0;
     for (int n = 1; n <= std::min(kMaxBases, mesh_.vertexSlots()); ++n) {
       search_.searchFrom(base);
@@ -145,7 +144,7 @@ class ShortLoops {
     const Pairing pairing(mesh_, classes_, handles, tunnels);
     for (std::size_t t = 0; t < tunnels.size(); ++t) {
       if (pairing.ofTunnel()[t] < 0) continue;
-      const EdgeLoop& handle = handles[idx(pairing.ofTunnel()[t])];
+      const EdgeLoop& handle = handles[pairing.ofTunnel()[t]];
       searchAlong(tunnels[t], handle.length);
       searchAlong(handle, std::min(tunnels[t].length, kMaxTimes * handle.length));
     }
@@ -192,8 +191,8 @@ Vec3 middleOf(const Mesh& mesh, const SurfaceLoop& loop) {
 SurfaceLoop finished(const Part& part, const LoopClasses& classes, const EdgeLoop& loop) {
   SurfaceLoop out = tightened(part.mesh, classes, loop);
   for (SurfacePoint& p : out.points) {
-    p.from = part.slots[idx(p.from)];
-    p.to = part.slots[idx(p.to)];
+    p.from = part.slots[p.from];
+    p.to = part.slots[p.to];
   }
   return out;
 }
@@ -212,8 +211,8 @@ class PairLister {
     for (std::size_t t = 0; t < tunnels.size(); ++t) {
       const int h = pairing.ofTunnel()[t];
       if (h >= 0) {
-        add(handles[idx(h)], tunnels[t]);
-        paired[idx(h)] = 1;
+        add(handles[h], tunnels[t]);
+        paired[h] = 1;
       } else {
         tunnelsLeft.push_back(std::move(tunnels[t]));
       }
@@ -280,7 +279,7 @@ std::vector<SurfaceLoop> loopsBeside(const Mesh& mesh, const Tunnel& tunnel, Loo
   const SurfaceLoop& other = kind == LoopKind::handle ? tunnel.tunnel : tunnel.handle;
   // Cuts made since the tunnels were listed may have put the components in another order.
   const Components parts = findComponents(mesh);
-  const Part part = partOf(mesh, parts, parts.ofVertex[idx(loop.points[0].from)]);
+  const Part part = partOf(mesh, parts, parts.ofVertex[loop.points[0].from]);
   const auto classes = LoopClasses::of(part.mesh);
   if (!classes) return {};
   for (SurfacePoint& p : loop.points) {
@@ -298,7 +297,7 @@ std::vector<SurfaceLoop> loopsBeside(const Mesh& mesh, const Tunnel& tunnel, Loo
     const EdgeLoop beside = search.loopThrough(base, key, kMaxLengthRatio * loop.length / 2);
     SurfaceLoop out;
     out.length = beside.length;
-    for (const int v : beside.vertices) out.points.push_back({part.slots[idx(v)], part.slots[idx(v)], 0});
+    for (const int v : beside.vertices) out.points.push_back({part.slots[v], part.slots[v], 0});
     if (!out.points.empty()) found.emplace_back((middleOf(mesh, out) - middle).norm(), std::move(out));
   }
   std::stable_sort(found.begin(), found.end(),
@@ -313,7 +312,7 @@ TunnelList findTunnels(const Mesh& mesh) {
   const Components parts = findComponents(mesh);
   int total = 0;
   for (int c = 0; c < parts.count(); ++c) {
-    const int genus = 1 - (parts.vertices[idx(c)] - parts.faces[idx(c)] / 2) / 2;
+    const int genus = 1 - (parts.vertices[c] - parts.faces[c] / 2) / 2;
     if (genus <= 0) continue;
     total += genus;
     if (genus <= kMaxListed) addTunnels(mesh, partOf(mesh, parts, c), c, out);

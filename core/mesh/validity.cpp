@@ -40,7 +40,7 @@ std::vector<Edge> sortedEdges(const TriangleSoup& soup) {
   std::partial_sum(start.begin(), start.end(), start.begin());
   std::vector<Edge> edges(3 * soup.triangles.size());
   std::vector<std::size_t> fill(start.begin(), start.end() - 1);
-  forEachEdge([&](const Edge& e) { edges[fill[static_cast<std::size_t>(e.low)]++] = e; });
+  forEachEdge([&](const Edge& e) { edges[fill[e.low]++] = e; });
   for (std::size_t v = 0; v + 1 < start.size(); ++v)
     std::sort(edges.begin() + static_cast<std::ptrdiff_t>(start[v]),
               edges.begin() + static_cast<std::ptrdiff_t>(start[v + 1]));
@@ -71,12 +71,10 @@ bool linksAreSingle(const TriangleSoup& soup) {
   for (const Triangle& t : soup.triangles)
     for (int v : t) ++start[static_cast<std::size_t>(v) + 1];
   std::partial_sum(start.begin(), start.end(), start.begin());
-  std::vector<std::array<int, 2>> spokes(static_cast<std::size_t>(start[n]));
+  std::vector<std::array<int, 2>> spokes(start[n]);
   std::vector<int> fill(start.begin(), start.end() - 1);
   for (const Triangle& t : soup.triangles)
-    for (std::size_t i = 0; i < 3; ++i)
-      spokes[static_cast<std::size_t>(fill[static_cast<std::size_t>(t[i])]++)] = {t[(i + 1) % 3],
-                                                                                  t[(i + 2) % 3]};
+    for (std::size_t i = 0; i < 3; ++i) spokes[fill[t[i]]++] = {t[(i + 1) % 3], t[(i + 2) % 3]};
   std::vector<char> reached;
   std::vector<std::size_t> queue;
   for (std::size_t v = 0; v < n; ++v) {
@@ -112,7 +110,7 @@ struct Measures {
 class Measuring {
  public:
   explicit Measuring(const TriangleSoup& soup)
-      : points_(soup.points), origin_(points_[static_cast<std::size_t>(soup.triangles[0][0])]) {}
+      : points_(soup.points), origin_(points_[soup.triangles[0][0]]) {}
   void add(const Triangle& t, Measures& to) const {
     const Vec3 &a = at(t[0]), &b = at(t[1]), &p = at(t[2]);
     to.volume += (a - origin_).dot((b - origin_).cross(p - origin_)) / 6;
@@ -120,7 +118,7 @@ class Measuring {
   }
 
  private:
-  const Vec3& at(int v) const { return points_[static_cast<std::size_t>(v)]; }
+  const Vec3& at(int v) const { return points_[v]; }
   const std::vector<Vec3>& points_;
   const Vec3& origin_;
 };
@@ -138,7 +136,7 @@ SoupComponents componentsOf(const TriangleSoup& soup, const std::vector<Edge>& e
   std::vector<int>& label = out.parts.ofVertex;
   label.assign(soup.points.size(), -1);
   for (const Triangle& t : soup.triangles) {
-    for (int v : t) label[at(v)] = 0;
+    for (int v : t) label[v] = 0;
     joined.join(t[0], t[1]);
     joined.join(t[0], t[2]);
   }
@@ -149,12 +147,12 @@ SoupComponents componentsOf(const TriangleSoup& soup, const std::vector<Edge>& e
       label[v] = out.parts.count();
       out.parts.vertices.push_back(0);
     }
-    label[v] = label[at(lowest)];
-    ++out.parts.vertices[at(label[v])];
+    label[v] = label[lowest];
+    ++out.parts.vertices[label[v]];
   }
   out.euler = out.parts.vertices;
-  for (const Edge& e : edges) --out.euler[at(label[at(e.low)])];
-  for (const Triangle& t : soup.triangles) ++out.euler[at(label[at(t[0])])];
+  for (const Edge& e : edges) --out.euler[label[e.low]];
+  for (const Triangle& t : soup.triangles) ++out.euler[label[t[0]]];
   return out;
 }
 
@@ -162,12 +160,12 @@ std::vector<double> volumesOf(const TriangleSoup& soup, const Components& parts)
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
   std::vector<int> first(parts.vertices.size(), -1);
   for (std::size_t v = parts.ofVertex.size(); v-- > 0;)
-    if (parts.ofVertex[v] >= 0) first[at(parts.ofVertex[v])] = static_cast<int>(v);
+    if (parts.ofVertex[v] >= 0) first[parts.ofVertex[v]] = static_cast<int>(v);
   std::vector<double> volumes(parts.vertices.size(), 0);
   for (const Triangle& t : soup.triangles) {
-    const std::size_t part = at(parts.ofVertex[at(t[0])]);
-    volumes[part] += volumeTerm(soup.points[at(first[part])], soup.points[at(t[0])], soup.points[at(t[1])],
-                                soup.points[at(t[2])]);
+    const int part = parts.ofVertex[t[0]];
+    volumes[part] +=
+        volumeTerm(soup.points[first[part]], soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]);
   }
   return volumes;
 }

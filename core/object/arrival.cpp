@@ -39,7 +39,7 @@ std::vector<OpeningPass> passesOf(const CellGrid& cells, const ObjectPolicy& pol
     for (int a = 0; a < 3; ++a) {
       gathered[a] += length;
       if (gathered[a] < 0.8 * cells.grid.spacing[a]) continue;
-      pass.along[idx(a)] = true;
+      pass.along[a] = true;
       gathered[a] = std::max(0.0, gathered[a] - policy.passLength * cells.grid.spacing[a]);
     }
     pass.diagonal = p % 2 == 1;
@@ -57,7 +57,7 @@ std::size_t startNear(const CellGrid& cells, const Levels& key, const Cell& clic
   double bestDistance = 0;
   forBox(cells, click, passes + 1, [&](const Cell& c) {
     double d = 0;
-    for (int a = 0; a < 3; ++a) d += std::pow((c[idx(a)] - click[idx(a)]) * cells.grid.spacing[a], 2);
+    for (int a = 0; a < 3; ++a) d += std::pow((c[a] - click[a]) * cells.grid.spacing[a], 2);
     if (d > reach * reach) return;
     const std::size_t i = cells.at(c);
     if (key[i] > key[best] || (key[i] == key[best] && d >= bestDistance)) return;
@@ -97,7 +97,7 @@ class Flood {
     std::size_t taken = 0;
     double border = 0;
     for (; level < kNever && static_cast<double>(taken) <= most_ && border <= mostBorder_; ++level) {
-      auto& queue = queues_[idx(level)];
+      auto& queue = queues_[level];
       while (!queue.empty()) {
         const std::uint32_t v = queue.back();
         queue.pop_back();
@@ -169,12 +169,12 @@ std::vector<ArrivalMap> mapsOfBand(const CellGrid& cells, const RungImage& rungs
   int done = 0;
   for (const int n : policy.openings) {
     giveUpIfCancelled();
-    for (; done < n; ++done) morphology.highest(eroded, passes[idx(done)]);
+    for (; done < n; ++done) morphology.highest(eroded, passes[done]);
     const std::size_t start = startNear(cells, eroded, click, n, policy);
     if (eroded[start] >= kNever) continue;
     ArrivalMap map{band, n, n * policy.passLength * cells.grid.meanSpacing(), 0, 0, flood.run(eroded, start)};
     map.end = flood.end();
-    for (int p = n; p-- > 0;) morphology.lowest(map.level, passes[idx(p)]);
+    for (int p = n; p-- > 0;) morphology.lowest(map.level, passes[p]);
     if (n > 0)
       std::transform(map.level.begin(), map.level.end(), key.begin(), map.level.begin(),
                      [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
@@ -216,8 +216,7 @@ ClickIntensities readClick(const CellGrid& cells, const std::vector<float>& raw,
                          policy.mostNoise * out.range);
   const double ratio = policy.lastRung / policy.firstRung;
   for (int i = 0; i < kRungs; ++i)
-    out.ladder[idx(i)] =
-        static_cast<float>(out.range * policy.firstRung * std::pow(ratio, i / (kRungs - 1.0)));
+    out.ladder[i] = static_cast<float>(out.range * policy.firstRung * std::pow(ratio, i / (kRungs - 1.0)));
   return out;
 }
 

@@ -82,7 +82,7 @@ using SumsPerRung = std::array<Sums, kNever + 1>;
 
 void addFace(SumsPerRung& sums, int inner, int outer, double outside, std::size_t gradient, double area) {
   for (const auto& [rung, sign] : {std::pair{inner, 1.0}, std::pair{outer, -1.0}}) {
-    Sums& s = sums[idx(rung)];
+    Sums& s = sums[rung];
     s.faces += sign;
     s.outside += sign * outside;
     s.outside2 += sign * outside * outside;
@@ -138,7 +138,7 @@ SumsPerRung gather(const ClickSearch& s, const ArrivalMap& map, const std::vecto
         const int level = map.level[i];
         const std::array<int, 3> c{x, y, z};
         if (level < kNever) {
-          Sums& of = sums[idx(level)];
+          Sums& of = sums[level];
           const double d = s.values[i] - s.intensities.level;
           of.voxels += 1, of.inside += d, of.inside2 += d * d;
           for (std::size_t a = 0; a < 3; ++a) {
@@ -165,7 +165,7 @@ SumsPerRung gather(const ClickSearch& s, const ArrivalMap& map, const std::vecto
 double median(const std::array<double, kGradients>& histogram, double total) {
   double before = 0;
   for (int g = 0; g < kGradients; ++g) {
-    const double here = histogram[idx(g)];
+    const double here = histogram[g];
     if (here > 0 && before + here >= 0.5 * total) return g + (0.5 * total - before) / here;
     before += here;
   }
@@ -220,7 +220,7 @@ std::vector<RankedRegion> regionsOf(const ClickSearch& s, const std::vector<Arri
     const ArrivalMap& map = maps[m];
     Sums upTo;
     for (int rung = 0; rung < map.end; ++rung) {
-      upTo.add(sums[m][idx(rung)]);
+      upTo.add(sums[m][rung]);
       if (upTo.voxels < static_cast<double>(policy.fewest)) continue;
       if (upTo.voxels > policy.largestPart * static_cast<double>(s.image.cells.count())) break;
       out.push_back(describe(s, map, rung, upTo));
@@ -346,7 +346,7 @@ std::array<double, 2> RankedRegion::bounds() const {
   if (isStar()) return {-kInfinity, kInfinity};
   const auto& in = search->intensities;
   const auto distance = [&](int r) {
-    return r < kRungs ? static_cast<double>(in.ladder[idx(r)]) : std::numeric_limits<double>::infinity();
+    return r < kRungs ? static_cast<double>(in.ladder[r]) : std::numeric_limits<double>::infinity();
   };
   const double low = in.level - distance(rung), high = in.level + distance(map->band);
   return {search->scale.from(low), search->scale.from(high)};

@@ -16,7 +16,7 @@ struct Span {
 };
 
 Span spanAround(const Grid& volume, int axis, const std::vector<Reach>& boxes) {
-  const int n = volume.size[idx(axis)];
+  const int n = volume.size[axis];
   int low = n - 1, high = 0;
   for (const Reach& b : boxes) {
     const double centre = volume.toIndex(b.centre)[axis], half = b.reach / volume.spacing[axis];
@@ -61,7 +61,7 @@ std::array<int, 3> CellGrid::nearest(const Vec3& world) const {
   const Vec3 index = grid.toIndex(world);
   std::array<int, 3> cell;
   for (int a = 0; a < 3; ++a)
-    cell[idx(a)] = std::clamp(static_cast<int>(std::lround(index[a])), 0, grid.size[idx(a)] - 1);
+    cell[a] = std::clamp(static_cast<int>(std::lround(index[a])), 0, grid.size[a] - 1);
   return cell;
 }
 
@@ -71,30 +71,29 @@ CellGrid cellsAround(const Grid& volume, const Vec3& centre, double reach, std::
 
 CellGrid cellsAround(const Grid& volume, const std::vector<Reach>& boxes, std::size_t most) {
   std::array<Span, 3> spans;
-  for (int a = 0; a < 3; ++a) spans[idx(a)] = spanAround(volume, a, boxes);
+  for (int a = 0; a < 3; ++a) spans[a] = spanAround(volume, a, boxes);
   CellGrid out;
   const auto count = [&] {
     std::size_t n = 1;
-    for (int a = 0; a < 3; ++a) n *= idx((spans[idx(a)].count + out.factor[idx(a)] - 1) / out.factor[idx(a)]);
+    for (int a = 0; a < 3; ++a) n *= idx((spans[a].count + out.factor[a] - 1) / out.factor[a]);
     return n;
   };
   while (count() > most) {
     int finest = 0;
     for (int a = 1; a < 3; ++a)
-      if (volume.spacing[a] * out.factor[idx(a)] < 0.99 * volume.spacing[finest] * out.factor[idx(finest)])
-        finest = a;
-    ++out.factor[idx(finest)];
+      if (volume.spacing[a] * out.factor[a] < 0.99 * volume.spacing[finest] * out.factor[finest]) finest = a;
+    ++out.factor[finest];
   }
   out.grid = volume;
   Vec3 first;
   for (int a = 0; a < 3; ++a) {
-    const auto [low, n] = spans[idx(a)];
-    const int f = out.factor[idx(a)];
-    out.low[idx(a)] = low;
-    out.grid.size[idx(a)] = (n + f - 1) / f;
+    const auto [low, n] = spans[a];
+    const int f = out.factor[a];
+    out.low[a] = low;
+    out.grid.size[a] = (n + f - 1) / f;
     out.grid.spacing[a] *= f;
     first[a] = low + 0.5 * (f - 1);
-    out.goesOn[idx(a)] = {low > 0, low + n < volume.size[idx(a)]};
+    out.goesOn[a] = {low > 0, low + n < volume.size[a]};
   }
   out.grid.origin = volume.toWorld(first);
   return out;
@@ -137,7 +136,7 @@ std::vector<float> smoothed(const CellGrid& cells, std::vector<float> values, do
   std::size_t block = 1;
   for (int a = 0; a < 3; ++a) {
     const double s = sigma / cells.grid.spacing[a];
-    const int n = cells.grid.size[idx(a)];
+    const int n = cells.grid.size[a];
     if (s > 0.15) {  // less is nothing but the centre
       smoothAlong(values, other, n, block, gaussian(s));
       values.swap(other);

@@ -24,14 +24,14 @@ class Envelope {
   void run(double h) {
     const int n = static_cast<int>(f_.size());
     for (int first = 0, zero = -1; first < n; ++first) {
-      if (f_[idx(first)] == 0) {
+      if (f_[first] == 0) {
         zero = first;
         continue;
       }
       int end = first;
-      while (end < n && f_[idx(end)] != 0) ++end;
+      while (end < n && f_[end] != 0) ++end;
       if (zero >= 0 && end < n && end - first == 1)
-        f_[idx(first)] = std::min(f_[idx(first)], static_cast<float>(h * h));
+        f_[first] = std::min(f_[first], static_cast<float>(h * h));
       else
         runWithin(std::max(0, zero), std::min(end, n - 1), h);
       first = zero = end;
@@ -43,28 +43,28 @@ class Envelope {
   void runWithin(int first, int last, double h) {
     int k = -1;
     for (int q = first; q <= last; ++q) {
-      if (f_[idx(q)] == kInfinity) continue;
+      if (f_[q] == kInfinity) continue;
       double s = -std::numeric_limits<double>::infinity();
       while (k >= 0) {
-        s = crossing(apex_[idx(k)], q, h);
-        if (s > from_[idx(k)]) break;
+        s = crossing(apex_[k], q, h);
+        if (s > from_[k]) break;
         --k;
       }
       if (k < 0) s = -std::numeric_limits<double>::infinity();
-      apex_[idx(++k)] = q;
-      from_[idx(k)] = s;
+      apex_[++k] = q;
+      from_[k] = s;
     }
     if (k < 0) return;
     for (int x = first, j = 0; x <= last; ++x) {
-      while (j < k && from_[idx(j + 1)] < x) ++j;
-      const double d = h * (x - apex_[idx(j)]);
-      result_[idx(x)] = static_cast<float>(d * d) + f_[idx(apex_[idx(j)])];
+      while (j < k && from_[j + 1] < x) ++j;
+      const double d = h * (x - apex_[j]);
+      result_[x] = static_cast<float>(d * d) + f_[apex_[j]];
     }
     std::copy(result_.begin() + first, result_.begin() + last + 1, f_.begin() + first);
   }
 
   double crossing(int a, int b, double h) const {
-    const double fa = f_[idx(a)], fb = f_[idx(b)];
+    const double fa = f_[a], fb = f_[b];
     return ((fb - fa) / (h * h) + static_cast<double>(b) * b - static_cast<double>(a) * a) / (2.0 * (b - a));
   }
   std::vector<float> f_, result_;
@@ -110,13 +110,13 @@ void alongLines(std::vector<float>& d, int n, std::size_t step, double h, int th
           for (int i = 0; i < n; ++i)
             for (std::size_t k = 0; k < some; ++k) {
               const float value = at[k + idx(i) * step];
-              lines[k].values()[idx(i)] = value;
+              lines[k].values()[i] = value;
               any |= value > 0;
             }
           if (!any) continue;
           for (std::size_t k = 0; k < some; ++k) lines[k].run(h);
           for (int i = 0; i < n; ++i)
-            for (std::size_t k = 0; k < some; ++k) at[k + idx(i) * step] = lines[k].values()[idx(i)];
+            for (std::size_t k = 0; k < some; ++k) at[k + idx(i) * step] = lines[k].values()[i];
         }
       });
 }

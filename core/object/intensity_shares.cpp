@@ -16,10 +16,8 @@ constexpr double kEmpty = 0.003;  // share of a bin in which nothing is
 std::vector<double> intensityShares(const std::vector<double>& h) {
   std::vector<double> out(h.size(), 0);
   const int n = static_cast<int>(h.size()), reach = static_cast<int>(kGaussian.size()) - 1;
-  const auto idx = [](int i) { return static_cast<std::size_t>(i); };
   for (int i = 0; i < n; ++i)
-    for (int k = -reach; k <= reach; ++k)
-      out[idx(i)] += kGaussian[idx(std::abs(k))] * h[idx(std::clamp(i + k, 0, n - 1))];
+    for (int k = -reach; k <= reach; ++k) out[i] += kGaussian[std::abs(k)] * h[std::clamp(i + k, 0, n - 1)];
   const double sum = std::accumulate(out.begin(), out.end(), 0.0);
   for (double& x : out) x = x / std::max(sum, 1e-12) + kEmpty;
   return out;

@@ -82,7 +82,7 @@ class ObjectFinder::Search {
  private:
   using Searches = std::vector<std::unique_ptr<ClickSearch>>;
 
-  const RankedRegion& chosen() const { return offered_[static_cast<std::size_t>(candidate_ - 1)].region; }
+  const RankedRegion& chosen() const { return offered_[candidate_ - 1].region; }
 
   ObjectModel modelOf(Corrected corrected, const std::vector<Pending>& clicks) const {
     ObjectModel model;

@@ -29,8 +29,7 @@ Offer Offers::take() {
   std::vector<double> expected;
   for (const auto& row : overlap)
     expected.push_back(std::inner_product(row.begin(), row.end(), likelihood.begin(), 0.0));
-  return std::move(
-      best_[static_cast<std::size_t>(std::max_element(expected.begin(), expected.end()) - expected.begin())]);
+  return std::move(best_[std::max_element(expected.begin(), expected.end()) - expected.begin()]);
 }
 
 std::optional<Offer> Offers::offerOf(const Task& task) const {

@@ -16,13 +16,13 @@ namespace {
 using Cell = std::array<int, 3>;
 //! Which cell of `to` each cell of `from` has its centre in, along one axis; -1 = none.
 std::vector<int> cellMap(const CellGrid& from, const CellGrid& to, std::size_t axis) {
-  std::vector<int> out(idx(from.grid.size[axis]), -1);
+  std::vector<int> out(from.grid.size[axis], -1);
   for (int i = 0; i < from.grid.size[axis]; ++i) {
     // Twice the voxel index of the centre, so that it is whole.
     const int twice = 2 * (from.low[axis] + from.factor[axis] * i) + from.factor[axis] - 1;
     const int voxel = (twice >= 0 ? twice / 2 : -1) - to.low[axis];
     const int cell = voxel >= 0 ? voxel / to.factor[axis] : -1;
-    if (cell >= 0 && cell < to.grid.size[axis]) out[idx(i)] = cell;
+    if (cell >= 0 && cell < to.grid.size[axis]) out[i] = cell;
   }
   return out;
 }
@@ -119,7 +119,7 @@ Region regionOn(const WorkImage& work, const RankedRegion& r) {
   for (int z = 0; z < to.grid.size[2]; ++z)
     for (int y = 0; y < to.grid.size[1]; ++y)
       for (int x = 0; x < to.grid.size[0]; ++x, ++i) {
-        const Cell c{map[0][idx(x)], map[1][idx(y)], map[2][idx(z)]};
+        const Cell c{map[0][x], map[1][y], map[2][z]};
         if (c[0] < 0 || c[1] < 0 || c[2] < 0) continue;
         const std::size_t there = from.at(c);
         if (same || r.isStar())

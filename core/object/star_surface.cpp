@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "core/cancellation.h"
-#include "core/indices.h"
 #include "core/object/closure.h"
 #include "core/object/intensity_shares.h"
 #include "core/object/rays.h"
@@ -123,9 +122,9 @@ class StarSearch {
         const std::size_t i = d * kRadii + k;
         const double w = weight_[k];
         if (k <= last_[d])
-          in[idx(bins_[i])] += w, meanIn += w * intensities_[i], allIn += w;
+          in[bins_[i]] += w, meanIn += w * intensities_[i], allIn += w;
         else if (radii_[k] <= task_.policy.starShell * radii_[last_[d]] && !beyond_[i])
-          out[idx(bins_[i])] += w, meanOut += w * intensities_[i], allOut += w;
+          out[bins_[i]] += w, meanOut += w * intensities_[i], allOut += w;
       }
     std::vector<double> outward = intensityShares(in), shareOut = intensityShares(out);
     for (std::size_t b = 0; b < outward.size(); ++b) outward[b] = std::log(shareOut[b] / outward[b]);
@@ -150,7 +149,7 @@ class StarSearch {
       double before = 0;  // of the surface one step further in
       for (std::size_t k = 0; k < kRadii; ++k) {
         const std::size_t i = d * kRadii + k;
-        const double region = beyond_[i] ? task_.policy.starBeyond : outward[idx(bins_[i])];
+        const double region = beyond_[i] ? task_.policy.starBeyond : outward[bins_[i]];
         const double edge =
             -task_.policy.starEdge * std::clamp(fall[i] / strong, -1.0, 2.0) * radii_[k] * radii_[k] / area_;
         out[i] = region * weight_[k] + edge - before;
@@ -209,7 +208,7 @@ class StarSearch {
       const auto nearest =
           std::max_element(directions.begin(), directions.end(),
                            [&](const Vec3& a, const Vec3& b) { return a.dot(u) < b.dot(u); });
-      out.push_back(distances[static_cast<std::size_t>(nearest - directions.begin())]);
+      out.push_back(distances[nearest - directions.begin()]);
     }
     centre_ += shift;
     return out;
@@ -286,7 +285,7 @@ double likeness(const Mask& a, const Mask& b) {
 //! Radii (mm) of the spheres that are started from.
 std::vector<double> startsIn(const Grid& grid, const ObjectPolicy& policy) {
   double widest = 0;
-  for (int a = 0; a < 3; ++a) widest = std::max(widest, grid.size[idx(a)] * grid.spacing[a]);
+  for (int a = 0; a < 3; ++a) widest = std::max(widest, grid.size[a] * grid.spacing[a]);
   const double most = std::min(policy.largestStart * widest, policy.reach / 3);
   std::vector<double> out;
   for (double r = policy.smallestStart * grid.meanSpacing(); r < most; r *= policy.nextStart)

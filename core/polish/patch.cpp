@@ -34,8 +34,8 @@ std::vector<int> PolishPatch::neighbours(int v) const {
 }
 
 int PolishPatch::valence(int v) const {
-  return outerFaces[idx(v)] + static_cast<int>(std::count_if(faces.begin(), faces.end(),
-                                                             [v](const Triangle& t) { return holds(t, v); }));
+  return outerFaces[v] + static_cast<int>(std::count_if(faces.begin(), faces.end(),
+                                                        [v](const Triangle& t) { return holds(t, v); }));
 }
 
 bool PolishPatch::isUsed(int v) const {
@@ -57,8 +57,8 @@ bool PolishPatch::flip(int a, int b) {
 // The link condition: a and b have no common neighbours but the two apexes.
 bool PolishPatch::collapse(int a, int b, const Vec3& place) {
   const int c = apex(a, b), d = apex(b, a);
-  if (c < 0 || d < 0 || c == d || !isFree[idx(a)]) return false;
-  if (!isFree[idx(b)] && place != points[idx(b)]) return false;
+  if (c < 0 || d < 0 || c == d || !isFree[a]) return false;
+  if (!isFree[b] && place != points[b]) return false;
   if (valence(c) <= 3 || valence(d) <= 3) return false;
   for (const int w : neighbours(a))
     if (w != b && w != c && w != d && hasEdge(w, b)) return false;
@@ -66,7 +66,7 @@ bool PolishPatch::collapse(int a, int b, const Vec3& place) {
   for (Triangle& t : faces)
     for (int& v : t)
       if (v == a) v = b;
-  points[idx(b)] = place;
+  points[b] = place;
   return true;
 }
 
@@ -91,19 +91,19 @@ void PolishPatch::addEdges(const Triangle& t, const WantedShape& wanted, int onl
     const int d = apex(q, p);
     // Seen from the faces at one point, the edges across from it have their other side elsewhere.
     if (d < 0 || (onlyAt >= 0 && holds({p, q, d}, onlyAt) && p > q)) continue;
-    sum.add(wanted.ofEdge(points[idx(p)], points[idx(q)], points[idx(c)], points[idx(d)]));
+    sum.add(wanted.ofEdge(points[p], points[q], points[c], points[d]));
   }
 }
 
 Badness PolishPatch::badness(const WantedShape& wanted) const {
   Badness sum;
   for (const Triangle& t : faces) {
-    sum.add(wanted.ofFace(points[idx(t[0])], points[idx(t[1])], points[idx(t[2])]));
+    sum.add(wanted.ofFace(points[t[0]], points[t[1]], points[t[2]]));
     addEdges(t, wanted, -1, sum);
   }
   for (const BorderEdge& e : border)
     if (const int c = apex(e.from, e.to); c >= 0)
-      sum.add(wanted.ofEdge(points[idx(e.from)], points[idx(e.to)], points[idx(c)], e.beyond));
+      sum.add(wanted.ofEdge(points[e.from], points[e.to], points[c], e.beyond));
   return sum;
 }
 
@@ -111,12 +111,12 @@ Badness PolishPatch::badnessAt(int v, const WantedShape& wanted) const {
   Badness sum;
   for (const Triangle& t : faces) {
     if (!holds(t, v)) continue;
-    sum.add(wanted.ofFace(points[idx(t[0])], points[idx(t[1])], points[idx(t[2])]));
+    sum.add(wanted.ofFace(points[t[0]], points[t[1]], points[t[2]]));
     addEdges(t, wanted, v, sum);
   }
   for (const BorderEdge& e : border)
     if (const int c = apex(e.from, e.to); c == v)
-      sum.add(wanted.ofEdge(points[idx(e.from)], points[idx(e.to)], points[idx(c)], e.beyond));
+      sum.add(wanted.ofEdge(points[e.from], points[e.to], points[c], e.beyond));
   return sum;
 }
 

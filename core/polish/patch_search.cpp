@@ -11,7 +11,6 @@
 #include "core/cancellation.h"
 #include "core/geometry/closest_points.h"
 #include "core/geometry/triangle_distance.h"
-#include "core/indices.h"
 
 namespace handlebody {
 
@@ -37,8 +36,8 @@ Star starOf(const PolishPatch& patch, int v) {
   for (const Triangle& t : patch.faces)
     for (std::size_t i = 0; i < 3; ++i) {
       if (t[i] != v) continue;
-      const Vec3& p = patch.points[idx(v)];
-      const Vec3 u = patch.points[idx(t[(i + 1) % 3])] - p, w = patch.points[idx(t[(i + 2) % 3])] - p;
+      const Vec3& p = patch.points[v];
+      const Vec3 u = patch.points[t[(i + 1) % 3]] - p, w = patch.points[t[(i + 2) % 3]] - p;
       star.normal += u.cross(w);
       star.edge += u.norm();
       ++n;
@@ -75,7 +74,7 @@ std::array<Vec3, 4> samplesOf(const Corners& c) {
 }
 
 Corners cornersOf(const PolishPatch& patch, const Triangle& t) {
-  return {patch.points[idx(t[0])], patch.points[idx(t[1])], patch.points[idx(t[2])]};
+  return {patch.points[t[0]], patch.points[t[1]], patch.points[t[2]]};
 }
 
 bool isOutside(const Vec3& p, const Corners& c, double distance) {
@@ -124,7 +123,7 @@ bool PatchSearch::staysNear(const PolishPatch& patch, int v, double radius) cons
   for (const Triangle& t : patch.faces)
     if ((t[0] == v || t[1] == v || t[2] == v) && !isFaceNear(cornersOf(patch, t))) return false;
   return std::all_of(covered_.begin(), covered_.end(), [&](const Vec3& p) {
-    return (p - patch.points[idx(v)]).norm() > radius || isNearFaces(p, patch, reach_);
+    return (p - patch.points[v]).norm() > radius || isNearFaces(p, patch, reach_);
   });
 }
 
@@ -175,10 +174,10 @@ void PatchSearch::addTurns(const PolishPatch& patch, int a, int b, std::vector<T
 void PatchSearch::addCollapses(const PolishPatch& patch, int a, int b, std::vector<Trial>& trials) {
   std::vector<int> touched = patch.neighbours(a);
   PolishPatch at = patch;
-  if (!at.collapse(a, b, patch.points[idx(b)])) return;
+  if (!at.collapse(a, b, patch.points[b])) return;
   add(std::move(at), touched, trials);
   PolishPatch between = patch;
-  const Vec3 middle = inSingle(onSurface((patch.points[idx(a)] + patch.points[idx(b)]) / 2));
+  const Vec3 middle = inSingle(onSurface((patch.points[a] + patch.points[b]) / 2));
   if (a < b && between.collapse(a, b, middle)) add(std::move(between), touched, trials);
 }
 
@@ -186,7 +185,7 @@ void PatchSearch::addSplits(const PolishPatch& patch, int a, int b, std::vector<
   if (a > b) return;
   PolishPatch divided = patch;
   const int c = patch.apex(a, b), d = patch.apex(b, a);
-  const Vec3 middle = inSingle(onSurface((patch.points[idx(a)] + patch.points[idx(b)]) / 2));
+  const Vec3 middle = inSingle(onSurface((patch.points[a] + patch.points[b]) / 2));
   const int m = divided.split(a, b, middle);
   if (m >= 0) add(std::move(divided), {m, a, b, c, d}, trials);
 }
@@ -228,7 +227,7 @@ Attempt PatchSearch::relaxed(Trial trial, double reach) {
   reach_ = reach * distance_;
   for (int sweep = 0; sweep < kSweeps; ++sweep)
     for (const int v : trial.touched)
-      if (trial.patch.isFree[idx(v)] && trial.patch.isUsed(v)) move(trial.patch, v);
+      if (trial.patch.isFree[v] && trial.patch.isUsed(v)) move(trial.patch, v);
   const Badness badness = trial.patch.badness(wanted_);
   const bool isGood = isNear(trial.patch);
   return {std::move(trial.patch), badness, isGood};
@@ -245,14 +244,13 @@ void PatchSearch::move(PolishPatch& patch, int v) {
 //! on a ridge), and off it.
 std::vector<Vec3> PatchSearch::places(const PolishPatch& patch, int v, double step) const {
   const Star star = starOf(patch, v);
-  const Vec3 from = patch.points[idx(v)], u = across(star.normal), w = star.normal.cross(u);
+  const Vec3 from = patch.points[v], u = across(star.normal), w = star.normal.cross(u);
   std::vector<Vec3> all;
   for (int i = 0; i < kDirections; ++i) {
     const double turn = 2 * std::numbers::pi * i / kDirections;
     all.push_back(onSurface(from + step * star.edge * (std::cos(turn) * u + std::sin(turn) * w)));
   }
-  for (const int n : patch.neighbours(v))
-    all.push_back(onSurface(from + step * (patch.points[idx(n)] - from)));
+  for (const int n : patch.neighbours(v)) all.push_back(onSurface(from + step * (patch.points[n] - from)));
   const double off = std::min(step * star.edge, kOffSurface * reach_);
   for (const double way : {off, -off})
     if (const Vec3 to = from + way * star.normal; distanceFromSurface(to) <= reach_) all.push_back(to);
@@ -262,21 +260,21 @@ std::vector<Vec3> PatchSearch::places(const PolishPatch& patch, int v, double st
 
 //! To the best of some places at that distance, if it is better than where it is.
 bool PatchSearch::moveByStep(PolishPatch& patch, int v, double step, Badness& now) {
-  const Vec3 from = patch.points[idx(v)];
+  const Vec3 from = patch.points[v];
   double radius = 0;
-  for (const int n : patch.neighbours(v)) radius = std::max(radius, (patch.points[idx(n)] - from).norm());
+  for (const int n : patch.neighbours(v)) radius = std::max(radius, (patch.points[n] - from).norm());
   const bool wasNear = staysNear(patch, v, 1.5 * radius);
   Vec3 best = from;
   Badness least = now;
   for (const Vec3& to : places(patch, v, step)) {
-    patch.points[idx(v)] = to;
+    patch.points[v] = to;
     const Badness there = patch.badnessAt(v, wanted_);
     ++work_;
     if (!there.isBetterThan(least) || (wasNear && !staysNear(patch, v, 1.5 * radius))) continue;
     least = there;
     best = to;
   }
-  patch.points[idx(v)] = best;
+  patch.points[v] = best;
   now = least;
   return best != from;
 }
@@ -284,7 +282,7 @@ bool PatchSearch::moveByStep(PolishPatch& patch, int v, double step, Badness& no
 std::vector<int> PatchSearch::worstPlace(const PolishPatch& patch) const {
   std::vector<int> place;
   double worst = 1;
-  const auto p = [&](int v) -> const Vec3& { return patch.points[idx(v)]; };
+  const auto p = [&](int v) -> const Vec3& { return patch.points[v]; };
   for (const Triangle& t : patch.faces) {
     if (const double part = wanted_.ofFace(p(t[0]), p(t[1]), p(t[2])); part < worst) {
       worst = part;

@@ -76,7 +76,7 @@ class Polisher {
   }
 
  private:
-  const Vec3& point(int v) const { return surface_.points()[idx(v)]; }
+  const Vec3& point(int v) const { return surface_.points()[v]; }
   bool isOwn(std::size_t face) const { return face >= options_.isOwn.size() || options_.isOwn[face] != 0; }
 
   void addBadEdges(std::size_t face, std::vector<BadPlace>& places, PolishCount* count) const {
@@ -97,7 +97,7 @@ class Polisher {
   bool isToBeTried(const BadPlace& place, int pass) const {
     if (work_ > kMaxWork) return false;
     return pass == 1 || isLast_ || std::any_of(place.vertices.begin(), place.vertices.end(), [&](int v) {
-             return changedAt_[idx(v)] >= pass - 1;
+             return changedAt_[v] >= pass - 1;
            });
   }
 
@@ -148,7 +148,7 @@ class Polisher {
 
   void noteChange(const PolishPatch& before, int pass) {
     changedAt_.resize(surface_.points().size(), pass);
-    for (const int v : before.vertex) changedAt_[idx(v)] = pass;
+    for (const int v : before.vertex) changedAt_[v] = pass;
   }
 
   //! One more operation after the best of them.
@@ -187,7 +187,7 @@ std::vector<Vec3> worstOf(const std::vector<BadPlace>& places, std::span<const V
   std::vector<Vec3> worst;
   for (std::size_t i = 0; i < std::min(kMaxLeft, places.size()); ++i) {
     Vec3 sum = Vec3::Zero();
-    for (const int v : places[i].vertices) sum += points[idx(v)];
+    for (const int v : places[i].vertices) sum += points[v];
     worst.push_back(sum / static_cast<double>(places[i].vertices.size()));
   }
   return worst;

@@ -12,7 +12,7 @@ namespace handlebody {
 namespace {
 
 Corners corners(std::span<const Vec3> points, const Triangle& t) {
-  return {points[idx(t[0])], points[idx(t[1])], points[idx(t[2])]};
+  return {points[t[0]], points[t[1]], points[t[2]]};
 }
 
 //! The same face, whichever corner comes first.
@@ -43,7 +43,7 @@ PolishedSurface::PolishedSurface(const TriangleSoup& mesh, const PolishBounds& b
       faces_(mesh.triangles),
       facesAt_(mesh.points.size()) {
   for (std::size_t f = 0; f < faces_.size(); ++f)
-    for (const int v : faces_[f]) facesAt_[idx(v)].push_back(static_cast<int>(f));
+    for (const int v : faces_[f]) facesAt_[v].push_back(static_cast<int>(f));
 }
 
 void PolishedSurface::prepare() {
@@ -64,21 +64,21 @@ void PolishedSurface::prepare() {
 Corners PolishedSurface::cornersOf(const Triangle& t) const { return corners(points_, t); }
 
 void PolishedSurface::put(int face) {
-  const Triangle& t = faces_[idx(face)];
-  for (const int v : t) facesAt_[idx(v)].push_back(face);
+  const Triangle& t = faces_[face];
+  for (const int v : t) facesAt_[v].push_back(face);
   grid_.add(face, boxAround(cornersOf(t)));
 }
 
 void PolishedSurface::take(int face) {
-  Triangle& t = faces_[idx(face)];
-  for (const int v : t) std::erase(facesAt_[idx(v)], face);
+  Triangle& t = faces_[face];
+  for (const int v : t) std::erase(facesAt_[v], face);
   grid_.remove(face, boxAround(cornersOf(t)));
   t = {-1, -1, -1};
 }
 
 int PolishedSurface::faceAt(int from, int to) const {
-  for (const int f : facesAt_[idx(from)]) {
-    const Triangle& t = faces_[idx(f)];
+  for (const int f : facesAt_[from]) {
+    const Triangle& t = faces_[f];
     for (std::size_t i = 0; i < 3; ++i)
       if (t[i] == from && t[(i + 1) % 3] == to) return f;
   }
@@ -88,46 +88,45 @@ int PolishedSurface::faceAt(int from, int to) const {
 int PolishedSurface::apex(int from, int to) const {
   const int f = faceAt(from, to);
   if (f < 0) return -1;
-  const Triangle& t = faces_[idx(f)];
+  const Triangle& t = faces_[f];
   return t[0] + t[1] + t[2] - from - to;
 }
 
 PolishedSurface::Part PolishedSurface::around(std::span<const int> vertices) const {
   std::vector<int> inner(vertices.begin(), vertices.end());
   for (const int v : vertices)
-    for (const int f : facesAt_[idx(v)])
-      for (const int w : faces_[idx(f)]) addUnique(inner, w);
+    for (const int f : facesAt_[v])
+      for (const int w : faces_[f]) addUnique(inner, w);
   Part part;
-  for (const int v : inner)
-    part.faces.insert(part.faces.end(), facesAt_[idx(v)].begin(), facesAt_[idx(v)].end());
+  for (const int v : inner) part.faces.insert(part.faces.end(), facesAt_[v].begin(), facesAt_[v].end());
   sortUnique(part.faces);
   PolishPatch& patch = part.patch;
   std::map<int, int> place;  // of a vertex in the patch
   const auto pointOf = [&](int v) {
     const auto [at, isNew] = place.emplace(v, static_cast<int>(patch.points.size()));
     if (isNew) {
-      patch.points.push_back(points_[idx(v)]);
+      patch.points.push_back(points_[v]);
       patch.vertex.push_back(v);
     }
     return at->second;
   };
   for (const int f : part.faces) {
-    const Triangle& t = faces_[idx(f)];
+    const Triangle& t = faces_[f];
     patch.faces.push_back({pointOf(t[0]), pointOf(t[1]), pointOf(t[2])});
   }
   const auto isHere = [&](int f) { return std::binary_search(part.faces.begin(), part.faces.end(), f); };
   for (std::size_t p = 0; p < patch.points.size(); ++p) {
     int outside = 0;
-    for (const int f : facesAt_[idx(patch.vertex[p])]) {
+    for (const int f : facesAt_[patch.vertex[p]]) {
       if (isHere(f)) continue;
       ++outside;
-      const Triangle& t = faces_[idx(f)];
+      const Triangle& t = faces_[f];
       for (std::size_t i = 0; i < 3; ++i) {
         const auto a = place.find(t[i]), b = place.find(t[(i + 1) % 3]);
         if (a == place.end() || b == place.end()) continue;
         patch.outer.emplace_back(std::min(a->second, b->second), std::max(a->second, b->second));
         if (a->second == static_cast<int>(p) && patch.apex(b->second, a->second) >= 0)
-          patch.border.push_back({b->second, a->second, points_[idx(t[(i + 2) % 3])]});
+          patch.border.push_back({b->second, a->second, points_[t[(i + 2) % 3]]});
       }
     }
     patch.outerFaces.push_back(outside);
@@ -142,7 +141,7 @@ std::vector<Corners> PolishedSurface::cornersNear(const FaceGrid& grid, const Tr
   grid.findNear(box, found);
   std::vector<Corners> near;
   for (const int f : found) {
-    const Corners c = corners(mesh.points, mesh.triangles[idx(f)]);
+    const Corners c = corners(mesh.points, mesh.triangles[f]);
     if (boxAround(c).overlaps(box)) near.push_back(c);
   }
   return near;
@@ -170,21 +169,21 @@ PolishedSurface::Change PolishedSurface::changeOf(const Part& before, const Poli
   std::map<Triangle, int> kept;
   for (std::size_t i = 0; i < old.faces.size(); ++i) kept.emplace(fromLowest(old.faces[i]), before.faces[i]);
   for (const Triangle& t : after.faces) {
-    const bool isNew = isMoved[idx(t[0])] || isMoved[idx(t[1])] || isMoved[idx(t[2])];
+    const bool isNew = isMoved[t[0]] || isMoved[t[1]] || isMoved[t[2]];
     if (!isNew && kept.erase(fromLowest(t)) > 0) continue;
-    change.added.push_back({vertex[idx(t[0])], vertex[idx(t[1])], vertex[idx(t[2])]});
+    change.added.push_back({vertex[t[0]], vertex[t[1]], vertex[t[2]]});
     change.is.push_back(corners(after.points, t));
   }
   for (const auto& [t, face] : kept) {
     change.removed.push_back(face);
-    change.was.push_back(cornersOf(faces_[idx(face)]));
+    change.was.push_back(cornersOf(faces_[face]));
   }
   return change;
 }
 
 bool PolishedSurface::breaksHeld(const Change& change) const {
   return std::any_of(change.removed.begin(), change.removed.end(), [this](int f) {
-    const Triangle& t = faces_[idx(f)];
+    const Triangle& t = faces_[f];
     return isHeld(t[0]) && isHeld(t[1]) && isHeld(t[2]);
   });
 }
@@ -202,7 +201,7 @@ bool PolishedSurface::isNear(const Change& change) const {
   grid_.findNear(boxAround(wasPoints, 2 * bounds_.distance), found);
   for (const int f : found)
     if (std::find(change.removed.begin(), change.removed.end(), f) == change.removed.end())
-      now.push_back(cornersOf(faces_[idx(f)]));
+      now.push_back(cornersOf(faces_[f]));
   for (const Corners& c : cornersNear(firstGrid_, first_, boxAround(wasPoints, bounds_.distance)))
     if (!isCovered(c, change.was, now, bounds_.distance)) return false;
   return true;
@@ -219,7 +218,7 @@ bool PolishedSurface::isFree(const Change& change) const {
     grid_.findNear(boxAround(c), found);
     for (const int f : found)
       if (std::find(change.removed.begin(), change.removed.end(), f) == change.removed.end() &&
-          facesIntersect(points_, t, faces_[idx(f)]))
+          facesIntersect(points_, t, faces_[f]))
         return false;
     if (bounds_.forbids && bounds_.forbids(c[0], c[1], c[2])) return false;
     for (const Corners& o : cornersNear(obstacleGrid_, obstacle_, boxAround(c)))
@@ -234,18 +233,18 @@ bool PolishedSurface::accept(const Part& before, const PolishPatch& after) {
   std::vector<std::pair<int, Vec3>> were;
   const std::size_t count = points_.size();
   for (const auto& [v, to] : change.moved) {
-    were.emplace_back(v, points_[idx(v)]);
-    points_[idx(v)] = to;
+    were.emplace_back(v, points_[v]);
+    points_[v] = to;
   }
   points_.insert(points_.end(), change.made.begin(), change.made.end());
   const bool isGood = isFree(change);
-  for (const auto& [v, back] : were) points_[idx(v)] = back;  // what goes is found where it was
+  for (const auto& [v, back] : were) points_[v] = back;  // what goes is found where it was
   if (!isGood) {
     points_.resize(count);
     return false;
   }
   for (const int f : change.removed) take(f);
-  for (const auto& [v, to] : change.moved) points_[idx(v)] = to;
+  for (const auto& [v, to] : change.moved) points_[v] = to;
   facesAt_.resize(points_.size());
   for (const Triangle& t : change.added) {
     faces_.push_back(t);
@@ -263,7 +262,7 @@ TriangleSoup PolishedSurface::compact() const {
     out.points.push_back(points_[v]);
   }
   for (const Triangle& t : faces_)
-    if (t[0] >= 0) out.triangles.push_back({renamed[idx(t[0])], renamed[idx(t[1])], renamed[idx(t[2])]});
+    if (t[0] >= 0) out.triangles.push_back({renamed[t[0]], renamed[t[1]], renamed[t[2]]});
   return out;
 }
 
@@ -284,7 +283,7 @@ double PolishedSurface::farthest() const {
       others = cornersNear(firstGrid_, first_, boxAround(c, 2 * bounds_.distance));
     } else {
       grid_.findNear(boxAround(c, 2 * bounds_.distance), found);
-      for (const int g : found) others.push_back(cornersOf(faces_[idx(g)]));
+      for (const int g : found) others.push_back(cornersOf(faces_[g]));
     }
     farthest = std::max(farthest, farthestFrom(c, others));
   }

@@ -64,8 +64,7 @@ class PolishedSurface {
   struct Change;
   Corners cornersOf(const Triangle& t) const;
   bool isHeld(int v) const {
-    return static_cast<std::size_t>(v) < bounds_.isHeld.size() &&
-           bounds_.isHeld[static_cast<std::size_t>(v)] != 0;
+    return static_cast<std::size_t>(v) < bounds_.isHeld.size() && bounds_.isHeld[v] != 0;
   }
   bool breaksHeld(const Change& change) const;
   Change changeOf(const Part& before, const PolishPatch& after) const;

@@ -30,8 +30,7 @@ T rounded(double value) {
 Seed moved(Seed seed, const Grid& grid, double voxels, std::mt19937_64& random) {
   Vec3 index = grid.toIndex(seed.centre);
   for (int a = 0; a < 3; ++a)
-    index[a] = std::clamp(index[a] + between(-voxels, voxels, random), 0.0,
-                          grid.size[static_cast<std::size_t>(a)] - 1.0);
+    index[a] = std::clamp(index[a] + between(-voxels, voxels, random), 0.0, grid.size[a] - 1.0);
   seed.centre = grid.toWorld(index);
   return seed;
 }

@@ -106,7 +106,7 @@ Sensitivity sensitivityOf(const TriangleSoup& mesh, const GrownFrom& from, int c
   requireRepeatable(from.request.constraints);
   Sensitivity out;
   out.by.noise = noiseNear(from.volume, from.request.seeds.front().centre);
-  std::vector<Grown> all(static_cast<std::size_t>(count));
+  std::vector<Grown> all(count);
   std::mutex guard;
   int ended = 0;
   forEachOnThreads(all.size(), threads, [&](std::size_t i) {

@@ -28,10 +28,8 @@ Grid latticeIn(const TriangleSoup& surface) {
   const double step = box.sizes().maxCoeff() / kLattice;
   Grid grid;
   grid.spacing = Vec3::Constant(step);
-  for (int a = 0; a < 3; ++a)
-    grid.size[static_cast<std::size_t>(a)] = std::max(1, static_cast<int>(box.sizes()[a] / step));
-  for (int a = 0; a < 3; ++a)
-    grid.origin[a] = box.center()[a] - 0.5 * (grid.size[static_cast<std::size_t>(a)] - 1) * step;
+  for (int a = 0; a < 3; ++a) grid.size[a] = std::max(1, static_cast<int>(box.sizes()[a] / step));
+  for (int a = 0; a < 3; ++a) grid.origin[a] = box.center()[a] - 0.5 * (grid.size[a] - 1) * step;
   return grid;
 }
 

@@ -30,9 +30,7 @@ std::vector<Drift> checkCycle(const FrameCarrier& carrier, const std::vector<Fra
   }
   for (int end : {first.frame, last.frame}) {
     const int step = end < start.frame ? 1 : -1;
-    const auto at = [&](int frame) -> const FrameResult& {
-      return frames[static_cast<std::size_t>(frame - first.frame)];
-    };
+    const auto at = [&](int frame) -> const FrameResult& { return frames[frame - first.frame]; };
     while (end != start.frame && !at(end).isTrusted()) end += step;
     if (end == start.frame) continue;
     const FrameResult back = carryThrough(carrier, at(end), start.frame, told).back();

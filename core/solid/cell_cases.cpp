@@ -36,7 +36,7 @@ std::array<int, 12> successors(int inside) {
         if (in(i) || !in(i + 1)) continue;  // not where a run of inside corners begins
         std::size_t end = i + 1;
         while (in(end + 1)) ++end;
-        next[static_cast<std::size_t>(edgeBetween(corner[i], corner[(i + 1) % 4]))] =
+        next[edgeBetween(corner[i], corner[(i + 1) % 4])] =
             edgeBetween(corner[end % 4], corner[(end + 1) % 4]);
       }
     }
@@ -48,10 +48,10 @@ std::vector<std::vector<int>> loopsOf(int inside) {
   std::vector<std::vector<int>> loops;
   for (int start = 0; start < 12; ++start) {
     std::vector<int> loop;
-    for (int e = start; next[static_cast<std::size_t>(e)] != kNone;) {
+    for (int e = start; next[e] != kNone;) {
       loop.push_back(e);
-      const int following = next[static_cast<std::size_t>(e)];
-      next[static_cast<std::size_t>(e)] = kNone;
+      const int following = next[e];
+      next[e] = kNone;
       e = following;
     }
     if (!loop.empty()) loops.push_back(loop);

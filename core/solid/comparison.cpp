@@ -47,11 +47,11 @@ SurfaceDistances distancesOf(const Solid& a, const Solid& b, const ComparisonOpt
 struct Bounds {
   Vec3 low, high;
   explicit Bounds(const TriangleSoup& mesh) {
-    low = high = mesh.points[static_cast<std::size_t>(mesh.triangles[0][0])];
+    low = high = mesh.points[mesh.triangles[0][0]];
     for (const Triangle& t : mesh.triangles)
       for (const int v : t) {
-        low = low.cwiseMin(mesh.points[static_cast<std::size_t>(v)]);
-        high = high.cwiseMax(mesh.points[static_cast<std::size_t>(v)]);
+        low = low.cwiseMin(mesh.points[v]);
+        high = high.cwiseMax(mesh.points[v]);
       }
   }
   bool meets(const Bounds& o) const {

@@ -27,7 +27,7 @@ std::vector<GuardedMesh::Measure> measuresOf(const Mesh& mesh, const std::vector
   std::vector<int> origin(count, -1);
   for (const Triangle& t : mesh.faces()) {
     if (t[0] < 0) continue;
-    const auto c = idx(component[idx(t[0])]);
+    const auto c = idx(component[t[0]]);
     if (origin[c] < 0) origin[c] = t[0];
     const Vec3& o = mesh.position(origin[c]);
     const Vec3 a = mesh.position(t[0]) - o, b = mesh.position(t[1]) - o, d = mesh.position(t[2]) - o;
@@ -82,7 +82,7 @@ GuardedMesh::Faults GuardedMesh::faultsOf(const Mesh& mesh, const std::vector<in
     const Components parts = findComponents(mesh);
     for (const int c : misplacedComponents(labelled(mesh, parts)))
       for (std::size_t v = 0; v < component.size(); ++v)
-        if (parts.ofVertex[v] == c) faults.component[idx(component[v])] = 1;
+        if (parts.ofVertex[v] == c) faults.component[component[v]] = 1;
   }
   faults.any = std::find(faults.component.begin(), faults.component.end(), 1) != faults.component.end();
   return faults;
@@ -100,9 +100,9 @@ void GuardedMesh::move(std::span<const Vec3> targets) {
   const std::vector<Vec3> before(mesh_.positions().begin(), mesh_.positions().end());
   moved_.assign(before.size(), 0);
   for (int v = 0; v < mesh_.vertexSlots(); ++v)
-    if (mesh_.isVertex(v) && targets[idx(v)] != before[idx(v)]) {
-      mesh_.setPosition(v, targets[idx(v)]);
-      moved_[idx(v)] = 1;
+    if (mesh_.isVertex(v) && targets[v] != before[v]) {
+      mesh_.setPosition(v, targets[v]);
+      moved_[v] = 1;
     }
   for (int round = 0; round < kMaxRounds; ++round) {
     const Faults faults = faultsOf(mesh_, component_, detector_.detectMoved(mesh_, moved_));
@@ -110,28 +110,28 @@ void GuardedMesh::move(std::span<const Vec3> targets) {
     putBack(faults, before, round >= kRoundsAlone);
   }
   for (int v = 0; v < mesh_.vertexSlots(); ++v)
-    if (moved_[idx(v)] != 0) mesh_.setPosition(v, before[idx(v)]);
+    if (moved_[v] != 0) mesh_.setPosition(v, before[v]);
 }
 
 void GuardedMesh::putBack(const Faults& faults, std::span<const Vec3> before, bool withRing) {
   const auto back = [&](int v) {
-    mesh_.setPosition(v, before[idx(v)]);
-    moved_[idx(v)] = 0;
+    mesh_.setPosition(v, before[v]);
+    moved_[v] = 0;
   };
   for (const int v : faults.vertices) {
     back(v);
     if (withRing) mesh_.forEachNeighbour(v, back);
   }
   for (int v = 0; v < mesh_.vertexSlots(); ++v)
-    if (moved_[idx(v)] != 0 && faults.component[idx(component_[idx(v)])] != 0) back(v);
+    if (moved_[v] != 0 && faults.component[component_[v]] != 0) back(v);
 }
 
 bool GuardedMesh::regulate(const RemeshLimits& limits, const std::function<bool(const Vec3&)>& mayLie) {
   std::vector<int> faces(volume_.size(), 0);
-  for (const Triangle& t : mesh_.faces()) ++faces[idx(component_[idx(t[0])])];
+  for (const Triangle& t : mesh_.faces()) ++faces[component_[t[0]]];
   VertexStates allowed(idx(mesh_.vertexSlots()));
   for (std::size_t v = 0; v < allowed.size(); ++v)
-    allowed[v] = faces[idx(component_[v])] < kFewestFaces ? kAtRest : kActive;
+    allowed[v] = faces[component_[v]] < kFewestFaces ? kAtRest : kActive;
   for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
     Mesh changed = mesh_;
     VertexStates active = allowed;
@@ -157,9 +157,9 @@ VertexStates GuardedMesh::restOf(const Faults& faults, const Mesh& changed, doub
   NearPoints near;
   if (!faults.vertices.empty()) near.build(changed.positions(), faults.vertices, reach);
   for (int v = 0; v < mesh_.vertexSlots(); ++v)
-    if (faults.component[idx(component_[idx(v)])] != 0 ||
+    if (faults.component[component_[v]] != 0 ||
         (!faults.vertices.empty() && near.mayBeNear(mesh_.position(v))))
-      allowed[idx(v)] = kAtRest;
+      allowed[v] = kAtRest;
   return allowed;
 }
 
@@ -169,9 +169,9 @@ std::vector<int> GuardedMesh::componentsOf(const Mesh& changed) const {
   const Components parts = findComponents(changed);
   std::vector<int> number(parts.vertices.size(), -1), component(parts.ofVertex.size(), -1);
   for (std::size_t v = 0; v < component_.size(); ++v)
-    if (parts.ofVertex[v] >= 0) number[idx(parts.ofVertex[v])] = component_[v];
+    if (parts.ofVertex[v] >= 0) number[parts.ofVertex[v]] = component_[v];
   for (std::size_t v = 0; v < component.size(); ++v)
-    if (parts.ofVertex[v] >= 0) component[v] = number[idx(parts.ofVertex[v])];
+    if (parts.ofVertex[v] >= 0) component[v] = number[parts.ofVertex[v]];
   return component;
 }
 
@@ -179,9 +179,9 @@ std::vector<int> GuardedMesh::componentsOf(const Mesh& changed) const {
 void GuardedMesh::take(const Mesh& changed) {
   std::vector<int> renamed;
   mesh_ = Mesh(changed.compact(&renamed));
-  std::vector<int> component(idx(mesh_.vertexSlots()));
+  std::vector<int> component(mesh_.vertexSlots());
   for (std::size_t v = 0; v < renamed.size(); ++v)
-    if (renamed[v] >= 0) component[idx(renamed[v])] = component_[v];
+    if (renamed[v] >= 0) component[renamed[v]] = component_[v];
   component_ = std::move(component);
 }
 

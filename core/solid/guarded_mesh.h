@@ -21,7 +21,7 @@ class GuardedMesh {
   explicit GuardedMesh(Mesh mesh);
   const Mesh& mesh() const { return mesh_; }
   //! Of a vertex: as findComponents numbered them at first.
-  int component(int v) const { return component_[static_cast<std::size_t>(v)]; }
+  int component(int v) const { return component_[v]; }
   struct Measure {
     double volume = 0, area = 0;  //!< mm³, signed; mm²
   };

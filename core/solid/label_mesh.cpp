@@ -65,7 +65,7 @@ std::vector<double> voxelVolumes(const Mask& mask, const TriangleSoup& surface) 
               z = static_cast<int>(std::lround(index.z()));
     const bool isAcross = isCrossing(index) && std::abs(index.x() - x - 0.5) < 0.25 &&
                           mask.holds(x, y, z) != mask.holds(x + 1, y, z);
-    if (isAcross) volumes[idx(parts.ofVertex[v])] += (mask.holds(x, y, z) ? 1 : -1) * (x + 0.5);
+    if (isAcross) volumes[parts.ofVertex[v]] += (mask.holds(x, y, z) ? 1 : -1) * (x + 0.5);
   }
   for (double& volume : volumes) volume *= mask.grid.voxelVolume();
   return volumes;
@@ -77,7 +77,7 @@ class Offsets {
  public:
   Offsets(std::vector<double> wanted, double most)
       : wanted_(std::move(wanted)), offset_(wanted_.size(), 0), most_(most) {}
-  double of(int component) const { return offset_[idx(component)]; }
+  double of(int component) const { return offset_[component]; }
   void update(const GuardedMesh& guarded) {
     const auto now = guarded.measures();
     for (std::size_t c = 0; c < now.size(); ++c)
@@ -103,7 +103,7 @@ class Crowd {
     const Vec3 index = grid_.toIndex(world);
     std::array<int, 3> at{};
     for (int a = 0; a < 3; ++a)
-      at[idx(a)] = std::clamp(static_cast<int>(std::lround(index[a])), 0, grid_.size[idx(a)] - 1);
+      at[a] = std::clamp(static_cast<int>(std::lround(index[a])), 0, grid_.size[a] - 1);
     return beside_[place(at[0], at[1], at[2])] != 0;
   }
 
@@ -164,12 +164,12 @@ class Moves {
       for (int v = static_cast<int>(chunk * kChunk); v < end; ++v) {
         if (!mesh.isVertex(v)) continue;
         SmoothSurface::VertexAim place = evened(mesh, v);
-        const Meant& meant = meant_[idx(guarded_.component(v))];
+        const Meant& meant = meant_[guarded_.component(v)];
         place.offset = offsets_.of(guarded_.component(v));
         if (meant.crowd->isBeside(place.from)) place.offset -= meant.apart;
-        place.anchor = anchors_[idx(v)];
+        place.anchor = anchors_[v];
         place.reach = reach;
-        targets[idx(v)] = meant.surface->towards(place, hints_[idx(v)]);
+        targets[v] = meant.surface->towards(place, hints_[v]);
       }
     });
     guarded_.move(targets);
@@ -257,7 +257,7 @@ TriangleSoup Together::drawnBack(std::size_t object, double voxels) const {
       std::array<int, 3> at{static_cast<int>(std::lround(index.x())),
                             static_cast<int>(std::lround(index.y())),
                             static_cast<int>(std::lround(index.z()))};
-      at[idx(a)] = static_cast<int>(low);
+      at[a] = static_cast<int>(low);
       shift[v][a] = mask.holds(at[0], at[1], at[2]) ? -voxels : voxels;
     }
   }
@@ -266,8 +266,8 @@ TriangleSoup Together::drawnBack(std::size_t object, double voxels) const {
     if (isKnown[v] != 0) continue;
     int n = 0;
     mesh.forEachNeighbour(static_cast<int>(v), [&](int w) {
-      if (isKnown[idx(w)] == 0) return;
-      shift[v] += shift[idx(w)];
+      if (isKnown[w] == 0) return;
+      shift[v] += shift[w];
       ++n;
     });
     if (n > 0) shift[v] /= n;
@@ -300,7 +300,7 @@ void Together::choose(const GuardedMesh& guarded) {
     for (std::size_t v = 0; v < voxels_[i].points.size(); ++v) {
       const auto c = idx(guarded.component(static_cast<int>(first + v)));
       objectOf_[c] = i;
-      volumes_[c] = volumes[idx(parts.ofVertex[v])];
+      volumes_[c] = volumes[parts.ofVertex[v]];
     }
     first += voxels_[i].points.size();
   }
@@ -335,14 +335,14 @@ LabelMesh Together::taken(const GuardedMesh& guarded, std::size_t object) const 
   const TriangleSoup all = guarded.mesh().compact();
   std::vector<int> number(all.points.size(), -1);
   for (const Triangle& t : all.triangles) {
-    if (objectOf_[idx(guarded.component(t[0]))] != object) continue;
+    if (objectOf_[guarded.component(t[0])] != object) continue;
     Triangle mine = t;
     for (int& v : mine) {
-      if (number[idx(v)] < 0) {
-        number[idx(v)] = static_cast<int>(result.mesh.points.size());
-        result.mesh.points.push_back(all.points[idx(v)]);
+      if (number[v] < 0) {
+        number[v] = static_cast<int>(result.mesh.points.size());
+        result.mesh.points.push_back(all.points[v]);
       }
-      v = number[idx(v)];
+      v = number[v];
     }
     result.mesh.triangles.push_back(mine);
   }

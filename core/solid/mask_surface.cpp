@@ -51,7 +51,7 @@ class Marching {
   }
 
   void addCell(const std::array<int, 3>& cell, int inside) {
-    const CellCase& c = cellCases()[static_cast<std::size_t>(inside)];
+    const CellCase& c = cellCases()[inside];
     for (const auto& t : c.triangles)
       mesh_.triangles.push_back({vertex(cell, t[0]), vertex(cell, t[1]), vertex(cell, t[2])});
     for (const auto& loop : c.fans) addFan(cell, loop);
@@ -64,7 +64,7 @@ class Marching {
     Vec3 middle = Vec3::Zero();
     for (const int e : loop) {
       ring.push_back(vertex(cell, e));
-      middle += mesh_.points[static_cast<std::size_t>(ring.back())];
+      middle += mesh_.points[ring.back()];
     }
     const int apex = static_cast<int>(mesh_.points.size());
     mesh_.points.push_back(middle / static_cast<double>(loop.size()));
@@ -77,8 +77,7 @@ class Marching {
     const int start = cellEdgeStart(edge), axis = edge / 4;
     const int x = cell[0] + (start & 1), y = cell[1] + (start >> 1 & 1), z = cell[2] + (start >> 2);
     const bool isUpper = z > cell[2];
-    auto& plane =
-        isUpper ? upper_[static_cast<std::size_t>(axis)] : vertices_[static_cast<std::size_t>(axis)];
+    auto& plane = isUpper ? upper_[axis] : vertices_[axis];
     int& v = plane[static_cast<std::size_t>(y + 1) * row_ + static_cast<std::size_t>(x + 1)];
     if (v == kNone) {
       v = static_cast<int>(mesh_.points.size());

@@ -28,13 +28,13 @@ Extent extentOn(const Grid& lattice, const Solid& solid) {
   Extent extent;
   if (!solid.mask) {
     for (const Triangle& t : solid.surface.triangles)
-      for (const int v : t) extent.widen(lattice.toIndex(solid.surface.points[static_cast<std::size_t>(v)]));
+      for (const int v : t) extent.widen(lattice.toIndex(solid.surface.points[v]));
     return extent;
   }
   const Grid& g = solid.mask->grid;
   for (int corner = 0; corner < 8; ++corner) {
     Vec3 index;
-    for (int a = 0; a < 3; ++a) index[a] = (corner >> a & 1) * g.size[static_cast<std::size_t>(a)] - 0.5;
+    for (int a = 0; a < 3; ++a) index[a] = (corner >> a & 1) * g.size[a] - 0.5;
     extent.widen(lattice.toIndex(g.toWorld(index)));
   }
   return extent;
@@ -61,8 +61,7 @@ std::vector<std::uint8_t> lookUp(const Mask& mask, const Grid& grid) {
   inside.reserve(grid.voxelCount());
   const Vec3 zero = mask.grid.toIndex(grid.toWorld(Vec3::Zero()));
   std::array<Vec3, 3> step;
-  for (int a = 0; a < 3; ++a)
-    step[static_cast<std::size_t>(a)] = mask.grid.toIndex(grid.toWorld(Vec3::Unit(a))) - zero;
+  for (int a = 0; a < 3; ++a) step[a] = mask.grid.toIndex(grid.toWorld(Vec3::Unit(a))) - zero;
   const auto voxel = [](double index) { return static_cast<int>(std::floor(index + 0.5)); };
   for (int z = 0; z < grid.size[2]; ++z)
     for (int y = 0; y < grid.size[1]; ++y)

@@ -70,7 +70,7 @@ Volume rasterize(const TriangleSoup& mesh, const Grid& grid) {
   std::vector<Vec3> points;
   points.reserve(mesh.points.size());
   for (const Vec3& p : mesh.points) points.push_back(grid.toIndex(p));
-  const auto at = [&](int v) -> const Vec3& { return points[static_cast<std::size_t>(v)]; };
+  const auto at = [&](int v) -> const Vec3& { return points[v]; };
   std::vector<Crossing> crossings;
   for (const Triangle& t : mesh.triangles) addCrossings(at(t[0]), at(t[1]), at(t[2]), grid, crossings);
   std::sort(crossings.begin(), crossings.end());

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/indices.h"
 #include "core/solid/label_mesh.h"
 
 namespace handlebody {
@@ -53,8 +52,8 @@ Vec3 SmoothSurface::towards(const VertexAim& place, int& hint) const {
   const Vec3 start = grid_.toIndex(place.from);
   Vec3 index = grid_.toIndex(place.to);
   if (hint < 0) nearest_.distance(index, &hint);
-  const Triangle& t = inVoxels_.triangles[idx(hint)];
-  const double level = (levels_[idx(t[0])] + levels_[idx(t[1])] + levels_[idx(t[2])]) / 3;
+  const Triangle& t = inVoxels_.triangles[hint];
+  const double level = (levels_[t[0]] + levels_[t[1]] + levels_[t[2]]) / 3;
   index += step(index, level);
   index += step(index, level);
   index += outwards(index, place.offset);
@@ -72,9 +71,9 @@ Vec3 SmoothSurface::normalInVoxels(const Vec3& normal) const {
 }
 
 bool SmoothSurface::facesLike(const Vec3& normal, int triangle) const {
-  const Triangle& t = inVoxels_.triangles[idx(triangle)];
-  const Vec3& a = inVoxels_.points[idx(t[0])];
-  const Vec3 there = (inVoxels_.points[idx(t[1])] - a).cross(inVoxels_.points[idx(t[2])] - a);
+  const Triangle& t = inVoxels_.triangles[triangle];
+  const Vec3& a = inVoxels_.points[t[0]];
+  const Vec3 there = (inVoxels_.points[t[1]] - a).cross(inVoxels_.points[t[2]] - a);
   return normal.dot(there) > kSameWay * there.norm();
 }
 
@@ -90,11 +89,11 @@ Vec3 SmoothSurface::step(const Vec3& index, double level) const {
 //! Only where an edge of the grid crosses the surface is its place known without bias: what fills corners
 //! begins with the mean of its neighbours.
 double SmoothSurface::firstLevel(const Mesh& mesh, int v) const {
-  if (isCrossing(inVoxels_.points[idx(v)])) return blurred_.at(inVoxels_.points[idx(v)]);
+  if (isCrossing(inVoxels_.points[v])) return blurred_.at(inVoxels_.points[v]);
   double sum = 0;
   int n = 0;
   mesh.forEachNeighbour(v, [&](int w) {
-    sum += blurred_.at(inVoxels_.points[idx(w)]);
+    sum += blurred_.at(inVoxels_.points[w]);
     ++n;
   });
   return sum / n;
@@ -113,13 +112,13 @@ std::vector<double> SmoothSurface::meanLevels(const Mesh& mesh) const {
   for (std::size_t v = 0; v < level.size(); ++v) level[v] = firstLevel(mesh, static_cast<int>(v));
   for (int pass = 0; pass < kLevelPasses; ++pass) {
     for (int v = 0; v < mesh.vertexSlots(); ++v) {
-      double sum = level[idx(v)];
+      double sum = level[v];
       int n = 1;
       mesh.forEachNeighbour(v, [&](int w) {
-        sum += level[idx(w)];
+        sum += level[w];
         ++n;
       });
-      next[idx(v)] = sum / n;
+      next[v] = sum / n;
     }
     level.swap(next);
   }

@@ -8,7 +8,6 @@
 
 #include "core/cancellation.h"
 #include "core/collision/closest_point.h"
-#include "core/indices.h"
 #include "core/threads.h"
 
 namespace handlebody {
@@ -21,7 +20,7 @@ constexpr std::size_t kChunk = 1024;  // triangles or points at a time
 
 Corners cornersOf(const TriangleSoup& mesh, std::size_t triangle) {
   const Triangle& t = mesh.triangles[triangle];
-  return {mesh.points[idx(t[0])], mesh.points[idx(t[1])], mesh.points[idx(t[2])]};
+  return {mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]};
 }
 
 double areaOf(const Corners& c) { return (c[1] - c[0]).cross(c[2] - c[0]).norm() / 2; }
@@ -92,8 +91,8 @@ std::vector<double> distancesOf(const TriangleSoup& mesh, const ClosestPoint& to
 void addVertices(const TriangleSoup& mesh, const std::vector<double>& distances, DirectedDistances& d) {
   for (const Triangle& t : mesh.triangles)
     for (const int v : t) {
-      d.smallest = std::min(d.smallest, distances[idx(v)]);
-      d.largest = std::max(d.largest, distances[idx(v)]);
+      d.smallest = std::min(d.smallest, distances[v]);
+      d.largest = std::max(d.largest, distances[v]);
     }
 }
 

@@ -40,11 +40,11 @@ class PolygonTriangulation {
     for (int span = 2; span < n_; ++span)
       for (int i = 0; i + span < n_; ++i) solve(i, i + span);
   }
-  bool exists() const { return cost_[idx(n_ - 1)] < kNone; }
+  bool exists() const { return cost_[n_ - 1] < kNone; }
   void collect(int i, int j, Patch& out) const {
     if (j - i < 2) return;
-    const int m = apex_[idx(i * n_ + j)];
-    out.faces.push_back({loop_[idx(i)], loop_[idx(m)], loop_[idx(j)]});
+    const int m = apex_[i * n_ + j];
+    out.faces.push_back({loop_[i], loop_[m], loop_[j]});
     collect(i, m, out);
     collect(m, j, out);
   }
@@ -56,25 +56,25 @@ class PolygonTriangulation {
   static constexpr double kThinnest = 1e-4;
   bool allowed(int i, int j) const {
     const bool side = j - i == 1 || (i == 0 && j == n_ - 1);
-    return side || !staysOpenOn(mesh_, std::span(&opening_, 1), loop_[idx(i)], loop_[idx(j)]);
+    return side || !staysOpenOn(mesh_, std::span(&opening_, 1), loop_[i], loop_[j]);
   }
   void solve(int i, int j) {
     double best = kNone;
     if (allowed(i, j))
       for (int m = i + 1; m < j; ++m) {
-        const Vec3 &a = mesh_.position(loop_[idx(i)]), &b = mesh_.position(loop_[idx(m)]),
-                   &c = mesh_.position(loop_[idx(j)]);
+        const Vec3 &a = mesh_.position(loop_[i]), &b = mesh_.position(loop_[m]),
+                   &c = mesh_.position(loop_[j]);
         const double face = (b - a).cross(c - a).norm();
         const double longest =
             std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
         if (!(face > kThinnest * longest)) continue;
-        const double area = cost_[idx(i * n_ + m)] + cost_[idx(m * n_ + j)] + face;
+        const double area = cost_[i * n_ + m] + cost_[m * n_ + j] + face;
         if (area < best) {
           best = area;
-          apex_[idx(i * n_ + j)] = m;
+          apex_[i * n_ + j] = m;
         }
       }
-    cost_[idx(i * n_ + j)] = best;
+    cost_[i * n_ + j] = best;
   }
 
   const Mesh& mesh_;
@@ -92,7 +92,7 @@ bool intersect(const Triangle& f, const std::array<Vec3, 3>& p, const Triangle& 
   Triangle other{3, 4, 5};
   for (std::size_t j = 0; j < 3; ++j)
     for (int i = 0; i < 3; ++i)
-      if (g[j] == f[idx(i)]) other[j] = i;
+      if (g[j] == f[i]) other[j] = i;
   return facesIntersect(points, {0, 1, 2}, other);
 }
 
@@ -199,7 +199,7 @@ Surroundings::Surroundings(const Mesh& mesh, const FaceBlocks& blocks, std::span
   blocks.forEachNear(mesh, known_, [&](int f) {
     const Triangle& t = mesh.face(f);
     const Eigen::AlignedBox3d box = boxOf({mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2])});
-    if (!box.intersects(known_) || (idx(f) < ignored.size() && ignored[idx(f)] != 0) || !stays(openings, f))
+    if (!box.intersects(known_) || (idx(f) < ignored.size() && ignored[f] != 0) || !stays(openings, f))
       return;
     faces_.push_back({box, f});
     widest_ = std::max(widest_, box.sizes().x());

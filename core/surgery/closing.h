@@ -24,7 +24,7 @@ struct Patch {
   double length = 0;  //!< total length of the new edges, mm
 
   Vec3 position(const Mesh& mesh, int v) const {
-    return v < firstNew ? mesh.position(v) : points[static_cast<std::size_t>(v - firstNew)];
+    return v < firstNew ? mesh.position(v) : points[v - firstNew];
   }
   void append(const Patch& other);
 };

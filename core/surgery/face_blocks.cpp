@@ -56,19 +56,19 @@ FaceBlocks::FaceBlocks(const Mesh& mesh) {
 void FaceBlocks::sortByPlace(const Mesh& mesh) {
   const Cells cells(mesh);
   const int slots = mesh.faceSlots();
-  std::vector<unsigned short> cell(idx(slots), kCells - 1);  // of free slots: at the end, in some block
+  std::vector<unsigned short> cell(slots, kCells - 1);  // of free slots: at the end, in some block
   std::vector<int> start(kCells + 1, 0);
   for (int f = 0; f < slots; ++f) {
-    if (mesh.isFace(f)) cell[idx(f)] = static_cast<unsigned short>(cells.of(mesh.position(mesh.face(f)[0])));
-    ++start[std::size_t{cell[idx(f)]} + 1];
+    if (mesh.isFace(f)) cell[f] = static_cast<unsigned short>(cells.of(mesh.position(mesh.face(f)[0])));
+    ++start[std::size_t{cell[f]} + 1];
   }
   std::partial_sum(start.begin(), start.end(), start.begin());
-  faceOfPlace_.resize(idx(slots));
-  placeOfFace_.resize(idx(slots));
+  faceOfPlace_.resize(slots);
+  placeOfFace_.resize(slots);
   for (int f = 0; f < slots; ++f) {
-    const int place = start[cell[idx(f)]]++;
-    faceOfPlace_[idx(place)] = f;
-    placeOfFace_[idx(f)] = place;
+    const int place = start[cell[f]]++;
+    faceOfPlace_[place] = f;
+    placeOfFace_[f] = place;
   }
   boxes_.clear();
   for (int f = 0; f < slots; ++f)

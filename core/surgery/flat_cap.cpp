@@ -6,7 +6,6 @@
 #include <map>
 
 #include "core/geometry/predicates.h"
-#include "core/indices.h"
 
 namespace handlebody {
 
@@ -39,7 +38,7 @@ class Region {
   }
 
  private:
-  const Vec3& at(int v) const { return points_[idx(v)]; }
+  const Vec3& at(int v) const { return points_[v]; }
   int turn(int a, int b, int c) const { return sign_ * orient2d(at(a), at(b), at(c), axis_); }
 
   //! True if the segments ab and cd have a point in common, but for a common end.
@@ -157,7 +156,7 @@ class Flipping {
     const Triangle& t = faces_[f];
     for (std::size_t i = 0; i < 3; ++i) faceAt_[{t[i], t[(i + 1) % 3]}] = f;
   }
-  const Vec3& at(int v) const { return points_[idx(v)]; }
+  const Vec3& at(int v) const { return points_[v]; }
   int turn(int a, int b, int c) const { return sign_ * orient2d(at(a), at(b), at(c), axis_); }
 
   bool flip(std::size_t f, std::size_t i) {
@@ -202,7 +201,7 @@ int windingAround(const std::vector<Vec3>& points, const Vec3& normal, const std
   const int axis = axisOf(normal), sign = normal[axis] > 0 ? 1 : -1, up = (axis + 2) % 3;
   int winding = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec3 &a = points[idx(polygon[i])], &b = points[idx(polygon[(i + 1) % polygon.size()])];
+    const Vec3 &a = points[polygon[i]], &b = points[polygon[(i + 1) % polygon.size()]];
     // In the order of the axes after `axis`, orient2d > 0 is counter-clockwise.
     const bool isBelow = a[up] <= p[up], willBeBelow = b[up] <= p[up];
     if (isBelow == willBeBelow) continue;

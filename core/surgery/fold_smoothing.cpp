@@ -74,8 +74,8 @@ bool smoothFold(Mesh& mesh, FaceBlocks& blocks, const std::vector<int>& lambda, 
       surroundings.emplace(mesh, blocks, one, ignored, forbidden, about);
     if (surroundings->fits(patch) && !unmoved.sweepsOver(mesh, patch)) {
       blocks.includeAround(mesh, vertices);
-      touched.resize(static_cast<std::size_t>(mesh.vertexSlots()), 0);
-      for (int v : vertices) touched[static_cast<std::size_t>(v)] = 1;
+      touched.resize(mesh.vertexSlots(), 0);
+      for (int v : vertices) touched[v] = 1;
       return true;
     }
   }

@@ -93,7 +93,7 @@ class Gatherer {
     for (Reach::Bridge& b : Reach(mesh, sets_, reach).bridges()) {
       if (fronts_.find(b.from) == fronts_.find(b.to)) continue;
       fronts_.join(b.from, b.to);
-      places_.join(groupOf_[idx(b.from)], groupOf_[idx(b.to)]);
+      places_.join(groupOf_[b.from], groupOf_[b.to]);
       bridges_.push_back(std::move(b));
     }
   }
@@ -110,7 +110,7 @@ class Gatherer {
     const bool several = out.parts.size() > 1 && fronts.size() > 2;
     if (!several || !everyGroupHasTwoFronts(group)) return std::nullopt;
     for (const Reach::Bridge& b : bridges_)
-      if (places_.find(groupOf_[idx(b.from)]) == group) append(fronts[fronts_.find(b.from)], b.between);
+      if (places_.find(groupOf_[b.from]) == group) append(fronts[fronts_.find(b.from)], b.between);
     for (auto& [set, lambda] : fronts) out.whole.lambda.push_back(std::move(lambda));
     for (const CollisionGroup& part : out.parts)
       out.whole.pairs.insert(out.whole.pairs.end(), part.pairs.begin(), part.pairs.end());

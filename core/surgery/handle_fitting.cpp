@@ -40,13 +40,13 @@ class HandleLoops {
     return first + (v - first + step + size) % size;
   }
   //! Of the mesh, by its number in the search.
-  int vertex(int v) const { return vertices_[static_cast<std::size_t>(v)]; }
+  int vertex(int v) const { return vertices_[v]; }
   Patch patch(const HandleCandidate& handle) const {
     Patch out;
     out.firstNew = mesh_.vertexSlots();
     out.length = handle.length;
     for (Triangle t : handle.faces) {
-      for (int& v : t) v = vertices_[static_cast<std::size_t>(v)];
+      for (int& v : t) v = vertices_[v];
       out.faces.push_back(t);
     }
     return out;

@@ -68,10 +68,10 @@ double volumeOver(const Mesh& mesh, const std::vector<int>& faces, const Vec3& o
 std::vector<int> facesAround(const Mesh& mesh, const std::vector<WeightedVertex>& vertices) {
   FaceMarks isThere(idx(mesh.faceSlots()), 0);
   for (const WeightedVertex& w : vertices)
-    mesh.forEachOutgoing(w.vertex, [&](int h) { isThere[idx(Mesh::faceOf(h))] = 1; });
+    mesh.forEachOutgoing(w.vertex, [&](int h) { isThere[Mesh::faceOf(h)] = 1; });
   std::vector<int> faces;
   for (int f = 0; f < mesh.faceSlots(); ++f)
-    if (isThere[idx(f)] != 0) faces.push_back(f);
+    if (isThere[f] != 0) faces.push_back(f);
   return faces;
 }
 

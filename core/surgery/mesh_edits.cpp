@@ -51,7 +51,7 @@ class TunnelCloser {
     const TunnelList list = findTunnels(mesh_);
     out_.unlisted = list.unlisted;
     out_.open.clear();
-    touched_.assign(idx(mesh_.vertexSlots()), 0);
+    touched_.assign(mesh_.vertexSlots(), 0);
     bool any = false;
     for (const Tunnel& tunnel : list.tunnels) {
       const Result result = close(tunnel);
@@ -67,9 +67,8 @@ class TunnelCloser {
   enum class Result { closed, refused, notNow };
 
   bool isTouched(const SurfaceLoop& loop) const {
-    return std::any_of(loop.points.begin(), loop.points.end(), [&](const SurfacePoint& p) {
-      return touched_[idx(p.from)] != 0 || touched_[idx(p.to)] != 0;
-    });
+    return std::any_of(loop.points.begin(), loop.points.end(),
+                       [&](const SurfacePoint& p) { return touched_[p.from] != 0 || touched_[p.to] != 0; });
   }
   //! In the round before, with the same loops: it would cost as much again to fail once more.
   bool wasRefused(const Tunnel& t) const {
@@ -97,9 +96,9 @@ class TunnelCloser {
   }
   void accept(TunnelClosed done) {
     out_.edits.push_back(std::move(done.event));
-    touched_.resize(idx(mesh_.vertexSlots()), 0);
+    touched_.resize(mesh_.vertexSlots(), 0);
     for (const int v : done.touched)
-      if (idx(v) < touched_.size()) touched_[idx(v)] = 1;
+      if (idx(v) < touched_.size()) touched_[v] = 1;
   }
 
   Mesh& mesh_;
@@ -113,24 +112,24 @@ class TunnelCloser {
 //! Removes the components that are marked, one edit each.
 std::vector<Event> remove(Mesh& mesh, const Components& parts, const ComponentMarks& marked) {
   std::vector<Event> out;
-  std::vector<Eigen::AlignedBox3d> boxes(idx(parts.count()));
-  std::vector<int> vertex(idx(parts.count()), -1);
+  std::vector<Eigen::AlignedBox3d> boxes(parts.count());
+  std::vector<int> vertex(parts.count(), -1);
   for (int v = 0; v < mesh.vertexSlots(); ++v)
-    if (const int c = parts.ofVertex[idx(v)]; c >= 0) {
-      boxes[idx(c)].extend(mesh.position(v));
-      vertex[idx(c)] = v;
+    if (const int c = parts.ofVertex[v]; c >= 0) {
+      boxes[c].extend(mesh.position(v));
+      vertex[c] = v;
     }
   TopologyNumbers now = topologyNumbers(mesh);
   double volume = signedVolume(mesh);
   for (int c = 0; c < parts.count(); ++c) {
-    if (marked[idx(c)] == 0) continue;
+    if (marked[c] == 0) continue;
     Event edit;
-    edit.kind = parts.volume[idx(c)] < 0 ? EventKind::cavityFilled : EventKind::componentRemoved;
-    edit.location = boxes[idx(c)].center();
+    edit.kind = parts.volume[c] < 0 ? EventKind::cavityFilled : EventKind::componentRemoved;
+    edit.location = boxes[c].center();
     edit.before = now;
     edit.after = predictDeletion(now, parts, c);
-    edit.edit = EditMeasures{0, volume, volume - parts.volume[idx(c)]};
-    deleteComponent(mesh, vertex[idx(c)]);
+    edit.edit = EditMeasures{0, volume, volume - parts.volume[c]};
+    deleteComponent(mesh, vertex[c]);
     now = edit.after;
     volume = edit.edit->volumeAfter;
     out.push_back(std::move(edit));
@@ -146,8 +145,8 @@ void markWithin(ComponentMarks& marked, const std::vector<int>& surrounding) {
   for (std::size_t c = 0; c < marked.size(); ++c) {
     int around = surrounding[c];
     // As deep as there are components at most.
-    for (std::size_t i = 0; i < marked.size() && around >= 0; ++i, around = surrounding[idx(around)])
-      if (marked[idx(around)] != 0) marked[c] = 1;
+    for (std::size_t i = 0; i < marked.size() && around >= 0; ++i, around = surrounding[around])
+      if (marked[around] != 0) marked[c] = 1;
   }
 }
 
@@ -170,7 +169,7 @@ std::optional<TunnelClosed> closeOneTunnel(Mesh& mesh, const Tunnel& tunnel, Tun
 std::vector<Event> removeComponent(Mesh& mesh, int component) {
   const Components parts = findComponents(mesh);
   ComponentMarks marked(idx(parts.count()), 0);
-  marked[idx(component)] = 1;
+  marked[component] = 1;
   markWithin(marked, surroundingComponents(mesh, parts));
   return remove(mesh, parts, marked);
 }
@@ -188,16 +187,16 @@ std::vector<Event> keepBody(Mesh& mesh, const Components& parts, const std::vect
 std::vector<Event> keepBodyOf(Mesh& mesh, int component) {
   const Components parts = findComponents(mesh);
   const std::vector<int> body = bodyOfComponents(parts, surroundingComponents(mesh, parts));
-  return keepBody(mesh, parts, body, body[idx(component)]);
+  return keepBody(mesh, parts, body, body[component]);
 }
 
 std::vector<Event> keepLargest(Mesh& mesh) {
   const Components parts = findComponents(mesh);
   if (parts.count() == 0) return {};
   const std::vector<int> body = bodyOfComponents(parts, surroundingComponents(mesh, parts));
-  std::vector<double> volume(idx(parts.count()), 0);
+  std::vector<double> volume(parts.count(), 0);
   for (int c = 0; c < parts.count(); ++c)
-    if (body[idx(c)] >= 0) volume[idx(body[idx(c)])] += parts.volume[idx(c)];
+    if (body[c] >= 0) volume[body[c]] += parts.volume[c];
   const auto largest = static_cast<int>(std::max_element(volume.begin(), volume.end()) - volume.begin());
   return keepBody(mesh, parts, body, largest);
 }

@@ -97,11 +97,11 @@ void Cut::placePlane() {
 void Cut::findRings() {
   std::vector<unsigned char> isSeen(3 * idx(mesh_.faceSlots()), 0);
   for (int h = 0; h < 3 * mesh_.faceSlots(); ++h) {
-    if (!mesh_.isFace(Mesh::faceOf(h)) || isSeen[idx(h)] != 0 || !leadsUp(h)) continue;
+    if (!mesh_.isFace(Mesh::faceOf(h)) || isSeen[h] != 0 || !leadsUp(h)) continue;
     Ring ring;
     // Through the face on the left of a half-edge that leads up to the one that leads down, and over it.
-    for (int at = h; isSeen[idx(at)] == 0;) {
-      isSeen[idx(at)] = 1;
+    for (int at = h; isSeen[at] == 0;) {
+      isSeen[at] = 1;
       ring.push_back(at);
       const int down = height(mesh_.apex(at)) < 0 ? Mesh::next(at) : Mesh::prev(at);
       at = mesh_.opposite(down);
@@ -130,7 +130,7 @@ std::vector<std::vector<std::size_t>> Cut::regions() const {
   std::vector<std::vector<std::size_t>> within(n);  // the rings around each
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j)
-      if (i != j && windingAround(section_, normal_, outlines_[j], section_[idx(outlines_[i][0])]) != 0)
+      if (i != j && windingAround(section_, normal_, outlines_[j], section_[outlines_[i][0]]) != 0)
         within[i].push_back(j);
   std::vector<std::vector<std::size_t>> out;
   std::vector<std::size_t> regionOf(n, n);
@@ -152,7 +152,7 @@ bool Cut::isNear(const std::vector<std::size_t>& region) const {
   bool isIn = false;
   for (const std::size_t ring : region) {
     for (const int p : outlines_[ring])
-      if ((section_[idx(p)] - cut_.point).norm() <= *cut_.radius) return true;
+      if ((section_[p] - cut_.point).norm() <= *cut_.radius) return true;
     if (windingAround(section_, normal_, outlines_[ring], cut_.point) != 0) isIn = !isIn;
   }
   return isIn;
@@ -171,7 +171,7 @@ void Cut::splitFace(int face, std::map<int, int>& low, std::map<int, int>& high)
     soup_.triangles.push_back({a, own.at(ab), own.at(ca)});
     const int p = other.at(ab), q = other.at(ca);
     // The shorter diagonal of p, b, c, q.
-    const auto length = [&](int i, int j) { return (soup_.points[idx(i)] - soup_.points[idx(j)]).norm(); };
+    const auto length = [&](int i, int j) { return (soup_.points[i] - soup_.points[j]).norm(); };
     if (length(p, c) < length(b, q)) {
       soup_.triangles.push_back({p, b, c});
       soup_.triangles.push_back({p, c, q});
@@ -219,11 +219,11 @@ bool Cut::divide(const std::vector<std::vector<std::size_t>>& chosen) {
       };
       firstLow[ring] = add(-half_, low, rims_.low);
       firstHigh[ring] = add(half_, high, rims_.high);
-      for (const int h : rings_[ring]) isCrossed[idx(Mesh::faceOf(h))] = 1;
+      for (const int h : rings_[ring]) isCrossed[Mesh::faceOf(h)] = 1;
     }
   for (int f = 0; f < mesh_.faceSlots(); ++f) {
     if (!mesh_.isFace(f)) continue;
-    if (isCrossed[idx(f)] == 0)
+    if (isCrossed[f] == 0)
       soup_.triangles.push_back(mesh_.face(f));
     else
       splitFace(f, low, high);
@@ -237,10 +237,10 @@ bool Cut::divide(const std::vector<std::vector<std::size_t>>& chosen) {
 //! Merges what is close to each other on a rim, within the plane, where the surface is nearly flat beside it.
 void Cut::mergeRims(Mesh& mesh, Rims& rims) const {
   VertexMarks isRim(idx(mesh.vertexSlots()), 0);
-  for (const int v : rims.all()) isRim[idx(v)] = 1;
+  for (const int v : rims.all()) isRim[v] = 1;
   const auto isOnRim = [&](int h) {
-    const auto isCap = [&](int side) { return isRim[idx(mesh.apex(side))] != 0; };
-    return isRim[idx(mesh.target(h))] != 0 && isCap(h) != isCap(mesh.opposite(h));
+    const auto isCap = [&](int side) { return isRim[mesh.apex(side)] != 0; };
+    return isRim[mesh.target(h)] != 0 && isCap(h) != isCap(mesh.opposite(h));
   };
   for (int round = 0; round < kMerges; ++round)
     for (const int v : rims.all()) {
@@ -281,23 +281,23 @@ Mesh Cut::evened(const Mesh& raw, Rims& rims) const {
   mergeRims(mesh, rims);
   VertexStates active(idx(mesh.vertexSlots()), kAtRest);
   VertexMarks isRim(idx(mesh.vertexSlots()), 0);
-  for (const int v : rims.all()) isRim[idx(v)] = 1;
+  for (const int v : rims.all()) isRim[v] = 1;
   std::vector<std::pair<double, std::pair<int, int>>> chords;
-  const auto isCap = [&](int side) { return isRim[idx(mesh.apex(side))] != 0; };
+  const auto isCap = [&](int side) { return isRim[mesh.apex(side)] != 0; };
   for (const int v : rims.all())
     mesh.forEachOutgoing(v, [&](int h) {
       const int w = mesh.target(h);
       const double length = (mesh.position(w) - mesh.position(v)).norm();
-      if (isRim[idx(w)] == 0 && length < kSliver * edge_) active[idx(w)] = kActive;
-      if (isRim[idx(w)] != 0 && v < w && length > kLongest * edge_ && isCap(h) && isCap(mesh.opposite(h)))
+      if (isRim[w] == 0 && length < kSliver * edge_) active[w] = kActive;
+      if (isRim[w] != 0 && v < w && length > kLongest * edge_ && isCap(h) && isCap(mesh.opposite(h)))
         chords.push_back({-length, {v, w}});
     });
   std::sort(chords.begin(), chords.end());
   for (const auto& [length, ends] : chords) {
     const int h = mesh.findHalfedge(ends.first, ends.second);
     const int m = mesh.splitEdge(h, (mesh.position(ends.first) + mesh.position(ends.second)) / 2);
-    active.resize(idx(mesh.vertexSlots()), kAtRest);
-    active[idx(m)] = kActive;
+    active.resize(mesh.vertexSlots(), kAtRest);
+    active[m] = kActive;
   }
   regulate(mesh, {kLongest * edge_, kShortest * edge_, {}}, active);
   return mesh;
@@ -308,25 +308,25 @@ FindingKind Cut::dropOtherSide(Mesh& mesh, const Rims& rims) const {
   if (cut_.keep == KeptSide::both) return FindingKind::none;
   const Components parts = findComponents(mesh);
   ComponentMarks isLow(idx(parts.count()), 0), isHigh(idx(parts.count()), 0);
-  for (const int v : rims.low) isLow[idx(parts.ofVertex[idx(v)])] = 1;
-  for (const int v : rims.high) isHigh[idx(parts.ofVertex[idx(v)])] = 1;
-  std::vector<int> anyVertex(idx(parts.count()), -1);
+  for (const int v : rims.low) isLow[parts.ofVertex[v]] = 1;
+  for (const int v : rims.high) isHigh[parts.ofVertex[v]] = 1;
+  std::vector<int> anyVertex(parts.count(), -1);
   for (int v = 0; v < mesh.vertexSlots(); ++v)
-    if (mesh.isVertex(v)) anyVertex[idx(parts.ofVertex[idx(v)])] = v;
+    if (mesh.isVertex(v)) anyVertex[parts.ofVertex[v]] = v;
   const std::vector<int> around = surroundingComponents(mesh, parts);
   ComponentMarks goes(idx(parts.count()), 0);
   for (int c = 0; c < parts.count(); ++c) {
-    if (isLow[idx(c)] != 0 && isHigh[idx(c)] != 0) return FindingKind::cutPartsNothing;
-    const bool isCut = isLow[idx(c)] != 0 || isHigh[idx(c)] != 0;
-    const double side = (mesh.position(anyVertex[idx(c)]) - cut_.point).dot(normal_) - offset_;
-    const bool isUp = isCut ? isHigh[idx(c)] != 0 : side >= 0;
-    goes[idx(c)] = isUp != (cut_.keep == KeptSide::positive) && (isCut || !cut_.radius);
+    if (isLow[c] != 0 && isHigh[c] != 0) return FindingKind::cutPartsNothing;
+    const bool isCut = isLow[c] != 0 || isHigh[c] != 0;
+    const double side = (mesh.position(anyVertex[c]) - cut_.point).dot(normal_) - offset_;
+    const bool isUp = isCut ? isHigh[c] != 0 : side >= 0;
+    goes[c] = isUp != (cut_.keep == KeptSide::positive) && (isCut || !cut_.radius);
   }
   for (int c = 0; c < parts.count(); ++c)
-    for (int o = around[idx(c)]; o >= 0; o = around[idx(o)])
-      if (goes[idx(o)] != 0) goes[idx(c)] = 1;
+    for (int o = around[c]; o >= 0; o = around[o])
+      if (goes[o] != 0) goes[c] = 1;
   for (int c = 0; c < parts.count(); ++c)
-    if (goes[idx(c)] != 0) deleteComponent(mesh, anyVertex[idx(c)]);
+    if (goes[c] != 0) deleteComponent(mesh, anyVertex[c]);
   return FindingKind::none;
 }
 

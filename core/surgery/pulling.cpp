@@ -99,19 +99,19 @@ double acrossEdge(const Mesh& mesh, int h) {
 //! Distance of the vertices from one of them along edges and across pairs of faces, up to `reach`; infinite
 //! beyond.
 std::vector<double> distancesFrom(const Mesh& mesh, int start, double reach) {
-  std::vector<double> distance(idx(mesh.vertexSlots()), kFar);
+  std::vector<double> distance(mesh.vertexSlots(), kFar);
   using Entry = std::pair<double, int>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   const auto offer = [&](int v, double d) {
-    if (d > reach || !(d < distance[idx(v)])) return;
-    distance[idx(v)] = d;
+    if (d > reach || !(d < distance[v])) return;
+    distance[v] = d;
     open.emplace(d, v);
   };
   offer(start, 0);
   while (!open.empty()) {
     const auto [d, v] = open.top();
     open.pop();
-    if (d > distance[idx(v)]) continue;
+    if (d > distance[v]) continue;
     mesh.forEachOutgoing(v, [&, d = d, v = v](int h) {
       offer(mesh.target(h), d + (mesh.position(mesh.target(h)) - mesh.position(v)).norm());
       const int across = Mesh::next(h);
@@ -136,21 +136,21 @@ class Pull {
     for (int v = 0; v < mesh_.vertexSlots(); ++v) {
       if (!mesh_.isVertex(v) || !(weight(v) > 0)) continue;
       mesh_.setPosition(v, placeOf(v));
-      moved[idx(v)] = v == handle_ ? kAtRest : kActive;
+      moved[v] = v == handle_ ? kAtRest : kActive;
     }
     regulate(mesh_, {kLongest * edge_, kShortest * edge_, {}}, moved);
   }
 
  private:
   double weight(int v) const {
-    const double t = distance_[idx(v)] / radius_;
+    const double t = distance_[v] / radius_;
     return t < 1 ? (1 - t * t) * (1 - t * t) : 0;
   }
   Vec3 placeOf(int v) const { return mesh_.position(v) + weight(v) * by_; }
   double meanEdge() const {
     double sum = 0, n = 0;
     for (int v = 0; v < mesh_.vertexSlots(); ++v)
-      if (mesh_.isVertex(v) && distance_[idx(v)] < kFar)
+      if (mesh_.isVertex(v) && distance_[v] < kFar)
         mesh_.forEachNeighbour(v, [&](int w) {
           sum += (mesh_.position(v) - mesh_.position(w)).norm();
           n += 1;
@@ -170,12 +170,12 @@ class Pull {
     for (const auto& [length, h] : edges) {
       if (drawnOut(h) <= limit) continue;
       const int u = mesh_.origin(h), w = mesh_.target(h);
-      const double between = (distance_[idx(u)] + distance_[idx(w)]) / 2;
+      const double between = (distance_[u] + distance_[w]) / 2;
       const double apart = (mesh_.position(u) - mesh_.position(w)).norm();
-      const double least = std::min(distance_[idx(u)], distance_[idx(w)]) + apart / 2;
+      const double least = std::min(distance_[u], distance_[w]) + apart / 2;
       const int m = mesh_.splitEdge(h, (mesh_.position(u) + mesh_.position(w)) / 2);
       if (idx(m) >= distance_.size()) distance_.resize(idx(m) + 1, kFar);
-      distance_[idx(m)] = std::min(between, least);
+      distance_[m] = std::min(between, least);
       any = true;
     }
     return any;
@@ -183,7 +183,7 @@ class Pull {
   //! Length of the edge after the pull; 0 for one that it leaves as it is.
   double drawnOut(int h) const {
     const int u = mesh_.origin(h), w = mesh_.target(h);
-    if (!(distance_[idx(u)] < kFar) && !(distance_[idx(w)] < kFar)) return 0;
+    if (!(distance_[u] < kFar) && !(distance_[w] < kFar)) return 0;
     return (placeOf(u) - placeOf(w)).norm();
   }
 

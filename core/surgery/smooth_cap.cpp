@@ -1,5 +1,4 @@
 #include "core/surgery/smooth_cap.h"
-#include "core/indices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -132,7 +131,7 @@ std::optional<Patch> smoothCap(const Mesh& mesh, const Opening& opening, const s
     out.points.push_back(membrane.mesh().position(v));
   for (Triangle t : membrane.mesh().faces()) {
     if (t[0] == rim || t[1] == rim || t[2] == rim) continue;
-    for (int& v : t) v = v < rim ? loop[idx(v)] : out.firstNew + v - rim - 1;
+    for (int& v : t) v = v < rim ? loop[v] : out.firstNew + v - rim - 1;
     out.faces.push_back(t);
   }
   return out;

@@ -38,7 +38,7 @@ class Adaptation {
         topology_(settings.topology) {}
 
   AdaptationResult run(std::span<const FacePair> pairs) {
-    for (const auto& [f, g] : pairs) colliding_[idx(f)] = colliding_[idx(g)] = 1;
+    for (const auto& [f, g] : pairs) colliding_[f] = colliding_[g] = 1;
     const std::vector<Gathering> places = gatherFronts(mesh_, groupCollisions(mesh_, pairs), kReach);
     if (places.size() >= kManyPlaces) blocks_.sortByPlace(mesh_);
     for (const Gathering& g : places) {
@@ -55,7 +55,7 @@ class Adaptation {
   bool isStale(const CollisionGroup& group) const {
     for (const auto& lambda : group.lambda)
       for (int v : lambda)
-        if (!mesh_.isVertex(v) || (idx(v) < replaced_.size() && replaced_[idx(v)])) return true;
+        if (!mesh_.isVertex(v) || (idx(v) < replaced_.size() && replaced_[v])) return true;
     return false;
   }
 
@@ -117,7 +117,7 @@ class Adaptation {
     const EventTrace met = settings_.recordTraces ? traceOfCollision(mesh_, group.pairs) : EventTrace{};
     for (int ring = 0; ring <= enlargements && !isSpent(); ++ring) {
       for (const auto& lambda : sets) spend(kPlaceWork * lambda.size());
-      colliding_.resize(idx(mesh_.faceSlots()), 0);
+      colliding_.resize(mesh_.faceSlots(), 0);
       const auto plan =
           planFor(mesh_, blocks_, sets,
                   {settings_.outwardOnly, colliding_, settings_.forbidden, settings_.work}, reason);
@@ -165,20 +165,20 @@ class Adaptation {
     std::vector<Triangle> patch = plan.patch.faces;
     for (Triangle& t : patch)
       for (int& v : t)
-        if (v >= plan.patch.firstNew) v = fresh[idx(v - plan.patch.firstNew)];
+        if (v >= plan.patch.firstNew) v = fresh[v - plan.patch.firstNew];
     mesh_.addFaces(patch);
     // Removed slots may be filled again: they count as replaced all the same.
-    replaced_.resize(idx(mesh_.vertexSlots()), 0);
-    touched_.resize(idx(mesh_.vertexSlots()), 0);
-    for (int v : vertices) replaced_[idx(v)] = 1;
+    replaced_.resize(mesh_.vertexSlots(), 0);
+    touched_.resize(mesh_.vertexSlots(), 0);
+    for (int v : vertices) replaced_[v] = 1;
     for (const Triangle& t : patch)
-      for (int v : t) touched_[idx(v)] = replaced_[idx(v)] = 1;
+      for (int v : t) touched_[v] = replaced_[v] = 1;
     for (const Triangle& t : patch) blocks_.includeAround(mesh_, t);
     // Face slots have new owners, which collide with nothing.
-    colliding_.resize(idx(mesh_.faceSlots()), 0);
-    for (int f : faces) colliding_[idx(f)] = 0;
+    colliding_.resize(mesh_.faceSlots(), 0);
+    for (int f : faces) colliding_[f] = 0;
     for (const Triangle& t : patch)
-      for (int v : t) mesh_.forEachOutgoing(v, [&](int h) { colliding_[idx(Mesh::faceOf(h))] = 0; });
+      for (int v : t) mesh_.forEachOutgoing(v, [&](int h) { colliding_[Mesh::faceOf(h)] = 0; });
 
     if (plan.kind == EventKind::split || plan.kind == EventKind::smoothed) event.kind = kindOfCut(event);
     // Where fronts of two components meet and a part between them is cut off, their number stays.
@@ -204,7 +204,7 @@ class Adaptation {
   //! True if the patch bounds a part of outside space that it has just enclosed.
   static bool hasCavity(const Components& parts, const std::vector<Triangle>& patch) {
     return std::any_of(patch.begin(), patch.end(),
-                       [&](const Triangle& t) { return parts.volume[idx(parts.ofVertex[idx(t[0])])] < 0; });
+                       [&](const Triangle& t) { return parts.volume[parts.ofVertex[t[0]]] < 0; });
   }
 
   //! Motion outwards can cut off nothing but cavities. A solid piece that a cut leaves is a scrap of surface
@@ -212,9 +212,9 @@ class Adaptation {
   void deleteFlakes(const Components& parts, const std::vector<Triangle>& patch) {
     std::map<int, int> solids;  // component beside the cut → one of its vertices
     for (const Triangle& t : patch)
-      if (parts.volume[idx(parts.ofVertex[idx(t[0])])] >= 0) solids.emplace(parts.ofVertex[idx(t[0])], t[0]);
+      if (parts.volume[parts.ofVertex[t[0]]] >= 0) solids.emplace(parts.ofVertex[t[0]], t[0]);
     const auto body = std::max_element(solids.begin(), solids.end(), [&](const auto& a, const auto& b) {
-      return parts.volume[idx(a.first)] < parts.volume[idx(b.first)];
+      return parts.volume[a.first] < parts.volume[b.first];
     });
     for (auto it = solids.begin(); it != solids.end(); ++it) {
       if (it != body) deletePart(parts, it->second);
@@ -225,7 +225,7 @@ class Adaptation {
   //! that it is a scrap.
   void deleteMisplaced(const Components& parts, const std::vector<Triangle>& patch) {
     std::map<int, int> beside;  // component beside the cut → one of its vertices
-    for (const Triangle& t : patch) beside.emplace(parts.ofVertex[idx(t[0])], t[0]);
+    for (const Triangle& t : patch) beside.emplace(parts.ofVertex[t[0]], t[0]);
     for (const auto& [component, vertex] : beside)
       if (isMisplaced(mesh_, parts, component)) deletePart(parts, vertex);
   }
@@ -235,7 +235,7 @@ class Adaptation {
     event.kind = EventKind::componentDeleted;
     event.iteration = settings_.iteration;
     event.location = mesh_.position(v);
-    predict(event, predictDeletion(topology_, parts, parts.ofVertex[idx(v)]));
+    predict(event, predictDeletion(topology_, parts, parts.ofVertex[v]));
     deleteComponent(mesh_, v);
     result_.events.push_back(std::move(event));
   }

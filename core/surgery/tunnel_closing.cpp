@@ -157,7 +157,7 @@ class Cutter {
     std::vector<Triangle> faces = plan.patch.faces;
     for (Triangle& t : faces)
       for (int& v : t)
-        if (v >= plan.patch.firstNew) v = fresh[idx(v - plan.patch.firstNew)];
+        if (v >= plan.patch.firstNew) v = fresh[v - plan.patch.firstNew];
     mesh.addFaces(faces);
     out.touched.insert(out.touched.end(), fresh.begin(), fresh.end());
     sortUnique(out.touched);
@@ -168,7 +168,7 @@ class Cutter {
   static bool collides(const LoopCut& out) {
     VertexMarks moved(idx(out.mesh.vertexSlots()), 0);
     for (const int v : out.touched)
-      if (idx(v) < moved.size()) moved[idx(v)] = 1;
+      if (idx(v) < moved.size()) moved[v] = 1;
     CollisionDetector detector;
     return !detector.detectMoved(out.mesh, moved).empty();
   }

@@ -5,18 +5,12 @@
 #include <cstdio>
 
 namespace handlebody {
-namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 std::array<int, 3> nearestAxes(const Grid& grid) {
   std::array<int, 3> order{0, 1, 2}, best = order;
   double most = -1;
   do {
     double sum = 0;
-    for (int w = 0; w < 3; ++w) sum += std::abs(grid.direction(w, order[at(w)]));
+    for (int w = 0; w < 3; ++w) sum += std::abs(grid.direction(w, order[w]));
     // The margin keeps the first of orders that are equally good, whatever the rounding.
     if (sum > most + 1e-9) {
       most = sum;
@@ -30,7 +24,7 @@ bool isOblique(const Grid& grid) {
   const double kOneDegree = std::cos(M_PI / 180);
   const std::array<int, 3> axes = nearestAxes(grid);
   for (int w = 0; w < 3; ++w)
-    if (std::abs(grid.direction(w, axes[at(w)])) < kOneDegree) return true;
+    if (std::abs(grid.direction(w, axes[w])) < kOneDegree) return true;
   return false;
 }
 
@@ -57,9 +51,9 @@ SliceAxes sliceAxes(const Grid& grid, Anatomical plane) {
   const int downwards = plane == Anatomical::axial ? 1 : 2;
   const bool downIsPositive = plane == Anatomical::axial;
   SliceAxes view;
-  view.normal = axes[at(static_cast<int>(plane))];
-  view.across = axes[at(right)];
-  view.down = axes[at(downwards)];
+  view.normal = axes[static_cast<int>(plane)];
+  view.across = axes[right];
+  view.down = axes[downwards];
   view.acrossSign = grid.direction(right, view.across) < 0 ? -1 : 1;
   view.downSign = (downIsPositive ? 1 : -1) * grid.direction(downwards, view.down) < 0 ? -1 : 1;
   view.left = anatomicalLetter(right, false);

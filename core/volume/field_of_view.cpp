@@ -115,7 +115,7 @@ std::shared_ptr<const FieldOfView> FieldOfView::find(const Volume& volume) {
 bool FieldOfView::isPaddingNear(const Vec3& index) const {
   std::size_t at = 0;
   for (int a = 2; a >= 0; --a) {
-    const int n = size_[static_cast<std::size_t>(a)];
+    const int n = size_[a];
     at = at * static_cast<std::size_t>(n) +
          static_cast<std::size_t>(std::clamp(static_cast<int>(std::lround(index[a])), 0, n - 1));
   }

@@ -25,7 +25,7 @@ template <typename T>
 std::vector<double> percentilesByCounting(std::span<const T> voxels, std::span<const double> percents) {
   constexpr int kLowest = std::numeric_limits<T>::min();
   std::vector<std::size_t> counts(std::size_t{1} << (8 * sizeof(T)), 0);
-  for (T v : voxels) ++counts[static_cast<std::size_t>(v - kLowest)];
+  for (T v : voxels) ++counts[v - kLowest];
   std::vector<double> result;
   for (double percent : percents) {
     const std::size_t rank = rankOf(percent, voxels.size());

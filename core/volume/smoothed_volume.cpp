@@ -21,8 +21,8 @@ std::vector<float> gaussian(double sigmaVoxels) {
   std::vector<double> w(idx(radius) + 1);
   double sum = 0;
   for (int i = 0; i <= radius; ++i) {
-    w[idx(i)] = std::exp(-0.5 * i * i / (sigmaVoxels * sigmaVoxels));
-    sum += i == 0 ? w[0] : 2 * w[idx(i)];
+    w[i] = std::exp(-0.5 * i * i / (sigmaVoxels * sigmaVoxels));
+    sum += i == 0 ? w[0] : 2 * w[i];
   }
   std::vector<float> out;
   for (double x : w) out.push_back(static_cast<float>(x / sum));
@@ -41,7 +41,7 @@ void convolve(const float* in, float* out, const std::vector<float>& w, int outC
     for (int t = 1; t <= radius; ++t) {
       const float* before = centre - static_cast<std::ptrdiff_t>(t) * lineStride;
       const float* after = centre + static_cast<std::ptrdiff_t>(t) * lineStride;
-      const float weight = w[idx(t)];
+      const float weight = w[t];
       for (int l = 0; l < lines; ++l) target[l] += weight * (before[l] + after[l]);
     }
   }
@@ -52,7 +52,7 @@ void convolveRow(const float* in, float* out, const std::vector<float>& w, int o
   const int radius = static_cast<int>(w.size()) - 1;
   for (int i = 0; i < outCount; ++i) out[i] = w[0] * in[i + radius];
   for (int t = 1; t <= radius; ++t)
-    for (int i = 0; i < outCount; ++i) out[i] += w[idx(t)] * (in[i + radius - t] + in[i + radius + t]);
+    for (int i = 0; i < outCount; ++i) out[i] += w[t] * (in[i + radius - t] + in[i + radius + t]);
 }
 
 }  // namespace

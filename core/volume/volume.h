@@ -34,7 +34,7 @@ struct Grid {
   //! True if a continuous index lies within the hull of the voxel centres widened by half a voxel.
   bool contains(const Vec3& index) const {
     for (int a = 0; a < 3; ++a)
-      if (!(index[a] >= -0.5 && index[a] <= size[static_cast<std::size_t>(a)] - 0.5)) return false;
+      if (!(index[a] >= -0.5 && index[a] <= size[a] - 0.5)) return false;
     return true;
   }
   //! Volume of one voxel in mm³.

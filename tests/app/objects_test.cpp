@@ -106,7 +106,7 @@ std::size_t differing(const Volume& labels, const TriangleSoup& mesh, int value)
 double gapWithin(const TriangleSoup& a, const TriangleSoup& b, const Vec3& centre, double radius) {
   std::vector<Vec3> dense;
   for (const Triangle& t : b.triangles) {
-    const auto corner = [&](std::size_t i) { return b.points[static_cast<std::size_t>(t[i])]; };
+    const auto corner = [&](std::size_t i) { return b.points[t[i]]; };
     constexpr int kFine = 12;
     for (int i = 0; i <= kFine; ++i)
       for (int j = 0; i + j <= kFine; ++j)

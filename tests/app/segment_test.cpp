@@ -221,8 +221,7 @@ TEST_CASE("a seed in voxels is the same seed in millimetres", "[cli][segment]") 
   REQUIRE(outcome.exitCode == 0);
   const Vec3 expected = grid.toWorld({15, 16.5, 17});
   const auto seed = run.json("r.json").at("seeds")[0];
-  for (int axis = 0; axis < 3; ++axis)
-    CHECK(seed.at("centre")[static_cast<std::size_t>(axis)].get<double>() == expected[axis]);
+  for (int axis = 0; axis < 3; ++axis) CHECK(seed.at("centre")[axis].get<double>() == expected[axis]);
   CHECK(seed.at("radius").get<double>() == Approx(2 * 2.5));
 }
 

@@ -69,7 +69,7 @@ TriangleSoup nested() {
 }
 
 double volumeOf(const Tetrahedra& t, std::size_t cell) {
-  const auto p = [&](std::size_t c) { return t.points[static_cast<std::size_t>(t.cells[cell][c])]; };
+  const auto p = [&](std::size_t c) { return t.points[t.cells[cell][c]]; };
   return (p(1) - p(0)).cross(p(2) - p(0)).dot(p(3) - p(0)) / 6;
 }
 

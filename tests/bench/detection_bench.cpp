@@ -76,8 +76,8 @@ double radiusOf(const TriangleSoup& s) {
   double longest = 0;
   for (const Triangle& t : s.triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3& a = s.points[static_cast<std::size_t>(t[i])];
-      longest = std::max(longest, (a - s.points[static_cast<std::size_t>(t[(i + 1) % 3])]).norm());
+      const Vec3& a = s.points[t[i]];
+      longest = std::max(longest, (a - s.points[t[(i + 1) % 3]]).norm());
     }
   }
   return longest * std::sqrt(7.0 / 12.0);

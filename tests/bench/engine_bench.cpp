@@ -130,7 +130,7 @@ void partMotion(benchmark::State& state) {
 void partDetection(benchmark::State& state) {
   const GrownField& g = grownField();
   CollisionDetector detector;
-  const std::vector<unsigned char> moved(static_cast<std::size_t>(g.mesh.vertexSlots()), 1);
+  const std::vector<unsigned char> moved(g.mesh.vertexSlots(), 1);
   for (auto _ : state) benchmark::DoNotOptimize(detector.detectMoved(g.mesh, moved).size());
 }
 
@@ -142,7 +142,7 @@ void partRegulation(benchmark::State& state) {
   const double edge = *g.parameters.edgeLength;
   for (auto _ : state) {
     Mesh mesh = grown;
-    std::vector<unsigned char> active(static_cast<std::size_t>(mesh.vertexSlots()), 1);
+    std::vector<unsigned char> active(mesh.vertexSlots(), 1);
     const double start = processorSeconds();
     regulate(mesh, {1.4 * edge, 0.55 * edge}, active);
     state.SetIterationTime(processorSeconds() - start);

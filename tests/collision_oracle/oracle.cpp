@@ -22,7 +22,7 @@ Point point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 //! A face as a point set: one, two or three corners.
 std::vector<Point> hull(const TriangleSoup& s, const Triangle& t) {
   std::vector<Point> p;
-  for (const int v : t) p.push_back(point(s.points[static_cast<std::size_t>(v)]));
+  for (const int v : t) p.push_back(point(s.points[v]));
   if (!CGAL::collinear(p[0], p[1], p[2])) return p;
   std::sort(p.begin(), p.end());
   if (p.front() == p.back()) return {p.front()};
@@ -66,7 +66,7 @@ bool facesIntersect(const TriangleSoup& soup, const Triangle& a, const Triangle&
   }
   if (shared.size() == 3) return true;
   std::vector<Point> simplex;
-  for (const int v : shared) simplex.push_back(point(soup.points[static_cast<std::size_t>(v)]));
+  for (const int v : shared) simplex.push_back(point(soup.points[v]));
   const auto inShared = [&](const Point& p) {
     if (simplex.empty()) return false;
     if (simplex.size() == 1 || simplex[0] == simplex[1]) return p == simplex[0];
@@ -104,7 +104,7 @@ PreparedMesh::PreparedMesh(const TriangleSoup& soup) : data_(std::make_unique<Da
   std::vector<Data::Mesh::Vertex_index> vertex;
   for (const Vec3& p : soup.points) vertex.push_back(mesh.add_vertex({p.x(), p.y(), p.z()}));
   for (const Triangle& t : soup.triangles) {
-    const auto at = [&](std::size_t i) { return vertex[static_cast<std::size_t>(t[i])]; };
+    const auto at = [&](std::size_t i) { return vertex[t[i]]; };
     if (mesh.add_face(at(0), at(1), at(2)) == Data::Mesh::null_face()) {
       throw std::invalid_argument("not a manifold");
     }

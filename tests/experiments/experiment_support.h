@@ -52,9 +52,7 @@ inline std::vector<double> distances(const Phantom& phantom, const PhantomOption
   };
   for (const Vec3& p : mesh.points) add(p);
   for (const Triangle& t : mesh.triangles)
-    add((mesh.points[static_cast<std::size_t>(t[0])] + mesh.points[static_cast<std::size_t>(t[1])] +
-         mesh.points[static_cast<std::size_t>(t[2])]) /
-        3);
+    add((mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3);
   std::sort(d.begin(), d.end());
   return d;
 }

@@ -80,7 +80,7 @@ std::pair<double, double> gap(const Volume& volume, const Object& a, const Objec
     if (!counts(p - centre)) continue;
     double least = 1e9;
     for (const Triangle& t : b.mesh.triangles) {
-      const auto corner = [&](std::size_t i) { return b.mesh.points[static_cast<std::size_t>(t[i])]; };
+      const auto corner = [&](std::size_t i) { return b.mesh.points[t[i]]; };
       if ((corner(0) - p).norm() < least + 5)
         least = std::min(least, bruteDistance(p, corner(0), corner(1), corner(2)));
     }

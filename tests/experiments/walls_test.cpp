@@ -24,7 +24,7 @@ std::vector<WallBall> randomWalls(const Phantom& phantom, unsigned seed) {
   std::vector<WallBall> walls;
   while (walls.size() < kWallsEach) {
     Vec3 index;
-    for (int a = 0; a < 3; ++a) index[a] = uniform(0, grid.size[static_cast<std::size_t>(a)] - 1);
+    for (int a = 0; a < 3; ++a) index[a] = uniform(0, grid.size[a] - 1);
     const WallBall w{grid.toWorld(index), std::exp(uniform(std::log(0.05), std::log(5.0)))};
     const bool isAtObject = phantomDistance(phantom.name, {}, w.centre) < 2;
     const bool isClear = (w.centre - phantom.seed).norm() > w.radius + phantom.seedRadius + 1;
@@ -95,8 +95,7 @@ std::vector<WallBall> strokesBeside(const Phantom& phantom, std::size_t balls) {
   const Grid& grid = phantom.volume.grid;
   const auto place = [&] {
     Vec3 index;
-    for (int a = 0; a < 3; ++a)
-      index[a] = static_cast<double>(random()) / 4294967296.0 * grid.size[static_cast<std::size_t>(a)];
+    for (int a = 0; a < 3; ++a) index[a] = static_cast<double>(random()) / 4294967296.0 * grid.size[a];
     return grid.toWorld(index);
   };
   WallList walls;

@@ -232,7 +232,7 @@ TEST_CASE("slices that were resampled are referred to as a series, not one by on
 TEST_CASE("the images of another time point are not referred to") {
   std::vector<Slice> both = evenStack(6);
   for (int k = 0; k < 6; ++k) {
-    both.push_back(both[static_cast<std::size_t>(k)]);
+    both.push_back(both[k]);
     both.back().value = static_cast<std::int16_t>(50 + k);
     both.back().instance = "1.2.99." + std::to_string(k + 1);
   }

@@ -128,7 +128,7 @@ TEST_CASE("several different slices in every place are time points; incomplete o
   const TemporaryFolder folder;
   std::vector<Slice> slices = evenStack(4);
   for (int i = 0; i < 4; ++i) {
-    Slice later = slices[static_cast<std::size_t>(i)];
+    Slice later = slices[i];
     later.value = static_cast<std::int16_t>(later.value + 50);
     later.number = 10 + i;
     slices.push_back(later);

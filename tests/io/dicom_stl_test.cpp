@@ -86,7 +86,7 @@ TEST_CASE("an encapsulated STL is read back as the meshes that it was made of", 
   REQUIRE(back.points.size() == ball().points.size() + other.points.size());
   CHECK(back.triangles.size() == ball().triangles.size() + other.triangles.size());
   CHECK(signedVolume(back) == Approx(signedVolume(ball()) + signedVolume(other)).epsilon(1e-5));
-  CHECK((back.points[0] - ball().points[static_cast<std::size_t>(ball().triangles[0][0])]).norm() < 2e-5);
+  CHECK((back.points[0] - ball().points[ball().triangles[0][0]]).norm() < 2e-5);
 }
 
 TEST_CASE("encapsulated STL of others is read: in RAS, in other units, with sequences of any kind",

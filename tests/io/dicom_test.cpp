@@ -75,8 +75,7 @@ TEST_CASE("stacks that are no plain grid are refused") {
   }
   SECTION("every slice in another direction") {
     for (int i = 0; i < 6; ++i)
-      slices[static_cast<std::size_t>(i)].direction =
-          Eigen::AngleAxisd(0.3 * i, Vec3(0, 0, 1)).toRotationMatrix();
+      slices[i].direction = Eigen::AngleAxisd(0.3 * i, Vec3(0, 0, 1)).toRotationMatrix();
     refusedFor("orientations");
   }
   SECTION("a single slice") {

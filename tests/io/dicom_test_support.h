@@ -199,10 +199,10 @@ inline std::string dicomBytes(const Slice& s, const std::string& instance) {
 //! An even oblique stack of `count` slices, 2.5 mm apart; slice i holds the value i. File names run against
 //! the order in space.
 inline std::vector<Slice> evenStack(int count) {
-  std::vector<Slice> slices(static_cast<std::size_t>(count));
+  std::vector<Slice> slices(count);
   const Eigen::Matrix3d direction = Eigen::AngleAxisd(0.4, Vec3(1, -1, 2).normalized()).toRotationMatrix();
   for (int i = 0; i < count; ++i) {
-    Slice& s = slices[static_cast<std::size_t>(i)];
+    Slice& s = slices[i];
     s.direction = direction;
     s.position = Vec3(-50, 20, 10) + 2.5 * i * direction.col(2);
     s.value = static_cast<std::int16_t>(i);

@@ -93,7 +93,7 @@ TEST_CASE("the time axis of an NRRD may stand first, last or between") {
     for (int a = 0, axis = 0; a < 4; ++a) {
       const bool time = a == static_cast<int>(place);
       order.push_back(time ? 3 : axis);
-      sizes += (a ? " " : "") + std::to_string(time ? 2 : size[static_cast<std::size_t>(axis)]);
+      sizes += (a ? " " : "") + std::to_string(time ? 2 : size[axis]);
       kinds += time ? " list" : " domain";
       directions += time ? " none" : axis == 0 ? " (1,0,0)" : axis == 1 ? " (0,1,0)" : " (0,0,1)";
       if (!time) ++axis;
@@ -102,11 +102,11 @@ TEST_CASE("the time axis of an NRRD may stand first, last or between") {
     for (int i = 0; i < 48; ++i) {
       int rest = i, at[4] = {0, 0, 0, 0};
       for (int a : order) {
-        const int n = a == 3 ? 2 : size[static_cast<std::size_t>(a)];
+        const int n = a == 3 ? 2 : size[a];
         at[a] = rest % n;
         rest /= n;
       }
-      voxels[static_cast<std::size_t>(i)] = static_cast<char>(100 * at[3] + at[0] + 2 * at[1] + 6 * at[2]);
+      voxels[i] = static_cast<char>(100 * at[3] + at[0] + 2 * at[1] + 6 * at[2]);
     }
     const std::string path = folder / "4d.nrrd";
     writeBytes(path, nrrdOf(sizes, "space: LPS\nkinds:" + kinds + "\nspace directions:" + directions + "\n") +

@@ -83,7 +83,7 @@ TEST_CASE("files say their space, in RAS x and y are turned, and the winding sta
   writeMesh(ball(), folder / "ras.stl", CoordinateSpace::ras);
   float x = 0;
   std::memcpy(&x, readBytes(folder / "ras.stl").data() + 96, 4);
-  const double firstX = ball().points[static_cast<std::size_t>(ball().triangles[0][0])].x();
+  const double firstX = ball().points[ball().triangles[0][0]].x();
   CHECK(static_cast<double>(x) == Approx(-firstX));
   // The same bytes without their mark are read as they stand: turned about z, with a positive volume.
   std::string bytes = readBytes(folder / "ras.stl");

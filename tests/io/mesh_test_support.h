@@ -18,9 +18,7 @@ inline TriangleSoup sphere(const Vec3& centre, double radius, int levels) {
     std::map<std::pair<int, int>, int> middles;
     const auto middle = [&](int a, int b) {
       const auto [found, fresh] = middles.try_emplace(std::minmax(a, b), static_cast<int>(s.points.size()));
-      if (fresh)
-        s.points.push_back(
-            (s.points[static_cast<std::size_t>(a)] + s.points[static_cast<std::size_t>(b)]).normalized());
+      if (fresh) s.points.push_back((s.points[a] + s.points[b]).normalized());
       return found->second;
     };
     std::vector<Triangle> finer;
@@ -39,7 +37,7 @@ inline TriangleSoup sphere(const Vec3& centre, double radius, int levels) {
 inline double signedVolume(const TriangleSoup& s) {
   double sum = 0;
   for (const Triangle& t : s.triangles) {
-    const auto p = [&](std::size_t c) -> const Vec3& { return s.points[static_cast<std::size_t>(t[c])]; };
+    const auto p = [&](std::size_t c) -> const Vec3& { return s.points[t[c]]; };
     sum += p(0).dot(p(1).cross(p(2))) / 6;
   }
   return sum;
@@ -48,7 +46,7 @@ inline double signedVolume(const TriangleSoup& s) {
 inline double area(const TriangleSoup& s) {
   double sum = 0;
   for (const Triangle& t : s.triangles) {
-    const auto p = [&](std::size_t c) -> const Vec3& { return s.points[static_cast<std::size_t>(t[c])]; };
+    const auto p = [&](std::size_t c) -> const Vec3& { return s.points[t[c]]; };
     sum += (p(1) - p(0)).cross(p(2) - p(0)).norm() / 2;
   }
   return sum;
@@ -58,9 +56,7 @@ inline double area(const TriangleSoup& s) {
 inline double windingNumber(const TriangleSoup& s, const Vec3& q) {
   double angle = 0;
   for (const Triangle& t : s.triangles) {
-    const Vec3 a = s.points[static_cast<std::size_t>(t[0])] - q,
-               b = s.points[static_cast<std::size_t>(t[1])] - q,
-               c = s.points[static_cast<std::size_t>(t[2])] - q;
+    const Vec3 a = s.points[t[0]] - q, b = s.points[t[1]] - q, c = s.points[t[2]] - q;
     const double la = a.norm(), lb = b.norm(), lc = c.norm();
     angle += 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
   }

@@ -59,7 +59,7 @@ void expectSameShape(const std::string& path) {
 Volume reversed(const Volume& volume, int axis) {
   Grid grid = volume.grid;
   Vec3 last = Vec3::Zero();
-  last[axis] = grid.size[static_cast<std::size_t>(axis)] - 1;
+  last[axis] = grid.size[axis] - 1;
   grid.origin = volume.grid.toWorld(last);
   grid.direction.col(axis) *= -1;
   void* buffer = nullptr;

@@ -17,7 +17,7 @@ std::vector<Volume> threeFrames(const Grid& grid, VoxelType type) {
 
 void write(const std::vector<Volume>& frames, const std::string& path, const TimeAxis& times) {
   writeSequence({frames[0].grid, frames[0].type, static_cast<int>(frames.size()), times}, path,
-                [&](int i) { return frames[static_cast<std::size_t>(i)]; });
+                [&](int i) { return frames[i]; });
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ TEST_CASE("a 4D volume that is written is read back voxel for voxel, where it wa
   CHECK(evenStep(readTimeAxis(path)) == Approx(20).epsilon(1e-6));
   for (int i = 0; i < 3; ++i) {
     const Volume back = readVolume(path, {.frame = i});
-    CHECK(voxelBytes(back) == voxelBytes(frames[static_cast<std::size_t>(i)]));
+    CHECK(voxelBytes(back) == voxelBytes(frames[i]));
     const Vec3 last(grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1);
     CHECK((back.grid.toWorld(last) - grid.toWorld(last)).norm() < 1e-3);
     CHECK((back.grid.toWorld(Vec3::Zero()) - grid.toWorld(Vec3::Zero())).norm() < 1e-3);

@@ -121,8 +121,7 @@ TEST_CASE("every axis permutation and reflection survives NIfTI") {
     std::array<int, 3> order{0, 1, 2};
     for (int i = 0; i < code / 8; ++i) std::next_permutation(order.begin(), order.end());
     grid.direction.setZero();
-    for (int a = 0; a < 3; ++a)
-      grid.direction(order[static_cast<std::size_t>(a)], a) = (code >> a & 1) ? -1 : 1;
+    for (int a = 0; a < 3; ++a) grid.direction(order[a], a) = (code >> a & 1) ? -1 : 1;
     writeVolume(randomVolume(grid, VoxelType::uint8), folder / "v.nii");
     expectSameGrid(readVolume(folder / "v.nii").grid, grid, 2e-5);
   }

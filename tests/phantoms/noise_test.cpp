@@ -89,7 +89,7 @@ TEST_CASE("speckle is as long as the point spread function along each axis, in m
   const std::array<std::size_t, 3> step{1, 96, 96 * 96};
   for (int axis = 0; axis < 3; ++axis) {
     // The intensity's correlation is the square of the field's: exp(-x²/(2σ²)) at x mm.
-    const std::size_t lag = step[static_cast<std::size_t>(axis)];
+    const std::size_t lag = step[axis];
     double sum = 0;
     for (std::size_t i = 0; i + lag < intensity.size(); ++i)
       sum += (intensity[i] - 1) * (intensity[i + lag] - 1);

@@ -99,9 +99,7 @@ TEST_CASE("the ideal surface's triangles stay close to the surface and face outw
     double worst = 0, sum = 0;
     int inward = 0;
     for (std::size_t i = 0; i < surface.triangles.size(); i += 97) {
-      const auto corner = [&](int k) {
-        return surface.points[static_cast<std::size_t>(surface.triangles[i][static_cast<std::size_t>(k)])];
-      };
+      const auto corner = [&](int k) { return surface.points[surface.triangles[i][k]]; };
       const Vec3 centre = (corner(0) + corner(1) + corner(2)) / 3;
       const Vec3 area = (corner(1) - corner(0)).cross(corner(2) - corner(0));
       const double d = std::abs(distance(centre));

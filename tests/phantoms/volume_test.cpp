@@ -66,7 +66,7 @@ TEST_CASE("a voxel is labelled if and only if its centre lies inside the ideal s
         Vec3 voxel;
         std::size_t offset = 0;
         for (int a = 2; a >= 0; --a) {
-          const int n = grid.size[static_cast<std::size_t>(a)];
+          const int n = grid.size[a];
           voxel[a] = std::floor(random.uniform(0, n));
           offset = offset * static_cast<std::size_t>(n) + static_cast<std::size_t>(voxel[a]);
         }

@@ -77,7 +77,7 @@ TEST_CASE("a surface is carried through a beating phantom with its volume, its t
   for (FrameResult& r : carryThrough(carrier, grown.result, 4)) frames.push_back(std::move(r));
   REQUIRE(frames.size() == 5);
   for (int f = 0; f < 5; ++f) {
-    const FrameResult& r = frames[static_cast<std::size_t>(f)];
+    const FrameResult& r = frames[f];
     INFO("frame " << f << " of " << start);
     CHECK(r.frame == f);
     CHECK(r.isTrusted());

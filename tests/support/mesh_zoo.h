@@ -9,7 +9,7 @@
 
 namespace handlebody::zoo {
 
-inline Vec3& at(TriangleSoup& s, int v) { return s.points[static_cast<std::size_t>(v)]; }
+inline Vec3& at(TriangleSoup& s, int v) { return s.points[v]; }
 
 //! Sphere of radius 1 with 20·n² triangles.
 inline TriangleSoup sphere(int n) { return icosphere(Vec3(0, 0, 0), 1, 1.24 * 1.0515 / (n - 0.5)); }
@@ -48,7 +48,7 @@ inline TriangleSoup cube(int n) {
   TriangleSoup s;
   std::vector<int> known(static_cast<std::size_t>((n + 1) * (n + 1) * (n + 1)), -1);
   const auto id = [&](int i, int j, int k) {
-    int& v = known[static_cast<std::size_t>((i * (n + 1) + j) * (n + 1) + k)];
+    int& v = known[(i * (n + 1) + j) * (n + 1) + k];
     if (v < 0) {
       v = static_cast<int>(s.points.size());
       s.points.emplace_back(double(i) / n, double(j) / n, double(k) / n);
@@ -177,8 +177,8 @@ inline TriangleSoup shuffled(const TriangleSoup& s, unsigned seed, std::vector<i
   for (std::size_t f = 0; f < s.triangles.size(); ++f) {
     const Triangle& t = s.triangles[f];
     const std::size_t turn = random() % 3;
-    Triangle& target = r.triangles[static_cast<std::size_t>(face[f])];
-    for (std::size_t i = 0; i < 3; ++i) target[i] = vertex[static_cast<std::size_t>(t[(i + turn) % 3])];
+    Triangle& target = r.triangles[face[f]];
+    for (std::size_t i = 0; i < 3; ++i) target[i] = vertex[t[(i + turn) % 3]];
   }
   if (newFace != nullptr) *newFace = face;
   return r;

@@ -32,24 +32,24 @@ inline void apply(Mesh& mesh, const std::vector<Opening>& openings, const Patch&
   std::vector<Triangle> triangles = patch.faces;
   for (Triangle& t : triangles)
     for (int& v : t)
-      if (v >= patch.firstNew) v = fresh[static_cast<std::size_t>(v - patch.firstNew)];
+      if (v >= patch.firstNew) v = fresh[v - patch.firstNew];
   mesh.addFaces(triangles);
 }
 
 //! Graph distance of every vertex from the nearest of `sources`; -1 where none is reached.
 inline std::vector<int> graphDistances(const Mesh& mesh, const std::vector<int>& sources) {
-  std::vector<int> distance(static_cast<std::size_t>(mesh.vertexSlots()), -1);
+  std::vector<int> distance(mesh.vertexSlots(), -1);
   std::queue<int> queue;
   for (int v : sources) {
-    distance[static_cast<std::size_t>(v)] = 0;
+    distance[v] = 0;
     queue.push(v);
   }
   while (!queue.empty()) {
     const int v = queue.front();
     queue.pop();
     mesh.forEachNeighbour(v, [&](int w) {
-      if (distance[static_cast<std::size_t>(w)] >= 0) return;
-      distance[static_cast<std::size_t>(w)] = distance[static_cast<std::size_t>(v)] + 1;
+      if (distance[w] >= 0) return;
+      distance[w] = distance[v] + 1;
       queue.push(w);
     });
   }
@@ -77,8 +77,8 @@ inline std::vector<int> pinchingPair(const Mesh& mesh) {
   const std::vector<int> d = graphDistances(mesh, {0});
   for (int v = 0; v < mesh.vertexSlots(); ++v) {
     int common = 0;
-    mesh.forEachNeighbour(v, [&](int w) { common += d[static_cast<std::size_t>(w)] == 1; });
-    if (d[static_cast<std::size_t>(v)] == 2 && common == 1) return {0, v};
+    mesh.forEachNeighbour(v, [&](int w) { common += d[w] == 1; });
+    if (d[v] == 2 && common == 1) return {0, v};
   }
   return {};
 }

@@ -46,7 +46,7 @@ inline TriangleSoup blocks(int n, int parts, const std::function<bool(int, int, 
               std::array<int, 3> corner = p;
               corner[(axis + 1) % 3] += k == 1 || k == 2;
               corner[(axis + 2) % 3] += k >= 2;
-              q[static_cast<std::size_t>(k)] = vertex(corner);
+              q[k] = vertex(corner);
             }
             if (side == 0) std::swap(q[1], q[3]);
             s.triangles.push_back({q[0], q[1], q[2]});

@@ -89,7 +89,7 @@ void Document::addSeed(const Seed& seed) {
 void Document::removeSeed(int index) {
   Edits after = d_->active().edits();
   if (index < 0 || idx(index) >= after.seeds.size()) return;
-  const bool outside = after.seeds[idx(index)].background;
+  const bool outside = after.seeds[index].background;
   after.seeds.erase(after.seeds.begin() + index);
   after.selectedSeed = std::min(index, static_cast<int>(after.seeds.size()) - 1);
   d_->push(outside ? tr("Delete click outside") : tr("Delete seed"), std::move(after), -1);
@@ -97,19 +97,19 @@ void Document::removeSeed(int index) {
 
 void Document::moveSeed(int index, const Vec3& centre, int gesture) {
   Edits after = d_->active().edits();
-  if (index < 0 || idx(index) >= after.seeds.size() || after.seeds[idx(index)].centre == centre) return;
-  after.seeds[idx(index)].centre = centre;
+  if (index < 0 || idx(index) >= after.seeds.size() || after.seeds[index].centre == centre) return;
+  after.seeds[index].centre = centre;
   after.selectedSeed = index;
-  const bool outside = after.seeds[idx(index)].background;
+  const bool outside = after.seeds[index].background;
   d_->push(outside ? tr("Move click outside") : tr("Move seed"), std::move(after), gesture);
 }
 
 void Document::setSeedRadius(int index, std::optional<double> radius, int gesture) {
   Edits after = d_->active().edits();
-  if (index < 0 || idx(index) >= after.seeds.size() || after.seeds[idx(index)].radius == radius) return;
-  after.seeds[idx(index)].radius = radius;
+  if (index < 0 || idx(index) >= after.seeds.size() || after.seeds[index].radius == radius) return;
+  after.seeds[index].radius = radius;
   after.selectedSeed = index;
-  const bool outside = after.seeds[idx(index)].background;
+  const bool outside = after.seeds[index].background;
   d_->push(outside ? tr("Change radius of click outside") : tr("Change seed radius"), std::move(after),
            gesture);
 }

@@ -43,8 +43,8 @@ bool Document::paintWalls(const std::vector<WallBall>& stroke) {
     return false;
   }
   if (const int seed = coveredSeed(seeds(), inside, leastRoom(*this)); seed >= 0) {
-    Q_EMIT refused(tr("The wall would lie over the seed at %1 mm: it is not kept.")
-                       .arg(written(seeds()[static_cast<std::size_t>(seed)].centre)));
+    Q_EMIT refused(
+        tr("The wall would lie over the seed at %1 mm: it is not kept.").arg(written(seeds()[seed].centre)));
     return false;
   }
   Constraints after = constraints();

@@ -98,7 +98,7 @@ int Document::objectCount() const { return static_cast<int>(d_->objects.size());
 int Document::activeObject() const { return d_->objects.indexOf(d_->active()); }
 
 void Document::setActiveObject(int index) {
-  if (index >= 0 && index < objectCount()) d_->activate(d_->objects[static_cast<std::size_t>(index)]);
+  if (index >= 0 && index < objectCount()) d_->activate(d_->objects[index]);
 }
 
 ObjectInfo Document::objectInfo(int index) const {
@@ -216,8 +216,7 @@ void Document::removeObject(int index) {
   }
   const bool wasActive = gone->object == after.active;
   after.entries.erase(gone);
-  if (wasActive)
-    after.active = after.entries[static_cast<std::size_t>(std::min(index, objectCount() - 2))].object;
+  if (wasActive) after.active = after.entries[std::min(index, objectCount() - 2)].object;
   d_->pushList(tr("Delete object"), std::move(after));
 }
 

@@ -124,8 +124,7 @@ void Document::Private::readView() {
     objects[i]->traits.locked = row[kLockedKey].toBool(false);
   }
   const int index = json[kActiveKey].toInt(0);
-  if (index >= 0 && index < static_cast<int>(objects.size()))
-    objects.activate(objects[static_cast<std::size_t>(index)]);
+  if (index >= 0 && index < static_cast<int>(objects.size())) objects.activate(objects[index]);
 }
 
 // --- results ---

@@ -301,9 +301,9 @@ void GrowthWorker::showBefore(const WallList& walls) {
 void GrowthWorker::traceEvent(int index) {
   if (!history_ || index < 0 || index >= static_cast<int>(history_->events().size())) return;
   const std::vector<Event>& events = history_->events();
-  const int iteration = events[static_cast<std::size_t>(index)].iteration;
+  const int iteration = events[index].iteration;
   int nth = index;  // among those of its iteration
-  while (nth > 0 && events[static_cast<std::size_t>(nth - 1)].iteration == iteration) --nth;
+  while (nth > 0 && events[nth - 1].iteration == iteration) --nth;
   std::vector<Event> traced = history_->traced(iteration);
   const auto at = static_cast<std::size_t>(index - nth);
   if (at >= traced.size()) return;

@@ -73,7 +73,7 @@ void Measurements::movePoint(int index, int point, const Vec3& place, int gestur
 void Measurements::remove(int index) {
   if (index < 0 || index >= static_cast<int>(all_.size())) return;
   std::vector<Measurement> after = all_;
-  const bool isRuler = after[static_cast<std::size_t>(index)].kind == MeasurementKind::ruler;
+  const bool isRuler = after[index].kind == MeasurementKind::ruler;
   after.erase(after.begin() + index);
   const int next = std::min(index, static_cast<int>(after.size()) - 1);
   push(isRuler ? tr("Delete ruler") : tr("Delete angle"), std::move(after), next);

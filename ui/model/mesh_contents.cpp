@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "core/cancellation.h"
-#include "core/indices.h"
 #include "core/mesh/topology.h"
 #include "core/mesh/tunnels.h"
 #include "ui/model/error_sentence.h"
@@ -24,12 +23,12 @@ std::vector<FoundPiece> piecesOf(const Mesh& mesh) {
   const Components parts = findComponents(mesh);
   std::vector<double> nearest(out.size(), std::numeric_limits<double>::infinity());
   for (int v = 0; v < mesh.vertexSlots(); ++v) {
-    const int c = parts.ofVertex[idx(v)];
+    const int c = parts.ofVertex[v];
     if (c < 0) continue;
-    const double distance = (mesh.position(v) - out[idx(c)].piece.centre).norm();
-    if (distance >= nearest[idx(c)]) continue;
-    nearest[idx(c)] = distance;
-    out[idx(c)].place = mesh.position(v);
+    const double distance = (mesh.position(v) - out[c].piece.centre).norm();
+    if (distance >= nearest[c]) continue;
+    nearest[c] = distance;
+    out[c].place = mesh.position(v);
   }
   return out;
 }

@@ -55,7 +55,7 @@ std::vector<OpenedObject> labelled(const QString& path, const std::string& file,
 bool isWithin(const Grid& grid, const Vec3& world) {
   const Vec3 index = grid.toIndex(world);
   for (int a = 0; a < 3; ++a)
-    if (!(index[a] >= -0.5 && index[a] <= grid.size[static_cast<std::size_t>(a)] - 0.5)) return false;
+    if (!(index[a] >= -0.5 && index[a] <= grid.size[a] - 0.5)) return false;
   return true;
 }
 

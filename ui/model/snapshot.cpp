@@ -110,7 +110,7 @@ std::vector<IterationSummary> summariesFrom(const History& history, std::size_t 
   if (out.empty()) return out;
   for (auto e = history.events().rbegin(); e != history.events().rend(); ++e) {
     if (e->iteration < out.front().iteration) break;
-    IterationSummary& summary = out[static_cast<std::size_t>(e->iteration - out.front().iteration)];
+    IterationSummary& summary = out[e->iteration - out.front().iteration];
     summary.events += changesTopology(e->kind);
     summary.rollBacks += e->kind == EventKind::rolledBack;
   }

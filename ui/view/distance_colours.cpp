@@ -43,7 +43,7 @@ DistanceColours distanceColours(std::shared_ptr<const MeshSnapshot> mesh, const 
   std::vector<double> away;
   for (const Triangle& t : colours.mesh->mesh.triangles) {
     double sum = 0;
-    for (const int v : t) sum += ofPoint[static_cast<std::size_t>(v)];
+    for (const int v : t) sum += ofPoint[v];
     colours.ofFace.push_back(sum / 3);
     away.push_back(std::abs(sum / 3));
   }
@@ -89,8 +89,7 @@ void paintDistanceScale(QPainter& painter, const QSizeF& size, const DistanceCol
   constexpr int kStops = 8;
   const auto& palette = distancePalette(colours.isSigned);
   for (int i = 0; i <= kStops; ++i)
-    gradient.setColorAt(1 - static_cast<double>(i) / kStops,
-                        palette[static_cast<std::size_t>(i * (kEntries - 1) / kStops)]);
+    gradient.setColorAt(1 - static_cast<double>(i) / kStops, palette[i * (kEntries - 1) / kStops]);
   painter.setPen(QPen(QColor(0, 0, 0, 150), 2));
   painter.setBrush(gradient);
   painter.drawRect(bar);

@@ -76,7 +76,7 @@ class Painter {
     paintLine(tool);
     const Measurements& list = document.measurements();
     for (int i = 0; i < static_cast<int>(list.all().size()); ++i)
-      paintMeasurement(list.all()[static_cast<std::size_t>(i)], i == list.selected());
+      paintMeasurement(list.all()[i], i == list.selected());
     paintPending(tool);
   }
 
@@ -170,7 +170,7 @@ std::optional<MeasurementGrab> nearest(const Projection& to, const Document& doc
   std::optional<MeasurementGrab> found;
   double least = kReach;
   for (int i = 0; i < static_cast<int>(list.all().size()); ++i) {
-    const auto& points = list.all()[static_cast<std::size_t>(i)].points;
+    const auto& points = list.all()[i].points;
     for (std::size_t p = 0; p < points.size(); ++p) {
       if (!to.shows(points[p])) continue;
       double distance = QLineF(to.toScreen(points[p]), pixel).length();

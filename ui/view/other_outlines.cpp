@@ -42,9 +42,9 @@ double offsetOf(const SliceGeometry& geometry) {
 
 void OtherOutlines::paint(QPainter& painter, const Document& document, const SliceGeometry& geometry) {
   const int count = document.objectCount(), active = document.activeObject();
-  cuts_.resize(static_cast<std::size_t>(count));
+  cuts_.resize(count);
   for (int i = 0; i < count; ++i) {
-    Cut& cut = cuts_[static_cast<std::size_t>(i)];
+    Cut& cut = cuts_[i];
     const ObjectInfo info = document.objectInfo(i);
     if (i == active || !info.visible || !info.snapshot) {
       cut = {};

@@ -51,8 +51,7 @@ const std::vector<PinnedSurface::Part>& PinnedSurface::of(const std::shared_ptr<
   if (std::find(vertices_.begin(), vertices_.end(), true) == vertices_.end()) return parts_;
   parts_.reserve(mesh.triangles.size());
   for (const Triangle& t : mesh.triangles) {
-    const auto held =
-        std::count_if(t.begin(), t.end(), [&](int v) { return vertices_[static_cast<std::size_t>(v)]; });
+    const auto held = std::count_if(t.begin(), t.end(), [&](int v) { return vertices_[v]; });
     parts_.push_back(held == 0 ? none : held == 3 ? whole : partly);
   }
   return parts_;

@@ -12,7 +12,7 @@ namespace {
 constexpr double kRim = 1.04;                      // of the slice's extent: its border is seen
 constexpr double kNearest = 0.02, kFarthest = 10;  // voxel edges per pixel
 
-double sizeOf(const Grid& grid, int axis) { return grid.size[static_cast<std::size_t>(axis)]; }
+double sizeOf(const Grid& grid, int axis) { return grid.size[axis]; }
 
 }  // namespace
 

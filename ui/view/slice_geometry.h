@@ -25,7 +25,7 @@ class SliceGeometry {
   const QSizeF& size() const { return size_; }
   double mmPerPixel() const { return mmPerPixel_; }
   int slice() const { return slice_; }  //!< voxel index along the normal axis
-  int slices() const { return grid_.size[static_cast<std::size_t>(axes_.normal)]; }
+  int slices() const { return grid_.size[axes_.normal]; }
   //! The slice nearest to a world point (mm), within the volume.
   int nearestSlice(const Vec3& world) const;
   void setSlice(int slice);

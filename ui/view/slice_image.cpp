@@ -137,8 +137,8 @@ void SliceImage::gather(const Volume& volume, const SliceGeometry& geometry) {
   const Grid& grid = volume.grid;
   const std::size_t strides[3] = {1, at(grid.size[0]), at(grid.size[0]) * at(grid.size[1])};
   const std::size_t across = strides[axes.across], down = strides[axes.down];
-  width_ = grid.size[at(axes.across)];
-  height_ = grid.size[at(axes.down)];
+  width_ = grid.size[axes.across];
+  height_ = grid.size[axes.down];
   plane_.resize(at(width_) * at(height_));
   visitVoxels(volume, [&](const auto* voxels) {
     const auto* start = voxels + at(geometry.slice()) * strides[axes.normal];

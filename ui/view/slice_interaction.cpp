@@ -55,8 +55,7 @@ std::vector<SeedCircle> SliceInteraction::circles() const {
     centres.push_back(seed.centre);
   }
   std::vector<SeedCircle> circles = seedCircles(geometry_, centres, radii);
-  for (SeedCircle& circle : circles)
-    circle.outside = document_.seeds()[static_cast<std::size_t>(circle.seed)].background;
+  for (SeedCircle& circle : circles) circle.outside = document_.seeds()[circle.seed].background;
   return circles;
 }
 
@@ -100,7 +99,7 @@ void SliceInteraction::startLeftDrag(const QPointF& pixel) {
   gesture_ = ViewState::nextGesture();
   document_.selectSeed(seed_);
   drag_ = grab.part == SeedGrab::Part::rim ? Drag::resizeSeed : Drag::moveSeed;
-  const Vec3& centre = document_.seeds()[static_cast<std::size_t>(seed_)].centre;
+  const Vec3& centre = document_.seeds()[seed_].centre;
   seedOffset_ = geometry_.worldToScreen(centre) - pixel;
 }
 
@@ -132,7 +131,7 @@ bool SliceInteraction::move(const QMouseEvent& event) {
       break;
     case Drag::resizeSeed: {
       const double least = geometry_.grid().spacing.minCoeff();
-      const Vec3 centre = document_.seeds()[static_cast<std::size_t>(seed_)].centre;
+      const Vec3 centre = document_.seeds()[seed_].centre;
       document_.setSeedRadius(seed_, std::max(least, draggedRadius(geometry_, centre, pixel)), gesture_);
       break;
     }
@@ -187,7 +186,7 @@ void SliceInteraction::moveSeedTo(const QPointF& pixel) {
   const Grid& grid = geometry_.grid();
   const int normal = geometry_.axes().normal;
   Vec3 index = geometry_.clamped(geometry_.toIndex(pixel));
-  index[normal] = grid.toIndex(document_.seeds()[static_cast<std::size_t>(seed_)].centre)[normal];
+  index[normal] = grid.toIndex(document_.seeds()[seed_].centre)[normal];
   document_.moveSeed(seed_, grid.toWorld(index), gesture_);
 }
 
@@ -331,7 +330,7 @@ void SliceInteraction::changeRadius(double step, bool repeated) {
 // --- cursor ---
 
 Qt::CursorShape SliceInteraction::rimCursor(const SeedGrab& grab, const QPointF& pixel) const {
-  const Vec3& centre = document_.seeds()[static_cast<std::size_t>(grab.seed)].centre;
+  const Vec3& centre = document_.seeds()[grab.seed].centre;
   const double angle = QLineF(geometry_.worldToScreen(centre), pixel).angle();  // degrees, counter-clockwise
   constexpr Qt::CursorShape kShapes[] = {Qt::SizeHorCursor, Qt::SizeBDiagCursor, Qt::SizeVerCursor,
                                          Qt::SizeFDiagCursor};

@@ -103,8 +103,8 @@ Vec3 SliceMeasuring::placeAt(const QPointF& pixel) const {
 void SliceMeasuring::dragTo(const QPointF& pixel) {
   Measurements& list = document_.measurements();
   if (dragged_->measurement >= static_cast<int>(list.all().size())) return;  // undone meanwhile
-  const auto& points = list.all()[static_cast<std::size_t>(dragged_->measurement)].points;
-  const double away = geometry_.distance(points[static_cast<std::size_t>(dragged_->point)]);
+  const auto& points = list.all()[dragged_->measurement].points;
+  const double away = geometry_.distance(points[dragged_->point]);
   list.movePoint(dragged_->measurement, dragged_->point, placeAt(pixel) + away * geometry_.normal(),
                  gesture_);
 }

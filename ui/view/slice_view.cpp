@@ -406,8 +406,7 @@ void SliceView::tellHover(const QPointF& pixel) {
   const Vec3 voxel = d_->geometry.clamped(index);
   std::size_t at = 0;
   for (int a = 2; a >= 0; --a)
-    at = at * static_cast<std::size_t>(volume.grid.size[static_cast<std::size_t>(a)]) +
-         static_cast<std::size_t>(std::lround(voxel[a]));
+    at = at * static_cast<std::size_t>(volume.grid.size[a]) + static_cast<std::size_t>(std::lround(voxel[a]));
   const double intensity =
       visitVoxels(volume, [&](const auto* voxels) { return static_cast<double>(voxels[at]); });
   Q_EMIT hovered(volume.grid.toWorld(index), index, intensity);

@@ -52,7 +52,7 @@ std::optional<Vec3> pick(const TriangleSoup& surface, const Eye& eye, const QPoi
   std::optional<Vec3> nearest;
   double nearestDepth = 0;
   for (const Triangle& t : surface.triangles) {
-    const auto at = [&](int i) { return static_cast<std::size_t>(t[static_cast<std::size_t>(i)]); };
+    const auto at = [&](int i) { return static_cast<std::size_t>(t[i]); };
     const Eigen::Vector2d &a = seen[at(0)], &b = seen[at(1)], &c = seen[at(2)];
     const double wa = cross(b, c), wb = cross(c, a), wc = cross(a, b), all = wa + wb + wc;
     const bool isUnder = (wa >= 0 && wb >= 0 && wc >= 0) || (wa <= 0 && wb <= 0 && wc <= 0);

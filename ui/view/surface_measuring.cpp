@@ -24,9 +24,9 @@ struct Nearest {
 
   void look(const TriangleSoup& mesh, const Vec3& origin, const Vec3& eye) {
     for (const Triangle& t : mesh.triangles) {
-      const Vec3& a = mesh.points[static_cast<std::size_t>(t[0])];
-      const Vec3 ab = mesh.points[static_cast<std::size_t>(t[1])] - a;
-      const Vec3 ac = mesh.points[static_cast<std::size_t>(t[2])] - a;
+      const Vec3& a = mesh.points[t[0]];
+      const Vec3 ab = mesh.points[t[1]] - a;
+      const Vec3 ac = mesh.points[t[2]] - a;
       const Vec3 cross = eye.cross(ac);
       const double determinant = ab.dot(cross);
       if (determinant == 0) continue;  // seen from its edge

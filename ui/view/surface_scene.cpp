@@ -342,8 +342,7 @@ void SurfaceScene::setVolume(const Grid* grid) {
   if (grid) {
     const auto corner = [&](int i) {
       Vec3 index;
-      for (int a = 0; a < 3; ++a)
-        index[a] = (i >> a & 1) != 0 ? grid->size[static_cast<std::size_t>(a)] - 0.5 : -0.5;
+      for (int a = 0; a < 3; ++a) index[a] = (i >> a & 1) != 0 ? grid->size[a] - 0.5 : -0.5;
       return grid->toWorld(index);
     };
     std::vector<std::vector<Vec3>> edges;

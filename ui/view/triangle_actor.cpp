@@ -11,8 +11,6 @@
 namespace handlebody::ui {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 vtkIdType countOf(std::size_t n) { return static_cast<vtkIdType>(n); }
 
 }  // namespace
@@ -57,9 +55,9 @@ void TriangleActor::setMesh(const TriangleSoup& mesh, bool smooth) {
 void TriangleActor::setNormals(const TriangleSoup& mesh) {
   std::vector<Vec3> sums(mesh.points.size(), Vec3::Zero());
   for (const Triangle& t : mesh.triangles) {
-    const Vec3& a = mesh.points[at(t[0])];
-    const Vec3 area = (mesh.points[at(t[1])] - a).cross(mesh.points[at(t[2])] - a);
-    for (int v : t) sums[at(v)] += area;
+    const Vec3& a = mesh.points[t[0]];
+    const Vec3 area = (mesh.points[t[1]] - a).cross(mesh.points[t[2]] - a);
+    for (int v : t) sums[v] += area;
   }
   normals_->SetNumberOfTuples(countOf(sums.size()));
   float* out = normals_->GetPointer(0);

@@ -103,7 +103,7 @@ void WallOverlay::draw(const std::vector<WallBall>& balls, const SliceGeometry& 
 
 void WallOverlay::paintMap(QPainter& painter, const SliceGeometry& geometry, const WallMap& map) {
   const SliceAxes& axes = geometry.axes();
-  const auto size = [&](int axis) { return geometry.grid().size[static_cast<std::size_t>(axis)]; };
+  const auto size = [&](int axis) { return geometry.grid().size[axis]; };
   if (map.voxels != map_ || geometry.slice() != mapSlice_) {
     map_ = map.voxels;
     mapSlice_ = geometry.slice();
@@ -111,12 +111,12 @@ void WallOverlay::paintMap(QPainter& painter, const SliceGeometry& geometry, con
     mapPicture_.fill(Qt::transparent);
     const QRgb colour = qPremultiply(wallColour().rgba());
     std::array<std::size_t, 3> v{};
-    v[static_cast<std::size_t>(axes.normal)] = static_cast<std::size_t>(geometry.slice());
+    v[axes.normal] = static_cast<std::size_t>(geometry.slice());
     for (int y = 0; y < mapPicture_.height(); ++y) {
       auto* row = reinterpret_cast<QRgb*>(mapPicture_.scanLine(y));
-      v[static_cast<std::size_t>(axes.down)] = static_cast<std::size_t>(y);
+      v[axes.down] = static_cast<std::size_t>(y);
       for (int x = 0; x < mapPicture_.width(); ++x) {
-        v[static_cast<std::size_t>(axes.across)] = static_cast<std::size_t>(x);
+        v[axes.across] = static_cast<std::size_t>(x);
         const auto& n = geometry.grid().size;
         const std::size_t at =
             (v[2] * static_cast<std::size_t>(n[1]) + v[1]) * static_cast<std::size_t>(n[0]) + v[0];

@@ -187,7 +187,7 @@ void MainWindow::showStep(Command step) { steps_->show(step); }
 
 void MainWindow::goToEvent(int index) {
   if (index < 0 || index >= static_cast<int>(document_.events().size())) return;
-  const Event event = document_.events()[static_cast<std::size_t>(index)];
+  const Event event = document_.events()[index];
   if (document_.iteration() != event.iteration) document_.goTo(event.iteration);
   state_.setCrosshair(event.location);
   grow_->inspector().setEvent(index);

@@ -187,7 +187,7 @@ void MainWindow::selectNextSeed() {
   const auto count = static_cast<int>(document_.seeds().size());
   const int next = (document_.selectedSeed() + 1) % count;
   document_.selectSeed(next);
-  state_.setCrosshair(document_.seeds()[static_cast<std::size_t>(next)].centre);
+  state_.setCrosshair(document_.seeds()[next].centre);
 }
 
 void MainWindow::connectGrowCommands() {

@@ -12,14 +12,13 @@ namespace handlebody::ui {
 
 void MainWindow::showLeak(int index) {
   if (index < 0 || index >= static_cast<int>(document_.leaks().size())) return;
-  const FoundLeak found = document_.leaks()[static_cast<std::size_t>(index)];
+  const FoundLeak found = document_.leaks()[index];
   state_.setCrosshair(found.leak.place);
   const QString text = tr("A leak at iteration %1: %2.")
                            .arg(QString::number(found.leak.iteration), findingText(findingOf(found.leak)));
   const auto isStill = [this, index, found] {
     const auto& all = document_.leaks();
-    return index < static_cast<int>(all.size()) &&
-           all[static_cast<std::size_t>(index)].leak.iteration == found.leak.iteration;
+    return index < static_cast<int>(all.size()) && all[index].leak.iteration == found.leak.iteration;
   };
   const auto wall = [this, index, isStill] {
     if (!isStill()) return;

@@ -43,7 +43,7 @@ void MainWindow::showObject() {
   if (std::exchange(justOpened_, false)) return;
   if (document_.seeds().empty()) return;
   if (document_.selectedSeed() < 0) document_.selectSeed(0);
-  state_.setCrosshair(document_.seeds()[static_cast<std::size_t>(document_.selectedSeed())].centre);
+  state_.setCrosshair(document_.seeds()[document_.selectedSeed()].centre);
 }
 
 void MainWindow::updateObjectCommands() {

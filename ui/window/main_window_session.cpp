@@ -117,8 +117,7 @@ void MainWindow::showOpened() {
   if (document_.isSeeded()) {
     const int first = firstInside(document_.seeds());
     if (document_.selectedSeed() < 0) document_.selectSeed(first);
-    if (document_.view().isEmpty())
-      state_.setCrosshair(document_.seeds()[static_cast<std::size_t>(first)].centre);
+    if (document_.view().isEmpty()) state_.setCrosshair(document_.seeds()[first].centre);
   }
   updateTitle();
   messages_->dismiss();

@@ -105,6 +105,6 @@ void StepsPanel::show(Command step) {
   commands_[step]->setChecked(true);
 }
 
-Command StepsPanel::shown() const { return steps_[static_cast<std::size_t>(pages_->currentIndex())]; }
+Command StepsPanel::shown() const { return steps_[pages_->currentIndex()]; }
 
 }  // namespace handlebody::ui

@@ -71,7 +71,7 @@ bool keepWholeVolumes(DicomFile& f) {
       std::min<std::uint64_t>(f.structure.pixelBytes / bytes, static_cast<std::uint64_t>(f.echo.volumes)));
   if (whole == 0) return false;
   f.frames = whole * f.echo.slices;
-  f.places.resize(static_cast<std::size_t>(f.frames));
+  f.places.resize(f.frames);
   return true;
 }
 

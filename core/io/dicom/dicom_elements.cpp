@@ -26,9 +26,7 @@ bool DicomBeginning::isLittleEndian() const {
 bool DicomBeginning::isExplicit() const { return syntax != "1.2.840.10008.1.2"; }
 
 std::uint32_t DicomElements::u16(std::uint64_t at) const {
-  const auto byte = [&](std::uint64_t i) {
-    return static_cast<unsigned char>(bytes_[static_cast<std::size_t>(i)]);
-  };
+  const auto byte = [&](std::uint64_t i) { return static_cast<unsigned char>(bytes_[i]); };
   return static_cast<std::uint32_t>(byte(at) | byte(at + 1) << 8);
 }
 

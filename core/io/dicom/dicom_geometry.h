@@ -15,7 +15,7 @@ struct DicomSlice {
   const DicomFile* file = nullptr;
   int frame = 0;
 
-  const DicomPlace& place() const { return file->places[static_cast<std::size_t>(frame)]; }
+  const DicomPlace& place() const { return file->places[frame]; }
 };
 
 //! Where a slice of the input lies in the grid of the volume.

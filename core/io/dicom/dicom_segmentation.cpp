@@ -114,7 +114,7 @@ void Maker::describe() {
   check(measures.setSpacingBetweenSlices(decimal(grid_.spacing.z()).c_str()));
   check(document_->addForAllFrames(measures));
   std::array<std::string, 6> o;
-  for (int i = 0; i < 6; ++i) o[static_cast<std::size_t>(i)] = decimal(grid_.direction(i % 3, i / 3));
+  for (int i = 0; i < 6; ++i) o[i] = decimal(grid_.direction(i % 3, i / 3));
   FGPlaneOrientationPatient orientation;
   check(orientation.setImageOrientationPatient(o[0].c_str(), o[1].c_str(), o[2].c_str(), o[3].c_str(),
                                                o[4].c_str(), o[5].c_str()));
@@ -132,7 +132,7 @@ void Maker::describe() {
 
 std::unique_ptr<FGDerivationImage> Maker::sourceOf(int slice) const {
   if (content_.anonymous || !origin_.straight || !namesImages(origin_)) return nullptr;
-  const DicomImage& image = origin_.images[static_cast<std::size_t>(slice)];
+  const DicomImage& image = origin_.images[slice];
   ImageSOPInstanceReferenceMacro reference;
   check(reference.setReferencedSOPClassUID(image.sopClass.c_str()));
   check(reference.setReferencedSOPInstanceUID(image.instance.c_str()));

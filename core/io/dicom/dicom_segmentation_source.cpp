@@ -89,7 +89,7 @@ void SegmentationSource::setGrid() {
   grid.direction << *first.rowDirection, *first.columnDirection, normal;
   grid.spacing = *first.pixelSpacing;
   const auto lowest = std::min_element(along_.begin(), along_.end());
-  grid.origin = *file_.places[static_cast<std::size_t>(lowest - along_.begin())].position;
+  grid.origin = *file_.places[lowest - along_.begin()].position;
   const double low = *lowest;
   for (double& a : along_) a -= low;
   std::vector<double> sorted = along_;

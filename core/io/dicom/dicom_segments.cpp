@@ -32,7 +32,7 @@ std::string beginningOf(const fs::path& file) {
   std::string bytes(static_cast<std::size_t>(std::min<std::uintmax_t>(size, kMaxBytes)), '\0');
   std::ifstream stream(file, std::ios::binary);
   stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
+  bytes.resize(std::max<std::streamsize>(0, stream.gcount()));
   return bytes;
 }
 

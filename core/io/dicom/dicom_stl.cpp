@@ -33,9 +33,7 @@ std::string stlBytes(const std::vector<ExportedObject>& objects) {
   bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
   for (const ExportedObject& o : objects)
     for (const Triangle& t : o.mesh.triangles) {
-      const auto at = [&](std::size_t i) -> const Vec3& {
-        return o.mesh.points[static_cast<std::size_t>(t[i])];
-      };
+      const auto at = [&](std::size_t i) -> const Vec3& { return o.mesh.points[t[i]]; };
       append(bytes, (at(1) - at(0)).cross(at(2) - at(0)).normalized());
       for (std::size_t i = 0; i < 3; ++i) append(bytes, at(i));
       bytes.append(2, '\0');

@@ -34,7 +34,7 @@ class FolderSource : public VolumeSource {
   FolderSource(const std::string& folder, const std::vector<std::string>& names,
                const DecoderSettings& decoder);
   std::shared_ptr<void> read(int frame, const std::string&, const ReadProgress& progress) override {
-    const std::string& path = paths_[static_cast<std::size_t>(frame)];
+    const std::string& path = paths_[frame];
     const SourcePointer source = openFrame(path, decoder_);
     requireSame(source->header(), path);
     return source->read(0, path, progress);

@@ -117,7 +117,7 @@ double distanceFromSform(const NiftiHeader& h, const Grid& grid) {
   for (int corner = 0; corner < 8; ++corner) {
     Vec3 index(0, 0, 0);
     for (int a = 0; a < 3; ++a)
-      if (corner >> a & 1) index[a] = grid.size[static_cast<std::size_t>(a)];
+      if (corner >> a & 1) index[a] = grid.size[a];
     Vec3 world;
     for (int r = 0; r < 3; ++r) {
       const double* row = h.rows.data() + 4 * r;

@@ -14,7 +14,7 @@ namespace {
 
 void checkDimensions(const NiftiHeader& h, const std::string& path) {
   if (h.dim[0] < 1 || h.dim[0] > 7) refuseHeader(path, "NIfTI", "number of dimensions");
-  const auto dim = [&](int a) { return h.dim[static_cast<std::size_t>(a)]; };
+  const auto dim = [&](int a) { return h.dim[a]; };
   for (int a = 1; a <= h.dim[0]; ++a) {
     if (dim(a) < 1) refuseInput(path, FindingKind::noVoxelsInHeader);
     if (dim(a) > std::numeric_limits<int>::max())

@@ -188,7 +188,7 @@ void setDirection(const Axis& axis, int a, const Vec3& flip, const std::string& 
   const Vec3 v = Vec3(axis.direction[0], axis.direction[1], axis.direction[2]).cwiseProduct(flip);
   h.grid.spacing[a] = v.norm();
   if (v.norm() > 0) h.grid.direction.col(a) = v / v.norm();
-  h.sources.spacing[static_cast<std::size_t>(a)] = "space directions";
+  h.sources.spacing[a] = "space directions";
 }
 
 void setGeometry(const NrrdFields& f, const std::vector<Axis>& spatial, const std::string& path,
@@ -198,7 +198,7 @@ void setGeometry(const NrrdFields& f, const std::vector<Axis>& spatial, const st
   bool directed = false;
   h.sources.size = "sizes";
   for (int a = 0; a < 3; ++a) {
-    const Axis& axis = spatial[static_cast<std::size_t>(a)];
+    const Axis& axis = spatial[a];
     const auto i = static_cast<std::size_t>(a);
     h.grid.size[i] = static_cast<int>(axis.size);
     directed |= !axis.direction.empty();

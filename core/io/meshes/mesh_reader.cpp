@@ -34,7 +34,7 @@ std::string bytesOfFile(const std::string& path, std::uint64_t from, std::size_t
   std::ifstream stream(path, std::ios::binary);
   stream.seekg(static_cast<std::streamoff>(from));
   stream.read(text.data(), static_cast<std::streamsize>(n));
-  text.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
+  text.resize(std::max<std::streamsize>(0, stream.gcount()));
   return text;
 }
 
@@ -57,8 +57,8 @@ TriangleSoup fromVtk(vtkPolyData* data, const std::string& path) {
   TriangleSoup soup;
   const vtkIdType count = data->GetNumberOfPoints();
   if (data->GetNumberOfStrips() > 0) refuse(path, FindingKind::triangleStrips);
-  soup.points.resize(static_cast<std::size_t>(count));
-  for (vtkIdType i = 0; i < count; ++i) data->GetPoint(i, soup.points[static_cast<std::size_t>(i)].data());
+  soup.points.resize(count);
+  for (vtkIdType i = 0; i < count; ++i) data->GetPoint(i, soup.points[i].data());
   const auto cells = vtk::TakeSmartPointer(data->GetPolys()->NewIterator());
   for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell()) {
     vtkIdType n = 0;
@@ -89,7 +89,7 @@ class Merger {
     std::array<std::uint64_t, 3> key{};
     for (int a = 0; a < 3; ++a) {
       const double value = p[a] == 0 ? 0.0 : p[a];
-      std::memcpy(&key[static_cast<std::size_t>(a)], &value, sizeof value);
+      std::memcpy(&key[a], &value, sizeof value);
     }
     const auto [found, fresh] = indices_.try_emplace(key, static_cast<int>(soup.points.size()));
     if (fresh) soup.points.push_back(p);
@@ -139,8 +139,7 @@ TriangleSoup readTextStl(const std::string& path) {
   Merger merger;
   for (const Triangle& t : loose.triangles) {
     Triangle merged{};
-    for (std::size_t c = 0; c < 3; ++c)
-      merged[c] = merger.vertex(loose.points[static_cast<std::size_t>(t[c])]);
+    for (std::size_t c = 0; c < 3; ++c) merged[c] = merger.vertex(loose.points[t[c]]);
     merger.soup.triangles.push_back(merged);
   }
   return std::move(merger.soup);

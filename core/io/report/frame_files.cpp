@@ -42,7 +42,7 @@ void writeFrameLabels(const OverTimeReport& over, const ObjectLabel& label, cons
   layout.times = checkedTimes(layout.frames, std::move(times), over.times.source);
   writeSequence(layout, path, [&](int i) {
     giveUpIfCancelled();
-    const FrameResult& r = over.frames[static_cast<std::size_t>(i)];
+    const FrameResult& r = over.frames[i];
     void* zeros = nullptr;
     if (r.mesh.triangles.empty()) return makeVolume(layout.grid, layout.type, &zeros);
     return labelMap({{label, r.mesh}}, layout.grid);

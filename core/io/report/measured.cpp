@@ -160,7 +160,7 @@ struct TableRow {
   }
   void addPlace(const std::string& name, const Vec3& p, const std::string& unit = "_mm") {
     const std::array<const char*, 3> axes{"_x", "_y", "_z"};
-    for (int a = 0; a < 3; ++a) add(name + axes[static_cast<std::size_t>(a)] + unit, p[a]);
+    for (int a = 0; a < 3; ++a) add(name + axes[a] + unit, p[a]);
   }
 };
 

@@ -39,10 +39,8 @@ struct Plane {
 };
 
 Plane planeOf(const TriangleSoup& mesh, int face) {
-  const Triangle& t = mesh.triangles[static_cast<std::size_t>(face)];
-  const Vec3 &a = mesh.points[static_cast<std::size_t>(t[0])],
-             &b = mesh.points[static_cast<std::size_t>(t[1])],
-             &c = mesh.points[static_cast<std::size_t>(t[2])];
+  const Triangle& t = mesh.triangles[face];
+  const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
   return {(a + b + c) / 3, (b - a).cross(c - a).stableNormalized()};
 }
 
@@ -57,8 +55,8 @@ void voteFor(int vertex, const Vec3& direction, Votes& votes) {
 bool voteByPlane(const TriangleSoup& exact, int mine, int other, Votes& votes) {
   const Plane plane = planeOf(exact, other);
   bool any = false;
-  for (int v : exact.triangles[static_cast<std::size_t>(mine)]) {
-    const Vec3& p = exact.points[static_cast<std::size_t>(v)];
+  for (int v : exact.triangles[mine]) {
+    const Vec3& p = exact.points[v];
     const double side = (p - plane.centre).dot(plane.normal);
     if (std::abs(side) > kMaxNudge * unitInLastPlace(p)) continue;
     voteFor(v, side < 0 ? Vec3(-plane.normal) : plane.normal, votes);
@@ -70,11 +68,10 @@ bool voteByPlane(const TriangleSoup& exact, int mine, int other, Votes& votes) {
 //! Two edges that cross close by, with all corners far from the other face's plane: both faces go away from
 //! each other along the shortest way between them.
 void voteByWayBetween(const TriangleSoup& exact, int f, int g, Votes& votes) {
-  const Triangle &s = exact.triangles[static_cast<std::size_t>(f)],
-                 &t = exact.triangles[static_cast<std::size_t>(g)];
+  const Triangle &s = exact.triangles[f], &t = exact.triangles[g];
   const auto corners = [&](const Triangle& face) {
     std::array<Vec3, 3> out;
-    for (std::size_t i = 0; i < 3; ++i) out[i] = exact.points[static_cast<std::size_t>(face[i])];
+    for (std::size_t i = 0; i < 3; ++i) out[i] = exact.points[face[i]];
     return out;
   };
   const auto [p, q] = closestPoints(corners(s), corners(t));
@@ -109,10 +106,10 @@ TriangleSoup roundedToSingle(const TriangleSoup& mesh) {
     vote(mesh, pairs, votes);
     const double units = std::exp2(turn % kDistances);
     for (const auto& [v, away] : votes) {
-      const Vec3& p = mesh.points[static_cast<std::size_t>(v)];
+      const Vec3& p = mesh.points[v];
       Vec3 d = away.stableNormalized();
       if (turn >= kDistances) d = (d + randomDirection(v, turn) / 4).stableNormalized();
-      out.points[static_cast<std::size_t>(v)] = rounded(p + units * unitInLastPlace(p) * d);
+      out.points[v] = rounded(p + units * unitInLastPlace(p) * d);
     }
   }
   return out;

@@ -66,9 +66,7 @@ Vec3 deepInside(const TriangleSoup& mesh) {
   const std::size_t every = mesh.triangles.size() / kPlacesTried + 1;
   for (std::size_t f = 0; f < mesh.triangles.size(); f += every) {
     const Triangle& t = mesh.triangles[f];
-    const auto corner = [&](int c) {
-      return mesh.points[static_cast<std::size_t>(t[static_cast<std::size_t>(c)])];
-    };
+    const auto corner = [&](int c) { return mesh.points[t[c]]; };
     const Vec3 across = (corner(1) - corner(0)).cross(corner(2) - corner(0));
     const double twice = across.norm();
     if (!(twice > 0)) continue;

@@ -19,8 +19,7 @@ std::string written(const std::array<int, 3>& size) {
 bool isSamePlace(const Grid& a, const Grid& b) {
   for (int corner = 0; corner < 8; ++corner) {
     Vec3 index;
-    for (int axis = 0; axis < 3; ++axis)
-      index[axis] = (corner >> axis & 1) * (a.size[static_cast<std::size_t>(axis)] - 1.0);
+    for (int axis = 0; axis < 3; ++axis) index[axis] = (corner >> axis & 1) * (a.size[axis] - 1.0);
     if ((a.toWorld(index) - b.toWorld(index)).norm() > kSameGrid * a.spacing.minCoeff()) return false;
   }
   return true;

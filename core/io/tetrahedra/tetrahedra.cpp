@@ -7,7 +7,6 @@
 
 #include "core/collision/closest_point.h"
 #include "core/errors.h"
-#include "core/indices.h"
 #include "core/io/tetrahedra/mesher_process.h"
 #include "core/mesh/containment.h"
 #include "core/mesh/pieces.h"
@@ -30,7 +29,7 @@ Vec3 pointBefore(const TriangleSoup& mesh, const std::vector<int>& component, in
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
     if (component[f] != wanted) continue;
     const Triangle& t = mesh.triangles[f];
-    const Vec3 &a = mesh.points[idx(t[0])], &b = mesh.points[idx(t[1])], &c = mesh.points[idx(t[2])];
+    const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
     const Vec3 n = (b - a).cross(c - a);
     if (!(n.norm() > largest)) continue;
     largest = n.norm();
@@ -48,14 +47,14 @@ MesherInput inputOf(const TriangleSoup& surface) {
   in.mesh = withoutLoosePoints(surface);
   const Mesh structure(in.mesh);
   const Components parts = findComponents(structure);
-  for (const Triangle& t : in.mesh.triangles) in.component.push_back(parts.ofVertex[idx(t[0])]);
+  for (const Triangle& t : in.mesh.triangles) in.component.push_back(parts.ofVertex[t[0]]);
   const std::vector<int> bodyOf = bodyOfComponents(parts, surroundingComponents(structure, parts));
   const ClosestPoint nearest(in.mesh);
   for (int c = 0; c < parts.count(); ++c) {
-    if (bodyOf[idx(c)] == c) {
+    if (bodyOf[c] == c) {
       in.bodies.push_back({c});
       for (int d = 0; d < parts.count(); ++d)
-        if (d != c && bodyOf[idx(d)] == c) in.bodies.back().push_back(d);
+        if (d != c && bodyOf[d] == c) in.bodies.back().push_back(d);
     } else {
       in.holes.push_back(pointBefore(in.mesh, in.component, c, nearest));
     }
@@ -64,8 +63,7 @@ MesherInput inputOf(const TriangleSoup& surface) {
 }
 
 double volumeOf(const std::vector<Vec3>& p, const std::array<int, 4>& c) {
-  return (p[idx(c[1])] - p[idx(c[0])]).cross(p[idx(c[2])] - p[idx(c[0])]).dot(p[idx(c[3])] - p[idx(c[0])]) /
-         6;
+  return (p[c[1]] - p[c[0]]).cross(p[c[2]] - p[c[0]]).dot(p[c[3]] - p[c[0]]) / 6;
 }
 
 //! Turns cells that are left-handed. Empty if they fill the object.

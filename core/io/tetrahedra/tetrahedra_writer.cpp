@@ -29,9 +29,7 @@ struct Contents {
     const Vec3& p = tetrahedra.points[i];
     return space == CoordinateSpace::ras ? Vec3(-p.x(), -p.y(), p.z()) : p;
   }
-  const ObjectLabel& label(std::size_t cell) const {
-    return objects[static_cast<std::size_t>(tetrahedra.object[cell])].label;
-  }
+  const ObjectLabel& label(std::size_t cell) const { return objects[tetrahedra.object[cell]].label; }
   const char* spaceName() const { return space == CoordinateSpace::ras ? "RAS" : "LPS"; }
 };
 

@@ -213,8 +213,7 @@ TEST_CASE("right is on the left, superior up and anterior on the left, for every
       grid.size = {30, 40, 50};
       grid.spacing = Vec3(1, 1.5, 2);
       grid.direction.setZero();
-      for (int a = 0; a < 3; ++a)
-        grid.direction(order[static_cast<std::size_t>(a)], a) = (flips >> a & 1U) != 0 ? -1 : 1;
+      for (int a = 0; a < 3; ++a) grid.direction(order[a], a) = (flips >> a & 1U) != 0 ? -1 : 1;
       const auto views = planSlices(grid, {}, {});
       const auto shift = [&](const SliceView& view, const Vec3& mm) {
         return Vec2((view.toPicture(grid.toIndex(mm)) - view.toPicture(grid.toIndex(Vec3::Zero()))) *

@@ -102,7 +102,7 @@ UserRow oneUser(const LabelledVolume& v, const std::shared_ptr<const FieldOfView
     if (k + 1 == o.clicks || !nextClick(v, answer.voxels, next)) break;
     given.push_back(next);
   }
-  row.dice.resize(static_cast<std::size_t>(o.clicks), row.dice.back());
+  row.dice.resize(o.clicks, row.dice.back());
   row.best = row.dice[0];
   for (int c = 2; c <= o.bestOf; ++c)
     row.best = std::max(row.best, diceOf(system(v.volume, view, {{first, true}}, c).voxels, v.truth));
@@ -138,7 +138,7 @@ struct Total {
     std::printf("%-28s %-6s %3zu users", system.c_str(), grade.c_str(), rows.size());
     for (int k = 0; k < clicks; ++k) {
       std::vector<double> dice;
-      for (const UserRow& r : rows) dice.push_back(r.dice[static_cast<std::size_t>(k)]);
+      for (const UserRow& r : rows) dice.push_back(r.dice[k]);
       const double good =
           static_cast<double>(std::count_if(dice.begin(), dice.end(), [](double d) { return d >= kGood; }));
       const double n = static_cast<double>(dice.size());

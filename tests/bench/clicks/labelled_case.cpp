@@ -152,7 +152,7 @@ bool nextClick(const LabelledVolume& v, const Mask& result, UserClick& click) {
   if (largest.empty()) return false;
   const Part part = depthsOf(g, std::move(largest));
   const auto deepest = std::max_element(part.depth.begin(), part.depth.end()) - part.depth.begin();
-  click.place = placeOf(g, cellOf(g, part.voxels[static_cast<std::size_t>(deepest)]));
+  click.place = placeOf(g, cellOf(g, part.voxels[deepest]));
   return true;
 }
 

@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "core/collision/certify.h"
-#include "core/indices.h"
 #include "core/mesh/union_find.h"
 
 namespace handlebody::bench {
@@ -22,14 +21,14 @@ TriangleSoup withoutSpecks(const TriangleSoup& mesh, double least) {
   }
   std::vector<double> volume(mesh.points.size(), 0);
   for (const Triangle& t : mesh.triangles) {
-    const Vec3 &a = mesh.points[idx(t[0])], &b = mesh.points[idx(t[1])], &c = mesh.points[idx(t[2])];
-    const Vec3& o = mesh.points[idx(parts.find(t[0]))];
-    volume[idx(parts.find(t[0]))] += (a - o).dot((b - o).cross(c - o)) / 6;
+    const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
+    const Vec3& o = mesh.points[parts.find(t[0])];
+    volume[parts.find(t[0])] += (a - o).dot((b - o).cross(c - o)) / 6;
   }
   TriangleSoup kept;
   kept.points = mesh.points;
   for (const Triangle& t : mesh.triangles)
-    if (std::abs(volume[idx(parts.find(t[0]))]) >= least) kept.triangles.push_back(t);
+    if (std::abs(volume[parts.find(t[0])]) >= least) kept.triangles.push_back(t);
   return kept;
 }
 
@@ -39,7 +38,7 @@ double meanDistance(const TriangleSoup& mesh, const Phantom& phantom, const Phan
   constexpr int n = 4;
   double sum = 0, weight = 0;
   for (const Triangle& t : mesh.triangles) {
-    const Vec3 &a = mesh.points[idx(t[0])], &b = mesh.points[idx(t[1])], &c = mesh.points[idx(t[2])];
+    const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
     const double area = (b - a).cross(c - a).norm();
     double face = 0;
     for (int i = 0; i < n; ++i)

@@ -25,7 +25,7 @@ TEST_CASE("the box tree finds every overlapping pair exactly once") {
     tree.forEachOverlap([&](int i, int j) { found.emplace_back(std::min(i, j), std::max(i, j)); });
     for (int i = 0; i < n; ++i) {
       for (int j = i + 1; j < n; ++j) {
-        if (boxes[static_cast<std::size_t>(i)].overlaps(boxes[static_cast<std::size_t>(j)])) {
+        if (boxes[i].overlaps(boxes[j])) {
           expected.emplace_back(i, j);
         }
       }

@@ -15,7 +15,7 @@ namespace {
 double bruteDistance(const TriangleSoup& mesh, const Vec3& p) {
   double squared = std::numeric_limits<double>::infinity();
   for (const Triangle& t : mesh.triangles) {
-    const auto at = [&](std::size_t i) { return mesh.points[static_cast<std::size_t>(t[i])]; };
+    const auto at = [&](std::size_t i) { return mesh.points[t[i]]; };
     squared = std::min(squared, squaredDistance(p, at(0), at(1), at(2)));
   }
   return std::sqrt(squared);
@@ -42,8 +42,8 @@ TEST_CASE("the nearest distance is that of a search through all triangles", "[cl
     for (const Vec3& p : somePoints(300, 3)) {
       CHECK(tree.distance(p) == Approx(bruteDistance(mesh, p)).epsilon(1e-12));
       CHECK(tree.distance(p, &hint) == Approx(bruteDistance(mesh, p)).epsilon(1e-12));
-      const Triangle& t = mesh.triangles[static_cast<std::size_t>(hint)];
-      const auto at = [&](std::size_t i) { return mesh.points[static_cast<std::size_t>(t[i])]; };
+      const Triangle& t = mesh.triangles[hint];
+      const auto at = [&](std::size_t i) { return mesh.points[t[i]]; };
       CHECK(std::sqrt(squaredDistance(p, at(0), at(1), at(2))) == Approx(tree.distance(p)).epsilon(1e-12));
     }
   }
@@ -57,7 +57,7 @@ TEST_CASE("the winding number is that of a look at all triangles", "[closest]") 
     for (const Vec3& p : somePoints(500, 1.3)) {
       int winding = 0;
       for (const Triangle& t : mesh.triangles) {
-        const auto at = [&](std::size_t i) { return mesh.points[static_cast<std::size_t>(t[i])]; };
+        const auto at = [&](std::size_t i) { return mesh.points[t[i]]; };
         winding += crossing(at(0), at(1), at(2), p);
       }
       CHECK(tree.windingNumber(p) == winding);

@@ -79,15 +79,14 @@ TEST_CASE(
   NearVertices near;
   near.add(work);
   std::vector<unsigned char> isListed(soup.points.size(), 0);
-  for (const int v : work.vertices) ++isListed[idx(v)];
+  for (const int v : work.vertices) ++isListed[v];
   std::size_t far = 0;
   for (int v = 0; v < static_cast<int>(soup.points.size()); ++v) {
     bool isNear = false;
-    for (const int a : active)
-      isNear = isNear || (soup.points[idx(v)] - soup.points[idx(a)]).norm() <= work.reach();
-    CHECK(isListed[idx(v)] <= 1);
-    if (isNear) CHECK(isListed[idx(v)] == 1);
-    far += v >= static_cast<int>(ball.points.size()) && isListed[idx(v)] != 0;
+    for (const int a : active) isNear = isNear || (soup.points[v] - soup.points[a]).norm() <= work.reach();
+    CHECK(isListed[v] <= 1);
+    if (isNear) CHECK(isListed[v] == 1);
+    far += v >= static_cast<int>(ball.points.size()) && isListed[v] != 0;
   }
   CHECK(far < ball.points.size() / 10);
 }

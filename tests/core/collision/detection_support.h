@@ -20,7 +20,7 @@ inline DetectionWorkspace workspaceOf(const TriangleSoup& soup) {
 }
 
 inline void measure(DetectionWorkspace& work) {
-  for (const int v : work.vertices) work.sizes[idx(v)] = measureStar(work.points, v, work.stars.corners(v));
+  for (const int v : work.vertices) work.sizes[v] = measureStar(work.points, v, work.stars.corners(v));
 }
 
 //! All faces are looked at.
@@ -28,8 +28,7 @@ inline void lookAtAll(DetectionWorkspace& work) {
   for (int v = 0; v < work.stars.vertexCount(); ++v)
     if (!work.stars.corners(v).empty()) work.vertices.push_back(v);
   measure(work);
-  for (const int v : work.vertices)
-    work.longestSquared = std::max(work.longestSquared, work.sizes[idx(v)].spoke);
+  for (const int v : work.vertices) work.longestSquared = std::max(work.longestSquared, work.sizes[v].spoke);
 }
 
 //! One flag per point, one in `every` of them 1.
@@ -46,7 +45,7 @@ inline std::vector<FacePair> everyPair(const DetectionWorkspace& work, bool adja
   const int n = static_cast<int>(work.faces.size());
   for (int f = 0; f < n; ++f)
     for (int g = f + 1; g < n; ++g) {
-      const Triangle &s = work.faces[idx(f)], &t = work.faces[idx(g)];
+      const Triangle &s = work.faces[f], &t = work.faces[g];
       if (work.isWanted(f, g) && shareVertex(s, t) == adjacent && facesIntersect(work.points, s, t))
         out.emplace_back(f, g);
     }

@@ -18,15 +18,15 @@ TEST_CASE("faces with a moved vertex and their vertices are marked, whether few 
     std::vector<unsigned char> expected(soup.points.size(), 0);
     std::size_t faces = 0;
     for (int f = 0; f < static_cast<int>(soup.triangles.size()); ++f) {
-      const Triangle& t = soup.triangles[idx(f)];
-      const bool isMoved = moved[idx(t[0])] != 0 || moved[idx(t[1])] != 0 || moved[idx(t[2])] != 0;
+      const Triangle& t = soup.triangles[f];
+      const bool isMoved = moved[t[0]] != 0 || moved[t[1]] != 0 || moved[t[2]] != 0;
       CHECK(marks.hasFace(f) == isMoved);
       faces += isMoved;
-      for (const int v : t) expected[idx(v)] |= static_cast<unsigned char>(isMoved);
+      for (const int v : t) expected[v] |= static_cast<unsigned char>(isMoved);
     }
     CHECK(marks.list().size() == faces);
     for (int v = 0; v < static_cast<int>(soup.points.size()); ++v)
-      CHECK(marks.hasVertex(v) == (expected[idx(v)] != 0));
+      CHECK(marks.hasVertex(v) == (expected[v] != 0));
     sortUnique(vertices);
     CHECK(static_cast<long>(vertices.size()) == std::count(expected.begin(), expected.end(), 1));
     marks.clear(vertices);

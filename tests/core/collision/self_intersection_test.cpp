@@ -20,8 +20,8 @@ std::vector<FacePair> bruteForce(const TriangleSoup& s) {
   const int n = static_cast<int>(s.triangles.size());
   for (int f = 0; f < n; ++f) {
     for (int g = f + 1; g < n; ++g) {
-      const Triangle& a = s.triangles[static_cast<std::size_t>(f)];
-      const Triangle& b = s.triangles[static_cast<std::size_t>(g)];
+      const Triangle& a = s.triangles[f];
+      const Triangle& b = s.triangles[g];
       if (a[0] >= 0 && b[0] >= 0 && facesIntersect(s.points, a, b)) pairs.emplace_back(f, g);
     }
   }
@@ -64,8 +64,8 @@ TEST_CASE("scale by a power of two, an exact rotation and permutation do not cha
     const auto found = find(zoo::shuffled(s, 17, &face));
     std::vector<FacePair> renamed;
     for (const auto& [f, g] : expected) {
-      const int i = face[static_cast<std::size_t>(f)];
-      const int j = face[static_cast<std::size_t>(g)];
+      const int i = face[f];
+      const int j = face[g];
       renamed.emplace_back(std::min(i, j), std::max(i, j));
     }
     std::sort(renamed.begin(), renamed.end());
@@ -124,7 +124,7 @@ TEST_CASE("a detector follows a mesh whose faces change from call to call") {
     }
     const int pushed = static_cast<int>(random() % static_cast<unsigned>(mesh.vertexSlots()));
     mesh.setPosition(pushed, (round % 2 == 0 ? 0.7 : 1.1) * mesh.position(pushed));
-    const std::vector<unsigned char> moved(static_cast<std::size_t>(mesh.vertexSlots()), 1);
+    const std::vector<unsigned char> moved(mesh.vertexSlots(), 1);
     const auto expected = findSelfIntersections(mesh.positions(), mesh.faces());
     all += expected.size();
     REQUIRE(detector.detectMoved(mesh, moved) == expected);
@@ -137,8 +137,8 @@ TEST_CASE("detection of what moved leaves out pairs of resting faces only") {
   std::vector<unsigned char> moved(s.points.size(), 0);
   for (std::size_t v = 0; v < moved.size(); v += 11) moved[v] = 1;
   const auto isMoved = [&](int f) {
-    const Triangle& t = s.triangles[static_cast<std::size_t>(f)];
-    return std::any_of(t.begin(), t.end(), [&](int v) { return moved[static_cast<std::size_t>(v)] != 0; });
+    const Triangle& t = s.triangles[f];
+    return std::any_of(t.begin(), t.end(), [&](int v) { return moved[v] != 0; });
   };
   std::vector<FacePair> expected;
   for (const FacePair& p : find(s)) {

@@ -52,8 +52,7 @@ TEST_CASE("a star's circle holds every face, and is hardly larger than the small
     const RandomStar star(3 + round % 8, round % 3 * 0.2, random);  // up to 7 faces in single precision
     double longestEdge = 0, enclosingCircle = 0;
     for (const Corner& c : star.corners) {
-      const Vec3 &a = star.points[static_cast<std::size_t>(c.next)],
-                 &b = star.points[static_cast<std::size_t>(c.prev)];
+      const Vec3 &a = star.points[c.next], &b = star.points[c.prev];
       longestEdge = std::max({longestEdge, a.squaredNorm(), b.squaredNorm()});
       enclosingCircle = std::max(enclosingCircle, smallestEnclosingCircle(star.points[0], a, b));
     }

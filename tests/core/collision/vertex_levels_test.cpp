@@ -136,8 +136,8 @@ TEST_CASE("on a graded mesh all intersections are found, and by what has moved t
   std::vector<FacePair> ofHalf;
   for (std::size_t v = 0; v < moved.size(); ++v) moved[v] = moved[v] != 0 && s.points[v].x() > 0.15;
   const auto hasMoved = [&](int f) {
-    const Triangle& t = s.triangles[static_cast<std::size_t>(f)];
-    return std::any_of(t.begin(), t.end(), [&](int v) { return moved[static_cast<std::size_t>(v)] != 0; });
+    const Triangle& t = s.triangles[f];
+    return std::any_of(t.begin(), t.end(), [&](int v) { return moved[v] != 0; });
   };
   for (const FacePair& p : expected)
     if (hasMoved(p.first) || hasMoved(p.second)) ofHalf.push_back(p);

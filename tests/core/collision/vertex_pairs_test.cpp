@@ -63,8 +63,7 @@ TEST_CASE("every pair within the radius is found exactly once, by either broad p
       REQUIRE(near.build(points, all, radius));
       Pairs found;
       near.forEachPair([&](int u, int v, double d) {
-        const double expected =
-            (points[static_cast<std::size_t>(u)] - points[static_cast<std::size_t>(v)]).squaredNorm();
+        const double expected = (points[u] - points[v]).squaredNorm();
         REQUIRE(d == expected);
         found.emplace_back(std::min(u, v), std::max(u, v));
       });
@@ -80,15 +79,14 @@ TEST_CASE("points near to marked ones are never missed, and few others are taken
   const auto points = cloud(6000, Vec3(40, 40, 4), 2);
   std::vector<int> marked;
   for (int v = 0; v < 6000; ++v)
-    if (points[static_cast<std::size_t>(v)].x() > 16) marked.push_back(v);
+    if (points[v].x() > 16) marked.push_back(v);
   NearPoints near;
   for (const double radius : {0.01, 0.9, 100.0}) {
     near.build(points, marked, radius);
     int taken = 0, wrong = 0;
     for (const Vec3& p : points) {
-      const bool isNear = std::any_of(marked.begin(), marked.end(), [&](int v) {
-        return (points[static_cast<std::size_t>(v)] - p).norm() <= radius;
-      });
+      const bool isNear =
+          std::any_of(marked.begin(), marked.end(), [&](int v) { return (points[v] - p).norm() <= radius; });
       const bool found = near.mayBeNear(p);
       REQUIRE((found || !isNear));
       taken += found;

@@ -13,7 +13,7 @@ namespace {
 Mesh sphereMesh() { return Mesh(zoo::sphere(4)); }
 
 std::vector<int> allVertices(const Mesh& mesh) {
-  std::vector<int> all(idx(mesh.vertexSlots()));
+  std::vector<int> all(mesh.vertexSlots());
   std::iota(all.begin(), all.end(), 0);
   return all;
 }
@@ -82,7 +82,7 @@ TEST_CASE("what an edit moved has converged, and what it only gave other faces h
   mesh.setPosition(5, 1.1 * mesh.position(5));
   ActiveVertices active;
   active.wakeAll(mesh.vertexSlots());
-  std::vector<unsigned char> touched(idx(mesh.vertexSlots()), 0);
+  std::vector<unsigned char> touched(mesh.vertexSlots(), 0);
   touched[5] = touched[6] = 1;
   active.convergeChanged(before, mesh, touched);
   CHECK(active.isConverged(5));

@@ -85,32 +85,31 @@ struct PlainCount {
 //! Counted anew, without anything of the engine: edges in a list, components by joining labels, and the
 //! volume below every face (the engine sums tetrahedra).
 inline PlainCount countPlainly(const TriangleSoup& soup) {
-  const auto at = [](int i) { return static_cast<std::size_t>(i); };
   std::vector<int> label(soup.points.size());
   std::iota(label.begin(), label.end(), 0);
   const auto root = [&](int v) {
-    while (label[at(v)] != v) v = label[at(v)] = label[at(label[at(v)])];
+    while (label[v] != v) v = label[v] = label[label[v]];
     return v;
   };
   std::vector<std::pair<int, int>> edges;
   std::vector<unsigned char> used(soup.points.size(), 0);
   PlainCount n;
   for (const Triangle& t : soup.triangles) {
-    const Vec3 &a = soup.points[at(t[0])], &b = soup.points[at(t[1])], &c = soup.points[at(t[2])];
+    const Vec3 &a = soup.points[t[0]], &b = soup.points[t[1]], &c = soup.points[t[2]];
     const double shadow = ((b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y())) / 2;
     n.volume += shadow * (a.z() + b.z() + c.z()) / 3;
     for (std::size_t i = 0; i < 3; ++i) {
       const int v = t[i], w = t[(i + 1) % 3];
-      used[at(v)] = 1;
+      used[v] = 1;
       edges.emplace_back(std::min(v, w), std::max(v, w));
-      label[at(root(v))] = root(w);
+      label[root(v)] = root(w);
     }
   }
   std::sort(edges.begin(), edges.end());
   const auto distinct = std::unique(edges.begin(), edges.end()) - edges.begin();
   for (int v = 0; v < static_cast<int>(soup.points.size()); ++v) {
-    n.vertices += used[at(v)];
-    n.components += used[at(v)] && root(v) == v;
+    n.vertices += used[v];
+    n.components += used[v] && root(v) == v;
   }
   n.euler = n.vertices - static_cast<int>(distinct) + static_cast<int>(soup.triangles.size());
   return n;

@@ -25,7 +25,7 @@ double meanLevel(const SmoothedVolume& volume, double sign, Read read, const Vec
   const EdgeReader reader(volume, sign);
   double sum = 0, weight = 0;
   for (const ObjectRegion::Face& face : region.faces)
-    if (const auto edge = (reader.*read)(region.voxels[static_cast<std::size_t>(face.voxel)], face)) {
+    if (const auto edge = (reader.*read)(region.voxels[face.voxel], face)) {
       sum += edge->weight * edge->level;
       weight += edge->weight;
     }

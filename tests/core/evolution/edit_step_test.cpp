@@ -122,7 +122,7 @@ TEST_CASE("what an edit made sleeps, and goes on with everything else when that 
     if (!contour.mesh().isVertex(v)) continue;
     const bool isNew = v >= known || !before.isVertex(v);
     fresh += isNew;
-    CHECK(contour.isConverged(v) == (isNew || was[static_cast<std::size_t>(v)] != 0));
+    CHECK(contour.isConverged(v) == (isNew || was[v] != 0));
   }
   CHECK(fresh > 0);
   Parameters other = contour.requested();

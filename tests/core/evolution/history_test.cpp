@@ -68,7 +68,7 @@ TEST_CASE("any iteration comes back bit for bit, in any order", "[history]") {
     history.goTo(target);
     INFO("iteration " << target);
     REQUIRE(history.iteration() == target);
-    REQUIRE(isSame(history.shown().mesh(), expected[static_cast<std::size_t>(target)]));
+    REQUIRE(isSame(history.shown().mesh(), expected[target]));
   }
   CHECK(history.lastIteration() + 1 == static_cast<int>(expected.size()));
 }
@@ -81,7 +81,7 @@ TEST_CASE("stepping on from an earlier iteration shows what was recorded", "[his
   history.goTo(10);
   for (int i = 11; i <= history.lastIteration(); ++i) {
     history.advance();
-    REQUIRE(isSame(history.shown().mesh(), expected[static_cast<std::size_t>(i)]));
+    REQUIRE(isSame(history.shown().mesh(), expected[i]));
   }
   CHECK(history.stopReason() == StopReason::converged);
   CHECK(history.steps().size() == steps);
@@ -109,7 +109,7 @@ TEST_CASE("other parameters from an iteration on drop what came after, and are d
   for (int target : {20, history.lastIteration(), 21, 30, 25, 20, 22}) {
     history.goTo(target);
     INFO("iteration " << target);
-    REQUIRE(isSame(history.shown().mesh(), expected[static_cast<std::size_t>(target - 20)]));
+    REQUIRE(isSame(history.shown().mesh(), expected[target - 20]));
   }
   REQUIRE(history.changes().size() == 1);
   CHECK(history.changes()[0].iteration == 20);
@@ -276,7 +276,7 @@ TEST_CASE("a history keeps to its memory and is as exact with fewer keyframes", 
   CHECK(history.keyframes() < expected.size() / 2);
   for (int target : {1, 33, 17, history.lastIteration(), 0, history.lastIteration() - 1}) {
     history.goTo(target);
-    REQUIRE(isSame(history.shown().mesh(), expected[static_cast<std::size_t>(target)]));
+    REQUIRE(isSame(history.shown().mesh(), expected[target]));
   }
 }
 
@@ -305,7 +305,7 @@ TEST_CASE("stepping back across a click is exact, and what was grown after it is
   for (int target : {20, history.lastIteration(), 21, 30, 19, 25, 20, 5, 22}) {
     history.goTo(target);
     INFO("iteration " << target);
-    REQUIRE(isSame(history.shown().mesh(), expected[static_cast<std::size_t>(target)]));
+    REQUIRE(isSame(history.shown().mesh(), expected[target]));
   }
   REQUIRE(history.changes().size() == 1);
   CHECK(history.changes()[0].iteration == 20);

@@ -68,9 +68,7 @@ template <typename F>
 void forEachSupport(const Mesh& mesh, const SurfaceSupport& support, F&& f) {
   const TriangleSoup soup = mesh.compact();
   REQUIRE(support.faces.size() == soup.triangles.size());
-  const auto corner = [&](const Triangle& t, std::size_t c) {
-    return soup.points[static_cast<std::size_t>(t[c])];
-  };
+  const auto corner = [&](const Triangle& t, std::size_t c) { return soup.points[t[c]]; };
   for (std::size_t i = 0; i < support.faces.size(); ++i) {
     const Triangle& t = soup.triangles[i];
     const Vec3 a = corner(t, 0), b = corner(t, 1), c = corner(t, 2);
@@ -165,7 +163,7 @@ TEST_CASE("faces are numbered as in the compacted mesh, whatever was deleted bef
   for (const Triangle& t : ball.triangles)
     both.triangles.push_back({t[0] + points, t[1] + points, t[2] + points});
   Mesh mesh(both);
-  std::vector<int> small(static_cast<std::size_t>(faces));
+  std::vector<int> small(faces);
   std::iota(small.begin(), small.end(), 0);
   mesh.removeFaces(small);
   for (int v = 0; v < points; ++v) mesh.removeVertex(v);

@@ -67,7 +67,7 @@ ObjectImage endlessImage() {
 }
 
 std::vector<int> allVertices(const Mesh& mesh) {
-  std::vector<int> v(static_cast<std::size_t>(mesh.vertexSlots()));
+  std::vector<int> v(mesh.vertexSlots());
   std::iota(v.begin(), v.end(), 0);
   return v;
 }
@@ -136,7 +136,7 @@ TEST_CASE("no vertex moves further along its normal than the largest step") {
   for (const ObjectImage& image : {ballImage(15), ballImage(1), endlessImage()}) {
     const std::vector<Vec3> d = computeMotion(mesh, image, s, allVertices(mesh));
     for (int v = 0; v < mesh.vertexSlots(); ++v)
-      CHECK(std::abs(d[static_cast<std::size_t>(v)].dot(outward(mesh, v))) <= s.largestStep * 1.01);
+      CHECK(std::abs(d[v].dot(outward(mesh, v))) <= s.largestStep * 1.01);
   }
 }
 
@@ -150,8 +150,7 @@ TEST_CASE("the curvature weight holds a front of radius curvature times edge len
       const Mesh mesh(icosphere(kCentre, radius, 0.5));
       const std::vector<Vec3> d = computeMotion(mesh, endlessImage(), s, allVertices(mesh));
       double sum = 0;
-      for (int v = 0; v < mesh.vertexSlots(); ++v)
-        sum += d[static_cast<std::size_t>(v)].dot(outward(mesh, v));
+      for (int v = 0; v < mesh.vertexSlots(); ++v) sum += d[v].dot(outward(mesh, v));
       return sum / mesh.vertexCount() / s.largestStep;
     };
     CHECK(meanMove(standing) == Approx(0).margin(0.02));
@@ -167,8 +166,7 @@ TEST_CASE("outward motion never goes inwards in the object, however strong the c
   for (double radius : {2.0, 5.0}) {
     const Mesh mesh(icosphere(kCentre, radius, 1));
     const std::vector<Vec3> d = computeMotion(mesh, ballImage(10), s, allVertices(mesh));
-    for (int v = 0; v < mesh.vertexSlots(); ++v)
-      CHECK(d[static_cast<std::size_t>(v)].dot(outward(mesh, v)) >= -1e-12);
+    for (int v = 0; v < mesh.vertexSlots(); ++v) CHECK(d[v].dot(outward(mesh, v)) >= -1e-12);
   }
 }
 
@@ -193,7 +191,7 @@ TEST_CASE("the displacements do not depend on which vertices are asked for, nor 
   const std::vector<int> some{17, 3, 99};
   const std::vector<Vec3> d = computeMotion(mesh, image, settingsFor(1), some);
   REQUIRE(d.size() == 3);
-  for (std::size_t i = 0; i < 3; ++i) CHECK(d[i] == all[static_cast<std::size_t>(some[i])]);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(d[i] == all[some[i]]);
   CHECK(computeMotion(mesh, image, settingsFor(1), {}).empty());
 }
 
@@ -251,6 +249,5 @@ TEST_CASE("a vertex in a thin branch goes on, though all of the surface around i
   const std::vector<Vec3> d = computeMotion(mesh, image, s, allVertices(mesh));
   CHECK(d[0].dot(along) == Approx(s.largestStep).epsilon(0.05));
   for (int v = 0; v < mesh.vertexSlots(); ++v)
-    if ((mesh.position(v) - mesh.position(0)).norm() > 1.5)
-      CHECK(d[static_cast<std::size_t>(v)].norm() < 0.02);
+    if ((mesh.position(v) - mesh.position(0)).norm() > 1.5) CHECK(d[v].norm() < 0.02);
 }

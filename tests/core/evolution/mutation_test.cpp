@@ -40,7 +40,7 @@ Attempt moveAndAdapt(Mesh& mesh, const std::vector<Vec3>& goal) {
   AdaptationResult result = adaptFully(mesh);
   a.events = std::move(result.events);
   a.conflicts = std::move(result.conflicts);
-  a.touched.assign(static_cast<std::size_t>(mesh.vertexSlots()), 1);
+  a.touched.assign(mesh.vertexSlots(), 1);
   REQUIRE(a.conflicts.empty());
   REQUIRE_FALSE(a.events.empty());
   REQUIRE(a.events[0].before == before);
@@ -114,9 +114,9 @@ void add(Mesh& mesh, const TriangleSoup& more, Attempt& a) {
   std::vector<int> slots;
   for (const Vec3& p : more.points) slots.push_back(mesh.addVertex(p));
   for (Triangle& t : faces)
-    for (int& v : t) v = slots[static_cast<std::size_t>(v)];
+    for (int& v : t) v = slots[v];
   mesh.addFaces(faces);
-  a.touched.assign(static_cast<std::size_t>(mesh.vertexSlots()), 1);
+  a.touched.assign(mesh.vertexSlots(), 1);
 }
 
 //! An event that claims to have made a component of this Euler number.
@@ -209,7 +209,7 @@ TEST_CASE("a handle that joins another polygon than its event says is caught") {
     REQUIRE(joined.events.back().after.euler == a.events.back().after.euler);
     REQUIRE(joined.events.back().after.components != a.events.back().after.components);
     mesh = other;
-    a.touched.assign(static_cast<std::size_t>(mesh.vertexSlots()), 1);
+    a.touched.assign(mesh.vertexSlots(), 1);
   });
 }
 
@@ -249,8 +249,7 @@ TEST_CASE("what changes behind the back of the detection, and what is no surface
   expectCaught(joining(), "does not enclose a volume", [](Mesh& mesh, Attempt&) {
     const TriangleSoup s = mesh.compact();
     mesh = Mesh(turned(s));
-    for (int v = mesh.vertexSlots() - 1; v >= 0; --v)
-      mesh.setPosition(v, s.points[static_cast<std::size_t>(v)]);
+    for (int v = mesh.vertexSlots() - 1; v >= 0; --v) mesh.setPosition(v, s.points[v]);
   });
   expectCaught(joining(), "does not enclose a volume", [](Mesh& mesh, Attempt&) {
     mesh.setPosition(mesh.face(anyFace(mesh))[0], Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));

@@ -30,7 +30,7 @@ TriangleSoup ballInside(double radius, const Vec3& offset = Vec3::Zero()) {
 double bruteDistanceTo(const TriangleSoup& mesh, const Vec3& p) {
   double least = std::numeric_limits<double>::infinity();
   for (const Triangle& t : mesh.triangles) {
-    const auto corner = [&](std::size_t i) { return mesh.points[static_cast<std::size_t>(t[i])]; };
+    const auto corner = [&](std::size_t i) { return mesh.points[t[i]]; };
     least = std::min(least, bruteDistance(p, corner(0), corner(1), corner(2)));
   }
   return least;

@@ -29,7 +29,7 @@ std::vector<float> randomSpaces(std::mt19937& random) {
       for (int x = 1; x < kSide - 1; ++x) {
         double most = 0;
         for (const Ball& b : balls) most = std::max(most, b.radius - (Vec3(x, y, z) - b.centre).norm());
-        radius[static_cast<std::size_t>((z * kSide + y) * kSide + x)] = static_cast<float>(most);
+        radius[(z * kSide + y) * kSide + x] = static_cast<float>(most);
       }
   return radius;
 }
@@ -118,11 +118,10 @@ TEST_CASE("the voxels of a row are held as each by itself") {
   std::uniform_int_distribution<int> any(0, 90);
   for (int run = 0; run < 200; ++run) {
     const int x = any(random), y = any(random), z = any(random), n = 91 - x;
-    std::vector<std::uint8_t> held(static_cast<std::size_t>(n), 7);
+    std::vector<std::uint8_t> held(n, 7);
     image.holdsRow({x, y, z}, n, held.data());
     int different = 0;
-    for (int i = 0; i < n; ++i)
-      different += held[static_cast<std::size_t>(i)] != (image.holds({x + i, y, z}) ? 1 : 0);
+    for (int i = 0; i < n; ++i) different += held[i] != (image.holds({x + i, y, z}) ? 1 : 0);
     CHECK(different == 0);
   }
 }

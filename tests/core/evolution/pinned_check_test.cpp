@@ -1,6 +1,5 @@
 #include "core/evolution/pinned_check.h"
 
-#include "core/indices.h"
 #include "core/mesh/topology.h"
 #include "tests/support/catch.h"
 #include "tests/support/mesh_zoo.h"
@@ -29,7 +28,7 @@ PinnedParts pinnedAt(const Mesh& mesh, int vertex) {
 TEST_CASE("a flat cavity over a pinned vertex stops; one with room in it, or without a pin, does not") {
   constexpr double kEdge = 0.5;
   const Mesh flat = withCavity(1e-4), round = withCavity(1);
-  const std::vector<unsigned char> touched(idx(flat.vertexSlots()), 1);
+  const std::vector<unsigned char> touched(flat.vertexSlots(), 1);
   const int last = flat.vertexSlots() - 1;
   const std::vector<Conflict> told = pressedFlat(flat, pinnedAt(flat, last), touched, kEdge);
   REQUIRE(told.size() == 1);

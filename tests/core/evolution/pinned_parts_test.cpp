@@ -138,7 +138,7 @@ TEST_CASE("what is pinned stays bit for bit, whatever else changes, and replays"
       for (const int iteration :
            {0, history.lastIteration(), history.lastIteration() / 2, free.iteration()}) {
         history.goTo(iteration);
-        CHECK(isSame(history.shown().mesh(), once[static_cast<std::size_t>(iteration)]));
+        CHECK(isSame(history.shown().mesh(), once[iteration]));
       }
 
       // And where the pins came on the way.

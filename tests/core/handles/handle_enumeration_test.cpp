@@ -6,7 +6,6 @@
 
 #include "core/errors.h"
 #include "core/handles/homology.h"
-#include "core/indices.h"
 #include "tests/core/handles/handle_oracle.h"
 #include "tests/support/catch.h"
 
@@ -48,15 +47,15 @@ bool advance(std::vector<int>& digits, const std::vector<int>& bases) {
 //! The paper's own procedure for k = 2: every choice of an apex for every boundary edge, kept if Theorem 7
 //! holds with the caps.
 std::vector<Handle> byTheorem7(int p, int q) {
-  std::vector<int> bases(static_cast<std::size_t>(p), q);
-  bases.resize(static_cast<std::size_t>(p + q), p);
+  std::vector<int> bases(p, q);
+  bases.resize(p + q, p);
   std::vector<int> apex(bases.size(), 0);
   std::vector<Handle> found;
   do {
     Handle faces;
-    for (int i = 0; i < p; ++i) faces.push_back({i, (i + 1) % p, p + apex[static_cast<std::size_t>(i)]});
+    for (int i = 0; i < p; ++i) faces.push_back({i, (i + 1) % p, p + apex[i]});
     for (int j = 0; j < q; ++j) {
-      faces.push_back({p + j, p + (j + 1) % q, apex[static_cast<std::size_t>(p + j)]});
+      faces.push_back({p + j, p + (j + 1) % q, apex[p + j]});
     }
     const auto whole = withCaps(Sizes{p, q}, faces);
     if (isSphere(whole) && test::isClosedAndOriented(whole)) found.push_back(sorted(faces));
@@ -71,12 +70,12 @@ enum class Choice { greatest, least };
 //! greatest or the least of each preimage as the apex of the edge that starts at the image.
 std::vector<Triangle> example8(int p, int q, const std::vector<int>& images, Choice choice) {
   std::vector<Triangle> faces;
-  for (int i = 0; i < p; ++i) faces.push_back({i, (i + 1) % p, p + images[static_cast<std::size_t>(i)]});
+  for (int i = 0; i < p; ++i) faces.push_back({i, (i + 1) % p, p + images[i]});
   for (int j = 0; j < q; ++j) {
     int apex = -1;
     for (int i = 0; i < p; ++i) {
       const bool wanted = choice == Choice::greatest || apex < 0;
-      if (images[static_cast<std::size_t>(i)] == j && wanted) apex = i;
+      if (images[i] == j && wanted) apex = i;
     }
     faces.push_back({p + j, p + (j + 1) % q, apex});
   }
@@ -85,8 +84,8 @@ std::vector<Triangle> example8(int p, int q, const std::vector<int>& images, Cho
 
 std::vector<std::vector<int>> decreasingSurjections(int p, int q) {
   std::vector<std::vector<int>> maps;
-  std::vector<int> images(static_cast<std::size_t>(p), 0);
-  const std::vector<int> bases(static_cast<std::size_t>(p), q);
+  std::vector<int> images(p, 0);
+  const std::vector<int> bases(p, q);
   do {
     const bool decreasing = std::is_sorted(images.rbegin(), images.rend());
     const bool onto = std::set<int>(images.begin(), images.end()).size() == static_cast<std::size_t>(q);
@@ -109,13 +108,13 @@ Handle mirrored(Handle handle, const Sizes& sizes) {
     const int first = static_cast<int>(image.size());
     for (int v = 0; v < size; ++v) image.push_back(first + (size - v) % size);
   }
-  for (Triangle& f : handle) f = {image[idx(f[0])], image[idx(f[2])], image[idx(f[1])]};
+  for (Triangle& f : handle) f = {image[f[0]], image[f[2]], image[f[1]]};
   return sorted(handle);
 }
 
 Handle renumbered(Handle handle, const std::vector<int>& image) {
   for (Triangle& f : handle) {
-    for (int& v : f) v = image[idx(v)];
+    for (int& v : f) v = image[v];
   }
   return sorted(handle);
 }

@@ -63,7 +63,7 @@ inline bool hasRepeatedPair(const std::vector<std::array<int, 2>>& pairs) {
 //! All strips between loops of p and q vertices whose face on the edge (0, 1) of the first has the apex
 //! `start` of the second, those that join a pair twice included.
 inline std::vector<std::vector<Triangle>> allStrips(int p, int q, int start) {
-  std::vector<bool> up(static_cast<std::size_t>(p + q - 1), false);
+  std::vector<bool> up(p + q - 1, false);
   std::fill(up.end() - q, up.end(), true);
   std::vector<std::vector<Triangle>> strips;
   do {

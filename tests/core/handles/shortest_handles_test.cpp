@@ -39,9 +39,7 @@ std::vector<VertexPair> crossEdges(const std::vector<int>& loop, const std::vect
   std::vector<VertexPair> out;
   for (const Triangle& t : faces)
     for (std::size_t i = 0; i < 3; ++i)
-      if (t[i] < t[(i + 1) % 3] &&
-          loop[static_cast<std::size_t>(t[i])] != loop[static_cast<std::size_t>(t[(i + 1) % 3])])
-        out.push_back({t[i], t[(i + 1) % 3]});
+      if (t[i] < t[(i + 1) % 3] && loop[t[i]] != loop[t[(i + 1) % 3]]) out.push_back({t[i], t[(i + 1) % 3]});
   std::sort(out.begin(), out.end());
   return out;
 }
@@ -50,8 +48,7 @@ double lengthOf(const Loops& loops, const std::vector<Triangle>& faces) {
   std::vector<Vec3> points;
   for (const auto& loop : loops) points.insert(points.end(), loop.begin(), loop.end());
   double sum = 0;
-  for (const auto& [u, v] : crossEdges(loopOf(loops), faces))
-    sum += (points[static_cast<std::size_t>(u)] - points[static_cast<std::size_t>(v)]).norm();
+  for (const auto& [u, v] : crossEdges(loopOf(loops), faces)) sum += (points[u] - points[v]).norm();
   return sum;
 }
 
@@ -77,8 +74,7 @@ std::vector<VertexPair> longestEdges(const Loops& loops, double part) {
   std::vector<std::pair<double, VertexPair>> edges;
   for (int u = 0; u < static_cast<int>(loop.size()); ++u)
     for (int v = 0; v < u; ++v)
-      if (loop[static_cast<std::size_t>(u)] != loop[static_cast<std::size_t>(v)])
-        edges.push_back({-lengthOf(loops, {{v, u, v}}), {v, u}});
+      if (loop[u] != loop[v]) edges.push_back({-lengthOf(loops, {{v, u, v}}), {v, u}});
   std::sort(edges.begin(), edges.end());
   std::vector<VertexPair> out;
   for (std::size_t i = 0; i < static_cast<std::size_t>(part * static_cast<double>(edges.size())); ++i)
@@ -345,8 +341,7 @@ TEST_CASE("Edges forbidden on the way are as those forbidden from the start", "[
       CHECK(handle.length == Approx(shortest(loops, forbidden)).epsilon(1e-12));
       CHECK(handle.length >= last - 1e-9);
       last = handle.length;
-      const std::vector<VertexPair> more{
-          crossEdges(loopOf(loops), handle.faces)[static_cast<std::size_t>(round)]};
+      const std::vector<VertexPair> more{crossEdges(loopOf(loops), handle.faces)[round]};
       forbidden.push_back(more[0]);
       search.forbid({}, more);
     }

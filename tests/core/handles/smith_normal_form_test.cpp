@@ -72,7 +72,7 @@ TEST_CASE("Invariant factors divide each other and the transform's last columns 
       }
     }
     const SmithNormalForm transform = smithNormalForm(form.columnTransform);
-    CHECK(transform.factors == std::vector<std::int64_t>(static_cast<std::size_t>(columns), 1));
+    CHECK(transform.factors == std::vector<std::int64_t>(columns, 1));
   }
 }
 

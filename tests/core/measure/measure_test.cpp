@@ -82,7 +82,7 @@ TEST_CASE("an ellipsoid has its volume, centroid, diameter and axes, wherever it
   CHECK(m.extents[2] == Approx(24).epsilon(0.005));
   const std::array<int, 3> axes{1, 2, 0};
   for (int a = 0; a < 3; ++a) {
-    const Vec3 expected = turn.col(axes[static_cast<std::size_t>(a)]), found = m.axes.col(a);
+    const Vec3 expected = turn.col(axes[a]), found = m.axes.col(a);
     CHECK(std::abs(found.dot(expected)) == Approx(1).epsilon(1e-4));
   }
 }

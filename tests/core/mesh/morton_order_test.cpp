@@ -16,7 +16,7 @@ namespace {
 Mesh scattered() {
   Mesh mesh(icosphere(Vec3(1, 2, 3), 10, 0.7));
   std::mt19937 random(11);
-  std::vector<int> order(static_cast<std::size_t>(mesh.vertexSlots()));
+  std::vector<int> order(mesh.vertexSlots());
   std::iota(order.begin(), order.end(), 0);
   std::shuffle(order.begin(), order.end(), random);
   mesh.reorder(order);

@@ -81,11 +81,10 @@ TEST_CASE("Each segment of a section lies in the triangle that is named for it",
   REQUIRE(crossed.size() == section.size());
   REQUIRE_FALSE(section.empty());
   for (std::size_t i = 0; i < section.size(); ++i) {
-    const Triangle& t = mesh.triangles[static_cast<std::size_t>(crossed[i])];
-    const Vec3 corner = mesh.points[static_cast<std::size_t>(t[0])];
+    const Triangle& t = mesh.triangles[crossed[i]];
+    const Vec3 corner = mesh.points[t[0]];
     Eigen::Matrix<double, 3, 2> edges;
-    for (int c = 0; c < 2; ++c)
-      edges.col(c) = mesh.points[static_cast<std::size_t>(t[static_cast<std::size_t>(c) + 1])] - corner;
+    for (int c = 0; c < 2; ++c) edges.col(c) = mesh.points[t[static_cast<std::size_t>(c) + 1]] - corner;
     for (const Vec3& end : section[i]) {
       const Eigen::Vector2d place = edges.colPivHouseholderQr().solve(end - corner);
       CHECK((edges * place - (end - corner)).norm() < 1e-9);

@@ -17,7 +17,7 @@ double longestBesideActive(const Mesh& mesh, const Flags& active) {
   for (int h = 0; h < 3 * mesh.faceSlots(); ++h) {
     if (!mesh.isFace(h / 3)) continue;
     const int a = mesh.origin(h), b = mesh.target(h);
-    if (!active[static_cast<std::size_t>(a)] && !active[static_cast<std::size_t>(b)]) continue;
+    if (!active[a] && !active[b]) continue;
     longest = std::max(longest, (mesh.position(a) - mesh.position(b)).norm());
   }
   return longest;
@@ -104,16 +104,15 @@ TEST_CASE("inactive vertices are neither moved nor removed") {
     Mesh mesh(icosphere(Vec3(0, 0, 0), 10, 1.2));
     const Mesh before = mesh;
     Flags active = all(mesh);
-    for (int v = 0; v < mesh.vertexSlots(); ++v)
-      active[static_cast<std::size_t>(v)] = mesh.position(v).x() > 2;
+    for (int v = 0; v < mesh.vertexSlots(); ++v) active[v] = mesh.position(v).x() > 2;
     const Flags asked = active;
     regulate(mesh, limits, active);
     CHECK(mesh.vertexCount() != before.vertexCount());
     for (int v = 0; v < before.vertexSlots(); ++v) {
-      if (asked[static_cast<std::size_t>(v)]) continue;
+      if (asked[v]) continue;
       REQUIRE(mesh.isVertex(v));
       REQUIRE(mesh.position(v) == before.position(v));
-      REQUIRE(active[static_cast<std::size_t>(v)] != kActive);
+      REQUIRE(active[v] != kActive);
     }
     CHECK(longestBesideActive(mesh, active) <= limits.longest);
     expectValid(mesh);
@@ -150,19 +149,17 @@ TEST_CASE("new vertices are active, in fresh slots and in slots used again") {
   Flags active = all(mesh);
   regulate(mesh, {4, 1.5}, active);  // leaves free slots
   REQUIRE(mesh.vertexCount() < mesh.vertexSlots());
-  std::vector<unsigned char> existed(static_cast<std::size_t>(mesh.vertexSlots()));
-  for (int v = 0; v < mesh.vertexSlots(); ++v) existed[static_cast<std::size_t>(v)] = mesh.isVertex(v);
-  active.assign(static_cast<std::size_t>(mesh.vertexSlots()), 0);
+  std::vector<unsigned char> existed(mesh.vertexSlots());
+  for (int v = 0; v < mesh.vertexSlots(); ++v) existed[v] = mesh.isVertex(v);
+  active.assign(mesh.vertexSlots(), 0);
   for (int v = 0; v < mesh.vertexSlots(); ++v)
-    if (mesh.isVertex(v) && mesh.position(v).z() > 0) active[static_cast<std::size_t>(v)] = 1;
+    if (mesh.isVertex(v) && mesh.position(v).z() > 0) active[v] = 1;
   regulate(mesh, {0.9, 0}, active);
   int fresh = 0;
   for (int v = 0; v < mesh.vertexSlots(); ++v) {
-    if (!mesh.isVertex(v) ||
-        (static_cast<std::size_t>(v) < existed.size() && existed[static_cast<std::size_t>(v)]))
-      continue;
+    if (!mesh.isVertex(v) || (static_cast<std::size_t>(v) < existed.size() && existed[v])) continue;
     ++fresh;
-    REQUIRE(active[static_cast<std::size_t>(v)] == 1);
+    REQUIRE(active[v] == 1);
   }
   CHECK(fresh > 100);
   expectValid(mesh);
@@ -191,10 +188,10 @@ TEST_CASE("regulating random meshes keeps them valid, of their topology and with
     regulate(mesh, {longest, 0.4 * longest}, active);
     for (int round = 0; round < 4; ++round) {
       // Like a step of the evolution: some vertices move by part of an edge, the rest is inactive.
-      active.assign(static_cast<std::size_t>(mesh.vertexSlots()), 0);
+      active.assign(mesh.vertexSlots(), 0);
       for (int v = 0; v < mesh.vertexSlots(); ++v) {
         if (!mesh.isVertex(v) || random() % 3 == 0) continue;
-        active[static_cast<std::size_t>(v)] = 1;
+        active[v] = 1;
         mesh.setPosition(
             v, mesh.position(v) +
                    0.3 * longest *

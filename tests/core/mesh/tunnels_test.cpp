@@ -49,15 +49,15 @@ TEST_CASE("a tree and a cotree leave two edges per handle, whose loops meet once
       std::vector<int> crossed(static_cast<std::size_t>(3 * mesh.faceSlots()), 0);
       const std::vector<int> dual = dualLoop(mesh, trees, i);
       for (std::size_t k = 0; k < dual.size(); ++k) {
-        crossed[static_cast<std::size_t>(dual[k])] += 1;
-        crossed[static_cast<std::size_t>(mesh.opposite(dual[k]))] -= 1;
+        crossed[dual[k]] += 1;
+        crossed[mesh.opposite(dual[k])] -= 1;
         CHECK(Mesh::faceOf(mesh.opposite(dual[k])) == Mesh::faceOf(dual[(k + 1) % dual.size()]));
       }
       for (int j = 0; j < 2 * genus; ++j) {
         const std::vector<int> primal = primalLoop(mesh, trees, j);
         int meetings = 0;
         for (std::size_t k = 0; k < primal.size(); ++k) {
-          meetings += crossed[static_cast<std::size_t>(primal[k])];
+          meetings += crossed[primal[k]];
           CHECK(mesh.target(primal[k]) == mesh.origin(primal[(k + 1) % primal.size()]));
         }
         CHECK(meetings == (i == j ? 1 : 0));

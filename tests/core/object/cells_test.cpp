@@ -118,7 +118,7 @@ TEST_CASE("a pass takes the highest or lowest of the neighbours named, and nothi
                 if ((dx && !pass.along[0]) || (dy && !pass.along[1]) || (dz && !pass.along[2])) continue;
                 const int i = x + dx, j = y + dy, k = z + dz;
                 if (i < 0 || j < 0 || k < 0 || i > 4 || j > 3 || k > 5) continue;
-                const int v = cells[static_cast<std::size_t>((k * 4 + j) * 5 + i)];
+                const int v = cells[(k * 4 + j) * 5 + i];
                 most = std::max(most, v), least = std::min(least, v);
               }
           const auto at = static_cast<std::size_t>((z * 4 + y) * 5 + x);

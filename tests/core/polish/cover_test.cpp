@@ -86,8 +86,8 @@ TEST_CASE("no face near a box is missed, while faces come and go", "[polish]") {
     grid.add(i, boxAround(faces.back()));
   }
   for (int i = 0; i < 300; i += 3) {
-    grid.remove(i, boxAround(faces[static_cast<std::size_t>(i)]));
-    isThere[static_cast<std::size_t>(i)] = false;
+    grid.remove(i, boxAround(faces[i]));
+    isThere[i] = false;
   }
   std::vector<int> found;
   for (int q = 0; q < 100; ++q) {

@@ -42,7 +42,7 @@ double farthestOneWay(const TriangleSoup& from, const TriangleSoup& to) {
     for (int i = 0; i <= kSteps; ++i)
       for (int j = 0; i + j <= kSteps; ++j) {
         const double u = static_cast<double>(i) / kSteps, v = static_cast<double>(j) / kSteps;
-        const auto p = [&](std::size_t c) { return from.points[static_cast<std::size_t>(t[c])]; };
+        const auto p = [&](std::size_t c) { return from.points[t[c]]; };
         farthest = std::max(farthest, nearest.distance((1 - u - v) * p(0) + u * p(1) + v * p(2)));
       }
   return farthest;
@@ -231,7 +231,7 @@ TEST_CASE("where no face may lie none is put, and what is held stays", "[polish]
     std::vector<std::array<double, 9>> all;
     for (const Triangle& t : m.triangles) {
       std::array<Vec3, 3> c;
-      for (std::size_t i = 0; i < 3; ++i) c[i] = m.points[static_cast<std::size_t>(t[i])];
+      for (std::size_t i = 0; i < 3; ++i) c[i] = m.points[t[i]];
       if (!isWanted(c)) continue;
       std::rotate(c.begin(),
                   std::min_element(c.begin(), c.end(),
@@ -258,8 +258,7 @@ TEST_CASE("where no face may lie none is put, and what is held stays", "[polish]
 TEST_CASE("only its own bad triangles are bettered where that is asked for", "[polish]") {
   const TriangleSoup mesh = withNeedles(zoo::sphere(6), 12, 41);
   PolishOptions options = within(0.1 * meanEdge(mesh));
-  for (const Triangle& t : mesh.triangles)
-    options.isOwn.push_back(mesh.points[static_cast<std::size_t>(t[0])].z() > 0.5 ? 1 : 0);
+  for (const Triangle& t : mesh.triangles) options.isOwn.push_back(mesh.points[t[0]].z() > 0.5 ? 1 : 0);
   const PolishedMesh done = polished(mesh, options);
   expectPolished(mesh, done, options.bounds.distance);
   CHECK(done.report.isChanged());

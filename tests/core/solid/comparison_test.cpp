@@ -75,7 +75,7 @@ void addPieces(const Vec3& a, const Vec3& b, const Vec3& c, double h, const Tria
   }
   double squared = std::numeric_limits<double>::infinity();
   for (const Triangle& t : to.triangles) {
-    const auto at = [&](std::size_t i) { return to.points[static_cast<std::size_t>(t[i])]; };
+    const auto at = [&](std::size_t i) { return to.points[t[i]]; };
     squared = std::min(squared, squaredDistance((a + b + c) / 3, at(0), at(1), at(2)));
   }
   pieces.push_back({std::sqrt(squared), (b - a).cross(c - a).norm() / 2});
@@ -84,7 +84,7 @@ void addPieces(const Vec3& a, const Vec3& b, const Vec3& c, double h, const Tria
 std::vector<Piece> piecesOf(const TriangleSoup& from, const TriangleSoup& to, double h) {
   std::vector<Piece> pieces;
   for (const Triangle& t : from.triangles) {
-    const auto at = [&](std::size_t i) { return from.points[static_cast<std::size_t>(t[i])]; };
+    const auto at = [&](std::size_t i) { return from.points[t[i]]; };
     addPieces(at(0), at(1), at(2), h, to, pieces);
   }
   return pieces;

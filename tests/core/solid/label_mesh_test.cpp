@@ -87,9 +87,8 @@ template <typename Body>
 double normalError(const TriangleSoup& mesh, Body&& distance) {
   double moment = 0, area = 0;
   for (const Triangle& t : mesh.triangles) {
-    const Vec3 &a = mesh.points[static_cast<std::size_t>(t[0])],
-               &b = mesh.points[static_cast<std::size_t>(t[1])],
-               &c = mesh.points[static_cast<std::size_t>(t[2])], middle = (a + b + c) / 3;
+    const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]],
+               middle = (a + b + c) / 3;
     const Vec3 n = (b - a).cross(c - a);
     Vec3 g;
     for (int i = 0; i < 3; ++i)

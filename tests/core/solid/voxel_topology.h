@@ -34,7 +34,7 @@ class VoxelCounting {
 
  private:
   bool in(int x, int y, int z) const { return mask_.holds(x - 1, y - 1, z - 1); }
-  int& label(int x, int y, int z) { return label_[static_cast<std::size_t>((z * n_[1] + y) * n_[0] + x)]; }
+  int& label(int x, int y, int z) { return label_[(z * n_[1] + y) * n_[0] + x]; }
 
   int parts(bool object) {
     int n = 0;

@@ -256,7 +256,7 @@ TEST_CASE("faces that are ignored do not stand in the way of a patch") {
   const std::vector<Opening> hole{*planOpening(mesh, {vertexNear(Mesh(zoo::sphere(7)), Vec3(0, 0, 1))})};
   const Patch cap = fanCap(mesh, hole[0].loops[0]);
   CHECK_FALSE(Surroundings(mesh, FaceBlocks(mesh), hole, {}).fits(cap));
-  std::vector<unsigned char> ignored(static_cast<std::size_t>(mesh.faceSlots()), 0);
-  for (int f = n; f < mesh.faceSlots(); ++f) ignored[static_cast<std::size_t>(f)] = 1;
+  std::vector<unsigned char> ignored(mesh.faceSlots(), 0);
+  for (int f = n; f < mesh.faceSlots(); ++f) ignored[f] = 1;
   CHECK(Surroundings(mesh, FaceBlocks(mesh), hole, ignored).fits(cap));
 }

@@ -18,7 +18,7 @@ int faceAtDistance(const Mesh& mesh, int f, int distance) {
   const std::vector<int> d = graphDistances(mesh, cornersOf(mesh, f));
   for (int g = 0; g < mesh.faceSlots(); ++g) {
     int nearest = 1000;
-    for (int v : mesh.face(g)) nearest = std::min(nearest, d[static_cast<std::size_t>(v)]);
+    for (int v : mesh.face(g)) nearest = std::min(nearest, d[v]);
     if (nearest == distance) return g;
   }
   return -1;

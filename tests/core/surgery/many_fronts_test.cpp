@@ -114,7 +114,7 @@ TEST_CASE("fronts are gathered only within reach, and their sets are connected")
   int far = 0;
   const auto nearest = [&](int f) {
     int least = 1000;
-    for (int v : sphere.face(f)) least = std::min(least, d[static_cast<std::size_t>(v)]);
+    for (int v : sphere.face(f)) least = std::min(least, d[v]);
     return least;
   };
   while (nearest(far) != 5) ++far;

@@ -77,7 +77,7 @@ TEST_CASE("enlarging a set adds its neighbours and nothing else") {
   const std::vector<int> d = graphDistances(mesh, {3});
   std::vector<int> expected;
   for (int v = 0; v < mesh.vertexSlots(); ++v)
-    if (d[static_cast<std::size_t>(v)] <= 2) expected.push_back(v);
+    if (d[v] <= 2) expected.push_back(v);
   CHECK(enlarge(mesh, enlarge(mesh, {3})) == expected);
 }
 
@@ -109,7 +109,7 @@ TEST_CASE("a set all round a larger part leaves it enclosed, with a polygon of i
   const std::vector<int> d = graphDistances(mesh, {vertexNear(mesh, Vec3(0, 0, 1))});
   std::vector<int> ring;
   for (int v = 0; v < mesh.vertexSlots(); ++v)
-    if (d[static_cast<std::size_t>(v)] == 3) ring.push_back(v);
+    if (d[v] == 3) ring.push_back(v);
   const auto o = planOpening(mesh, ring);
   REQUIRE(o);
   CHECK(o->lambda == ring);

@@ -82,7 +82,7 @@ TEST_CASE("a component that is taken out whole, or deleted, takes its genus with
   plan.kind = EventKind::componentDeleted;
   std::vector<int> all;
   for (int v = 0; v < mesh.vertexSlots(); ++v)
-    if (parts.ofVertex[static_cast<std::size_t>(v)] == 1) all.push_back(v);
+    if (parts.ofVertex[v] == 1) all.push_back(v);
   plan.openings = {*planOpening(mesh, all)};
   CHECK(plan.openings[0].loops.empty());
   CHECK(predictChange(before, opened(mesh, plan), plan) == TopologyNumbers{1, 2, 0});

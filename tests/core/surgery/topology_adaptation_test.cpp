@@ -85,7 +85,7 @@ TEST_CASE("a part that is cut off where two bodies are joined is not left as a s
   const auto between = [&](const std::vector<int>& distance, int face, int low, int high) {
     const Triangle& t = mesh.face(face);
     return std::all_of(t.begin(), t.end(), [&](int v) {
-      const int d = distance[static_cast<std::size_t>(v)];
+      const int d = distance[v];
       return d >= low && d <= high;
     });
   };
@@ -180,13 +180,13 @@ TEST_CASE("a place where nothing fits is reported and the surface stays where it
 TEST_CASE("the vertices of every face that is new are marked as touched") {
   Mesh mesh(zoo::both(zoo::sphere(8), zoo::moved(zoo::sphere(8), Vec3(1.95, 0.02, 0.01))));
   const Mesh before = mesh;
-  std::vector<unsigned char> touched(static_cast<std::size_t>(mesh.vertexSlots()), 0);
+  std::vector<unsigned char> touched(mesh.vertexSlots(), 0);
   adaptOnce(mesh, intersections(mesh), {}, touched);
   REQUIRE(touched.size() >= static_cast<std::size_t>(mesh.vertexSlots()));
   int marked = 0;
   for (int f = 0; f < mesh.faceSlots(); ++f) {
     if (!mesh.isFace(f) || (f < before.faceSlots() && before.face(f) == mesh.face(f))) continue;
-    for (int v : mesh.face(f)) REQUIRE(touched[static_cast<std::size_t>(v)] == 1);
+    for (int v : mesh.face(f)) REQUIRE(touched[v] == 1);
     ++marked;
   }
   CHECK(marked > 0);

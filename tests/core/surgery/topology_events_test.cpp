@@ -68,7 +68,7 @@ std::vector<FacePair> madeUpCollisions(const Mesh& mesh, unsigned seed) {
   const std::vector<int> distances = graphDistances(mesh, {static_cast<int>(seed)});
   std::vector<int> near;
   for (int f = 0; f < mesh.faceSlots(); ++f)
-    if (distances[static_cast<std::size_t>(mesh.face(f)[0])] <= 6) near.push_back(f);
+    if (distances[mesh.face(f)[0]] <= 6) near.push_back(f);
   std::vector<FacePair> pairs;
   for (unsigned i = 0; i < 2 + seed % 12; ++i) {
     const int f = near[random() % near.size()], g = near[random() % near.size()];

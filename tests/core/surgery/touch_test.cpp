@@ -59,7 +59,7 @@ Mesh tube(double radius, double length) {
   TriangleSoup s = zoo::scaled(zoo::sphere(10), radius);
   for (Vec3& p : s.points) p.z() += (p.z() > 1e-9 ? 1 : p.z() < -1e-9 ? -1 : 0) * (length / 2 - radius);
   Mesh mesh(s);
-  std::vector<unsigned char> all(static_cast<std::size_t>(mesh.vertexSlots()), kActive);
+  std::vector<unsigned char> all(mesh.vertexSlots(), kActive);
   regulate(mesh, {0.4 * radius, 0.12 * radius, {}}, all);
   return mesh;
 }
@@ -87,8 +87,7 @@ TriangleSoup hollowBall() {
 double area(const std::vector<Vec3>& p, const std::vector<Triangle>& faces) {
   double sum = 0;
   for (const Triangle& t : faces) {
-    const Vec3 &a = p[static_cast<std::size_t>(t[0])], &b = p[static_cast<std::size_t>(t[1])],
-               &c = p[static_cast<std::size_t>(t[2])];
+    const Vec3 &a = p[t[0]], &b = p[t[1]], &c = p[t[2]];
     sum += (b - a).cross(c - a).norm() / 2;
   }
   return sum;
@@ -344,8 +343,7 @@ TEST_CASE("flat caps fill regions with holes", "[touch]") {
     // n points and h holes: n + 2h - 2 triangles.
     CHECK(static_cast<int>(faces->size()) == static_cast<int>(p.size()) + 2 * holes - 2);
     for (const Triangle& t : *faces) {
-      const Vec3 &a = p[static_cast<std::size_t>(t[0])], &b = p[static_cast<std::size_t>(t[1])],
-                 &c = p[static_cast<std::size_t>(t[2])];
+      const Vec3 &a = p[t[0]], &b = p[t[1]], &c = p[t[2]];
       CHECK((b - a).cross(c - a).dot(normal) > 0);
     }
     CHECK(windingAround(p, normal, polygons[0], 5 * x + 5 * y) == 1);

@@ -18,8 +18,7 @@ std::vector<Grid> allOrientations(double degrees) {
   do {
     for (int signs = 0; signs < 8; ++signs) {
       Eigen::Matrix3d direction = Eigen::Matrix3d::Zero();
-      for (int a = 0; a < 3; ++a)
-        direction(order[static_cast<std::size_t>(a)], a) = (signs >> a & 1) != 0 ? -1 : 1;
+      for (int a = 0; a < 3; ++a) direction(order[a], a) = (signs >> a & 1) != 0 ? -1 : 1;
       Grid grid;
       grid.size = {10, 20, 30};
       grid.direction = turn * direction;
@@ -33,8 +32,8 @@ std::vector<Grid> allOrientations(double degrees) {
 Vec3 directionOf(char letter) {
   const std::string positive = "LPS", negative = "RAI";
   for (int w = 0; w < 3; ++w) {
-    if (positive[static_cast<std::size_t>(w)] == letter) return Vec3::Unit(w);
-    if (negative[static_cast<std::size_t>(w)] == letter) return -Vec3::Unit(w);
+    if (positive[w] == letter) return Vec3::Unit(w);
+    if (negative[w] == letter) return -Vec3::Unit(w);
   }
   FAIL("no such letter");
   return Vec3::Zero();

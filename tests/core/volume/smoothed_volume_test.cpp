@@ -51,8 +51,7 @@ double directly(const Volume& volume, double sigma, int i, int j, int k) {
       for (int a = 0; a < static_cast<int>(wx.size()); ++a) {
         const int x = clampTo(i + a - reach(wx), 0), y = clampTo(j + b - reach(wy), 1),
                   z = clampTo(k + c - reach(wz), 2);
-        sum += wx[static_cast<std::size_t>(a)] * wy[static_cast<std::size_t>(b)] *
-               wz[static_cast<std::size_t>(c)] *
+        sum += wx[a] * wy[b] * wz[c] *
                static_cast<double>(volume.data<float>()[(z * g.size[1] + y) * g.size[0] + x]);
       }
   return sum;

@@ -47,7 +47,7 @@ TEST_CASE("a change of topology is forbidden from the step before on, and undo b
           "[document]") {
   Grown grown;
   Document& document = grown.document;
-  const Event event = document.events()[static_cast<std::size_t>(grown.meeting())];
+  const Event event = document.events()[grown.meeting()];
   document.forbid(grown.meeting());
   REQUIRE(waitFor([&] { return document.iteration() == event.iteration - 1; }));
   const TriangleSoup before = document.snapshot()->mesh;

@@ -77,7 +77,7 @@ TEST_CASE("the faces of a new handle are marked, in its step each of them and no
     for (std::size_t f = 0; f < snapshot->states.size(); ++f) {
       const Triangle& t = snapshot->mesh.triangles[f];
       const auto& p = snapshot->mesh.points;
-      const auto at = [&](std::size_t i) { return p[static_cast<std::size_t>(t[i])]; };
+      const auto at = [&](std::size_t i) { return p[t[i]]; };
       if (snapshot->states[f] == FaceState::newHandle) marked.insert(corners(at(0), at(1), at(2)));
     }
     if (!expected.empty()) {
@@ -136,7 +136,7 @@ TEST_CASE("steps forward and back show each iteration exactly", "[document]") {
   for (int i = 11; i >= 1; --i) {
     document.stepBack();
     REQUIRE(waitFor([&] { return document.iteration() == i; }));
-    CHECK(isSame(document.snapshot()->mesh, meshes[static_cast<std::size_t>(i)]));
+    CHECK(isSame(document.snapshot()->mesh, meshes[i]));
   }
   CHECK(document.lastIteration() == 12);
 }
@@ -173,7 +173,7 @@ TEST_CASE("next and previous event go where something happened", "[document]") {
   REQUIRE(waitFor([&] { return document.iteration() == document.lastIteration(); }));
   document.goToPreviousEvent();
   REQUIRE(waitFor([&] { return document.iteration() != document.lastIteration(); }));
-  CHECK(document.summaries()[static_cast<std::size_t>(document.iteration())].events > 0);
+  CHECK(document.summaries()[document.iteration()].events > 0);
 }
 
 TEST_CASE("a click on the way: the growth goes on from the shown iteration with it", "[document]") {

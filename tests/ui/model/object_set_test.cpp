@@ -41,8 +41,8 @@ struct ThreeObjects {
 TEST_CASE("objects are found by their place, and those after one in their order", "[objects]") {
   const ThreeObjects t;
   for (int i = 0; i < 3; ++i) {
-    CHECK(t.objects.indexOf(*t.made[static_cast<std::size_t>(i)]) == i);
-    CHECK(&t.objects.at(i) == t.made[static_cast<std::size_t>(i)].get());
+    CHECK(t.objects.indexOf(*t.made[i]) == i);
+    CHECK(&t.objects.at(i) == t.made[i].get());
   }
   CHECK(t.objects.active() == t.made[1]);
   CHECK(t.objects.after(*t.made[0]) == std::vector{t.made[1], t.made[2]});

@@ -169,7 +169,7 @@ TEST_CASE("the segments of a file become objects with the names, colours and ter
   REQUIRE(work.open(path, OpenAs::done));
   REQUIRE(work.document.objectCount() == 3);
   for (int i = 0; i < 2; ++i) {
-    const ObjectLabel is = work.document.objectInfo(i).label, was = meant[static_cast<std::size_t>(i)].label;
+    const ObjectLabel is = work.document.objectInfo(i).label, was = meant[i].label;
     CHECK(is.name == was.name);
     CHECK(is.term == was.term);
     for (std::size_t c = 0; c < 3; ++c) CHECK(std::abs(int{is.colour[c]} - int{was.colour[c]}) <= 1);

@@ -62,7 +62,7 @@ TEST_CASE("A fitted slice is wholly in view, centred, and stays so when the view
     geometry.resize({120, 400});
     const SliceAxes& axes = geometry.axes();
     Vec3 low = Vec3::Constant(-0.5), high;
-    for (int a = 0; a < 3; ++a) high[a] = geometry.grid().size[static_cast<std::size_t>(a)] - 0.5;
+    for (int a = 0; a < 3; ++a) high[a] = geometry.grid().size[a] - 0.5;
     const QPointF a = geometry.toScreen(low), b = geometry.toScreen(high);
     CHECK((a + b).x() == Approx(120));
     CHECK((a + b).y() == Approx(400));
@@ -294,7 +294,7 @@ TEST_CASE("The texture of a slice covers its voxels and nothing else, to a pixel
     const SliceGeometry whole = wholeSlice(grid, plane, 25);
     CHECK(std::max(whole.size().width(), whole.size().height()) == 25);
     Vec3 high;
-    for (int a = 0; a < 3; ++a) high[a] = grid.size[static_cast<std::size_t>(a)] - 0.5;
+    for (int a = 0; a < 3; ++a) high[a] = grid.size[a] - 0.5;
     const QPointF one = whole.toScreen(Vec3::Constant(-0.5)), other = whole.toScreen(high);
     CHECK(std::abs(std::abs(one.x() - other.x()) - whole.size().width()) <= 1);
     CHECK(std::abs(std::abs(one.y() - other.y()) - whole.size().height()) <= 1);

@@ -38,11 +38,9 @@ Grown grow(const Volume& volume, const Seed& seed, int iterations) {
   grown.mesh = contour.mesh().compact(&vertices);
   std::vector<bool> converged(grown.mesh.points.size(), false);
   for (int v = 0; v < contour.mesh().vertexSlots(); ++v)
-    if (contour.mesh().isVertex(v))
-      converged[static_cast<std::size_t>(vertices[static_cast<std::size_t>(v)])] = contour.isConverged(v);
+    if (contour.mesh().isVertex(v)) converged[vertices[v]] = contour.isConverged(v);
   for (const Triangle& t : grown.mesh.triangles)
-    grown.states.push_back(converged[static_cast<std::size_t>(t[0])] ? FaceState::converged
-                                                                     : FaceState::moving);
+    grown.states.push_back(converged[t[0]] ? FaceState::converged : FaceState::moving);
   return grown;
 }
 

@@ -42,7 +42,7 @@ inline SurfaceSupport withoutEdgeTowards(const TriangleSoup& mesh, const Vec3& s
   SurfaceSupport support;
   for (const Triangle& t : mesh.triangles) {
     Vec3 middle = Vec3::Zero();
-    for (int v : t) middle += mesh.points[static_cast<std::size_t>(v)] / 3;
+    for (int v : t) middle += mesh.points[v] / 3;
     support.faces.push_back((middle - place).dot(side) > 0 ? FaceSupport::none : FaceSupport::edge);
   }
   return support;

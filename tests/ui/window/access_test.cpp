@@ -268,7 +268,7 @@ void AccessTest::anEventAndAnIterationAreChosenByKeys() {
   auto window = busyWindow();
   QVERIFY(window);
   ui::Document& document = window->document();
-  const int event = document.events()[static_cast<std::size_t>(firstHandle(document))].iteration;
+  const int event = document.events()[firstHandle(document)].iteration;
   QVERIFY(QTest::qWaitFor([&] { return document.iteration() == event; }, kPatience));
   QSlider* slider = nullptr;
   const auto sliders = window->findChildren<QSlider*>();

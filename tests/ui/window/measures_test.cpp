@@ -270,8 +270,7 @@ void MeasuresTest::aCentreLineIsPlottedAndPointedAtInTheViews() {
   auto* plot = window->measures().findChild<ui::SectionPlot*>();
   QTest::mouseMove(plot, plot->rect().center());
   QVERIFY(QTest::qWaitFor([&] { return tool.marker().has_value(); }));
-  QVERIFY((tool.marker()->place - line.points[static_cast<std::size_t>(plot->pointed())].place).norm() <
-          1e-12);
+  QVERIFY((tool.marker()->place - line.points[plot->pointed()].place).norm() < 1e-12);
   QVERIFY(std::abs(tool.marker()->radius - kRadius) < 1);
   QTest::mouseClick(plot, Qt::LeftButton, {}, plot->rect().center());
   QVERIFY((window->viewState().crosshair() - tool.marker()->place).norm() < 1e-12);

@@ -104,8 +104,7 @@ class Monkey {
     QTest::qWait(kRest);
     constexpr ui::Plane planes[] = {ui::Plane::axial, ui::Plane::coronal, ui::Plane::sagittal};
     const ui::Plane plane = planes[below(3)];
-    const Vec3 place =
-        shown->mesh.points[static_cast<std::size_t>(below(static_cast<int>(shown->mesh.points.size())))];
+    const Vec3 place = shown->mesh.points[below(static_cast<int>(shown->mesh.points.size()))];
     QWidget* view = &window_.views().surface();
     QPoint at = view->rect().center() + QPoint(below(81) - 40, below(81) - 40);
     if (below(3) != 0) {
@@ -120,7 +119,7 @@ class Monkey {
 
  private:
   QAction* oneOf(const std::vector<QAction*>& actions) {
-    return actions[static_cast<std::size_t>(below(static_cast<int>(actions.size())))];
+    return actions[below(static_cast<int>(actions.size()))];
   }
 
   int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(random_); }

@@ -132,7 +132,7 @@ void WindowTest::anEventIsInspectedInItsStages() {
   const int index = firstHandle(window->document());
   QVERIFY(index >= 0);
   window->goToEvent(index);
-  const Event event = window->document().events()[static_cast<std::size_t>(index)];
+  const Event event = window->document().events()[index];
   QVERIFY(QTest::qWaitFor([&] { return window->document().iteration() == event.iteration; }, kPatience));
   QVERIFY((window->viewState().crosshair() - event.location).norm() < 1e-9);
 

@@ -256,8 +256,8 @@ void TunnelsList::showRows() {
     table_->setCurrentCell(-1, -1);
     table_->setRowCount(static_cast<int>(rows_.size()));
     for (int i = 0; i < table_->rowCount(); ++i) {
-      table_->setItem(i, kWhat, listCell(rows_[static_cast<std::size_t>(i)].what));
-      table_->setItem(i, kSize, listCell(rows_[static_cast<std::size_t>(i)].size));
+      table_->setItem(i, kWhat, listCell(rows_[i].what));
+      table_->setItem(i, kSize, listCell(rows_[i].size));
     }
   }
   fitTable();

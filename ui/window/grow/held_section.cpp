@@ -184,7 +184,7 @@ void HeldSection::showRows() {
     table_->setCurrentCell(-1, -1);
     table_->setRowCount(static_cast<int>(rows_.size()));
     for (int i = 0; i < table_->rowCount(); ++i) {
-      const Row& row = rows_[static_cast<std::size_t>(i)];
+      const Row& row = rows_[i];
       table_->setItem(i, kWhat, listCell(row.text));
       table_->setItem(i, kWhere, listCell(row.place ? place(*row.place).chopped(3) : QStringLiteral("–")));
     }
@@ -197,7 +197,7 @@ void HeldSection::showRows() {
 
 const HeldSection::Row* HeldSection::chosen() const {
   const QModelIndexList rows = table_->selectionModel()->selectedRows();
-  return rows.isEmpty() ? nullptr : &rows_[static_cast<std::size_t>(rows.front().row())];
+  return rows.isEmpty() ? nullptr : &rows_[rows.front().row()];
 }
 
 void HeldSection::showButton() {

@@ -154,11 +154,10 @@ void ObjectMeasuresPage::fillWalls() {
   const Surfaces now = shownSurfaces(document_);
   const int n = static_cast<int>(now.size());
   for (int i = 0; i < n; ++i) {
-    const QString& name = now[static_cast<std::size_t>(i)].name;
+    const QString& name = now[i].name;
     walls_->addItem(tr("Wall of “%1” around its cavities").arg(name), QPoint(i, -1));
     for (int j = i + 1; j < n; ++j)
-      walls_->addItem(tr("Wall from “%1” to “%2”").arg(name, now[static_cast<std::size_t>(j)].name),
-                      QPoint(i, j));
+      walls_->addItem(tr("Wall from “%1” to “%2”").arg(name, now[j].name), QPoint(i, j));
   }
   walls_->setCurrentIndex(std::max(0, walls_->findData(chosen)));
 }
@@ -247,8 +246,7 @@ void ObjectMeasuresPage::showTable() {
 void ObjectMeasuresPage::showDetails() {
   const int row = table_->currentRow();
   const bool any = shown_ && row >= 0 && row < static_cast<int>(shown_->objects.size());
-  details_->setText(any ? measureDetails(*shown_, shown_->objects[static_cast<std::size_t>(row)])
-                        : QString());
+  details_->setText(any ? measureDetails(*shown_, shown_->objects[row]) : QString());
 }
 
 void ObjectMeasuresPage::showState() {

@@ -99,7 +99,7 @@ void RulersPage::showRows() {
   const int count = static_cast<int>(list.all().size());
   table_->setRowCount(count);
   for (int i = 0; i < count; ++i) {
-    const Measurement& m = list.all()[static_cast<std::size_t>(i)];
+    const Measurement& m = list.all()[i];
     table_->setItem(i, 0, listCell(list.nameOf(i)));
     table_->setItem(i, 1, listCell(measuredValue(m)));
     table_->item(i, 1)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);

@@ -51,9 +51,7 @@ double SectionPlot::xOf(double along) const {
 int SectionPlot::nearestTo(double x) const {
   int best = -1;
   for (int i = 0; i < static_cast<int>(line_.points.size()); ++i) {
-    const auto away = [&](int j) {
-      return std::abs(xOf(line_.points[static_cast<std::size_t>(j)].along) - x);
-    };
+    const auto away = [&](int j) { return std::abs(xOf(line_.points[j].along) - x); };
     if (best < 0 || away(i) < away(best)) best = i;
   }
   return best;
@@ -156,7 +154,7 @@ void SectionPlot::paintAxes(QPainter& painter, double mostArea, double mostDiame
 void SectionPlot::paintPointed(QPainter& painter, double mostArea, double mostDiameter) const {
   if (pointed_ < 0) return;
   const QRectF a = area();
-  const CentreLinePoint& p = line_.points[static_cast<std::size_t>(pointed_)];
+  const CentreLinePoint& p = line_.points[pointed_];
   const double x = xOf(p.along);
   painter.setPen(QPen(palette().color(QPalette::WindowText), 1));
   painter.drawLine(QPointF(x, a.top()), QPointF(x, a.bottom()));

@@ -145,7 +145,7 @@ void ObjectsPanel::showRow(int row, const ObjectInfo& info) {
   setText(table_->item(row, kProgress), progressText(info),
           isOld ? tr("Made with an earlier “%1”").arg(info.madeWithEarlier).toHtmlEscaped() : QString());
   table_->item(row, kProgress)->setIcon(isOld ? icon(QStringLiteral("warning")) : QIcon());
-  const auto [visible, locked] = rows_[static_cast<std::size_t>(row)];
+  const auto [visible, locked] = rows_[row];
   const bool isActive = row == document_.activeObject();
   visible->setIcon(iconOfRow(info.visible ? QStringLiteral("visible") : QStringLiteral("hidden"), isActive));
   describe(visible, info.visible ? tr("Hide %1").arg(name) : tr("Show %1").arg(name),
@@ -162,7 +162,7 @@ void ObjectsPanel::showAll() {
   if (count < 2) return;
   if (table_->rowCount() > count) {
     table_->setRowCount(count);
-    rows_.resize(static_cast<std::size_t>(count));
+    rows_.resize(count);
   }
   while (table_->rowCount() < count) addRow();
   for (int i = 0; i < count; ++i) showRow(i, document_.objectInfo(i));

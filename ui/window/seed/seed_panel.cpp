@@ -45,7 +45,7 @@ QTableWidgetItem* cell(const QString& text) {
 
 QString radiusText(const Document& document, int index) {
   const double radius = document.shownRadius(index);
-  const bool automatic = !document.seeds()[static_cast<std::size_t>(index)].radius;
+  const bool automatic = !document.seeds()[index].radius;
   const QString text = number(radius, 3);
   return automatic ? SeedPanel::tr("%1 (auto)").arg(text) : text;
 }
@@ -121,7 +121,7 @@ void SeedPanel::buildTable() {
 void SeedPanel::select(int row) {
   if (row < 0 || row >= static_cast<int>(document_.seeds().size())) return;
   document_.selectSeed(row);
-  state_.setCrosshair(document_.seeds()[static_cast<std::size_t>(row)].centre);
+  state_.setCrosshair(document_.seeds()[row].centre);
 }
 
 void SeedPanel::showSeeds() {
@@ -129,7 +129,7 @@ void SeedPanel::showSeeds() {
   const int count = static_cast<int>(document_.seeds().size());
   table_->setRowCount(count);
   for (int i = 0; i < count; ++i) {
-    const Seed& seed = document_.seeds()[static_cast<std::size_t>(i)];
+    const Seed& seed = document_.seeds()[i];
     table_->setItem(i, 0, cell(place(seed.centre).chopped(3)));
     table_->setItem(i, 1, cell(radiusText(document_, i)));
     table_->setItem(i, 2, cell(seed.background ? tr("outside") : tr("inside")));
@@ -152,7 +152,7 @@ void SeedPanel::showSelected() {
     return;
   }
   table_->selectRow(index);
-  radius_->show(document_.seeds()[static_cast<std::size_t>(index)].radius, document_.shownRadius(index));
+  radius_->show(document_.seeds()[index].radius, document_.shownRadius(index));
 }
 
 }  // namespace handlebody::ui

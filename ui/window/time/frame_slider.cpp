@@ -64,7 +64,7 @@ void FrameSlider::paintEvent(QPaintEvent*) {
   if ((width() - 2 * TimelineAxis::kMargin) > kMinApart * a.last)
     for (int f = 0; f <= a.last; ++f) painter.drawLine(QPointF(a.toX(f), y - 4), QPointF(a.toX(f), y + 4));
   for (int f = 0; f < static_cast<int>(marks_.size()) && f <= a.last; ++f) {
-    const FrameMark mark = marks_[static_cast<std::size_t>(f)];
+    const FrameMark mark = marks_[f];
     if (mark == FrameMark::none) continue;
     const bool isGrown = mark == FrameMark::grown;
     painter.setPen(isGrown ? QPen(frameMarkColour(mark), 2) : Qt::NoPen);

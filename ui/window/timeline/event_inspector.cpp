@@ -150,15 +150,14 @@ void EventInspector::followIteration() {
   if (document_.state() == GrowthState::running) return setEvent(-1);
   const std::vector<Event>& events = document_.events();
   const auto isHere = [&](int i) {
-    return i >= 0 && i < static_cast<int>(events.size()) &&
-           events[static_cast<std::size_t>(i)].iteration == document_.iteration();
+    return i >= 0 && i < static_cast<int>(events.size()) && events[i].iteration == document_.iteration();
   };
   if (isHere(index_)) return offerConstraint();  // what is held there may have changed
   int first = -1;
   for (int i = 0; i < static_cast<int>(events.size()) && first < 0; ++i)
-    if (isHere(i) && changesTopology(events[static_cast<std::size_t>(i)].kind)) first = i;
+    if (isHere(i) && changesTopology(events[i].kind)) first = i;
   for (int i = 0; i < static_cast<int>(events.size()) && first < 0; ++i)
-    if (isHere(i) && events[static_cast<std::size_t>(i)].held) first = i;
+    if (isHere(i) && events[i].held) first = i;
   setEvent(first);
 }
 
@@ -167,7 +166,7 @@ void EventInspector::showText() {
   setVisible(any);
   if (!any) return;
   offerConstraint();
-  const Event& event = document_.events()[static_cast<std::size_t>(index_)];
+  const Event& event = document_.events()[index_];
   title_->setText(tr("Event: %1").arg(eventName(event)));
   stages_->setVisible(!event.edit);  // nothing collided
   QStringList lines{tr("at %1").arg(place(event.location)),
@@ -187,7 +186,7 @@ void EventInspector::showText() {
 
 //! What is held at the place of the shown event, if it is a change that was held; a repair is not.
 std::optional<HeldPlace> EventInspector::heldHere() const {
-  const Event& event = document_.events()[static_cast<std::size_t>(index_)];
+  const Event& event = document_.events()[index_];
   const auto shown = document_.snapshot();
   if (!event.held || !shown || shown->held.empty()) return std::nullopt;
   const auto distance = [&](const HeldPlace& held) { return (held.place - event.location).norm(); };
@@ -196,7 +195,7 @@ std::optional<HeldPlace> EventInspector::heldHere() const {
 }
 
 void EventInspector::offerConstraint() {
-  const Event& event = document_.events()[static_cast<std::size_t>(index_)];
+  const Event& event = document_.events()[index_];
   const bool isChange = changesTopology(event.kind);
   constrain_->setVisible(isChange || heldHere());
   const bool isMeeting = event.kind == EventKind::handleInserted;

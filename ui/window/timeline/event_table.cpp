@@ -25,7 +25,7 @@ void EventTable::refresh() {
   std::vector<int> rows;
   const std::vector<Event>& events = document_.events();
   for (int i = 0; i < static_cast<int>(events.size()); ++i)
-    if (repairs_ || changesTopology(events[static_cast<std::size_t>(i)].kind)) rows.push_back(i);
+    if (repairs_ || changesTopology(events[i].kind)) rows.push_back(i);
   const bool grew = rows.size() > rows_.size() && std::equal(rows_.begin(), rows_.end(), rows.begin());
   if (grew) {
     beginInsertRows({}, static_cast<int>(rows_.size()), static_cast<int>(rows.size()) - 1);
@@ -49,9 +49,7 @@ int EventTable::rowCount(const QModelIndex& parent) const {
 
 int EventTable::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
 
-int EventTable::eventOf(int row) const {
-  return row >= 0 && row < rowCount() ? rows_[static_cast<std::size_t>(row)] : -1;
-}
+int EventTable::eventOf(int row) const { return row >= 0 && row < rowCount() ? rows_[row] : -1; }
 
 int EventTable::rowOf(int event) const {
   const auto found = std::find(rows_.begin(), rows_.end(), event);

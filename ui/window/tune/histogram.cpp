@@ -26,7 +26,7 @@ std::vector<float> samplesOf(const Volume& volume) {
 double nthOf(std::vector<float>& samples, double share) {
   const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(samples.size() - 1));
   std::nth_element(samples.begin(), samples.begin() + rank, samples.end());
-  return samples[static_cast<std::size_t>(rank)];
+  return samples[rank];
 }
 
 bool isWhole(VoxelType type) { return type != VoxelType::float32 && type != VoxelType::float64; }
@@ -45,7 +45,7 @@ Histogram histogramOf(const Volume& volume, int bins) {
     bins = std::max(1, static_cast<int>(std::ceil((histogram.high + 0.5 - histogram.low) / width)));
     histogram.high = histogram.low + width * bins;
   }
-  histogram.counts.assign(static_cast<std::size_t>(bins), 0);
+  histogram.counts.assign(bins, 0);
   const double scale = bins / (histogram.high - histogram.low);
   for (float sample : samples) {
     const double bin = std::clamp((sample - histogram.low) * scale, 0.0, bins - 1.0);
