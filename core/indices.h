@@ -1,5 +1,5 @@
 #pragma once
-// Indices are int where they are kept (half the memory, and -1 for none); containers want std::size_t.
+// Indices are int where they are kept: half the memory, and -1 for none.
 
 #include <algorithm>
 #include <cstddef>
@@ -7,6 +7,8 @@
 
 namespace handlebody {
 
+//! For products and sums that may not fit into an int, and for comparisons with a size. A container takes an
+//! int as it is.
 constexpr std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 //! In order, each once.

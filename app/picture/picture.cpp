@@ -61,10 +61,11 @@ GreyWindow windowOf(const Volume& volume) {
 
 std::array<SliceView, 3> planAround(const Grid& grid, const IndexMesh& mesh, const PictureOptions& options) {
   const Vec3 point = options.point ? grid.toIndex(*options.point) : Vec3((mesh.low + mesh.high) / 2);
-  const auto plan = [&](Anatomical plane, int panel) {
+  const auto plan = [&](AnatomicalPlane plane, int panel) {
     return planSlice(grid, plane, point, mesh.low, mesh.high, panelArea(panel));
   };
-  return {plan(Anatomical::axial, 0), plan(Anatomical::coronal, 1), plan(Anatomical::sagittal, 2)};
+  return {plan(AnatomicalPlane::axial, 0), plan(AnatomicalPlane::coronal, 1),
+          plan(AnatomicalPlane::sagittal, 2)};
 }
 
 void drawSlices(Canvas& canvas, const Volume& volume, const TriangleSoup& mesh,

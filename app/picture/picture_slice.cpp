@@ -63,8 +63,8 @@ void fit(SliceView& view, const Grid& grid, const Vec3& low, const Vec3& high) {
 
 }  // namespace
 
-SliceView planSlice(const Grid& grid, Anatomical plane, const Vec3& point, const Vec3& low, const Vec3& high,
-                    const Rect& area) {
+SliceView planSlice(const Grid& grid, AnatomicalPlane plane, const Vec3& point, const Vec3& low,
+                    const Vec3& high, const Rect& area) {
   SliceView view;
   static_cast<SliceAxes&>(view) = sliceAxes(grid, plane);
   view.plane = plane;

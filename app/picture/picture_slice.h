@@ -15,7 +15,7 @@ namespace handlebody {
 
 //! A plane across one voxel axis, and how the other two lie on the picture.
 struct SliceView : SliceAxes {
-  Anatomical plane = Anatomical::axial;
+  AnatomicalPlane plane = AnatomicalPlane::axial;
   Rect area;              //!< pixels
   Vec3 centre{0, 0, 0};   //!< voxel index at the middle of `area`; its `normal` part is the slice
   Vec3 spacing{1, 1, 1};  //!< mm
@@ -29,8 +29,8 @@ struct SliceView : SliceAxes {
 //! The slice through `point` (continuous voxel index) that shows [low, high] (voxel indices of the mesh's
 //! bounding box) at two and a half times its size, or the whole volume if that is smaller. It lies on voxel
 //! centres unless the mesh would be missed there.
-SliceView planSlice(const Grid& grid, Anatomical plane, const Vec3& point, const Vec3& low, const Vec3& high,
-                    const Rect& area);
+SliceView planSlice(const Grid& grid, AnatomicalPlane plane, const Vec3& point, const Vec3& low,
+                    const Vec3& high, const Rect& area);
 
 //! The three slices of a picture: axial, coronal, sagittal.
 std::array<SliceView, 3> planSlices(const Grid& grid, const TriangleSoup& mesh,

@@ -36,8 +36,10 @@ std::string anatomicalPlace(int worldAxis, double mm) {
   return text;
 }
 
-const char* anatomicalName(Anatomical plane) {
-  return plane == Anatomical::axial ? "Axial" : plane == Anatomical::coronal ? "Coronal" : "Sagittal";
+const char* anatomicalName(AnatomicalPlane plane) {
+  return plane == AnatomicalPlane::axial     ? "Axial"
+         : plane == AnatomicalPlane::coronal ? "Coronal"
+                                             : "Sagittal";
 }
 
 double roundLength(double longest) {
@@ -45,11 +47,11 @@ double roundLength(double longest) {
   return decade * (longest >= 5 * decade ? 5 : longest >= 2 * decade ? 2 : 1);
 }
 
-SliceAxes sliceAxes(const Grid& grid, Anatomical plane) {
+SliceAxes sliceAxes(const Grid& grid, AnatomicalPlane plane) {
   const std::array<int, 3> axes = nearestAxes(grid);
-  const int right = plane == Anatomical::sagittal ? 1 : 0;
-  const int downwards = plane == Anatomical::axial ? 1 : 2;
-  const bool downIsPositive = plane == Anatomical::axial;
+  const int right = plane == AnatomicalPlane::sagittal ? 1 : 0;
+  const int downwards = plane == AnatomicalPlane::axial ? 1 : 2;
+  const bool downIsPositive = plane == AnatomicalPlane::axial;
   SliceAxes view;
   view.normal = axes[static_cast<int>(plane)];
   view.across = axes[right];

@@ -8,7 +8,8 @@
 
 namespace handlebody {
 
-enum class Anatomical { sagittal, coronal, axial };  //!< the plane across the axis of L, P, S
+//! As numbers: the world axis (L, P, S) that it lies across.
+enum class AnatomicalPlane { sagittal, coronal, axial };
 
 //! The voxel axis nearest to each of L, P, S: every axis is taken once.
 std::array<int, 3> nearestAxes(const Grid& grid);
@@ -20,7 +21,7 @@ char anatomicalLetter(int worldAxis, bool positive);
 //! A coordinate (mm LPS) with its letter instead of a sign: "R 12.5".
 std::string anatomicalPlace(int worldAxis, double mm);
 //! "Axial", "Coronal" or "Sagittal".
-const char* anatomicalName(Anatomical plane);
+const char* anatomicalName(AnatomicalPlane plane);
 
 //! The longest of 1, 2 and 5 times a power of ten that is at most `longest` (> 0), for a scale bar.
 double roundLength(double longest);
@@ -32,7 +33,7 @@ struct SliceAxes {
   double acrossSign = 1, downSign = 1;                    //!< -1: the index falls to the right, or downwards
   char left = 'R', right = 'L', top = 'A', bottom = 'P';  //!< letters at the edges
 };
-SliceAxes sliceAxes(const Grid& grid, Anatomical plane);
+SliceAxes sliceAxes(const Grid& grid, AnatomicalPlane plane);
 
 //! Unit vector (LPS) towards the eye that surfaces are shown to at first: from the front, left and above.
 Vec3 obliqueSight();

@@ -16,14 +16,8 @@ double sizeOf(const Grid& grid, int axis) { return grid.size[axis]; }
 
 }  // namespace
 
-Anatomical anatomical(Plane plane) {
-  return plane == Plane::axial     ? Anatomical::axial
-         : plane == Plane::coronal ? Anatomical::coronal
-                                   : Anatomical::sagittal;
-}
-
 SliceGeometry::SliceGeometry(const Grid& grid, Plane plane, const QSizeF& size)
-    : grid_(grid), plane_(plane), axes_(sliceAxes(grid, anatomical(plane))), size_(size) {
+    : grid_(grid), plane_(plane), axes_(sliceAxes(grid, plane)), size_(size) {
   slice_ = slices() / 2;
   fit();
 }
@@ -39,7 +33,7 @@ void SliceGeometry::setSlice(int slice) {
 }
 
 int SliceGeometry::forward() const {
-  const int world = static_cast<int>(anatomical(plane_));
+  const int world = static_cast<int>(plane_);
   const double growing = grid_.direction(world, axes_.normal);  // towards L, P or S
   const bool forwards = world == 2 ? growing >= 0 : growing < 0;
   return forwards ? 1 : -1;
@@ -123,7 +117,7 @@ QStringList slicePlace(const SliceGeometry& geometry, Plane plane, const Vec3& c
             tr("%1  %2  %3 mm").arg(place(0, crosshair[0]), place(1, crosshair[1]), place(2, crosshair[2]))};
   Vec3 index = Vec3::Zero();
   index[geometry.axes().normal] = geometry.slice();
-  const int world = static_cast<int>(anatomical(plane));
+  const int world = static_cast<int>(plane);
   return {tr("%1, %2 mm").arg(number, place(world, geometry.grid().toWorld(index)[world]))};
 }
 

@@ -10,8 +10,6 @@
 
 namespace handlebody::ui {
 
-Anatomical anatomical(Plane plane);
-
 //! One slice across a voxel axis, shown in a widget. Pixels are logical, (0, 0) the upper left corner; voxels
 //! are shown in their true proportions.
 class SliceGeometry {

@@ -192,7 +192,8 @@ SurfaceScene::SurfaceScene(vtkRenderer* renderer) : d_(std::make_unique<Private>
     const QColor colour = loopColour(kind);
     d_->marked[static_cast<std::size_t>(kind)].setColour(colour.redF(), colour.greenF(), colour.blueF());
   }
-  for (SliceActor& slice : d_->slices) renderer->AddActor(slice.actor);
+  for (const Plane plane : {Plane::axial, Plane::coronal, Plane::sagittal})  // drawn in this order
+    renderer->AddActor(d_->slices[static_cast<std::size_t>(plane)].actor);
   renderer->AddActor(d_->walls.actor());  // after all that is seen through them
   d_->walls.setColour(wallColour());
   d_->walls.actor()->GetProperty()->SetOpacity(kWallOpacity);

@@ -10,6 +10,7 @@
 
 #include "core/evolution/parameters.h"
 #include "core/geometry/vec.h"
+#include "core/volume/anatomy.h"
 #include "core/volume/volume.h"
 #include "ui/view/brush.h"
 #include "ui/view/measure_tool.h"
@@ -17,7 +18,7 @@
 namespace handlebody::ui {
 
 //! Slices run along the volume's own axes; each is named after the nearest anatomical plane.
-enum class Plane { axial, coronal, sagittal };
+using Plane = AnatomicalPlane;
 
 enum class ColourMap { grey, inverted, hot, contrast };
 enum class MeshColouring { plain, edges, state, support };

@@ -44,7 +44,8 @@ Vec3 directionOf(char letter) {
 TEST_CASE("The letters at a slice's edges say where its axes run, however the voxels lie", "[anatomy]") {
   for (double degrees : {0.0, 20.0})
     for (const Grid& grid : allOrientations(degrees))
-      for (Anatomical plane : {Anatomical::axial, Anatomical::coronal, Anatomical::sagittal}) {
+      for (AnatomicalPlane plane :
+           {AnatomicalPlane::axial, AnatomicalPlane::coronal, AnatomicalPlane::sagittal}) {
         const SliceAxes axes = sliceAxes(grid, plane);
         const Vec3 rightwards = axes.acrossSign * grid.direction.col(axes.across);
         const Vec3 downwards = axes.downSign * grid.direction.col(axes.down);
@@ -58,9 +59,9 @@ TEST_CASE("The letters at a slice's edges say where its axes run, however the vo
 
 TEST_CASE("The patient's right is on the left, superior is up, anterior up or on the left", "[anatomy]") {
   for (const Grid& grid : allOrientations(0)) {
-    const SliceAxes axial = sliceAxes(grid, Anatomical::axial),
-                    coronal = sliceAxes(grid, Anatomical::coronal),
-                    sagittal = sliceAxes(grid, Anatomical::sagittal);
+    const SliceAxes axial = sliceAxes(grid, AnatomicalPlane::axial),
+                    coronal = sliceAxes(grid, AnatomicalPlane::coronal),
+                    sagittal = sliceAxes(grid, AnatomicalPlane::sagittal);
     CHECK(std::string{axial.left, axial.right, axial.top, axial.bottom} == "RLAP");
     CHECK(std::string{coronal.left, coronal.right, coronal.top, coronal.bottom} == "RLSI");
     CHECK(std::string{sagittal.left, sagittal.right, sagittal.top, sagittal.bottom} == "APSI");

@@ -108,7 +108,7 @@ TEST_CASE("The nearest slice to a point is at most half a voxel away, within the
 }
 
 TEST_CASE("Forward is towards superior, anterior and the patient's right", "[slice]") {
-  const Vec3 ahead[] = {Vec3(0, 0, 1), Vec3(0, -1, 0), Vec3(-1, 0, 0)};
+  const Vec3 ahead[] = {Vec3(-1, 0, 0), Vec3(0, -1, 0), Vec3(0, 0, 1)};
   for (Plane plane : kPlanes) {
     const SliceGeometry geometry(awkwardGrid(), plane, {300, 200});
     CHECK((geometry.forward() * geometry.normal()).dot(ahead[static_cast<int>(plane)]) > 0.7);

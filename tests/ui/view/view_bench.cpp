@@ -58,7 +58,7 @@ void measure(const char* what, int times, F&& once) {
 }
 
 void measureSlices(Document& document, ViewState& state, const QSize& size) {
-  const char* const names[] = {"axial", "coronal", "sagittal"};
+  const char* const names[] = {"sagittal", "coronal", "axial"};
   for (Plane plane : {Plane::axial, Plane::coronal, Plane::sagittal}) {
     SliceView view(plane, document, state);
     view.resize(size);

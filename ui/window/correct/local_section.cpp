@@ -25,13 +25,13 @@ namespace {
 
 constexpr double kFirstRadius = 5, kMinRadius = 0.5;  // voxels
 
-//! LPS: 0 left, 1 posterior, 2 superior.
-int worldAxis(Plane plane) { return plane == Plane::axial ? 2 : plane == Plane::coronal ? 1 : 0; }
+// As they are offered.
+constexpr Plane kPlanes[] = {Plane::axial, Plane::coronal, Plane::sagittal};
 
-//! Across the plane's slices as they are shown: to superior, posterior, left.
+//! Across the plane's slices as they are shown: to superior, posterior or left, along the world's axis.
 Vec3 normalOf(const Grid& grid, Plane plane) {
   const Vec3 normal = SliceGeometry(grid, plane, {1, 1}).normal();
-  return normal[worldAxis(plane)] < 0 ? Vec3(-normal) : normal;
+  return normal[static_cast<int>(plane)] < 0 ? Vec3(-normal) : normal;
 }
 
 //! So that the ball holds a vertex, however small it is. Precondition: there is one.
@@ -169,7 +169,7 @@ void LocalSection::cut() {
   MeshEdit edit;
   edit.kind = MeshEditKind::cut;
   edit.place = state_.crosshair();
-  edit.vector = normalOf(document_.volume().grid, static_cast<Plane>(plane_->checkedId()));
+  edit.vector = normalOf(document_.volume().grid, kPlanes[plane_->checkedId()]);
   edit.keep = static_cast<KeptSide>(kept_->checkedId());
   document_.editMesh(edit);
 }
