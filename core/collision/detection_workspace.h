@@ -50,11 +50,13 @@ struct DetectionWorkspace {
     return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
   }
   //! How near (mm², squared) the vertex u of a face T must be to the vertex v = P; see SeparateFaces.
-  double reachSquared(int u, int v) const { return (sizes[u].circle + sizes[v].spoke * 0.25) * kRounding; }
+  double reachSquared(int u, int v) const {
+    return (sizes[u].enclosingCircle + sizes[v].longestEdge * 0.25) * kRounding;
+  }
   //! mm: no vertices that are farther apart have faces that meet.
   double reach() const;
   //! A size s of a star such that its spokes are not longer than s and its circles not larger than s/√3.
-  double sizeSquared(int v) const { return std::max(sizes[v].spoke, 3 * sizes[v].circle); }
+  double sizeSquared(int v) const { return std::max(sizes[v].longestEdge, 3 * sizes[v].enclosingCircle); }
   //! By the sizes of the stars listed so far, whose largest becomes part of longestSquared: see VertexLevels.
   bool areLevelsWorth();
 };

@@ -62,12 +62,12 @@ void testFan(DetectionWorkspace& work, int f, int v) {
 //! The faces T at u against the faces at P = v.
 void testNear(DetectionWorkspace& work, int u, int v, double distanceSquared) {
   const std::span<const Vec3> points = work.points;
-  const double nearSquared = work.sizes[v].spoke * (0.25 * kRounding);
+  const double nearSquared = work.sizes[v].longestEdge * (0.25 * kRounding);
   const Vec3& pu = points[u];
   const Vec3 w = points[v] - pu;
   // First a cheap rejection: a face whose corners stay behind `end` along w is too far from v.
   const double end = std::max(0.0, distanceSquared - std::sqrt(distanceSquared * nearSquared) -
-                                       (kRounding - 1) * (distanceSquared + work.sizes[u].spoke));
+                                       (kRounding - 1) * (distanceSquared + work.sizes[u].longestEdge));
   const auto skip = [&](int r) { return SkipBits{end > 0 && w.dot(points[r] - pu) < end, r == v}; };
   const std::span<const Corner> corners = work.stars.corners(u);
   for (std::size_t first = 0; first < corners.size(); first += kSkipBits) {

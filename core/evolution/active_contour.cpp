@@ -60,9 +60,9 @@ void ActiveContour::State::watch(const Attempt& kept, StepReport& report) {
 //! Of the mesh that is left, also when all of the step was rolled back.
 void ActiveContour::State::finish(StepReport& report) {
   const bool isEdit = !report.events.empty() && report.events.front().edit;
-  const bool isUneventful = report.events.empty() && !locked.lockedRegions.anyWillUnlock(iteration);
+  const bool isUneventful = report.events.empty() && !locked.regions.anyWillUnlock(iteration);
   const auto whyAtRest = [this] {
-    return reasonOfRest(mesh, *object.image, motion, locked.lockedRegions, iteration);
+    return reasonOfRest(mesh, *object.image, motion, locked.regions, iteration);
   };
   stop.afterStep(facts(), {isEdit, isUneventful, report.movedVertices}, whyAtRest);
   takePins();
@@ -85,7 +85,7 @@ void ActiveContour::State::releaseWalls() {
 //! says so, and the history restores what was before.
 StepReport ActiveContour::State::stepOrNothing() {
   const int iterationBefore = iteration;
-  const LockedRegions lockedBefore = locked;
+  const Restraints lockedBefore = locked;
   const CollapsedComponents collapsedBefore = transaction.collapsed();
   try {
     return step();

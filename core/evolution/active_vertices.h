@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/evolution/converged_vertices.h"
-#include "core/evolution/locked_regions.h"
+#include "core/evolution/restraints.h"
 #include "core/indices.h"
 #include "core/mesh/mesh.h"
 
@@ -18,28 +18,28 @@ namespace handlebody {
 class ActiveVertices {
  public:
   //! No vertex of a mesh with that many slots has converged.
-  void wakeAll(int slots) { quiet_.assign(slots, 0); }
+  void wakeAll(int slots) { unmovedSteps_.assign(slots, 0); }
   //! The mesh has that many slots now; vertices in new ones have not converged.
-  void resize(int slots) { quiet_.resize(slots, 0); }
+  void resize(int slots) { unmovedSteps_.resize(slots, 0); }
   //! Precondition, here and below: the slot is known.
-  void wake(int vertex) { quiet_[vertex] = 0; }
-  bool isConverged(int vertex) const { return quiet_[vertex] >= kStepsToConverge; }
+  void wake(int vertex) { unmovedSteps_[vertex] = 0; }
+  bool isConverged(int vertex) const { return unmovedSteps_[vertex] >= kStepsToConverge; }
   //! After mesh.reorder(order).
   void reorder(std::span<const int> order);
   //! After a step, with what it did to the vertices (converged_vertices.h).
   void count(const Mesh& mesh, const StepMotion& motion, double edgeLength) {
-    countUnmoved(mesh, motion, edgeLength, quiet_);
+    countUnmoved(mesh, motion, edgeLength, unmovedSteps_);
   }
   //! After an edit by hand: what it made or moved stays as it was made, until something near it moves.
   //! `touched`: per slot of the mesh, among them all such vertices.
   void convergeChanged(const Mesh& before, const Mesh& mesh, std::span<const unsigned char> touched);
   //! Those that have not converged and lie in no locked region, ascending.
-  std::vector<int> list(const Mesh& mesh, const LockedRegions& locked, int iteration) const;
+  std::vector<int> list(const Mesh& mesh, const Restraints& locked, int iteration) const;
   //! Bytes.
-  std::size_t memory() const { return quiet_.size(); }
+  std::size_t memory() const { return unmovedSteps_.size(); }
 
  private:
-  std::vector<unsigned char> quiet_;  // iterations in a row, up to kStepsToConverge
+  std::vector<unsigned char> unmovedSteps_;  // iterations in a row, up to kStepsToConverge
 };
 
 }  // namespace handlebody

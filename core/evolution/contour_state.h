@@ -10,8 +10,8 @@
 #include "core/evolution/clicked_object.h"
 #include "core/evolution/edit_step.h"
 #include "core/evolution/leak_alarm.h"
-#include "core/evolution/locked_regions.h"
 #include "core/evolution/motion.h"
+#include "core/evolution/restraints.h"
 #include "core/evolution/step_transaction.h"
 #include "core/evolution/stop_decision.h"
 #include "core/evolution/wall_guard.h"
@@ -48,7 +48,7 @@ struct ActiveContour::State {
   int iteration = 0;
   int orderedVertices = kFitsIntoCache;  // vertices when they were last put into order
   ActiveVertices active;
-  LockedRegions locked;
+  Restraints locked;
   StepTransaction transaction;
   StopDecision stop;
   LeakAlarm alarm;

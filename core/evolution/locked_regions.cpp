@@ -1,24 +1,72 @@
 #include "core/evolution/locked_regions.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace handlebody {
 
-void LockedRegions::lock(const Conflict& trouble, const Mesh& mesh, double longest, double size,
-                         int iteration) {
-  if (trouble.atPin)
-    pins.stop(mesh, trouble.centre, trouble.radius, longest);
-  else
-    lockedRegions.add(trouble.centre, size * (trouble.radius + 0.5 * longest), iteration, trouble.waits);
+namespace {
+constexpr int kFirstLock = 4;        // iterations; doubled each time
+constexpr int kMaxTimes = 5;         // then for good
+constexpr double kSameRegion = 1.0;  // part of the radius within which a new place is an old one come again
+constexpr double kSlower = 0.6;      // each time, down to kSlowest
+constexpr double kSlowest = 0.2;
+constexpr double kWidening = 1.15;  // of the radius each time
+}  // namespace
+
+void LockedRegions::add(const Vec3& centre, double radius, int iteration, bool waits) {
+  for (Region& p : regions_)
+    if ((p.centre - centre).norm() < kSameRegion * std::min(p.radius, radius)) {
+      const bool sameStep = p.until > iteration;
+      if (!sameStep && !(waits && p.times >= kMaxTimes)) ++p.times;
+      p.radius = std::max((sameStep ? kWidening : 1.0) * p.radius, radius);
+      p.centre = centre;
+      p.until = p.times > kMaxTimes ? std::numeric_limits<int>::max() : iteration + (kFirstLock << p.times);
+      return;
+    }
+  regions_.push_back({centre, radius, iteration + kFirstLock, 0});
 }
 
-void LockedRegions::forgetRollbacks() {
-  lockedRegions = {};
-  pins.forgetStops();
+bool LockedRegions::repeats(const Vec3& p, double radius) {
+  for (Change& c : changes_)
+    if ((c.centre - p).squaredNorm() < radius * radius) {
+      if (++c.times != kMaxRepeats) return false;
+      regions_.push_back({c.centre, 2 * radius, std::numeric_limits<int>::max(), kMaxTimes});
+      return true;
+    }
+  changes_.push_back({p, 1});
+  return false;
 }
 
-void LockedRegions::takeBack(const LockedRegions& before) {
-  lockedRegions = before.lockedRegions;
-  held = before.held;
-  pins.takeStopsBack(before.pins);
+bool LockedRegions::cameBack(const Vec3& p, double radius) const {
+  return std::any_of(changes_.begin(), changes_.end(), [&](const Change& c) {
+    return c.times >= kCameBack && (c.centre - p).squaredNorm() < radius * radius;
+  });
+}
+
+bool LockedRegions::isLocked(const Vec3& p, int iteration) const {
+  return std::any_of(regions_.begin(), regions_.end(), [&](const Region& region) {
+    return iteration < region.until && (p - region.centre).squaredNorm() < region.radius * region.radius;
+  });
+}
+
+double LockedRegions::speedFactor(const Vec3& p) const {
+  double speedFactor = 1;
+  for (const Region& region : regions_)
+    if ((p - region.centre).squaredNorm() < region.radius * region.radius)
+      speedFactor = std::min(speedFactor, std::max(kSlowest, std::pow(kSlower, region.times + 1)));
+  return speedFactor;
+}
+
+bool LockedRegions::any(int iteration) const {
+  return std::any_of(regions_.begin(), regions_.end(), [&](const Region& p) { return iteration < p.until; });
+}
+
+bool LockedRegions::anyWillUnlock(int iteration) const {
+  return std::any_of(regions_.begin(), regions_.end(), [&](const Region& p) {
+    return iteration < p.until && p.until != std::numeric_limits<int>::max();
+  });
 }
 
 }  // namespace handlebody

@@ -1,33 +1,50 @@
 #pragma once
-// Where the surface must not move, and for which of three reasons.
+// Places that were rolled back rest for some iterations and then move on slowly; a place that is rolled back
+// again and again rests for good.
 
-#include "core/evolution/held_changes.h"
-#include "core/evolution/locked_regions.h"
-#include "core/evolution/pinned_parts.h"
-#include "core/surgery/topology_adaptation.h"
+#include <vector>
+
+#include "core/geometry/vec.h"
 
 namespace handlebody {
 
-//! Places that were rolled back rest for some iterations or for good, changes that constraints forbid are
-//! held, and what is pinned stays, with a margin where fronts came to it. Owned by the contour and copied
-//! with it. A step adds to it while it is made; one that is cancelled takes that back.
-struct LockedRegions {
-  LockedRegions lockedRegions;
-  HeldChanges held;
-  PinnedParts pins;
+//! Changes at one place after which it rests for good. A neck that closes, a crease that fills take a few
+//! each.
+inline constexpr int kMaxRepeats = 12;
+//! Changes at one place after which smoothing alone is not expected to help.
+inline constexpr int kCameBack = 3;
 
-  //! True if constraints hold the vertex where it is. Precondition: mesh.isVertex(vertex).
-  bool isHeld(const Mesh& mesh, int vertex) const {
-    return held.isLocked(mesh.position(vertex)) || pins.holds(vertex) || pins.isLocked(mesh.position(vertex));
-  }
-  //! Locks a place that a step of that iteration could not deal with. `longest`: mm, of edges where they have
-  //! the target length; `size`: edges there, in parts of it; `mesh`: as it was before the step.
-  void lock(const Conflict& trouble, const Mesh& mesh, double longest, double size, int iteration);
-  //! After a change of what moves the surface: what was rolled back may come again. What constraints hold
-  //! stays.
-  void forgetRollbacks();
-  //! As it was at `before`, a copy of this. The mesh may have been put into another order since.
-  void takeBack(const LockedRegions& before);
+class LockedRegions {
+ public:
+  //! A place rests from `iteration` on; each time it comes again it rests longer, and at last for good:
+  //! unless it only waits.
+  void add(const Vec3& centre, double radius, int iteration, bool waits = false);
+  //! Counts a change of the mesh at `p`. True when it is the kMaxRepeats-th within `radius`: the place then
+  //! rests for good, so that attaching and splitting, or folding and smoothing, cannot go on for ever.
+  bool repeats(const Vec3& p, double radius);
+  //! True if the mesh has changed kCameBack times or more within `radius` of p.
+  bool cameBack(const Vec3& p, double radius) const;
+  bool isLocked(const Vec3& p, int iteration) const;
+  bool any(int iteration) const;
+  //! True if some place rests now but will move again.
+  bool anyWillUnlock(int iteration) const;
+  //! Part of its step that a vertex at p may take: places that have rested move on more slowly, so that the
+  //! fronts there meet in another way than the one that failed.
+  double speedFactor(const Vec3& p) const;
+
+ private:
+  struct Region {
+    Vec3 centre;
+    double radius;  // mm
+    int until;      // first iteration at which it moves again
+    int times;
+  };
+  struct Change {
+    Vec3 centre;
+    int times;
+  };
+  std::vector<Region> regions_;
+  std::vector<Change> changes_;
 };
 
 }  // namespace handlebody

@@ -34,7 +34,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/converged_vertices.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/region_growth.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/region_levels.cpp
-  ${CMAKE_SOURCE_DIR}/core/evolution/locked_regions.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/restraints.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/seed_statistics.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/seeds.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/shown_object.cpp

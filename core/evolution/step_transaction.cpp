@@ -32,7 +32,7 @@ void lockRepeated(const StepScene& scene, std::vector<Event>& events) {
   for (std::size_t i = 0, n = events.size(); i < n; ++i) {
     const Event& e = events[i];
     if (e.kind != EventKind::rolledBack &&
-        scene.locked.lockedRegions.repeats(e.location, scene.longestAt(e.location)))
+        scene.locked.regions.repeats(e.location, scene.longestAt(e.location)))
       events.push_back(rolledBack(e.location, FindingKind::changesAgain, topology, scene.iteration));
   }
 }
@@ -79,7 +79,7 @@ void StepTransaction::displace(Mesh& mesh, const StepScene& scene, Attempt& a) c
   a.moving = scene.active.list(mesh, scene.locked, scene.iteration);
   std::vector<Vec3> moves = computeMotion(mesh, scene.image, scene.motion, a.moving);
   for (std::size_t i = 0; i < moves.size(); ++i)
-    moves[i] *= scene.locked.lockedRegions.speedFactor(mesh.position(a.moving[i]));
+    moves[i] *= scene.locked.regions.speedFactor(mesh.position(a.moving[i]));
   giveUpIfCancelled();
   a.touched.assign(mesh.vertexSlots(), 0);
   scene.walls.bound(mesh, a.moving, scene.motion.largestStep, moves);
@@ -95,14 +95,14 @@ void StepTransaction::adapt(Mesh& mesh, const StepScene& scene, Attempt& a) {
   AdaptationSettings settings{!scene.mayShrink,       scene.traces, scene.iteration, scene.topology, {},
                               scene.limits.forbidden, &work_};
   settings.cameBack = [&scene](const Vec3& p) {
-    return scene.locked.lockedRegions.cameBack(p, scene.longestAt(p));
+    return scene.locked.regions.cameBack(p, scene.longestAt(p));
   };
   detector_.use(scene.broadPhase);
   adaptInRounds(mesh, detector_, std::move(settings), scene.limits.longest, a);
 }
 
 void StepTransaction::deleteCollapsed(Mesh& mesh, const StepScene& scene, Attempt& a) {
-  const LockedRegions& locked = scene.locked;
+  const Restraints& locked = scene.locked;
   const auto isKept = [&locked](const Vec3& p) { return locked.held.isLocked(p); };
   std::function<bool(int)> isPinned;
   if (locked.pins.any()) isPinned = [&locked](int v) { return locked.pins.holds(v); };

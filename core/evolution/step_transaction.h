@@ -8,9 +8,9 @@
 #include "core/evolution/active_vertices.h"
 #include "core/evolution/collapsed_components.h"
 #include "core/evolution/constraints.h"
-#include "core/evolution/locked_regions.h"
 #include "core/evolution/motion.h"
 #include "core/evolution/object_image.h"
+#include "core/evolution/restraints.h"
 #include "core/evolution/scratch.h"
 #include "core/evolution/transaction.h"
 #include "core/evolution/wall_guard.h"
@@ -29,7 +29,7 @@ struct StepScene {
   const RemeshLimits& limits;
   const WallGuard& walls;
   const ActiveVertices& active;  //!< of the mesh before the step
-  LockedRegions& locked;
+  Restraints& locked;
   BroadPhase broadPhase = BroadPhase::sorted;
   TopologyNumbers topology{};  //!< of the mesh before the step
   int iteration = 0;           //!< the step's

@@ -130,7 +130,6 @@ struct SoupComponents {
 };
 
 SoupComponents componentsOf(const TriangleSoup& soup, const std::vector<Edge>& edges) {
-  const auto at = [](int i) { return static_cast<std::size_t>(i); };
   UnionFind joined(soup.points.size());
   SoupComponents out;
   std::vector<int>& label = out.parts.ofVertex;
@@ -143,7 +142,7 @@ SoupComponents componentsOf(const TriangleSoup& soup, const std::vector<Edge>& e
   for (std::size_t v = 0; v < label.size(); ++v) {
     if (label[v] < 0) continue;
     const int lowest = joined.find(static_cast<int>(v));
-    if (at(lowest) == v) {
+    if (lowest == static_cast<int>(v)) {
       label[v] = out.parts.count();
       out.parts.vertices.push_back(0);
     }
@@ -157,7 +156,6 @@ SoupComponents componentsOf(const TriangleSoup& soup, const std::vector<Edge>& e
 }
 
 std::vector<double> volumesOf(const TriangleSoup& soup, const Components& parts) {
-  const auto at = [](int i) { return static_cast<std::size_t>(i); };
   std::vector<int> first(parts.vertices.size(), -1);
   for (std::size_t v = parts.ofVertex.size(); v-- > 0;)
     if (parts.ofVertex[v] >= 0) first[parts.ofVertex[v]] = static_cast<int>(v);

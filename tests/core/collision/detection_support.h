@@ -28,7 +28,8 @@ inline void lookAtAll(DetectionWorkspace& work) {
   for (int v = 0; v < work.stars.vertexCount(); ++v)
     if (!work.stars.corners(v).empty()) work.vertices.push_back(v);
   measure(work);
-  for (const int v : work.vertices) work.longestSquared = std::max(work.longestSquared, work.sizes[v].spoke);
+  for (const int v : work.vertices)
+    work.longestSquared = std::max(work.longestSquared, work.sizes[v].longestEdge);
 }
 
 //! One flag per point, one in `every` of them 1.

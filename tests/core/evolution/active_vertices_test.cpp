@@ -94,8 +94,8 @@ TEST_CASE("a vertex in a locked region is not active, as long as it is locked") 
   const Mesh mesh = sphereMesh();
   ActiveVertices active;
   active.wakeAll(mesh.vertexSlots());
-  LockedRegions locked;
-  locked.resting.add(mesh.position(0), 1e-3, 1);
+  Restraints locked;
+  locked.regions.add(mesh.position(0), 1e-3, 1);
   std::vector<int> others = allVertices(mesh);
   others.erase(others.begin());
   CHECK(active.list(mesh, locked, 1) == others);

@@ -26,7 +26,7 @@ target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/pinned_parts_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/region_growth_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/region_levels_test.cpp
-  ${CMAKE_SOURCE_DIR}/tests/core/evolution/locked_regions_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/evolution/restraints_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/shrinking_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/start_surface_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/step_transaction_test.cpp

@@ -22,7 +22,7 @@ struct Growing {
   RemeshLimits limits{1.8, 0.6};
   WallGuard walls;
   ActiveVertices active;
-  LockedRegions locked;
+  Restraints locked;
   StepTransaction transaction;
 
   Growing() {
@@ -68,7 +68,7 @@ TEST_CASE("a copy of the transaction goes on with the same bits, though it has n
 
 TEST_CASE("where all is locked nothing moves, and nothing is wrong with that") {
   Growing g;
-  g.locked.resting.add(kMiddle, 100, 1);
+  g.locked.regions.add(kMiddle, 100, 1);
   const Mesh before = g.mesh;
   const StepOutcome out = g.step();
   CHECK(out.last.isKept());
