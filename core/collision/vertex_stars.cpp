@@ -1,8 +1,9 @@
 #include "core/collision/vertex_stars.h"
-#include "core/indices.h"
 
 #include <algorithm>
 #include <cstring>
+
+#include "core/indices.h"
 
 namespace handlebody {
 namespace {

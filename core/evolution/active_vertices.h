@@ -18,11 +18,11 @@ namespace handlebody {
 class ActiveVertices {
  public:
   //! No vertex of a mesh with that many slots has converged.
-  void wakeAll(int slots) { unmovedSteps_.assign(slots, 0); }
+  void activateAll(int slots) { unmovedSteps_.assign(slots, 0); }
   //! The mesh has that many slots now; vertices in new ones have not converged.
   void resize(int slots) { unmovedSteps_.resize(slots, 0); }
   //! Precondition, here and below: the slot is known.
-  void wake(int vertex) { unmovedSteps_[vertex] = 0; }
+  void activate(int vertex) { unmovedSteps_[vertex] = 0; }
   bool isConverged(int vertex) const { return unmovedSteps_[vertex] >= kStepsToConverge; }
   //! After mesh.reorder(order).
   void reorder(std::span<const int> order);

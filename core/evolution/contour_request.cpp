@@ -154,7 +154,7 @@ void ActiveContour::State::begin(bool withStart) {
     mesh = seedMesh(inside, parameters.edgeLength, motion.sizes.get());
     resolveSeeds(inside);
   }
-  active.wakeAll(mesh.vertexSlots());
+  active.activateAll(mesh.vertexSlots());
   topology = topologyNumbers(mesh);
   stop.begin(facts());
 }
@@ -197,7 +197,7 @@ ClickedObject objectOf(const Volume& volume, std::vector<Seed> seeds, const Para
 
 void ActiveContour::State::startFrom(const Mesh& surface, bool holdTopology) {
   mesh = surface;
-  active.wakeAll(mesh.vertexSlots());
+  active.activateAll(mesh.vertexSlots());
   topology = topologyNumbers(mesh);
   locked.held.holdTopology(holdTopology);
   walls.putUp(mesh, {}, mayShrink());
@@ -237,7 +237,7 @@ void ActiveContour::State::change(const Request& to, const State* prepared) {
   resolve();
   const bool isOtherEdge = parameters.edgeLength != edge;
   if (activates) forgetLocks();
-  if (activates && !staysConverged) active.wakeAll(mesh.vertexSlots());
+  if (activates && !staysConverged) active.activateAll(mesh.vertexSlots());
   if (otherClicks && !isDone()) correct();
   if (otherClicks || otherImage || otherWalls) alarm.forget();
   chooseSizes(seedsOfSide(parameters.seeds, false), otherImage || isOtherEdge);
@@ -271,7 +271,7 @@ void ActiveContour::State::correct() {
   correction->givesGround = differs.isOutside;
   active.resize(mesh.vertexSlots());
   for (int v = 0; v < mesh.vertexSlots(); ++v)
-    if (differs.vertices[v] != 0) active.activates(v);
+    if (differs.vertices[v] != 0) active.activate(v);
   topology = topologyNumbers(mesh);
 }
 

@@ -1,8 +1,9 @@
 #include "core/evolution/level_field.h"
-#include "core/indices.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "core/indices.h"
 
 namespace handlebody {
 

@@ -25,8 +25,8 @@ void StopDecision::begin(const StopFacts& facts) {
   applyGivenAndEdit(facts);
 }
 
-void StopDecision::change(const StopFacts& facts, bool wakes) {
-  if (reason_ == StopReason::maxIterations || (wakes && facts.faces > 0)) reason_ = StopReason::running;
+void StopDecision::change(const StopFacts& facts, bool activates) {
+  if (reason_ == StopReason::maxIterations || (activates && facts.faces > 0)) reason_ = StopReason::running;
   if (reason_ == StopReason::running && facts.iteration >= facts.maxIterations)
     reason_ = StopReason::maxIterations;
   applyGivenAndEdit(facts);

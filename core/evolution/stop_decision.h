@@ -26,7 +26,7 @@ struct StopFacts {
 //! What the last step did.
 struct StepStir {
   bool isEdit = false;
-  bool isUneventful = false;  //!< nothing happened in it, and nothing that rests will wake
+  bool isUneventful = false;  //!< nothing happened in it, and no locked region will unlock
   int movedVertices = 0;      //!< by more than kUnmoved
 };
 
@@ -38,8 +38,8 @@ class StopDecision {
   StopReason reason() const { return reason_; }
   //! Before the first step.
   void begin(const StopFacts& facts);
-  //! After other clicks, parameters or constraints; `wakes`: they may move what does not move now.
-  void change(const StopFacts& facts, bool wakes);
+  //! After other clicks, parameters or constraints; `activates`: they may move what does not move now.
+  void change(const StopFacts& facts, bool activates);
   //! After a step. `whyAtRest` is asked if the surface has come to rest (see reasonOfRest).
   void afterStep(const StopFacts& facts, const StepStir& stir, const std::function<StopReason()>& whyAtRest);
   //! Rest is counted from here on.

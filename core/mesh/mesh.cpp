@@ -1,9 +1,10 @@
 #include "core/mesh/mesh.h"
-#include "core/indices.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
+
+#include "core/indices.h"
 
 namespace handlebody {
 

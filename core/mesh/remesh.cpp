@@ -1,11 +1,12 @@
 #include "core/mesh/remesh.h"
-#include "core/indices.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
+
+#include "core/indices.h"
 
 namespace handlebody {
 

@@ -65,10 +65,9 @@ TopologyNumbers topologyNumbers(const Mesh& mesh) {
 }
 
 Components findComponents(const Mesh& mesh) {
-  const auto at = [](int i) { return static_cast<std::size_t>(i); };
   UnionFind parts = joinedByFaces(mesh);
   Components c;
-  c.ofVertex.assign(at(mesh.vertexSlots()), -1);
+  c.ofVertex.assign(idx(mesh.vertexSlots()), -1);
   std::vector<Eigen::AlignedBox3d> boxes;
   std::vector<int> first;
   for (int v = 0; v < mesh.vertexSlots(); ++v) {

@@ -1,7 +1,8 @@
 #include "core/mesh/tree_cotree.h"
-#include "core/indices.h"
 
 #include <algorithm>
+
+#include "core/indices.h"
 
 namespace handlebody {
 

@@ -1,8 +1,9 @@
 #include "core/polish/face_grid.h"
-#include "core/indices.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "core/indices.h"
 
 namespace handlebody {
 

@@ -1,9 +1,10 @@
 #include "core/solid/blurred_mask.h"
-#include "core/indices.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "core/indices.h"
 
 namespace handlebody {
 

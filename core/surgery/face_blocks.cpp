@@ -1,8 +1,9 @@
 #include "core/surgery/face_blocks.h"
-#include "core/indices.h"
 
 #include <array>
 #include <numeric>
+
+#include "core/indices.h"
 
 namespace handlebody {
 

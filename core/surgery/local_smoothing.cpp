@@ -1,10 +1,12 @@
 #include "core/surgery/local_smoothing.h"
-#include "core/indices.h"
 
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <vector>
+
+#include "core/indices.h"
+#include "core/mesh/marks.h"
 
 namespace handlebody {
 

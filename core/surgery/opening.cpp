@@ -1,9 +1,10 @@
 #include "core/surgery/opening.h"
-#include "core/indices.h"
 
 #include <algorithm>
 #include <cassert>
 #include <map>
+
+#include "core/indices.h"
 
 namespace handlebody {
 

@@ -1,7 +1,8 @@
 #include "core/surgery/trace.h"
-#include "core/indices.h"
 
 #include <algorithm>
+
+#include "core/indices.h"
 
 namespace handlebody {
 

@@ -1,5 +1,4 @@
 #include "tests/bench/clicks/click_peers.h"
-#include "core/indices.h"
 
 #include <itkConfidenceConnectedImageFilter.h>
 #include <itkCurvatureFlowImageFilter.h>
@@ -9,6 +8,8 @@
 #include <cmath>
 #include <limits>
 #include <queue>
+
+#include "core/indices.h"
 
 namespace handlebody::bench {
 

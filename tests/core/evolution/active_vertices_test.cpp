@@ -29,7 +29,7 @@ void stepWith(ActiveVertices& active, const Mesh& mesh, double first) {
 
 ActiveVertices convergedIn(const Mesh& mesh) {
   ActiveVertices active;
-  active.wakeAll(mesh.vertexSlots());
+  active.activateAll(mesh.vertexSlots());
   for (int i = 0; i < kStepsToConverge; ++i) stepWith(active, mesh, 0);
   return active;
 }
@@ -39,16 +39,16 @@ ActiveVertices convergedIn(const Mesh& mesh) {
 TEST_CASE("vertices have converged after so many steps without motion, and are not active any more") {
   const Mesh mesh = sphereMesh();
   ActiveVertices active;
-  active.wakeAll(mesh.vertexSlots());
+  active.activateAll(mesh.vertexSlots());
   for (int i = 0; i < kStepsToConverge; ++i) {
     CHECK(active.list(mesh, {}, 1) == allVertices(mesh));
     stepWith(active, mesh, 0);
   }
   CHECK(active.list(mesh, {}, 1).empty());
   CHECK(active.isConverged(0));
-  active.wake(3);
+  active.activate(3);
   CHECK(active.list(mesh, {}, 1) == std::vector<int>{3});
-  active.wakeAll(mesh.vertexSlots());
+  active.activateAll(mesh.vertexSlots());
   CHECK(active.list(mesh, {}, 1) == allVertices(mesh));
 }
 
@@ -66,7 +66,7 @@ TEST_CASE("vertices in new slots are active, and what has converged stays so whe
   const Mesh mesh = sphereMesh();
   const int n = mesh.vertexSlots();
   ActiveVertices active = convergedIn(mesh);
-  active.wake(2);
+  active.activate(2);
   active.resize(n + 1);
   CHECK(active.memory() == idx(n + 1));
   CHECK_FALSE(active.isConverged(n));
@@ -81,7 +81,7 @@ TEST_CASE("what an edit moved has converged, and what it only gave other faces h
   Mesh mesh = before;
   mesh.setPosition(5, 1.1 * mesh.position(5));
   ActiveVertices active;
-  active.wakeAll(mesh.vertexSlots());
+  active.activateAll(mesh.vertexSlots());
   std::vector<unsigned char> touched(mesh.vertexSlots(), 0);
   touched[5] = touched[6] = 1;
   active.convergeChanged(before, mesh, touched);
@@ -93,7 +93,7 @@ TEST_CASE("what an edit moved has converged, and what it only gave other faces h
 TEST_CASE("a vertex in a locked region is not active, as long as it is locked") {
   const Mesh mesh = sphereMesh();
   ActiveVertices active;
-  active.wakeAll(mesh.vertexSlots());
+  active.activateAll(mesh.vertexSlots());
   Restraints locked;
   locked.regions.add(mesh.position(0), 1e-3, 1);
   std::vector<int> others = allVertices(mesh);

@@ -27,14 +27,14 @@ struct Growing {
 
   Growing() {
     motion.edgeLength = 1.2;
-    active.wakeAll(mesh.vertexSlots());
+    active.activateAll(mesh.vertexSlots());
   }
   StepScene scene() {
     return {image, motion, limits, walls, active, locked, BroadPhase::sorted, topologyNumbers(mesh), 1};
   }
   StepOutcome step() {
     StepOutcome out = transaction.move(mesh, scene());
-    active.wakeAll(mesh.vertexSlots());
+    active.activateAll(mesh.vertexSlots());
     return out;
   }
 };
@@ -80,7 +80,7 @@ TEST_CASE("fronts that meet join, and what a limit holds is rolled back and lock
   Growing g;
   const TriangleSoup ball = zoo::scaled(zoo::sphere(6), 6);
   g.mesh = Mesh(zoo::both(zoo::moved(ball, kMiddle), zoo::moved(ball, kMiddle + Vec3(12.05, 0.1, 0.1))));
-  g.active.wakeAll(g.mesh.vertexSlots());
+  g.active.activateAll(g.mesh.vertexSlots());
   Growing held = g;
   const auto stepUntilTold = [](Growing& grown) {
     StepOutcome out;
