@@ -12,6 +12,7 @@
 #include "core/evolution/region_growth_level.h"
 #include "core/evolution/seed_statistics.h"
 #include "core/evolution/seeds.h"
+#include "core/threads.h"
 #include "core/told_error.h"
 #include "core/volume/intensity_statistics.h"
 
@@ -290,7 +291,8 @@ ObjectChoice withGivenRange(const Volume& volume, const std::vector<Seed>& seeds
 //! around everything.
 std::optional<RegionGrowthLevel> chooseLevel(ObjectChoice& choice, const Volume& volume, double sigma,
                                              const FieldOfViewPointer& view, const std::vector<Seed>& seeds,
-                                             Statistics& whole, ObjectKind asked) {
+                                             Statistics& whole, const Parameters& p) {
+  const ObjectKind asked = p.object;
   choice.volume = std::make_shared<SmoothedVolume>(volume, sigma);
   const SmoothedVolume& plain = *choice.volume;
   whole.level = quantile(valuesNear(plain, seeds, statisticsRadius(volume.grid, seeds)), 0.5);
@@ -305,7 +307,10 @@ std::optional<RegionGrowthLevel> chooseLevel(ObjectChoice& choice, const Volume&
     if (found && found->strength <= kClearEdge * noise) found.reset();
     return found;
   };
-  const auto dark = search(ObjectKind::dark), bright = search(ObjectKind::bright);
+  std::optional<RegionGrowthLevel> dark, bright;
+  forEachOnThreads(2, growsByItself(plain) ? threadCount(p.threads) : 1, [&](std::size_t k) {
+    (k == 0 ? dark : bright) = search(k == 0 ? ObjectKind::dark : ObjectKind::bright);
+  });
   const bool takeDark = asked == ObjectKind::dark || (asked == ObjectKind::automatic && dark &&
                                                       (!bright || dark->strength >= bright->strength));
   const auto& best = takeDark ? dark : bright;
@@ -378,17 +383,17 @@ ObjectChoice chooseObject(const Volume& volume, const std::vector<Seed>& seeds, 
   const FieldOfViewPointer view = paddingBeside(volume, seeds);
   const double first = kFirstSigma * volume.grid.meanSpacing();
   double sigma = p.smoothing.value_or(first);
-  auto found = chooseLevel(choice, volume, sigma, view, seeds, whole, p.object);
+  auto found = chooseLevel(choice, volume, sigma, view, seeds, whole, p);
   for (std::size_t i = 0; !found && !p.smoothing && i < kSigmasInNoise.size(); ++i) {
     sigma = kSigmasInNoise[i] * volume.grid.meanSpacing();
-    found = chooseLevel(choice, volume, sigma, view, seeds, whole, p.object);
+    found = chooseLevel(choice, volume, sigma, view, seeds, whole, p);
   }
   if (found && !p.smoothing) {
     // Less smoothing than the first moves no level, and the growth need not be repeated; more does.
     const double used = sigma;
     sigma = chooseSmoothing(volume, seeds, choice);
     if (used > first) sigma = std::max(sigma, used);  // it was found with that much only
-    if (sigma > used) found = chooseLevel(choice, volume, sigma, view, seeds, whole, p.object);
+    if (sigma > used) found = chooseLevel(choice, volume, sigma, view, seeds, whole, p);
   }
   if (!found) throw Told<SeedError>(Finding(notInObject(p.object)));
   setImage(choice, volume, sigma, view);

@@ -439,4 +439,6 @@ RegionGrowth growRegion(const SmoothedVolume& volume, const std::vector<Vec3>& s
   return flood.run();
 }
 
+bool growsByItself(const SmoothedVolume& volume) { return volume.brickCount() <= kFewBricks; }
+
 }  // namespace handlebody

@@ -29,4 +29,8 @@ struct RegionGrowth {
 RegionGrowth growRegion(const SmoothedVolume& volume, const std::vector<Vec3>& seeds, double sign,
                         double lowest, double highest);
 
+//! True if a growth in this volume does not depend on what others have had made smooth of it before, so that
+//! several may go on at once. In a large volume it is given up as a leak by how much of it has been smoothed.
+bool growsByItself(const SmoothedVolume& volume);
+
 }  // namespace handlebody

@@ -222,3 +222,26 @@ TEST_CASE("a growth that was given up while its edge still rose has no level") {
   REQUIRE(strongestLevel(past).has_value());
   CHECK(strongestLevel(past)->level == Approx(past.level(4)));
 }
+
+TEST_CASE("what others have had smoothed in a small volume changes no growth in it") {
+  std::mt19937 random(2);
+  std::normal_distribution<double> noise(0, 3);
+  const Volume volume =
+      volumeByIndex(cubicGrid(70), [&](int i, int j, int k) { return fromMiddle(i, j, k) + noise(random); });
+  const SmoothedVolume fresh(volume, 0.7), used(volume, 0.7);
+  for (int k = 0; k < 3; ++k)
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < 3; ++i) used.brick(i, j, k);
+  REQUIRE(growsByItself(fresh));
+  for (const double sign : {1.0, -1.0}) {
+    const double from = sign > 0 ? 0 : -60, to = sign > 0 ? 60 : 0;
+    const RegionGrowth a = growRegion(fresh, {Vec3(12, 12, 12)}, sign, from, to);
+    const RegionGrowth b = growRegion(used, {Vec3(12, 12, 12)}, sign, from, to);
+    CHECK(a.voxels == b.voxels);
+    CHECK(a.edge == b.edge);
+    CHECK(a.whole == b.whole);
+  }
+  Grid large;  // of more bricks than a growth may smooth that leaks
+  large.size = {SmoothedVolume::kBrick * 301, 1, 1};
+  CHECK(!growsByItself(SmoothedVolume(volumeByIndex(large, [](int, int, int) { return 0.0; }), 0)));
+}
