@@ -35,14 +35,14 @@ void StopDecision::change(const StopFacts& facts, bool activates) {
 void StopDecision::afterStep(const StopFacts& facts, const StepStir& stir,
                              const std::function<StopReason()>& whyAtRest) {
   // What was at rest before an edit is so after it: nothing that it made stirs.
-  if (!stir.isEdit) stillness_.count(stir.isUneventful, stir.movedVertices, facts.vertices);
+  if (!stir.isEdit) convergence_.count(stir.isUneventful, stir.movedVertices, facts.vertices);
   if (facts.faces == 0)
     reason_ = StopReason::empty;
   else if (leadsToEdit(facts))
     reason_ = StopReason::running;
   else if (facts.isGiven)
     reason_ = StopReason::given;
-  else if (stillness_.isAtRest())
+  else if (convergence_.isReached())
     reason_ = whyAtRest();
   else if (facts.iteration >= facts.maxIterations)
     reason_ = StopReason::maxIterations;

@@ -43,12 +43,12 @@ class StopDecision {
   //! After a step. `whyAtRest` is asked if the surface has come to rest (see reasonOfRest).
   void afterStep(const StopFacts& facts, const StepStir& stir, const std::function<StopReason()>& whyAtRest);
   //! Rest is counted from here on.
-  void forgetLocks() { stillness_ = {}; }
+  void forgetLocks() { convergence_ = {}; }
 
  private:
   void applyGivenAndEdit(const StopFacts& facts);
 
-  Convergence stillness_;
+  Convergence convergence_;
   StopReason reason_ = StopReason::running;
 };
 
