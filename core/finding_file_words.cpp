@@ -29,6 +29,13 @@ constexpr FindingWords kWords[] = {
     {K::volumeChanged, "volume-changed",
      QT_TRANSLATE_NOOP("Findings",
                        "{file} is not the volume that the session was made from: its SHA-256 differs.")},
+    {K::seriesChanged, "series-changed",
+     QT_TRANSLATE_NOOP(
+         "Findings",
+         "{file}: series {series} is not the one that the session was made from: its voxels differ.")},
+    {K::seriesNotFound, "series-not-found",
+     QT_TRANSLATE_NOOP("Findings",
+                       "{file}: none of its series has the voxels that the session was made from.")},
     {K::wallsChanged, "walls-changed",
      QT_TRANSLATE_NOOP("Findings",
                        "{file} is not the label map that the walls were made from: its SHA-256 differs.")},

@@ -162,6 +162,8 @@ enum class FindingKind {
   notAStart,          //!< file; cause
   startChanged,       //!< file
   volumeChanged,      //!< file
+  seriesChanged,      //!< file, series
+  seriesNotFound,     //!< file
   wallsChanged,       //!< file
   wallsOtherSize,     //!< file, size, volume
   wallsOtherPlace,    //!< file

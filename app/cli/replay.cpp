@@ -7,6 +7,7 @@
 #include "app/cli/run_objects.h"
 #include "core/errors.h"
 #include "core/io/report/anonymous_names.h"
+#include "core/io/report/voxel_fingerprint.h"
 
 namespace handlebody::cli {
 
@@ -69,6 +70,7 @@ int replay(ReplayOptions o) {
   if (o.outputs.content.anonymous) hideFileNames(sessions);
   if (sessions[0].overTime) {
     chooseFrame(sessions[0]);
+    findSeries(sessions[0].volume);
     checkOverTime(sessions[0], o.outputs, o.overTime);
   } else {
     if (!o.overTime.curves.empty()) throw UsageError("--curve needs a session that was made with --frames.");
@@ -79,7 +81,7 @@ int replay(ReplayOptions o) {
               << HANDLEBODY_VERSION << ", and the mesh may differ." << std::endl;
 
   try {
-    LoadedSession first = load(std::move(sessions[0]));
+    LoadedSession first = load(std::move(sessions[0]), o.outputs.content.anonymous);
     if (first.session.overTime) return runOverTime(std::move(first), o.outputs, o.overTime);
     if (sessions.size() == 1) return run(std::move(first), o.outputs);
     sessions.erase(sessions.begin());
@@ -102,12 +104,19 @@ void addReplay(CLI::App& app, Action& action) {
       ->type_name("PATH");
   command
       ->add_option("--walls", options->inputs.walls,
-                   "The label map of its walls, if the session does not say where that is now")
-      ->type_name("LABELMAP");
+                   "The label map of its walls, if the session does not say where that is now (repeatable)")
+      ->type_name("LABELMAP")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
   command
-      ->add_option("--start", options->inputs.start,
-                   "The mesh or label map that it begins with, if the session does not say where that is now")
-      ->type_name("MESH|LABELMAP");
+      ->add_option("--start", options->inputs.starts,
+                   "The mesh or label map that it begins with, if the session does not say where that is now "
+                   "(repeatable)")
+      ->type_name("MESH|LABELMAP")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
   command->add_option("--series", options->series, "The DICOM series of that volume")->type_name("UID");
   addRunOutputs(*command, options->outputs);
   addObjectOptions(*command, options->outputs.object);

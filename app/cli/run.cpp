@@ -19,6 +19,7 @@
 #include "core/io/report/option_error.h"
 #include "core/io/report/result.h"
 #include "core/io/report/start_surface.h"
+#include "core/io/report/voxel_fingerprint.h"
 #include "core/io/report/wall_map.h"
 
 namespace handlebody::cli {
@@ -160,7 +161,7 @@ double Stopwatch::lap() {
   return seconds.count();
 }
 
-LoadedSession load(Session session) {
+LoadedSession load(Session session, bool isAnonymous) {
   Stopwatch watch;
   VolumeReference& reference = session.volume;
   LoadedSession loaded;
@@ -169,7 +170,10 @@ LoadedSession load(Session session) {
     throw InputError(reference.path +
                      " is not the volume that the session was made from: its SHA-256 differs.");
   reference.sha256 = hash;
+  findSeries(reference);
   LoadedVolume read = loadVolume(reference.path, reference.selection);
+  verifyVoxels(reference, read.volume);
+  if (isAnonymous) keepVoxels(reference, read.volume);
   loaded.volume = std::move(read.volume);
   loaded.info = std::move(read.info);
   for (const std::string& warning : sentences(loaded.info.warnings))

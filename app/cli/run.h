@@ -75,8 +75,9 @@ struct LoadedSession {
 };
 
 //! Reads the volume of a session; its warnings are said on standard error. Throws InputError: if
-//! the session holds a hash that is not the file's, too; where it holds none, it gets it.
-LoadedSession load(Session session);
+//! the session holds a hash that is not the file's, or voxels that are not the series', too; where it holds
+//! no hash, it gets it. `isAnonymous`: it gets its voxels, too, if its series was chosen (keepVoxels).
+LoadedSession load(Session session, bool isAnonymous = false);
 
 //! Grows the surface, certifies it and writes everything; returns the exit code. Throws SeedError,
 //! UsageError, OutputError; std::runtime_error if the mesh fails its certificate (nothing is written then).

@@ -109,7 +109,7 @@ int segment(SegmentOptions o) {
     checkOutputs(o.outputs, inputsOf(session));
   }
 
-  LoadedSession loaded = load(std::move(session));
+  LoadedSession loaded = load(std::move(session), o.outputs.content.anonymous);
   loaded.session.seeds = seedsInWorld(clicks, loaded.volume.grid);
   if (loaded.session.overTime) return runOverTime(std::move(loaded), o.outputs, o.overTime);
   return run(std::move(loaded), o.outputs);
@@ -237,7 +237,7 @@ int segmentSeveral(SeveralObjects all) {
   for (const Session& session : all.sessions)
     for (const std::string& path : inputsOf(session)) inputs.push_back(path);
   checkOutputs(all.run.outputs, inputs);
-  LoadedSession first = load(std::move(all.sessions[0]));
+  LoadedSession first = load(std::move(all.sessions[0]), all.run.outputs.content.anonymous);
   first.session.seeds = seedsInWorld(all.clicks[0], first.volume.grid);
   std::vector<Session> others;
   for (std::size_t i = 1; i < all.sessions.size(); ++i) {

@@ -240,11 +240,13 @@ TEST_CASE("label maps of walls in corrected frames are named, found and left out
           "[session]") {
   const TempFolder folder;
   const std::string path = folder / "patient.mha";
+  test::writeBytes(path, "walls");
+  const std::string hash = sha256OfPath(path);
   Session s;
   s.version = "1.2.3";
   s.volume = {folder / "v.nii", "00ff", {}};
   s.seeds = {{{1, 2, 3}, {}}};
-  const Constraints walled{{{}, WallMap{path, "ab12", nullptr}}, {}, {}};
+  const Constraints walled{{{}, WallMap{path, hash, nullptr}}, {}, {}};
   FrameCorrection correction{2, {s.seeds, s.requested, walled}, {{3, s.requested, {}, walled}}, {}};
   s.overTime = OverTimeRequest{};
   s.overTime->corrections = {correction};
@@ -256,7 +258,7 @@ TEST_CASE("label maps of walls in corrected frames are named, found and left out
   CHECK(test::readBytes(folder / "a.json").find("patient") == std::string::npos);
   InputPaths inputs{s.volume.path};
   CHECK_THROWS_WITH(readSession(folder / "a.json", inputs), Catch::Matchers::Contains("--walls"));
-  inputs.walls = path;
+  inputs.walls = {path};
   CHECK(readSession(folder / "a.json", inputs).overTime == s.overTime);
 
   OverTimeReport told;
@@ -306,6 +308,44 @@ TEST_CASE("files that anonymous sessions do not name are asked for in turn, and 
     CHECK(back[i].constraints.walls.map->path == folder / names[1]);
     CHECK(back[i].constraints.start->path == folder / names[2 + i]);
   }
+}
+
+TEST_CASE("files given together are known by their hashes, in any order", "[session]") {
+  const TempFolder folder;
+  for (const char* name : {"v.mha", "a.stl", "b.stl", "other"}) test::writeBytes(folder / name, name);
+  std::vector<Session> sessions(2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    Session& s = sessions[i];
+    s.version = "1.2.3";
+    s.volume = {folder / "v.mha", sha256OfPath(folder / "v.mha"), {}};
+    s.constraints.start.emplace();
+    s.constraints.start->path = folder / (i == 0 ? "a.stl" : "b.stl");
+    s.constraints.start->sha256 = sha256OfPath(s.constraints.start->path);
+    s = anonymous(std::move(s));
+  }
+  writeSessions(sessions, folder / "s.json");
+  const auto read = [&](const std::vector<std::string>& names) {
+    InputPaths inputs;
+    inputs.volume = folder / "v.mha";
+    for (const std::string& name : names) inputs.starts.push_back(folder / name);
+    return readSessions(folder / "s.json", inputs);
+  };
+  for (const auto& names : {std::vector<std::string>{"a.stl", "b.stl"}, {"b.stl", "a.stl"}}) {
+    const std::vector<Session> back = read(names);
+    CHECK(back[0].constraints.start->path == folder / "a.stl");
+    CHECK(back[1].constraints.start->path == folder / "b.stl");
+  }
+  using Catch::Matchers::Contains;
+  CHECK_THROWS_WITH(read({"a.stl"}), Contains("s.json: ") && Contains("--start"));
+  CHECK_THROWS_WITH(read({"a.stl", "b.stl", "other"}),
+                    Contains("other is not the file") && Contains("SHA-256"));
+  CHECK_THROWS_AS(read({"a.stl", "missing"}), InputError);
+
+  // Without a hash any file will do, but only one.
+  for (Session& s : sessions) s.constraints.start->sha256.clear();
+  writeSessions(sessions, folder / "s.json");
+  for (const Session& s : read({"other"})) CHECK(s.constraints.start->path == folder / "other");
+  CHECK_THROWS_WITH(read({"other", "a.stl"}), Contains("a.stl: ") && Contains("other"));
 }
 
 TEST_CASE("an object that is called after its file has another name where the patient is not to be named",

@@ -158,6 +158,28 @@ TEST_CASE("a start is replayed bit for bit, and another file in its place is ref
   }
 }
 
+TEST_CASE("an anonymous session of several starts is told all of them, in any order", "[cli][start]") {
+  const TempFolder folder;
+  const std::string volume = ballVolume(folder);
+  const std::string one = ballMesh(folder, "one.stl", 3, 1.5, kMiddle - Vec3(5, 0, 0)),
+                    two = ballMesh(folder, "two.stl", 3, 1.5, kMiddle + Vec3(5, 0, 0)),
+                    third = ballMesh(folder, "third.stl", 2);
+  require({"segment", volume, "--object-name", "left", "--given", one, "--object-name", "right", "--given",
+           two, "-o", folder / "a.nrrd", "--session", folder / "n.json", "--anonymous"});
+  const auto replay = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all{"replay", folder / "n.json", "--volume", volume, "-o", folder / "b.nrrd"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  requireRefusal(folder, replay({"--start", one}), 3, "replay --start");
+  requireRefusal(folder, replay({"--start", one, "--start", two, "--start", third}), 3, "third.stl");
+  requireRefusal(folder, replay({"--start", one, "--start", two, "--walls", third}), 3, "has no walls");
+  for (const auto& [first, second] : {std::pair(one, two), std::pair(two, one)}) {
+    require(replay({"--start", first, "--start", second}));
+    CHECK(bytes(folder / "b.nrrd") == bytes(folder / "a.nrrd"));
+  }
+}
+
 TEST_CASE("the labels of a map become objects that do not meet, one within another too", "[cli][start]") {
   const TempFolder folder;
   const std::string volume = ballVolume(folder), labels = halves(folder);

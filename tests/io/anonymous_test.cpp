@@ -193,6 +193,49 @@ TEST_CASE("what is written anonymously is the same for another patient with the 
   }
 }
 
+TEST_CASE("an anonymous session finds its series among others by the voxels, and refuses another one") {
+  const TemporaryFolder folder;
+  writeSeries(folder / "both", bright());
+  std::vector<Slice> other = bright(kJane, 7);
+  for (std::size_t i = 0; i < other.size(); ++i) {
+    other[i].series = "1.2.3.4711.99.0";  // is listed first
+    writeBytes((folder / "both") + "/other" + std::to_string(i),
+               dicomBytes(other[i], other[i].series + "." + std::to_string(i + 1)));
+  }
+  fs::create_directories(folder / "out");
+  const auto written = [&](const std::string& name) { return quoted(folder / ("out/" + name)); };
+  REQUIRE(execute("segment " + quoted(folder / "both") + " --series " + kJane.series +
+                  " --seed-ijk 19,19,11 --quiet --anonymous -o " + written("a.stl") + " --session " +
+                  written("s.json") + " --report " + written("r.json")) == 0);
+  CHECK(found(folder / "out", {kJane.series, "1.2.3.4711.99.0"}).empty());
+  for (const char* name : {"s.json", "r.json"}) {
+    const auto input = nlohmann::json::parse(readBytes(folder / (std::string("out/") + name))).at("input");
+    CHECK(input.at("voxels_sha256").get<std::string>().size() == 64);
+    CHECK_FALSE(input.contains("series"));
+    const std::string replay =
+        "replay " + written(name) + " --volume " + quoted(folder / "both") + " --quiet -o ";
+    REQUIRE(execute(replay + written("b.stl")) == 0);
+    CHECK(readBytes(folder / "out/b.stl") == readBytes(folder / "out/a.stl"));
+    REQUIRE(execute(replay + written("c.stl") + " --series " + kJane.series) == 0);
+    CHECK(execute(replay + written("d.stl") + " --series 1.2.3.4711.99.0") == 3);
+    CHECK_FALSE(fs::exists(folder / "out/d.stl"));
+  }
+
+  // One of an earlier version asks which, as ever.
+  auto old = nlohmann::json::parse(readBytes(folder / "out/s.json"));
+  old.at("input").erase("voxels_sha256");
+  writeBytes(folder / "out/old.json", old.dump());
+  const std::string replay = "replay " + written("old.json") + " --volume " + quoted(folder / "both") +
+                             " --quiet -o " + written("e.stl");
+  CHECK(execute(replay) == 3);
+  CHECK(execute(replay + " --series " + kJane.series) == 0);
+
+  // None of them: the folder is the same, but not what the session keeps.
+  old.at("input")["voxels_sha256"] = std::string(64, '0');
+  writeBytes(folder / "out/old.json", old.dump());
+  CHECK(execute(replay) == 3);
+}
+
 TEST_CASE("nor of several objects, one of them from a file that names the patient") {
   const TemporaryFolder folder;
   writeSeries(folder / kJane.folder, bright());

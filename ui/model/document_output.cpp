@@ -13,6 +13,7 @@
 #include "core/io/report/anonymous_names.h"
 #include "core/io/report/result.h"
 #include "core/io/report/start_surface.h"
+#include "core/io/report/voxel_fingerprint.h"
 #include "core/told_error.h"
 #include "ui/model/document_private.h"
 #include "ui/model/error_sentence.h"
@@ -308,13 +309,14 @@ std::vector<PendingReport> Document::Private::pendingReports(bool isAnonymous) c
 void Document::Private::exportReport(const QString& path, const std::vector<PendingReport>& reports,
                                      bool isAnonymous) {
   write(path, [this, path, made = reports, known = hash, isAnonymous, betters = output.polishes,
-               volume = work->volume]() mutable {
+               volume = work->volume, grown = home ? homeVolume : work->volume]() mutable {
     std::vector<WrittenObject> told;
     for (const PendingReport& pending : made) told.push_back(pending.object);
     const auto meshes = writtenMeshes(told, volume.grid, betters, polishing());
     std::vector<RunReport> all;
     for (std::size_t i = 0; i < made.size(); ++i) {
       complete(made[i].report.session, *known);
+      if (isAnonymous) keepVoxels(made[i].report.session.volume, grown);
       all.push_back(completed(std::move(made[i]), meshes[i], volume));
       if (isAnonymous) all.back() = anonymous(std::move(all.back()));
       giveUpIfCancelled();
@@ -348,8 +350,10 @@ void Document::exportAnonymousSession(const QString& path) {
 
 void Document::Private::exportAnonymousSession(const QString& path) {
   // Which objects are shown and locked names nobody; what the window keeps may have come with a file.
-  write(path, [path, made = sessions(), known = hash, own = viewWithObjects({}).toStdString()]() mutable {
+  write(path, [path, made = sessions(), known = hash, own = viewWithObjects({}).toStdString(),
+               volume = home ? homeVolume : work->volume]() mutable {
     for (Session& session : made) complete(session, *known);
+    keepVoxels(made.front().volume, volume);  // the others have the same
     hideFileNames(made);
     for (Session& session : made) session = anonymous(std::move(session));
     made.front().view = own;

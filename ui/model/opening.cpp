@@ -10,6 +10,7 @@
 #include "core/errors.h"
 #include "core/io/report/start_surface.h"
 #include "core/io/report/unnamed_files.h"
+#include "core/io/report/voxel_fingerprint.h"
 #include "core/io/report/wall_map.h"
 #include "core/told_error.h"
 #include "ui/model/error_sentence.h"
@@ -79,7 +80,9 @@ OpeningResult read(const OpeningRequest& asked, const std::function<void(double)
     if (auto needed = takeSession(asked, work)) return *needed;
   giveUpIfCancelled();
   const std::lock_guard lock(readingVolumes());
+  findSeries(work.reference);
   LoadedVolume loaded = loadVolume(work.reference.path, work.reference.selection, progress);
+  verifyVoxels(work.reference, loaded.volume);
   work.volume = std::move(loaded.volume);
   for (Session& session : work.sessions) loadWalls(session, work.volume.grid);
   std::vector<Session*> all;

@@ -68,9 +68,12 @@ std::string sha256OfPath(const std::string& path) {
   return digest.hex();
 }
 
-std::string sha256OfText(const std::string& text) {
+std::string sha256OfText(const std::string& text) { return sha256OfBytes(text, nullptr, 0); }
+
+std::string sha256OfBytes(const std::string& head, const void* bytes, std::size_t count) {
   Digest digest;
-  digest.add(text.data(), text.size());
+  digest.add(head.data(), head.size());
+  if (count > 0) digest.add(static_cast<const char*>(bytes), count);
   return digest.hex();
 }
 

@@ -91,6 +91,7 @@ Json certificateToJson(const Certificate& certificate) {
 Json referenceToJson(const VolumeReference& volume) {
   Json json = {{"path", volume.path.empty() ? Json(nullptr) : Json(volume.path)}, {"sha256", volume.sha256}};
   if (volume.selection.series) json["series"] = *volume.selection.series;
+  if (volume.path.empty() && !volume.voxels.empty()) json["voxels_sha256"] = volume.voxels;
   if (volume.selection.frame) json["frame"] = *volume.selection.frame;
   if (volume.selection.spacing) json["given_spacing"] = vectorToJson(*volume.selection.spacing);
   if (volume.selection.uneven == UnevenSlices::refuse) json["uneven"] = "refuse";

@@ -35,7 +35,8 @@ void addGrid(Json& object, const Grid& grid);
 //! The certificate: "mesh" of a report and the answer of `check`. "cavities" and "misplaced_components" are
 //! -1 where they have no meaning: of a mesh that is not closed, manifold and oriented.
 Json certificateToJson(const Certificate& certificate);
-//! {"path", "sha256"} and, where they were chosen, "series", "frame", "given_spacing" and "uneven".
+//! {"path", "sha256"} and, where they were chosen, "series", "frame", "given_spacing" and "uneven";
+//! without a path "voxels_sha256", where it is known.
 Json referenceToJson(const VolumeReference& volume);
 //! The inverse for what was chosen. Throws as readRequest.
 void readSelection(const Json& json, VolumeSelection& selection);

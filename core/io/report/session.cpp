@@ -49,16 +49,10 @@ std::string openablePath(const std::string& stored, const std::string& session) 
   return fs::exists(beside) || !fs::exists(stored) ? beside.string() : stored;
 }
 
-//! `start`: where the file of the surface to begin with is now; empty: where the session says.
-void locateStarts(Session& session, const std::string& path, const std::string& start) {
-  forEachStart(session,
-               [&](StartSurface& s) { s.path = start.empty() ? openablePath(s.path, path) : start; });
-}
-
-//! `walls`: where the label map of the walls is now; empty: where the session says.
-void locateWalls(Session& session, const std::string& path, const std::string& walls) {
-  forEachWallMap(session,
-                 [&](WallMap& map) { map.path = walls.empty() ? openablePath(map.path, path) : walls; });
+//! Where the session says.
+void locate(Session& session, const std::string& path) {
+  forEachStart(session, [&](StartSurface& s) { s.path = openablePath(s.path, path); });
+  forEachWallMap(session, [&](WallMap& map) { map.path = openablePath(map.path, path); });
 }
 
 //! What all objects have in common.
@@ -74,6 +68,7 @@ Session headFromJson(const Json& json, const std::string& path, const std::strin
     if (session.volume.sha256.empty()) throw UsageError("the volume's SHA-256 is empty.");
   }
   readSelection(input, session.volume.selection);
+  session.volume.voxels = input.value("voxels_sha256", std::string());
   return session;
 }
 
@@ -97,10 +92,7 @@ std::vector<Session> sessionsFromJson(const Json& json, const std::string& path,
     if (sessions.size() > 1) throw UsageError("several objects cannot be carried over time.");
     sessions[0].overTime = overTimeFromJson(json.at("over_time"));
   }
-  for (Session& session : sessions) {
-    locateWalls(session, path, inputs.walls);
-    locateStarts(session, path, inputs.start);
-  }
+  for (Session& session : sessions) locate(session, path);
   if (json.contains("view")) sessions[0].view = json.at("view").dump();
   if (json.contains("measurements"))  // of each, since the first may be left out where it has no seed
     for (Session& session : sessions) session.measurements = measurementsFromJson(json.at("measurements"));
@@ -187,6 +179,7 @@ bool isSeeded(const Session& session) {
 
 Session anonymous(Session session) {
   session.volume.path.clear();
+  if (!session.volume.selection.series) session.volume.voxels.clear();
   session.volume.selection.series.reset();
   session.view.clear();
   forEachWallMap(session, [](WallMap& map) { map.path.clear(); });
@@ -204,6 +197,8 @@ Session readSession(const std::string& path, const InputPaths& inputs) {
 
 std::vector<Session> readSessions(const std::string& path, const InputPaths& inputs) {
   std::vector<Session> sessions = parsed(readText(path), path, inputs);
+  placeFiles(sessions, K::sessionWithoutWalls, inputs.walls);
+  placeFiles(sessions, K::sessionWithoutStart, inputs.starts);
   if (inputs.mayBeUnnamed) return sessions;
   if (const auto file = unnamedFile(sessions))
     throw Told<InputError>(Finding(K::fileRefusedWith, {{"file", path}}, file->missing));

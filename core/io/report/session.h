@@ -19,6 +19,9 @@ struct VolumeReference {
   std::string path;    //!< file or folder
   std::string sha256;  //!< as sha256OfPath
   VolumeSelection selection{};
+  //! sha256OfVoxels where an anonymous session is to know its series again (voxel_fingerprint.h); empty: not
+  //! known.
+  std::string voxels{};
 };
 
 struct Session {
@@ -59,21 +62,23 @@ void writeSessions(const std::vector<Session>& objects, const std::string& path)
 bool isSeeded(const Session& session);
 
 //! Without what may name the patient: the paths of the volume, of the label map of walls and of the surface
-//! to begin with, the series, and what a window keeps. Such a session says null for the paths.
+//! to begin with, the series, and what a window keeps. Such a session says null for the paths, and keeps the
+//! voxels where a series was chosen.
 Session anonymous(Session session);
 
 //! Where the files that a session names are now; empty: where it says.
 struct InputPaths {
   std::string volume{};
-  std::string walls{};  //!< the label map of its walls
-  std::string start{};  //!< the mesh or label map that it begins with
+  //! The label maps of its walls, and the meshes or label maps that it begins with. Each is known by its
+  //! SHA-256; where the session keeps none, it is the only one that nothing else is.
+  std::vector<std::string> walls{}, starts{};
   //! What neither these nor the session say stays empty, to be asked for (unnamed_files.h), and is no error.
   bool mayBeUnnamed = false;
 };
 
 //! Reads a session or a report. A relative path is looked for beside the file first, then from the current
 //! folder. Throws InputError that names the file, also for one that names no volume, or not one of the other
-//! files, or one that holds several objects.
+//! files, or one that holds several objects; and for a file of `inputs` that the session does not mean.
 Session readSession(const std::string& path, const InputPaths& inputs = {});
 //! The same, with all objects of a session or report that holds several: one of them is seeded at least.
 std::vector<Session> readSessions(const std::string& path, const InputPaths& inputs = {});

@@ -14,6 +14,16 @@ K refusalOf(K missing) {
   return missing == K::sessionWithoutWalls ? K::wallsChanged : K::startChanged;
 }
 
+//! f(file) of the files of a kind, wherever in the sessions they stand.
+template <typename F>
+void forEachFile(std::vector<Session>& sessions, K missing, F&& f) {
+  for (Session& s : sessions) {
+    if (missing == K::sessionWithoutVolume) f(s.volume);
+    if (missing == K::sessionWithoutWalls) forEachWallMap(s, f);
+    if (missing == K::sessionWithoutStart) forEachStart(s, f);
+  }
+}
+
 }  // namespace
 
 std::optional<UnnamedFile> unnamedFile(const std::vector<Session>& sessions) {
@@ -33,14 +43,41 @@ void nameFile(std::vector<Session>& sessions, const UnnamedFile& file, const std
   // Read even where any file is taken: one that cannot be is told now.
   if (const std::string hash = sha256OfPath(path); !file.sha256.empty() && hash != file.sha256)
     throw Told<InputError>(Finding(refusalOf(file.missing), {{"file", path}}));
-  const auto name = [&](K missing, auto& unnamed) {
-    if (missing == file.missing && unnamed.path.empty() && unnamed.sha256 == file.sha256) unnamed.path = path;
-  };
-  for (Session& s : sessions) {
-    name(K::sessionWithoutVolume, s.volume);
-    forEachWallMap(s, [&](WallMap& map) { name(K::sessionWithoutWalls, map); });
-    forEachStart(s, [&](StartSurface& start) { name(K::sessionWithoutStart, start); });
+  forEachFile(sessions, file.missing, [&](auto& unnamed) {
+    if (unnamed.path.empty() && unnamed.sha256 == file.sha256) unnamed.path = path;
+  });
+}
+
+void placeFiles(std::vector<Session>& sessions, FindingKind missing, const std::vector<std::string>& paths) {
+  if (paths.empty()) return;
+  bool anyFile = false;
+  forEachFile(sessions, missing, [&](const auto&) { anyFile = true; });
+  if (!anyFile)
+    throw InputError(paths.front() + (missing == K::sessionWithoutWalls
+                                          ? " is not needed: the session has no walls of a label map."
+                                          : " is not needed: nothing in the session begins with a surface."));
+  std::vector<std::string> left;
+  for (const std::string& path : paths) {
+    const std::string hash = sha256OfPath(path);
+    bool isMeant = false;
+    forEachFile(sessions, missing, [&](auto& file) {
+      if (file.sha256 != hash) return;
+      file.path = path;
+      isMeant = true;
+    });
+    if (!isMeant) left.push_back(path);
   }
+  if (left.empty()) return;
+  bool anyUnknown = false;
+  forEachFile(sessions, missing, [&](auto& file) {
+    if (!file.sha256.empty()) return;
+    file.path = left.front();
+    anyUnknown = true;
+  });
+  if (!anyUnknown) throw Told<InputError>(Finding(refusalOf(missing), {{"file", left.front()}}));
+  if (left.size() > 1)
+    throw InputError(left[1] + ": the session does not keep which file is meant, so that only one can be; " +
+                     left[0] + " is given, too.");
 }
 
 }  // namespace handlebody

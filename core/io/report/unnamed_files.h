@@ -26,4 +26,10 @@ std::optional<UnnamedFile> unnamedFile(const std::vector<Session>& sessions);
 //! cannot be read; the sessions stay as they were then.
 void nameFile(std::vector<Session>& sessions, const UnnamedFile& file, const std::string& path);
 
+//! The same of several files of one kind (sessionWithoutWalls or sessionWithoutStart), in any order, for
+//! sessions that may name some of them where they were. A file is meant where its SHA-256 is kept; where none
+//! is, the one that is left when all that are kept have theirs. Throws InputError that names a file that is
+//! meant nowhere, cannot be read, or would be one of several that are left.
+void placeFiles(std::vector<Session>& sessions, FindingKind missing, const std::vector<std::string>& paths);
+
 }  // namespace handlebody
