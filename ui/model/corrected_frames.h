@@ -38,6 +38,8 @@ class CorrectedFrames {
   bool isOpen() const { return home_ != nullptr; }
   //! Of the grown frame, while another one is corrected; else null.
   const std::shared_ptr<ObjectWork>& home() const { return home_; }
+  //! Voxels of the grown frame, where another one is corrected; else `shown`, which are those then.
+  const Volume& grownVolume(const Volume& shown) const { return isOpen() ? homeVolume_ : shown; }
   //! Nothing if something is put away already: one frame is left for another one.
   void putAway(std::shared_ptr<ObjectWork> object, const Volume& volume) {
     if (isOpen()) return;

@@ -309,7 +309,7 @@ std::vector<PendingReport> Document::Private::pendingReports(bool isAnonymous) c
 void Document::Private::exportReport(const QString& path, const std::vector<PendingReport>& reports,
                                      bool isAnonymous) {
   write(path, [this, path, made = reports, known = hash, isAnonymous, betters = output.polishes,
-               volume = work->volume, grown = home ? homeVolume : work->volume]() mutable {
+               volume = work->volume, grown = corrected.grownVolume(work->volume)]() mutable {
     std::vector<WrittenObject> told;
     for (const PendingReport& pending : made) told.push_back(pending.object);
     const auto meshes = writtenMeshes(told, volume.grid, betters, polishing());
@@ -351,7 +351,7 @@ void Document::exportAnonymousSession(const QString& path) {
 void Document::Private::exportAnonymousSession(const QString& path) {
   // Which objects are shown and locked names nobody; what the window keeps may have come with a file.
   write(path, [path, made = sessions(), known = hash, own = viewWithObjects({}).toStdString(),
-               volume = home ? homeVolume : work->volume]() mutable {
+               volume = corrected.grownVolume(work->volume)]() mutable {
     for (Session& session : made) complete(session, *known);
     keepVoxels(made.front().volume, volume);  // the others have the same
     hideFileNames(made);
