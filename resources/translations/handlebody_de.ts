@@ -1735,6 +1735,14 @@
         <source>This session does not say where the file of a surface is that an object begins with. Choose it.</source>
         <translation>Diese Sitzung sagt nicht, wo die Datei einer Oberfläche liegt, mit der ein Objekt beginnt. Bitte auswählen.</translation>
     </message>
+    <message>
+        <source>{file}: series {series} is not the one that the session was made from: its voxels differ.</source>
+        <translation>{file}: Die Serie {series} ist nicht die, mit der die Sitzung entstanden ist: Ihre Voxel sind andere.</translation>
+    </message>
+    <message>
+        <source>{file}: none of its series has the voxels that the session was made from.</source>
+        <translation>{file}: Keine der Serien hat die Voxel, mit denen die Sitzung entstanden ist.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

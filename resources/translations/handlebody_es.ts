@@ -1735,6 +1735,14 @@
         <source>This session does not say where the file of a surface is that an object begins with. Choose it.</source>
         <translation>Esta sesión no dice dónde está el archivo de una superficie con la que empieza un objeto. Elíjalo.</translation>
     </message>
+    <message>
+        <source>{file}: series {series} is not the one that the session was made from: its voxels differ.</source>
+        <translation>{file}: la serie {series} no es la serie con la que se hizo la sesión: sus vóxeles son distintos.</translation>
+    </message>
+    <message>
+        <source>{file}: none of its series has the voxels that the session was made from.</source>
+        <translation>{file}: ninguna de sus series tiene los vóxeles con los que se hizo la sesión.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

@@ -1735,6 +1735,14 @@
         <source>This session does not say where the file of a surface is that an object begins with. Choose it.</source>
         <translation>Cette session ne dit pas où se trouve le fichier d’une surface avec laquelle un objet commence. Choisissez-le.</translation>
     </message>
+    <message>
+        <source>{file}: series {series} is not the one that the session was made from: its voxels differ.</source>
+        <translation>{file} : la série {series} n&apos;est pas celle dont la session est issue : ses voxels diffèrent.</translation>
+    </message>
+    <message>
+        <source>{file}: none of its series has the voxels that the session was made from.</source>
+        <translation>{file} : aucune de ses séries n&apos;a les voxels dont la session est issue.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

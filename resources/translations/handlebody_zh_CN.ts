@@ -1735,6 +1735,14 @@
         <source>This session does not say where the file of a surface is that an object begins with. Choose it.</source>
         <translation>此会话未说明某个对象起始表面的文件位置。请选择。</translation>
     </message>
+    <message>
+        <source>{file}: series {series} is not the one that the session was made from: its voxels differ.</source>
+        <translation>{file}：序列 {series} 不是创建该会话时所用的序列：其体素不同。</translation>
+    </message>
+    <message>
+        <source>{file}: none of its series has the voxels that the session was made from.</source>
+        <translation>{file}：其中没有任何序列具有创建该会话时所用的体素。</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

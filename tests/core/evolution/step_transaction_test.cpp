@@ -101,7 +101,7 @@ TEST_CASE("fronts that meet join, and what a limit holds is rolled back and lock
     if (!e.held) continue;
     ++times;
     CHECK(e.kind == EventKind::rolledBack);
-    CHECK(held.locked.held.rests(e.location));
+    CHECK(held.locked.held.isLocked(e.location));
   }
   CHECK(times > 0);
   expectTopology(held.mesh, 2, 0);
