@@ -161,37 +161,31 @@ void WallSurface::forEachNear(const Vec3& low, const Vec3& high, F&& f) const {
   });
 }
 
-//! Bulges are the mean over the neighbours of a vertex, since a single one tells more of the noise. A single
-//! hollow has to be filled whatever it comes from.
+//! By how much the neighbours of a vertex lie below its tangent plane, at most; the mean of that over the
+//! vertex's neighbours, since a single vertex tells more of the noise.
 void WallSurface::measureBulges() {
   std::vector<Vec3> normals(points_.size(), Vec3::Zero());
   for (const Triangle& t : triangles_) {
     const Vec3 &a = points_[t[0]], &b = points_[t[1]], &c = points_[t[2]];
     for (const int v : t) normals[v] += (b - a).cross(c - a);
   }
-  hollows_ = bulgesBeside(normals, 1);
-  const std::vector<double> own = bulgesBeside(normals, -1);
+  std::vector<double> own(points_.size(), 0);
   std::vector<int> neighbours(points_.size(), 0);
   bulges_.assign(points_.size(), 0);
-  for (const Triangle& t : triangles_)
-    for (std::size_t i = 0; i < 3; ++i) {
-      bulges_[t[i]] += own[t[(i + 1) % 3]];
-      ++neighbours[t[i]];
-    }
+  const auto forEachEdge = [&](auto&& f) {
+    for (const Triangle& t : triangles_)
+      for (std::size_t i = 0; i < 3; ++i) f(idx(t[i]), idx(t[(i + 1) % 3]));
+  };
+  forEachEdge([&](std::size_t v, std::size_t w) {
+    const Vec3 edge = points_[w] - points_[v];
+    const double below = -normals[v].stableNormalized().dot(edge) / edge.squaredNorm();
+    own[v] = std::max(own[v], below);
+  });
+  forEachEdge([&](std::size_t v, std::size_t w) {
+    bulges_[v] += own[w];
+    ++neighbours[v];
+  });
   for (std::size_t v = 0; v < bulges_.size(); ++v) bulges_[v] /= std::max(1, neighbours[v]);
-}
-
-//! By how much the neighbours of a vertex lie on that side of its tangent plane (1: above it), at most.
-std::vector<double> WallSurface::bulgesBeside(const std::vector<Vec3>& normals, double side) const {
-  std::vector<double> bulges(points_.size(), 0);
-  for (const Triangle& t : triangles_)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t v = idx(t[i]), w = idx(t[(i + 1) % 3]);
-      const Vec3 edge = points_[w] - points_[v];
-      const double away = side * normals[v].stableNormalized().dot(edge) / edge.squaredNorm();
-      bulges[v] = std::max(bulges[v], away);
-    }
-  return bulges;
 }
 
 WallSurface::Nearest WallSurface::nearest(const Vec3& p, double limit) const {
@@ -204,13 +198,10 @@ WallSurface::Nearest WallSurface::nearest(const Vec3& p, double limit) const {
     nearest = t;
   });
   const double away = nearest < 0 ? limit : std::sqrt(squared);
-  double bulge = 0, hollow = 0;
+  double bulge = 0;
   if (nearest >= 0)
-    for (const int v : triangles_[nearest]) {
-      bulge += bulges_[v] / 3;
-      hollow = std::max(hollow, hollows_[v]);
-    }
-  return {encloses(p) ? -away : away, bulge, hollow};
+    for (const int v : triangles_[nearest]) bulge += bulges_[v] / 3;
+  return {encloses(p) ? -away : away, bulge};
 }
 
 bool WallSurface::meets(const Vec3& a, const Vec3& b, const Vec3& c, std::vector<int>* which) const {

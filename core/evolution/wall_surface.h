@@ -26,9 +26,6 @@ class WallSurface {
     //! Half of the largest normal curvature there, 1/mm: at r mm from where a plane touches the surface it
     //! lies by r² times this below the plane. 0 where the surface is hollow.
     double bulge;
-    //! The same of how far it lies above the plane, at the corner of the nearest face where that is most; 0
-    //! where the surface bulges in all directions.
-    double hollow;
   };
   //! From `limit` (mm, > 0) on a distance is told as that.
   Nearest nearest(const Vec3& world, double limit) const;
@@ -65,7 +62,6 @@ class WallSurface {
   void fillCells();
   void markInside();
   void measureBulges();
-  std::vector<double> bulgesBeside(const std::vector<Vec3>& normals, double side) const;
   int at(const Index& c) const { return (c[2] * size_[1] + c[1]) * size_[0] + c[0]; }
   Range cellsOf(const Vec3& low, const Vec3& high) const;
   bool winds(const Vec3& p, Index cell) const;
@@ -78,7 +74,7 @@ class WallSurface {
   std::vector<Triangle> triangles_;
   std::vector<int> objectOf_, partOf_;  // per triangle, per point
   std::vector<Part> parts_;
-  std::vector<double> bulges_, hollows_;  // per point
+  std::vector<double> bulges_;  // per point
   Vec3 low_{0, 0, 0}, high_{0, 0, 0};
   double cell_ = 1;
   Index size_{0, 0, 0};

@@ -22,14 +22,9 @@ constexpr double kCircumradius = 0.81;
 constexpr double kHalfFlip = 0.2;
 constexpr double kRest =
     0.05;  // voxels between where corners come to rest at the map's voxels or an object and its margin
-constexpr double kSmallPart = 4;    // edge lengths: no step carries a front over anything larger
-constexpr double kMinBulge = 0.08;  // voxels of mean size: that edges stand out of a surface that is smooth
-constexpr double kMaxBulge = 0.3;   // voxels of mean size: what objects may lie apart is half of one
-// Voxels of mean size that faces before a hollow object may lie below their corners: what they leave to half
-// a voxel is for the corners' own distance, and for the faces of the object, which do the same.
-constexpr double kMaxSagitta = 0.12;
-constexpr double kMinFraction = 0.5;
-constexpr double kPartGrade = 0.6;    // as SizeField::kGrade
+constexpr double kSmallPart = 4;      // edge lengths: no step carries a front over anything larger
+constexpr double kMinBulge = 0.08;    // voxels of mean size: that edges stand out of a surface that is smooth
+constexpr double kMaxBulge = 0.3;     // voxels of mean size: what objects may lie apart is half of one
 constexpr double kObjectCell = 2;     // voxels of mean size
 constexpr double kNotMore = 0.999;    // of what is free: far above the rounding of single precision
 constexpr double kLongestFace = 4.5;  // edge lengths: longer than any edge, three times the paper's bound
@@ -230,22 +225,6 @@ bool Walls::isWall(const Index& v) const {
 
 bool Walls::isNear(const Vec3& world) const { return near_[brickAt(clampedBrick(inBricks(world)))]; }
 
-namespace {
-
-//! The least that edges may be before an object, in parts of the target: half of it, or a voxel.
-double leastPart(double edgeLength, double voxel) { return std::min(kMinFraction, voxel / edgeLength); }
-
-//! Walls::edgePart. `voxel`: mm, mean size.
-double partBefore(const WallSurface::Nearest& wall, double edgeLength, double voxel) {
-  const double across = kCircumradius * edgeLength, most = kMaxSagitta * voxel;
-  const double sagitta = wall.hollow * across * across;
-  if (sagitta <= most) return 1;
-  const double part = std::max(leastPart(edgeLength, voxel), std::sqrt(most / sagitta));
-  return std::min(1.0, part + kPartGrade * std::max(0.0, wall.distance / edgeLength - 1));
-}
-
-}  // namespace
-
 double Walls::room(const Vec3& world, const Vec3& index) const {
   const std::size_t brick = idx(brickAt(brickOf(index)));
   double room = far_;
@@ -262,18 +241,10 @@ double Walls::room(const Vec3& world, const Vec3& index) const {
   // Corners that are no nearer than what bulges between them stay out of each other's way: where some came
   // nearer, the faces at them would hold back the others.
   const double least = clearance_ + kRest * grid_.meanSpacing(), most = kMaxBulge * grid_.meanSpacing();
+  const double across = kCircumradius * edgeLength_;
   const WallSurface::Nearest nearest = objects_->nearest(world, far_ + least + most);
-  const double part = partBefore(nearest, edgeLength_, grid_.meanSpacing());
-  const double across = part * kCircumradius * edgeLength_;
   const double bulge = std::clamp(nearest.bulge * across * across, kMinBulge * grid_.meanSpacing(), most);
   return std::min(room, nearest.distance - least - bulge);
-}
-
-double Walls::edgePart(const Vec3& world) const {
-  if (!objects_ || !isNear(world)) return 1;
-  const double voxel = grid_.meanSpacing();
-  const double reach = (1 + (1 - leastPart(edgeLength_, voxel)) / kPartGrade) * edgeLength_;
-  return partBefore(objects_->nearest(world, reach), edgeLength_, voxel);
 }
 
 namespace {

@@ -24,9 +24,6 @@ class Walls {
   double room(const Vec3& world, const Vec3& index) const;
   //! mm to the nearest wall itself, 0 or less within one; `limit` if there is none within that distance.
   double distance(const Vec3& world, double limit) const;
-  //! How long edges may be there, in parts of the target: below 1 before an object that is so hollow that
-  //! faces between them would stay away from it, and from there on longer with the distance.
-  double edgePart(const Vec3& world) const;
   //! False if no face of usual size with a corner there comes near a wall.
   bool isNear(const Vec3& world) const;
   //! True if no point of the triangle lies in a wall or within the margin of one. Costs next to nothing where

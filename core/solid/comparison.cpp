@@ -25,7 +25,7 @@ std::size_t samplesAt(const Solid& a, const Solid& b, double h) {
 double samplingFor(const Solid& a, const Solid& b, double wanted) {
   if (wanted > 0) {
     if (samplesAt(a, b, wanted) > kMaxSamples)
-      throw UsageError("A sampling of " + number(wanted) + " mm would take more than " +
+      throw UsageError("--sampling: " + number(wanted) + " mm would take more than " +
                        std::to_string(kMaxSamples) + " samples of these surfaces.");
     return wanted;
   }

@@ -33,6 +33,7 @@ std::optional<Mark> markOf(const ActiveContour& contour, const Triangle& corners
     if (corners[i] >= mesh.vertexSlots() || !mesh.isVertex(corners[i])) return std::nullopt;
     mark.points[i] = mesh.position(corners[i]);
   }
+  if (isOfNow) return mark;
   const double longest = kLongestPart * contour.parameters().edgeLength;
   for (std::size_t i = 0; i < 3; ++i)
     if ((mark.points[i] - mark.points[(i + 1) % 3]).norm() > longest) return std::nullopt;
