@@ -3,6 +3,8 @@
 #include <QDir>
 #include <QFile>
 #include <QUndoStack>
+#include <fstream>
+#include <regex>
 #include <set>
 
 #include "core/io/meshes/mesh_io.h"
@@ -197,7 +199,7 @@ class AnonymousWindowTest : public QObject {
   void norDoesTheCurveOfFramesThatCannotBeRead();
   void norDoesASessionThatIsExported();
   void suchASessionAsksForItsFilesAndGoesOn();
-  void theSeriesOfItsFolderIsChosenAgain();
+  void theSeriesOfItsFolderIsFoundByItsVoxels();
 };
 
 void AnonymousWindowTest::noFileThatIsExportedNamesThePatient() {
@@ -309,7 +311,7 @@ void AnonymousWindowTest::suchASessionAsksForItsFilesAndGoesOn() {
   QCOMPARE(document.sessionPath(), named);
 }
 
-void AnonymousWindowTest::theSeriesOfItsFolderIsChosenAgain() {
+void AnonymousWindowTest::theSeriesOfItsFolderIsFoundByItsVoxels() {
   const QTemporaryDir folder;
   const QString series = folder.filePath("DOE_JANE"), session = folder.filePath("hidden.json");
   std::vector<Slice> slices = evenStack(3), larger = evenStack(4);
@@ -327,16 +329,29 @@ void AnonymousWindowTest::theSeriesOfItsFolderIsChosenAgain() {
   document.addSeed({document.volume().grid.toWorld(Vec3(1, 1, 1)), 1.0});
   QVERIFY(sessionOf(*window, session, true).find("1.2.3.4") == std::string::npos);
   document.undoStack()->undo();
-  QCOMPARE(askedAfter(*window, [&] { window->files().open(session); }), kAsksForVolume);
   QSignalSpy choice(&document, &ui::Document::seriesChoiceNeeded);
-  window->files().give(series);
-  QVERIFY(!choice.isEmpty() || choice.wait(kPatience));
-  QCOMPARE(choice.front().front().toString(), session);
   opened.clear();
-  window->files().open(session, second);  // as the list of the step Open does it
+  QCOMPARE(askedAfter(*window, [&] { window->files().open(session); }), kAsksForVolume);
+  window->files().give(series);
   QVERIFY(!opened.isEmpty() || opened.wait(kPatience));
+  QVERIFY(choice.isEmpty());
   QCOMPARE(document.volume().grid.size[1], 6);
   QCOMPARE(document.seeds().size(), std::size_t(1));
+  // One of before keeps nothing of the voxels, and asks as a folder of several series does.
+  const std::string text = readBytes(session.toStdString());
+  const std::string without =
+      std::regex_replace(text, std::regex(",\\s*\"voxels_sha256\":\\s*\"[0-9a-f]+\""), "");
+  QVERIFY(without.size() < text.size());
+  const QString earlier = folder.filePath("earlier.json");
+  std::ofstream(earlier.toStdString()) << without;
+  QCOMPARE(askedAfter(*window, [&] { window->files().open(earlier); }), kAsksForVolume);
+  window->files().give(series);
+  QVERIFY(!choice.isEmpty() || choice.wait(kPatience));
+  QCOMPARE(choice.front().front().toString(), earlier);
+  opened.clear();
+  window->files().open(earlier, second);  // as the list of the step Open does it
+  QVERIFY(!opened.isEmpty() || opened.wait(kPatience));
+  QCOMPARE(document.volume().grid.size[1], 6);
 }
 
 int main(int argc, char** argv) {
