@@ -15,8 +15,8 @@ struct Displacement {
   std::vector<CellClick> against;  //!< clicks of the other kind: what is nearer to one of them stays
 };
 
-//! `region` with the cells that the surface of `from` passes over when it is displaced. Cells of either
-//! region's other side, and those that the bell does not lift by half a cell, stay.
+//! `region` with the cells that the surface of `from` passes over when it is displaced: they become as the
+//! click is. Where the bell is lower than half a cell nothing changes.
 Region displaced(const WorkImage& work, const Region& from, Region region, const Displacement& d);
 
 }  // namespace handlebody
