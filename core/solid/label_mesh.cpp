@@ -29,7 +29,7 @@ constexpr int kRegulations = 5;
 constexpr int kMovesBetween = 3;
 constexpr double kTangential = 0.5;                // of the way to the neighbours' mean
 constexpr double kLongest = 1.5, kShortest = 0.6;  // of the edge length that is wanted
-constexpr Reach kFirstReach{0.75, 0.8}, kLaterReach{0.15, 0.3};
+constexpr VertexReach kFirstReach{0.75, 0.8}, kLaterReach{0.15, 0.3};
 constexpr double kMaxOffset = 0.3;  // of the smallest spacing, to keep the volume
 constexpr std::size_t kChunk = 1024;
 // Objects that become meshes together, voxels: how far their surfaces, which coincide where they touch, are
@@ -148,14 +148,14 @@ class Moves {
       : guarded_(guarded), meant_(meant), offsets_(offsets), threads_(threads) {}
 
   //! None goes farther than `reach` from where it is now.
-  void make(int count, const Reach& reach) {
+  void make(int count, const VertexReach& reach) {
     anchors_.assign(guarded_.mesh().positions().begin(), guarded_.mesh().positions().end());
     hints_.assign(anchors_.size(), -1);
     for (int i = 0; i < count; ++i) make(reach);
   }
 
  private:
-  void make(const Reach& reach) {
+  void make(const VertexReach& reach) {
     giveUpIfCancelled();
     const Mesh& mesh = guarded_.mesh();
     std::vector<Vec3> targets(anchors_.size());

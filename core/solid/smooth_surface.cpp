@@ -21,7 +21,7 @@ TriangleSoup onGrid(TriangleSoup mesh, const Grid& grid) {
 
 //! The place nearest to `index` along the normal, and then on the way from the anchor, that it may go to.
 //! Voxels.
-Vec3 withinReach(const Vec3& anchor, const Vec3& index, const Vec3& normal, const Reach& reach) {
+Vec3 withinReach(const Vec3& anchor, const Vec3& index, const Vec3& normal, const VertexReach& reach) {
   Vec3 way = index - anchor;
   const double along = way.dot(normal);
   way += (std::clamp(along, -reach.along, reach.along) - along) * normal;

@@ -11,7 +11,7 @@
 namespace handlebody {
 
 //! Voxels: how far a vertex may go between two looks at the edges. What is thin would draw back without end.
-struct Reach {
+struct VertexReach {
   double along;  //!< the normal
   double any;    //!< in any direction
 };
@@ -31,11 +31,11 @@ class SmoothSurface {
 
   //! Where a vertex is, and what it is to do.
   struct VertexAim {
-    Vec3 from, to;  //!< mm
-    Vec3 normal;    //!< of the mesh, of any length
-    double offset;  //!< mm, outside of the surface that is meant
-    Vec3 anchor;    //!< mm
-    Reach reach;    //!< from there
+    Vec3 from, to;      //!< mm
+    Vec3 normal;        //!< of the mesh, of any length
+    double offset;      //!< mm, outside of the surface that is meant
+    Vec3 anchor;        //!< mm
+    VertexReach reach;  //!< from there
   };
 
   //! From `to` towards the surface. Never farther than kMaxMove from the voxels' surface, and only to where
