@@ -9,12 +9,14 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/correction.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/edge_profile.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/edit_step.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/growing_region.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/region_growth_level.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/held_changes.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/held_size.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/history.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/image_warnings.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/leak_alarm.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/level_edges.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/level_field.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/object_boundary.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/locked_regions.cpp
@@ -32,9 +34,11 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/pinned_check.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/pinned_parts.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/converged_vertices.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/reached_bricks.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/region_growth.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/region_levels.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/restraints.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/row_flood.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/seed_statistics.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/seeds.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/shown_object.cpp
@@ -47,6 +51,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/stop_decision.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/thickness_map.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/transaction.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/voxel_flood.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/wall_disc.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/wall_guard.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/wall_pieces.cpp
