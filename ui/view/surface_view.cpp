@@ -1,33 +1,20 @@
-#include "ui/view/surface_view_private.h"
+#include "ui/view/surface_view.h"
 
 #include <vtkGenericRenderWindowInteractor.h>
 #include <vtkNew.h>
 
-#include <Eigen/Geometry>
-#include <QElapsedTimer>
-#include <QStyle>
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
-#include "ui/view/distance_colours.h"
-#include "ui/view/measure_overlay.h"
-#include "ui/view/other_outlines.h"
-#include "ui/view/other_surfaces.h"
-#include "ui/view/overlay.h"
 #include "ui/view/surface_measuring.h"
-#include "ui/view/surface_overlay.h"
 #include "ui/view/surface_style.h"
+#include "ui/view/surface_view_private.h"
 
 namespace handlebody::ui {
-namespace {
-
-const QColor kFrame(0x74, 0x83, 0xe6);
-constexpr Plane kPlanes[] = {Plane::axial, Plane::coronal, Plane::sagittal};
-
-}  // namespace
 
 // --- scene ---
+
+SurfaceView::Private::Private(SurfaceView& v, Document& d, ViewState& s)
+    : view(v), document(d), state(s), camera(v), brush(d, s), content(d, s, [&v] {
+        QMetaObject::invokeMethod(&v, qOverload<>(&QWidget::update), Qt::QueuedConnection);
+      }) {}
 
 void SurfaceView::Private::createOpenGl() {
   if (triedOpenGl) return;
@@ -38,231 +25,99 @@ void SurfaceView::Private::createOpenGl() {
     return;
   }
   scene = std::make_unique<SurfaceScene>(gl->renderer());
+  camera.setScene(*scene);
   vtkNew<SurfaceStyle> style;
   gl->interactor()->SetInteractorStyle(style);
-  gl->onRenderRequest([this] { draw(poseChanged); });
+  gl->onRenderRequest([this] { redraw(); });
   startVolume();
 }
 
 void SurfaceView::Private::startVolume() {
+  const Grid* grid = document.hasVolume() ? &document.volume().grid : nullptr;
   brush.giveUp();
-  meshChanged = pinsChanged = seedsChanged = slicesChanged = coloursChanged = poseChanged = wallsChanged =
-      loopsChanged = true;
-  shownSlices = {-1, -1, -1};
-  slices = {};  // the volume before is let go
-  follows = true;
-  stage = EventStage::none;
-  wallsShown = false;
-  const auto camera = std::exchange(wanted, std::nullopt);
-  if (!scene) return;
-  flight.stop();
-  scene->showStage({}, EventStage::none);
-  scene->setVolume(document.hasVolume() ? &document.volume().grid : nullptr);
-  scene->setPose(document.hasVolume() ? around(document.volume().grid, obliquePose(), aspect())
-                                      : obliquePose());
-  if (camera) stand(*camera);
-}
-
-void SurfaceView::Private::stand(const StandingCamera& camera) {
-  if (!scene) {
-    wanted = camera;
-    return;
+  content.startVolume();
+  isOld = true;
+  stage.stage = EventStage::none;
+  if (scene) {
+    scene->showStage({}, EventStage::none);
+    scene->setVolume(grid);
   }
-  flight.stop();
-  follows = camera.follows;
-  scene->setPose(camera.pose);
-  draw(poseChanged);
+  camera.startVolume(grid);
 }
 
-double SurfaceView::Private::heightFor(const Sight& sight, double margin) const {
-  return margin * 2 * sight.radius / std::min(1.0, aspect());
-}
-
-void SurfaceView::Private::sync() {
-  if (meshChanged) {
-    shownColouring = state.meshColouring();
-    scene->setMesh(isActiveVisible(document) ? document.snapshot().get() : nullptr, shownColouring,
-                   activeColour(document, plainMaterial()));
-    if (const DistanceColours* d = shownDistances())
-      scene->colourFaces(distancePalette(d->isSigned), paletteEntries(*d));
-    scene->setOthers(otherSurfaces(document));
-    followMesh();
-  }
-  if (meshChanged || pinsChanged) syncPins();
-  if (seedsChanged) syncSeeds();
-  if (wallsChanged) syncWalls();
-  if (loopsChanged) scene->setLoops(state.markedLoops());
-  if (slicesChanged || coloursChanged) syncSlices();
-  loopsChanged = meshChanged = pinsChanged = seedsChanged = slicesChanged = coloursChanged = wallsChanged =
-      false;
-}
-
-void SurfaceView::Private::syncPins() {
-  const auto mesh = document.snapshot();
-  const bool shows = mesh && isActiveVisible(document) && state.showsConstraints();
-  const auto& parts = pinned.of(mesh, shows ? document.constraints().pins : std::vector<Pin>{});
-  hasPins = !parts.empty();
-  scene->setPinned(hasPins ? mesh->mesh : TriangleSoup{}, parts);
-}
-
-//! Asked for here; they come later.
-void SurfaceView::Private::syncWalls() {
-  const bool any = document.hasVolume() && isActiveVisible(document) && state.showsConstraints();
-  const WallList walls = any ? document.constraints().walls : WallList{};
-  if (walls == shownWalls && wallsShown) return;
-  wallSurfaces.request(walls, any ? document.volume().grid : Grid{});
-  shownWalls = walls;
-  wallsShown = true;
-}
-
-void SurfaceView::Private::takeWalls() {
-  if (waitsForWalls) wallSurfaces.finish();
-  const std::optional<TriangleSoup> made = wallSurfaces.take();
-  if (!made) return;
-  scene->setWalls(*made);
-  poseChanged = true;
-}
-
-void SurfaceView::Private::syncSeeds() {
-  std::vector<Seed> seeds = document.seeds();
-  for (std::size_t i = 0; i < seeds.size(); ++i) seeds[i].radius = document.shownRadius(static_cast<int>(i));
-  scene->setSeeds(seeds);
-}
-
-void SurfaceView::Private::syncSlices() {
-  const bool on = state.slicesIn3d() && document.hasVolume();
-  scene->showSlices(on);
-  slicesShown = on;
-  if (!on) return;
-  const Volume& volume = document.volume();
-  for (Plane plane : kPlanes) {
-    constexpr double kLargest = 512;  // pixels of a texture
-    SliceGeometry geometry = wholeSlice(volume.grid, plane, kLargest);
-    const QSizeF& size = geometry.size();
-    geometry.setSlice(geometry.nearestSlice(state.crosshair()));
-    const auto i = static_cast<std::size_t>(plane);
-    if (shownSlices[i] == geometry.slice() && !coloursChanged) continue;
-    shownSlices[i] = geometry.slice();
-    const SliceColours colours{{state.window(), state.level()}, state.colourMap(), {}};
-    scene->setSlice(plane, slices[i].render(volume, geometry, 1, colours),
-                    {geometry.toWorld({0, 0}), geometry.toWorld({size.width(), 0}),
-                     geometry.toWorld({0, size.height()})});
-  }
-}
-
-//! Only when the mesh leaves the view or is lost in it: a camera that moves all the time hides the growth.
 void SurfaceView::Private::followMesh() {
-  constexpr double kMargin = 2.2, kTooSmall = 5, kTooLarge = 1.05;  // heights of view per mesh
-  constexpr double kAtRest = 1.25, kFarAtRest = 1.6;                // and where nothing grows any more
-  const std::shared_ptr<const MeshSnapshot> mesh = document.snapshot();
-  if (!mesh || !follows || stage != EventStage::none || flight.state() == QAbstractAnimation::Running) return;
-  const std::optional<Sight> sight = sightOfSurfaces(document);
-  if (!sight) return;
-  CameraPose pose = scene->pose();
-  const double offset = (sight->centre - pose.focus).norm();
-  const bool atRest = document.state() == GrowthState::finished;
-  if (pose.height < heightFor(*sight, atRest ? kFarAtRest : kTooSmall) &&
-      pose.height > heightFor({sight->centre, sight->radius + offset}, kTooLarge))
-    return;
-  pose.focus = sight->centre;
-  pose.height = heightFor(*sight, atRest ? kAtRest : kMargin);
-  flyTo(pose);
+  if (!stage.isOn()) camera.follow(document);
 }
 
-void SurfaceView::Private::flyTo(const CameraPose& pose) {
-  flight.stop();
-  const int time =
-      flightTime >= 0 ? flightTime : 2 * view.style()->styleHint(QStyle::SH_Widget_Animation_Duration);
-  if (time <= 0 || !view.isVisible()) {
-    scene->setPose(pose);
-    draw(poseChanged);
-    return;
-  }
-  flightFrom = scene->pose();
-  flightTo = pose;
-  flight.setDuration(time);
-  flight.start();
-}
-
-// --- picture ---
-
-const QImage& SurfaceView::Private::frame(double pixelRatio) {
-  sync();
-  takeWalls();
-  const QSize size = (QSizeF(view.size()) * pixelRatio).toSize();
-  if (!poseChanged && shown.size() == size) return shown;
-  QElapsedTimer timer;
-  timer.start();
-  scene->setPixelRatio(pixelRatio);
-  scene->fitDepth();
-  shown = gl->render(size, pixelRatio);
-  shown.setDevicePixelRatio(pixelRatio);
-  poseChanged = false;
-  renderTime = timer.elapsed();
-  return shown;
-}
-
-void SurfaceView::Private::paint(QPainter& painter, double pixelRatio, bool focused) {
-  createOpenGl();
-  const QSizeF size = view.size();
-  if (!gl) {
-    painter.fillRect(view.rect(), QColor(0x15, 0x18, 0x1c));
-    paintHint(
-        painter, size,
-        tr("This machine offers no OpenGL 3.2: the surface cannot be shown in 3D. Slices, growth and export "
-           "work all the same."));
-  } else {
-    if (meshChanged || pinsChanged || seedsChanged || slicesChanged || coloursChanged || wallsChanged ||
-        loopsChanged)
-      poseChanged = true;
-    painter.drawImage(QPointF(0, 0), frame(pixelRatio));
-    painter.setRenderHint(QPainter::Antialiasing);
-    paintOver(painter, size);
-  }
-  paintText(painter, {kOverlayMargin, kOverlayMargin}, Qt::AlignLeft | Qt::AlignTop, tr("3D"),
-            overlayFont(1.05, true), kFrame.lighter(130));
-  paintFrame(painter, size, kFrame, focused);
-}
-
-//! What does not need a new picture of the scene.
-void SurfaceView::Private::paintOver(QPainter& painter, const QSizeF& size) {
-  const CameraPose pose = scene->pose();
-  const bool empty = !document.hasVolume();
-  if (empty) {
-    paintHint(painter, size, tr("The surface grows here"));
-  } else {
-    if (stage == EventStage::none) paintMeasurements(painter, size, pose, document, state.measure());
-    paintTriad(painter, size, pose);
-    paintScaleBar(painter, size, pose.height / std::max(1.0, size.height()));
-  }
-  const std::shared_ptr<const MeshSnapshot> mesh = document.snapshot();
-  if (mesh && mesh->mesh.triangles.empty())
-    paintText(painter, {size.width() / 2, kOverlayMargin}, Qt::AlignHCenter | Qt::AlignTop,
-              tr("Nothing is left of the surface"), overlayFont());
-  if (stage != EventStage::none) return paintStageCaption(painter, stage);
-  if (const DistanceColours* d = shownDistances())
-    paintDistanceScale(painter, size, *d);
-  else if (mesh && state.meshColouring() == MeshColouring::state)
-    paintStateLegend(painter);
-  else if (mesh && !mesh->mesh.triangles.empty() && state.meshColouring() == MeshColouring::support)
-    paintSupportLegend(painter, size, mesh->support);
-  if (hasPins) paintPinLegend(painter, size);
-  if (!empty) brush.paint(painter, eye());
-}
-
-void SurfaceView::Private::followBrush() {
-  if (!gl || !document.hasVolume()) return;
-  if (state.brush().isFor3d())
-    view.setCursor(brush.cursor(eye()));
-  else
-    view.unsetCursor();
+void SurfaceView::Private::redraw(ScenePart part) {
+  content.outdate(part);
   view.update();
 }
 
-//! First the stroke is given up, if there is one.
-void SurfaceView::Private::putBrushAway() {
-  if (!brush.isDown()) state.brush().setMode(Brush::Mode::off);
-  brush.giveUp();
+void SurfaceView::Private::redraw() {
+  isOld = true;
+  view.update();
+}
+
+void SurfaceView::Private::redrawLater(ScenePart part) {
+  content.outdate(part);
+  if (!sliceDelay.isActive()) sliceDelay.start(static_cast<int>(2 * renderTime));
+}
+
+// --- what it is told ---
+
+void SurfaceView::Private::connectCamera() {
+  connect(&camera, &SurfaceCamera::moved, &view, [this] { redraw(); });
+  // Meshes that came meanwhile were not followed.
+  connect(&camera, &SurfaceCamera::arrived, &view, [this] { followMesh(); });
+}
+
+void SurfaceView::Private::connectDocument() {
+  connect(&document, &Document::opened, &view, [this] {
+    startVolume();
+    view.update();
+  });
+  connect(&document, &Document::frameShown, &view, [this] {
+    content.startFrame();
+    view.update();
+  });
+  for (auto changed : {&Document::seedsChanged, &Document::resolvedChanged})
+    connect(&document, changed, &view, [this] { redraw(ScenePart::seeds); });
+  for (auto changed : {&Document::snapshotChanged, &Document::objectsChanged})
+    connect(&document, changed, &view, [this] { redraw(ScenePart::mesh); });
+  for (auto changed : {&Document::constraintsChanged, &Document::objectsChanged})
+    connect(&document, changed, &view, [this] {
+      redraw(ScenePart::pins);
+      redraw(ScenePart::walls);
+    });
+  connect(&document, &Document::stateChanged, &view, [this] {
+    if (document.state() == GrowthState::finished) redraw(ScenePart::mesh);  // it may be seen from nearer
+  });
+}
+
+void SurfaceView::Private::connectState() {
+  connect(&state, &ViewState::markedLoopsChanged, &view, [this] { redraw(ScenePart::loops); });
+  connect(&state, &ViewState::distancesChanged, &view, [this] { redraw(ScenePart::mesh); });
+  for (auto changed : {&Brush::changed, &Brush::strokeChanged})
+    connect(&state.brush(), changed, &view, [this] { followBrush(); });
+  sliceDelay.setSingleShot(true);
+  connect(&sliceDelay, &QTimer::timeout, &view, [this] { view.update(); });
+  connect(&state, &ViewState::changed, &view, [this] {
+    watchConstraints();
+    if (state.meshColouring() != content.colouring()) redraw(ScenePart::mesh);
+    if (state.slicesIn3d() || content.hasSlices()) redrawLater(ScenePart::colours);
+  });
+  connect(&state, &ViewState::crosshairChanged, &view, [this] {
+    if (state.slicesIn3d()) redrawLater(ScenePart::slices);
+  });
+}
+
+//! Whether they are shown at all.
+void SurfaceView::Private::watchConstraints() {
+  if (state.showsConstraints() == constraintsShown) return;
+  constraintsShown = state.showsConstraints();
+  redraw(ScenePart::pins);
+  redraw(ScenePart::walls);
 }
 
 // --- widget ---
@@ -276,73 +131,14 @@ SurfaceView::SurfaceView(Document& document, ViewState& state, QWidget* parent)
   setAccessibleDescription(tr(
       "Home, End and Page Down look from superior, anterior and left. With the brush on, left pins, unpins, "
       "smooths or pulls the surface."));
-  Private* d = d_.get();
-  d->flight.setStartValue(0.0);
-  d->flight.setEndValue(1.0);
-  d->flight.setEasingCurve(QEasingCurve::InOutCubic);
-  // Meshes that came meanwhile were not followed.
-  connect(&d->flight, &QVariantAnimation::finished, this, [d] { d->followMesh(); });
-  connect(&d->flight, &QVariantAnimation::valueChanged, this, [d](const QVariant& share) {
-    d->scene->setPose(between(d->flightFrom, d->flightTo, share.toDouble()));
-    d->draw(d->poseChanged);
-  });
-  d->sliceDelay.setSingleShot(true);
-  connect(&d->sliceDelay, &QTimer::timeout, this, [d] { d->view.update(); });
-  connect(&document, &Document::opened, this, [d] {
-    d->startVolume();
-    d->view.update();
-  });
-  connect(&document, &Document::frameShown, this, [d] {
-    d->slices = {};
-    d->draw(d->coloursChanged);
-  });
-  const auto seeds = [d] { d->draw(d->seedsChanged); };
-  connect(&document, &Document::seedsChanged, this, seeds);
-  connect(&document, &Document::resolvedChanged, this, seeds);
-  connect(&state, &ViewState::markedLoopsChanged, this, [d] { d->draw(d->loopsChanged); });
-  connect(&state, &ViewState::distancesChanged, this, [d] { d->draw(d->meshChanged); });
-  for (auto changed : {&Document::snapshotChanged, &Document::objectsChanged})
-    connect(&document, changed, this, [d] { d->draw(d->meshChanged); });
-  for (auto changed : {&Document::constraintsChanged, &Document::objectsChanged})
-    connect(&document, changed, this, [d] {
-      d->draw(d->pinsChanged);
-      d->draw(d->wallsChanged);
-    });
-  for (auto changed : {&Brush::changed, &Brush::strokeChanged})
-    connect(&state.brush(), changed, this, [d] { d->followBrush(); });
-  connect(&document, &Document::stateChanged, this, [d] {
-    if (d->document.state() == GrowthState::finished) d->draw(d->meshChanged);  // it may be seen from nearer
-  });
-  const auto laterSlices = [d] {
-    if (!d->sliceDelay.isActive()) d->sliceDelay.start(static_cast<int>(2 * d->renderTime));
-  };
-  connect(&state, &ViewState::changed, this, [d, laterSlices] {
-    if (d->state.showsConstraints() != d->constraintsShown) {
-      d->constraintsShown = d->state.showsConstraints();
-      d->draw(d->pinsChanged);
-      d->draw(d->wallsChanged);
-    }
-    if (d->state.meshColouring() != d->shownColouring) d->draw(d->meshChanged);
-    if (!d->state.slicesIn3d() && !d->slicesShown) return;
-    d->coloursChanged = true;
-    laterSlices();
-  });
-  connect(&state, &ViewState::crosshairChanged, this, [d, laterSlices] {
-    if (!d->state.slicesIn3d()) return;
-    d->slicesChanged = true;
-    laterSlices();
-  });
-  const auto pose = [d] {
-    const bool any = d->scene && d->stage == EventStage::none && d->document.hasVolume();
-    return any ? std::optional(d->scene->pose()) : std::nullopt;
+  d_->connectCamera();
+  d_->connectDocument();
+  d_->connectState();
+  const auto pose = [d = d_.get()] {
+    const bool any = d->scene && !d->stage.isOn() && d->document.hasVolume();
+    return any ? std::optional(d->camera.pose()) : std::nullopt;
   };
   installEventFilter(new SurfaceMeasuring(document, state, pose, *this));
-}
-
-//! Of the shown mesh; null: none.
-const DistanceColours* SurfaceView::Private::shownDistances() const {
-  const DistanceColours* d = state.distances().get();
-  return d && d->mesh == document.snapshot() && isActiveVisible(document) ? d : nullptr;
 }
 
 SurfaceView::~SurfaceView() = default;
@@ -355,80 +151,51 @@ bool SurfaceView::hasOpenGl() const {
 void SurfaceView::showStage(const EventTrace& trace, EventStage stage) {
   if (stage == EventStage::none) return clearStage();
   if (!hasOpenGl()) return;
-  const bool first = d_->stage == EventStage::none;
-  if (first)
-    d_->beforeStage = d_->flight.state() == QAbstractAnimation::Running ? d_->flightTo : d_->scene->pose();
-  d_->stage = stage;
+  ShownStage& shown = d_->stage;
+  const bool first = !shown.isOn();
+  if (first) shown.before = d_->camera.destination();
+  shown.stage = stage;
   d_->scene->showStage(trace, stage);
   const std::optional<Sight> sight = ui::sightOf(trace);
-  const bool there = !first && sight && d_->stageSight && sight->centre == d_->stageSight->centre;
-  d_->stageSight = sight;
+  const bool there = !first && sight && shown.sight && sight->centre == shown.sight->centre;
+  shown.sight = sight;
   if (sight && !there) {
-    CameraPose pose = d_->scene->pose();
+    CameraPose pose = d_->camera.pose();
     pose.focus = sight->centre;
-    pose.height = d_->heightFor(*sight, 0.95);  // a mesh fills its ball nowhere near
+    pose.height = d_->camera.heightFor(*sight, 0.95);  // a mesh fills its ball nowhere near
     pose.towardsEye = acrossFronts(trace, pose.towardsEye);
     pose.up = (pose.up - pose.up.dot(pose.towardsEye) * pose.towardsEye).normalized();
-    d_->flyTo(pose);
+    d_->camera.flyTo(pose);
   }
-  d_->draw(d_->poseChanged);
+  d_->redraw();
 }
 
 void SurfaceView::clearStage() {
-  if (d_->stage == EventStage::none) return;
-  d_->stage = EventStage::none;
+  if (!d_->stage.isOn()) return;
+  d_->stage.stage = EventStage::none;
   d_->scene->showStage({}, EventStage::none);
-  d_->flyTo(d_->beforeStage);
-  d_->draw(d_->meshChanged);
+  d_->camera.flyTo(d_->stage.before);
+  d_->redraw(ScenePart::mesh);
 }
 
 void SurfaceView::resetCamera() {
-  if (!hasOpenGl() || !d_->document.hasVolume()) return;
-  const std::optional<Sight> sight = sightOfSurfaces(d_->document);
-  CameraPose pose = d_->scene->pose();
-  if (sight) {
-    pose.focus = sight->centre;
-    pose.height = d_->heightFor(*sight, 1.25);
-  } else {
-    pose = around(d_->document.volume().grid, pose, d_->aspect());
-  }
-  d_->follows = true;
-  d_->flyTo(pose);
+  if (hasOpenGl() && d_->document.hasVolume()) d_->camera.seeAll(d_->document);
 }
 
 void SurfaceView::lookFrom(Plane plane, bool opposite) {
-  if (!hasOpenGl()) return;
-  const bool flying = d_->flight.state() == QAbstractAnimation::Running;
-  d_->flyTo(lookingFrom(flying ? d_->flightTo : d_->scene->pose(), plane, opposite));
+  if (hasOpenGl()) d_->camera.flyTo(lookingFrom(d_->camera.destination(), plane, opposite));
 }
 
 std::optional<StandingCamera> SurfaceView::camera() const {
-  if (!d_->scene) return d_->wanted;
-  if (d_->stage != EventStage::none) return StandingCamera{d_->beforeStage, d_->follows};
-  const bool flying = d_->flight.state() == QAbstractAnimation::Running;
-  return StandingCamera{flying ? d_->flightTo : d_->scene->pose(), d_->follows};
+  if (d_->stage.isOn()) return StandingCamera{d_->stage.before, d_->camera.follows()};
+  return d_->camera.standing();
 }
 
-void SurfaceView::setCamera(const StandingCamera& camera) { d_->stand(camera); }
+void SurfaceView::setCamera(const StandingCamera& camera) { d_->camera.stand(camera); }
 
-void SurfaceView::setFlightTime(int ms) { d_->flightTime = ms; }
-
-QImage SurfaceView::picture() {
-  QImage image((QSizeF(size()) * devicePixelRatioF()).toSize(), QImage::Format_RGB32);
-  image.setDevicePixelRatio(devicePixelRatioF());
-  QPainter painter(&image);
-  d_->waitsForWalls = true;
-  d_->paint(painter, devicePixelRatioF(), false);
-  d_->waitsForWalls = false;
-  return image;
-}
+void SurfaceView::setFlightTime(int ms) { d_->camera.setFlightTime(ms); }
 
 QSize SurfaceView::minimumSizeHint() const { return {160, 120}; }
 QSize SurfaceView::sizeHint() const { return {480, 360}; }
-
-void SurfaceView::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
-  d_->paint(painter, devicePixelRatioF(), hasFocus());
-}
 
 }  // namespace handlebody::ui

@@ -17,11 +17,23 @@ void SurfaceView::Private::tell(const QPointF& pixel, Qt::KeyboardModifiers modi
   gl->interactor()->SetEventInformationFlipY(static_cast<int>(device.x()), static_cast<int>(device.y()),
                                              modifiers & Qt::ControlModifier ? 1 : 0,
                                              modifiers & Qt::ShiftModifier ? 1 : 0);
-  if (event != vtkCommand::MouseMoveEvent) {
-    flight.stop();
-    follows = false;
-  }
+  if (event != vtkCommand::MouseMoveEvent) camera.takeInHand();
   gl->interactor()->InvokeEvent(event);
+}
+
+void SurfaceView::Private::followBrush() {
+  if (!gl || !document.hasVolume()) return;
+  if (state.brush().isFor3d())
+    view.setCursor(brush.cursor(eye()));
+  else
+    view.unsetCursor();
+  view.update();
+}
+
+//! First the stroke is given up, if there is one.
+void SurfaceView::Private::putBrushAway() {
+  if (!brush.isDown()) state.brush().setMode(Brush::Mode::off);
+  brush.giveUp();
 }
 
 void SurfaceView::mousePressEvent(QMouseEvent* event) {
@@ -29,7 +41,7 @@ void SurfaceView::mousePressEvent(QMouseEvent* event) {
   if (d_->dragging || (button != Qt::LeftButton && button != Qt::MiddleButton && button != Qt::RightButton))
     return;
   const bool shift = event->modifiers() & Qt::ShiftModifier;
-  const bool isBrushing = d_->gl && d_->document.hasVolume() && d_->stage == EventStage::none;
+  const bool isBrushing = d_->gl && d_->document.hasVolume() && !d_->stage.isOn();
   if (isBrushing && button == Qt::LeftButton && !shift && d_->brush.press(d_->eye(), event->position()))
     return d_->followBrush();
   if (d_->brush.isDown()) return;
@@ -70,12 +82,8 @@ void SurfaceView::wheelEvent(QWheelEvent* event) {
   event->accept();
   if (d_->state.brush().isFor3d() && (event->modifiers() & Qt::ControlModifier))
     return d_->state.brush().turnWheel(event->angleDelta().y() / kNotch);
-  d_->flight.stop();
-  d_->follows = false;
-  CameraPose pose = d_->scene->pose();
-  pose.height /= std::pow(kZoomNotch, event->angleDelta().y() / kNotch);
-  d_->scene->setPose(pose);
-  d_->draw(d_->poseChanged);
+  d_->camera.takeInHand();
+  d_->camera.zoom(std::pow(kZoomNotch, event->angleDelta().y() / kNotch));
 }
 
 void SurfaceView::keyPressEvent(QKeyEvent* event) {

@@ -4,52 +4,51 @@
 #include <QImage>
 #include <QPainter>
 #include <QTimer>
-#include <QVariantAnimation>
-#include <algorithm>
 
 #include "ui/model/document.h"
 #include "ui/view/offscreen_renderer.h"
-#include "ui/view/slice_image.h"
+#include "ui/view/scene_content.h"
 #include "ui/view/surface_brush.h"
+#include "ui/view/surface_camera.h"
 #include "ui/view/surface_scene.h"
 #include "ui/view/surface_view.h"
-#include "ui/view/wall_surfaces.h"
 
 namespace handlebody::ui {
 
+//! The stage of an event that is shown instead of the mesh.
+struct ShownStage {
+  EventStage stage = EventStage::none;
+  std::optional<Sight> sight;
+  CameraPose before;  // of the camera, to come back to
+
+  bool isOn() const { return stage != EventStage::none; }
+};
+
 struct SurfaceView::Private {
-  Private(SurfaceView& v, Document& d, ViewState& s)
-      : view(v), document(d), state(s), brush(d, s), wallSurfaces([&v] {
-          QMetaObject::invokeMethod(&v, qOverload<>(&QWidget::update), Qt::QueuedConnection);
-        }) {}
+  Private(SurfaceView& v, Document& d, ViewState& s);
 
   void createOpenGl();
   void startVolume();
-  void sync();
-  const DistanceColours* shownDistances() const;
-  void syncSeeds();
-  void syncPins();
-  void syncWalls();
-  void takeWalls();
-  void syncSlices();
+  void connectCamera();
+  void connectDocument();
+  void connectState();
+  void watchConstraints();
   void followMesh();
-  Eye eye() const { return {scene->pose(), view.size()}; }
-  double aspect() const {
-    return std::max(1, view.width()) / std::max(1.0, static_cast<double>(view.height()));
-  }
-  double heightFor(const Sight& sight, double margin) const;
-  void flyTo(const CameraPose& pose);
-  void stand(const StandingCamera& camera);
+  Eye eye() const { return {camera.pose(), view.size()}; }
+
   const QImage& frame(double pixelRatio);
   void paint(QPainter& painter, double pixelRatio, bool focused);
   void paintOver(QPainter& painter, const QSizeF& size);
+  void paintMeaning(QPainter& painter, const QSizeF& size);
+  //! The scene has to be drawn again, with a part of it made anew.
+  void redraw(ScenePart part);
+  void redraw();
+  //! The same for the slices, a little later: while they are scrolled they are not held up by this view.
+  void redrawLater(ScenePart part);
+
   void followBrush();
   void putBrushAway();
   void tell(const QPointF& pixel, Qt::KeyboardModifiers modifiers, unsigned long event);
-  void draw(bool& part) {
-    part = true;
-    view.update();
-  }
 
   SurfaceView& view;
   Document& document;
@@ -57,32 +56,17 @@ struct SurfaceView::Private {
   bool triedOpenGl = false;
   std::unique_ptr<OffscreenRenderer> gl;  // null where there is none
   std::unique_ptr<SurfaceScene> scene;
-  QImage shown;
-  bool meshChanged = true, pinsChanged = true, seedsChanged = true, slicesChanged = true,
-       coloursChanged = true, poseChanged = true, wallsChanged = true, loopsChanged = true;
-  std::array<SliceImage, 3> slices;
-  std::array<int, 3> shownSlices{-1, -1, -1};
-  bool slicesShown = false;
-  MeshColouring shownColouring = MeshColouring::plain;
+  SurfaceCamera camera;
+  ShownStage stage;
   SurfaceBrush brush;
-  PinnedSurface pinned;
-  bool hasPins = false;  // that are shown
-  WallList shownWalls;
-  bool wallsShown = false;
-  bool constraintsShown = true;
-  bool follows = true;                   // the mesh, until the camera is moved by hand
-  std::optional<StandingCamera> wanted;  // asked for before there was a scene
   bool dragging = false;
-  EventStage stage = EventStage::none;
-  std::optional<Sight> stageSight;
-  CameraPose beforeStage;
-  QVariantAnimation flight;
-  CameraPose flightFrom, flightTo;
-  int flightTime = -1;
-  QTimer sliceDelay;      // slices that are scrolled are not held up by this view
+  QImage shown;
+  bool isOld = true;      // the picture
   qint64 renderTime = 0;  // ms, of the last picture
+  QTimer sliceDelay;
+  bool constraintsShown = true;
   bool waitsForWalls = false;
-  WallSurfaces wallSurfaces;  // last: its thread uses the view
+  SceneContent content;  // last: a thread of its uses the view
 };
 
 }  // namespace handlebody::ui
