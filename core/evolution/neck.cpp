@@ -127,19 +127,23 @@ bool shows(const Rule& rule, const Stage& stage, double structure) {
          stage.widest >= rule.wider * structure;
 }
 
+//! Of a passage, per voxel: `outside` is no part of the region, `open` not decided yet.
+enum class Side : std::uint8_t { outside, kept, cutOff, open };
+using Sides = std::vector<Side>;
+
 //! The side of the seeds: what a ball of the neck's radius covers without passing the neck, and all crumbs
-//! that hang on it alone. Marks: 1 = kept, 2 = cut off, 0 = no part of the region.
-VoxelMarks splitAt(const ThicknessMap& map, const WidestPathFlood& flood, const Stage& stage) {
+//! that hang on it alone.
+Sides splitAt(const ThicknessMap& map, const WidestPathFlood& flood, const Stage& stage) {
   VoxelMarks core(map.count(), 0);
   for (std::size_t i = 0; i < stage.first; ++i) core[flood.order[i]] = 1;
   const std::vector<float> fromCore = map.distanceTo(core);
-  VoxelMarks side(map.count(), 0);
+  Sides side(map.count(), Side::outside);
   std::vector<std::size_t> front;
-  for (std::size_t i : flood.order) side[i] = fromCore[i] <= stage.neck ? 1 : 3;
+  for (std::size_t i : flood.order) side[i] = fromCore[i] <= stage.neck ? Side::kept : Side::open;
   for (std::size_t k = stage.first; k < stage.last; ++k) {
     const std::size_t i = flood.order[k];
-    if (side[i] == 3 && map.distance(i) > 0.9f * stage.widest) {
-      side[i] = 2;
+    if (side[i] == Side::open && map.distance(i) > 0.9f * stage.widest) {
+      side[i] = Side::cutOff;
       front.push_back(i);
     }
   }
@@ -147,13 +151,12 @@ VoxelMarks splitAt(const ThicknessMap& map, const WidestPathFlood& flood, const 
     const std::size_t i = front.back();
     front.pop_back();
     map.forEachFaceNeighbour(i, [&](std::size_t w) {
-      if (side[w] != 3) return;
-      side[w] = 2;
+      if (side[w] != Side::open) return;
+      side[w] = Side::cutOff;
       front.push_back(w);
     });
   }
-  for (unsigned char& s : side)
-    if (s == 3) s = 1;
+  std::replace(side.begin(), side.end(), Side::open, Side::kept);
   return side;
 }
 
@@ -186,8 +189,8 @@ VoxelMarks reachedFrom(const ThicknessMap& map, std::vector<std::size_t> from, F
 }
 
 //! The side of the seeds where no neck shows: what balls about as wide as the seeded structure reach without
-//! entering the wide part, and all crumbs that do not touch the wide part. Marks as splitAt().
-VoxelMarks splitByWidth(const ThicknessMap& map, const std::vector<std::size_t>& starts, double structure) {
+//! entering the wide part, and all crumbs that do not touch the wide part.
+Sides splitByWidth(const ThicknessMap& map, const std::vector<std::size_t>& starts, double structure) {
   const double widest = kWidens * structure, narrowest = kNarrows * structure;
   const auto wide = map.coveredByBalls(marksOf(map, [&](std::size_t i) { return map.distance(i) > widest; }));
   const auto near = map.coveredByBalls(
@@ -198,51 +201,49 @@ VoxelMarks splitByWidth(const ThicknessMap& map, const std::vector<std::size_t>&
     if (wide[i]) map.forEachFaceNeighbour(i, [&](std::size_t w) { rim.push_back(w); });
   const auto beside = reachedFrom(map, std::move(rim),
                                   [&](std::size_t i) { return map.distance(i) > 0 && !wide[i] && !near[i]; });
-  VoxelMarks side(map.count(), 0);
+  Sides side(map.count(), Side::outside);
   for (std::size_t i = 0; i < side.size(); ++i)
-    if (map.distance(i) > 0) side[i] = wide[i] || beside[i] ? 2 : 1;
+    if (map.distance(i) > 0) side[i] = wide[i] || beside[i] ? Side::cutOff : Side::kept;
   return side;
 }
 
 //! Distance (mm) to the wide part of a side: what balls of `wide` mm around its voxels cover.
-std::vector<float> distanceToWide(const ThicknessMap& map, const VoxelMarks& side, unsigned char which,
-                                  double wide) {
+std::vector<float> distanceToWide(const ThicknessMap& map, const Sides& side, Side which, double wide) {
   return map.distanceTo(map.coveredByBalls(marksOf(
       map, [&](std::size_t i) { return side[i] == which && static_cast<double>(map.distance(i)) >= wide; })));
 }
 
 //! The largest balls (radius in mm) that fit into the region and the thin walls between its two sides: walls
 //! no thicker than `neck` is wide, and than the voxel that the smoothing adds or takes away.
-std::vector<float> ballsWithoutWall(const ThicknessMap& map, const VoxelMarks& side, double neck,
-                                    double voxel) {
-  const auto toKept = distanceToWide(map, side, 1, kHoleWidens * neck);
-  const auto toCut = distanceToWide(map, side, 2, kHoleWidens * neck);
+std::vector<float> ballsWithoutWall(const ThicknessMap& map, const Sides& side, double neck, double voxel) {
+  const auto toKept = distanceToWide(map, side, Side::kept, kHoleWidens * neck);
+  const auto toCut = distanceToWide(map, side, Side::cutOff, kHoleWidens * neck);
   // Both distances are measured to centres of voxels: across a wall of one voxel they add up to two.
   const double thickest = 2 * neck + 2 * voxel;
   return map.distanceTo(marksOf(map, [&](std::size_t i) {
     const bool isWall = static_cast<double>(toKept[i] + toCut[i]) <= thickest;
-    return side[i] == 0 && !isWall && map.isInVolume(i);
+    return side[i] == Side::outside && !isWall && map.isInVolume(i);
   }));
 }
 
 //! True if the two sides meet in holes of a wall and nowhere else.
-bool meetInHoles(const ThicknessMap& map, const VoxelMarks& side, double neck, double voxel) {
+bool meetInHoles(const ThicknessMap& map, const Sides& side, double neck, double voxel) {
   std::vector<float> balls = ballsWithoutWall(map, side, neck, voxel);
   for (float& radius : balls)
     if (static_cast<double>(radius) < kHoleWidens * neck) radius = 0;
   const VoxelMarks wide = map.coveredByBalls(balls);
   for (std::size_t i = 0; i < side.size(); ++i) {
-    if (side[i] != 1 || wide[i]) continue;
+    if (side[i] != Side::kept || wide[i]) continue;
     bool meets = false;
-    map.forEachFaceNeighbour(i, [&](std::size_t w) { meets = meets || side[w] == 2; });
+    map.forEachFaceNeighbour(i, [&](std::size_t w) { meets = meets || side[w] == Side::cutOff; });
     if (meets) return false;
   }
   return true;
 }
 
-std::shared_ptr<const Barrier> barrierOf(const ThicknessMap& map, const VoxelMarks& side) {
+std::shared_ptr<const Barrier> barrierOf(const ThicknessMap& map, const Sides& side) {
   VoxelMarks closed(side.size());
-  for (std::size_t i = 0; i < side.size(); ++i) closed[i] = side[i] == 2;
+  for (std::size_t i = 0; i < side.size(); ++i) closed[i] = side[i] == Side::cutOff;
   return std::make_shared<Barrier>(map.low(), map.size(), closed);
 }
 
@@ -291,7 +292,7 @@ class NeckSearch {
     for (std::size_t number = 0; number < flood.stages.size(); ++number) {
       const Stage& stage = flood.stages[number];
       if (!mayBeHole(stage) || !isBetweenWideParts(flood, number)) continue;
-      const VoxelMarks side = splitAt(map_, flood, stage);
+      const Sides side = splitAt(map_, flood, stage);
       if (!meetInHoles(map_, side, stage.neck, voxel)) continue;
       auto cut = cutAt(stage, side, kBehindHole);
       if (!cut) continue;
@@ -327,11 +328,11 @@ class NeckSearch {
     return stage.first > 0 && structure_ >= wide && stage.widest >= wide && more >= kBehindHole * before;
   }
   //! None if a seed is cut off, or too little is.
-  std::optional<NeckCut> cutAt(const Stage& stage, const VoxelMarks& side, double larger) const {
-    const auto kept = static_cast<double>(std::count(side.begin(), side.end(), 1));
-    const auto cut = static_cast<double>(std::count(side.begin(), side.end(), 2));
+  std::optional<NeckCut> cutAt(const Stage& stage, const Sides& side, double larger) const {
+    const auto kept = static_cast<double>(std::count(side.begin(), side.end(), Side::kept));
+    const auto cut = static_cast<double>(std::count(side.begin(), side.end(), Side::cutOff));
     const bool seedCut =
-        std::any_of(seeds_.begin(), seeds_.end(), [&](std::size_t i) { return side[i] == 2; });
+        std::any_of(seeds_.begin(), seeds_.end(), [&](std::size_t i) { return side[i] == Side::cutOff; });
     if (seedCut || cut < larger * kept) return {};
     NeckCut out;
     out.neckRadius = stage.neck;
@@ -339,7 +340,7 @@ class NeckSearch {
     out.widestBehind = stage.widest;
     out.keptVolume = kept * grid_.voxelVolume();
     out.cutVolume = cut * grid_.voxelVolume();
-    for (const Voxel& v : region_.voxels) out.kept.push_back(side[map_.at(v)] == 1);
+    for (const Voxel& v : region_.voxels) out.kept.push_back(side[map_.at(v)] == Side::kept);
     out.barrier = barrierOf(map_, side);
     return out;
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <new>
@@ -56,7 +57,7 @@ class ObjectFlood {
   }
 
  private:
-  enum State : unsigned char { kUnknown = 0, kInside, kOutside, kNoImage };
+  enum class State : std::uint8_t { unknown = 0, inside, outside, noImage };
   struct Free {
     void operator()(State* states) const { std::free(states); }
   };
@@ -79,23 +80,23 @@ class ObjectFlood {
   //! The neighbour, with index `at`, of the given voxel of the region.
   void visitBeside(std::size_t voxel, std::size_t axis, int step, std::size_t at) {
     State state = state_[at];
-    if (state == kUnknown) {
+    if (state == State::unknown) {
       Voxel v = region_.voxels[voxel];
       v[axis] += step;
       state = visit(v, at);
     }
-    if (state == kOutside)
+    if (state == State::outside)
       region_.faces.push_back(
           {static_cast<std::int32_t>(voxel), static_cast<std::int8_t>(axis), static_cast<std::int8_t>(step)});
-    region_.againstPadding += state == kNoImage;
+    region_.againstPadding += state == State::noImage;
   }
 
   State visit(const Voxel& v, std::size_t at) {
     State& state = state_[at];
-    if (state != kUnknown) return state;
-    if (volume_.isPadding(at)) return state = kNoImage;
-    state = isInside(v) ? kInside : kOutside;
-    if (state == kInside) region_.voxels.push_back(v);
+    if (state != State::unknown) return state;
+    if (volume_.isPadding(at)) return state = State::noImage;
+    state = isInside(v) ? State::inside : State::outside;
+    if (state == State::inside) region_.voxels.push_back(v);
     return state;
   }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 
@@ -43,12 +44,13 @@ class Sections {
   std::optional<Section> at(const Vec3& point, const Vec3& normal, double most);
 
  private:
+  enum class Sample : std::uint8_t { unknown, inside, outside };  // of the object
+
   Vec3 place(int i, int j) const { return point_ + step_ * ((i - half_) * u_ + (j - half_) * v_); }
-  //! 0 not looked at, 1 the object, 2 not.
   bool isIn(int i, int j) {
-    unsigned char& known = known_[idx(j) * idx(side_) + idx(i)];
-    if (known == 0) known = image_.inside(place(i, j)) > 0 ? 1 : 2;
-    return known == 1;
+    Sample& sample = samples_[idx(j) * idx(side_) + idx(i)];
+    if (sample == Sample::unknown) sample = image_.inside(place(i, j)) > 0 ? Sample::inside : Sample::outside;
+    return sample == Sample::inside;
   }
   std::optional<std::array<int, 2>> begin();
 
@@ -56,7 +58,8 @@ class Sections {
   double voxel_, step_;
   int half_, side_;
   Vec3 point_, u_, v_;
-  std::vector<unsigned char> known_, taken_;
+  std::vector<Sample> samples_;
+  std::vector<unsigned char> taken_;  // yes or no
 };
 
 //! The sample of the object that is nearest to the middle.
@@ -77,8 +80,8 @@ std::optional<Section> Sections::at(const Vec3& point, const Vec3& normal, doubl
   point_ = point;
   u_ = normal.unitOrthogonal();
   v_ = normal.cross(u_);
-  known_.assign(idx(side_) * idx(side_), 0);
-  taken_.assign(known_.size(), 0);
+  samples_.assign(idx(side_) * idx(side_), Sample::unknown);
+  taken_.assign(samples_.size(), 0);
   const auto first = begin();
   if (!first) return std::nullopt;
   std::vector<std::array<int, 2>> all{*first};

@@ -37,7 +37,7 @@ class CellFlood {
       middle[a] = 0.5 * (perCell_[a] - 1);
     }
     cells_.origin = voxels_.toWorld(middle);
-    states_.assign(cells_.voxelCount(), kUnknown);
+    states_.assign(cells_.voxelCount(), State::unknown);
   }
 
   void from(const Vec3& world) {
@@ -78,23 +78,23 @@ class CellFlood {
     for (int k = low_[2]; k <= high_[2]; ++k)
       for (int j = low_[1]; j <= high_[1]; ++j)
         for (int i = low_[0]; i <= high_[0]; ++i)
-          if (states_[at({i, j, k})] == kInside)
+          if (states_[at({i, j, k})] == State::inside)
             out[(idx(k - low_[2] + 1) * idx(size[1]) + idx(j - low_[1] + 1)) * idx(size[0]) +
                 idx(i - low_[0] + 1)] = 0;
     return out;
   }
 
  private:
-  enum State : std::uint8_t { kUnknown, kInside, kEnds };
+  enum class State : std::uint8_t { unknown, inside, ends };
 
   std::size_t at(const Cell& c) const {
     return (idx(c[2]) * idx(cells_.size[1]) + idx(c[1])) * idx(cells_.size[0]) + idx(c[0]);
   }
   void visit(const Cell& c) {
-    std::uint8_t& state = states_[at(c)];
-    if (state != kUnknown) return;
-    state = isInside(c) ? kInside : kEnds;
-    if (state == kEnds) return;
+    State& state = states_[at(c)];
+    if (state != State::unknown) return;
+    state = isInside(c) ? State::inside : State::ends;
+    if (state == State::ends) return;
     front_.push_back(c);
     for (std::size_t a = 0; a < 3; ++a) {
       low_[a] = std::min(low_[a], c[a]);
@@ -114,7 +114,7 @@ class CellFlood {
   const Grid& voxels_;
   Grid cells_;
   Cell perCell_{}, low_{1 << 30, 1 << 30, 1 << 30}, high_{-1, -1, -1};
-  std::vector<std::uint8_t> states_;
+  std::vector<State> states_;
   std::vector<Cell> front_;
 };
 
