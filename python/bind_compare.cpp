@@ -39,6 +39,12 @@ ComparedObject comparedSide(const Side& side, const DecoderSettings& decoder,
   return comparedLabels(side.name, side.labels->loaded.volume, side.label);
 }
 
+void compareSampled(ComparedPair& pair, const ComparisonOptions& how) try {
+  compare(pair, how);
+} catch (const TooManySamples& error) {
+  throw UsageError(std::string("sampling: ") + error.what());
+}
+
 py::object comparison(const py::object& a, const py::object& b, std::optional<int> label,
                       std::optional<int> labelA, std::optional<int> labelB, std::optional<double> sampling,
                       int threads) {
@@ -53,7 +59,7 @@ py::object comparison(const py::object& a, const py::object& b, std::optional<in
     const std::lock_guard lock(filesMutex());
     pair.a = comparedSide(first, decoder, pair.warnings);
     pair.b = comparedSide(second, decoder, pair.warnings);
-    compare(pair, {sampling.value_or(0), threads});
+    compareSampled(pair, {sampling.value_or(0), threads});
   });
   return toPython(comparisonToJson(pair));
 }

@@ -26,9 +26,10 @@ void with(const Contour& contour, F&& work) {
 ContourPointer contourFrom(const VolumePointer& volume, const py::kwargs& options) {
   Asked asked;
   readOptions(options, asked);
+  if (asked.clicks.hasNoSeed() && !asked.constraints.start)
+    throw UsageError("a contour needs a seed or seed_ijk.");
   Session session;
-  session.seeds = seedsInWorld(parseClicks(asked.clicks, asked.constraints.start.has_value()),
-                               volume->loaded.volume.grid);
+  session.seeds = seedsInWorld(parseClicks(asked.clicks), volume->loaded.volume.grid);
   session.requested = asked.parameters;
   session.constraints = std::move(asked.constraints);
   session.volume.selection.decoder = decoderToUse();
@@ -130,7 +131,7 @@ void changeContour(Contour& contour, const py::kwargs& options) {
   }
   readOptions(options, asked);
   ParameterChange change{0, asked.parameters, {}, std::move(asked.constraints)};
-  const Clicks further = parseFurtherClicks(asked.clicks);
+  const Clicks further = parseClicks(asked.clicks);
   if (!further.world.empty() || !further.voxels.empty())
     change.seeds = seedsInWorld(further, contour.volume().loaded.volume.grid);
   with(contour, [&] { contour.change(std::move(change)); });

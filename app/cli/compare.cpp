@@ -59,12 +59,18 @@ void write(const ComparedPair& pair, const CompareOptions& o) {
   if (!o.csv.empty()) writeTextAtomically(o.csv, comparisonCsv(pair));
 }
 
+void compareSampled(ComparedPair& pair, const ComparisonOptions& how) try {
+  handlebody::compare(pair, how);
+} catch (const TooManySamples& error) {
+  throw OptionError("--sampling", error.what());
+}
+
 int compare(const CompareOptions& o) {
   checkOptions(o);
   ComparedPair pair;
   pair.a = readCompared(o.a, o.labelA ? o.labelA : o.label, pair.warnings);
   pair.b = readCompared(o.b, o.labelB ? o.labelB : o.label, pair.warnings);
-  handlebody::compare(pair, o.how);
+  compareSampled(pair, o.how);
   if (o.isAnonymous) pair = anonymous(std::move(pair));
   write(pair, o);
   std::fputs((o.json ? comparisonJson(pair) : comparisonText(pair)).c_str(), stdout);

@@ -35,7 +35,8 @@ Clicks clicksOf(const SegmentOptions& o) {
   if (start && start->path.empty())
     throw UsageError(
         "--start-label says which voxels of a label map are meant: give that with --start or --given.");
-  return parseClicks(o.clicks, start.has_value());
+  if (o.clicks.hasNoSeed() && !start) throw UsageError("segment needs a --seed or --seed-ijk.");
+  return parseClicks(o.clicks);
 }
 
 void addInput(CLI::App& command, VolumeReference& volume) {

@@ -4,15 +4,15 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/errors.h"
-
 namespace handlebody {
 
 namespace {
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
+std::string tooManySamplesText(double sampling) {
+  char text[120];
+  std::snprintf(text, sizeof text,
+                "%.4g mm between samples would take more than %zu samples of these surfaces.", sampling,
+                kMaxSamples);
   return text;
 }
 
@@ -24,9 +24,7 @@ std::size_t samplesAt(const Solid& a, const Solid& b, double h) {
 //! Pieces whose longest edge is at most h have some h²/8 of area each.
 double samplingFor(const Solid& a, const Solid& b, double wanted) {
   if (wanted > 0) {
-    if (samplesAt(a, b, wanted) > kMaxSamples)
-      throw UsageError("--sampling: " + number(wanted) + " mm would take more than " +
-                       std::to_string(kMaxSamples) + " samples of these surfaces.");
+    if (samplesAt(a, b, wanted) > kMaxSamples) throw TooManySamples(wanted);
     return wanted;
   }
   const double area = areaOf(a.surface) + areaOf(b.surface);
@@ -90,6 +88,8 @@ void warnOf(const Solid& solid, const std::string& name, std::vector<Finding>& w
 }
 
 }  // namespace
+
+TooManySamples::TooManySamples(double sampling) : UsageError(tooManySamplesText(sampling)) {}
 
 double SurfaceDistances::mean() const {
   return (ofA.mean * ofA.area + ofB.mean * ofB.area) / (ofA.area + ofB.area);

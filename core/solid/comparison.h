@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/errors.h"
 #include "core/finding.h"
 #include "core/solid/overlap.h"
 #include "core/solid/surface_distance.h"
@@ -36,10 +37,16 @@ struct ComparisonOptions {
   int threads = 1;
 };
 
-//! Throws UsageError that names --sampling if it asks for more than kMaxSamples.
-Comparison compare(const Solid& a, const Solid& b, const ComparisonOptions& options);
-
 inline constexpr std::size_t kUsualSamples = 1'000'000;  //!< on both surfaces together, if not told otherwise
 inline constexpr std::size_t kMaxSamples = 50'000'000;
+
+//! What was asked for as ComparisonOptions::sampling takes more than kMaxSamples.
+class TooManySamples : public UsageError {
+ public:
+  explicit TooManySamples(double sampling);
+};
+
+//! Throws TooManySamples.
+Comparison compare(const Solid& a, const Solid& b, const ComparisonOptions& options);
 
 }  // namespace handlebody

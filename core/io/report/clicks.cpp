@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/errors.h"
 #include "core/io/report/parse.h"
 
 namespace handlebody {
@@ -26,13 +25,7 @@ Seed inWorld(const Seed& voxels, const Grid& grid) {
 
 }  // namespace
 
-Clicks parseClicks(const ClickTexts& texts, bool hasStart) {
-  if (texts.seeds.empty() && texts.voxelSeeds.empty() && !hasStart)
-    throw UsageError("segment needs a --seed or --seed-ijk.");
-  return parseFurtherClicks(texts);
-}
-
-Clicks parseFurtherClicks(const ClickTexts& texts) {
+Clicks parseClicks(const ClickTexts& texts) {
   Clicks clicks;
   append(clicks.world, "--seed", texts.seeds, false);
   append(clicks.voxels, "--seed-ijk", texts.voxelSeeds, false);

@@ -14,6 +14,8 @@ namespace handlebody {
 struct ClickTexts {
   std::vector<std::string> seeds, voxelSeeds;            //!< --seed, --seed-ijk
   std::vector<std::string> background, voxelBackground;  //!< --background, --background-ijk
+  //! True if no click is inside the object.
+  bool hasNoSeed() const { return seeds.empty() && voxelSeeds.empty(); }
 };
 
 //! The clicks of both sides, those inside the object first.
@@ -22,11 +24,8 @@ struct Clicks {
   std::vector<Seed> voxels;  //!< continuous indices; the radius in voxels of mean size
 };
 
-//! Throws UsageError that names the option, also if no click is inside the object, unless a surface to begin
-//! with is (`hasStart`).
-Clicks parseClicks(const ClickTexts& texts, bool hasStart = false);
-//! The same for clicks that come to others: none of them need be inside.
-Clicks parseFurtherClicks(const ClickTexts& texts);
+//! Throws OptionError.
+Clicks parseClicks(const ClickTexts& texts);
 
 //! All of them in mm LPS: those inside the object first, and on each side those given in mm first.
 std::vector<Seed> seedsInWorld(const Clicks& clicks, const Grid& grid);

@@ -332,7 +332,7 @@ TEST_CASE("needles and large triangles take few samples, and a sampling that is 
   needle.triangles = {{0, 1, 2}};
   CHECK(countSamples(needle, 1, 1'000'000) < 100'000);
   const Solid a = solidOf(zoo::scaled(zoo::cube(1), 100));
-  CHECK_THROWS_AS(compare(a, a, {0.001, 1}), UsageError);
+  CHECK_THROWS_AS(compare(a, a, {0.001, 1}), TooManySamples);
 }
 
 TEST_CASE("a surface that reaches farther than numbers are fine is counted to an end", "[solid][compare]") {
