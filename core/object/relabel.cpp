@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/cancellation.h"
 #include "core/indices.h"
@@ -96,8 +97,7 @@ class RandomWalk {
     walk();
     std::size_t l = 0;
     forBox(box_, [&](const Cell& c) {
-      if (isReached(l))
-        region.inside[cells_.at(c)] = kind_[l] == Kind::open ? u_[l] > 0.5f : kind_[l] == Kind::inside;
+      if (isReached(l)) region.inside[cells_.at(c)] = kind_[l] == Kind::inside;
       ++l;
     });
     return region;
@@ -197,39 +197,75 @@ class RandomWalk {
     return static_cast<float>(h * h) * (static_cast<float>(1 / (1 + jump * jump)) + kMinPull);
   }
 
-  //! An open cell and how strongly its neighbours pull: below and above along each axis.
+  //! An open cell: its neighbours below and above along each axis, by their numbers in the order of the
+  //! sweeps, and how strongly they pull.
   struct Open {
-    std::size_t cell;
+    std::array<std::uint32_t, 6> at;
     std::array<float, 6> pulls;
-    float all;
+    float prior, all;
   };
+  static constexpr std::uint32_t kOut = 0, kIn = 1, kFirstOpen = 2;
 
+  //! The numbers of the open cells, and in their order the cells. A sweep takes each cell after its
+  //! neighbours below and before those above. That is so row by row, where each cell waits for the one before
+  //! it, and as well from one diagonal plane (x + y + z) to the next, where the cells of a plane do not
+  //! touch.
+  std::vector<std::uint32_t> inPlanes(std::vector<std::uint32_t>& number) const {
+    std::vector<std::uint32_t> from(idx(size_[0] + size_[1] + size_[2]), 0), order;
+    const auto forOpen = [&](auto&& f) {
+      std::size_t i = 0;
+      for (int z = 0; z < size_[2]; ++z)
+        for (int y = 0; y < size_[1]; ++y)
+          for (int x = 0; x < size_[0]; ++x, ++i)
+            if (kind_[i] == Kind::open) f(i, idx(x + y + z));
+    };
+    forOpen([&](std::size_t, std::size_t plane) { ++from[plane + 1]; });
+    std::partial_sum(from.begin(), from.end(), from.begin());
+    order.resize(from.back());
+    forOpen([&](std::size_t i, std::size_t plane) {
+      order[from[plane]] = static_cast<std::uint32_t>(i);
+      number[i] = kFirstOpen + from[plane]++;
+    });
+    return order;
+  }
+
+  //! Open cells become inside or outside.
   void walk() {
-    const std::size_t nx = idx(size_[0]), ny = idx(size_[1]);
-    const std::array<std::size_t, 3> steps{1, nx, nx * ny};
-    u_.resize(kind_.size());
+    std::vector<std::uint32_t> number(kind_.size());
+    for (std::size_t i = 0; i < kind_.size(); ++i) number[i] = kind_[i] == Kind::inside ? kIn : kOut;
+    const std::vector<std::uint32_t> order = inPlanes(number);
+    const auto weight = static_cast<float>(walk_.prior);
     std::vector<Open> open;
-    for (std::size_t i = 0; i < kind_.size(); ++i) {
-      u_[i] = kind_[i] == Kind::open ? prior_[i] : kind_[i] == Kind::inside ? 1.f : 0.f;
-      if (kind_[i] != Kind::open) continue;
-      Open o{i, {}, static_cast<float>(walk_.prior)};
+    open.reserve(order.size());
+    std::vector<float> u{0.f, 1.f};  // chance to be inside
+    u.reserve(kFirstOpen + order.size());
+    for (const std::uint32_t i : order) {
+      Open o{{}, {}, weight * prior_[i], weight};
       forFaceNeighbours(size_, i, [&](std::size_t j, std::size_t a) {
-        o.all += o.pulls[2 * a + (j > i ? 1 : 0)] = pull(i, j, a);
+        const std::size_t side = 2 * a + (j > i ? 1 : 0);
+        o.at[side] = number[j];
+        const bool isKnown = j < i && number[j] >= kFirstOpen;  // its neighbours' pull is the same back
+        o.all += o.pulls[side] = isKnown ? open[number[j] - kFirstOpen].pulls[side + 1] : pull(i, j, a);
       });
       open.push_back(o);
+      u.push_back(prior_[i]);
     }
+    relax(open, u);
+    for (std::size_t k = 0; k < order.size(); ++k)
+      kind_[order[k]] = u[kFirstOpen + k] > 0.5f ? Kind::inside : Kind::outside;
+  }
+  //! Where there is no neighbour nothing pulls, and what it would pull to is 0.
+  static void relax(const std::vector<Open>& open, std::vector<float>& u) {
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
       giveUpIfCancelled();
       std::size_t flips = 0;
+      float* own = u.data() + kFirstOpen;
       for (const Open& o : open) {
-        float sum = static_cast<float>(walk_.prior) * prior_[o.cell];
-        for (std::size_t a = 0; a < 3; ++a) {
-          if (o.pulls[2 * a] > 0) sum += o.pulls[2 * a] * u_[o.cell - steps[a]];
-          if (o.pulls[2 * a + 1] > 0) sum += o.pulls[2 * a + 1] * u_[o.cell + steps[a]];
-        }
-        const bool before = u_[o.cell] > 0.5f;
-        u_[o.cell] += kOverRelaxation * (sum / o.all - u_[o.cell]);
-        flips += before != (u_[o.cell] > 0.5f);
+        float sum = o.prior;
+        for (std::size_t side = 0; side < 6; ++side) sum += o.pulls[side] * u[o.at[side]];
+        const float before = *own, after = before + kOverRelaxation * (sum / o.all - before);
+        *own++ = after;
+        flips += (before > 0.5f) != (after > 0.5f);
       }
       if (flips * kConverged <= open.size()) return;
     }
@@ -245,7 +281,7 @@ class RandomWalk {
   std::vector<std::uint8_t> inside_, padding_;
   std::vector<float> values_, out_, in_, fromClick_;  // distances in mm
   std::vector<Kind> kind_;
-  std::vector<float> prior_, u_;  // chance to be inside
+  std::vector<float> prior_;  // of the open cells: the chance to be inside by their own intensities
 };
 
 }  // namespace
