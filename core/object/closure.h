@@ -20,20 +20,20 @@ class Closure {
 
  private:
   using Flow = std::int64_t;
-  struct Arc {
-    std::uint32_t to, opposite;
-    bool isFree;  // of a pair; its opposite takes back what went through
-    Flow left;    // of an opposite
+  //! What leads from nodes to others, in the order of the nodes.
+  struct Ways {
+    std::vector<std::uint32_t> first, to;  // of each node, and one more; nodes
   };
   bool setLevels();
   Flow push(std::uint32_t node, Flow most);
   std::vector<std::uint8_t> reachedFromSources();
 
-  std::vector<std::uint32_t> first_;  // arc of each node, and one more
-  std::vector<Arc> arcs_;
-  std::vector<Flow> source_, sink_;  // capacities left between each node and the ends
-  std::vector<std::int32_t> level_;  // steps to the nodes before the sink; -1 = no way
-  std::vector<std::uint32_t> next_, queue_;
+  Ways pairs_, back_;                  // from the first node of a pair to the second, and back
+  std::vector<Flow> through_;          // of each pair
+  std::vector<std::uint32_t> pairOf_;  // of each way back
+  std::vector<Flow> source_, sink_;    // capacities left between each node and the ends
+  std::vector<std::int32_t> level_;    // steps to the nodes before the sink; -1 = no way
+  std::vector<std::uint32_t> nextPair_, nextBack_, queue_;
 };
 
 }  // namespace handlebody
