@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <queue>
 
@@ -27,14 +28,36 @@ Vec3 placeOf(const CellGrid& cells, const Cell& c) {
   return Vec3(c[0], c[1], c[2]).cwiseProduct(cells.grid.spacing);
 }
 
-//! Largest distance (mm) of a marked cell to the others; the border of the box counts as unmarked.
+//! A box around the marked cells (1) of a box of this size, and the cells next to it.
+CellBox boxOfMarked(const std::array<int, 3>& size, const std::vector<std::uint8_t>& mask) {
+  CellBox box{size, {-1, -1, -1}};
+  std::size_t row = 0;
+  for (int z = 0; z < size[2]; ++z)
+    for (int y = 0; y < size[1]; ++y, row += idx(size[0])) {
+      const auto* first = static_cast<const std::uint8_t*>(std::memchr(&mask[row], 1, idx(size[0])));
+      if (!first) continue;
+      int last = size[0] - 1;
+      while (!mask[row + idx(last)]) --last;
+      box.widen({static_cast<int>(first - &mask[row]), y, z});
+      box.widen({last, y, z});
+    }
+  return box.empty() ? box : box.grown(1, size);
+}
+
+//! Largest distance (mm) of a marked cell to the others; the border of the box counts as unmarked. The
+//! nearest of the others is never further away than next to the box around the marked ones.
 double deepest(const std::array<int, 3>& size, const Vec3& spacing, const std::vector<std::uint8_t>& mask) {
-  std::vector<std::uint8_t> other(mask.size());
-  for (std::size_t i = 0; i < mask.size(); ++i) other[i] = !mask[i];
-  double most = 0;
-  for (const float d : distanceTo(size, spacing, other))
-    if (std::isfinite(d)) most = std::max(most, static_cast<double>(d));
-  return most;
+  const CellBox box = boxOfMarked(size, mask);
+  if (box.empty()) return 0;
+  std::vector<std::uint8_t> other;
+  other.reserve(box.count());
+  for (int z = box.low[2]; z <= box.high[2]; ++z)
+    for (int y = box.low[1]; y <= box.high[1]; ++y) {
+      const auto row =
+          mask.begin() + static_cast<std::ptrdiff_t>((idx(z) * idx(size[1]) + idx(y)) * idx(size[0]));
+      for (auto m = row + box.low[0]; m <= row + box.high[0]; ++m) other.push_back(!*m);
+    }
+  return greatestDistanceTo(box.size(), spacing, other);
 }
 
 //! Shortest paths from two sets within a region.
@@ -133,9 +156,8 @@ double deepestBeyond(const WorkImage& work, const Region& a, const Region& b, co
   const CellGrid& cells = work.cells();
   std::vector<std::uint8_t> change = cutOut(cells, a.inside, box);
   const std::vector<std::uint8_t> other = cutOut(cells, b.inside, box);
-  bool any = false;
-  for (std::size_t i = 0; i < change.size(); ++i) any = (change[i] = change[i] && !other[i]) || any;
-  return any ? deepest(box.size(), cells.grid.spacing, change) : 0;
+  for (std::size_t i = 0; i < change.size(); ++i) change[i] &= static_cast<std::uint8_t>(other[i] ^ 1);
+  return deepest(box.size(), cells.grid.spacing, change);
 }
 
 }  // namespace

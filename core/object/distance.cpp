@@ -96,27 +96,44 @@ void alongRows(std::vector<float>& d, int n, double h) {
   }
 }
 
-//! Along another axis; `step` values lie between neighbours.
+//! The least and the largest value of each of some lines beside each other.
+struct Extremes {
+  std::array<float, kTogether> least, most;
+};
+Extremes extremesOf(const float* at, int n, std::size_t step, std::size_t some) {
+  Extremes out;
+  out.least.fill(kInfinity);
+  out.most.fill(0);
+  for (int i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < some; ++k) {
+      const float value = at[k + idx(i) * step];
+      out.least[k] = std::min(out.least[k], value);
+      out.most[k] = std::max(out.most[k], value);
+    }
+  return out;
+}
+
+//! What is larger than this counts no more.
+void forget(std::vector<float>& d, float most) {
+  for (float& x : d) x = x > most ? kInfinity : x;
+}
+
+//! Along another axis; `step` values lie between neighbours. Lines in which all is 0 or nothing counts stay.
 void alongLines(std::vector<float>& d, int n, std::size_t step, double h, int threads) {
   const std::size_t across = (step + kTogether - 1) / kTogether, all = d.size() / (step * idx(n)) * across;
   forRangesOnThreads(
       all, threads, kValuesPerThread / (idx(n) * kTogether) + 1, [&](std::size_t from, std::size_t to) {
-        std::array<Envelope, kTogether> lines;
-        for (Envelope& e : lines) e = Envelope(n);
+        Envelope line(n);
         for (std::size_t bundle = from; bundle < to; ++bundle) {
           const std::size_t first = bundle % across * kTogether, some = std::min(kTogether, step - first);
           float* const at = &d[bundle / across * step * idx(n) + first];
-          bool any = false;
-          for (int i = 0; i < n; ++i)
-            for (std::size_t k = 0; k < some; ++k) {
-              const float value = at[k + idx(i) * step];
-              lines[k].values()[i] = value;
-              any |= value > 0;
-            }
-          if (!any) continue;
-          for (std::size_t k = 0; k < some; ++k) lines[k].run(h);
-          for (int i = 0; i < n; ++i)
-            for (std::size_t k = 0; k < some; ++k) at[k + idx(i) * step] = lines[k].values()[i];
+          const Extremes lines = extremesOf(at, n, step, some);
+          for (std::size_t k = 0; k < some; ++k) {
+            if (lines.most[k] == 0 || lines.least[k] == kInfinity) continue;
+            for (int i = 0; i < n; ++i) line.values()[i] = at[k + idx(i) * step];
+            line.run(h);
+            for (int i = 0; i < n; ++i) at[k + idx(i) * step] = line.values()[i];
+          }
         }
       });
 }
@@ -139,26 +156,44 @@ void alongLinesWithin(std::vector<float>& d, int n, std::size_t step, std::size_
     }
 }
 
-constexpr int kFewSteps = 16;  // up to here comparing takes less than the envelope
+constexpr double kRounding = 1e-5;  // of a squared limit: more than squares are rounded by
+constexpr int kFewSteps = 16;       // up to here comparing takes less than the envelope
+
+std::vector<float> squaredDistanceTo(const std::array<int, 3>& size, const Vec3& spacing,
+                                     const std::vector<std::uint8_t>& mask, double limit, int threads) {
+  std::vector<float> d(mask.size());
+  for (std::size_t i = 0; i < d.size(); ++i) d[i] = mask[i] ? 0 : kInfinity;
+  alongRows(d, size[0], spacing[0]);
+  std::size_t step = idx(size[0]);
+  const auto most = static_cast<float>(limit * limit * (1 + kRounding));
+  for (std::size_t a = 1; a < 3; ++a) {
+    const double h = spacing[static_cast<Eigen::Index>(a)];
+    if (limit <= kFewSteps * h)
+      alongLinesWithin(d, size[a], step, idx(size[0]), h, static_cast<int>(std::ceil(limit / h)));
+    else {
+      if (most < kInfinity) forget(d, most);
+      alongLines(d, size[a], step, h, threads);
+    }
+    step *= idx(size[a]);
+  }
+  return d;
+}
 
 }  // namespace
 
 std::vector<float> distanceTo(const std::array<int, 3>& size, const Vec3& spacing,
                               const std::vector<std::uint8_t>& mask, double limit, int threads) {
-  std::vector<float> d(mask.size());
-  for (std::size_t i = 0; i < d.size(); ++i) d[i] = mask[i] ? 0 : kInfinity;
-  alongRows(d, size[0], spacing[0]);
-  std::size_t step = idx(size[0]);
-  for (std::size_t a = 1; a < 3; ++a) {
-    const double h = spacing[static_cast<Eigen::Index>(a)];
-    if (limit <= kFewSteps * h)
-      alongLinesWithin(d, size[a], step, idx(size[0]), h, static_cast<int>(std::ceil(limit / h)));
-    else
-      alongLines(d, size[a], step, h, threads);
-    step *= idx(size[a]);
-  }
+  std::vector<float> d = squaredDistanceTo(size, spacing, mask, limit, threads);
   for (float& x : d) x = std::sqrt(x);
   return d;
+}
+
+double greatestDistanceTo(const std::array<int, 3>& size, const Vec3& spacing,
+                          const std::vector<std::uint8_t>& mask) {
+  float most = 0;
+  for (const float d : squaredDistanceTo(size, spacing, mask, kInfinity, 1))
+    if (d < kInfinity) most = std::max(most, d);
+  return static_cast<double>(std::sqrt(most));
 }
 
 }  // namespace handlebody

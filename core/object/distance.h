@@ -17,4 +17,8 @@ std::vector<float> distanceTo(const std::array<int, 3>& size, const Vec3& spacin
                               const std::vector<std::uint8_t>& mask,
                               double limit = std::numeric_limits<double>::infinity(), int threads = 1);
 
+//! The largest of these distances that is finite; 0 if none is.
+double greatestDistanceTo(const std::array<int, 3>& size, const Vec3& spacing,
+                          const std::vector<std::uint8_t>& mask);
+
 }  // namespace handlebody
