@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "core/cancellation.h"
 #include "core/indices.h"
@@ -89,33 +90,22 @@ class Flood {
     const auto n0 = idx(cells_.grid.size[0]), n1 = idx(cells_.grid.size[1]);
     const std::size_t s = padded(start % n0, start / n0 % n1, start / (n0 * n1));
     for (auto& q : queues_) q.clear();
-    const std::array<std::ptrdiff_t, 6> steps{
-        -1, 1, -nx_, nx_, -std::ptrdiff_t{nx_} * ny_, std::ptrdiff_t{nx_} * ny_};
     queues_[key_[s]].push_back(static_cast<std::uint32_t>(s));
     int level = key_[s];
     key_[s] = kTaken;
-    std::size_t taken = 0;
-    double border = 0;
-    for (; level < kNever && static_cast<double>(taken) <= most_ && border <= mostBorder_; ++level) {
+    taken_ = border_ = 0;
+    const auto isBackground = [&] {
+      return static_cast<double>(taken_) > most_ || static_cast<double>(border_) > mostBorder_;
+    };
+    for (; level < kNever && !isBackground(); ++level) {
       auto& queue = queues_[level];
       while (!queue.empty()) {
         const std::uint32_t v = queue.back();
         queue.pop_back();
-        level_[v] = static_cast<std::uint8_t>(level);
-        if ((++taken & 0xffff) == 0) giveUpIfCancelled();
-        for (const std::ptrdiff_t step : steps) {
-          const std::size_t w = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(v) + step);
-          const std::uint8_t k = key_[w];
-          if (k >= kNever) {
-            border += k == kBorder;
-            continue;
-          }
-          key_[w] = kTaken;
-          queues_[std::max<std::size_t>(k, idx(level))].push_back(static_cast<std::uint32_t>(w));
-        }
+        takeRow(v, static_cast<std::uint8_t>(level));
       }
     }
-    end_ = level - (static_cast<double>(taken) > most_ || border > mostBorder_ ? 1 : 0);
+    end_ = level - (isBackground() ? 1 : 0);
     return unload();
   }
   //! Of the last run: rungs from here on are not known.
@@ -125,6 +115,51 @@ class Flood {
   static constexpr std::uint8_t kTaken = 254, kBorder = 255;
   std::size_t padded(std::size_t x, std::size_t y, std::size_t z) const {
     return ((z + 1) * idx(ny_) + y + 1) * idx(nx_) + x + 1;
+  }
+  //! A cell that was reached at this level, and those beside it in its row.
+  void takeRow(std::size_t cell, std::uint8_t level) {
+    std::size_t first = cell, last = cell;
+    while (key_[first - 1] <= level) key_[--first] = kTaken;
+    while (key_[last + 1] <= level) key_[++last] = kTaken;
+    reach(first - 1, level);
+    reach(last + 1, level);
+    const std::size_t count = last - first + 1;
+    std::fill_n(level_.begin() + static_cast<std::ptrdiff_t>(first), count, level);
+    const std::size_t before = taken_ >> 16;
+    taken_ += count;
+    if (taken_ >> 16 != before) giveUpIfCancelled();
+    const std::size_t row = idx(nx_), plane = row * idx(ny_);
+    for (const std::size_t beside : {first - row, first + row, first - plane, first + plane})
+      reachRow(beside, count, level);
+  }
+  void reach(std::size_t cell, std::uint8_t level) {
+    const std::uint8_t k = key_[cell];
+    border_ += k == kBorder;
+    if (k >= kNever) return;
+    key_[cell] = kTaken;
+    queues_[std::max(k, level)].push_back(static_cast<std::uint32_t>(cell));
+  }
+  //! Cells beside each other. Of those that are reached at this level only the first in a row is noted: it
+  //! takes the others with it.
+  void reachRow(std::size_t from, std::size_t count, std::uint8_t level) {
+    bool isNoted = false;
+    for (std::size_t i = from; i < from + count; ++i) {
+      if (i + 8 <= from + count && areTaken(i)) {
+        i += 7;
+        isNoted = false;
+        continue;
+      }
+      const bool joins = key_[i] <= level;
+      if (!(joins && isNoted)) reach(i, level);
+      isNoted = joins;
+    }
+  }
+  //! Eight of them.
+  bool areTaken(std::size_t first) const {
+    static_assert(kTaken == 0xfe);
+    std::uint64_t eight = 0;
+    std::memcpy(&eight, &key_[first], sizeof eight);
+    return eight == 0xfefefefefefefefeU;
   }
   void load(const Levels& key) {
     std::fill(key_.begin(), key_.end(), kBorder);
@@ -153,6 +188,7 @@ class Flood {
   int nx_, ny_;
   double most_, mostBorder_ = 0;
   int end_ = 0;
+  std::size_t taken_ = 0, border_ = 0;
   Levels key_, level_;
   std::array<std::vector<std::uint32_t>, kNever + 1> queues_;
 };

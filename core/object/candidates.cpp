@@ -80,7 +80,7 @@ struct Sums {
 };
 using SumsPerRung = std::array<Sums, kNever + 1>;
 
-void addFace(SumsPerRung& sums, int inner, int outer, double outside, std::size_t gradient, double area) {
+void addFaceTo(SumsPerRung& sums, int inner, int outer, double outside, std::size_t gradient, double area) {
   for (const auto& [rung, sign] : {std::pair{inner, 1.0}, std::pair{outer, -1.0}}) {
     Sums& s = sums[rung];
     s.faces += sign;
@@ -114,53 +114,96 @@ std::vector<RowSpan> spansOf(const ArrivalMap& map, std::size_t row) {
 }
 
 //! One pass over the cells: a face between cells that join at l < m lies on the surface of the regions of the
-//! rungs l to m - 1.
-SumsPerRung gather(const ClickSearch& s, const ArrivalMap& map, const std::vector<std::uint8_t>& gradients) {
-  SumsPerRung sums;
-  const CellGrid& cells = s.image.cells;
-  const auto& n = cells.grid.size;
-  const std::array<std::size_t, 3> steps{1, idx(n[0]), idx(n[0]) * idx(n[1])};
-  const double voxel = cells.grid.voxelVolume();
-  const std::array<double, 3> areas{voxel / cells.grid.spacing[0], voxel / cells.grid.spacing[1],
-                                    voxel / cells.grid.spacing[2]};
-  const std::vector<RowSpan> spans = spansOf(map, idx(n[0]));
-  for (int z = 0; z < n[2]; ++z) {
-    giveUpIfCancelled();
-    for (int y = 0; y < n[1]; ++y) {
-      const std::size_t row = idx(z) * idx(n[1]) + idx(y);
-      const RowSpan none{n[0], -1}, own = spans[row], above = y + 1 < n[1] ? spans[row + 1] : none,
-                                    behind = z + 1 < n[2] ? spans[row + idx(n[1])] : none;
-      // With the cell before them, which has a face to the first.
-      const int first = std::max(0, std::min({own.first, above.first, behind.first}) - 1);
-      const int last = std::max({own.last, above.last, behind.last});
-      std::size_t i = row * idx(n[0]) + idx(first);
-      for (int x = first; x <= last; ++x, ++i) {
-        const int level = map.level[i];
-        const std::array<int, 3> c{x, y, z};
-        if (level < kNever) {
-          Sums& of = sums[level];
-          const double d = s.values[i] - s.intensities.level;
-          of.voxels += 1, of.inside += d, of.inside2 += d * d;
-          for (std::size_t a = 0; a < 3; ++a) {
-            if (n[a] < 2) continue;
-            if (c[a] == 0) ++(cells.goesOn[a][0] ? of.cut : of.border);
-            if (c[a] == n[a] - 1) ++(cells.goesOn[a][1] ? of.cut : of.border);
-          }
-        }
-        for (std::size_t a = 0; a < 3; ++a) {
-          if (c[a] + 1 >= n[a]) continue;
-          const std::size_t j = i + steps[a];
-          const int other = map.level[j];
-          if (other == level) continue;
-          const std::size_t outer = level < other ? j : i;
-          addFace(sums, std::min(level, other), std::max(level, other), s.values[outer] - s.intensities.level,
-                  (gradients[i] + std::size_t{gradients[j]}) / 2, areas[a]);
-        }
+//! rungs l to m - 1. Row by row, and in a row cell by cell: each sum is made in this order.
+class Gathering {
+ public:
+  Gathering(const ClickSearch& s, const ArrivalMap& map) : s_(s), map_(map), n_(s.image.cells.grid.size) {
+    const Grid& grid = s.image.cells.grid;
+    for (std::size_t a = 0; a < 3; ++a)
+      areas_[a] = grid.voxelVolume() / grid.spacing[static_cast<Eigen::Index>(a)];
+  }
+
+  SumsPerRung run() {
+    const std::vector<RowSpan> spans = spansOf(map_, idx(n_[0]));
+    for (int z = 0; z < n_[2]; ++z) {
+      giveUpIfCancelled();
+      for (int y = 0; y < n_[1]; ++y) {
+        const std::size_t row = idx(z) * idx(n_[1]) + idx(y);
+        const RowSpan none{n_[0], -1}, own = spans[row], above = y + 1 < n_[1] ? spans[row + 1] : none,
+                                       behind = z + 1 < n_[2] ? spans[row + idx(n_[1])] : none;
+        addCells(own, y, z);
+        // With the cell before them, which has a face to the first.
+        addFaces({std::max(0, std::min({own.first, above.first, behind.first}) - 1),
+                  std::max({own.last, above.last, behind.last})},
+                 y, z);
       }
     }
+    return sums_;
   }
-  return sums;
-}
+
+ private:
+  void addCells(const RowSpan& span, int y, int z) {
+    const std::size_t start = s_.image.cells.at(0, y, z);
+    const std::uint8_t* level = &map_.level[start];
+    const float* values = &s_.values[start];
+    for (int x = span.first, end = x; x <= span.last; x = end) {
+      while (end <= span.last && level[end] == level[x]) ++end;
+      if (level[x] == kNever) continue;
+      Sums& of = sums_[level[x]];
+      of.voxels += end - x;
+      double inside = of.inside, inside2 = of.inside2;
+      for (int i = x; i < end; ++i) {
+        const double d = values[i] - s_.intensities.level;
+        inside += d, inside2 += d * d;
+      }
+      of.inside = inside, of.inside2 = inside2;
+      addSides(of, {x, end - 1}, y, z);
+    }
+  }
+  //! Faces on the sides of the box.
+  void addSides(Sums& of, const RowSpan& run, int y, int z) const {
+    const std::array<std::array<int, 2>, 3> counts{
+        {{run.first == 0, run.last == n_[0] - 1}, {y == 0, y == n_[1] - 1}, {z == 0, z == n_[2] - 1}}};
+    for (std::size_t a = 0; a < 3; ++a)
+      for (std::size_t side = 0; side < 2; ++side)
+        if (n_[a] > 1)
+          (s_.image.cells.goesOn[a][side] ? of.cut : of.border) +=
+              counts[a][side] * (a == 0 ? 1 : run.last - run.first + 1);
+  }
+
+  void addFaces(const RowSpan& span, int y, int z) {
+    const std::size_t start = s_.image.cells.at(0, y, z), row = idx(n_[0]), plane = row * idx(n_[1]);
+    const std::uint8_t* level = &map_.level[start];
+    // Where the box ends there is no face: a cell is compared with itself.
+    const std::array<std::size_t, 3> steps{1, y + 1 < n_[1] ? row : 0, z + 1 < n_[2] ? plane : 0};
+    for (int x = span.first; x <= span.last; ++x) {
+      while (x + 8 < n_[0] && x + 7 <= span.last && areSame(level + x, steps)) x += 8;
+      if (x > span.last) break;
+      for (std::size_t a = 0; a < 3; ++a)
+        if (a > 0 || x + 1 < n_[0]) addFace(start + idx(x), start + idx(x) + steps[a], areas_[a]);
+    }
+  }
+  //! Eight cells, all as those after them along each axis.
+  static bool areSame(const std::uint8_t* level, const std::array<std::size_t, 3>& steps) {
+    std::array<std::uint64_t, 4> eight;
+    std::memcpy(&eight[3], level, 8);
+    for (std::size_t a = 0; a < 3; ++a) std::memcpy(&eight[a], level + steps[a], 8);
+    return ((eight[0] ^ eight[3]) | (eight[1] ^ eight[3]) | (eight[2] ^ eight[3])) == 0;
+  }
+  void addFace(std::size_t i, std::size_t j, double area) {
+    const int level = map_.level[i], other = map_.level[j];
+    if (other == level) return;
+    const std::size_t outer = level < other ? j : i;
+    addFaceTo(sums_, std::min(level, other), std::max(level, other), s_.values[outer] - s_.intensities.level,
+              (s_.gradients[i] + std::size_t{s_.gradients[j]}) / 2, area);
+  }
+
+  const ClickSearch& s_;
+  const ArrivalMap& map_;
+  const std::array<int, 3>& n_;
+  std::array<double, 3> areas_{};
+  SumsPerRung sums_;
+};
 
 double median(const std::array<double, kGradients>& histogram, double total) {
   double before = 0;
@@ -214,7 +257,7 @@ void countVotes(std::vector<RankedRegion>& regions, const std::vector<RankedRegi
 std::vector<RankedRegion> regionsOf(const ClickSearch& s, const std::vector<ArrivalMap>& maps,
                                     const ObjectPolicy& policy, int threads) {
   std::vector<SumsPerRung> sums(maps.size());
-  forEachOnThreads(maps.size(), threads, [&](std::size_t m) { sums[m] = gather(s, maps[m], s.gradients); });
+  forEachOnThreads(maps.size(), threads, [&](std::size_t m) { sums[m] = Gathering(s, maps[m]).run(); });
   std::vector<RankedRegion> out;
   for (std::size_t m = 0; m < maps.size(); ++m) {
     const ArrivalMap& map = maps[m];
