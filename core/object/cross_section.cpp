@@ -42,6 +42,26 @@ const std::array<double, CrossSection::kRadii>& CrossSection::radii() {
   return all;
 }
 
+namespace {
+
+//! What the places of all rays have in common.
+struct PlaceTables {
+  std::array<double, CrossSection::kRadii> logs, areas;  // of radii; of discs, in parts of the outermost
+};
+const PlaceTables& placeTables() {
+  static const auto all = [] {
+    PlaceTables out{};
+    for (std::size_t k = 0; k < CrossSection::kRadii; ++k) {
+      out.logs[k] = std::log(CrossSection::radii()[k]);
+      out.areas[k] = std::pow(CrossSection::radii()[k] / kOuter, 2);
+    }
+    return out;
+  }();
+  return all;
+}
+
+}  // namespace
+
 Vec3 CrossSection::direction(std::size_t angle) const {
   const double a = 2 * std::numbers::pi * static_cast<double>(angle) / kAngles;
   return std::cos(a) * right + std::sin(a) * up;
@@ -149,14 +169,15 @@ double TubeLook::edgeAt(const CrossSection& s, std::size_t angle, std::size_t pl
 CrossSection::Costs TubeLook::costs(const CrossSection& s, double keep, const ObjectPolicy& policy) const {
   CrossSection::Costs out;
   const auto& radii = CrossSection::radii();
+  const auto& [logs, areas] = placeTables();
   for (std::size_t a = 0; a < CrossSection::kAngles; ++a) {
     double region = 0;
     for (std::size_t k = 0; k < CrossSection::kRadii; ++k) {
       const double odds = s.beyond[at(a, k)] ? policy.starBeyond : odds_[binOf(s.values[at(a, k)])];
-      region += odds * 2 * std::pow(radii[k] / kOuter, 2);
+      region += odds * 2 * areas[k];
       const double edge = std::clamp(edgeAt(s, a, k), -1.0, 2.0);
       out[at(a, k)] =
-          region - policy.tubeEdge * edge * radii[k] + keep * std::pow(std::log(radii[k]) - s.expected[a], 2);
+          region - policy.tubeEdge * edge * radii[k] + keep * std::pow(logs[k] - s.expected[a], 2);
     }
   }
   return out;

@@ -30,12 +30,34 @@ void widenBy(CellBox& box, const CrossSection& s, const CellGrid& cells) {
     box.widen(cells.nearest(s.centre + s.radiusAt(a) * s.direction(a)));
 }
 
-//! The cells between two planes, within outlines that go over from one to the other.
+//! Between which distances from the middle the outlines of two planes lie, and those that go over from one to
+//! the other.
+std::array<double, 2> radiiOf(const CrossSection& a, const CrossSection& b) {
+  constexpr double kRounding = 1e-9;  // far more than weights that sum to 1 are rounded by
+  double least = a.radiusAt(0), most = least;
+  for (std::size_t n = 0; n < CrossSection::kAngles; ++n)
+    for (const CrossSection* s : {&a, &b}) {
+      least = std::min(least, s->radiusAt(n));
+      most = std::max(most, s->radiusAt(n));
+    }
+  return {least * (1 - kRounding), most * (1 + kRounding)};
+}
+
+//! How far the outline goes in a direction, `t` of the way from one plane to the other.
+double limitAt(const CrossSection& a, const CrossSection& b, double t, double x, double y) {
+  const double turn = std::atan2(y, x) / (2 * std::numbers::pi);
+  const double angle = (turn < 0 ? turn + 1 : turn) * CrossSection::kAngles;
+  return (1 - t) * a.radiusBetween(angle) + t * b.radiusBetween(angle);
+}
+
+//! The cells between two planes, within outlines that go over from one to the other. Few lie where it takes
+//! the angle to tell.
 void fillBetween(const CrossSection& a, const CrossSection& b, const WorkImage& work, TubeRegion& out) {
   const CellGrid& cells = work.cells();
   CellBox box{cells.grid.size, {-1, -1, -1}};
   widenBy(box, a, cells);
   widenBy(box, b, cells);
+  const auto [least, most] = radiiOf(a, b);
   forBox(box.grown(1, cells.grid.size), [&](const std::array<int, 3>& c) {
     const Vec3 p = cells.grid.toWorld(Vec3(c[0], c[1], c[2]));
     const double before = (p - a.centre).dot(a.along), behind = (b.centre - p).dot(b.along);
@@ -43,11 +65,10 @@ void fillBetween(const CrossSection& a, const CrossSection& b, const WorkImage& 
     const double t = before / (before + behind);
     const Vec3 to = p - ((1 - t) * a.centre + t * b.centre);
     const double x = to.dot((1 - t) * a.right + t * b.right), y = to.dot((1 - t) * a.up + t * b.up);
-    const double turn = std::atan2(y, x) / (2 * std::numbers::pi);
-    const double angle = (turn < 0 ? turn + 1 : turn) * CrossSection::kAngles;
-    const double limit = (1 - t) * a.radiusBetween(angle) + t * b.radiusBetween(angle);
-    if (std::hypot(x, y) <= limit && !work.image.padding[cells.at(c)] && out.box.holds(c))
-      out.inside[out.box.at(c)] = 1;
+    const double squared = x * x + y * y;
+    if (squared > most * most) return;
+    if (squared > least * least && std::hypot(x, y) > limitAt(a, b, t, x, y)) return;
+    if (!work.image.padding[cells.at(c)] && out.box.holds(c)) out.inside[out.box.at(c)] = 1;
   });
 }
 

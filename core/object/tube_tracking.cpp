@@ -12,8 +12,9 @@ namespace handlebody {
 
 namespace {
 
-constexpr double kNone = 1e9;    // worth of what cannot be
-constexpr double kForced = 1e6;  // cost of an outline on the wrong side of a click
+constexpr double kNone = 1e9;       // worth of what cannot be
+constexpr double kForced = 1e6;     // cost of an outline on the wrong side of a click
+constexpr double kRounding = 1e-9;  // far more than sums of a few edges are rounded by
 constexpr double kShift =
     0.6;  // of the radius: an outline's middle lies no further from where it was expected
 
@@ -96,10 +97,11 @@ class TubeTracking {
     return costs;
   }
 
-  //! The outline of a plane, read anew and moved to its middle `moves` times.
-  CrossSection fitted(CrossSection s, double keep, int moves, bool resize) const {
+  //! The outline of a plane, read anew and moved to its middle `moves` times. `isRead`: as it lies now, it
+  //! has been read.
+  CrossSection fitted(CrossSection s, double keep, int moves, bool resize, bool isRead = false) const {
     for (int move = 0;; ++move) {
-      s.read(work_);
+      if (move > 0 || !isRead) s.read(work_);
       s.takeOutline(costsOf(s, keep));
       if (move == moves) break;
       const Vec3 middle = s.middle();
@@ -124,8 +126,8 @@ class TubeTracking {
     CrossSection chosen;
     for (const CrossSection& s : first) {
       giveUpIfCancelled();
-      const CrossSection middle = fitted(s, policy_.tubeStart, 2, true);
-      const double worth = worthOf(middle);
+      const CrossSection middle = fitted(s, policy_.tubeStart, 2, true, true);
+      const double worth = worthOf(middle, best);
       if (worth > best) best = worth, chosen = middle;
     }
     sections() = {chosen};
@@ -136,10 +138,13 @@ class TubeTracking {
   static bool isHalf(const Vec3& d) {
     return d.z() > 1e-9 || (d.z() > -1e-9 && (d.y() > 1e-9 || (d.y() > -1e-9 && d.x() > 0)));
   }
-  double worthOf(const CrossSection& middle) const {
+  //! No more than `least` if it is known to be no more than that: an edge is 1 at most.
+  double worthOf(const CrossSection& middle, double least) const {
     double worth = middle.edge;
     const double r = middle.meanRadius();
+    int left = 4;
     for (const double side : {-2.0, -1.0, 1.0, 2.0}) {
+      if (worth + left-- + kRounding <= least) return worth;
       const Vec3 centre = middle.centre + side * r * middle.along;
       const CrossSection s =
           fitted(CrossSection::across(centre, middle.along, r, middle.right), policy_.tubeStart, 1, false);
