@@ -1,5 +1,6 @@
 #include "core/object/distance.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -58,4 +59,35 @@ TEST_CASE("distances are the same bits with any number of threads") {
   const std::vector<float> one = distanceTo(size, kSpacing, mask);
   constexpr double kNone = std::numeric_limits<double>::infinity();
   for (const int threads : {2, 3, 8}) CHECK(distanceTo(size, kSpacing, mask, kNone, threads) == one);
+}
+
+TEST_CASE("the greatest distance is that of the furthest cell that has one") {
+  std::mt19937 random(5);
+  for (const double part : {0.0, 0.002, 0.05, 1.0}) {
+    std::bernoulli_distribution marked(part);
+    std::vector<std::uint8_t> mask(19 * 7 * 23);
+    for (auto& m : mask) m = marked(random);
+    float most = 0;
+    for (const float d : distanceTo(kSize, kSpacing, mask))
+      if (std::isfinite(d)) most = std::max(most, d);
+    CHECK(greatestDistanceTo(kSize, kSpacing, mask) == static_cast<double>(most));
+  }
+}
+
+TEST_CASE("up to a limit distances are the same bits as without one, beyond it they are told to be further") {
+  std::mt19937 random(6);
+  std::bernoulli_distribution marked(0.00003);
+  const std::array<int, 3> size{40, 50, 60};
+  std::vector<std::uint8_t> mask(40 * 50 * 60);
+  for (auto& m : mask) m = marked(random);
+  const std::vector<float> all = distanceTo(size, kSpacing, mask);
+  constexpr double kLimit = 41;
+  const std::vector<float> near = distanceTo(size, kSpacing, mask, kLimit);
+  std::size_t beyond = 0, wrong = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    beyond += all[i] > kLimit;
+    wrong += all[i] <= kLimit ? near[i] != all[i] : near[i] <= kLimit;
+  }
+  CHECK(beyond > 0);
+  CHECK(wrong == 0);
 }
