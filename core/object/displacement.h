@@ -13,10 +13,12 @@ struct Displacement {
   double height = 0;               //!< mm: at the click
   double width = 0;                //!< mm: standard deviation of the bell
   std::vector<CellClick> against;  //!< clicks of the other kind: what is nearer to one of them stays
+  double edge = 0;                 //!< intensities: a jump that makes a step twice as long; 0: none does
 };
 
 //! `region` with the cells that the surface of `from` passes over when it is displaced: they become as the
-//! click is. Where the bell is lower than half a cell nothing changes.
+//! click is. How far it moves is measured along the shortest paths, and edges make these longer. Where the
+//! bell is lower than half a cell nothing changes.
 Region displaced(const WorkImage& work, const Region& from, Region region, const Displacement& d);
 
 }  // namespace handlebody

@@ -297,16 +297,22 @@ class ObjectFinder::Search {
   struct Asked {
     const Corrected& from;
     const Pending& click;
-    double depth;  // mm
-    double local;  // cost of a change near it
+    double depth;    // mm
+    double local;    // cost of a change near it
+    double renewed;  // and of another candidate as a whole
   };
 
   //! Takes in the click done last.
   void correct(Corrected& c, double depth) {
     const Pending click = c.done.back();
+    const double radius = deepestInside(*work_, c.region);
+    if (depth < policy_.shallow * radius && moveSurface(c, c.region, click, depth, radius)) {
+      ++c.inARow;
+      return;
+    }
     const std::vector<CellClick> inside = clicksOf(c.done, true), outside = clicksOf(c.done, false);
     const std::vector<RankedRegion> ranked = rank(inside, outside);  // as if later clicks were not there
-    const Asked asked{c, click, depth, policy_.corrected * (click.isInside ? 1 : c.inARow + 1)};
+    const Asked asked = askedBy(c, click, depth, radius);
     Offers offers(*work_, c.region, {click.isInside, depth, noise()}, policy_,
                   [&](Region r) -> std::optional<Region> {
                     r = tidied(std::move(r), c.done);
@@ -329,19 +335,32 @@ class ObjectFinder::Search {
     Offer best = offers.take();
     c.inARow = best.isLocal ? c.inARow + 1 : 0;
     const Region before = std::exchange(c.region, std::move(best.region));
-    widen(c, before, click, depth);
+    if (depth < policy_.otherPart * radius) moveSurface(c, before, click, depth, radius);
   }
 
-  //! What is wrong is mostly a shell as wide as the object: its surface moves around the click as well. One
-  //! so far behind the surface that it lies in another part says nothing of that.
-  void widen(Corrected& c, const Region& before, const Pending& click, double depth) const {
-    const double radius = deepestInside(*work_, before);
-    if (depth >= policy_.otherPart * radius) return;
-    Region wide = displaced(*work_, before, c.region,
-                            {click.click, click.isInside, policy_.displaced * depth,
-                             policy_.displacedWidth * radius, clicksOf(c.done, !click.isInside)});
-    wide = tidied(std::move(wide), c.done);
-    if (isTrue(wide, click)) c.region = std::move(wide);
+  //! One outside in the middle of a region that is thick enough for that to be told says that most of it is
+  //! wrong: another one is meant, and cuts are not. `radius`: the deepest place of the region, mm.
+  Asked askedBy(const Corrected& c, const Pending& click, double depth, double radius) const {
+    const double cost = policy_.corrected * (click.isInside ? 1 : c.inARow + 1);
+    if (click.isInside) return {c, click, depth, cost, 0};
+    const bool isCore =
+        depth > policy_.core * radius && depth > policy_.coreCells * work_->cells().grid.meanSpacing();
+    return isCore ? Asked{c, click, depth, cost + policy_.coreCut, 0}
+                  : Asked{c, click, depth, cost, policy_.renewed};
+  }
+
+  //! What is wrong is mostly a shell as wide as the object: the surface that the region had before moves
+  //! around the click. False, and nothing changes, if the click is still on the wrong side then.
+  bool moveSurface(Corrected& c, const Region& before, const Pending& click, double depth,
+                   double radius) const {
+    Region moved =
+        displaced(*work_, before, c.region,
+                  {click.click, click.isInside, policy_.displaced * depth, policy_.displacedWidth * radius,
+                   clicksOf(c.done, !click.isInside), policy_.displacedEdge * noise()});
+    moved = tidied(std::move(moved), c.done);
+    if (!isTrue(moved, click)) return false;
+    c.region = std::move(moved);
+    return true;
   }
 
   //! 0 where nothing is of the contrast that is asked for.
@@ -381,7 +400,7 @@ class ObjectFinder::Search {
     for (std::size_t i = 0; i < offered.size(); ++i) {
       const double score = offered[i].region.score;
       const std::shared_ptr<const Region>& whole = regions[i];
-      offers.add([whole] { return *whole; }, score - (asked.click.isInside ? 0 : policy_.renewed), false);
+      offers.add([whole] { return *whole; }, score - asked.renewed, false);
       offers.add(
           [this, whole, &asked] {
             return within(asked, policy_.correctionReach * asked.depth,

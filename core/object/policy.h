@@ -123,9 +123,14 @@ struct ObjectPolicy {
   double refineOuter = 2, refineInner = 1;  //!< cells: so near to a region's surface all are open
   double displaced = 1.25;                  //!< the surface moves so far at the click,
   double displacedWidth = 0.9;              //!< around it by a bell so wide in depths of the object's
-  double otherPart = 1.2;    //!< deepest place, and as deep as this in them the click lies in another part
-  double relabelSure = 2.5;  //!< log of the odds that intensities may give at most
-  std::size_t cavity = 14;   //!< cells: smaller cavities are noise; a ball of one and a half cells' radius
+  double otherPart = 1.2;     //!< deepest place, and as deep as this in them the click lies in another part
+  double displacedEdge = 10;  //!< noises: a jump that makes a step of that way twice as long
+  double shallow = 0.5;       //!< of the deepest place: less deep than this nothing else is tried
+  double core = 0.65;         //!< of the deepest place: a click outside beyond this says that most is wrong,
+  double coreCells = 8;       //!< if it lies so many cells deep; another candidate costs nothing then
+  double coreCut = 0.6;       //!< and a change near the click this besides
+  double relabelSure = 2.5;   //!< log of the odds that intensities may give at most
+  std::size_t cavity = 14;    //!< cells: smaller cavities are noise; a ball of one and a half cells' radius
 };
 
 }  // namespace handlebody

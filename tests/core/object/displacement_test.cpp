@@ -82,3 +82,16 @@ TEST_CASE("what was found for the click beside the moved surface is kept") {
   CHECK(both.inside[far] == 1);
   CHECK(both.count() > h.region.count() + 100);
 }
+
+TEST_CASE("edges stop the surface that is displaced, the more the stronger they are") {
+  HalfSpace h;
+  // Intensities rise by 10 between z = 21 and z = 22: a step there is worth 1 mm times 1 + (10 / edge)^2.
+  h.forAll([&](const std::array<int, 3>& c) { h.work.values[h.work.cells().at(c)] = c[2] > 21 ? 10 : 0; });
+  const CellClick click = h.click(Vec3(20, 20, 21));
+  const auto heightWith = [&](double edge) {
+    return h.height(displaced(h.work, h.region, h.region, {click, true, 6, 8, {}, edge}), 20, 20) - 20;
+  };
+  CHECK(heightWith(0) == 5);   // beyond it the bell is lower than the way
+  CHECK(heightWith(10) == 4);  // one step counts twice
+  CHECK(heightWith(4) == 2);   // a step of 7.25 mm is higher than the bell
+}
