@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "core/cancellation.h"
 #include "core/indices.h"
+#include "core/object/eight_cells.h"
 #include "core/object/morphology.h"
 #include "core/threads.h"
 #include "core/volume/intensity_statistics.h"
@@ -157,9 +157,7 @@ class Flood {
   //! Eight of them.
   bool areTaken(std::size_t first) const {
     static_assert(kTaken == 0xfe);
-    std::uint64_t eight = 0;
-    std::memcpy(&eight, &key_[first], sizeof eight);
-    return eight == 0xfefefefefefefefeU;
+    return eightCells(&key_[first]) == 0xfefefefefefefefeU;
   }
   void load(const Levels& key) {
     std::fill(key_.begin(), key_.end(), kBorder);

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <numbers>
 #include <numeric>
 
 #include "core/cancellation.h"
 #include "core/indices.h"
+#include "core/object/eight_cells.h"
 #include "core/object/star_surface.h"
 #include "core/threads.h"
 
@@ -185,10 +185,9 @@ class Gathering {
   }
   //! Eight cells, all as those after them along each axis.
   static bool areSame(const std::uint8_t* level, const std::array<std::size_t, 3>& steps) {
-    std::array<std::uint64_t, 4> eight;
-    std::memcpy(&eight[3], level, 8);
-    for (std::size_t a = 0; a < 3; ++a) std::memcpy(&eight[a], level + steps[a], 8);
-    return ((eight[0] ^ eight[3]) | (eight[1] ^ eight[3]) | (eight[2] ^ eight[3])) == 0;
+    const std::uint64_t own = eightCells(level);
+    return own == eightCells(level + steps[0]) && own == eightCells(level + steps[1]) &&
+           own == eightCells(level + steps[2]);
   }
   void addFace(std::size_t i, std::size_t j, double area) {
     const int level = map_.level[i], other = map_.level[j];

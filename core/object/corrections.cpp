@@ -4,10 +4,11 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <queue>
 
 #include "core/indices.h"
 #include "core/object/distance.h"
+#include "core/object/eight_cells.h"
+#include "core/object/shortest_paths.h"
 #include "core/volume/voxel_walk.h"
 
 namespace handlebody {
@@ -23,10 +24,6 @@ constexpr double kEdge = 1.5;
 constexpr double kThin = 2;
 
 Vec3 indexOf(const Cell& c) { return Vec3(c[0], c[1], c[2]); }
-
-Vec3 placeOf(const CellGrid& cells, const Cell& c) {
-  return Vec3(c[0], c[1], c[2]).cwiseProduct(cells.grid.spacing);
-}
 
 //! A box around the marked cells (1) of a box of this size, and the cells next to it.
 CellBox boxOfMarked(const std::array<int, 3>& size, const std::vector<std::uint8_t>& mask) {
@@ -78,27 +75,18 @@ class Competition {
   bool isInside(const Cell& c) const { return inside_[local(c)] != 0; }
 
   std::vector<float> lengthsFrom(const std::vector<Cell>& starts) const {
-    std::vector<float> length(inside_.size(), std::numeric_limits<float>::infinity());
-    using Entry = std::pair<float, std::size_t>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    for (const Cell& c : starts) {
-      length[local(c)] = 0;
-      queue.push({0, local(c)});
-    }
-    while (!queue.empty()) {
-      const auto [l, i] = queue.top();
-      queue.pop();
-      if (l > length[i]) continue;
+    std::vector<float> lengths(inside_.size(), std::numeric_limits<float>::infinity());
+    for (const Cell& c : starts) lengths[local(c)] = 0;
+    const auto forNeighbours = [&](std::size_t i, auto&& f) {
       forFaceNeighbours(size_, i, [&](std::size_t j, std::size_t axis) {
-        if (!inside_[j]) return;
-        const double step = work_.cells().grid.spacing[static_cast<Eigen::Index>(axis)];
-        const float there = static_cast<float>(l + step * weight(i, j));
-        if (there >= length[j]) return;
-        length[j] = there;
-        queue.push({there, j});
+        if (inside_[j]) f(j, axis);
       });
-    }
-    return length;
+    };
+    const auto step = [&](std::size_t i, std::size_t j, std::size_t axis) {
+      return work_.cells().grid.spacing[static_cast<Eigen::Index>(axis)] * weight(i, j);
+    };
+    followShortestPaths(lengths, std::numeric_limits<double>::infinity(), forNeighbours, step);
+    return lengths;
   }
 
  private:
@@ -182,12 +170,7 @@ namespace {
 //! Of eight cells each has changed as those after it along each axis have, or none of them has: no face
 //! between them is gained or lost.
 bool areLikeNext(const std::uint8_t* from, const std::uint8_t* to, const std::array<std::size_t, 3>& steps) {
-  const auto change = [&](std::size_t at) {
-    std::uint64_t before = 0, after = 0;
-    std::memcpy(&before, from + at, sizeof before);
-    std::memcpy(&after, to + at, sizeof after);
-    return before ^ after;
-  };
+  const auto change = [&](std::size_t at) { return eightCells(from + at) ^ eightCells(to + at); };
   const std::uint64_t own = change(0);
   return own == change(steps[0]) && own == change(steps[1]) && own == change(steps[2]);
 }

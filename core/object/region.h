@@ -56,6 +56,10 @@ void forBox(const CellBox& box, F&& f) {
     for (int y = box.low[1]; y <= box.high[1]; ++y)
       for (int x = box.low[0]; x <= box.high[0]; ++x) f(std::array<int, 3>{x, y, z});
 }
+//! mm along the axes of the cells.
+inline Vec3 placeOf(const CellGrid& cells, const std::array<int, 3>& cell) {
+  return Vec3(cell[0], cell[1], cell[2]).cwiseProduct(cells.grid.spacing);
+}
 //! The cells within `reach` mm of one along each axis.
 CellBox boxAround(const CellGrid& cells, const std::array<int, 3>& centre, double reach);
 //! Calls f(cell's number) for the cells whose centres lie within `reach` mm of a point.

@@ -5,6 +5,8 @@
 #include <random>
 
 #include "core/cancellation.h"
+#include "core/object/corrections.h"
+#include "core/object/displacement.h"
 #include "tests/support/catch.h"
 #include "tests/support/test_volume.h"
 
@@ -153,6 +155,73 @@ TEST_CASE("a further click inside takes in what has other intensities, and leave
   const auto whole = findObject(volume, query, nullptr);
   REQUIRE(whole);
   CHECK(diceOf(*whole, kBall) > 0.9);
+}
+
+namespace {
+
+//! Cells that only one of them holds, those at a click left out: it is true by definition. In cells that
+//! begin at the origin.
+int cellsApart(const WorkImage& work, const Region& a, const Region& b, const Vec3& click) {
+  int apart = 0;
+  for (std::size_t i = 0; i < a.inside.size(); ++i)
+    apart += a.inside[i] != b.inside[i] && (placeOf(work.cells(), work.cells().cellOf(i)) - click).norm() > 1;
+  return apart;
+}
+
+}  // namespace
+
+TEST_CASE("a click less deep than half the object moves its surface, and nothing else is tried") {
+  const ObjectPolicy policy;
+  const Volume volume = imageOf(cubicGrid(49), kBall, 40, 120, 8);
+  ObjectQuery query = clickAt(kMiddle);
+  const auto ball = findObject(volume, query, nullptr);
+  REQUIRE(ball);
+  const WorkImage& work = *ball->work;
+  const Vec3 place(37, 24, 24);
+  const CellClick click{place, work.cells().at(work.cells().nearest(place)), 0};
+  const double depth = depthBehindSurface(work, ball->region, click.cell);
+  const double radius = deepestInside(work, ball->region);
+  REQUIRE(depth < policy.shallow * radius);
+  const Region moved = displaced(work, ball->region, ball->region,
+                                 {click,
+                                  true,
+                                  policy.displaced * depth,
+                                  policy.displacedWidth * radius,
+                                  {},
+                                  policy.displacedEdge * ball->noise});
+  REQUIRE(moved.count() > ball->region.count());
+  query.inside.push_back({place, {}});
+  const auto wider = findObject(volume, query, nullptr);
+  REQUIRE(wider);
+  CHECK(cellsApart(work, wider->region, moved, place) == 0);
+  ObjectPolicy always;
+  always.shallow = 0;
+  CHECK(cellsApart(work, findObject(volume, query, nullptr, always)->region, moved, place) > 0);
+}
+
+TEST_CASE("a click outside in the middle of what was found asks for another candidate, not for a cut") {
+  const Inside large = [](const Vec3& p) { return inBall(p, Vec3(32, 32, 32), 18); };
+  const Inside small = [](const Vec3& p) { return inBall(p, Vec3(32, 32, 41), 5); };
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal(0, 8);
+  const Volume volume = volumeByIndex(cubicGrid(65), [&](int i, int j, int k) {
+    const Vec3 p(i, j, k);
+    return (small(p) ? 115 : large(p) ? 100 : 40) + normal(random);
+  });
+  ObjectQuery query = clickAt(Vec3(32, 32, 41));
+  const auto diceWith = [&](int candidate, const Inside& truth, const ObjectPolicy& policy = {}) {
+    query.candidate = candidate;
+    const auto model = findObject(volume, query, nullptr, policy);
+    REQUIRE(model);
+    return diceOf(*model, truth);
+  };
+  const int whole = diceWith(1, large) > 0.95 ? 1 : 2;
+  REQUIRE(diceWith(whole, large) > 0.95);
+  query.outside.push_back({Vec3(32, 32, 30), {}});
+  CHECK(diceWith(whole, small) > 0.9);
+  ObjectPolicy none;
+  none.core = 10;
+  CHECK(diceWith(whole, small, none) < 0.5);
 }
 
 namespace {
