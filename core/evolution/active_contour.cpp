@@ -179,6 +179,7 @@ int ActiveContour::iteration() const { return state_->iteration; }
 const Mesh& ActiveContour::mesh() const { return state_->mesh; }
 const Grid& ActiveContour::grid() const { return state_->volume.grid; }
 const ResolvedParameters& ActiveContour::parameters() const { return state_->parameters; }
+std::shared_ptr<const ObjectImage> ActiveContour::image() const { return state_->object.image; }
 const Parameters& ActiveContour::requested() const { return state_->asked.parameters; }
 const std::vector<Seed>& ActiveContour::requestedSeeds() const { return state_->asked.seeds; }
 const Constraints& ActiveContour::constraints() const { return state_->asked.constraints; }

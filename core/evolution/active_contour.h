@@ -84,6 +84,8 @@ class ActiveContour {
   const Mesh& mesh() const;
   const Grid& grid() const;
   const ResolvedParameters& parameters() const;
+  //! The object that the surface is driven into, as it sees it; the walls are outside of it.
+  std::shared_ptr<const ObjectImage> image() const;
   //! As asked for: with what was left to the image still open.
   const Parameters& requested() const;
   const std::vector<Seed>& requestedSeeds() const;

@@ -6610,14 +6610,6 @@ oder eine Datei hier ablegen</translation>
         <translation>bis</translation>
     </message>
     <message>
-        <source>Tint these voxels in the slices</source>
-        <translation>Diese Voxel in den Schichten tönen</translation>
-    </message>
-    <message>
-        <source>They are tinted for a moment after every change; with this on, all the time</source>
-        <translation>Sie werden nach jeder Änderung kurz getönt; hiermit immer</translation>
-    </message>
-    <message>
         <source>Change range</source>
         <translation>Bereich ändern</translation>
     </message>
@@ -6740,6 +6732,14 @@ oder eine Datei hier ablegen</translation>
     <message>
         <source>Change edges</source>
         <translation>Kanten ändern</translation>
+    </message>
+    <message>
+        <source>Tint the object in the slices</source>
+        <translation>Objekt in den Schichten tönen</translation>
+    </message>
+    <message>
+        <source>The voxels that the surface is driven into: as smoothed, up to necks that are cut and to walls. They are tinted for a moment after every change; with this on, all the time</source>
+        <translation>Die Voxel, in die die Oberfläche getrieben wird: geglättet, bis zu durchtrennten Engstellen und zu Wänden. Sie werden nach jeder Änderung kurz getönt; hiermit immer</translation>
     </message>
 </context>
 <context>

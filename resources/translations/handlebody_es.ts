@@ -6610,14 +6610,6 @@ o soltar aquí un archivo</translation>
         <translation>a</translation>
     </message>
     <message>
-        <source>Tint these voxels in the slices</source>
-        <translation>Teñir estos vóxeles en los cortes</translation>
-    </message>
-    <message>
-        <source>They are tinted for a moment after every change; with this on, all the time</source>
-        <translation>Se tiñen un momento tras cada cambio; con esto, siempre</translation>
-    </message>
-    <message>
         <source>Change range</source>
         <translation>Cambiar intervalo</translation>
     </message>
@@ -6740,6 +6732,14 @@ o soltar aquí un archivo</translation>
     <message>
         <source>Change edges</source>
         <translation>Cambiar aristas</translation>
+    </message>
+    <message>
+        <source>Tint the object in the slices</source>
+        <translation>Teñir el objeto en los cortes</translation>
+    </message>
+    <message>
+        <source>The voxels that the surface is driven into: as smoothed, up to necks that are cut and to walls. They are tinted for a moment after every change; with this on, all the time</source>
+        <translation>Los vóxeles hacia los que avanza la superficie: suavizados, hasta los cuellos cortados y las paredes. Se tiñen un momento tras cada cambio; marcado, siempre</translation>
     </message>
 </context>
 <context>

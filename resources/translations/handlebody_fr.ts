@@ -6610,14 +6610,6 @@ ou déposer un fichier ici</translation>
         <translation>à</translation>
     </message>
     <message>
-        <source>Tint these voxels in the slices</source>
-        <translation>Teinter ces voxels dans les coupes</translation>
-    </message>
-    <message>
-        <source>They are tinted for a moment after every change; with this on, all the time</source>
-        <translation>Ils sont teintés un instant après chaque changement ; ainsi, tout le temps</translation>
-    </message>
-    <message>
         <source>Change range</source>
         <translation>Changer l’intervalle</translation>
     </message>
@@ -6740,6 +6732,14 @@ ou déposer un fichier ici</translation>
     <message>
         <source>Change edges</source>
         <translation>Modifier les arêtes</translation>
+    </message>
+    <message>
+        <source>Tint the object in the slices</source>
+        <translation>Teinter l’objet dans les coupes</translation>
+    </message>
+    <message>
+        <source>The voxels that the surface is driven into: as smoothed, up to necks that are cut and to walls. They are tinted for a moment after every change; with this on, all the time</source>
+        <translation>Les voxels vers lesquels la surface est poussée : lissés, jusqu’aux cols coupés et aux parois. Ils sont teintés un instant après chaque modification ; coché, en permanence</translation>
     </message>
 </context>
 <context>

@@ -6610,14 +6610,6 @@ or drop a file here</source>
         <translation>至</translation>
     </message>
     <message>
-        <source>Tint these voxels in the slices</source>
-        <translation>在切面中着色这些体素</translation>
-    </message>
-    <message>
-        <source>They are tinted for a moment after every change; with this on, all the time</source>
-        <translation>每次更改后短暂着色；开启后始终着色</translation>
-    </message>
-    <message>
         <source>Change range</source>
         <translation>更改范围</translation>
     </message>
@@ -6740,6 +6732,14 @@ or drop a file here</source>
     <message>
         <source>Change edges</source>
         <translation>更改边</translation>
+    </message>
+    <message>
+        <source>Tint the object in the slices</source>
+        <translation>在切面中着色目标</translation>
+    </message>
+    <message>
+        <source>The voxels that the surface is driven into: as smoothed, up to necks that are cut and to walls. They are tinted for a moment after every change; with this on, all the time</source>
+        <translation>曲面将进入的体素：平滑后的，止于被切断的狭窄处和壁。每次更改后短暂着色；勾选后始终着色</translation>
     </message>
 </context>
 <context>

@@ -140,6 +140,7 @@ void Document::setParameters(const Parameters& parameters, const QString& undoTe
 
 const std::optional<ResolvedParameters>& Document::resolved() const { return d_->active().resolved(); }
 QString Document::resolveError() const { return d_->active().resolveError(); }
+std::shared_ptr<const ObjectImage> Document::objectImage() const { return d_->active().image(); }
 CandidateChoice Document::candidateChoice() const { return d_->active().candidateChoice(); }
 
 void Document::chooseCandidate(SizeStep step) {

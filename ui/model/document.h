@@ -244,6 +244,8 @@ class Document : public QObject {
   //! change, told by resolvedChanged(). Empty while unknown or where it failed (resolveError()).
   const std::optional<ResolvedParameters>& resolved() const;
   QString resolveError() const;
+  //! The object that the surface is driven into; known and told as resolved() is, null while unknown.
+  std::shared_ptr<const ObjectImage> objectImage() const;
   //! The objects that the clicks may mean, and the one that is or will be used. Known and told as resolved()
   //! is, but kept while another one of them is prepared.
   CandidateChoice candidateChoice() const;

@@ -89,6 +89,7 @@ class ObjectWork : public QObject {
   // --- what is prepared ---
   const std::optional<ResolvedParameters>& resolved() const { return resolved_; }
   const QString& resolveError() const { return resolveError_; }
+  std::shared_ptr<const ObjectImage> image() const { return prepared_ ? prepared_->image() : nullptr; }
   CandidateChoice candidateChoice() const;
   //! It is shown from now on: prepares what is missing. Others are shown: lets go of what takes memory.
   void beShown();

@@ -90,11 +90,16 @@ void paintIntensities(QImage& image, const Layout& layout, const std::vector<flo
   });
 }
 
-void paintTint(QImage& image, const Layout& layout, const std::vector<float>& plane, int width,
-               const IntensityRange& range) {
-  std::vector<float> mask(plane.size()), blended(at(width));
+//! Shares from 0 to 1.
+std::vector<float> inRange(const std::vector<float>& plane, const IntensityRange& range) {
+  std::vector<float> mask(plane.size());
   for (std::size_t i = 0; i < plane.size(); ++i)
     mask[i] = plane[i] >= range.low && plane[i] <= range.high ? 1 : 0;
+  return mask;
+}
+
+void paintTint(QImage& image, const Layout& layout, const std::vector<float>& mask, int width) {
+  std::vector<float> blended(at(width));
   const int pixels = layout.columns.end - layout.columns.begin;
   forEachLine(image, layout, [&](int line, std::uint32_t* out) {
     blendRows(mask.data(), width, layout.rows, line, layout.from, layout.to, blended.data());
@@ -167,7 +172,9 @@ const QImage& SliceImage::render(const Volume& volume, const SliceGeometry& geom
   gather(volume, geometry);
   const Layout layout = layoutOf(geometry, size, pixelRatio, width_, height_);
   paintIntensities(image_, layout, plane_, width_, colours);
-  if (colours.tint) paintTint(image_, layout, plane_, width_, *colours.tint);
+  if (colours.tint) paintTint(image_, layout, inRange(plane_, *colours.tint), width_);
+  if (colours.tinted && colours.tinted->size() == plane_.size())
+    paintTint(image_, layout, {colours.tinted->begin(), colours.tinted->end()}, width_);
   return image_;
 }
 

@@ -2,6 +2,8 @@
 // The picture of one slice: voxels of the native type, interpolated to pixels, through window and colour map.
 
 #include <QImage>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -13,7 +15,9 @@ namespace handlebody::ui {
 struct SliceColours {
   WindowLevel window;
   ColourMap map = ColourMap::grey;
-  std::optional<IntensityRange> tint{};  //!< voxels (not pixels) in this range are tinted
+  std::optional<IntensityRange> tint{};  //!< voxels (not pixels) in this range are tinted, or
+  //! those that are 1 here, one value per voxel of the slice, across fastest; may be null.
+  std::shared_ptr<const std::vector<std::uint8_t>> tinted{};
 };
 
 //! Which samples make up the pixels of one line: `taps` per pixel, of `begin` … `end` - 1.

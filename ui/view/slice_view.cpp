@@ -8,10 +8,13 @@
 #include <QVector>
 #include <QWheelEvent>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include "core/mesh/plane_section.h"
 #include "ui/model/document.h"
 #include "ui/view/brush_picture.h"
+#include "ui/view/held_voxels.h"
 #include "ui/view/measure_overlay.h"
 #include "ui/view/other_outlines.h"
 #include "ui/view/overlay.h"
@@ -41,9 +44,10 @@ struct ImageKey {
   QSizeF size;
   QPointF origin, unit;  // of the voxel index, on the screen
   int slice = -1;
-  double pixelRatio = 0, window = 0, level = 0, tintLow = 0, tintHigh = 0;
+  double pixelRatio = 0, window = 0, level = 0;
   ColourMap map = ColourMap::grey;
-  bool tint = false;
+  std::optional<Tint> tint;
+  std::shared_ptr<const HeldVoxels::Mask> tinted;
   bool operator==(const ImageKey&) const = default;
 };
 
@@ -55,11 +59,13 @@ struct Marks {
 }  // namespace
 
 struct SliceView::Private {
-  Private(Plane p, Document& d, ViewState& s) : plane(p), document(d), state(s), interaction(d, s, geometry) {
+  Private(Plane p, Document& d, ViewState& s, std::function<void()> repaint)
+      : plane(p), document(d), state(s), interaction(d, s, geometry), inObject(std::move(repaint)) {
     interaction.setOutline([this]() -> const auto& { return outline(); });
   }
 
   const QImage& image(double pixelRatio);
+  std::shared_ptr<const HeldVoxels::Mask> heldVoxels();
   const std::vector<std::array<Vec3, 2>>& outline();
   void paint(QPainter& painter, double pixelRatio, bool focused);
   Marks paintOutline(QPainter& painter);
@@ -86,10 +92,12 @@ struct SliceView::Private {
   WallOverlay walls;
   PinnedSurface pinned;
   std::optional<QPointF> pointer;  // where the mouse is, if it is in the view
+  HeldVoxels inObject;
 };
 
 const QImage& SliceView::Private::image(double pixelRatio) {
-  const auto& tint = state.tint();
+  const std::optional<Tint>& tint = state.tint();
+  const std::shared_ptr<const HeldVoxels::Mask> tinted = heldVoxels();
   const ImageKey key{document.volume().voxels.get(),
                      geometry.size(),
                      geometry.toScreen(Vec3::Zero()),
@@ -98,15 +106,25 @@ const QImage& SliceView::Private::image(double pixelRatio) {
                      pixelRatio,
                      state.window(),
                      state.level(),
-                     tint ? tint->low : 0,
-                     tint ? tint->high : 0,
                      state.colourMap(),
-                     tint.has_value()};
-  if (!(key == shownKey))
+                     tint,
+                     tinted};
+  if (!(key == shownKey)) {
+    const auto range = tint && !tint->object ? std::optional(tint->range) : std::nullopt;
     shownImage = slice.render(document.volume(), geometry, pixelRatio,
-                              {{state.window(), state.level()}, state.colourMap(), tint});
+                              {{state.window(), state.level()}, state.colourMap(), range, tinted});
+  }
   shownKey = key;
   return shownImage;
+}
+
+//! Null as long as they are being found, and where the tint does not need them.
+std::shared_ptr<const HeldVoxels::Mask> SliceView::Private::heldVoxels() {
+  const std::optional<Tint>& tint = state.tint();
+  if (tint && tint->object && tint->object->volume().grid().size == geometry.grid().size)
+    return inObject.of(tint->object, geometry.axes(), geometry.slice());
+  inObject.forget();
+  return nullptr;
 }
 
 const std::vector<std::array<Vec3, 2>>& SliceView::Private::outline() {
@@ -261,7 +279,10 @@ void SliceView::Private::paint(QPainter& painter, double pixelRatio, bool focuse
 }
 
 SliceView::SliceView(Plane plane, Document& document, ViewState& state, QWidget* parent)
-    : QWidget(parent), d_(std::make_unique<Private>(plane, document, state)) {
+    : QWidget(parent), d_(std::make_unique<Private>(plane, document, state, [this] {
+        QMetaObject::invokeMethod(
+            this, [this] { update(); }, Qt::QueuedConnection);
+      })) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAttribute(Qt::WA_OpaquePaintEvent);
@@ -308,6 +329,8 @@ void SliceView::resetZoom() {
 QImage SliceView::picture() {
   QImage image((QSizeF(size()) * devicePixelRatioF()).toSize(), QImage::Format_RGB32);
   image.setDevicePixelRatio(devicePixelRatioF());
+  d_->heldVoxels();
+  d_->inObject.finish();
   QPainter painter(&image);
   const auto pointer = std::exchange(d_->pointer, std::nullopt);  // of the slice, not of the mouse
   d_->paint(painter, devicePixelRatioF(), false);

@@ -48,13 +48,7 @@ void ViewState::setSlicesIn3d(bool on) { change(slicesIn3d_, on); }
 
 void ViewState::setShowsConstraints(bool on) { change(showsConstraints_, on); }
 
-void ViewState::setTint(const std::optional<IntensityRange>& range) {
-  if (tint_.has_value() == range.has_value() &&
-      (!range || (tint_->low == range->low && tint_->high == range->high)))
-    return;
-  tint_ = range;
-  Q_EMIT changed();
-}
+void ViewState::setTint(std::optional<Tint> tint) { change(tint_, tint); }
 
 void ViewState::markLoops(const std::vector<MarkedLoop>& loops) {
   if (markedLoops_ == loops) return;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/evolution/object_image.h"
 #include "core/evolution/parameters.h"
 #include "core/geometry/vec.h"
 #include "core/volume/anatomy.h"
@@ -30,6 +31,14 @@ struct MarkedLoop {
   Kind kind = Kind::handle;
   std::vector<Vec3> points;
   bool operator==(const MarkedLoop&) const = default;
+};
+
+//! Voxels of an object: as the surface is driven into it, smoothed, with its levels, necks and walls. As long
+//! as that is not known, the voxels in a range of intensities.
+struct Tint {
+  std::shared_ptr<const ObjectImage> object;
+  IntensityRange range{};
+  bool operator==(const Tint&) const = default;
 };
 
 struct DistanceColours;
@@ -63,9 +72,9 @@ class ViewState : public QObject {
   //! Walls and pins are drawn.
   bool showsConstraints() const { return showsConstraints_; }
   void setShowsConstraints(bool on);
-  //! Voxels of these intensities are tinted on the slices; none: no tint.
-  const std::optional<IntensityRange>& tint() const { return tint_; }
-  void setTint(const std::optional<IntensityRange>& range);
+  //! What is tinted on the slices; none: no tint.
+  const std::optional<Tint>& tint() const { return tint_; }
+  void setTint(std::optional<Tint> tint);
 
   Brush& brush() { return brush_; }
   const Brush& brush() const { return brush_; }
@@ -101,7 +110,7 @@ class ViewState : public QObject {
   MeshColouring meshColouring_ = MeshColouring::plain;
   bool slicesIn3d_ = true;
   bool showsConstraints_ = true;
-  std::optional<IntensityRange> tint_;
+  std::optional<Tint> tint_;
   std::vector<MarkedLoop> markedLoops_;
   std::shared_ptr<const DistanceColours> distances_;
   Brush brush_;

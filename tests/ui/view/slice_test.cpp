@@ -3,9 +3,12 @@
 #include <Eigen/Geometry>
 #include <QLineF>
 #include <cmath>
+#include <memory>
+#include <vector>
 
 #include "tests/support/catch.h"
 #include "tests/support/test_volume.h"
+#include "ui/view/held_voxels.h"
 #include "ui/view/seed_circles.h"
 #include "ui/view/slice_geometry.h"
 #include "ui/view/slice_image.h"
@@ -205,6 +208,51 @@ TEST_CASE("Only voxels in range are tinted", "[slice_image]") {
   const SliceColours between{{256, 128}, ColourMap::grey, IntensityRange{50, 150}};
   const QImage& plain = picture.render(volume, geometry, 1, between);
   for (int x = 10; x < 150; ++x) CHECK(qRed(plain.pixel(x, 80)) == qGreen(plain.pixel(x, 80)));
+}
+
+TEST_CASE("Given voxels are tinted, whatever their intensities", "[slice_image]") {
+  const Grid grid = handlebody::testing::cubicGrid(16);
+  const Volume volume = handlebody::testing::volumeByIndex(grid, [](int, int, int) { return 100; });
+  SliceImage picture;
+  const SliceGeometry geometry(grid, Plane::axial, {160, 160});
+  auto mask = std::make_shared<std::vector<std::uint8_t>>(256);
+  const int across = 3, down = 12;
+  (*mask)[down * 16 + across] = 1;
+  const QImage& image = picture.render(volume, geometry, 1, {{256, 128}, ColourMap::grey, {}, mask});
+  const QPoint there = geometry.toScreen(Vec3(across, down, 0)).toPoint();
+  CHECK(qRed(image.pixel(there)) > qGreen(image.pixel(there)) + 50);
+  CHECK(qRed(image.pixel(there.y(), there.x())) == qGreen(image.pixel(there.y(), there.x())));
+}
+
+TEST_CASE("Voxels of a slice are held as the surface sees the object: smoothed", "[held_voxels]") {
+  const Grid grid = awkwardGrid();
+  const Volume volume = handlebody::testing::volumeByIndex(grid, [](int i, int j, int k) {
+    return i == 20 && j == 15 && k == 12 ? 200 : i < 24 ? 10 : 200;
+  });
+  const auto smoothed = std::make_shared<SmoothedVolume>(volume, 2.0);
+  const auto object = std::make_shared<ObjectImage>(smoothed, IntensityRange{-1e9, 105}, 1.0);
+  for (const Plane plane : kPlanes) {
+    SliceGeometry geometry(grid, plane, {100, 100});
+    const Vec3 middle(20, 15, 12);
+    geometry.setSlice(static_cast<int>(middle[geometry.axes().normal]));
+    int told = 0;
+    HeldVoxels held([&] { ++told; });
+    CHECK(held.of(object, geometry.axes(), geometry.slice()) == nullptr);
+    held.finish();
+    CHECK(told == 1);
+    const auto mask = held.of(object, geometry.axes(), geometry.slice());
+    REQUIRE(mask);
+    const int across = geometry.axes().across, down = geometry.axes().down;
+    REQUIRE(mask->size() == static_cast<std::size_t>(grid.size[across] * grid.size[down]));
+    Vec3 index = middle;
+    for (int d = 0; d < grid.size[down]; ++d)
+      for (int a = 0; a < grid.size[across]; ++a) {
+        index[down] = d;
+        index[across] = a;
+        // The bright voxel in the dark half is noise.
+        CHECK((*mask)[static_cast<std::size_t>(d * grid.size[across] + a)] == (index[0] < 24));
+      }
+  }
 }
 
 TEST_CASE("A volume of a single slice is shown in all three planes", "[slice_image]") {

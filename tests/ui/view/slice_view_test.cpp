@@ -72,6 +72,27 @@ TEST_CASE("Overlapping walls have one shade, and the eraser shows what would be 
   CHECK(countPixels(slice.view.picture(), all, violet) > none + 100);
 }
 
+TEST_CASE("The tint is the object as the surface sees it, and comes when it is known", "[slice_view]") {
+  OneSlice slice;
+  slice.state.setCrosshair(slice.world(32, 32, 50));
+  const auto isTinted = [](const QColor& c) { return c.red() > c.green() + 40; };
+  const auto tintedShare = [&] {
+    const QRectF block(slice.geometry.toScreen(Vec3(44, 4, 50)), slice.geometry.toScreen(Vec3(60, 20, 50)));
+    const QRect pixels = block.normalized().toRect();
+    return static_cast<double>(countPixels(slice.view.picture(), pixels, isTinted)) /
+           (pixels.width() * pixels.height());
+  };
+  CHECK(tintedShare() == 0);
+  slice.state.setTint(Tint{nullptr, {90, 110}});
+  CHECK(tintedShare() == 0);
+  const auto bright = std::make_shared<ObjectImage>(std::make_shared<SmoothedVolume>(slice.volume, 1.0),
+                                                    IntensityRange{150, 1e9}, 1.0);
+  slice.state.setTint(Tint{bright, {90, 110}});
+  CHECK(tintedShare() == 1);
+  slice.state.setTint({});
+  CHECK(tintedShare() == 0);
+}
+
 TEST_CASE("A click moves the crosshair to the place under the mouse", "[slice_view]") {
   for (Plane plane : {Plane::axial, Plane::coronal, Plane::sagittal}) {
     OneSlice slice(plane);

@@ -89,7 +89,7 @@ int main(int argc, char** argv) {
   shoot("2_mesh");
   state.setSlicesIn3d(false);
   state.setMeshColouring(MeshColouring::edges);
-  state.setTint(IntensityRange{state.level() - state.window() / 2, state.level() - state.window() / 5});
+  state.setTint(Tint{nullptr, {state.level() - state.window() / 2, state.level() - state.window() / 5}});
   shoot("3_edges_tint");
   state.setMeshColouring(MeshColouring::state);
   state.setColourMap(ColourMap::contrast);

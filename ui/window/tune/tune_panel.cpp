@@ -112,8 +112,11 @@ QWidget* TunePanel::buildRange() {
   row->addWidget(high_, 1);
   row->addWidget(automaticRange_);
   layout->addLayout(row);
-  keepTint_ = new QCheckBox(tr("Tint these voxels in the slices"), part);
-  keepTint_->setToolTip(tr("They are tinted for a moment after every change; with this on, all the time"));
+  keepTint_ = new QCheckBox(tr("Tint the object in the slices"), part);
+  keepTint_->setToolTip(
+      tr("The voxels that the surface is driven into: as smoothed, up to necks that are cut and to walls. "
+         "They are "
+         "tinted for a moment after every change; with this on, all the time"));
   keepTint_->setFocusPolicy(Qt::TabFocus);
   layout->addWidget(keepTint_);
   connect(histogram_, &HistogramView::rangeEdited, this, &TunePanel::setRange);
@@ -224,7 +227,8 @@ void TunePanel::tintForAWhile() {
 
 void TunePanel::updateTint() {
   const bool tinted = keepTint_->isChecked() || tintEnds_->isActive();
-  state_.setTint(tinted ? shownRange() : std::nullopt);
+  const std::optional<IntensityRange> range = tinted ? shownRange() : std::nullopt;
+  state_.setTint(range ? std::optional(Tint{document_.objectImage(), *range}) : std::nullopt);
 }
 
 void TunePanel::countIntensities() {
