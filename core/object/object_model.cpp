@@ -1,8 +1,10 @@
 #include "core/object/object_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
+#include <numbers>
 #include <utility>
 
 #include "core/object/displacement.h"
@@ -298,6 +300,8 @@ class ObjectFinder::Search {
     const Corrected& from;
     const Pending& click;
     double depth;    // mm
+    double radius;   // mm: the region's deepest place
+    double cells;    // of the region
     double local;    // cost of a change near it
     double renewed;  // and of another candidate as a whole
   };
@@ -314,10 +318,7 @@ class ObjectFinder::Search {
     const std::vector<RankedRegion> ranked = rank(inside, outside);  // as if later clicks were not there
     const Asked asked = askedBy(c, click, depth, radius);
     Offers offers(*work_, c.region, {click.isInside, depth, noise()}, policy_,
-                  [&](Region r) -> std::optional<Region> {
-                    r = tidied(std::move(r), c.done);
-                    return isTrue(r, click) ? std::optional(std::move(r)) : std::nullopt;
-                  });
+                  [&](Region r) { return fitted(std::move(r), asked); });
     const double made = bestScore(ranked) - asked.local;
     if (click.isInside) offerRelabelled(offers, asked, made);
     offerCandidates(offers, asked, ranked);
@@ -326,13 +327,7 @@ class ObjectFinder::Search {
     else
       offers.add([&] { return cutAway(*work_, c.region, click.click, inside, noise(), depth); }, made, true);
     offers.weigh(threads_);
-    if (!offers.any()) {
-      const auto isInside = [&](std::size_t) { return click.isInside; };
-      offers.add([&] { return within(asked, policy_.makeshiftReach * depth, isInside); }, 0, true);
-      offers.weigh(1);
-    }
-    if (!offers.any()) return;
-    Offer best = offers.take();
+    Offer best = offers.any() ? offers.take() : makeshift(asked);
     c.inARow = best.isLocal ? c.inARow + 1 : 0;
     const Region before = std::exchange(c.region, std::move(best.region));
     if (depth < policy_.otherPart * radius) moveSurface(c, before, click, depth, radius);
@@ -342,11 +337,40 @@ class ObjectFinder::Search {
   //! wrong: another one is meant, and cuts are not. `radius`: the deepest place of the region, mm.
   Asked askedBy(const Corrected& c, const Pending& click, double depth, double radius) const {
     const double cost = policy_.corrected * (click.isInside ? 1 : c.inARow + 1);
-    if (click.isInside) return {c, click, depth, cost, 0};
+    const auto cells = static_cast<double>(c.region.count());
+    if (click.isInside) return {c, click, depth, radius, cells, cost, 0};
     const bool isCore =
         depth > policy_.core * radius && depth > policy_.coreCells * work_->cells().grid.meanSpacing();
-    return isCore ? Asked{c, click, depth, cost + policy_.coreCut, 0}
-                  : Asked{c, click, depth, cost, policy_.renewed};
+    return isCore ? Asked{c, click, depth, radius, cells, cost + policy_.coreCut, 0}
+                  : Asked{c, click, depth, radius, cells, cost, policy_.renewed};
+  }
+
+  //! A ball around the click, where nothing else serves; nothing changes if it is none that hangs together
+  //! with the rest.
+  Offer makeshift(const Asked& asked) const {
+    Region ball = tidied(within(asked, policy_.makeshiftReach * asked.depth,
+                                [&](std::size_t) { return asked.click.isInside; }),
+                         asked.from.done);
+    return {isTrue(ball, asked.click) ? std::move(ball) : asked.from.region, 0, true};
+  }
+
+  //! What can be offered; none if the click is still on the wrong side, or by far too much is added.
+  std::optional<Region> fitted(Region region, const Asked& asked) const {
+    region = tidied(std::move(region), asked.from.done);
+    if (!isTrue(region, asked.click) || addsTooMuch(region, asked)) return {};
+    return region;
+  }
+
+  //! Of a region that the user has corrected before, a click inside says that a part is missing: what adds
+  //! much more than that is another object, and has been wrong nearly always.
+  bool addsTooMuch(const Region& region, const Asked& asked) const {
+    const std::size_t corrections = asked.from.done.size() - 1;  // this one among them
+    if (!asked.click.isInside || corrections < 2) return false;
+    const double added = static_cast<double>(region.count()) - asked.cells;
+    if (asked.depth < policy_.otherPart * asked.radius) return added > policy_.growth * asked.cells;
+    const double ball =
+        4.0 / 3 * std::numbers::pi * std::pow(asked.depth, 3) / work_->cells().grid.spacing.prod();
+    return added > std::max(policy_.growthApart * asked.cells, ball);
   }
 
   //! What is wrong is mostly a shell as wide as the object: the surface that the region had before moves

@@ -224,6 +224,35 @@ TEST_CASE("a click outside in the middle of what was found asks for another cand
   CHECK(diceWith(whole, small, none) < 0.5);
 }
 
+TEST_CASE("once an object has been corrected, a click inside does not add much more than is missing") {
+  const Vec3 middle(30, 30, 22);
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal(0, 6);
+  // A core in a rim, which a wide layer of the same intensities touches.
+  const Volume volume = volumeByIndex(cubicGrid(61), [&](int i, int j, int k) {
+    const double distance = (Vec3(i, j, k) - middle).norm();
+    return (distance < 6 ? 110 : distance < 10 || (k >= 31 && k < 55) ? 70 : 30) + normal(random);
+  });
+  ObjectPolicy limitless, none;
+  limitless.growth = 1e9;
+  none.growth = none.growthApart = 0;
+  const auto cellsWith = [&](const ObjectQuery& query, const ObjectPolicy& policy) {
+    const auto model = findObject(volume, query, nullptr, policy);
+    REQUIRE(model);
+    return static_cast<double>(model->region.count());
+  };
+  ObjectQuery query = clickAt(middle);
+  query.inside.push_back({Vec3(30, 38, 22), {}});
+  const ObjectPolicy policy;
+  const double before = cellsWith(query, policy);
+  CHECK(cellsWith(query, none) == before);  // the first correction
+  query.inside.push_back({Vec3(30, 30, 30), {}});
+  CHECK(cellsWith(query, limitless) > (1 + policy.growth) * before);
+  const double after = cellsWith(query, policy);
+  CHECK(after > 1.1 * before);
+  CHECK(after < (1 + policy.growth) * before);
+}
+
 namespace {
 
 //! A ball of three intensities, and another one that touches it.
@@ -314,13 +343,16 @@ TEST_CASE("what a click has changed stays when another one of its side is added,
   const auto before = findObject(volume, query, nullptr);
   REQUIRE(before);
   const CellGrid& cells = before->work->cells();
-  const auto holds = [&](const ObjectModel& m, const Vec3& p) {
-    return m.region.inside[cells.at(cells.nearest(p))] != 0;
-  };
+  const Region first = findObject(volume, clickAt(Vec3(19, 24, 24)), nullptr)->region;
   // Deeper behind the first surface than the click before, which took it in.
-  const Vec3 deeper(30, 20, 24);
-  REQUIRE(holds(*before, deeper));
-  REQUIRE_FALSE(holds(*findObject(volume, clickAt(Vec3(19, 24, 24)), nullptr), deeper));
+  Vec3 deeper = Vec3::Zero();
+  double depth = depthBehindSurface(*before->work, first, cells.at(cells.nearest(query.inside[1].place)));
+  for (std::size_t i = 0; i < cells.count(); ++i) {
+    if (!before->region.inside[i] || first.inside[i]) continue;
+    if (const double d = depthBehindSurface(*before->work, first, i); d > depth)
+      depth = d, deeper = placeOf(cells, cells.cellOf(i));
+  }
+  REQUIRE(deeper != Vec3::Zero());
   query.inside.push_back({deeper});
   const auto after = findObject(volume, query, nullptr);
   REQUIRE(after);
