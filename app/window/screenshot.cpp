@@ -1,6 +1,7 @@
 #include "app/window/screenshot.h"
 
 #include <QCoreApplication>
+#include <QElapsedTimer>
 #include <QTimer>
 #include <iostream>
 
@@ -23,7 +24,8 @@ constexpr ui::EventStage kStages[] = {ui::EventStage::colliding, ui::EventStage:
                                       ui::EventStage::refined};
 const QStringList kStageWords{QStringLiteral("collide"), QStringLiteral("open"), QStringLiteral("handle"),
                               QStringLiteral("close"), QStringLiteral("refine")};
-constexpr int kSettle = 400;  // ms for layouts and the last drawing
+constexpr int kSettle = 400;      // ms for layouts and the last drawing
+constexpr int kPrepare = 60'000;  // ms at most
 constexpr int kLayouts = 3;
 
 }  // namespace
@@ -85,8 +87,19 @@ void Screenshot::take() {
     window_.showStep(
         static_cast<ui::Command>(int(ui::Command::stepOpen) + int(steps.indexOf(options_.step))));
   }
-  if (options_.stage.isEmpty() || window_.inspector().event() < 0) return settle();
+  if (options_.stage.isEmpty() || window_.inspector().event() < 0) return settleWhenPrepared();
   showStage();
+}
+
+//! With the automatic values, which are found in the background; not for ever, since another object may have
+//! to grow before.
+void Screenshot::settleWhenPrepared() {
+  settleWhen([this, waited = QElapsedTimer()]() mutable {
+    if (!waited.isValid()) waited.start();
+    const ui::Document& document = window_.document();
+    return !document.isSeeded() || document.iteration() >= 0 || document.resolved() ||
+           !document.resolveError().isEmpty() || waited.hasExpired(kPrepare);
+  });
 }
 
 //! The panel of measures, with its table if there is a surface.
@@ -99,7 +112,7 @@ void Screenshot::measure() {
 void Screenshot::settleWhen(std::function<bool()> isDone) {
   constexpr int kLook = 50;  // ms
   auto* look = new QTimer(this);
-  connect(look, &QTimer::timeout, this, [this, look, isDone = std::move(isDone)] {
+  connect(look, &QTimer::timeout, this, [this, look, isDone = std::move(isDone)]() mutable {
     if (!isDone()) return;
     look->stop();
     settle();

@@ -27,6 +27,7 @@ class Screenshot : public QObject {
   void grow();
   void continueGrowing();
   void settle();
+  void settleWhenPrepared();
   void measure();
   void tellSensitivity();
   void carry();

@@ -1,15 +1,11 @@
 #include "core/object/object_model.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <map>
-#include <numbers>
 #include <utility>
 
-#include "core/object/displacement.h"
-#include "core/object/expected_overlap.h"
-#include "core/object/offers.h"
+#include "core/object/click_correction.h"
 #include "core/object/relabel.h"
 #include "core/object/tube_surface.h"
 #include "core/object/work_cells.h"
@@ -19,15 +15,9 @@ namespace handlebody {
 
 namespace {
 
-//! A click that is taken in, or will be.
-struct Pending {
-  CellClick click;
-  bool isInside;
-};
-bool isSame(const Pending& a, const Pending& b) {
+bool isSame(const GivenClick& a, const GivenClick& b) {
   return a.isInside == b.isInside && a.click.place == b.click.place && a.click.radius == b.click.radius;
 }
-bool isTrue(const Region& r, const Pending& p) { return (r.inside[p.click.cell] != 0) == p.isInside; }
 
 bool isSame(const Volume& a, const Volume& b) {
   return a.voxels == b.voxels && a.type == b.type && a.grid.size == b.grid.size &&
@@ -38,17 +28,10 @@ bool isSame(const CellGrid& a, const CellGrid& b) {
   return a.low == b.low && a.factor == b.factor && a.grid.size == b.grid.size;
 }
 
-//! What some clicks have made of the first region.
-struct Corrected {
-  Region region;
-  std::vector<Pending> done;  // clicks that have been taken in
-  int inARow = 0;             // corrections near clicks, after the last of the whole
-};
-
 }  // namespace
 
 //! All that was found around a first click.
-class ObjectFinder::Search {
+class ObjectFinder::Search : private RegionSource {
  public:
   Search(const Volume& volume, const ObjectQuery& query, std::shared_ptr<const FieldOfView> view,
          const ObjectPolicy& policy)
@@ -76,17 +59,15 @@ class ObjectFinder::Search {
     const int candidate = std::clamp(query.candidate, 1, static_cast<int>(offered_.size()));
     if (!start_ || candidate != candidate_) startWith(candidate);
     Corrected corrected = *start_;
-    const std::vector<Pending> clicks = clicksOf(query);
+    const std::vector<GivenClick> clicks = givenIn(query);
     correctAll(corrected, clicks);
     return modelOf(std::move(corrected), clicks);
   }
 
  private:
-  using Searches = std::vector<std::unique_ptr<ClickSearch>>;
-
   const RankedRegion& chosen() const { return offered_[candidate_ - 1].region; }
 
-  ObjectModel modelOf(Corrected corrected, const std::vector<Pending>& clicks) const {
+  ObjectModel modelOf(Corrected corrected, const std::vector<GivenClick>& clicks) const {
     ObjectModel model;
     for (const auto& [r, expected] : offered_) {
       const auto [low, high] = r.bounds();
@@ -123,8 +104,8 @@ class ObjectFinder::Search {
   }
 
   //! Near the click in voxels, and wide in cells that may be coarser; one if that is fine enough.
-  Searches searchesAround(const Vec3& click) const {
-    Searches out;
+  ClickSearches searchesAround(const Vec3& click) const override {
+    ClickSearches out;
     const CellGrid wide = wideAround(click);
     if (wide.factor != std::array{1, 1, 1}) {
       const double reach = policy_.nearCells * volume_.grid.meanSpacing();
@@ -138,9 +119,8 @@ class ObjectFinder::Search {
         searchAround(volume_, cells, click, view_.get(), policy_, threads_, scale_));
   }
 
-  //! All regions that may be meant, star-shaped ones through these clicks among them.
   std::vector<RankedRegion> rank(const std::vector<CellClick>& inside,
-                                 const std::vector<CellClick>& outside) {
+                                 const std::vector<CellClick>& outside) override {
     std::erase_if(searches_, [](const auto& s) { return s->isTube; });
     for (auto& s : searches_) addStars(*s, inside, outside, policy_, threads_);
     auto tubes = tubeSearches(*work_, *searches_[0], inside, outside, policy_, threads_);
@@ -187,17 +167,11 @@ class ObjectFinder::Search {
 
   //! In the order in which those of either side were given. One outside that lies far from all others says
   //! nothing.
-  std::vector<Pending> clicksOf(const ObjectQuery& query) const {
-    std::vector<Pending> out;
+  std::vector<GivenClick> givenIn(const ObjectQuery& query) const {
+    std::vector<GivenClick> out;
     for (const ObjectClick& c : query.inside) out.push_back({cellClick(c, true), true});
     for (const ObjectClick& c : query.outside)
       if (work_->cells().contains(c.place)) out.push_back({cellClick(c, false), false});
-    return out;
-  }
-  static std::vector<CellClick> clicksOf(const std::vector<Pending>& clicks, bool isInside) {
-    std::vector<CellClick> out;
-    for (const Pending& p : clicks)
-      if (p.isInside == isInside) out.push_back(p.click);
     return out;
   }
 
@@ -212,23 +186,23 @@ class ObjectFinder::Search {
     start_.reset();  // so that nothing of another candidate is left if this gives up
     steps_.clear();
     candidate_ = candidate;
-    const Pending first{cellClick({first_, {}}, true), true};
+    const GivenClick first{cellClick({first_, {}}, true), true};
     Corrected start{onImage(chosen()), {first}, 0};
     reachClick(start.region, first.click);
-    start.region = tidied(std::move(start.region), start.done);
+    start.region = tidied(*work_, std::move(start.region), start.done, policy_);
     isInThinPart_ = isInThinPart(start.region, first.click);
     start_ = std::move(start);
   }
 
   //! The order of the clicks of either side is known, but not how the sides took turns: of the first of each
   //! on the wrong side the one that lies deeper is next. It stays the first when others are added.
-  const Pending* nextOf(const Corrected& c, const std::vector<Pending>& clicks, double& deepest) const {
-    const Pending* next = nullptr;
+  const GivenClick* nextOf(const Corrected& c, const std::vector<GivenClick>& clicks, double& deepest) const {
+    const GivenClick* next = nullptr;
     deepest = 0;
     for (const bool isInside : {true, false}) {
-      const auto isLeft = [&](const Pending& p) {
+      const auto isLeft = [&](const GivenClick& p) {
         return p.isInside == isInside && !isTrue(c.region, p) &&
-               std::none_of(c.done.begin(), c.done.end(), [&](const Pending& d) { return isSame(d, p); });
+               std::none_of(c.done.begin(), c.done.end(), [&](const GivenClick& d) { return isSame(d, p); });
       };
       const auto p = std::find_if(clicks.begin(), clicks.end(), isLeft);
       if (p == clicks.end()) continue;
@@ -238,13 +212,13 @@ class ObjectFinder::Search {
     return next;
   }
 
-  void correctAll(Corrected& c, const std::vector<Pending>& clicks) {
+  void correctAll(Corrected& c, const std::vector<GivenClick>& clicks) {
     double depth = 0;
-    for (std::size_t step = 0; const Pending* next = nextOf(c, clicks, depth); ++step) {
+    for (std::size_t step = 0; const GivenClick* next = nextOf(c, clicks, depth); ++step) {
       if (step == steps_.size() || !isSame(steps_[step].done.back(), *next)) {
         steps_.resize(std::min(step, steps_.size()));
         c.done.push_back(*next);
-        correct(c, depth);
+        correct({*this, *work_, noise(), policy_, threads_}, c, depth);
         steps_.push_back(c);
       }
       c = steps_[step];
@@ -261,7 +235,7 @@ class ObjectFinder::Search {
   }
 
   //! The same for several. Those found by intensity are likely to be offered again for the next click.
-  std::vector<std::shared_ptr<const Region>> onImageOnce(const std::vector<OfferedRegion>& offered) {
+  std::vector<std::shared_ptr<const Region>> onImage(const std::vector<OfferedRegion>& offered) override {
     std::vector<std::shared_ptr<const Region>> out(offered.size());
     forEachOnThreads(out.size(), threads_, [&](std::size_t i) {
       const RankedRegion& r = offered[i].region;
@@ -271,15 +245,6 @@ class ObjectFinder::Search {
     for (std::size_t i = 0; i < out.size(); ++i)
       if (const RankedRegion& r = offered[i].region; !r.isStar()) onImage_[{r.map, r.rung}] = out[i];
     return out;
-  }
-
-  //! Only what hangs together with the clicks inside so far, without the holes that noise makes.
-  Region tidied(Region region, const std::vector<Pending>& done) const {
-    std::vector<std::size_t> holding;
-    for (const Pending& p : done)
-      if (p.isInside) holding.push_back(p.click.cell);
-    keepParts(*work_, region, holding, policy_.cavity);
-    return region;
   }
 
   //! The click lies in a branch or at the surface of something much thicker: that branch may be meant.
@@ -295,172 +260,6 @@ class ObjectFinder::Search {
     stamp(*work_, region, {ball}, {});
   }
 
-  //! What a click asks for that is offered to.
-  struct Asked {
-    const Corrected& from;
-    const Pending& click;
-    double depth;    // mm
-    double radius;   // mm: the region's deepest place
-    double cells;    // of the region
-    double local;    // cost of a change near it
-    double renewed;  // and of another candidate as a whole
-  };
-
-  //! Takes in the click done last.
-  void correct(Corrected& c, double depth) {
-    const Pending click = c.done.back();
-    const double radius = deepestInside(*work_, c.region);
-    if (depth < policy_.shallow * radius && moveSurface(c, c.region, click, depth, radius)) {
-      ++c.inARow;
-      return;
-    }
-    const std::vector<CellClick> inside = clicksOf(c.done, true), outside = clicksOf(c.done, false);
-    const std::vector<RankedRegion> ranked = rank(inside, outside);  // as if later clicks were not there
-    const Asked asked = askedBy(c, click, depth, radius);
-    Offers offers(*work_, c.region, {click.isInside, depth, noise()}, policy_,
-                  [&](Region r) { return fitted(std::move(r), asked); });
-    const double made = bestScore(ranked) - asked.local;
-    if (click.isInside) offerRelabelled(offers, asked, made);
-    offerCandidates(offers, asked, ranked);
-    if (click.isInside)
-      offerOwnRegions(offers, asked);
-    else
-      offers.add([&] { return cutAway(*work_, c.region, click.click, inside, noise(), depth); }, made, true);
-    offers.weigh(threads_);
-    Offer best = offers.any() ? offers.take() : makeshift(asked);
-    c.inARow = best.isLocal ? c.inARow + 1 : 0;
-    const Region before = std::exchange(c.region, std::move(best.region));
-    if (depth < policy_.otherPart * radius) moveSurface(c, before, click, depth, radius);
-  }
-
-  //! One outside in the middle of a region that is thick enough for that to be told says that most of it is
-  //! wrong: another one is meant, and cuts are not. `radius`: the deepest place of the region, mm.
-  Asked askedBy(const Corrected& c, const Pending& click, double depth, double radius) const {
-    const double cost = policy_.corrected * (click.isInside ? 1 : c.inARow + 1);
-    const auto cells = static_cast<double>(c.region.count());
-    if (click.isInside) return {c, click, depth, radius, cells, cost, 0};
-    const bool isCore =
-        depth > policy_.core * radius && depth > policy_.coreCells * work_->cells().grid.meanSpacing();
-    return isCore ? Asked{c, click, depth, radius, cells, cost + policy_.coreCut, 0}
-                  : Asked{c, click, depth, radius, cells, cost, policy_.renewed};
-  }
-
-  //! A ball around the click, where nothing else serves; nothing changes if it is none that hangs together
-  //! with the rest.
-  Offer makeshift(const Asked& asked) const {
-    Region ball = tidied(within(asked, policy_.makeshiftReach * asked.depth,
-                                [&](std::size_t) { return asked.click.isInside; }),
-                         asked.from.done);
-    return {isTrue(ball, asked.click) ? std::move(ball) : asked.from.region, 0, true};
-  }
-
-  //! What can be offered; none if the click is still on the wrong side, or by far too much is added.
-  std::optional<Region> fitted(Region region, const Asked& asked) const {
-    region = tidied(std::move(region), asked.from.done);
-    if (!isTrue(region, asked.click) || addsTooMuch(region, asked)) return {};
-    return region;
-  }
-
-  //! Of a region that the user has corrected before, a click inside says that a part is missing: what adds
-  //! much more than that is another object, and has been wrong nearly always.
-  bool addsTooMuch(const Region& region, const Asked& asked) const {
-    const std::size_t corrections = asked.from.done.size() - 1;  // this one among them
-    if (!asked.click.isInside || corrections < 2) return false;
-    const double added = static_cast<double>(region.count()) - asked.cells;
-    if (asked.depth < policy_.otherPart * asked.radius) return added > policy_.growth * asked.cells;
-    const double ball =
-        4.0 / 3 * std::numbers::pi * std::pow(asked.depth, 3) / work_->cells().grid.spacing.prod();
-    return added > std::max(policy_.growthApart * asked.cells, ball);
-  }
-
-  //! What is wrong is mostly a shell as wide as the object: the surface that the region had before moves
-  //! around the click. False, and nothing changes, if the click is still on the wrong side then.
-  bool moveSurface(Corrected& c, const Region& before, const Pending& click, double depth,
-                   double radius) const {
-    Region moved =
-        displaced(*work_, before, c.region,
-                  {click.click, click.isInside, policy_.displaced * depth, policy_.displacedWidth * radius,
-                   clicksOf(c.done, !click.isInside), policy_.displacedEdge * noise()});
-    moved = tidied(std::move(moved), c.done);
-    if (!isTrue(moved, click)) return false;
-    c.region = std::move(moved);
-    return true;
-  }
-
-  //! 0 where nothing is of the contrast that is asked for.
-  static double bestScore(const std::vector<RankedRegion>& ranked) {
-    const auto best =
-        std::max_element(ranked.begin(), ranked.end(),
-                         [](const RankedRegion& a, const RankedRegion& b) { return a.score < b.score; });
-    return best == ranked.end() ? 0 : best->score;
-  }
-
-  //! The surface moved, near the click and further along; for a click outside the others served better.
-  void offerRelabelled(Offers& offers, const Asked& asked, double score) const {
-    Relabelling r{asked.click.click,
-                  asked.depth,
-                  0,
-                  noise(),
-                  clicksOf(asked.from.done, true),
-                  clicksOf(asked.from.done, false)};
-    for (const double reach : policy_.relabelReaches) {
-      r.reach = reach * asked.depth;
-      offers.add([this, &asked, r] { return relabelled(*work_, asked.from.region, r, policy_); }, score,
-                 true);
-      score -= policy_.relabelFar;
-    }
-  }
-
-  //! Other candidates that agree with all clicks so far, whole or only near this one.
-  void offerCandidates(Offers& offers, const Asked& asked, const std::vector<RankedRegion>& ranked) {
-    const std::vector<Pending>& done = asked.from.done;
-    std::vector<RankedRegion> agreeing;
-    std::copy_if(ranked.begin(), ranked.end(), std::back_inserter(agreeing), [&](const RankedRegion& r) {
-      return std::all_of(done.begin(), done.end(),
-                         [&](const Pending& p) { return r.holds(p.click.place) == p.isInside; });
-    });
-    const std::vector<OfferedRegion> offered = offeredRegions(likelyRegions(agreeing, policy_), policy_);
-    const std::vector<std::shared_ptr<const Region>> regions = onImageOnce(offered);
-    for (std::size_t i = 0; i < offered.size(); ++i) {
-      const double score = offered[i].region.score;
-      const std::shared_ptr<const Region>& whole = regions[i];
-      offers.add([whole] { return *whole; }, score - asked.renewed, false);
-      offers.add(
-          [this, whole, &asked] {
-            return within(asked, policy_.correctionReach * asked.depth,
-                          [&](std::size_t cell) { return whole->inside[cell]; });
-          },
-          score - asked.local - policy_.mixed, true);
-    }
-  }
-
-  //! What a search from the click finds: other intensities belong to the object, too.
-  void offerOwnRegions(Offers& offers, const Asked& asked) const {
-    const Searches own = searchesAround(asked.click.click.place);
-    std::vector<RankedRegion> ranked = rankRegions(own, policy_, threads_);
-    std::erase_if(ranked, [&](const RankedRegion& r) {
-      return std::any_of(asked.from.done.begin(), asked.from.done.end(),
-                         [&](const Pending& o) { return !o.isInside && r.holds(o.click.place); });
-    });
-    for (const RankedRegion& r : distinctRegions(ranked, policy_.tried, policy_))
-      offers.add(
-          [this, whole = regionOn(*work_, r), &asked] {
-            return within(asked, policy_.correctionReach * asked.depth, [&](std::size_t cell) {
-              return asked.from.region.inside[cell] || whole.inside[cell];
-            });
-          },
-          r.score - asked.local, true);
-  }
-
-  //! The region with f(cell) instead within `reach` (mm) of a click.
-  template <typename F>
-  Region within(const Asked& asked, double reach, F&& f) const {
-    Region out = asked.from.region;
-    forCellsWithin(work_->cells(), asked.click.click.place, reach + work_->cells().grid.meanSpacing(),
-                   [&](std::size_t i) { out.inside[i] = f(i); });
-    return out;
-  }
-
   Volume volume_;
   std::shared_ptr<const FieldOfView> view_;
   const ObjectPolicy& policy_;
@@ -469,7 +268,7 @@ class ObjectFinder::Search {
   int threads_;
   IntensityScale scale_;
   WorkCells cells_;  // for the first click alone
-  Searches searches_, firstTubes_;
+  ClickSearches searches_, firstTubes_;
   std::vector<std::vector<ArrivalMap>> firstStars_;
   std::vector<OfferedRegion> offered_;
   std::shared_ptr<const WorkImage> work_;

@@ -3,6 +3,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/object/candidates.cpp
   ${CMAKE_SOURCE_DIR}/core/object/cells.cpp
   ${CMAKE_SOURCE_DIR}/core/object/centrality.cpp
+  ${CMAKE_SOURCE_DIR}/core/object/click_correction.cpp
   ${CMAKE_SOURCE_DIR}/core/object/closure.cpp
   ${CMAKE_SOURCE_DIR}/core/object/corrections.cpp
   ${CMAKE_SOURCE_DIR}/core/object/cross_section.cpp

@@ -1,5 +1,7 @@
 #include "ui/view/held_voxels.h"
 
+#include "core/indices.h"
+
 namespace handlebody::ui {
 
 namespace {
@@ -7,6 +9,7 @@ namespace {
 HeldVoxels::Mask heldIn(const ObjectImage& object, const SliceAxes& axes, int slice) {
   const Grid& grid = object.volume().grid();
   HeldVoxels::Mask mask;
+  mask.reserve(idx(grid.size[axes.across]) * idx(grid.size[axes.down]));
   Vec3 index;
   index[axes.normal] = slice;
   for (int down = 0; down < grid.size[axes.down]; ++down)

@@ -115,8 +115,7 @@ QWidget* TunePanel::buildRange() {
   keepTint_ = new QCheckBox(tr("Tint the object in the slices"), part);
   keepTint_->setToolTip(
       tr("The voxels that the surface is driven into: as smoothed, up to necks that are cut and to walls. "
-         "They are "
-         "tinted for a moment after every change; with this on, all the time"));
+         "They are tinted for a moment after every change; with this on, all the time"));
   keepTint_->setFocusPolicy(Qt::TabFocus);
   layout->addWidget(keepTint_);
   connect(histogram_, &HistogramView::rangeEdited, this, &TunePanel::setRange);

@@ -1,0 +1,216 @@
+#include "core/object/click_correction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <utility>
+
+#include "core/object/displacement.h"
+#include "core/object/offers.h"
+#include "core/object/relabel.h"
+
+namespace handlebody {
+
+std::vector<CellClick> clicksOf(const std::vector<GivenClick>& clicks, bool isInside) {
+  std::vector<CellClick> out;
+  for (const GivenClick& c : clicks)
+    if (c.isInside == isInside) out.push_back(c.click);
+  return out;
+}
+
+Region tidied(const WorkImage& work, Region region, const std::vector<GivenClick>& done,
+              const ObjectPolicy& policy) {
+  std::vector<std::size_t> holding;
+  for (const CellClick& c : clicksOf(done, true)) holding.push_back(c.cell);
+  keepParts(work, region, holding, policy.cavity);
+  return region;
+}
+
+namespace {
+
+//! 0 where nothing is of the contrast that is asked for.
+double bestScore(const std::vector<RankedRegion>& ranked) {
+  const auto best =
+      std::max_element(ranked.begin(), ranked.end(),
+                       [](const RankedRegion& a, const RankedRegion& b) { return a.score < b.score; });
+  return best == ranked.end() ? 0 : best->score;
+}
+
+class Correction {
+ public:
+  Correction(const CorrectionScene& scene, Corrected& corrected, double depth)
+      : source_(scene.source),
+        work_(scene.work),
+        noise_(scene.noise),
+        policy_(scene.policy),
+        threads_(scene.threads),
+        corrected_(corrected),
+        click_(corrected.done.back()),
+        depth_(depth),
+        radius_(deepestInside(work_, corrected.region)) {}
+
+  void run() {
+    if (depth_ < policy_.shallow * radius_ && moveSurface(corrected_.region)) {
+      ++corrected_.inARow;
+      return;
+    }
+    Offer best = bestOffer();
+    corrected_.inARow = best.isLocal ? corrected_.inARow + 1 : 0;
+    const Region before = std::exchange(corrected_.region, std::move(best.region));
+    if (depth_ < policy_.otherPart * radius_) moveSurface(before);
+  }
+
+ private:
+  const Region& from() const { return corrected_.region; }
+
+  //! What is wrong is mostly a shell as wide as the object: the surface that the region had before moves
+  //! around the click. False, and nothing changes, if the click is still on the wrong side then.
+  bool moveSurface(const Region& before) {
+    Region moved = displaced(
+        work_, before, corrected_.region,
+        {click_.click, click_.isInside, policy_.displaced * depth_, policy_.displacedWidth * radius_,
+         clicksOf(corrected_.done, !click_.isInside), policy_.displacedEdge * noise_});
+    moved = tidied(work_, std::move(moved), corrected_.done, policy_);
+    if (!isTrue(moved, click_)) return false;
+    corrected_.region = std::move(moved);
+    return true;
+  }
+
+  Offer bestOffer() {
+    setCosts();
+    cells_ = static_cast<double>(from().count());
+    const std::vector<CellClick> inside = clicksOf(corrected_.done, true);
+    const std::vector<RankedRegion> ranked = source_.rank(inside, clicksOf(corrected_.done, false));
+    Offers offers(work_, from(), {click_.isInside, depth_, noise_}, policy_,
+                  [this](Region r) { return fitted(std::move(r)); });
+    const double made = bestScore(ranked) - local_;
+    if (click_.isInside) offerRelabelled(offers, made);
+    offerCandidates(offers, ranked);
+    if (click_.isInside)
+      offerOwnRegions(offers);
+    else
+      offers.add([&] { return cutAway(work_, from(), click_.click, inside, noise_, depth_); }, made, true);
+    offers.weigh(threads_);
+    return offers.any() ? offers.take() : makeshift();
+  }
+
+  //! One outside in the middle of a region that is thick enough for that to be told says that most of it is
+  //! wrong: another one is meant, and cuts are not.
+  void setCosts() {
+    local_ = policy_.corrected * (click_.isInside ? 1 : corrected_.inARow + 1);
+    if (click_.isInside) return;
+    const bool isCore =
+        depth_ > policy_.core * radius_ && depth_ > policy_.coreCells * work_.cells().grid.meanSpacing();
+    if (isCore)
+      local_ += policy_.coreCut;
+    else
+      renewed_ = policy_.renewed;
+  }
+
+  //! What can be offered; none if the click is still on the wrong side, or by far too much is added.
+  std::optional<Region> fitted(Region region) const {
+    region = tidied(work_, std::move(region), corrected_.done, policy_);
+    if (!isTrue(region, click_) || addsTooMuch(region)) return {};
+    return region;
+  }
+
+  //! Of a region that the user has corrected before, a click inside says that a part is missing: what adds
+  //! much more than that is another object, and has been wrong nearly always.
+  bool addsTooMuch(const Region& region) const {
+    const std::size_t corrections = corrected_.done.size() - 1;  // this one among them
+    if (!click_.isInside || corrections < 2) return false;
+    const double added = static_cast<double>(region.count()) - cells_;
+    if (depth_ < policy_.otherPart * radius_) return added > policy_.growth * cells_;
+    const double ball = 4.0 / 3 * std::numbers::pi * std::pow(depth_, 3) / work_.cells().grid.spacing.prod();
+    return added > std::max(policy_.growthApart * cells_, ball);
+  }
+
+  //! A ball around the click, where nothing else serves; nothing changes if it is none that hangs together
+  //! with the rest.
+  Offer makeshift() const {
+    const auto isInside = [this](std::size_t) { return click_.isInside; };
+    Region ball = tidied(work_, within(policy_.makeshiftReach * depth_, isInside), corrected_.done, policy_);
+    return {isTrue(ball, click_) ? std::move(ball) : from(), 0, true};
+  }
+
+  //! The surface moved, near the click and further along; for a click outside the others served better.
+  void offerRelabelled(Offers& offers, double score) const {
+    Relabelling r{
+        click_.click, depth_, 0, noise_, clicksOf(corrected_.done, true), clicksOf(corrected_.done, false)};
+    for (const double reach : policy_.relabelReaches) {
+      r.reach = reach * depth_;
+      offers.add([this, r] { return relabelled(work_, from(), r, policy_); }, score, true);
+      score -= policy_.relabelFar;
+    }
+  }
+
+  //! Other candidates that agree with all clicks so far, whole or only near this one.
+  void offerCandidates(Offers& offers, const std::vector<RankedRegion>& ranked) const {
+    const std::vector<GivenClick>& done = corrected_.done;
+    std::vector<RankedRegion> agreeing;
+    std::copy_if(ranked.begin(), ranked.end(), std::back_inserter(agreeing), [&](const RankedRegion& r) {
+      return std::all_of(done.begin(), done.end(),
+                         [&](const GivenClick& c) { return r.holds(c.click.place) == c.isInside; });
+    });
+    const std::vector<OfferedRegion> offered = offeredRegions(likelyRegions(agreeing, policy_), policy_);
+    const std::vector<std::shared_ptr<const Region>> regions = source_.onImage(offered);
+    for (std::size_t i = 0; i < offered.size(); ++i) {
+      const double score = offered[i].region.score;
+      const std::shared_ptr<const Region>& whole = regions[i];
+      offers.add([whole] { return *whole; }, score - renewed_, false);
+      offers.add(
+          [this, whole] {
+            return within(policy_.correctionReach * depth_,
+                          [&](std::size_t cell) { return whole->inside[cell]; });
+          },
+          score - local_ - policy_.mixed, true);
+    }
+  }
+
+  //! What a search from the click finds: other intensities belong to the object, too.
+  void offerOwnRegions(Offers& offers) const {
+    const ClickSearches own = source_.searchesAround(click_.click.place);
+    std::vector<RankedRegion> ranked = rankRegions(own, policy_, threads_);
+    std::erase_if(ranked, [&](const RankedRegion& r) {
+      return std::any_of(corrected_.done.begin(), corrected_.done.end(),
+                         [&](const GivenClick& c) { return !c.isInside && r.holds(c.click.place); });
+    });
+    for (const RankedRegion& r : distinctRegions(ranked, policy_.tried, policy_))
+      offers.add(
+          [this, whole = regionOn(work_, r)] {
+            return within(policy_.correctionReach * depth_,
+                          [&](std::size_t cell) { return from().inside[cell] || whole.inside[cell]; });
+          },
+          r.score - local_, true);
+  }
+
+  //! The region with f(cell) instead within `reach` (mm) of the click.
+  template <typename F>
+  Region within(double reach, F&& f) const {
+    Region out = from();
+    forCellsWithin(work_.cells(), click_.click.place, reach + work_.cells().grid.meanSpacing(),
+                   [&](std::size_t i) { out.inside[i] = f(i); });
+    return out;
+  }
+
+  RegionSource& source_;
+  const WorkImage& work_;
+  double noise_;
+  const ObjectPolicy& policy_;
+  int threads_;
+  Corrected& corrected_;
+  GivenClick click_;
+  double depth_, radius_;  // mm: of the click behind the surface, and of the region's deepest place
+  double cells_ = 0;       // of the region
+  double local_ = 0;       // cost of a change near the click,
+  double renewed_ = 0;     // and of another candidate as a whole
+};
+
+}  // namespace
+
+void correct(const CorrectionScene& scene, Corrected& corrected, double depth) {
+  Correction(scene, corrected, depth).run();
+}
+
+}  // namespace handlebody
