@@ -25,34 +25,16 @@ HeldVoxels::Mask heldIn(const ObjectImage& object, const SliceAxes& axes, int sl
 
 std::shared_ptr<const HeldVoxels::Mask> HeldVoxels::of(const std::shared_ptr<const ObjectImage>& object,
                                                        const SliceAxes& axes, int slice) {
-  const Key key{object, axes.normal, slice};
-  {
-    const std::lock_guard lock(mutex_);
-    if (key == asked_) return made_;
-    asked_ = key;
-    made_.reset();
-  }
-  if (!background_) background_ = std::make_unique<Background>();
-  background_->postInstead([this, key, axes] {
-    auto mask = std::make_shared<const Mask>(heldIn(*key.object, axes, key.slice));
-    {
-      const std::lock_guard lock(mutex_);
-      if (!(key == asked_)) return;
-      made_ = std::move(mask);
-    }
-    ready_();
-  });
+  Key key{object, axes.normal, slice};
+  if (key == asked_) return mask_.get();
+  asked_ = std::move(key);
+  mask_.request([object, axes, slice] { return heldIn(*object, axes, slice); });
   return nullptr;
 }
 
 void HeldVoxels::forget() {
-  const std::lock_guard lock(mutex_);
   asked_ = {};
-  made_.reset();
-}
-
-void HeldVoxels::finish() {
-  if (background_) background_->finish();
+  mask_.set(nullptr);
 }
 
 }  // namespace handlebody::ui

@@ -4,12 +4,11 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <vector>
 
 #include "core/evolution/object_image.h"
 #include "core/volume/anatomy.h"
-#include "ui/model/background.h"
+#include "ui/model/newest_result.h"
 
 namespace handlebody::ui {
 
@@ -20,7 +19,7 @@ class HeldVoxels {
   using Mask = std::vector<std::uint8_t>;
 
   //! `ready` is called on the worker's thread when what was asked for last is there.
-  explicit HeldVoxels(std::function<void()> ready) : ready_(std::move(ready)) {}
+  explicit HeldVoxels(std::function<void()> ready) : mask_(std::move(ready)) {}
 
   //! Of a slice of the object's grid, at a voxel index along the normal axis. Null while it is being found.
   std::shared_ptr<const Mask> of(const std::shared_ptr<const ObjectImage>& object, const SliceAxes& axes,
@@ -28,7 +27,7 @@ class HeldVoxels {
   //! Lets go of all.
   void forget();
   //! Waits until what was asked for is there.
-  void finish();
+  void finish() { mask_.finish(); }
 
  private:
   struct Key {
@@ -37,11 +36,8 @@ class HeldVoxels {
     bool operator==(const Key&) const = default;
   };
 
-  const std::function<void()> ready_;
-  std::mutex mutex_;
   Key asked_;
-  std::shared_ptr<const Mask> made_;        // of what was asked for
-  std::unique_ptr<Background> background_;  // from the first slice on; last: its job uses the others
+  NewestResult<Mask> mask_;
 };
 
 }  // namespace handlebody::ui

@@ -1,11 +1,13 @@
 #include "ui/view/scene_content.h"
 
+#include <memory>
 #include <utility>
 
 #include "ui/model/document.h"
 #include "ui/view/other_outlines.h"
 #include "ui/view/other_surfaces.h"
 #include "ui/view/view_state.h"
+#include "ui/view/wall_shapes.h"
 
 namespace handlebody::ui {
 
@@ -69,15 +71,18 @@ void SceneContent::requestWalls() {
   const bool any = document_.hasVolume() && isActiveVisible(document_) && state_.showsConstraints();
   const WallList walls = any ? document_.constraints().walls : WallList{};
   if (walls_ == walls) return;
-  wallSurfaces_.request(walls, any ? document_.volume().grid : Grid{});
+  if (walls.empty())
+    wallSurfaces_.set(std::make_shared<const TriangleSoup>());
+  else
+    wallSurfaces_.request([walls, grid = document_.volume().grid] { return shapesOf(walls, grid); });
   walls_ = walls;
 }
 
 bool SceneContent::takeWalls(SurfaceScene& scene, bool waits) {
   if (waits) wallSurfaces_.finish();
-  const std::optional<TriangleSoup> made = wallSurfaces_.take();
+  const std::shared_ptr<const TriangleSoup> made = wallSurfaces_.take();
   if (made) scene.setWalls(*made);
-  return made.has_value();
+  return made != nullptr;
 }
 
 void SceneContent::updateSlices(SurfaceScene& scene) {

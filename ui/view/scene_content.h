@@ -5,12 +5,15 @@
 #include <array>
 #include <bitset>
 #include <functional>
+#include <optional>
 
+#include "core/evolution/constraints.h"
+#include "core/mesh/mesh.h"
+#include "ui/model/newest_result.h"
 #include "ui/view/distance_colours.h"
 #include "ui/view/pinned_surface.h"
 #include "ui/view/slice_image.h"
 #include "ui/view/surface_scene.h"
-#include "ui/view/wall_surfaces.h"
 
 namespace handlebody::ui {
 
@@ -58,8 +61,8 @@ class SceneContent {
   bool hasSlices_ = false;
   std::array<SliceImage, 3> slices_;
   std::array<int, 3> shownSlices_{-1, -1, -1};
-  std::optional<WallList> walls_;  // asked for last
-  WallSurfaces wallSurfaces_;      // last: its thread calls back
+  std::optional<WallList> walls_;            // asked for last
+  NewestResult<TriangleSoup> wallSurfaces_;  // last: its thread calls back
 };
 
 }  // namespace handlebody::ui
