@@ -79,7 +79,7 @@ class Correction {
 
   Offer bestOffer() {
     setCosts();
-    cells_ = static_cast<double>(from().count());
+    corrected_.largest = std::max(corrected_.largest, static_cast<double>(from().count()));
     const std::vector<CellClick> inside = clicksOf(corrected_.done, true);
     const std::vector<RankedRegion> ranked = source_.rank(inside, clicksOf(corrected_.done, false));
     Offers offers(work_, from(), {click_.isInside, depth_, noise_}, policy_,
@@ -116,14 +116,15 @@ class Correction {
   }
 
   //! Of a region that the user has corrected before, a click inside says that a part is missing: what adds
-  //! much more than that is another object, and has been wrong nearly always.
+  //! much more than that is another object, and has been wrong nearly always. What an earlier click has taken
+  //! away may come back.
   bool addsTooMuch(const Region& region) const {
     const std::size_t corrections = corrected_.done.size() - 1;  // this one among them
     if (!click_.isInside || corrections < 2) return false;
-    const double added = static_cast<double>(region.count()) - cells_;
-    if (depth_ < policy_.otherPart * radius_) return added > policy_.growth * cells_;
+    const double added = static_cast<double>(region.count()) - corrected_.largest;
+    if (depth_ < policy_.otherPart * radius_) return added > policy_.growth * corrected_.largest;
     const double ball = 4.0 / 3 * std::numbers::pi * std::pow(depth_, 3) / work_.cells().grid.spacing.prod();
-    return added > std::max(policy_.growthApart * cells_, ball);
+    return added > std::max(policy_.growthApart * corrected_.largest, ball);
   }
 
   //! A ball around the click, where nothing else serves; nothing changes if it is none that hangs together
@@ -202,7 +203,6 @@ class Correction {
   Corrected& corrected_;
   GivenClick click_;
   double depth_, radius_;  // mm: of the click behind the surface, and of the region's deepest place
-  double cells_ = 0;       // of the region
   double local_ = 0;       // cost of a change near the click,
   double renewed_ = 0;     // and of another candidate as a whole
 };

@@ -187,7 +187,7 @@ class ObjectFinder::Search : private RegionSource {
     steps_.clear();
     candidate_ = candidate;
     const GivenClick first{cellClick({first_, {}}, true), true};
-    Corrected start{onImage(chosen()), {first}, 0};
+    Corrected start{onImage(chosen()), {first}};
     reachClick(start.region, first.click);
     start.region = tidied(*work_, std::move(start.region), start.done, policy_);
     isInThinPart_ = isInThinPart(start.region, first.click);

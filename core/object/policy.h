@@ -129,10 +129,10 @@ struct ObjectPolicy {
   double core = 0.65;         //!< of the deepest place: a click outside beyond this says that most is wrong,
   double coreCells = 8;       //!< if it lies so many cells deep; another candidate costs nothing then
   double coreCut = 0.6;       //!< and a change near the click this besides
-  double growth = 0.6;     //!< of its volume: once it has been corrected, a click inside adds no more, or, in
-  double growthApart = 2;  //!< another part, no more than so many times that, or a ball as deep as the click
-  double relabelSure = 2.5;  //!< log of the odds that intensities may give at most
-  std::size_t cavity = 14;   //!< cells: smaller cavities are noise; a ball of one and a half cells' radius
+  double growth = 0.6;        //!< of its largest volume so far: what a click inside, but the first, may add,
+  double growthApart = 2;     //!< and in another part so many times that, or a ball as deep as the click
+  double relabelSure = 2.5;   //!< log of the odds that intensities may give at most
+  std::size_t cavity = 14;    //!< cells: smaller cavities are noise; a ball of one and a half cells' radius
 };
 
 }  // namespace handlebody
