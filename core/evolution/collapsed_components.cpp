@@ -36,19 +36,39 @@ bool holdsPinned(const Mesh& mesh, const Components& parts, int component, const
   return false;
 }
 
+//! None of that extent can have collapsed before.
+int iterationAfter(double extent, const CollapsingStep& step) {
+  return step.iteration + static_cast<int>(extent / (kShrinks * step.edgeLength));
+}
+
 }  // namespace
+
+//! None is known to be safe without a look after surgery. Else all are until the smallest may have collapsed
+//! by growing smaller; or the largest is, and nothing has come near the others.
+bool CollapsedComponents::mustLook(const CollapsingStep& step) const {
+  if (step.hasSurgery || step.isPinned) return true;
+  const bool areAllLarge = !step.hasEvents && !step.mayShrink && step.iteration < lookAt_;
+  const bool areAllFar = smaller_.areKnown() && step.iteration < lookAtLargest_;
+  return !areAllLarge && !areAllFar;
+}
 
 //! Of a surface that is a single component: far quicker than to find that component.
 bool CollapsedComponents::isWhole(const Mesh& mesh, const CollapsingStep& step) {
   const double extent = extentOf(mesh);
   if (extent < kCollapsed * step.edgeLength || !(signedVolume(mesh) > 0)) return false;
-  lookAfter(extent, step);
+  lookAt_ = lookAtLargest_ = iterationAfter(extent, step);
+  smaller_.know({});
   cavities_ = 0;
   return true;
 }
 
-void CollapsedComponents::lookAfter(double smallestExtent, const CollapsingStep& step) {
-  lookAt_ = step.iteration + static_cast<int>(smallestExtent / (kShrinks * step.edgeLength));
+void CollapsedComponents::know(const Components& parts, const CollapsingStep& step) {
+  lookAt_ = lookAtLargest_ = step.iteration;
+  if (parts.count() == 0) return;
+  const auto [smallest, largest] = std::minmax_element(parts.extent.begin(), parts.extent.end());
+  lookAt_ = iterationAfter(*smallest, step);
+  lookAtLargest_ = iterationAfter(*largest, step);
+  smaller_.know(parts);
 }
 
 bool CollapsedComponents::mayHaveTurned(const Components& parts, const CollapsingStep& step) {
@@ -60,10 +80,11 @@ bool CollapsedComponents::mayHaveTurned(const Components& parts, const Collapsin
 }
 
 std::vector<Event> CollapsedComponents::erase(Mesh& mesh, const CollapsingStep& step) {
-  if (!step.hasEvents && step.iteration < lookAt_ && !step.mayShrink && !step.isPinned) return {};
+  smaller_.follow(step.motion);
+  if (!mustLook(step)) return {};
   if (step.topology.components == 1 && isWhole(mesh, step)) return {};
   const Components parts = findComponents(mesh);
-  lookAfter(parts.count() == 0 ? 0 : *std::min_element(parts.extent.begin(), parts.extent.end()), step);
+  know(parts, step);
   const bool looksForTurned = mayHaveTurned(parts, step);
   const std::vector<int> first = firstVertices(mesh, parts);
   std::vector<Event> events;
@@ -77,8 +98,9 @@ std::vector<Event> CollapsedComponents::erase(Mesh& mesh, const CollapsingStep& 
   for (int c = 0; c < parts.count(); ++c) {
     const Vec3 place = mesh.position(first[c]);
     const bool isTurned = std::binary_search(turned.begin(), turned.end(), c);
-    const bool isGone = parts.extent[c] < kCollapsed * step.edgeLength && !step.isKept(place) &&
-                        !holdsPinned(mesh, parts, c, step);
+    const bool hasCollapsed = parts.extent[c] < kCollapsed * step.edgeLength;
+    const bool isGone = hasCollapsed && !step.isKept(place) && !holdsPinned(mesh, parts, c, step);
+    if (hasCollapsed && !isGone) smaller_.forget();  // it may go without moving
     if (!isTurned && !isGone) continue;
     Event event;
     event.kind = EventKind::componentDeleted;

@@ -60,6 +60,11 @@ std::optional<TopologyNumbers> predicted(const StepResult& step) {
   return now;
 }
 
+//! True if faces were taken out and made but by regulating the mesh.
+bool hasSurgery(const StepResult& step) {
+  return !std::all_of(step.events.begin(), step.events.end(), onlyMovesVertices);
+}
+
 //! Where the components lie, of a surface that intersects nothing.
 std::vector<Conflict> nestingFaults(const StepResult& step, const Components& parts) {
   std::vector<Conflict> out;
@@ -70,21 +75,6 @@ std::vector<Conflict> nestingFaults(const StepResult& step, const Components& pa
                    parts.volume[c] < 0 ? FindingKind::cavityOutside : FindingKind::bodyInBody});
   }
   return out;
-}
-
-//! Without an event nothing can have joined or parted, and the Euler number is known from the counts.
-std::vector<Conflict> topologyFaults(const StepResult& step) {
-  const std::optional<TopologyNumbers> expected = predicted(step);
-  if (!expected) return conflictsAtEvents(step, FindingKind::eventsDisagree);
-  const int euler = step.mesh.vertexCount() - step.mesh.faceCount() / 2;  // E = 3F / 2 on a closed mesh
-  if (euler != expected->euler) return conflictsAtEvents(step, FindingKind::otherEuler);
-  if (step.events.empty()) return {};
-  const bool areSeveral = expected->components > 1;
-  const Components parts = areSeveral ? findComponents(step.mesh) : Components();
-  const int components = areSeveral ? parts.count() : countComponents(step.mesh);
-  if (components != expected->components || expected->genus != (2 * components - euler) / 2)
-    return conflictsAtEvents(step, FindingKind::otherComponents);
-  return areSeveral ? nestingFaults(step, parts) : std::vector<Conflict>();
 }
 
 void certifyWhole(const Mesh& mesh) {
@@ -121,6 +111,34 @@ std::vector<Conflict> StepCheck::coverageFaults(const StepResult& step) const {
       });
   if (unseen >= 0) return {conflictAt(step, unseen, kUnseen)};
   return {};
+}
+
+//! Without surgery nothing can have joined or parted, and the Euler number is known from the counts.
+//! Precondition: the coverage has been examined.
+std::vector<Conflict> StepCheck::topologyFaults(const StepResult& step) {
+  const std::optional<TopologyNumbers> expected = predicted(step);
+  if (!expected) return conflictsAtEvents(step, FindingKind::eventsDisagree);
+  const int euler = step.mesh.vertexCount() - step.mesh.faceCount() / 2;  // E = 3F / 2 on a closed mesh
+  if (euler != expected->euler) return conflictsAtEvents(step, FindingKind::otherEuler);
+  smaller_.follow({step.before, step.mesh, step.touched, step.longestAnywhere});
+  const bool isWhole = expected->components == 1 && !hasSurgery(step);
+  const bool areAsBefore = smaller_.areKnown() && !hasSurgery(step);
+  return step.events.empty() || isWhole || areAsBefore ? std::vector<Conflict>()
+                                                       : componentFaults(step, *expected);
+}
+
+//! Counted on the mesh.
+std::vector<Conflict> StepCheck::componentFaults(const StepResult& step, const TopologyNumbers& expected) {
+  smaller_.forget();
+  const bool areSeveral = expected.components > 1;
+  const Components parts = areSeveral ? findComponents(step.mesh) : Components();
+  const int components = areSeveral ? parts.count() : countComponents(step.mesh);
+  if (components != expected.components || expected.genus != (2 * components - expected.euler) / 2)
+    return conflictsAtEvents(step, FindingKind::otherComponents);
+  std::vector<Conflict> faults;
+  if (areSeveral) faults = nestingFaults(step, parts);
+  if (faults.empty() && areSeveral) smaller_.know(parts);
+  return faults;
 }
 
 std::vector<Conflict> StepCheck::faultsOf(const StepResult& step) {

@@ -46,6 +46,7 @@ Attempt StepTransaction::edit(Mesh& mesh, const MeshEdit& edit, const StepScene&
   Attempt made = transaction_.runOnce({mesh,
                                        scene.topology,
                                        scene.limits.longest,
+                                       scene.longest(),
                                        [&] { return attemptEdit(mesh, edit, scene, limits); },
                                        anything,
                                        {}});

@@ -1,7 +1,9 @@
 #include "core/evolution/step_transaction.h"
 
+#include <algorithm>
 #include <functional>
 #include <iterator>
+#include <utility>
 
 #include "core/cancellation.h"
 #include "core/evolution/adaptation_rounds.h"
@@ -42,20 +44,25 @@ void lockRepeated(const StepScene& scene, std::vector<Event>& events) {
 StepOutcome StepTransaction::move(Mesh& mesh, const StepScene& scene) {
   work_ = WorkBudget(kStepWork);
   std::vector<Event> events;
-  const auto attemptOnce = [&] { return attempt(mesh, scene); };
+  bool isFirst = true;
+  const auto attemptOnce = [&] {
+    if (!std::exchange(isFirst, false)) collapsed_.forgetPlaces();
+    return attempt(mesh, scene);
+  };
   const auto judgeKept = [&](const Attempt& a) { return judge(mesh, scene, a, events); };
   const auto rollBack = [&](const Conflict& t) {
     events.push_back(rolledBack(t.centre, t.reason, scene.topology, scene.iteration));
     events.back().faces = t.faces;
     scene.locked.lock(t, mesh, scene.limits.longest, scene.sizeAt(t.centre), scene.iteration);
   };
-  Attempt last = transaction_.run({mesh, scene.topology, scene.limits.longest, std::ref(attemptOnce),
-                                   std::ref(judgeKept), std::ref(rollBack)});
+  Attempt last = transaction_.run({mesh, scene.topology, scene.limits.longest, scene.longest(),
+                                   std::ref(attemptOnce), std::ref(judgeKept), std::ref(rollBack)});
   if (last.isKept()) {
     events.insert(events.end(), std::make_move_iterator(last.events.begin()),
                   std::make_move_iterator(last.events.end()));
     lockRepeated(scene, events);
   } else {
+    collapsed_.forgetPlaces();
     rollBack({last.place(), 1e3 * scene.motion.edgeLength, FindingKind::nothingKept});
   }
   return {std::move(last), std::move(events)};
@@ -107,8 +114,16 @@ void StepTransaction::deleteCollapsed(Mesh& mesh, const StepScene& scene, Attemp
   std::function<bool(int)> isPinned;
   if (locked.pins.any()) isPinned = [&locked](int v) { return locked.pins.holds(v); };
   const TopologyNumbers& now = a.events.empty() ? scene.topology : a.events.back().after;
-  for (Event& e : collapsed_.erase(mesh, {scene.motion.edgeLength, scene.mayShrink, !a.events.empty(),
-                                          scene.iteration, now, isKept, isPinned}))
+  const bool hasSurgery = !std::all_of(a.events.begin(), a.events.end(), onlyMovesVertices);
+  for (Event& e : collapsed_.erase(mesh, {{before(), mesh, a.touched, scene.longest()},
+                                          scene.motion.edgeLength,
+                                          scene.mayShrink,
+                                          !a.events.empty(),
+                                          hasSurgery,
+                                          scene.iteration,
+                                          now,
+                                          isKept,
+                                          isPinned}))
     a.events.push_back(std::move(e));
 }
 

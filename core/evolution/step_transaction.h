@@ -38,6 +38,8 @@ struct StepScene {
 
   //! Of edges, in parts of the target.
   double sizeAt(const Vec3& p) const { return motion.sizes ? motion.sizes->at(p) : 1; }
+  //! mm, of edges anywhere.
+  double longest() const { return (motion.sizes ? SizeField::kLongest : 1) * limits.longest; }
   //! mm, of edges.
   double longestAt(const Vec3& p) const { return sizeAt(p) * limits.longest; }
 };

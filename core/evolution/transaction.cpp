@@ -10,7 +10,8 @@ namespace handlebody {
 Attempt Transaction::tryOnce(const StepWork& work) {
   Attempt a = work.attempt();
   if (a.conflicts.empty())
-    a.conflicts = check_.faultsOf({before_, work.mesh, work.topology, a.touched, a.events, work.longest});
+    a.conflicts = check_.faultsOf(
+        {before_, work.mesh, work.topology, a.touched, a.events, work.longest, work.longestAnywhere});
   giveUpIfCancelled();  // the check can take as long as the attempt
   if (a.conflicts.empty()) a.held = work.judge(a);
   return a;
@@ -21,11 +22,15 @@ Attempt Transaction::keptOrNot(const StepWork& work) {
   try {
     a = tryOnce(work);
   } catch (...) {
+    check_.forgetPlaces();
     work.mesh = before_;
     throw;
   }
   volume_ = check_.volume();
-  if (!a.isKept()) work.mesh = before_;
+  if (!a.isKept()) {
+    check_.forgetPlaces();
+    work.mesh = before_;
+  }
   return a;
 }
 

@@ -34,7 +34,8 @@ struct Attempt {
 struct StepWork {
   Mesh& mesh;
   TopologyNumbers topology;          //!< of the mesh
-  double longest = 0;                //!< mm, of an edge
+  double longest = 0;                //!< mm, of an edge of the target length
+  double longestAnywhere = 0;        //!< mm, of an edge
   std::function<Attempt()> attempt;  //!< changes the mesh
   //! Of an attempt that has passed its check: what it changed and may not. There the surface is locked from
   //! now on.

@@ -15,5 +15,6 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/mesh/quality.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/remesh.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/shapes.cpp
+  ${CMAKE_SOURCE_DIR}/core/mesh/smaller_components.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/structure.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/topology.cpp)

@@ -1,6 +1,5 @@
 #include "core/mesh/topology.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
 
@@ -68,7 +67,6 @@ Components findComponents(const Mesh& mesh) {
   UnionFind parts = joinedByFaces(mesh);
   Components c;
   c.ofVertex.assign(idx(mesh.vertexSlots()), -1);
-  std::vector<Eigen::AlignedBox3d> boxes;
   std::vector<int> first;
   for (int v = 0; v < mesh.vertexSlots(); ++v) {
     if (!mesh.isVertex(v)) continue;
@@ -76,14 +74,14 @@ Components findComponents(const Mesh& mesh) {
     if (lowest == v) {
       c.ofVertex[v] = c.count();
       c.vertices.push_back(0);
-      boxes.emplace_back();
+      c.box.emplace_back();
       first.push_back(v);
     }
     const int part = c.ofVertex[v] = c.ofVertex[lowest];
     ++c.vertices[part];
-    boxes[part].extend(mesh.position(v));
+    c.box[part].extend(mesh.position(v));
   }
-  for (const auto& box : boxes) c.extent.push_back(box.sizes().maxCoeff());
+  for (const auto& box : c.box) c.extent.push_back(box.sizes().maxCoeff());
   c.faces.assign(c.vertices.size(), 0);
   c.volume.assign(c.vertices.size(), 0);
   for (int f = 0; f < mesh.faceSlots(); ++f) {

@@ -1,6 +1,7 @@
 #pragma once
 // Components and topology numbers of a closed mesh.
 
+#include <Eigen/Geometry>
 #include <span>
 #include <vector>
 
@@ -10,11 +11,12 @@ namespace handlebody {
 
 //! The connected components of a mesh.
 struct Components {
-  std::vector<int> ofVertex;   //!< component per vertex slot; -1 for deleted vertices
-  std::vector<int> vertices;   //!< number of vertices per component
-  std::vector<int> faces;      //!< number of faces per component
-  std::vector<double> volume;  //!< signed volume per component, mm³: negative for a cavity
-  std::vector<double> extent;  //!< longest side of the bounding box per component, mm
+  std::vector<int> ofVertex;             //!< component per vertex slot; -1 for deleted vertices
+  std::vector<int> vertices;             //!< number of vertices per component
+  std::vector<int> faces;                //!< number of faces per component
+  std::vector<double> volume;            //!< signed volume per component, mm³: negative for a cavity
+  std::vector<Eigen::AlignedBox3d> box;  //!< bounding box per component, mm
+  std::vector<double> extent;            //!< its longest side, mm
 
   int count() const { return static_cast<int>(vertices.size()); }
 };

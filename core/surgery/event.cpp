@@ -7,6 +7,10 @@ bool changesTopology(EventKind kind) {
          kind != EventKind::surfacePulled;
 }
 
+bool onlyMovesVertices(const Event& event) {
+  return event.kind == EventKind::smoothed && event.loopSizes.empty() && event.before == event.after;
+}
+
 const char* eventKindName(EventKind kind) {
   switch (kind) {
     case EventKind::handleInserted:

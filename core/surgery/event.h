@@ -77,5 +77,7 @@ struct Event {
   std::vector<Triangle> faces{};
   EventTrace trace;  //!< empty unless traces are recorded
 };
+//! True of a fold that was smoothed away by moving its vertices: no face was taken out or made.
+bool onlyMovesVertices(const Event& event);
 
 }  // namespace handlebody

@@ -64,7 +64,7 @@ Outcome step(const Scene& scene, const Tamper& tamper, int times) {
   };
   Transaction transaction;
   const auto allowAll = [](const Attempt&) { return std::vector<HeldChange>(); };
-  const Attempt last = transaction.run({out.mesh, topologyNumbers(scene.start), 0.3, attempt, allowAll,
+  const Attempt last = transaction.run({out.mesh, topologyNumbers(scene.start), 0.3, 0.3, attempt, allowAll,
                                         [&](const Conflict& t) { out.taken.push_back(t); }});
   out.isKept = last.isKept();
   CHECK(transaction.volume() == Approx(signedVolume(out.mesh)));
