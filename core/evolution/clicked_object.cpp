@@ -6,7 +6,6 @@
 #include <limits>
 #include <numbers>
 
-#include "core/evolution/object_range.h"
 #include "core/evolution/region_levels.h"
 #include "core/object/region_field.h"
 #include "core/threads.h"
@@ -17,10 +16,6 @@ namespace handlebody {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// A boundary and a region are of one object if they share this part of what either holds.
-constexpr double kSameObject = 0.75;
-constexpr double kNextTo = 1.5;  // cells: a boundary that is that near to the region's surface is its own
-constexpr std::size_t kMaxVoxels = 20'000'000;  // of a boundary that is compared
 // An edge of half a step of so many standard deviations of the noise is trusted for a whole cell.
 constexpr double kTrusted = 2;
 // Standard deviations that are tried, in voxels, and the part of the half-step that noise may be.
@@ -58,26 +53,32 @@ Volume onScale(const Volume& volume, const IntensityScale& scale) {
   return out;
 }
 
-std::shared_ptr<const ObjectImage> imageOf(const Volume& volume, const ObjectModel& model,
-                                           const Parameters& p, std::shared_ptr<const FieldOfView> view) {
+//! A region as limits, from the edges on its surface.
+struct RegionImage {
+  RegionLimits limits;
+  double halfStep;  // intensities
+};
+
+RegionImage limitsOf(const ObjectModel& model) {
   const RegionLevels levels = levelsOn(*model.work, model.region, model.work->cells().grid);
   const double halfStep = levels.halfStep > 0 ? levels.halfStep : model.noise;
-  const double voxel = volume.grid.meanSpacing();
-  const double sigma = p.smoothing.value_or(smoothingFor(model.noise, halfStep) * voxel);
   const CellGrid& cells = model.work->cells();
   const double cell = cells.grid.meanSpacing();
   // A star-shaped region was chosen because the image around it leads astray: its own surface counts.
   const double trust = model.isStar ? 0 : std::min(1.0, halfStep / (kTrusted * model.noise));
-  RegionLimits region{std::make_shared<RegionField>(*model.work, model.region),
-                      cells.grid,
-                      levels.low,
-                      levels.high,
-                      levels.side,
-                      trust * cell,
-                      cell};
-  return std::make_shared<ObjectImage>(std::make_shared<SmoothedVolume>(onScale(volume, model.scale), sigma),
-                                       std::move(region), std::max(halfStep, 1e-6 * std::abs(model.level)),
-                                       std::move(view));
+  return {{std::make_shared<RegionField>(*model.work, model.region), cells.grid, levels.low, levels.high,
+           levels.side, trust * cell, cell},
+          halfStep};
+}
+
+std::shared_ptr<const ObjectImage> imageOf(const Volume& volume, const ObjectModel& model,
+                                           const Parameters& p, std::shared_ptr<const FieldOfView> view) {
+  RegionImage region = limitsOf(model);
+  const double voxel = volume.grid.meanSpacing();
+  const double sigma = p.smoothing.value_or(smoothingFor(model.noise, region.halfStep) * voxel);
+  return std::make_shared<ObjectImage>(
+      std::make_shared<SmoothedVolume>(onScale(volume, model.scale), sigma), std::move(region.limits),
+      std::max(region.halfStep, 1e-6 * std::abs(model.level)), std::move(view));
 }
 
 //! The strongest boundary around the seeds, or why there is none.
@@ -94,21 +95,6 @@ Boundary strongestBoundary(const Volume& volume, const std::vector<Seed>& seeds,
   }
 }
 
-//! The boundary next to a region, between two intensities, if there is one.
-std::optional<ObjectChoice> boundaryNextTo(const ObjectModel& model, const Volume& volume,
-                                           const std::vector<Seed>& seeds, const Parameters& p) {
-  const RegionLevels levels = levelsOn(*model.work, model.region, volume.grid);
-  if (!(levels.halfStep > 0)) return {};
-  ObjectKind kind = levels.kind;
-  if (std::isfinite(model.low) != std::isfinite(model.high))
-    kind = std::isfinite(model.high) ? ObjectKind::dark : ObjectKind::bright;
-  const auto& factor = model.work->cells().factor;
-  const double perCell = static_cast<double>(factor[0]) * factor[1] * factor[2];
-  return objectNextTo({kind, kind == ObjectKind::dark ? *levels.high : *levels.low,
-                       static_cast<double>(model.region.count()) * perCell, model.neckRadius > 0},
-                      volume, seeds, p);
-}
-
 //! A seed with a radius, or the kind of object, says more than a click: what is meant is the strongest
 //! boundary of that kind around the seed, as far as it is there. Further clicks correct the likeliest region
 //! instead.
@@ -116,35 +102,6 @@ bool isMeantByBoundary(const std::vector<Seed>& clicks, const Parameters& p) {
   const auto any = [&](auto&& f) { return std::any_of(clicks.begin(), clicks.end(), f); };
   if (p.candidate != 1 || any([](const Seed& s) { return s.background; })) return false;
   return p.object != ObjectKind::automatic || any([](const Seed& s) { return s.radius.has_value(); });
-}
-
-//! A region that clicks have corrected is what they made of it, and no boundary of the image; nor is one
-//! on another scale.
-bool isItselfABoundary(const ObjectModel& model) {
-  return !model.isCorrected && !model.scale.isLogarithmic();
-}
-
-//! True if the boundary encloses what the region holds, and every click lies on its side of it.
-bool isSameObject(const Volume& volume, const ObjectChoice& choice, const std::vector<Seed>& clicks,
-                  const ObjectModel& model) {
-  std::vector<Vec3> indices, outside;
-  for (const Seed& s : clicks) (s.background ? outside : indices).push_back(volume.grid.toIndex(s.centre));
-  const double sign = choice.object == ObjectKind::dark ? 1 : -1;
-  const ObjectRegion flooded = floodObject(*choice.volume, indices, sign, *choice.levels, kMaxVoxels);
-  const CellGrid& cells = model.work->cells();
-  double both = 0, in = 0;
-  for (const ObjectRegion::Voxel& v : flooded.voxels) {
-    const Vec3 index(v[0], v[1], v[2]);
-    if (choice.neck && choice.neck->barrier->openness(index) <= 0) continue;
-    for (const Vec3& click : outside)
-      if ((click - index).cwiseAbs().maxCoeff() <= 0.5) return false;
-    in += 1;
-    const Vec3 world = volume.grid.toWorld(index);
-    both += cells.contains(world) && model.region.inside[cells.at(cells.nearest(world))] != 0;
-  }
-  const double perCell = static_cast<double>(cells.factor[0]) * cells.factor[1] * cells.factor[2];
-  const double any = in + static_cast<double>(model.region.count()) * perCell - both;
-  return both >= kSameObject * any;
 }
 
 //! A boundary next to the region, no further from the region's own surface than it may have moved: it could
@@ -161,6 +118,18 @@ std::shared_ptr<const ObjectImage> imageOf(const ObjectChoice& choice, const Obj
                       cell,
                       true};
   return std::make_shared<ObjectImage>(choice.volume, std::move(region), choice.contrast, choice.view);
+}
+
+//! A region that clicks have corrected, with the boundary as before where they have changed nothing.
+std::shared_ptr<const ObjectImage> imageOf(const ObjectChoice& choice, const ObjectModel& corrected,
+                                           const Region& before) {
+  Region changed = corrected.region;
+  for (std::size_t i = 0; i < changed.inside.size(); ++i)
+    changed.inside[i] = changed.inside[i] != before.inside[i];
+  RegionLimits limits = limitsOf(corrected).limits;
+  limits.unchanged = {std::make_shared<RegionField>(*corrected.work, changed), choice.levels,
+                      choice.object == ObjectKind::dark, kNextTo * limits.cell};
+  return std::make_shared<ObjectImage>(choice.volume, std::move(limits), choice.contrast, choice.view);
 }
 
 std::shared_ptr<const ObjectImage> imageOf(const ObjectChoice& choice) {
@@ -186,8 +155,8 @@ ObjectChoices choicesBeside(const Volume& volume, const std::vector<Seed>& click
                             const ObjectChoice& meant, const FieldOfView* view) {
   const std::optional<ObjectModel> model = findObject(volume, queryOf(clicks, p), view);
   if (!model) return {};
-  return {model->candidates,
-          model->isCloseChoice && isItselfABoundary(*model) && isSameObject(volume, meant, clicks, *model)};
+  return {model->candidates, model->isCloseChoice && isItselfABoundary(*model) &&
+                                 enclosedAs(volume, meant, clicks, *model).has_value()};
 }
 
 ClickedObject meantObject(const Volume& volume, const std::vector<Seed>& clicks, const Parameters& p,
@@ -222,13 +191,73 @@ std::optional<ObjectModel> ObjectMemory::find(const Volume& volume, const Object
   return lock ? finder_.find(volume, query, std::move(view)) : findObject(volume, query, view.get());
 }
 
+std::shared_ptr<const FirstObject> ObjectMemory::first(const Volume& volume, const Seed& seed,
+                                                       const Parameters& p,
+                                                       const std::shared_ptr<const FieldOfView>& view) {
+  const auto findWith = [&](ObjectFinder& finder) {
+    return std::make_shared<const FirstObject>(
+        findFirstObject(volume, seed, queryOf({seed}, p), p,
+                        [&](const ObjectQuery& query) { return finder.find(volume, query, view); }));
+  };
+  const std::unique_lock lock(guard_, std::try_to_lock);
+  if (!lock) {
+    ObjectFinder own;
+    return findWith(own);
+  }
+  const bool isKnown = first_ && first_->voxels == volume.voxels && first_->seed == seed &&
+                       chooseSameImage(first_->parameters, p);
+  if (!isKnown) {
+    first_.reset();
+    first_ = KnownFirst{volume.voxels, seed, p, findWith(finder_)};
+  }
+  return first_->object;
+}
+
+namespace {
+
+//! Of bare clicks: the likeliest region, or the boundary next to it, corrected by further clicks.
+ClickedObject likeliestObject(const Volume& volume, const std::vector<Seed>& clicks, const Parameters& p,
+                              const std::shared_ptr<const FieldOfView>& view, ObjectMemory& memory) {
+  const std::vector<Seed> seeds = seedsOfSide(clicks, false);
+  std::shared_ptr<const FirstObject> first = std::make_shared<FirstObject>();
+  if (!isMeantByBoundary(clicks, p)) first = memory.first(volume, seeds[0], p, view);
+  ObjectQuery query = queryOf(clicks, p);
+  query.shown = first->shown;
+  const std::optional<ObjectModel> model =
+      first->model && clicks.size() == 1 ? first->model : memory.find(volume, query, view);
+  ClickedObject out;
+  if (!model) {
+    const Boundary boundary = strongestBoundary(volume, seeds, p);
+    if (!boundary.choice) throw Told<SeedError>(boundary.why);
+    takeBoundary(out, *boundary.choice, imageOf(*boundary.choice));
+    out.choices = std::make_shared<const AskedChoices>(ObjectChoices{});
+  } else {
+    out.candidate = model->chosen;
+    out.choices =
+        std::make_shared<const AskedChoices>(ObjectChoices{model->candidates, model->isCloseChoice});
+    if (first->boundary && !model->isCorrected) {
+      takeBoundary(out, *first->boundary, imageOf(*first->boundary, *first->model));
+    } else {
+      out.image = first->boundary ? imageOf(*first->boundary, *model, model->start)
+                                  : imageOf(volume, *model, p, view);
+      out.kind = model->rise > 0 ? ObjectKind::dark : ObjectKind::bright;
+      out.range = {model->low, model->high};
+      out.neckRadius = model->neckRadius;
+    }
+  }
+  out.smoothing = out.image->volume().sigma();
+  return out;
+}
+
+}  // namespace
+
 ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& clicks, const Parameters& p,
                                 ObjectMemory* memory) {
   const std::vector<Seed> seeds = seedsOfSide(clicks, false);
   requireClicksInside(volume.grid, clicks);
-  ClickedObject out;
   if (p.range) {
     if (seeds.size() != clicks.size()) throw Told<UsageError>(Finding(FindingKind::rangeAndBackground));
+    ClickedObject out;
     const ObjectChoice choice = chooseObject(volume, seeds, p);
     takeBoundary(out, choice, imageOf(choice));
     out.choices = std::make_shared<const AskedChoices>(ObjectChoices{});
@@ -241,32 +270,8 @@ ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& c
   if (isMeantByBoundary(clicks, p))
     if (const Boundary meant = strongestBoundary(volume, seeds, p); meant.choice)
       return meantObject(volume, clicks, p, *meant.choice, std::move(view));
-  const std::optional<ObjectModel> model = memory ? memory->find(volume, queryOf(clicks, p), view)
-                                                  : findObject(volume, queryOf(clicks, p), view.get());
-  Boundary boundary;
-  if (!model)
-    boundary = strongestBoundary(volume, seeds, p);
-  else if (isItselfABoundary(*model) && !isMeantByBoundary(clicks, p))
-    boundary.choice = boundaryNextTo(*model, volume, seeds, p);
-  if (!model && !boundary.choice) throw Told<SeedError>(boundary.why);
-  ObjectChoices choices;
-  if (model) {
-    choices = {model->candidates, model->isCloseChoice};
-    out.candidate = model->chosen;
-  }
-  const bool isSame = model && boundary.choice && isSameObject(volume, *boundary.choice, clicks, *model);
-  if (boundary.choice && (!model || isSame)) {
-    takeBoundary(out, *boundary.choice,
-                 model ? imageOf(*boundary.choice, *model) : imageOf(*boundary.choice));
-  } else {
-    out.image = imageOf(volume, *model, p, std::move(view));
-    out.kind = model->rise > 0 ? ObjectKind::dark : ObjectKind::bright;
-    out.range = {model->low, model->high};
-    out.neckRadius = model->neckRadius;
-  }
-  out.choices = std::make_shared<const AskedChoices>(std::move(choices));
-  out.smoothing = out.image->volume().sigma();
-  return out;
+  ObjectMemory own;
+  return likeliestObject(volume, clicks, p, view, memory ? *memory : own);
 }
 
 }  // namespace handlebody

@@ -7,8 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/evolution/object_image.h"
-#include "core/object/object_model.h"
+#include "core/evolution/first_object.h"
 
 namespace handlebody {
 
@@ -52,10 +51,21 @@ class ObjectMemory {
   //! As ObjectFinder::find.
   std::optional<ObjectModel> find(const Volume& volume, const ObjectQuery& query,
                                   std::shared_ptr<const FieldOfView> view);
+  //! As findFirstObject.
+  std::shared_ptr<const FirstObject> first(const Volume& volume, const Seed& seed,
+                                           const Parameters& parameters,
+                                           const std::shared_ptr<const FieldOfView>& view);
 
  private:
+  struct KnownFirst {
+    std::shared_ptr<const void> voxels;  // of the volume
+    Seed seed;
+    Parameters parameters;
+    std::shared_ptr<const FirstObject> object;
+  };
   std::mutex guard_;
   ObjectFinder finder_;
+  std::optional<KnownFirst> first_;
 };
 
 //! From clicks to the object: the strongest boundary around the seeds (object_range.h) where it is that of

@@ -16,6 +16,16 @@
 
 namespace handlebody {
 
+//! Where further clicks have changed nothing of what was a boundary between two intensities, it stays one.
+struct UnchangedBoundary {
+  std::shared_ptr<const RegionField> changes;  //!< how far away what has changed is; null: no boundary
+  std::shared_ptr<const LevelField> levels{};  //!< by the image's indices
+  bool isDark = true;                          //!< inside
+  double slack = 0;                            //!< mm, as below
+  //! 0 next to a change, 1 from some `cell`s on.
+  double share(const Vec3& world, double cell) const;
+};
+
 //! A region as limits: the surface lies where the levels have it, no more than `slack` mm from the region's
 //! own; the less, the less the edges around a place agree on whether the image rises or falls outwards.
 struct RegionLimits {
@@ -26,6 +36,7 @@ struct RegionLimits {
   double slack = 0;                          //!< mm
   double cell = 1;                           //!< mm
   bool mayHaveHoles = false;  //!< inwards the levels alone decide, also far from the region's surface
+  UnchangedBoundary unchanged{};
 };
 
 //! Smoothed volume and intensity range of the object. With `levels` the range's finite end is theirs, place
@@ -116,6 +127,7 @@ class ObjectImage {
   void findBounds();
   bool holds(const std::array<int, 3>& voxel, double value) const;
   Limits limitsWithin(const Vec3& index, const Vec3& world, bool held) const;  // without the neck
+  void limitToRegion(const Vec3& index, const Vec3& world, bool held, Limits& limits) const;
 
   std::shared_ptr<const SmoothedVolume> volume_;
   IntensityRange range_{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};

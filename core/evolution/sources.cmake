@@ -18,6 +18,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/leak_alarm.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/level_edges.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/level_field.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/first_object.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/object_boundary.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/locked_regions.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/motion.cpp

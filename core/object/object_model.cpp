@@ -28,6 +28,11 @@ bool isSame(const CellGrid& a, const CellGrid& b) {
   return a.low == b.low && a.factor == b.factor && a.grid.size == b.grid.size;
 }
 
+bool isSame(const RegionInCells* a, const RegionInCells* b) {
+  if (!a || !b) return a == b;
+  return isSame(a->cells, b->cells) && a->region.inside == b->region.inside;
+}
+
 }  // namespace
 
 //! All that was found around a first click.
@@ -57,7 +62,8 @@ class ObjectFinder::Search : private RegionSource {
     threads_ = query.threads;
     chooseCells(query);
     const int candidate = std::clamp(query.candidate, 1, static_cast<int>(offered_.size()));
-    if (!start_ || candidate != candidate_) startWith(candidate);
+    if (!start_ || candidate != candidate_ || !isSame(query.shown.get(), shown_.get()))
+      startWith(candidate, query.shown);
     Corrected corrected = *start_;
     const std::vector<GivenClick> clicks = givenIn(query);
     correctAll(corrected, clicks);
@@ -86,6 +92,7 @@ class ObjectFinder::Search : private RegionSource {
     model.isCorrected = corrected.done.size() > 1;
     stamp(*work_, corrected.region, clicksOf(clicks, true), clicksOf(clicks, false));
     model.region = std::move(corrected.region);
+    model.start = start_->region;
     model.work = work_;
     return model;
   }
@@ -182,12 +189,13 @@ class ObjectFinder::Search : private RegionSource {
     return {click.place, cells.at(cells.nearest(click.place)), isInside ? cell : click.radius.value_or(cell)};
   }
 
-  void startWith(int candidate) {
+  void startWith(int candidate, const std::shared_ptr<const RegionInCells>& shown) {
     start_.reset();  // so that nothing of another candidate is left if this gives up
     steps_.clear();
     candidate_ = candidate;
+    shown_ = shown;
     const GivenClick first{cellClick({first_, {}}, true), true};
-    Corrected start{onImage(chosen()), {first}};
+    Corrected start{shown ? regionOn(*work_, *shown) : onImage(chosen()), {first}};
     reachClick(start.region, first.click);
     start.region = tidied(*work_, std::move(start.region), start.done, policy_);
     isInThinPart_ = isInThinPart(start.region, first.click);
@@ -274,6 +282,7 @@ class ObjectFinder::Search : private RegionSource {
   std::shared_ptr<const WorkImage> work_;
   // Of the candidate, in the cells of the object:
   int candidate_ = 0;
+  std::shared_ptr<const RegionInCells> shown_;
   bool isInThinPart_ = false;
   std::optional<Corrected> start_;
   std::vector<Corrected> steps_;                                                        // a click each

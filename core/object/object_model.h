@@ -27,6 +27,9 @@ struct ObjectQuery {
   int candidate = 1;  //!< 1 = the likeliest
   Contrast contrast = Contrast::any;
   int threads = 1;
+  //! What the candidate has become in the image, where that is not the region that was found: the further
+  //! clicks correct this. May be null.
+  std::shared_ptr<const RegionInCells> shown{};
 };
 
 //! The object around clicks, and what else they may mean.
@@ -39,7 +42,8 @@ class ObjectModel {
   IntensityScale scale;        //!< of `work`, `level` and `noise`
   std::shared_ptr<const WorkImage> work;
   Region region;             //!< what was chosen, corrected by the clicks
-  bool isCorrected = false;  //!< further clicks have changed it
+  Region start;              //!< the same before further clicks changed it
+  bool isCorrected = false;  //!< they did
   double neckRadius = 0;     //!< mm: narrower passages are cut
   bool isStar = false;       //!< chosen by its shape, where the image alone did not say where to end
   double low = 0, high = 0;  //!< intensities: bounds of what was chosen

@@ -106,6 +106,21 @@ std::size_t Region::count() const {
   return static_cast<std::size_t>(std::count(inside.begin(), inside.end(), std::uint8_t{1}));
 }
 
+Region regionOn(const WorkImage& work, const RegionInCells& other) {
+  const CellGrid& to = work.cells();
+  std::array<std::vector<int>, 3> map;
+  for (std::size_t a = 0; a < 3; ++a) map[a] = cellMap(to, other.cells, a);
+  Region out{std::vector<std::uint8_t>(to.count(), 0)};
+  std::size_t i = 0;
+  for (const int z : map[2])
+    for (const int y : map[1])
+      for (const int x : map[0]) {
+        out.inside[i] = x >= 0 && y >= 0 && z >= 0 ? other.region.inside[other.cells.at(x, y, z)] : 0;
+        ++i;
+      }
+  return out;
+}
+
 Region regionOn(const WorkImage& work, const RankedRegion& r) {
   const CellGrid& to = work.cells();
   const CellGrid& from = r.search->image.cells;

@@ -18,6 +18,14 @@ struct WorkImage {
   const CellGrid& cells() const { return image.cells; }
 };
 
+//! A region with the cells that it is in.
+struct RegionInCells {
+  CellGrid cells;
+  Region region;
+};
+//! The same in other cells: those whose centres lie in it.
+Region regionOn(const WorkImage& work, const RegionInCells& other);
+
 //! A ranked region in finer or other cells: along its surface the intensities of these decide.
 Region regionOn(const WorkImage& work, const RankedRegion& region);
 

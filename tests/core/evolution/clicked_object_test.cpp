@@ -60,6 +60,24 @@ TEST_CASE("a click outside counts also where the image has a strong boundary all
   CHECK(one.image->inside(kLarge - Vec3(10, 0, 0)) > 0);
 }
 
+TEST_CASE("far from what a further click changes the object is to the bit what it was, boundary and all") {
+  const Volume volume = knob();
+  const ClickedObject before = findClickedObject(volume, {click(kLarge)}, {});
+  const ClickedObject after = findClickedObject(volume, {click(kLarge), click(kSmall, true)}, {});
+  REQUIRE(after.image->inside(kSmall) < 0);
+  int looked = 0;
+  for (int j = -8; j <= 8; ++j)
+    for (int k = -8; k <= 8; ++k)
+      for (double x = -14; x <= -4;
+           x += 0.5) {  // the side away from the knob, with a few mm about its surface
+        const Vec3 p = kLarge + Vec3(x, j, k);
+        if (std::abs((p - kLarge).norm() - 12) > 1.5) continue;
+        CHECK(after.image->inside(p) == before.image->inside(p));
+        ++looked;
+      }
+  CHECK(looked > 500);
+}
+
 TEST_CASE("places in a region are joined if a way between them is as deep as asked for") {
   const RegionField field = dumbbell();
   const Vec3 left(12, 24, 24), right(36, 24, 24);
