@@ -51,7 +51,7 @@ class ObjectMemory {
   //! As ObjectFinder::find.
   std::optional<ObjectModel> find(const Volume& volume, const ObjectQuery& query,
                                   std::shared_ptr<const FieldOfView> view);
-  //! As findFirstObject.
+  //! What one click alone means.
   std::shared_ptr<const FirstObject> first(const Volume& volume, const Seed& seed,
                                            const Parameters& parameters,
                                            const std::shared_ptr<const FieldOfView>& view);

@@ -10,14 +10,23 @@ namespace {
 constexpr double kBorder = 0.49;  // voxels
 // Units of the scale: what is nearer to a level is compared with the level of the place.
 constexpr double kNear = 1e-6;
-// Cells from what clicks have changed: up to the first nothing of the boundary of before counts, from the
-// second on nothing else.
+// Cells from what clicks have changed: up to the first nothing of what was before counts, from the second on
+// nothing else.
 constexpr double kChanged = 1, kUnchanged = 3;
-}  // namespace
 
-double UnchangedBoundary::share(const Vec3& world, double cell) const {
-  return std::clamp((-changes->at(world) / cell - kChanged) / (kUnchanged - kChanged), 0.0, 1.0);
+//! A limit that only one of the two has is that of the nearer.
+double between(double a, double b, double share) {
+  if (std::isfinite(a) && std::isfinite(b)) return a + share * (b - a);
+  return share < 0.5 ? a : b;
 }
+
+//! From a (share 0) to b (1).
+ObjectImage::Limits between(const ObjectImage::Limits& a, const ObjectImage::Limits& b, double share) {
+  return {between(a.low, b.low, share), between(a.high, b.high, share), a.scale,
+          between(a.most, b.most, share), between(a.least, b.least, share)};
+}
+
+}  // namespace
 
 ObjectImage::Reading ObjectImage::read(const Vec3& world) const {
   const Vec3 index = volume_->grid().toIndex(world);
@@ -66,8 +75,7 @@ bool ObjectImage::holds(const std::array<int, 3>& voxel, double value) const {
   if (region_.field || levels_) {
     const Vec3 world = volume_->grid().toWorld(index);
     // Most voxels are too far from the region for any level; a side is no more than 1.
-    if (region_.field && region_.field->at(world) <= -std::max(region_.slack, region_.unchanged.slack))
-      return false;
+    if (region_.field && !before_ && region_.field->at(world) <= -region_.slack) return false;
     limits = limitsWithin(index, world, true);
   }
   if (neck_) limits.most = std::min(limits.most, neck_->barrier->openness(index));
@@ -96,34 +104,27 @@ ObjectImage::Limits ObjectImage::limitsWithin(const Vec3& index, const Vec3& wor
     const double last = grid.size[a] - 1.0;
     limits.most = std::min({limits.most, index[a] + kBorder, last + kBorder - index[a]});
   }
-  if (region_.field) limitToRegion(index, world, held, limits);
+  const double share = before_ ? shareOfBefore(world) : 0;
+  if (share == 1) return before_->limitsWithin(index, world, held);
+  if (region_.field) limits = limitsOfRegion(world, held, limits);
+  if (share > 0) return between(limits, before_->limitsWithin(index, world, held), share);
   if (levels_) (std::isfinite(limits.high) ? limits.high : limits.low) = levels_->at(index);
   return limits;
 }
 
-//! Between what clicks have changed and what they have not levels and slack go over into each other.
-void ObjectImage::limitToRegion(const Vec3& index, const Vec3& world, bool held, Limits& limits) const {
-  const UnchangedBoundary& unchanged = region_.unchanged;
-  const double share = unchanged.changes ? unchanged.share(world, region_.cell) : 0;
-  double side = 1, level = 0, slack = 0;
-  if (share < 1) {
-    const Vec3 place = region_.levelGrid.toIndex(world);
-    side = region_.side->at(place);
-    level = (side > 0 ? region_.high : region_.low)->at(place);
-    slack = std::abs(side) * region_.slack;
-  }
-  if (share > 0) {
-    const bool isAlike = share < 1 && (side > 0) == unchanged.isDark;
-    const double part = isAlike ? share : share >= 0.5 ? 1 : 0;
-    level += part * (unchanged.levels->at(index) - level);
-    slack += part * (unchanged.slack - slack);
-    if (part == 1) side = unchanged.isDark ? 1 : -1;
-  }
-  (side > 0 ? limits.high : limits.low) = level;
-  if (!held) return;
-  const double deep = region_.field->at(world);
-  if (!region_.mayHaveHoles && share < 1) limits.least = (deep - slack) / region_.cell;
+ObjectImage::Limits ObjectImage::limitsOfRegion(const Vec3& world, bool held, Limits limits) const {
+  const Vec3 place = region_.levelGrid.toIndex(world);
+  const double side = region_.side->at(place);
+  (side > 0 ? limits.high : limits.low) = (side > 0 ? region_.high : region_.low)->at(place);
+  if (!held) return limits;
+  const double deep = region_.field->at(world), slack = std::abs(side) * region_.slack;
+  if (!region_.mayHaveHoles) limits.least = (deep - slack) / region_.cell;
   limits.most = std::min(limits.most, (deep + slack) / region_.cell);
+  return limits;
+}
+
+double ObjectImage::shareOfBefore(const Vec3& world) const {
+  return std::clamp((-changes_->at(world) / region_.cell - kChanged) / (kUnchanged - kChanged), 0.0, 1.0);
 }
 
 }  // namespace handlebody

@@ -16,16 +16,6 @@
 
 namespace handlebody {
 
-//! Where further clicks have changed nothing of what was a boundary between two intensities, it stays one.
-struct UnchangedBoundary {
-  std::shared_ptr<const RegionField> changes;  //!< how far away what has changed is; null: no boundary
-  std::shared_ptr<const LevelField> levels{};  //!< by the image's indices
-  bool isDark = true;                          //!< inside
-  double slack = 0;                            //!< mm, as below
-  //! 0 next to a change, 1 from some `cell`s on.
-  double share(const Vec3& world, double cell) const;
-};
-
 //! A region as limits: the surface lies where the levels have it, no more than `slack` mm from the region's
 //! own; the less, the less the edges around a place agree on whether the image rises or falls outwards.
 struct RegionLimits {
@@ -36,7 +26,6 @@ struct RegionLimits {
   double slack = 0;                          //!< mm
   double cell = 1;                           //!< mm
   bool mayHaveHoles = false;  //!< inwards the levels alone decide, also far from the region's surface
-  UnchangedBoundary unchanged{};
 };
 
 //! Smoothed volume and intensity range of the object. With `levels` the range's finite end is theirs, place
@@ -49,6 +38,16 @@ class ObjectImage {
   ObjectImage(std::shared_ptr<const SmoothedVolume> volume, RegionLimits region, double scale,
               std::shared_ptr<const FieldOfView> view)
       : volume_(std::move(volume)), scale_(scale), view_(std::move(view)), region_(std::move(region)) {}
+
+  //! The same image where `changes` have made another region of the object: near them as this has its
+  //! limits, elsewhere as before.
+  ObjectImage(std::shared_ptr<const ObjectImage> before, RegionField changes, RegionLimits region)
+      : volume_(before->volume_),
+        scale_(before->scale_),
+        view_(before->view_),
+        region_(std::move(region)),
+        before_(std::move(before)),
+        changes_(std::make_shared<const RegionField>(std::move(changes))) {}
 
   ObjectImage(std::shared_ptr<const SmoothedVolume> volume, const IntensityRange& range, double scale,
               std::shared_ptr<const LevelField> levels = nullptr,
@@ -127,7 +126,9 @@ class ObjectImage {
   void findBounds();
   bool holds(const std::array<int, 3>& voxel, double value) const;
   Limits limitsWithin(const Vec3& index, const Vec3& world, bool held) const;  // without the neck
-  void limitToRegion(const Vec3& index, const Vec3& world, bool held, Limits& limits) const;
+  Limits limitsOfRegion(const Vec3& world, bool held, Limits limits) const;
+  //! How much of what was before counts: 0 next to changes, 1 from some cells on.
+  double shareOfBefore(const Vec3& world) const;
 
   std::shared_ptr<const SmoothedVolume> volume_;
   IntensityRange range_{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
@@ -136,6 +137,8 @@ class ObjectImage {
   std::shared_ptr<const NeckCut> neck_;
   std::shared_ptr<const FieldOfView> view_;
   RegionLimits region_{};
+  std::shared_ptr<const ObjectImage> before_{};   // what clicks have changed, and where: with a region
+  std::shared_ptr<const RegionField> changes_{};  // positive there
   std::shared_ptr<const Walls> walls_{};
   double voxel_ = 1;  // mm, mean; with walls
   // Whatever the levels of the place: intensities that are of the object, and that may be; of no region.

@@ -37,6 +37,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/converged_vertices.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/reached_bricks.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/region_growth.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/region_image.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/region_levels.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/restraints.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/row_flood.cpp
