@@ -151,7 +151,10 @@ ClickedObject likeliestObject(const Volume& volume, const std::vector<Seed>& cli
   std::optional<ObjectModel> model = first->model;
   if (clicks.size() > 1 || !model) {
     ObjectQuery query = queryOf(clicks, p);
-    if (model) query.shown = shownCells(*first->image, *model);
+    // A boundary that is shown lies up to a cell beside the region that it was found next to. A region's own
+    // cells are better than those of its smooth surface: they would be smoothed once more.
+    if (first->boundary)
+      query.shown = std::make_shared<const RegionInCells>(shownCells(*first->image, *model));
     model = memory.find(volume, query, view);
   }
   if (!model) return withoutModel(volume, seeds, p);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <utility>
 
@@ -94,13 +95,12 @@ std::shared_ptr<const ObjectImage> imageOfCorrected(std::shared_ptr<const Object
                                        edgesOf(model).limits);
 }
 
-std::shared_ptr<const RegionInCells> shownCells(const ObjectImage& image, const ObjectModel& model) {
-  if (model.isStar) return nullptr;
+RegionInCells shownCells(const ObjectImage& image, const ObjectModel& model) {
   const CellGrid& cells = model.work->cells();
-  auto out = std::make_shared<RegionInCells>(cells, Region{std::vector<std::uint8_t>(cells.count(), 0)});
+  RegionInCells out{cells, {std::vector<std::uint8_t>(cells.count(), 0)}};
   constexpr int kMargin = 2;  // cells: further out there is none
   forBox(boxOf(cells, model.region).grown(kMargin, cells.grid.size), [&](const std::array<int, 3>& c) {
-    out->region.inside[cells.at(c)] = image.inside(cells.grid.toWorld(Vec3(c[0], c[1], c[2]))) > 0;
+    out.region.inside[cells.at(c)] = image.inside(cells.grid.toWorld(Vec3(c[0], c[1], c[2]))) > 0;
   });
   return out;
 }

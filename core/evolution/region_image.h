@@ -24,8 +24,7 @@ std::shared_ptr<const ObjectImage> imageOfBoundary(const ObjectChoice& choice, c
 std::shared_ptr<const ObjectImage> imageOfCorrected(std::shared_ptr<const ObjectImage> before,
                                                     const ObjectModel& model);
 
-//! The cells of the model that hold the object as the image has it. Null for a region that is its own
-//! surface.
-std::shared_ptr<const RegionInCells> shownCells(const ObjectImage& image, const ObjectModel& model);
+//! The cells of the model that hold the object as the image has it.
+RegionInCells shownCells(const ObjectImage& image, const ObjectModel& model);
 
 }  // namespace handlebody

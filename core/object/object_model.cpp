@@ -92,7 +92,7 @@ class ObjectFinder::Search : private RegionSource {
     model.isCorrected = corrected.done.size() > 1;
     stamp(*work_, corrected.region, clicksOf(clicks, true), clicksOf(clicks, false));
     model.region = std::move(corrected.region);
-    model.start = start_->region;
+    if (model.isCorrected) model.start = start_->region;
     model.work = work_;
     return model;
   }

@@ -42,8 +42,8 @@ class ObjectModel {
   IntensityScale scale;        //!< of `work`, `level` and `noise`
   std::shared_ptr<const WorkImage> work;
   Region region;             //!< what was chosen, corrected by the clicks
-  Region start;              //!< the same before further clicks changed it
-  bool isCorrected = false;  //!< they did
+  bool isCorrected = false;  //!< further clicks have changed it
+  Region start;              //!< what it was before they did; empty if they did not
   double neckRadius = 0;     //!< mm: narrower passages are cut
   bool isStar = false;       //!< chosen by its shape, where the image alone did not say where to end
   double low = 0, high = 0;  //!< intensities: bounds of what was chosen
