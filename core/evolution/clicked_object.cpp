@@ -164,15 +164,17 @@ ClickedObject likeliestObject(const Volume& volume, const std::vector<Seed>& cli
   out.kind = model->rise > 0 ? ObjectKind::dark : ObjectKind::bright;
   out.range = {model->low, model->high};
   out.neckRadius = model->neckRadius;
-  if (!first->image)
-    out.image = imageOfRegion(volume, *model, p.smoothing, view);
-  else if (model->isCorrected)
-    out.image = imageOfCorrected(first->image, *model);
-  else if (first->boundary) {
+  if (model->isCorrected || !first->image) {
+    // Of a region what lies on the whole surface now says more than what lay on that of before.
+    out.image = first->boundary ? imageOfCorrected(first->image, *model)
+                                : imageOfRegion(volume, *model, p.smoothing, view);
+    return out;
+  }
+  out.image = first->image;
+  if (first->boundary) {
     takeBoundary(out, *first->boundary, first->image);
     out.neckRadius = 0;
-  } else
-    out.image = first->image;
+  }
   return out;
 }
 
