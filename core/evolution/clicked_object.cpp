@@ -112,7 +112,7 @@ std::shared_ptr<const FirstObject> ObjectMemory::first(const Volume& volume, con
                                                        const std::shared_ptr<const FieldOfView>& view) {
   const auto findWith = [&](ObjectFinder& finder) {
     const std::optional<ObjectModel> model = finder.find(volume, queryOf({seed}, p), view);
-    return std::make_shared<const FirstObject>(model ? firstObjectOf(volume, seed, p, *model, view)
+    return std::make_shared<const FirstObject>(model ? firstObjectOf(volume, seed, p, *model)
                                                      : FirstObject());
   };
   const std::unique_lock lock(guard_, std::try_to_lock);
@@ -164,14 +164,11 @@ ClickedObject likeliestObject(const Volume& volume, const std::vector<Seed>& cli
   out.kind = model->rise > 0 ? ObjectKind::dark : ObjectKind::bright;
   out.range = {model->low, model->high};
   out.neckRadius = model->neckRadius;
-  if (model->isCorrected || !first->image) {
-    // Of a region what lies on the whole surface now says more than what lay on that of before.
-    out.image = first->boundary ? imageOfCorrected(first->image, *model)
-                                : imageOfRegion(volume, *model, p.smoothing, view);
-    return out;
-  }
-  out.image = first->image;
-  if (first->boundary) {
+  if (!first->boundary) {
+    out.image = imageOfRegion(volume, *model, p.smoothing, view);
+  } else if (model->isCorrected) {
+    out.image = imageOfCorrected(first->image, *model);
+  } else {
     takeBoundary(out, *first->boundary, first->image);
     out.neckRadius = 0;
   }

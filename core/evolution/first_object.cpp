@@ -57,12 +57,11 @@ bool isItselfABoundary(const ObjectModel& model) {
 }
 
 FirstObject firstObjectOf(const Volume& volume, const Seed& seed, const Parameters& parameters,
-                          const ObjectModel& model, const std::shared_ptr<const FieldOfView>& view) {
+                          const ObjectModel& model) {
   FirstObject out{model, {}, {}};
   if (isItselfABoundary(model)) out.boundary = boundaryNextTo(model, volume, seed, parameters);
   if (out.boundary && !isSameObject(volume, *out.boundary, {seed}, model)) out.boundary.reset();
-  out.image = out.boundary ? imageOfBoundary(*out.boundary, model)
-                           : imageOfRegion(volume, model, parameters.smoothing, view);
+  if (out.boundary) out.image = imageOfBoundary(*out.boundary, model);
   return out;
 }
 

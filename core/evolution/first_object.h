@@ -16,12 +16,12 @@ namespace handlebody {
 struct FirstObject {
   std::optional<ObjectModel> model;  //!< none where there is nothing but one intensity
   std::optional<ObjectChoice> boundary;
-  std::shared_ptr<const ObjectImage> image;  //!< with a model
+  std::shared_ptr<const ObjectImage> image;  //!< of the boundary
 };
 
-//! `model`: of that one click. `view` may be null. Throws Cancelled.
+//! `model`: of that one click. Throws Cancelled.
 FirstObject firstObjectOf(const Volume& volume, const Seed& seed, const Parameters& parameters,
-                          const ObjectModel& model, const std::shared_ptr<const FieldOfView>& view);
+                          const ObjectModel& model);
 
 //! True if the boundary encloses much the same as the model's region, and every click lies on its side of it.
 bool isSameObject(const Volume& volume, const ObjectChoice& choice, const std::vector<Seed>& clicks,
