@@ -1,10 +1,6 @@
 #include "core/evolution/clicked_object.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numbers>
 
 #include "core/evolution/region_image.h"
 #include "core/threads.h"
@@ -14,7 +10,6 @@ namespace handlebody {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 ObjectQuery queryOf(const std::vector<Seed>& clicks, const Parameters& p) {
   ObjectQuery query;
   for (const Seed& s : clicks) (s.background ? query.outside : query.inside).push_back({s.centre, s.radius});

@@ -91,6 +91,7 @@ std::shared_ptr<const ObjectImage> imageOfCorrected(std::shared_ptr<const Object
   Region changes = model.region;
   std::transform(changes.inside.begin(), changes.inside.end(), model.start.inside.begin(),
                  changes.inside.begin(), std::not_equal_to<>());
+  if (changes.count() == 0) return before;
   return std::make_shared<ObjectImage>(std::move(before), RegionField(*model.work, changes),
                                        edgesOf(model).limits);
 }

@@ -60,11 +60,6 @@ std::optional<TopologyNumbers> predicted(const StepResult& step) {
   return now;
 }
 
-//! True if faces were taken out and made but by regulating the mesh.
-bool hasSurgery(const StepResult& step) {
-  return !std::all_of(step.events.begin(), step.events.end(), onlyMovesVertices);
-}
-
 //! Where the components lie, of a surface that intersects nothing.
 std::vector<Conflict> nestingFaults(const StepResult& step, const Components& parts) {
   std::vector<Conflict> out;
@@ -121,10 +116,9 @@ std::vector<Conflict> StepCheck::topologyFaults(const StepResult& step) {
   const int euler = step.mesh.vertexCount() - step.mesh.faceCount() / 2;  // E = 3F / 2 on a closed mesh
   if (euler != expected->euler) return conflictsAtEvents(step, FindingKind::otherEuler);
   smaller_.follow({step.before, step.mesh, step.touched, step.longestAnywhere});
-  const bool isWhole = expected->components == 1 && !hasSurgery(step);
-  const bool areAsBefore = smaller_.areKnown() && !hasSurgery(step);
-  return step.events.empty() || isWhole || areAsBefore ? std::vector<Conflict>()
-                                                       : componentFaults(step, *expected);
+  const bool areFar = expected->components == 1 || smaller_.areKnown();
+  if (step.events.empty() || (!hasSurgery(step.events) && areFar)) return {};
+  return componentFaults(step, *expected);
 }
 
 //! Counted on the mesh.

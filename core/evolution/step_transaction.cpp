@@ -1,6 +1,5 @@
 #include "core/evolution/step_transaction.h"
 
-#include <algorithm>
 #include <functional>
 #include <iterator>
 #include <utility>
@@ -114,12 +113,11 @@ void StepTransaction::deleteCollapsed(Mesh& mesh, const StepScene& scene, Attemp
   std::function<bool(int)> isPinned;
   if (locked.pins.any()) isPinned = [&locked](int v) { return locked.pins.holds(v); };
   const TopologyNumbers& now = a.events.empty() ? scene.topology : a.events.back().after;
-  const bool hasSurgery = !std::all_of(a.events.begin(), a.events.end(), onlyMovesVertices);
   for (Event& e : collapsed_.erase(mesh, {{before(), mesh, a.touched, scene.longest()},
                                           scene.motion.edgeLength,
                                           scene.mayShrink,
                                           !a.events.empty(),
-                                          hasSurgery,
+                                          hasSurgery(a.events),
                                           scene.iteration,
                                           now,
                                           isKept,

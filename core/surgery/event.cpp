@@ -1,5 +1,7 @@
 #include "core/surgery/event.h"
 
+#include <algorithm>
+
 namespace handlebody {
 
 bool changesTopology(EventKind kind) {
@@ -7,8 +9,10 @@ bool changesTopology(EventKind kind) {
          kind != EventKind::surfacePulled;
 }
 
-bool onlyMovesVertices(const Event& event) {
-  return event.kind == EventKind::smoothed && event.loopSizes.empty() && event.before == event.after;
+bool hasSurgery(std::span<const Event> events) {
+  return !std::all_of(events.begin(), events.end(), [](const Event& e) {
+    return e.kind == EventKind::smoothed && e.loopSizes.empty() && e.before == e.after;
+  });
 }
 
 const char* eventKindName(EventKind kind) {

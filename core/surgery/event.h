@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/finding.h"
@@ -77,7 +78,8 @@ struct Event {
   std::vector<Triangle> faces{};
   EventTrace trace;  //!< empty unless traces are recorded
 };
-//! True of a fold that was smoothed away by moving its vertices: no face was taken out or made.
-bool onlyMovesVertices(const Event& event);
+//! True if faces were taken out and made. Folds that were smoothed away by moving their vertices are no
+//! surgery.
+bool hasSurgery(std::span<const Event> events);
 
 }  // namespace handlebody

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/evolution/active_contour.h"
+#include "core/evolution/region_image.h"
 #include "core/evolution/seeds.h"
 #include "core/mesh/nesting.h"
 #include "core/object/region_field.h"
@@ -76,6 +77,17 @@ TEST_CASE("far from what a further click changes the object is to the bit what i
         ++looked;
       }
   CHECK(looked > 500);
+}
+
+TEST_CASE("an object that further clicks have left as it was keeps its image") {
+  const Volume volume = knob();
+  ObjectQuery query;
+  query.inside = {{kLarge, {}}};
+  std::optional<ObjectModel> model = findObject(volume, query, nullptr);
+  REQUIRE(model);
+  model->start = model->region;
+  const auto image = imageOfRegion(volume, *model, {}, nullptr);
+  CHECK(imageOfCorrected(image, *model) == image);
 }
 
 TEST_CASE("places in a region are joined if a way between them is as deep as asked for") {

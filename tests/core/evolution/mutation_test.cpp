@@ -255,3 +255,60 @@ TEST_CASE("what changes behind the back of the detection, and what is no surface
     mesh.setPosition(mesh.face(anyFace(mesh))[0], Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
   });
 }
+
+namespace {
+
+//! A body of radius 1 and a small one beside it, which a step may take anywhere while it smooths a fold.
+struct BodyAndPart {
+  Mesh mesh{zoo::both(zoo::sphere(6), zoo::moved(zoo::scaled(zoo::sphere(3), 0.1), Vec3(1.5, 0, 0)))};
+  Transaction transaction;
+  int whole = static_cast<int>(zoo::sphere(6).points.size());  // vertices of the body
+
+  Event fold(const std::vector<int>& loopSizes) const {
+    Event e;
+    e.before = e.after = topologyNumbers(mesh);
+    e.loopSizes = loopSizes;
+    return e;
+  }
+  //! Vertices from `first` to before `end` are moved.
+  Attempt step(int first, int end, const Vec3& by, const std::vector<int>& loopSizes = {}) {
+    constexpr double kEdge = 0.05;  // shorter than they are: so that the margin ends between the two
+    const auto attempt = [&] {
+      Attempt a;
+      a.touched.assign(static_cast<std::size_t>(mesh.vertexSlots()), 0);
+      for (int v = first; v < end; ++v) {
+        mesh.setPosition(v, mesh.position(v) + by);
+        a.touched[static_cast<std::size_t>(v)] = 1;
+      }
+      a.events = {fold(loopSizes)};
+      return a;
+    };
+    const auto allowAll = [](const Attempt&) { return std::vector<HeldChange>(); };
+    return transaction.run(
+        {mesh, topologyNumbers(mesh), kEdge, kEdge, attempt, allowAll, [](const Conflict&) {}});
+  }
+};
+
+}  // namespace
+
+TEST_CASE(
+    "a fold that takes a component into another one is taken back, also where all were known to be far") {
+  BodyAndPart b;
+  const int all = b.mesh.vertexSlots();
+  REQUIRE(b.step(0, 1, Vec3(-1e-3, 0, 0), {3}).isKept());  // as after surgery: all components are looked at
+  REQUIRE(b.step(0, 1, Vec3(1e-3, 0, 0)).isKept());        // far from the part
+  const Mesh before = b.mesh;
+  const Attempt swallowed = b.step(b.whole, all, Vec3(-1.5, 0, 0));
+  CHECK_FALSE(swallowed.isKept());
+  CHECK(swallowed.conflicts[0].reason.kind == FindingKind::bodyInBody);
+  CHECK(isSame(b.mesh, before));
+  CHECK(b.step(b.whole, all, Vec3(0.2, 0, 0)).isKept());
+}
+
+TEST_CASE("a fold that moves the surface past a component is taken back") {
+  BodyAndPart b;
+  REQUIRE(b.step(0, 1, Vec3(-1e-3, 0, 0), {3}).isKept());
+  const Attempt passed = b.step(0, b.whole, Vec3(1.5, 0, 0));  // now the part lies in the middle of the body
+  CHECK_FALSE(passed.isKept());
+  CHECK(passed.conflicts[0].reason.kind == FindingKind::bodyInBody);
+}
