@@ -127,6 +127,7 @@ class ActiveContour {
   void recordTraces(bool on);
 
  private:
+  friend class Keyframe;  // keeps the mesh in another form
   struct State;
   explicit ActiveContour(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;

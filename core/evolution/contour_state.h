@@ -1,6 +1,6 @@
 #pragma once
-// What a contour is between two steps. For the sources of ActiveContour alone: active_contour.cpp (steps) and
-// contour_request.cpp (what is asked for).
+// What a contour is between two steps. For the sources of ActiveContour alone: active_contour.cpp (steps),
+// contour_request.cpp (what is asked for) and keyframe.cpp (what is kept).
 
 #include <optional>
 #include <vector>

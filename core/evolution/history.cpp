@@ -79,10 +79,12 @@ void History::record(StepReport report) {
 }
 
 void History::keep(const ActiveContour& contour) {
-  if (!keyframes_.emplace(contour.iteration(), contour).second) return;
+  const Keyframe* before = keyframes_.empty() ? nullptr : &keyframes_.rbegin()->second;
+  if (before && before->iteration() == contour.iteration()) return;
+  const Keyframe& kept = keyframes_.try_emplace(contour.iteration(), contour, before).first->second;
   sinceKeyframe_ = 0;
-  memory_ += contour.memory();
-  if (memory_ > limits_.memory) thinOut();
+  memory_ += kept.memoryBeside(before);
+  while (memory_ > limits_.memory && keyframes_.size() > 2) thinOut();
 }
 
 //! Every second keyframe goes, and new ones come half as often; the first and the last stay.
@@ -98,18 +100,29 @@ void History::thinOut() {
 
 void History::countMemory() {
   memory_ = 0;
-  for (const auto& [iteration, contour] : keyframes_) memory_ += contour.memory();
+  const Keyframe* before = nullptr;
+  for (const auto& [iteration, keyframe] : keyframes_) {
+    memory_ += keyframe.memoryBeside(before);
+    before = &keyframe;
+  }
   for (const Change& change : changes_) memory_ += change.after.memory();
 }
 
 ActiveContour History::restored(int iteration) const {
-  const ActiveContour* nearest = &std::prev(keyframes_.upper_bound(iteration))->second;
-  if (shown_.iteration() <= iteration && shown_.iteration() > nearest->iteration()) nearest = &shown_;
+  const Keyframe& keyframe = std::prev(keyframes_.upper_bound(iteration))->second;
+  const ActiveContour* nearest = nullptr;  // nearer than the keyframe
+  int from = keyframe.iteration();
+  if (shown_.iteration() <= iteration && shown_.iteration() > from) {
+    nearest = &shown_;
+    from = shown_.iteration();
+  }
   // At its own iteration a change has no effect yet.
   for (const Change& change : changes_)
-    if (change.what.iteration < iteration && change.what.iteration >= nearest->iteration())
+    if (change.what.iteration < iteration && change.what.iteration >= from) {
       nearest = &change.after;
-  ActiveContour contour = *nearest;
+      from = change.what.iteration;
+    }
+  ActiveContour contour = nearest ? *nearest : keyframe.contour();
   while (contour.iteration() < iteration) stepFrom(contour);
   return contour;
 }

@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "core/evolution/active_contour.h"
+#include "core/evolution/keyframe.h"
 
 namespace handlebody {
 
@@ -92,7 +92,7 @@ class History {
 
   HistoryLimits limits_;
   ActiveContour shown_;
-  std::map<int, ActiveContour> keyframes_;  // before the change of their iteration
+  std::map<int, Keyframe> keyframes_;  // before the change of their iteration
   std::vector<Change> changes_;
   std::vector<StepReport> steps_;
   std::vector<Event> events_;

@@ -123,6 +123,7 @@ class Mesh {
   TriangleSoup compact(std::vector<int>* vertexMap = nullptr) const;
 
  private:
+  friend class MeshCopy;  // all arrays, in another form
   static constexpr int kIsolated = -1;
   static constexpr int kDeleted = -2;
   void link(int h, int g);
