@@ -101,7 +101,8 @@ void ActiveContour::State::splitLongEdges() {
   active.resize(mesh.vertexSlots());
 }
 
-//! Walls and pins rest on edges that are nowhere longer than the target: with any, the sizes are uniform.
+//! Walls and pins rest on edges that are nowhere longer than the target: with any, the sizes are uniform, but
+//! for shorter ones before hollow objects.
 void ActiveContour::State::chooseSizes(const std::vector<Seed>& inside, bool anew) {
   const bool isUniform = asked.parameters.resolution == Resolution::uniform || isDone() || walls.all() ||
                          !asked.constraints.pins.empty();
@@ -109,6 +110,8 @@ void ActiveContour::State::chooseSizes(const std::vector<Seed>& inside, bool ane
     const bool wasLonger = motion.sizes != nullptr;
     motion.sizes = nullptr;
     limits.size = nullptr;
+    if (walls.all() && walls.all()->objects())
+      limits.size = [near = walls.all()](const Vec3& p) { return near->edgePart(p); };
     if (wasLonger) splitLongEdges();
     return;
   }

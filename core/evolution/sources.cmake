@@ -14,6 +14,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/evolution/held_changes.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/held_size.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/history.cpp
+  ${CMAKE_SOURCE_DIR}/core/evolution/hollow_sizes.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/keyframe.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/image_warnings.cpp
   ${CMAKE_SOURCE_DIR}/core/evolution/leak_alarm.cpp

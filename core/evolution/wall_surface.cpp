@@ -161,8 +161,8 @@ void WallSurface::forEachNear(const Vec3& low, const Vec3& high, F&& f) const {
   });
 }
 
-//! By how much the neighbours of a vertex lie below its tangent plane, at most; the mean of that over the
-//! vertex's neighbours, since a single vertex tells more of the noise.
+//! Bulges are the mean over the neighbours of a vertex, since a single one tells more of the noise. A single
+//! hollow has to be filled whatever it comes from.
 void WallSurface::measureBulges() {
   std::vector<Vec3> normals(points_.size(), Vec3::Zero());
   for (const Triangle& t : triangles_) {
@@ -172,14 +172,16 @@ void WallSurface::measureBulges() {
   std::vector<double> own(points_.size(), 0);
   std::vector<int> neighbours(points_.size(), 0);
   bulges_.assign(points_.size(), 0);
+  hollows_.assign(points_.size(), 0);
   const auto forEachEdge = [&](auto&& f) {
     for (const Triangle& t : triangles_)
       for (std::size_t i = 0; i < 3; ++i) f(idx(t[i]), idx(t[(i + 1) % 3]));
   };
   forEachEdge([&](std::size_t v, std::size_t w) {
     const Vec3 edge = points_[w] - points_[v];
-    const double below = -normals[v].stableNormalized().dot(edge) / edge.squaredNorm();
-    own[v] = std::max(own[v], below);
+    const double above = normals[v].stableNormalized().dot(edge) / edge.squaredNorm();
+    own[v] = std::max(own[v], -above);
+    hollows_[v] = std::max(hollows_[v], above);
   });
   forEachEdge([&](std::size_t v, std::size_t w) {
     bulges_[v] += own[w];

@@ -48,6 +48,9 @@ class WallSurface {
 
   const std::vector<Vec3>& points() const { return points_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
+  //! Per point, 1/mm: half of the largest curvature towards the outside. A neighbour r mm away lies by up to
+  //! r² times this above the tangent plane; 0 where the surface bulges in all directions.
+  const std::vector<double>& hollows() const { return hollows_; }
 
  private:
   using Index = std::array<int, 3>;
@@ -74,7 +77,7 @@ class WallSurface {
   std::vector<Triangle> triangles_;
   std::vector<int> objectOf_, partOf_;  // per triangle, per point
   std::vector<Part> parts_;
-  std::vector<double> bulges_;  // per point
+  std::vector<double> bulges_, hollows_;  // per point
   Vec3 low_{0, 0, 0}, high_{0, 0, 0};
   double cell_ = 1;
   Index size_{0, 0, 0};

@@ -15,9 +15,6 @@ constexpr double kMaxBricks = 256;  // along an axis
 // What is left free between a wall and the faces, voxels of the finest axis: far above the rounding of
 // coordinates, in single precision, too.
 constexpr double kClearance = 0.01;
-// A face of the longest edges that the mesh has, 1.4 / sqrt(3) (its circumradius), lies within its corners on
-// a sphere around a point by as much as this makes of the radius.
-constexpr double kCircumradius = 0.81;
 // No flip or collapse moves the surface by more than twice this part of the edge length (kFlatEnough).
 constexpr double kHalfFlip = 0.2;
 constexpr double kRest =
@@ -183,6 +180,7 @@ void Walls::fillMap() {
 void Walls::fillObjects() {
   if (list_.objects.empty()) return;
   objects_ = std::make_shared<const WallSurface>(list_.objects, kObjectCell * grid_.meanSpacing());
+  hollowSizes_ = std::make_shared<const HollowSizes>(*objects_, edgeLength_, grid_.meanSpacing());
   for (const Triangle& t : objects_->triangles()) {
     const auto corner = [&](std::size_t i) { return grid_.toIndex(objects_->points()[t[i]]); };
     const Vec3 a = corner(0), b = corner(1), c = corner(2);
@@ -241,10 +239,14 @@ double Walls::room(const Vec3& world, const Vec3& index) const {
   // Corners that are no nearer than what bulges between them stay out of each other's way: where some came
   // nearer, the faces at them would hold back the others.
   const double least = clearance_ + kRest * grid_.meanSpacing(), most = kMaxBulge * grid_.meanSpacing();
-  const double across = kCircumradius * edgeLength_;
+  const double across = hollowSizes_->at(world) * kCircumradius * edgeLength_;
   const WallSurface::Nearest nearest = objects_->nearest(world, far_ + least + most);
   const double bulge = std::clamp(nearest.bulge * across * across, kMinBulge * grid_.meanSpacing(), most);
   return std::min(room, nearest.distance - least - bulge);
+}
+
+double Walls::edgePart(const Vec3& world) const {
+  return objects_ && isNear(world) ? hollowSizes_->at(world) : 1;
 }
 
 namespace {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/evolution/hollow_sizes.h"
 #include "core/evolution/wall_disc.h"
 #include "core/evolution/wall_surface.h"
 
@@ -24,6 +25,8 @@ class Walls {
   double room(const Vec3& world, const Vec3& index) const;
   //! mm to the nearest wall itself, 0 or less within one; `limit` if there is none within that distance.
   double distance(const Vec3& world, double limit) const;
+  //! How long edges may be there, in parts of the target (hollow_sizes.h).
+  double edgePart(const Vec3& world) const;
   //! False if no face of usual size with a corner there comes near a wall.
   bool isNear(const Vec3& world) const;
   //! True if no point of the triangle lies in a wall or within the margin of one. Costs next to nothing where
@@ -108,6 +111,7 @@ class Walls {
   double discRest_ = 0;          // mm: fronts rest there
   std::vector<bool> nearDiscs_;  // per brick
   std::shared_ptr<const WallSurface> objects_{};
+  std::shared_ptr<const HollowSizes> hollowSizes_{};  // if there are objects
   std::vector<Vec3> smallParts_{};
   std::vector<bool> near_, hasVoxels_, nearVoxels_;  // per brick
 };

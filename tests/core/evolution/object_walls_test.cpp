@@ -4,7 +4,9 @@
 
 #include "core/collision/body_contact.h"
 #include "core/errors.h"
+#include "core/evolution/size_field.h"
 #include "core/evolution/wall_surface.h"
+#include "core/evolution/walls.h"
 #include "core/indices.h"
 #include "core/mesh/shapes.h"
 #include "tests/core/evolution/contour_support.h"
@@ -204,6 +206,49 @@ TEST_CASE("two bodies that overlap in the image share the place where the first 
   const double gap = gapBelow(6.5);
   std::cout << "overlapping: gap " << gap << " mm, at the rim " << gapBelow(7.5) << " mm\n";
   CHECK(gap <= 0.5);
+}
+
+TEST_CASE("a hollow of a single vertex in a finished object is filled, half a voxel away at most",
+          "[walls][objects]") {
+  const Vec3 place = kMiddle - Vec3(6, 0, 0), mouth = place + Vec3(8, 0, 0);
+  TriangleSoup first = icosphere(place, 8, GENERATE(1.5, 2.0, 3.0));
+  const auto away = [&](const Vec3& p) { return (p - mouth).norm(); };
+  Vec3& deepest = *std::min_element(first.points.begin(), first.points.end(),
+                                    [&](const Vec3& p, const Vec3& q) { return away(p) < away(q); });
+  deepest.x() -= 0.8;
+  const Vec3 hollow = deepest;
+  const auto twoBalls = [](const Vec3& p) {
+    return std::min((p - kMiddle + Vec3(6, 0, 0)).norm(), (p - kMiddle - Vec3(6, 0, 0)).norm()) - 8;
+  };
+  ActiveContour contour(darkObject(cubicGrid(41), twoBalls), {Seed{kMiddle + Vec3(7, 0, 0), 3.0}}, {},
+                        behind({object("first", first)}));
+  const double gap = bruteDistanceTo(grownApart(contour), hollow);
+  std::cout << "at a hollow: gap " << gap << " mm\n";
+  CHECK(gap <= 0.5);
+}
+
+TEST_CASE("edges are shorter before what is hollow, and nowhere else", "[walls][objects]") {
+  const double voxel = 1, edge = 2;
+  const auto wallsOf = [&](const TriangleSoup& mesh) {
+    WallList list;
+    list.objects = {object("first", mesh)};
+    return Walls(list, cubicGrid(41), edge, 0.5);
+  };
+  const Walls ball = wallsOf(ballInside(8)),
+              shell = wallsOf(ThreeBodies::hollow(ballInside(14), ballInside(4)));
+  for (const double r : {8.2, 9.0, 12.0}) CHECK(ball.edgePart(kMiddle + Vec3(r, 0, 0)) == 1);
+  CHECK(shell.edgePart(kMiddle + Vec3(14.2, 0, 0)) == 1);  // outside
+  const double before = shell.edgePart(kMiddle + Vec3(3.8, 0, 0));
+  CHECK(before < 0.8);
+  CHECK(before * edge >= voxel);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> side(-20, 20), little(-1, 1);
+  for (int i = 0; i < 20'000; ++i) {  // what moves a little asks for little else
+    const Vec3 p = kMiddle + Vec3(side(random), side(random), side(random)) / 2;
+    const Vec3 q = p + Vec3(little(random), little(random), little(random));
+    const double most = SizeField::kGrade * (p - q).norm() / edge;
+    CHECK(std::abs(shell.edgePart(p) - shell.edgePart(q)) <= most + 1e-12);
+  }
 }
 
 TEST_CASE("finished objects far away change nothing", "[walls][objects]") {
