@@ -14,7 +14,7 @@ namespace {
 constexpr double kMostSagitta = 0.15;
 constexpr double kLeastPart = 0.5;  // of the target; nor less than
 constexpr double kLeastVoxels = 1;  // of mean size: shorter edges go into crevices where they meet themselves
-constexpr double kNear = 0.5;  // edge lengths from such a place up to which edges are as short
+constexpr double kNear = 0.5;       // edge lengths from such a place up to which edges are as short
 
 }  // namespace
 
