@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Which lines of core run in the tests of core, io, sequences and the command line; a build of its own, an hour or two.
-# The cases of a batch count; a decoding child is killed when it is done, so that what it alone runs counts as not run.
+# The cases of a batch count, and what a decoding child runs up to its answer.
 # Fails below 95 % of core's lines. What no test runs: build/coverage/core.html
 set -euo pipefail
 cd "$(dirname "$0")/.."

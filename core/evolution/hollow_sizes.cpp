@@ -15,6 +15,7 @@ constexpr double kMostSagitta = 0.15;
 constexpr double kLeastPart = 0.5;  // of the target; nor less than
 constexpr double kLeastVoxels = 1;  // of mean size: shorter edges go into crevices where they meet themselves
 constexpr double kNear = 0.5;       // edge lengths from such a place up to which edges are as short
+constexpr double kFar = 1e9;        // cells: more than any volume has, and no overflow
 
 }  // namespace
 
@@ -32,6 +33,7 @@ HollowSizes::HollowSizes(const WallSurface& objects, double edgeLength, double v
 }
 
 double HollowSizes::at(const Vec3& world) const {
+  if (places_.empty()) return 1;
   double part = 1;
   const Cell middle = cellOf(world);
   Cell c;
@@ -51,7 +53,7 @@ double HollowSizes::at(const Vec3& world) const {
 HollowSizes::Cell HollowSizes::cellOf(const Vec3& world) const {
   Cell c;
   for (std::size_t a = 0; a < 3; ++a)
-    c[a] = static_cast<int>(std::floor(world[static_cast<int>(a)] / reach_));
+    c[a] = static_cast<int>(std::clamp(std::floor(world[static_cast<int>(a)] / reach_), -kFar, kFar));
   return c;
 }
 

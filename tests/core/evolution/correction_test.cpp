@@ -2,6 +2,7 @@
 
 #include "core/evolution/correction.h"
 
+#include <limits>
 #include <random>
 
 #include "core/errors.h"
@@ -33,7 +34,7 @@ double twoLobes(const Vec3& p) { return std::min(bothBalls(p), rod(p, kLeft, kRi
 template <typename F>
 Volume noisy(F&& distance, unsigned seed = 5, double sigma = 4) {
   std::mt19937 random(seed);
-  std::normal_distribution<double> noise(0, sigma);
+  std::normal_distribution<double> noise(0, std::max(sigma, std::numeric_limits<double>::min()));
   const Grid grid = cubicGrid(49);
   return volumeByIndex(grid, [&](int i, int j, int k) {
     return 40 + 80 * std::clamp(distance(Vec3(i, j, k)) + 0.5, 0.0, 1.0) + noise(random);

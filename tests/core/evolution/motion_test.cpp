@@ -36,7 +36,7 @@ ObjectImage noisyBallImage(double noise) {
   grid.spacing = Vec3(0.5, 0.5, 0.5);
   grid.origin = kCentre - Vec3(16, 16, 16);
   std::mt19937 random(7);
-  std::normal_distribution<double> normal(0, noise);
+  std::normal_distribution<double> normal(0, std::max(noise, std::numeric_limits<double>::min()));
   const Volume volume = volumeByIndex(grid, [&](int i, int j, int k) {
     return (grid.toWorld(Vec3(i, j, k)) - kCentre).norm() + normal(random);
   });

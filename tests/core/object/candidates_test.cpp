@@ -1,5 +1,7 @@
 #include "core/object/candidates.h"
 
+#include <algorithm>
+#include <limits>
 #include <random>
 
 #include "tests/support/catch.h"
@@ -14,7 +16,7 @@ namespace {
 //! A dark ball of radius 6 with a neck of radius 1 to another of radius 9, in noise.
 Volume dumbbell(double noise = 3) {
   std::mt19937 random(1);
-  std::normal_distribution<double> normal(0, noise);
+  std::normal_distribution<double> normal(0, std::max(noise, std::numeric_limits<double>::min()));
   return volumeByIndex(cubicGrid(48), [&](int i, int j, int k) {
     const Vec3 p(i, j, k);
     const bool first = (p - Vec3(12, 24, 24)).norm() < 6, second = (p - Vec3(33, 24, 24)).norm() < 9;
