@@ -111,7 +111,9 @@ int run(const TemporaryFolder& folder, const std::string& to, const std::string&
 std::set<std::string> telling(const std::string& folder) {
   std::set<std::string> all{kJane.series, kJane.folder, kDescription, "DOE_JANE", "not_dicom_doe.txt"};
   for (const auto& [tag, value] : kJane.values) all.insert(value.second);
-  for (const DicomImage& image : loadVolume(folder).info.dicom->images) all.insert(image.instance);
+  const LoadedVolume loaded = loadVolume(folder);
+  REQUIRE(!loaded.info.dicom->images.empty());
+  for (const DicomImage& image : loaded.info.dicom->images) all.insert(image.instance);
   return all;
 }
 
