@@ -1,6 +1,7 @@
 #pragma once
 // Copies of a mesh as it changes: what is the same in two of them is kept once.
 
+#include <algorithm>
 #include <cstring>
 #include <memory>
 #include <span>

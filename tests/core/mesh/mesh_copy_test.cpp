@@ -1,8 +1,7 @@
 #include "core/mesh/mesh_copy.h"
 
-#include <algorithm>
+#include <cmath>
 #include <cstring>
-#include <optional>
 #include <random>
 
 #include "core/mesh/shapes.h"
