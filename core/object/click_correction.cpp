@@ -52,16 +52,20 @@ class Correction {
 
   void run() {
     if (depth_ < policy_.shallow * radius_ && moveSurface(corrected_.region)) {
+      settle();
       ++corrected_.inARow;
       return;
     }
     Offer best = bestOffer();
     corrected_.inARow = best.isLocal ? corrected_.inARow + 1 : 0;
+    corrected_.isBoundary &= best.isLocal;
     const Region before = std::exchange(corrected_.region, std::move(best.region));
-    if (depth_ < policy_.otherPart * radius_) moveSurface(before);
+    if (depth_ < policy_.otherPart * radius_ && moveSurface(before) && best.isLocal) settle();
   }
 
  private:
+  static constexpr double kEverywhere = 1e5;  // mm
+
   const Region& from() const { return corrected_.region; }
 
   //! What is wrong is mostly a shell as wide as the object: the surface that the region had before moves
@@ -75,6 +79,17 @@ class Correction {
     if (!isTrue(moved, click_)) return false;
     corrected_.region = std::move(moved);
     return true;
+  }
+  //! On edges again, everywhere: what a click tells of intensities holds elsewhere, too. Where the surface
+  //! was a boundary between two intensities it lies better than cells can tell, and stays away from the
+  //! click.
+  void settle() {
+    Relabelling r = relabelling();
+    r.reach = corrected_.isBoundary ? policy_.settledNear * policy_.displacedWidth * radius_ : kEverywhere;
+    r.isInside = click_.isInside;
+    r.depth = std::min(depth_, deepestInside(work_, from()));
+    Region out = tidied(work_, settled(work_, from(), r, policy_), corrected_.done, policy_);
+    if (isTrue(out, click_)) corrected_.region = std::move(out);
   }
 
   Offer bestOffer() {
@@ -135,10 +150,14 @@ class Correction {
     return {isTrue(ball, click_) ? std::move(ball) : from(), 0, true};
   }
 
+  Relabelling relabelling() const {
+    return {
+        click_.click, depth_, 0, noise_, clicksOf(corrected_.done, true), clicksOf(corrected_.done, false)};
+  }
+
   //! The surface moved, near the click and further along; for a click outside the others served better.
   void offerRelabelled(Offers& offers, double score) const {
-    Relabelling r{
-        click_.click, depth_, 0, noise_, clicksOf(corrected_.done, true), clicksOf(corrected_.done, false)};
+    Relabelling r = relabelling();
     for (const double reach : policy_.relabelReaches) {
       r.reach = reach * depth_;
       offers.add([this, r] { return relabelled(work_, from(), r, policy_); }, score, true);

@@ -28,6 +28,7 @@ struct Corrected {
   std::vector<GivenClick> done;  //!< clicks that have been taken in
   int inARow = 0;                //!< corrections near clicks, after the last of the whole
   double largest = 0;            //!< cells, that it has had when something was looked for
+  bool isBoundary = false;       //!< between two intensities, found to a fraction of a cell
 };
 
 //! Only what hangs together with the clicks inside so far, without the holes that noise makes.

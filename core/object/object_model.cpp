@@ -196,6 +196,7 @@ class ObjectFinder::Search : private RegionSource {
     shown_ = shown;
     const GivenClick first{cellClick({first_, {}}, true), true};
     Corrected start{shown ? regionOn(*work_, *shown) : onImage(chosen()), {first}};
+    start.isBoundary = shown != nullptr;
     reachClick(start.region, first.click);
     start.region = tidied(*work_, std::move(start.region), start.done, policy_);
     isInThinPart_ = isInThinPart(start.region, first.click);

@@ -71,6 +71,7 @@ struct Walk {
   double outer = 0, inner = 0;              //!< mm: outside and inside so near to the surface
   double prior = 0;                         //!< pull of the cell's intensities against that of a neighbour
   double noise = 0;                         //!< standard deviation, intensities
+  double shape = 0;                         //!< per mm: log of the odds that a place within the surface has
   const Relabelling* correction = nullptr;  //!< none: all around, by the image alone
 };
 
@@ -147,7 +148,8 @@ class RandomWalk {
       if (inside_[i] ? in_[i] <= walk_.inner : out_[i] <= walk_.outer) kind_[i] = Kind::open;
     }
     if (!click_) return;
-    setBall(click_->click, policy_.relabelBall * click_->depth, Kind::inside);
+    setBall(click_->click, policy_.relabelBall * click_->depth,
+            click_->isInside ? Kind::inside : Kind::outside);
     for (const CellClick& c : click_->outside) setBall(c, std::max(c.radius, 1.01 * cell_), Kind::outside);
     for (const CellClick& c : click_->inside) setBall(c, std::max(c.radius, 1.01 * cell_), Kind::inside);
   }
@@ -160,7 +162,13 @@ class RandomWalk {
     });
   }
 
-  //! What each cell's intensities say by themselves.
+  //! mm from a cell's middle to the surface: negative outside.
+  double within(std::size_t i) const {
+    return inside_[i] ? static_cast<double>(in_[i]) - 0.5 * cell_
+                      : 0.5 * cell_ - static_cast<double>(out_[i]);
+  }
+
+  //! What each cell's intensities and place say by themselves.
   void setPrior() {
     CellGrid part = cells_;
     part.grid.size = size_;
@@ -175,20 +183,23 @@ class RandomWalk {
       if (click_ && fromClick_[i] <= policy_.relabelBall * click_->depth + 0.5 * cell_) add(near, i);
       if (!inside_[i] && out_[i] > walk_.outer && out_[i] <= background()) add(out, i);
     }
-    in.mix(near, policy_.relabelClick);
+    (click_ && !click_->isInside ? out : in).mix(near, policy_.relabelClick);
     const double sigma = std::max(1.0, 0.7 * walk_.noise / step);  // the search's Gaussian leaves so much
     in.smooth(sigma);
     out.smooth(sigma);
-    std::vector<float> chance(idx(kBins) * idx(kBins));
+    std::vector<double> ofPair(idx(kBins) * idx(kBins));
     for (int a = 0; a < kBins; ++a)
       for (int b = 0; b < kBins; ++b) {
         const double odds = std::log((in.at(a, b) + kEmpty) / (out.at(a, b) + kEmpty));
         const double sure = policy_.relabelSure;
-        chance[bin(a, b)] = static_cast<float>(1 / (1 + std::exp(-std::clamp(odds, -sure, sure))));
+        ofPair[bin(a, b)] = std::clamp(odds, -sure, sure);
       }
     prior_.resize(values_.size());
     for (std::size_t i = 0; i < values_.size(); ++i)
-      if (kind_[i] == Kind::open) prior_[i] = chance[bin(binOf(values_[i]), binOf(wide[i]))];
+      if (kind_[i] == Kind::open) {
+        const double odds = ofPair[bin(binOf(values_[i]), binOf(wide[i]))] + walk_.shape * within(i);
+        prior_[i] = static_cast<float>(1 / (1 + std::exp(-odds)));
+      }
   }
 
   float pull(std::size_t i, std::size_t j, std::size_t axis) const {
@@ -289,14 +300,22 @@ class RandomWalk {
 Region relabelled(const WorkImage& work, const Region& region, const Relabelling& r,
                   const ObjectPolicy& policy) {
   const double cell = work.cells().grid.meanSpacing();
-  const Walk walk{policy.relabelZone * r.depth + cell, cell, policy.relabelPrior, r.noise, &r};
+  const Walk walk{policy.relabelZone * r.depth + cell, cell, policy.relabelPrior, r.noise, 0, &r};
+  return RandomWalk(work, region, walk, policy).run(region);
+}
+
+Region settled(const WorkImage& work, const Region& region, const Relabelling& r,
+               const ObjectPolicy& policy) {
+  const double zone = policy.settled * r.depth + work.cells().grid.meanSpacing();
+  const Walk walk{zone, zone, policy.relabelPrior, r.noise, policy.settledShape / r.depth, &r};
   return RandomWalk(work, region, walk, policy).run(region);
 }
 
 Region refined(const WorkImage& work, const Region& region, double noise, const ObjectPolicy& policy) {
   if (region.count() == 0) return region;
   const double cell = work.cells().grid.meanSpacing();
-  const Walk walk{policy.refineOuter * cell, policy.refineInner * cell, policy.relabelPrior, noise, nullptr};
+  const Walk walk{
+      policy.refineOuter * cell, policy.refineInner * cell, policy.relabelPrior, noise, 0, nullptr};
   return RandomWalk(work, region, walk, policy).run(region);
 }
 

@@ -83,6 +83,41 @@ TEST_CASE("a surface far from any edge moves by less than half a cell, and an em
   CHECK(refined(work, ballOf(work, 0), kNoise, {}).count() == 0);
 }
 
+TEST_CASE("a surface that a click has pushed past its edge comes back to it, and the click keeps its side") {
+  const WorkImage work = rimmedBall();
+  for (const bool isInside : {true, false}) {
+    // The object ends at 12 mm. The click lies 3 mm behind a surface that was moved too far, by 1 mm.
+    Relabelling r = clickAt(work, Vec3(isInside ? 31 : 33, 20, 20), 3, 1000);
+    r.isInside = isInside;
+    const Region moved = ballOf(work, isInside ? 13 : 11);
+    const Region out = settled(work, moved, r, {});
+    const double before = diceOf(work, moved, 12);
+    CHECK(1 - diceOf(work, out, 12) < 0.5 * (1 - before));
+    CHECK((out.inside[r.click.cell] != 0) == isInside);
+    // No further than a third of the click's depth and a cell.
+    ObjectPolicy little;
+    little.settled = 0;
+    const Region less = settled(work, moved, r, little);
+    const double after = diceOf(work, less, 12);
+    CHECK(after > before);
+    CHECK(after < diceOf(work, out, 12));
+  }
+}
+
+TEST_CASE("where the image is silent the surface stays as a click has moved it") {
+  WorkImage work = rimmedBall();
+  std::mt19937 random(7);
+  std::normal_distribution<float> normal(50, static_cast<float>(kNoise));
+  for (float& v : work.image.values) v = normal(random);
+  work.values = smoothed(work.cells(), work.image.values, 0.6);
+  Relabelling r = clickAt(work, Vec3(28, 20, 20), 4, 1000);
+  Region moved = ballOf(work, 8);  // and a bump of 4 mm about the click
+  forCellsWithin(work.cells(), Vec3(26, 20, 20), 6, [&](std::size_t i) { moved.inside[i] = 1; });
+  const Region out = settled(work, moved, r, {});
+  CHECK(overlapOf(out, moved) > 0.9);
+  CHECK(out.inside[r.click.cell]);
+}
+
 TEST_CASE("other clicks keep their side when a rim is relabelled") {
   const WorkImage work = rimmedBall();
   Relabelling r = clickAt(work, Vec3(30, 20, 20), 2, 1000);
