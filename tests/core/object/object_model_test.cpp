@@ -202,6 +202,36 @@ TEST_CASE("a click less deep than half the object moves its surface, which settl
   CHECK(cellsApart(work, findObject(volume, query, nullptr, always)->region, expected, place) > 0);
 }
 
+TEST_CASE("of a boundary that is shown only what is near a click settles") {
+  const Volume volume = imageOf(cubicGrid(49), kBall, 40, 120, 8);
+  ObjectQuery query = clickAt(kMiddle);
+  const auto ball = findObject(volume, query, nullptr);
+  REQUIRE(ball);
+  const WorkImage& work = *ball->work;
+  // A cell off its edge all around, which any surface of a region would settle on.
+  Region off{std::vector<std::uint8_t>(work.cells().count(), 0)};
+  forCellsWithin(work.cells(), kMiddle, 12, [&](std::size_t i) { off.inside[i] = 1; });
+  query.shown = std::make_shared<const RegionInCells>(RegionInCells{work.cells(), off});
+  const Vec3 click(38, 24, 24);
+  query.inside.push_back({click, {}});
+  const auto changedFurtherThan = [&](double reach, const ObjectPolicy& policy) {
+    const auto model = findObject(volume, query, nullptr, policy);
+    REQUIRE(model);
+    int changed = 0;
+    for (std::size_t i = 0; i < off.inside.size(); ++i)
+      changed += model->region.inside[i] != off.inside[i] &&
+                 (placeOf(work.cells(), work.cells().cellOf(i)) - click).norm() > reach;
+    return changed;
+  };
+  ObjectPolicy near, wide;
+  near.displacedWidth = wide.displacedWidth = 0.2;  // the bell reaches less far than what settles
+  wide.settledNear = 1000;
+  const double reach = near.settledNear * near.displacedWidth * deepestInside(work, off) + 0.5;
+  CHECK(changedFurtherThan(reach, near) == 0);
+  CHECK(changedFurtherThan(0, near) > 0);
+  CHECK(changedFurtherThan(reach, wide) > 100);
+}
+
 TEST_CASE("a click outside in the middle of what was found asks for another candidate, not for a cut") {
   const Inside large = [](const Vec3& p) { return inBall(p, Vec3(32, 32, 32), 18); };
   const Inside small = [](const Vec3& p) { return inBall(p, Vec3(32, 32, 41), 5); };
