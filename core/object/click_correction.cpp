@@ -80,14 +80,14 @@ class Correction {
     corrected_.region = std::move(moved);
     return true;
   }
-  //! On edges again, everywhere: what a click tells of intensities holds elsewhere, too. Where the surface
-  //! was a boundary between two intensities it lies better than cells can tell, and stays away from the
-  //! click.
+  //! On edges again, everywhere: what a click tells of intensities holds elsewhere, too. A boundary between
+  //! two intensities lies better than cells can tell, and stays as it is far from the click.
   void settle() {
     Relabelling r = relabelling();
     r.reach = corrected_.isBoundary ? policy_.settledNear * policy_.displacedWidth * radius_ : kEverywhere;
     r.isInside = click_.isInside;
     r.depth = std::min(depth_, deepestInside(work_, from()));
+    if (r.depth <= 0) return;  // nothing is left
     Region out = tidied(work_, settled(work_, from(), r, policy_), corrected_.done, policy_);
     if (isTrue(out, click_)) corrected_.region = std::move(out);
   }
