@@ -1,7 +1,10 @@
 #pragma once
 // The beating phantom, grown in one frame and carried through the others.
 
+#include <algorithm>
 #include <chrono>
+#include <utility>
+#include <vector>
 
 #include "core/io/report/result.h"
 #include "core/sequence/over_time.h"
@@ -13,6 +16,23 @@ namespace handlebody::test {
 
 inline double seconds(std::chrono::steady_clock::time_point since) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
+}
+
+//! Dark balls on bright ground, 40 voxels of 1 mm to each side.
+inline Volume balls(const std::vector<std::pair<Vec3, double>>& all) {
+  Grid grid;
+  grid.size = {40, 40, 40};
+  void* buffer = nullptr;
+  Volume volume = makeVolume(grid, VoxelType::uint8, &buffer);
+  auto* to = static_cast<std::uint8_t*>(buffer);
+  for (int z = 0; z < 40; ++z)
+    for (int y = 0; y < 40; ++y)
+      for (int x = 0; x < 40; ++x) {
+        double d = 1e9;
+        for (const auto& [centre, radius] : all) d = std::min(d, (Vec3(x, y, z) - centre).norm() - radius);
+        *to++ = static_cast<std::uint8_t>(120 + 60 * std::clamp(d, -1.0, 1.0));
+      }
+  return volume;
 }
 
 //! Grown from the seeds in one frame, as `segment` does.

@@ -17,23 +17,6 @@ using namespace handlebody::test;
 
 namespace {
 
-//! Dark balls on bright ground, 40 voxels of 1 mm to each side.
-Volume balls(const std::vector<std::pair<Vec3, double>>& all) {
-  Grid grid;
-  grid.size = {40, 40, 40};
-  void* buffer = nullptr;
-  Volume volume = makeVolume(grid, VoxelType::uint8, &buffer);
-  auto* to = static_cast<std::uint8_t*>(buffer);
-  for (int z = 0; z < 40; ++z)
-    for (int y = 0; y < 40; ++y)
-      for (int x = 0; x < 40; ++x) {
-        double d = 1e9;
-        for (const auto& [centre, radius] : all) d = std::min(d, (Vec3(x, y, z) - centre).norm() - radius);
-        *to++ = static_cast<std::uint8_t>(120 + 60 * std::clamp(d, -1.0, 1.0));
-      }
-  return volume;
-}
-
 const Vec3 kMiddle(20, 20, 20);
 
 FrameResult firstOf(const FrameCarrier& carrier, const FrameResult& start) { return carrier.carry(start, 1); }

@@ -1,5 +1,6 @@
 // Frames that were corrected by hand, and the surfaces beyond that start from them.
 
+#include <algorithm>
 #include <set>
 #include <string>
 
@@ -14,23 +15,8 @@ namespace {
 const Vec3 kMiddle(20, 20, 20);
 const WallBall kWall{kMiddle + Vec3(10, 0, 0), 4};
 
-//! A dark ball on bright ground, 41 voxels of 1 mm to each side.
-Volume ballOf(double radius) {
-  Grid grid;
-  grid.size = {41, 41, 41};
-  void* buffer = nullptr;
-  Volume volume = makeVolume(grid, VoxelType::uint8, &buffer);
-  auto* to = static_cast<std::uint8_t*>(buffer);
-  for (int z = 0; z < 41; ++z)
-    for (int y = 0; y < 41; ++y)
-      for (int x = 0; x < 41; ++x)
-        *to++ = static_cast<std::uint8_t>(
-            120 + 60 * std::clamp((Vec3(x, y, z) - kMiddle).norm() - radius, -1.0, 1.0));
-  return volume;
-}
-
 //! 9 mm in frame 2, half a millimetre more in each after it, and less before.
-Volume frameOf(int frame) { return ballOf(8 + 0.5 * frame); }
+Volume frameOf(int frame) { return balls({{kMiddle, 8 + 0.5 * frame}}); }
 
 GrownFrame grownInFrame2() {
   GrownFrame grown = growIn(frameOf(2), 2, {{{kMiddle}}, {}, {}});
