@@ -18,6 +18,7 @@ enum class FindingKind {
   liesInWall,
   nothingAllowed,  //!< place
   heldAtPassages,  //!< radius_mm
+  endsWithSearch,
   stuck,
   frozen,
   hardlyGrown,

@@ -57,6 +57,11 @@ constexpr FindingWords kWords[] = {
                        "the surface is held at passages narrower than a radius of {radius_mm:3g} mm; where "
                        "what lies behind them belongs to the object, put a seed there too, or take a larger "
                        "candidate")},
+    {K::endsWithSearch, "ends-with-search",
+     QT_TRANSLATE_NOOP(
+         "Findings",
+         "the object reaches the end of what was searched around the seed and is cut off there; "
+         "where it goes on, put a seed there too")},
     {K::stuck, "stuck",
      "the surface got stuck: no part of a step could be kept, again and again (see the "
      "rolled back events of the report); another --edge-length may help"},

@@ -209,6 +209,7 @@ std::vector<Finding> ActiveContour::warnings(const SurfaceSupport& support) cons
   for (Finding& d : state_->locked.held.warnings()) warnings.push_back(std::move(d));
   if (state_->object.neckRadius > 0)
     warnings.push_back({FindingKind::heldAtPassages, {{"radius_mm", state_->object.neckRadius}}});
+  if (state_->object.isCutOff) warnings.push_back(FindingKind::endsWithSearch);
   return warnings;
 }
 void ActiveContour::recordTraces(bool on) { state_->traces = on; }

@@ -159,6 +159,7 @@ ClickedObject likeliestObject(const Volume& volume, const std::vector<Seed>& cli
   out.kind = model->rise > 0 ? ObjectKind::dark : ObjectKind::bright;
   out.range = {model->low, model->high};
   out.neckRadius = model->neckRadius;
+  out.isCutOff = model->isCutOff;
   if (!first->boundary) {
     out.image = imageOfRegion(volume, *model, p.smoothing, view);
   } else if (model->isCorrected) {

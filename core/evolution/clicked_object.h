@@ -40,6 +40,7 @@ struct ClickedObject {
   IntensityRange range{};
   double smoothing = 0;   //!< mm
   double neckRadius = 0;  //!< mm: passages narrower than this are cut; 0 = none
+  bool isCutOff = false;  //!< it ends where the search around the clicks did, and the volume goes on there
   std::shared_ptr<const AskedChoices> choices;
   int candidate = 1;
 };

@@ -381,6 +381,25 @@ bool RankedRegion::holds(const Vec3& world) const {
   return cells.contains(world) && holds(cells.at(cells.nearest(world)));
 }
 
+std::vector<Vec3> cutSides(const RankedRegion& region) {
+  const CellGrid& cells = region.search->image.cells;
+  const auto& n = cells.grid.size;
+  std::vector<Vec3> out;
+  for (std::size_t a = 0; a < 3; ++a)
+    for (const std::size_t side : {0, 1}) {
+      if (!cells.goesOn[a][side]) continue;
+      CellBox box{{0, 0, 0}, {n[0] - 1, n[1] - 1, n[2] - 1}};
+      (side == 0 ? box.high : box.low)[a] = side == 0 ? 0 : n[a] - 1;
+      Vec3 sum = Vec3::Zero();
+      double held = 0;
+      forBox(box, [&](const std::array<int, 3>& c) {
+        if (region.holds(cells.at(c))) sum += Vec3(c[0], c[1], c[2]), ++held;
+      });
+      if (held > 0) out.push_back(cells.grid.toWorld(sum / held));
+    }
+  return out;
+}
+
 bool RankedRegion::isTube() const { return search->isTube; }
 
 std::array<double, 2> RankedRegion::bounds() const {

@@ -51,6 +51,10 @@ struct ClickSearch {
   bool isTube = false;                  //!< of one tube, in a box around it
   std::vector<Vec3> goesOn;             //!< mm: where it leaves the cells in which it was followed
 };
+
+//! Of the sides of a search's box that cut a region off, the middle of where it does, mm.
+std::vector<Vec3> cutSides(const RankedRegion& region);
+
 //! Precondition: the cells hold the click.
 ClickSearch searchAround(const Volume& volume, const CellGrid& cells, const Vec3& click,
                          const FieldOfView* view, const ObjectPolicy& policy, int threads,

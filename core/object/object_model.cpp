@@ -92,6 +92,7 @@ class ObjectFinder::Search : private RegionSource {
     model.isCorrected = corrected.done.size() > 1;
     stamp(*work_, corrected.region, clicksOf(clicks, true), clicksOf(clicks, false));
     model.region = std::move(corrected.region);
+    model.isCutOff = isCutOff(work_->cells(), model.region);
     if (model.isCorrected) model.start = start_->region;
     model.work = work_;
     return model;
@@ -110,10 +111,12 @@ class ObjectFinder::Search : private RegionSource {
     return cellsAround(volume_.grid, click, policy_.reach, policy_.wideCells);
   }
 
-  //! Near the click in voxels, and wide in cells that may be coarser; one if that is fine enough.
   ClickSearches searchesAround(const Vec3& click) const override {
+    return searchesIn(wideAround(click), click);
+  }
+  //! Near the click in voxels, and wide in cells that may be coarser; one if that is fine enough.
+  ClickSearches searchesIn(const CellGrid& wide, const Vec3& click) const {
     ClickSearches out;
-    const CellGrid wide = wideAround(click);
     if (wide.factor != std::array{1, 1, 1}) {
       const double reach = policy_.nearCells * volume_.grid.meanSpacing();
       out.push_back(search(cellsAround(volume_.grid, click, reach, policy_.wideCells), click));
@@ -139,7 +142,8 @@ class ObjectFinder::Search : private RegionSource {
     return ranked;
   }
 
-  //! What the first click may mean. If that is a tube that goes on, it is followed further.
+  //! What the first click may mean. If that is a tube that goes on, it is followed further, and if the
+  //! likeliest is cut off where the search ends, it is looked for in a wider one.
   std::vector<OfferedRegion> offeredFor(const Vec3& click) {
     cells_.reach({click, policy_.reach});
     while (true) {
@@ -149,8 +153,19 @@ class ObjectFinder::Search : private RegionSource {
       bool isWider = false;
       for (const OfferedRegion& o : offered)
         for (const Vec3& end : o.region.search->goesOn) isWider |= cells_.reach({end, policy_.reach / 2});
+      if (!offered.empty()) isWider |= searchWider(click, offered[0].region);
       if (!isWider) return offered;
     }
+  }
+  //! True if the search ends too early for the region, and has been done anew in a wider box.
+  bool searchWider(const Vec3& click, const RankedRegion& region) {
+    const std::vector<Vec3> sides = cutSides(region);
+    if (sides.empty()) return false;
+    for (const Vec3& side : sides) cells_.reach({side, policy_.reach / 2});
+    const CellGrid wide = cells_.cells(policy_.wideCells);
+    if (isSame(wide, searches_.back()->image.cells)) return false;
+    searches_ = searchesIn(wide, click);
+    return true;
   }
 
   //! What is offered rests on the first click's stars and tubes; those of further clicks come and go.

@@ -42,6 +42,7 @@ class ObjectModel {
   IntensityScale scale;        //!< of `work`, `level` and `noise`
   std::shared_ptr<const WorkImage> work;
   Region region;             //!< what was chosen, corrected by the clicks
+  bool isCutOff = false;     //!< it ends where the cells of `work` do, and the volume goes on there
   bool isCorrected = false;  //!< further clicks have changed it
   Region start;              //!< what it was before they did; empty if they did not
   double neckRadius = 0;     //!< mm: narrower passages are cut

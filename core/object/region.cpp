@@ -197,6 +197,16 @@ CellBox boxAround(const CellGrid& cells, const Cell& centre, double reach) {
   return box;
 }
 
+bool isCutOff(const CellGrid& cells, const Region& region) {
+  const CellBox box = boxOf(cells, region);
+  if (box.empty()) return false;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto [below, above] = cells.goesOn[a];
+    if ((below && box.low[a] == 0) || (above && box.high[a] == cells.grid.size[a] - 1)) return true;
+  }
+  return false;
+}
+
 CellBox boxOf(const CellGrid& cells, const Region& region) {
   const auto& n = cells.grid.size;
   CellBox box{{n[0], n[1], n[2]}, {-1, -1, -1}};

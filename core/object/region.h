@@ -79,6 +79,8 @@ void forCellsWithin(const CellGrid& cells, const Vec3& world, double reach, F&& 
          });
 }
 CellBox boxOf(const CellGrid& cells, const Region& region);
+//! The region reaches a side of the cells beyond which the volume goes on.
+bool isCutOff(const CellGrid& cells, const Region& region);
 //! Dice of two regions in the same cells; 1 if both are empty.
 double overlapOf(const Region& a, const Region& b);
 //! Where two regions differ.

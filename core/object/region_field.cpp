@@ -17,16 +17,37 @@ float toSurface(float toCentre, double cell) {
   return toCentre - static_cast<float>(0.5 * std::min<double>(toCentre, cell));
 }
 
+//! A region with a margin around it: also beyond the cells where the volume goes on. At the volume's border
+//! the box ends as the cells do.
+CellBox withMargin(const CellGrid& cells, CellBox box) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto [below, above] = cells.goesOn[a];
+    box.low[a] -= below ? kMargin : std::min(kMargin, box.low[a]);
+    box.high[a] += above ? kMargin : std::min(kMargin, cells.grid.size[a] - 1 - box.high[a]);
+  }
+  return box;
+}
+
+//! 1 for the cells of a box that a region holds. Beyond the cells there is none of it.
+std::vector<std::uint8_t> heldIn(const CellGrid& cells, const Region& region, const CellBox& box) {
+  const auto& size = cells.grid.size;
+  const CellBox all{{0, 0, 0}, {size[0] - 1, size[1] - 1, size[2] - 1}};
+  std::vector<std::uint8_t> held;
+  held.reserve(box.count());
+  forBox(box, [&](const auto& c) { held.push_back(all.holds(c) ? region.inside[cells.at(c)] : 0); });
+  return held;
+}
+
 }  // namespace
 
 RegionField::RegionField(const WorkImage& work, const Region& region) {
   const CellGrid& cells = work.cells();
-  const CellBox box = boxOf(cells, region).grown(kMargin, cells.grid.size);
+  const CellBox box = withMargin(cells, boxOf(cells, region));
   CellGrid part = cells;
   part.grid.size = box.size();
   part.grid.origin = cells.grid.toWorld(Vec3(box.low[0], box.low[1], box.low[2]));
   grid_ = part.grid;
-  const std::vector<std::uint8_t> inside = cutOut(cells, region.inside, box);
+  const std::vector<std::uint8_t> inside = heldIn(cells, region, box);
   std::vector<std::uint8_t> outside(inside.size());
   for (std::size_t i = 0; i < inside.size(); ++i) outside[i] = !inside[i];
   const double cell = grid_.meanSpacing();

@@ -8,7 +8,8 @@
 namespace handlebody {
 
 //! Signed distance to the surface of a region: mm, > 0 inside. Within the box of the region and some cells
-//! around it; further out it is that of the nearest place in the box.
+//! around it; further out it is that of the nearest place in the box. Where the cells end and the volume goes
+//! on the region ends, too; at the volume's border it goes on as it is there.
 class RegionField {
  public:
   RegionField(const WorkImage& work, const Region& region);

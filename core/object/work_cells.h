@@ -16,7 +16,9 @@ class WorkCells {
 
   //! The box is widened by that around a point of the volume. False if it holds that already.
   bool reach(const Reach& box);
-  CellGrid cells() const { return cellsAround(volume_.grid, boxes_, policy_.workCells); }
+  CellGrid cells() const { return cells(policy_.workCells); }
+  //! The same box in the finest cells that are no more than `most`.
+  CellGrid cells(std::size_t most) const { return cellsAround(volume_.grid, boxes_, most); }
   //! The image in the box on a scale, smoothed.
   WorkImage image(const IntensityScale& scale) const;
 

@@ -96,6 +96,10 @@
         <translation>die Oberfläche wird an Durchgängen gehalten, die enger sind als {radius_mm:3g} mm Radius; wenn das, was dahinter liegt, zum Objekt gehört, setzen Sie auch dort einen Startpunkt oder nehmen Sie einen größeren Kandidaten</translation>
     </message>
     <message>
+        <source>the object reaches the end of what was searched around the seed and is cut off there; where it goes on, put a seed there too</source>
+        <translation>das Objekt reicht bis ans Ende dessen, was um den Startpunkt herum abgesucht wurde, und ist dort abgeschnitten; wo es weitergeht, setzen Sie auch dort einen Startpunkt</translation>
+    </message>
+    <message>
         <source>it came through a passage {width_mm:1f} mm wide at {place:1f} from a space {before_mm:0f} mm wide into one {behind_mm:0f} mm wide</source>
         <translation>sie kam durch einen {width_mm:1f} mm weiten Durchgang bei {place:1f} aus einem {before_mm:0f} mm weiten Raum in einen {behind_mm:0f} mm weiten</translation>
     </message>

@@ -96,6 +96,10 @@
         <translation>la superficie queda retenida en pasos de menos de {radius_mm:3g} mm de radio; si lo que hay detrás pertenece al objeto, ponga también allí una semilla o tome un candidato mayor</translation>
     </message>
     <message>
+        <source>the object reaches the end of what was searched around the seed and is cut off there; where it goes on, put a seed there too</source>
+        <translation>el objeto llega al final de lo que se buscó alrededor de la semilla y queda cortado allí; donde continúe, ponga también una semilla</translation>
+    </message>
+    <message>
         <source>it came through a passage {width_mm:1f} mm wide at {place:1f} from a space {before_mm:0f} mm wide into one {behind_mm:0f} mm wide</source>
         <translation>pasó por un paso de {width_mm:1f} mm de ancho en {place:1f}, de un espacio de {before_mm:0f} mm a uno de {behind_mm:0f} mm</translation>
     </message>

@@ -96,6 +96,10 @@
         <translation>la surface est retenue aux passages de moins de {radius_mm:3g} mm de rayon ; si ce qui se trouve au-delà appartient à l’objet, placez-y aussi un germe ou prenez un candidat plus grand</translation>
     </message>
     <message>
+        <source>the object reaches the end of what was searched around the seed and is cut off there; where it goes on, put a seed there too</source>
+        <translation>l’objet atteint la limite de ce qui a été exploré autour du germe et y est coupé ; là où il se poursuit, placez-y aussi un germe</translation>
+    </message>
+    <message>
         <source>it came through a passage {width_mm:1f} mm wide at {place:1f} from a space {before_mm:0f} mm wide into one {behind_mm:0f} mm wide</source>
         <translation>elle est passée par un passage de {width_mm:1f} mm de large à {place:1f}, d’un espace de {before_mm:0f} mm vers un espace de {behind_mm:0f} mm</translation>
     </message>

@@ -96,6 +96,10 @@
         <translation>表面被挡在半径小于 {radius_mm:3g} mm 的通道处；如果其后部分属于目标，请在那里也放一个种子点或选取更大的候选</translation>
     </message>
     <message>
+        <source>the object reaches the end of what was searched around the seed and is cut off there; where it goes on, put a seed there too</source>
+        <translation>目标到达种子点周围搜索范围的边缘，在那里被截断；如果它在其后继续，请在那里也放一个种子点</translation>
+    </message>
+    <message>
         <source>it came through a passage {width_mm:1f} mm wide at {place:1f} from a space {before_mm:0f} mm wide into one {behind_mm:0f} mm wide</source>
         <translation>它在 {place:1f} 处穿过宽 {width_mm:1f} mm 的通道，从宽 {before_mm:0f} mm 的空间进入宽 {behind_mm:0f} mm 的空间</translation>
     </message>

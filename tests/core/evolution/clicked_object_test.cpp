@@ -1,5 +1,6 @@
 #include "core/evolution/clicked_object.h"
 
+#include <algorithm>
 #include <random>
 #include <set>
 
@@ -88,6 +89,67 @@ TEST_CASE("an object that further clicks have left as it was keeps its image") {
   model->start = model->region;
   const auto image = imageOfRegion(volume, *model, {}, nullptr);
   CHECK(imageOfCorrected(image, *model) == image);
+}
+
+TEST_CASE("a region goes on beyond the volume's border, but not where only the search ended") {
+  WorkImage work;
+  work.image.cells.grid = cubicGrid(12);
+  Region region{std::vector<std::uint8_t>(work.cells().count())};
+  forBox({{4, 4, 4}, {11, 7, 7}},
+         [&](const std::array<int, 3>& c) { region.inside[work.cells().at(c)] = 1; });
+  CHECK(RegionField(work, region).at(Vec3(40, 5, 5)) > 1);
+  CHECK_FALSE(isCutOff(work.cells(), region));
+  work.image.cells.goesOn[0] = {false, true};
+  const RegionField field(work, region);
+  CHECK(field.at(Vec3(10, 5.5, 5.5)) > 0.9);
+  CHECK(field.at(Vec3(11.9, 5.5, 5.5)) < 0);
+  CHECK(field.at(Vec3(40, 5, 5)) < -1);
+  CHECK(isCutOff(work.cells(), region));
+}
+
+namespace {
+
+//! A plate 450 mm long, dark, with a darker ball in it around the click.
+const Vec3 kPlateClick(75, 75, 75);
+Volume plate() {
+  Grid grid = cubicGrid(31);
+  grid.size[0] = 100;
+  grid.spacing = Vec3(5, 5, 5);
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0, 3);
+  return volumeByIndex(grid, [&](int i, int j, int k) {
+    const bool isInPlate = i > 4 && i < 95 && j > 3 && j < 27 && k > 8 && k < 22,
+               isInBall = (Vec3(i, j, k) - kPlateClick / 5).norm() < 4;
+    return (isInBall ? 20 : isInPlate ? 70 : 160) + noise(random);
+  });
+}
+
+}  // namespace
+
+TEST_CASE("an object wider than a search is found whole; another candidate that is not tells so") {
+  const Volume volume = plate();
+  const Vec3 near(200, 75, 75), far(440, 75, 75), outside(490, 75, 75);
+  const ClickedObject whole = findClickedObject(volume, {click(near)}, {});
+  CHECK(whole.image->inside(near) > 0);
+  CHECK(whole.image->inside(far) > 0);
+  CHECK(whole.image->inside(outside) < 0);
+  CHECK_FALSE(whole.isCutOff);
+
+  int cut = 0;
+  for (int candidate = 1; candidate <= 5; ++candidate) {
+    Parameters p;
+    p.candidate = candidate;
+    const ClickedObject object = findClickedObject(volume, {click(kPlateClick)}, p);
+    const bool isPlate = object.image->inside(near) > 0;  // 125 mm from the click; the search ends at 160
+    CHECK(object.isCutOff == isPlate);
+    CHECK(object.image->inside(far) < 0);
+    cut += object.isCutOff;
+    const ActiveContour contour(volume, {click(kPlateClick)}, p);
+    const std::vector<Finding> told = contour.warnings(contour.support());
+    CHECK(isPlate == std::any_of(told.begin(), told.end(),
+                                 [](const Finding& f) { return f.kind == FindingKind::endsWithSearch; }));
+  }
+  CHECK(cut > 0);
 }
 
 TEST_CASE("places in a region are joined if a way between them is as deep as asked for") {
