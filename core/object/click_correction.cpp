@@ -74,7 +74,7 @@ class Correction {
     Region moved = displaced(
         work_, before, corrected_.region,
         {click_.click, click_.isInside, policy_.displaced * depth_, policy_.displacedWidth * radius_,
-         clicksOf(corrected_.done, !click_.isInside), policy_.displacedEdge * noise_});
+         clicksOf(corrected_.done, !click_.isInside), policy_.displacedEdge * noise_, policy_.slices});
     moved = tidied(work_, std::move(moved), corrected_.done, policy_);
     if (!isTrue(moved, click_)) return false;
     corrected_.region = std::move(moved);

@@ -56,6 +56,25 @@ std::vector<float> waysFromSide(const WorkImage& work, const Region& from, const
   return lengths;
 }
 
+constexpr int kFewSlices = 4;  // a stack of no more is nothing but ends
+
+//! The cells of a slice on the volume's border in which the click lies.
+void startInEndSlice(const CellGrid& cells, const CellBox& box, const Displacement& d,
+                     std::vector<float>& lengths) {
+  const Cell click = cells.cellOf(d.click.cell);
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double thick = cells.grid.spacing[static_cast<Eigen::Index>(a)];
+    const bool areSlices = d.slices > 0 && thick >= d.slices * cells.grid.spacing.minCoeff();
+    const int last = cells.grid.size[a] - 1;
+    if (!areSlices || last < kFewSlices) continue;
+    const bool isEnd = (click[a] == 0 && !cells.goesOn[a][0]) || (click[a] == last && !cells.goesOn[a][1]);
+    if (!isEnd) continue;
+    CellBox slice = box;
+    slice.low[a] = slice.high[a] = click[a];
+    forBox(slice, [&](const Cell& c) { lengths[box.at(c)] = 0; });
+  }
+}
+
 }  // namespace
 
 Region displaced(const WorkImage& work, const Region& from, Region region, const Displacement& d) {
@@ -66,7 +85,8 @@ Region displaced(const WorkImage& work, const Region& from, Region region, const
   const Vec3 middle = placeOf(cells, centre);
   const double reach = d.width * std::sqrt(2 * std::log(d.height / least));
   const CellBox box = boxAround(cells, centre, reach + d.height);
-  const std::vector<float> lengths = waysFromSide(work, from, box, d);
+  std::vector<float> lengths = waysFromSide(work, from, box, d);
+  if (!d.isInside) startInEndSlice(cells, box, d, lengths);
   std::vector<Vec3> against;
   for (const CellClick& c : d.against) against.push_back(placeOf(cells, cells.cellOf(c.cell)));
   forBox(box, [&](const Cell& c) {

@@ -14,11 +14,13 @@ struct Displacement {
   double width = 0;                //!< mm: standard deviation of the bell
   std::vector<CellClick> against;  //!< clicks of the other kind: what is nearer to one of them stays
   double edge = 0;                 //!< intensities: a jump that makes a step twice as long; 0: none does
+  double slices = 0;               //!< times the finest spacing: cells so thick are slices; 0: none are
 };
 
 //! `region` with the cells that the surface of `from` passes over when it is displaced: they become as the
 //! click is. How far it moves is measured along the shortest paths, and edges make these longer. Where the
-//! bell is lower than half a cell nothing changes.
+//! bell is lower than half a cell nothing changes. For a click outside in a slice on the volume's border all
+//! of the slice is as near to the outside as its rim: one slice too many is a common fault.
 Region displaced(const WorkImage& work, const Region& from, Region region, const Displacement& d);
 
 }  // namespace handlebody

@@ -73,7 +73,8 @@ inline const std::vector<std::pair<std::string, PolicyMember>>& policyMembers() 
       HANDLEBODY_MEMBER(relabelClick),   HANDLEBODY_MEMBER(relabelSure),
       HANDLEBODY_MEMBER(relabelFar),     HANDLEBODY_MEMBER(growth),
       HANDLEBODY_MEMBER(growthApart),    HANDLEBODY_MEMBER(settled),
-      HANDLEBODY_MEMBER(settledShape),   HANDLEBODY_MEMBER(settledNear)};
+      HANDLEBODY_MEMBER(settledShape),   HANDLEBODY_MEMBER(settledNear),
+      HANDLEBODY_MEMBER(slices)};
 #undef HANDLEBODY_MEMBER
   return members;
 }

@@ -1,5 +1,6 @@
 #include "core/object/displacement.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/support/catch.h"
@@ -94,4 +95,38 @@ TEST_CASE("edges stop the surface that is displaced, the more the stronger they 
   CHECK(heightWith(0) == 5);   // beyond it the bell is lower than the way
   CHECK(heightWith(10) == 4);  // one step counts twice
   CHECK(heightWith(4) == 2);   // a step of 7.25 mm is higher than the bell
+}
+
+TEST_CASE("a click outside in a slice on the volume's border means the slice, not its rim") {
+  constexpr int kAcross = 41;
+  const auto keptOf = [](int slices, int clicked, double thick, bool isInside = false) {
+    Grid grid = cubicGrid(kAcross);
+    grid.size[2] = slices;
+    grid.spacing[2] = 10;
+    WorkImage work;
+    work.image.cells.grid = grid;
+    work.values.assign(work.cells().count(), 0);
+    Region region{std::vector<std::uint8_t>(work.cells().count())};
+    const auto forAll = [&](auto&& f) { forBox({{0, 0, 0}, {kAcross - 1, kAcross - 1, slices - 1}}, f); };
+    forAll([&](const std::array<int, 3>& c) {
+      region.inside[work.cells().at(c)] = std::hypot(c[0] - 20, c[1] - 20) < 15;
+    });
+    const std::array<int, 3> at{12, 20, clicked};
+    const CellClick click{work.cells().grid.toWorld(Vec3(at[0], at[1], at[2])), work.cells().at(at), 0};
+    const Region moved = displaced(work, region, region, {click, isInside, 9, 13, {}, 0, thick});
+    std::vector<int> kept(static_cast<std::size_t>(slices), 0);  // cells per slice, of 697
+    forAll([&](const std::array<int, 3>& c) {
+      kept[static_cast<std::size_t>(c[2])] += moved.inside[work.cells().at(c)];
+    });
+    return kept;
+  };
+  const std::vector<int> rim = keptOf(6, 0, 0), slice = keptOf(6, 0, 2.5);
+  CHECK(rim[0] > 250);
+  CHECK(slice[0] < 150);
+  CHECK(std::equal(slice.begin() + 1, slice.end(), rim.begin() + 1));
+  CHECK(keptOf(6, 5, 2.5)[5] == slice[0]);                  // the other end
+  CHECK(keptOf(6, 2, 2.5) == keptOf(6, 2, 0));              // in the midst of the stack
+  CHECK(keptOf(6, 0, 20) == rim);                           // no slices: they would have to be thicker
+  CHECK(keptOf(2, 0, 2.5) == keptOf(2, 0, 0));              // all ends
+  CHECK(keptOf(6, 0, 2.5, true) == keptOf(6, 0, 0, true));  // only what is too much comes by the slice
 }
