@@ -101,8 +101,8 @@ TEST_CASE("a region goes on beyond the volume's border, but not where only the s
   CHECK_FALSE(isCutOff(work.cells(), region));
   work.image.cells.goesOn[0] = {false, true};
   const RegionField field(work, region);
-  CHECK(field.at(Vec3(10, 5.5, 5.5)) > 0.9);
-  CHECK(field.at(Vec3(11.9, 5.5, 5.5)) < 0);
+  CHECK(field.at(Vec3(10, 5.5, 5.5)) > 0);
+  CHECK(field.at(Vec3(12, 5.5, 5.5)) < 0);  // the last cell ends at 11.5
   CHECK(field.at(Vec3(40, 5, 5)) < -1);
   CHECK(isCutOff(work.cells(), region));
 }
