@@ -4,6 +4,7 @@
 
 #include "core/evolution/region_image.h"
 #include "core/evolution/region_levels.h"
+#include "core/evolution/word_flood.h"
 
 namespace handlebody {
 
@@ -35,18 +36,22 @@ bool isSameObject(const Volume& volume, const ObjectChoice& choice, const std::v
   std::vector<Vec3> indices, outside;
   for (const Seed& s : clicks) (s.background ? outside : indices).push_back(volume.grid.toIndex(s.centre));
   const double sign = choice.object == ObjectKind::dark ? 1 : -1;
-  const ObjectRegion flooded = floodObject(*choice.volume, indices, sign, *choice.levels, kMaxVoxels);
+  WordFlood flooded(*choice.volume, indices, sign, *choice.levels);
+  flooded.run(kMaxVoxels);
   const CellGrid& cells = model.work->cells();
   double both = 0, in = 0;
-  for (const ObjectRegion::Voxel& v : flooded.voxels) {
-    const Vec3 index(v[0], v[1], v[2]);
-    if (choice.neck && choice.neck->barrier->openness(index) <= 0) continue;
-    for (const Vec3& click : outside)
-      if ((click - index).cwiseAbs().maxCoeff() <= 0.5) return false;
-    in += 1;
-    const Vec3 world = volume.grid.toWorld(index);
-    both += cells.contains(world) && model.region.inside[cells.at(cells.nearest(world))] != 0;
-  }
+  bool holdsOutside = false;
+  flooded.forEachRun([&](int first, int last, int y, int z) {
+    for (int x = first; x <= last; ++x) {
+      const Vec3 index(x, y, z);
+      if (choice.neck && choice.neck->barrier->openness(index) <= 0) continue;
+      for (const Vec3& click : outside) holdsOutside |= (click - index).cwiseAbs().maxCoeff() <= 0.5;
+      in += 1;
+      const Vec3 world = volume.grid.toWorld(index);
+      both += cells.contains(world) && model.region.inside[cells.at(cells.nearest(world))] != 0;
+    }
+  });
+  if (holdsOutside) return false;
   const double perCell = static_cast<double>(cells.factor[0]) * cells.factor[1] * cells.factor[2];
   const double any = in + static_cast<double>(model.region.count()) * perCell - both;
   return both >= kSameObject * any;

@@ -5,6 +5,7 @@
 
 #include "core/evolution/edge_profile.h"
 #include "core/evolution/object_region.h"
+#include "core/evolution/word_flood.h"
 
 namespace handlebody {
 
@@ -97,17 +98,25 @@ class BoundarySearch {
 
   //! `wasHeld`: at a neck or hole before, which is looked for again whatever the region's size.
   Candidate grow(const LevelField& levels, bool wasHeld) {
+    if (s_.isWhole) return growWhole(levels);
     const double most = std::clamp(kEnough * expected_, kMinVoxels, std::max(2 * expected_, kMaxVoxels));
     Candidate c;
     c.region = floodObject(s_.volume, s_.seeds, s_.sign, levels, static_cast<std::size_t>(most));
     c.voxels = static_cast<double>(c.region.voxels.size());
     const bool looksLikeLeak = c.voxels > kLooksLikeLeak * expected_;
     const bool isNew = c.voxels > kIsNew * looked_;
-    if (s_.isWhole || (!looksLikeLeak && !wasHeld && !isNew)) return c;
+    if (!looksLikeLeak && !wasHeld && !isNew) return c;
     looked_ = std::max(looked_, c.voxels);
     c.neck = findNeck(s_.volume.grid(), c.region, s_.seeds, looksLikeLeak ? Passages::both : Passages::holes);
     if (c.neck) c.voxels = c.neck->keptVolume / s_.volume.grid().voxelVolume();
     return c;
+  }
+
+  //! Without a neck; its rim alone. A leak needs no more than to be seen as one.
+  Candidate growWhole(const LevelField& levels) const {
+    WordFlood flood(s_.volume, s_.seeds, s_.sign, levels);
+    flood.run(static_cast<std::size_t>(std::max(kMinVoxels, kIsLeak * expected_)));
+    return {flood.rim(), {}, static_cast<double>(flood.count())};
   }
 
   //! Far larger than before, or somewhat larger and the neck that held it is lost.

@@ -12,6 +12,7 @@
 #include "core/evolution/region_growth_level.h"
 #include "core/evolution/seed_statistics.h"
 #include "core/evolution/seeds.h"
+#include "core/evolution/word_flood.h"
 #include "core/threads.h"
 #include "core/told_error.h"
 #include "core/volume/intensity_statistics.h"
@@ -237,8 +238,8 @@ bool isTight(const LevelField& levels, const ObjectChoice& choice, const std::ve
   const auto isInside = [&](const Vec3& s) { return sign * choice.volume->sample(s) < sign * levels.at(s); };
   if (!std::all_of(seeds.begin(), seeds.end(), isInside)) return false;
   const auto most = static_cast<std::size_t>(kLeaks * start.voxels);
-  const ObjectRegion held = floodObject(*choice.volume, seeds, sign, levels, most);
-  return held.whole && static_cast<double>(held.voxels.size()) * kLeaks >= start.voxels;
+  WordFlood held(*choice.volume, seeds, sign, levels);
+  return held.run(most) && static_cast<double>(held.count()) * kLeaks >= start.voxels;
 }
 
 //! The outermost tight levels between the object's and the half-way ones. What has been opened leaks by its

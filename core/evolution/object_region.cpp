@@ -7,6 +7,8 @@
 #include <memory>
 #include <new>
 
+#include "core/evolution/level_test.h"
+
 namespace handlebody {
 
 namespace {
@@ -17,10 +19,7 @@ class ObjectFlood {
  public:
   ObjectFlood(const SmoothedVolume& volume, double sign, const LevelField& levels)
       : volume_(volume),
-        levels_(levels),
-        sign_(sign),
-        innermost_(sign > 0 ? levels.lowest() : -levels.highest()),
-        outermost_(sign > 0 ? levels.highest() : -levels.lowest()),
+        isInside_(sign, levels),
         state_(allUnknown(volume.grid().voxelCount())) {
     const auto& n = volume.grid().size;
     stride_ = {1, static_cast<std::size_t>(n[0]),
@@ -95,22 +94,14 @@ class ObjectFlood {
     State& state = state_[at];
     if (state != State::unknown) return state;
     if (volume_.isPadding(at)) return state = State::noImage;
-    state = isInside(v) ? State::inside : State::outside;
+    const bool inside = isInside_.at(volume_.at(v[0], v[1], v[2]), Vec3(v[0], v[1], v[2]));
+    state = inside ? State::inside : State::outside;
     if (state == State::inside) region_.voxels.push_back(v);
     return state;
   }
 
-  //! Most voxels are beyond all levels.
-  bool isInside(const Voxel& v) const {
-    const double value = sign_ * static_cast<double>(volume_.at(v[0], v[1], v[2]));
-    if (value < innermost_) return true;
-    return value < outermost_ && value < sign_ * levels_.at(Vec3(v[0], v[1], v[2]));
-  }
-
   const SmoothedVolume& volume_;
-  const LevelField& levels_;
-  double sign_;
-  double innermost_, outermost_;  // of all levels, times the sign
+  LevelTest isInside_;
   std::array<std::size_t, 3> stride_{};
   States state_;  // per voxel
   ObjectRegion region_;

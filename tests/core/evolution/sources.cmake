@@ -34,4 +34,5 @@ target_sources(core_tests PRIVATE
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/touch_steps_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/wall_disc_test.cpp
   ${CMAKE_SOURCE_DIR}/tests/core/evolution/wall_pieces_test.cpp
-  ${CMAKE_SOURCE_DIR}/tests/core/evolution/walls_test.cpp)
+  ${CMAKE_SOURCE_DIR}/tests/core/evolution/walls_test.cpp
+  ${CMAKE_SOURCE_DIR}/tests/core/evolution/word_flood_test.cpp)
