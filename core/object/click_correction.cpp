@@ -29,6 +29,18 @@ Region tidied(const WorkImage& work, Region region, const std::vector<GivenClick
 
 namespace {
 
+//! Cells of a region that a part of it lacks.
+double lostOf(const Region& region, const Region& part) {
+  double lost = 0;
+  for (std::size_t i = 0; i < region.inside.size(); ++i) lost += region.inside[i] != 0 && part.inside[i] == 0;
+  return lost;
+}
+
+//! In cells.
+double ballOf(double radius, const WorkImage& work) {
+  return 4.0 / 3 * std::numbers::pi * std::pow(radius, 3) / work.cells().grid.spacing.prod();
+}
+
 //! 0 where nothing is of the contrast that is asked for.
 double bestScore(const std::vector<RankedRegion>& ranked) {
   const auto best =
@@ -51,7 +63,7 @@ class Correction {
         radius_(deepestInside(work_, corrected.region)) {}
 
   void run() {
-    if (depth_ < policy_.shallow * radius_ && moveSurface(corrected_.region)) {
+    if (depth_ <= policy_.shallow * kRounding * radius_ && moveSurface(corrected_.region)) {
       settle();
       ++corrected_.inARow;
       return;
@@ -64,7 +76,8 @@ class Correction {
   }
 
  private:
-  static constexpr double kEverywhere = 1e5;  // mm
+  static constexpr double kEverywhere = 1e5;     // mm
+  static constexpr double kRounding = 1 + 1e-6;  // of distances in few cells, which are often equal
 
   const Region& from() const { return corrected_.region; }
 
@@ -88,7 +101,10 @@ class Correction {
     r.isInside = click_.isInside;
     r.depth = std::min(depth_, deepestInside(work_, from()));
     if (r.depth <= 0) return;  // nothing is left
-    Region out = tidied(work_, settled(work_, from(), r, policy_), corrected_.done, policy_);
+    const Region moved = settled(work_, from(), r, policy_);
+    Region out = tidied(work_, moved, corrected_.done, policy_);
+    // What is thin may come apart, which is not what the click has said.
+    if (lostOf(moved, out) >= ballOf(r.depth, work_)) return;
     if (isTrue(out, click_)) corrected_.region = std::move(out);
   }
 
@@ -138,8 +154,7 @@ class Correction {
     if (!click_.isInside || corrections < 2) return false;
     const double added = static_cast<double>(region.count()) - corrected_.largest;
     if (depth_ < policy_.otherPart * radius_) return added > policy_.growth * corrected_.largest;
-    const double ball = 4.0 / 3 * std::numbers::pi * std::pow(depth_, 3) / work_.cells().grid.spacing.prod();
-    return added > std::max(policy_.growthApart * corrected_.largest, ball);
+    return added > std::max(policy_.growthApart * corrected_.largest, ballOf(depth_, work_));
   }
 
   //! A ball around the click, where nothing else serves; nothing changes if it is none that hangs together

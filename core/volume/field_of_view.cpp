@@ -2,19 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <limits>
 #include <optional>
 #include <type_traits>
 #include <unordered_map>
 
 #include "core/indices.h"
+#include "core/volume/border_region.h"
 #include "core/volume/not_a_number.h"
-#include "core/volume/voxel_walk.h"
 
 namespace handlebody {
 
 namespace {
+
+// A passage has no width along an axis with voxels of so many times the least spacing.
+constexpr double kCoarse = 2;
 
 struct Size {
   explicit Size(const std::array<int, 3>& n) : x(idx(n[0])), y(idx(n[1])), z(idx(n[2])) {}
@@ -33,9 +35,35 @@ void forEachBorderVoxel(const Size& n, F&& f) {
     }
 }
 
+//! Calls f(index, i, j, k) for every voxel.
+template <typename F>
+void forEachVoxel(const std::array<int, 3>& size, F&& f) {
+  std::size_t v = 0;
+  for (int k = 0; k < size[2]; ++k)
+    for (int j = 0; j < size[1]; ++j)
+      for (int i = 0; i < size[0]; ++i, ++v) f(v, i, j, k);
+}
+
+//! Around the volume all is padding.
 template <typename T>
-std::vector<bool> findPadding(const T* voxels, const std::array<int, 3>& size, double& paddingValue) {
-  const Size n(size);
+VoxelBits voxelsWith(const T* voxels, const std::array<int, 3>& size, T value) {
+  VoxelBits bits(size, true);
+  forEachVoxel(size, [&](std::size_t v, int i, int j, int k) {
+    if (voxels[v] == value) bits.set(i, j, k);
+  });
+  return bits;
+}
+
+//! Along which voxels are not much longer than along the others.
+std::array<bool, 3> fineAxes(const Grid& grid) {
+  std::array<bool, 3> fine;
+  for (int a = 0; a < 3; ++a) fine[idx(a)] = grid.spacing[a] < kCoarse * grid.spacing.minCoeff();
+  return fine;
+}
+
+template <typename T>
+std::vector<bool> findPadding(const T* voxels, const Grid& grid, double& paddingValue) {
+  const Size n(grid.size);
   std::unordered_map<T, std::size_t> count;
   std::size_t border = 0;
   forEachBorderVoxel(n, [&](std::size_t v) {
@@ -52,19 +80,14 @@ std::vector<bool> findPadding(const T* voxels, const std::array<int, 3>& size, d
   if (static_cast<double>(most) < kMinPadding * static_cast<double>(border)) return {};
 
   paddingValue = static_cast<double>(value);
+  const VoxelBits reached = reachedFromBorder(voxelsWith(voxels, grid.size, value), fineAxes(grid));
   std::vector<bool> padding(n.x * n.y * n.z, false);
-  std::deque<std::size_t> front;  // first in, first out: it never holds more than the surface of the padding
-  const auto push = [&](std::size_t v) {
-    if (padding[v] || voxels[v] != value) return;
-    padding[v] = true;
-    front.push_back(v);
-  };
-  forEachBorderVoxel(n, push);
-  while (!front.empty()) {
-    const std::size_t v = front.front();
-    front.pop_front();
-    forFaceNeighbours(size, v, [&](std::size_t w, std::size_t) { push(w); });
-  }
+  bool any = false;
+  forEachVoxel(grid.size, [&](std::size_t v, int i, int j, int k) {
+    if (voxels[v] != value || !reached.test(i, j, k)) return;
+    any = padding[v] = true;
+  });
+  if (!any) return {};
   return padding;
 }
 
@@ -106,8 +129,8 @@ std::shared_ptr<const FieldOfView> FieldOfView::find(const Volume& volume) {
   auto found = std::make_shared<FieldOfView>();
   found->size_ = volume.grid.size;
   found->padding_ = visitVoxels(volume, [&](const auto* voxels) {
-    return withNotANumber(voxels, volume.grid.voxelCount(),
-                          findPadding(voxels, volume.grid.size, found->value_), found->value_);
+    return withNotANumber(voxels, volume.grid.voxelCount(), findPadding(voxels, volume.grid, found->value_),
+                          found->value_);
   });
   return found->padding_.empty() ? nullptr : found;
 }

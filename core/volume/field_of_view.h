@@ -10,8 +10,9 @@
 namespace handlebody {
 
 //! Marks the padding of a volume: voxels of the one value that is commonest on the border of the grid,
-//! connected with the border; and of those that are not a number in their file, which are read as a number
-//! below the least of the others (volume_io.h), wherever they lie. One bit per voxel.
+//! connected with the border by more than passages of one or two voxels (what is as dark as padding may come
+//! near the side of an ultrasound fan); and voxels that are not a number in their file, which are read as a
+//! number below the least of the others (volume_io.h), wherever they lie. One bit per voxel.
 class FieldOfView {
  public:
   //! Null if there is no padding: fewer than kMinPadding of the border voxels have the same value, and all

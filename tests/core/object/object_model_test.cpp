@@ -279,7 +279,7 @@ TEST_CASE("once an object has been corrected, a click inside does not add much m
   const ObjectPolicy policy;
   const double before = cellsWith(query, policy);
   CHECK(cellsWith(query, none) == before);  // the first correction
-  query.inside.push_back({Vec3(30, 30, 30), {}});
+  query.inside.push_back({Vec3(30, 30, 31), {}});
   // The layer comes with it; the bell and what settles then add to either, or take off.
   const double after = cellsWith(query, policy);
   CHECK(after > before);

@@ -48,16 +48,67 @@ TEST_CASE("the padding value inside the image, away from the border, is no paddi
   CHECK_FALSE(view->isPadding(indexOf(grid, 10, 10, 10)));
 }
 
+TEST_CASE("padding goes on through passages three voxels wide, not through narrower ones") {
+  const Grid grid = cubicGrid(40);
+  for (const int width : {1, 2, 3, 4}) {
+    // A chamber in the middle, and a passage to it from the padding at the side.
+    const auto isDark = [&](int i, int j, int k) {
+      const bool chamber = i > 15 && i < 30 && j > 12 && j < 30 && k > 12 && k < 30;
+      const bool passage = i < 20 && j >= 20 && j < 20 + width && k >= 20 && k < 20 + width;
+      return i < 4 || chamber || passage;
+    };
+    const Volume volume =
+        volumeByIndex(grid, [&](int i, int j, int k) { return isDark(i, j, k) ? 0 : unique(i, j, k); });
+    const auto view = FieldOfView::find(volume);
+    REQUIRE(view != nullptr);
+    CAPTURE(width);
+    for (int j = 0; j < 40; ++j)
+      for (int k = 0; k < 40; ++k) REQUIRE(view->isPadding(indexOf(grid, 3, j, k)));
+    CHECK(view->isPadding(indexOf(grid, 22, 20, 20)) == (width >= 3));
+    CHECK(view->isPadding(indexOf(grid, 10, 20, 20)) == (width >= 3));
+  }
+}
+
+TEST_CASE("along long voxels a passage of padding has no width") {
+  Grid grid = cubicGrid(40);
+  grid.size[2] = 9;
+  const auto isPaddingAt = [&](double spacing) {
+    grid.spacing = Vec3(1, 1, spacing);
+    const auto view = FieldOfView::find(volumeByIndex(
+        grid, [&](int i, int j, int k) { return i < 4 || (k == 4 && i < 20) ? 0 : unique(i, j, k); }));
+    return view->isPadding(indexOf(grid, 10, 20, 4));
+  };
+  CHECK(isPaddingAt(5));
+  CHECK_FALSE(isPaddingAt(1));
+}
+
 TEST_CASE("padding goes on through faces of voxels, not through edges or corners") {
-  const Grid grid = cubicGrid(6);
+  const Grid grid = cubicGrid(20);
   const Volume volume = volumeByIndex(grid, [](int i, int j, int k) {
-    const bool attached = i == 1 && j == 2 && k == 2, diagonal = i == 2 && j == 3 && k == 2;
-    return i == 0 || attached || diagonal ? 0 : unique(i, j, k);
+    const bool diagonal = i >= 4 && i < 12 && j >= 8 && k >= 8, slab = i < 4 && (j < 8 || k < 8);
+    return slab || (diagonal && j < 15 && k < 15) ? 0 : unique(i, j, k);
   });
   const auto view = FieldOfView::find(volume);
   REQUIRE(view != nullptr);
-  CHECK(view->isPadding(indexOf(grid, 1, 2, 2)));
-  CHECK_FALSE(view->isPadding(indexOf(grid, 2, 3, 2)));
+  CHECK(view->isPadding(indexOf(grid, 3, 7, 7)));
+  CHECK_FALSE(view->isPadding(indexOf(grid, 4, 8, 8)));
+  CHECK_FALSE(view->isPadding(indexOf(grid, 8, 11, 11)));
+}
+
+TEST_CASE("padding is exactly what lies outside an ultrasound fan") {
+  const Grid grid = cubicGrid(70);  // more than a word of bits
+  const auto isOutside = [](int i, int j, int k) {
+    const double x = i - 34.5, y = j + 4.0, z = k - 34.5;
+    return std::abs(x) > 0.8 * y || std::abs(z) > 0.8 * y || Vec3(x, y, z).norm() > 65;
+  };
+  const auto view = FieldOfView::find(volumeByIndex(
+      grid, [&](int i, int j, int k) { return isOutside(i, j, k) ? 0 : unique(i % 64, j, k); }));
+  REQUIRE(view != nullptr);
+  std::size_t differ = 0;
+  for (int k = 0; k < 70; ++k)
+    for (int j = 0; j < 70; ++j)
+      for (int i = 0; i < 70; ++i) differ += view->isPadding(indexOf(grid, i, j, k)) != isOutside(i, j, k);
+  CHECK(differ == 0);
 }
 
 TEST_CASE("a value on fewer border voxels than kMinPadding is no padding, on as many it is") {
