@@ -85,39 +85,49 @@ int PolishPatch::split(int a, int b, const Vec3& place) {
 }
 
 //! Edges of one face: each is met once, from the side that runs from its lower point, but for the border's.
-void PolishPatch::addEdges(const Triangle& t, const WantedShape& wanted, int onlyAt, Badness& sum) const {
+void PolishPatch::addEdges(const Triangle& t, int onlyAt, std::vector<Shape>& shapes) const {
   for (std::size_t i = 0; i < 3; ++i) {
     const int p = t[i], q = t[(i + 1) % 3], c = t[(i + 2) % 3];
     if (onlyAt < 0 && p > q) continue;
     const int d = apex(q, p);
     // Seen from the faces at one point, the edges across from it have their other side elsewhere.
     if (d < 0 || (onlyAt >= 0 && holds({p, q, d}, onlyAt) && p > q)) continue;
-    sum.add(wanted.ofEdge(points[p], points[q], points[c], points[d]));
+    shapes.push_back({p, q, c, d, nullptr});
   }
 }
 
-Badness PolishPatch::badness(const WantedShape& wanted) const {
-  Badness sum;
+std::vector<PolishPatch::Shape> PolishPatch::shapes() const {
+  std::vector<Shape> all;
   for (const Triangle& t : faces) {
-    sum.add(wanted.ofFace(points[t[0]], points[t[1]], points[t[2]]));
-    addEdges(t, wanted, -1, sum);
+    all.push_back({t[0], t[1], t[2], -1, nullptr});
+    addEdges(t, -1, all);
   }
   for (const BorderEdge& e : border)
-    if (const int c = apex(e.from, e.to); c >= 0)
-      sum.add(wanted.ofEdge(points[e.from], points[e.to], points[c], e.beyond));
-  return sum;
+    if (const int c = apex(e.from, e.to); c >= 0) all.push_back({e.from, e.to, c, -1, &e.beyond});
+  return all;
 }
 
-Badness PolishPatch::badnessAt(int v, const WantedShape& wanted) const {
-  Badness sum;
+std::vector<PolishPatch::Shape> PolishPatch::shapesAt(int v) const {
+  std::vector<Shape> all;
   for (const Triangle& t : faces) {
     if (!holds(t, v)) continue;
-    sum.add(wanted.ofFace(points[t[0]], points[t[1]], points[t[2]]));
-    addEdges(t, wanted, v, sum);
+    all.push_back({t[0], t[1], t[2], -1, nullptr});
+    addEdges(t, v, all);
   }
   for (const BorderEdge& e : border)
-    if (const int c = apex(e.from, e.to); c == v)
-      sum.add(wanted.ofEdge(points[e.from], points[e.to], points[c], e.beyond));
+    if (const int c = apex(e.from, e.to); c == v) all.push_back({e.from, e.to, c, -1, &e.beyond});
+  return all;
+}
+
+Badness PolishPatch::badnessOf(std::span<const Shape> shapes, const WantedShape& wanted) const {
+  Badness sum;
+  for (const Shape& s : shapes) {
+    const Vec3 &p = points[s.p], &q = points[s.q], &c = points[s.c];
+    if (s.beyond)
+      sum.add(wanted.ofEdge(p, q, c, *s.beyond));
+    else
+      sum.add(s.d < 0 ? wanted.ofFace(p, q, c) : wanted.ofEdge(p, q, c, points[s.d]));
+  }
   return sum;
 }
 

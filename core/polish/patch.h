@@ -2,6 +2,7 @@
 // A few faces of a mesh around a bad place, to be tried at: changed in any way that keeps its border and its
 // topology. A value; everything in it is small, and looked for by going through all of it.
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -40,13 +41,21 @@ class PolishPatch {
   //! The new point's index, or -1.
   int split(int a, int b, const Vec3& place);
 
-  Badness badness(const WantedShape& wanted) const;
-  //! Of the faces at v, their edges among them.
-  Badness badnessAt(int v, const WantedShape& wanted) const;
+  //! A face (p, q, c), an edge pq between it and (q, p, d), or one of the border.
+  struct Shape {
+    int p, q, c;
+    int d = -1;
+    const Vec3* beyond = nullptr;  //!< of the border's edge
+  };
+  //! All faces and edges, or those of the faces at v. Valid, however the points move, until faces change.
+  std::vector<Shape> shapes() const;
+  std::vector<Shape> shapesAt(int v) const;
+  Badness badnessOf(std::span<const Shape> shapes, const WantedShape& wanted) const;
+  Badness badness(const WantedShape& wanted) const { return badnessOf(shapes(), wanted); }
   bool isUsed(int v) const;
 
  private:
-  void addEdges(const Triangle& t, const WantedShape& wanted, int onlyAt, Badness& sum) const;
+  void addEdges(const Triangle& t, int onlyAt, std::vector<Shape>& shapes) const;
 };
 
 }  // namespace handlebody

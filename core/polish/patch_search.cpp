@@ -142,10 +142,14 @@ void PatchSearch::keepBest(std::vector<Attempt>& attempts) {
 }
 
 Vec3 PatchSearch::onSurface(const Vec3& p) const {
+  // No farther than the nearest centre, by more than rounding: most triangles need no look.
+  double atMost = std::numeric_limits<double>::infinity();
+  for (const Ball& ball : balls_) atMost = std::min(atMost, (ball.centre - p).squaredNorm());
+  atMost = (1 + 1e-9) * std::sqrt(atMost);
   double least = std::numeric_limits<double>::infinity();
   Vec3 nearest = p;
   for (std::size_t i = 0; i < surface_.size(); ++i) {
-    const double reach = least + balls_[i].radius;
+    const double reach = std::min(least, atMost) + balls_[i].radius;
     if ((balls_[i].centre - p).squaredNorm() > reach * reach) continue;
     const Vec3 q = closestPoint(p, surface_[i]);
     if (const double d = (q - p).norm(); d < least) {
@@ -234,10 +238,11 @@ Attempt PatchSearch::relaxed(Trial trial, double reach) {
 }
 
 void PatchSearch::move(PolishPatch& patch, int v) {
-  Badness now = patch.badnessAt(v, wanted_);
+  const std::vector<PolishPatch::Shape> shapes = patch.shapesAt(v);
+  Badness now = patch.badnessOf(shapes, wanted_);
   double step = kFirstStep;
   for (int i = 0; i < kMaxSteps && now.sum > 0 && step > kLastStep; ++i)
-    if (!moveByStep(patch, v, step, now)) step /= 2;
+    if (!moveByStep(patch, v, shapes, step, now)) step /= 2;
 }
 
 //! Where a point may go with a step: along the surface in all directions and along its edges (which may lie
@@ -259,7 +264,8 @@ std::vector<Vec3> PatchSearch::places(const PolishPatch& patch, int v, double st
 }
 
 //! To the best of some places at that distance, if it is better than where it is.
-bool PatchSearch::moveByStep(PolishPatch& patch, int v, double step, Badness& now) {
+bool PatchSearch::moveByStep(PolishPatch& patch, int v, std::span<const PolishPatch::Shape> shapes,
+                             double step, Badness& now) {
   const Vec3 from = patch.points[v];
   double radius = 0;
   for (const int n : patch.neighbours(v)) radius = std::max(radius, (patch.points[n] - from).norm());
@@ -268,7 +274,7 @@ bool PatchSearch::moveByStep(PolishPatch& patch, int v, double step, Badness& no
   Badness least = now;
   for (const Vec3& to : places(patch, v, step)) {
     patch.points[v] = to;
-    const Badness there = patch.badnessAt(v, wanted_);
+    const Badness there = patch.badnessOf(shapes, wanted_);
     ++work_;
     if (!there.isBetterThan(least) || (wasNear && !staysNear(patch, v, 1.5 * radius))) continue;
     least = there;

@@ -59,7 +59,8 @@ class PatchSearch {
   Attempt relaxed(Trial trial, double reach);
   void move(PolishPatch& patch, int v);
   std::vector<Vec3> places(const PolishPatch& patch, int v, double step) const;
-  bool moveByStep(PolishPatch& patch, int v, double step, Badness& now);
+  bool moveByStep(PolishPatch& patch, int v, std::span<const PolishPatch::Shape> shapes, double step,
+                  Badness& now);
   bool staysNear(const PolishPatch& patch, int v, double radius) const;
   bool isNear(const PolishPatch& patch) const;
   bool isFaceNear(const Corners& face) const;
