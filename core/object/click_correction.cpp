@@ -84,28 +84,35 @@ class Correction {
   //! What is wrong is mostly a shell as wide as the object: the surface that the region had before moves
   //! around the click. False, and nothing changes, if the click is still on the wrong side then.
   bool moveSurface(const Region& before) {
-    Region moved = displaced(
-        work_, before, corrected_.region,
-        {click_.click, click_.isInside, policy_.displaced * depth_, policy_.displacedWidth * radius_,
-         clicksOf(corrected_.done, !click_.isInside), policy_.displacedEdge * noise_, policy_.slices});
+    Region moved = displaced(work_, before, corrected_.region,
+                             {click_.click, click_.isInside, policy_.displaced * depth_,
+                              policy_.displacedWidth * radius_, clicksOf(corrected_.done, !click_.isInside),
+                              policy_.displacedEdge * noise_, policy_.slices, policy_.fewSlices});
     moved = tidied(work_, std::move(moved), corrected_.done, policy_);
     if (!isTrue(moved, click_)) return false;
     corrected_.region = std::move(moved);
     return true;
   }
   //! On edges again, everywhere: what a click tells of intensities holds elsewhere, too. A boundary between
-  //! two intensities lies better than cells can tell, and stays as it is far from the click.
+  //! two intensities lies better than cells can tell, and stays as it is far from the click; so does all
+  //! where something thin would come apart, which is not what the click has said.
   void settle() {
     Relabelling r = relabelling();
-    r.reach = corrected_.isBoundary ? policy_.settledNear * policy_.displacedWidth * radius_ : kEverywhere;
     r.isInside = click_.isInside;
     r.depth = std::min(depth_, deepestInside(work_, from()));
     if (r.depth <= 0) return;  // nothing is left
+    r.reach = kEverywhere;
+    if (!corrected_.isBoundary && settleWithoutCut(r)) return;
+    r.reach = policy_.settledNear * policy_.displacedWidth * radius_;
+    settleWithoutCut(r);
+  }
+  //! False, and nothing changes, if it would cut off more than a ball as deep as the click.
+  bool settleWithoutCut(const Relabelling& r) {
     const Region moved = settled(work_, from(), r, policy_);
     Region out = tidied(work_, moved, corrected_.done, policy_);
-    // What is thin may come apart, which is not what the click has said.
-    if (lostOf(moved, out) >= ballOf(r.depth, work_)) return;
+    if (lostOf(moved, out) >= ballOf(r.depth, work_)) return false;
     if (isTrue(out, click_)) corrected_.region = std::move(out);
+    return true;
   }
 
   Offer bestOffer() {

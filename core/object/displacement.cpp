@@ -56,8 +56,6 @@ std::vector<float> waysFromSide(const WorkImage& work, const Region& from, const
   return lengths;
 }
 
-constexpr int kFewSlices = 4;  // a stack of no more is nothing but ends
-
 //! The cells of a slice on the volume's border in which the click lies.
 void startInEndSlice(const CellGrid& cells, const CellBox& box, const Displacement& d,
                      std::vector<float>& lengths) {
@@ -66,7 +64,7 @@ void startInEndSlice(const CellGrid& cells, const CellBox& box, const Displaceme
     const double thick = cells.grid.spacing[static_cast<Eigen::Index>(a)];
     const bool areSlices = d.slices > 0 && thick >= d.slices * cells.grid.spacing.minCoeff();
     const int last = cells.grid.size[a] - 1;
-    if (!areSlices || last < kFewSlices) continue;
+    if (!areSlices || last < d.fewSlices) continue;
     const bool isEnd = (click[a] == 0 && !cells.goesOn[a][0]) || (click[a] == last && !cells.goesOn[a][1]);
     if (!isEnd) continue;
     CellBox slice = box;

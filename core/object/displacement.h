@@ -15,6 +15,7 @@ struct Displacement {
   std::vector<CellClick> against;  //!< clicks of the other kind: what is nearer to one of them stays
   double edge = 0;                 //!< intensities: a jump that makes a step twice as long; 0: none does
   double slices = 0;               //!< times the finest spacing: cells so thick are slices; 0: none are
+  int fewSlices = 4;               //!< a stack of no more is nothing but ends
 };
 
 //! `region` with the cells that the surface of `from` passes over when it is displaced: they become as the

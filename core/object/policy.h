@@ -125,7 +125,8 @@ struct ObjectPolicy {
   double displacedWidth = 0.9;              //!< around it by a bell so wide in depths of the object's
   double otherPart = 1.2;     //!< deepest place, and as deep as this in them the click lies in another part
   double displacedEdge = 10;  //!< noises: a jump that makes a step of that way twice as long
-  double slices = 2.5;        //!< times the finest spacing: cells so thick are slices
+  double slices = 2.5;        //!< times the finest spacing: cells so thick are slices;
+  int fewSlices = 4;          //!< a stack of no more is nothing but ends
   double settled = 0.3;       //!< and a cell: so far it moves then to where edges and intensities are;
   double settledShape = 4;    //!< log of the odds for its side that a place as deep as the click has
   double settledNear = 2.5;   //!< widths of the bell: what of a boundary is further away stays

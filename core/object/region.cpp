@@ -248,16 +248,4 @@ CellBox boxOfChange(const CellGrid& cells, const Region& a, const Region& b) {
   return box;
 }
 
-std::vector<std::uint8_t> cutOut(const CellGrid& cells, const std::vector<std::uint8_t>& values,
-                                 const CellBox& box) {
-  std::vector<std::uint8_t> out;
-  out.reserve(box.count());
-  for (int z = box.low[2]; z <= box.high[2]; ++z)
-    for (int y = box.low[1]; y <= box.high[1]; ++y) {
-      const auto row = values.begin() + static_cast<std::ptrdiff_t>(cells.at(box.low[0], y, z));
-      out.insert(out.end(), row, row + (box.high[0] - box.low[0] + 1));
-    }
-  return out;
-}
-
 }  // namespace handlebody

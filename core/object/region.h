@@ -1,6 +1,8 @@
 #pragma once
 // A region of cells, as it is kept and corrected.
 
+#include <algorithm>
+
 #include "core/object/candidates.h"
 
 namespace handlebody {
@@ -85,8 +87,20 @@ bool isCutOff(const CellGrid& cells, const Region& region);
 double overlapOf(const Region& a, const Region& b);
 //! Where two regions differ.
 CellBox boxOfChange(const CellGrid& cells, const Region& a, const Region& b);
-//! Part of the cells' values in a box, x fastest.
-std::vector<std::uint8_t> cutOut(const CellGrid& cells, const std::vector<std::uint8_t>& values,
-                                 const CellBox& box);
+//! The cells' values in a box, x fastest; 0 where it goes on beyond the cells.
+template <typename T>
+std::vector<T> cutOut(const CellGrid& cells, const std::vector<T>& values, const CellBox& box) {
+  const auto& n = cells.grid.size;
+  const int first = std::max(0, box.low[0]), last = std::min(n[0] - 1, box.high[0]);
+  std::vector<T> out(box.count(), T{0});
+  if (first > last) return out;
+  for (int z = std::max(0, box.low[2]); z <= std::min(n[2] - 1, box.high[2]); ++z)
+    for (int y = std::max(0, box.low[1]); y <= std::min(n[1] - 1, box.high[1]); ++y) {
+      const auto row = values.begin() + static_cast<std::ptrdiff_t>(cells.at(first, y, z));
+      std::copy(row, row + (last - first + 1),
+                out.begin() + static_cast<std::ptrdiff_t>(box.at({first, y, z})));
+    }
+  return out;
+}
 
 }  // namespace handlebody

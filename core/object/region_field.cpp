@@ -28,16 +28,6 @@ CellBox withMargin(const CellGrid& cells, CellBox box) {
   return box;
 }
 
-//! 1 for the cells of a box that a region holds. Beyond the cells there is none of it.
-std::vector<std::uint8_t> heldIn(const CellGrid& cells, const Region& region, const CellBox& box) {
-  const auto& size = cells.grid.size;
-  const CellBox all{{0, 0, 0}, {size[0] - 1, size[1] - 1, size[2] - 1}};
-  std::vector<std::uint8_t> held;
-  held.reserve(box.count());
-  forBox(box, [&](const auto& c) { held.push_back(all.holds(c) ? region.inside[cells.at(c)] : 0); });
-  return held;
-}
-
 }  // namespace
 
 RegionField::RegionField(const WorkImage& work, const Region& region) {
@@ -47,7 +37,7 @@ RegionField::RegionField(const WorkImage& work, const Region& region) {
   part.grid.size = box.size();
   part.grid.origin = cells.grid.toWorld(Vec3(box.low[0], box.low[1], box.low[2]));
   grid_ = part.grid;
-  const std::vector<std::uint8_t> inside = heldIn(cells, region, box);
+  const std::vector<std::uint8_t> inside = cutOut(cells, region.inside, box);
   std::vector<std::uint8_t> outside(inside.size());
   for (std::size_t i = 0; i < inside.size(); ++i) outside[i] = !inside[i];
   const double cell = grid_.meanSpacing();

@@ -140,13 +140,6 @@ std::vector<TubeRegion> tubeRegions(const WorkImage& work, const std::vector<Cel
   return out;
 }
 
-std::vector<float> cutOutOf(const CellGrid& cells, const std::vector<float>& values, const CellBox& box) {
-  std::vector<float> out;
-  out.reserve(box.count());
-  forBox(box, [&](const std::array<int, 3>& c) { out.push_back(values[cells.at(c)]); });
-  return out;
-}
-
 CellGrid boxOfCells(const CellGrid& cells, const CellBox& box) {
   CellGrid out = cells;
   out.grid.size = box.size();
@@ -170,9 +163,9 @@ std::vector<std::unique_ptr<ClickSearch>> tubeSearches(const WorkImage& work, co
     const CellGrid cells = boxOfCells(work.cells(), tube.box);
     auto s = std::make_unique<ClickSearch>();
     s->scale = like.scale;
-    s->image = {cells, cutOutOf(work.cells(), work.image.values, tube.box),
+    s->image = {cells, cutOut(work.cells(), work.image.values, tube.box),
                 cutOut(work.cells(), work.image.padding, tube.box)};
-    s->values = cutOutOf(work.cells(), work.values, tube.box);
+    s->values = cutOut(work.cells(), work.values, tube.box);
     s->click = cells.nearest(inside[0].place);
     s->intensities = like.intensities;
     ArrivalMap map{kRungs, 0, 0, 1, tube.agreement, {}};

@@ -74,7 +74,7 @@ inline const std::vector<std::pair<std::string, PolicyMember>>& policyMembers() 
       HANDLEBODY_MEMBER(relabelFar),     HANDLEBODY_MEMBER(growth),
       HANDLEBODY_MEMBER(growthApart),    HANDLEBODY_MEMBER(settled),
       HANDLEBODY_MEMBER(settledShape),   HANDLEBODY_MEMBER(settledNear),
-      HANDLEBODY_MEMBER(slices)};
+      HANDLEBODY_MEMBER(slices),         HANDLEBODY_MEMBER(fewSlices)};
 #undef HANDLEBODY_MEMBER
   return members;
 }
