@@ -18,9 +18,7 @@ using Voxel = ObjectRegion::Voxel;
 class ObjectFlood {
  public:
   ObjectFlood(const SmoothedVolume& volume, double sign, const LevelField& levels)
-      : volume_(volume),
-        isInside_(sign, levels),
-        state_(allUnknown(volume.grid().voxelCount())) {
+      : volume_(volume), isInside_(sign, levels), state_(allUnknown(volume.grid().voxelCount())) {
     const auto& n = volume.grid().size;
     stride_ = {1, static_cast<std::size_t>(n[0]),
                static_cast<std::size_t>(n[0]) * static_cast<std::size_t>(n[1])};
