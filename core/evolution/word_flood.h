@@ -13,7 +13,7 @@
 namespace handlebody {
 
 //! A row of a brick is one machine word, and its voxels are listed only where someone asks: for regions of
-//! millions of voxels, which floodObject takes ten times as long for. Where it ends early it holds any part
+//! millions of voxels, for which floodObject takes several times as long. Where it ends early it holds any part
 //! of the region around the seeds, not a ball.
 class WordFlood {
  public:

@@ -109,11 +109,10 @@ VoxelBits VoxelBits::reachedFromCorner() const {
   return reached;
 }
 
-VoxelBits reachedFromBorder(const VoxelBits& in, const std::array<bool, 3>& axes) {
-  VoxelBits wide = in;
+VoxelBits reachedFromBorder(VoxelBits in, const std::array<bool, 3>& axes) {
   for (int axis = 0; axis < 3; ++axis)
-    if (axes[idx(axis)]) wide.erode(axis);
-  VoxelBits reached = wide.reachedFromCorner();
+    if (axes[idx(axis)]) in.erode(axis);
+  VoxelBits reached = in.reachedFromCorner();
   for (int axis = 0; axis < 3; ++axis)
     if (axes[idx(axis)]) reached.dilate(axis);
   return reached;

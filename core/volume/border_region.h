@@ -51,6 +51,6 @@ class VoxelBits {
 //! Of the voxels that are in, those connected with the border of the volume by faces through passages at
 //! least three voxels wide, and their neighbours: what a cube of three voxels reaches from outside, which is
 //! all in. `axes`: along which a passage has a width; the cube is one voxel thick along others.
-VoxelBits reachedFromBorder(const VoxelBits& in, const std::array<bool, 3>& axes);
+VoxelBits reachedFromBorder(VoxelBits in, const std::array<bool, 3>& axes);
 
 }  // namespace handlebody
