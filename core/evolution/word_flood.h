@@ -13,8 +13,8 @@
 namespace handlebody {
 
 //! A row of a brick is one machine word, and its voxels are listed only where someone asks: for regions of
-//! millions of voxels, for which floodObject takes several times as long. Where it ends early it holds any part
-//! of the region around the seeds, not a ball.
+//! millions of voxels, for which floodObject takes several times as long. Where it ends early it holds any
+//! part of the region around the seeds, not a ball.
 class WordFlood {
  public:
   //! As floodObject's. Volume and levels must live as long.
