@@ -9,6 +9,7 @@
 #include "core/object/displacement.h"
 #include "core/object/offers.h"
 #include "core/object/relabel.h"
+#include "core/volume/voxel_walk.h"
 
 namespace handlebody {
 
@@ -29,11 +30,25 @@ Region tidied(const WorkImage& work, Region region, const std::vector<GivenClick
 
 namespace {
 
-//! Cells of a region that a part of it lacks.
-double lostOf(const Region& region, const Region& part) {
-  double lost = 0;
-  for (std::size_t i = 0; i < region.inside.size(); ++i) lost += region.inside[i] != 0 && part.inside[i] == 0;
-  return lost;
+//! Cells of the largest piece of a region that a part of it lacks, without what is new in the region.
+double largestLost(const WorkImage& work, const Region& before, const Region& region, const Region& part) {
+  std::vector<std::uint8_t> lost(region.inside.size());
+  for (std::size_t i = 0; i < lost.size(); ++i)
+    lost[i] = before.inside[i] != 0 && region.inside[i] != 0 && part.inside[i] == 0;
+  std::size_t largest = 0;
+  for (std::size_t start = 0; start < lost.size(); ++start) {
+    if (lost[start] == 0) continue;
+    lost[start] = 0;
+    std::vector<std::size_t> piece{start};
+    for (std::size_t k = 0; k < piece.size(); ++k)
+      forFaceNeighbours(work.cells().grid.size, piece[k], [&](std::size_t w, std::size_t) {
+        if (lost[w] == 0) return;
+        lost[w] = 0;
+        piece.push_back(w);
+      });
+    largest = std::max(largest, piece.size());
+  }
+  return static_cast<double>(largest);
 }
 
 //! In cells.
@@ -106,11 +121,11 @@ class Correction {
     r.reach = policy_.settledNear * policy_.displacedWidth * radius_;
     settleWithoutCut(r);
   }
-  //! False, and nothing changes, if it would cut off more than a ball as deep as the click.
+  //! False, and nothing changes, if it would cut off a piece of more than a ball as deep as the click.
   bool settleWithoutCut(const Relabelling& r) {
     const Region moved = settled(work_, from(), r, policy_);
     Region out = tidied(work_, moved, corrected_.done, policy_);
-    if (lostOf(moved, out) >= ballOf(r.depth, work_)) return false;
+    if (largestLost(work_, from(), moved, out) >= ballOf(r.depth, work_)) return false;
     if (isTrue(out, click_)) corrected_.region = std::move(out);
     return true;
   }

@@ -79,7 +79,7 @@ TEST_CASE("a surface that settles does not let go of what hangs on something thi
     CAPTURE(bar);
     CHECK(holdsRight(corrected.region));
     CHECK(isTrue(corrected.region, click));
-    // Elsewhere it settles, if it may: the far ball of noise shrinks.
+    // Elsewhere it settles, if it may: the far ball shrinks, as nothing but noise holds it.
     int farther = 0;
     for (std::size_t i = 0; i < before.inside.size(); ++i)
       farther += work.cells().cellOf(i)[0] > 40 && corrected.region.inside[i] != before.inside[i];
