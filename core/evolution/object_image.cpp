@@ -13,6 +13,8 @@ constexpr double kNear = 1e-6;
 // Cells from what clicks have changed: up to the first nothing of what was before counts, from the second on
 // nothing else.
 constexpr double kChanged = 1, kUnchanged = 3;
+// Cells from a click: up to the first the surface is the region's own, from the second on the levels have it.
+constexpr double kHeld = 1, kFree = 3;
 
 //! A limit that only one of the two has is that of the nearer.
 double between(double a, double b, double share) {
@@ -117,10 +119,17 @@ ObjectImage::Limits ObjectImage::limitsOfRegion(const Vec3& world, bool held, Li
   const double side = region_.side->at(place);
   (side > 0 ? limits.high : limits.low) = (side > 0 ? region_.high : region_.low)->at(place);
   if (!held) return limits;
-  const double deep = region_.field->at(world), slack = std::abs(side) * region_.slack;
+  const double deep = region_.field->at(world), slack = std::abs(side) * slackAt(world);
   if (!region_.mayHaveHoles) limits.least = (deep - slack) / region_.cell;
   limits.most = std::min(limits.most, (deep + slack) / region_.cell);
   return limits;
+}
+
+double ObjectImage::slackAt(const Vec3& world) const {
+  double share = 1;
+  for (const Vec3& click : region_.clicks)
+    share = std::min(share, ((click - world).norm() / region_.cell - kHeld) / (kFree - kHeld));
+  return std::max(share, 0.0) * region_.slack;
 }
 
 double ObjectImage::shareOfBefore(const Vec3& world) const {

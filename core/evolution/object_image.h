@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <vector>
 
 #include "core/evolution/level_field.h"
 #include "core/evolution/neck.h"
@@ -25,7 +27,8 @@ struct RegionLimits {
   std::shared_ptr<const LevelField> side{};  //!< +1 where the edges rise, -1 where they fall, mixed between
   double slack = 0;                          //!< mm
   double cell = 1;                           //!< mm
-  bool mayHaveHoles = false;  //!< inwards the levels alone decide, also far from the region's surface
+  bool mayHaveHoles = false;   //!< inwards the levels alone decide, also far from the region's surface
+  std::vector<Vec3> clicks{};  //!< world: next to them the surface is the region's own, on their right side
 };
 
 //! Smoothed volume and intensity range of the object. With `levels` the range's finite end is theirs, place
@@ -110,6 +113,11 @@ class ObjectImage {
     const Vec3 index = volume_->grid().toIndex(world);
     return limitsWithin(index, world, false).inside(volume_->sample(index));
   }
+  //! The finite limit of the intensity at a place (world, mm); the upper one if both are.
+  double level(const Vec3& world) const {
+    const Limits limits = limitsWithin(volume_->grid().toIndex(world), world, false);
+    return std::isfinite(limits.high) ? limits.high : limits.low;
+  }
   bool isRegion() const { return region_.field != nullptr; }
   //! True if a front that needs this much room (mm) surely comes from one place to the other; false if the
   //! object is no region, or if there are walls.
@@ -127,6 +135,8 @@ class ObjectImage {
   bool holds(const std::array<int, 3>& voxel, double value) const;
   Limits limitsWithin(const Vec3& index, const Vec3& world, bool held) const;  // without the neck
   Limits limitsOfRegion(const Vec3& world, bool held, Limits limits) const;
+  //! How far (mm) the levels may have the surface from the region's own, where the edges agree.
+  double slackAt(const Vec3& world) const;
   //! How much of what was before counts: 0 next to changes, 1 from some cells on.
   double shareOfBefore(const Vec3& world) const;
 

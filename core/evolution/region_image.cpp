@@ -47,15 +47,15 @@ struct Edges {
   double halfStep;  // intensities
 };
 
-Edges edgesOf(const ObjectModel& model) {
-  const RegionLevels levels = levelsOn(*model.work, model.region, model.work->cells().grid);
+Edges edgesOf(const ObjectModel& model, const KnownLevel& known = {}) {
+  const RegionLevels levels = levelsOn(*model.work, model.region, model.work->cells().grid, known);
   const double halfStep = levels.halfStep > 0 ? levels.halfStep : model.noise;
   const CellGrid& cells = model.work->cells();
   const double cell = cells.grid.meanSpacing();
   // A star-shaped region was chosen because the image around it leads astray: its own surface counts.
   const double trust = model.isStar ? 0 : std::min(1.0, halfStep / (kTrusted * model.noise));
   return {{std::make_shared<RegionField>(*model.work, model.region), cells.grid, levels.low, levels.high,
-           levels.side, trust * cell, cell},
+           levels.side, trust * cell, cell, false, model.clicks},
           halfStep};
 }
 
@@ -92,8 +92,15 @@ std::shared_ptr<const ObjectImage> imageOfCorrected(std::shared_ptr<const Object
   std::transform(changes.inside.begin(), changes.inside.end(), model.start.inside.begin(),
                  changes.inside.begin(), std::not_equal_to<>());
   if (changes.count() == 0) return before;
+  // The half-way level of all edges around may be far from that which the surface follows: in coarse voxels
+  // it would jump all around a click.
+  const RegionField start(*model.work, model.start);
+  const double cell = model.work->cells().grid.meanSpacing();
+  Edges edges = edgesOf(model, [&](const Vec3& world) {
+    return std::abs(start.at(world)) < cell ? std::optional(before->level(world)) : std::nullopt;
+  });
   return std::make_shared<ObjectImage>(std::move(before), RegionField(*model.work, changes),
-                                       edgesOf(model).limits);
+                                       std::move(edges.limits));
 }
 
 RegionInCells shownCells(const ObjectImage& image, const ObjectModel& model) {

@@ -20,7 +20,8 @@ std::shared_ptr<const ObjectImage> imageOfRegion(const Volume& volume, const Obj
 //! it could leak where it has a gap of less than a voxel.
 std::shared_ptr<const ObjectImage> imageOfBoundary(const ObjectChoice& choice, const ObjectModel& model);
 
-//! A region that further clicks have corrected: near what they changed as imageOfRegion, elsewhere as before.
+//! A region that further clicks have corrected: near what they changed as imageOfRegion, but where its
+//! surface has hardly moved along the same level as before; elsewhere as before.
 std::shared_ptr<const ObjectImage> imageOfCorrected(std::shared_ptr<const ObjectImage> before,
                                                     const ObjectModel& model);
 

@@ -52,7 +52,8 @@ std::shared_ptr<const LevelField> spread(const LevelField::Samples& samples, con
 
 }  // namespace
 
-RegionLevels levelsOn(const WorkImage& work, const Region& region, const Grid& grid) {
+RegionLevels levelsOn(const WorkImage& work, const Region& region, const Grid& grid,
+                      const KnownLevel& known) {
   const Grid& cells = work.cells().grid;
   const bool same = grid.size == cells.size && grid.origin == cells.origin;
   const SmoothedVolume volume = asVolume(work);
@@ -69,10 +70,11 @@ RegionLevels levelsOn(const WorkImage& work, const Region& region, const Grid& g
     const ImageEdge& e = rises ? *rise : *fall;
     const Vec3 place = same ? e.place : grid.toIndex(cells.toWorld(e.place));
     const double weight = e.step * e.step;
+    const std::optional<double> kept = known ? known(cells.toWorld(e.place)) : std::nullopt;
     if (rises)
-      high.add(place, e.level, weight);
+      high.add(place, kept.value_or(e.level), weight);
     else
-      low.add(place, -e.level, weight);
+      low.add(place, kept.value_or(-e.level), weight);
     side.add(place, rises ? 1 : -1, weight);
     sides += rises ? weight : -weight;
     steps.push_back(e.step);

@@ -1,7 +1,9 @@
 #pragma once
 // Which intensities lie on the surface of a region.
 
+#include <functional>
 #include <memory>
+#include <optional>
 
 #include "core/evolution/level_field.h"
 #include "core/evolution/parameters.h"
@@ -19,7 +21,11 @@ struct RegionLevels {
   ObjectKind kind = ObjectKind::dark;      //!< dark: more of the edges rise
 };
 
-//! Of a region in the work image's cells; the fields are for indices of `grid`.
-RegionLevels levelsOn(const WorkImage& work, const Region& region, const Grid& grid);
+//! The level (intensity) that the surface follows already near a place (world, mm); none elsewhere.
+using KnownLevel = std::function<std::optional<double>(const Vec3& world)>;
+
+//! Of a region in the work image's cells; the fields are for indices of `grid`. A known level is kept.
+RegionLevels levelsOn(const WorkImage& work, const Region& region, const Grid& grid,
+                      const KnownLevel& known = {});
 
 }  // namespace handlebody

@@ -90,6 +90,7 @@ class ObjectFinder::Search : private RegionSource {
     model.high = chosen().bounds()[1];
     model.rise = chosen().rise;
     model.isCorrected = corrected.done.size() > 1;
+    for (auto c = clicks.begin() + 1; c != clicks.end(); ++c) model.clicks.push_back(c->click.place);
     stamp(*work_, corrected.region, clicksOf(clicks, true), clicksOf(clicks, false));
     model.region = std::move(corrected.region);
     model.isCutOff = isCutOff(work_->cells(), model.region);

@@ -45,6 +45,7 @@ class ObjectModel {
   bool isCutOff = false;     //!< it ends where the cells of `work` do, and the volume goes on there
   bool isCorrected = false;  //!< further clicks have changed it
   Region start;              //!< what it was before they did; empty if they did not
+  std::vector<Vec3> clicks;  //!< world: all but the first
   double neckRadius = 0;     //!< mm: narrower passages are cut
   bool isStar = false;       //!< chosen by its shape, where the image alone did not say where to end
   double low = 0, high = 0;  //!< intensities: bounds of what was chosen

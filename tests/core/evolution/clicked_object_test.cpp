@@ -8,6 +8,7 @@
 #include "core/evolution/region_image.h"
 #include "core/evolution/seeds.h"
 #include "core/mesh/nesting.h"
+#include "core/mesh/topology.h"
 #include "core/object/region_field.h"
 #include "tests/support/catch.h"
 #include "tests/support/test_volume.h"
@@ -177,6 +178,86 @@ TEST_CASE("a further click in a region has no start of its own where the front o
   Seed placed = beyond;
   placed.radius = 2;
   CHECK(fitSeeds(image, {first, placed}, narrow, false).size() == 2);
+}
+
+TEST_CASE("next to a click the surface is the region's own, elsewhere the levels have it") {
+  const Grid grid = cubicGrid(49);
+  const auto level = std::make_shared<const LevelField>(grid, 100),
+             side = std::make_shared<const LevelField>(grid, 1);
+  const auto dark =
+      std::make_shared<SmoothedVolume>(volumeByIndex(grid, [](int, int, int) { return 40; }), 0);
+  const Vec3 beside(12, 24, 32.2), far(36, 24, 32.2);  // of a ball of radius 8 each
+  const auto imageWith = [&](std::vector<Vec3> clicks) {
+    RegionLimits limits{
+        std::make_shared<RegionField>(dumbbell()), grid, level, level, side, 1, 1, false, clicks};
+    return ObjectImage(dark, std::move(limits), 40, nullptr);
+  };
+  CHECK(imageWith({}).inside(beside) > 0);
+  CHECK(imageWith({}).inside(far) > 0);
+  CHECK(imageWith({beside}).inside(beside) < 0);
+  CHECK(imageWith({beside}).inside(far) == imageWith({}).inside(far));
+}
+
+TEST_CASE("a place that was clicked lies on its side of the surface, anew and going on") {
+  const Volume volume = knob();
+  const auto grow = [](ActiveContour& contour) {
+    while (contour.stopReason() == StopReason::running) contour.step();
+  };
+  const auto windsAround = [](const ActiveContour& contour, const Vec3& place) {
+    constexpr int kNone = -1;  // no component is left out
+    return windingNumber(contour.mesh(), findComponents(contour.mesh()), kNone, place) == 1;
+  };
+  ActiveContour first(volume, {click(kLarge)}, {});
+  grow(first);
+  for (const Vec3& way : {Vec3(-2, 1, 2), Vec3(-1, -2, 2), Vec3(-2, -2, -1), Vec3(-3, 0, 0)})
+    for (const double radius : {11.0, 13.0}) {  // of 12, in voxels of 1 mm
+      const Vec3 place = kLarge + radius / 3 * way;
+      const bool isOutside = radius < 12;
+      CAPTURE(way, radius);
+      const std::vector<Seed> clicks{click(kLarge), click(place, isOutside)};
+      ActiveContour anew(volume, clicks, {}), goingOn = first;
+      grow(anew);
+      CHECK(windsAround(anew, place) != isOutside);
+      goingOn.change({clicks, {}});
+      grow(goingOn);
+      CHECK(windsAround(goingOn, place) != isOutside);
+    }
+}
+
+namespace {
+
+//! Voxels of 3 mm: a dark ball of radius 18 mm, grey around it, and bright half-way round a little further
+//! out.
+const Vec3 kCoarse(48, 48, 48);
+Volume inCoarseVoxels() {
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0, 3);
+  Grid grid = cubicGrid(33);
+  grid.spacing = Vec3(3, 3, 3);
+  return volumeByIndex(grid, [&](int i, int j, int k) {
+    const Vec3 p = 3 * Vec3(i, j, k) - kCoarse;
+    const double outside = std::clamp(p.norm() / 3 - 6 + 0.5, 0.0, 1.0),
+                 bright = p[0] > 0 ? std::clamp(p.norm() / 3 - 8 + 0.5, 0.0, 1.0) : 0;
+    return 25 + outside * 75 + bright * 150 + noise(random);
+  });
+}
+
+double volumeOf(const Volume& volume, const std::vector<Seed>& clicks) {
+  ActiveContour contour(volume, clicks, {});
+  while (contour.stopReason() == StopReason::running) contour.step();
+  return signedVolume(contour.mesh());
+}
+
+}  // namespace
+
+TEST_CASE("in coarse voxels, too, a click outside lets the object grow nowhere") {
+  const Volume volume = inCoarseVoxels();
+  const Vec3 place = kCoarse + 16.5 * Vec3(-2, 1, 2) / 3;
+  const double before = volumeOf(volume, {click(kCoarse)});
+  const double after = volumeOf(volume, {click(kCoarse), click(place, true)});
+  CHECK(before == Approx(4.0 / 3 * 3.1416 * std::pow(18, 3)).epsilon(0.1));
+  CHECK(after < 1.005 * before);
+  CHECK(after > 0.9 * before);
 }
 
 TEST_CASE("both ends of a passage are reached, whatever its width, from one start or two") {

@@ -70,6 +70,20 @@ TEST_CASE("levels follow their edges, and are told on the grid that is asked for
   CHECK(levels.high->at(fine.toIndex(cells.toWorld(Vec3(24, 16, 16)))) == Approx(100).margin(6));
 }
 
+TEST_CASE("a level that is known already is kept, and around it counts as its edges would") {
+  const Grid grid = cubicGrid(33);
+  const auto known = [](double level) {
+    return [level](const Vec3& p) { return p[0] < 16 ? std::optional(level) : std::nullopt; };
+  };
+  const auto [dark, region] = ballIn(grid, [](int) { return 120; });
+  const RegionLevels levels = levelsOn(dark, region, grid, known(50));
+  CHECK(levels.high->at(Vec3(8, 16, 16)) == Approx(50).margin(8));  // each is heard on the other side, too
+  CHECK(levels.high->at(Vec3(24, 16, 16)) == Approx(80).margin(8));
+
+  const auto [bright, same] = ballIn(grid, [](int) { return 0; });
+  CHECK(levelsOn(bright, same, grid, known(35)).low->at(Vec3(8, 16, 16)) == Approx(35).margin(8));
+}
+
 TEST_CASE("a region in an image of one value has no levels") {
   const Grid grid = cubicGrid(33);
   const auto [work, region] = ballIn(grid, [](int) { return 40; });
