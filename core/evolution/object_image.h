@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -112,11 +111,6 @@ class ObjectImage {
   double insideByIntensity(const Vec3& world) const {
     const Vec3 index = volume_->grid().toIndex(world);
     return limitsWithin(index, world, false).inside(volume_->sample(index));
-  }
-  //! The finite limit of the intensity at a place (world, mm); the upper one if both are.
-  double level(const Vec3& world) const {
-    const Limits limits = limitsWithin(volume_->grid().toIndex(world), world, false);
-    return std::isfinite(limits.high) ? limits.high : limits.low;
   }
   bool isRegion() const { return region_.field != nullptr; }
   //! True if a front that needs this much room (mm) surely comes from one place to the other; false if the

@@ -96,8 +96,11 @@ std::shared_ptr<const ObjectImage> imageOfCorrected(std::shared_ptr<const Object
   // it would jump all around a click.
   const RegionField start(*model.work, model.start);
   const double cell = model.work->cells().grid.meanSpacing();
-  Edges edges = edgesOf(model, [&](const Vec3& world) {
-    return std::abs(start.at(world)) < cell ? std::optional(before->level(world)) : std::nullopt;
+  Edges edges = edgesOf(model, [&](const Vec3& world, bool rises) -> std::optional<double> {
+    const ObjectImage::Limits limits = before->read(world).limits;
+    const double level = rises ? limits.high : limits.low;
+    if (!std::isfinite(level) || std::abs(start.at(world)) >= cell) return {};
+    return level;
   });
   return std::make_shared<ObjectImage>(std::move(before), RegionField(*model.work, changes),
                                        std::move(edges.limits));

@@ -70,7 +70,7 @@ RegionLevels levelsOn(const WorkImage& work, const Region& region, const Grid& g
     const ImageEdge& e = rises ? *rise : *fall;
     const Vec3 place = same ? e.place : grid.toIndex(cells.toWorld(e.place));
     const double weight = e.step * e.step;
-    const std::optional<double> kept = known ? known(cells.toWorld(e.place)) : std::nullopt;
+    const std::optional<double> kept = known ? known(cells.toWorld(e.place), rises) : std::nullopt;
     if (rises)
       high.add(place, kept.value_or(e.level), weight);
     else

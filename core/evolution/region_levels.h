@@ -21,8 +21,9 @@ struct RegionLevels {
   ObjectKind kind = ObjectKind::dark;      //!< dark: more of the edges rise
 };
 
-//! The level (intensity) that the surface follows already near a place (world, mm); none elsewhere.
-using KnownLevel = std::function<std::optional<double>(const Vec3& world)>;
+//! The level (intensity) that the surface follows already near a place (world, mm) on an edge that rises
+//! outwards, or falls; none elsewhere.
+using KnownLevel = std::function<std::optional<double>(const Vec3& world, bool rises)>;
 
 //! Of a region in the work image's cells; the fields are for indices of `grid`. A known level is kept.
 RegionLevels levelsOn(const WorkImage& work, const Region& region, const Grid& grid,

@@ -72,16 +72,19 @@ TEST_CASE("levels follow their edges, and are told on the grid that is asked for
 
 TEST_CASE("a level that is known already is kept, and around it counts as its edges would") {
   const Grid grid = cubicGrid(33);
-  const auto known = [](double level) {
-    return [level](const Vec3& p) { return p[0] < 16 ? std::optional(level) : std::nullopt; };
-  };
+  const Vec3 left(8, 16, 16), right(24, 16, 16);
   const auto [dark, region] = ballIn(grid, [](int) { return 120; });
-  const RegionLevels levels = levelsOn(dark, region, grid, known(50));
-  CHECK(levels.high->at(Vec3(8, 16, 16)) == Approx(50).margin(8));  // each is heard on the other side, too
-  CHECK(levels.high->at(Vec3(24, 16, 16)) == Approx(80).margin(8));
+  const auto everywhere = [](const Vec3&, bool rises) { return rises ? std::optional(50.0) : std::nullopt; };
+  CHECK(levelsOn(dark, region, grid, everywhere).high->at(left) == Approx(50));
+  const auto onTheLeft = [](const Vec3& p, bool) { return p[0] < 16 ? std::optional(50.0) : std::nullopt; };
+  const RegionLevels levels = levelsOn(dark, region, grid, onTheLeft);
+  const double own = levelsOn(dark, region, grid).high->at(right), middle = (50 + own) / 2;
+  CHECK(levels.high->at(left) < middle);
+  CHECK(levels.high->at(right) > middle);
 
   const auto [bright, same] = ballIn(grid, [](int) { return 0; });
-  CHECK(levelsOn(bright, same, grid, known(35)).low->at(Vec3(8, 16, 16)) == Approx(35).margin(8));
+  const auto falling = [](const Vec3&, bool rises) { return rises ? std::nullopt : std::optional(35.0); };
+  CHECK(levelsOn(bright, same, grid, falling).low->at(left) == Approx(35));
 }
 
 TEST_CASE("a region in an image of one value has no levels") {
