@@ -41,6 +41,8 @@ enum class FindingKind {
   volumeVaries,        //!< percent
   polishLeaves,        //!< thin_faces, sharp_edges, place; text (polish.h)
   madeWithEarlier,     //!< object
+  seedNotEnclosed,     //!< place, distance_mm
+  clickEnclosed,       //!< the same
 
   // Why a place was rolled back, a change was held, or what did not fit before the one that was made.
   keptApart,
@@ -102,9 +104,10 @@ enum class FindingKind {
   // What was asked for has no meaning, or not there.
   noSeed,
   seedRadius,
-  seedOutside,     //!< place, voxel
-  clickOutside,    //!< place
-  seedNotInRange,  //!< place, intensity, low, high
+  seedOutside,       //!< place, voxel
+  clickOutside,      //!< place
+  clicksContradict,  //!< place, outside
+  seedNotInRange,    //!< place, intensity, low, high
   noDarkObject,
   noBrightObject,
   noObject,

@@ -133,6 +133,16 @@ constexpr FindingWords kWords[] = {
                        "The surface was made with an earlier one of the object '{object}', and a replay may "
                        "make another")},
 
+    {K::seedNotEnclosed, "seed-not-enclosed",
+     QT_TRANSLATE_NOOP(
+         "Findings",
+         "the surface does not enclose the seed at {place:1f} mm, which lies {distance_mm:1f} mm "
+         "outside of it: the image or other clicks speak against it")},
+    {K::clickEnclosed, "click-enclosed",
+     QT_TRANSLATE_NOOP("Findings",
+                       "the surface encloses the click outside of the object at {place:1f} mm, which lies "
+                       "{distance_mm:1f} mm within it: the image or other clicks speak against it")},
+
     {K::keptApart, "kept-apart", QT_TRANSLATE_NOOP("Findings", "kept apart here, as asked")},
     {K::overLimit, "over-limit",
      QT_TRANSLATE_NOOP("Findings", "held: it would break the limit of the topology")},
@@ -225,6 +235,10 @@ constexpr FindingWords kWords[] = {
      "The seed at ({place: 6f}) mm lies outside the volume (voxel {voxel: 6f})."},
     {K::clickOutside, "click-outside",
      "The click outside of the object at ({place: 6f}) mm lies outside the volume."},
+    {K::clicksContradict, "clicks-contradict",
+     QT_TRANSLATE_NOOP("Findings",
+                       "The seed at {place:1f} mm and the click outside of the object at {outside:1f} mm "
+                       "contradict each other: both lie in one voxel. Move or delete one of them.")},
     {K::seedNotInRange, "seed-not-in-range",
      "The seed at ({place: 6f}) mm is not in the object: the smoothed intensity there is "
      "{intensity:6f}, the object's range is {low:6f} to {high:6f}."},

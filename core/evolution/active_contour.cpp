@@ -4,6 +4,7 @@
 
 #include "core/cancellation.h"
 #include "core/errors.h"
+#include "core/evolution/click_faults.h"
 #include "core/evolution/contour_state.h"
 #include "core/evolution/image_warnings.h"
 #include "core/mesh/morton_order.h"
@@ -205,6 +206,9 @@ SurfaceSupport ActiveContour::support() const {
 std::vector<Finding> ActiveContour::warnings(const SurfaceSupport& support) const {
   std::vector<Finding> warnings;
   if (!state_->isDone()) warnings = imageWarnings(state_->mesh, *state_->object.image, support);
+  if (!state_->isDone() && stopReason() != StopReason::running)
+    for (Finding& click : unheededClicks(state_->mesh, state_->volume.grid, state_->asked.seeds))
+      warnings.push_back(std::move(click));
   if (state_->walls.isPushing()) warnings.push_back(FindingKind::liesInWall);
   for (Finding& d : state_->locked.held.warnings()) warnings.push_back(std::move(d));
   if (state_->object.neckRadius > 0)

@@ -120,8 +120,8 @@ class ActiveContour {
   std::size_t memory() const;
   //! Where the image shows an edge at the surface as it is now, and where none.
   SurfaceSupport support() const;
-  //! What in the image speaks against the surface as it is now (image_warnings.h). `support`: of the surface
-  //! as it is now.
+  //! What in the image speaks against the surface as it is now (image_warnings.h), and once it has ended the
+  //! clicks that it does not heed. `support`: of the surface as it is now.
   std::vector<Finding> warnings(const SurfaceSupport& support) const;
   //! Traces of events are recorded from the next step on. Off by default.
   void recordTraces(bool on);

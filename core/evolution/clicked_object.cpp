@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/evolution/click_faults.h"
 #include "core/evolution/region_image.h"
 #include "core/threads.h"
 #include "core/told_error.h"
@@ -177,6 +178,7 @@ ClickedObject findClickedObject(const Volume& volume, const std::vector<Seed>& c
                                 ObjectMemory* memory) {
   const std::vector<Seed> seeds = seedsOfSide(clicks, false);
   requireClicksInside(volume.grid, clicks);
+  if (std::optional<Finding> fault = contradictionOf(volume.grid, clicks)) throw Told<SeedError>(*fault);
   if (p.range) {
     if (seeds.size() != clicks.size()) throw Told<UsageError>(Finding(FindingKind::rangeAndBackground));
     ClickedObject out;

@@ -1747,6 +1747,18 @@
         <source>{file}: none of its series has the voxels that the session was made from.</source>
         <translation>{file}: Keine der Serien hat die Voxel, mit denen die Sitzung entstanden ist.</translation>
     </message>
+    <message>
+        <source>the surface does not enclose the seed at {place:1f} mm, which lies {distance_mm:1f} mm outside of it: the image or other clicks speak against it</source>
+        <translation>die Oberfläche schließt den Startpunkt bei {place:1f} mm nicht ein, er liegt {distance_mm:1f} mm außerhalb: das Bild oder andere Punkte sprechen dagegen</translation>
+    </message>
+    <message>
+        <source>the surface encloses the click outside of the object at {place:1f} mm, which lies {distance_mm:1f} mm within it: the image or other clicks speak against it</source>
+        <translation>die Oberfläche schließt den Außenpunkt bei {place:1f} mm ein, er liegt {distance_mm:1f} mm innerhalb: das Bild oder andere Punkte sprechen dagegen</translation>
+    </message>
+    <message>
+        <source>The seed at {place:1f} mm and the click outside of the object at {outside:1f} mm contradict each other: both lie in one voxel. Move or delete one of them.</source>
+        <translation>Der Startpunkt bei {place:1f} mm und der Außenpunkt bei {outside:1f} mm widersprechen sich: beide liegen im selben Voxel. Verschieben oder löschen Sie einen davon.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

@@ -1747,6 +1747,18 @@
         <source>{file}: none of its series has the voxels that the session was made from.</source>
         <translation>{file}: ninguna de sus series tiene los vóxeles con los que se hizo la sesión.</translation>
     </message>
+    <message>
+        <source>the surface does not enclose the seed at {place:1f} mm, which lies {distance_mm:1f} mm outside of it: the image or other clicks speak against it</source>
+        <translation>la superficie no encierra la semilla en {place:1f} mm, que queda {distance_mm:1f} mm fuera: la imagen u otros puntos lo contradicen</translation>
+    </message>
+    <message>
+        <source>the surface encloses the click outside of the object at {place:1f} mm, which lies {distance_mm:1f} mm within it: the image or other clicks speak against it</source>
+        <translation>la superficie encierra el punto exterior en {place:1f} mm, que queda {distance_mm:1f} mm dentro: la imagen u otros puntos lo contradicen</translation>
+    </message>
+    <message>
+        <source>The seed at {place:1f} mm and the click outside of the object at {outside:1f} mm contradict each other: both lie in one voxel. Move or delete one of them.</source>
+        <translation>La semilla en {place:1f} mm y el punto exterior en {outside:1f} mm se contradicen: ambos están en el mismo vóxel. Mueva o elimine uno de ellos.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

@@ -1747,6 +1747,18 @@
         <source>{file}: none of its series has the voxels that the session was made from.</source>
         <translation>{file} : aucune de ses séries n&apos;a les voxels dont la session est issue.</translation>
     </message>
+    <message>
+        <source>the surface does not enclose the seed at {place:1f} mm, which lies {distance_mm:1f} mm outside of it: the image or other clicks speak against it</source>
+        <translation>la surface n’entoure pas le germe en {place:1f} mm, situé à {distance_mm:1f} mm à l’extérieur : l’image ou d’autres points s’y opposent</translation>
+    </message>
+    <message>
+        <source>the surface encloses the click outside of the object at {place:1f} mm, which lies {distance_mm:1f} mm within it: the image or other clicks speak against it</source>
+        <translation>la surface entoure le point extérieur en {place:1f} mm, situé à {distance_mm:1f} mm à l’intérieur : l’image ou d’autres points s’y opposent</translation>
+    </message>
+    <message>
+        <source>The seed at {place:1f} mm and the click outside of the object at {outside:1f} mm contradict each other: both lie in one voxel. Move or delete one of them.</source>
+        <translation>Le germe en {place:1f} mm et le point extérieur en {outside:1f} mm se contredisent : ils sont dans le même voxel. Déplacez ou supprimez l’un des deux.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

@@ -1747,6 +1747,18 @@
         <source>{file}: none of its series has the voxels that the session was made from.</source>
         <translation>{file}：其中没有任何序列具有创建该会话时所用的体素。</translation>
     </message>
+    <message>
+        <source>the surface does not enclose the seed at {place:1f} mm, which lies {distance_mm:1f} mm outside of it: the image or other clicks speak against it</source>
+        <translation>表面未包围位于 {place:1f} mm 的种子点，该点在表面外 {distance_mm:1f} mm：图像或其他点与之不符</translation>
+    </message>
+    <message>
+        <source>the surface encloses the click outside of the object at {place:1f} mm, which lies {distance_mm:1f} mm within it: the image or other clicks speak against it</source>
+        <translation>表面包围了位于 {place:1f} mm 的外部点，该点在表面内 {distance_mm:1f} mm：图像或其他点与之不符</translation>
+    </message>
+    <message>
+        <source>The seed at {place:1f} mm and the click outside of the object at {outside:1f} mm contradict each other: both lie in one voxel. Move or delete one of them.</source>
+        <translation>位于 {place:1f} mm 的种子点与位于 {outside:1f} mm 的外部点相互矛盾：两者在同一体素内。请移动或删除其中一个。</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

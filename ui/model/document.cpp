@@ -3,8 +3,10 @@
 #include <QUndoStack>
 #include <algorithm>
 
+#include "core/evolution/click_faults.h"
 #include "core/indices.h"
 #include "ui/model/document_private.h"
+#include "ui/model/finding_text.h"
 
 namespace handlebody::ui {
 
@@ -82,6 +84,9 @@ bool Document::isSeeded() const { return d_->active().isSeeded(); }
 void Document::addSeed(const Seed& seed) {
   Edits after = d_->active().edits();
   after.seeds.push_back(seed);
+  if (d_->work)
+    if (const std::optional<Finding> fault = contradictionOf(d_->work->volume.grid, after.seeds))
+      return Q_EMIT refused(findingSentence(*fault));
   after.selectedSeed = static_cast<int>(after.seeds.size()) - 1;
   d_->push(seed.background ? tr("Add click outside") : tr("Add seed"), std::move(after), -1);
 }

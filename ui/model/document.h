@@ -174,7 +174,7 @@ class Document : public QObject {
   QString waitsFor() const;
 
   // --- seeds and parameters; each change is one undo entry with a name ("Move seed") ---
-  // Of a locked object nothing is changed: refused() tells.
+  // Of a locked object nothing is changed, and no click is added that contradicts another: refused() tells.
   // Changes apply to the growth from its shown iteration on: what was grown after it is dropped when it goes
   // on. At iteration 0 it begins again instead. Undoing other clicks with which it has gone on shows the
   // surface as it was when they were made.

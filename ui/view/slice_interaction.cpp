@@ -142,6 +142,8 @@ bool SliceInteraction::move(const QMouseEvent& event) {
 bool SliceInteraction::release(const QMouseEvent&) {
   const bool wasDragging = drag_ != Drag::none;
   if (drag_ == Drag::brush) hand_.lift();
+  // A click on a seed that drags nothing is a click: the crosshair goes there as anywhere else.
+  if ((drag_ == Drag::moveSeed || drag_ == Drag::resizeSeed) && last_ == start_) setCrosshairAt(start_);
   cancel();
   return wasDragging;
 }

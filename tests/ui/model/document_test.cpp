@@ -142,12 +142,26 @@ TEST_CASE("a click outside is undone by its own name", "[document]") {
   CHECK(document.seeds()[0] == outside);
 }
 
+TEST_CASE("a click that contradicts another is refused, and nothing is changed", "[document]") {
+  const TorusFile torus;
+  Document document;
+  REQUIRE(openAndWait(document, torus.path));
+  document.addSeed({torus.seed.centre, std::nullopt});
+  QString sentence;
+  QObject::connect(&document, &Document::refused, [&](const QString& text) { sentence = text; });
+  document.addSeed({torus.seed.centre, std::nullopt, true});
+  CHECK(document.seeds().size() == 1);
+  CHECK(sentence.contains(QStringLiteral("contradict each other")));
+  document.addSeed({torus.seed.centre + 2 * document.volume().grid.spacing, std::nullopt, true});
+  CHECK(document.seeds().size() == 2);
+}
+
 TEST_CASE("clicks outside alone are nothing to grow from or to save", "[document]") {
   const TorusFile torus;
   Document document;
   REQUIRE(openAndWait(document, torus.path));
   CHECK_FALSE(document.isSeeded());
-  document.addSeed({torus.seed.centre, 3.0, true});
+  document.addSeed({torus.seed.centre + Vec3(0, 0, 8), 3.0, true});
   CHECK_FALSE(document.isSeeded());
   document.run();
   waitMilliseconds(400);  // longer than changes settle

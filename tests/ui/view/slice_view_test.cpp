@@ -288,6 +288,19 @@ TEST_CASE("A seed's centre is dragged within the slice, as one change", "[slice_
   CHECK(gestures(slice.document).back() != first[0]);
 }
 
+TEST_CASE("A click on a seed that drags nothing moves the crosshair there", "[slice_view]") {
+  OneSlice slice;
+  slice.document.addSeed({slice.world(20, 20, 32), 8.0});
+  slice.document.addSeed({slice.world(44, 44, 32), 8.0});
+  const Vec3 seed = slice.document.seeds()[0].centre;
+  REQUIRE((slice.state.crosshair() - seed).norm() > 5);
+  const QPoint centre = slice.geometry.toScreen(Vec3(20, 20, 32)).toPoint();
+  QTest::mouseClick(&slice.view, Qt::LeftButton, {}, centre);
+  CHECK(slice.document.selectedSeed() == 0);
+  CHECK(slice.document.seeds()[0].centre == seed);
+  CHECK((slice.state.crosshair() - seed).norm() < slice.geometry.mmPerPixel());
+}
+
 TEST_CASE("A seed's rim sets its radius to where the mouse is", "[slice_view]") {
   OneSlice slice;
   slice.document.addSeed(
