@@ -192,14 +192,11 @@ class Correction {
         click_.click, depth_, 0, noise_, clicksOf(corrected_.done, true), clicksOf(corrected_.done, false)};
   }
 
-  //! The surface moved, near the click and further along; for a click outside the others served better.
+  //! The surface moved near the click; for a click outside the others served better.
   void offerRelabelled(Offers& offers, double score) const {
     Relabelling r = relabelling();
-    for (const double reach : policy_.relabelReaches) {
-      r.reach = reach * depth_;
-      offers.add([this, r] { return relabelled(work_, from(), r, policy_); }, score, true);
-      score -= policy_.relabelFar;
-    }
+    r.reach = policy_.correctionReach * depth_;
+    offers.add([this, r] { return relabelled(work_, from(), r, policy_); }, score, true);
   }
 
   //! Other candidates that agree with all clicks so far, whole or only near this one.

@@ -113,13 +113,11 @@ struct ObjectPolicy {
   double tooDeep = 2;            //!< cost of the log of how much deeper a change is than the click
   double against = 1;            //!< cost of the log of how much deeper one against the click's sense is than
   double againstDeep = 0.3;      //!< this
-  std::array<double, 3> relabelReaches{2.5, 6, 1000};
-  double relabelFar = 0.2;                  //!< cost of each further one
-  double relabelZone = 2.5;                 //!< cells so far from the surface are open
-  double relabelBall = 0.7;                 //!< around the click cells are what it says
-  double relabelEdge = 1.5;                 //!< noises: a jump that halves the pull between neighbours
-  double relabelPrior = 0.2;                //!< pull of the cell's intensities against that of a neighbour
-  double relabelClick = 0.5;                //!< share of the click's cells in the intensities inside
+  double relabelZone = 2.5;      //!< cells so far from the surface are open
+  double relabelBall = 0.7;      //!< around the click cells are what it says
+  double relabelEdge = 1.5;      //!< noises: a jump that halves the pull between neighbours
+  double relabelPrior = 0.2;     //!< pull of the cell's intensities against that of a neighbour
+  double relabelClick = 0.5;     //!< share of the click's cells in the intensities inside
   double refineOuter = 2, refineInner = 1;  //!< cells: so near to a region's surface all are open
   double displaced = 1.25;                  //!< the surface moves so far at the click,
   double displacedWidth = 0.9;              //!< around it by a bell so wide in depths of the object's
