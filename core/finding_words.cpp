@@ -238,7 +238,7 @@ constexpr FindingWords kWords[] = {
     {K::clicksContradict, "clicks-contradict",
      QT_TRANSLATE_NOOP("Findings",
                        "The seed at {place:1f} mm and the click outside of the object at {outside:1f} mm "
-                       "contradict each other: both lie in one voxel. Move or delete one of them.")},
+                       "contradict each other: both lie in one voxel.")},
     {K::seedNotInRange, "seed-not-in-range",
      "The seed at ({place: 6f}) mm is not in the object: the smoothed intensity there is "
      "{intensity:6f}, the object's range is {low:6f} to {high:6f}."},

@@ -1756,8 +1756,8 @@
         <translation>die Oberfläche schließt den Außenpunkt bei {place:1f} mm ein, er liegt {distance_mm:1f} mm innerhalb: das Bild oder andere Punkte sprechen dagegen</translation>
     </message>
     <message>
-        <source>The seed at {place:1f} mm and the click outside of the object at {outside:1f} mm contradict each other: both lie in one voxel. Move or delete one of them.</source>
-        <translation>Der Startpunkt bei {place:1f} mm und der Außenpunkt bei {outside:1f} mm widersprechen sich: beide liegen im selben Voxel. Verschieben oder löschen Sie einen davon.</translation>
+        <source>The seed at {place:1f} mm and the click outside of the object at {outside:1f} mm contradict each other: both lie in one voxel.</source>
+        <translation>Der Startpunkt bei {place:1f} mm und der Außenpunkt bei {outside:1f} mm widersprechen sich: beide liegen im selben Voxel.</translation>
     </message>
 </context>
 <context>

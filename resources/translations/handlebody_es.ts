@@ -1756,8 +1756,8 @@
         <translation>la superficie encierra el punto exterior en {place:1f} mm, que queda {distance_mm:1f} mm dentro: la imagen u otros puntos lo contradicen</translation>
     </message>
     <message>
-        <source>The seed at {place:1f} mm and the click outside of the object at {outside:1f} mm contradict each other: both lie in one voxel. Move or delete one of them.</source>
-        <translation>La semilla en {place:1f} mm y el punto exterior en {outside:1f} mm se contradicen: ambos están en el mismo vóxel. Mueva o elimine uno de ellos.</translation>
+        <source>The seed at {place:1f} mm and the click outside of the object at {outside:1f} mm contradict each other: both lie in one voxel.</source>
+        <translation>La semilla en {place:1f} mm y el punto exterior en {outside:1f} mm se contradicen: ambos están en el mismo vóxel.</translation>
     </message>
 </context>
 <context>

@@ -1756,8 +1756,8 @@
         <translation>la surface entoure le point extérieur en {place:1f} mm, situé à {distance_mm:1f} mm à l’intérieur : l’image ou d’autres points s’y opposent</translation>
     </message>
     <message>
-        <source>The seed at {place:1f} mm and the click outside of the object at {outside:1f} mm contradict each other: both lie in one voxel. Move or delete one of them.</source>
-        <translation>Le germe en {place:1f} mm et le point extérieur en {outside:1f} mm se contredisent : ils sont dans le même voxel. Déplacez ou supprimez l’un des deux.</translation>
+        <source>The seed at {place:1f} mm and the click outside of the object at {outside:1f} mm contradict each other: both lie in one voxel.</source>
+        <translation>Le germe en {place:1f} mm et le point extérieur en {outside:1f} mm se contredisent : ils sont dans le même voxel.</translation>
     </message>
 </context>
 <context>

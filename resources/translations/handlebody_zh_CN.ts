@@ -1756,8 +1756,8 @@
         <translation>表面包围了位于 {place:1f} mm 的外部点，该点在表面内 {distance_mm:1f} mm：图像或其他点与之不符</translation>
     </message>
     <message>
-        <source>The seed at {place:1f} mm and the click outside of the object at {outside:1f} mm contradict each other: both lie in one voxel. Move or delete one of them.</source>
-        <translation>位于 {place:1f} mm 的种子点与位于 {outside:1f} mm 的外部点相互矛盾：两者在同一体素内。请移动或删除其中一个。</translation>
+        <source>The seed at {place:1f} mm and the click outside of the object at {outside:1f} mm contradict each other: both lie in one voxel.</source>
+        <translation>位于 {place:1f} mm 的种子点与位于 {outside:1f} mm 的外部点相互矛盾：两者在同一体素内。</translation>
     </message>
 </context>
 <context>
