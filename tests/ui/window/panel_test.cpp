@@ -253,6 +253,9 @@ void PanelTest::aClickOutsideIsListedAsOneAndIsNoSeedToGrowFrom() {
   window->showStep(Command::stepSeed);
   QCOMPARE(shownText(*window, "Which object is taken"), QString("None yet: it takes a seed inside."));
   QTest::keyClick(window.get(), Qt::Key_Return);
+  QCOMPARE(window->document().seeds().size(), std::size_t{1});  // it would contradict the first
+  window->viewState().setCrosshair(window->viewState().crosshair() + Vec3(0, 0, 5));
+  QTest::keyClick(window.get(), Qt::Key_Return);
   const QTableWidget* table = nullptr;
   const auto tables = window->findChildren<QTableWidget*>();
   for (const QTableWidget* t : tables)
