@@ -46,7 +46,12 @@ std::vector<Finding> unheededClicks(const Mesh& mesh, const Grid& grid, const st
   std::vector<Finding> out;
   if (mesh.faceCount() == 0) return out;
   const Components parts = findComponents(mesh);
-  for (const Seed& click : clicks) {
+  for (auto c = clicks.begin(); c != clicks.end(); ++c) {
+    const Seed& click = *c;
+    const auto isAgain = [&](const Seed& s) {
+      return s.centre == click.centre && s.background == click.background;
+    };
+    if (std::any_of(clicks.begin(), c, isAgain)) continue;
     const double distance = distanceTo(mesh, click.centre);
     if (!(distance > kKnown * grid.meanSpacing())) continue;
     const bool isEnclosed = windingNumber(mesh, parts, kNoComponent, click.centre) == 1;

@@ -79,7 +79,7 @@ TEST_CASE("clicks on the wrong side of a surface are told with how far they lie 
   const Vec3 within = kCentre + Vec3(0.75 * kRadius, 0, 0);
   CHECK(unheededClicks(mesh, grid, {inside(within), outside(kCentre), outside(placeBeyond(3))}).empty());
   const std::vector<Finding> wrong =
-      unheededClicks(mesh, grid, {inside(placeBeyond(3)), inside(kCentre), outside(within)});
+      unheededClicks(mesh, grid, {inside(placeBeyond(3)), inside(kCentre), inside(kCentre), outside(within)});
   REQUIRE(kindsOf(wrong) == std::vector{FindingKind::seedNotEnclosed, FindingKind::seedNotEnclosed,
                                         FindingKind::clickEnclosed});
   CHECK(distanceOf(wrong[0]) == Approx(3).epsilon(1e-9));
