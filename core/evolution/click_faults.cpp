@@ -13,8 +13,7 @@ namespace handlebody {
 
 namespace {
 
-constexpr double kKnown = 0.5;    // voxels: how well a place is known
-constexpr int kNoComponent = -1;  // none is left out of a winding number
+constexpr double kKnown = 0.5;  // voxels: how well a place is known
 
 std::array<long, 3> voxelOf(const Grid& grid, const Vec3& world) {
   const Vec3 index = grid.toIndex(world);
@@ -54,8 +53,7 @@ std::vector<Finding> unheededClicks(const Mesh& mesh, const Grid& grid, const st
     if (std::any_of(clicks.begin(), c, isAgain)) continue;
     const double distance = distanceTo(mesh, click.centre);
     if (!(distance > kKnown * grid.meanSpacing())) continue;
-    const bool isEnclosed = windingNumber(mesh, parts, kNoComponent, click.centre) == 1;
-    if (isEnclosed == !click.background) continue;
+    if (encloses(mesh, parts, click.centre) != click.background) continue;
     out.push_back({click.background ? FindingKind::clickEnclosed : FindingKind::seedNotEnclosed,
                    {{"place", placeValue(click.centre)}, {"distance_mm", distance}}});
   }

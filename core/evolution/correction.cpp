@@ -17,9 +17,8 @@ namespace handlebody {
 
 namespace {
 
-constexpr int kNoComponent = -1;  // none is left out of a winding number
-constexpr int kAround = 3;        // edges from a vertex that disagrees to those that become active with it
-constexpr int kMaxPlaces = 64;    // of the surface's inside from which a front may come
+constexpr int kAround = 3;      // edges from a vertex that disagrees to those that become active with it
+constexpr int kMaxPlaces = 64;  // of the surface's inside from which a front may come
 
 std::vector<Vec3> placesOf(const ObjectImage& image, const std::vector<Seed>& clicks, double edgeLength) {
   std::vector<Vec3> places;
@@ -84,7 +83,7 @@ std::vector<Vec3> startsOf(const Mesh& mesh, const std::vector<Vec3>& clicks,
   std::vector<Vec3> starts;
   const Components parts = findComponents(mesh);
   for (const Vec3& p : clicks)
-    if (windingNumber(mesh, parts, kNoComponent, p) == 1) starts.push_back(p);
+    if (encloses(mesh, parts, p)) starts.push_back(p);
   if (!starts.empty()) return starts;
   for (const Enclosed& e : enclosed) {
     const std::size_t every = e.samples.size() / kMaxPlaces + 1;
@@ -100,7 +99,7 @@ std::vector<Seed> addFronts(Mesh& mesh, const ObjectImage& image, const std::vec
   for (const Seed& click : clicks) {
     if (click.background) continue;
     const Vec3 place = roomiestNear(image, click.centre, edgeLength);
-    if (windingNumber(mesh, findComponents(mesh), kNoComponent, place) == 1) continue;
+    if (encloses(mesh, findComponents(mesh), place)) continue;
     if (!click.radius && comesAnyway(image, starts, place, edgeLength)) continue;
     // No point of a face is further from its nearest corner than this.
     const double reach = longest / std::sqrt(3.0);

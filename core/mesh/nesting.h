@@ -27,6 +27,12 @@ int crossing(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p);
 //! cavities (signed crossings of a ray with the faces, exact). p must not lie on the surface.
 int windingNumber(const Mesh& mesh, const Components& parts, int component, const Vec3& p);
 
+//! True if the body holds p: it lies in no cavity. p must not lie on the surface.
+inline bool encloses(const Mesh& mesh, const Components& parts, const Vec3& p) {
+  constexpr int kNone = -1;  // no component is left out
+  return windingNumber(mesh, parts, kNone, p) == 1;
+}
+
 //! True if a component lies wholly where none of its orientation can: a solid part (positive volume) in the
 //! body, or a cavity outside of it. Such a part is a scrap that a cut has turned inside out, or has been
 //! swallowed. Judged at up to kNestingSamples of its vertices, all of which must agree.

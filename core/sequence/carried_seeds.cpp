@@ -13,8 +13,7 @@ namespace handlebody {
 
 namespace {
 
-constexpr int kNoComponent = -1;  // none is left out of a winding number
-constexpr int kLattice = 24;      // points along the longest side of the surface's box
+constexpr int kLattice = 24;  // points along the longest side of the surface's box
 
 double distanceToPoints(const TriangleSoup& surface, const Vec3& p) {
   double least = std::numeric_limits<double>::infinity();
@@ -53,17 +52,16 @@ Seed deepestPlace(const TriangleSoup& surface) {
 std::vector<Seed> carriedSeeds(const std::vector<Seed>& clicks, const TriangleSoup& surface, double depth) {
   const Mesh mesh(surface);
   const Components parts = findComponents(mesh);
-  const auto encloses = [&](const Vec3& p) { return windingNumber(mesh, parts, kNoComponent, p) == 1; };
   std::vector<Seed> carried;
   for (Seed click : seedsOfSide(clicks, false)) {
     const double room = distanceToPoints(surface, click.centre);
-    if (room < depth || !encloses(click.centre)) continue;
+    if (room < depth || !encloses(mesh, parts, click.centre)) continue;
     if (click.radius) click.radius = std::min(*click.radius, room);
     carried.push_back(click);
   }
   if (carried.empty()) carried.push_back({deepestPlace(surface).centre});
   for (const Seed& click : seedsOfSide(clicks, true))
-    if (!encloses(click.centre)) carried.push_back(click);
+    if (!encloses(mesh, parts, click.centre)) carried.push_back(click);
   return carried;
 }
 

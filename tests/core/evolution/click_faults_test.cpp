@@ -4,7 +4,6 @@
 #include "core/evolution/active_contour.h"
 #include "core/mesh/shapes.h"
 #include "core/mesh/topology.h"
-#include "core/told_error.h"
 #include "tests/support/catch.h"
 #include "tests/support/test_volume.h"
 
@@ -55,8 +54,7 @@ TEST_CASE("a seed and a click outside in one voxel contradict each other, and bo
   CHECK(found->kind == FindingKind::clicksContradict);
   CHECK(sentence(*found) ==
         "The seed at 20.0,20.0,20.0 mm and the click outside of the object at 20.4,19.6,20.0 mm contradict "
-        "each "
-        "other: both lie in one voxel.");
+        "each other: both lie in one voxel.");
   CHECK_FALSE(contradictionOf(grid, {inside(kCentre), outside(far)}));
   CHECK_FALSE(contradictionOf(grid, {inside(kCentre), inside(near), outside(far), outside(far)}));
 }
