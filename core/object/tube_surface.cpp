@@ -18,11 +18,9 @@ struct TubeRegion {
   double radius = 0, length = 0;     //!< mm
   double agreement = 0;              //!< part of the starts that end in it, more if it is long
   std::vector<Vec3> goesOn;          //!< mm: where it leaves the image
+  std::size_t count = 0;             //!< of the cells inside
 
   bool holds(const std::array<int, 3>& cell) const { return box.holds(cell) && inside[box.at(cell)] != 0; }
-  std::size_t count() const {
-    return static_cast<std::size_t>(std::count(inside.begin(), inside.end(), std::uint8_t{1}));
-  }
 };
 
 void widenBy(CellBox& box, const CrossSection& s, const CellGrid& cells) {
@@ -83,6 +81,28 @@ TubeRegion regionOf(const Tube& tube, const WorkImage& work) {
   out.inside.assign(out.box.count(), 0);
   for (std::size_t i = 0; i + 1 < tube.sections.size(); ++i)
     fillBetween(tube.sections[i], tube.sections[i + 1], work, out);
+  out.count = static_cast<std::size_t>(std::count(out.inside.begin(), out.inside.end(), std::uint8_t{1}));
+  return out;
+}
+
+//! How many cells two tubes share: row by row of the box that theirs share.
+std::size_t cellsOfBoth(const TubeRegion& a, const TubeRegion& b) {
+  CellBox box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.low[k] = std::max(a.box.low[k], b.box.low[k]);
+    box.high[k] = std::min(a.box.high[k], b.box.high[k]);
+    if (box.low[k] > box.high[k]) return 0;
+  }
+  std::size_t out = 0;
+  const int row = box.size()[0];
+  for (int z = box.low[2]; z <= box.high[2]; ++z)
+    for (int y = box.low[1]; y <= box.high[1]; ++y) {
+      const std::array<int, 3> first{box.low[0], y, z};
+      const std::uint8_t *ofA = &a.inside[a.box.at(first)], *ofB = &b.inside[b.box.at(first)];
+      int both = 0;
+      for (int x = 0; x < row; ++x) both += ofA[x] & ofB[x];
+      out += static_cast<std::size_t>(both);
+    }
   return out;
 }
 
@@ -91,9 +111,8 @@ struct Shared {
   double ofAny, ofSmaller;
 };
 Shared sharedBy(const TubeRegion& a, const TubeRegion& b) {
-  double both = 0;
-  forBox(a.box, [&](const std::array<int, 3>& c) { both += a.holds(c) && b.holds(c); });
-  const auto first = static_cast<double>(a.count()), second = static_cast<double>(b.count());
+  const auto both = static_cast<double>(cellsOfBoth(a, b));
+  const auto first = static_cast<double>(a.count), second = static_cast<double>(b.count);
   return {both / (first + second - both), both / std::min(first, second)};
 }
 
