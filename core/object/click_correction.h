@@ -3,6 +3,7 @@
 // surface moves around the click.
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/object/candidates.h"
@@ -15,6 +16,7 @@ namespace handlebody {
 struct GivenClick {
   CellClick click;
   bool isInside = true;
+  std::optional<double> asked{};  //!< mm: its radius, if it was given one
 };
 inline bool isTrue(const Region& r, const GivenClick& c) {
   return (r.inside[c.click.cell] != 0) == c.isInside;

@@ -16,7 +16,7 @@ namespace handlebody {
 namespace {
 
 bool isSame(const GivenClick& a, const GivenClick& b) {
-  return a.isInside == b.isInside && a.click.place == b.click.place && a.click.radius == b.click.radius;
+  return a.isInside == b.isInside && a.click.place == b.click.place && a.asked == b.asked;
 }
 
 bool isSame(const Volume& a, const Volume& b) {
@@ -50,6 +50,7 @@ class ObjectFinder::Search : private RegionSource {
     scale_ = IntensityScale::of(makeCells(volume_, wideAround(first_), view_.get()), policy_);
     searches_ = searchesAround(first_);
     offered_ = offeredFor(first_);
+    firstWork_ = work_;
     keepFirst();
   }
   bool isFor(const Volume& volume, const ObjectQuery& query, bool hasView) const {
@@ -60,20 +61,27 @@ class ObjectFinder::Search : private RegionSource {
   std::optional<ObjectModel> answer(const ObjectQuery& query) {
     if (offered_.empty()) return {};
     threads_ = query.threads;
-    chooseCells(query);
     const int candidate = std::clamp(query.candidate, 1, static_cast<int>(offered_.size()));
     if (!start_ || candidate != candidate_ || !isSame(query.shown.get(), shown_.get()))
       startWith(candidate, query.shown);
-    Corrected corrected = *start_;
-    const std::vector<GivenClick> clicks = givenIn(query);
-    correctAll(corrected, clicks);
-    return modelOf(std::move(corrected), clicks);
+    State now = *start_;
+    correctAll(now, query);
+    const std::vector<GivenClick> clicks = givenIn(*now.work, query);
+    return modelOf(std::move(now), clicks);
   }
 
  private:
+  //! What some clicks have made of the object, and the cells in which it is kept since.
+  struct State {
+    Corrected corrected;
+    std::shared_ptr<const WorkImage> work;
+    WorkCells cells;
+  };
+
   const RankedRegion& chosen() const { return offered_[candidate_ - 1].region; }
 
-  ObjectModel modelOf(Corrected corrected, const std::vector<GivenClick>& clicks) const {
+  ObjectModel modelOf(State last, const std::vector<GivenClick>& clicks) const {
+    Corrected& corrected = last.corrected;
     ObjectModel model;
     for (const auto& [r, expected] : offered_) {
       const auto [low, high] = r.bounds();
@@ -91,11 +99,11 @@ class ObjectFinder::Search : private RegionSource {
     model.rise = chosen().rise;
     model.isCorrected = corrected.done.size() > 1;
     for (auto c = clicks.begin() + 1; c != clicks.end(); ++c) model.clicks.push_back(c->click.place);
-    stamp(*work_, corrected.region, clicksOf(clicks, true), clicksOf(clicks, false));
+    stamp(*last.work, corrected.region, clicksOf(clicks, true), clicksOf(clicks, false));
     model.region = std::move(corrected.region);
-    model.isCutOff = isCutOff(work_->cells(), model.region);
-    if (model.isCorrected) model.start = start_->region;
-    model.work = work_;
+    model.isCutOff = isCutOff(last.work->cells(), model.region);
+    if (model.isCorrected) model.start = regionIn(*last.work, *start_);
+    model.work = last.work;
     return model;
   }
   double noise() const { return searches_[0]->intensities.noise; }
@@ -178,31 +186,22 @@ class ObjectFinder::Search : private RegionSource {
     searches_.erase(tubes, searches_.end());
   }
 
-  //! Of the object: those of the first click, and what further clicks inside reach.
-  void chooseCells(const ObjectQuery& query) {
-    WorkCells cells = cells_;
-    for (const ObjectClick& c : query.inside) cells.reach({c.place, policy_.reach / 4});
-    if (isSame(cells.cells(), work_->cells())) return;
-    start_.reset();
-    onImage_.clear();
-    work_ = std::make_shared<const WorkImage>(cells.image(scale_));
-  }
-
   //! In the order in which those of either side were given. One outside that lies far from all others says
   //! nothing.
-  std::vector<GivenClick> givenIn(const ObjectQuery& query) const {
+  static std::vector<GivenClick> givenIn(const WorkImage& work, const ObjectQuery& query) {
     std::vector<GivenClick> out;
-    for (const ObjectClick& c : query.inside) out.push_back({cellClick(c, true), true});
+    for (const ObjectClick& c : query.inside) out.push_back(given(work, c, true));
     for (const ObjectClick& c : query.outside)
-      if (work_->cells().contains(c.place)) out.push_back({cellClick(c, false), false});
+      if (work.cells().contains(c.place)) out.push_back(given(work, c, false));
     return out;
   }
 
   //! The radius of a click inside is that of the surface's start, which may lie around the object.
-  CellClick cellClick(const ObjectClick& click, bool isInside) const {
-    const CellGrid& cells = work_->cells();
-    const double cell = cells.grid.meanSpacing();
-    return {click.place, cells.at(cells.nearest(click.place)), isInside ? cell : click.radius.value_or(cell)};
+  static GivenClick given(const WorkImage& work, const ObjectClick& click, bool isInside) {
+    const CellGrid& cells = work.cells();
+    const std::optional<double> asked = isInside ? std::nullopt : click.radius;
+    const std::size_t cell = cells.at(cells.nearest(click.place));
+    return {{click.place, cell, asked.value_or(cells.grid.meanSpacing())}, isInside, asked};
   }
 
   void startWith(int candidate, const std::shared_ptr<const RegionInCells>& shown) {
@@ -210,44 +209,88 @@ class ObjectFinder::Search : private RegionSource {
     steps_.clear();
     candidate_ = candidate;
     shown_ = shown;
-    const GivenClick first{cellClick({first_, {}}, true), true};
+    use(firstWork_);
+    const GivenClick first = given(*work_, {first_, {}}, true);
     Corrected start{shown ? regionOn(*work_, *shown) : onImage(chosen()), {first}};
     start.isBoundary = shown != nullptr;
     reachClick(start.region, first.click);
     start.region = tidied(*work_, std::move(start.region), start.done, policy_);
     isInThinPart_ = isInThinPart(start.region, first.click);
-    start_ = std::move(start);
+    start_ = State{std::move(start), work_, cells_};
+  }
+
+  //! What regions are looked for in from now on.
+  void use(const std::shared_ptr<const WorkImage>& work) {
+    if (work == work_) return;
+    work_ = work;
+    onImage_.clear();
+  }
+
+  static Region regionIn(const WorkImage& work, const State& s) {
+    const Region& region = s.corrected.region;
+    return s.work.get() == &work ? region : regionOn(work, {s.work->cells(), region});
+  }
+
+  //! The cells reach a click inside, with some room around it.
+  bool reaches(const State& s, const GivenClick& click) const {
+    WorkCells cells = s.cells;
+    return !cells.reach({click.click.place, policy_.reach / 4});
+  }
+  //! The same object in cells that reach the click.
+  State widened(const State& s, const GivenClick& click) const {
+    State out = s;
+    out.cells.reach({click.click.place, policy_.reach / 4});
+    out.work = std::make_shared<const WorkImage>(out.cells.image(scale_));
+    const CellGrid &from = s.work->cells(), &to = out.work->cells();
+    out.corrected.region = regionIn(*out.work, s);
+    out.corrected.largest *= from.grid.voxelVolume() / to.grid.voxelVolume();
+    for (GivenClick& c : out.corrected.done) c = given(*out.work, {c.click.place, c.asked}, c.isInside);
+    return out;
   }
 
   //! The order of the clicks of either side is known, but not how the sides took turns: of the first of each
-  //! on the wrong side the one that lies deeper is next. It stays the first when others are added.
-  const GivenClick* nextOf(const Corrected& c, const std::vector<GivenClick>& clicks, double& deepest) const {
-    const GivenClick* next = nullptr;
-    deepest = 0;
+  //! on the wrong side the one that lies deeper is next; one that the cells do not reach comes last. It stays
+  //! the first when others are added.
+  std::optional<GivenClick> nextOf(const State& s, const ObjectQuery& query) const {
+    const Corrected& c = s.corrected;
+    const std::vector<GivenClick> clicks = givenIn(*s.work, query);
+    std::optional<GivenClick> next;
+    double deepest = -1;
     for (const bool isInside : {true, false}) {
       const auto isLeft = [&](const GivenClick& p) {
-        return p.isInside == isInside && !isTrue(c.region, p) &&
+        return p.isInside == isInside && !(isTrue(c.region, p) && s.work->cells().contains(p.click.place)) &&
                std::none_of(c.done.begin(), c.done.end(), [&](const GivenClick& d) { return isSame(d, p); });
       };
       const auto p = std::find_if(clicks.begin(), clicks.end(), isLeft);
       if (p == clicks.end()) continue;
-      const double depth = depthBehindSurface(*work_, c.region, p->click.cell);
-      if (depth > deepest) deepest = depth, next = &*p;
+      const double depth =
+          isInside && !reaches(s, *p) ? 0 : depthBehindSurface(*s.work, c.region, p->click.cell);
+      if (depth > deepest) deepest = depth, next = *p;
     }
     return next;
   }
 
-  void correctAll(Corrected& c, const std::vector<GivenClick>& clicks) {
-    double depth = 0;
-    for (std::size_t step = 0; const GivenClick* next = nextOf(c, clicks, depth); ++step) {
-      if (step == steps_.size() || !isSame(steps_[step].done.back(), *next)) {
-        steps_.resize(std::min(step, steps_.size()));
-        c.done.push_back(*next);
-        correct({*this, *work_, noise(), policy_, threads_}, c, depth);
-        steps_.push_back(c);
+  void correctAll(State& now, const ObjectQuery& query) {
+    std::size_t step = 0;
+    for (auto next = nextOf(now, query); next; next = nextOf(now, query), ++step) {
+      if (step == steps_.size() || !isSame(steps_[step].corrected.done.back(), *next)) {
+        steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(step), steps_.end());
+        steps_.push_back(correctedBy(now, *next));
       }
-      c = steps_[step];
+      now = steps_[step];
     }
+  }
+  State correctedBy(const State& now, GivenClick next) {
+    State out = now;
+    if (next.isInside && !reaches(now, next)) {
+      out = widened(now, next);
+      next = given(*out.work, {next.click.place, {}}, true);
+    }
+    use(out.work);
+    out.corrected.done.push_back(next);
+    const double depth = depthBehindSurface(*work_, out.corrected.region, next.click.cell);
+    correct({*this, *work_, noise(), policy_, threads_}, out.corrected, depth);
+    return out;
   }
 
   //! A region in the cells of the object, with its surface on the edges next to it. That of a star-shaped one
@@ -296,13 +339,13 @@ class ObjectFinder::Search : private RegionSource {
   ClickSearches searches_, firstTubes_;
   std::vector<std::vector<ArrivalMap>> firstStars_;
   std::vector<OfferedRegion> offered_;
-  std::shared_ptr<const WorkImage> work_;
-  // Of the candidate, in the cells of the object:
+  std::shared_ptr<const WorkImage> firstWork_, work_;  // of the first click; in which is looked for regions
+  // Of the candidate:
   int candidate_ = 0;
   std::shared_ptr<const RegionInCells> shown_;
   bool isInThinPart_ = false;
-  std::optional<Corrected> start_;
-  std::vector<Corrected> steps_;                                                        // a click each
+  std::optional<State> start_;
+  std::vector<State> steps_;                                                            // a click each
   std::map<std::pair<const ArrivalMap*, int>, std::shared_ptr<const Region>> onImage_;  // map and rung
 };
 

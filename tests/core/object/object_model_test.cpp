@@ -345,6 +345,46 @@ TEST_CASE("a finder that is asked click by click finds what it would find at onc
   }
 }
 
+TEST_CASE(
+    "a click far beyond the cells of the object widens them; what was found before it stays, click by "
+    "click") {
+  Grid grid = cubicGrid(32);  // three balls along a line of 444 mm
+  grid.size[0] = 112;
+  grid.spacing = Vec3(4, 1, 1);
+  const Vec3 near(60, 16, 16), far(264, 16, 16), farther(408, 16, 16);
+  const Volume volume = imageOf(
+      grid,
+      [&](const Vec3& p) { return inBall(p, near, 12) || inBall(p, far, 12) || inBall(p, farther, 12); }, 40,
+      120, 4);
+  const ObjectClick first{near}, second{far}, third{farther}, beside{Vec3(60, 16, 5)};
+  const std::vector<ObjectQuery> queries{
+      {{first}, {}},
+      {{first}, {beside}},
+      {{first, second}, {beside}},
+      {{first, second, third}, {beside}},
+      {{first, second}, {beside}},  // taken back
+      {{first, third}, {beside}},
+      {{first, third, second}, {beside}},
+  };
+  ObjectFinder finder;
+  std::vector<std::size_t> cells;
+  for (const ObjectQuery& query : queries) {
+    const auto known = finder.find(volume, query, nullptr);
+    checkSame(known, findObject(volume, query, nullptr));
+    cells.push_back(known->work->cells().count());
+    for (const ObjectClick& c : query.inside) {
+      const CellGrid& grown = known->work->cells();
+      REQUIRE(grown.contains(c.place));
+      CHECK(known->region.inside[grown.at(grown.nearest(c.place))] == 1);
+    }
+    if (known->isCorrected) CHECK(known->start.inside.size() == known->region.inside.size());
+  }
+  CHECK(cells[1] == cells[0]);
+  CHECK(cells[2] > cells[1]);
+  CHECK(cells[3] > cells[2]);
+  CHECK(cells[4] == cells[2]);
+}
+
 TEST_CASE("a finder that gave up finds the same afterwards, and keeps volumes apart") {
   const Volume volume = patchwork(), other = imageOf(cubicGrid(52), kBall, 120, 40, 8);
   const ObjectQuery query{{{Vec3(19, 24, 24)}, {Vec3(30, 19, 24)}}, {{Vec3(8, 24, 24)}}};
