@@ -250,7 +250,8 @@ void tellSurface(const CertifiedMesh& made, const Volume& volume, const RunOutpu
   report.mesh = made.certificate;
   if (!outputs.report.empty()) report.measures = objectMeasures(made.mesh, &volume);
   report.seconds.exported += watch.lap();
-  if (!outputs.report.empty()) report.tunnels = findTunnelsQuickly(made.mesh, made.certificate);
+  if (!outputs.report.empty())
+    report.tunnels = findTunnelsQuickly(made.mesh, made.certificate, report.session.requested.threads);
   report.seconds.tunnels += watch.lap();
 }
 

@@ -29,7 +29,7 @@ void CrowdedFaces::test(DetectionWorkspace& work) {
   tree_.forEachOverlap([&](int i, int j) {
     const int f = faces_[i];
     const int g = faces_[j];
-    if (work.isWanted(f, g) && !shareVertex(work.faces[f], work.faces[g])) work.test(f, g);
+    if (work.isWanted(f, g) && !shareVertex(work.faces[f], work.faces[g])) work.test(f, g, work.pairs);
   });
 }
 

@@ -7,7 +7,8 @@
 namespace handlebody {
 
 void MovedFaces::mark(std::size_t pointCount, std::span<const Triangle> faces,
-                      std::span<const unsigned char> moved, VertexStars& stars, std::vector<int>& vertices) {
+                      std::span<const unsigned char> moved, VertexStars& stars, std::vector<int>& vertices,
+                      int threads) {
   isFace_.resize(faces.size(), 0);
   isVertex_.resize(pointCount, 0);
   faces_.clear();
@@ -27,7 +28,7 @@ void MovedFaces::mark(std::size_t pointCount, std::span<const Triangle> faces,
     }
   for (int v = 0; many && v < static_cast<int>(isVertex_.size()); ++v)
     if (isVertex_[v] != 0) vertices.push_back(v);
-  for (const int v : vertices) stars.need(v);
+  stars.need(vertices, threads);
 }
 
 void MovedFaces::clear(std::span<const int> vertices) {

@@ -15,7 +15,7 @@ class MovedFaces {
   //! Marks the faces that have a vertex v with moved[v] != 0 (one flag per point), and all of their vertices;
   //! these are listed in `vertices`, whose stars are read. Precondition: nothing is marked.
   void mark(std::size_t pointCount, std::span<const Triangle> faces, std::span<const unsigned char> moved,
-            VertexStars& stars, std::vector<int>& vertices);
+            VertexStars& stars, std::vector<int>& vertices, int threads = 1);
   //! `vertices`: those that were listed, whatever others there are among them.
   void clear(std::span<const int> vertices);
 

@@ -1,37 +1,68 @@
 #include "core/collision/near_vertices.h"
 
+#include <algorithm>
+
+#include "core/threads.h"
+
 namespace handlebody {
 
 namespace {
 
 // A star is measured as larger than its longest edge by no more than this (StarSize, squared).
 constexpr double kMeasured = 1 + 0x1p-8;
+// Below this many faces or vertices, of which little is asked, a thread costs more than it saves.
+constexpr std::size_t kFacesPerThread = 10000;
 
 double longestOf(const DetectionWorkspace& work, const Triangle& t) {
   const Vec3 &a = work.points[t[0]], &b = work.points[t[1]], &c = work.points[t[2]];
   return std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
 }
 
-void addInactive(DetectionWorkspace& work, int v) {
-  work.stars.need(v);
-  if (work.stars.corners(v).empty()) return;  // free, or without a face
-  work.sizes[v] = measureStar(work.points, v, work.stars.corners(v));
-  work.vertices.push_back(v);
+//! mm², of the edges of all faces.
+double longestOfAll(const DetectionWorkspace& work) {
+  std::vector<double> longest(sharesOf(work.faces.size(), work.threads, kFacesPerThread), 0);
+  forSharesOnThreads(work.faces.size(), work.threads, kFacesPerThread, [&](const Share& share) {
+    const auto [from, to] = share.of(work.faces.size());
+    double most = 0;
+    for (const Triangle& t : work.faces.subspan(from, to - from))
+      if (t[0] >= 0) most = std::max(most, longestOf(work, t));
+    longest[share.part] = most;
+  });
+  return *std::max_element(longest.begin(), longest.end());
+}
+
+//! Adds the inactive vertices for which isNear(v), and measures their stars.
+template <typename F>
+void addInactive(DetectionWorkspace& work, F&& isNear) {
+  const std::size_t count = work.points.size();
+  std::vector<std::vector<int>> near(sharesOf(count, work.threads, kFacesPerThread));
+  forSharesOnThreads(count, work.threads, kFacesPerThread, [&](const Share& share) {
+    const auto [from, to] = share.of(count);
+    for (std::size_t i = from; i < to; ++i) {
+      const int v = static_cast<int>(i);
+      if (!work.isActive(v) && isNear(v)) near[share.part].push_back(v);
+    }
+  });
+  for (std::vector<int>& some : near) {
+    work.stars.need(some, work.threads);
+    for (const int v : some) {
+      if (work.stars.corners(v).empty()) continue;  // free, or without a face
+      work.sizes[v] = measureStar(work.points, v, work.stars.corners(v));
+      work.vertices.push_back(v);
+    }
+  }
 }
 
 }  // namespace
 
 void NearVertices::add(DetectionWorkspace& work) {
   if (work.vertices.empty()) return;
-  work.longestSquared = 0;
-  for (const Triangle& t : work.faces)
-    if (t[0] >= 0) work.longestSquared = std::max(work.longestSquared, longestOf(work, t));
+  work.longestSquared = longestOfAll(work);
   // Where nearly all are active, looking which of the others are near costs more than it saves.
   const bool nearlyAll = work.vertices.size() > work.points.size() / 4 * 3;
   if (!nearlyAll && work.areLevelsWorth()) return addOfLevels(work);
   if (!nearlyAll) near_.build(work.points, work.vertices, work.reach());
-  for (int v = 0; v < static_cast<int>(work.points.size()); ++v)
-    if (!work.isActive(v) && (nearlyAll || near_.mayBeNear(work.points[v]))) addInactive(work, v);
+  addInactive(work, [&](int v) { return nearlyAll || near_.mayBeNear(work.points[v]); });
 }
 
 //! Each of the others by its own size, as its faces tell it.
@@ -43,10 +74,9 @@ void NearVertices::addOfLevels(DetectionWorkspace& work) {
     for (const int v : t) mostAround_[v] = std::max(mostAround_[v], longest);
   }
   nearLevels_.build(work.points, work.vertices, work.starSizes, work.longestSquared * kMeasured);
-  for (int v = 0; v < static_cast<int>(work.points.size()); ++v)
-    if (!work.isActive(v) && mostAround_[v] > 0 &&
-        nearLevels_.mayBeNear(work.points[v], mostAround_[v] * kMeasured))
-      addInactive(work, v);
+  addInactive(work, [&](int v) {
+    return mostAround_[v] > 0 && nearLevels_.mayBeNear(work.points[v], mostAround_[v] * kMeasured);
+  });
 }
 
 }  // namespace handlebody

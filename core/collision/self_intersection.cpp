@@ -33,9 +33,10 @@ void CollisionDetector::Tables::runAll() {
   for (int v = 0; v < work.stars.vertexCount(); ++v) {
     if (work.stars.corners(v).empty()) continue;
     work.vertices.push_back(v);
-    adjacent.test(work, v);
-    work.longestSquared = std::max(work.longestSquared, work.sizes[v].longestEdge);
   }
+  adjacent.test(work);
+  for (const int v : work.vertices)
+    work.longestSquared = std::max(work.longestSquared, work.sizes[v].longestEdge);
   testSeparate();
   sortUnique(work.pairs);
 }
@@ -44,8 +45,8 @@ void CollisionDetector::Tables::runMoved(std::span<const unsigned char> moved) {
   work.all = false;
   work.pairs.clear();
   work.sizes.resize(work.points.size());
-  work.moved.mark(work.points.size(), work.faces, moved, work.stars, work.vertices);
-  for (const int v : work.vertices) adjacent.test(work, v);
+  work.moved.mark(work.points.size(), work.faces, moved, work.stars, work.vertices, work.threads);
+  adjacent.test(work);
   near.add(work);
   testSeparate();
   work.moved.clear(work.vertices);
@@ -63,6 +64,8 @@ CollisionDetector::CollisionDetector(CollisionDetector&&) noexcept = default;
 CollisionDetector& CollisionDetector::operator=(CollisionDetector&&) noexcept = default;
 
 void CollisionDetector::use(BroadPhase phase) { tables_->separate.use(phase); }
+
+void CollisionDetector::useThreads(int threads) { tables_->work.threads = std::max(1, threads); }
 
 const std::vector<FacePair>& CollisionDetector::detectAll(std::span<const Vec3> points,
                                                           std::span<const Triangle> faces) {

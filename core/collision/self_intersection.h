@@ -26,7 +26,7 @@ namespace handlebody {
 std::vector<FacePair> findSelfIntersections(std::span<const Vec3> points, std::span<const Triangle> faces);
 
 //! Keeps its tables between calls, so that repeated detection allocates nothing, and sorts the faces by
-//! vertex anew only when they have changed. One thread at a time.
+//! vertex anew only when they have changed. Called by one thread at a time.
 class CollisionDetector {
  public:
   CollisionDetector();
@@ -36,6 +36,8 @@ class CollisionDetector {
 
   //! From now on; at first the sorted one. What is found does not depend on it.
   void use(BroadPhase phase);
+  //! At most so many from now on; at first one. What is found does not depend on it.
+  void useThreads(int threads);
 
   //! As findSelfIntersections, over all faces.
   const std::vector<FacePair>& detectAll(std::span<const Vec3> points, std::span<const Triangle> faces);

@@ -51,16 +51,17 @@ bool isFirstNear(const DetectionWorkspace& work, int u, const Triangle& t, int v
 }
 
 //! Face f against the faces at v.
-void testFan(DetectionWorkspace& work, int f, int v) {
+void testFan(const DetectionWorkspace& work, int f, int v, std::vector<FacePair>& found) {
   const Triangle& t = work.faces[f];
   const Box box = work.boxOf(f);
   for (const Corner& c : work.stars.corners(v))
     if (work.isWanted(f, c.face) && work.boxOf(c.face).overlaps(box) && !shareVertex(work.faces[c.face], t))
-      work.test(f, c.face);
+      work.test(f, c.face, found);
 }
 
 //! The faces T at u against the faces at P = v.
-void testNear(DetectionWorkspace& work, int u, int v, double distanceSquared) {
+void testNear(const DetectionWorkspace& work, int u, int v, double distanceSquared,
+              std::vector<FacePair>& found) {
   const std::span<const Vec3> points = work.points;
   const double nearSquared = work.sizes[v].longestEdge * (0.25 * kRounding);
   const Vec3& pu = points[u];
@@ -76,7 +77,7 @@ void testNear(DetectionWorkspace& work, int u, int v, double distanceSquared) {
       const Corner& c = some[std::countr_zero(left)];
       if (!work.isActive(v) && !work.isWanted(c.face)) continue;
       if (isFarFrom(points[v], pu, points[c.next], points[c.prev], nearSquared)) continue;
-      if (isFirstNear(work, u, work.faces[c.face], v)) testFan(work, c.face, v);
+      if (isFirstNear(work, u, work.faces[c.face], v)) testFan(work, c.face, v, found);
     }
   }
 }
@@ -84,19 +85,22 @@ void testNear(DetectionWorkspace& work, int u, int v, double distanceSquared) {
 }  // namespace
 
 bool SeparateFaces::test(DetectionWorkspace& work) {
-  const auto testPair = [&work](int u, int v, double distanceSquared) {
-    if (!work.isActive(u) && !work.isActive(v)) return;
-    if (distanceSquared <= work.reachSquared(u, v)) testNear(work, u, v, distanceSquared);
-    if (distanceSquared <= work.reachSquared(v, u)) testNear(work, v, u, distanceSquared);
+  const auto testAll = [&work](auto& near) {
+    work.findInShares([&](const Share& share, std::vector<FacePair>& found) {
+      near.forEachPair(
+          [&](int u, int v, double distanceSquared) {
+            if (!work.isActive(u) && !work.isActive(v)) return;
+            if (distanceSquared <= work.reachSquared(u, v)) testNear(work, u, v, distanceSquared, found);
+            if (distanceSquared <= work.reachSquared(v, u)) testNear(work, v, u, distanceSquared, found);
+          },
+          share);
+    });
+    return true;
   };
-  if (work.areLevelsWorth()) {
-    if (!levelPairs_.build(work.points, work.vertices, work.starSizes, work.longestSquared)) return false;
-    levelPairs_.forEachPair(testPair);
-  } else {
-    if (!nearPairs_.build(work.points, work.vertices, work.reach())) return false;
-    nearPairs_.forEachPair(testPair);
-  }
-  return true;
+  if (work.areLevelsWorth())
+    return levelPairs_.build(work.points, work.vertices, work.starSizes, work.longestSquared) &&
+           testAll(levelPairs_);
+  return nearPairs_.build(work.points, work.vertices, work.reach()) && testAll(nearPairs_);
 }
 
 }  // namespace handlebody

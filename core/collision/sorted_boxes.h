@@ -22,6 +22,7 @@
 #include "core/collision/half_boxes.h"
 #include "core/collision/lanes.h"
 #include "core/geometry/vec.h"
+#include "core/threads.h"
 
 namespace handlebody {
 
@@ -33,9 +34,10 @@ class SortedBoxes {
   //! The points must stay as they are until the last forEachPair.
   bool build(std::span<const Vec3> points, std::span<const int> vertices, double radius);
 
-  //! Calls f(u, v, squared distance) once for each pair of vertices not farther apart than `radius`.
+  //! Calls f(u, v, squared distance) once for each pair of vertices not farther apart than `radius`. All
+  //! shares together have all of them.
   template <typename F>
-  void forEachPair(F&& f) const;
+  void forEachPair(F&& f, const Share& share = {}) const;
 
  private:
   // The sum of squares of the numbers of vertices in the half boxes may be this many times the number of
@@ -128,9 +130,15 @@ void SortedBoxes::visit(std::uint32_t own, Windows& windows, F&& f) const {
 }
 
 template <typename F>
-void SortedBoxes::forEachPair(F&& f) const {
+void SortedBoxes::forEachPair(F&& f, const Share& share) const {
+  const auto [begin, end] = share.of(vertex_.size());
+  const auto firstFrom = [this](std::size_t i) {  // the first row that does not begin before the vertex i
+    return static_cast<std::size_t>(
+        std::partition_point(rows_.begin(), rows_.end(), [i](const BoxRow& row) { return row.first < i; }) -
+        rows_.begin());
+  };
   std::size_t above = 0;  // the first row that does not come before (y-1, z+1)
-  for (std::size_t r = 0; rows_[r].first < vertex_.size(); ++r) {
+  for (std::size_t r = firstFrom(begin); rows_[r].first < end; ++r) {
     const BoxRow& row = rows_[r];
     while (rows_[above] < BoxRow{row.y - 1, row.z + 1, 0}) ++above;
     Windows windows{Window{row.first, rows_[r + 1].first}, windowOf(r + 1, {row.y + 1, row.z, 0})};

@@ -48,13 +48,16 @@ class LevelPairs {
   bool build(std::span<const Vec3> points, std::span<const int> vertices,
              std::span<const double> sizesSquared, double largestSquared);
   //! Calls f(u, v, squared distance) once for each pair within reach, in either order, and for some others.
+  //! Shares as in VertexPairs.
   template <typename F>
-  void forEachPair(F&& f) {
+  void forEachPair(F&& f, const Share& share = {}) {
     for (std::size_t k = 0; k < pairs_.size(); ++k)
       if (isUsed_[k])
-        pairs_[k].forEachPair([&](int u, int v, double d) {
-          if (std::min(level_[u], level_[v]) == k) f(u, v, d);
-        });
+        pairs_[k].forEachPair(
+            [&](int u, int v, double d) {
+              if (std::min(level_[u], level_[v]) == k) f(u, v, d);
+            },
+            share);
   }
 
  private:

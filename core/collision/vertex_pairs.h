@@ -6,6 +6,7 @@
 #include "core/collision/broad_phase.h"
 #include "core/collision/sorted_boxes.h"
 #include "core/collision/spatial_hash.h"
+#include "core/threads.h"
 
 namespace handlebody {
 
@@ -21,12 +22,13 @@ class VertexPairs {
   }
 
   //! Calls f(u, v, squared distance) once for each pair of vertices not farther apart than `radius`, in
-  //! either order.
+  //! either order. All shares together have all of them, and may be asked for at the same time; with hashing
+  //! the first has all.
   template <typename F>
-  void forEachPair(F&& f) {
+  void forEachPair(F&& f, const Share& share = {}) {
     if (phase_ == BroadPhase::sorted)
-      sorted_.forEachPair(std::forward<F>(f));
-    else
+      sorted_.forEachPair(std::forward<F>(f), share);
+    else if (share.part == 0)
       hash_.forEachPair(std::forward<F>(f));
   }
 

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/indices.h"
+#include "core/threads.h"
 
 namespace handlebody {
 namespace {
@@ -56,6 +57,9 @@ bool isSimple(int v, std::span<const Corner> corners) {
   }
   return true;
 }
+
+// Below this many a thread costs more than it saves.
+constexpr std::size_t kVerticesPerThread = 1500;
 
 bool orderCycle(int v, std::span<Corner> corners, std::vector<Corner>& scratch) {
   constexpr std::size_t kFew = 32;
@@ -124,6 +128,20 @@ void VertexStars::readFrom(const Mesh& mesh) {
 void VertexStars::check(int v) {
   if (!isStill(v)) read(v);
   stars_[v].reading = reading_;
+}
+
+//! Most are still as they were: that is looked at on threads. The others take room, one after the other.
+void VertexStars::need(std::span<const int> vertices, int threads) {
+  if (!mesh_) return;
+  forRangesOnThreads(vertices.size(), threads, kVerticesPerThread, [&](std::size_t from, std::size_t to) {
+    for (const int v : vertices.subspan(from, to - from))
+      if (isStill(v)) stars_[v].reading = reading_;
+  });
+  for (const int v : vertices) {
+    if (stars_[v].reading == reading_) continue;
+    read(v);
+    stars_[v].reading = reading_;
+  }
 }
 
 //! True if all faces of the cycle are still there: then they are all faces of v. Without branches for each.

@@ -28,6 +28,8 @@ class VertexStars {
   void need(int v) {
     if (mesh_ && stars_[v].reading != reading_) check(v);
   }
+  //! The same for each of them, all different.
+  void need(std::span<const int> vertices, int threads);
 
   std::span<const Corner> corners(int v) const {
     const Star& star = stars_[v];

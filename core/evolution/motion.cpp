@@ -105,11 +105,7 @@ std::vector<Vec3> computeMotion(const Mesh& mesh, const ObjectImage& image, cons
                   std::span(moves).subspan(i, some));
     }
   };
-  const std::size_t threads = std::clamp<std::size_t>(
-      vertices.size() / kVerticesPerThread, 1, static_cast<std::size_t>(std::max(1, settings.threads)));
-  forEachOnThreads(threads, static_cast<int>(threads), [&](std::size_t t) {
-    work(t * vertices.size() / threads, (t + 1) * vertices.size() / threads);
-  });
+  forRangesOnThreads(vertices.size(), settings.threads, kVerticesPerThread, work);
   return moves;
 }
 

@@ -104,6 +104,7 @@ void StepTransaction::adapt(Mesh& mesh, const StepScene& scene, Attempt& a) {
     return scene.locked.regions.cameBack(p, scene.longestAt(p));
   };
   detector_.use(scene.broadPhase);
+  detector_.useThreads(scene.motion.threads);
   adaptInRounds(mesh, detector_, std::move(settings), scene.limits.longest, a);
 }
 

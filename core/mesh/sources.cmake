@@ -8,6 +8,7 @@ target_sources(handlebody_core PRIVATE
   ${CMAKE_SOURCE_DIR}/core/mesh/tree_cotree.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/loop_tightening.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/loop_search.cpp
+  ${CMAKE_SOURCE_DIR}/core/mesh/loop_tree.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/linking.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/loop_classes.cpp
   ${CMAKE_SOURCE_DIR}/core/mesh/morton_order.cpp

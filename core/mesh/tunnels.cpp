@@ -1,11 +1,14 @@
 #include "core/mesh/tunnels.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
+#include <utility>
 
 #include "core/indices.h"
 #include "core/mesh/pieces.h"
 #include "core/mesh/topology.h"
+#include "core/threads.h"
 
 namespace handlebody {
 
@@ -94,8 +97,8 @@ class Pairing {
 //! The search for short loops of both kinds on one component.
 class ShortLoops {
  public:
-  ShortLoops(const Mesh& mesh, const LoopClasses& classes)
-      : mesh_(mesh), classes_(classes), search_(mesh, classes) {}
+  ShortLoops(const Mesh& mesh, const LoopClasses& classes, int threads)
+      : mesh_(mesh), classes_(classes), threads_(threads), search_(mesh, classes) {}
 
   void run() {
     searchAllOver();
@@ -129,7 +132,7 @@ class ShortLoops {
     std::vector<double> nearest(mesh_.vertexSlots(), std::numeric_limits<double>::infinity());
     int base = 0;
     for (int n = 1; n <= std::min(kMaxBases, mesh_.vertexSlots()); ++n) {
-      search_.searchFrom(base);
+      search_.searchFrom({base});
       for (std::size_t v = 0; v < nearest.size(); ++v)
         nearest[v] = std::min(nearest[v], search_.distances()[v]);
       base = static_cast<int>(std::max_element(nearest.begin(), nearest.end()) - nearest.begin());
@@ -142,36 +145,42 @@ class ShortLoops {
   //! A shorter loop of a pair crosses the other one.
   void searchFromLoops() {
     const Pairing pairing(mesh_, classes_, handles, tunnels);
+    std::vector<LoopBase> bases;
     for (std::size_t t = 0; t < tunnels.size(); ++t) {
       if (pairing.ofTunnel()[t] < 0) continue;
       const EdgeLoop& handle = handles[pairing.ofTunnel()[t]];
-      searchAlong(tunnels[t], handle.length);
-      searchAlong(handle, std::min(tunnels[t].length, kMaxTimes * handle.length));
+      addBases(tunnels[t], handle.length, bases);
+      addBases(handle, std::min(tunnels[t].length, kMaxTimes * handle.length), bases);
     }
+    search_.searchFrom(bases, threads_);
   }
   //! Whatever meets a loop that has no partner passes through one of its vertices.
   void searchOthers() {
     search_.keepOthers();
     const Pairing pairing(mesh_, classes_, handles, tunnels);
+    std::vector<LoopBase> bases;
     for (std::size_t t = 0; t < tunnels.size(); ++t)
-      if (pairing.ofTunnel()[t] < 0) searchAlong(tunnels[t], kFar);
+      if (pairing.ofTunnel()[t] < 0) addBases(tunnels[t], kFar, bases);
     for (std::size_t h = 0; h < handles.size(); ++h)
       if (std::find(pairing.ofTunnel().begin(), pairing.ofTunnel().end(), static_cast<int>(h)) ==
           pairing.ofTunnel().end())
-        searchAlong(handles[h], kFar);
+        addBases(handles[h], kFar, bases);
+    search_.searchFrom(bases, threads_);
     take();
     std::vector<EdgeLoop> given = handles;
     given.insert(given.end(), tunnels.begin(), tunnels.end());
     others = search_.others(given);
   }
-  void searchAlong(const EdgeLoop& loop, double other) {
+  //! Along the loop, for loops up to `other` long (mm).
+  static void addBases(const EdgeLoop& loop, double other, std::vector<LoopBase>& bases) {
     const int step = std::max(1, static_cast<int>(loop.vertices.size()) / kBasesPerLoop);
     for (std::size_t i = 0; i < loop.vertices.size(); i += idx(step))
-      search_.searchFrom(loop.vertices[i], other / 2);
+      bases.push_back({loop.vertices[i], other / 2});
   }
 
   const Mesh& mesh_;
   const LoopClasses& classes_;
+  int threads_;
   LoopSearch search_;
 };
 
@@ -197,21 +206,20 @@ SurfaceLoop finished(const Part& part, const LoopClasses& classes, const EdgeLoo
   return out;
 }
 
-//! Makes pairs of loops and adds them to the list.
+//! Makes pairs of loops.
 class PairLister {
  public:
-  PairLister(const Mesh& mesh, const Part& part, int component, const LoopClasses& classes, TunnelList& list)
-      : mesh_(mesh), part_(part), component_(component), classes_(classes), list_(list) {}
+  PairLister(const Mesh& mesh, const LoopClasses& classes) : mesh_(mesh), classes_(classes) {}
 
   //! Those of each that find no partner stay in them.
   void pairUp(std::vector<EdgeLoop>& handles, std::vector<EdgeLoop>& tunnels) {
-    const Pairing pairing(part_.mesh, classes_, handles, tunnels);
+    const Pairing pairing(mesh_, classes_, handles, tunnels);
     std::vector<EdgeLoop> handlesLeft, tunnelsLeft;
     std::vector<unsigned char> paired(handles.size(), 0);
     for (std::size_t t = 0; t < tunnels.size(); ++t) {
       const int h = pairing.ofTunnel()[t];
       if (h >= 0) {
-        add(handles[h], tunnels[t]);
+        pairs_.emplace_back(std::move(handles[h]), std::move(tunnels[t]));
         paired[h] = 1;
       } else {
         tunnelsLeft.push_back(std::move(tunnels[t]));
@@ -223,34 +231,42 @@ class PairLister {
     tunnels = std::move(tunnelsLeft);
   }
 
- private:
-  void add(const EdgeLoop& handle, const EdgeLoop& tunnel) {
-    Tunnel t;
-    t.handle = finished(part_, classes_, handle);
-    t.tunnel = finished(part_, classes_, tunnel);
-    t.handleBounds = handle.kind == LoopKind::handle;
-    t.tunnelBounds = tunnel.kind == LoopKind::tunnel;
-    t.position = middleOf(mesh_, t.shorter());
-    t.component = component_;
-    list_.tunnels.push_back(std::move(t));
-  }
+  const std::vector<std::pair<EdgeLoop, EdgeLoop>>& pairs() const { return pairs_; }
 
+ private:
   const Mesh& mesh_;
-  const Part& part_;
-  int component_;
   const LoopClasses& classes_;
-  TunnelList& list_;
+  std::vector<std::pair<EdgeLoop, EdgeLoop>> pairs_;
 };
 
-void addTunnels(const Mesh& mesh, const Part& part, int component, TunnelList& list) {
+Tunnel tunnelOf(const Mesh& mesh, const Part& part, const LoopClasses& classes, const EdgeLoop& handle,
+                const EdgeLoop& tunnel) {
+  Tunnel out;
+  out.handle = finished(part, classes, handle);
+  out.tunnel = finished(part, classes, tunnel);
+  out.handleBounds = handle.kind == LoopKind::handle;
+  out.tunnelBounds = tunnel.kind == LoopKind::tunnel;
+  out.position = middleOf(mesh, out.shorter());
+  return out;
+}
+
+void addTunnels(const Mesh& mesh, const Part& part, int component, int threads, TunnelList& list) {
   const auto classes = LoopClasses::of(part.mesh);
   if (!classes) return;
-  ShortLoops loops(part.mesh, *classes);
+  ShortLoops loops(part.mesh, *classes, threads);
   loops.run();
-  PairLister lister(mesh, part, component, *classes, list);
+  PairLister lister(part.mesh, *classes);
   lister.pairUp(loops.handles, loops.tunnels);
   lister.pairUp(loops.handles, loops.others);
   lister.pairUp(loops.others, loops.tunnels);
+  std::vector<Tunnel> found(lister.pairs().size());
+  forEachOnThreads(found.size(), threads, [&](std::size_t i) {
+    const auto& [handle, tunnel] = lister.pairs()[i];
+    found[i] = tunnelOf(mesh, part, *classes, handle, tunnel);
+    found[i].component = component;
+  });
+  list.tunnels.insert(list.tunnels.end(), std::make_move_iterator(found.begin()),
+                      std::make_move_iterator(found.end()));
 }
 
 constexpr int kPlacesBeside = 12;      // around the other loop
@@ -294,7 +310,7 @@ std::vector<SurfaceLoop> loopsBeside(const Mesh& mesh, const Tunnel& tunnel, Loo
   for (std::size_t i = 0; i < kPlacesBeside; ++i) {
     const int base = numberIn(part, other.points[i * n / kPlacesBeside].from);
     if (base < 0) continue;
-    const EdgeLoop beside = search.loopThrough(base, key, kMaxLengthRatio * loop.length / 2);
+    const EdgeLoop beside = search.loopThrough({base, kMaxLengthRatio * loop.length / 2}, key);
     SurfaceLoop out;
     out.length = beside.length;
     for (const int v : beside.vertices) out.points.push_back({part.slots[v], part.slots[v], 0});
@@ -307,7 +323,7 @@ std::vector<SurfaceLoop> loopsBeside(const Mesh& mesh, const Tunnel& tunnel, Loo
   return out;
 }
 
-TunnelList findTunnels(const Mesh& mesh) {
+TunnelList findTunnels(const Mesh& mesh, int threads) {
   TunnelList out;
   const Components parts = findComponents(mesh);
   int total = 0;
@@ -315,7 +331,7 @@ TunnelList findTunnels(const Mesh& mesh) {
     const int genus = 1 - (parts.vertices[c] - parts.faces[c] / 2) / 2;
     if (genus <= 0) continue;
     total += genus;
-    if (genus <= kMaxListed) addTunnels(mesh, partOf(mesh, parts, c), c, out);
+    if (genus <= kMaxListed) addTunnels(mesh, partOf(mesh, parts, c), c, threadCount(threads), out);
   }
   out.unlisted = total - static_cast<int>(out.tunnels.size());
   std::stable_sort(out.tunnels.begin(), out.tunnels.end(),
@@ -323,12 +339,13 @@ TunnelList findTunnels(const Mesh& mesh) {
   return out;
 }
 
-std::optional<TunnelList> findTunnelsQuickly(const TriangleSoup& mesh, const Certificate& certificate) {
+std::optional<TunnelList> findTunnelsQuickly(const TriangleSoup& mesh, const Certificate& certificate,
+                                             int threads) {
   const int genus = std::accumulate(certificate.genus.begin(), certificate.genus.end(), 0);
   if (!certificate.passes()) return std::nullopt;
   if (genus == 0) return TunnelList{};
   if (genus > kQuickGenus || certificate.vertices > kQuickVertices) return std::nullopt;
-  return findTunnels(Mesh(withoutLoosePoints(mesh)));
+  return findTunnels(Mesh(withoutLoosePoints(mesh)), threads);
 }
 
 }  // namespace handlebody

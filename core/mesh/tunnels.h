@@ -42,11 +42,13 @@ inline constexpr int kMaxListed = 400;
 //! same pair meet an odd number of times, mostly once. Throws Cancelled (cancellation.h).
 //! Each component is looked at alone: a loop that bounds
 //! outside of its component may run around another one. The vertices of the loops are slots of the mesh.
-TunnelList findTunnels(const Mesh& mesh);
+//! On up to so many threads (0: as many as the machine has), on which the list does not depend.
+TunnelList findTunnels(const Mesh& mesh, int threads = 0);
 
 //! The same of a mesh as it is written, where that takes about a second at most: none if the certificate does
 //! not pass, or the mesh has more than kQuickVertices vertices or kQuickGenus tunnels.
-std::optional<TunnelList> findTunnelsQuickly(const TriangleSoup& mesh, const Certificate& certificate);
+std::optional<TunnelList> findTunnelsQuickly(const TriangleSoup& mesh, const Certificate& certificate,
+                                             int threads = 0);
 
 inline constexpr int kQuickVertices = 100000, kQuickGenus = 40;
 

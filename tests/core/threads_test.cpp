@@ -2,9 +2,15 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
+#include <future>
+#include <mutex>
+#include <set>
 #include <stdexcept>
 #include <thread>
+#include <vector>
 
+#include "core/cancellation.h"
 #include "tests/support/catch.h"
 
 using namespace handlebody;
@@ -16,6 +22,58 @@ TEST_CASE("each piece of work is done once, with any number of threads") {
     for (const auto& c : calls) CHECK(c == 1);
   }
   forEachOnThreads(0, 4, [](std::size_t) { FAIL("there is nothing to do"); });
+}
+
+TEST_CASE("several threads do the work") {
+  std::set<std::thread::id> who;
+  std::mutex guard;
+  std::atomic<int> arrived{0};
+  forEachOnThreads(3, 3, [&](std::size_t) {
+    {
+      const std::lock_guard lock(guard);
+      who.insert(std::this_thread::get_id());
+    }
+    ++arrived;
+    while (arrived < 3) std::this_thread::yield();  // each waits for the others
+  });
+  CHECK(who.size() == 3);
+}
+
+TEST_CASE("work within work, from many threads at the same time, is done once") {
+  std::atomic<int> calls{0};
+  std::vector<std::future<void>> callers;
+  for (int c = 0; c < 6; ++c)
+    callers.push_back(std::async(std::launch::async, [&] {
+      for (int again = 0; again < 50; ++again)
+        forEachOnThreads(5, 3, [&](std::size_t) { forEachOnThreads(7, 4, [&](std::size_t) { ++calls; }); });
+    }));
+  for (std::future<void>& c : callers) c.get();
+  CHECK(calls == 6 * 50 * 5 * 7);
+}
+
+TEST_CASE("who finds all helpers busy does the work alone, and waits for none of them") {
+  using namespace std::chrono_literals;
+  std::atomic<bool> release{false};
+  std::atomic<int> busy{0};
+  // As many pieces that do not end as there can be helpers, whatever other cases have asked for.
+  constexpr int kThreads = 64;
+  auto others = std::async(std::launch::async, [&] {
+    forEachOnThreads(kThreads, kThreads, [&](std::size_t) {
+      ++busy;
+      while (!release) std::this_thread::sleep_for(1ms);
+    });
+  });
+  while (busy < kThreads) std::this_thread::sleep_for(1ms);
+  auto alone = std::async(std::launch::async, [] {
+    int calls = 0;  // of one thread only
+    forEachOnThreads(100, kThreads, [&](std::size_t) { ++calls; });
+    return calls;
+  });
+  const bool ended = alone.wait_for(20s) == std::future_status::ready;
+  release = true;
+  REQUIRE(ended);
+  CHECK(alone.get() == 100);
+  others.get();
 }
 
 TEST_CASE("ranges cover all once, and none is smaller than it pays") {

@@ -30,7 +30,7 @@ TEST_CASE("faces with a common vertex: the star test and the pairs of a star fin
     DetectionWorkspace work = workspaceOf(soup);
     lookAtAll(work);
     AdjacentFaces adjacent;
-    for (const int v : work.vertices) adjacent.test(work, v);
+    adjacent.test(work);
     CHECK(found(work) == everyPair(work, true));
   }
 }

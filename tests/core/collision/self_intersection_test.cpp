@@ -52,6 +52,31 @@ TEST_CASE("detection on open, broken and thinned meshes equals the exact test of
   }
 }
 
+TEST_CASE("any number of threads finds the same pairs, in the same order") {
+  TriangleSoup two = icosphere(Vec3(0, 0, 0), 1, 0.03);
+  const TriangleSoup other = icosphere(Vec3(1.5, 0.1, 0.2), 1, 0.02);
+  const int first = static_cast<int>(two.points.size());
+  two.points.insert(two.points.end(), other.points.begin(), other.points.end());
+  REQUIRE(two.points.size() > 24000);  // for eight threads, in each phase more than one
+  for (const Triangle& t : other.triangles)
+    two.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  const std::vector<FacePair> expected = find(two);
+  REQUIRE(expected.size() > 100);
+  std::vector<unsigned char> moved(two.points.size(), 0);
+  std::fill(moved.begin(), moved.begin() + first, static_cast<unsigned char>(1));
+  const Mesh mesh(two);
+  for (const BroadPhase phase : {BroadPhase::sorted, BroadPhase::hashing})
+    for (const int threads : {1, 2, 3, 8}) {
+      CollisionDetector detector;
+      detector.use(phase);
+      detector.useThreads(threads);
+      CHECK(detector.detectAll(two.points, two.triangles) == expected);
+      CHECK(detector.detectMoved(two.points, two.triangles, moved) == expected);
+      CHECK(detector.detectMoved(mesh, moved) == expected);
+      CHECK(detector.detectMoved(mesh, moved) == expected);  // all stars are still there
+    }
+}
+
 TEST_CASE("scale by a power of two, an exact rotation and permutation do not change the pairs") {
   for (const TriangleSoup& s : zoo::intersecting()) {
     const auto expected = find(s);

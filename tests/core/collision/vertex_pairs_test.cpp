@@ -75,6 +75,25 @@ TEST_CASE("every pair within the radius is found exactly once, by either broad p
   }
 }
 
+TEST_CASE("all shares together have each pair once, however many there are") {
+  const BroadPhase phase = GENERATE(BroadPhase::sorted, BroadPhase::hashing);
+  for (const Vec3& extent : {Vec3(20, 20, 20), Vec3(4000, 1, 1), Vec3(1, 2, 3000)}) {
+    const auto points = cloud(1500, extent, 7);
+    VertexPairs near;
+    near.use(phase);
+    const std::vector<int> all = allOf(points);
+    REQUIRE(near.build(points, all, 1.7));
+    for (const std::size_t parts : {1, 2, 3, 16, 5000}) {
+      Pairs found;
+      for (std::size_t part = 0; part < parts; ++part)
+        near.forEachPair([&](int u, int v, double) { found.emplace_back(std::min(u, v), std::max(u, v)); },
+                         {part, parts});
+      std::sort(found.begin(), found.end());
+      CHECK(found == bruteForce(points, 1.7));
+    }
+  }
+}
+
 TEST_CASE("points near to marked ones are never missed, and few others are taken for near") {
   const auto points = cloud(6000, Vec3(40, 40, 4), 2);
   std::vector<int> marked;
