@@ -40,7 +40,8 @@ class Independent {
 
 }  // namespace
 
-LoopSearch::LoopSearch(const Mesh& mesh, const LoopClasses& classes) : graph_(mesh, classes) {
+LoopSearch::LoopSearch(const Mesh& mesh, const LoopClasses& classes)
+    : classes_(classes), graph_(mesh, classes) {
   trees_.emplace_back(graph_);
 }
 
@@ -140,11 +141,11 @@ EdgeLoop LoopSearch::loopThrough(const LoopBase& base, const ClassKey& key) {
 
 EdgeLoop LoopSearch::described(const Found& found, LoopKind kind) const {
   EdgeLoop out{found.vertices, found.length, kind, {}, {}};
-  out.coordinates.assign(graph_.classes().rank(), 0);
+  out.coordinates.assign(classes_.rank(), 0);
   for (std::size_t i = 0; i < out.vertices.size(); ++i) {
     const int h = graph_.mesh().findHalfedge(out.vertices[i], out.vertices[(i + 1) % out.vertices.size()]);
-    graph_.classes().addTo(out.coordinates, h);
-    out.key += graph_.classes().key(h);
+    classes_.addTo(out.coordinates, h);
+    out.key += classes_.key(h);
   }
   return out;
 }
@@ -158,24 +159,24 @@ std::vector<const LoopSearch::Found*> LoopSearch::byLength(LoopKind kind) const 
 }
 
 std::vector<EdgeLoop> LoopSearch::basis(LoopKind kind) const {
-  Independent chosen(graph_.classes().rank());
+  Independent chosen(classes_.rank());
   std::vector<EdgeLoop> out;
   for (const Found* found : byLength(kind)) {
-    if (2 * static_cast<int>(out.size()) == graph_.classes().rank()) break;
+    if (2 * static_cast<int>(out.size()) == classes_.rank()) break;
     EdgeLoop loop = described(*found, kind);
-    if (graph_.classes().isOfKind(loop.coordinates, kind) && chosen.add(loop.coordinates))
+    if (classes_.isOfKind(loop.coordinates, kind) && chosen.add(loop.coordinates))
       out.push_back(std::move(loop));
   }
   return out;
 }
 
 std::vector<EdgeLoop> LoopSearch::others(const std::vector<EdgeLoop>& given) const {
-  Independent chosen(graph_.classes().rank());
+  Independent chosen(classes_.rank());
   int count = 0;
   for (const EdgeLoop& loop : given) count += chosen.add(loop.coordinates);
   std::vector<EdgeLoop> out;
   for (const Found* found : byLength(LoopKind::neither)) {
-    if (count == graph_.classes().rank()) break;
+    if (count == classes_.rank()) break;
     EdgeLoop loop = described(*found, LoopKind::neither);
     if (!chosen.add(loop.coordinates)) continue;
     out.push_back(std::move(loop));

@@ -85,6 +85,7 @@ class LoopSearch {
   std::vector<const Found*> byLength(LoopKind kind) const;
   EdgeLoop described(const Found& found, LoopKind kind) const;
 
+  const LoopClasses& classes_;
   LoopGraph graph_;
   std::vector<LoopTree> trees_;     // one for each thread
   std::map<int, double> searched_;  // how far, by base

@@ -14,11 +14,12 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-LoopGraph::LoopGraph(const Mesh& mesh, const LoopClasses& classes) : mesh_(mesh), classes_(classes) {
+LoopGraph::LoopGraph(const Mesh& mesh, const LoopClasses& classes) : mesh_(mesh) {
   for (int v = 0; v < mesh.vertexSlots(); ++v) {
     first_.push_back(arcs_.size());
     mesh.forEachOutgoing(v, [&](int h) {
-      arcs_.push_back({h, mesh.target(h), (mesh.position(mesh.target(h)) - mesh.position(v)).norm()});
+      const int w = mesh.target(h);
+      arcs_.push_back({h, w, (mesh.position(w) - mesh.position(v)).norm(), classes.key(h)});
     });
   }
   first_.push_back(arcs_.size());
@@ -61,7 +62,7 @@ void LoopTree::spread(int base, double radius) {
       known = there;
       parent_[arc.target] = arc.halfedge;
       key_[arc.target] = key_[v];
-      key_[arc.target] += graph_->classes().key(arc.halfedge);
+      key_[arc.target] += arc.key;
       queue.emplace(there, arc.target);
     }
   }

@@ -16,20 +16,19 @@ class LoopGraph {
   struct Arc {
     int halfedge, target;
     double length;  //!< mm
+    ClassKey key;   //!< of the half-edge, beside what else is asked of it
   };
-  //! Both must outlive it.
+  //! The mesh must outlive it.
   LoopGraph(const Mesh& mesh, const LoopClasses& classes);
   std::span<const Arc> arcs(int v) const {
     return std::span(arcs_).subspan(first_[v], first_[static_cast<std::size_t>(v) + 1] - first_[v]);
   }
   const Mesh& mesh() const { return mesh_; }
-  const LoopClasses& classes() const { return classes_; }
   //! mm, of a closed loop along edges.
   double lengthOf(std::span<const int> loop) const;
 
  private:
   const Mesh& mesh_;
-  const LoopClasses& classes_;
   std::vector<std::size_t> first_;
   std::vector<Arc> arcs_;
 };
@@ -55,7 +54,7 @@ class LoopTree {
         const double length = distance_[v] + arc.length + distance_[arc.target];
         if (length > most || parent_[arc.target] == arc.halfedge) continue;
         ClassKey key = key_[v];
-        key += graph_->classes().key(arc.halfedge);
+        key += arc.key;
         key -= key_[arc.target];
         f(length, arc, key);
       }

@@ -118,6 +118,8 @@ void ObjectWork::editsChanged(bool seeds) {
   if (seeds && (!growth_.exists() || !isSeeded())) dropGrowth();
   if (wanted_ == Wanted::replay) wanted_ = Wanted::nothing;
   replays_ = goesOnThere_ = false;
+  error_.clear();  // it was about what has been asked before
+  growth_.forgetError();
   changedOnTheWay_ = changedOnTheWay_ || growth_.isRunning();
   settle_.start();
   host_.worthKeeping(*this);

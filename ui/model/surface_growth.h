@@ -48,6 +48,7 @@ class SurfaceGrowth {
   //! Of the shown iteration; running while it could go on.
   StopReason stopReason() const { return stopReason_; }
   const QString& error() const { return error_; }
+  void forgetError() { error_.clear(); }
   std::shared_ptr<const MeshSnapshot> snapshot() const { return snapshot_; }
   int iteration() const { return snapshot_ ? snapshot_->iteration : -1; }
   const std::vector<IterationSummary>& summaries() const { return summaries_; }
