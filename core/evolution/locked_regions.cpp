@@ -46,15 +46,20 @@ bool LockedRegions::cameBack(const Vec3& p, double radius) const {
 }
 
 bool LockedRegions::isLocked(const Vec3& p, int iteration) const {
+  return std::any_of(regions_.begin(), regions_.end(),
+                     [&](const Region& region) { return iteration < region.until && region.holds(p); });
+}
+
+bool LockedRegions::isStuck(const Vec3& p, int iteration) const {
   return std::any_of(regions_.begin(), regions_.end(), [&](const Region& region) {
-    return iteration < region.until && (p - region.centre).squaredNorm() < region.radius * region.radius;
+    return iteration < region.until && region.times >= kStuck && region.holds(p);
   });
 }
 
 double LockedRegions::speedFactor(const Vec3& p) const {
   double speedFactor = 1;
   for (const Region& region : regions_)
-    if ((p - region.centre).squaredNorm() < region.radius * region.radius)
+    if (region.holds(p))
       speedFactor = std::min(speedFactor, std::max(kSlowest, std::pow(kSlower, region.times + 1)));
   return speedFactor;
 }

@@ -11,6 +11,8 @@ namespace handlebody {
 //! Changes at one place after which it rests for good. A neck that closes, a crease that fills take a few
 //! each.
 inline constexpr int kMaxRepeats = 12;
+//! Times that a place comes again after which it is stuck.
+inline constexpr int kStuck = 3;
 //! Changes at one place after which smoothing alone is not expected to help.
 inline constexpr int kCameBack = 3;
 
@@ -25,6 +27,8 @@ class LockedRegions {
   //! True if the mesh has changed kCameBack times or more within `radius` of p.
   bool cameBack(const Vec3& p, double radius) const;
   bool isLocked(const Vec3& p, int iteration) const;
+  //! True if p rests, and the place came again so often that it is not expected to come right by itself.
+  bool isStuck(const Vec3& p, int iteration) const;
   bool any(int iteration) const;
   //! True if some place rests now but will move again.
   bool anyWillUnlock(int iteration) const;
@@ -37,7 +41,8 @@ class LockedRegions {
     Vec3 centre;
     double radius;  // mm
     int until;      // first iteration at which it moves again
-    int times;
+    int times;      // that it came again
+    bool holds(const Vec3& p) const { return (p - centre).squaredNorm() < radius * radius; }
   };
   struct Change {
     Vec3 centre;

@@ -14,6 +14,8 @@ namespace {
 
 // Of surgery in an attempt after those that have spent what a step has (units of WorkBudget).
 constexpr std::size_t kMinWork = 10'000'000;
+// Edges so many times as long as the longest that is not split are split in a place that is stuck, too.
+constexpr double kStretched = 1.05;
 
 //! `topology`: of the mesh, which it leaves as it is.
 Event rolledBack(const Vec3& place, Finding reason, const TopologyNumbers& topology, int iteration) {
@@ -45,8 +47,8 @@ StepOutcome StepTransaction::move(Mesh& mesh, const StepScene& scene) {
   std::vector<Event> events;
   bool isFirst = true;
   const auto attemptOnce = [&] {
-    if (!std::exchange(isFirst, false)) collapsed_.forgetPlaces();
-    return attempt(mesh, scene);
+    if (!isFirst) collapsed_.forgetPlaces();
+    return attempt(mesh, scene, std::exchange(isFirst, false));
   };
   const auto judgeKept = [&](const Attempt& a) { return judge(mesh, scene, a, events); };
   const auto rollBack = [&](const Conflict& t) {
@@ -67,11 +69,12 @@ StepOutcome StepTransaction::move(Mesh& mesh, const StepScene& scene) {
   return {std::move(last), std::move(events)};
 }
 
-Attempt StepTransaction::attempt(Mesh& mesh, const StepScene& scene) {
+Attempt StepTransaction::attempt(Mesh& mesh, const StepScene& scene, bool isFirst) {
   giveUpIfCancelled();
   work_.allowAtLeast(kMinWork);
   Attempt a;
   displace(mesh, scene, a);
+  if (isFirst) touchStretched(mesh, scene, a);
   regulate(mesh, scene.limits, a.touched);
   giveUpIfCancelled();
   adapt(mesh, scene, a);
@@ -95,6 +98,23 @@ void StepTransaction::displace(Mesh& mesh, const StepScene& scene, Attempt& a) c
   }
   scene.walls.holdBack(mesh, before(), a.moving, moves);
   for (const Vec3& m : moves) a.distances.push_back(m.norm());
+}
+
+//! Where surgery has left edges that are too long, and the place was locked before they were split, nothing
+//! fits between faces that reach across it. If it is stuck they are split while it rests.
+void StepTransaction::touchStretched(const Mesh& mesh, const StepScene& scene, Attempt& a) {
+  const LockedRegions& regions = scene.locked.regions;
+  if (!regions.any(scene.iteration)) return;
+  for (int v = 0; v < mesh.vertexSlots(); ++v) {
+    if (!mesh.isVertex(v) || a.touched[v] != 0) continue;
+    const Vec3& p = mesh.position(v);
+    const double most = kStretched * scene.longestAt(p);
+    bool isStretched = false;
+    mesh.forEachOutgoing(v, [&](int h) {
+      isStretched = isStretched || (mesh.position(mesh.target(h)) - p).squaredNorm() > most * most;
+    });
+    if (isStretched && regions.isStuck(p, scene.iteration) && !scene.locked.isHeld(mesh, v)) a.touched[v] = 1;
+  }
 }
 
 void StepTransaction::adapt(Mesh& mesh, const StepScene& scene, Attempt& a) {

@@ -76,7 +76,8 @@ class StepTransaction {
   void takeBack(const CollapsedComponents& before) { collapsed_ = before; }
 
  private:
-  Attempt attempt(Mesh& mesh, const StepScene& scene);
+  Attempt attempt(Mesh& mesh, const StepScene& scene, bool isFirst);
+  static void touchStretched(const Mesh& mesh, const StepScene& scene, Attempt& a);
   void displace(Mesh& mesh, const StepScene& scene, Attempt& a) const;
   void adapt(Mesh& mesh, const StepScene& scene, Attempt& a);
   void deleteCollapsed(Mesh& mesh, const StepScene& scene, Attempt& a);

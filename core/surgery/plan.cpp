@@ -12,6 +12,9 @@ namespace {
 // square, so that fronts that meet flat over a wide area are joined along its rim.
 constexpr std::size_t kLongestLoop = 120;
 constexpr std::size_t kLongestOfTwo = 400;
+// A cap with a middle makes a vertex of so many faces as its loop has vertices. Beyond this one without is
+// tried first: where the place is locked before it has been regulated, nothing fits around such a vertex.
+constexpr std::size_t kWidestFan = 40;
 
 constexpr std::size_t kCapWork = 1;  // for the cube of a loop
 
@@ -38,6 +41,11 @@ bool nextChoice(std::span<const Opening> openings, std::vector<std::size_t>& cho
   return false;
 }
 
+bool isTooLarge(const Opening& o, std::size_t longest) {
+  return std::any_of(o.loops.begin(), o.loops.end(),
+                     [longest](const std::vector<int>& loop) { return loop.size() > longest; });
+}
+
 //! A way to close one opening, and what it costs.
 struct ClosingChoice {
   Patch patch;
@@ -46,6 +54,7 @@ struct ClosingChoice {
   HandleSource handleFrom = HandleSource::none;
   double area = 0;  // mm²
   bool shrinks = false;
+  bool isWideFan = false;  // see kWidestFan
 };
 
 HandleSource sourceOf(const FittingHandle& handle) {
@@ -162,10 +171,11 @@ bool Planner::closeOne(const Opening& opening) {
     c.area = area(mesh_, c.patch);
     c.shrinks = settings_.outwardOnly && volumeGain(mesh_, one, c.patch) < 0;
   }
-  if (!disc)
-    std::stable_sort(choices.begin(), choices.end(), [](const ClosingChoice& a, const ClosingChoice& b) {
-      return a.shrinks != b.shrinks ? b.shrinks : a.area < b.area;
-    });
+  std::stable_sort(choices.begin(), choices.end(), [disc](const ClosingChoice& a, const ClosingChoice& b) {
+    if (!disc && a.shrinks != b.shrinks) return b.shrinks;
+    if (a.isWideFan != b.isWideFan) return b.isWideFan;
+    return !disc && a.area < b.area;
+  });
   for (ClosingChoice& c : choices)
     if (surroundings_.fits(c.patch) && !surroundings_.sweepsOver(c.patch)) {
       plan_.patch = std::move(c.patch);
@@ -194,6 +204,7 @@ std::vector<ClosingChoice> Planner::capsFor(const Opening& opening) const {
   }
   std::vector<ClosingChoice> choices;
   choices.push_back({std::move(fans), kind});
+  choices.back().isWideFan = isTooLarge(opening, kWidestFan);
   if (flat) choices.push_back({std::move(flats), kind});
   return choices;
 }
@@ -203,11 +214,6 @@ bool Planner::deleteAll() {
   if (!surroundings_.sweepsOver(plan_.patch)) return true;
   reason_ = FindingKind::enclosesForbidden;
   return false;
-}
-
-bool isTooLarge(const Opening& o, std::size_t longest) {
-  return std::any_of(o.loops.begin(), o.loops.end(),
-                     [longest](const std::vector<int>& loop) { return loop.size() > longest; });
 }
 
 //! Looks for what closes the openings of the plan.

@@ -1,5 +1,7 @@
 #include "core/evolution/step_transaction.h"
 
+#include <algorithm>
+
 #include "core/errors.h"
 #include "core/mesh/topology.h"
 #include "tests/core/evolution/contour_support.h"
@@ -39,6 +41,15 @@ struct Growing {
   }
 };
 
+double longestEdge(const Mesh& mesh) {
+  double longest = 0;
+  for (int v = 0; v < mesh.vertexSlots(); ++v)
+    mesh.forEachOutgoing(v, [&](int h) {
+      longest = std::max(longest, (mesh.position(mesh.target(h)) - mesh.position(v)).norm());
+    });
+  return longest;
+}
+
 }  // namespace
 
 TEST_CASE("a step of the transaction grows the surface and leaves it valid") {
@@ -74,6 +85,29 @@ TEST_CASE("where all is locked nothing moves, and nothing is wrong with that") {
   CHECK(out.last.isKept());
   CHECK(out.last.moving.empty());
   CHECK(isSame(g.mesh, before));
+}
+
+TEST_CASE("in a place that is stuck edges that reach across it are split, and the surface goes nowhere") {
+  Growing g;
+  g.mesh = Mesh(zoo::moved(zoo::scaled(zoo::sphere(1), 12), kMiddle));
+  g.active.activateAll(g.mesh.vertexSlots());
+  const Mesh before = g.mesh;
+  const double most = 1.05 * g.limits.longest;
+  REQUIRE(longestEdge(before) > 2 * most);
+  for (const int iteration : {-100, -50, 0}) g.locked.regions.add(kMiddle, 100, iteration);
+  g.step();
+  CHECK(isSame(g.mesh, before));  // it may yet come right by itself
+  g.locked.regions = {};
+  for (const int iteration : {-150, -100, -50, 0}) g.locked.regions.add(kMiddle, 100, iteration);
+  for (int i = 0; i < 4; ++i) {
+    const StepOutcome out = g.step();
+    CHECK(out.last.isKept());
+    CHECK(out.events.empty());
+    CHECK(out.last.moving.empty());
+    expectValid(g.mesh);
+  }
+  CHECK(longestEdge(g.mesh) <= most);
+  CHECK(volumeOf(g.mesh) == Approx(volumeOf(before)).epsilon(0.002));  // edges are turned and merged, too
 }
 
 TEST_CASE("fronts that meet join, and what a limit holds is rolled back and locked") {
