@@ -12,8 +12,8 @@ namespace {
 // square, so that fronts that meet flat over a wide area are joined along its rim.
 constexpr std::size_t kLongestLoop = 120;
 constexpr std::size_t kLongestOfTwo = 400;
-// A cap with a middle makes a vertex of so many faces as its loop has vertices. Beyond this one without is
-// tried first: where the place is locked before it has been regulated, nothing fits around such a vertex.
+// A cap with a middle makes a vertex of as many faces as its loop has vertices. Of several loops, one of them
+// longer than this, caps without are tried first: docs/surgery.md.
 constexpr std::size_t kWidestFan = 40;
 
 constexpr std::size_t kCapWork = 1;  // for the cube of a loop
@@ -171,11 +171,11 @@ bool Planner::closeOne(const Opening& opening) {
     c.area = area(mesh_, c.patch);
     c.shrinks = settings_.outwardOnly && volumeGain(mesh_, one, c.patch) < 0;
   }
-  std::stable_sort(choices.begin(), choices.end(), [disc](const ClosingChoice& a, const ClosingChoice& b) {
-    if (!disc && a.shrinks != b.shrinks) return b.shrinks;
-    if (a.isWideFan != b.isWideFan) return b.isWideFan;
-    return !disc && a.area < b.area;
-  });
+  if (!disc)
+    std::stable_sort(choices.begin(), choices.end(), [](const ClosingChoice& a, const ClosingChoice& b) {
+      if (a.shrinks != b.shrinks) return b.shrinks;
+      return a.isWideFan != b.isWideFan ? b.isWideFan : a.area < b.area;
+    });
   for (ClosingChoice& c : choices)
     if (surroundings_.fits(c.patch) && !surroundings_.sweepsOver(c.patch)) {
       plan_.patch = std::move(c.patch);
