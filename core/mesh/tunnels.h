@@ -45,7 +45,7 @@ inline constexpr int kMaxListed = 400;
 //! On up to so many threads (0: as many as the machine has), on which the list does not depend.
 TunnelList findTunnels(const Mesh& mesh, int threads = 0);
 
-//! The same of a mesh as it is written, where that takes about a second at most: none if the certificate does
+//! The same of a mesh as it is written, where that takes some seconds at most: none if the certificate does
 //! not pass, or the mesh has more than kQuickVertices vertices or kQuickGenus tunnels.
 std::optional<TunnelList> findTunnelsQuickly(const TriangleSoup& mesh, const Certificate& certificate,
                                              int threads = 0);
