@@ -161,18 +161,7 @@ SurfaceLoop Band::best(const SurfaceLoop& current) const {
 }
 
 SurfaceLoop Band::loopThrough(int n, int m) const {
-  const auto toBase = [&](int v) {
-    std::vector<int> out{v};
-    while (nodes_[v].parent >= 0) out.push_back(v = nodes_[v].parent);
-    return out;
-  };
-  std::vector<int> there = toBase(n), back = toBase(m);
-  while (there.size() > 1 && back.size() > 1 && there[there.size() - 2] == back[back.size() - 2]) {
-    there.pop_back();
-    back.pop_back();
-  }
-  std::reverse(there.begin(), there.end());
-  there.insert(there.end(), back.begin(), back.end() - 1);
+  const std::vector<int> there = loopOfPaths(n, m, [&](int v) { return nodes_[v].parent; });
   SurfaceLoop out;
   for (std::size_t i = 0; i < there.size(); ++i) {
     out.points.push_back(points_[there[i]]);

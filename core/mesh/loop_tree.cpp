@@ -1,6 +1,6 @@
 #include "core/mesh/loop_tree.h"
 
-#include <algorithm>
+#include <limits>
 #include <queue>
 
 #include "core/cancellation.h"
@@ -68,22 +68,10 @@ void LoopTree::spread(int base, double radius) {
   }
 }
 
-//! From the place where the paths to both ends part, to one, to the other and back.
 std::vector<int> LoopTree::loopOf(const LoopGraph::Arc& arc) const {
   const Mesh& mesh = graph_->mesh();
-  const auto toBase = [&](int v) {
-    std::vector<int> out{v};
-    while (parent_[v] >= 0) out.push_back(v = mesh.origin(parent_[v]));
-    return out;
-  };
-  std::vector<int> there = toBase(mesh.origin(arc.halfedge)), back = toBase(arc.target);
-  while (there.size() > 1 && back.size() > 1 && there[there.size() - 2] == back[back.size() - 2]) {
-    there.pop_back();
-    back.pop_back();
-  }
-  std::reverse(there.begin(), there.end());
-  there.insert(there.end(), back.begin(), back.end() - 1);
-  return there;
+  return loopOfPaths(mesh.origin(arc.halfedge), arc.target,
+                     [&](int v) { return parent_[v] >= 0 ? mesh.origin(parent_[v]) : -1; });
 }
 
 }  // namespace handlebody

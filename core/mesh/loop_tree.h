@@ -2,13 +2,32 @@
 // Shortest paths along the edges of a surface from one vertex, and the loops that two of them make with an
 // edge.
 
-#include <limits>
+#include <algorithm>
 #include <span>
 #include <vector>
 
 #include "core/mesh/loop_classes.h"
 
 namespace handlebody {
+
+//! The nodes of a loop that two paths of a tree make: from the place where they part, to one end, to the
+//! other and back. parent(n): the node before n; negative at the base.
+template <typename Parent>
+std::vector<int> loopOfPaths(int oneEnd, int otherEnd, Parent&& parent) {
+  const auto toBase = [&](int n) {
+    std::vector<int> out{n};
+    while ((n = parent(n)) >= 0) out.push_back(n);
+    return out;
+  };
+  std::vector<int> there = toBase(oneEnd), back = toBase(otherEnd);
+  while (there.size() > 1 && back.size() > 1 && there[there.size() - 2] == back[back.size() - 2]) {
+    there.pop_back();
+    back.pop_back();
+  }
+  std::reverse(there.begin(), there.end());
+  there.insert(there.end(), back.begin(), back.end() - 1);
+  return there;
+}
 
 //! The edges at each vertex, in flat arrays. Any number of trees may use it.
 class LoopGraph {
