@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/geometry/triangle_angles.h"
+
 namespace handlebody {
 
 namespace {
@@ -50,15 +52,13 @@ std::vector<Side> sidesOf(const TriangleSoup& mesh) {
   return sides;
 }
 
-//! Between the half planes from the edge through the apexes, whichever way the faces are oriented.
+//! Whichever way the faces are oriented.
 double dihedral(const TriangleSoup& mesh, const Side& a, const Side& b) {
-  const Vec3 from = at(mesh, a.low), along = (at(mesh, a.high) - from).normalized();
-  const auto across = [&](int face) {
+  const auto apex = [&](int face) {
     const Triangle& t = mesh.triangles[face];
-    const Vec3 v = at(mesh, t[0] + t[1] + t[2] - a.low - a.high) - from;
-    return Vec3(v - v.dot(along) * along);
+    return at(mesh, t[0] + t[1] + t[2] - a.low - a.high);
   };
-  return angle(across(a.face), across(b.face));
+  return dihedralAngle(at(mesh, a.low), at(mesh, a.high), apex(a.face), apex(b.face));
 }
 
 void addEdges(const TriangleSoup& mesh, MeshQuality& quality) {

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "core/collision/certify.h"
+#include "core/geometry/triangle_angles.h"
 #include "core/indices.h"
 #include "core/polish/patch_search.h"
 #include "core/polish/polished_surface.h"

@@ -2,32 +2,17 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+
+#include "core/geometry/triangle_angles.h"
 
 namespace handlebody {
 
 namespace {
 
-constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kMinFraction = 1e-4;  // below that all are alike, so that sums stay sums
 constexpr double kClearly = 1e-3;      // of the sum: what rounding cannot make, so that it ends
 
 }  // namespace
-
-double leastAngle(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 u = b - a, v = c - b, w = a - c;
-  const double uu = u.squaredNorm(), vv = v.squaredNorm(), ww = w.squaredNorm();
-  // It faces the shortest edge.
-  const double dot = uu <= vv && uu <= ww ? -v.dot(w) : vv <= ww ? -w.dot(u) : -u.dot(v);
-  return std::atan2(u.cross(v).norm(), dot) * kDegrees;
-}
-
-double dihedralAngle(const Vec3& p, const Vec3& q, const Vec3& c, const Vec3& d) {
-  const Vec3 along = (q - p).stableNormalized();
-  const Vec3 u = (c - p) - (c - p).dot(along) * along, v = (d - p) - (d - p).dot(along) * along;
-  return std::atan2(u.cross(v).norm(), u.dot(v)) * kDegrees;
-}
 
 double WantedShape::ofFace(const Vec3& a, const Vec3& b, const Vec3& c) const {
   return std::min(1.0, leastAngle(a, b, c) / angle);

@@ -5,12 +5,6 @@
 
 namespace handlebody {
 
-//! The least angle of a triangle, degrees; 0 for one without area.
-double leastAngle(const Vec3& a, const Vec3& b, const Vec3& c);
-
-//! Between the faces (p,q,c) and (q,p,d) of the edge pq, degrees: 180 where it is flat, as in MeshQuality.
-double dihedralAngle(const Vec3& p, const Vec3& q, const Vec3& c, const Vec3& d);
-
 //! What is wanted, degrees.
 struct WantedShape {
   double angle = 15;

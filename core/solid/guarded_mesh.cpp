@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/collision/near_points.h"
+#include "core/geometry/triangle_angles.h"
 #include "core/indices.h"
 #include "core/mesh/nesting.h"
 #include "core/mesh/structure.h"
@@ -105,12 +106,23 @@ void GuardedMesh::move(std::span<const Vec3> targets) {
       moved_[v] = 1;
     }
   for (int round = 0; round < kMaxRounds; ++round) {
-    const Faults faults = faultsOf(mesh_, component_, detector_.detectMoved(mesh_, moved_));
+    Faults faults = faultsOf(mesh_, component_, detector_.detectMoved(mesh_, moved_));
+    addThinned(before, faults);
     if (!faults.any) return;
     putBack(faults, before, round >= kRoundsAlone);
   }
   for (int v = 0; v < mesh_.vertexSlots(); ++v)
     if (moved_[v] != 0) mesh_.setPosition(v, before[v]);
+}
+
+void GuardedMesh::addThinned(std::span<const Vec3> before, Faults& faults) const {
+  for (const Triangle& t : mesh_.faces()) {
+    if (t[0] < 0 || (moved_[t[0]] | moved_[t[1]] | moved_[t[2]]) == 0) continue;
+    const double now = leastAngle(mesh_.position(t[0]), mesh_.position(t[1]), mesh_.position(t[2]));
+    if (now >= kThinnest || now >= leastAngle(before[t[0]], before[t[1]], before[t[2]])) continue;
+    faults.vertices.insert(faults.vertices.end(), t.begin(), t.end());
+    faults.any = true;
+  }
 }
 
 void GuardedMesh::putBack(const Faults& faults, std::span<const Vec3> before, bool withRing) {

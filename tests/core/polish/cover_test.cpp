@@ -5,10 +5,10 @@
 #include <random>
 #include <vector>
 
+#include "core/geometry/triangle_angles.h"
 #include "core/geometry/triangle_distance.h"
 #include "core/mesh/quality.h"
 #include "core/polish/face_grid.h"
-#include "core/polish/shape.h"
 #include "tests/support/catch.h"
 #include "tests/support/mesh_zoo.h"
 

@@ -7,6 +7,7 @@
 
 #include "core/collision/certify.h"
 #include "core/collision/closest_point.h"
+#include "core/geometry/triangle_angles.h"
 #include "core/mesh/quality.h"
 #include "core/solid/guarded_mesh.h"
 #include "core/solid/mask_surface.h"
@@ -176,6 +177,44 @@ TEST_CASE("what would fold the surface goes back, though nothing would intersect
   const TriangleSoup after = guarded.mesh().compact();
   CHECK(certify(after).boundsBody());
   CHECK(meshQuality(after).dihedral.least >= kSharpest - 1e-6);
+}
+
+TEST_CASE("what would make triangles thin goes back, though nothing would intersect or fold",
+          "[solid][label-mesh]") {
+  const TriangleSoup sphere = zoo::sphere(6);
+  std::vector<Vec3> spindle = sphere.points;
+  for (Vec3& p : spindle) p.x() *= 8;
+  REQUIRE(meshQuality({spindle, sphere.triangles}).angles.least < 10);
+  REQUIRE(meshQuality({spindle, sphere.triangles}).dihedral.least > kSharpest);
+  REQUIRE(meshQuality(sphere).angles.least > kThinnest);
+  GuardedMesh guarded{Mesh(sphere)};
+  guarded.move(spindle);
+  CHECK(meshQuality(guarded.mesh().compact()).angles.least >= kThinnest);
+}
+
+TEST_CASE("a triangle that is thin from the start may become better, but no worse", "[solid][label-mesh]") {
+  TriangleSoup spindle = zoo::sphere(6);
+  for (Vec3& p : spindle.points) p.x() *= 8;
+  const double thin = meshQuality(spindle).angles.least;
+  std::vector<Vec3> longer = spindle.points, shorter = spindle.points;
+  for (Vec3& p : longer) p.x() *= 1.1;
+  for (Vec3& p : shorter) p.x() *= 0.9;
+  GuardedMesh guarded{Mesh(spindle)};
+  guarded.move(longer);
+  CHECK(meshQuality(guarded.mesh().compact()).angles.least >= thin - 1e-9);
+  guarded.move(shorter);
+  CHECK(meshQuality(guarded.mesh().compact()).angles.least > thin + 0.3);
+}
+
+TEST_CASE("of a noisy label map hardly a triangle is thin", "[solid][label-mesh]") {
+  double thin = 0, all = 0;
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    const TriangleSoup mesh = meshOf(blobs(seed), {}).mesh;
+    for (const Triangle& t : mesh.triangles)
+      thin += leastAngle(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]) < 15;
+    all += static_cast<double>(mesh.triangles.size());
+  }
+  CHECK(thin <= 0.002 * all);
 }
 
 TEST_CASE("a component is not turned inside out, nor made to nothing", "[solid][label-mesh]") {
