@@ -1,6 +1,8 @@
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "app/cli/command.h"
 #include "app/cli/outputs.h"
@@ -22,6 +24,7 @@ struct MeasureOptions {
   std::string path, volume, other;
   VolumeSelection selection;
   std::vector<Vec3> between;
+  std::vector<std::string> wallObjects;  // names; none: the mesh and --to, or its cavities
   bool wall = false, isAnonymous = false;
   std::string csv, json, sections;
 };
@@ -60,10 +63,36 @@ std::vector<OutputFile> outputsOf(const MeasureOptions& o) {
   return files;
 }
 
-//! Grows the objects of a session again.
-void measureSession(const MeasureOptions& o, Measured& m) {
+//! Two objects, by index.
+using ObjectPair = std::optional<std::array<int, 2>>;
+
+std::string quotedNames(const std::vector<Session>& sessions) {
+  std::string names;
+  for (const Session& session : sessions) names += (names.empty() ? "'" : ", '") + session.label.name + "'";
+  return names;
+}
+
+//! The two whose wall is measured; none if that is no wall between objects. Throws OptionError.
+ObjectPair pairOfWall(const MeasureOptions& o, const std::vector<Session>& sessions) {
+  if (!o.wall) return std::nullopt;
+  if (o.wallObjects.empty() && sessions.size() > 1)
+    throw OptionError("--wall-thickness", o.path + " holds several objects; name two, OUTER and INNER, of " +
+                                              quotedNames(sessions) + ".");
+  if (o.wallObjects.empty()) return std::nullopt;
+  const auto find = [&](const std::string& name) {
+    for (int i = 0; i < static_cast<int>(sessions.size()); ++i)
+      if (sessions[i].label.name == name) return i;
+    throw OptionError("--wall-thickness", "no object of " + o.path + " has the name '" + name +
+                                              "'; there is " + quotedNames(sessions) + ".");
+  };
+  return std::array{find(o.wallObjects[0]), find(o.wallObjects[1])};
+}
+
+//! Grows the objects of a session again. Returns the two of the wall.
+ObjectPair measureSession(const MeasureOptions& o, Measured& m) {
   std::vector<Session> sessions = readSessions(o.path, {o.volume, {}, {}});
   std::erase_if(sessions, [](const Session& session) { return !isSeeded(session); });
+  const ObjectPair ofWall = pairOfWall(o, sessions);  // by the names that the session has
   if (o.isAnonymous) hideFileNames(sessions);
   if (o.selection.series) sessions[0].volume.selection.series = o.selection.series;
   m.volume = sessions[0].volume.path;
@@ -82,6 +111,7 @@ void measureSession(const MeasureOptions& o, Measured& m) {
     object.certificate = grown.report.mesh;
     object.measures = objectMeasures(object.mesh, &volume);
   }
+  return ofWall;
 }
 
 void addGaps(const MeasureOptions& o, const TriangleSoup& other, Measured& m) {
@@ -94,10 +124,12 @@ void addGaps(const MeasureOptions& o, const TriangleSoup& other, Measured& m) {
   }
 }
 
-void addWall(const MeasureOptions& o, const TriangleSoup& other, Measured& m) {
-  if (m.objects.size() > 1)
-    throw OptionError("--wall-thickness",
-                      o.path + " holds several objects; give two meshes (MESH --to MESH2).");
+void addWall(const MeasureOptions& o, const ObjectPair& pair, const TriangleSoup& other, Measured& m) {
+  if (pair) {
+    const MeasuredObject &outer = m.objects[(*pair)[0]], &inner = m.objects[(*pair)[1]];
+    m.wall = MeasuredWall{outer.name, inner.name, wallThickness(outer.mesh, inner.mesh)};
+    return;
+  }
   const MeasuredObject& object = m.objects[0];
   if (!o.other.empty()) {
     m.wall = MeasuredWall{object.name, o.other, wallThickness(object.mesh, other)};
@@ -123,6 +155,18 @@ void addLine(const MeasureOptions& o, Measured& m) {
   throw UsageError(std::string("--between: ") + centreLineFaultText(fault) + ".");
 }
 
+void checkWallObjects(const MeasureOptions& o) {
+  const std::vector<std::string>& names = o.wallObjects;
+  if (names.empty()) return;
+  const auto refuse = [](const std::string& reason) { throw OptionError("--wall-thickness", reason); };
+  if (isMeshInputPath(o.path))
+    refuse("names are of the objects of a session; the second surface of a mesh is given with --to.");
+  if (names.size() < 2) refuse("'" + names[0] + "' is one name; give those of two objects, OUTER and INNER.");
+  if (names.size() > 2) refuse("these are the names of more than two objects; give OUTER and INNER.");
+  if (names[0] == names[1]) refuse("OUTER and INNER are both '" + names[0] + "'; give two objects.");
+  if (!o.other.empty()) refuse("give the names of two objects or --to, not both.");
+}
+
 void check(const MeasureOptions& o) {
   std::vector<std::string> inputs{o.path};
   if (!o.volume.empty()) inputs.push_back(o.volume);
@@ -134,6 +178,7 @@ void check(const MeasureOptions& o) {
     throw UsageError("--series, --frame and --spacing need --volume.");
   if (!isMesh && (o.selection.frame || o.selection.spacing))
     throw UsageError("--frame and --spacing: a session says these itself.");
+  checkWallObjects(o);
 }
 
 void write(const MeasureOptions& o, const Measured& m) {
@@ -150,13 +195,17 @@ int measure(const MeasureOptions& o) {
   TriangleSoup other;
   Certificate certificate;
   if (!o.other.empty()) other = readBody(o.other, certificate);
-  isMeshInputPath(o.path) ? measureMesh(o, m) : measureSession(o, m);
+  ObjectPair ofWall;
+  if (isMeshInputPath(o.path))
+    measureMesh(o, m);
+  else
+    ofWall = measureSession(o, m);
   for (const MeasuredObject& object : m.objects)
     for (const Finding& w : object.measures.warnings)
       m.warnings.push_back(m.objects.size() > 1 ? Finding(FindingKind::ofObject, {{"object", object.name}}, w)
                                                 : w);
   addGaps(o, other, m);
-  if (o.wall) addWall(o, other, m);
+  if (o.wall) addWall(o, ofWall, other, m);
   if (!o.between.empty()) addLine(o, m);
   // Meshes are called by their paths.
   if (o.isAnonymous) m = anonymous(std::move(m), {{o.path, "MESH"}, {o.other, "MESH2"}});
@@ -165,17 +214,41 @@ int measure(const MeasureOptions& o) {
   return kDone;
 }
 
+void addWallThickness(CLI::App& command, CLI::Option* mesh, const std::shared_ptr<MeasureOptions>& options) {
+  const auto set = [options, mesh](std::vector<std::string> names) {
+    options->wall = true;
+    std::erase(names, std::string());  // what the parser puts where there is none
+    if (!names.empty() && mesh->count() == 0) {
+      // MESH stands behind the option, which took it for a name.
+      options->path = names.back();
+      mesh->required(false);
+      names.pop_back();
+    }
+    options->wallObjects = std::move(names);
+  };
+  command
+      .add_option_function<std::vector<std::string>>("--wall-thickness", set,
+                                                     "Thickness of the wall between the surface and that of "
+                                                     "--to, or its own cavities; of a session with "
+                                                     "several objects between two of them")
+      ->type_name("[OUTER INNER]")
+      ->expected(0, 3)  // with MESH
+      ->allow_extra_args(false);
+}
+
 }  // namespace
 
 void addMeasure(CLI::App& app, Action& action) {
   CLI::App* command = addCommand(
       app, "measure", "Volume, area, diameters, intensities, distances, centre lines and wall thickness");
   auto options = std::make_shared<MeasureOptions>();
-  command
-      ->add_option("MESH", options->path,
-                   "A certified mesh (.stl .vtp .ply .obj .stl.dcm), or a session or report (JSON), which is "
-                   "grown again")
-      ->required();
+  CLI::Option* mesh =
+      command
+          ->add_option(
+              "MESH", options->path,
+              "A certified mesh (.stl .vtp .ply .obj .stl.dcm), or a session or report (JSON), which is "
+              "grown again")
+          ->required();
   command
       ->add_option("--volume", options->volume,
                    "The volume whose intensities are measured; of a session, where its volume is now")
@@ -195,9 +268,9 @@ void addMeasure(CLI::App& app, Action& action) {
       ->type_name("F.csv");
   command->add_option("--to", options->other, "Another mesh: the least distance to it, and where")
       ->type_name("MESH2");
-  command->add_flag("--wall-thickness", options->wall,
-                    "Thickness of the wall between the surface and that of --to, or its own cavities");
-  command->add_option("--csv", options->csv, "The table, a line per object")->type_name("F.csv");
+  addWallThickness(*command, mesh, options);
+  command->add_option("--csv", options->csv, "The table, a line per object, ruler and angle")
+      ->type_name("F.csv");
   command->add_option("--json", options->json, "Everything as JSON")->type_name("F.json");
   addAnonymous(*command, options->isAnonymous);
   command->callback([&action, options] { action = [options] { return measure(*options); }; });

@@ -118,7 +118,16 @@ Timings sumOf(const std::vector<GrownObject>& grown) {
   return sum;
 }
 
-void writeSideFiles(std::vector<RunReport> reports, const Timings& seconds, const RunOutputs& outputs) {
+//! For the report alone: it may take long.
+std::vector<PairGap> gapsOf(const std::vector<ExportedObject>& objects, const RunOutputs& outputs) {
+  if (outputs.report.empty()) return {};
+  std::vector<const TriangleSoup*> meshes;
+  for (const ExportedObject& object : objects) meshes.push_back(&object.mesh);
+  return pairGaps(meshes);
+}
+
+void writeSideFiles(std::vector<RunReport> reports, const Timings& seconds, const std::vector<PairGap>& gaps,
+                    const RunOutputs& outputs) {
   std::vector<Session> sessions;
   for (RunReport& report : reports) {
     if (outputs.content.anonymous) report = anonymous(std::move(report));
@@ -126,7 +135,7 @@ void writeSideFiles(std::vector<RunReport> reports, const Timings& seconds, cons
   }
   if (!outputs.session.empty()) writeSessions(sessions, outputs.session);
   if (!outputs.trace.empty()) writeTextAtomically(outputs.trace, traceText(reports));
-  if (!outputs.report.empty()) writeTextAtomically(outputs.report, reportText(reports, seconds));
+  if (!outputs.report.empty()) writeTextAtomically(outputs.report, reportText(reports, seconds, gaps));
 }
 
 TriangleSoup together(const std::vector<ExportedObject>& objects) {
@@ -169,6 +178,7 @@ int runObjects(LoadedSession first, std::vector<Session> others, const RunOutput
     objects.push_back({object.report.session.label, std::move(object.mesh)});
     reports.push_back(std::move(object.report));
   }
+  const std::vector<PairGap> gaps = gapsOf(objects, outputs);
   {
     DeferSignals whole;
     writeObjects(objects, reports[0], outputs);
@@ -176,7 +186,7 @@ int runObjects(LoadedSession first, std::vector<Session> others, const RunOutput
     seconds.exported += watch.lap();
     seconds.total = seconds.load + seconds.prepare + seconds.evolve + seconds.exported + seconds.tunnels +
                     seconds.sensitivity;
-    writeSideFiles(reports, seconds, outputs);
+    writeSideFiles(reports, seconds, gaps, outputs);
   }
   for (const RunReport& report : reports)
     if (!outputs.quiet) printSummary(report, report.session.label.name);

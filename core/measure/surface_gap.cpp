@@ -53,4 +53,11 @@ SurfaceGap surfaceGap(const TriangleSoup& a, const TriangleSoup& b) {
   return {contact, contact == BodyContact::surfaces ? 0 : std::sqrt(least), onA, onB};
 }
 
+std::vector<PairGap> pairGaps(const std::vector<const TriangleSoup*>& bodies) {
+  std::vector<PairGap> gaps;
+  for (int j = 0; j < static_cast<int>(bodies.size()); ++j)
+    for (int i = 0; i < j; ++i) gaps.push_back({i, j, surfaceGap(*bodies[i], *bodies[j])});
+  return gaps;
+}
+
 }  // namespace handlebody

@@ -1,14 +1,18 @@
 // measure, through the program.
 
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <set>
 
 #include "app/cli/csv.h"
+#include "core/io/formats/volume_io.h"
 #include "core/io/meshes/mesh_io.h"
 #include "core/mesh/shapes.h"
 #include "tests/app/refusal.h"
 #include "tests/app/run_cli.h"
 #include "tests/support/catch.h"
+#include "tests/support/test_volume.h"
 
 using namespace handlebody::test;
 using handlebody::Vec3;
@@ -21,6 +25,53 @@ constexpr double kPi = std::numbers::pi;
 std::string writeBall(const TempFolder& folder, const std::string& name, const Vec3& centre, double radius) {
   handlebody::writeMesh(handlebody::icosphere(centre, radius, radius / 8), folder / name);
   return folder / name;
+}
+
+//! A ball of 14 mm with a hole of 8 mm ("shell"), a ball of 5 mm in that ("core"), and one of 4 mm beside
+//! them
+//! ("beside"): `segment` with these as they are, in that order.
+std::vector<std::string> threeObjects(const TempFolder& folder) {
+  using handlebody::TriangleSoup;
+  const Vec3 centre(20, 20, 20);
+  handlebody::writeVolume(
+      handlebody::testing::volumeByDistance(handlebody::testing::cubicGrid(48), 100, 0,
+                                            [&](const Vec3& p) { return (p - centre).norm() - 14; }),
+      folder / "v.nrrd");
+  TriangleSoup shell = handlebody::icosphere(centre, 14, 1.2);
+  const TriangleSoup hole = handlebody::icosphere(centre, 8, 1.2);
+  const int first = static_cast<int>(shell.points.size());
+  shell.points.insert(shell.points.end(), hole.points.begin(), hole.points.end());
+  for (const handlebody::Triangle& t : hole.triangles)
+    shell.triangles.push_back({t[0] + first, t[2] + first, t[1] + first});
+  handlebody::writeMesh(shell, folder / "shell.ply");
+  std::vector<std::string> arguments{"segment", folder / "v.nrrd"};
+  for (const auto& [name, path] : {std::pair<std::string, std::string>("shell", folder / "shell.ply"),
+                                   {"core", writeBall(folder, "core.ply", centre, 5)},
+                                   {"beside", writeBall(folder, "beside.ply", Vec3(40, 20, 20), 4)}})
+    arguments.insert(arguments.end(), {"--object-name", name, "--given", path});
+  return arguments;
+}
+
+void segmentThree(const TempFolder& folder, const std::vector<std::string>& more) {
+  std::vector<std::string> arguments = threeObjects(folder);
+  arguments.insert(arguments.end(), {"-o", folder / "o.seg.nrrd", "--quiet"});
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const Outcome outcome = runCli(arguments);
+  INFO(outcome.err);
+  REQUIRE(outcome.exitCode == 0);
+}
+
+//! The lines below the names, by name of column.
+std::vector<std::map<std::string, std::string>> table(const std::string& path) {
+  const auto lines = parseCsv(readBytes(path), path);
+  std::vector<std::map<std::string, std::string>> rows;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    REQUIRE(lines[i].cells.size() == lines[0].cells.size());
+    auto& row = rows.emplace_back();
+    for (std::size_t c = 0; c < lines[i].cells.size(); ++c)
+      row[lines[0].cells[c].text] = lines[i].cells[c].text;
+  }
+  return rows;
 }
 
 nlohmann::json measured(const TempFolder& folder, std::vector<std::string> arguments) {
@@ -113,6 +164,111 @@ TEST_CASE("a session is measured object by object, and the report has the same f
   CHECK(readBytes(phantom.path) == voxels);
 }
 
+TEST_CASE("the report of several objects has the distances that measure tells", "[cli][measure]") {
+  const TempFolder folder;
+  segmentThree(folder, {"--report", folder / "r.json", "--session", folder / "s.json"});
+  const auto report = nlohmann::json::parse(readBytes(folder / "r.json"));
+  const auto& distances = report.at("distances");
+  CHECK(distances == measured(folder, {folder / "s.json"}).at("distances"));
+  const auto between = [&](const std::string& from, const std::string& to) {
+    for (const auto& d : distances)
+      if (d.at("from") == from && d.at("to") == to) return d.at("distance_mm").get<double>();
+    FAIL("nothing between " << from << " and " << to);
+    return 0.0;
+  };
+  REQUIRE(distances.size() == 3);
+  CHECK(between("shell", "core") == Approx(8 - 5).epsilon(0.03));
+  CHECK(between("shell", "beside") == Approx(20 - 14 - 4).epsilon(0.03));
+  CHECK(between("core", "beside") == Approx(20 - 5 - 4).epsilon(0.03));
+  // Of meshes the same.
+  const auto meshes = measured(folder, {folder / "core.ply", "--to", folder / "beside.ply"});
+  CHECK(meshes.at("distances")[0].at("distance_mm").get<double>() == Approx(between("core", "beside")));
+  for (const auto& d : distances) CHECK(d.at("contact") == "apart");
+}
+
+TEST_CASE("the distances of an anonymous report have the names that its objects have", "[cli][measure]") {
+  const TempFolder folder;
+  segmentThree(folder, {"--session", folder / "s.json"});
+  REQUIRE(runCli({"replay", folder / "s.json", "-o", folder / "o.seg.nrrd", "--report", folder / "r.json",
+                  "--anonymous", "--quiet"})
+              .exitCode == 0);
+  const auto report = nlohmann::json::parse(readBytes(folder / "r.json"));
+  std::set<std::string> names, told;
+  for (const auto& object : report.at("objects")) names.insert(object.at("name").get<std::string>());
+  for (const auto& d : report.at("distances"))
+    for (const char* end : {"from", "to"}) told.insert(d.at(end).get<std::string>());
+  CHECK(told == names);
+  CHECK(names.count("core") == 0);  // called after its file
+}
+
+TEST_CASE("the wall between two objects of a session is that between their meshes", "[cli][measure]") {
+  const TempFolder folder;
+  segmentThree(folder, {"--session", folder / "s.json"});
+  const auto json =
+      measured(folder, {folder / "s.json", "--wall-thickness", "shell", "core", "--csv", folder / "m.csv"});
+  const auto& wall = json.at("wall_thickness");
+  CHECK(wall.at("surfaces")[0].at("from") == "shell");
+  CHECK(wall.at("surfaces")[1].at("from") == "core");
+  CHECK(wall.at("surfaces")[1].at("mean_mm").get<double>() == Approx(8 - 5).epsilon(0.03));
+  CHECK(wall.at("surfaces")[0].at("largest_mm").get<double>() == Approx(14 - 5).epsilon(0.03));
+  const auto meshes =
+      measured(folder, {folder / "shell.ply", "--to", folder / "core.ply", "--wall-thickness"});
+  for (const std::size_t i : {0, 1})
+    for (const char* key : {"mean_mm", "least_mm", "percentile_95_mm", "largest_mm"})
+      CHECK(wall.at("surfaces")[i].at(key).get<double>() ==
+            Approx(meshes.at("wall_thickness").at("surfaces")[i].at(key).get<double>()));
+  const auto rows = table(folder / "m.csv");
+  REQUIRE(rows.size() == 3);
+  for (const std::size_t i : {0, 1}) {
+    CHECK(rows[i].at("wall_first") == "shell");
+    CHECK(std::stod(rows[i].at("wall_from_second_mean_mm")) ==
+          Approx(wall.at("surfaces")[1].at("mean_mm").get<double>()));
+  }
+  CHECK(rows[2].at("wall_from_second_mean_mm").empty());  // it is not of "beside"
+  // The option before the session, and the surfaces the other way round.
+  const auto turned = measured(folder, {"--wall-thickness", "core", "shell", folder / "s.json"});
+  CHECK(turned.at("wall_thickness").at("surfaces")[0].at("from") == "core");
+  CHECK(turned.at("wall_thickness").at("surfaces")[0].at("mean_mm").get<double>() ==
+        Approx(wall.at("surfaces")[1].at("mean_mm").get<double>()));
+  // By the names that the session has, also where what is told has others.
+  const auto hidden =
+      measured(folder, {folder / "s.json", "--wall-thickness", "shell", "core", "--anonymous"});
+  CHECK(hidden.at("wall_thickness").at("surfaces")[0].at("from") == hidden.at("objects")[0].at("name"));
+  CHECK(hidden.at("wall_thickness").at("surfaces")[0].at("from") != "shell");
+}
+
+TEST_CASE("a wall between objects is refused before they grow where it is not clear which",
+          "[cli][measure]") {
+  const TempFolder folder;
+  segmentThree(folder, {"--session", folder / "s.json"});
+  const std::string session = folder / "s.json", core = folder / "core.ply";
+  const auto refuse = [&](const std::vector<std::string>& more, const std::string& words) {
+    std::vector<std::string> arguments{"measure", session};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    requireRefusal(folder, arguments, 2, words);
+    requireRefusal(folder, arguments, 2, "--wall-thickness");
+  };
+  refuse({"--wall-thickness"}, "'shell', 'core', 'beside'");
+  refuse({"--wall-thickness", "--to", core}, "several objects");
+  refuse({"--wall-thickness", "shell", "lung"}, "'lung'");
+  refuse({"--wall-thickness", "shell"}, "OUTER and INNER");
+  refuse({"--wall-thickness", "shell", "shell"}, "both 'shell'");
+  refuse({"--wall-thickness", "shell", "core", "beside"}, "more than two");
+  refuse({"--wall-thickness", "shell", "core", "--to", core}, "not both");
+  requireRefusal(folder, {"measure", core, "--wall-thickness", "shell", "core"}, 2, "--to");
+  requireRefusal(folder, {"measure", "--wall-thickness", "shell", session}, 2, "OUTER and INNER");
+}
+
+TEST_CASE("what stands behind --wall-thickness without names of objects is the mesh", "[cli][measure]") {
+  const TempFolder folder;
+  const std::string large = writeBall(folder, "large.ply", Vec3(0, 0, 0), 10),
+                    small = writeBall(folder, "small.ply", Vec3(0, 0, 0), 7);
+  const auto behind = measured(folder, {large, "--to", small, "--wall-thickness"});
+  CHECK(measured(folder, {"--wall-thickness", large, "--to", small}) == behind);
+  CHECK(measured(folder, {"--to", small, "--wall-thickness", large}) == behind);
+  requireRefusal(folder, {"measure", "--wall-thickness"}, 2, "MESH is required");
+}
+
 TEST_CASE("with --anonymous neither files nor text tell the paths of what is measured", "[cli][measure]") {
   const TempFolder folder;
   const PhantomFile phantom = makePhantomFile(folder, "DOE_JANE.mha");
@@ -165,7 +321,7 @@ TEST_CASE("an object of a session that is called after its file is not called so
     CHECK_THAT(readBytes(folder / name), Contains("Object 1") && !Contains("DOE_JANE"));
 }
 
-TEST_CASE("rulers and angles of a session are in text and JSON", "[cli][measure]") {
+TEST_CASE("rulers and angles of a session are in text and JSON and the table", "[cli][measure]") {
   const TempFolder folder;
   const PhantomFile phantom = makePhantomFile(folder);
   REQUIRE(runCli({"segment", phantom.path, "--seed", phantom.seed, "--max-iterations", "1", "-o",
@@ -176,9 +332,26 @@ TEST_CASE("rulers and angles of a session are in text and JSON", "[cli][measure]
       R"([{"kind": "ruler", "points": [[0, 0, 0], [3, 4, 0]]},
           {"kind": "angle", "points": [[1, 0, 0], [0, 0, 0], [0, 2, 0]]}])");
   writeBytes(folder / "s.json", session.dump());
-  const auto json = measured(folder, {folder / "s.json"});
+  const auto json = measured(folder, {folder / "s.json", "--csv", folder / "m.csv"});
   CHECK(json.at("measurements").at(0).at("length_mm") == 5);
   CHECK(json.at("measurements").at(1).at("angle_degrees") == 90);
+  const auto rows = table(folder / "m.csv");
+  REQUIRE(rows.size() == 3);
+  CHECK(rows[0].at("kind") == "object");
+  CHECK(rows[0].at("length_mm").empty());
+  CHECK(std::stod(rows[0].at("volume_mm3")) ==
+        Approx(json.at("objects").at(0).at("measures").at("volume_mm3").get<double>()));
+  CHECK(rows[1].at("object") == "ruler 1");
+  CHECK(rows[1].at("kind") == "ruler");
+  CHECK(std::stod(rows[1].at("length_mm")) == 5);
+  CHECK(rows[1].at("angle_degrees").empty());
+  CHECK(std::stod(rows[1].at("point_2_y_mm")) == 4);
+  CHECK(rows[1].at("point_3_x_mm").empty());
+  CHECK(rows[1].at("volume_mm3").empty());
+  CHECK(rows[2].at("object") == "angle 2");
+  CHECK(rows[2].at("kind") == "angle");
+  CHECK(std::stod(rows[2].at("angle_degrees")) == 90);
+  CHECK(rows[2].at("length_mm").empty());
   const std::string text = runCli({"measure", folder / "s.json"}).out;
   CHECK(text.find("ruler 1 (mm)                          5 from 0,0,0 to 3,4,0\n") != std::string::npos);
   CHECK(text.find("angle 2 (degrees)                     90 from 1,0,0 to 0,0,0 to 0,2,0\n") !=

@@ -59,7 +59,13 @@ RunReport completed(PendingReport pending, const WrittenMesh& mesh, const Volume
   return made;
 }
 
-std::string textOf(const std::vector<RunReport>& reports) {
+std::vector<PairGap> gapsOf(const std::vector<WrittenMesh>& meshes) {
+  std::vector<const TriangleSoup*> bodies;
+  for (const WrittenMesh& mesh : meshes) bodies.push_back(&mesh.made.mesh);
+  return pairGaps(bodies);
+}
+
+std::string textOf(const std::vector<RunReport>& reports, const std::vector<WrittenMesh>& meshes) {
   if (reports.size() == 1) return reportText(reports.front());
   Timings sum;
   for (const RunReport& report : reports) {
@@ -69,7 +75,7 @@ std::string textOf(const std::vector<RunReport>& reports) {
     sum.exported += report.seconds.exported;
     sum.total += report.seconds.total;
   }
-  return reportText(reports, sum);
+  return reportText(reports, sum, gapsOf(meshes));
 }
 
 //! On the files' thread: the hash is there, or worked out now. Throws InputError.
@@ -321,7 +327,7 @@ void Document::Private::exportReport(const QString& path, const std::vector<Pend
       if (isAnonymous) all.back() = anonymous(std::move(all.back()));
       giveUpIfCancelled();
     }
-    writeTextAtomically(fileName(path), textOf(all));
+    writeTextAtomically(fileName(path), textOf(all, meshes));
     return polishTexts(told, meshes);
   });
 }

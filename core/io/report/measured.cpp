@@ -26,11 +26,6 @@ std::string line(const std::string& name, const std::string& value) {
   return text + value + "\n";
 }
 
-const char* contactName(BodyContact contact) {
-  if (contact == BodyContact::surfaces) return "meet";
-  return contact == BodyContact::inside ? "inside" : "apart";
-}
-
 int genusOf(const MeasuredObject& o) {
   return std::accumulate(o.certificate.genus.begin(), o.certificate.genus.end(), 0);
 }
@@ -106,25 +101,19 @@ std::string lineText(const MeasuredLine& m) {
 }
 
 //! Numbered together, as the window's list is.
+std::string placedName(const Measurement& m, std::size_t index) {
+  return (m.kind == MeasurementKind::ruler ? "ruler " : "angle ") + std::to_string(index + 1);
+}
+
 std::string placedText(const std::vector<Measurement>& placed) {
   std::string text;
   for (std::size_t i = 0; i < placed.size(); ++i) {
-    const bool isRuler = placed[i].kind == MeasurementKind::ruler;
+    const std::string unit = placed[i].kind == MeasurementKind::ruler ? " (mm)" : " (degrees)";
     std::string points;
     for (const Vec3& p : placed[i].points) points += (points.empty() ? " from " : " to ") + place(p);
-    const std::string order = std::to_string(i + 1);
-    text += line(isRuler ? "ruler " + order + " (mm)" : "angle " + order + " (degrees)",
-                 number(valueOf(placed[i])) + points);
+    text += line(placedName(placed[i], i) + unit, number(valueOf(placed[i])) + points);
   }
   return text;
-}
-
-Json gapJson(const MeasuredGap& g) {
-  return {{"from", g.from},
-          {"to", g.to},
-          {"distance_mm", g.gap.distance},
-          {"contact", contactName(g.gap.contact)},
-          {"places", Json::array({vectorToJson(g.gap.onA), vectorToJson(g.gap.onB)})}};
 }
 
 Json directedJson(const std::string& from, const DirectedDistances& d) {
@@ -196,15 +185,43 @@ TableRow rowOf(const Measured& m, const MeasuredObject& o) {
   return row;
 }
 
-void addWall(TableRow& row, const MeasuredWall& wall) {
-  const auto add = [&](const std::string& name, const DirectedDistances& d) {
-    row.add(name + "_mean_mm", d.mean);
-    row.add(name + "_least_mm", d.smallest);
-    row.add(name + "_percentile_95_mm", d.percentile95);
-    row.add(name + "_largest_mm", d.largest);
+//! False for a third object beside two whose wall it is.
+bool isOfWall(const Measured& m, const MeasuredObject& o) {
+  const auto isNamed = [&](const MeasuredObject& one) {
+    return one.name == m.wall->first || one.name == m.wall->second;
   };
-  add("wall_from_first", wall.wall.fromFirst);
-  add("wall_from_second", wall.wall.fromSecond);
+  return isNamed(o) || std::none_of(m.objects.begin(), m.objects.end(), isNamed);
+}
+
+//! The columns are there for an object that the wall is not of, too.
+void addWall(TableRow& row, const MeasuredWall& wall, bool isOf) {
+  const auto add = [&](const std::string& name, const Json& value) { row.add(name, isOf ? value : Json()); };
+  const auto addDistances = [&](const std::string& name, const DirectedDistances& d) {
+    add(name + "_mean_mm", d.mean);
+    add(name + "_least_mm", d.smallest);
+    add(name + "_percentile_95_mm", d.percentile95);
+    add(name + "_largest_mm", d.largest);
+  };
+  addDistances("wall_from_first", wall.wall.fromFirst);
+  addDistances("wall_from_second", wall.wall.fromSecond);
+  add("wall_first", wall.first);
+  add("wall_second", wall.second);
+}
+
+//! What a ruler or an angle has in a table; none: the same columns, empty.
+void addPlaced(TableRow& row, const std::string& kind, const Measurement* m) {
+  const bool isRuler = m && m->kind == MeasurementKind::ruler;
+  row.add("kind", kind);
+  row.add("length_mm", isRuler ? Json(valueOf(*m)) : Json());
+  row.add("angle_degrees", m && !isRuler ? Json(valueOf(*m)) : Json());
+  for (std::size_t i = 0; i < pointsOf(MeasurementKind::angle); ++i)
+    for (int a = 0; a < 3; ++a)
+      row.add("point_" + std::to_string(i + 1) + "_" + "xyz"[a] + "_mm",
+              m && i < m->points.size() ? Json(m->points[i][a]) : Json());
+}
+
+void addPlaced(TableRow& row, const Measurement& m) {
+  addPlaced(row, m.kind == MeasurementKind::ruler ? "ruler" : "angle", &m);
 }
 
 using Names = std::map<std::string, std::string>;
@@ -259,7 +276,7 @@ std::string measuredJson(const Measured& m) {
     objects.push_back(std::move(object));
   }
   Json& gaps = json["distances"] = Json::array();
-  for (const MeasuredGap& g : m.gaps) gaps.push_back(gapJson(g));
+  for (const MeasuredGap& g : m.gaps) gaps.push_back(gapToJson(g.from, g.to, g.gap));
   json["wall_thickness"] = nullptr;
   if (m.wall)
     json["wall_thickness"] = {
@@ -274,13 +291,26 @@ std::string measuredJson(const Measured& m) {
 
 namespace {
 
+//! Behind the lines of the objects, one each for rulers and angles: a table has the same columns throughout.
+void addPlacedRows(std::vector<TableRow>& rows, const std::vector<Measurement>& placed) {
+  TableRow blank;
+  for (const std::string& name : rows.front().names) blank.add(name, Json());
+  for (TableRow& row : rows) addPlaced(row, "object", nullptr);
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    TableRow& row = rows.emplace_back(blank);
+    row.values.front() = placedName(placed[i], i);
+    addPlaced(row, placed[i]);
+  }
+}
+
 std::vector<TableRow> rowsOf(const Measured& m) {
   std::vector<TableRow> rows;
   for (const MeasuredObject& o : m.objects) {
     TableRow& row = rows.emplace_back(rowOf(m, o));
-    if (m.wall) addWall(row, *m.wall);
+    if (m.wall) addWall(row, *m.wall, isOfWall(m, o));
     if (m.line) row.add("centre_line_mm", o.name == m.line->object ? Json(m.line->line.length) : Json());
   }
+  if (!rows.empty() && !m.placed.empty()) addPlacedRows(rows, m.placed);
   return rows;
 }
 
@@ -328,15 +358,8 @@ std::string sectionsCsv(const CentreLine& line) {
 std::string measurementsCsv(const std::vector<Measurement>& placed) {
   std::string text;
   for (const Measurement& m : placed) {
-    const bool isRuler = m.kind == MeasurementKind::ruler;
     TableRow row;
-    row.add("kind", isRuler ? "ruler" : "angle");
-    row.add("length_mm", isRuler ? Json(valueOf(m)) : Json());
-    row.add("angle_degrees", isRuler ? Json() : Json(valueOf(m)));
-    for (std::size_t i = 0; i < pointsOf(MeasurementKind::angle); ++i)
-      for (std::size_t a = 0; a < 3; ++a)
-        row.add("point_" + std::to_string(i + 1) + "_" + "xyz"[a] + "_mm",
-                i < m.points.size() ? Json(m.points[i][static_cast<int>(a)]) : Json());
+    addPlaced(row, m);
     if (text.empty()) text = csvLine(row.names);
     text += csvLine(row.values);
   }

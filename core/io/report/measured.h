@@ -54,7 +54,8 @@ Measured anonymous(Measured measured, const std::map<std::string, std::string>& 
 //! A table for the eye, with units.
 std::string measuredText(const Measured& m);
 std::string measuredJson(const Measured& m);
-//! A line of names, which end in the unit, and one per object.
+//! A line of names, which end in the unit, one per object, and then one per ruler or angle. "kind" tells them
+//! apart, with the columns of measurementsCsv(); without rulers and angles the table has none of these.
 std::string measuredCsv(const Measured& m);
 //! The same with another character between the columns, and lines that end in LF.
 std::string measuredColumns(const Measured& m, char separator);

@@ -15,6 +15,11 @@ Json intensityToJson(const std::optional<IntensityInside>& in) {
           {"maximum", in->maximum}};
 }
 
+const char* contactName(BodyContact contact) {
+  if (contact == BodyContact::surfaces) return "meet";
+  return contact == BodyContact::inside ? "inside" : "apart";
+}
+
 Json spreadToJson(const Spread& s) {
   return {{"least", s.least}, {"percent_5", s.percent5}, {"median", s.median}, {"largest", s.largest}};
 }
@@ -33,6 +38,14 @@ Json measuresToJson(const ObjectMeasures& measures) {
   json["box_mm"] = vectorToJson(m.box);
   json["intensity"] = intensityToJson(measures.intensity);
   return json;
+}
+
+Json gapToJson(const std::string& from, const std::string& to, const SurfaceGap& gap) {
+  return {{"from", from},
+          {"to", to},
+          {"distance_mm", gap.distance},
+          {"contact", contactName(gap.contact)},
+          {"places", Json::array({vectorToJson(gap.onA), vectorToJson(gap.onB)})}};
 }
 
 Json qualityToJson(const MeshQuality& q) {

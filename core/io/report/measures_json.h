@@ -4,6 +4,7 @@
 #include "core/io/report/json.h"
 #include "core/measure/measurement.h"
 #include "core/measure/object_measures.h"
+#include "core/measure/surface_gap.h"
 #include "core/mesh/quality.h"
 
 namespace handlebody {
@@ -13,6 +14,10 @@ namespace handlebody {
 //! "intensity" (null without a volume or voxel): "voxels", "mean", "standard_deviation", "minimum",
 //! "maximum".
 Json measuresToJson(const ObjectMeasures& measures);
+
+//! One of "distances": "from" and "to" (names), "distance_mm", "contact" ("apart", "meet" or "inside"), and
+//! "places" on both (mm LPS).
+Json gapToJson(const std::string& from, const std::string& to, const SurfaceGap& gap);
 
 //! "quality" of `check`: "angles_degrees", "radius_ratio", "edges_mm", "dihedral_angles_degrees", each with
 //! "least", "percent_5", "median", "largest"; "faces_without_area".

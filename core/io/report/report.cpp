@@ -254,6 +254,12 @@ void addMeasurements(Json& json, const RunReport& report) {
   if (!all.empty()) json["measurements"] = measurementsToJson(all);
 }
 
+//! With the names that the objects have by now: those of an anonymous report may be others.
+void addDistances(Json& json, const std::vector<RunReport>& objects, const std::vector<PairGap>& gaps) {
+  const auto nameOf = [&](int index) { return objects[index].session.label.name; };
+  for (const PairGap& g : gaps) json["distances"].push_back(gapToJson(nameOf(g.from), nameOf(g.to), g.gap));
+}
+
 //! A place for an object, with its name.
 Json& addNamed(Json& json, const ObjectLabel& label) {
   Json& object = json["objects"].emplace_back(Json::object());
@@ -279,9 +285,11 @@ std::string traceText(const RunReport& report) {
   return jsonText(json);
 }
 
-std::string reportText(const std::vector<RunReport>& objects, const Timings& seconds) {
+std::string reportText(const std::vector<RunReport>& objects, const Timings& seconds,
+                       const std::vector<PairGap>& gaps) {
   Json json = headToJson(objects.front());
   for (const RunReport& object : objects) addObject(addNamed(json, object.session.label), object);
+  addDistances(json, objects, gaps);
   json["seconds"] = secondsToJson(seconds);
   addMeasurements(json, objects.front());
   return jsonText(json);

@@ -13,6 +13,7 @@
 #include "core/io/report/over_time_report.h"
 #include "core/io/report/session.h"
 #include "core/measure/object_measures.h"
+#include "core/measure/surface_gap.h"
 #include "core/mesh/tunnels.h"
 #include "core/mesh/validity.h"
 #include "core/object/candidate.h"
@@ -97,9 +98,11 @@ std::string reportText(const RunReport& report);
 std::string traceText(const RunReport& report);
 
 //! Both for several objects of one volume, in the order in which they were grown: "objects" holds what is
-//! told of one, after its name, label value, colour and term; "seconds" those of the whole run. Precondition:
-//! there is one at least.
-std::string reportText(const std::vector<RunReport>& objects, const Timings& seconds);
+//! told of one, after its name, label value, colour and term; "distances" how near they come to each other,
+//! if `gaps` tells it; "seconds" those of the whole run. Precondition: there is one at least; gaps are of
+//! them, by index.
+std::string reportText(const std::vector<RunReport>& objects, const Timings& seconds,
+                       const std::vector<PairGap>& gaps = {});
 std::string traceText(const std::vector<RunReport>& objects);
 
 }  // namespace handlebody

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "core/measure/intensity_inside.h"
 #include "core/measure/shape_measures.h"
@@ -177,6 +178,24 @@ TEST_CASE("two bodies are as far from each other as their nearest points", "[mea
   const SurfaceGap edges = surfaceGap(below, above);
   CHECK(edges.distance == Approx(1));
   CHECK((edges.onA - Vec3(0, 0, 0)).norm() < 1e-9);
+}
+
+TEST_CASE("every pair of bodies has its gap, once", "[measure]") {
+  const TriangleSoup a = ball(6, Vec3(0, 0, 0)), b = ball(4, Vec3(20, 0, 0)), c = ball(3, Vec3(0, 15, 0));
+  const std::vector<PairGap> gaps = pairGaps({&a, &b, &c});
+  REQUIRE(gaps.size() == 3);
+  const std::vector<const TriangleSoup*> bodies{&a, &b, &c};
+  std::set<std::pair<int, int>> pairs;
+  for (const PairGap& g : gaps) {
+    CHECK(g.from < g.to);
+    pairs.insert({g.from, g.to});
+    const SurfaceGap alone = surfaceGap(*bodies[g.from], *bodies[g.to]);
+    CHECK(g.gap.distance == alone.distance);
+    CHECK(g.gap.onA == alone.onA);
+  }
+  CHECK(pairs.size() == 3);
+  CHECK(pairGaps({&a}).empty());
+  CHECK(pairGaps({}).empty());
 }
 
 TEST_CASE("the wall between two balls is as thick as their radii differ", "[measure]") {

@@ -80,10 +80,14 @@ TEST_CASE("a finished object is a wall for the next, and the command line makes 
     work.written.clear();
     document.exportReport(report);
     REQUIRE(work.isWritten(report));
-    const auto objects =
-        QJsonDocument::fromJson(bytesOf(report)).object()[QLatin1String("objects")].toArray();
+    const QJsonObject told = QJsonDocument::fromJson(bytesOf(report)).object();
+    const auto objects = told[QLatin1String("objects")].toArray();
     REQUIRE(objects.size() == 2);
     CHECK(objects[1].toObject()[QLatin1String("name")].toString() == QLatin1String("Rest"));
+    REQUIRE(told[QLatin1String("distances")].toArray().size() == 1);
+    const QJsonObject gap = told[QLatin1String("distances")].toArray()[0].toObject();
+    CHECK(gap[QLatin1String("to")].toString() == QLatin1String("Rest"));
+    CHECK(gap[QLatin1String("distance_mm")].toDouble() > 0);
     REQUIRE(runCli({QStringLiteral("replay"), report, QStringLiteral("-o"), again,
                     QStringLiteral("--quiet")}) == 0);
     CHECK(bytesOf(again) == bytesOf(all));
