@@ -164,19 +164,27 @@ class Correction {
   //! What can be offered; none if the click is still on the wrong side, or by far too much is added.
   std::optional<Region> fitted(Region region) const {
     region = tidied(work_, std::move(region), corrected_.done, policy_);
-    if (!isTrue(region, click_) || addsTooMuch(region)) return {};
+    if (!isTrue(region, click_) || addsTooMuch(region) || leavesTooLittle(region)) return {};
     return region;
   }
+
+  //! By a click before this one.
+  bool isCorrected() const { return corrected_.done.size() > 2; }
 
   //! Of a region that the user has corrected before, a click inside says that a part is missing: what adds
   //! much more than that is another object, and has been wrong nearly always. What an earlier click has taken
   //! away may come back.
   bool addsTooMuch(const Region& region) const {
-    const std::size_t corrections = corrected_.done.size() - 1;  // this one among them
-    if (!click_.isInside || corrections < 2) return false;
+    if (!click_.isInside || !isCorrected()) return false;
     const double added = static_cast<double>(region.count()) - corrected_.largest;
     if (depth_ < policy_.otherPart * radius_) return added > policy_.growth * corrected_.largest;
     return added > std::max(policy_.growthApart * corrected_.largest, ballOf(depth_, work_));
+  }
+
+  //! One outside, of a region that the user has corrected before, does not say that next to nothing is right.
+  bool leavesTooLittle(const Region& region) const {
+    return !click_.isInside && isCorrected() &&
+           static_cast<double>(region.count()) < policy_.left * static_cast<double>(from().count());
   }
 
   //! A ball around the click, where nothing else serves; nothing changes if it is none that hangs together

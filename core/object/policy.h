@@ -134,6 +134,7 @@ struct ObjectPolicy {
   double coreCut = 0.6;       //!< and a change near the click this besides
   double growth = 0.6;        //!< of its largest volume so far: what a click inside, but the first, may add,
   double growthApart = 2;     //!< and in another part so many times that, or a ball as deep as the click
+  double left = 0.1;          //!< of the region as it is: what a click outside, but the first, leaves
   double relabelSure = 2.5;   //!< log of the odds that intensities may give at most
   std::size_t cavity = 14;    //!< cells: smaller cavities are noise; a ball of one and a half cells' radius
 };

@@ -72,9 +72,9 @@ inline const std::vector<std::pair<std::string, PolicyMember>>& policyMembers() 
       HANDLEBODY_MEMBER(relabelEdge),    HANDLEBODY_MEMBER(relabelPrior),
       HANDLEBODY_MEMBER(relabelClick),   HANDLEBODY_MEMBER(relabelSure),
       HANDLEBODY_MEMBER(growth),         HANDLEBODY_MEMBER(growthApart),
-      HANDLEBODY_MEMBER(settled),        HANDLEBODY_MEMBER(settledShape),
-      HANDLEBODY_MEMBER(settledNear),    HANDLEBODY_MEMBER(slices),
-      HANDLEBODY_MEMBER(fewSlices)};
+      HANDLEBODY_MEMBER(left),           HANDLEBODY_MEMBER(settled),
+      HANDLEBODY_MEMBER(settledShape),   HANDLEBODY_MEMBER(settledNear),
+      HANDLEBODY_MEMBER(slices),         HANDLEBODY_MEMBER(fewSlices)};
 #undef HANDLEBODY_MEMBER
   return members;
 }

@@ -232,7 +232,9 @@ TEST_CASE("of a boundary that is shown only what is near a click settles") {
   CHECK(changedFurtherThan(reach, wide) > 100);
 }
 
-TEST_CASE("a click outside in the middle of what was found asks for another candidate, not for a cut") {
+TEST_CASE(
+    "a click outside in the middle of what was found asks for another candidate, not for a cut; not for next "
+    "to nothing once the object has been corrected") {
   const Inside large = [](const Vec3& p) { return inBall(p, Vec3(32, 32, 32), 18); };
   const Inside small = [](const Vec3& p) { return inBall(p, Vec3(32, 32, 41), 5); };
   std::mt19937 random(7);
@@ -250,11 +252,20 @@ TEST_CASE("a click outside in the middle of what was found asks for another cand
   };
   const int whole = diceWith(1, large) > 0.95 ? 1 : 2;
   REQUIRE(diceWith(whole, large) > 0.95);
-  query.outside.push_back({Vec3(32, 32, 30), {}});
-  CHECK(diceWith(whole, small) > 0.9);
-  ObjectPolicy none;
-  none.core = 10;
-  CHECK(diceWith(whole, small, none) < 0.5);
+  SECTION("as the first correction") {
+    query.outside.push_back({Vec3(32, 32, 30), {}});
+    CHECK(diceWith(whole, small) > 0.9);
+    ObjectPolicy none;
+    none.core = 10;
+    CHECK(diceWith(whole, small, none) < 0.5);
+  }
+  SECTION("after another one") {  // the small ball is a fiftieth of the large one
+    query.outside = {{Vec3(32, 32, 15), {}}, {Vec3(32, 32, 30), {}}};
+    ObjectPolicy any;
+    any.left = 0;
+    CHECK(diceWith(whole, small, any) > 0.9);
+    CHECK(diceWith(whole, small) < 0.2);
+  }
 }
 
 TEST_CASE("once an object has been corrected, a click inside does not add much more than is missing") {
