@@ -1,5 +1,6 @@
 // Several objects in one run of `segment`.
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -9,6 +10,7 @@
 #include "core/collision/certify.h"
 #include "core/io/formats/volume_io.h"
 #include "core/io/meshes/mesh_io.h"
+#include "core/io/tetrahedra/mesher_process.h"
 #include "tests/app/run_cli.h"
 #include "tests/support/catch.h"
 #include "tests/support/test_volume.h"
@@ -235,6 +237,43 @@ TEST_CASE("the files of one run agree: labels, groups, names, and each object by
   });
   CHECK(counts.size() == 3);
   CHECK((counts.count(1) == 1 && counts.count(300) == 1));
+}
+
+namespace {
+
+//! The number behind `what` in what assimp tells of a file.
+int toldBy(const std::string& text, const std::string& what) {
+  const std::size_t at = text.find(what + ":");
+  REQUIRE(at != std::string::npos);
+  return std::stoi(text.substr(at + what.size() + 1));
+}
+
+}  // namespace
+
+TEST_CASE("a foreign reader finds the objects in 3MF and glTF, by number, size and name", "[cli][objects]") {
+  const std::optional<std::string> assimp = findProgram("assimp");
+  if (!assimp) {
+    WARN("skipped: assimp is not installed");
+    return;
+  }
+  const TempFolder folder;
+  const Made made = segment(folder, writeStudy(folder), {kCystGroup, joined({kLiverGroup, kLiverAlone})},
+                            {"cyst", "liver"}, {"-o", folder / "all.3mf", "-o", folder / "all.gltf"});
+  std::size_t points = 0, faces = 0;
+  for (const auto& [name, mesh] : made.meshes) {
+    points += mesh.points.size();
+    faces += mesh.triangles.size();
+  }
+  for (const std::string ending : {"3mf", "gltf"}) {
+    INFO(ending);
+    const std::string told = folder / ("told_by_assimp_of_" + ending + ".txt");
+    REQUIRE(std::system((*assimp + " info " + (folder / ("all." + ending)) + " > " + told).c_str()) == 0);
+    const std::string text = test::readBytes(told);
+    CHECK(toldBy(text, "Meshes") == 2);
+    CHECK(toldBy(text, "Vertices") == static_cast<int>(points));
+    CHECK(toldBy(text, "Faces") == static_cast<int>(faces));
+    CHECK_THAT(text, Contains("cyst") && Contains("liver"));
+  }
 }
 
 TEST_CASE("a session of several objects is made again to the last bit", "[cli][objects][session]") {
