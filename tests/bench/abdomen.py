@@ -5,8 +5,8 @@
 
 VOLUMES/ct_abdomen_dicom_j2k is the series. Label maps are read by nibabel (NIfTI), by the lines below (NRRD, MetaImage, 3D Slicer's
 segmentation) and by pydicom and our own reader (DICOM), voxel for voxel; meshes are drawn on the grid again (`compare`: Dice 1 is every
-voxel), out of 3MF's zip and out of the DICOM element too; tetrahedra must fill the volume of the surface. A line each;
-exit code 1 if one differs. Needs numpy, nibabel and pydicom.
+voxel), out of 3MF's zip and out of the DICOM element too; tetrahedra must fill the volume of the surface; TetGen and gmsh, where they
+are installed, must each fill every surface and all together. A line each; exit code 1 if one differs. Needs numpy, nibabel and pydicom.
 """
 import argparse
 import gzip
@@ -25,6 +25,8 @@ import nibabel
 import numpy as np
 import pydicom
 
+from meshable import MESHERS, read_obj
+
 # Clicks (mm LPS), and what was corrected after a look: more of them inside, and outside.
 ORGANS = {
     "liver": ["--seed", "-90.3,-127,-766.5", "--term", "liver", "--background", "52,-166,-770"],
@@ -34,7 +36,7 @@ ORGANS = {
     "aorta": ["--seed", "7.3,-145.5,-782.5", "--term", "aorta"],
     "back muscle": ["--seed", "26.9,-60.6,-792.5", "--term", "muscle", "--background", "5,-60,-790"],
 }
-TOGETHER = ["label", "gltf", "nii.gz", "nii", "nrrd", "mha", "seg.nrrd", "seg.dcm", "stl", "vtp", "ply", "obj", "3mf", "stl.dcm"]
+TOGETHER = ["label", "gltf", "nii.gz", "nii", "nrrd", "mha", "seg.nrrd", "seg.dcm", "stl", "vtp", "ply", "obj", "3mf", "stl.dcm", "msh", "vtu", "inp"]
 ALONE = ["stl", "vtp", "ply", "obj", "3mf", "stl.dcm", "msh", "vtu", "inp"]
 
 
@@ -177,6 +179,12 @@ def main():
         found = json.loads(run(cli, "compare", path, folder + "/all.nii.gz", "--label-b", str(label), *more, "--json").stdout)
         return found["overlap"]["a_mm3"] == found["overlap"]["b_mm3"] == found["overlap"]["both_mm3"]
 
+    def tell_filled(name, stem, volume):
+        for ending in (".msh", ".vtu", ".inp"):
+            tell(f"{name}{ending}", abs(volume_of(*tetrahedra(stem + ending)) - volume) < 1e-4 * volume)
+        for mesher, fill in MESHERS:
+            tell(f"{name} filled by {mesher}", fill(*read_obj(stem + ".obj"), folder) > 0)
+
     for i, r in enumerate(objects):
         name, stem = r["name"], f"{folder}/{r['name'].replace(' ', '_')}"
         tell(f"{name}: voxels", (meant == r["label_value"]).any())
@@ -185,15 +193,14 @@ def main():
         stl_of_dicom(stem + ".stl.dcm", stem + "_dcm.stl")
         for ending in (".stl", ".vtp", ".ply", ".obj", "_3mf.stl", "_dcm.stl"):
             tell(f"{name}{ending}", compared(stem + ending, r["label_value"]))
-        for ending in (".msh", ".vtu", ".inp"):
-            filled = volume_of(*tetrahedra(stem + ending))
-            tell(f"{name}{ending}", abs(filled - r["mesh"]["volume_mm3"]) < 1e-4 * r["mesh"]["volume_mm3"])
+        tell_filled(name, stem, r["mesh"]["volume_mm3"])
     # All of them in one file: what any of them holds.
     stl_of_3mf(folder + "/all.3mf", folder + "/all_3mf.stl")
     stl_of_dicom(folder + "/all.stl.dcm", folder + "/all_dcm.stl")
     for ending in (".stl", ".vtp", ".ply", ".obj", "_3mf.stl", "_dcm.stl"):
         found = json.loads(run(cli, "compare", folder + "/all" + ending, folder + "/all.nii.gz", "--json").stdout)
         tell(f"all{ending}", found["dice"] == 1)
+    tell_filled("all", folder + "/all", sum(r["mesh"]["volume_mm3"] for r in objects))
     run(cli, "replay", folder + "/s.json", "-o", folder + "/again.seg.nrrd", "--quiet")
     tell("replayed", open(folder + "/again.seg.nrrd", "rb").read() == open(folder + "/all.seg.nrrd", "rb").read())
     print(f"{wrong} differ")
