@@ -40,6 +40,7 @@ enum class FindingKind {
   otherTopology,       //!< runs, of
   volumeVaries,        //!< percent
   polishLeaves,        //!< thin_faces, sharp_edges, place; text (polish.h)
+  givenWithThin,       //!< thin_faces, sharp_edges
   madeWithEarlier,     //!< object
   seedNotEnclosed,     //!< place, distance_mm
   clickEnclosed,       //!< the same
@@ -430,6 +431,7 @@ enum class FindingKind {
   isSegmentation,
   spacingOverridden,  //!< x_mm, y_mm, z_mm
   frameZeroUsed,      //!< frames
+  firstLayerUsed,     //!< layers
   uncalibrated,
   voxelsNotNumbers,  //!< none, voxels
 

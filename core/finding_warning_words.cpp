@@ -47,6 +47,11 @@ constexpr FindingWords kWords[] = {
                        "{z_mm:4g} mm.")},
     {K::frameZeroUsed, "frame-zero-used",
      "There are {frames:0f} time points; frame 0 is used (--frame chooses another)."},
+    {K::firstLayerUsed, "first-layer-used",
+     QT_TRANSLATE_NOOP(
+         "Findings",
+         "The segmentation has {layers:0f} layers, since segments overlap: only the segments of "
+         "the first layer are read.")},
     {K::uncalibrated, "uncalibrated",
      "The volume is uncalibrated: its file does not give the spacing, 1 mm is assumed where it is missing, "
      "and lengths and volumes mean nothing until --spacing gives it."},

@@ -128,6 +128,11 @@ constexpr FindingWords kWords[] = {
                        "The volume depends on where exactly is clicked, on smoothing or noise: it changes by "
                        "{percent:0f} %")},
     {K::polishLeaves, "polish-leaves", "{text}"},
+    {K::givenWithThin, "given-with-thin",
+     QT_TRANSLATE_NOOP("Findings",
+                       "the mesh is written as it was given: triangles with an angle under 15 degrees: "
+                       "{thin_faces:0f}, edges whose faces meet at less than 20 degrees: {sharp_edges:0f} "
+                       "(handlebody-cli edit --polish all betters them)")},
     {K::madeWithEarlier, "made-with-earlier",
      QT_TRANSLATE_NOOP("Findings",
                        "The surface was made with an earlier one of the object '{object}', and a replay may "

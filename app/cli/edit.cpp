@@ -11,6 +11,7 @@
 #include "app/cli/outputs.h"
 #include "app/cli/run.h"
 #include "app/cli/tunnel_text.h"
+#include "core/cancellation.h"
 #include "core/collision/certify.h"
 #include "core/evolution/edit_step.h"
 #include "core/io/atomic_file.h"
@@ -20,6 +21,7 @@
 #include "core/io/report/parse.h"
 #include "core/io/report/polished_export.h"
 #include "core/io/report/result.h"
+#include "core/io/tetrahedra/tetrahedra.h"
 #include "core/polish/patch_search.h"
 #include "core/told_error.h"
 
@@ -39,7 +41,8 @@ struct EditOptions {
   std::optional<CoordinateSpace> space;
   std::vector<std::pair<std::string, MeshEdit>> touches;  // by option and text, in the order given
   Polish polish = Polish::edits;
-  bool keepLargest = false, fillCavities = false, json = false, quiet = false;
+  double mesherSeconds = kMesherSeconds;
+  bool keepLargest = false, fillCavities = false, json = false, quiet = false, isAnonymous = false;
 
   bool edits() const {
     return !touches.empty() || shorterThan || keepLargest || fillCavities || polish == Polish::all;
@@ -126,7 +129,8 @@ void warn(const Edited& done) {
 
 Json answer(const EditOptions& o, const Contents& before, const Edited& done,
             const std::optional<Contents>& after) {
-  Json json = {{"version", HANDLEBODY_VERSION}, {"notice", kNotice}, {"input", o.path}};
+  Json json = {
+      {"version", HANDLEBODY_VERSION}, {"notice", kNotice}, {"input", o.isAnonymous ? "MESH" : o.path}};
   json["before"] = contentsToJson(before);
   if (!after) return json;
   Json& edits = json["edits"] = Json::array();
@@ -149,7 +153,8 @@ void checkOptions(const EditOptions& o) {
   std::vector<OutputFile> files;
   for (const std::string& path : o.results) {
     files.push_back({"-o", path});
-    checkMeshExtension(files.back());
+    checkSurfaceExtension(files.back());
+    if (isTetrahedraPath(path)) checkResult(path, {});
   }
   if (!o.report.empty()) files.push_back({"--report", o.report});
   checkWritable(files, {o.path});
@@ -235,9 +240,10 @@ int editMesh(const EditOptions& o) {
   warn(done);
   const std::string json = listed ? jsonText(answer(o, before, done, after)) : std::string();
   {
-    DeferSignals whole;
-    for (const std::string& path : o.results)
-      writeMesh(out.mesh, path, o.space.value_or(CoordinateSpace::lps));
+    const DeferSignals whole;
+    const CancelScope scope(DeferSignals::stopToken());
+    const ExportContext context{{}, o.space.value_or(CoordinateSpace::lps), {}, {}, o.mesherSeconds};
+    writeResults({{ObjectLabel(), out.mesh}}, context, o.results);
     if (!o.report.empty()) writeTextAtomically(o.report, json);
   }
   if (o.json)
@@ -369,7 +375,8 @@ void addEdit(CLI::App& app, Action& action) {
   addPolish(*command, *options);
   command
       ->add_option("-o,--output", options->results,
-                   "The edited mesh: .stl .vtp .ply .obj; may be given several times")
+                   "The edited mesh: .stl .vtp .ply .obj .3mf .gltf; where gmsh or TetGen is installed .msh "
+                   ".vtu .inp, tetrahedra for a solver; may be given several times")
       ->type_name("OUT")
       ->expected(1)
       ->take_all()
@@ -377,6 +384,8 @@ void addEdit(CLI::App& app, Action& action) {
   command->add_option("--report", options->report, "What there was, what was done, what there is (JSON)")
       ->type_name("F.json");
   addSpace(*command, options->space);
+  addMesherSeconds(*command, options->mesherSeconds);
+  addAnonymous(*command, options->isAnonymous);
   command->add_flag("--json", options->json, "The same on standard output");
   command->add_flag("--quiet", options->quiet, "No summary");
   command->callback([&action, options, command] {

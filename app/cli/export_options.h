@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "core/io/dicom/dicom_writer.h"
 #include "core/polish/polish.h"
 
 namespace CLI {
@@ -11,6 +12,9 @@ class App;
 }
 
 namespace handlebody::cli {
+
+//! Adds --creator, --description and --anonymous.
+void addContent(CLI::App& command, DicomContent& content);
 
 //! Adds --polish on|off.
 void addPolish(CLI::App& command, std::optional<bool>& polish);

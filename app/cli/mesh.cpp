@@ -38,6 +38,7 @@ struct MeshOptions {
   std::vector<std::string> results;
   std::string space = "LPS";
   ObjectOptions object;
+  DicomContent content;
 };
 
 std::string plural(int n, const std::string& what) {
@@ -105,17 +106,15 @@ int mesh(const MeshOptions& o) {
   const LoadedVolume loaded = readLabels(o.labels, warnings);
   const ExportContext context{loaded.volume.grid,
                               o.space == "RAS" ? CoordinateSpace::ras : CoordinateSpace::lps,
-                              loaded.info.dicom,
-                              {},
-                              o.mesherSeconds};
+                              loaded.info.dicom, o.content, o.mesherSeconds};
   for (const std::string& path : o.results) checkResult(path, context);
   CertifiedMesh made = certifiedForExport(meshOf(readMask(o, loaded.volume), o).mesh);
   const std::optional<PolishReport> polished = polish(made, loaded.volume.grid, o);
   {
     const DeferSignals whole;
     const CancelScope scope(DeferSignals::stopToken());
-    const ObjectLabel label = chosenLabel(o.object, labelledAs(labelIn(o.labels, o.label), {}));
-    writeResults({{label, made.mesh}}, context, o.results);
+    const ObjectLabel said = asInItsFile(o.labels, o.label, o.content.anonymous, {});
+    writeResults({{chosenLabel(o.object, said), made.mesh}}, context, o.results);
   }
   for (const std::string& w : sentences(warnings))
     std::fprintf(stderr, "handlebody-cli: warning: %s\n", w.c_str());
@@ -171,6 +170,7 @@ void addMesh(CLI::App& app, Action& action) {
   addMesherSeconds(*command, options->mesherSeconds);
   command->add_flag("--json", options->json, "Print the certificate as JSON");
   addObjectOptions(*command, options->object);
+  addContent(*command, options->content);
   command->callback([&action, options] { action = [options] { return mesh(*options); }; });
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/io/report/option_error.h"
 #include "core/io/report/parse.h"
+#include "core/io/report/start_surface.h"
 
 namespace handlebody::cli {
 
@@ -70,6 +71,13 @@ ObjectLabel chosenLabel(const ObjectOptions& options, const ObjectLabel& before)
   if (options.colour) label.colour = *options.colour;
   if (options.value) label.value = *options.value;
   return label;
+}
+
+ObjectLabel asInItsFile(const std::string& path, std::optional<int> value, bool isAnonymous,
+                        const ObjectLabel& label) {
+  FileLabel said = labelIn(path, value);
+  if (isAnonymous) said.name.clear();
+  return labelledAs(said, label);
 }
 
 }  // namespace handlebody::cli

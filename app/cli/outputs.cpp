@@ -12,9 +12,12 @@
 
 #include "app/picture/picture.h"
 #include "core/errors.h"
+#include "core/io/meshes/gltf.h"
 #include "core/io/meshes/mesh_io.h"
+#include "core/io/meshes/three_mf.h"
 #include "core/io/report/option_error.h"
 #include "core/io/report/result.h"
+#include "core/io/tetrahedra/tetrahedra.h"
 
 namespace handlebody::cli {
 
@@ -62,6 +65,16 @@ void checkWritable(const std::vector<OutputFile>& files, const std::vector<std::
 void checkMeshExtension(const OutputFile& file) {
   if (!isMeshPath(file.path))
     throw OptionError(file.option, file.path + ": unknown extension; a mesh is .stl, .vtp, .ply or .obj.",
+                      " ");
+}
+
+void checkSurfaceExtension(const OutputFile& file) {
+  const std::string& path = file.path;
+  if (!isMeshPath(path) && !isThreeMfPath(path) && !isGltfPath(path) && !isTetrahedraPath(path))
+    throw OptionError(file.option,
+                      path +
+                          ": unknown extension; a mesh is .stl, .vtp, .ply, .obj, .3mf or .gltf, "
+                          "tetrahedra are .msh, .vtu or .inp.",
                       " ");
 }
 

@@ -24,6 +24,8 @@ void checkWritable(const std::vector<OutputFile>& files, const std::vector<std::
 //! Throws UsageError unless the extension is one of a mesh or a label map.
 void checkResultExtension(const OutputFile& file);
 void checkMeshExtension(const OutputFile& file);
+//! Of a mesh or of what is made of one without a volume: a mesh, .3mf, .gltf, tetrahedra.
+void checkSurfaceExtension(const OutputFile& file);
 void checkVolumeExtension(const OutputFile& file);
 //! Throws UsageError unless it is .png.
 void checkPictureExtension(const OutputFile& file);

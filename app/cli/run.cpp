@@ -24,29 +24,6 @@
 
 namespace handlebody::cli {
 
-namespace {
-
-void addContent(CLI::App& command, DicomContent& content) {
-  const auto add = [&command](const std::string& name, std::string& text, const std::string& type,
-                              const std::string& help) {
-    const auto set = [&text, name](const std::string& given) {
-      if (const std::string fault = dicomTextFault(given); !fault.empty())
-        throw OptionError(name, "'" + given + "' " + fault + ".");
-      text = given;
-    };
-    command.add_option_function<std::string>(name, set, help)->type_name(type);
-  };
-  add("--creator", content.creator, "FAMILY^GIVEN",
-      "Who made it, for .seg.dcm (default: nobody is named); .stl.dcm has no place for it");
-  command.add_flag(
-      "--anonymous", content.anonymous,
-      "Leave names, dates and identifiers of the source out of every file: paths, series, and in DICOM "
-      "files patient, study and references");
-  add("--description", content.description, "TEXT", "What it is for, for DICOM files");
-}
-
-}  // namespace
-
 void addRunOutputs(CLI::App& command, RunOutputs& outputs) {
   command
       .add_option(

@@ -79,16 +79,6 @@ void addGrowthOption(CLI::App& command, const GrowthOption& option, Session& ses
   throw UsageError("--on-held has no limit to hold: give --components or --genus.");
 }
 
-//! `label` as the file of the object's surface has it, if one is given; where nothing is to name the patient
-//! without the name, which anybody may have written there.
-ObjectLabel asInItsFile(const Session& session, bool isAnonymous, const ObjectLabel& label) {
-  const auto& start = session.constraints.start;
-  if (!start) return label;
-  FileLabel said = labelIn(start->path, start->label);
-  if (isAnonymous) said.name.clear();
-  return labelledAs(said, label);
-}
-
 int segment(SegmentOptions o) {
   Session& session = o.session;
   if (!letAsk(o.outputs.onHeld, session.constraints) && o.outputs.onHeld != OnHeld::hold) refuseToAsk();
@@ -96,7 +86,8 @@ int segment(SegmentOptions o) {
   session.space = o.space.value_or(CoordinateSpace::lps);
   session.polish = o.outputs.polish.value_or(true);
   const Clicks clicks = clicksOf(o);
-  session.label = asInItsFile(session, o.outputs.content.anonymous, session.label);
+  if (const auto& start = session.constraints.start)
+    session.label = asInItsFile(start->path, start->label, o.outputs.content.anonymous, session.label);
   assignResults(o.outputs, {chosenLabel(o.outputs.object, session.label)});
   session.overTime = requestOf(o.overTime);
   if (session.overTime && o.outputs.onHeld != OnHeld::hold)
@@ -176,7 +167,8 @@ std::vector<ObjectLabel> labelsOf(const std::vector<SegmentOptions>& objects) {
     ObjectLabel label;
     label.colour = distinctColours()[i % distinctColours().size()];
     label.value = 0;
-    label = asInItsFile(objects[i].session, false, label);  // each has a name that was given
+    if (const auto& start = objects[i].session.constraints.start)
+      label = asInItsFile(start->path, start->label, false, label);  // each has a name that was given
     labels.push_back(chosenLabel(objects[i].outputs.object, label));
     taken.push_back(labels.back().value);
   }

@@ -225,6 +225,12 @@ PolishedMesh polished(const TriangleSoup& mesh, const PolishOptions& options) {
   return out;
 }
 
+PolishCount countBad(const TriangleSoup& mesh) {
+  PolishCount count;
+  Polisher(mesh, {}).badPlaces(&count);
+  return count;
+}
+
 Finding polishWarning(const PolishReport& report) {
   const PolishCount& left = report.after;
   if (left.faces == 0 && left.edges == 0) return {};

@@ -62,6 +62,9 @@ struct PolishedMesh {
 //! Precondition: `mesh` passes the certificate, every point belongs to a face, and it meets no obstacle.
 PolishedMesh polished(const TriangleSoup& mesh, const PolishOptions& options);
 
+//! What is bad in a mesh. Precondition: as for polished.
+PolishCount countBad(const TriangleSoup& mesh);
+
 //! What is left, or none: how many, the least angles, why.
 Finding polishWarning(const PolishReport& report);
 

@@ -1759,6 +1759,14 @@
         <source>The seed at {place:1f} mm and the click outside of the object at {outside:1f} mm contradict each other: both lie in one voxel.</source>
         <translation>Der Startpunkt bei {place:1f} mm und der Außenpunkt bei {outside:1f} mm widersprechen sich: beide liegen im selben Voxel.</translation>
     </message>
+    <message>
+        <source>the mesh is written as it was given: triangles with an angle under 15 degrees: {thin_faces:0f}, edges whose faces meet at less than 20 degrees: {sharp_edges:0f} (handlebody-cli edit --polish all betters them)</source>
+        <translation>Das Netz wird so geschrieben, wie es gegeben war: Dreiecke mit einem Winkel unter 15 Grad: {thin_faces:0f}, Kanten, deren Flächen sich unter weniger als 20 Grad treffen: {sharp_edges:0f} (handlebody-cli edit --polish all bessert sie aus)</translation>
+    </message>
+    <message>
+        <source>The segmentation has {layers:0f} layers, since segments overlap: only the segments of the first layer are read.</source>
+        <translation>Die Segmentierung hat {layers:0f} Ebenen, da sich Segmente überlappen: Nur die Segmente der ersten Ebene werden gelesen.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

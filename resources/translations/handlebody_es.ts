@@ -1759,6 +1759,14 @@
         <source>The seed at {place:1f} mm and the click outside of the object at {outside:1f} mm contradict each other: both lie in one voxel.</source>
         <translation>La semilla en {place:1f} mm y el punto exterior en {outside:1f} mm se contradicen: ambos están en el mismo vóxel.</translation>
     </message>
+    <message>
+        <source>the mesh is written as it was given: triangles with an angle under 15 degrees: {thin_faces:0f}, edges whose faces meet at less than 20 degrees: {sharp_edges:0f} (handlebody-cli edit --polish all betters them)</source>
+        <translation>La malla se escribe tal como se dio: triángulos con un ángulo de menos de 15 grados: {thin_faces:0f}, aristas cuyas caras se encuentran a menos de 20 grados: {sharp_edges:0f} (handlebody-cli edit --polish all los mejora)</translation>
+    </message>
+    <message>
+        <source>The segmentation has {layers:0f} layers, since segments overlap: only the segments of the first layer are read.</source>
+        <translation>La segmentación tiene {layers:0f} capas, porque hay segmentos que se solapan: solo se leen los segmentos de la primera capa.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

@@ -1759,6 +1759,14 @@
         <source>The seed at {place:1f} mm and the click outside of the object at {outside:1f} mm contradict each other: both lie in one voxel.</source>
         <translation>Le germe en {place:1f} mm et le point extérieur en {outside:1f} mm se contredisent : ils sont dans le même voxel.</translation>
     </message>
+    <message>
+        <source>the mesh is written as it was given: triangles with an angle under 15 degrees: {thin_faces:0f}, edges whose faces meet at less than 20 degrees: {sharp_edges:0f} (handlebody-cli edit --polish all betters them)</source>
+        <translation>Le maillage est écrit tel qu&apos;il a été donné : triangles ayant un angle de moins de 15 degrés : {thin_faces:0f}, arêtes dont les faces se rencontrent à moins de 20 degrés : {sharp_edges:0f} (handlebody-cli edit --polish all les améliore)</translation>
+    </message>
+    <message>
+        <source>The segmentation has {layers:0f} layers, since segments overlap: only the segments of the first layer are read.</source>
+        <translation>La segmentation a {layers:0f} couches, car des segments se chevauchent : seuls les segments de la première couche sont lus.</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

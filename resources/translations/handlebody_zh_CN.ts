@@ -1759,6 +1759,14 @@
         <source>The seed at {place:1f} mm and the click outside of the object at {outside:1f} mm contradict each other: both lie in one voxel.</source>
         <translation>位于 {place:1f} mm 的种子点与位于 {outside:1f} mm 的外部点相互矛盾：两者在同一体素内。</translation>
     </message>
+    <message>
+        <source>the mesh is written as it was given: triangles with an angle under 15 degrees: {thin_faces:0f}, edges whose faces meet at less than 20 degrees: {sharp_edges:0f} (handlebody-cli edit --polish all betters them)</source>
+        <translation>网格按给定的原样写出：有小于 15 度角的三角形：{thin_faces:0f} 个，两面夹角小于 20 度的边：{sharp_edges:0f} 条（handlebody-cli edit --polish all 可改善）</translation>
+    </message>
+    <message>
+        <source>The segmentation has {layers:0f} layers, since segments overlap: only the segments of the first layer are read.</source>
+        <translation>该分割有 {layers:0f} 层，因为有分割区重叠：只读取第一层的分割区。</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>

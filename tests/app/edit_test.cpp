@@ -62,6 +62,33 @@ TEST_CASE("edit without an edit lists tunnels, components and cavities", "[cli]"
   CHECK_THAT(text.out, Contains("cavity of") && Contains("mm round the tunnel"));
 }
 
+TEST_CASE("an edited mesh is written in every format that needs no volume", "[cli]") {
+  const PiecesFile file;
+  const std::string three = file.folder / "m.3mf", gltf = file.folder / "m.gltf", stl = file.folder / "m.stl";
+  const Outcome done = runCli({"edit", file.path, "--keep-largest", "-o", stl, "-o", three, "-o", gltf});
+  INFO(done.err);
+  REQUIRE(done.exitCode == 0);
+  CHECK(readBytes(three).starts_with("PK"));
+  CHECK(nlohmann::json::parse(readBytes(gltf)).at("meshes").size() == 1);
+  CHECK(file.check("m.stl").at("components") == 2);
+  expectRefusal({"edit", file.path, "--keep-largest", "-o", file.folder / "m.seg.nrrd"}, 2, ".gltf");
+}
+
+TEST_CASE("with --anonymous the report of an edit does not say where the mesh was", "[cli]") {
+  const PiecesFile file;
+  for (const std::vector<std::string>& edits : {std::vector<std::string>{}, {"--keep-largest"}}) {
+    std::vector<std::string> words{"edit", file.path, "--json", "--report", file.folder / "r.json"};
+    words.insert(words.end(), edits.begin(), edits.end());
+    if (!edits.empty()) words.insert(words.end(), {"-o", file.folder / "m.stl"});
+    CHECK_THAT(runCli(words).out, Contains("pieces.ply"));
+    words.emplace_back("--anonymous");
+    const Outcome done = runCli(words);
+    CHECK(done.exitCode == 0);
+    CHECK_THAT(done.out + readBytes(file.folder / "r.json"),
+               !Contains("pieces") && !Contains(file.folder.path()));
+  }
+}
+
 TEST_CASE("edit closes short tunnels, keeps the largest body and fills its cavity", "[cli]") {
   const PiecesFile file;
   const auto json = runForJson({"edit", file.path, "--close-tunnels", "shorter-than", "8", "--json", "-o",

@@ -99,6 +99,59 @@ TEST_CASE("the mesh of a segment is called as there, and that of a DICOM Segment
   CHECK(runCli({"check", folder / "m.stl.dcm"}).exitCode == 0);
 }
 
+TEST_CASE("with --anonymous the mesh of a DICOM Segmentation names neither patient nor what stood in it",
+          "[cli][mesh]") {
+  using namespace handlebody;
+  const TempFolder folder;
+  Grid grid;
+  grid.size = {24, 24, 24};
+  const std::vector<ExportedObject> objects{
+      {{"Doe's kidney", {17, 200, 33}, 1, "kidney"}, icosphere(Vec3(12, 12, 12), 4, 1)}};
+  DicomOrigin origin;
+  origin.values = {{0x10, 0x10, "Doe^Jane"}, {0x08, 0x20, "20221208"}};
+  origin.straight = false;
+  writeDicomSegmentation(labelMap(objects, grid), objects, origin, {}, folder / "doe.seg.dcm");
+  const auto written = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"mesh", folder / "doe.seg.dcm"});
+    std::string all;
+    for (const char* name : {"m.seg.dcm", "m.stl.dcm", "m.seg.nrrd", "m.obj"})
+      more.insert(more.end(), {"-o", folder / name});
+    const Outcome run = runCli(more);
+    INFO(run.err);
+    REQUIRE(run.exitCode == 0);
+    for (const char* name : {"m.seg.dcm", "m.stl.dcm", "m.seg.nrrd", "m.obj"})
+      all += readBytes(folder / name);
+    return all;
+  };
+  const std::string named = written({"--creator", "Roe^Ann", "--description", "for a print"});
+  for (const char* said : {"Doe^Jane", "20221208", "Doe's kidney", "Roe^Ann", "for a print"})
+    CHECK_THAT(named, Contains(said));
+  const std::string anonymous = written({"--anonymous"});
+  for (const char* said : {"Doe", "20221208", "Roe", "for a print"}) CHECK_THAT(anonymous, !Contains(said));
+}
+
+TEST_CASE("of a segmentation in layers the first is read, and it is said so", "[cli][mesh]") {
+  const TempFolder folder;
+  const int n = 12;
+  std::string bytes =
+      "NRRD0004\ntype: uchar\ndimension: 4\nspace: left-posterior-superior\nsizes: 2 12 12 12\nspace "
+      "directions: none (1,0,0) (0,1,0) (0,0,1)\nkinds: list domain domain domain\nencoding: raw\nspace "
+      "origin: (0,0,0)\nSegment0_LabelValue:=1\nSegment0_Layer:=0\nSegment0_Name:=First\n"
+      "Segment1_LabelValue:=1\nSegment1_Layer:=1\nSegment1_Name:=Second\n\n";
+  for (int i = 0; i < n * n * n; ++i) {
+    const int x = i % n, y = i / n % n, z = i / (n * n);
+    const bool isInside = x > 2 && x < 9 && y > 2 && y < 9 && z > 2 && z < 9;
+    bytes += static_cast<char>(isInside && x < 6);  // half of the block
+    bytes += static_cast<char>(isInside);
+  }
+  writeBytes(folder / "l.seg.nrrd", bytes);
+  const Outcome run = runCli({"mesh", folder / "l.seg.nrrd", "-o", folder / "m.stl", "--json"});
+  INFO(run.err);
+  REQUIRE(run.exitCode == 0);
+  CHECK_THAT(run.err, Contains("2 layers") && Contains("first layer") && !Contains("--frame"));
+  CHECK(nlohmann::json::parse(run.out).at("volume_mm3").get<double>() == Approx(3 * 6 * 6).epsilon(0.02));
+}
+
 TEST_CASE("what is no label map, or has nothing to mesh, is refused in one sentence", "[cli][mesh]") {
   const TempFolder folder;
   const std::string labels = folder / "l.mha", out = folder / "m.stl";

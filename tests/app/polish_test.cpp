@@ -1,5 +1,7 @@
 // --polish, through the program.
 
+#include <algorithm>
+
 #include "core/io/meshes/mesh_io.h"
 #include "core/mesh/shapes.h"
 #include "tests/app/refusal.h"
@@ -84,6 +86,25 @@ TEST_CASE("a session is replayed as it was polished, and one of before is not", 
   }
   runCli({"replay", folder / "on.json", "--polish", "off", "-o", folder / "again.stl", "--quiet"});
   CHECK(readBytes(folder / "again.stl") == readBytes(folder / "off.stl"));
+}
+
+TEST_CASE("thin triangles of a mesh that is given stay as they are, and are told", "[cli][polish]") {
+  const TempFolder folder;
+  const PhantomFile phantom = makePhantomFile(folder);
+  runCli(joined({"edit", ballFile(folder), "-o", folder / "bad.ply", "--polish", "off"}, kCut));
+  runCli({"edit", folder / "bad.ply", "-o", folder / "good.ply", "--polish", "all"});
+  const auto given = [&](const std::string& mesh) {
+    const Outcome done = runCli({"segment", phantom.path, "--given", folder / mesh, "-o", folder / "m.ply",
+                                 "--report", folder / "r.json", "--quiet"});
+    INFO(done.err);
+    REQUIRE(done.exitCode == 0);
+    CHECK(leastAngle(folder / "m.ply") == Approx(leastAngle(folder / mesh)).epsilon(1e-6));
+    const auto findings = nlohmann::json::parse(readBytes(folder / "r.json")).at("findings");
+    return std::count_if(findings.begin(), findings.end(),
+                         [](const auto& f) { return f.at("kind") == "given-with-thin"; });
+  };
+  CHECK(given("bad.ply") == 1);
+  CHECK(given("good.ply") == 0);
 }
 
 TEST_CASE("options of the export that make no sense are refused", "[cli][polish]") {

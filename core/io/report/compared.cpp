@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/io/formats/label_map.h"
 #include "core/io/formats/volume_source.h"
 #include "core/io/meshes/mesh_io.h"
 #include "core/io/report/anonymous_names.h"
@@ -65,8 +66,11 @@ std::optional<double> volumeDifferencePercent(const ComparedPair& p) {
 LoadedVolume readLabels(const std::string& path, std::vector<Finding>& warnings,
                         const DecoderSettings& decoder) {
   LoadedVolume loaded = loadVolume(path, {.decoder = decoder});
-  for (const Finding& w : loaded.info.warnings)
+  for (Finding& w : loaded.info.warnings) {
+    if (w.kind == FindingKind::frameZeroUsed && isSlicerSegmentationPath(path))
+      w = {FindingKind::firstLayerUsed, {{"layers", loaded.info.frames}}};
     warnings.push_back({FindingKind::ofFile, {{"file", path}}, w});
+  }
   if (!holdsWholeNumbers(loaded.volume)) refuseInput(path, FindingKind::notWholeNumbers);
   return loaded;
 }

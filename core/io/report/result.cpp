@@ -12,7 +12,9 @@
 #include "core/io/meshes/gltf.h"
 #include "core/io/meshes/three_mf.h"
 #include "core/io/report/single_precision.h"
+#include "core/io/report/start_surface.h"
 #include "core/io/tetrahedra/tetrahedra.h"
+#include "core/polish/polish.h"
 #include "core/told_error.h"
 
 namespace handlebody {
@@ -78,12 +80,25 @@ CertifiedMesh certifiedForExport(const TriangleSoup& mesh) {
   return out;
 }
 
+namespace {
+
+//! Of a mesh that was given, and is not polished though the others are.
+Finding givenWithThin(const Session& session, const TriangleSoup& mesh) {
+  if (!session.polish || !isMeshAsItIs(session.constraints)) return {};
+  const PolishCount bad = countBad(mesh);
+  if (bad.faces + bad.edges == 0) return {};
+  return {FindingKind::givenWithThin, {{"thin_faces", bad.faces}, {"sharp_edges", bad.edges}}};
+}
+
+}  // namespace
+
 std::vector<Finding> resultWarnings(const RunReport& report, const TriangleSoup& mesh) {
   std::vector<Finding> out;
   if (Finding why = unfinished(report); why.any()) out.push_back(std::move(why));
   if (!report.session.constraints.start && atItsSeeds(report, mesh))
     out.push_back(hardlyGrown(*report.session.resolved));
   if (Finding choice = closeChoice(report); choice.any()) out.push_back(std::move(choice));
+  if (Finding thin = givenWithThin(report.session, mesh); thin.any()) out.push_back(std::move(thin));
   return out;
 }
 
