@@ -1,15 +1,21 @@
 // compare, through the program.
 
 #include <algorithm>
+#include <random>
 #include <sstream>
 
 #include "app/cli/csv.h"
+#include "core/solid/mask_surface.h"
 #include "tests/app/refusal.h"
 #include "tests/app/run_cli.h"
+#include "tests/core/solid/voxel_topology.h"
 #include "tests/support/catch.h"
 
 using namespace handlebody::test;
+using handlebody::Mask;
 using handlebody::cli::parseCsv;
+using handlebody::testing::VoxelTopology;
+using handlebody::testing::voxelTopology;
 
 namespace {
 
@@ -38,6 +44,26 @@ std::string cube(int n, F&& value) {
       "\nElementSpacing = 1 1 1\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n";
   for (int i = 0; i < n * n * n; ++i) bytes += static_cast<char>(value(i % n, i / n % n, i / (n * n)));
   return bytes;
+}
+
+//! What of a cube of labels has this one.
+Mask maskOf(int n, const std::vector<int>& labels, int label) {
+  Mask mask;
+  mask.grid.size = {n, n, n};
+  for (const int l : labels) mask.inside.push_back(l == label ? 1 : 0);
+  return mask;
+}
+
+//! As Wavefront OBJ.
+std::string objText(const handlebody::TriangleSoup& mesh) {
+  std::ostringstream text;
+  for (const auto& p : mesh.points) text << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+  for (const auto& t : mesh.triangles) text << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
+  return text.str();
+}
+
+VoxelTopology topologyOf(const nlohmann::json& object) {
+  return {object.at("components"), object.at("cavities"), object.at("genus")};
 }
 
 }  // namespace
@@ -93,6 +119,36 @@ TEST_CASE("label maps of one object on turned grids are alike, and different lab
   CHECK(none.at("dice") == 0.0);
   CHECK(none.at("distances").is_null());
   CHECK(none.at("warnings").size() == 1);
+}
+
+TEST_CASE("components, cavities and genus of label maps and meshes are those counted voxel by voxel",
+          "[cli][compare]") {
+  constexpr int kSide = 11;
+  const TempFolder folder;
+  std::mt19937 random(1);
+  std::vector<int> labels;  // a body full of holes, and scraps of another
+  while (labels.size() < kSide * kSide * kSide) {
+    const int n = static_cast<int>(random() % 1000);
+    labels.push_back(n < 930 ? 1 : n % 3);
+  }
+  writeBytes(folder / "m.mha", cube(kSide, [&](int x, int y, int z) {
+               return labels[static_cast<std::size_t>((z * kSide + y) * kSide + x)];
+             }));
+  const Mask one = maskOf(kSide, labels, 1), two = maskOf(kSide, labels, 2);
+  writeBytes(folder / "one.obj", objText(maskSurface(one)));
+  const VoxelTopology body = voxelTopology(one), scraps = voxelTopology(two);
+  REQUIRE(body.cavities > 1);  // else it would prove little
+  REQUIRE(body.tunnels > 1);
+  REQUIRE(scraps.components > 1);
+
+  const auto maps = runForJson({"compare", folder / "m.mha", folder / "m.mha", "--label-a", "1", "--label-b",
+                                "2", "--json", "--sampling", "2"});
+  CHECK(topologyOf(maps.at("a")) == body);
+  CHECK(topologyOf(maps.at("b")) == scraps);
+  const auto mixed = runForJson(
+      {"compare", folder / "m.mha", folder / "one.obj", "--label-a", "2", "--json", "--sampling", "2"});
+  CHECK(topologyOf(mixed.at("a")) == scraps);
+  CHECK(topologyOf(mixed.at("b")) == body);
 }
 
 TEST_CASE("the table has units, the CSV a row, and the report is the JSON", "[cli][compare]") {

@@ -10,11 +10,12 @@
 
 namespace handlebody::test {
 
-//! Further elements of the groups 8, 10 and 20 (up to 20,0012), by tag: VR and value.
+//! Further elements, by tag: VR and value. Not what a slice writes itself, nor between that of the groups 18
+//! and 28 (18,1060 to 18,6011; 20,0013 to 20,0037; 28).
 using MoreElements = std::map<std::uint32_t, std::pair<std::string, std::string>>;
 
 struct Slice {
-  std::string series = "1.2.3.4";
+  std::string series = "1.2.3.4", study = "1.2.3";
   Vec3 position{0, 0, 0};
   Eigen::Matrix3d direction = Eigen::Matrix3d::Identity();
   std::string spacing = "1.5\\0.75";  // between rows, then between columns
@@ -149,12 +150,14 @@ inline std::string dicomBytes(const Slice& s, const std::string& instance) {
   data.add(8, 0x60, "CS", s.modality);
   addMore(0x0008103e);
   data.add(8, 0x103e, "LO", "made by hand");
-  addMore(0x00180000);
+  addMore(0x00180088);
   if (s.sliceDistance > 0) data.add(0x18, 0x88, "DS", list({s.sliceDistance}));
+  addMore(0x00181060);
   if (s.triggerTime >= 0) data.add(0x18, 0x1060, "DS", list({s.triggerTime}));
   if (s.frameTime > 0) data.add(0x18, 0x1063, "DS", list({s.frameTime}));
   if (s.regionDelta > 0) addRegion(s, data);
-  data.add(0x20, 0x0d, "UI", "1.2.3");
+  addMore(0x0020000d);
+  data.add(0x20, 0x0d, "UI", s.study);
   data.add(0x20, 0x0e, "UI", s.series);
   addMore(0x00200012);
   if (s.acquisition > 0) data.add(0x20, 0x12, "IS", std::to_string(s.acquisition));
@@ -164,10 +167,12 @@ inline std::string dicomBytes(const Slice& s, const std::string& instance) {
   const bool plain = s.placed && s.framePositions.empty();
   if (plain) data.add(0x20, 0x32, "DS", list({s.position[0], s.position[1], s.position[2]}));
   if (plain) data.add(0x20, 0x37, "DS", orientation);
+  addMore(0x00200100);
   if (s.temporalPosition > 0) {
     data.add(0x20, 0x100, "IS", std::to_string(s.temporalPosition));
     data.add(0x20, 0x110, "DS", "40");
   }
+  addMore(0x00280002);
   data.addShort(0x28, 0x02, 1);
   data.add(0x28, 0x04, "CS", "MONOCHROME2");
   if (s.frames > 1) data.add(0x28, 0x08, "IS", std::to_string(s.frames));

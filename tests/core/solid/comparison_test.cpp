@@ -1,16 +1,15 @@
 #include "core/solid/comparison.h"
 
-#include <Eigen/Geometry>
 #include <atomic>
 #include <cmath>
 #include <numbers>
 
 #include "core/cancellation.h"
 #include "core/errors.h"
-#include "core/geometry/triangle_distance.h"
 #include "core/solid/overlap.h"
 #include "core/solid/surface_distance.h"
-#include "tests/core/solid/voxel_topology.h"
+#include "tests/core/solid/comparison_oracle.h"
+#include "tests/core/solid/drawn_masks.h"
 #include "tests/support/catch.h"
 #include "tests/support/mesh_zoo.h"
 
@@ -21,149 +20,6 @@ namespace {
 
 constexpr ComparisonOptions kCoarse{0.4, 2};  // mm; the default would take longer
 constexpr double kPi = std::numbers::pi;
-
-//! The label map of what is at a negative distance of a body.
-template <typename Body>
-Mask draw(Grid grid, Body&& distance) {
-  Mask mask;
-  mask.grid = grid;
-  for (int z = 0; z < grid.size[2]; ++z)
-    for (int y = 0; y < grid.size[1]; ++y)
-      for (int x = 0; x < grid.size[0]; ++x)
-        mask.inside.push_back(distance(grid.toWorld(Vec3(x, y, z))) < 0 ? 1 : 0);
-  return mask;
-}
-
-auto ball(const Vec3& centre, double radius) {
-  return [=](const Vec3& p) { return (p - centre).norm() - radius; };
-}
-
-Grid gridAround(int n, double spacing) {
-  Grid grid;
-  grid.size = {n, n, n};
-  grid.spacing.setConstant(spacing);
-  grid.origin.setConstant(-(n - 1) * spacing / 2);
-  return grid;
-}
-
-Grid obliqueGrid() {
-  Grid grid;
-  grid.size = {22, 30, 14};
-  grid.spacing = Vec3(1.1, 0.8, 1.9);
-  grid.direction =
-      (Eigen::AngleAxisd(0.5, Vec3::UnitY()) * Eigen::AngleAxisd(2.4, Vec3::UnitZ())).toRotationMatrix();
-  grid.direction.col(2) *= -1;  // left-handed, as some files are
-  grid.origin = -(grid.direction * (0.5 * grid.spacing.cwiseProduct(Vec3(21, 29, 13))));
-  return grid;
-}
-
-// --- brute force: the definitions of docs/compare.md, written once more ---
-
-struct Piece {
-  double distance, area;
-};
-
-void addPieces(const Vec3& a, const Vec3& b, const Vec3& c, double h, const TriangleSoup& to,
-               std::vector<Piece>& pieces) {
-  const double ab = (b - a).norm(), bc = (c - b).norm(), ca = (a - c).norm();
-  if (std::max({ab, bc, ca}) > h) {
-    if (bc > ab && bc >= ca) return addPieces(b, c, a, h, to, pieces);
-    if (ca > ab && ca > bc) return addPieces(c, a, b, h, to, pieces);
-    addPieces(a, (a + b) / 2, c, h, to, pieces);
-    addPieces((a + b) / 2, b, c, h, to, pieces);
-    return;
-  }
-  double squared = std::numeric_limits<double>::infinity();
-  for (const Triangle& t : to.triangles) {
-    const auto at = [&](std::size_t i) { return to.points[t[i]]; };
-    squared = std::min(squared, squaredDistance((a + b + c) / 3, at(0), at(1), at(2)));
-  }
-  pieces.push_back({std::sqrt(squared), (b - a).cross(c - a).norm() / 2});
-}
-
-std::vector<Piece> piecesOf(const TriangleSoup& from, const TriangleSoup& to, double h) {
-  std::vector<Piece> pieces;
-  for (const Triangle& t : from.triangles) {
-    const auto at = [&](std::size_t i) { return from.points[t[i]]; };
-    addPieces(at(0), at(1), at(2), h, to, pieces);
-  }
-  return pieces;
-}
-
-double meanOf(const std::vector<Piece>& pieces) {
-  double moment = 0, area = 0;
-  for (const Piece& p : pieces) {
-    moment += p.distance * p.area;
-    area += p.area;
-  }
-  return moment / area;
-}
-
-double percentileOf(std::vector<Piece> pieces, double share) {
-  std::sort(pieces.begin(), pieces.end(),
-            [](const Piece& a, const Piece& b) { return a.distance < b.distance; });
-  double area = 0, below = 0;
-  for (const Piece& p : pieces) area += p.area;
-  for (const Piece& p : pieces)
-    if ((below += p.area) >= share * area * (1 - 1e-12)) return p.distance;
-  return pieces.back().distance;
-}
-
-void requireDistancesByForce(const Solid& a, const Solid& b, const SurfaceDistances& found) {
-  const auto ofA = piecesOf(a.surface, b.surface, found.sampling);
-  auto both = piecesOf(b.surface, a.surface, found.sampling);
-  CHECK(found.ofA.samples == ofA.size());
-  CHECK(found.ofA.mean == Approx(meanOf(ofA)).epsilon(1e-9));
-  CHECK(found.ofB.mean == Approx(meanOf(both)).epsilon(1e-9));
-  CHECK(found.percentile95() ==
-        Approx(std::max(percentileOf(ofA, 0.95), percentileOf(both, 0.95))).epsilon(1e-9));
-  both.insert(both.end(), ofA.begin(), ofA.end());
-  CHECK(found.mean() == Approx(meanOf(both)).epsilon(1e-9));
-  double largest = 0;
-  for (const Piece& p : both) largest = std::max(largest, p.distance);
-  CHECK(found.hausdorff() >= largest);  // vertices count as well
-  CHECK(found.hausdorff() <= largest + 2.0 / 3 * found.sampling);
-}
-
-//! Counted on the whole space of the lattice around both.
-Overlap overlapByForce(const Mask& a, const Mask& b) {
-  const Mask& finer = b.grid.voxelVolume() < a.grid.voxelVolume() ? b : a;
-  Overlap o;
-  constexpr int kReach = 80;
-  for (int z = -kReach; z < kReach; ++z)
-    for (int y = -kReach; y < kReach; ++y)
-      for (int x = -kReach; x < kReach; ++x) {
-        const Vec3 p = finer.grid.toWorld(Vec3(x, y, z));
-        const auto in = [&p](const Mask& m) {
-          const Vec3 i = m.grid.toIndex(p);
-          const int u = static_cast<int>(std::lround(i.x())), v = static_cast<int>(std::lround(i.y())),
-                    w = static_cast<int>(std::lround(i.z()));
-          return u >= 0 && v >= 0 && w >= 0 && u < m.grid.size[0] && v < m.grid.size[1] &&
-                 w < m.grid.size[2] && m.inside[m.at(u, v, w)] != 0;
-        };
-        const double each = finer.grid.voxelVolume();
-        o.a += in(a) ? each : 0;
-        o.b += in(b) ? each : 0;
-        o.both += in(a) && in(b) ? each : 0;
-      }
-  return o;
-}
-
-void requireByForce(const Mask& a, const Mask& b) {
-  const Solid sa = solidOf(a), sb = solidOf(b);
-  const Comparison c = compare(sa, sb, {1.3, 2});
-  const Overlap o = overlapByForce(a, b);
-  REQUIRE(c.overlap);
-  CHECK(c.overlap->onVoxels);
-  CHECK(c.overlap->a == Approx(o.a));
-  CHECK(c.overlap->b == Approx(o.b));
-  CHECK(c.overlap->both == Approx(o.both));
-  CHECK(*c.dice == Approx(2 * o.both / (o.a + o.b)));
-  CHECK(*c.iou == Approx(o.both / (o.a + o.b - o.both)));
-  CHECK(sa.volume() == Approx(static_cast<double>(a.count()) * a.grid.voxelVolume()));
-  requireDistancesByForce(sa, sb, *c.distances);
-  CHECK(sa.certificate.components == voxelTopology(a).components + voxelTopology(a).cavities);
-}
 
 //! Share of each of two balls that lies in the other.
 double lensShare(double radius, double apart) {
@@ -177,19 +33,6 @@ double sphereDistance(double radius, double apart, double t) {
 }
 
 }  // namespace
-
-TEST_CASE("figures of label maps on one grid are those of brute force", "[solid][compare]") {
-  const Grid grid = gridAround(20, 1);
-  requireByForce(draw(grid, ball(Vec3(0.3, 0, 0), 6.2)), draw(grid, ball(Vec3(2, -1, 1), 5)));
-}
-
-TEST_CASE("figures of label maps on different grids and directions are those of brute force",
-          "[solid][compare]") {
-  const auto bodyA = [](const Vec3& p) { return std::max(p.norm() - 7, 3 - (p - Vec3(1, 0, 0)).norm()); };
-  const Mask a = draw(obliqueGrid(), bodyA), b = draw(gridAround(26, 0.9), ball(Vec3(2, 1, -1), 6));
-  requireByForce(a, b);
-  requireByForce(b, a);
-}
 
 TEST_CASE("a label map drawn on two grids is nearly the same object", "[solid][compare]") {
   const auto body = ball(Vec3(0.2, 0.1, -0.3), 6);
