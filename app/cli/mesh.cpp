@@ -133,7 +133,7 @@ double positive(const std::string& option, const std::string& text, bool orZero)
 void addShape(CLI::App& command, MeshOptions& o) {
   o.how.threads = threadCount(0);
   const auto add = [&](const char* name, const char* type, const char* help,
-                       std::function<void(const std::string&)> set) {
+                       const std::function<void(const std::string&)>& set) {
     command.add_option_function<std::string>(name, set, help)->type_name(type);
   };
   addLabelOption(command, "--label", o.label, "Value of the object (default: all but 0)");

@@ -192,7 +192,8 @@ class Correction {
   Offer makeshift() const {
     const auto isInside = [this](std::size_t) { return click_.isInside; };
     Region ball = tidied(work_, within(policy_.makeshiftReach * depth_, isInside), corrected_.done, policy_);
-    return {isTrue(ball, click_) ? std::move(ball) : from(), 0, true};
+    if (!isTrue(ball, click_)) return {from(), 0, true};
+    return {std::move(ball), 0, true};
   }
 
   Relabelling relabelling() const {

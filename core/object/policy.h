@@ -1,7 +1,7 @@
 #pragma once
 // Every threshold of the search for the object that a click means, with what it rests on. Lengths in cells
 // are mean spacings of the grid that is searched. Chosen on real volumes; docs/object.md tells how sensitive
-// those of score and choice are, the others were not measured yet.
+// those of score and choice are and most of the corrections', the others were not measured yet.
 
 #include <array>
 #include <cstddef>
