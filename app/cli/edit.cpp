@@ -154,7 +154,7 @@ void checkOptions(const EditOptions& o) {
   for (const std::string& path : o.results) {
     files.push_back({"-o", path});
     checkSurfaceExtension(files.back());
-    if (isTetrahedraPath(path)) checkResult(path, {});
+    checkResult(path, {});
   }
   if (!o.report.empty()) files.push_back({"--report", o.report});
   checkWritable(files, {o.path});

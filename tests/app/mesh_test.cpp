@@ -35,6 +35,17 @@ std::string someLabels() {
   });
 }
 
+//! Balls as a DICOM Segmentation of a patient.
+void writeBalls(const std::vector<handlebody::ExportedObject>& balls, const std::string& path) {
+  using namespace handlebody;
+  Grid grid;
+  grid.size = {24, 24, 24};
+  DicomOrigin origin;
+  origin.values = {{0x10, 0x10, "Doe^Jane"}, {0x08, 0x20, "20221208"}};
+  origin.straight = false;
+  writeDicomSegmentation(labelMap(balls, grid), balls, origin, {}, path);
+}
+
 }  // namespace
 
 TEST_CASE("a label's mesh is certified, with its topology and volume", "[cli][mesh]") {
@@ -77,15 +88,9 @@ TEST_CASE("the mesh of a segment is called as there, and that of a DICOM Segment
           "[cli][mesh]") {
   using namespace handlebody;
   const TempFolder folder;
-  Grid grid;
-  grid.size = {24, 24, 24};
-  const std::vector<ExportedObject> objects{
-      {{"Left kidney", {17, 200, 33}, 1, "kidney"}, icosphere(Vec3(7, 12, 12), 4, 1)},
-      {{"Some cyst", {250, 5, 128}, 2, "cyst"}, icosphere(Vec3(17, 12, 12), 4, 1)}};
-  DicomOrigin origin;
-  origin.values = {{0x10, 0x10, "Doe^Jane"}};
-  origin.straight = false;
-  writeDicomSegmentation(labelMap(objects, grid), objects, origin, {}, folder / "all.seg.dcm");
+  writeBalls({{{"Left kidney", {17, 200, 33}, 1, "kidney"}, icosphere(Vec3(7, 12, 12), 4, 1)},
+              {{"Some cyst", {250, 5, 128}, 2, "cyst"}, icosphere(Vec3(17, 12, 12), 4, 1)}},
+             folder / "all.seg.dcm");
   const Outcome run = runCli({"mesh", folder / "all.seg.dcm", "--label", "2", "-o", folder / "m.seg.nrrd",
                               "-o", folder / "m.stl.dcm", "-o", folder / "m.seg.dcm"});
   INFO(run.err);
@@ -103,14 +108,8 @@ TEST_CASE("with --anonymous the mesh of a DICOM Segmentation names neither patie
           "[cli][mesh]") {
   using namespace handlebody;
   const TempFolder folder;
-  Grid grid;
-  grid.size = {24, 24, 24};
-  const std::vector<ExportedObject> objects{
-      {{"Doe's kidney", {17, 200, 33}, 1, "kidney"}, icosphere(Vec3(12, 12, 12), 4, 1)}};
-  DicomOrigin origin;
-  origin.values = {{0x10, 0x10, "Doe^Jane"}, {0x08, 0x20, "20221208"}};
-  origin.straight = false;
-  writeDicomSegmentation(labelMap(objects, grid), objects, origin, {}, folder / "doe.seg.dcm");
+  writeBalls({{{"Doe's kidney", {17, 200, 33}, 1, "kidney"}, icosphere(Vec3(12, 12, 12), 4, 1)}},
+             folder / "doe.seg.dcm");
   const auto written = [&](std::vector<std::string> more) {
     more.insert(more.begin(), {"mesh", folder / "doe.seg.dcm"});
     std::string all;

@@ -208,12 +208,13 @@ TEST_CASE("a triangle that is thin from the start may become better, but no wors
 
 TEST_CASE("of a noisy label map hardly a triangle is thin", "[solid][label-mesh]") {
   double thin = 0, all = 0;
-  for (unsigned seed = 0; seed < 6; ++seed) {
-    const TriangleSoup mesh = meshOf(blobs(seed), {}).mesh;
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    const TriangleSoup mesh = meshOf(randomMask({10, 10, 10}, 0.3, seed), {}).mesh;
     for (const Triangle& t : mesh.triangles)
       thin += leastAngle(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]) < 15;
     all += static_cast<double>(mesh.triangles.size());
   }
+  CAPTURE(thin, all);
   CHECK(thin <= 0.002 * all);
 }
 
