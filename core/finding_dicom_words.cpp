@@ -135,8 +135,6 @@ constexpr FindingWords kWords[] = {
     {K::frameDistance, "frame-distance",
      QT_TRANSLATE_NOOP("Findings", "the distance of its frames is implausible")},
     {K::framesUneven, "frames-uneven", QT_TRANSLATE_NOOP("Findings", "its frames are not evenly spaced")},
-    {K::segmentsOverlap, "segments-overlap",
-     QT_TRANSLATE_NOOP("Findings", "its segments overlap, so that they are no label map")},
 
     {K::decoderMissing, "decoder-missing",
      QT_TRANSLATE_NOOP("Findings", "it cannot be read because the decoder {program} is not there")},

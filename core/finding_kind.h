@@ -41,6 +41,7 @@ enum class FindingKind {
   volumeVaries,        //!< percent
   polishLeaves,        //!< thin_faces, sharp_edges, place; text (polish.h)
   givenWithThin,       //!< thin_faces, sharp_edges
+  givenShares,         //!< voxels
   madeWithEarlier,     //!< object
   seedNotEnclosed,     //!< place, distance_mm
   clickEnclosed,       //!< the same
@@ -262,6 +263,9 @@ enum class FindingKind {
   slicePages,        //!< pages
   sliceDiffers,      //!< first
   notWholeNumbers,
+  noLabelCalled,      //!< name, names
+  noLabelNamed,       //!< name
+  labelsCalledAlike,  //!< name
 
   // … a DICOM series: slice and part are names of files …
   dicomDamaged,
@@ -320,7 +324,6 @@ enum class FindingKind {
   sliceDistanceUnknown,
   frameDistance,
   framesUneven,
-  segmentsOverlap,
 
   // … and the process that decodes it …
   decoderMissing,     //!< program
@@ -361,6 +364,8 @@ enum class FindingKind {
   enclosesNoVolume,
   hasNoLabel,  //!< label
   hasNoVoxel,
+  hasNoneAlone,  //!< label
+  keepsTunnels,  //!< tunnels, most
   meshWithoutLabels,
   lostLabel,  //!< label
   labelsTooFine,

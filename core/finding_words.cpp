@@ -133,6 +133,10 @@ constexpr FindingWords kWords[] = {
                        "the mesh is written as it was given: triangles with an angle under 15 degrees: "
                        "{thin_faces:0f}, edges whose faces meet at less than 20 degrees: {sharp_edges:0f} "
                        "(handlebody-cli edit --polish all betters them)")},
+    {K::givenShares, "given-shares",
+     QT_TRANSLATE_NOOP("Findings",
+                       "labels of the map that was given overlap: {voxels:0f} voxels of this one are left to "
+                       "smaller ones that hold them, too")},
     {K::madeWithEarlier, "made-with-earlier",
      QT_TRANSLATE_NOOP("Findings",
                        "The surface was made with an earlier one of the object '{object}', and a replay may "

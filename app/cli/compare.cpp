@@ -23,16 +23,16 @@ constexpr int kMaxThreads = 1024;
 
 struct CompareOptions {
   std::string a, b;
-  std::optional<int> label, labelA, labelB;
+  std::string label, labelA, labelB;
   std::string distances, report, csv;
   ComparisonOptions how;
   bool json = false, isAnonymous = false;
 };
 
 void checkOptions(const CompareOptions& o) {
-  if (o.labelA && isMeshInputPath(o.a)) throw OptionError("--label-a", o.a + " is a mesh.");
-  if (o.labelB && isMeshInputPath(o.b)) throw OptionError("--label-b", o.b + " is a mesh.");
-  if (o.label && isMeshInputPath(o.a) && isMeshInputPath(o.b))
+  if (!o.labelA.empty() && isMeshInputPath(o.a)) throw OptionError("--label-a", o.a + " is a mesh.");
+  if (!o.labelB.empty() && isMeshInputPath(o.b)) throw OptionError("--label-b", o.b + " is a mesh.");
+  if (!o.label.empty() && isMeshInputPath(o.a) && isMeshInputPath(o.b))
     throw OptionError("--label", "both objects are meshes.");
   std::vector<OutputFile> files;
   if (!o.distances.empty()) files.push_back({"-o", o.distances});
@@ -68,8 +68,10 @@ void compareSampled(ComparedPair& pair, const ComparisonOptions& how) try {
 int compare(const CompareOptions& o) {
   checkOptions(o);
   ComparedPair pair;
-  pair.a = readCompared(o.a, o.labelA ? o.labelA : o.label, pair.warnings);
-  pair.b = readCompared(o.b, o.labelB ? o.labelB : o.label, pair.warnings);
+  const std::string &ofA = o.labelA.empty() ? o.label : o.labelA,
+                    &ofB = o.labelB.empty() ? o.label : o.labelB;
+  pair.a = readCompared(o.a, labelOf(o.a, ofA), pair.warnings);
+  pair.b = readCompared(o.b, labelOf(o.b, ofB), pair.warnings);
   compareSampled(pair, o.how);
   if (o.isAnonymous) pair = anonymous(std::move(pair));
   write(pair, o);
@@ -110,7 +112,7 @@ void addCompare(CLI::App& app, Action& action) {
   command->add_option("A", options->a, help)->required();
   command->add_option("B", options->b, std::string(help) + "; the reference")->required();
   addLabelOption(*command, "--label", options->label,
-                 "Value of the object in label maps (default: all but 0)");
+                 "The object in label maps, by its number or as the file calls it (default: all but 0)");
   addLabelOption(*command, "--label-a", options->labelA, "The same for A alone");
   addLabelOption(*command, "--label-b", options->labelB, "The same for B alone");
   command

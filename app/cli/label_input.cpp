@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "core/io/meshes/mesh_io.h"
+#include "core/io/report/label_file.h"
 #include "core/io/report/parse.h"
 
 namespace handlebody::cli {
@@ -10,16 +12,15 @@ namespace {
 constexpr int kLargestValue = 1 << 24;  // whole numbers up to here are exact in every voxel type
 }
 
-void addLabelOption(CLI::App& command, const std::string& name, std::optional<int>& label,
-                    const std::string& help) {
-  command
-      .add_option_function<std::string>(
-          name,
-          [&label, name](const std::string& t) {
-            label = parseInteger(name, t, -kLargestValue, kLargestValue);
-          },
-          help)
-      ->type_name("N");
+void addLabelOption(CLI::App& command, const std::string& name, std::string& label, const std::string& help) {
+  const auto set = [&label, name](const std::string& text) {
+    label = parseLabel(name, text, -kLargestValue, kLargestValue);
+  };
+  command.add_option_function<std::string>(name, set, help)->type_name("N|NAME");
+}
+
+std::optional<int> labelOf(const std::string& path, const std::string& label) {
+  return label.empty() || isMeshInputPath(path) ? std::nullopt : std::optional(labelCalled(path, label));
 }
 
 }  // namespace handlebody::cli

@@ -10,8 +10,10 @@ class App;
 
 namespace handlebody::cli {
 
-//! Adds an option that takes a label's value.
-void addLabelOption(CLI::App& command, const std::string& name, std::optional<int>& label,
-                    const std::string& help);
+//! Adds an option that takes a label's number or name.
+void addLabelOption(CLI::App& command, const std::string& name, std::string& label, const std::string& help);
+
+//! Its number; none if none was given, and of a mesh. Throws InputError (labelCalled).
+std::optional<int> labelOf(const std::string& path, const std::string& label);
 
 }  // namespace handlebody::cli

@@ -11,13 +11,12 @@
 #include "app/cli/outputs.h"
 #include "core/cancellation.h"
 #include "core/errors.h"
-#include "core/io/report/compared.h"
 #include "core/io/report/json.h"
+#include "core/io/report/label_file.h"
 #include "core/io/report/option_error.h"
 #include "core/io/report/parse.h"
 #include "core/io/report/polished_export.h"
 #include "core/io/report/result.h"
-#include "core/io/report/start_surface.h"
 #include "core/solid/label_mesh.h"
 #include "core/solid/simplify.h"
 #include "core/threads.h"
@@ -29,8 +28,8 @@ namespace {
 constexpr int kMaxThreads = 1024;
 
 struct MeshOptions {
-  std::string labels;
-  std::optional<int> label, genus;
+  std::string labels, label;
+  std::optional<int> genus;
   std::optional<bool> polish;
   double mesherSeconds = kMesherSeconds;
   bool keepLargest = false, json = false;
@@ -45,12 +44,11 @@ std::string plural(int n, const std::string& what) {
   return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
 }
 
-Mask readMask(const MeshOptions& o, const Volume& volume) {
-  Mask mask = maskOf(volume, o.label);
+Mask maskIn(LabelFile& file, const MeshOptions& o, std::optional<int> label) {
+  Mask mask = file.mask(label);
   if (mask.inside.empty())
     throw InputError(o.labels + ": " +
-                     (o.label ? "no voxel has the value " + std::to_string(*o.label) : "all voxels are 0") +
-                     ".");
+                     (label ? "no voxel has the value " + std::to_string(*label) : "all voxels are 0") + ".");
   if (o.keepLargest) mask = largestPart(mask);
   if (!o.genus) return mask;
   const auto simpler = withFewerTunnels(mask, *o.genus);
@@ -102,22 +100,23 @@ int mesh(const MeshOptions& o) {
       throw UsageError("-o " + path + ": an output ends in " + std::string(resultEndings()) + ".");
   }
   checkWritable(files, {o.labels});
-  std::vector<Finding> warnings;
-  const LoadedVolume loaded = readLabels(o.labels, warnings);
-  const ExportContext context{loaded.volume.grid,
-                              o.space == "RAS" ? CoordinateSpace::ras : CoordinateSpace::lps,
-                              loaded.info.dicom, o.content, o.mesherSeconds};
+  const std::optional<int> label = labelOf(o.labels, o.label);
+  LabelFile file(o.labels);
+  const VolumeInfo& info = file.info();
+  const ExportContext context{info.grid, o.space == "RAS" ? CoordinateSpace::ras : CoordinateSpace::lps,
+                              info.dicom, o.content, o.mesherSeconds};
   for (const std::string& path : o.results) checkResult(path, context);
-  CertifiedMesh made = certifiedForExport(meshOf(readMask(o, loaded.volume), o).mesh);
-  const std::optional<PolishReport> polished = polish(made, loaded.volume.grid, o);
+  CertifiedMesh made = certifiedForExport(meshOf(maskIn(file, o, label), o).mesh);
+  const std::optional<PolishReport> polished = polish(made, info.grid, o);
   {
     const DeferSignals whole;
     const CancelScope scope(DeferSignals::stopToken());
-    const ObjectLabel said = asInItsFile(o.labels, o.label, o.content.anonymous, {});
+    const ObjectLabel said = asInItsFile(o.labels, label, o.content.anonymous, {});
     writeResults({{chosenLabel(o.object, said), made.mesh}}, context, o.results);
   }
-  for (const std::string& w : sentences(warnings))
-    std::fprintf(stderr, "handlebody-cli: warning: %s\n", w.c_str());
+  for (const Finding& w : info.warnings)
+    std::fprintf(stderr, "handlebody-cli: warning: %s\n",
+                 sentence({FindingKind::ofFile, {{"file", o.labels}}, w}).c_str());
   print(made.certificate, polished, o);
   return kDone;
 }
@@ -136,7 +135,8 @@ void addShape(CLI::App& command, MeshOptions& o) {
                        const std::function<void(const std::string&)>& set) {
     command.add_option_function<std::string>(name, set, help)->type_name(type);
   };
-  addLabelOption(command, "--label", o.label, "Value of the object (default: all but 0)");
+  addLabelOption(command, "--label", o.label,
+                 "The object, by its number or as the file calls it (default: all but 0)");
   command.add_flag("--keep-largest", o.keepLargest, "Only the largest 6-connected part");
   add("--genus", "G", "Close or cut tunnels until no more than G are left", [&o](const std::string& t) {
     o.genus = parseInteger("--genus", t, 0, std::numeric_limits<int>::max());

@@ -2,9 +2,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "core/io/report/label_file.h"
 #include "core/io/report/option_error.h"
 #include "core/io/report/parse.h"
-#include "core/io/report/start_surface.h"
 
 namespace handlebody::cli {
 

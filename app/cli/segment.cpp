@@ -34,7 +34,8 @@ Clicks clicksOf(const SegmentOptions& o) {
   const auto& start = o.session.constraints.start;
   if (start && start->path.empty())
     throw UsageError(
-        "--start-label says which voxels of a label map are meant: give that with --start or --given.");
+        "--start-label says which voxels of a label map are meant, --start-smooth, --start-keep-largest and "
+        "--start-genus how they become a surface: give that map with --start or --given.");
   if (o.clicks.hasNoSeed() && !start) throw UsageError("segment needs a --seed or --seed-ijk.");
   return parseClicks(o.clicks);
 }
@@ -86,8 +87,10 @@ int segment(SegmentOptions o) {
   session.space = o.space.value_or(CoordinateSpace::lps);
   session.polish = o.outputs.polish.value_or(true);
   const Clicks clicks = clicksOf(o);
-  if (const auto& start = session.constraints.start)
+  if (auto& start = session.constraints.start) {
+    findByName(*start);
     session.label = asInItsFile(start->path, start->label, o.outputs.content.anonymous, session.label);
+  }
   assignResults(o.outputs, {chosenLabel(o.outputs.object, session.label)});
   session.overTime = requestOf(o.overTime);
   if (session.overTime && o.outputs.onHeld != OnHeld::hold)
@@ -160,15 +163,17 @@ SegmentOptions parseOwn(const std::vector<std::string>& arguments, const Segment
 }
 
 //! Label values that are not given are the smallest that are free.
-std::vector<ObjectLabel> labelsOf(const std::vector<SegmentOptions>& objects) {
+std::vector<ObjectLabel> labelsOf(std::vector<SegmentOptions>& objects) {
   std::vector<ObjectLabel> labels;
   std::vector<int> taken;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     ObjectLabel label;
     label.colour = distinctColours()[i % distinctColours().size()];
     label.value = 0;
-    if (const auto& start = objects[i].session.constraints.start)
+    if (auto& start = objects[i].session.constraints.start) {
+      findByName(*start);
       label = asInItsFile(start->path, start->label, false, label);  // each has a name that was given
+    }
     labels.push_back(chosenLabel(objects[i].outputs.object, label));
     taken.push_back(labels.back().value);
   }
@@ -198,7 +203,7 @@ SeveralObjects parseSeveral(const std::vector<std::string>& arguments) {
   const SegmentOptions common = parseOwn(groups.common, {});
   if (!common.clicks.seeds.empty() || !common.clicks.voxelSeeds.empty())
     throw UsageError("A seed before the first --object-name belongs to no object.");
-  if (common.session.constraints.start && common.session.constraints.start->label)
+  if (common.session.constraints.start && !common.session.constraints.start->called.empty())
     throw UsageError("--start-label before the first --object-name belongs to no object.");
   std::vector<SegmentOptions> objects;
   for (const auto& group : groups.objects) objects.push_back(parseOwn(group, common));

@@ -120,7 +120,8 @@ bool StartSurface::operator==(const StartSurface& other) const {
   if (mesh && other.mesh)
     return mesh == other.mesh ||
            (mesh->points == other.mesh->points && mesh->triangles == other.mesh->triangles);
-  return path == other.path && sha256 == other.sha256 && label == other.label && among == other.among;
+  return path == other.path && sha256 == other.sha256 && label == other.label && among == other.among &&
+         shape == other.shape;
 }
 
 bool WallMap::operator==(const WallMap& other) const {

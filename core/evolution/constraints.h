@@ -87,18 +87,29 @@ struct Pin {
   bool operator==(const Pin&) const = default;
 };
 
+//! How the voxels of a label become a surface.
+struct LabelShape {
+  std::optional<double> smoothing{};  //!< mm, standard deviation, 0: none; not given: a voxel along each axis
+  std::optional<int> genus{};         //!< no more tunnels than these, by the fewest voxels
+  bool keepsLargest = false;          //!< only its largest 6-connected part
+  auto operator<=>(const LabelShape&) const = default;
+};
+
 //! A surface from a file: what the growth begins with in place of spheres, or the object itself.
 struct StartSurface {
   std::string path{};          //!< of a mesh or a label map
   std::string sha256{};        //!< of that file; empty: not known
-  std::optional<int> label{};  //!< of the voxels that are meant; none: all that are not 0
+  std::optional<int> label{};  //!< number of the label that is meant (LabelFile); none: all that are not 0
+  std::string called{};        //!< its name in the file instead, until it is read
   //! Labels of the same map that become surfaces together, so that no two of them meet; empty: this one
   //! alone.
   std::vector<int> among{};
+  LabelShape shape{};
   bool isDone = false;  //!< it is the object as it is: nothing grows
   //! mm LPS, in single precision, passes the certificate; null: not read yet (loadStarts).
   std::shared_ptr<const TriangleSoup> mesh{};
-  Vec3 inside{0, 0, 0};  //!< mm LPS, a place deep inside: the click where there is none
+  Vec3 inside{0, 0, 0};    //!< mm LPS, a place deep inside: the click where there is none
+  std::size_t shared = 0;  //!< voxels of the label that were left to smaller ones, which hold them, too
   //! The same surface, or what is to be read from the same file.
   bool operator==(const StartSurface& other) const;
 };

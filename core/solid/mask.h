@@ -32,6 +32,11 @@ struct Mask {
 //! The voxels whose value is `label`; without one, all that are not 0.
 Mask maskOf(const Volume& labels, std::optional<double> label);
 
+//! Where several masks hold a voxel, only the one with the fewest voxels keeps it, of equal ones the last.
+//! How many each has lost. Preconditions: their voxels are those of one grid, each has one inside, and there
+//! are no more than 65,535.
+std::vector<std::size_t> leaveToSmaller(std::vector<Mask>& masks);
+
 //! False if a voxel has a value that is no whole number: an image, not a label map.
 bool holdsWholeNumbers(const Volume& volume);
 

@@ -1112,10 +1112,6 @@
         <translation>die Einzelbilder haben ungleiche Abstände</translation>
     </message>
     <message>
-        <source>its segments overlap, so that they are no label map</source>
-        <translation>die Segmente überlappen sich, also sind sie keine Labelkarte</translation>
-    </message>
-    <message>
         <source>it cannot be read because the decoder {program} is not there</source>
         <translation>die Datei kann nicht gelesen werden, weil der Decoder {program} nicht da ist</translation>
     </message>
@@ -1766,6 +1762,30 @@
     <message>
         <source>The segmentation has {layers:0f} layers, since segments overlap: only the segments of the first layer are read.</source>
         <translation>Die Segmentierung hat {layers:0f} Ebenen, da sich Segmente überlappen: Nur die Segmente der ersten Ebene werden gelesen.</translation>
+    </message>
+    <message>
+        <source>labels of the map that was given overlap: {voxels:0f} voxels of this one are left to smaller ones that hold them, too</source>
+        <translation>Labels der angegebenen Karte überlappen sich: {voxels:0f} Voxel von diesem sind kleineren überlassen, die sie auch enthalten</translation>
+    </message>
+    <message>
+        <source>it has no label called &apos;{name}&apos;; it has: {names}</source>
+        <translation>darin heißt kein Label „{name}“; es gibt: {names}</translation>
+    </message>
+    <message>
+        <source>it has no label called &apos;{name}&apos;: it names none</source>
+        <translation>darin heißt kein Label „{name}“: sie nennt keine Namen</translation>
+    </message>
+    <message>
+        <source>it has several labels called &apos;{name}&apos;: their number tells them apart</source>
+        <translation>darin heißen mehrere Labels „{name}“: ihre Nummer unterscheidet sie</translation>
+    </message>
+    <message>
+        <source>has no voxel of the label {label:0f} that no smaller label holds, too</source>
+        <translation>hat keinen Voxel des Labels {label:0f}, den nicht auch ein kleineres Label enthält</translation>
+    </message>
+    <message>
+        <source>has {tunnels:0f} tunnels, and no closing or opening leaves {most:0f} or fewer</source>
+        <translation>hat {tunnels:0f} Tunnel, und kein Schließen oder Öffnen lässt höchstens {most:0f} übrig</translation>
     </message>
 </context>
 <context>
@@ -4514,26 +4534,6 @@ Mittel ± SA</translation>
         <translation>Objekte öffnen</translation>
     </message>
     <message>
-        <source>What are the surfaces of “%1”?</source>
-        <translation>Was sind die Oberflächen von „%1“?</translation>
-    </message>
-    <message>
-        <source>Objects that are done stay as they are: locked, written with the others, and walls for objects that grow after them.
-
-Others are where objects begin: they grow from there onto the image, or give ground.</source>
-        <translation>Fertige Objekte bleiben, wie sie sind: gesperrt, mit den anderen geschrieben und Wände für Objekte, die danach wachsen.
-
-Mit den anderen beginnen Objekte: Sie wachsen von dort auf das Bild oder geben nach.</translation>
-    </message>
-    <message>
-        <source>&amp;Done</source>
-        <translation>&amp;Fertig</translation>
-    </message>
-    <message>
-        <source>To &amp;grow from</source>
-        <translation>Zum &amp;Wachsen</translation>
-    </message>
-    <message>
         <source>Making surfaces of %1…</source>
         <translation>Oberflächen von %1 entstehen…</translation>
     </message>
@@ -4568,6 +4568,10 @@ Mit den anderen beginnen Objekte: Sie wachsen von dort auf das Bild oder geben n
     <message>
         <source>Export an anonymous session</source>
         <translation>Anonyme Sitzung exportieren</translation>
+    </message>
+    <message>
+        <source>Segments overlap: what several of them hold is left to the smallest (voxels: %1). Step 4, Grow, tells it of each.</source>
+        <translation>Segmente überlappen sich: Was mehrere von ihnen enthalten, bleibt dem kleinsten (Voxel: %1). Schritt 4, Wachsen, sagt es von jedem.</translation>
     </message>
 </context>
 <context>
@@ -4923,6 +4927,45 @@ Mit den anderen beginnen Objekte: Sie wachsen von dort auf das Bild oder geben n
     <message>
         <source>No range yet</source>
         <translation>Noch kein Bereich</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::LabelChoice</name>
+    <message>
+        <source>Label %1</source>
+        <translation>Label %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>&amp;Labels to open</source>
+        <translation>&amp;Labels, die geöffnet werden</translation>
+    </message>
+    <message>
+        <source>Labels to open</source>
+        <translation>Labels, die geöffnet werden</translation>
+    </message>
+    <message>
+        <source>Each that is checked becomes an object, called and coloured as the file says</source>
+        <translation>Jedes angekreuzte wird ein Objekt, mit Namen und Farbe aus der Datei</translation>
+    </message>
+    <message>
+        <source>&amp;All</source>
+        <translation>&amp;Alle</translation>
+    </message>
+    <message>
+        <source>Checks all labels</source>
+        <translation>Kreuzt alle Labels an</translation>
+    </message>
+    <message>
+        <source>&amp;None</source>
+        <translation>&amp;Keines</translation>
+    </message>
+    <message>
+        <source>Checks no label</source>
+        <translation>Kreuzt kein Label an</translation>
     </message>
 </context>
 <context>
@@ -5578,6 +5621,117 @@ Mit den anderen beginnen Objekte: Sie wachsen von dort auf das Bild oder geben n
     <message>
         <source>Made with an earlier “%1”. Start grows it anew.</source>
         <translation>Mit einem früheren „%1“ gemacht. Start lässt es neu wachsen.</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::OpenObjectsDialog</name>
+    <message>
+        <source>Open objects</source>
+        <translation>Objekte öffnen</translation>
+    </message>
+    <message>
+        <source>What are the surfaces of “%1”?</source>
+        <translation>Was sind die Oberflächen von „%1“?</translation>
+    </message>
+    <message>
+        <source>Objects that are done stay as they are: locked, written with the others, and walls for objects that grow after them.
+
+Others are where objects begin: they grow from there onto the image, or give ground.</source>
+        <translation>Fertige Objekte bleiben, wie sie sind: gesperrt, mit den anderen geschrieben und Wände für Objekte, die danach wachsen.
+
+Mit den anderen beginnen Objekte: Sie wachsen von dort auf das Bild oder geben nach.</translation>
+    </message>
+    <message>
+        <source>Reading the labels…</source>
+        <translation>Die Labels werden gelesen…</translation>
+    </message>
+    <message>
+        <source>Segments that overlap</source>
+        <translation>Segmente, die sich überlappen</translation>
+    </message>
+    <message>
+        <source>Segments may overlap here: voxels that several of those that are opened hold are left to the smallest of them.</source>
+        <translation>Segmente können sich hier überlappen: Voxel, die mehrere der geöffneten enthalten, bleiben dem kleinsten davon.</translation>
+    </message>
+    <message>
+        <source>How the surfaces are made</source>
+        <translation>Wie die Oberflächen entstehen</translation>
+    </message>
+    <message>
+        <source>Only the largest &amp;part</source>
+        <translation>Nur der größte Te&amp;il</translation>
+    </message>
+    <message>
+        <source>Only the largest part</source>
+        <translation>Nur der größte Teil</translation>
+    </message>
+    <message>
+        <source>Of each label only the part with the most voxels: those that share a side</source>
+        <translation>Von jedem Label nur der Teil mit den meisten Voxeln: solchen, die eine Seite gemeinsam haben</translation>
+    </message>
+    <message>
+        <source>&amp;Smoothing</source>
+        <translation>&amp;Glättung</translation>
+    </message>
+    <message>
+        <source>A voxel along each axis</source>
+        <translation>Ein Voxel entlang jeder Achse</translation>
+    </message>
+    <message>
+        <source>A length</source>
+        <translation>Eine Länge</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>How far the steps between the voxels are smoothed, as a standard deviation. None: the surface goes midway between the voxels, steps and all.</source>
+        <translation>Wie weit die Stufen zwischen den Voxeln geglättet werden, als Standardabweichung. Keine: Die Oberfläche verläuft mitten zwischen den Voxeln, mit allen Stufen.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Length of the smoothing</source>
+        <translation>Länge der Glättung</translation>
+    </message>
+    <message>
+        <source>Standard deviation; 0: none, steps and all</source>
+        <translation>Standardabweichung; 0: keine, mit allen Stufen</translation>
+    </message>
+    <message>
+        <source>No more &amp;tunnels than</source>
+        <translation>Nicht mehr &amp;Tunnel als</translation>
+    </message>
+    <message>
+        <source>No more tunnels than</source>
+        <translation>Nicht mehr Tunnel als</translation>
+    </message>
+    <message>
+        <source>In each surface, all of its parts together: tunnels are filled, or what goes around them is cut, whichever changes the fewest voxels</source>
+        <translation>In jeder Oberfläche, alle ihre Teile zusammen: Tunnel werden gefüllt, oder was um sie herumführt, wird durchtrennt, je nachdem, was die wenigsten Voxel ändert</translation>
+    </message>
+    <message>
+        <source>Tunnels at most</source>
+        <translation>Tunnel höchstens</translation>
+    </message>
+    <message>
+        <source>Tunnels, as in a ring</source>
+        <translation>Tunnel, wie in einem Ring</translation>
+    </message>
+    <message>
+        <source>&amp;Done</source>
+        <translation>&amp;Fertig</translation>
+    </message>
+    <message>
+        <source>To &amp;grow from</source>
+        <translation>Zum &amp;Wachsen</translation>
     </message>
 </context>
 <context>

@@ -1112,10 +1112,6 @@
         <translation>sus fotogramas no están espaciados de manera uniforme</translation>
     </message>
     <message>
-        <source>its segments overlap, so that they are no label map</source>
-        <translation>sus segmentos se solapan, por lo que no forman un mapa de etiquetas</translation>
-    </message>
-    <message>
         <source>it cannot be read because the decoder {program} is not there</source>
         <translation>no se puede leer porque falta el decodificador {program}</translation>
     </message>
@@ -1766,6 +1762,30 @@
     <message>
         <source>The segmentation has {layers:0f} layers, since segments overlap: only the segments of the first layer are read.</source>
         <translation>La segmentación tiene {layers:0f} capas, porque hay segmentos que se solapan: solo se leen los segmentos de la primera capa.</translation>
+    </message>
+    <message>
+        <source>labels of the map that was given overlap: {voxels:0f} voxels of this one are left to smaller ones that hold them, too</source>
+        <translation>las etiquetas del mapa dado se solapan: {voxels:0f} vóxeles de esta quedan para otras más pequeñas que también los contienen</translation>
+    </message>
+    <message>
+        <source>it has no label called &apos;{name}&apos;; it has: {names}</source>
+        <translation>no tiene ninguna etiqueta llamada «{name}»; tiene: {names}</translation>
+    </message>
+    <message>
+        <source>it has no label called &apos;{name}&apos;: it names none</source>
+        <translation>no tiene ninguna etiqueta llamada «{name}»: no nombra ninguna</translation>
+    </message>
+    <message>
+        <source>it has several labels called &apos;{name}&apos;: their number tells them apart</source>
+        <translation>tiene varias etiquetas llamadas «{name}»: su número las distingue</translation>
+    </message>
+    <message>
+        <source>has no voxel of the label {label:0f} that no smaller label holds, too</source>
+        <translation>no tiene ningún vóxel de la etiqueta {label:0f} que no contenga también otra más pequeña</translation>
+    </message>
+    <message>
+        <source>has {tunnels:0f} tunnels, and no closing or opening leaves {most:0f} or fewer</source>
+        <translation>tiene {tunnels:0f} túneles, y ningún cierre ni apertura deja {most:0f} o menos</translation>
     </message>
 </context>
 <context>
@@ -4514,26 +4534,6 @@ cercano (mm)</translation>
         <translation>Abrir objetos</translation>
     </message>
     <message>
-        <source>What are the surfaces of “%1”?</source>
-        <translation>¿Qué son las superficies de «%1»?</translation>
-    </message>
-    <message>
-        <source>Objects that are done stay as they are: locked, written with the others, and walls for objects that grow after them.
-
-Others are where objects begin: they grow from there onto the image, or give ground.</source>
-        <translation>Los objetos terminados quedan como están: bloqueados, escritos con los demás, y barreras para los objetos que crecen después.
-
-Los otros son donde empiezan los objetos: crecen desde allí hacia la imagen, o ceden terreno.</translation>
-    </message>
-    <message>
-        <source>&amp;Done</source>
-        <translation>&amp;Terminados</translation>
-    </message>
-    <message>
-        <source>To &amp;grow from</source>
-        <translation>Para &amp;crecer</translation>
-    </message>
-    <message>
         <source>Making surfaces of %1…</source>
         <translation>Creando las superficies de %1…</translation>
     </message>
@@ -4568,6 +4568,10 @@ Los otros son donde empiezan los objetos: crecen desde allí hacia la imagen, o 
     <message>
         <source>Export an anonymous session</source>
         <translation>Exportar una sesión anónima</translation>
+    </message>
+    <message>
+        <source>Segments overlap: what several of them hold is left to the smallest (voxels: %1). Step 4, Grow, tells it of each.</source>
+        <translation>Hay segmentos que se solapan: lo que contienen varios de ellos se deja al menor (vóxeles: %1). El paso 4, Crecer, lo dice de cada uno.</translation>
     </message>
 </context>
 <context>
@@ -4923,6 +4927,45 @@ Los otros son donde empiezan los objetos: crecen desde allí hacia la imagen, o 
     <message>
         <source>No range yet</source>
         <translation>Aún sin intervalo</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::LabelChoice</name>
+    <message>
+        <source>Label %1</source>
+        <translation>Etiqueta %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>&amp;Labels to open</source>
+        <translation>&amp;Etiquetas que se abren</translation>
+    </message>
+    <message>
+        <source>Labels to open</source>
+        <translation>Etiquetas que se abren</translation>
+    </message>
+    <message>
+        <source>Each that is checked becomes an object, called and coloured as the file says</source>
+        <translation>Cada una de las marcadas pasa a ser un objeto, con el nombre y el color que da el archivo</translation>
+    </message>
+    <message>
+        <source>&amp;All</source>
+        <translation>To&amp;das</translation>
+    </message>
+    <message>
+        <source>Checks all labels</source>
+        <translation>Marca todas las etiquetas</translation>
+    </message>
+    <message>
+        <source>&amp;None</source>
+        <translation>&amp;Ninguna</translation>
+    </message>
+    <message>
+        <source>Checks no label</source>
+        <translation>No marca ninguna etiqueta</translation>
     </message>
 </context>
 <context>
@@ -5578,6 +5621,117 @@ Los otros son donde empiezan los objetos: crecen desde allí hacia la imagen, o 
     <message>
         <source>Made with an earlier “%1”. Start grows it anew.</source>
         <translation>Hecho con un «%1» anterior. Iniciar lo hace crecer de nuevo.</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::OpenObjectsDialog</name>
+    <message>
+        <source>Open objects</source>
+        <translation>Abrir objetos</translation>
+    </message>
+    <message>
+        <source>What are the surfaces of “%1”?</source>
+        <translation>¿Qué son las superficies de «%1»?</translation>
+    </message>
+    <message>
+        <source>Objects that are done stay as they are: locked, written with the others, and walls for objects that grow after them.
+
+Others are where objects begin: they grow from there onto the image, or give ground.</source>
+        <translation>Los objetos terminados quedan como están: bloqueados, escritos con los demás, y barreras para los objetos que crecen después.
+
+Los otros son donde empiezan los objetos: crecen desde allí hacia la imagen, o ceden terreno.</translation>
+    </message>
+    <message>
+        <source>Reading the labels…</source>
+        <translation>Leyendo las etiquetas…</translation>
+    </message>
+    <message>
+        <source>Segments that overlap</source>
+        <translation>Segmentos que se solapan</translation>
+    </message>
+    <message>
+        <source>Segments may overlap here: voxels that several of those that are opened hold are left to the smallest of them.</source>
+        <translation>Aquí pueden solaparse segmentos: los vóxeles que contienen varios de los que se abren se dejan al menor de ellos.</translation>
+    </message>
+    <message>
+        <source>How the surfaces are made</source>
+        <translation>Cómo se hacen las superficies</translation>
+    </message>
+    <message>
+        <source>Only the largest &amp;part</source>
+        <translation>Solo la &amp;parte mayor</translation>
+    </message>
+    <message>
+        <source>Only the largest part</source>
+        <translation>Solo la parte mayor</translation>
+    </message>
+    <message>
+        <source>Of each label only the part with the most voxels: those that share a side</source>
+        <translation>De cada etiqueta solo la parte con más vóxeles: los que comparten una cara</translation>
+    </message>
+    <message>
+        <source>&amp;Smoothing</source>
+        <translation>&amp;Suavizado</translation>
+    </message>
+    <message>
+        <source>A voxel along each axis</source>
+        <translation>Un vóxel a lo largo de cada eje</translation>
+    </message>
+    <message>
+        <source>A length</source>
+        <translation>Una longitud</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguno</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Suavizado</translation>
+    </message>
+    <message>
+        <source>How far the steps between the voxels are smoothed, as a standard deviation. None: the surface goes midway between the voxels, steps and all.</source>
+        <translation>Hasta dónde se suavizan los escalones entre los vóxeles, como desviación estándar. Ninguno: la superficie pasa a medio camino entre los vóxeles, con todos los escalones.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Length of the smoothing</source>
+        <translation>Longitud del suavizado</translation>
+    </message>
+    <message>
+        <source>Standard deviation; 0: none, steps and all</source>
+        <translation>Desviación estándar; 0: ninguno, con todos los escalones</translation>
+    </message>
+    <message>
+        <source>No more &amp;tunnels than</source>
+        <translation>No más túne&amp;les que</translation>
+    </message>
+    <message>
+        <source>No more tunnels than</source>
+        <translation>No más túneles que</translation>
+    </message>
+    <message>
+        <source>In each surface, all of its parts together: tunnels are filled, or what goes around them is cut, whichever changes the fewest voxels</source>
+        <translation>En cada superficie, todas sus partes juntas: los túneles se rellenan, o se corta lo que los rodea, según lo que cambie menos vóxeles</translation>
+    </message>
+    <message>
+        <source>Tunnels at most</source>
+        <translation>Túneles como máximo</translation>
+    </message>
+    <message>
+        <source>Tunnels, as in a ring</source>
+        <translation>Túneles, como en un anillo</translation>
+    </message>
+    <message>
+        <source>&amp;Done</source>
+        <translation>&amp;Terminados</translation>
+    </message>
+    <message>
+        <source>To &amp;grow from</source>
+        <translation>Para &amp;crecer</translation>
     </message>
 </context>
 <context>

@@ -1112,10 +1112,6 @@
         <translation>ses images ne sont pas régulièrement espacées</translation>
     </message>
     <message>
-        <source>its segments overlap, so that they are no label map</source>
-        <translation>ses segments se chevauchent et ne forment donc pas une carte d’étiquettes</translation>
-    </message>
-    <message>
         <source>it cannot be read because the decoder {program} is not there</source>
         <translation>il ne peut pas être lu car le décodeur {program} est absent</translation>
     </message>
@@ -1766,6 +1762,30 @@
     <message>
         <source>The segmentation has {layers:0f} layers, since segments overlap: only the segments of the first layer are read.</source>
         <translation>La segmentation a {layers:0f} couches, car des segments se chevauchent : seuls les segments de la première couche sont lus.</translation>
+    </message>
+    <message>
+        <source>labels of the map that was given overlap: {voxels:0f} voxels of this one are left to smaller ones that hold them, too</source>
+        <translation>des étiquettes de la carte donnée se recouvrent : {voxels:0f} voxels de celle-ci sont laissés à de plus petites qui les contiennent aussi</translation>
+    </message>
+    <message>
+        <source>it has no label called &apos;{name}&apos;; it has: {names}</source>
+        <translation>il n&apos;a pas d&apos;étiquette nommée « {name} » ; il a : {names}</translation>
+    </message>
+    <message>
+        <source>it has no label called &apos;{name}&apos;: it names none</source>
+        <translation>il n&apos;a pas d&apos;étiquette nommée « {name} » : il n&apos;en nomme aucune</translation>
+    </message>
+    <message>
+        <source>it has several labels called &apos;{name}&apos;: their number tells them apart</source>
+        <translation>il a plusieurs étiquettes nommées « {name} » : leur numéro les distingue</translation>
+    </message>
+    <message>
+        <source>has no voxel of the label {label:0f} that no smaller label holds, too</source>
+        <translation>n&apos;a aucun voxel de l&apos;étiquette {label:0f} qu&apos;une plus petite ne contienne aussi</translation>
+    </message>
+    <message>
+        <source>has {tunnels:0f} tunnels, and no closing or opening leaves {most:0f} or fewer</source>
+        <translation>a {tunnels:0f} tunnels, et aucune fermeture ni ouverture n&apos;en laisse {most:0f} ou moins</translation>
     </message>
 </context>
 <context>
@@ -4514,26 +4534,6 @@ proche (mm)</translation>
         <translation>Ouvrir des objets</translation>
     </message>
     <message>
-        <source>What are the surfaces of “%1”?</source>
-        <translation>Que sont les surfaces de « %1 » ?</translation>
-    </message>
-    <message>
-        <source>Objects that are done stay as they are: locked, written with the others, and walls for objects that grow after them.
-
-Others are where objects begin: they grow from there onto the image, or give ground.</source>
-        <translation>Les objets terminés restent tels quels : verrouillés, écrits avec les autres, et barrières pour les objets qui croissent après eux.
-
-Avec les autres commencent des objets : ils croissent de là vers l’image, ou cèdent du terrain.</translation>
-    </message>
-    <message>
-        <source>&amp;Done</source>
-        <translation>&amp;Terminé</translation>
-    </message>
-    <message>
-        <source>To &amp;grow from</source>
-        <translation>Pour &amp;croître</translation>
-    </message>
-    <message>
         <source>Making surfaces of %1…</source>
         <translation>Création des surfaces de %1…</translation>
     </message>
@@ -4568,6 +4568,10 @@ Avec les autres commencent des objets : ils croissent de là vers l’image, ou 
     <message>
         <source>Export an anonymous session</source>
         <translation>Exporter une session anonyme</translation>
+    </message>
+    <message>
+        <source>Segments overlap: what several of them hold is left to the smallest (voxels: %1). Step 4, Grow, tells it of each.</source>
+        <translation>Des segments se chevauchent : ce que plusieurs d’entre eux contiennent est laissé au plus petit (voxels : %1). L’étape 4, Croissance, le dit de chacun.</translation>
     </message>
 </context>
 <context>
@@ -4923,6 +4927,45 @@ Avec les autres commencent des objets : ils croissent de là vers l’image, ou 
     <message>
         <source>No range yet</source>
         <translation>Pas encore d’intervalle</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::LabelChoice</name>
+    <message>
+        <source>Label %1</source>
+        <translation>Étiquette %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>&amp;Labels to open</source>
+        <translation>Étiquettes à &amp;ouvrir</translation>
+    </message>
+    <message>
+        <source>Labels to open</source>
+        <translation>Étiquettes à ouvrir</translation>
+    </message>
+    <message>
+        <source>Each that is checked becomes an object, called and coloured as the file says</source>
+        <translation>Chacune qui est cochée devient un objet, avec le nom et la couleur que donne le fichier</translation>
+    </message>
+    <message>
+        <source>&amp;All</source>
+        <translation>To&amp;utes</translation>
+    </message>
+    <message>
+        <source>Checks all labels</source>
+        <translation>Coche toutes les étiquettes</translation>
+    </message>
+    <message>
+        <source>&amp;None</source>
+        <translation>&amp;Aucune</translation>
+    </message>
+    <message>
+        <source>Checks no label</source>
+        <translation>Ne coche aucune étiquette</translation>
     </message>
 </context>
 <context>
@@ -5578,6 +5621,117 @@ Avec les autres commencent des objets : ils croissent de là vers l’image, ou 
     <message>
         <source>Made with an earlier “%1”. Start grows it anew.</source>
         <translation>Fait avec un « %1 » antérieur. Démarrer le refait grandir.</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::OpenObjectsDialog</name>
+    <message>
+        <source>Open objects</source>
+        <translation>Ouvrir des objets</translation>
+    </message>
+    <message>
+        <source>What are the surfaces of “%1”?</source>
+        <translation>Que sont les surfaces de « %1 » ?</translation>
+    </message>
+    <message>
+        <source>Objects that are done stay as they are: locked, written with the others, and walls for objects that grow after them.
+
+Others are where objects begin: they grow from there onto the image, or give ground.</source>
+        <translation>Les objets terminés restent tels quels : verrouillés, écrits avec les autres, et barrières pour les objets qui croissent après eux.
+
+Avec les autres commencent des objets : ils croissent de là vers l’image, ou cèdent du terrain.</translation>
+    </message>
+    <message>
+        <source>Reading the labels…</source>
+        <translation>Lecture des étiquettes…</translation>
+    </message>
+    <message>
+        <source>Segments that overlap</source>
+        <translation>Segments qui se chevauchent</translation>
+    </message>
+    <message>
+        <source>Segments may overlap here: voxels that several of those that are opened hold are left to the smallest of them.</source>
+        <translation>Des segments peuvent se chevaucher ici : les voxels que contiennent plusieurs de ceux qui sont ouverts sont laissés au plus petit d’entre eux.</translation>
+    </message>
+    <message>
+        <source>How the surfaces are made</source>
+        <translation>Comment les surfaces sont faites</translation>
+    </message>
+    <message>
+        <source>Only the largest &amp;part</source>
+        <translation>Seulement la plus grande &amp;partie</translation>
+    </message>
+    <message>
+        <source>Only the largest part</source>
+        <translation>Seulement la plus grande partie</translation>
+    </message>
+    <message>
+        <source>Of each label only the part with the most voxels: those that share a side</source>
+        <translation>De chaque étiquette seulement la partie qui a le plus de voxels : ceux qui ont une face commune</translation>
+    </message>
+    <message>
+        <source>&amp;Smoothing</source>
+        <translation>&amp;Lissage</translation>
+    </message>
+    <message>
+        <source>A voxel along each axis</source>
+        <translation>Un voxel le long de chaque axe</translation>
+    </message>
+    <message>
+        <source>A length</source>
+        <translation>Une longueur</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Lissage</translation>
+    </message>
+    <message>
+        <source>How far the steps between the voxels are smoothed, as a standard deviation. None: the surface goes midway between the voxels, steps and all.</source>
+        <translation>Jusqu’où les marches entre les voxels sont lissées, en écart type. Aucun : la surface passe à mi-chemin entre les voxels, avec toutes les marches.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Length of the smoothing</source>
+        <translation>Longueur du lissage</translation>
+    </message>
+    <message>
+        <source>Standard deviation; 0: none, steps and all</source>
+        <translation>Écart type ; 0 : aucun, avec toutes les marches</translation>
+    </message>
+    <message>
+        <source>No more &amp;tunnels than</source>
+        <translation>Pas plus de tu&amp;nnels que</translation>
+    </message>
+    <message>
+        <source>No more tunnels than</source>
+        <translation>Pas plus de tunnels que</translation>
+    </message>
+    <message>
+        <source>In each surface, all of its parts together: tunnels are filled, or what goes around them is cut, whichever changes the fewest voxels</source>
+        <translation>Dans chaque surface, toutes ses parties ensemble : les tunnels sont comblés, ou ce qui les entoure est coupé, selon ce qui change le moins de voxels</translation>
+    </message>
+    <message>
+        <source>Tunnels at most</source>
+        <translation>Tunnels au plus</translation>
+    </message>
+    <message>
+        <source>Tunnels, as in a ring</source>
+        <translation>Tunnels, comme dans un anneau</translation>
+    </message>
+    <message>
+        <source>&amp;Done</source>
+        <translation>&amp;Terminé</translation>
+    </message>
+    <message>
+        <source>To &amp;grow from</source>
+        <translation>Pour &amp;croître</translation>
     </message>
 </context>
 <context>

@@ -1112,10 +1112,6 @@
         <translation>各帧间距不均</translation>
     </message>
     <message>
-        <source>its segments overlap, so that they are no label map</source>
-        <translation>其各区段相互重叠，因此不是标签图</translation>
-    </message>
-    <message>
         <source>it cannot be read because the decoder {program} is not there</source>
         <translation>无法读取，因为缺少解码程序 {program}</translation>
     </message>
@@ -1766,6 +1762,30 @@
     <message>
         <source>The segmentation has {layers:0f} layers, since segments overlap: only the segments of the first layer are read.</source>
         <translation>该分割有 {layers:0f} 层，因为有分割区重叠：只读取第一层的分割区。</translation>
+    </message>
+    <message>
+        <source>labels of the map that was given overlap: {voxels:0f} voxels of this one are left to smaller ones that hold them, too</source>
+        <translation>所给标签图中的标签有重叠：此标签的 {voxels:0f} 个体素留给了同样包含它们的较小标签</translation>
+    </message>
+    <message>
+        <source>it has no label called &apos;{name}&apos;; it has: {names}</source>
+        <translation>其中没有名为“{name}”的标签；有：{names}</translation>
+    </message>
+    <message>
+        <source>it has no label called &apos;{name}&apos;: it names none</source>
+        <translation>其中没有名为“{name}”的标签：它没有给任何标签命名</translation>
+    </message>
+    <message>
+        <source>it has several labels called &apos;{name}&apos;: their number tells them apart</source>
+        <translation>其中有多个名为“{name}”的标签：请用编号区分</translation>
+    </message>
+    <message>
+        <source>has no voxel of the label {label:0f} that no smaller label holds, too</source>
+        <translation>标签 {label:0f} 没有一个体素不同时属于更小的标签</translation>
+    </message>
+    <message>
+        <source>has {tunnels:0f} tunnels, and no closing or opening leaves {most:0f} or fewer</source>
+        <translation>有 {tunnels:0f} 个隧道，闭运算或开运算都不能使其不超过 {most:0f} 个</translation>
     </message>
 </context>
 <context>
@@ -4514,26 +4534,6 @@ mean ± SD</source>
         <translation>打开目标</translation>
     </message>
     <message>
-        <source>What are the surfaces of “%1”?</source>
-        <translation>“%1”的表面作何用途？</translation>
-    </message>
-    <message>
-        <source>Objects that are done stay as they are: locked, written with the others, and walls for objects that grow after them.
-
-Others are where objects begin: they grow from there onto the image, or give ground.</source>
-        <translation>已完成的目标保持原样：被锁定，与其他目标一起写出，并作为其后生长的目标的屏障。
-
-否则它们是目标的起点：由此向图像生长，或退缩。</translation>
-    </message>
-    <message>
-        <source>&amp;Done</source>
-        <translation>已完成(&amp;D)</translation>
-    </message>
-    <message>
-        <source>To &amp;grow from</source>
-        <translation>由其生长(&amp;G)</translation>
-    </message>
-    <message>
         <source>Making surfaces of %1…</source>
         <translation>正在由 %1 生成表面…</translation>
     </message>
@@ -4568,6 +4568,10 @@ Others are where objects begin: they grow from there onto the image, or give gro
     <message>
         <source>Export an anonymous session</source>
         <translation>导出匿名会话</translation>
+    </message>
+    <message>
+        <source>Segments overlap: what several of them hold is left to the smallest (voxels: %1). Step 4, Grow, tells it of each.</source>
+        <translation>分割区有重叠：多个分割区共有的部分归最小者（体素数：%1）。第 4 步“生长”说明每个目标的情况。</translation>
     </message>
 </context>
 <context>
@@ -4923,6 +4927,45 @@ Others are where objects begin: they grow from there onto the image, or give gro
     <message>
         <source>No range yet</source>
         <translation>还没有范围</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::LabelChoice</name>
+    <message>
+        <source>Label %1</source>
+        <translation>标签 %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>&amp;Labels to open</source>
+        <translation>要打开的标签(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Labels to open</source>
+        <translation>要打开的标签</translation>
+    </message>
+    <message>
+        <source>Each that is checked becomes an object, called and coloured as the file says</source>
+        <translation>每个勾选的标签成为一个目标，名称和颜色取自文件</translation>
+    </message>
+    <message>
+        <source>&amp;All</source>
+        <translation>全选(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Checks all labels</source>
+        <translation>勾选所有标签</translation>
+    </message>
+    <message>
+        <source>&amp;None</source>
+        <translation>全不选(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Checks no label</source>
+        <translation>取消勾选所有标签</translation>
     </message>
 </context>
 <context>
@@ -5578,6 +5621,117 @@ Others are where objects begin: they grow from there onto the image, or give gro
     <message>
         <source>Made with an earlier “%1”. Start grows it anew.</source>
         <translation>用较早的“%1”生成。“开始”将重新生长。</translation>
+    </message>
+</context>
+<context>
+    <name>handlebody::ui::OpenObjectsDialog</name>
+    <message>
+        <source>Open objects</source>
+        <translation>打开目标</translation>
+    </message>
+    <message>
+        <source>What are the surfaces of “%1”?</source>
+        <translation>“%1”的表面作何用途？</translation>
+    </message>
+    <message>
+        <source>Objects that are done stay as they are: locked, written with the others, and walls for objects that grow after them.
+
+Others are where objects begin: they grow from there onto the image, or give ground.</source>
+        <translation>已完成的目标保持原样：被锁定，与其他目标一起写出，并作为其后生长的目标的屏障。
+
+否则它们是目标的起点：由此向图像生长，或退缩。</translation>
+    </message>
+    <message>
+        <source>Reading the labels…</source>
+        <translation>正在读取标签…</translation>
+    </message>
+    <message>
+        <source>Segments that overlap</source>
+        <translation>重叠的分割区</translation>
+    </message>
+    <message>
+        <source>Segments may overlap here: voxels that several of those that are opened hold are left to the smallest of them.</source>
+        <translation>此处的分割区可能重叠：所打开的多个分割区共有的体素归其中最小者。</translation>
+    </message>
+    <message>
+        <source>How the surfaces are made</source>
+        <translation>表面如何生成</translation>
+    </message>
+    <message>
+        <source>Only the largest &amp;part</source>
+        <translation>仅最大部分(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Only the largest part</source>
+        <translation>仅最大部分</translation>
+    </message>
+    <message>
+        <source>Of each label only the part with the most voxels: those that share a side</source>
+        <translation>每个标签只取体素最多的部分：由共面的体素组成</translation>
+    </message>
+    <message>
+        <source>&amp;Smoothing</source>
+        <translation>平滑(&amp;S)</translation>
+    </message>
+    <message>
+        <source>A voxel along each axis</source>
+        <translation>沿各轴一个体素</translation>
+    </message>
+    <message>
+        <source>A length</source>
+        <translation>指定长度</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>How far the steps between the voxels are smoothed, as a standard deviation. None: the surface goes midway between the voxels, steps and all.</source>
+        <translation>体素之间的台阶平滑到何种程度，以标准差表示。无：表面位于体素之间的正中，保留全部台阶。</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Length of the smoothing</source>
+        <translation>平滑长度</translation>
+    </message>
+    <message>
+        <source>Standard deviation; 0: none, steps and all</source>
+        <translation>标准差；0：无，保留全部台阶</translation>
+    </message>
+    <message>
+        <source>No more &amp;tunnels than</source>
+        <translation>隧道不多于(&amp;T)</translation>
+    </message>
+    <message>
+        <source>No more tunnels than</source>
+        <translation>隧道不多于</translation>
+    </message>
+    <message>
+        <source>In each surface, all of its parts together: tunnels are filled, or what goes around them is cut, whichever changes the fewest voxels</source>
+        <translation>每个表面的所有部分合计：填充隧道，或切断环绕隧道之处，取改变体素最少的方式</translation>
+    </message>
+    <message>
+        <source>Tunnels at most</source>
+        <translation>隧道上限</translation>
+    </message>
+    <message>
+        <source>Tunnels, as in a ring</source>
+        <translation>隧道（如环中的孔）</translation>
+    </message>
+    <message>
+        <source>&amp;Done</source>
+        <translation>已完成(&amp;D)</translation>
+    </message>
+    <message>
+        <source>To &amp;grow from</source>
+        <translation>由其生长(&amp;G)</translation>
     </message>
 </context>
 <context>

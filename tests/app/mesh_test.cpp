@@ -8,6 +8,7 @@
 #include "core/mesh/shapes.h"
 #include "tests/app/refusal.h"
 #include "tests/app/run_cli.h"
+#include "tests/io/overlapping_segments.h"
 #include "tests/support/catch.h"
 
 using namespace handlebody::test;
@@ -129,26 +130,37 @@ TEST_CASE("with --anonymous the mesh of a DICOM Segmentation names neither patie
   for (const char* said : {"Doe", "20221208", "Roe", "for a print"}) CHECK_THAT(anonymous, !Contains(said));
 }
 
-TEST_CASE("of a segmentation in layers the first is read, and it is said so", "[cli][mesh]") {
+TEST_CASE("of segments that overlap each is meshed by number or name, and without one all together",
+          "[cli][mesh]") {
+  using namespace handlebody;
   const TempFolder folder;
-  const int n = 12;
-  std::string bytes =
-      "NRRD0004\ntype: uchar\ndimension: 4\nspace: left-posterior-superior\nsizes: 2 12 12 12\nspace "
-      "directions: none (1,0,0) (0,1,0) (0,0,1)\nkinds: list domain domain domain\nencoding: raw\nspace "
-      "origin: (0,0,0)\nSegment0_LabelValue:=1\nSegment0_Layer:=0\nSegment0_Name:=First\n"
-      "Segment1_LabelValue:=1\nSegment1_Layer:=1\nSegment1_Name:=Second\n\n";
-  for (int i = 0; i < n * n * n; ++i) {
-    const int x = i % n, y = i / n % n, z = i / (n * n);
-    const bool isInside = x > 2 && x < 9 && y > 2 && y < 9 && z > 2 && z < 9;
-    bytes += static_cast<char>(isInside && x < 6);  // half of the block
-    bytes += static_cast<char>(isInside);
+  Grid grid;
+  grid.size = {12, 12, 12};
+  const auto block = [](double end) {
+    return [end](const Vec3& p) { return p.minCoeff() > 2 && p.maxCoeff() < 9 && p.x() < end; };
+  };
+  const std::vector<test::Segment> segments{{"Half", "1 0 0", block(6)}, {"Whole", "0 1 0", block(8)}};
+  writeLayers(segments, grid, folder / "l.seg.nrrd");
+  writeOverlappingDicom(segments, grid, folder / "l.seg.dcm");
+  for (const std::string name : {"l.seg.nrrd", "l.seg.dcm"}) {
+    INFO(name);
+    const auto volume = [&](const std::vector<std::string>& more) {
+      std::vector<std::string> all{"mesh", folder / name, "-o", folder / "m.stl", "--json"};
+      all.insert(all.end(), more.begin(), more.end());
+      return runForJson(all).at("volume_mm3").get<double>();
+    };
+    CHECK(volume({"--label", "Half"}) == Approx(3 * 6 * 6).epsilon(0.02));
+    CHECK(volume({"--label", "1"}) == volume({"--label", "Half"}));
+    CHECK(volume({"--label", "Whole"}) == Approx(5 * 6 * 6).epsilon(0.02));
+    CHECK(volume({"--label", "2"}) == volume({"--label", "Whole"}));
+    CHECK(volume({}) == volume({"--label", "Whole"}));
+    requireRefusal(folder, {"mesh", folder / name, "--label", "Rest", "-o", folder / "x.stl"}, 3,
+                   "no label called 'Rest'; it has: 'Half', 'Whole'");
+    const auto same = runForJson(
+        {"compare", folder / name, folder / name, "--label-a", "Half", "--label-b", "Whole", "--json"});
+    CHECK(same.at("dice").get<double>() == Approx(2 * 3.0 / (3 + 5)));
+    CHECK(same.at("b").at("label") == 2);
   }
-  writeBytes(folder / "l.seg.nrrd", bytes);
-  const Outcome run = runCli({"mesh", folder / "l.seg.nrrd", "-o", folder / "m.stl", "--json"});
-  INFO(run.err);
-  REQUIRE(run.exitCode == 0);
-  CHECK_THAT(run.err, Contains("2 layers") && Contains("first layer") && !Contains("--frame"));
-  CHECK(nlohmann::json::parse(run.out).at("volume_mm3").get<double>() == Approx(3 * 6 * 6).epsilon(0.02));
 }
 
 TEST_CASE("what is no label map, or has nothing to mesh, is refused in one sentence", "[cli][mesh]") {
@@ -166,6 +178,7 @@ TEST_CASE("what is no label map, or has nothing to mesh, is refused in one sente
   requireRefusal(folder, {"mesh", folder / "letter.nii", "-o", out}, 3, "letter.nii");
   requireRefusal(folder, {"mesh", folder / "zero.mha", "-o", out}, 3, "zero.mha");
   requireRefusal(folder, {"mesh", labels, "--label", "9", "-o", out}, 3, "9");
+  requireRefusal(folder, {"mesh", labels, "--label", "", "-o", out}, 2, "--label");
   for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{{"--smooth", "-1"},
                                                                                       {"--smooth", "inf"},
                                                                                       {"--edge-length", "0"},

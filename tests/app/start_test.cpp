@@ -13,6 +13,7 @@
 #include "core/mesh/shapes.h"
 #include "tests/app/refusal.h"
 #include "tests/app/run_cli.h"
+#include "tests/io/overlapping_segments.h"
 #include "tests/support/catch.h"
 #include "tests/support/test_volume.h"
 
@@ -248,6 +249,96 @@ TEST_CASE("a given segment is called, coloured and termed as in its file, unless
     CHECK(said.at(2).term == "mass");
     CHECK(said.at(2).colour == termFromName("mass")->colour);
   }
+}
+
+TEST_CASE("given segments that overlap do not meet: what they share is the smaller one's, and it is told",
+          "[cli][start]") {
+  const TempFolder folder;
+  const std::string volume = ballVolume(folder);
+  const std::vector<test::Segment> segments{{"organ", "1 0 0", inBall(kMiddle, 11)},
+                                            {"lesion", "0 1 0", inBall(Vec3(27, 20, 20), 6)}};
+  writeLayers(segments, cubicGrid(41), folder / "l.seg.nrrd");
+  writeOverlappingDicom(segments, cubicGrid(41), folder / "l.seg.dcm");
+  std::size_t organ = 0, shared = 0;
+  forEachVoxel(cubicGrid(41), [&](const Vec3& index) {
+    organ += segments[0].holds(index);
+    shared += segments[0].holds(index) && segments[1].holds(index);
+  });
+  for (const std::string name : {"l.seg.nrrd", "l.seg.dcm"}) {
+    INFO(name);
+    const auto given = [&](const std::string& label) {
+      return std::vector<std::string>{"--object-name", label,           "--given",
+                                      folder / name,   "--start-label", label};
+    };
+    std::vector<std::string> all{"segment", volume};
+    for (const char* label : {"organ", "lesion"})
+      for (const std::string& word : given(label)) all.push_back(word);
+    for (const std::string& word :
+         {std::string("-o"), "organ=" + (folder / "o.stl"), std::string("-o"), "lesion=" + (folder / "l.stl"),
+          std::string("--session"), folder / "s.json", std::string("--report"), folder / "r.json"})
+      all.push_back(word);
+    require(all);
+    const TriangleSoup first = readMesh(folder / "o.stl"), second = readMesh(folder / "l.stl");
+    CHECK(bodyContact(first, second) == BodyContact::none);
+    CHECK(certify(first).volume == Approx(static_cast<double>(organ - shared)).epsilon(0.03));
+    const auto report = nlohmann::json::parse(bytes(folder / "r.json"));
+    const std::string told = "overlap: " + std::to_string(shared) + " voxels";
+    CHECK_THAT(report.at("objects").at(0).at("warnings").dump(), Contains(told));
+    CHECK_THAT(report.at("objects").at(1).at("warnings").dump(), !Contains("overlap"));
+    require({"replay", folder / "s.json", "-o", "organ=" + (folder / "again.stl")});
+    CHECK(bytes(folder / "again.stl") == bytes(folder / "o.stl"));
+    // Alone it is whole.
+    require({"segment", volume, "--given", folder / name, "--start-label", "organ", "-o", folder / "o.stl"});
+    CHECK(volumeOf(folder / "o.stl") == Approx(static_cast<double>(organ)).epsilon(0.02));
+  }
+  SECTION("nothing is left of one that another covers") {
+    const std::vector<test::Segment> twice{{"a", "1 0 0", inBall(kMiddle, 8)},
+                                           {"b", "0 1 0", inBall(kMiddle, 8)}};
+    writeLayers(twice, cubicGrid(41), folder / "t.seg.nrrd");
+    requireRefusal(folder,
+                   {"segment", volume, "--given", folder / "t.seg.nrrd", "--object-name", "a",
+                    "--start-label", "a", "--object-name", "b", "--start-label", "b", "-o", folder / "x.vtp"},
+                   3, "no voxel of the label 1 that no smaller label holds");
+  }
+}
+
+TEST_CASE(
+    "how the surface of a given label is made is chosen, kept in the session, and refused where it cannot be",
+    "[cli][start]") {
+  const TempFolder folder;
+  const std::string volume = ballVolume(folder), labels = folder / "l.nrrd";
+  // A ring, and a small ball apart from it.
+  writeVolume(volumeByIndex(cubicGrid(41),
+                            [](int i, int j, int k) {
+                              const double along = std::hypot(i - 20.0, j - 20.0) - 7;
+                              return std::hypot(along, k - 20.0) < 3.5 ||
+                                     (Vec3(i, j, k) - Vec3(20, 20, 33)).norm() < 3;
+                            }),
+              labels);
+  const auto made = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all{"segment", volume,           "--given",   labels,
+                                 "-o",      folder / "m.stl", "--session", folder / "s.json"};
+    all.insert(all.end(), more.begin(), more.end());
+    require(all);
+    const std::string mesh = bytes(folder / "m.stl");
+    require({"replay", folder / "s.json", "-o", folder / "again.stl"});
+    CHECK(bytes(folder / "again.stl") == mesh);
+    return certify(readMesh(folder / "m.stl"));
+  };
+  const Certificate plain = made({});
+  CHECK(plain.components == 2);
+  CHECK(made({"--start-keep-largest", "on"}).components == 1);
+  CHECK(made({"--start-keep-largest", "on", "--start-genus", "0"}).genus == std::vector<int>{0});
+  const Certificate steps = made({"--start-smooth", "0"});
+  CHECK(steps.area > 1.03 * plain.area);
+  const auto refuse = [&](std::vector<std::string> more, int code, const std::string& named) {
+    more.insert(more.begin(), {"segment", volume, "-o", folder / "x.stl"});
+    requireRefusal(folder, more, code, named);
+  };
+  refuse({"--given", labels, "--start-smooth", "-1"}, 2, "--start-smooth");
+  refuse({"--given", labels, "--start-genus", "-1"}, 2, "--start-genus");
+  refuse({"--given", labels, "--start-keep-largest", "yes"}, 2, "--start-keep-largest");
+  refuse({"--start-smooth", "1", "--seed", "20,20,20"}, 2, "--start-smooth");
 }
 
 TEST_CASE("an encapsulated STL is given, checked, compared and measured as any mesh", "[cli][start]") {

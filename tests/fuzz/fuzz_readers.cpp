@@ -17,6 +17,7 @@
 
 #include "core/errors.h"
 #include "core/io/meshes/mesh_io.h"
+#include "core/io/report/label_file.h"
 #include "core/io/report/session.h"
 #include "core/io/report/start_surface.h"
 #include "tests/fuzz/corpus.h"

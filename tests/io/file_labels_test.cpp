@@ -7,7 +7,7 @@
 #include "core/io/dicom/dicom_writer.h"
 #include "core/io/formats/label_map.h"
 #include "core/io/meshes/mesh_io.h"
-#include "core/io/report/start_surface.h"
+#include "core/io/report/label_file.h"
 #include "tests/io/dicom_test_support.h"
 #include "tests/io/mesh_test_support.h"
 

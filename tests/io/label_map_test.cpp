@@ -9,7 +9,6 @@
 #include "core/errors.h"
 #include "core/io/formats/volume_io.h"
 #include "core/io/meshes/mesh_io.h"
-#include "core/io/report/start_surface.h"
 #include "tests/io/io_test_support.h"
 #include "tests/support/catch.h"
 #include "tests/support/mesh_zoo.h"
@@ -157,24 +156,6 @@ TEST_CASE("a colour for 3D Slicer has six digits, as it writes them itself") {
   objects[0].label.colour = {1, 128, 22};
   writeSlicerSegmentation(labelMap(objects, ballGrid()), objects, folder / "two.seg.nrrd");
   CHECK(keysOf(folder / "two.seg.nrrd")["Segment0_Color"] == "0.00392157 0.501961 0.0862745");
-}
-
-TEST_CASE("of a segmentation in layers the names of the layer that is read are told") {
-  const TemporaryFolder folder;
-  std::string bytes =
-      "NRRD0004\ntype: unsigned char\ndimension: 4\nspace: left-posterior-superior\nsizes: 2 2 2 2\n"
-      "space directions: none (1,0,0) (0,1,0) (0,0,1)\nkinds: list domain domain domain\nencoding: raw\n"
-      "space origin: (0,0,0)\nSegment0_ID:=Segment_1\nSegment0_LabelValue:=1\nSegment0_Layer:=0\n"
-      "Segment0_Name:=ribs\nSegment1_ID:=Segment_2\nSegment1_LabelValue:=2\nSegment1_Layer:=0\n"
-      "Segment1_Name:=spine\nSegment2_ID:=Segment_3\nSegment2_LabelValue:=1\nSegment2_Layer:=1\n"
-      "Segment2_Name:=a ball across both\n\n";
-  for (const int first : {0, 1, 1, 0, 2, 2, 0, 0}) bytes += {static_cast<char>(first), 1};
-  writeBytes(folder / "layers.seg.nrrd", bytes);
-  const std::vector<NamedLabel> labels = labelsIn(folder / "layers.seg.nrrd");
-  REQUIRE(labels.size() == 2);
-  CHECK(labels[0].value == 1);
-  CHECK(labels[0].name == "ribs");
-  CHECK(labels[1].name == "spine");
 }
 
 TEST_CASE("a label description has the second line by which ITK-SNAP knows one that is dropped on it") {

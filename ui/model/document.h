@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/evolution/constraints.h"
 #include "core/evolution/correction.h"
 #include "core/evolution/held_changes.h"
 #include "core/evolution/image_warnings.h"
@@ -109,6 +110,14 @@ enum class OpenAs {
   start  //!< it grows onto the image from there, or gives ground
 };
 
+//! What of a file becomes objects, and how.
+struct ObjectsToOpen {
+  QString path;  //!< of a mesh or a label map
+  OpenAs as = OpenAs::done;
+  std::vector<int> labels{};  //!< of the map, as LabelFile counts them; empty: all
+  LabelShape shape{};         //!< of a label map
+};
+
 class Document : public QObject {
   Q_OBJECT
 
@@ -148,12 +157,12 @@ class Document : public QObject {
   void setActiveObject(int index);
   //! Behind the others, and active. Name, colour and label value are such as no other has.
   void addObject();
-  //! What is in a mesh (.stl .vtp .ply .obj .stl.dcm) or a label map of any format as objects, in one undo
-  //! entry: those that are done before the first object that has no surface yet, so that they are walls for
-  //! it; else behind the others, the first of them active. Read and made on a worker thread:
-  //! openingObjects(), then objectsOpened(), openingObjectsFailed() or openingObjectsCancelled(). Nothing
-  //! without a volume.
-  void openObjects(const QString& path, OpenAs as);
+  //! What is in a mesh (.stl .vtp .ply .obj .stl.dcm), or what is chosen of a label map of any format, as
+  //! objects, in one undo entry: those that are done before the first object that has no surface yet, so that
+  //! they are walls for it; else behind the others, the first of them active. Read and made on a worker
+  //! thread: openingObjects(), then objectsOpened(), openingObjectsFailed() or openingObjectsCancelled().
+  //! Nothing without a volume.
+  void openObjects(const ObjectsToOpen& asked);
   void cancelOpeningObjects();
   //! Behind it, and active: seeds, parameters and constraints, without the growth and the vetoes, pins
   //! and edits of its steps.
@@ -367,7 +376,8 @@ class Document : public QObject {
   void opened();
   void openFailed(const QString& sentence, bool needsSpacing);  //!< the second as in OpeningFailed
   void openingObjects(const QString& path);
-  void objectsOpened(const QString& path, const QStringList& names);
+  //! `shared`: voxels that several of them hold, and that were left to the smallest (sharedVoxels), together.
+  void objectsOpened(const QString& path, const QStringList& names, qint64 shared);
   void openingObjectsFailed(const QString& sentence);
   void openingObjectsCancelled();
   //! The session at `path` does not name one of its files: the rest as in FileNeeded.

@@ -11,30 +11,30 @@
 
 namespace handlebody::ui {
 
-void Document::openObjects(const QString& path, OpenAs as) {
+void Document::openObjects(const ObjectsToOpen& asked) {
   if (!hasVolume()) return;
   cancelOpeningObjects();
   const StopFlag flag = d_->openingObjects.begin();
-  Q_EMIT openingObjects(path);
-  d_->files.post([this, path, as, grid = volume().grid, stop = flag, opening = d_->opening.number()] {
+  Q_EMIT openingObjects(asked.path);
+  d_->files.post([this, asked, grid = volume().grid, stop = flag, opening = d_->opening.number()] {
     auto opened = std::make_shared<std::vector<OpenedObject>>();
     QString failed;
     try {
       const CancelScope scope(*stop);
-      *opened = readObjects(path, as, grid);
+      *opened = readObjects(asked, grid);
     } catch (const Cancelled&) {
     } catch (...) {
       failed = errorSentence();
     }
     QMetaObject::invokeMethod(
         this,
-        [this, path, as, opened, failed, stop, opening] {
+        [this, asked, opened, failed, stop, opening] {
           if (*stop || opening != d_->opening.number())
             Q_EMIT openingObjectsCancelled();
           else if (!failed.isEmpty())
             Q_EMIT openingObjectsFailed(failed);
           else
-            d_->addOpened(path, as, *opened);
+            d_->addOpened(asked, *opened);
         },
         Qt::QueuedConnection);
   });
@@ -42,16 +42,17 @@ void Document::openObjects(const QString& path, OpenAs as) {
 
 void Document::cancelOpeningObjects() { d_->openingObjects.cancel(); }
 
-void Document::Private::addOpened(const QString& path, OpenAs as, const std::vector<OpenedObject>& opened) {
+void Document::Private::addOpened(const ObjectsToOpen& asked, const std::vector<OpenedObject>& opened) {
   ObjectList after = objects.list();
   auto place = after.entries.end();
-  if (as == OpenAs::done)
+  if (asked.as == OpenAs::done)
     place = std::find_if(after.entries.begin(), after.entries.end(), [](const ObjectList::Entry& entry) {
       return !entry.object->growth().exists() && !entry.object->isBusy();
     });
   std::vector<ObjectLabel> labels = objects.labels();
   std::vector<ObjectList::Entry> fresh;
   QStringList names;
+  qint64 shared = 0;
   for (auto [session, hasLook] : opened) {
     ObjectLabel label = labelFor(session.label, labels);
     if (hasLook) {
@@ -61,15 +62,16 @@ void Document::Private::addOpened(const QString& path, OpenAs as, const std::vec
     session.label = label;
     labels.push_back(session.label);
     names << QString::fromStdString(session.label.name);
+    shared += static_cast<qint64>(session.constraints.start->shared);
     auto object = newObject();
     object->adopt(session);
-    fresh.push_back({object, {session.label, true, as == OpenAs::done}});
+    fresh.push_back({object, {session.label, true, asked.as == OpenAs::done}});
   }
   after.entries.insert(place, fresh.begin(), fresh.end());
-  if (as == OpenAs::start) after.active = fresh.front().object;
+  if (asked.as == OpenAs::start) after.active = fresh.front().object;
   pushList(fresh.size() == 1 ? tr("Open object") : tr("Open objects"), std::move(after));
   for (const ObjectList::Entry& entry : fresh) entry.object->begin();
-  Q_EMIT q.objectsOpened(path, names);
+  Q_EMIT q.objectsOpened(asked.path, names, shared);
 }
 
 }  // namespace handlebody::ui

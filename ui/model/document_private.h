@@ -80,7 +80,7 @@ class Document::Private : public ObjectHost {
   void pushList(const QString& text, ObjectList after, int gesture = -1);
   void applyList(const ObjectList& after);
   void pokeAfter(const ObjectWork& object);
-  void addOpened(const QString& path, OpenAs as, const std::vector<OpenedObject>& opened);
+  void addOpened(const ObjectsToOpen& asked, const std::vector<OpenedObject>& opened);
   //! False, and says so, if the active object is locked, or another frame is shown than it is grown in.
   bool mayChange();
   //! False, and says so, if it is locked. Shows the frame that it is grown in.

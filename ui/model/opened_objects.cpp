@@ -2,11 +2,15 @@
 
 #include <QFile>
 #include <QFileInfo>
+#include <algorithm>
+#include <mutex>
 
 #include "core/cancellation.h"
 #include "core/errors.h"
 #include "core/io/report/start_surface.h"
 #include "core/told_error.h"
+#include "ui/model/error_sentence.h"
+#include "ui/model/opening.h"
 
 namespace handlebody::ui {
 
@@ -25,27 +29,39 @@ QString baseName(const QString& path) {
   return dot < 0 ? name : name.left(dot);
 }
 
-Session objectOf(const std::string& file, OpenAs as) {
+Session objectOf(const std::string& file, const ObjectsToOpen& asked) {
   Session session;
   session.constraints.start.emplace();
   session.constraints.start->path = file;
-  session.constraints.start->isDone = as == OpenAs::done;
+  session.constraints.start->isDone = asked.as == OpenAs::done;
   session.requested.direction = Direction::both;
   session.stopAt = 0;
   return session;
 }
 
-std::vector<OpenedObject> labelled(const QString& path, const std::string& file, OpenAs as) {
+//! Those that are asked for; one that the file does not have is refused when its voxels are looked for.
+std::vector<NamedLabel> chosenOf(const std::vector<NamedLabel>& labels, const std::vector<int>& values) {
+  if (values.empty()) return labels;
+  std::vector<NamedLabel> chosen;
+  for (const int value : values) {
+    const auto found = std::ranges::find(labels, value, &NamedLabel::value);
+    chosen.push_back(found == labels.end() ? NamedLabel{{}, value} : *found);
+  }
+  return chosen;
+}
+
+std::vector<OpenedObject> labelled(const std::string& file, const ObjectsToOpen& asked) {
   std::vector<OpenedObject> objects;
   const std::vector<NamedLabel> labels = labelsIn(file);
-  for (const NamedLabel& label : labels) {
-    objects.push_back({objectOf(file, as), label.hasLook()});
+  const QString base = baseName(asked.path);
+  for (const NamedLabel& label : chosenOf(labels, asked.labels)) {
+    objects.push_back({objectOf(file, asked), label.hasLook()});
     Session& object = objects.back().session;
     object.constraints.start->label = label.value;
+    object.constraints.start->shape = asked.shape;
     object.label.value = label.value;
-    const QString plain = labels.size() == 1
-                              ? baseName(path)
-                              : handlebody::ui::Document::tr("%1 %2").arg(baseName(path)).arg(label.value);
+    const QString plain =
+        labels.size() == 1 ? base : handlebody::ui::Document::tr("%1 %2").arg(base).arg(label.value);
     object.label.name = named(plain);
     object.label = labelledAs(label, object.label);
   }
@@ -61,14 +77,30 @@ bool isWithin(const Grid& grid, const Vec3& world) {
 
 }  // namespace
 
-std::vector<OpenedObject> readObjects(const QString& path, OpenAs as, const Grid& grid) {
-  const std::string file = QFile::encodeName(path).toStdString();
+LabelsToOpen labelsToOpen(const QString& path, const std::atomic<bool>& cancelled) {
+  LabelsToOpen found;
+  try {
+    const CancelScope scope(cancelled);
+    const std::lock_guard lock(readingVolumes());
+    giveUpIfCancelled();
+    LabelFile file(QFile::encodeName(path).toStdString());
+    found.mayOverlap = file.info().hasLayers;
+    found.labels = file.labels();
+  } catch (const Cancelled&) {
+  } catch (...) {
+    found.error = errorSentence();
+  }
+  return found;
+}
+
+std::vector<OpenedObject> readObjects(const ObjectsToOpen& asked, const Grid& grid) {
+  const std::string file = QFile::encodeName(asked.path).toStdString();
   std::vector<OpenedObject> objects;
   if (isMeshInputPath(file)) {
-    objects.push_back({objectOf(file, as)});
-    objects.back().session.label.name = named(baseName(path));
+    objects.push_back({objectOf(file, asked)});
+    objects.back().session.label.name = named(baseName(asked.path));
   } else {
-    objects = labelled(path, file, as);
+    objects = labelled(file, asked);
   }
   giveUpIfCancelled();
   std::vector<Session*> all;

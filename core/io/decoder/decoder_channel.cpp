@@ -204,6 +204,7 @@ Message headerToMessage(const VolumeHeader& h) {
           {"component", static_cast<int>(h.component)},
           {"components", h.components},
           {"frames", h.frames},
+          {"layers", h.hasLayers},
           {"several", h.isChoice},
           {"times", h.times.milliseconds},
           {"time_source", h.times.source},
@@ -225,6 +226,7 @@ VolumeHeader headerFromMessage(const Message& m) {
   const bool colour = h.component == Component::uint8 || h.component == Component::uint16;
   if (h.components != 1 && !(colour && (h.components == 3 || h.components == 4))) m.at("no such voxels");
   h.frames = m.at("frames").get<int>();
+  h.hasLayers = m.at("layers").get<bool>();
   h.isChoice = m.at("several").get<bool>();
   h.times = {m.at("times").get<std::vector<double>>(), m.at("time_source").get<std::string>()};
   h.calibrated = m.at("calibrated").get<bool>();

@@ -1,9 +1,11 @@
-// Binary DICOM Segmentations as label maps.
+// Binary DICOM Segmentations as label maps, in layers where segments overlap.
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <map>
+#include <set>
 
 #include "core/io/dicom/dicom_geometry.h"
 #include "core/io/dicom/dicom_source.h"
@@ -11,6 +13,33 @@
 
 namespace handlebody {
 namespace {
+
+using Bits = std::vector<unsigned char>;
+
+//! Voxels of some segments, slice by slice.
+class Layer {
+ public:
+  void add(int slice, const Bits& bits) {
+    Bits& here = slices_[slice];
+    here.resize(bits.size());
+    for (std::size_t i = 0; i < bits.size(); ++i) here[i] |= bits[i];
+  }
+  void add(const Layer& other) {
+    for (const auto& [slice, bits] : other.slices_) add(slice, bits);
+  }
+  bool meets(const Layer& other) const {
+    return std::any_of(other.slices_.begin(), other.slices_.end(), [this](const auto& one) {
+      const auto at = slices_.find(one.first);
+      if (at == slices_.end()) return false;
+      for (std::size_t i = 0; i < one.second.size(); ++i)
+        if ((at->second[i] & one.second[i]) != 0) return true;
+      return false;
+    });
+  }
+
+ private:
+  std::map<int, Bits> slices_;
+};
 
 class SegmentationSource : public DecodedSource {
  public:
@@ -28,17 +57,21 @@ class SegmentationSource : public DecodedSource {
   void setOrigin();
   void setGrid();
   void setSlices(double pitch);
+  Bits bitsOf(std::size_t frame);
+  void setLayers();
   template <typename T>
-  bool draw(T* labels, const DecodingProgress& progress) const;
+  void draw(int layer, T* labels, const DecodingProgress& progress);
 
   DicomFile file_;
   std::string path_;
-  std::vector<double> along_;  // of each frame along the normal, mm
-  std::vector<int> slice_;     // of each frame
+  std::ifstream stream_;
+  std::vector<double> along_;     // of each frame along the normal, mm
+  std::vector<int> slice_;        // of each frame
+  std::map<int, int> layerOf_{};  // of each segment; 0 for what is not in it
 };
 
 SegmentationSource::SegmentationSource(DicomFile file, std::string path)
-    : file_(std::move(file)), path_(std::move(path)) {
+    : file_(std::move(file)), path_(std::move(path)), stream_(file_.file, std::ios::binary) {
   header_.format = "DICOM";
   checkPixels();
   setGrid();
@@ -51,6 +84,7 @@ SegmentationSource::SegmentationSource(DicomFile file, std::string path)
   header_.warnings.push_back(FindingKind::isSegmentation);
   setOrigin();
   checkHeader(header_, path_);
+  setLayers();
 }
 
 void SegmentationSource::checkPixels() const {
@@ -123,36 +157,63 @@ void SegmentationSource::setSlices(double pitch) {
                      file_.orientationSource};
 }
 
-//! False if two segments hold one voxel. A frame begins at the bit behind the last one's, the first bit of a
-//! byte is its lowest.
-template <typename T>
-bool SegmentationSource::draw(T* labels, const DecodingProgress& progress) const {
-  std::ifstream stream(file_.file, std::ios::binary);
-  const std::uint64_t perFrame = file_.pixelsPerFrame();
-  std::vector<unsigned char> bytes(perFrame / 8 + 2);
-  bool apart = true;
-  for (std::size_t f = 0; f < slice_.size(); ++f) {
-    progress(static_cast<double>(f) / static_cast<double>(slice_.size()), file_.file,
-             file_.structure.fileBytes);
-    const std::uint64_t begin = perFrame * f, end = begin + perFrame;
-    const auto count = static_cast<std::streamsize>((end + 7) / 8 - begin / 8);
-    stream.seekg(static_cast<std::streamoff>(file_.structure.pixelOffset + begin / 8));
-    if (!stream.read(reinterpret_cast<char*>(bytes.data()), count)) refuse(FindingKind::truncatedOrDamaged);
-    T* at = labels + perFrame * static_cast<std::uint64_t>(slice_[f]);
-    for (std::uint64_t bit = begin % 8, last = bit + perFrame; bit < last; ++bit, ++at) {
-      if ((bytes[bit / 8] >> bit % 8 & 1) == 0) continue;
-      apart = apart && *at == 0;
-      *at = static_cast<T>(file_.places[f].segment);
-    }
-  }
-  return apart;
+//! The pixels of a frame, the first one in the lowest bit. A frame begins at the bit behind the last one's,
+//! the first bit of a byte is its lowest.
+Bits SegmentationSource::bitsOf(std::size_t frame) {
+  const std::uint64_t perFrame = file_.pixelsPerFrame(), begin = perFrame * frame, shift = begin % 8;
+  Bits bytes((begin + perFrame + 7) / 8 - begin / 8);
+  stream_.seekg(static_cast<std::streamoff>(file_.structure.pixelOffset + begin / 8));
+  if (!stream_.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size())))
+    refuse(FindingKind::truncatedOrDamaged);
+  if (shift > 0)
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+      bytes[i] = static_cast<unsigned char>(bytes[i] >> shift |
+                                            (i + 1 < bytes.size() ? bytes[i + 1] << (8 - shift) : 0));
+  bytes.resize((perFrame + 7) / 8);
+  if (perFrame % 8 > 0) bytes.back() &= static_cast<unsigned char>((1 << perFrame % 8) - 1);
+  return bytes;
 }
 
-void SegmentationSource::decode(int, void* to, const DecodingProgress& progress) {
+//! Segments that hold the same voxel lie in different layers: each in the first that has room for it.
+void SegmentationSource::setLayers() {
+  std::map<int, std::vector<std::size_t>> frames;  // of each segment
+  for (std::size_t f = 0; f < slice_.size(); ++f) frames[file_.places[f].segment].push_back(f);
+  std::set<int> slices(slice_.begin(), slice_.end());
+  if (slices.size() == slice_.size()) return;
+  std::vector<Layer> layers;
+  for (const auto& [segment, those] : frames) {
+    Layer own;
+    for (const std::size_t f : those) own.add(slice_[f], bitsOf(f));
+    auto layer = std::find_if(layers.begin(), layers.end(), [&own](const Layer& l) { return !l.meets(own); });
+    if (layer == layers.end()) layer = layers.insert(layer, Layer());
+    layerOf_[segment] = static_cast<int>(layer - layers.begin());
+    layer->add(own);
+  }
+  header_.frames = static_cast<int>(layers.size());
+  header_.hasLayers = header_.frames > 1;
+}
+
+template <typename T>
+void SegmentationSource::draw(int layer, T* labels, const DecodingProgress& progress) {
+  const std::uint64_t perFrame = file_.pixelsPerFrame();
+  for (std::size_t f = 0; f < slice_.size(); ++f) {
+    const int segment = file_.places[f].segment;
+    if (const auto at = layerOf_.find(segment); (at == layerOf_.end() ? 0 : at->second) != layer) continue;
+    progress(static_cast<double>(f) / static_cast<double>(slice_.size()), file_.file,
+             file_.structure.fileBytes);
+    const Bits bits = bitsOf(f);
+    T* const to = labels + perFrame * static_cast<std::uint64_t>(slice_[f]);
+    for (std::uint64_t p = 0; p < perFrame; ++p)
+      if ((bits[p / 8] >> p % 8 & 1) != 0) to[p] = static_cast<T>(segment);
+  }
+}
+
+void SegmentationSource::decode(int frame, void* to, const DecodingProgress& progress) {
   std::fill_n(static_cast<char*>(to), header_.bytesPerFrame(), char{0});
-  const bool apart = header_.component == Component::uint16 ? draw(static_cast<std::uint16_t*>(to), progress)
-                                                            : draw(static_cast<std::uint8_t*>(to), progress);
-  if (!apart) refuse(FindingKind::segmentsOverlap);
+  if (header_.component == Component::uint16)
+    draw(frame, static_cast<std::uint16_t*>(to), progress);
+  else
+    draw(frame, static_cast<std::uint8_t*>(to), progress);
 }
 
 }  // namespace

@@ -65,6 +65,47 @@ Keys keysOf(const std::string& path) {
   }
 }
 
+constexpr int kMaxLayers = 10000;
+constexpr int kLargestValue = 1 << 16;  // of a segment; larger ones are nobody's
+
+//! Of a .seg.nrrd.
+struct Segment {
+  std::size_t layer = 0;
+  int value = 0;
+  FileLabel label{};
+};
+
+std::vector<Segment> segmentsIn(const std::string& path) {
+  const Keys keys = keysOf(path);
+  std::vector<Segment> segments;
+  for (const auto& [key, text] : keys) {
+    if (!key.starts_with("Segment") || !key.ends_with("_LabelValue")) continue;
+    const std::string segment = key.substr(0, key.find('_') + 1);
+    const auto said = [&, segment](const char* what) {
+      const auto found = keys.find(segment + what);
+      return found == keys.end() ? std::string() : found->second;
+    };
+    const std::optional<int> value = number<int>(text);
+    const int layer = number<int>(said("Layer")).value_or(0);
+    if (!value || std::abs(*value) > kLargestValue || layer < 0 || layer > kMaxLayers) continue;
+    segments.push_back({static_cast<std::size_t>(layer),
+                        *value,
+                        {said("Name"), colourIn(said("Color")), termIn(said("Tags"))}});
+  }
+  return segments;
+}
+
+//! The largest values of the layers before, together.
+std::vector<int> shiftsOf(const std::vector<Segment>& segments) {
+  std::vector<int> largest{0}, shifts{0};
+  for (const Segment& s : segments) {
+    largest.resize(std::max(largest.size(), s.layer + 1));
+    largest[s.layer] = std::max(largest[s.layer], s.value);
+  }
+  for (std::size_t l = 1; l < largest.size(); ++l) shifts.push_back(shifts[l - 1] + largest[l - 1]);
+  return shifts;
+}
+
 }  // namespace
 
 std::string termOfCode(const std::string& scheme, const std::string& value) {
@@ -84,20 +125,13 @@ ObjectLabel labelledAs(const FileLabel& said, ObjectLabel label) {
   return label;
 }
 
+std::vector<int> slicerLayerShifts(const std::string& path) { return shiftsOf(segmentsIn(path)); }
+
 FileLabels readSlicerLabels(const std::string& path) {
-  const Keys keys = keysOf(path);
+  const std::vector<Segment> segments = segmentsIn(path);
+  const std::vector<int> shifts = shiftsOf(segments);
   FileLabels labels;
-  for (const auto& [key, text] : keys) {
-    if (!key.starts_with("Segment") || !key.ends_with("_LabelValue")) continue;
-    const std::string segment = key.substr(0, key.find('_') + 1);
-    const auto said = [&, segment](const char* what) {
-      const auto found = keys.find(segment + what);
-      return found == keys.end() ? std::string() : found->second;
-    };
-    const std::optional<int> value = number<int>(text);
-    if (!value || number<int>(said("Layer")).value_or(0) > 0) continue;
-    labels[*value] = {said("Name"), colourIn(said("Color")), termIn(said("Tags"))};
-  }
+  for (const Segment& s : segments) labels[s.value + shifts[s.layer]] = s.label;
   return labels;
 }
 

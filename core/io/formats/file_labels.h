@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/io/meshes/exported_object.h"
 
@@ -19,7 +20,8 @@ struct FileLabel {
   bool hasLook() const { return colour || !term.empty(); }
 };
 
-//! By the values of the voxels.
+//! By the numbers of the labels: the values of the voxels or, in a further layer of a .seg.nrrd, those and
+//! the layer's shift.
 using FileLabels = std::map<int, FileLabel>;
 
 //! The name of the term whose type has this code; empty if the list has none.
@@ -29,8 +31,11 @@ std::string termOfCode(const std::string& scheme, const std::string& value);
 //! could not hold is none. A term without a colour brings its own.
 ObjectLabel labelledAs(const FileLabel& said, ObjectLabel label);
 
-//! The segments of 3D Slicer's .seg.nrrd, by the keys in its header: those of the first layer, which is the
-//! one that is read; another one may have the same values for other segments. Empty for any other file.
+//! The segments of 3D Slicer's .seg.nrrd, by the keys in its header. Empty for any other file.
 FileLabels readSlicerLabels(const std::string& path);
+
+//! By how much the number of a label of each of its layers is larger than the value of the voxels: layers may
+//! have the same values for different segments. 0 for the first; the rest as far as segments name layers.
+std::vector<int> slicerLayerShifts(const std::string& path);
 
 }  // namespace handlebody

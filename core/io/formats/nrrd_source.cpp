@@ -36,6 +36,7 @@ class NrrdSource : public VolumeSource {
 NrrdSource::NrrdSource(const std::string& path) : path_(path), fields_(readNrrdFields(path)) {
   if (fields_.sequence) refuseInput(path, FindingKind::trackedFrames);
   layout_ = interpretNrrd(fields_, path, header_);
+  header_.hasLayers = header_.frames > 1 && fields_.keys.count("Segment0_LabelValue") > 0;
   checkHeader(header_, path);
   for (const std::string& file : fields_.dataFiles)
     if (!fs::is_regular_file(file)) refuseInput(path, {FindingKind::dataFileMissing, {{"data", file}}});

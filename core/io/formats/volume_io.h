@@ -60,6 +60,7 @@ struct VolumeInfo {
   Grid grid;
   VoxelType type = VoxelType::uint8;
   int frames = 1;          //!< time points
+  bool hasLayers = false;  //!< they are layers of a segmentation whose segments overlap
   bool calibrated = true;  //!< false: a spacing is assumed, and lengths and volumes in mm mean nothing
   GeometrySources sources{};
   std::vector<Finding> warnings;               //!< sentences

@@ -136,7 +136,7 @@ void setSpacing(const VolumeSelection& selection, VolumeHeader& header, const st
 
 //! The images of one time point, of those of all.
 std::shared_ptr<const DicomOrigin> originOf(const VolumeHeader& h, int frame) {
-  if (!h.dicom || h.frames == 1) return h.dicom;
+  if (!h.dicom || h.frames == 1 || h.hasLayers) return h.dicom;
   auto origin = std::make_shared<DicomOrigin>(*h.dicom);
   std::vector<DicomImage>& images = origin->images;
   const auto count = static_cast<std::ptrdiff_t>(images.size()) / h.frames;
@@ -154,11 +154,13 @@ VolumeInfo infoOf(const VolumeHeader& h, const VolumeSelection& selection, const
   info.grid = h.grid;
   info.type = voxelTypeOf(h);
   info.frames = h.frames;
+  info.hasLayers = h.hasLayers;
   info.calibrated = h.calibrated;
   info.sources = h.sources;
   info.dicom = originOf(h, selection.frame.value_or(0));
   if (h.frames > 1 && !selection.frame)
-    info.warnings.push_back({FindingKind::frameZeroUsed, {{"frames", h.frames}}});
+    info.warnings.push_back(h.hasLayers ? Finding(FindingKind::firstLayerUsed, {{"layers", h.frames}})
+                                        : Finding(FindingKind::frameZeroUsed, {{"frames", h.frames}}));
   if (!h.calibrated) info.warnings.push_back(FindingKind::uncalibrated);
   return info;
 }

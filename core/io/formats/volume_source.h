@@ -52,8 +52,9 @@ struct VolumeHeader {
   Component component = Component::uint8;
   int components = 1;  //!< per voxel: 1, or 3 or 4 for colour
   int frames = 1;
-  TimeAxis times{};  //!< of the time points; empty where the file does not say
-  double slope = 1;  //!< value = slope · stored + intercept, applied after reading
+  bool hasLayers = false;  //!< the frames are no time points but layers of segments that overlap
+  TimeAxis times{};        //!< of the time points; empty where the file does not say
+  double slope = 1;        //!< value = slope · stored + intercept, applied after reading
   double intercept = 0;
   bool calibrated = true;
   GeometrySources sources{};

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/io/formats/label_map.h"
-#include "core/io/formats/volume_source.h"
 #include "core/io/meshes/mesh_io.h"
+#include "core/io/refuse_input.h"
 #include "core/io/report/anonymous_names.h"
 #include "core/io/report/comparison_json.h"
+#include "core/io/report/label_file.h"
 
 namespace handlebody {
 
@@ -50,6 +50,13 @@ Json directedJson(const DirectedDistances& d) {
 
 Json optionalJson(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
+//! What is wrong with a mask is told without a subject.
+ComparedObject comparedMask(const std::string& name, const Mask& mask, std::optional<int> label) try {
+  return {name, label, solidOf(mask)};
+} catch (const InputError& error) {
+  throw InputError(name + ": it " + error.what() + ".");
+}
+
 std::optional<double> volumeDifference(const ComparedPair& p) {
   if (!p.a.solid.isClosed() || !p.b.solid.isClosed()) return std::nullopt;
   return p.a.solid.volume() - p.b.solid.volume();
@@ -63,18 +70,6 @@ std::optional<double> volumeDifferencePercent(const ComparedPair& p) {
 
 }  // namespace
 
-LoadedVolume readLabels(const std::string& path, std::vector<Finding>& warnings,
-                        const DecoderSettings& decoder) {
-  LoadedVolume loaded = loadVolume(path, {.decoder = decoder});
-  for (Finding& w : loaded.info.warnings) {
-    if (w.kind == FindingKind::frameZeroUsed && isSlicerSegmentationPath(path))
-      w = {FindingKind::firstLayerUsed, {{"layers", loaded.info.frames}}};
-    warnings.push_back({FindingKind::ofFile, {{"file", path}}, w});
-  }
-  if (!holdsWholeNumbers(loaded.volume)) refuseInput(path, FindingKind::notWholeNumbers);
-  return loaded;
-}
-
 ComparedObject comparedMesh(const std::string& name, TriangleSoup mesh) {
   Solid solid = solidOf(std::move(mesh));
   if (solid.empty() || !(solid.certificate.area > 0) || !std::isfinite(solid.certificate.area))
@@ -82,16 +77,17 @@ ComparedObject comparedMesh(const std::string& name, TriangleSoup mesh) {
   return {name, std::nullopt, std::move(solid)};
 }
 
-ComparedObject comparedLabels(const std::string& name, const Volume& labels, std::optional<int> label) try {
-  return {name, label, solidOf(maskOf(labels, label))};
-} catch (const InputError& error) {
-  throw InputError(name + ": it " + error.what() + ".");
+ComparedObject comparedLabels(const std::string& name, const Volume& labels, std::optional<int> label) {
+  return comparedMask(name, maskOf(labels, label), label);
 }
 
 ComparedObject readCompared(const std::string& path, std::optional<int> label, std::vector<Finding>& warnings,
                             const DecoderSettings& decoder) {
   if (isMeshInputPath(path)) return comparedMesh(path, readMesh(path, decoder));
-  return comparedLabels(path, readLabels(path, warnings, decoder).volume, label);
+  LabelFile file(path, decoder);
+  for (const Finding& w : file.info().warnings)
+    warnings.push_back({FindingKind::ofFile, {{"file", path}}, w});
+  return comparedMask(path, file.mask(label), label);
 }
 
 void compare(ComparedPair& pair, const ComparisonOptions& how) {

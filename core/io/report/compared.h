@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/io/formats/volume_io.h"
+#include "core/io/decoder_settings.h"
 #include "core/solid/comparison.h"
 
 namespace handlebody {
@@ -23,18 +23,14 @@ struct ComparedPair {
   std::vector<Finding> warnings;  //!< sentences: of the files, then those of the comparison
 };
 
-//! A label map, with the warnings of its file added to `warnings`. Throws InputError, also if a voxel is no
-//! whole number.
-LoadedVolume readLabels(const std::string& path, std::vector<Finding>& warnings,
-                        const DecoderSettings& decoder = {});
-
 //! A mesh, as it is called. Throws InputError if its triangles have no area.
 ComparedObject comparedMesh(const std::string& name, TriangleSoup mesh);
 
 //! What a label map holds. Throws InputError if a voxel is no whole number, and as solidOf.
 ComparedObject comparedLabels(const std::string& name, const Volume& labels, std::optional<int> label);
 
-//! A mesh or label map, by the ending of its path. Throws InputError.
+//! A mesh or label map, by the ending of its path; a label of a file is meant as LabelFile does. Adds the
+//! warnings of the file. Throws InputError.
 ComparedObject readCompared(const std::string& path, std::optional<int> label, std::vector<Finding>& warnings,
                             const DecoderSettings& decoder = {});
 

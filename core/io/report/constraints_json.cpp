@@ -89,6 +89,9 @@ Json startToJson(const StartSurface& s) {
   if (s.label) json["label"] = *s.label;
   if (!s.among.empty()) json["among"] = s.among;
   if (s.isDone) json["done"] = true;
+  if (s.shape.smoothing) json["smoothing"] = *s.shape.smoothing;
+  if (s.shape.genus) json["genus"] = *s.shape.genus;
+  if (s.shape.keepsLargest) json["keep_largest"] = true;
   return json;
 }
 
@@ -96,6 +99,18 @@ int labelFromJson(const Json& json) {
   const int label = integerFromJson(json);
   if (label == 0) throw UsageError("a label of the surface to begin with is 0.");
   return label;
+}
+
+LabelShape shapeFromJson(const Json& json) {
+  LabelShape shape;
+  if (json.contains("smoothing")) shape.smoothing = json.at("smoothing").get<double>();
+  if (shape.smoothing && !(*shape.smoothing >= 0 && std::isfinite(*shape.smoothing)))
+    throw UsageError("the smoothing of the surface to begin with is no length.");
+  if (json.contains("genus")) shape.genus = integerFromJson(json.at("genus"));
+  if (shape.genus && *shape.genus < 0)
+    throw UsageError("the genus of the surface to begin with is negative.");
+  shape.keepsLargest = json.value("keep_largest", false);
+  return shape;
 }
 
 StartSurface startFromJson(const Json& json) {
@@ -106,6 +121,7 @@ StartSurface startFromJson(const Json& json) {
   if (json.contains("among"))
     for (const Json& label : json.at("among")) start.among.push_back(labelFromJson(label));
   if (json.contains("done")) start.isDone = json.at("done").get<bool>();
+  start.shape = shapeFromJson(json);
   return start;
 }
 

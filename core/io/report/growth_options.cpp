@@ -125,14 +125,19 @@ std::vector<GrowthOption> wallOptions() {
   };
 }
 
-//! --start and --given exclude each other; --start-label may stand before or behind them.
+StartSurface& startOf(Constraints& c) { return c.start ? *c.start : c.start.emplace(); }
+
+//! --start and --given exclude each other; what says more of them may stand before or behind.
 void setStart(Constraints& c, Text option, Text path, bool isDone) {
   if (c.start && !c.start->path.empty() && c.start->isDone != isDone)
     throw OptionError(option, "an object begins with one surface (--start) or is one (--given), not both.");
   StartSurface start;
   start.path = path;
   start.isDone = isDone;
-  if (c.start && !c.start->mesh) start.label = c.start->label;
+  if (c.start && !c.start->mesh) {
+    start.called = c.start->called;
+    start.shape = c.start->shape;
+  }
   c.start = std::move(start);
 }
 
@@ -146,11 +151,28 @@ std::vector<GrowthOption> startOptions() {
        "The object is this surface as it is: a wall for the objects after it, written with them; needs no "
        "--seed",
        false, [](Parameters&, Constraints& c, Text t) { setStart(c, "--given", t, true); }},
-      {"--start-label", "N", "The voxels of that label map that are meant (default: all that are not 0)",
+      {"--start-label", "N|NAME",
+       "The label of that map that is meant, by its number or as the file calls it (default: all but 0)",
        false,
        [](Parameters&, Constraints& c, Text t) {
-         if (!c.start) c.start.emplace();
-         c.start->label = parseInteger("--start-label", t, 1, kAnyCount);
+         startOf(c).called = parseLabel("--start-label", t, 1, kAnyCount);
+       }},
+      {"--start-smooth", "MM",
+       "Smoothing of the surface of that label (default: a voxel along each axis; 0: none, steps and all)",
+       false,
+       [](Parameters&, Constraints& c, Text t) {
+         startOf(c).shape.smoothing = notNegative("--start-smooth", t);
+       }},
+      {"--start-keep-largest", "on|off", "Only the largest 6-connected part of that label (default off)",
+       false,
+       [](Parameters&, Constraints& c, Text t) {
+         if (t != "on" && t != "off")
+           throw OptionError("--start-keep-largest", "'" + t + "' is not on or off.");
+         startOf(c).shape.keepsLargest = t == "on";
+       }},
+      {"--start-genus", "G", "Close or cut tunnels of that label until no more than G are left", false,
+       [](Parameters&, Constraints& c, Text t) {
+         startOf(c).shape.genus = parseInteger("--start-genus", t, 0, kAnyCount);
        }},
   };
 }

@@ -60,6 +60,13 @@ int parseInteger(const std::string& option, const std::string& text, int lowest,
   return value;
 }
 
+std::string parseLabel(const std::string& option, const std::string& text, int lowest, int highest) {
+  if (text.empty()) throw OptionError(option, "'' is no label.");
+  double number = 0;
+  if (convert(text, number) && std::isfinite(number)) parseInteger(option, text, lowest, highest);
+  return text;
+}
+
 std::vector<double> parseNumbers(const std::string& option, const std::string& text) {
   std::vector<double> values;
   for (std::string_view part : splitAtCommas(text)) values.push_back(parseNumber(option, std::string(part)));

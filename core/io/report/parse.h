@@ -13,6 +13,8 @@ namespace handlebody {
 double parseNumber(const std::string& option, const std::string& text);
 //! A whole number in [lowest, highest].
 int parseInteger(const std::string& option, const std::string& text, int lowest, int highest);
+//! The number of a label, in [lowest, highest], or else its name, as it is.
+std::string parseLabel(const std::string& option, const std::string& text, int lowest, int highest);
 //! Numbers with commas between them.
 std::vector<double> parseNumbers(const std::string& option, const std::string& text);
 //! X,Y,Z, all finite.

@@ -98,6 +98,8 @@ std::vector<Finding> resultWarnings(const RunReport& report, const TriangleSoup&
   if (!report.session.constraints.start && atItsSeeds(report, mesh))
     out.push_back(hardlyGrown(*report.session.resolved));
   if (Finding choice = closeChoice(report); choice.any()) out.push_back(std::move(choice));
+  if (Finding shared = sharedVoxels(report.session.constraints); shared.any())
+    out.push_back(std::move(shared));
   if (Finding thin = givenWithThin(report.session, mesh); thin.any()) out.push_back(std::move(thin));
   return out;
 }

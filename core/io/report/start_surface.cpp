@@ -5,18 +5,17 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <tuple>
 
 #include "core/cancellation.h"
 #include "core/collision/certify.h"
 #include "core/errors.h"
-#include "core/io/dicom/dicom_segments.h"
 #include "core/io/meshes/mesh_io.h"
-#include "core/io/report/compared.h"
+#include "core/io/report/label_file.h"
 #include "core/io/report/result.h"
 #include "core/io/report/session_files.h"
 #include "core/measure/inscribed_balls.h"
 #include "core/solid/label_mesh.h"
+#include "core/solid/simplify.h"
 #include "core/told_error.h"
 
 namespace handlebody {
@@ -87,15 +86,15 @@ struct ReadStart {
   std::string sha256;
   std::shared_ptr<const TriangleSoup> mesh;
   Vec3 inside{0, 0, 0};
+  std::size_t shared = 0;
 };
 
 //! What a file was asked for.
 struct FileKey {
   std::string path;
   std::vector<int> among;
-  bool operator<(const FileKey& other) const {
-    return std::tie(path, among) < std::tie(other.path, other.among);
-  }
+  LabelShape shape;
+  auto operator<=>(const FileKey&) const = default;
 };
 
 ReadStart readStart(const std::string& path, const std::string& sha256, TriangleSoup mesh) {
@@ -104,19 +103,47 @@ ReadStart readStart(const std::string& path, const std::string& sha256, Triangle
   return read;
 }
 
-Mask maskIn(const std::string& path, const Volume& labels, std::optional<int> label) {
-  Mask mask = maskOf(labels, label);
+[[noreturn]] void refuseTunnels(const FileKey& key, int tunnels) {
+  refuseStart(key.path, {K::keepsTunnels, {{"tunnels", tunnels}, {"most", *key.shape.genus}}});
+}
+
+Mask maskIn(const FileKey& key, LabelFile& labels, std::optional<int> label) {
+  Mask mask = labels.mask(label);
   if (mask.inside.empty())
-    refuseStart(path, label ? Finding(K::hasNoLabel, {{"label", *label}}) : K::hasNoVoxel);
-  return mask;
+    refuseStart(key.path, label ? Finding(K::hasNoLabel, {{"label", *label}}) : K::hasNoVoxel);
+  if (key.shape.keepsLargest) mask = largestPart(mask);
+  if (!key.shape.genus) return mask;
+  std::optional<Mask> simpler = withFewerTunnels(mask, *key.shape.genus);
+  if (!simpler) refuseTunnels(key, countTunnels(mask));
+  return *std::move(simpler);
+}
+
+//! What fills a tunnel may belong to other labels.
+void checkTunnels(const FileKey& key, const std::vector<Mask>& masks) {
+  if (!key.shape.genus || masks.size() < 2) return;
+  for (const Mask& mask : masks)
+    if (const int tunnels = countTunnels(mask); tunnels > *key.shape.genus) refuseTunnels(key, tunnels);
+}
+
+//! Voxels that several labels hold are one's, and a tunnel is not filled with voxels of another label. How
+//! many each has left to others.
+std::vector<std::size_t> keepApart(const FileKey& key, const std::vector<int>& values,
+                                   std::vector<Mask>& masks) {
+  std::vector<std::size_t> shared = leaveToSmaller(masks);
+  for (std::size_t i = 0; i < masks.size(); ++i)
+    if (masks[i].inside.empty()) refuseStart(key.path, {K::hasNoneAlone, {{"label", values[i]}}});
+  checkTunnels(key, masks);
+  return shared;
 }
 
 //! What is wrong with masks is told without a subject.
-std::vector<LabelMesh> meshesIn(const std::string& path, const std::vector<Mask>& masks) try {
-  return meshesOf(masks, {});
+std::vector<LabelMesh> meshesIn(const FileKey& key, const std::vector<Mask>& masks) try {
+  LabelMeshOptions options;
+  if (key.shape.smoothing) options.smoothing = *key.shape.smoothing;
+  return meshesOf(masks, options);
 } catch (const InputError& error) {
   const Finding why = findingOf(error);
-  refuseStart(path, why.any() ? why : Finding(K::other, {{"text", std::string(error.what())}}));
+  refuseStart(key.path, why.any() ? why : Finding(K::other, {{"text", std::string(error.what())}}));
 }
 
 //! By label; 0: all together.
@@ -127,31 +154,35 @@ std::map<int, ReadStart> readFile(const FileKey& key, const std::optional<int>& 
     if (label) refuseStart(key.path, K::meshWithoutLabels);
     return {{0, readStart(key.path, hash, readMesh(key.path, decoder))}};
   }
-  std::vector<Finding> warnings;
-  const Volume labels = readLabels(key.path, warnings, decoder).volume;
+  LabelFile labels(key.path, decoder);
   std::vector<int> values = key.among;
   if (values.empty()) values.push_back(label.value_or(0));
   std::vector<Mask> masks;
   for (const int value : values)
-    masks.push_back(maskIn(key.path, labels, value == 0 ? std::nullopt : std::optional(value)));
+    masks.push_back(maskIn(key, labels, value == 0 ? std::nullopt : std::optional(value)));
+  std::vector<std::size_t> shared(masks.size());
+  if (labels.info().hasLayers || key.shape.genus) shared = keepApart(key, values, masks);
   std::map<int, ReadStart> read;
-  std::vector<LabelMesh> meshes = meshesIn(key.path, masks);
-  for (std::size_t i = 0; i < values.size(); ++i)
-    read.emplace(values[i], readStart(key.path, hash, std::move(meshes[i].mesh)));
+  std::vector<LabelMesh> meshes = meshesIn(key, masks);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto at = read.emplace(values[i], readStart(key.path, hash, std::move(meshes[i].mesh))).first;
+    at->second.shared = shared[i];
+  }
   return read;
 }
 
 //! Labels of one map that several objects name.
 void chooseAmong(const std::vector<Session*>& sessions) {
-  std::map<std::string, std::set<int>> labels;
+  std::map<std::pair<std::string, LabelShape>, std::set<int>> labels;
   for (Session* session : sessions)
     forEachStart(*session, [&](StartSurface& s) {
-      if (s.label && s.among.empty() && !s.mesh) labels[s.path].insert(*s.label);
+      if (s.label && s.among.empty() && !s.mesh) labels[{s.path, s.shape}].insert(*s.label);
     });
   for (Session* session : sessions)
     forEachStart(*session, [&](StartSurface& s) {
       if (!s.label || !s.among.empty() || s.mesh) return;
-      if (const std::set<int>& all = labels[s.path]; all.size() > 1) s.among.assign(all.begin(), all.end());
+      if (const std::set<int>& all = labels[{s.path, s.shape}]; all.size() > 1)
+        s.among.assign(all.begin(), all.end());
     });
 }
 
@@ -164,18 +195,20 @@ void take(StartSurface& start, const std::map<int, ReadStart>& file) {
   start.sha256 = read.sha256;
   start.mesh = read.mesh;
   start.inside = read.inside;
+  start.shared = read.shared;
 }
 
 }  // namespace
 
 void loadStarts(const std::vector<Session*>& sessions) {
+  for (Session* session : sessions) forEachStart(*session, findByName);
   chooseAmong(sessions);
   std::map<std::pair<FileKey, int>, std::map<int, ReadStart>> known;
   for (Session* session : sessions)
     forEachStart(*session, [&](StartSurface& start) {
       if (start.mesh) return;
       giveUpIfCancelled();
-      const FileKey file{start.path, start.among};
+      const FileKey file{start.path, start.among, start.shape};
       const int alone = start.among.empty() ? start.label.value_or(0) : 0;
       auto at = known.find({file, alone});
       if (at == known.end()) {
@@ -186,50 +219,21 @@ void loadStarts(const std::vector<Session*>& sessions) {
     });
 }
 
+void findByName(StartSurface& start) {
+  if (start.called.empty()) return;
+  start.label = labelCalled(start.path, start.called);
+  start.called.clear();
+}
+
 void loadStarts(Session& session) { loadStarts(std::vector<Session*>{&session}); }
+
+Finding sharedVoxels(const Constraints& constraints) {
+  if (!constraints.start || constraints.start->shared == 0) return {};
+  return {K::givenShares, {{"voxels", constraints.start->shared}}};
+}
 
 bool isMeshAsItIs(const Constraints& constraints) {
   return constraints.start && constraints.start->isDone && isMeshInputPath(constraints.start->path);
-}
-
-namespace {
-
-FileLabels saidIn(const std::string& path) {
-  FileLabels labels = readSlicerLabels(path);
-  return labels.empty() ? readDicomLabels(path) : labels;
-}
-
-}  // namespace
-
-FileLabel labelIn(const std::string& path, std::optional<int> value) {
-  const FileLabels labels = saidIn(path);
-  const auto found = value ? labels.find(*value) : labels.size() == 1 ? labels.begin() : labels.end();
-  return found == labels.end() ? FileLabel() : found->second;
-}
-
-std::vector<NamedLabel> labelsIn(const std::string& path) {
-  std::vector<Finding> warnings;
-  const Volume labels = readLabels(path, warnings).volume;
-  std::set<int> values;
-  visitVoxels(labels, [&](const auto* value) {
-    double last = 0;
-    for (std::size_t i = 0; i < labels.grid.voxelCount() && values.size() <= kMaxLabels; ++i) {
-      const auto v = static_cast<double>(value[i]);
-      if (v == last || v == 0) continue;
-      values.insert(static_cast<int>(std::lround(v)));
-      last = v;
-    }
-  });
-  if (values.empty()) throw Told<InputError>(Finding(K::labelsEmpty, {{"file", path}}));
-  if (values.size() > kMaxLabels)
-    throw Told<InputError>(Finding(K::tooManyLabels, {{"file", path}, {"most", kMaxLabels}}));
-  const FileLabels said = saidIn(path);
-  std::vector<NamedLabel> out;
-  for (const int value : values) {
-    const auto label = said.find(value);
-    out.push_back({label == said.end() ? FileLabel() : label->second, value});
-  }
-  return out;
 }
 
 }  // namespace handlebody

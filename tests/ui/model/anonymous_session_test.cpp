@@ -19,7 +19,7 @@ struct NamedWork : ObjectsWork {
     writeMesh(icosphere(opposite().centre, 3, 1.0), ball.toStdString());
     int opened = 0;
     QObject::connect(&document, &Document::objectsOpened, [&] { ++opened; });
-    document.openObjects(ball, OpenAs::done);
+    document.openObjects({ball});
     REQUIRE(waitFor([&] { return opened == 1; }));
     document.addSeed(torus.seed);
   }

@@ -1,10 +1,13 @@
 // Meshes and label maps as objects of a Document.
 
+#include "ui/model/opened_objects.h"
 #include "core/collision/body_contact.h"
 #include "core/io/dicom/dicom_writer.h"
 #include "core/io/formats/label_map.h"
 #include "core/io/report/session.h"
 #include "core/mesh/shapes.h"
+#include "tests/io/overlapping_segments.h"
+#include "tests/support/test_volume.h"
 #include "tests/ui/model/objects_support.h"
 
 using namespace handlebody;
@@ -14,26 +17,40 @@ namespace {
 
 struct OpeningWork : ObjectsWork {
   QStringList opened;
+  qint64 shared = 0;
   QString openingFailed;
   bool wasCancelled = false;
 
   OpeningWork() {
     QObject::connect(&document, &Document::objectsOpened,
-                     [this](const QString&, const QStringList& names) { opened = names; });
+                     [this](const QString&, const QStringList& names, qint64 voxels) {
+                       opened = names;
+                       shared = voxels;
+                     });
     QObject::connect(&document, &Document::openingObjectsFailed,
                      [this](const QString& sentence) { openingFailed = sentence; });
     QObject::connect(&document, &Document::openingObjectsCancelled, [this] { wasCancelled = true; });
   }
-  bool open(const QString& path, OpenAs as) {
+  bool open(const QString& path, OpenAs as) { return open({path, as}); }
+  bool open(const ObjectsToOpen& asked) {
     opened.clear();
     openingFailed.clear();
-    document.openObjects(path, as);
+    document.openObjects(asked);
     return waitFor([&] { return !opened.isEmpty() || !openingFailed.isEmpty() || wasCancelled; }) &&
            !opened.isEmpty();
   }
   bool isShown(int index) const {
     const auto shown = document.objectInfo(index).snapshot;
     return shown && !shown->mesh.triangles.empty();
+  }
+  //! The mesh and the certificate of the only object that `asked` opens, as done.
+  MeshSnapshot only(const ObjectsToOpen& asked) {
+    REQUIRE(open(asked));
+    REQUIRE(opened.size() == 1);
+    REQUIRE(waitFor([&] { return isShown(0); }));
+    MeshSnapshot shown = *document.objectInfo(0).snapshot;
+    document.undoStack()->undo();
+    return shown;
   }
   //! A ball in the torus, on the other side of it than its seed.
   QString ball(double radius = 3) const {
@@ -42,6 +59,59 @@ struct OpeningWork : ObjectsWork {
     return path;
   }
 };
+
+constexpr int kBalls = 1, kRing = 4;
+
+double ringDistance(const Vec3& p) {
+  const Vec3 q = p - Vec3(28, 28, 20);
+  return std::hypot(std::hypot(q.x(), q.y()) - 6, q.z()) - 2.7;
+}
+
+//! Two balls of one label, and a ring of another, in the volume's grid.
+QString ballsAndRing(const TorusFile& torus) {
+  const QString path = torus.file("labels.nrrd");
+  const auto isInBalls = [large = test::inBall({9, 9, 10}, 5), small = test::inBall({9, 9, 26}, 2.5)](
+                             const Vec3& p) { return large(p) || small(p); };
+  writeVolume(testing::volumeByIndex(testing::cubicGrid(41),
+                                     [&](int i, int j, int k) {
+                                       const Vec3 p(i, j, k);
+                                       return isInBalls(p) ? kBalls : ringDistance(p) < 0 ? kRing : 0;
+                                     }),
+              path.toStdString());
+  return path;
+}
+
+const auto kBody = test::inBall({14, 20, 20}, 7), kLesion = test::inBall({21, 20, 20}, 4);
+
+//! Segments 1 and 2, the smaller of which reaches into the other one.
+QString overlapping(const TorusFile& torus) {
+  const QString path = torus.file("overlapping.seg.nrrd");
+  test::writeLayers({{"Body", "0 1 0", kBody}, {"Lesion", "1 0 0", kLesion}}, testing::cubicGrid(41),
+                    path.toStdString());
+  return path;
+}
+
+int voxelsOfBoth() {
+  int count = 0;
+  for (int k = 0; k < 41; ++k)
+    for (int j = 0; j < 41; ++j)
+      for (int i = 0; i < 41; ++i) count += kBody(Vec3(i, j, k)) && kLesion(Vec3(i, j, k));
+  return count;
+}
+
+//! Part of the vertices that lie midway between two voxels that are neighbours.
+double midwayPart(const TriangleSoup& mesh) {
+  int midway = 0;
+  for (const Vec3& p : mesh.points) {
+    int whole = 0, half = 0;
+    for (int a = 0; a < 3; ++a) {
+      whole += std::abs(p[a] - std::round(p[a])) < 1e-5;
+      half += std::abs(p[a] - std::floor(p[a]) - 0.5) < 1e-5;
+    }
+    midway += whole == 2 && half == 1;
+  }
+  return static_cast<double>(midway) / static_cast<double>(mesh.points.size());
+}
 
 }  // namespace
 
@@ -200,9 +270,122 @@ TEST_CASE("what is no object of this volume is refused in a sentence, and nothin
   CHECK_FALSE(work.open(work.torus.file("none.stl"), OpenAs::done));
   CHECK(work.document.objectCount() == 1);
   SECTION("and so is what was cancelled") {
-    work.document.openObjects(work.ball(), OpenAs::done);
+    work.document.openObjects({work.ball()});
     work.document.cancelOpeningObjects();
     REQUIRE(waitFor([&] { return work.wasCancelled; }));
     CHECK(work.document.objectCount() == 1);
   }
+}
+
+TEST_CASE("of a label map only the labels that are chosen become objects", "[objects][opened]") {
+  OpeningWork work;
+  Document& document = work.document;
+  const QString path = ballsAndRing(work.torus);
+  REQUIRE(work.open({path, OpenAs::done, {kRing}}));
+  CHECK(work.opened == QStringList{QStringLiteral("labels 4")});
+  REQUIRE(document.objectCount() == 2);
+  REQUIRE(waitFor([&] { return work.isShown(0); }));
+  CHECK(document.objectInfo(0).label.value == kRing);
+  CHECK(document.objectInfo(0).snapshot->certificate.genus == std::vector<int>{1});
+  document.undoStack()->undo();
+  CHECK(document.objectCount() == 1);
+  REQUIRE(work.open({path, OpenAs::start}));
+  CHECK(work.opened.size() == 2);
+  SECTION("and one that the file does not have is refused") {
+    CHECK_FALSE(work.open({path, OpenAs::done, {kBalls, 9}}));
+    CHECK(work.openingFailed.contains(QLatin1Char('9')));
+    CHECK(document.objectCount() == 3);
+  }
+}
+
+TEST_CASE("the only label of a map is called after the file", "[objects][opened]") {
+  OpeningWork work;
+  const QString path = work.torus.file("liver.mha");
+  const auto inside = test::inBall({20, 20, 20}, 5);
+  writeVolume(testing::volumeByIndex(testing::cubicGrid(41),
+                                     [&](int i, int j, int k) { return inside(Vec3(i, j, k)) ? 3 : 0; }),
+              path.toStdString());
+  REQUIRE(work.open({path, OpenAs::done, {3}}));
+  CHECK(work.opened == QStringList{QStringLiteral("liver")});
+  CHECK(work.shared == 0);
+}
+
+TEST_CASE("labels are opened without smoothing, as their largest part, or with fewer tunnels as is chosen",
+          "[objects][opened]") {
+  OpeningWork work;
+  const QString path = ballsAndRing(work.torus);
+  const MeshSnapshot ring = work.only({path, OpenAs::done, {kRing}}),
+                     balls = work.only({path, OpenAs::done, {kBalls}});
+  REQUIRE(ring.certificate.genus == std::vector<int>{1});
+  REQUIRE(balls.certificate.components == 2);
+  CHECK(midwayPart(ring.mesh) < 0.5);
+
+  const TriangleSoup steps = work.only({path, OpenAs::done, {kRing}, {.smoothing = 0}}).mesh;
+  CHECK(midwayPart(steps) == 1);
+  CHECK_FALSE(isSame(steps, ring.mesh));
+  CHECK_FALSE(isSame(work.only({path, OpenAs::done, {kRing}, {.smoothing = 2}}).mesh, ring.mesh));
+
+  const Certificate part = work.only({path, OpenAs::done, {kBalls}, {.keepsLargest = true}}).certificate;
+  CHECK(part.components == 1);
+  CHECK(part.volume > 0.5 * balls.certificate.volume);
+  CHECK(work.only({path, OpenAs::done, {kRing}, {.genus = 0}}).certificate.genus == std::vector<int>{0});
+}
+
+TEST_CASE("how labels became surfaces is kept by the session", "[objects][opened]") {
+  OpeningWork work;
+  Document& document = work.document;
+  REQUIRE(
+      work.open({ballsAndRing(work.torus), OpenAs::done, {kBalls}, {.smoothing = 0, .keepsLargest = true}}));
+  REQUIRE(waitFor([&] { return work.isShown(0); }));
+  document.removeObject(1);
+  const QString session = work.torus.file("s.json");
+  REQUIRE(work.save(session));
+  Document other;
+  REQUIRE(openAndWait(other, session));
+  REQUIRE(waitFor([&] { return other.objectInfo(0).snapshot != nullptr; }));
+  CHECK(isSame(other.objectInfo(0).snapshot->mesh, document.objectInfo(0).snapshot->mesh));
+}
+
+TEST_CASE("what several segments hold is left to the smallest, and told", "[objects][opened]") {
+  OpeningWork work;
+  Document& document = work.document;
+  const QString path = overlapping(work.torus);
+  REQUIRE(work.open({path}));
+  CHECK(work.opened == QStringList{QStringLiteral("Body"), QStringLiteral("Lesion")});
+  REQUIRE(voxelsOfBoth() > 0);
+  CHECK(work.shared == voxelsOfBoth());
+  REQUIRE(waitFor([&] { return work.isShown(0) && work.isShown(1); }));
+  CHECK(bodyContact(document.objectInfo(0).snapshot->mesh, document.objectInfo(1).snapshot->mesh) ==
+        BodyContact::none);
+  const QString report = work.torus.file("r.json");
+  document.exportReport(report);
+  REQUIRE(work.isWritten(report));
+  CHECK(bytesOf(report).count("\"given-shares\"") == 1);
+  SECTION("one that is opened alone is whole") {
+    const double left = document.objectInfo(0).snapshot->certificate.volume;
+    document.undoStack()->undo();
+    CHECK(work.only({path, OpenAs::done, {1}}).certificate.volume > left + 0.5 * voxelsOfBoth());
+    CHECK(work.shared == 0);
+  }
+}
+
+TEST_CASE("the labels of a map are listed with what its file says of them", "[objects][opened]") {
+  const TorusFile torus;
+  const std::atomic<bool> goesOn{false}, cancelled{true};
+  const LabelsToOpen segments = labelsToOpen(overlapping(torus), goesOn);
+  CHECK(segments.error.isEmpty());
+  CHECK(segments.mayOverlap);
+  REQUIRE(segments.labels.size() == 2);
+  CHECK(segments.labels[0].value == 1);
+  CHECK(segments.labels[1].value == 2);
+  CHECK(segments.labels[1].name == "Lesion");
+  CHECK(segments.labels[1].colour == Colour{255, 0, 0});
+  const LabelsToOpen plain = labelsToOpen(ballsAndRing(torus), goesOn);
+  CHECK_FALSE(plain.mayOverlap);
+  REQUIRE(plain.labels.size() == 2);
+  CHECK(plain.labels[1].value == kRing);
+  CHECK(labelsToOpen(torus.path, goesOn).error.contains(QLatin1String("whole numbers")));
+  const LabelsToOpen unwanted = labelsToOpen(overlapping(torus), cancelled);
+  CHECK(unwanted.labels.empty());
+  CHECK(unwanted.error.isEmpty());
 }

@@ -331,7 +331,7 @@ TEST_CASE("a surface that comes from a file is not carried, and it says why", "[
   REQUIRE(waitFor([&] { return !written.isEmpty(); }));
   REQUIRE(openAndWait(document, heart.path));
   QObject::connect(&document, &Document::objectsOpened, [&](const QString& p) { opened = p; });
-  document.openObjects(path, OpenAs::start);
+  document.openObjects({path, OpenAs::start});
   REQUIRE(waitFor([&] { return !opened.isEmpty(); }));
   document.removeObject(0);  // the one without a click
   REQUIRE(document.objectCount() == 1);

@@ -94,7 +94,7 @@ std::unique_ptr<ui::MainWindow> workOn(const Jane& jane) {
   if (!window || !open(*window, jane.series)) return nullptr;
   ui::Document& document = window->document();
   QSignalSpy opened(&document, &ui::Document::objectsOpened);
-  document.openObjects(jane.mesh, ui::OpenAs::done);
+  document.openObjects({jane.mesh});
   if (opened.isEmpty() && !opened.wait(kPatience)) return nullptr;
   if (!QTest::qWaitFor([&] { return document.objectInfo(0).snapshot != nullptr; }, kPatience)) return nullptr;
   document.addSeed({jane.seed, {}});

@@ -4,9 +4,11 @@
 #include <QComboBox>
 #include <QFile>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QPointer>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QSpinBox>
@@ -19,12 +21,15 @@
 #include "core/io/meshes/exported_object.h"
 #include "core/io/meshes/mesh_io.h"
 #include "core/mesh/shapes.h"
+#include "tests/io/overlapping_segments.h"
+#include "tests/support/test_volume.h"
 #include "tests/ui/window/layout_support.h"
 #include "tests/ui/window/window_support.h"
 #include "ui/window/export/export_panel.h"
 #include "ui/window/help/help_window.h"
 #include "ui/window/objects/object_dialog.h"
 #include "ui/window/objects/objects_panel.h"
+#include "ui/window/open/open_objects_dialog.h"
 #include "ui/window/views/status_fields.h"
 #include "ui/window/widgets/language.h"
 
@@ -99,6 +104,20 @@ void lookAtNext(Faults& faults, const QString& place, bool& isAsked) {
     keepPicture(*box, place);
     box->reject();
   });
+}
+
+//! Looks at what is asked of a file with objects, when its labels are read, and cancels it.
+void lookAtOpening(Faults& faults, const QString& place, ui::MainWindow& window, const QString& path) {
+  window.files().openObjects(path);
+  QPointer<ui::OpenObjectsDialog> dialog = window.findChild<ui::OpenObjectsDialog*>();
+  QVERIFY(dialog && QTest::qWaitForWindowExposed(dialog));
+  if (auto* list = dialog->findChild<QListWidget*>()) {
+    faults.look(place + QStringLiteral(" that are read"), *dialog);
+    QVERIFY(QTest::qWaitFor([&] { return list->count() > 0; }, kPatience));
+  }
+  faults.look(place, *dialog);
+  dialog->reject();
+  QVERIFY(QTest::qWaitFor([&] { return dialog.isNull(); }));
 }
 
 //! Three objects as they are added, the first of which has grown a little, so that the others are told what
@@ -336,9 +355,12 @@ void CutOffTest::nothingInQuestions() {
   bool isAsked = false;
   const QString path = folder.filePath("sub-0123456789_ses-20240229_left lesion.stl");
   writeMesh(icosphere(kMiddle, 4, 1.2), path.toStdString());
-  lookAtNext(faults, "what a mesh is", isAsked);
-  window->files().openObjects(path);
-  QVERIFY(std::exchange(isAsked, false));
+  lookAtOpening(faults, "what a mesh is", *window, path);
+  const QString segments = folder.filePath("organs.seg.nrrd");
+  test::writeLayers({{"Left kidney", "0 1 0", test::inBall(Vec3(8, 8, 8), 4)},
+                     {"Lesion of the left kidney", "1 0 0", test::inBall(Vec3(11, 8, 8), 3)}},
+                    testing::cubicGrid(20), segments.toStdString());
+  lookAtOpening(faults, "labels of a map", *window, segments);
   lookAtNext(faults, "unsaved work", isAsked);
   window->close();
   QVERIFY(std::exchange(isAsked, false) && window->isVisible());

@@ -9,7 +9,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
+#include "core/io/report/start_surface.h"
 #include "ui/model/document.h"
 #include "ui/model/finding_text.h"
 #include "ui/window/commands.h"
@@ -71,14 +73,24 @@ QString warningText(const Finding& warning) {
   return QStringLiteral("<p style='margin: 4px 0 0 0'>%1</p>").arg(findingSentence(warning).toHtmlEscaped());
 }
 
-// Only what came to its end is judged: on the way much of a surface lies where there is no edge.
-QString warningsOf(const Document& document) {
+//! Only what came to its end is judged: on the way much of a surface lies where there is no edge. What a
+//! surface that was opened lacks is known from the beginning.
+std::vector<Finding> doubtsAbout(const Document& document) {
   const auto snapshot = document.snapshot();
-  const bool ended =
-      document.state() == GrowthState::finished && document.iteration() == document.lastIteration();
-  if (!ended || !snapshot || snapshot->warnings.empty()) return {};
+  if (!snapshot) return {};
+  std::vector<Finding> doubts;
+  if (Finding shared = sharedVoxels(document.constraints()); shared.any())
+    doubts.push_back(std::move(shared));
+  if (document.state() == GrowthState::finished && document.iteration() == document.lastIteration())
+    doubts.insert(doubts.end(), snapshot->warnings.begin(), snapshot->warnings.end());
+  return doubts;
+}
+
+QString warningsOf(const Document& document) {
+  const std::vector<Finding> doubts = doubtsAbout(document);
+  if (doubts.empty()) return {};
   QString text = QStringLiteral("<p style='margin: 0'><b>%1</b></p>").arg(GrowPanel::tr("⚠ Worth a look"));
-  for (const Finding& warning : snapshot->warnings) text += warningText(warning);
+  for (const Finding& doubt : doubts) text += warningText(doubt);
   return text;
 }
 

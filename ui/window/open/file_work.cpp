@@ -5,6 +5,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QImageWriter>
+#include <QLocale>
 #include <QMessageBox>
 #include <QProgressDialog>
 #include <QPushButton>
@@ -21,6 +22,7 @@
 #include "ui/model/document.h"
 #include "ui/model/finding_text.h"
 #include "ui/window/export/export_panel.h"
+#include "ui/window/open/open_objects_dialog.h"
 #include "ui/window/views/view_grid.h"
 #include "ui/window/widgets/message_bar.h"
 
@@ -156,18 +158,12 @@ void FileWork::chooseObjects() {
 }
 
 void FileWork::openObjects(const QString& path) {
-  QMessageBox question(QMessageBox::Question, tr("Open objects"),
-                       tr("What are the surfaces of “%1”?").arg(QFileInfo(path).fileName()),
-                       QMessageBox::Cancel, window_);
-  question.setInformativeText(tr(
-      "Objects that are done stay as they are: locked, written with the others, and walls for objects that "
-      "grow after them.\n\nOthers are where objects begin: they grow from there onto the image, or give "
-      "ground."));
-  const auto* done = question.addButton(tr("&Done"), QMessageBox::AcceptRole);
-  const auto* start = question.addButton(tr("To &grow from"), QMessageBox::AcceptRole);
-  question.exec();
-  if (question.clickedButton() == done) document_.openObjects(path, OpenAs::done);
-  if (question.clickedButton() == start) document_.openObjects(path, OpenAs::start);
+  auto* dialog = new OpenObjectsDialog(path, window_);
+  connect(dialog, &OpenObjectsDialog::chosen, &document_, &Document::openObjects);
+  connect(dialog, &OpenObjectsDialog::failed, this,
+          [this](const QString& text) { messages_.show(MessageBar::Kind::error, text); });
+  connect(&document_, &Document::opened, dialog, &QDialog::reject);  // they were meant for what was open
+  dialog->open();
 }
 
 //! How long it takes is not known.
@@ -189,9 +185,15 @@ void FileWork::connectObjects() {
     if (!text.isEmpty()) messages_.show(kind, text);
   };
   connect(&document_, &Document::objectsOpened, progress,
-          [end](const QString& path, const QStringList& names) {
-            end(MessageBar::Kind::information,
-                tr("%1 is open as: %2.").arg(QFileInfo(path).fileName(), names.join(tr(", "))));
+          [end](const QString& path, const QStringList& names, qint64 shared) {
+            const QString open =
+                tr("%1 is open as: %2.").arg(QFileInfo(path).fileName(), names.join(tr(", ")));
+            if (shared == 0) return end(MessageBar::Kind::information, open);
+            end(MessageBar::Kind::warning,
+                open + QLatin1Char(' ') +
+                    tr("Segments overlap: what several of them hold is left to the smallest (voxels: %1). "
+                       "Step 4, Grow, tells it of each.")
+                        .arg(QLocale().toString(shared)));
           });
   connect(&document_, &Document::openingObjectsFailed, progress,
           [end](const QString& text) { end(MessageBar::Kind::error, text); });

@@ -27,7 +27,7 @@ class FileWork : public QObject {
   void chooseFolder();
   //! Of a mesh or label map that is asked for.
   void chooseObjects();
-  //! Asks what is to become of them.
+  //! Asks what is to become of them, and which of a label map, without waiting for the answer.
   void openObjects(const QString& path);
   //! Asks about unsaved work first. What can only be the surface of something is opened as an object of the
   //! volume that is open.

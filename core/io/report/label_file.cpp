@@ -1,0 +1,127 @@
+#include "core/io/report/label_file.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+#include "core/io/dicom/dicom_segments.h"
+#include "core/io/refuse_input.h"
+#include "core/told_error.h"
+
+namespace handlebody {
+
+namespace {
+
+using K = FindingKind;
+
+FileLabels saidIn(const std::string& path) {
+  FileLabels labels = readSlicerLabels(path);
+  return labels.empty() ? readDicomLabels(path) : labels;
+}
+
+//! Of the voxels that are not 0, kMaxLabels + 1 at most.
+void addValues(const Volume& labels, int shift, std::set<int>& values) {
+  visitVoxels(labels, [&](const auto* value) {
+    double last = 0;
+    for (std::size_t i = 0; i < labels.grid.voxelCount() && values.size() <= kMaxLabels; ++i) {
+      const auto v = static_cast<double>(value[i]);
+      if (v == last || v == 0) continue;
+      values.insert(static_cast<int>(std::lround(v)) + shift);
+      last = v;
+    }
+  });
+}
+
+std::string namesIn(const FileLabels& labels) {
+  std::string names;
+  for (const auto& [number, label] : labels)
+    if (!label.name.empty()) names += (names.empty() ? "'" : ", '") + label.name + "'";
+  return names;
+}
+
+}  // namespace
+
+LabelFile::LabelFile(const std::string& path, const DecoderSettings& decoder)
+    : path_(path), decoder_(decoder) {
+  LoadedVolume loaded = loadVolume(path, {.decoder = decoder});
+  info_ = std::move(loaded.info);
+  read_ = std::move(loaded.volume);
+  if (!holdsWholeNumbers(read_)) refuseInput(path, K::notWholeNumbers);
+  if (!info_.hasLayers) return;
+  std::erase_if(info_.warnings, [](const Finding& w) { return w.kind == K::firstLayerUsed; });
+  shifts_ = slicerLayerShifts(path);
+}
+
+const Volume& LabelFile::layer(int index) {
+  if (index == readLayer_) return read_;
+  read_ = {};  // before the next one takes as much
+  read_ = readVolume(path_, {.frame = index, .decoder = decoder_});
+  readLayer_ = index;
+  if (!holdsWholeNumbers(read_)) refuseInput(path_, K::notWholeNumbers);
+  return read_;
+}
+
+int LabelFile::shiftOf(int layer) const {
+  const auto at = static_cast<std::size_t>(layer);
+  return at < shifts_.size() ? shifts_[at] : 0;
+}
+
+Mask LabelFile::mask(std::optional<int> label) {
+  if (!info_.hasLayers) return maskOf(read_, label);
+  if (label) {
+    for (int l = 0; l < info_.frames; ++l) {
+      const int value = *label - shiftOf(l);
+      if (value == 0 || (l > 0 && value < 0)) continue;
+      if (Mask mask = maskOf(layer(l), value); !mask.inside.empty()) return mask;
+    }
+    return maskOf(read_, std::nan(""));  // none at all
+  }
+  auto any = std::make_shared<std::vector<std::uint8_t>>(info_.grid.voxelCount());
+  for (int l = 0; l < info_.frames; ++l)
+    visitVoxels(layer(l), [&](const auto* value) {
+      for (std::size_t i = 0; i < any->size(); ++i) (*any)[i] |= value[i] != 0 ? 1 : 0;
+    });
+  return maskOf({info_.grid, VoxelType::uint8, {any, any->data()}}, std::nullopt);
+}
+
+std::vector<NamedLabel> LabelFile::labels() {
+  std::set<int> values;
+  for (int l = 0; l < (info_.hasLayers ? info_.frames : 1); ++l) addValues(layer(l), shiftOf(l), values);
+  if (values.empty()) throw Told<InputError>(Finding(K::labelsEmpty, {{"file", path_}}));
+  if (values.size() > kMaxLabels)
+    throw Told<InputError>(Finding(K::tooManyLabels, {{"file", path_}, {"most", kMaxLabels}}));
+  const FileLabels said = saidIn(path_);
+  std::vector<NamedLabel> out;
+  for (const int value : values) {
+    const auto label = said.find(value);
+    out.push_back({label == said.end() ? FileLabel() : label->second, value});
+  }
+  return out;
+}
+
+std::vector<NamedLabel> labelsIn(const std::string& path) { return LabelFile(path).labels(); }
+
+FileLabel labelIn(const std::string& path, std::optional<int> number) {
+  const FileLabels labels = saidIn(path);
+  const auto found = number ? labels.find(*number) : labels.size() == 1 ? labels.begin() : labels.end();
+  return found == labels.end() ? FileLabel() : found->second;
+}
+
+int labelCalled(const std::string& path, const std::string& text) {
+  int number = 0;
+  const char* const end = text.data() + text.size();
+  if (const auto [at, error] = std::from_chars(text.data(), end, number); error == std::errc() && at == end)
+    return number;
+  const FileLabels labels = saidIn(path);
+  std::vector<int> called;
+  for (const auto& [value, label] : labels)
+    if (label.name == text) called.push_back(value);
+  if (called.size() == 1) return called[0];
+  if (called.size() > 1) refuseInput(path, {K::labelsCalledAlike, {{"name", text}}});
+  const std::string names = namesIn(labels);
+  if (names.empty()) refuseInput(path, {K::noLabelNamed, {{"name", text}}});
+  refuseInput(path, {K::noLabelCalled, {{"name", text}, {"names", names}}});
+}
+
+}  // namespace handlebody

@@ -1,0 +1,127 @@
+// Label maps label by label, with segments that overlap.
+
+#include "core/io/report/label_file.h"
+
+#include "tests/io/dicom_test_support.h"
+#include "tests/io/overlapping_segments.h"
+
+using namespace handlebody;
+using namespace handlebody::test;
+
+namespace {
+
+Grid someGrid() {
+  Grid grid;
+  grid.size = {15, 13, 4};  // frames whose bits are no whole bytes
+  return grid;
+}
+
+//! All of it, its left third, and its right third.
+std::vector<test::Segment> threeSegments() {
+  return {{"body", "1 0 0", [](const Vec3&) { return true; }, 0, 1},
+          {"left", "0 1 0", [](const Vec3& p) { return p.x() < 5; }, 1, 1},
+          {"right", "0 0 1", [](const Vec3& p) { return p.x() >= 10 && p.y() > 0; }, 1, 2}};
+}
+
+void expectThree(const std::string& path) {
+  INFO(path);
+  LabelFile file(path);
+  CHECK(file.info().hasLayers);
+  CHECK(file.info().frames == 2);
+  const std::vector<NamedLabel> labels = file.labels();
+  REQUIRE(labels.size() == 3);
+  const std::size_t counts[] = {15 * 13 * 4, 5 * 13 * 4, 5 * 12 * 4};
+  for (int l = 0; l < 3; ++l) {
+    const auto at = static_cast<std::size_t>(l);
+    CHECK(labels[at].value == l + 1);
+    CHECK(labels[at].name == threeSegments()[at].name);
+    CHECK(labelCalled(path, labels[at].name) == l + 1);
+    CHECK(labelIn(path, l + 1).name == labels[at].name);
+    const Mask mask = file.mask(l + 1);
+    CHECK(mask.count() == counts[at]);
+    for (int k = 0; k < 4; ++k)
+      for (int i = 0; i < 15; ++i)
+        CHECK(mask.holds(Vec3(i, 6, k)) == threeSegments()[at].holds(Vec3(i, 6, k)));
+  }
+  CHECK(file.mask(std::nullopt).count() == counts[0]);
+  CHECK(file.mask(4).inside.empty());
+  CHECK(file.mask(0).inside.empty());
+}
+
+}  // namespace
+
+TEST_CASE("segments that overlap are each read whole, of a .seg.nrrd and of DICOM", "[labels]") {
+  const TemporaryFolder folder;
+  writeLayers(threeSegments(), someGrid(), folder / "l.seg.nrrd");
+  writeOverlappingDicom(threeSegments(), someGrid(), folder / "l.seg.dcm");
+  expectThree(folder / "l.seg.nrrd");
+  expectThree(folder / "l.seg.dcm");
+  SECTION("where they are read as an image it is said that it is the first layer alone") {
+    for (const char* name : {"l.seg.nrrd", "l.seg.dcm"}) {
+      const VolumeInfo info = inspectVolume(folder / name);
+      expectAmong(
+          info, FindingKind::firstLayerUsed,
+          "The segmentation has 2 layers, since segments overlap: only the segments of the first layer "
+          "are read.");
+    }
+  }
+  SECTION("what is made of DICOM ones still refers to them") {
+    REQUIRE(loadVolume(folder / "l.seg.dcm").info.dicom);
+    CHECK(loadVolume(folder / "l.seg.dcm").info.dicom->images.size() == 1);
+  }
+}
+
+TEST_CASE("segments that do not overlap are one layer, also where several lie in one slice", "[labels]") {
+  const TemporaryFolder folder;
+  std::vector<test::Segment> apart = threeSegments();
+  apart.erase(apart.begin());
+  writeOverlappingDicom(apart, someGrid(), folder / "l.seg.dcm");
+  LabelFile file(folder / "l.seg.dcm");
+  CHECK_FALSE(file.info().hasLayers);
+  CHECK(file.info().frames == 1);
+  CHECK(file.mask(1).count() == 5 * 13 * 4);
+  CHECK(file.mask(2).count() == 5 * 12 * 4);
+}
+
+TEST_CASE("numbers of a further layer go on behind the largest value of those before", "[labels]") {
+  const TemporaryFolder folder;
+  std::vector<test::Segment> segments = threeSegments();
+  segments[0].value = 7;
+  writeLayers(segments, someGrid(), folder / "l.seg.nrrd");
+  LabelFile file(folder / "l.seg.nrrd");
+  CHECK(file.mask(7).count() == 15 * 13 * 4);
+  CHECK(file.mask(8).count() == 5 * 13 * 4);
+  CHECK(file.mask(9).count() == 5 * 12 * 4);
+  CHECK(file.mask(1).inside.empty());
+  CHECK(labelCalled(folder / "l.seg.nrrd", "right") == 9);
+}
+
+TEST_CASE("a name that a file has not, or twice, is refused with those that it has", "[labels]") {
+  const TemporaryFolder folder;
+  const std::string path = folder / "l.seg.nrrd";
+  std::vector<test::Segment> segments = threeSegments();
+  writeLayers(segments, someGrid(), path);
+  CHECK_THROWS_WITH(labelCalled(path, "liver"),
+                    Contains(path) && Contains("'liver'") && Contains("'body', 'left', 'right'"));
+  segments[2].name = "left";
+  writeLayers(segments, someGrid(), path);
+  CHECK_THROWS_WITH(labelCalled(path, "left"), Contains("several labels called 'left'"));
+  writeLayers({}, someGrid(), folder / "plain.nrrd");
+  CHECK_THROWS_WITH(labelCalled(folder / "plain.nrrd", "left"), Contains("names none"));
+  CHECK(labelCalled(folder / "plain.nrrd", "12") == 12);
+}
+
+TEST_CASE("a file whose header counts its layers wrong has no more labels than voxels", "[labels]") {
+  const TemporaryFolder folder;
+  std::vector<test::Segment> segments = threeSegments();
+  writeLayers(segments, someGrid(), folder / "l.seg.nrrd");
+  std::string bytes = readBytes(folder / "l.seg.nrrd");
+  for (const char* wrong : {"Segment1_Layer:=9", "Segment1_Layer:=-", "Segment1_Layer:=z"}) {
+    std::string changed = bytes;
+    changed.replace(changed.find("Segment1_Layer:=1"), std::string(wrong).size(), wrong);
+    writeBytes(folder / "wrong.seg.nrrd", changed);
+    LabelFile file(folder / "wrong.seg.nrrd");
+    CHECK(file.labels().size() == 3);
+    CHECK(file.mask(1).count() == 15 * 13 * 4);
+  }
+}
