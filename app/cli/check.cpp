@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/cli/command.h"
+#include "app/cli/progress.h"
 #include "app/cli/tunnel_text.h"
 #include "core/collision/certify.h"
 #include "core/io/meshes/mesh_io.h"
@@ -78,6 +79,7 @@ Json singleToJson(const InSingle& s) {
 }
 
 int check(const CheckOptions& o) {
+  const PhaseLine line(false);
   const TriangleSoup mesh = readMesh(o.path);
   const Certificate certificate = certify(mesh);
   const MeshQuality quality = meshQuality(mesh);

@@ -7,6 +7,8 @@
 #include "app/cli/command.h"
 #include "app/cli/label_input.h"
 #include "app/cli/outputs.h"
+#include "app/cli/progress.h"
+#include "core/cancellation.h"
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
 #include "core/io/meshes/mesh_io.h"
@@ -26,7 +28,7 @@ struct CompareOptions {
   std::string label, labelA, labelB;
   std::string distances, report, csv;
   ComparisonOptions how;
-  bool json = false, isAnonymous = false;
+  bool json = false, quiet = false, isAnonymous = false;
 };
 
 void checkOptions(const CompareOptions& o) {
@@ -54,6 +56,8 @@ void write(const ComparedPair& pair, const CompareOptions& o) {
   if (!o.distances.empty() && !pair.found.distances)
     throw UsageError("-o " + o.distances + ": there are no distances, as an object is empty.");
   const DeferSignals whole;
+  const CancelScope scope(DeferSignals::stopToken());
+  const Phase phase("writing");
   if (!o.distances.empty()) writeDistances(pair, o);
   if (!o.report.empty()) writeTextAtomically(o.report, comparisonJson(pair));
   if (!o.csv.empty()) writeTextAtomically(o.csv, comparisonCsv(pair));
@@ -67,6 +71,7 @@ void compareSampled(ComparedPair& pair, const ComparisonOptions& how) try {
 
 int compare(const CompareOptions& o) {
   checkOptions(o);
+  const PhaseLine line(o.quiet);
   ComparedPair pair;
   const std::string &ofA = o.labelA.empty() ? o.label : o.labelA,
                     &ofB = o.labelB.empty() ? o.label : o.labelB;
@@ -122,6 +127,7 @@ void addCompare(CLI::App& app, Action& action) {
   command->add_option("--report", options->report, "The figures as JSON")->type_name("F.json");
   command->add_option("--csv", options->csv, "The figures as a table of one row")->type_name("F.csv");
   command->add_flag("--json", options->json, "Print JSON instead of text");
+  command->add_flag("--quiet", options->quiet, "No progress");
   addAnonymous(*command, options->isAnonymous);
   addMeasures(*command, options->how);
   command->callback([&action, options] { action = [options] { return compare(*options); }; });

@@ -9,6 +9,7 @@
 #include "app/cli/command.h"
 #include "app/cli/export_options.h"
 #include "app/cli/outputs.h"
+#include "app/cli/progress.h"
 #include "app/cli/run.h"
 #include "app/cli/tunnel_text.h"
 #include "core/cancellation.h"
@@ -226,6 +227,7 @@ int look(const EditOptions& o, const Mesh& mesh, const Certificate& certificate)
 
 int editMesh(const EditOptions& o) {
   checkOptions(o);
+  const PhaseLine line(o.quiet);
   Certificate certificate;
   Mesh mesh = readValid(o.path, certificate);
   if (!o.edits()) return look(o, mesh, certificate);
@@ -387,7 +389,7 @@ void addEdit(CLI::App& app, Action& action) {
   addMesherSeconds(*command, options->mesherSeconds);
   addAnonymous(*command, options->isAnonymous);
   command->add_flag("--json", options->json, "The same on standard output");
-  command->add_flag("--quiet", options->quiet, "No summary");
+  command->add_flag("--quiet", options->quiet, "No progress and no summary");
   command->callback([&action, options, command] {
     setTouches(*options, *command);
     action = [options] {

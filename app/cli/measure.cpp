@@ -6,6 +6,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/outputs.h"
+#include "app/cli/progress.h"
 #include "app/cli/run_objects.h"
 #include "core/collision/certify.h"
 #include "core/errors.h"
@@ -25,7 +26,7 @@ struct MeasureOptions {
   VolumeSelection selection;
   std::vector<Vec3> between;
   std::vector<std::string> wallObjects;  // names; none: the mesh and --to, or its cavities
-  bool wall = false, isAnonymous = false;
+  bool wall = false, quiet = false, isAnonymous = false;
   std::string csv, json, sections;
 };
 
@@ -102,9 +103,9 @@ ObjectPair measureSession(const MeasureOptions& o, Measured& m) {
   sessions.erase(sessions.begin());
   for (Session& session : sessions) session.volume = first.session.volume;
   const Volume volume = first.volume;
-  RunOutputs quiet;
-  quiet.quiet = true;
-  for (GrownObject& grown : growObjects(std::move(first), std::move(sessions), quiet)) {
+  RunOutputs none;
+  none.quiet = o.quiet;
+  for (GrownObject& grown : growObjects(std::move(first), std::move(sessions), none)) {
     MeasuredObject& object = m.objects.emplace_back();
     object.name = grown.report.session.label.name;
     object.mesh = std::move(grown.mesh);
@@ -190,6 +191,7 @@ void write(const MeasureOptions& o, const Measured& m) {
 
 int measure(const MeasureOptions& o) {
   check(o);
+  const PhaseLine line(o.quiet);
   Measured m;
   m.path = o.path;
   TriangleSoup other;
@@ -272,6 +274,7 @@ void addMeasure(CLI::App& app, Action& action) {
   command->add_option("--csv", options->csv, "The table, a line per object, ruler and angle")
       ->type_name("F.csv");
   command->add_option("--json", options->json, "Everything as JSON")->type_name("F.json");
+  command->add_flag("--quiet", options->quiet, "No progress");
   addAnonymous(*command, options->isAnonymous);
   command->callback([&action, options] { action = [options] { return measure(*options); }; });
 }

@@ -9,6 +9,7 @@
 #include "app/cli/label_input.h"
 #include "app/cli/object_options.h"
 #include "app/cli/outputs.h"
+#include "app/cli/progress.h"
 #include "core/cancellation.h"
 #include "core/errors.h"
 #include "core/io/report/json.h"
@@ -38,6 +39,7 @@ struct MeshOptions {
   std::string space = "LPS";
   ObjectOptions object;
   DicomContent content;
+  bool quiet = false;
 };
 
 std::string plural(int n, const std::string& what) {
@@ -82,6 +84,7 @@ void print(const Certificate& c, const std::optional<PolishReport>& polish, cons
     std::fputs(jsonText(json).c_str(), stdout);
     return;
   }
+  if (o.quiet) return;
   int tunnels = 0;
   for (const int g : c.genus) tunnels += g;
   std::printf("%s, %s, genus %d; volume %.6g ml; %d vertices, %d faces; certified\n",
@@ -93,6 +96,7 @@ void print(const Certificate& c, const std::optional<PolishReport>& polish, cons
 }
 
 int mesh(const MeshOptions& o) {
+  const PhaseLine line(o.quiet);
   std::vector<OutputFile> files;
   for (const std::string& path : o.results) {
     files.push_back({"-o", path});
@@ -169,6 +173,7 @@ void addMesh(CLI::App& app, Action& action) {
   addPolish(*command, options->polish);
   addMesherSeconds(*command, options->mesherSeconds);
   command->add_flag("--json", options->json, "Print the certificate as JSON");
+  command->add_flag("--quiet", options->quiet, "No progress and no summary");
   addObjectOptions(*command, options->object);
   addContent(*command, options->content);
   command->callback([&action, options] { action = [options] { return mesh(*options); }; });

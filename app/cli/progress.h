@@ -1,12 +1,19 @@
 #pragma once
+// One line on standard error, rewritten; nothing when that is not a terminal.
 
 #include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <thread>
 
 #include "core/evolution/step_report.h"
+#include "core/phase.h"
 
 namespace handlebody::cli {
 
-//! One line on standard error, rewritten; nothing when that is not a terminal.
+//! The iteration of a growth, whose phases are not shown.
 class Progress {
  public:
   explicit Progress(bool quiet);
@@ -22,6 +29,28 @@ class Progress {
   bool on_ = false;
   bool shown_ = false;
   std::chrono::steady_clock::time_point last_{};
+  PhaseScope noPhases_{{}};
+};
+
+//! While it lives: the phase that work on this thread is at, and for how many seconds. Between phases there
+//! is no line, so that whatever else is to be said can be said there.
+class PhaseLine {
+ public:
+  explicit PhaseLine(bool quiet);
+
+ private:
+  void tell(const char* phase);
+  void tick(const std::stop_token& stop);
+  void draw();
+
+  std::mutex mutex_;
+  std::condition_variable_any sleeping_;
+  const char* phase_ = "";
+  const char* shown_ = "";
+  long shownSeconds_ = 0;
+  std::chrono::steady_clock::time_point began_{}, drawn_{};
+  std::optional<PhaseScope> scope_;
+  std::jthread ticks_;  // a phase that says nothing for long is seen to be alive
 };
 
 }  // namespace handlebody::cli

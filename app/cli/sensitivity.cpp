@@ -5,6 +5,7 @@
 
 #include "core/errors.h"
 #include "core/io/report/parse.h"
+#include "core/phase.h"
 
 namespace handlebody::cli {
 
@@ -53,6 +54,7 @@ Sensitivity sensitivityOf(const TriangleSoup& mesh, const GrownFrom& from, const
   const auto progress = [&](int ended) {
     if (!quiet) std::fprintf(stderr, "sensitivity: run %d of %d\n", ended, options.runs);
   };
+  const PhaseScope noPhases({});  // of the runs: a line is for each
   return handlebody::sensitivityOf(mesh, from, options.runs, from.used.threads, progress);
 }
 

@@ -9,6 +9,7 @@
 #include "core/measure/ball_path.h"
 #include "core/measure/section_area.h"
 #include "core/mesh/topology.h"
+#include "core/phase.h"
 
 namespace handlebody {
 
@@ -181,6 +182,7 @@ const char* centreLineFaultText(CentreLineFault fault) {
 }
 
 CentreLine centreLine(const TriangleSoup& mesh, const Vec3& from, const Vec3& to) {
+  const Phase phase("centre line");
   InscribedBalls balls(mesh);
   if (!balls.isInside(from)) return {{}, 0, CentreLineFault::firstOutside};
   if (!balls.isInside(to)) return {{}, 0, CentreLineFault::secondOutside};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/cancellation.h"
 #include "core/collision/box_tree.h"
 
 namespace handlebody {
@@ -70,7 +71,11 @@ FarthestPair farthestPair(std::span<const Vec3> points) {
   for (const Vec3& p : kept) boxes.push_back({p, p});
   const BoxTree tree(boxes);
   tree.forEachHopeful(
-      tree, farthestOf, [&](double bound) { return bound > best.squared; },
+      tree, farthestOf,
+      [&](double bound) {
+        giveUpIfCancelled();
+        return bound > best.squared;
+      },
       [&](int i, int j) { best.offer(kept[i], kept[j]); });
   return {std::sqrt(best.squared), best.from, best.to};
 }

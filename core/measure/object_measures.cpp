@@ -1,8 +1,11 @@
 #include "core/measure/object_measures.h"
 
+#include "core/phase.h"
+
 namespace handlebody {
 
 ObjectMeasures objectMeasures(const TriangleSoup& mesh, const Volume* volume) {
+  const Phase phase("measures");
   ObjectMeasures m{shapeMeasures(mesh)};
   if (!volume) return m;
   const IntensityInside& in = m.intensity.emplace(intensityInside(mesh, *volume));

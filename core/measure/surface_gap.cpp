@@ -3,9 +3,11 @@
 #include <cmath>
 #include <limits>
 
+#include "core/cancellation.h"
 #include "core/collision/box_tree.h"
 #include "core/geometry/closest_points.h"
 #include "core/geometry/triangle_distance.h"
+#include "core/phase.h"
 
 namespace handlebody {
 
@@ -35,6 +37,7 @@ double squaredGap(const Box& a, const Box& b) {
 }  // namespace
 
 SurfaceGap surfaceGap(const TriangleSoup& a, const TriangleSoup& b) {
+  const Phase phase("distance");
   const std::vector<Box> boxesA = boxesOf(a), boxesB = boxesOf(b);
   double least = std::numeric_limits<double>::infinity();
   std::array<int, 2> nearest{0, 0};
@@ -47,7 +50,11 @@ SurfaceGap surfaceGap(const TriangleSoup& a, const TriangleSoup& b) {
   };
   BoxTree(boxesA).forEachHopeful(
       BoxTree(boxesB), [](const Box& p, const Box& q) { return -squaredGap(p, q); },
-      [&](double bound) { return -bound < least; }, look);
+      [&](double bound) {
+        giveUpIfCancelled();
+        return -bound < least;
+      },
+      look);
   const auto [onA, onB] = closestPoints(cornersOf(a, nearest[0]), cornersOf(b, nearest[1]));
   const BodyContact contact = bodyContact(a, b);
   return {contact, contact == BodyContact::surfaces ? 0 : std::sqrt(least), onA, onB};

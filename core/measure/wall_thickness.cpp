@@ -5,6 +5,7 @@
 
 #include "core/mesh/pieces.h"
 #include "core/mesh/topology.h"
+#include "core/phase.h"
 
 namespace handlebody {
 
@@ -13,6 +14,7 @@ constexpr std::size_t kSamples = 200'000;  // on both surfaces together
 }
 
 WallThickness wallThickness(const TriangleSoup& first, const TriangleSoup& second, int threads) {
+  const Phase phase("wall thickness");
   WallThickness t;
   // Pieces whose longest edge is at most h have some h²/8 of area each.
   t.sampling = std::sqrt(8 * (areaOf(first) + areaOf(second)) / static_cast<double>(kSamples));

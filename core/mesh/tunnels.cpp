@@ -8,6 +8,7 @@
 #include "core/indices.h"
 #include "core/mesh/pieces.h"
 #include "core/mesh/topology.h"
+#include "core/phase.h"
 #include "core/threads.h"
 
 namespace handlebody {
@@ -345,6 +346,7 @@ std::optional<TunnelList> findTunnelsQuickly(const TriangleSoup& mesh, const Cer
   if (!certificate.passes()) return std::nullopt;
   if (genus == 0) return TunnelList{};
   if (genus > kQuickGenus || certificate.vertices > kQuickVertices) return std::nullopt;
+  const Phase phase("tunnels");
   return findTunnels(Mesh(withoutLoosePoints(mesh)), threads);
 }
 

@@ -8,6 +8,7 @@
 #include "core/collision/certify.h"
 #include "core/geometry/triangle_angles.h"
 #include "core/indices.h"
+#include "core/phase.h"
 #include "core/polish/patch_search.h"
 #include "core/polish/polished_surface.h"
 
@@ -197,6 +198,7 @@ std::vector<Vec3> worstOf(const std::vector<BadPlace>& places, std::span<const V
 }  // namespace
 
 PolishedMesh polished(const TriangleSoup& mesh, const PolishOptions& options) {
+  const Phase phase("polishing");
   PolishedMesh out;
   out.report.limit = options.bounds.distance;
   Polisher polisher(mesh, options);

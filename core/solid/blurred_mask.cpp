@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/cancellation.h"
 #include "core/indices.h"
 
 namespace handlebody {
@@ -33,6 +34,7 @@ void blurAlong(std::vector<float>& values, const std::array<int, 3>& size, std::
   std::vector<float> line(n);
   for (std::size_t first = 0; first < values.size(); first += block)
     for (std::size_t at = first; at < first + stride; ++at) {
+      giveUpIfCancelled();
       for (std::size_t i = 0; i < n; ++i) line[i] = values[at + i * stride];
       for (std::size_t i = 0; i < n; ++i) {
         float sum = weights[0] * line[i];

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/phase.h"
+
 namespace handlebody {
 
 namespace {
@@ -35,6 +37,7 @@ double samplingFor(const Solid& a, const Solid& b, double wanted) {
 }
 
 SurfaceDistances distancesOf(const Solid& a, const Solid& b, const ComparisonOptions& options) {
+  const Phase phase("distances");
   SurfaceDistances d;
   d.sampling = samplingFor(a, b, options.sampling);
   d.ofA = directedDistances(a.surface, b.surface, d.sampling, options.threads);

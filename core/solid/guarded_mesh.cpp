@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/cancellation.h"
 #include "core/collision/near_points.h"
 #include "core/geometry/triangle_angles.h"
 #include "core/indices.h"
@@ -106,6 +107,7 @@ void GuardedMesh::move(std::span<const Vec3> targets) {
       moved_[v] = 1;
     }
   for (int round = 0; round < kMaxRounds; ++round) {
+    giveUpIfCancelled();
     Faults faults = faultsOf(mesh_, component_, detector_.detectMoved(mesh_, moved_));
     addThinned(before, faults);
     if (!faults.any) return;
@@ -145,6 +147,7 @@ bool GuardedMesh::regulate(const RemeshLimits& limits, const std::function<bool(
   for (std::size_t v = 0; v < allowed.size(); ++v)
     allowed[v] = faces[component_[v]] < kFewestFaces ? kAtRest : kActive;
   for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
+    giveUpIfCancelled();
     Mesh changed = mesh_;
     VertexStates active = allowed;
     handlebody::regulate(changed, limits, active);

@@ -14,6 +14,7 @@
 #include "core/errors.h"
 #include "core/indices.h"
 #include "core/mesh/topology.h"
+#include "core/phase.h"
 #include "core/solid/guarded_mesh.h"
 #include "core/solid/mask_surface.h"
 #include "core/solid/smooth_surface.h"
@@ -115,11 +116,13 @@ class Crowd {
     const Vec3 shift = other.grid.toIndex(grid_.toWorld(Vec3::Zero()));  // both are cut from one grid
     const int dx = static_cast<int>(std::lround(shift.x())), dy = static_cast<int>(std::lround(shift.y())),
               dz = static_cast<int>(std::lround(shift.z()));
-    for (int z = 0; z < grid_.size[2]; ++z)
+    for (int z = 0; z < grid_.size[2]; ++z) {
+      giveUpIfCancelled();
       for (int y = 0; y < grid_.size[1]; ++y)
         for (int x = 0; x < grid_.size[0]; ++x)
           if (beside_[place(x, y, z)] == 0 && anyAround(other, x + dx, y + dy, z + dz))
             beside_[place(x, y, z)] = 1;
+    }
   }
   static bool anyAround(const Mask& mask, int x, int y, int z) {
     for (int k = z - 1; k <= z + 1; ++k)
@@ -325,7 +328,10 @@ void Together::smoothAndRegulate(GuardedMesh& guarded, Offsets& offsets) const {
   moves.make(kFirstMoves, kFirstReach);
   for (int i = 0; i < kRegulations; ++i) {
     offsets.update(guarded);
-    guarded.regulate(limits, [&](const Vec3& p) { return distance(p) <= kMaxApart; });
+    {
+      const Phase phase("regulating");
+      guarded.regulate(limits, [&](const Vec3& p) { return distance(p) <= kMaxApart; });
+    }
     moves.make(kMovesBetween, kLaterReach);
   }
 }
@@ -356,6 +362,7 @@ LabelMesh Together::taken(const GuardedMesh& guarded, std::size_t object) const 
 }
 
 std::vector<LabelMesh> Together::smoothed() {
+  const Phase phase("smoothing");
   for (std::size_t i = 0; i < masks_.size(); ++i) {
     const Vec3 sigma = options_.smoothing < 0
                            ? Vec3::Ones()

@@ -2,7 +2,9 @@
 
 #include <Eigen/LU>
 
+#include "core/cancellation.h"
 #include "core/errors.h"
+#include "core/phase.h"
 #include "core/solid/cell_cases.h"
 #include "core/told_error.h"
 
@@ -23,6 +25,7 @@ class Marching {
 
   TriangleSoup run() {
     for (int z = -1; z < mask_.grid.size[2]; ++z) {
+      giveUpIfCancelled();
       for (int y = -1; y < mask_.grid.size[1]; ++y) addRow(y, z);
       for (std::size_t axis = 0; axis < 2; ++axis) {
         std::swap(vertices_[axis], upper_[axis]);
@@ -100,6 +103,7 @@ class Marching {
 
 TriangleSoup maskSurface(const Mask& mask, std::size_t most) {
   if (mask.inside.empty()) return {};
+  const Phase phase("surface");
   return Marching(mask, most).run();
 }
 

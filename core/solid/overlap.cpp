@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/cancellation.h"
+#include "core/phase.h"
 #include "core/solid/rasterize.h"
 
 namespace handlebody {
@@ -110,6 +111,7 @@ Counts countPoints(const Grid& lattice, const Solid& solid, const Solid* other) 
 }  // namespace
 
 Overlap overlapOf(const Solid& a, const Solid& b, double spacing) {
+  const Phase phase("overlap");
   Grid lattice = latticeOf(a, b, spacing);
   Overlap overlap;
   overlap.onVoxels = a.mask || b.mask;

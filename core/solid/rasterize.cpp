@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/cancellation.h"
+
 namespace handlebody {
 namespace {
 
@@ -72,7 +74,10 @@ Volume rasterize(const TriangleSoup& mesh, const Grid& grid) {
   for (const Vec3& p : mesh.points) points.push_back(grid.toIndex(p));
   const auto at = [&](int v) -> const Vec3& { return points[v]; };
   std::vector<Crossing> crossings;
-  for (const Triangle& t : mesh.triangles) addCrossings(at(t[0]), at(t[1]), at(t[2]), grid, crossings);
+  for (const Triangle& t : mesh.triangles) {
+    giveUpIfCancelled();
+    addCrossings(at(t[0]), at(t[1]), at(t[2]), grid, crossings);
+  }
   std::sort(crossings.begin(), crossings.end());
 
   void* buffer = nullptr;

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/cancellation.h"
 #include "core/indices.h"
 #include "core/mesh/validity.h"
 #include "core/object/distance.h"
+#include "core/phase.h"
 #include "core/solid/mask_surface.h"
 
 namespace handlebody {
@@ -52,6 +54,7 @@ Mask widened(const Mask& mask, int margin) {
 
 //! Every voxel within the radius (mm) of one of `value` becomes so.
 void spread(Mask& mask, std::uint8_t value, double radius) {
+  giveUpIfCancelled();
   std::vector<std::uint8_t> of(mask.inside.size());
   for (std::size_t i = 0; i < of.size(); ++i) of[i] = mask.inside[i] == value ? 1 : 0;
   const std::vector<float> distance = distanceTo(mask.grid.size, mask.grid.spacing, of);
@@ -68,6 +71,7 @@ std::size_t difference(const Mask& a, const Mask& b) {
 }  // namespace
 
 Mask largestPart(const Mask& mask) {
+  const Phase phase("largest part");
   std::vector<int> labels(mask.inside.size(), 0);
   int count = 0, largest = 0;
   std::size_t most = 0;
@@ -105,6 +109,7 @@ bool isSimpler(const Certificate& c, const Certificate& before, int genus) {
 int countTunnels(const Mask& mask) { return tunnelsOf(topologyOf(mask)); }
 
 std::optional<Mask> withFewerTunnels(const Mask& mask, int genus) {
+  const Phase phase("tunnels");
   const Certificate before = topologyOf(mask);
   if (tunnelsOf(before) <= genus) return mask;
   std::optional<Mask> best;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/cancellation.h"
 #include "core/solid/label_mesh.h"
 
 namespace handlebody {
@@ -111,6 +112,7 @@ std::vector<double> SmoothSurface::meanLevels(const Mesh& mesh) const {
   std::vector<double> level(inVoxels_.points.size()), next(level.size());
   for (std::size_t v = 0; v < level.size(); ++v) level[v] = firstLevel(mesh, static_cast<int>(v));
   for (int pass = 0; pass < kLevelPasses; ++pass) {
+    giveUpIfCancelled();
     for (int v = 0; v < mesh.vertexSlots(); ++v) {
       double sum = level[v];
       int n = 1;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/phase.h"
 #include "core/solid/mask_surface.h"
 
 namespace handlebody {
@@ -12,6 +13,7 @@ double Solid::volume() const {
 }
 
 Solid solidOf(TriangleSoup mesh) {
+  const Phase phase("topology");
   Solid solid{std::move(mesh)};
   solid.certificate = examine(solid.surface);
   if (!(solid.certificate.closed && solid.certificate.volume < 0)) return solid;
@@ -26,6 +28,7 @@ Solid solidOf(TriangleSoup mesh) {
 }
 
 Solid solidOf(Mask mask) {
+  const Phase phase("topology");
   Solid solid{maskSurface(mask)};
   if (!solid.empty()) solid.certificate = examine(Mesh(solid.surface));
   solid.mask = std::move(mask);

@@ -8,6 +8,7 @@
 
 #include "core/cancellation.h"
 #include "core/collision/closest_point.h"
+#include "core/phase.h"
 #include "core/threads.h"
 
 namespace handlebody {
@@ -108,8 +109,10 @@ std::size_t countSamples(const TriangleSoup& mesh, double h, std::size_t most) {
   const double largestPiece = std::sqrt(3) / 4 * h * h;  // equilateral
   if (areaOf(mesh) > static_cast<double>(most) * largestPiece) return most + 1;
   std::size_t n = 0;
-  for (std::size_t t = 0; t < mesh.triangles.size() && n <= most; ++t)
+  for (std::size_t t = 0; t < mesh.triangles.size() && n <= most; ++t) {
+    giveUpIfCancelled();
     forPieces(cornersOf(mesh, t), h, [&](const Corners&) { return ++n <= most; });
+  }
   return n;
 }
 
@@ -141,6 +144,7 @@ DirectedDistances directedDistances(const TriangleSoup& from, const TriangleSoup
 
 std::vector<double> vertexDistances(const TriangleSoup& mesh, const TriangleSoup& to, bool isSigned,
                                     int threads) {
+  const Phase phase("distances");
   const ClosestPoint nearest(to);
   std::vector<double> distances = distancesOf(mesh, nearest, threads);
   if (!isSigned) return distances;

@@ -3,9 +3,12 @@
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <thread>
@@ -91,6 +94,24 @@ Outcome runCli(const std::vector<std::string>& arguments, int interruptAfter) {
     kill(run.process(), SIGINT);
   }
   return run.wait();
+}
+
+Outcome runCliAtTerminal(const std::vector<std::string>& arguments) {
+  const TempFolder folder;
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  REQUIRE(terminal >= 0);
+  REQUIRE(grantpt(terminal) == 0);
+  REQUIRE(unlockpt(terminal) == 0);
+  const pid_t child = spawn(arguments, folder / "out", ptsname(terminal));
+  Outcome outcome;
+  std::array<char, 4096> read{};
+  // Until nobody has it open any more, which is an error here. It holds little, so that it must be emptied.
+  for (ssize_t n = 0; (n = ::read(terminal, read.data(), read.size())) > 0;)
+    outcome.err.append(read.data(), static_cast<std::size_t>(n));
+  ::close(terminal);
+  outcome.exitCode = exitCodeOf(child);
+  outcome.out = readBytes(folder / "out");
+  return outcome;
 }
 
 nlohmann::json runForJson(const std::vector<std::string>& arguments) {

@@ -40,6 +40,9 @@ class RunningCli {
 //! With `interruptAfter` > 0 it gets an interrupt (Ctrl-C) after so many milliseconds.
 Outcome runCli(const std::vector<std::string>& arguments, int interruptAfter = 0);
 
+//! The same with a terminal as its standard error, whose text is Outcome::err.
+Outcome runCliAtTerminal(const std::vector<std::string>& arguments);
+
 //! Runs it and requires exit code 0; the standard output as JSON.
 nlohmann::json runForJson(const std::vector<std::string>& arguments);
 

@@ -244,6 +244,23 @@ TEST_CASE("an interrupt ends a run whose mesher hangs, and nothing is written", 
   CHECK_FALSE(std::filesystem::exists(folder / "m.stl"));
 }
 
+TEST_CASE("at a terminal it is told which program works and for how long", "[cli][tetrahedra][progress]") {
+  const HangingGmsh gmsh;
+  const TempFolder folder;
+  const PhantomFile phantom = makePhantomFile(folder, "sphere.mha", {"--truth", folder / "truth.mha"});
+  for (const std::vector<std::string>& command :
+       {std::vector{std::string("mesh"), folder / "truth.mha"},
+        {"segment", phantom.path, "--seed", phantom.seed, "--edge-length", "4"}}) {
+    INFO(command[0]);
+    std::vector<std::string> arguments = command;
+    arguments.insert(arguments.end(), {"-o", folder / "m.msh", "--mesher-seconds", "1.8"});
+    const Outcome outcome = runCliAtTerminal(arguments);
+    CHECK(outcome.exitCode == 2);
+    CHECK_THAT(outcome.err, Contains("\r\033[Ktetrahedra by gmsh, 1 s\r\033[K"));
+    CHECK_THAT(outcome.err, Contains("\r\033[Khandlebody-cli: "));  // a line of its own
+  }
+}
+
 TEST_CASE("a program that fails is named with what it said", "[tetrahedra]") {
   const TempFolder folder;
   std::filesystem::create_directory(folder / "fake");

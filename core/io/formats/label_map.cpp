@@ -9,6 +9,7 @@
 #include "core/io/formats/volume_keys.h"
 #include "core/io/lowered.h"
 #include "core/io/meshes/mesh_io.h"
+#include "core/phase.h"
 
 namespace handlebody {
 
@@ -93,6 +94,7 @@ bool isSlicerSegmentationPath(const std::string& path) { return lowered(path).en
 bool isLabelDescriptionPath(const std::string& path) { return lowered(path).ends_with(".label"); }
 
 Volume labelMap(const std::vector<ExportedObject>& objects, const Grid& grid) {
+  const Phase phase("label map");
   const bool wide = std::any_of(objects.begin(), objects.end(),
                                 [](const ExportedObject& o) { return o.label.value > 255; });
   void* buffer = nullptr;

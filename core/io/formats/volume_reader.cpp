@@ -7,6 +7,7 @@
 #include "core/errors.h"
 #include "core/io/formats/volume_io.h"
 #include "core/io/formats/volume_source.h"
+#include "core/phase.h"
 #include "core/told_error.h"
 #include "core/volume/not_a_number.h"
 
@@ -187,6 +188,7 @@ void fillNotANumber(void* voxels, LoadedVolume& loaded, const std::string& path)
 }
 
 LoadedVolume load(const OpenRequest& request, const ReadProgress& progress) {
+  const Phase phase("reading");
   const std::string& path = request.path;
   const SourcePointer source = openVolume(request, progress);
   VolumeHeader& h = source->header();

@@ -21,6 +21,7 @@
 #include "core/io/lowered.h"
 #include "core/io/meshes/mesh_files.h"
 #include "core/io/refuse_input.h"
+#include "core/phase.h"
 
 namespace handlebody {
 namespace {
@@ -217,6 +218,7 @@ bool isMeshInputPath(const std::string& path) {
 }
 
 TriangleSoup readMesh(const std::string& path, const DecoderSettings& decoder) {
+  const Phase phase("reading");
   std::error_code failed;
   if (!fs::exists(path, failed)) refuse(path, FindingKind::noSuchFile);
   if (!fs::is_regular_file(path, failed)) refuse(path, FindingKind::notAFile);

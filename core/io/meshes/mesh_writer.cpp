@@ -18,6 +18,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/lowered.h"
 #include "core/io/meshes/mesh_files.h"
+#include "core/phase.h"
 
 namespace handlebody {
 namespace {
@@ -140,6 +141,7 @@ bool writeAny(const MeshFile& file, const std::string& ending, const std::string
 //! VTK does not notice a full disk in every format: read it back before the file gets its name. A file of our
 //! own needs no process of its own to read it in.
 bool arrived(const MeshFile& file, const std::string& temporary) {
+  const PhaseScope noPhases({});  // it is a part of writing
   try {
     const TriangleSoup back =
         endingOf(temporary) == ".vtp" ? readVtpHere(temporary).mesh : readMesh(temporary);

@@ -14,6 +14,7 @@
 #include "core/io/report/single_precision.h"
 #include "core/io/report/start_surface.h"
 #include "core/io/tetrahedra/tetrahedra.h"
+#include "core/phase.h"
 #include "core/polish/polish.h"
 #include "core/told_error.h"
 
@@ -202,6 +203,7 @@ class Writer {
 
 void writeResults(const std::vector<ExportedObject>& objects, const ExportContext& context,
                   const std::vector<std::string>& paths) {
+  const Phase phase("writing");
   Writer writer(objects, context);
   for (const std::string& path : paths)
     if (isTetrahedraPath(path)) writer.prepare(path);  // before any file: another program may fail

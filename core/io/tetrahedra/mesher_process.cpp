@@ -11,9 +11,11 @@
 #include <locale>
 #include <sstream>
 
+#include "core/cancellation.h"
 #include "core/errors.h"
 #include "core/indices.h"
 #include "core/io/tetrahedra/limited_program.h"
+#include "core/phase.h"
 
 namespace handlebody {
 
@@ -135,6 +137,7 @@ MesherOutput readGmsh(const std::string& path) {
   }
   if (!findLine(in, "$Elements") || !(in >> count)) return out;
   for (std::size_t i = 0; i < count; ++i) {
+    giveUpIfCancelled();
     int number = 0, type = 0, tags = 0, tag = 0;
     if (!(in >> number >> type >> tags)) return out;
     for (int t = 0; t < tags; ++t) in >> tag;
@@ -189,6 +192,7 @@ MesherOutput readTetgen(const std::string& nodes, const std::string& cells) {
   std::ifstream elements(cells);
   if (!(elements >> count >> dimension >> attributes)) return out;
   for (std::size_t i = 0; i < count; ++i) {
+    giveUpIfCancelled();
     std::size_t number = 0;
     std::array<int, 4> cell{};
     elements >> number >> cell[0] >> cell[1] >> cell[2] >> cell[3];
@@ -215,6 +219,7 @@ std::optional<std::string> findProgram(const std::string& name) {
 }
 
 MesherOutput runGmsh(const std::string& program, const MesherInput& input, double seconds) {
+  const Phase phase("tetrahedra by gmsh");
   const WorkFolder folder;
   writeGmshSurface(input, folder / "surface.msh");
   writeGmshBodies(input, folder / "surface.msh", folder / "bodies.geo");
@@ -228,6 +233,7 @@ MesherOutput runGmsh(const std::string& program, const MesherInput& input, doubl
 }
 
 MesherOutput runTetgen(const std::string& program, const MesherInput& input, double seconds) {
+  const Phase phase("tetrahedra by TetGen");
   const WorkFolder folder;
   writeTetgenSurface(input, folder / "surface.poly");
   // The surface as it is (Y), better shapes inside (q), quiet (Q).

@@ -6,6 +6,7 @@
 #include <locale>
 #include <sstream>
 
+#include "core/cancellation.h"
 #include "core/errors.h"
 #include "core/io/atomic_file.h"
 #include "core/io/lowered.h"
@@ -43,6 +44,7 @@ void writeMsh(const Contents& c, std::ostream& out) {
   }
   out << "$EndNodes\n$Elements\n" << c.tetrahedra.cells.size() << "\n";
   for (std::size_t i = 0; i < c.tetrahedra.cells.size(); ++i) {
+    giveUpIfCancelled();
     const int value = c.label(i).value;
     out << i + 1 << " 4 2 " << value << " " << value;
     for (const int v : c.tetrahedra.cells[i]) out << " " << v + 1;
@@ -67,6 +69,7 @@ void writeInp(const Contents& c, std::ostream& out) {
   }
   int before = -1;
   for (std::size_t i = 0; i < c.tetrahedra.cells.size(); ++i) {
+    giveUpIfCancelled();
     if (c.tetrahedra.object[i] != before) {
       before = c.tetrahedra.object[i];
       out << "*ELEMENT, TYPE=C3D4, ELSET=" << setName(c.label(i)) << "\n";
@@ -97,7 +100,10 @@ void writeVtu(const Contents& c, std::ostream& out) {
     out << p.x() << " " << p.y() << " " << p.z() << "\n";
   }
   out << "</DataArray>\n</Points>\n<Cells>\n" << array << "Int32\" Name=\"connectivity\" format=\"ascii\">\n";
-  for (const auto& t : c.tetrahedra.cells) out << t[0] << " " << t[1] << " " << t[2] << " " << t[3] << "\n";
+  for (const auto& t : c.tetrahedra.cells) {
+    giveUpIfCancelled();
+    out << t[0] << " " << t[1] << " " << t[2] << " " << t[3] << "\n";
+  }
   out << "</DataArray>\n" << array << "Int32\" Name=\"offsets\" format=\"ascii\">\n";
   for (std::size_t i = 0; i < cells; ++i) out << 4 * (i + 1) << "\n";
   out << "</DataArray>\n" << array << "UInt8\" Name=\"types\" format=\"ascii\">\n";
